@@ -1,0 +1,1 @@
+"""Published systems, one file each: the model in a few lines, and what is reproduced, with its references."""
