@@ -1,0 +1,38 @@
+"""The table of elements: one file for each element or close family. A new one is a file and a line."""
+
+from flexel.derive.element import Element
+from flexel.derive.elements.beam import BEAM, BEAM_FIRST_ORDER
+from flexel.derive.elements.beam3 import BEAM3
+from flexel.derive.elements.bearing import BEARING
+from flexel.derive.elements.body import BODY, POINT_MASS
+from flexel.derive.elements.hinge import HINGE
+from flexel.derive.elements.norm import NORM
+from flexel.derive.elements.planar_beam import PLANAR_BEAM, PLANAR_BEAM_FIRST_ORDER
+from flexel.derive.elements.planar_beam3 import PLANAR_BEAM3
+from flexel.derive.elements.planar_body import PLANAR_BODY, PLANAR_POINT_MASS
+from flexel.derive.elements.planar_hinge import PLANAR_HINGE
+from flexel.derive.elements.rotation_slips import BODY_ROTATION, ROTATION
+from flexel.derive.elements.truss import PLANAR_TRUSS, TRUSS
+from flexel.derive.elements.wheel import WHEEL
+
+ELEMENTS: tuple[Element, ...] = (
+    POINT_MASS,
+    BODY,
+    NORM,
+    TRUSS,
+    HINGE,
+    BEARING,
+    BEAM3,
+    BEAM,
+    BEAM_FIRST_ORDER,
+    WHEEL,
+    ROTATION,
+    BODY_ROTATION,
+    PLANAR_POINT_MASS,
+    PLANAR_BODY,
+    PLANAR_TRUSS,
+    PLANAR_HINGE,
+    PLANAR_BEAM,
+    PLANAR_BEAM_FIRST_ORDER,
+    PLANAR_BEAM3,
+)

@@ -1,0 +1,63 @@
+"""Flexible beam in the plane, with and without the second-order terms of its elongation."""
+
+from sympy import Matrix
+
+from flexel.derive.element import Deformation, Element, Let, Parameter, PlanarAngle, PlanarPoint
+from flexel.derive.elements.parameters import L0, PLANAR_GRAVITY, RHOA
+from flexel.derive.elements.triads import named_directions
+from flexel.derive.rotation import HALF, dot, norm
+from flexel.derive.shape import hermite_energy, hermite_mean, rotary_energy
+
+ALPHA0 = Parameter("alpha0", 1, "rad", "initial direction of the element minus the angle of node p")
+ALPHAQ0 = Parameter("alphaq0", 1, "rad", "initial direction of the element minus the angle of node q")
+PLANAR_RHOJ = Parameter("rhoJ", 1, "kg m", "mass moment of inertia of the section per length")
+PLANAR_PHI = Parameter("phi_z", 1, "1", "shear number of the deflection in the plane, 12 E I/(k G A l0^2)")
+
+_DOC = """\
+ex, ey: directions of the element at p (angle_p + alpha0) and q (angle_q + alphaq0)
+d = xq - xp, l = |d|, el = d/l;  b1 = l - l0,  b5 = l0 ey_p.el,  b6 = -l0 ey_q.el
+elongation = {elongation},  bend1 = b5,  bend2 = b6
+T: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with
+   the shear-corrected (phi_z) cubic shapes
+U = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)"""
+
+
+def _planar_beam(name: str, second: bool) -> Element:
+    p, rp, q, rq = PlanarPoint("p"), PlanarAngle("rp"), PlanarPoint("q"), PlanarAngle("rq")
+    l0 = L0.symbol
+    let = Let()
+    ex_p, ey_p = named_directions(let, rp, ALPHA0, "p")
+    ex_q, ey_q = named_directions(let, rq, ALPHAQ0, "q")
+    d = let.vector("d", q.x - p.x)
+    length = let.scalar("l", norm(d))
+    el = let.vector("el", d / length)
+    b5, b6 = let.scalar("b5", l0 * dot(ey_p, el)), let.scalar("b6", -l0 * dot(ey_q, el))
+    elongation = length - l0
+    if second:
+        elongation += (2 * b5**2 + b5 * b6 + 2 * b6**2) / (30 * l0)
+    wp, wq = rp.v[0], rq.v[0]
+    chord = let.scalar("chord", HALF * dot(q.v - p.v, ey_p + ey_q) / l0)
+    columns: tuple[Matrix, ...] = (p.v, l0 * wp * ey_p, q.v, l0 * wq * ey_q)
+    translation = RHOA.symbol * hermite_energy(columns)
+    rotation = PLANAR_RHOJ.symbol * rotary_energy(PLANAR_PHI.symbol, chord, wp, wq)
+    centre = hermite_mean(p.x, l0 * ex_p, q.x, l0 * ex_q)
+    return Element(
+        name=name,
+        nodes=(p, rp, q, rq),
+        parameters=(L0, ALPHA0, ALPHAQ0, RHOA, PLANAR_RHOJ, PLANAR_PHI, PLANAR_GRAVITY),
+        let=let.entries,
+        deformations=(
+            Deformation("elongation", "m", elongation),
+            Deformation("bend1", "m", b5),
+            Deformation("bend2", "m", b6),
+        ),
+        kinetic_energy=HALF * l0 * (translation + rotation),
+        potential=-RHOA.symbol * l0 * dot(PLANAR_GRAVITY.vector, centre),
+        doc=_DOC.format(elongation="b1 + (2 b5^2 + b5 b6 + 2 b6^2)/(30 l0)" if second else "b1"),
+        source="SPACAR95 manual (Schwab and Meijaard 2000), PLBEAM, PLBEAMNL; signs of the "
+        "spatial beam's b5, b6; Meijaard 1996, Nonlinear Dyn. 9",
+    )
+
+
+PLANAR_BEAM = _planar_beam("planar_beam", second=True)
+PLANAR_BEAM_FIRST_ORDER = _planar_beam("planar_beam_first_order", second=False)

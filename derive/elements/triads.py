@@ -1,0 +1,26 @@
+"""Triads of the spatial elements and directions of the planar ones, as named intermediates computed once."""
+
+from sympy import Matrix, cos, sin
+
+from flexel.derive.element import Let, Node, Parameter
+from flexel.derive.rotation import product, triad
+
+Triad = tuple[Matrix, Matrix, Matrix]
+
+
+def named_quaternion(let: Let, node: Node, t: Parameter, end: str) -> Matrix:
+    """Quaternion u of the element's triad at a frame, lambda o t, named ``u_p`` for the end p."""
+    return let.vector(f"u_{end}", product(node.x, t.vector))
+
+
+def named_triad(let: Let, u: Matrix, end: str) -> Triad:
+    """Columns of R(u), named ``ex_p``, ``ey_p``, ``ez_p`` for the end p."""
+    ex, ey, ez = triad(u)
+    return let.vector(f"ex_{end}", ex), let.vector(f"ey_{end}", ey), let.vector(f"ez_{end}", ez)
+
+
+def named_directions(let: Let, node: Node, alpha0: Parameter, end: str) -> tuple[Matrix, Matrix]:
+    """Directions e_x and e_y of a planar element at an angle node, turned by alpha0."""
+    angle = node.x[0] + alpha0.symbol
+    c, s = let.scalar(f"cos_{end}", cos(angle)), let.scalar(f"sin_{end}", sin(angle))
+    return Matrix([c, s]), Matrix([-s, c])

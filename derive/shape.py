@@ -1,0 +1,82 @@
+"""Shape functions of the beams, and their exact integrals over the length.
+
+This room may import sympy only. Everything is a rational function of the shear number P (12 EI / (k G A l0^2)
+of the plane of bending) that is worked out once, exactly, from the shape functions themselves.
+"""
+
+from functools import cache
+
+import sympy as sp
+from sympy import Expr, Matrix, Rational, Symbol
+
+from flexel.derive.rotation import dot
+
+_XI = Symbol("xi")
+_P = Symbol("P")
+
+# Consistent mass of the cubic Hermite interpolation on (r_p, l0 r'_p, r_q, l0 r'_q), over rhoA l0.
+HERMITE_MASS = Matrix([[156, 22, 54, -13], [22, 4, 13, -3], [54, 13, 156, -22], [-13, -3, -22, 4]]) / 420
+
+
+def hermite() -> Matrix:
+    """The four cubic shape functions on (r_p, l0 r'_p, r_q, l0 r'_q) of xi in [0, 1]."""
+    xi = _XI
+    return Matrix([1 - 3 * xi**2 + 2 * xi**3, xi - 2 * xi**2 + xi**3, 3 * xi**2 - 2 * xi**3, xi**3 - xi**2])
+
+
+@cache
+def rotary_gram() -> tuple[tuple[Expr, ...], ...]:
+    """Gram matrix of the section's rotation, times (1 + P)^2, as polynomials in P (symbol `P`).
+
+    The rotation is [6 xi (1 - xi) c + (1 - 4 xi + 3 xi^2 + P (1 - xi)) w_p + (3 xi^2 - 2 xi + P xi) w_q]/(1 +
+    P) with c the rate of the chord's direction and w_p, w_q the angular velocities of the ends (Timoshenko
+    beam with the cubic interpolation that is exact for end loads; Przemieniecki 1968).
+    """
+    xi, shear = _XI, _P
+    shapes = (
+        6 * xi * (1 - xi),
+        1 - 4 * xi + 3 * xi**2 + shear * (1 - xi),
+        3 * xi**2 - 2 * xi + shear * xi,
+    )
+    return tuple(
+        tuple(sp.Poly(sp.integrate(sp.expand(a * b), (xi, 0, 1)), shear).as_expr() for b in shapes)
+        for a in shapes
+    )
+
+
+def rotary_energy(shear: Expr, chord: Expr, wp: Expr, wq: Expr) -> Expr:
+    """Mean square of the section's angular velocity about one transverse axis, ``∫ w(xi)^2 dxi``.
+
+    Parameters
+    ----------
+    shear : Expr
+        Shear number P of the plane of bending.
+    chord : Expr
+        Angular velocity of the chord about the axis.
+    wp, wq : Expr
+        Angular velocities of the ends about the axis.
+    """
+    w = (chord, wp, wq)
+    gram = [[sp.horner(g) if g.has(_P) else g for g in row] for row in rotary_gram()]
+    terms = [gram[i][i] * w[i] ** 2 for i in range(3)]
+    terms += [2 * gram[i][j] * w[i] * w[j] for i in range(3) for j in range(i + 1, 3)]
+    return sp.Add(*terms).xreplace({_P: shear}) / (1 + shear) ** 2
+
+
+def linear_energy(vp: Matrix, vq: Matrix) -> Expr:
+    """Mean square of a linearly interpolated vector, times 3: vp.vp + vp.vq + vq.vq."""
+    return dot(vp, vp) + dot(vp, vq) + dot(vq, vq)
+
+
+def hermite_energy(columns: tuple[Matrix, Matrix, Matrix, Matrix]) -> Expr:
+    """Mean square of a cubically interpolated vector given by (r_p, l0 r'_p, r_q, l0 r'_q)."""
+    terms = []
+    for i in range(4):
+        terms.append(HERMITE_MASS[i, i] * dot(columns[i], columns[i]))
+        terms += [2 * HERMITE_MASS[i, j] * dot(columns[i], columns[j]) for j in range(i + 1, 4)]
+    return sp.Add(*terms)
+
+
+def hermite_mean(xp: Matrix, slope_p: Matrix, xq: Matrix, slope_q: Matrix) -> Matrix:
+    """Mean of a cubically interpolated vector; the slopes are multiplied by the length."""
+    return (xp + xq) / 2 + (slope_p - slope_q) * Rational(1, 12)
