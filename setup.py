@@ -1,4 +1,4 @@
-"""What pyproject.toml cannot say: the sub-packages, the C extension, and that its wheel fits every Python from 3.11."""
+"""What pyproject.toml cannot say: the sub-packages, the C extension, one wheel for all Pythons >= 3.11."""
 
 from setuptools import find_packages, setup
 

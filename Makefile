@@ -1,0 +1,78 @@
+# flexel: `make demo` and `make test` need a Debian with make, gcc, python3-dev and python3-venv; the rest is fetched.
+# Every target is quick when nothing has changed: stamps in the virtual environments remember what was installed.
+
+PYTHON ?= python3
+VENV ?= .venv
+VENV_LINT ?= .venv-lint
+OUT ?= out
+PYTEST ?= -n 2
+TYPED := build/typed
+
+SETUP := pyproject.toml setup.py
+SOURCES := $(SETUP) $(wildcard generated/*.c generated/*.h generated/build.py)
+WARNINGS := -std=c11 -O2 -fopenmp-simd -Wall -Wextra -Wpedantic -Werror
+
+.PHONY: demo test lint types check strict wheel venv clean prerequisites
+
+demo: $(VENV)/installed-plot
+	$(VENV)/bin/flexel derive
+	@$(MAKE) --no-print-directory $(VENV)/installed-plot
+	$(VENV)/bin/flexel verify
+	$(VENV)/bin/flexel reproduce bicycle --out $(OUT)/bicycle
+	@echo; echo "The pictures are in $(abspath $(OUT))/bicycle:"; ls $(OUT)/bicycle
+
+test: $(VENV)/installed-test
+	$(VENV)/bin/python -m pytest $(PYTEST)
+
+lint: $(VENV_LINT)/installed
+	$(VENV_LINT)/bin/ruff check .
+	$(VENV_LINT)/bin/ruff format --check .
+
+# mypy cannot follow an editable install: it reads the package as a normal install lays it out.
+types: $(VENV_LINT)/installed
+	rm -rf $(TYPED)
+	$(VENV_LINT)/bin/python setup.py --quiet build_py --build-lib $(TYPED)
+	cd $(TYPED) && MYPYPATH=. $(abspath $(VENV_LINT))/bin/mypy --config-file $(CURDIR)/pyproject.toml --strict -p flexel
+
+check: $(VENV)/installed-test
+	$(VENV)/bin/flexel derive --check
+
+# The generated C, one file at a time, with every warning an error.
+strict:
+	set -e; for file in generated/*.c; do $(CC) $(WARNINGS) -Igenerated -c $$file -o /dev/null; done
+
+wheel: $(VENV)/bin/python
+	rm -rf build dist
+	$(VENV)/bin/pip wheel --quiet --no-deps --wheel-dir dist .
+	@ls dist
+
+venv: $(VENV)/installed-test
+
+clean:
+	rm -rf build dist $(OUT) $(VENV) $(VENV_LINT) *.egg-info .pytest_cache .mypy_cache .ruff_cache generated/_kernels*.so
+	find . -name __pycache__ -type d -prune -exec rm -rf {} +
+
+prerequisites:
+	@missing=""; \
+	command -v gcc >/dev/null || missing="$$missing gcc"; \
+	if ! command -v $(PYTHON) >/dev/null; then missing="$$missing python3-dev python3-venv"; else \
+	  $(PYTHON) -c 'import os, sys, sysconfig as s; sys.exit(not os.path.exists(s.get_path("include") + "/Python.h"))' \
+	    || missing="$$missing python3-dev"; \
+	  $(PYTHON) -c 'import ensurepip, venv' 2>/dev/null || missing="$$missing python3-venv"; fi; \
+	if [ -n "$$missing" ]; then echo "Missing; as root:  apt-get install$$missing" >&2; exit 1; fi
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "flexel needs Python 3.11 or newer: make PYTHON=...")'
+
+$(VENV)/bin/python $(VENV_LINT)/bin/python: %/bin/python: | prerequisites
+	$(PYTHON) -m venv --clear $*
+
+# An editable install with its extra; compiles the kernels, and does so again when one of them has changed.
+$(VENV)/installed-%: $(SOURCES) | $(VENV)/bin/python
+	$(VENV)/bin/pip install --quiet --disable-pip-version-check --editable '.[$*]'
+	@touch $@
+
+# The tools and what they must see, without flexel itself: nothing to compile.
+$(VENV_LINT)/installed: pyproject.toml | $(VENV_LINT)/bin/python
+	$(PYTHON) -c 'import tomllib; p = tomllib.load(open("pyproject.toml", "rb"))["project"]; \
+	  e = p["optional-dependencies"]; print(*p["dependencies"], *e["plot"], *e["lint"], "setuptools", sep="\n")' > $(VENV_LINT)/needs.txt
+	$(VENV_LINT)/bin/pip install --quiet --disable-pip-version-check --requirement $(VENV_LINT)/needs.txt
+	@touch $@
