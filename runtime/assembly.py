@@ -1,0 +1,196 @@
+"""Runs the compiled kernels of all elements of a model and scatters what they give.
+
+All elements of one type form a batch; the inputs of all batches are gathered with one `take` into one
+buffer, the batches run in one C call, and their outputs are scattered with one indexed assignment
+(each entry has one owner) or one sparse product (entries are summed).  It orchestrates and computes nothing.
+Imports numpy, scipy.sparse and the generated kernels.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from scipy.sparse import csr_array
+
+from flexel.generated._kernels import ffi, lib
+from flexel.generated.spec import ElementSpec, LawSpec
+from flexel.structure import Array, Index
+
+LANES = 8  # elements in a block, see generated/kernels.h
+
+
+@dataclass(frozen=True)
+class Batch:
+    """All elements (or laws) of one type.
+
+    Attributes
+    ----------
+    spec : ElementSpec or LawSpec
+    struct : cffi struct
+        Function pointers of the kernels.
+    inputs : dict of str to ndarray of int (elements, rows)
+        For each kernel input, where its rows lie in the global vector.
+    p : ndarray (elements, np)
+        Parameters.
+    """
+
+    spec: ElementSpec | LawSpec
+    struct: Any
+    inputs: dict[str, Index]
+    p: Array
+
+    @property
+    def size(self) -> int:
+        """Number of elements."""
+        return int(self.p.shape[0])
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where one output of a batch goes: flat places (elements, local size) in a global array of `shape`."""
+
+    array: str
+    shape: tuple[int, ...]
+    places: Index
+    summed: bool
+
+
+Placement = Callable[[Batch, str], Place]
+
+
+def kernel_struct(spec: ElementSpec | LawSpec, address: object) -> Any:
+    """The C table of function pointers of a built-in (by name) or user-defined (by address) type."""
+    law = isinstance(spec, LawSpec)
+    if address is None:
+        return getattr(lib, f"flexel_law_{spec.name}" if law else f"flexel_{spec.name}")
+    return ffi.cast("flexel_law *" if law else "flexel_element *", address)[0]
+
+
+def blocks(values: Any) -> Any:
+    """Rows (elements, r) laid out as (blocks, r, 8), the last lanes repeating the last element."""
+    size, rows = values.shape
+    count = -(-size // LANES)
+    padded = np.concatenate([values, np.repeat(values[-1:], count * LANES - size, axis=0)])
+    return np.ascontiguousarray(padded.reshape(count, LANES, rows).transpose(0, 2, 1))
+
+
+class Stage:
+    """One kernel kind, run over all batches that have it.
+
+    Parameters
+    ----------
+    batches : sequence of Batch
+    kind : str
+        Name of the kernel, e.g. "position".
+    placement : Placement
+        Where each output goes.
+    """
+
+    def __init__(self, batches: Sequence[Batch], kind: str, placement: Placement) -> None:
+        active = [b for b in batches if b.size and kind in b.spec.kernels]
+        names = active[0].spec.kernels[kind].inputs if active else ()
+        self._names = tuple(name for name in names if name != "p")
+        self._gather = {
+            name: np.concatenate([blocks(b.inputs[name]).ravel() for b in active]).astype(np.intp)
+            for name in self._names
+        }
+        self._filled = tuple(name for name in self._names if self._gather[name].size)
+        self._inputs = {name: np.zeros(max(index.size, 1)) for name, index in self._gather.items()}
+        self._parameters = [blocks(b.p).ravel() for b in active]
+        self._starts, width = _output_starts(active, kind)
+        self._output = np.zeros(max(width, 1))
+        self._count = len(active)
+        self._calls = self._call_table(active, kind)
+        self._targets = self._scatter_table(active, kind, placement)
+
+    def _call_table(self, active: list[Batch], kind: str) -> Any:
+        """The array of `flexel_call` with all pointers, made once."""
+        start = dict.fromkeys(self._names, 0)
+        self._keep: list[Any] = []
+        rows: list[dict[str, Any]] = []
+        for i, batch in enumerate(active):
+            spec, count = batch.spec.kernels[kind], -(-batch.size // LANES)
+            ins: list[Any] = []
+            for name in spec.inputs:
+                if name == "p":
+                    ins.append(_pointer(self._parameters[i], 0))
+                    continue
+                ins.append(_pointer(self._inputs[name], start[name]))
+                start[name] += batch.inputs[name].shape[1] * count * LANES
+            outs = [_pointer(self._output, place) for place in self._starts[i].values()]
+            arrays = ffi.new("double *[]", ins), ffi.new("double *[]", outs)
+            self._keep.append(arrays)
+            rows.append(
+                {
+                    "kernel": getattr(batch.struct, kind),
+                    "nblocks": count,
+                    "in": ffi.cast("const double *const *", arrays[0]),
+                    "out": arrays[1],
+                }
+            )
+        return ffi.new("flexel_call[]", rows)
+
+    def _scatter_table(self, active: list[Batch], kind: str, placement: Placement) -> dict[str, Any]:
+        pieces: dict[str, tuple[Place, list[Index], list[Index]]] = {}
+        for batch, starts in zip(active, self._starts, strict=True):
+            for out in batch.spec.kernels[kind].outputs:
+                place = placement(batch, out.name)
+                nonzeros = np.array(out.nonzeros, dtype=np.intp)
+                _, sources, targets = pieces.setdefault(place.array, (place, [], []))
+                sources.append(_lanes(batch.size, nonzeros.size, starts[out.name]))
+                targets.append(place.places[:, nonzeros].ravel())
+        table: dict[str, Any] = {}
+        for name, (place, s, t) in pieces.items():
+            source, target = np.concatenate(s), np.concatenate(t)
+            size = int(np.prod(place.shape))
+            if place.summed:
+                ones = np.ones(source.size)
+                table[name] = csr_array((ones, (target, source)), shape=(size, self._output.size))
+            else:
+                table[name] = (source, target)
+        return table
+
+    def run(self, **vectors: Array) -> None:
+        """Gather the inputs and run the kernels of all batches; read the results with `add` and `put`."""
+        for name in self._filled:
+            np.take(vectors[name], self._gather[name], out=self._inputs[name], mode="clip")
+        if self._count:
+            lib.flexel_run(self._count, self._calls)
+
+    def put(self, name: str, out: Array) -> Array:
+        """Write the entries of the output `name` into `out` (each has one owner) and return it."""
+        table = self._targets.get(name)
+        if table is not None:
+            out.ravel()[table[1]] = self._output[table[0]]
+        return out
+
+    def sum(self, name: str, shape: tuple[int, ...]) -> Array:
+        """The output `name`, contributions of all elements summed."""
+        table = self._targets.get(name)
+        return np.zeros(shape) if table is None else np.asarray(table @ self._output).reshape(shape)
+
+
+def _pointer(array: Array, offset: int) -> Any:
+    return ffi.cast("double *", array.ctypes.data) + offset
+
+
+def _output_starts(active: list[Batch], kind: str) -> tuple[list[dict[str, int]], int]:
+    """Where each output of each batch starts in the common output buffer, and the buffer's length."""
+    starts: list[dict[str, int]] = []
+    place = 0
+    for batch in active:
+        found: dict[str, int] = {}
+        for out in batch.spec.kernels[kind].outputs:
+            found[out.name] = place
+            place += len(out.nonzeros) * -(-batch.size // LANES) * LANES
+        starts.append(found)
+    return starts, place
+
+
+def _lanes(size: int, rows: int, start: int) -> Index:
+    """Buffer indices (elements x rows, flat) of the rows of one output, element by element."""
+    element = np.arange(size)[:, None]
+    return (start + (element // LANES * rows + np.arange(rows)) * LANES + element % LANES).ravel()

@@ -1,0 +1,160 @@
+"""Counting, rank check with names, and the automatic choice of independent coordinates.
+
+A null space says what is wrong: a left null vector of the constraint matrix is a redundant set of
+conditions, a right null vector is a motion that nothing controls.  Both are reported by the names of their
+largest entries.  Imports numpy, scipy.linalg and the kinematics.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.linalg import qr
+
+from flexel.errors import ConstraintError
+from flexel.kinematics import Kinematics
+from flexel.roles import Roles
+from flexel.structure import Array, Index, Structure
+
+RANK_TOLERANCE = 1e-9  # singular value of the row-scaled constraint matrix that counts as zero
+PREFERENCE = 3.0  # relative angles and elongations are preferred to absolute coordinates by this factor
+
+
+def null_space(A: Array, columns: int) -> tuple[Array, Array]:
+    """Right null space (columns, r) and left null space (rows, l) of a matrix with scaled rows."""
+    if not A.shape[0]:
+        return np.eye(columns), np.zeros((0, 0))
+    scale = np.linalg.norm(A, axis=1)
+    if np.any(scale == 0):
+        left = np.eye(A.shape[0])[:, scale == 0]
+        return null_space(A[scale > 0], columns)[0], left
+    U, s, Vt = np.linalg.svd(A / scale[:, None])
+    rank = int(np.sum(s > RANK_TOLERANCE * s[0]))
+    return Vt[rank:].T, U[:, rank:]
+
+
+def largest(structure: Structure, rows: Index, vector: Array, limit: int = 6) -> list[str]:
+    """Names of the quantities with the largest entries of a null vector, norms left out."""
+    weight = np.abs(vector) / max(float(np.max(np.abs(vector))), 1e-300)
+    order = [i for i in np.argsort(-weight, kind="stable") if weight[i] > 0.05]
+    names = [structure.names[rows[i]] for i in order]
+    return [name for name in names if not name.endswith(".norm")][:limit] or names[:limit]
+
+
+def quoted(names: list[str]) -> str:
+    """Names in quotes, separated by commas."""
+    return ", ".join(f"'{name}'" for name in names)
+
+
+def check_redundancy(structure: Structure, J: Array, rows: Index, what: str) -> None:
+    """Raise if the constraint rows are dependent, naming the conditions that repeat one another.
+
+    Raises
+    ------
+    ConstraintError
+    """
+    _, left = null_space(J[rows, : structure.nf], structure.nf)
+    if not left.shape[1]:
+        return
+    names: list[str] = []
+    for column in left.T:
+        names += [z for z in largest(structure, rows, column) if z not in names]
+    count = left.shape[1]
+    raise ConstraintError(
+        f"over-constrained: {count} {what} repeat{'s' if count == 1 else ''} what others already say, among "
+        f"{quoted(names[:10])}; release {'one' if count == 1 else str(count)} of them "
+        f"(for example m.release('{names[0]}'))"
+    )
+
+
+def candidates(structure: Structure, roles: Roles) -> Index:
+    """Quantities that may serve as freedoms: free deformations and free coordinates without a role."""
+    taken = set(roles.rigid) | set(roles.prescribed)
+    first = structure.m + structure.k
+    rows = [*range(structure.m), *range(first, first + structure.nf)]
+    return np.array([i for i in rows if i not in taken], dtype=np.intp)
+
+
+def pick(kinematics: Kinematics, J: Array, space: Array, exclude: Index) -> Index:
+    """Quantities whose rates span a space of velocities best, by QR with column pivoting.
+
+    Parameters
+    ----------
+    J : ndarray (m + k + n, n)
+    space : ndarray (nf, r)
+        Basis of the admissible velocities that are still to be described.
+    exclude : ndarray of int
+        Quantities already chosen.
+
+    Returns
+    -------
+    ndarray of int (r,)
+    """
+    structure = kinematics.structure
+    if not space.shape[1]:
+        return np.zeros(0, dtype=np.intp)
+    rows = np.setdiff1d(candidates(structure, kinematics.roles), exclude)
+    weight = 1.0 / kinematics.scales(rows)
+    weight[(rows < structure.m) | (np.array(structure.units, dtype=object)[rows] == "rad")] *= PREFERENCE
+    S = (J[rows, : structure.nf] @ space) * weight[:, None]
+    _, R, pivots = qr(S.T, mode="economic", pivoting=True)
+    diagonal = np.abs(np.diag(R))
+    if diagonal.size < space.shape[1] or diagonal[-1] < 1e-9 * diagonal[0]:
+        raise ConstraintError("no independent coordinates can be chosen here: the position is singular")
+    return np.sort(rows[pivots[: space.shape[1]]])
+
+
+def choose_freedoms(kinematics: Kinematics, J: Array, dynamic: Index | None, kinematic: Index | None) -> Roles:
+    """Roles with all freedoms: those the user named, checked, or an automatic choice.
+
+    Parameters
+    ----------
+    J : ndarray (m + k + n, n)
+        At the configuration that decides.
+    dynamic, kinematic : ndarray of int or None
+        Named freedoms; None leaves the choice to the program.
+
+    Raises
+    ------
+    ConstraintError
+        Redundant constraints, motions left without a coordinate, or dependent coordinates, by name.
+    """
+    structure, roles = kinematics.structure, kinematics.roles
+    nf = structure.nf
+    check_redundancy(structure, J, roles.holonomic, "rigid or prescribed condition(s)")
+    rolling = np.concatenate([roles.holonomic, roles.zero])
+    check_redundancy(structure, J, rolling, "rolling condition(s)")
+    if dynamic is None:
+        dynamic = pick(kinematics, J, null_space(J[rolling, :nf], nf)[0], roles.prescribed)
+    else:
+        check_choice(structure, J, rolling, dynamic, "dynamic", "independent")
+    held = np.concatenate([roles.holonomic, dynamic])
+    if kinematic is None:
+        kinematic = pick(kinematics, J, null_space(J[held, :nf], nf)[0], dynamic)
+    else:
+        check_choice(structure, J, held, kinematic, "kinematic", "kinematic")
+    return roles.with_freedoms(dynamic, kinematic)
+
+
+def check_choice(
+    structure: Structure, J: Array, constraints: Index, chosen: Index, kind: str, method: str
+) -> None:
+    """Raise if named freedoms are too many, too few or dependent, naming what is left or repeated."""
+    nf = structure.nf
+    rows = np.concatenate([constraints, chosen])
+    right, left = null_space(J[rows, :nf], nf)
+    needed = nf - constraints.size
+    if left.shape[1]:
+        names = [structure.names[i] for i in chosen]
+        repeated = largest(structure, rows, left[:, 0])
+        raise ConstraintError(
+            f"{chosen.size} {kind} coordinate(s) named ({quoted(names)}) but the mechanism has {needed}: "
+            f"{quoted(repeated)} depend on one another; take one of {quoted(names)} back"
+        )
+    if right.shape[1]:
+        moving = np.arange(nf) + structure.m + structure.k
+        names = largest(structure, moving, right[:, 0])
+        raise ConstraintError(
+            f"under-constrained: {needed} {kind} coordinate(s) are needed and {chosen.size} named; a motion of "
+            f"{quoted(names)} is left: name one more with m.{method}(…), prescribe it or hold it, or name none "
+            "and let the program choose"
+        )

@@ -1,0 +1,135 @@
+"""Equations of motion in minimal coordinates, without Lagrange multipliers.
+
+H' [ M a + h - f + De' sigma + V' tau ] = 0 with a = H q_d'' + g.  The multipliers (stresses of rigid
+deformations and rolling contacts, driving forces of prescribed motions) follow from the same
+factorization of B.  Source: Jonker and Meijaard (1990); Schwab and Meijaard (2003), eqs. (17)-(22).
+Imports numpy, scipy.linalg and the kinematics.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from flexel.errors import DynamicsError
+from flexel.kinematics import Configuration, Factorization, Kinematics
+from flexel.loads import Loads
+from flexel.state import Energy, State
+from flexel.structure import Array
+
+
+@dataclass(frozen=True)
+class Forces:
+    """Inertia and forces at a configuration with velocities; letters as in the formulation.
+
+    Attributes
+    ----------
+    M : ndarray (n, n)
+    F : ndarray (n,)
+        f - h - De' sigma - V' tau over all given stresses.
+    stress : ndarray (m + k,)
+        Given stresses: of laws and of loads.
+    energy : Energy
+    """
+
+    M: Array
+    F: Array
+    stress: Array
+    energy: Energy
+
+
+def forces(kinematics: Kinematics, loads: Loads, c: Configuration, v: Array, e: Array) -> Forces:
+    """Mass matrix, given forces and energies at (x, v); `e` holds the deformations with their turns."""
+    s = kinematics.structure
+    evaluation = kinematics.evaluation
+    M, h, f, U = evaluation.inertia(c.x, v)
+    rates = c.J[: s.m + s.k] @ v
+    law, strain = evaluation.stresses(e, rates[: s.m], rates[s.m :])
+    nodal, applied = loads.at(c.t)
+    stress = law + applied
+    F = f - h + nodal - stress @ c.J[: s.m + s.k]
+    U += loads.potential(c.t, kinematics.values(e, c.x))
+    return Forces(M, F, stress, Energy(float(v @ M @ v) / 2, U, strain))
+
+
+@dataclass(frozen=True)
+class Acceleration:
+    """Accelerations at a state: a = H q_d'' + g."""
+
+    H: Array
+    qdd: Array
+    a: Array
+
+
+def accelerations(
+    kinematics: Kinematics, c: Configuration, B: Factorization, v: Array, forces_: Forces
+) -> Acceleration:
+    """Solve (H' M H) q_d'' = H' (F - M g) and give a (n,).
+
+    Raises
+    ------
+    DynamicsError
+        If the reduced mass matrix is not positive definite: names the freedom without inertia.
+    """
+    nf, nd = kinematics.structure.nf, kinematics.roles.nd
+    H, g = unit_solutions(kinematics, B), B.solve(kinematics.convective(c, v))
+    M, F = forces_.M[:nf, :nf], forces_.F[:nf]
+    qdd = solve_mass(kinematics, H.T @ M @ H, H.T @ (F - M @ g)) if nd else np.zeros(0)
+    a = np.zeros(kinematics.structure.n)
+    a[:nf] = H @ qdd + g
+    return Acceleration(H, qdd, a)
+
+
+def unit_solutions(kinematics: Kinematics, B: Factorization) -> Array:
+    """First-order transfer function H = dv/dq_d' (nf, nd): the last columns of the inverse of B."""
+    nf, nd = kinematics.structure.nf, kinematics.roles.nd
+    return B.solve(np.eye(nf)[:, nf - nd :])
+
+
+def solve_mass(kinematics: Kinematics, Mr: Array, rhs: Array) -> Array:
+    """Solve with the reduced mass matrix (nd, nd), which must be positive definite."""
+    try:
+        L = np.linalg.cholesky(Mr)
+    except np.linalg.LinAlgError as error:
+        w, V = np.linalg.eigh(Mr)
+        culprit = kinematics.roles.dynamic[int(np.argmax(np.abs(V[:, 0])))]
+        raise DynamicsError(
+            f"reduced mass matrix is not positive definite (smallest eigenvalue {w[0]:.3g}): the freedom "
+            f"{kinematics.names([culprit])} moves no mass; give its bodies mass and inertia, or prescribe it"
+        ) from error
+    return np.asarray(np.linalg.solve(L.T, np.linalg.solve(L, rhs)))
+
+
+def complete(kinematics: Kinematics, loads: Loads, c: Configuration, v: Array, e: Array) -> State:
+    """The complete state at a configuration with velocities: accelerations, stresses, reactions, energy."""
+    s, roles = kinematics.structure, kinematics.roles
+    B = kinematics.velocity_matrix(c)
+    given = forces(kinematics, loads, c, v, e)
+    a = accelerations(kinematics, c, B, v, given).a
+    residual = given.F - given.M @ a
+    mu = B.solve(residual[: s.nf], transposed=True)
+    multiplier = np.zeros(len(s.names))
+    rows = roles.velocity_rows[: roles.velocity_rows.size - roles.nd]
+    multiplier[rows] = mu[: rows.size]
+    first = s.m + s.k
+    stress = given.stress + multiplier[:first]
+    reactions = -multiplier[first:]
+    reactions[s.nf :] = -(residual - multiplier[:first] @ c.J[:first])[s.nf :]
+    second = kinematics.evaluation.convective(c.x, v) + c.J @ a
+    held = kinematics.values(c.e, c.x)[roles.rigid] / kinematics.scales(roles.rigid)
+    return State(
+        t=c.t,
+        x=c.x,
+        v=v,
+        a=a,
+        e=e,
+        J=c.J,
+        stress=stress,
+        reactions=reactions,
+        roles=roles,
+        structure=s,
+        energy=given.energy,
+        drift=float(np.max(np.abs(held), initial=0.0)),
+        Phi_v=second,
+    )

@@ -1,0 +1,30 @@
+"""Errors that name the object at fault and the remedy.
+
+Every message has the form ``kind 'name': fact; remedy``.  Imports nothing of flexel.
+"""
+
+from __future__ import annotations
+
+
+class FlexelError(Exception):
+    """Base of all errors that flexel raises on purpose."""
+
+
+class ModelError(FlexelError, ValueError):
+    """A declaration in the model is wrong: unknown or double name, impossible geometry, bad value."""
+
+
+class ConstraintError(FlexelError, ValueError):
+    """The model is over- or under-constrained, or a chosen set of coordinates is dependent."""
+
+
+class PositionError(FlexelError, RuntimeError):
+    """The constraints cannot be satisfied: an unreachable position or an inconsistent velocity."""
+
+
+class DynamicsError(FlexelError, RuntimeError):
+    """The equations of motion cannot be solved or integrated (singular mass matrix, failed step)."""
+
+
+class LinearizationError(FlexelError, ValueError):
+    """A linearization cannot be formed or reduced as asked."""

@@ -1,0 +1,186 @@
+"""Everything that a model's elements and laws give at a state, as global arrays.
+
+The rows of the stacked arrays are the quantities [deformations | slips | coordinates] of
+`flexel.structure`; letters as in the formulation: e, De, V, γ, M, h, f, σ, τ, Φ, Ψ.  The matrix J stacks
+De, V and the identity, so that the rate of any quantity is a row of J times v.
+Imports numpy and the assembly.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from flexel.assembly import Batch, Place, Stage, kernel_struct
+from flexel.structure import Array, Index, Instance, LawInstance, Structure
+
+
+@dataclass(frozen=True)
+class Tangents:
+    """Derivatives for the linearization at one state (formulation, "Analytic linearization").
+
+    Attributes
+    ----------
+    Phi_x, Psi_x, Psi_v : ndarray (m + k + n, n)
+        Derivatives of the rates and of the accelerations of all quantities.
+    r_x, r_v : ndarray (n, n)
+        Derivatives of r = M a + h - f + De' sigma + V' tau.
+    stress_e, stress_ed : ndarray (m + k, m), stress_s : ndarray (m + k, k)
+        Derivatives of the laws' stresses (sigma, tau) with respect to e, its rate and s.
+    """
+
+    Phi_x: Array
+    Psi_x: Array
+    Psi_v: Array
+    r_x: Array
+    r_v: Array
+    stress_e: Array
+    stress_ed: Array
+    stress_s: Array
+
+
+class Evaluation:
+    """The compiled kernels of a structure, ready to be called with global vectors."""
+
+    def __init__(self, structure: Structure) -> None:
+        self.structure = structure
+        m, k, n = structure.m, structure.k, structure.n
+        self._rows = m + k + n
+        elements = _element_batches(structure)
+        laws = _law_batches(structure)
+        place = _Places(m, k, n)
+        self._position = Stage(elements, "position", place.element)
+        self._acceleration = Stage(elements, "acceleration", place.element)
+        self._inertia = Stage(elements, "inertia", place.element)
+        self._kinematics = Stage(elements, "kinematics", place.element)
+        self._stiffness = Stage(elements, "stiffness", place.element)
+        self._tangent = Stage(elements, "tangent", place.element)
+        self._law = Stage(laws, "law", place.law)
+        self._law_tangent = Stage(laws, "tangent", place.law)
+        self._J = np.zeros((self._rows, n))
+        self._J[m + k :] = np.eye(n)
+
+    def position(self, x: Array) -> tuple[Array, Array]:
+        """Deformations e (m,) as principal values, and J = [De; V; I] (m + k + n, n)."""
+        self._position.run(x=x)
+        e = self._position.put("e", np.zeros(self.structure.m))
+        return e, self._position.put("J", self._J.copy())
+
+    def convective(self, x: Array, v: Array) -> Array:
+        """Convective accelerations [D²e(v,v); s_x v; 0] of all quantities (m + k + n,)."""
+        self._acceleration.run(x=x, v=v)
+        return self._acceleration.put("g", np.zeros(self._rows))
+
+    def inertia(self, x: Array, v: Array) -> tuple[Array, Array, Array, float]:
+        """Mass matrix M (n, n), convective inertia h (n,), body forces f (n,) and their potential [J]."""
+        n = self.structure.n
+        self._inertia.run(x=x, v=v)
+        stage = self._inertia
+        U = float(stage.sum("U", (1,))[0])
+        return stage.sum("M", (n, n)), stage.sum("h", (n,)), stage.sum("f", (n,)), U
+
+    def stresses(self, e: Array, ed: Array, s: Array) -> tuple[Array, float]:
+        """Stresses (sigma, tau) of the laws (m + k,) and their stored energy [J]; e unwrapped."""
+        self._law.run(e=e, ed=ed, s=s)
+        size = self.structure.m + self.structure.k
+        return self._law.sum("stress", (size,)), float(self._law.sum("U", (1,))[0])
+
+    def tangents(self, x: Array, v: Array, a: Array, J: Array, e: Array, stress: Array) -> Tangents:
+        """All derivatives at a state; `stress` (m + k,) includes those of rigid deformations."""
+        m, k, n = self.structure.m, self.structure.k, self.structure.n
+        shape = (self._rows, n)
+        self._kinematics.run(x=x, v=v, a=a)
+        Phi_x, Psi_x, Psi_v = (
+            self._kinematics.put(name, np.zeros(shape)) for name in ("Phi_x", "Psi_x", "Psi_v")
+        )
+        self._stiffness.run(x=x, sigma=stress[:m], tau=stress[m:])
+        self._tangent.run(x=x, v=v, a=a)
+        r_x = self._stiffness.sum("K", (n, n)) + self._tangent.sum("R_x", (n, n))
+        r_v = self._tangent.sum("R_v", (n, n))
+        S = J[: m + k]
+        self._law_tangent.run(e=e, ed=J[:m] @ v, s=J[m : m + k] @ v)
+        L = self._law_tangent.sum("J", (m + k, 2 * m + k))
+        Se, Sd, Ss = L[:, :m], L[:, m : 2 * m], L[:, 2 * m :]
+        r_x += S.T @ (Se @ J[:m] + Sd @ Phi_x[:m] + Ss @ Phi_x[m : m + k])
+        r_v += S.T @ (Sd @ J[:m] + Ss @ J[m : m + k])
+        return Tangents(Phi_x, Psi_x, Psi_v, r_x, r_v, Se, Sd, Ss)
+
+
+@dataclass(frozen=True)
+class _Places:
+    """Where the outputs of the kernels go in the global arrays."""
+
+    m: int
+    k: int
+    n: int
+
+    def element(self, batch: Batch, name: str) -> Place:
+        d, s, x = batch.inputs["sigma"], batch.inputs["tau"] + self.m, batch.inputs["x"]
+        rows, n = self.m + self.k + self.n, self.n
+        both = np.concatenate([d, s], axis=1)
+        vectors = {"e": ("e", d), "ed": ("w", d), "s": ("w", s), "g": ("g", d), "gs": ("g", s)}
+        if name in vectors:
+            array, places = vectors[name]
+            return Place(array, (rows,), places, False)
+        if name in ("h", "f"):
+            return Place(name, (n,), x, True)
+        if name == "U":
+            return Place("U", (1,), np.zeros((batch.size, 1), dtype=np.intp), True)
+        if name in ("M", "K", "R_x", "R_v"):
+            return Place(name, (n, n), _outer(x, x, n), True)
+        matrices = {"De": ("J", d), "V": ("J", s)}
+        array, lines = matrices.get(name, (name, both))
+        return Place(array, (rows, n), _outer(lines, x, n), False)
+
+    def law(self, batch: Batch, name: str) -> Place:
+        d, s = batch.inputs["e"], batch.inputs["s"]
+        rows, width = self.m + self.k, 2 * self.m + self.k
+        if name in ("sigma", "tau"):
+            return Place("stress", (rows,), d if name == "sigma" else s + self.m, True)
+        if name == "U":
+            return Place("U", (1,), np.zeros((batch.size, 1), dtype=np.intp), True)
+        lines = np.concatenate([d, s + self.m], axis=1)
+        columns = np.concatenate([d, d + self.m, s + 2 * self.m], axis=1)
+        return Place(name, (rows, width), _outer(lines, columns, width), True)
+
+
+def _outer(lines: Index, columns: Index, width: int) -> Index:
+    """Flat places (elements, rows x columns) of local matrices in a global one of that width."""
+    return (lines[:, :, None] * width + columns[:, None, :]).reshape(lines.shape[0], -1)
+
+
+def _element_batches(structure: Structure) -> list[Batch]:
+    groups: dict[tuple[str, object], list[Instance]] = defaultdict(list)
+    for instance in structure.instances:
+        groups[instance.spec.name, instance.kernels].append(instance)
+    batches = []
+    for members in groups.values():
+        x = np.array([np.concatenate([structure.places(z) for z in i.nodes]) for i in members])
+        sigma = _indices([[structure.index[z] for z in i.deformations] for i in members])
+        tau = _indices([[structure.index[z] - structure.m for z in i.slips] for i in members])
+        spec = members[0].spec
+        struct = kernel_struct(spec, members[0].kernels)
+        inputs = {"x": x, "v": x, "a": x, "sigma": sigma, "tau": tau}
+        batches.append(Batch(spec, struct, inputs, np.array([i.p for i in members])))
+    return batches
+
+
+def _law_batches(structure: Structure) -> list[Batch]:
+    groups: dict[tuple[str, object], list[LawInstance]] = defaultdict(list)
+    for law in structure.laws:
+        groups[law.spec.name, law.kernels].append(law)
+    batches = []
+    for members in groups.values():
+        e = _indices([[structure.index[z] for z in i.deformations] for i in members])
+        s = _indices([[structure.index[z] - structure.m for z in i.slips] for i in members])
+        spec = members[0].spec
+        struct = kernel_struct(spec, members[0].kernels)
+        batches.append(Batch(spec, struct, {"e": e, "ed": e, "s": s}, np.array([i.p for i in members])))
+    return batches
+
+
+def _indices(rows: Sequence[Sequence[int]]) -> Index:
+    return np.array(rows, dtype=np.intp).reshape(len(rows), -1)

@@ -1,0 +1,189 @@
+"""The position, velocity and acceleration problem: from the freedoms q to the coordinates x and back.
+
+Position: c(x, t) = 0 and the freedoms at their values, by Newton's method with warm start, angles compared
+modulo 2 pi.  Velocity: B v = (u', 0, q_d').  Acceleration: B a = (u'', 0, q_d'') - convective terms.  Source: van der
+Werff (1977); Jonker and Meijaard (1990); Schwab and Meijaard (2003) for the non-holonomic rows.
+Imports numpy, scipy.linalg and the evaluation.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from scipy.linalg import get_lapack_funcs
+
+from flexel.errors import ConstraintError, PositionError
+from flexel.evaluate import Evaluation
+from flexel.roles import Roles
+from flexel.structure import Array, Structure
+
+_getrf, _getrs, _gecon = get_lapack_funcs(("getrf", "getrs", "gecon"), dtype=np.float64)
+TOLERANCE = 1e-13  # of a deformation, relative to its natural scale
+MAX_ITERATIONS = 40
+
+
+class Factorization:
+    """LU factors of a square matrix, with row scaling left to the caller."""
+
+    def __init__(self, matrix: Array) -> None:
+        self.norm = float(np.abs(matrix).sum(axis=0).max()) if matrix.size else 0.0
+        self._lu, self._pivots, self.info = _getrf(matrix) if matrix.size else (matrix, None, 0)
+
+    @property
+    def regular(self) -> bool:
+        """False if a pivot is exactly zero."""
+        return self.info == 0
+
+    @property
+    def rcond(self) -> float:
+        """Estimate of the reciprocal condition number in the 1-norm."""
+        return 1.0 if not self._lu.size else float(_gecon(self._lu, self.norm)[0])
+
+    def solve(self, b: Array, transposed: bool = False) -> Array:
+        """Solution of A x = b, or of A' x = b."""
+        if not self._lu.size or not b.size:
+            return np.zeros(b.shape)
+        x: Array = _getrs(self._lu, self._pivots, b, trans=1 if transposed else 0)[0]
+        return x
+
+
+@dataclass(frozen=True)
+class Configuration:
+    """A configuration that satisfies the constraints: time, coordinates, deformations, J = [De; V; I]."""
+
+    t: float
+    x: Array
+    e: Array
+    J: Array
+
+
+def natural_scales(structure: Structure) -> Array:
+    """Natural scale of each quantity: the size of the model for lengths, one for the rest."""
+    positions = [node.x0 for node in structure.nodes if node.kind in ("point", "planar_point")]
+    size = 1.0
+    if positions:
+        columns = max(p.size for p in positions)
+        cloud = np.array([np.pad(p, (0, columns - p.size)) for p in positions])
+        size = float(np.ptp(cloud, axis=0).max()) or 1.0
+    return np.array([size if unit == "m" else 1.0 for unit in structure.units])
+
+
+def wrap(residual: Array, angle: Any) -> Array:
+    """Differences of angles brought to (-pi, pi]; other entries unchanged."""
+    return np.where(angle, np.remainder(residual + np.pi, 2 * np.pi) - np.pi, residual)
+
+
+class Kinematics:
+    """The kinematic problems of one model for one choice of freedoms."""
+
+    def __init__(self, evaluation: Evaluation, roles: Roles) -> None:
+        self.evaluation = evaluation
+        self.structure: Structure = evaluation.structure
+        self.roles = roles
+        self._scale = natural_scales(self.structure)
+        self._angle = self.structure.angle
+        self._lu: Factorization | None = None
+
+    def scales(self, rows: Any) -> Array:
+        """Natural scales of quantities."""
+        return np.asarray(self._scale[rows])
+
+    def values(self, e: Array, x: Array) -> Array:
+        """Values of all quantities; slips, which have none, as zero."""
+        return np.concatenate([e, np.zeros(self.structure.k), x])
+
+    def target(self, t: float, q: Array) -> Array:
+        """Values that the rows of the position problem must reach."""
+        u = self.roles.motion(t)[0] if self.roles.motions else np.zeros(0)
+        return np.concatenate([np.zeros(self.roles.rigid.size), u, q])
+
+    def position(self, t: float, q: Array, guess: Array) -> Configuration:
+        """Configuration at time t with freedoms q.
+
+        Parameters
+        ----------
+        t : float
+        q : ndarray (nq,)
+            Values of the freedoms (q_d, q_k); angles over any number of turns.
+        guess : ndarray (n,)
+            Coordinates to start from.
+
+        Raises
+        ------
+        PositionError
+            If Newton's method does not converge; names the rows that stay unsatisfied.
+        """
+        rows, nf = self.roles.position_rows, self.structure.nf
+        scale, angle, target = self._scale[rows], self._angle[rows], self.target(t, q)
+        x, last = guess.copy(), np.inf
+        for iteration in range(MAX_ITERATIONS):
+            e, J = self.evaluation.position(x)
+            residual = wrap(self.values(e, x)[rows] - target, angle)
+            error = float(np.max(np.abs(residual) / scale, initial=0.0))
+            if error < TOLERANCE or (error < 1e-10 and error > 0.5 * last):
+                return Configuration(t, x, e, J)
+            if not np.isfinite(error):
+                break
+            if iteration or self._lu is None:
+                self._lu = Factorization(J[rows, :nf])
+                if not self._lu.regular:
+                    break
+            step = self._lu.solve(residual)
+            x[:nf] -= step * min(1.0, 0.5 / max(float(np.max(np.abs(step) / self._step_scale)), 1e-300))
+            last = error if iteration else np.inf
+        self._lu = None
+        worst = np.argsort(-np.abs(np.nan_to_num(residual, nan=np.inf)) / scale)[:4]
+        names = ", ".join(f"'{self.structure.names[rows[i]]}' (off by {residual[i]:.3g})" for i in worst)
+        raise PositionError(
+            f"position at t = {t:g} s cannot be reached: {names} stay unsatisfied; the constraints admit no such "
+            "position near the present one: check prescribed and initial values, or move in smaller steps"
+        )
+
+    @property
+    def _step_scale(self) -> Array:
+        return self._scale[self.structure.m + self.structure.k :][: self.structure.nf]
+
+    def velocity_matrix(self, configuration: Configuration) -> Factorization:
+        """Factors of B at a configuration.
+
+        Raises
+        ------
+        ConstraintError
+            If B is singular: the chosen freedoms do not determine the velocities here.
+        """
+        B = Factorization(configuration.J[self.roles.velocity_rows, : self.structure.nf])
+        if not B.regular:
+            raise ConstraintError(
+                f"the freedoms {self.names(self.roles.dynamic)} do not determine the velocities at "
+                f"t = {configuration.t:g} s (singular position); choose other independent coordinates"
+            )
+        return B
+
+    def velocity(self, configuration: Configuration, B: Factorization, qd: Array) -> Array:
+        """Rates v (n,) of all coordinates for the rates q_d' (nd,) of the dynamic freedoms."""
+        rhs = np.concatenate(
+            [
+                np.zeros(self.roles.rigid.size),
+                self.roles.motion(configuration.t)[1],
+                np.zeros(self.roles.zero.size),
+                qd,
+            ]
+        )
+        v = np.zeros(self.structure.n)
+        v[: self.structure.nf] = B.solve(rhs)
+        return v
+
+    def convective(self, configuration: Configuration, v: Array) -> Array:
+        """Right-hand side of B a for q_d'' = 0: prescribed accelerations minus convective terms."""
+        rows = self.roles.velocity_rows
+        rhs = -self.evaluation.convective(configuration.x, v)[rows]
+        if self.roles.motions:
+            first = self.roles.rigid.size
+            rhs[first : first + self.roles.prescribed.size] += self.roles.motion(configuration.t)[2]
+        return rhs
+
+    def names(self, rows: Any) -> str:
+        """Names of quantities, for messages."""
+        return ", ".join(f"'{self.structure.names[i]}'" for i in rows)

@@ -1,0 +1,125 @@
+"""A motion: states over time, by name, with energy, drift, events and dense output.
+
+Imports numpy; pictures are made by `flexel.plot`, imported when asked for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from flexel.errors import ModelError
+from flexel.state import State
+from flexel.structure import Array
+
+if TYPE_CHECKING:
+    from flexel.integrate import Integration
+    from flexel.system import System
+
+
+class Motion(Sequence[State]):
+    """The states of a simulated or prescribed motion at the stored times.
+
+    ``motion["rod.bend1"]`` is the time history (nt,) of a quantity, ``motion[i]`` the i-th state.
+
+    Attributes
+    ----------
+    t : ndarray (nt,)
+        Stored times [s].
+    events : list of (str, State)
+        Events in the order of their occurrence.
+    statistics : dict of str to int
+        Steps, evaluations of the equations of motion, changes of coordinates.
+    message : str
+        How the integration ended.
+    """
+
+    def __init__(self, system: System, integration: Integration) -> None:
+        self.system = system
+        self._states = integration.states
+        self._segments = integration.segments
+        self.events = integration.events
+        self.statistics = integration.statistics
+        self.message = integration.message
+        self.t = np.array([state.t for state in self._states])
+
+    def __len__(self) -> int:
+        return len(self._states)
+
+    def __iter__(self) -> Iterator[State]:
+        return iter(self._states)
+
+    def __getitem__(self, key: Any) -> Any:
+        if isinstance(key, str):
+            return np.array([state[key] for state in self._states])
+        return self._states[key]
+
+    def rate(self, name: str) -> Array:
+        """Time history (nt,) of the rate of a quantity, or of a slip."""
+        return np.array([state.rate(name) for state in self._states])
+
+    def acceleration(self, name: str) -> Array:
+        """Time history (nt,) of the second rate of a quantity."""
+        return np.array([state.acceleration(name) for state in self._states])
+
+    def force(self, name: str) -> Array:
+        """Time history (nt,) of a stress or reaction; a prescribed deformation is driven by minus its stress."""
+        return np.array([state.force(name) for state in self._states])
+
+    def position(self, node: str) -> Array:
+        """Coordinates (nt, …) of a node over time."""
+        return np.array([state.position(node) for state in self._states])
+
+    def velocity(self, node: str) -> Array:
+        """Rates (nt, …) of a node's coordinates over time."""
+        return np.array([state.velocity(node) for state in self._states])
+
+    @property
+    def x(self) -> Array:
+        """All coordinates (nt, n)."""
+        return np.array([state.x for state in self._states])
+
+    @property
+    def v(self) -> Array:
+        """All rates (nt, n)."""
+        return np.array([state.v for state in self._states])
+
+    @property
+    def energy(self) -> dict[str, Array]:
+        """Kinetic, potential, strain and total energy [J] over time, each (nt,)."""
+        names = ("kinetic", "potential", "strain", "total")
+        return {z: np.array([getattr(state.energy, z) for state in self._states]) for z in names}
+
+    @property
+    def drift(self) -> Array:
+        """Largest relative violation of the constraints at each stored time (nt,)."""
+        return np.array([state.drift for state in self._states])
+
+    def at(self, t: float) -> State:
+        """State at any time within the motion, from the integrator's dense output.
+
+        Raises
+        ------
+        ModelError
+            If the motion does not cover the time.
+        """
+        if not self.t[0] <= t <= self._segments[-1].t1:
+            raise ModelError(f"time {t:g} s lies outside the motion, {self.t[0]:g}…{self._segments[-1].t1:g} s")
+        segment = next(z for z in self._segments if t <= z.t1)
+        near = self._states[int(np.searchsorted(self.t, t, side="right")) - 1]
+        return self.system.state_from(t, segment.dense(t), segment.roles, near)
+
+    def plot(self, *names: str, path: str | Path | None = None) -> Any:
+        """Time histories of named quantities (needs matplotlib); written to `path` if given."""
+        from flexel.plot import plot_histories
+
+        return plot_histories(self, names, path)
+
+    def animate(self, path: str | Path, **options: Any) -> Path:
+        """Animation of the mechanism as .html (self-contained), .gif or .mp4 (needs matplotlib)."""
+        from flexel.plot import animate
+
+        return animate(self, Path(path), **options)

@@ -1,0 +1,112 @@
+"""The state of a mechanism at one instant, complete: position to stresses, by name.
+
+Imports numpy and the structure.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from flexel.errors import ModelError
+from flexel.roles import Roles
+from flexel.structure import Array, Structure
+
+
+@dataclass(frozen=True)
+class Energy:
+    """Energies [J]: kinetic, potential (of body forces and constant loads on positions) and strain."""
+
+    kinetic: float
+    potential: float
+    strain: float
+
+    @property
+    def total(self) -> float:
+        """Sum of the three."""
+        return self.kinetic + self.potential + self.strain
+
+
+@dataclass(frozen=True)
+class State:
+    """Positions, rates, accelerations and stresses at one time.
+
+    Attributes
+    ----------
+    t : float
+        Time [s].
+    x, v, a : ndarray (n,)
+        Coordinates, rates and accelerations, free coordinates first.
+    e : ndarray (m,)
+        Generalized deformations; angles over any number of turns.
+    J : ndarray (m + k + n, n)
+        De, V and the identity, stacked.
+    stress : ndarray (m + k,)
+        Generalized stresses sigma and tau: of laws, of loads, and of rigid, prescribed and rolling constraints.
+    reactions : ndarray (n,)
+        Generalized forces on fixed and prescribed coordinates.
+    roles : Roles
+        The choice of freedoms that the state was found with.
+    energy : Energy
+    drift : float
+        Largest violation of the constraints, relative to their natural scales.
+    """
+
+    t: float
+    x: Array
+    v: Array
+    a: Array
+    e: Array
+    J: Array = field(repr=False)
+    stress: Array
+    reactions: Array
+    roles: Roles = field(repr=False)
+    structure: Structure = field(repr=False)
+    energy: Energy
+    drift: float
+    Phi_v: Array = field(repr=False)  # accelerations of all quantities (m + k + n,)
+
+    @property
+    def values(self) -> Array:
+        """Values of all quantities (m + k + n,); slips, which have none, as NaN."""
+        return np.concatenate([self.e, np.full(self.structure.k, np.nan), self.x])
+
+    @property
+    def q(self) -> Array:
+        """Freedoms (q_d, q_k)."""
+        return self.values[self.roles.freedoms]
+
+    @property
+    def qd(self) -> Array:
+        """Rates of the dynamic freedoms (nd,)."""
+        return np.asarray(self.J[self.roles.dynamic] @ self.v)
+
+    def __getitem__(self, name: str) -> float:
+        """Value of a coordinate or deformation (a slip has none: see `rate`)."""
+        i = self.structure.find(name)
+        if self.structure.m <= i < self.structure.m + self.structure.k:
+            raise ModelError(f"slip '{name}' has no value, only a rate; use rate('{name}')")
+        return float(self.values[i])
+
+    def rate(self, name: str) -> float:
+        """Rate of a coordinate or deformation, or a slip itself."""
+        return float(self.J[self.structure.find(name)] @ self.v)
+
+    def acceleration(self, name: str) -> float:
+        """Second rate of a coordinate or deformation, or the rate of a slip."""
+        return float(self.Phi_v[self.structure.find(name)])
+
+    def force(self, name: str) -> float:
+        """Generalized stress of a deformation or slip, or the reaction on a fixed or prescribed coordinate."""
+        i = self.structure.find(name)
+        first = self.structure.m + self.structure.k
+        return float(self.stress[i] if i < first else self.reactions[i - first])
+
+    def position(self, node: str) -> Array:
+        """Coordinates of a node, as many as its kind has."""
+        return np.asarray(self.x[self.structure.places(node)])
+
+    def velocity(self, node: str) -> Array:
+        """Rates of a node's coordinates."""
+        return np.asarray(self.v[self.structure.places(node)])

@@ -1,0 +1,78 @@
+"""Steady motion and equilibrium by Newton's method on the analytic linearization.
+
+Imports numpy and the errors.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from flexel.errors import ModelError, PositionError
+from flexel.state import State
+
+if TYPE_CHECKING:
+    from flexel.system import System
+
+TOLERANCE = 1e-13  # of the unbalanced forces, relative to the largest of the forces that balance
+MAX_ITERATIONS = 30
+
+
+def steady_motion(
+    system: System,
+    start: State,
+    rates: Mapping[str, float] | None,
+    unknown: Sequence[str] | None,
+    unknown_rates: Sequence[str],
+) -> State:
+    """State near `start` with q_d'' = 0; see `System.steady`."""
+    freedoms = [system.structure.names[i] for i in system.roles.freedoms]
+    nd = system.roles.nd
+    columns = list(range(len(freedoms))) if unknown is None else [_place(freedoms, z) for z in unknown]
+    speeds = [_place(freedoms[:nd], z) for z in unknown_rates]
+    state = start if rates is None else _with_rates(system, start, rates)
+    best = np.inf
+    for _ in range(MAX_ITERATIONS):
+        lin = system.linearize(state)
+        qdd = np.array([state.acceleration(z) for z in freedoms[:nd]])
+        unbalance = -lin.M @ qdd
+        scale = _force_scale(system, state, lin.transfer.H[:, :nd])
+        error = float(np.max(np.abs(unbalance), initial=0.0)) / scale
+        if error < TOLERANCE or (error < 1e-10 and error > 0.5 * best):
+            return state
+        best = min(best, error)
+        A = np.hstack([lin.K[:, columns], lin.C[:, speeds]])
+        step = np.linalg.lstsq(A, -unbalance, rcond=1e-10)[0]
+        step *= min(1.0, 0.3 / max(float(np.max(np.abs(step[: len(columns)]), initial=0.0)), 1e-300))
+        values = {freedoms[j]: float(state.q[j] + d) for j, d in zip(columns, step, strict=False)}
+        qd = state.qd.copy()
+        qd[speeds] += step[len(columns) :]
+        state = system.state_at(values, dict(zip(freedoms[:nd], qd, strict=True)), start=state)
+    raise PositionError(
+        f"no steady motion found near the start after {MAX_ITERATIONS} iterations (unbalanced forces "
+        f"{error:.3g} of the acting ones at {dict(zip(freedoms, np.round(state.q, 6), strict=True))}); start nearer, "
+        "or name other unknowns"
+    )
+
+
+def _force_scale(system: System, state: State, H: np.ndarray) -> float:
+    """Size of the forces that balance one another in the reduced equations."""
+    M, h, f, _ = system.evaluation.inertia(state.x, state.v)
+    nf = system.structure.nf
+    parts = np.concatenate([h[:nf], f[:nf], state.stress @ state.J[: state.stress.size, :nf]])
+    reach = float(np.max(np.abs(H), initial=0.0))
+    return max(float(np.max(np.abs(parts), initial=0.0)) * reach, float(np.max(np.abs(M))) * 1e-3, 1e-300)
+
+
+def _with_rates(system: System, start: State, rates: Mapping[str, float]) -> State:
+    names = [system.structure.names[i] for i in system.roles.dynamic]
+    given = dict(zip(names, start.qd, strict=True)) | dict(rates)
+    return system.state_at(rates=given, start=start)
+
+
+def _place(names: Sequence[str], name: str) -> int:
+    if name not in names:
+        raise ModelError(f"'{name}' is not among the freedoms {tuple(names)}; name one of them")
+    return list(names).index(name)

@@ -1,0 +1,199 @@
+"""The finished list of a model's nodes, elements and quantities, with their names and indices.
+
+Coordinates are ordered free first, fixed last, so that the free columns of every matrix are one slice.
+Every deformation, slip and coordinate is one *quantity* with one index in the stacked list
+[deformations | slips | coordinates]; roles, loads, inputs and outputs all speak of these indices.
+Imports numpy, the errors and the generated tables.
+"""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexel.errors import ModelError
+from flexel.generated.spec import ElementSpec, LawSpec
+
+Array = NDArray[np.float64]
+Index = NDArray[np.intp]
+
+COMPONENTS: dict[str, tuple[str, ...]] = {
+    "point": ("x", "y", "z"),
+    "frame": ("lambda0", "lambda1", "lambda2", "lambda3"),
+    "planar_point": ("x", "y"),
+    "planar_angle": ("angle",),
+}
+
+
+@dataclass(frozen=True)
+class Node:
+    """A node as declared: its kind, its initial coordinates and which of them are fixed."""
+
+    name: str
+    kind: str
+    x0: Array
+    fixed: NDArray[np.bool_]
+
+    @property
+    def coordinates(self) -> tuple[str, ...]:
+        """Full names of the coordinates, ``node.component``."""
+        return tuple(f"{self.name}.{c}" for c in COMPONENTS[self.kind])
+
+
+@dataclass(frozen=True)
+class Instance:
+    """One element of the model: a row of the element table between nodes, with its parameters."""
+
+    name: str
+    spec: ElementSpec
+    nodes: tuple[str, ...]
+    parameters: Mapping[str, Array]
+    kernels: object = None  # address of a user-defined element's kernels; None: built in
+
+    @property
+    def p(self) -> Array:
+        """Parameters flattened in the order that the kernels expect."""
+        return flatten(self.parameters, self.spec.parameters, f"{self.spec.name} '{self.name}'")
+
+    @property
+    def deformations(self) -> tuple[str, ...]:
+        """Full names of the generalized deformations, ``element.deformation``."""
+        return tuple(f"{self.name}.{d.name}" for d in self.spec.deformations)
+
+    @property
+    def slips(self) -> tuple[str, ...]:
+        """Full names of the generalized slips, ``element.slip``."""
+        return tuple(f"{self.name}.{s.name}" for s in self.spec.slips)
+
+
+@dataclass(frozen=True)
+class LawInstance:
+    """A law attached to named deformations and slips."""
+
+    name: str
+    spec: LawSpec
+    deformations: tuple[str, ...]
+    slips: tuple[str, ...]
+    parameters: Mapping[str, Array]
+    kernels: object = None
+
+    @property
+    def p(self) -> Array:
+        """Parameters flattened in the order that the kernels expect."""
+        return flatten(self.parameters, self.spec.parameters, f"law '{self.name}'")
+
+
+def flatten(values: Mapping[str, Array], specs: Iterable[object], owner: str) -> Array:
+    """Parameter values joined in the order of their specifications, sizes checked."""
+    parts: list[Array] = []
+    for spec in specs:
+        name, size = spec.name, spec.size  # type: ignore[attr-defined]
+        value = np.atleast_1d(np.asarray(values[name], dtype=float)).ravel()
+        if value.size != size:
+            raise ModelError(f"{owner}: parameter {name} has {value.size} numbers; it needs {size}")
+        if not np.all(np.isfinite(value)):
+            raise ModelError(f"{owner}: parameter {name} is not finite; give finite numbers")
+        parts.append(value)
+    return np.concatenate(parts) if parts else np.zeros(0)
+
+
+@dataclass(frozen=True)
+class Structure:
+    """Index maps of a model; built once, never changed.
+
+    Attributes
+    ----------
+    x0 : ndarray (n,)
+        Initial coordinates as drawn, free ones first.
+    n, nf, m, k : int
+        Coordinates, free coordinates, deformations, slips.
+    names : tuple of str (m + k + n)
+        Names of the quantities in the stacked order.
+    angle : ndarray of bool (m + k + n)
+        Quantities that repeat after 2 pi.
+    """
+
+    nodes: tuple[Node, ...]
+    instances: tuple[Instance, ...]
+    laws: tuple[LawInstance, ...]
+    x0: Array
+    nf: int
+    names: tuple[str, ...]
+    units: tuple[str, ...]
+    angle: NDArray[np.bool_]
+    coordinate_of: Mapping[str, int]
+    m: int
+    k: int
+    index: Mapping[str, int] = field(repr=False)
+
+    @property
+    def n(self) -> int:
+        """Number of nodal coordinates, fixed ones included."""
+        return self.x0.size
+
+    def coordinate(self, i: int) -> int:
+        """Quantity index of coordinate i."""
+        return self.m + self.k + i
+
+    def find(self, name: str) -> int:
+        """Quantity index of a name; a ModelError with the nearest known names otherwise."""
+        if name in self.index:
+            return self.index[name]
+        raise ModelError(unknown(name, self.index))
+
+    def node(self, name: str) -> Node:
+        """The node of that name."""
+        for node in self.nodes:
+            if node.name == name:
+                return node
+        raise ModelError(unknown(name, [node.name for node in self.nodes], "node"))
+
+    def places(self, name: str) -> Index:
+        """Indices in x of all coordinates of a node."""
+        return np.array([self.coordinate_of[c] for c in self.node(name).coordinates], dtype=np.intp)
+
+
+def unknown(name: str, known: Iterable[str], kind: str = "name") -> str:
+    """Message for a name that does not exist, with the nearest ones that do."""
+    names = list(known)
+    near = difflib.get_close_matches(name, names, n=3, cutoff=0.4)
+    same = [z for z in names if z.startswith(name + ".")][:8]
+    hint = f"did you mean {', '.join(near or same)}?" if near or same else f"known: {', '.join(names[:12])}"
+    return f"unknown {kind} '{name}'; {hint}"
+
+
+def assemble_structure(
+    nodes: Iterable[Node], instances: Iterable[Instance], laws: Iterable[LawInstance]
+) -> Structure:
+    """Order the coordinates, number the quantities and check that names are single."""
+    nodes, instances, laws = tuple(nodes), tuple(instances), tuple(laws)
+    labels = [c for node in nodes for c in node.coordinates]
+    values = np.concatenate([node.x0 for node in nodes]) if nodes else np.zeros(0)
+    fixed = np.concatenate([node.fixed for node in nodes]) if nodes else np.zeros(0, dtype=bool)
+    order = np.argsort(fixed, kind="stable")
+    coordinates = [labels[i] for i in order]
+    deformations = [d for z in instances for d in z.deformations]
+    slips = [s for z in instances for s in z.slips]
+    specs = [d for z in instances for d in z.spec.deformations]
+    names = (*deformations, *slips, *coordinates)
+    kinds = [node.kind for node in nodes for _ in node.coordinates]
+    units = [d.unit for d in specs] + [s.unit for z in instances for s in z.spec.slips]
+    units += [{"frame": "-", "planar_angle": "rad"}.get(kinds[i], "m") for i in order]
+    return Structure(
+        nodes=nodes,
+        instances=instances,
+        laws=laws,
+        x0=values[order],
+        nf=int(np.sum(~fixed)),
+        names=names,
+        units=tuple(units),
+        angle=np.array([d.angle for d in specs] + [False] * (len(slips) + len(coordinates)), dtype=bool),
+        coordinate_of={name: i for i, name in enumerate(coordinates)},
+        m=len(deformations),
+        k=len(slips),
+        index={name: i for i, name in enumerate(names)},
+    )

@@ -1,0 +1,377 @@
+"""The built system: one structure, its roles and laws, and the evaluations that everything else calls.
+
+Three methods carry all numerical work: `rhs` (right-hand side of the equations of motion), `residual`
+(with its tangent from `linearize`) and `linearize`.  How they are arranged is private to this room.
+Imports numpy and the runtime rooms below it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from flexel import dynamics
+from flexel.diagnose import choose_freedoms
+from flexel.errors import ConstraintError, ModelError, PositionError
+from flexel.evaluate import Evaluation
+from flexel.integrate import Event, Integration, Integrator, Segment
+from flexel.kinematics import Configuration, Factorization, Kinematics
+from flexel.linearize import Linearization, linearize
+from flexel.loads import Loads
+from flexel.result import Motion
+from flexel.roles import Roles
+from flexel.state import State
+from flexel.steady import steady_motion
+from flexel.structure import Array, Structure
+
+
+class System:
+    """A mechanism ready to move; made by `Model.build`.
+
+    Attributes
+    ----------
+    structure : Structure
+        Names and index maps.
+    roles : Roles
+        The constraints and the present choice of freedoms.
+    initial : State
+        The consistent initial state.
+    """
+
+    def __init__(self, evaluation: Evaluation, loads: Loads, roles: Roles, start: Configuration) -> None:
+        self.structure: Structure = evaluation.structure
+        self.evaluation = evaluation
+        self.loads = loads
+        self._kinematics: dict[int, Kinematics] = {}
+        self._use(roles)
+        self._x = start.x
+        self._e = start.e
+        self.initial = self.state(start.t, start.x, np.zeros(self.structure.n))
+
+    def _use(self, roles: Roles) -> None:
+        self.roles = roles
+        self.kinematics = self._kinematics_of(roles)
+
+    def _kinematics_of(self, roles: Roles) -> Kinematics:
+        if id(roles) not in self._kinematics:
+            self._kinematics[id(roles)] = Kinematics(self.evaluation, roles)
+        return self._kinematics[id(roles)]
+
+    # -- counts and names ------------------------------------------------------------------------
+
+    @property
+    def dynamic(self) -> tuple[str, ...]:
+        """Names of the dynamic freedoms q_d."""
+        return tuple(self.structure.names[i] for i in self.roles.dynamic)
+
+    @property
+    def kinematic(self) -> tuple[str, ...]:
+        """Names of the kinematic freedoms q_k."""
+        return tuple(self.structure.names[i] for i in self.roles.kinematic)
+
+    @cached_property
+    def counts(self) -> dict[str, int]:
+        """Numbers of coordinates, deformations (Euler-parameter norms not counted), slips and freedoms."""
+        s, r = self.structure, self.roles
+        norms = sum(instance.spec.name == "norm" for instance in s.instances)
+        return {
+            "coordinates": s.n,
+            "free coordinates": s.nf,
+            "deformations": s.m - norms,
+            "norms": norms,
+            "slips": s.k,
+            "freedoms": r.nd,
+            "kinematic_coordinates": r.nq - r.nd,
+            "rigid deformations": r.rigid.size - norms,
+            "prescribed": r.prescribed.size,
+            "zero slips": r.zero.size,
+        }
+
+    def __repr__(self) -> str:
+        c = self.counts
+        return (
+            f"System({c['freedoms']} freedoms {self.dynamic}, {c['kinematic_coordinates']} kinematic coordinates "
+            f"{self.kinematic}, {c['coordinates']} coordinates, {c['deformations']} deformations)"
+        )
+
+    # -- evaluation ------------------------------------------------------------------------------
+
+    def warm(self, state: State) -> None:
+        """Start the next position problem from a state, and count turns of angles from it."""
+        self._x, self._e = state.x, state.e
+
+    def rhs(self, t: float, y: Array) -> Array:
+        """Rates of y = (q_d, q_k, q_d') (nq + nd,) at time t [s]."""
+        kinematics, nq = self.kinematics, self.roles.nq
+        c = kinematics.position(t, y[:nq], self._x)
+        B = kinematics.velocity_matrix(c)
+        v = kinematics.velocity(c, B, y[nq:])
+        self._x, self._e = c.x, self._unwrap(c.e, self._e)
+        F = dynamics.forces(kinematics, self.loads, c, v, self._e)
+        motion = dynamics.accelerations(kinematics, c, B, v, F)
+        return np.concatenate([y[nq:], c.J[self.roles.kinematic] @ v, motion.qdd])
+
+    def residual(self, t: float, q: Array, qd: Array, qdd: Array, guess: State) -> Array:
+        """Unbalanced generalized forces H'(M a + h - f + De' sigma + V' tau) (nd,); zero in a true motion."""
+        kinematics, nf = self.kinematics, self.structure.nf
+        c = kinematics.position(t, q, guess.x)
+        B = kinematics.velocity_matrix(c)
+        v = kinematics.velocity(c, B, qd)
+        F = dynamics.forces(kinematics, self.loads, c, v, self._unwrap(c.e, guess.e))
+        H, g = dynamics.unit_solutions(kinematics, B), B.solve(kinematics.convective(c, v))
+        return np.asarray(H.T @ (F.M[:nf, :nf] @ (H @ qdd + g) - F.F[:nf]))
+
+    def linearize(self, state: State | None = None) -> Linearization:
+        """Analytic linearization about a state (the initial one by default).
+
+        Examples
+        --------
+        >>> lin = system.linearize(motion[-1])  # doctest: +SKIP
+        >>> lin.eigenvalues()  # doctest: +SKIP
+        """
+        return linearize(self.kinematics, self.initial if state is None else state)
+
+    # -- states ----------------------------------------------------------------------------------
+
+    def state(self, t: float, x: Array, v: Array, e: Array | None = None) -> State:
+        """Complete state from coordinates and rates that satisfy the constraints; e counts the turns."""
+        principal, J = self.evaluation.position(x)
+        e = principal if e is None else self._unwrap(principal, e)
+        c = Configuration(t, x, e, J)
+        if not np.any(v) and self.roles.motions:
+            B = self.kinematics.velocity_matrix(c)
+            v = self.kinematics.velocity(c, B, np.zeros(self.roles.nd))
+        return dynamics.complete(self.kinematics, self.loads, c, v, e)
+
+    def state_at(
+        self,
+        values: Mapping[str, float] | None = None,
+        rates: Mapping[str, float] | None = None,
+        t: float | None = None,
+        start: State | None = None,
+    ) -> State:
+        """Consistent state with given values and rates of the named freedoms, others as in `start`.
+
+        Parameters
+        ----------
+        values : mapping of name to value
+            Values of freedoms (dynamic or kinematic).
+        rates : mapping of name to rate
+            Rates of any quantities; together they must be possible.
+        t : float, optional
+        start : State, optional
+            The initial state by default.
+
+        Raises
+        ------
+        ModelError, PositionError
+            A name that is no freedom; an unreachable position; inconsistent rates, by name.
+        """
+        start = self.initial if start is None else start
+        t = start.t if t is None else t
+        q = self._freedom_values(start)
+        for name, value in (values or {}).items():
+            i = self.structure.find(name)
+            if i not in self.roles.freedoms:
+                names = self.kinematics.names(self.roles.freedoms)
+                raise ModelError(f"'{name}' is not a freedom; values can be given to {names}")
+            q[list(self.roles.freedoms).index(i)] = float(value)
+        c = self.kinematics.position(t, q, start.x)
+        e = self._freedom_angles(self._unwrap(c.e, start.e), q, self.roles)
+        qd = start.qd if rates is None else self.consistent_rates(c, rates)
+        v = self.kinematics.velocity(c, self.kinematics.velocity_matrix(c), qd)
+        return dynamics.complete(self.kinematics, self.loads, c, v, e)
+
+    def consistent_rates(self, c: Configuration, rates: Mapping[str, float]) -> Array:
+        """Rates q_d' (nd,) that give the named rates; those that nothing determines are zero.
+
+        Raises
+        ------
+        PositionError
+            If the rates contradict one another or the constraints.
+        """
+        rows = np.array([self.structure.find(name) for name in rates], dtype=np.intp)
+        wanted = np.array([float(z) for z in rates.values()])
+        if not np.all(np.isfinite(wanted)):
+            raise ModelError(f"initial rates {dict(rates)} are not all finite; give finite numbers")
+        nf, kinematics = self.structure.nf, self.kinematics
+        B = kinematics.velocity_matrix(c)
+        H = dynamics.unit_solutions(kinematics, B)
+        v0 = kinematics.velocity(c, B, np.zeros(self.roles.nd))
+        J = c.J[rows, :nf]
+        missing = wanted - J @ v0[:nf]
+        qd = np.linalg.lstsq(J @ H, missing, rcond=1e-12)[0] if rows.size else np.zeros(self.roles.nd)
+        off = missing - J @ (H @ qd)
+        scale = max(float(np.max(np.abs(wanted), initial=0.0)), 1e-12)
+        if np.max(np.abs(off), initial=0.0) > 1e-9 * scale:
+            worst = int(np.argmax(np.abs(off)))
+            raise PositionError(
+                f"initial rates are inconsistent: '{list(rates)[worst]}' cannot be {wanted[worst]:g} together with the "
+                f"others and the constraints (off by {off[worst]:.3g}); give at most {self.roles.nd} independent rates"
+            )
+        return np.asarray(qd)
+
+    def state_from(self, t: float, y: Array, roles: Roles, previous: State) -> State:
+        """Complete state from y = (q, q_d') in the coordinates `roles`, turns counted from an earlier state."""
+        kinematics, nq = self._kinematics_of(roles), roles.nq
+        guess = previous.x + (t - previous.t) * previous.v if nq == 0 else previous.x
+        c = kinematics.position(t, y[:nq], guess)
+        v = kinematics.velocity(c, kinematics.velocity_matrix(c), y[nq:])
+        m = self.structure.m
+        predicted = previous.e + (t - previous.t) * (previous.J[:m] @ previous.v + c.J[:m] @ v) / 2
+        e = self._freedom_angles(self._unwrap(c.e, predicted), y[:nq], roles)
+        return dynamics.complete(kinematics, self.loads, c, v, e)
+
+    def _freedom_values(self, state: State) -> Array:
+        return np.array(state.values[self.roles.freedoms])
+
+    def _freedom_angles(self, e: Array, q: Array, roles: Roles) -> Array:
+        """Deformations that are freedoms take the freedoms' own values, turns included."""
+        own = roles.freedoms < self.structure.m
+        e[roles.freedoms[own]] = q[own]
+        return e
+
+    def _unwrap(self, e: Array, reference: Array) -> Array:
+        angle = self.structure.angle[: self.structure.m]
+        turns = np.where(angle, np.round((reference - e) / (2 * np.pi)), 0.0)
+        return np.asarray(e + 2 * np.pi * turns)
+
+    # -- choice of coordinates -------------------------------------------------------------------
+
+    def condition(self, state: State, roles: Roles | None = None) -> float:
+        """Reciprocal condition of the velocity and position matrices with scaled rows; small is bad."""
+        roles, nf = roles or self.roles, self.structure.nf
+        found = 1.0
+        for rows in (roles.velocity_rows, roles.position_rows):
+            A = state.J[rows, :nf]
+            found = min(found, Factorization(A / np.linalg.norm(A, axis=1, keepdims=True)).rcond)
+        return found
+
+    def rechoose(self, state: State, needed: float) -> State | None:
+        """Take the best freedoms at a state, if their condition reaches `needed`; the same state in them."""
+        try:
+            roles = choose_freedoms(self.kinematics, state.J, None, None)
+        except ConstraintError:  # a singular position has no better choice: keep the present one
+            return None
+        if self.condition(state, roles) < needed:
+            return None
+        self._use(roles)
+        return self.state(state.t, state.x, state.v, state.e)
+
+    def use_freedoms(self, dynamic: Sequence[str], kinematic: Sequence[str] | None = None) -> None:
+        """Describe the motion from now on by the named freedoms; checked at the initial state."""
+        find = self.structure.find
+        kinematic_rows = None if kinematic is None else np.array([find(z) for z in kinematic], dtype=np.intp)
+        dynamic_rows = np.array([find(z) for z in dynamic], dtype=np.intp)
+        self._use(choose_freedoms(self.kinematics, self.initial.J, dynamic_rows, kinematic_rows))
+        self.initial = self.state(self.initial.t, self.initial.x, self.initial.v, self.initial.e)
+
+    # -- analyses --------------------------------------------------------------------------------
+
+    def simulate(
+        self,
+        duration: float,
+        *,
+        start: State | None = None,
+        times: Sequence[float] | Array | None = None,
+        samples: int = 201,
+        method: str = "DOP853",
+        rtol: float = 1e-9,
+        atol: float = 1e-11,
+        max_step: float = np.inf,
+        events: Sequence[Event] = (),
+        progress: bool | None = None,
+        rechoose: bool = True,
+    ) -> Motion:
+        """Forward dynamics; with no freedoms left, the prescribed motion and its driving forces.
+
+        Parameters
+        ----------
+        duration : float
+            Length of the motion [s].
+        start : State, optional
+            The initial state by default.
+        times : array_like, optional
+            Times [s] at which states are kept; `samples` equidistant ones by default.
+        method : str
+            DOP853, RK45, LSODA, Radau or BDF.
+        rtol, atol, max_step : float
+            Of the integrator.
+        events : sequence of Event
+        progress : bool, optional
+            Progress bar on stderr; by default where stderr is a terminal.
+        rechoose : bool
+            Change the freedoms when they become ill-conditioned.
+
+        Returns
+        -------
+        Motion
+
+        Raises
+        ------
+        ModelError, PositionError, DynamicsError
+        """
+        start = self.initial if start is None else start
+        if not (np.isfinite(duration) and duration > 0):
+            raise ModelError(f"simulate: duration {duration} s is not positive; give a positive time")
+        grid = np.linspace(start.t, start.t + duration, samples) if times is None else np.asarray(times, float)
+        if np.any(np.diff(grid) <= 0) or grid[0] < start.t:
+            raise ModelError(f"simulate: times must increase from {start.t:g} s; sort them")
+        if grid[0] > start.t:
+            grid = np.concatenate([[start.t], grid])
+        if start.roles is not self.roles:
+            start = self.state(start.t, start.x, start.v, start.e)
+        if self.roles.nq == 0:
+            return Motion(self, self._follow(start, grid))
+        run = Integrator(self, start, grid, method, rtol, atol, max_step, events, progress, rechoose)
+        return Motion(self, run.run())
+
+    def _follow(self, start: State, grid: Array) -> Integration:
+        """States of a fully prescribed motion; long steps are halved until the position is found."""
+        states, none = [start], np.zeros(0)
+        for t in grid[1:]:
+            last, step = states[-1], float(t) - states[-1].t
+            while last.t < t:
+                try:
+                    last = self.state_from(min(last.t + step, float(t)), none, self.roles, last)
+                except PositionError:
+                    step /= 2
+                    if step < 1e-6 * (grid[-1] - grid[0]):
+                        raise
+            states.append(last)
+        dense: Callable[[float], Array] = lambda t: none  # noqa: E731 (a fully prescribed motion has no state)
+        segment = Segment(float(grid[0]), float(grid[-1]), self.roles, dense)
+        return Integration(states, [], [segment], {"steps": len(states) - 1, "evaluations": 0, "rechoices": 0}, "")
+
+    def steady(
+        self,
+        start: State | None = None,
+        *,
+        rates: Mapping[str, float] | None = None,
+        unknown: Sequence[str] | None = None,
+        unknown_rates: Sequence[str] = (),
+    ) -> State:
+        """Steady motion or equilibrium: the state near `start` whose freedoms have no acceleration.
+
+        Parameters
+        ----------
+        start : State, optional
+            Where to look from; the initial state by default.
+        rates : mapping of name to rate, optional
+            Given rates of the dynamic freedoms; those of `start` by default.
+        unknown : sequence of str, optional
+            Freedoms to be found; all by default (smallest change).
+        unknown_rates : sequence of str
+            Dynamic freedoms whose rates are to be found too.
+
+        Raises
+        ------
+        PositionError
+            If no steady motion is found near the start; says what was reached.
+        """
+        return steady_motion(self, start or self.initial, rates, unknown, unknown_rates)
+
+
