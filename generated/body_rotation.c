@@ -1,0 +1,381 @@
+/* body_rotation: kernels of an element. Written by `flexel derive`; do not edit.
+ *
+ * u = lambda o t
+ * (wx, wy, wz) = 2 (conj(u) o udot), angular velocity in the axes of R(u)
+ *
+ * Source: Schwab and Meijaard 2006, DETC2006-99307
+ *
+ * x (4): r_l0, r_l1, r_l2, r_l3
+ * e (0): none
+ * s (3): wx [rad/s], wy [rad/s], wz [rad/s]
+ * p (4):
+ *   t (4) [1]: unit quaternion from the body frame to the triad */
+#include "kernels.h"
+
+/* position: 93 operations.
+ * in:  x (4), p (4)
+ * out: e (0), De (0,4), V (3,4) */
+FLEXEL_CLONES
+static void body_rotation_position(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (4 * 8);
+        const real *restrict p = in[1] + b * (4 * 8);
+        real *restrict V = out[2] + b * (12 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real r_l1 = x[1 * 8 + j];
+            const real t_3 = p[3 * 8 + j];
+            const real r_l0 = x[0 * 8 + j];
+            const real t_2 = p[2 * 8 + j];
+            const real r_l2 = x[2 * 8 + j];
+            const real t_0 = p[0 * 8 + j];
+            const real r_l3 = x[3 * 8 + j];
+            const real t_1 = p[1 * 8 + j];
+            const real t0 = r_l1 * t_3 - r_l0 * t_2 - r_l2 * t_0 - r_l3 * t_1;
+            const real t1 = 2.0 * t_3 * t0;
+            const real t2 = r_l2 * t_1 - r_l0 * t_3 - r_l1 * t_2 - r_l3 * t_0;
+            const real t3 = 2.0 * t_2 * t2;
+            const real t4 = r_l3 * t_2 - r_l0 * t_1 - r_l1 * t_0 - r_l2 * t_3;
+            const real t5 = 2.0 * t_0 * t4;
+            const real t6 = r_l0 * t_0 - r_l1 * t_1 - r_l2 * t_2 - r_l3 * t_3;
+            const real t7 = 2.0 * t_1 * t6;
+            V[0 * 8 + j] = t1 - t3 + t5 + t7;
+            const real t8 = 2.0 * t_3 * t2;
+            const real t9 = 2.0 * t_2 * t0;
+            const real t10 = 2.0 * t_1 * t4;
+            const real t11 = 2.0 * t_0 * t6;
+            V[1 * 8 + j] = t8 + t9 - t10 + t11;
+            const real t12 = 2.0 * t_3 * t6;
+            const real t13 = 2.0 * t_0 * t2;
+            const real t14 = 2.0 * t_1 * t0;
+            const real t15 = 2.0 * t_2 * t4;
+            V[2 * 8 + j] = t12 - (t13 + t14 + t15);
+            const real t16 = 2.0 * t_0 * t0;
+            const real t17 = 2.0 * t_1 * t2;
+            const real t18 = 2.0 * t_3 * t4;
+            const real t19 = 2.0 * t_2 * t6;
+            V[3 * 8 + j] = t16 - t17 - t18 - t19;
+            const real t20 = t19 - t18;
+            V[4 * 8 + j] = t16 + t20 + t17;
+            const real t21 = t15 + t12;
+            V[5 * 8 + j] = t13 - (t14 + t21);
+            const real t22 = t10 + t11;
+            V[6 * 8 + j] = t22 - t9 + t8;
+            const real t23 = t7 - t5;
+            V[7 * 8 + j] = t23 - t1 - t3;
+            V[8 * 8 + j] = t13 + t21 - t14;
+            V[9 * 8 + j] = t20 - t17 - t16;
+            V[10 * 8 + j] = -(t3 + t23 + t1);
+            V[11 * 8 + j] = t22 - t8 + t9;
+        }
+    }
+}
+
+/* velocity: 89 operations.
+ * in:  x (4), v (4), p (4)
+ * out: ed (0), s (3) */
+FLEXEL_CLONES
+static void body_rotation_velocity(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (4 * 8);
+        const real *restrict v = in[1] + b * (4 * 8);
+        const real *restrict p = in[2] + b * (4 * 8);
+        real *restrict s = out[1] + b * (3 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real r_l1 = x[1 * 8 + j];
+            const real t_3 = p[3 * 8 + j];
+            const real r_l0 = x[0 * 8 + j];
+            const real t_2 = p[2 * 8 + j];
+            const real r_l2 = x[2 * 8 + j];
+            const real t_0 = p[0 * 8 + j];
+            const real r_l3 = x[3 * 8 + j];
+            const real t_1 = p[1 * 8 + j];
+            const real t0 = r_l1 * t_3 - r_l0 * t_2 - r_l2 * t_0 - r_l3 * t_1;
+            const real r_vl3 = v[3 * 8 + j];
+            const real r_vl0 = v[0 * 8 + j];
+            const real r_vl1 = v[1 * 8 + j];
+            const real r_vl2 = v[2 * 8 + j];
+            const real t1 = r_vl0 * t_3 + r_vl1 * t_2 + r_vl3 * t_0 - r_vl2 * t_1;
+            const real t2 = r_l0 * t_0 - r_l1 * t_1 - r_l2 * t_2 - r_l3 * t_3;
+            const real t3 = r_vl0 * t_1 + r_vl1 * t_0 + r_vl2 * t_3 - r_vl3 * t_2;
+            const real t4 = r_l3 * t_2 - r_l0 * t_1 - r_l1 * t_0 - r_l2 * t_3;
+            const real t5 = r_vl0 * t_0 - r_vl1 * t_1 - r_vl2 * t_2 - r_vl3 * t_3;
+            const real t6 = r_l2 * t_1 - r_l0 * t_3 - r_l1 * t_2 - r_l3 * t_0;
+            const real t7 = r_vl0 * t_2 + r_vl2 * t_0 + r_vl3 * t_1 - r_vl1 * t_3;
+            s[0 * 8 + j] = 2.0 * t2 * t3 + 2.0 * t4 * t5 + 2.0 * t0 * t1 - 2.0 * t6 * t7;
+            s[1 * 8 + j] = 2.0 * t2 * t7 + 2.0 * t5 * t0 + 2.0 * t3 * t6 - 2.0 * t4 * t1;
+            s[2 * 8 + j] = 2.0 * t2 * t1 + 2.0 * t4 * t7 + 2.0 * t5 * t6 - 2.0 * t3 * t0;
+        }
+    }
+}
+
+/* acceleration: 70 operations.
+ * in:  x (4), v (4), p (4)
+ * out: g (0), gs (3) */
+FLEXEL_CLONES
+static void body_rotation_acceleration(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict v = in[1] + b * (4 * 8);
+        const real *restrict p = in[2] + b * (4 * 8);
+        real *restrict gs = out[1] + b * (3 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real r_vl3 = v[3 * 8 + j];
+            const real t_0 = p[0 * 8 + j];
+            const real t0 = r_vl3 * t_0;
+            const real r_vl0 = v[0 * 8 + j];
+            const real t_3 = p[3 * 8 + j];
+            const real t1 = r_vl0 * t_3;
+            const real r_vl1 = v[1 * 8 + j];
+            const real t_2 = p[2 * 8 + j];
+            const real t2 = r_vl1 * t_2;
+            const real r_vl2 = v[2 * 8 + j];
+            const real t_1 = p[1 * 8 + j];
+            const real t3 = r_vl2 * t_1;
+            const real t4 = t1 + t2 + t0 - t3;
+            const real t5 = r_vl1 * t_3;
+            const real t6 = r_vl0 * t_2;
+            const real t7 = r_vl2 * t_0;
+            const real t8 = r_vl3 * t_1;
+            const real t9 = t5 - t6 - t7 - t8;
+            const real t10 = r_vl2 * t_3;
+            const real t11 = r_vl0 * t_1;
+            const real t12 = r_vl1 * t_0;
+            const real t13 = r_vl3 * t_2;
+            const real t14 = t11 + t12 + t10 - t13;
+            const real t15 = r_vl0 * t_0 - r_vl1 * t_1 - r_vl2 * t_2 - r_vl3 * t_3;
+            const real t16 = t13 - t11 - t12 - t10;
+            const real t17 = t6 + t7 + t8 - t5;
+            const real t18 = t3 - t1 - t2 - t0;
+            gs[0 * 8 + j] = 2.0 * t14 * t15 + 2.0 * t15 * t16 + 2.0 * t4 * t9 - 2.0 * t17 * t18;
+            gs[1 * 8 + j] = 2.0 * t15 * t17 + 2.0 * t15 * t9 + 2.0 * t14 * t18 - 2.0 * t4 * t16;
+            gs[2 * 8 + j] = 2.0 * t15 * t4 + 2.0 * t17 * t16 + 2.0 * t15 * t18 - 2.0 * t14 * t9;
+        }
+    }
+}
+
+/* kinematics: 247 operations.
+ * in:  x (4), v (4), a (4), p (4)
+ * out: Phi_x (3,4), Psi_x (3,4), Psi_v (3,4) */
+FLEXEL_CLONES
+static void body_rotation_kinematics(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict v = in[1] + b * (4 * 8);
+        const real *restrict a = in[2] + b * (4 * 8);
+        const real *restrict p = in[3] + b * (4 * 8);
+        real *restrict Phi_x = out[0] + b * (12 * 8);
+        real *restrict Psi_x = out[1] + b * (12 * 8);
+        real *restrict Psi_v = out[2] + b * (12 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real r_vl3 = v[3 * 8 + j];
+            const real t_1 = p[1 * 8 + j];
+            const real t0 = r_vl3 * t_1;
+            const real r_vl0 = v[0 * 8 + j];
+            const real t_2 = p[2 * 8 + j];
+            const real t1 = r_vl0 * t_2;
+            const real r_vl2 = v[2 * 8 + j];
+            const real t_0 = p[0 * 8 + j];
+            const real t2 = r_vl2 * t_0;
+            const real r_vl1 = v[1 * 8 + j];
+            const real t_3 = p[3 * 8 + j];
+            const real t3 = r_vl1 * t_3;
+            const real t4 = t1 + t2 + t0 - t3;
+            const real t5 = 2.0 * t_3 * t4;
+            const real t6 = r_vl3 * t_0;
+            const real t7 = r_vl0 * t_3;
+            const real t8 = r_vl1 * t_2;
+            const real t9 = r_vl2 * t_1;
+            const real t10 = t7 + t8 + t6 - t9;
+            const real t11 = 2.0 * t_2 * t10;
+            const real t12 = r_vl0 * t_0 - r_vl1 * t_1 - r_vl2 * t_2 - r_vl3 * t_3;
+            const real t13 = 2.0 * t_1 * t12;
+            const real t14 = r_vl2 * t_3;
+            const real t15 = r_vl0 * t_1;
+            const real t16 = r_vl1 * t_0;
+            const real t17 = r_vl3 * t_2;
+            const real t18 = t15 + t16 + t14 - t17;
+            const real t19 = 2.0 * t_0 * t18;
+            Phi_x[0 * 8 + j] = t5 - t11 - t13 + t19;
+            const real t20 = 2.0 * t_2 * t4;
+            const real t21 = 2.0 * t_3 * t10;
+            const real t22 = 2.0 * t_0 * t12;
+            const real t23 = 2.0 * t_1 * t18;
+            Phi_x[1 * 8 + j] = t20 + t21 - t22 - t23;
+            const real t24 = 2.0 * t_1 * t4;
+            const real t25 = 2.0 * t_0 * t10;
+            const real t26 = 2.0 * t_3 * t12;
+            const real t27 = 2.0 * t_2 * t18;
+            Phi_x[2 * 8 + j] = -(t24 + t25 + t26 + t27);
+            const real t28 = 2.0 * t_0 * t4;
+            const real t29 = 2.0 * t_1 * t10;
+            const real t30 = 2.0 * t_2 * t12;
+            const real t31 = 2.0 * t_3 * t18;
+            Phi_x[3 * 8 + j] = t28 - t29 + t30 - t31;
+            const real t32 = t30 + t31;
+            Phi_x[4 * 8 + j] = t29 - t32 + t28;
+            const real t33 = t26 - t27;
+            Phi_x[5 * 8 + j] = t25 + t33 - t24;
+            const real t34 = t23 - t22;
+            Phi_x[6 * 8 + j] = t21 + t34 - t20;
+            const real t35 = t13 + t19;
+            Phi_x[7 * 8 + j] = -(t11 + t35 + t5);
+            Phi_x[8 * 8 + j] = t25 - (t24 + t33);
+            Phi_x[9 * 8 + j] = -(t28 + t32 + t29);
+            Phi_x[10 * 8 + j] = t35 - t5 - t11;
+            Phi_x[11 * 8 + j] = t20 + t34 - t21;
+            const real r_al3 = a[3 * 8 + j];
+            const real r_al0 = a[0 * 8 + j];
+            const real r_al2 = a[2 * 8 + j];
+            const real r_al1 = a[1 * 8 + j];
+            const real t36 = t_2 * r_al0 + t_0 * r_al2 + t_1 * r_al3 - t_3 * r_al1;
+            const real t37 = 2.0 * t_3 * t36;
+            const real t38 = t_3 * r_al0 + t_2 * r_al1 + t_0 * r_al3 - t_1 * r_al2;
+            const real t39 = 2.0 * t_2 * t38;
+            const real t40 = t_0 * r_al0 - t_1 * r_al1 - t_2 * r_al2 - t_3 * r_al3;
+            const real t41 = 2.0 * t_1 * t40;
+            const real t42 = t_1 * r_al0 + t_0 * r_al1 + t_3 * r_al2 - t_2 * r_al3;
+            const real t43 = 2.0 * t_0 * t42;
+            Psi_x[0 * 8 + j] = t37 - t39 - t41 + t43;
+            const real t44 = 2.0 * t_2 * t36;
+            const real t45 = 2.0 * t_3 * t38;
+            const real t46 = 2.0 * t_0 * t40;
+            const real t47 = 2.0 * t_1 * t42;
+            Psi_x[1 * 8 + j] = t44 + t45 - t46 - t47;
+            const real t48 = 2.0 * t_1 * t36;
+            const real t49 = 2.0 * t_0 * t38;
+            const real t50 = 2.0 * t_3 * t40;
+            const real t51 = 2.0 * t_2 * t42;
+            Psi_x[2 * 8 + j] = -(t48 + t49 + t50 + t51);
+            const real t52 = 2.0 * t_0 * t36;
+            const real t53 = 2.0 * t_1 * t38;
+            const real t54 = 2.0 * t_2 * t40;
+            const real t55 = 2.0 * t_3 * t42;
+            Psi_x[3 * 8 + j] = t52 - t53 + t54 - t55;
+            const real t56 = t54 + t55;
+            Psi_x[4 * 8 + j] = t53 - t56 + t52;
+            const real t57 = t50 - t51;
+            Psi_x[5 * 8 + j] = t49 + t57 - t48;
+            const real t58 = t47 - t46;
+            Psi_x[6 * 8 + j] = t45 + t58 - t44;
+            const real t59 = t41 + t43;
+            Psi_x[7 * 8 + j] = -(t39 + t59 + t37);
+            Psi_x[8 * 8 + j] = t49 - (t48 + t57);
+            Psi_x[9 * 8 + j] = -(t52 + t56 + t53);
+            Psi_x[10 * 8 + j] = t59 - t37 - t39;
+            Psi_x[11 * 8 + j] = t44 + t58 - t45;
+            const real t60 = 2.0 * t4 + 2.0 * (t3 - t1 - t2 - t0);
+            const real t61 = t_3 * t60;
+            const real t62 = 2.0 * t10 + 2.0 * (t9 - t7 - t8 - t6);
+            const real t63 = t_2 * t62;
+            const real t64 = 2.0 * t18 + 2.0 * (t17 - t15 - t16 - t14);
+            const real t65 = t_0 * t64;
+            Psi_v[0 * 8 + j] = t61 - t63 + t65;
+            const real t66 = t_3 * t62;
+            const real t67 = t_2 * t60;
+            const real t68 = t_1 * t64;
+            Psi_v[1 * 8 + j] = t66 + t67 - t68;
+            const real t69 = t_0 * t62;
+            const real t70 = t_1 * t60;
+            const real t71 = t_2 * t64;
+            Psi_v[2 * 8 + j] = -(t69 + t70 + t71);
+            const real t72 = t_0 * t60;
+            const real t73 = t_1 * t62;
+            const real t74 = t_3 * t64;
+            Psi_v[3 * 8 + j] = t72 - t73 - t74;
+            Psi_v[4 * 8 + j] = t72 - t74 + t73;
+            Psi_v[5 * 8 + j] = t69 - (t70 + t71);
+            Psi_v[6 * 8 + j] = t68 - t67 + t66;
+            Psi_v[7 * 8 + j] = -(t61 + t65 + t63);
+            Psi_v[8 * 8 + j] = t69 + t71 - t70;
+            Psi_v[9 * 8 + j] = -(t73 + t74 + t72);
+            Psi_v[10 * 8 + j] = t65 - t63 - t61;
+            Psi_v[11 * 8 + j] = t68 - t66 + t67;
+        }
+    }
+}
+
+/* stiffness: 88 operations.
+ * in:  x (4), sigma (0), tau (3), p (4)
+ * out: K (4,4) */
+FLEXEL_CLONES
+static void body_rotation_stiffness(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict tau = in[2] + b * (3 * 8);
+        const real *restrict p = in[3] + b * (4 * 8);
+        real *restrict K = out[0] + b * (16 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real t_1 = p[1 * 8 + j];
+            const real tau_wx = tau[0 * 8 + j];
+            const real t_2 = p[2 * 8 + j];
+            const real tau_wy = tau[1 * 8 + j];
+            const real t_3 = p[3 * 8 + j];
+            const real tau_wz = tau[2 * 8 + j];
+            const real t0 = 2.0 * t_1 * tau_wx + 2.0 * t_2 * tau_wy + 2.0 * t_3 * tau_wz;
+            const real t_0 = p[0 * 8 + j];
+            const real t1 = t_0 * t0;
+            const real t2 = 2.0 * t_1 * tau_wy - 2.0 * t_2 * tau_wx + 2.0 * t_0 * tau_wz;
+            const real t3 = t_3 * t2;
+            const real t4 = 2.0 * t_3 * tau_wx + 2.0 * t_0 * tau_wy - 2.0 * t_1 * tau_wz;
+            const real t5 = t_2 * t4;
+            const real t6 = t3 + t5;
+            const real t7 = 2.0 * t_0 * tau_wx - 2.0 * t_3 * tau_wy + 2.0 * t_2 * tau_wz;
+            const real t8 = t_1 * t7;
+            K[0 * 8 + j] = t1 - (t6 + t8);
+            const real t9 = t_3 * t4;
+            const real t10 = t_2 * t2;
+            const real t11 = t9 - t10;
+            const real t12 = t_0 * t7;
+            const real t13 = t_1 * t0;
+            K[1 * 8 + j] = t11 - t12 - t13;
+            const real t14 = t_1 * t2;
+            const real t15 = t_0 * t4;
+            const real t16 = t14 - t15;
+            const real t17 = t_3 * t7;
+            const real t18 = t_2 * t0;
+            K[2 * 8 + j] = t16 - t17 - t18;
+            const real t19 = t_2 * t7;
+            const real t20 = t_0 * t2;
+            const real t21 = t_1 * t4;
+            const real t22 = t20 + t21;
+            const real t23 = t_3 * t0;
+            K[3 * 8 + j] = t19 - t22 - t23;
+            K[4 * 8 + j] = t13 - t11 + t12;
+            K[5 * 8 + j] = t1 - t6 - t8;
+            K[6 * 8 + j] = t22 + t23 - t19;
+            K[7 * 8 + j] = t16 - t18 - t17;
+            const real t24 = t17 + t18;
+            K[8 * 8 + j] = t24 - t14 + t15;
+            const real t25 = t19 - t23;
+            K[9 * 8 + j] = t25 - t20 - t21;
+            const real t26 = t1 - t8;
+            K[10 * 8 + j] = t26 - t3 - t5;
+            const real t27 = t12 + t13;
+            K[11 * 8 + j] = t10 + t27 - t9;
+            K[12 * 8 + j] = t21 - t25 + t20;
+            K[13 * 8 + j] = t15 + t24 - t14;
+            K[14 * 8 + j] = t9 - t27 - t10;
+            K[15 * 8 + j] = t26 - t5 - t3;
+        }
+    }
+}
+
+const flexel_element flexel_body_rotation = {
+    .name = "body_rotation",
+    .n = 4,
+    .m = 0,
+    .k = 3,
+    .np = 4,
+    .position = body_rotation_position,
+    .velocity = body_rotation_velocity,
+    .acceleration = body_rotation_acceleration,
+    .kinematics = body_rotation_kinematics,
+    .stiffness = body_rotation_stiffness,
+};

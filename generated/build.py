@@ -1,0 +1,82 @@
+"""Builds the extension ``flexel.generated._kernels`` with cffi (API mode, one file for every Python 3).
+
+Written by `flexel derive`; do not edit.
+"""
+
+import os
+
+from cffi import FFI
+
+FOLDER = os.path.dirname(__file__)
+FLAGS = ["-O3", "-fno-math-errno", "-fno-trapping-math", "-fopenmp-simd", "-ffp-contract=off"]
+ELEMENTS = (
+    "point_mass",
+    "body",
+    "norm",
+    "truss",
+    "hinge",
+    "bearing",
+    "beam3",
+    "beam",
+    "beam_first_order",
+    "wheel",
+    "rotation",
+    "body_rotation",
+    "planar_point_mass",
+    "planar_body",
+    "planar_truss",
+    "planar_hinge",
+    "planar_beam",
+    "planar_beam_first_order",
+    "planar_beam3",
+)
+LAWS = (
+    "linear_1",
+    "linear_2",
+    "linear_3",
+    "linear_4",
+    "linear_5",
+    "linear_6",
+    "viscous_1",
+    "viscous_2",
+    "viscous_3",
+)
+SOURCES = [os.path.join(FOLDER, f"{name}.c") for name in (*ELEMENTS, "laws", "system")]
+
+DECLARATIONS = """
+typedef void (*flexel_kernel)(size_t nblocks, const double *const *in, double *const *out);
+typedef struct {
+    const char *name;
+    int n, m, k, np;
+    flexel_kernel position, velocity, acceleration, inertia, kinematics, stiffness, tangent;
+} flexel_element;
+typedef struct {
+    const char *name;
+    int m, k, np;
+    flexel_kernel law, tangent;
+} flexel_law;
+typedef struct {
+    flexel_kernel kernel;
+    size_t nblocks;
+    const double *const *in;
+    double *const *out;
+} flexel_call;
+void flexel_run(size_t n, const flexel_call *calls);
+"""
+
+ffibuilder = FFI()
+ffibuilder.cdef(DECLARATIONS)
+ffibuilder.cdef("".join(f"extern const flexel_element flexel_{name};\n" for name in ELEMENTS))
+ffibuilder.cdef("".join(f"extern const flexel_law flexel_law_{name};\n" for name in LAWS))
+ffibuilder.set_source(
+    "flexel.generated._kernels",
+    '#include "kernels.h"',
+    sources=SOURCES,
+    depends=[os.path.join(FOLDER, "kernels.h")],
+    include_dirs=[FOLDER or "."],
+    extra_compile_args=FLAGS,
+    py_limited_api=True,
+)
+
+if __name__ == "__main__":
+    ffibuilder.compile(verbose=True)

@@ -1,0 +1,357 @@
+/* planar_beam3: kernels of an element. Written by `flexel derive`; do not edit.
+ *
+ * ex, ey: directions of the element (angle_p + alpha0); d = xq - xp
+ * along = ex.d - d0_x,  across = ey.d - d0_y
+ * T = rhoA l0/6 (vp.vp + vp.vq + vq.vq) + l0/2 rhoJ angledot^2, uniform bar
+ * U = -rhoA l0 gravity.(xp + xq)/2
+ *
+ * Source: planar counterpart of beam3
+ *
+ * x (5): p_x, p_y, rp_angle, q_x, q_y
+ * e (2): along [m], across [m]
+ * s (0): none
+ * p (8):
+ *   alpha0 (1) [rad]: initial direction of the element minus the angle of node p
+ *   d0 (2) [m]: components of xq - xp on ex, ey when the deformations are zero
+ *   l0 (1) [m]: undeformed length
+ *   rhoA (1) [kg/m]: mass per length
+ *   rhoJ (1) [kg m]: mass moment of inertia of the section per length
+ *   gravity (2) [m/s^2]: acceleration of gravity */
+#include "kernels.h"
+
+/* position: 17 operations.
+ * in:  x (5), p (8)
+ * out: e (2), De (2,5), V (0,5) */
+FLEXEL_CLONES
+static void planar_beam3_position(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (5 * 8);
+        const real *restrict p = in[1] + b * (8 * 8);
+        real *restrict e = out[0] + b * (2 * 8);
+        real *restrict De = out[1] + b * (10 * 8);
+        real t0[8], cos_p[8], d_x[8], sin_p[8], d_y[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real rp_angle = x[2 * 8 + j];
+            const real alpha0 = p[0 * 8 + j];
+            t0[j] = rp_angle + alpha0;
+            const real q_x = x[3 * 8 + j];
+            const real p_x = x[0 * 8 + j];
+            d_x[j] = q_x - p_x;
+            const real q_y = x[4 * 8 + j];
+            const real p_y = x[1 * 8 + j];
+            d_y[j] = q_y - p_y;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            cos_p[j] = real_cos(t0[j]);
+            De[3 * 8 + j] = De[9 * 8 + j] = cos_p[j];
+            sin_p[j] = real_sin(t0[j]);
+            De[4 * 8 + j] = De[5 * 8 + j] = sin_p[j];
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real t1 = cos_p[j] * d_x[j] + sin_p[j] * d_y[j];
+            const real d0_x = p[1 * 8 + j];
+            e[0 * 8 + j] = t1 - d0_x;
+            const real t2 = cos_p[j] * d_y[j];
+            const real d0_y = p[2 * 8 + j];
+            const real t3 = sin_p[j] * d_x[j];
+            e[1 * 8 + j] = t2 - d0_y - t3;
+            De[0 * 8 + j] = De[6 * 8 + j] = -cos_p[j];
+            De[1 * 8 + j] = De[8 * 8 + j] = -sin_p[j];
+            De[2 * 8 + j] = t2 - t3;
+            De[7 * 8 + j] = -t1;
+        }
+    }
+}
+
+/* velocity: 23 operations.
+ * in:  x (5), v (5), p (8)
+ * out: ed (2), s (0) */
+FLEXEL_CLONES
+static void planar_beam3_velocity(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (5 * 8);
+        const real *restrict v = in[1] + b * (5 * 8);
+        const real *restrict p = in[2] + b * (8 * 8);
+        real *restrict ed = out[0] + b * (2 * 8);
+        real t0[8], cos_p[8], t1[8], d_x[8], sin_p[8], d_y[8], t4[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real rp_angle = x[2 * 8 + j];
+            const real alpha0 = p[0 * 8 + j];
+            t0[j] = rp_angle + alpha0;
+            const real q_vx = v[3 * 8 + j];
+            const real p_vx = v[0 * 8 + j];
+            t1[j] = q_vx - p_vx;
+            const real q_x = x[3 * 8 + j];
+            const real p_x = x[0 * 8 + j];
+            d_x[j] = q_x - p_x;
+            const real q_y = x[4 * 8 + j];
+            const real p_y = x[1 * 8 + j];
+            d_y[j] = q_y - p_y;
+            const real q_vy = v[4 * 8 + j];
+            const real p_vy = v[1 * 8 + j];
+            t4[j] = q_vy - p_vy;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            cos_p[j] = real_cos(t0[j]);
+            sin_p[j] = real_sin(t0[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real rp_vangle = v[2 * 8 + j];
+            const real t2 = rp_vangle * sin_p[j];
+            const real t3 = rp_vangle * cos_p[j];
+            ed[0 * 8 + j] = cos_p[j] * t1[j] - d_x[j] * t2 + (d_y[j] * t3 + sin_p[j] * t4[j]);
+            ed[1 * 8 + j] = cos_p[j] * t4[j] - d_y[j] * t2 - (d_x[j] * t3 + sin_p[j] * t1[j]);
+        }
+    }
+}
+
+/* acceleration: 30 operations.
+ * in:  x (5), v (5), p (8)
+ * out: g (2), gs (0) */
+FLEXEL_CLONES
+static void planar_beam3_acceleration(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (5 * 8);
+        const real *restrict v = in[1] + b * (5 * 8);
+        const real *restrict p = in[2] + b * (8 * 8);
+        real *restrict g = out[0] + b * (2 * 8);
+        real t0[8], cos_p[8], t2[8], d_y[8], sin_p[8], t6[8], d_x[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real rp_angle = x[2 * 8 + j];
+            const real alpha0 = p[0 * 8 + j];
+            t0[j] = rp_angle + alpha0;
+            const real q_vy = v[4 * 8 + j];
+            const real p_vy = v[1 * 8 + j];
+            t2[j] = q_vy - p_vy;
+            const real q_y = x[4 * 8 + j];
+            const real p_y = x[1 * 8 + j];
+            d_y[j] = q_y - p_y;
+            const real q_vx = v[3 * 8 + j];
+            const real p_vx = v[0 * 8 + j];
+            t6[j] = q_vx - p_vx;
+            const real q_x = x[3 * 8 + j];
+            const real p_x = x[0 * 8 + j];
+            d_x[j] = q_x - p_x;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            cos_p[j] = real_cos(t0[j]);
+            sin_p[j] = real_sin(t0[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real rp_vangle = v[2 * 8 + j];
+            const real t1 = rp_vangle * cos_p[j];
+            const real t3 = t1 * t2[j];
+            const real t4 = rp_vangle * sin_p[j];
+            const real t5 = rp_vangle * t4;
+            const real t7 = t4 * t6[j];
+            const real t8 = rp_vangle * t1;
+            g[0 * 8 + j] = t3 - d_y[j] * t5 + t3 - (t7 + d_x[j] * t8 + t7);
+            const real t9 = t4 * t2[j];
+            const real t10 = t1 * t6[j];
+            g[1 * 8 + j] = -(t9 + d_y[j] * t8 + t9 + (t10 - d_x[j] * t5 + t10));
+        }
+    }
+}
+
+/* kinematics: 78 operations.
+ * in:  x (5), v (5), a (5), p (8)
+ * out: Phi_x (2,5), Psi_x (2,5), Psi_v (2,5) */
+FLEXEL_CLONES
+static void planar_beam3_kinematics(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (5 * 8);
+        const real *restrict v = in[1] + b * (5 * 8);
+        const real *restrict a = in[2] + b * (5 * 8);
+        const real *restrict p = in[3] + b * (8 * 8);
+        real *restrict Phi_x = out[0] + b * (10 * 8);
+        real *restrict Psi_x = out[1] + b * (10 * 8);
+        real *restrict Psi_v = out[2] + b * (10 * 8);
+        real t0[8], sin_p[8], cos_p[8], t3[8], d_y[8], d_x[8], t4[8], t13[8], t14[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real rp_angle = x[2 * 8 + j];
+            const real alpha0 = p[0 * 8 + j];
+            t0[j] = rp_angle + alpha0;
+            const real q_vy = v[4 * 8 + j];
+            const real p_vy = v[1 * 8 + j];
+            t3[j] = q_vy - p_vy;
+            const real q_y = x[4 * 8 + j];
+            const real p_y = x[1 * 8 + j];
+            d_y[j] = q_y - p_y;
+            const real q_x = x[3 * 8 + j];
+            const real p_x = x[0 * 8 + j];
+            d_x[j] = q_x - p_x;
+            const real q_vx = v[3 * 8 + j];
+            const real p_vx = v[0 * 8 + j];
+            t4[j] = q_vx - p_vx;
+            const real q_ay = a[4 * 8 + j];
+            const real p_ay = a[1 * 8 + j];
+            t13[j] = q_ay - p_ay;
+            const real q_ax = a[3 * 8 + j];
+            const real p_ax = a[0 * 8 + j];
+            t14[j] = q_ax - p_ax;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            sin_p[j] = real_sin(t0[j]);
+            cos_p[j] = real_cos(t0[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real rp_vangle = v[2 * 8 + j];
+            const real t1 = rp_vangle * sin_p[j];
+            Phi_x[0 * 8 + j] = Phi_x[6 * 8 + j] = t1;
+            const real t2 = rp_vangle * cos_p[j];
+            Phi_x[4 * 8 + j] = Phi_x[5 * 8 + j] = t2;
+            Phi_x[1 * 8 + j] = Phi_x[8 * 8 + j] = -t2;
+            const real t5 = cos_p[j] * t3[j] - d_y[j] * t1 - (d_x[j] * t2 + sin_p[j] * t4[j]);
+            Phi_x[2 * 8 + j] = t5;
+            Phi_x[3 * 8 + j] = Phi_x[9 * 8 + j] = -t1;
+            const real t6 = cos_p[j] * t4[j] - d_x[j] * t1 + (d_y[j] * t2 + sin_p[j] * t3[j]);
+            Phi_x[7 * 8 + j] = -t6;
+            const real t7 = rp_vangle * t2;
+            const real rp_aangle = a[2 * 8 + j];
+            const real t8 = sin_p[j] * rp_aangle;
+            const real t9 = t7 + t8;
+            Psi_x[0 * 8 + j] = Psi_x[6 * 8 + j] = t9;
+            const real t10 = cos_p[j] * rp_aangle;
+            const real t11 = rp_vangle * t1;
+            const real t12 = t10 - t11;
+            Psi_x[4 * 8 + j] = Psi_x[5 * 8 + j] = t12;
+            Psi_x[1 * 8 + j] = Psi_x[8 * 8 + j] = -t12;
+            const real t15 = cos_p[j] * t13[j] - d_y[j] * t8 - (d_x[j] * t10 + sin_p[j] * t14[j]);
+            const real t16 = t1 * t3[j];
+            const real t17 = t2 * t4[j];
+            Psi_x[2 * 8 + j] = t15 - (t16 + d_y[j] * t7 + t16 + (t17 - d_x[j] * t11 + t17));
+            Psi_x[3 * 8 + j] = Psi_x[9 * 8 + j] = -t9;
+            const real t18 = t2 * t3[j];
+            const real t19 = t1 * t4[j];
+            const real t20 = cos_p[j] * t14[j] - d_x[j] * t8 + (d_y[j] * t10 + sin_p[j] * t13[j]);
+            const real t21 = t18 - d_y[j] * t11 + t18 - (t19 + d_x[j] * t7 + t19) + t20;
+            Psi_x[7 * 8 + j] = -t21;
+            const real t22 = 2.0 * t1;
+            Psi_v[0 * 8 + j] = Psi_v[6 * 8 + j] = t22;
+            const real t23 = 2.0 * t2;
+            Psi_v[4 * 8 + j] = Psi_v[5 * 8 + j] = t23;
+            Psi_v[1 * 8 + j] = Psi_v[8 * 8 + j] = -t23;
+            Psi_v[2 * 8 + j] = 2.0 * t5;
+            Psi_v[3 * 8 + j] = Psi_v[9 * 8 + j] = -t22;
+            Psi_v[7 * 8 + j] = -(2.0 * t6);
+        }
+    }
+}
+
+/* stiffness: 23 operations.
+ * in:  x (5), sigma (2), tau (0), p (8)
+ * out: K (5,5), 9 of 25 entries */
+FLEXEL_CLONES
+static void planar_beam3_stiffness(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (5 * 8);
+        const real *restrict sigma = in[1] + b * (2 * 8);
+        const real *restrict p = in[3] + b * (8 * 8);
+        real *restrict K = out[0] + b * (9 * 8);
+        real t0[8], cos_p[8], sin_p[8], t3[8], t4[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real rp_angle = x[2 * 8 + j];
+            const real alpha0 = p[0 * 8 + j];
+            t0[j] = rp_angle + alpha0;
+            const real q_y = x[4 * 8 + j];
+            const real p_y = x[1 * 8 + j];
+            const real d_y = q_y - p_y;
+            const real sigma_along = sigma[0 * 8 + j];
+            const real q_x = x[3 * 8 + j];
+            const real p_x = x[0 * 8 + j];
+            const real d_x = q_x - p_x;
+            const real sigma_across = sigma[1 * 8 + j];
+            t3[j] = d_y * sigma_along - d_x * sigma_across;
+            t4[j] = d_y * sigma_across + d_x * sigma_along;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            cos_p[j] = real_cos(t0[j]);
+            sin_p[j] = real_sin(t0[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real sigma_across = sigma[1 * 8 + j];
+            const real sigma_along = sigma[0 * 8 + j];
+            const real t1 = cos_p[j] * sigma_across + sin_p[j] * sigma_along;
+            K[0 * 8 + j] = K[2 * 8 + j] = t1;
+            const real t2 = cos_p[j] * sigma_along - sin_p[j] * sigma_across;
+            K[6 * 8 + j] = K[8 * 8 + j] = t2;
+            K[1 * 8 + j] = K[3 * 8 + j] = -t2;
+            K[4 * 8 + j] = -(sin_p[j] * t3[j] + cos_p[j] * t4[j]);
+            K[5 * 8 + j] = K[7 * 8 + j] = -t1;
+        }
+    }
+}
+
+/* inertia: 16 operations.
+ * in:  x (5), v (5), p (8)
+ * out: M (5,5), 9 of 25 entries, h (5), 0 of 5 entries, f (5), 4 of 5 entries, U (1) */
+FLEXEL_CLONES
+static void planar_beam3_inertia(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (5 * 8);
+        const real *restrict p = in[2] + b * (8 * 8);
+        real *restrict M = out[0] + b * (9 * 8);
+        real *restrict f = out[2] + b * (4 * 8);
+        real *restrict U = out[3] + b * (1 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real l0 = p[3 * 8 + j];
+            const real rhoA = p[4 * 8 + j];
+            const real t0 = l0 * rhoA;
+            M[0 * 8 + j] = M[2 * 8 + j] = M[6 * 8 + j] = M[8 * 8 + j] = 0.3333333333333333 * t0;
+            M[1 * 8 + j] = M[3 * 8 + j] = M[5 * 8 + j] = M[7 * 8 + j] = 0.16666666666666666 * t0;
+            const real rhoJ = p[5 * 8 + j];
+            M[4 * 8 + j] = l0 * rhoJ;
+            const real gravity_x = p[6 * 8 + j];
+            f[0 * 8 + j] = f[2 * 8 + j] = 0.5 * gravity_x * t0;
+            const real gravity_y = p[7 * 8 + j];
+            f[1 * 8 + j] = f[3 * 8 + j] = 0.5 * gravity_y * t0;
+            const real p_x = x[0 * 8 + j];
+            const real q_x = x[3 * 8 + j];
+            const real p_y = x[1 * 8 + j];
+            const real q_y = x[4 * 8 + j];
+            const real t1 = 0.5 * t0 * (gravity_x * (p_x + q_x) + gravity_y * (p_y + q_y));
+            U[0 * 8 + j] = -t1;
+        }
+    }
+}
+
+/* tangent: 0 operations.
+ * in:  x (5), v (5), a (5), p (8)
+ * out: R_x (5,5), 0 of 25 entries, R_v (5,5), 0 of 25 entries */
+FLEXEL_CLONES
+static void planar_beam3_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    (void)nblocks, (void)in, (void)out; /* every entry is zero */
+}
+
+const flexel_element flexel_planar_beam3 = {
+    .name = "planar_beam3",
+    .n = 5,
+    .m = 2,
+    .k = 0,
+    .np = 8,
+    .position = planar_beam3_position,
+    .velocity = planar_beam3_velocity,
+    .acceleration = planar_beam3_acceleration,
+    .kinematics = planar_beam3_kinematics,
+    .stiffness = planar_beam3_stiffness,
+    .inertia = planar_beam3_inertia,
+    .tangent = planar_beam3_tangent,
+};

@@ -1,0 +1,277 @@
+/* planar_truss: kernels of an element. Written by `flexel derive`; do not edit.
+ *
+ * elongation = |xq - xp| - l0
+ * T = rhoA l0/6 (vp.vp + vp.vq + vq.vq), uniform bar
+ * U = -rhoA l0 gravity.(xp + xq)/2
+ *
+ * Source: van der Werff and Jonker 1984, NATO ASI F9, p. 381
+ *
+ * x (4): p_x, p_y, q_x, q_y
+ * e (1): elongation [m]
+ * s (0): none
+ * p (4):
+ *   l0 (1) [m]: undeformed length
+ *   rhoA (1) [kg/m]: mass per length
+ *   gravity (2) [m/s^2]: acceleration of gravity */
+#include "kernels.h"
+
+/* position: 12 operations.
+ * in:  x (4), p (4)
+ * out: e (1), De (1,4), V (0,4) */
+FLEXEL_CLONES
+static void planar_truss_position(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (4 * 8);
+        const real *restrict p = in[1] + b * (4 * 8);
+        real *restrict e = out[0] + b * (1 * 8);
+        real *restrict De = out[1] + b * (4 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real q_x = x[2 * 8 + j];
+            const real p_x = x[0 * 8 + j];
+            const real d_x = q_x - p_x;
+            const real q_y = x[3 * 8 + j];
+            const real p_y = x[1 * 8 + j];
+            const real d_y = q_y - p_y;
+            const real l = real_sqrt(d_x * d_x + d_y * d_y);
+            const real l0 = p[0 * 8 + j];
+            e[0 * 8 + j] = l - l0;
+            const real t0 = 1.0 / l;
+            const real t1 = d_x * t0;
+            De[2 * 8 + j] = t1;
+            De[0 * 8 + j] = -t1;
+            const real t2 = d_y * t0;
+            De[3 * 8 + j] = t2;
+            De[1 * 8 + j] = -t2;
+        }
+    }
+}
+
+/* velocity: 16 operations.
+ * in:  x (4), v (4), p (4)
+ * out: ed (1), s (0) */
+FLEXEL_CLONES
+static void planar_truss_velocity(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (4 * 8);
+        const real *restrict v = in[1] + b * (4 * 8);
+        real *restrict ed = out[0] + b * (1 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real q_x = x[2 * 8 + j];
+            const real p_x = x[0 * 8 + j];
+            const real d_x = q_x - p_x;
+            const real q_y = x[3 * 8 + j];
+            const real p_y = x[1 * 8 + j];
+            const real d_y = q_y - p_y;
+            const real l = real_sqrt(d_x * d_x + d_y * d_y);
+            const real q_vx = v[2 * 8 + j];
+            const real p_vx = v[0 * 8 + j];
+            const real q_vy = v[3 * 8 + j];
+            const real p_vy = v[1 * 8 + j];
+            const real t0 = 1.0 / l * (2.0 * d_x * (q_vx - p_vx) + 2.0 * d_y * (q_vy - p_vy));
+            ed[0 * 8 + j] = 0.5 * t0;
+        }
+    }
+}
+
+/* acceleration: 27 operations.
+ * in:  x (4), v (4), p (4)
+ * out: g (1), gs (0) */
+FLEXEL_CLONES
+static void planar_truss_acceleration(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (4 * 8);
+        const real *restrict v = in[1] + b * (4 * 8);
+        real *restrict g = out[0] + b * (1 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real q_x = x[2 * 8 + j];
+            const real p_x = x[0 * 8 + j];
+            const real d_x = q_x - p_x;
+            const real q_y = x[3 * 8 + j];
+            const real p_y = x[1 * 8 + j];
+            const real d_y = q_y - p_y;
+            const real l = real_sqrt(d_x * d_x + d_y * d_y);
+            const real t0 = 1.0 / l;
+            const real q_vx = v[2 * 8 + j];
+            const real p_vx = v[0 * 8 + j];
+            const real t1 = q_vx - p_vx;
+            const real q_vy = v[3 * 8 + j];
+            const real p_vy = v[1 * 8 + j];
+            const real t2 = q_vy - p_vy;
+            const real t3 = 2.0 * d_x * t1 + 2.0 * d_y * t2;
+            const real t4 = t0 * (2.0 * t1 * t1 + 2.0 * t2 * t2) - 0.5 * t0 * t3 * (t0 * t0) * t3;
+            g[0 * 8 + j] = 0.5 * t4;
+        }
+    }
+}
+
+/* kinematics: 81 operations.
+ * in:  x (4), v (4), a (4), p (4)
+ * out: Phi_x (1,4), Psi_x (1,4), Psi_v (1,4) */
+FLEXEL_CLONES
+static void planar_truss_kinematics(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (4 * 8);
+        const real *restrict v = in[1] + b * (4 * 8);
+        const real *restrict a = in[2] + b * (4 * 8);
+        real *restrict Phi_x = out[0] + b * (4 * 8);
+        real *restrict Psi_x = out[1] + b * (4 * 8);
+        real *restrict Psi_v = out[2] + b * (4 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real q_x = x[2 * 8 + j];
+            const real p_x = x[0 * 8 + j];
+            const real d_x = q_x - p_x;
+            const real q_y = x[3 * 8 + j];
+            const real p_y = x[1 * 8 + j];
+            const real d_y = q_y - p_y;
+            const real l = real_sqrt(d_x * d_x + d_y * d_y);
+            const real t0 = 1.0 / l;
+            const real q_vx = v[2 * 8 + j];
+            const real p_vx = v[0 * 8 + j];
+            const real t1 = q_vx - p_vx;
+            const real q_vy = v[3 * 8 + j];
+            const real p_vy = v[1 * 8 + j];
+            const real t2 = q_vy - p_vy;
+            const real t3 = 2.0 * d_x * t1 + 2.0 * d_y * t2;
+            const real t4 = t0 * t0;
+            const real t5 = t3 * t4;
+            const real t6 = t0 * t5;
+            const real t7 = 0.25 * d_x * t6;
+            const real t8 = t0 * t1 - t7 - t7;
+            Phi_x[2 * 8 + j] = t8;
+            Phi_x[0 * 8 + j] = -t8;
+            const real t9 = 0.25 * d_y * t6;
+            const real t10 = t0 * t2 - t9 - t9;
+            Phi_x[3 * 8 + j] = t10;
+            Phi_x[1 * 8 + j] = -t10;
+            const real q_ax = a[2 * 8 + j];
+            const real p_ax = a[0 * 8 + j];
+            const real t11 = q_ax - p_ax;
+            const real t12 = t0 * t3;
+            const real t13 = 0.25 * t6 + 0.25 * t12 * t4;
+            const real q_ay = a[3 * 8 + j];
+            const real p_ay = a[1 * 8 + j];
+            const real t14 = q_ay - p_ay;
+            const real t15 = 0.5 * (2.0 * d_x * t11 + 2.0 * d_y * t14) + 0.5 * (2.0 * t1 * t1 + 2.0 * t2 * t2);
+            const real t16 = 0.25 * t3 * t12 * t0;
+            const real t17 = t4 * (t15 - t16 - t16 - 0.25 * t3 * t5) * t0;
+            const real t18 = 0.5 * d_x * t17;
+            const real t19 = t0 * t11 - 2.0 * t1 * t13 - t18 - t18;
+            Psi_x[2 * 8 + j] = t19;
+            Psi_x[0 * 8 + j] = -t19;
+            const real t20 = 0.5 * d_y * t17;
+            const real t21 = t0 * t14 - 2.0 * t2 * t13 - t20 - t20;
+            Psi_x[3 * 8 + j] = t21;
+            Psi_x[1 * 8 + j] = -t21;
+            const real t22 = 2.0 * t8;
+            Psi_v[2 * 8 + j] = t22;
+            Psi_v[0 * 8 + j] = -t22;
+            const real t23 = 2.0 * t10;
+            Psi_v[3 * 8 + j] = t23;
+            Psi_v[1 * 8 + j] = -t23;
+        }
+    }
+}
+
+/* stiffness: 24 operations.
+ * in:  x (4), sigma (1), tau (0), p (4)
+ * out: K (4,4) */
+FLEXEL_CLONES
+static void planar_truss_stiffness(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (4 * 8);
+        const real *restrict sigma = in[1] + b * (1 * 8);
+        real *restrict K = out[0] + b * (16 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real q_x = x[2 * 8 + j];
+            const real p_x = x[0 * 8 + j];
+            const real d_x = q_x - p_x;
+            const real q_y = x[3 * 8 + j];
+            const real p_y = x[1 * 8 + j];
+            const real d_y = q_y - p_y;
+            const real l = real_sqrt(d_x * d_x + d_y * d_y);
+            const real t0 = 1.0 / l;
+            const real t1 = t0 * t0;
+            const real sigma_elongation = sigma[0 * 8 + j];
+            const real t2 = d_x * t0 * t1 * sigma_elongation;
+            const real t3 = sigma_elongation * t0;
+            const real t4 = d_x * t2 - t3;
+            K[2 * 8 + j] = K[8 * 8 + j] = t4;
+            K[0 * 8 + j] = K[10 * 8 + j] = -t4;
+            const real t5 = d_y * t0 * t1 * sigma_elongation;
+            const real t6 = d_x * t5;
+            K[3 * 8 + j] = K[12 * 8 + j] = t6;
+            K[1 * 8 + j] = K[4 * 8 + j] = K[11 * 8 + j] = K[14 * 8 + j] = -t6;
+            const real t7 = d_y * t5 - t3;
+            K[7 * 8 + j] = K[13 * 8 + j] = t7;
+            K[5 * 8 + j] = K[15 * 8 + j] = -t7;
+            K[6 * 8 + j] = K[9 * 8 + j] = d_y * t2;
+        }
+    }
+}
+
+/* inertia: 15 operations.
+ * in:  x (4), v (4), p (4)
+ * out: M (4,4), 8 of 16 entries, h (4), 0 of 4 entries, f (4), U (1) */
+FLEXEL_CLONES
+static void planar_truss_inertia(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (4 * 8);
+        const real *restrict p = in[2] + b * (4 * 8);
+        real *restrict M = out[0] + b * (8 * 8);
+        real *restrict f = out[2] + b * (4 * 8);
+        real *restrict U = out[3] + b * (1 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real l0 = p[0 * 8 + j];
+            const real rhoA = p[1 * 8 + j];
+            const real t0 = l0 * rhoA;
+            M[0 * 8 + j] = M[2 * 8 + j] = M[5 * 8 + j] = M[7 * 8 + j] = 0.3333333333333333 * t0;
+            M[1 * 8 + j] = M[3 * 8 + j] = M[4 * 8 + j] = M[6 * 8 + j] = 0.16666666666666666 * t0;
+            const real gravity_x = p[2 * 8 + j];
+            f[0 * 8 + j] = f[2 * 8 + j] = 0.5 * gravity_x * t0;
+            const real gravity_y = p[3 * 8 + j];
+            f[1 * 8 + j] = f[3 * 8 + j] = 0.5 * gravity_y * t0;
+            const real p_x = x[0 * 8 + j];
+            const real q_x = x[2 * 8 + j];
+            const real p_y = x[1 * 8 + j];
+            const real q_y = x[3 * 8 + j];
+            const real t1 = 0.5 * t0 * (gravity_x * (p_x + q_x) + gravity_y * (p_y + q_y));
+            U[0 * 8 + j] = -t1;
+        }
+    }
+}
+
+/* tangent: 0 operations.
+ * in:  x (4), v (4), a (4), p (4)
+ * out: R_x (4,4), 0 of 16 entries, R_v (4,4), 0 of 16 entries */
+FLEXEL_CLONES
+static void planar_truss_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    (void)nblocks, (void)in, (void)out; /* every entry is zero */
+}
+
+const flexel_element flexel_planar_truss = {
+    .name = "planar_truss",
+    .n = 4,
+    .m = 1,
+    .k = 0,
+    .np = 4,
+    .position = planar_truss_position,
+    .velocity = planar_truss_velocity,
+    .acceleration = planar_truss_acceleration,
+    .kinematics = planar_truss_kinematics,
+    .stiffness = planar_truss_stiffness,
+    .inertia = planar_truss_inertia,
+    .tangent = planar_truss_tangent,
+};

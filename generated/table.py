@@ -1,0 +1,1564 @@
+"""The table of elements and laws.
+
+Written by `flexel derive`; do not edit.
+"""
+
+from flexel.generated.spec import (
+    DeformationSpec,
+    ElementSpec,
+    KernelSpec,
+    LawSpec,
+    NodeSpec,
+    OutputSpec,
+    ParameterSpec,
+    SlipSpec,
+)
+
+ELEMENTS: dict[str, ElementSpec] = {
+    # element point_mass
+    "point_mass": ElementSpec(
+        name="point_mass",
+        doc="T = mass v.v/2\nU = -mass gravity.x",
+        source="textbook mechanics",
+        nodes=(
+            NodeSpec("p", "point"),
+        ),
+        parameters=(
+            ParameterSpec("mass", 1, "kg", "mass"),
+            ParameterSpec("gravity", 3, "m/s^2", "acceleration of gravity"),
+        ),
+        deformations=(),
+        slips=(),
+        kernels={
+            "inertia": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("M", (3, 3), (0, 4, 8)),
+                    OutputSpec("h", (3,), ()),
+                    OutputSpec("f", (3,), (0, 1, 2)),
+                    OutputSpec("U", (1,), (0,)),
+                ),
+                10,
+            ),
+            "tangent": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("R_x", (3, 3), ()),
+                    OutputSpec("R_v", (3, 3), ()),
+                ),
+                0,
+            ),
+        },
+    ),
+    # element body
+    "body": ElementSpec(
+        name="body",
+        doc="vc = xdot + d(R(lambda) c)/dt, velocity of the mass centre\nw = 2 (conj(lambda) o lambdadot), angular velocity in body axes\nT = mass vc.vc/2 + w.J w/2\nU = -mass gravity.(x + R(lambda) c)",
+        source="Schwab and Meijaard 2006, DETC2006-99307",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("r", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("mass", 1, "kg", "mass"),
+            ParameterSpec("c", 3, "m", "offset of the mass centre from p in body axes"),
+            ParameterSpec("J", 6, "kg m^2", "inertia tensor about the mass centre in body axes (tensor components)"),
+            ParameterSpec("gravity", 3, "m/s^2", "acceleration of gravity"),
+        ),
+        deformations=(),
+        slips=(),
+        kernels={
+            "inertia": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("M", (7, 7), (0, 3, 4, 5, 6, 8, 10, 11, 12, 13, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48)),
+                    OutputSpec("h", (7,), tuple(range(7))),
+                    OutputSpec("f", (7,), tuple(range(7))),
+                    OutputSpec("U", (1,), (0,)),
+                ),
+                891,
+            ),
+            "tangent": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("R_x", (7, 7), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 45, 46, 47, 48)),
+                    OutputSpec("R_v", (7, 7), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 45, 46, 47, 48)),
+                ),
+                1498,
+            ),
+        },
+    ),
+    # element norm
+    "norm": ElementSpec(
+        name="norm",
+        doc="norm = lambda.lambda - 1",
+        source="Schwab and Meijaard 2006, DETC2006-99307",
+        nodes=(
+            NodeSpec("r", "frame"),
+        ),
+        parameters=(),
+        deformations=(
+            DeformationSpec("norm", "1", False, False),
+        ),
+        slips=(),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 4), (0, 1, 2, 3)),
+                    OutputSpec("V", (0, 4), ()),
+                ),
+                12,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (1,), (0,)),
+                    OutputSpec("s", (0,), ()),
+                ),
+                11,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (0,), ()),
+                ),
+                11,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Phi_x", (1, 4), (0, 1, 2, 3)),
+                    OutputSpec("Psi_x", (1, 4), (0, 1, 2, 3)),
+                    OutputSpec("Psi_v", (1, 4), (0, 1, 2, 3)),
+                ),
+                12,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (4, 4), (0, 5, 10, 15)),
+                ),
+                1,
+            ),
+        },
+    ),
+    # element truss
+    "truss": ElementSpec(
+        name="truss",
+        doc="elongation = |xq - xp| - l0\nT = rhoA l0/6 (vp.vp + vp.vq + vq.vq), uniform bar\nU = -rhoA l0 gravity.(xp + xq)/2",
+        source="van der Werff and Jonker 1984, NATO ASI F9, p. 381",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("q", "point"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("rhoA", 1, "kg/m", "mass per length"),
+            ParameterSpec("gravity", 3, "m/s^2", "acceleration of gravity"),
+        ),
+        deformations=(
+            DeformationSpec("elongation", "m", False, False),
+        ),
+        slips=(),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 6), tuple(range(6))),
+                    OutputSpec("V", (0, 6), ()),
+                ),
+                17,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (1,), (0,)),
+                    OutputSpec("s", (0,), ()),
+                ),
+                23,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (0,), ()),
+                ),
+                37,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Phi_x", (1, 6), tuple(range(6))),
+                    OutputSpec("Psi_x", (1, 6), tuple(range(6))),
+                    OutputSpec("Psi_v", (1, 6), tuple(range(6))),
+                ),
+                112,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (6, 6), tuple(range(36))),
+                ),
+                39,
+            ),
+            "inertia": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("M", (6, 6), (0, 3, 7, 10, 14, 17, 18, 21, 25, 28, 32, 35)),
+                    OutputSpec("h", (6,), ()),
+                    OutputSpec("f", (6,), tuple(range(6))),
+                    OutputSpec("U", (1,), (0,)),
+                ),
+                20,
+            ),
+            "tangent": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("R_x", (6, 6), ()),
+                    OutputSpec("R_v", (6, 6), ()),
+                ),
+                0,
+            ),
+        },
+    ),
+    # element hinge
+    "hinge": ElementSpec(
+        name="hinge",
+        doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nc = conj(u_p) o u_q\nangle = 2 atan2(c1, c0), period 2 pi\nbend1 = ez_p.ex_q,  bend2 = -ey_p.ex_q",
+        source="van der Werff and Jonker 1984; SPACAR95 manual (Schwab and Meijaard 2000), HINGE",
+        nodes=(
+            NodeSpec("p", "frame"),
+            NodeSpec("q", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("tp", 4, "1", "unit quaternion from the body frame of node p to the element's triad there"),
+            ParameterSpec("tq", 4, "1", "unit quaternion from the body frame of node q to the element's triad there"),
+        ),
+        deformations=(
+            DeformationSpec("angle", "rad", True, True),
+            DeformationSpec("bend1", "1", False, False),
+            DeformationSpec("bend2", "1", False, False),
+        ),
+        slips=(),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (3,), (0, 1, 2)),
+                    OutputSpec("De", (3, 8), tuple(range(24))),
+                    OutputSpec("V", (0, 8), ()),
+                ),
+                453,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (3,), (0, 1, 2)),
+                    OutputSpec("s", (0,), ()),
+                ),
+                303,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (3,), (0, 1, 2)),
+                    OutputSpec("gs", (0,), ()),
+                ),
+                411,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 8), tuple(range(24))),
+                    OutputSpec("Psi_x", (3, 8), tuple(range(24))),
+                    OutputSpec("Psi_v", (3, 8), tuple(range(24))),
+                ),
+                1704,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (8, 8), tuple(range(64))),
+                ),
+                1369,
+            ),
+        },
+    ),
+    # element bearing
+    "bearing": ElementSpec(
+        name="bearing",
+        doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nc = conj(u_p) o u_q\nangle = 2 atan2(c1, c0), period 2 pi\nbend1 = ez_p.ex_q,  bend2 = -ey_p.ex_q\nd = xq - xp\n(axial, radial1, radial2) = R(u_p)' d - d0",
+        source="SPACAR95 manual (Schwab and Meijaard 2000), BEARING",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("rp", "frame"),
+            NodeSpec("q", "point"),
+            NodeSpec("rq", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("tp", 4, "1", "unit quaternion from the body frame of node p to the element's triad there"),
+            ParameterSpec("tq", 4, "1", "unit quaternion from the body frame of node q to the element's triad there"),
+            ParameterSpec("d0", 3, "m", "components of xq - xp on the triad at p when the deformations are zero"),
+        ),
+        deformations=(
+            DeformationSpec("angle", "rad", True, True),
+            DeformationSpec("bend1", "1", False, False),
+            DeformationSpec("bend2", "1", False, False),
+            DeformationSpec("axial", "m", False, False),
+            DeformationSpec("radial1", "m", False, False),
+            DeformationSpec("radial2", "m", False, False),
+        ),
+        slips=(),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (6,), tuple(range(6))),
+                    OutputSpec("De", (6, 14), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79)),
+                    OutputSpec("V", (0, 14), ()),
+                ),
+                632,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (6,), tuple(range(6))),
+                    OutputSpec("s", (0,), ()),
+                ),
+                352,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (6,), tuple(range(6))),
+                    OutputSpec("gs", (0,), ()),
+                ),
+                469,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Phi_x", (6, 14), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79)),
+                    OutputSpec("Psi_x", (6, 14), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79)),
+                    OutputSpec("Psi_v", (6, 14), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79)),
+                ),
+                2247,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (14, 14), (3, 4, 5, 6, 17, 18, 19, 20, 31, 32, 33, 34, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 91, 92, 93, 94, 95, 96, 97, 101, 102, 103, 104, 115, 116, 117, 118, 129, 130, 131, 132, 143, 144, 145, 146, 150, 151, 152, 153, 157, 158, 159, 160, 164, 165, 166, 167, 171, 172, 173, 174, 178, 179, 180, 181, 185, 186, 187, 188, 192, 193, 194, 195)),
+                ),
+                1655,
+            ),
+        },
+    ),
+    # element beam3
+    "beam3": ElementSpec(
+        name="beam3",
+        doc="triad ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp; d = xq - xp\n(along, across1, across2) = R(u_p)' d - d0\nw_p = angular velocity of the triad, in its own axes\nT = rhoA l0/6 (vp.vp + vp.vq + vq.vq) + l0/2 sum rhoJ_i w_i^2, uniform bar\nU = -rhoA l0 gravity.(xp + xq)/2",
+        source="Meijaard, Papadopoulos, Ruina and Schwab 2007, supplement, PINBODY; UT SPACAR, RBEAM",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("rp", "frame"),
+            NodeSpec("q", "point"),
+        ),
+        parameters=(
+            ParameterSpec("tp", 4, "1", "unit quaternion from the body frame of node p to the element's triad there"),
+            ParameterSpec("d0", 3, "m", "components of xq - xp on the triad at p when the deformations are zero"),
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("rhoA", 1, "kg/m", "mass per length"),
+            ParameterSpec("rhoJ", 3, "kg m", "mass moments of inertia per length about the axes of the section's triad"),
+            ParameterSpec("gravity", 3, "m/s^2", "acceleration of gravity"),
+        ),
+        deformations=(
+            DeformationSpec("along", "m", False, False),
+            DeformationSpec("across1", "m", False, False),
+            DeformationSpec("across2", "m", False, False),
+        ),
+        slips=(),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (3,), (0, 1, 2)),
+                    OutputSpec("De", (3, 10), tuple(range(30))),
+                    OutputSpec("V", (0, 10), ()),
+                ),
+                233,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (3,), (0, 1, 2)),
+                    OutputSpec("s", (0,), ()),
+                ),
+                173,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (3,), (0, 1, 2)),
+                    OutputSpec("gs", (0,), ()),
+                ),
+                186,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 10), tuple(range(30))),
+                    OutputSpec("Psi_x", (3, 10), tuple(range(30))),
+                    OutputSpec("Psi_v", (3, 10), tuple(range(30))),
+                ),
+                735,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (10, 10), (3, 4, 5, 6, 13, 14, 15, 16, 23, 24, 25, 26, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 73, 74, 75, 76, 83, 84, 85, 86, 93, 94, 95, 96)),
+                ),
+                606,
+            ),
+            "inertia": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("M", (10, 10), (0, 7, 11, 18, 22, 29, 33, 34, 35, 36, 43, 44, 45, 46, 53, 54, 55, 56, 63, 64, 65, 66, 70, 77, 81, 88, 92, 99)),
+                    OutputSpec("h", (10,), (3, 4, 5, 6)),
+                    OutputSpec("f", (10,), (0, 1, 2, 7, 8, 9)),
+                    OutputSpec("U", (1,), (0,)),
+                ),
+                553,
+            ),
+            "tangent": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("R_x", (10, 10), (33, 34, 35, 36, 43, 44, 45, 46, 53, 54, 55, 56, 63, 64, 65, 66)),
+                    OutputSpec("R_v", (10, 10), (33, 34, 35, 36, 43, 44, 45, 46, 53, 54, 55, 56, 63, 64, 65, 66)),
+                ),
+                1049,
+            ),
+        },
+    ),
+    # element beam
+    "beam": ElementSpec(
+        name="beam",
+        doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nd = xq - xp, l = |d|, el = d/l\nb1 = l - l0                 b2 = l0 (ez_p.ey_q - ey_p.ez_q)/2\nb3 = -l0 ez_p.el            b4 = l0 ez_q.el\nb5 = l0 ey_p.el             b6 = -l0 ey_q.el\nelongation = b1 + (2 b3^2 + b3 b4 + 2 b4^2 + 2 b5^2 + b5 b6 + 2 b6^2)/(30 l0)\ntorsion = b2 + (b4 b5 - b3 b6)/l0\nbend1, bend2 = b3 + k, b4 - k with k = b2 (b5 + b6)/(6 l0)\nbend3, bend4 = b5 - h, b6 + h with h = b2 (b3 + b4)/(6 l0)\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_y, phi_z) cubic shapes, torsion linear; w_p, w_q angular velocities in the triads\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
+        source="Meijaard 1996, Nonlinear Dyn. 9; Jonker and Meijaard 2013, Int. J. Non-Linear Mech. 53; Przemieniecki 1968 (mass with rotary inertia)",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("rp", "frame"),
+            NodeSpec("q", "point"),
+            NodeSpec("rq", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("tp", 4, "1", "unit quaternion from the body frame of node p to the element's triad there"),
+            ParameterSpec("tq", 4, "1", "unit quaternion from the body frame of node q to the element's triad there"),
+            ParameterSpec("rhoA", 1, "kg/m", "mass per length"),
+            ParameterSpec("rhoJ", 3, "kg m", "mass moments of inertia per length about the axes of the section's triad"),
+            ParameterSpec("phi_y", 1, "1", "shear number of the deflection in y, 12 E Iz/(k G A l0^2)"),
+            ParameterSpec("phi_z", 1, "1", "shear number of the deflection in z, 12 E Iy/(k G A l0^2)"),
+            ParameterSpec("gravity", 3, "m/s^2", "acceleration of gravity"),
+        ),
+        deformations=(
+            DeformationSpec("elongation", "m", False, False),
+            DeformationSpec("torsion", "m", False, False),
+            DeformationSpec("bend1", "m", False, False),
+            DeformationSpec("bend2", "m", False, False),
+            DeformationSpec("bend3", "m", False, False),
+            DeformationSpec("bend4", "m", False, False),
+        ),
+        slips=(),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (6,), tuple(range(6))),
+                    OutputSpec("De", (6, 14), tuple(range(84))),
+                    OutputSpec("V", (0, 14), ()),
+                ),
+                1084,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (6,), tuple(range(6))),
+                    OutputSpec("s", (0,), ()),
+                ),
+                447,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (6,), tuple(range(6))),
+                    OutputSpec("gs", (0,), ()),
+                ),
+                696,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Phi_x", (6, 14), tuple(range(84))),
+                    OutputSpec("Psi_x", (6, 14), tuple(range(84))),
+                    OutputSpec("Psi_v", (6, 14), tuple(range(84))),
+                ),
+                6218,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (14, 14), tuple(range(196))),
+                ),
+                3417,
+            ),
+            "inertia": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("M", (14, 14), tuple(range(196))),
+                    OutputSpec("h", (14,), tuple(range(14))),
+                    OutputSpec("f", (14,), tuple(range(14))),
+                    OutputSpec("U", (1,), (0,)),
+                ),
+                2998,
+            ),
+            "tangent": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("R_x", (14, 14), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 45, 46, 47, 48, 52, 53, 54, 55, 59, 60, 61, 62, 66, 67, 68, 69, 73, 74, 75, 76, 80, 81, 82, 83, 87, 88, 89, 90, 94, 95, 96, 97, 101, 102, 103, 104, 108, 109, 110, 111, 115, 116, 117, 118, 122, 123, 124, 125, 129, 130, 131, 132, 136, 137, 138, 139, 143, 144, 145, 146, 150, 151, 152, 153, 157, 158, 159, 160, 164, 165, 166, 167, 171, 172, 173, 174, 178, 179, 180, 181, 185, 186, 187, 188, 192, 193, 194, 195)),
+                    OutputSpec("R_v", (14, 14), tuple(range(196))),
+                ),
+                10375,
+            ),
+        },
+    ),
+    # element beam_first_order
+    "beam_first_order": ElementSpec(
+        name="beam_first_order",
+        doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nd = xq - xp, l = |d|, el = d/l\nb1 = l - l0                 b2 = l0 (ez_p.ey_q - ey_p.ez_q)/2\nb3 = -l0 ez_p.el            b4 = l0 ez_q.el\nb5 = l0 ey_p.el             b6 = -l0 ey_q.el\nelongation, torsion, bend1, bend2, bend3, bend4 = b1, b2, b3, b4, b5, b6\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_y, phi_z) cubic shapes, torsion linear; w_p, w_q angular velocities in the triads\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
+        source="Meijaard 1996, Nonlinear Dyn. 9; Jonker and Meijaard 2013, Int. J. Non-Linear Mech. 53; Przemieniecki 1968 (mass with rotary inertia)",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("rp", "frame"),
+            NodeSpec("q", "point"),
+            NodeSpec("rq", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("tp", 4, "1", "unit quaternion from the body frame of node p to the element's triad there"),
+            ParameterSpec("tq", 4, "1", "unit quaternion from the body frame of node q to the element's triad there"),
+            ParameterSpec("rhoA", 1, "kg/m", "mass per length"),
+            ParameterSpec("rhoJ", 3, "kg m", "mass moments of inertia per length about the axes of the section's triad"),
+            ParameterSpec("phi_y", 1, "1", "shear number of the deflection in y, 12 E Iz/(k G A l0^2)"),
+            ParameterSpec("phi_z", 1, "1", "shear number of the deflection in z, 12 E Iy/(k G A l0^2)"),
+            ParameterSpec("gravity", 3, "m/s^2", "acceleration of gravity"),
+        ),
+        deformations=(
+            DeformationSpec("elongation", "m", False, False),
+            DeformationSpec("torsion", "m", False, False),
+            DeformationSpec("bend1", "m", False, False),
+            DeformationSpec("bend2", "m", False, False),
+            DeformationSpec("bend3", "m", False, False),
+            DeformationSpec("bend4", "m", False, False),
+        ),
+        slips=(),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (6,), tuple(range(6))),
+                    OutputSpec("De", (6, 14), (0, 1, 2, 7, 8, 9, 17, 18, 19, 20, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 42, 43, 44, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 70, 71, 72, 77, 78, 79, 80, 81, 82, 83)),
+                    OutputSpec("V", (0, 14), ()),
+                ),
+                632,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (6,), tuple(range(6))),
+                    OutputSpec("s", (0,), ()),
+                ),
+                363,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (6,), tuple(range(6))),
+                    OutputSpec("gs", (0,), ()),
+                ),
+                511,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Phi_x", (6, 14), (0, 1, 2, 7, 8, 9, 17, 18, 19, 20, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 42, 43, 44, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 70, 71, 72, 77, 78, 79, 80, 81, 82, 83)),
+                    OutputSpec("Psi_x", (6, 14), (0, 1, 2, 7, 8, 9, 17, 18, 19, 20, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 42, 43, 44, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 70, 71, 72, 77, 78, 79, 80, 81, 82, 83)),
+                    OutputSpec("Psi_v", (6, 14), (0, 1, 2, 7, 8, 9, 17, 18, 19, 20, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 42, 43, 44, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 70, 71, 72, 77, 78, 79, 80, 81, 82, 83)),
+                ),
+                2752,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (14, 14), tuple(range(196))),
+                ),
+                1722,
+            ),
+            "inertia": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("M", (14, 14), tuple(range(196))),
+                    OutputSpec("h", (14,), tuple(range(14))),
+                    OutputSpec("f", (14,), tuple(range(14))),
+                    OutputSpec("U", (1,), (0,)),
+                ),
+                2998,
+            ),
+            "tangent": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("R_x", (14, 14), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 45, 46, 47, 48, 52, 53, 54, 55, 59, 60, 61, 62, 66, 67, 68, 69, 73, 74, 75, 76, 80, 81, 82, 83, 87, 88, 89, 90, 94, 95, 96, 97, 101, 102, 103, 104, 108, 109, 110, 111, 115, 116, 117, 118, 122, 123, 124, 125, 129, 130, 131, 132, 136, 137, 138, 139, 143, 144, 145, 146, 150, 151, 152, 153, 157, 158, 159, 160, 164, 165, 166, 167, 171, 172, 173, 174, 178, 179, 180, 181, 185, 186, 187, 188, 192, 193, 194, 195)),
+                    OutputSpec("R_v", (14, 14), tuple(range(196))),
+                ),
+                10375,
+            ),
+        },
+    ),
+    # element wheel
+    "wheel": ElementSpec(
+        name="wheel",
+        doc="w hub, c contact point, d = xc - xw, a = R(lambda) axle, n = normal, ra = d x a\nradius = (d.d - R^2)/(2 R),  plane = a.d,  surface = n.xc - height,  lowest = n.ra\nomega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x d, the material point in contact\nlongitudinal = ra.vc/|ra|,  lateral = (n x ra).vc/|n x ra|,  spin = omega.n",
+        source="Meijaard, Papadopoulos, Ruina and Schwab 2007, Proc. R. Soc. A 463:1955, supplement, WHEEL",
+        nodes=(
+            NodeSpec("w", "point"),
+            NodeSpec("r", "frame"),
+            NodeSpec("c", "point"),
+        ),
+        parameters=(
+            ParameterSpec("radius", 1, "m", "radius of the rim"),
+            ParameterSpec("axle", 3, "1", "unit vector along the axle in body axes"),
+            ParameterSpec("normal", 3, "1", "unit normal of the road"),
+            ParameterSpec("height", 1, "m", "distance of the road from the origin along its normal"),
+        ),
+        deformations=(
+            DeformationSpec("radius", "m", False, False),
+            DeformationSpec("plane", "m", False, False),
+            DeformationSpec("surface", "m", False, False),
+            DeformationSpec("lowest", "m", False, False),
+        ),
+        slips=(
+            SlipSpec("longitudinal", "m/s", False),
+            SlipSpec("lateral", "m/s", False),
+            SlipSpec("spin", "rad/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (4,), (0, 1, 2, 3)),
+                    OutputSpec("De", (4, 10), (0, 1, 2, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39)),
+                    OutputSpec("V", (3, 10), (0, 1, 2, 3, 4, 5, 6, 10, 11, 12, 13, 14, 15, 16, 23, 24, 25, 26)),
+                ),
+                331,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (4,), (0, 1, 2, 3)),
+                    OutputSpec("s", (3,), (0, 1, 2)),
+                ),
+                249,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (4,), (0, 1, 3)),
+                    OutputSpec("gs", (3,), (0, 1, 2)),
+                ),
+                419,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Phi_x", (7, 10), (0, 1, 2, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 63, 64, 65, 66)),
+                    OutputSpec("Psi_x", (7, 10), (0, 1, 2, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 63, 64, 65, 66)),
+                    OutputSpec("Psi_v", (7, 10), (0, 1, 2, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59)),
+                ),
+                2064,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (10, 10), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 73, 74, 75, 76, 77, 81, 83, 84, 85, 86, 88, 92, 93, 94, 95, 96, 99)),
+                ),
+                1174,
+            ),
+        },
+    ),
+    # element rotation
+    "rotation": ElementSpec(
+        name="rotation",
+        doc="(wx, wy, wz) = 2 (lambdadot o conj(lambda)), angular velocity in global axes",
+        source="Schwab and Meijaard 2006, DETC2006-99307",
+        nodes=(
+            NodeSpec("r", "frame"),
+        ),
+        parameters=(),
+        deformations=(),
+        slips=(
+            SlipSpec("wx", "rad/s", True),
+            SlipSpec("wy", "rad/s", True),
+            SlipSpec("wz", "rad/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (0,), ()),
+                    OutputSpec("De", (0, 4), ()),
+                    OutputSpec("V", (3, 4), tuple(range(12))),
+                ),
+                7,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (0,), ()),
+                    OutputSpec("s", (3,), (0, 1, 2)),
+                ),
+                33,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (0,), ()),
+                    OutputSpec("gs", (3,), (0, 1, 2)),
+                ),
+                21,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 4), tuple(range(12))),
+                    OutputSpec("Psi_x", (3, 4), tuple(range(12))),
+                    OutputSpec("Psi_v", (3, 4), ()),
+                ),
+                16,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (4, 4), (1, 2, 3, 4, 6, 7, 8, 9, 11, 12, 13, 14)),
+                ),
+                6,
+            ),
+        },
+    ),
+    # element body_rotation
+    "body_rotation": ElementSpec(
+        name="body_rotation",
+        doc="u = lambda o t\n(wx, wy, wz) = 2 (conj(u) o udot), angular velocity in the axes of R(u)",
+        source="Schwab and Meijaard 2006, DETC2006-99307",
+        nodes=(
+            NodeSpec("r", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("t", 4, "1", "unit quaternion from the body frame to the triad"),
+        ),
+        deformations=(),
+        slips=(
+            SlipSpec("wx", "rad/s", True),
+            SlipSpec("wy", "rad/s", True),
+            SlipSpec("wz", "rad/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (0,), ()),
+                    OutputSpec("De", (0, 4), ()),
+                    OutputSpec("V", (3, 4), tuple(range(12))),
+                ),
+                93,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (0,), ()),
+                    OutputSpec("s", (3,), (0, 1, 2)),
+                ),
+                89,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (0,), ()),
+                    OutputSpec("gs", (3,), (0, 1, 2)),
+                ),
+                70,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 4), tuple(range(12))),
+                    OutputSpec("Psi_x", (3, 4), tuple(range(12))),
+                    OutputSpec("Psi_v", (3, 4), tuple(range(12))),
+                ),
+                247,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (4, 4), tuple(range(16))),
+                ),
+                88,
+            ),
+        },
+    ),
+    # element planar_point_mass
+    "planar_point_mass": ElementSpec(
+        name="planar_point_mass",
+        doc="T = mass v.v/2\nU = -mass gravity.x",
+        source="textbook mechanics",
+        nodes=(
+            NodeSpec("p", "planar_point"),
+        ),
+        parameters=(
+            ParameterSpec("mass", 1, "kg", "mass"),
+            ParameterSpec("gravity", 2, "m/s^2", "acceleration of gravity"),
+        ),
+        deformations=(),
+        slips=(),
+        kernels={
+            "inertia": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("M", (2, 2), (0, 3)),
+                    OutputSpec("h", (2,), ()),
+                    OutputSpec("f", (2,), (0, 1)),
+                    OutputSpec("U", (1,), (0,)),
+                ),
+                7,
+            ),
+            "tangent": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("R_x", (2, 2), ()),
+                    OutputSpec("R_v", (2, 2), ()),
+                ),
+                0,
+            ),
+        },
+    ),
+    # element planar_body
+    "planar_body": ElementSpec(
+        name="planar_body",
+        doc="b = R(angle) c,  vc = xdot + angledot (-b_y, b_x), velocity of the mass centre\nT = mass vc.vc/2 + J angledot^2/2\nU = -mass gravity.(x + b)",
+        source="textbook mechanics",
+        nodes=(
+            NodeSpec("p", "planar_point"),
+            NodeSpec("r", "planar_angle"),
+        ),
+        parameters=(
+            ParameterSpec("mass", 1, "kg", "mass"),
+            ParameterSpec("c", 2, "m", "offset of the mass centre from p in body axes"),
+            ParameterSpec("J", 1, "kg m^2", "moment of inertia about the mass centre"),
+            ParameterSpec("gravity", 2, "m/s^2", "acceleration of gravity"),
+        ),
+        deformations=(),
+        slips=(),
+        kernels={
+            "inertia": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("M", (3, 3), (0, 2, 4, 5, 6, 7, 8)),
+                    OutputSpec("h", (3,), (0, 1, 2)),
+                    OutputSpec("f", (3,), (0, 1, 2)),
+                    OutputSpec("U", (1,), (0,)),
+                ),
+                73,
+            ),
+            "tangent": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("R_x", (3, 3), (2, 5, 8)),
+                    OutputSpec("R_v", (3, 3), (2, 5, 6, 7, 8)),
+                ),
+                134,
+            ),
+        },
+    ),
+    # element planar_truss
+    "planar_truss": ElementSpec(
+        name="planar_truss",
+        doc="elongation = |xq - xp| - l0\nT = rhoA l0/6 (vp.vp + vp.vq + vq.vq), uniform bar\nU = -rhoA l0 gravity.(xp + xq)/2",
+        source="van der Werff and Jonker 1984, NATO ASI F9, p. 381",
+        nodes=(
+            NodeSpec("p", "planar_point"),
+            NodeSpec("q", "planar_point"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("rhoA", 1, "kg/m", "mass per length"),
+            ParameterSpec("gravity", 2, "m/s^2", "acceleration of gravity"),
+        ),
+        deformations=(
+            DeformationSpec("elongation", "m", False, False),
+        ),
+        slips=(),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 4), (0, 1, 2, 3)),
+                    OutputSpec("V", (0, 4), ()),
+                ),
+                12,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (1,), (0,)),
+                    OutputSpec("s", (0,), ()),
+                ),
+                16,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (0,), ()),
+                ),
+                27,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Phi_x", (1, 4), (0, 1, 2, 3)),
+                    OutputSpec("Psi_x", (1, 4), (0, 1, 2, 3)),
+                    OutputSpec("Psi_v", (1, 4), (0, 1, 2, 3)),
+                ),
+                81,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (4, 4), tuple(range(16))),
+                ),
+                24,
+            ),
+            "inertia": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("M", (4, 4), (0, 2, 5, 7, 8, 10, 13, 15)),
+                    OutputSpec("h", (4,), ()),
+                    OutputSpec("f", (4,), (0, 1, 2, 3)),
+                    OutputSpec("U", (1,), (0,)),
+                ),
+                15,
+            ),
+            "tangent": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("R_x", (4, 4), ()),
+                    OutputSpec("R_v", (4, 4), ()),
+                ),
+                0,
+            ),
+        },
+    ),
+    # element planar_hinge
+    "planar_hinge": ElementSpec(
+        name="planar_hinge",
+        doc="angle = angle_q - angle_p - offset0 (counts turns)",
+        source="SPACAR95 manual (Schwab and Meijaard 2000), PLHINGE",
+        nodes=(
+            NodeSpec("p", "planar_angle"),
+            NodeSpec("q", "planar_angle"),
+        ),
+        parameters=(
+            ParameterSpec("offset0", 1, "rad", "difference of the angles when the deformation is zero"),
+        ),
+        deformations=(
+            DeformationSpec("angle", "rad", False, True),
+        ),
+        slips=(),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 2), (0, 1)),
+                    OutputSpec("V", (0, 2), ()),
+                ),
+                2,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (1,), (0,)),
+                    OutputSpec("s", (0,), ()),
+                ),
+                1,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), ()),
+                    OutputSpec("gs", (0,), ()),
+                ),
+                0,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Phi_x", (1, 2), ()),
+                    OutputSpec("Psi_x", (1, 2), ()),
+                    OutputSpec("Psi_v", (1, 2), ()),
+                ),
+                0,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (2, 2), ()),
+                ),
+                0,
+            ),
+        },
+    ),
+    # element planar_beam
+    "planar_beam": ElementSpec(
+        name="planar_beam",
+        doc="ex, ey: directions of the element at p (angle_p + alpha0) and q (angle_q + alphaq0)\nd = xq - xp, l = |d|, el = d/l;  b1 = l - l0,  b5 = l0 ey_p.el,  b6 = -l0 ey_q.el\nelongation = b1 + (2 b5^2 + b5 b6 + 2 b6^2)/(30 l0),  bend1 = b5,  bend2 = b6\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_z) cubic shapes\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
+        source="SPACAR95 manual (Schwab and Meijaard 2000), PLBEAM, PLBEAMNL; signs of the spatial beam's b5, b6; Meijaard 1996, Nonlinear Dyn. 9",
+        nodes=(
+            NodeSpec("p", "planar_point"),
+            NodeSpec("rp", "planar_angle"),
+            NodeSpec("q", "planar_point"),
+            NodeSpec("rq", "planar_angle"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("alpha0", 1, "rad", "initial direction of the element minus the angle of node p"),
+            ParameterSpec("alphaq0", 1, "rad", "initial direction of the element minus the angle of node q"),
+            ParameterSpec("rhoA", 1, "kg/m", "mass per length"),
+            ParameterSpec("rhoJ", 1, "kg m", "mass moment of inertia of the section per length"),
+            ParameterSpec("phi_z", 1, "1", "shear number of the deflection in the plane, 12 E I/(k G A l0^2)"),
+            ParameterSpec("gravity", 2, "m/s^2", "acceleration of gravity"),
+        ),
+        deformations=(
+            DeformationSpec("elongation", "m", False, False),
+            DeformationSpec("bend1", "m", False, False),
+            DeformationSpec("bend2", "m", False, False),
+        ),
+        slips=(),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (3,), (0, 1, 2)),
+                    OutputSpec("De", (3, 6), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 13, 15, 16, 17)),
+                    OutputSpec("V", (0, 6), ()),
+                ),
+                112,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (3,), (0, 1, 2)),
+                    OutputSpec("s", (0,), ()),
+                ),
+                76,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (3,), (0, 1, 2)),
+                    OutputSpec("gs", (0,), ()),
+                ),
+                140,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 6), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 13, 15, 16, 17)),
+                    OutputSpec("Psi_x", (3, 6), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 13, 15, 16, 17)),
+                    OutputSpec("Psi_v", (3, 6), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 13, 15, 16, 17)),
+                ),
+                755,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (6, 6), tuple(range(36))),
+                ),
+                283,
+            ),
+            "inertia": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("M", (6, 6), tuple(range(36))),
+                    OutputSpec("h", (6,), tuple(range(6))),
+                    OutputSpec("f", (6,), tuple(range(6))),
+                    OutputSpec("U", (1,), (0,)),
+                ),
+                389,
+            ),
+            "tangent": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("R_x", (6, 6), (2, 5, 8, 11, 14, 17, 20, 23, 26, 29, 32, 35)),
+                    OutputSpec("R_v", (6, 6), tuple(range(36))),
+                ),
+                878,
+            ),
+        },
+    ),
+    # element planar_beam_first_order
+    "planar_beam_first_order": ElementSpec(
+        name="planar_beam_first_order",
+        doc="ex, ey: directions of the element at p (angle_p + alpha0) and q (angle_q + alphaq0)\nd = xq - xp, l = |d|, el = d/l;  b1 = l - l0,  b5 = l0 ey_p.el,  b6 = -l0 ey_q.el\nelongation = b1,  bend1 = b5,  bend2 = b6\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_z) cubic shapes\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
+        source="SPACAR95 manual (Schwab and Meijaard 2000), PLBEAM, PLBEAMNL; signs of the spatial beam's b5, b6; Meijaard 1996, Nonlinear Dyn. 9",
+        nodes=(
+            NodeSpec("p", "planar_point"),
+            NodeSpec("rp", "planar_angle"),
+            NodeSpec("q", "planar_point"),
+            NodeSpec("rq", "planar_angle"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("alpha0", 1, "rad", "initial direction of the element minus the angle of node p"),
+            ParameterSpec("alphaq0", 1, "rad", "initial direction of the element minus the angle of node q"),
+            ParameterSpec("rhoA", 1, "kg/m", "mass per length"),
+            ParameterSpec("rhoJ", 1, "kg m", "mass moment of inertia of the section per length"),
+            ParameterSpec("phi_z", 1, "1", "shear number of the deflection in the plane, 12 E I/(k G A l0^2)"),
+            ParameterSpec("gravity", 2, "m/s^2", "acceleration of gravity"),
+        ),
+        deformations=(
+            DeformationSpec("elongation", "m", False, False),
+            DeformationSpec("bend1", "m", False, False),
+            DeformationSpec("bend2", "m", False, False),
+        ),
+        slips=(),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (3,), (0, 1, 2)),
+                    OutputSpec("De", (3, 6), (0, 1, 3, 4, 6, 7, 8, 9, 10, 12, 13, 15, 16, 17)),
+                    OutputSpec("V", (0, 6), ()),
+                ),
+                65,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (3,), (0, 1, 2)),
+                    OutputSpec("s", (0,), ()),
+                ),
+                55,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (3,), (0, 1, 2)),
+                    OutputSpec("gs", (0,), ()),
+                ),
+                96,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 6), (0, 1, 3, 4, 6, 7, 8, 9, 10, 12, 13, 15, 16, 17)),
+                    OutputSpec("Psi_x", (3, 6), (0, 1, 3, 4, 6, 7, 8, 9, 10, 12, 13, 15, 16, 17)),
+                    OutputSpec("Psi_v", (3, 6), (0, 1, 3, 4, 6, 7, 8, 9, 10, 12, 13, 15, 16, 17)),
+                ),
+                442,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (6, 6), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 33, 34, 35)),
+                ),
+                129,
+            ),
+            "inertia": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("M", (6, 6), tuple(range(36))),
+                    OutputSpec("h", (6,), tuple(range(6))),
+                    OutputSpec("f", (6,), tuple(range(6))),
+                    OutputSpec("U", (1,), (0,)),
+                ),
+                389,
+            ),
+            "tangent": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("R_x", (6, 6), (2, 5, 8, 11, 14, 17, 20, 23, 26, 29, 32, 35)),
+                    OutputSpec("R_v", (6, 6), tuple(range(36))),
+                ),
+                878,
+            ),
+        },
+    ),
+    # element planar_beam3
+    "planar_beam3": ElementSpec(
+        name="planar_beam3",
+        doc="ex, ey: directions of the element (angle_p + alpha0); d = xq - xp\nalong = ex.d - d0_x,  across = ey.d - d0_y\nT = rhoA l0/6 (vp.vp + vp.vq + vq.vq) + l0/2 rhoJ angledot^2, uniform bar\nU = -rhoA l0 gravity.(xp + xq)/2",
+        source="planar counterpart of beam3",
+        nodes=(
+            NodeSpec("p", "planar_point"),
+            NodeSpec("rp", "planar_angle"),
+            NodeSpec("q", "planar_point"),
+        ),
+        parameters=(
+            ParameterSpec("alpha0", 1, "rad", "initial direction of the element minus the angle of node p"),
+            ParameterSpec("d0", 2, "m", "components of xq - xp on ex, ey when the deformations are zero"),
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("rhoA", 1, "kg/m", "mass per length"),
+            ParameterSpec("rhoJ", 1, "kg m", "mass moment of inertia of the section per length"),
+            ParameterSpec("gravity", 2, "m/s^2", "acceleration of gravity"),
+        ),
+        deformations=(
+            DeformationSpec("along", "m", False, False),
+            DeformationSpec("across", "m", False, False),
+        ),
+        slips=(),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (2,), (0, 1)),
+                    OutputSpec("De", (2, 5), tuple(range(10))),
+                    OutputSpec("V", (0, 5), ()),
+                ),
+                17,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (2,), (0, 1)),
+                    OutputSpec("s", (0,), ()),
+                ),
+                23,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (2,), (0, 1)),
+                    OutputSpec("gs", (0,), ()),
+                ),
+                30,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Phi_x", (2, 5), tuple(range(10))),
+                    OutputSpec("Psi_x", (2, 5), tuple(range(10))),
+                    OutputSpec("Psi_v", (2, 5), tuple(range(10))),
+                ),
+                78,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (5, 5), (2, 7, 10, 11, 12, 13, 14, 17, 22)),
+                ),
+                23,
+            ),
+            "inertia": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("M", (5, 5), (0, 3, 6, 9, 12, 15, 18, 21, 24)),
+                    OutputSpec("h", (5,), ()),
+                    OutputSpec("f", (5,), (0, 1, 3, 4)),
+                    OutputSpec("U", (1,), (0,)),
+                ),
+                16,
+            ),
+            "tangent": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("R_x", (5, 5), ()),
+                    OutputSpec("R_v", (5, 5), ()),
+                ),
+                0,
+            ),
+        },
+    ),
+    # end
+}
+
+LAWS: dict[str, LawSpec] = {
+    # law linear_1
+    "linear_1": LawSpec(
+        name="linear_1",
+        doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
+        deformations=1,
+        slips=0,
+        parameters=(
+            ParameterSpec("preload", 1, "N or N m", "stress at zero deformation"),
+            ParameterSpec("S", 1, "N/m or N m", "stiffness, upper triangle, row by row"),
+            ParameterSpec("D", 1, "N s/m or N m s", "damping, upper triangle, row by row"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "p"),
+                (
+                    OutputSpec("sigma", (1,), (0,)),
+                    OutputSpec("tau", (0,), ()),
+                    OutputSpec("U", (1,), (0,)),
+                ),
+                7,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "p"),
+                (
+                    OutputSpec("J", (1, 2), (0, 1)),
+                ),
+                0,
+            ),
+        },
+    ),
+    # law linear_2
+    "linear_2": LawSpec(
+        name="linear_2",
+        doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
+        deformations=2,
+        slips=0,
+        parameters=(
+            ParameterSpec("preload", 2, "N or N m", "stress at zero deformation"),
+            ParameterSpec("S", 3, "N/m or N m", "stiffness, upper triangle, row by row"),
+            ParameterSpec("D", 3, "N s/m or N m s", "damping, upper triangle, row by row"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "p"),
+                (
+                    OutputSpec("sigma", (2,), (0, 1)),
+                    OutputSpec("tau", (0,), ()),
+                    OutputSpec("U", (1,), (0,)),
+                ),
+                27,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "p"),
+                (
+                    OutputSpec("J", (2, 4), tuple(range(8))),
+                ),
+                0,
+            ),
+        },
+    ),
+    # law linear_3
+    "linear_3": LawSpec(
+        name="linear_3",
+        doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
+        deformations=3,
+        slips=0,
+        parameters=(
+            ParameterSpec("preload", 3, "N or N m", "stress at zero deformation"),
+            ParameterSpec("S", 6, "N/m or N m", "stiffness, upper triangle, row by row"),
+            ParameterSpec("D", 6, "N s/m or N m s", "damping, upper triangle, row by row"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "p"),
+                (
+                    OutputSpec("sigma", (3,), (0, 1, 2)),
+                    OutputSpec("tau", (0,), ()),
+                    OutputSpec("U", (1,), (0,)),
+                ),
+                59,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "p"),
+                (
+                    OutputSpec("J", (3, 6), tuple(range(18))),
+                ),
+                0,
+            ),
+        },
+    ),
+    # law linear_4
+    "linear_4": LawSpec(
+        name="linear_4",
+        doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
+        deformations=4,
+        slips=0,
+        parameters=(
+            ParameterSpec("preload", 4, "N or N m", "stress at zero deformation"),
+            ParameterSpec("S", 10, "N/m or N m", "stiffness, upper triangle, row by row"),
+            ParameterSpec("D", 10, "N s/m or N m s", "damping, upper triangle, row by row"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "p"),
+                (
+                    OutputSpec("sigma", (4,), (0, 1, 2, 3)),
+                    OutputSpec("tau", (0,), ()),
+                    OutputSpec("U", (1,), (0,)),
+                ),
+                103,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "p"),
+                (
+                    OutputSpec("J", (4, 8), tuple(range(32))),
+                ),
+                0,
+            ),
+        },
+    ),
+    # law linear_5
+    "linear_5": LawSpec(
+        name="linear_5",
+        doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
+        deformations=5,
+        slips=0,
+        parameters=(
+            ParameterSpec("preload", 5, "N or N m", "stress at zero deformation"),
+            ParameterSpec("S", 15, "N/m or N m", "stiffness, upper triangle, row by row"),
+            ParameterSpec("D", 15, "N s/m or N m s", "damping, upper triangle, row by row"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "p"),
+                (
+                    OutputSpec("sigma", (5,), tuple(range(5))),
+                    OutputSpec("tau", (0,), ()),
+                    OutputSpec("U", (1,), (0,)),
+                ),
+                159,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "p"),
+                (
+                    OutputSpec("J", (5, 10), tuple(range(50))),
+                ),
+                0,
+            ),
+        },
+    ),
+    # law linear_6
+    "linear_6": LawSpec(
+        name="linear_6",
+        doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
+        deformations=6,
+        slips=0,
+        parameters=(
+            ParameterSpec("preload", 6, "N or N m", "stress at zero deformation"),
+            ParameterSpec("S", 21, "N/m or N m", "stiffness, upper triangle, row by row"),
+            ParameterSpec("D", 21, "N s/m or N m s", "damping, upper triangle, row by row"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "p"),
+                (
+                    OutputSpec("sigma", (6,), tuple(range(6))),
+                    OutputSpec("tau", (0,), ()),
+                    OutputSpec("U", (1,), (0,)),
+                ),
+                227,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "p"),
+                (
+                    OutputSpec("J", (6, 12), tuple(range(72))),
+                ),
+                0,
+            ),
+        },
+    ),
+    # law viscous_1
+    "viscous_1": LawSpec(
+        name="viscous_1",
+        doc="tau = C s",
+        deformations=0,
+        slips=1,
+        parameters=(
+            ParameterSpec("C", 1, "N s/m or N m s", "viscosity, upper triangle, row by row"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "p"),
+                (
+                    OutputSpec("sigma", (0,), ()),
+                    OutputSpec("tau", (1,), (0,)),
+                    OutputSpec("U", (1,), ()),
+                ),
+                1,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "p"),
+                (
+                    OutputSpec("J", (1, 1), (0,)),
+                ),
+                0,
+            ),
+        },
+    ),
+    # law viscous_2
+    "viscous_2": LawSpec(
+        name="viscous_2",
+        doc="tau = C s",
+        deformations=0,
+        slips=2,
+        parameters=(
+            ParameterSpec("C", 3, "N s/m or N m s", "viscosity, upper triangle, row by row"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "p"),
+                (
+                    OutputSpec("sigma", (0,), ()),
+                    OutputSpec("tau", (2,), (0, 1)),
+                    OutputSpec("U", (1,), ()),
+                ),
+                6,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "p"),
+                (
+                    OutputSpec("J", (2, 2), (0, 1, 2, 3)),
+                ),
+                0,
+            ),
+        },
+    ),
+    # law viscous_3
+    "viscous_3": LawSpec(
+        name="viscous_3",
+        doc="tau = C s",
+        deformations=0,
+        slips=3,
+        parameters=(
+            ParameterSpec("C", 6, "N s/m or N m s", "viscosity, upper triangle, row by row"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "p"),
+                (
+                    OutputSpec("sigma", (0,), ()),
+                    OutputSpec("tau", (3,), (0, 1, 2)),
+                    OutputSpec("U", (1,), ()),
+                ),
+                15,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "p"),
+                (
+                    OutputSpec("J", (3, 3), tuple(range(9))),
+                ),
+                0,
+            ),
+        },
+    ),
+    # end
+}

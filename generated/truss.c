@@ -1,0 +1,334 @@
+/* truss: kernels of an element. Written by `flexel derive`; do not edit.
+ *
+ * elongation = |xq - xp| - l0
+ * T = rhoA l0/6 (vp.vp + vp.vq + vq.vq), uniform bar
+ * U = -rhoA l0 gravity.(xp + xq)/2
+ *
+ * Source: van der Werff and Jonker 1984, NATO ASI F9, p. 381
+ *
+ * x (6): p_x, p_y, p_z, q_x, q_y, q_z
+ * e (1): elongation [m]
+ * s (0): none
+ * p (5):
+ *   l0 (1) [m]: undeformed length
+ *   rhoA (1) [kg/m]: mass per length
+ *   gravity (3) [m/s^2]: acceleration of gravity */
+#include "kernels.h"
+
+/* position: 17 operations.
+ * in:  x (6), p (5)
+ * out: e (1), De (1,6), V (0,6) */
+FLEXEL_CLONES
+static void truss_position(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (6 * 8);
+        const real *restrict p = in[1] + b * (5 * 8);
+        real *restrict e = out[0] + b * (1 * 8);
+        real *restrict De = out[1] + b * (6 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real q_z = x[5 * 8 + j];
+            const real p_z = x[2 * 8 + j];
+            const real d_z = q_z - p_z;
+            const real q_x = x[3 * 8 + j];
+            const real p_x = x[0 * 8 + j];
+            const real d_x = q_x - p_x;
+            const real q_y = x[4 * 8 + j];
+            const real p_y = x[1 * 8 + j];
+            const real d_y = q_y - p_y;
+            const real l = real_sqrt(d_x * d_x + d_y * d_y + d_z * d_z);
+            const real l0 = p[0 * 8 + j];
+            e[0 * 8 + j] = l - l0;
+            const real t0 = 1.0 / l;
+            const real t1 = d_x * t0;
+            De[3 * 8 + j] = t1;
+            De[0 * 8 + j] = -t1;
+            const real t2 = d_y * t0;
+            De[4 * 8 + j] = t2;
+            De[1 * 8 + j] = -t2;
+            const real t3 = d_z * t0;
+            De[5 * 8 + j] = t3;
+            De[2 * 8 + j] = -t3;
+        }
+    }
+}
+
+/* velocity: 23 operations.
+ * in:  x (6), v (6), p (5)
+ * out: ed (1), s (0) */
+FLEXEL_CLONES
+static void truss_velocity(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (6 * 8);
+        const real *restrict v = in[1] + b * (6 * 8);
+        real *restrict ed = out[0] + b * (1 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real q_z = x[5 * 8 + j];
+            const real p_z = x[2 * 8 + j];
+            const real d_z = q_z - p_z;
+            const real q_x = x[3 * 8 + j];
+            const real p_x = x[0 * 8 + j];
+            const real d_x = q_x - p_x;
+            const real q_y = x[4 * 8 + j];
+            const real p_y = x[1 * 8 + j];
+            const real d_y = q_y - p_y;
+            const real l = real_sqrt(d_x * d_x + d_y * d_y + d_z * d_z);
+            const real q_vz = v[5 * 8 + j];
+            const real p_vz = v[2 * 8 + j];
+            const real q_vx = v[3 * 8 + j];
+            const real p_vx = v[0 * 8 + j];
+            const real q_vy = v[4 * 8 + j];
+            const real p_vy = v[1 * 8 + j];
+            const real t0 = 2.0 * d_x * (q_vx - p_vx) + 2.0 * d_y * (q_vy - p_vy) + 2.0 * d_z * (q_vz - p_vz);
+            ed[0 * 8 + j] = 0.5 * 1.0 / l * t0;
+        }
+    }
+}
+
+/* acceleration: 37 operations.
+ * in:  x (6), v (6), p (5)
+ * out: g (1), gs (0) */
+FLEXEL_CLONES
+static void truss_acceleration(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (6 * 8);
+        const real *restrict v = in[1] + b * (6 * 8);
+        real *restrict g = out[0] + b * (1 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real q_z = x[5 * 8 + j];
+            const real p_z = x[2 * 8 + j];
+            const real d_z = q_z - p_z;
+            const real q_x = x[3 * 8 + j];
+            const real p_x = x[0 * 8 + j];
+            const real d_x = q_x - p_x;
+            const real q_y = x[4 * 8 + j];
+            const real p_y = x[1 * 8 + j];
+            const real d_y = q_y - p_y;
+            const real l = real_sqrt(d_x * d_x + d_y * d_y + d_z * d_z);
+            const real t0 = 1.0 / l;
+            const real q_vz = v[5 * 8 + j];
+            const real p_vz = v[2 * 8 + j];
+            const real t1 = q_vz - p_vz;
+            const real q_vx = v[3 * 8 + j];
+            const real p_vx = v[0 * 8 + j];
+            const real t2 = q_vx - p_vx;
+            const real q_vy = v[4 * 8 + j];
+            const real p_vy = v[1 * 8 + j];
+            const real t3 = q_vy - p_vy;
+            const real t4 = 2.0 * d_x * t2 + 2.0 * d_y * t3 + 2.0 * d_z * t1;
+            const real t5 = t0 * (2.0 * t2 * t2 + 2.0 * t3 * t3 + 2.0 * t1 * t1) - 0.5 * t0 * t4 * (t0 * t0) * t4;
+            g[0 * 8 + j] = 0.5 * t5;
+        }
+    }
+}
+
+/* kinematics: 112 operations.
+ * in:  x (6), v (6), a (6), p (5)
+ * out: Phi_x (1,6), Psi_x (1,6), Psi_v (1,6) */
+FLEXEL_CLONES
+static void truss_kinematics(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (6 * 8);
+        const real *restrict v = in[1] + b * (6 * 8);
+        const real *restrict a = in[2] + b * (6 * 8);
+        real *restrict Phi_x = out[0] + b * (6 * 8);
+        real *restrict Psi_x = out[1] + b * (6 * 8);
+        real *restrict Psi_v = out[2] + b * (6 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real q_z = x[5 * 8 + j];
+            const real p_z = x[2 * 8 + j];
+            const real d_z = q_z - p_z;
+            const real q_x = x[3 * 8 + j];
+            const real p_x = x[0 * 8 + j];
+            const real d_x = q_x - p_x;
+            const real q_y = x[4 * 8 + j];
+            const real p_y = x[1 * 8 + j];
+            const real d_y = q_y - p_y;
+            const real l = real_sqrt(d_x * d_x + d_y * d_y + d_z * d_z);
+            const real t0 = 1.0 / l;
+            const real q_vx = v[3 * 8 + j];
+            const real p_vx = v[0 * 8 + j];
+            const real t1 = q_vx - p_vx;
+            const real q_vz = v[5 * 8 + j];
+            const real p_vz = v[2 * 8 + j];
+            const real t2 = q_vz - p_vz;
+            const real q_vy = v[4 * 8 + j];
+            const real p_vy = v[1 * 8 + j];
+            const real t3 = q_vy - p_vy;
+            const real t4 = 2.0 * d_x * t1 + 2.0 * d_y * t3 + 2.0 * d_z * t2;
+            const real t5 = t0 * t0;
+            const real t6 = t4 * t5;
+            const real t7 = t0 * t6;
+            const real t8 = 0.25 * d_x * t7;
+            const real t9 = t0 * t1 - t8 - t8;
+            Phi_x[3 * 8 + j] = t9;
+            Phi_x[0 * 8 + j] = -t9;
+            const real t10 = 0.25 * d_y * t7;
+            const real t11 = t0 * t3 - t10 - t10;
+            Phi_x[4 * 8 + j] = t11;
+            Phi_x[1 * 8 + j] = -t11;
+            const real t12 = 0.25 * d_z * t7;
+            const real t13 = t0 * t2 - t12 - t12;
+            Phi_x[5 * 8 + j] = t13;
+            Phi_x[2 * 8 + j] = -t13;
+            const real q_ax = a[3 * 8 + j];
+            const real p_ax = a[0 * 8 + j];
+            const real t14 = q_ax - p_ax;
+            const real t15 = t0 * t4;
+            const real t16 = 0.25 * t7 + 0.25 * t15 * t5;
+            const real q_az = a[5 * 8 + j];
+            const real p_az = a[2 * 8 + j];
+            const real t17 = q_az - p_az;
+            const real q_ay = a[4 * 8 + j];
+            const real p_ay = a[1 * 8 + j];
+            const real t18 = q_ay - p_ay;
+            const real t19 = 0.5 * (2.0 * d_x * t14 + 2.0 * d_y * t18 + 2.0 * d_z * t17);
+            const real t20 = t19 + 0.5 * (2.0 * t1 * t1 + 2.0 * t3 * t3 + 2.0 * t2 * t2);
+            const real t21 = 0.25 * t4 * t15 * t0;
+            const real t22 = t5 * (t20 - t21 - t21 - 0.25 * t4 * t6) * t0;
+            const real t23 = 0.5 * d_x * t22;
+            const real t24 = t0 * t14 - 2.0 * t1 * t16 - t23 - t23;
+            Psi_x[3 * 8 + j] = t24;
+            Psi_x[0 * 8 + j] = -t24;
+            const real t25 = 0.5 * d_y * t22;
+            const real t26 = t0 * t18 - 2.0 * t3 * t16 - t25 - t25;
+            Psi_x[4 * 8 + j] = t26;
+            Psi_x[1 * 8 + j] = -t26;
+            const real t27 = 0.5 * d_z * t22;
+            const real t28 = t0 * t17 - 2.0 * t2 * t16 - t27 - t27;
+            Psi_x[5 * 8 + j] = t28;
+            Psi_x[2 * 8 + j] = -t28;
+            const real t29 = 2.0 * t9;
+            Psi_v[3 * 8 + j] = t29;
+            Psi_v[0 * 8 + j] = -t29;
+            const real t30 = 2.0 * t11;
+            Psi_v[4 * 8 + j] = t30;
+            Psi_v[1 * 8 + j] = -t30;
+            const real t31 = 2.0 * t13;
+            Psi_v[5 * 8 + j] = t31;
+            Psi_v[2 * 8 + j] = -t31;
+        }
+    }
+}
+
+/* stiffness: 39 operations.
+ * in:  x (6), sigma (1), tau (0), p (5)
+ * out: K (6,6) */
+FLEXEL_CLONES
+static void truss_stiffness(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (6 * 8);
+        const real *restrict sigma = in[1] + b * (1 * 8);
+        real *restrict K = out[0] + b * (36 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real q_x = x[3 * 8 + j];
+            const real p_x = x[0 * 8 + j];
+            const real d_x = q_x - p_x;
+            const real q_z = x[5 * 8 + j];
+            const real p_z = x[2 * 8 + j];
+            const real d_z = q_z - p_z;
+            const real q_y = x[4 * 8 + j];
+            const real p_y = x[1 * 8 + j];
+            const real d_y = q_y - p_y;
+            const real l = real_sqrt(d_x * d_x + d_y * d_y + d_z * d_z);
+            const real t0 = 1.0 / l;
+            const real t1 = t0 * t0;
+            const real sigma_elongation = sigma[0 * 8 + j];
+            const real t2 = d_x * t0 * t1 * sigma_elongation;
+            const real t3 = sigma_elongation * t0;
+            const real t4 = d_x * t2 - t3;
+            K[3 * 8 + j] = K[18 * 8 + j] = t4;
+            K[0 * 8 + j] = K[21 * 8 + j] = -t4;
+            const real t5 = d_y * t0 * t1 * sigma_elongation;
+            const real t6 = d_x * t5;
+            K[4 * 8 + j] = K[24 * 8 + j] = t6;
+            K[1 * 8 + j] = K[6 * 8 + j] = K[22 * 8 + j] = K[27 * 8 + j] = -t6;
+            const real t7 = d_z * t0 * t1 * sigma_elongation;
+            const real t8 = d_x * t7;
+            K[5 * 8 + j] = K[30 * 8 + j] = t8;
+            K[2 * 8 + j] = K[12 * 8 + j] = K[23 * 8 + j] = K[33 * 8 + j] = -t8;
+            const real t9 = d_y * t5 - t3;
+            K[10 * 8 + j] = K[25 * 8 + j] = t9;
+            K[7 * 8 + j] = K[28 * 8 + j] = -t9;
+            const real t10 = d_y * t7;
+            K[11 * 8 + j] = K[31 * 8 + j] = t10;
+            K[8 * 8 + j] = K[13 * 8 + j] = K[29 * 8 + j] = K[34 * 8 + j] = -t10;
+            K[9 * 8 + j] = K[19 * 8 + j] = d_y * t2;
+            const real t11 = d_z * t7 - t3;
+            K[17 * 8 + j] = K[32 * 8 + j] = t11;
+            K[14 * 8 + j] = K[35 * 8 + j] = -t11;
+            K[15 * 8 + j] = K[20 * 8 + j] = d_z * t2;
+            K[16 * 8 + j] = K[26 * 8 + j] = d_z * t5;
+        }
+    }
+}
+
+/* inertia: 20 operations.
+ * in:  x (6), v (6), p (5)
+ * out: M (6,6), 12 of 36 entries, h (6), 0 of 6 entries, f (6), U (1) */
+FLEXEL_CLONES
+static void truss_inertia(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (6 * 8);
+        const real *restrict p = in[2] + b * (5 * 8);
+        real *restrict M = out[0] + b * (12 * 8);
+        real *restrict f = out[2] + b * (6 * 8);
+        real *restrict U = out[3] + b * (1 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real l0 = p[0 * 8 + j];
+            const real rhoA = p[1 * 8 + j];
+            const real t0 = l0 * rhoA;
+            M[0 * 8 + j] = M[2 * 8 + j] = M[4 * 8 + j] = M[7 * 8 + j] = M[9 * 8 + j] = M[11 * 8 + j] = 0.3333333333333333 * t0;
+            M[1 * 8 + j] = M[3 * 8 + j] = M[5 * 8 + j] = M[6 * 8 + j] = M[8 * 8 + j] = M[10 * 8 + j] = 0.16666666666666666 * t0;
+            const real gravity_x = p[2 * 8 + j];
+            f[0 * 8 + j] = f[3 * 8 + j] = 0.5 * gravity_x * t0;
+            const real gravity_y = p[3 * 8 + j];
+            f[1 * 8 + j] = f[4 * 8 + j] = 0.5 * gravity_y * t0;
+            const real gravity_z = p[4 * 8 + j];
+            f[2 * 8 + j] = f[5 * 8 + j] = 0.5 * gravity_z * t0;
+            const real p_z = x[2 * 8 + j];
+            const real q_z = x[5 * 8 + j];
+            const real p_x = x[0 * 8 + j];
+            const real q_x = x[3 * 8 + j];
+            const real p_y = x[1 * 8 + j];
+            const real q_y = x[4 * 8 + j];
+            const real t1 = gravity_x * (p_x + q_x) + gravity_y * (p_y + q_y) + gravity_z * (p_z + q_z);
+            U[0 * 8 + j] = -(0.5 * t0 * t1);
+        }
+    }
+}
+
+/* tangent: 0 operations.
+ * in:  x (6), v (6), a (6), p (5)
+ * out: R_x (6,6), 0 of 36 entries, R_v (6,6), 0 of 36 entries */
+FLEXEL_CLONES
+static void truss_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    (void)nblocks, (void)in, (void)out; /* every entry is zero */
+}
+
+const flexel_element flexel_truss = {
+    .name = "truss",
+    .n = 6,
+    .m = 1,
+    .k = 0,
+    .np = 5,
+    .position = truss_position,
+    .velocity = truss_velocity,
+    .acceleration = truss_acceleration,
+    .kinematics = truss_kinematics,
+    .stiffness = truss_stiffness,
+    .inertia = truss_inertia,
+    .tangent = truss_tangent,
+};
