@@ -1,0 +1,171 @@
+"""A user's own elements and laws: derived, compiled once, kept in the user's cache directory by content.
+
+The shared object knows nothing of Python; it exports ``flexel_user``, which is a ``flexel_element`` or a
+``flexel_law`` of ``kernels.h``. May import the rooms of derive, and the classes of ``flexel.generated.spec`` when a
+function needs them.
+"""
+
+import ctypes
+import hashlib
+import os
+import platform
+import shlex
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from flexel.derive.element import Element, Law, Parameter
+from flexel.derive.emit import FLAGS
+from flexel.derive.kernels import Kernel, derive_element, derive_law
+from flexel.derive.source import element_source, laws_source
+
+if TYPE_CHECKING:
+    from flexel.generated.spec import ElementSpec, KernelSpec, LawSpec, ParameterSpec
+
+GENERATED = Path(__file__).resolve().parents[1] / "generated"
+_SYMBOL = "user"
+
+
+class CompilerMissingError(RuntimeError):
+    """There is no C compiler."""
+
+
+class CompilationError(RuntimeError):
+    """The C compiler refused what was derived."""
+
+
+@dataclass(frozen=True)
+class CompiledElement:
+    """A compiled element: its spec, and the address of its ``flexel_element``."""
+
+    spec: "ElementSpec"
+    address: int
+    path: Path
+
+
+@dataclass(frozen=True)
+class CompiledLaw:
+    """A compiled law: its spec, and the address of its ``flexel_law``."""
+
+    spec: "LawSpec"
+    address: int
+    path: Path
+
+
+def compile_element(element: Element) -> CompiledElement:
+    """Derive and compile an element; from the second time on it comes from the cache.
+
+    Raises
+    ------
+    CompilerMissingError
+        No C compiler.
+    CompilationError
+        The compiler failed.
+    """
+    from flexel.generated.spec import DeformationSpec, ElementSpec, NodeSpec, SlipSpec
+
+    derived = derive_element(element)
+    path = _shared_object(element.name, element_source(element, derived, _SYMBOL))
+    spec = ElementSpec(
+        name=element.name,
+        doc=element.doc,
+        source=element.source,
+        nodes=tuple(NodeSpec(node.name, node.kind) for node in element.nodes),
+        parameters=_parameters(element.parameters),
+        deformations=tuple(DeformationSpec(d.name, d.unit, d.angle, d.free) for d in element.deformations),
+        slips=tuple(SlipSpec(s.name, s.unit, s.free) for s in element.slips),
+        kernels=_kernels(derived.kernels),
+    )
+    return CompiledElement(spec, _address(path), path)
+
+
+def compile_law(law: Law) -> CompiledLaw:
+    """Derive and compile a law; errors as in `compile_element`."""
+    from flexel.generated.spec import LawSpec
+
+    derived = derive_law(law)
+    path = _shared_object(law.name, laws_source([law], [derived], _SYMBOL))
+    parameters, kernels = _parameters(law.parameters), _kernels(derived.kernels)
+    spec = LawSpec(law.name, law.doc, len(law.e), len(law.s), parameters, kernels)
+    return CompiledLaw(spec, _address(path), path)
+
+
+def _parameters(parameters: Sequence[Parameter]) -> tuple["ParameterSpec", ...]:
+    from flexel.generated.spec import ParameterSpec
+
+    return tuple(ParameterSpec(p.name, p.size, p.unit, p.doc) for p in parameters)
+
+
+def _kernels(kernels: dict[str, Kernel]) -> dict[str, "KernelSpec"]:
+    from flexel.generated.spec import KernelSpec, OutputSpec
+
+    return {
+        name: KernelSpec(
+            tuple(k.inputs), tuple(OutputSpec(o.name, o.shape, o.nonzeros) for o in k.outputs), k.operations
+        )
+        for name, k in kernels.items()
+    }
+
+
+def cache_directory() -> Path:
+    """Where compiled elements and laws are kept (it may not exist yet)."""
+    base = os.environ.get("XDG_CACHE_HOME", "")
+    return (Path(base) if os.path.isabs(base) else Path.home() / ".cache") / "flexel"
+
+
+def _compiler() -> list[str]:
+    command = shlex.split(os.environ.get("CC", "")) or ["cc"]
+    if shutil.which(command[0]) is None:
+        raise CompilerMissingError(
+            f"no C compiler '{command[0]}': user-defined elements and laws are compiled when they are first used; "
+            "install one (`apt install gcc`), or set CC. The elements and laws that come with flexel need none"
+        )
+    return command
+
+
+def _flags() -> list[str]:
+    """Flags for this machine only: one vector width instead of a choice at run time."""
+    own = ["-march=native", "-DFLEXEL_NO_CLONES"] if platform.machine() in ("x86_64", "AMD64") else []
+    return ["-std=c11", *FLAGS, *own, "-shared", "-fPIC"]
+
+
+def _processor() -> str:
+    """What ``-march=native`` depends on."""
+    try:
+        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
+    except OSError:
+        return platform.processor()
+    return "\n".join(sorted({line for line in lines if line.startswith(("flags", "Features"))}))
+
+
+def _shared_object(name: str, source: str) -> Path:
+    """Path of the compiled source, made if it is not in the cache."""
+    header = (GENERATED / "kernels.h").read_text(encoding="utf-8")
+    compiler = os.environ.get("CC", "cc")
+    content = "\0".join([source, header, compiler, *_flags(), platform.machine(), _processor()])
+    path = cache_directory() / f"{name}-{hashlib.sha256(content.encode()).hexdigest()[:20]}.so"
+    if not path.exists():
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(dir=path.parent) as folder:
+            made = _compile(name, source, Path(folder))
+            made.replace(path)  # atomic: another process may be doing the same
+    return path
+
+
+def _compile(name: str, source: str, folder: Path) -> Path:
+    file, made = folder / f"{name}.c", folder / f"{name}.so"
+    file.write_text(source, encoding="utf-8")
+    command = [*_compiler(), *_flags(), f"-I{GENERATED}", str(file), "-o", str(made), "-lm"]
+    answer = subprocess.run(command, capture_output=True, text=True, check=False)
+    if answer.returncode:
+        raise CompilationError(f"'{name}' does not compile: {shlex.join(command)}\n{answer.stderr}")
+    return made
+
+
+def _address(path: Path) -> int:
+    """Address of ``flexel_user``; a library that is loaded stays loaded."""
+    return ctypes.addressof(ctypes.c_char.in_dll(ctypes.CDLL(str(path)), f"flexel_{_SYMBOL}"))
