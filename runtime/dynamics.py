@@ -11,12 +11,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.linalg import get_lapack_funcs
 
 from flexel.errors import DynamicsError
 from flexel.kinematics import Configuration, Factorization, Kinematics
 from flexel.loads import Loads
 from flexel.state import Energy, State
 from flexel.structure import Array
+
+_posv = get_lapack_funcs("posv", dtype=np.float64)
 
 
 @dataclass(frozen=True)
@@ -73,9 +76,14 @@ def accelerations(
         If the reduced mass matrix is not positive definite: names the freedom without inertia.
     """
     nf, nd = kinematics.structure.nf, kinematics.roles.nd
-    H, g = unit_solutions(kinematics, B), B.solve(kinematics.convective(c, v))
+    both = np.zeros((nf, nd + 1), order="F")
+    both[nf - nd :, :nd] = np.eye(nd)
+    both[:, nd] = kinematics.convective(c, v)
+    solution = B.solve(both)
+    H, g = solution[:, :nd], solution[:, nd]
     M, F = forces_.M[:nf, :nf], forces_.F[:nf]
-    qdd = solve_mass(kinematics, H.T @ M @ H, H.T @ (F - M @ g)) if nd else np.zeros(0)
+    MX = M @ solution
+    qdd = solve_mass(kinematics, H.T @ MX[:, :nd], H.T @ (F - MX[:, nd])) if nd else np.zeros(0)
     a = np.zeros(kinematics.structure.n)
     a[:nf] = H @ qdd + g
     return Acceleration(H, qdd, a)
@@ -89,16 +97,15 @@ def unit_solutions(kinematics: Kinematics, B: Factorization) -> Array:
 
 def solve_mass(kinematics: Kinematics, Mr: Array, rhs: Array) -> Array:
     """Solve with the reduced mass matrix (nd, nd), which must be positive definite."""
-    try:
-        L = np.linalg.cholesky(Mr)
-    except np.linalg.LinAlgError as error:
+    _, x, info = _posv(Mr, rhs)
+    if info:
         w, V = np.linalg.eigh(Mr)
         culprit = kinematics.roles.dynamic[int(np.argmax(np.abs(V[:, 0])))]
         raise DynamicsError(
             f"reduced mass matrix is not positive definite (smallest eigenvalue {w[0]:.3g}): the freedom "
             f"{kinematics.names([culprit])} moves no mass; give its bodies mass and inertia, or prescribe it"
-        ) from error
-    return np.asarray(np.linalg.solve(L.T, np.linalg.solve(L, rhs)))
+        )
+    return np.asarray(x)
 
 
 def complete(kinematics: Kinematics, loads: Loads, c: Configuration, v: Array, e: Array) -> State:

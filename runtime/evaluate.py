@@ -84,8 +84,10 @@ class Evaluation:
 
     def stresses(self, e: Array, ed: Array, s: Array) -> tuple[Array, float]:
         """Stresses (sigma, tau) of the laws (m + k,) and their stored energy [J]; e unwrapped."""
-        self._law.run(e=e, ed=ed, s=s)
         size = self.structure.m + self.structure.k
+        if not self.structure.laws:
+            return np.zeros(size), 0.0
+        self._law.run(e=e, ed=ed, s=s)
         return self._law.sum("stress", (size,)), float(self._law.sum("U", (1,))[0])
 
     def tangents(self, x: Array, v: Array, a: Array, J: Array, e: Array, stress: Array) -> Tangents:

@@ -28,7 +28,7 @@ class Factorization:
     """LU factors of a square matrix, with row scaling left to the caller."""
 
     def __init__(self, matrix: Array) -> None:
-        self.norm = float(np.abs(matrix).sum(axis=0).max()) if matrix.size else 0.0
+        self._matrix = matrix
         self._lu, self._pivots, self.info = _getrf(matrix) if matrix.size else (matrix, None, 0)
 
     @property
@@ -39,7 +39,9 @@ class Factorization:
     @property
     def rcond(self) -> float:
         """Estimate of the reciprocal condition number in the 1-norm."""
-        return 1.0 if not self._lu.size else float(_gecon(self._lu, self.norm)[0])
+        if not self._lu.size:
+            return 1.0
+        return float(_gecon(self._lu, np.abs(self._matrix).sum(axis=0).max())[0])
 
     def solve(self, b: Array, transposed: bool = False) -> Array:
         """Solution of A x = b, or of A' x = b."""
@@ -83,8 +85,16 @@ class Kinematics:
         self.structure: Structure = evaluation.structure
         self.roles = roles
         self._scale = natural_scales(self.structure)
-        self._angle = self.structure.angle
+        rows = roles.position_rows
+        self._weight = 1.0 / self._scale[rows]
+        self._angles = np.flatnonzero(self.structure.angle[rows])
+        self._step_weight = 1.0 / self._scale[self.structure.m + self.structure.k :][: self.structure.nf]
+        self._forget()
+
+    def _forget(self) -> None:
+        """Drop the factors kept from the last position problem."""
         self._lu: Factorization | None = None
+        self._x = self._target = np.zeros(0)
 
     def scales(self, rows: Any) -> Array:
         """Natural scales of quantities."""
@@ -92,12 +102,19 @@ class Kinematics:
 
     def values(self, e: Array, x: Array) -> Array:
         """Values of all quantities; slips, which have none, as zero."""
-        return np.concatenate([e, np.zeros(self.structure.k), x])
+        y = np.zeros(self._scale.size)
+        y[: e.size] = e
+        y[y.size - x.size :] = x
+        return y
 
     def target(self, t: float, q: Array) -> Array:
         """Values that the rows of the position problem must reach."""
-        u = self.roles.motion(t)[0] if self.roles.motions else np.zeros(0)
-        return np.concatenate([np.zeros(self.roles.rigid.size), u, q])
+        nr, nu = self.roles.rigid.size, self.roles.prescribed.size
+        y = np.zeros(nr + nu + q.size)
+        if nu:
+            y[nr : nr + nu] = self.roles.motion(t)[0]
+        y[nr + nu :] = q
+        return y
 
     def position(self, t: float, q: Array, guess: Array) -> Configuration:
         """Configuration at time t with freedoms q.
@@ -116,34 +133,50 @@ class Kinematics:
             If Newton's method does not converge; names the rows that stay unsatisfied.
         """
         rows, nf = self.roles.position_rows, self.structure.nf
-        scale, angle, target = self._scale[rows], self._angle[rows], self.target(t, q)
-        x, last = guess.copy(), np.inf
-        for iteration in range(MAX_ITERATIONS):
+        target = self.target(t, q)
+        x = self._predict(guess, target)
+        last = np.inf
+        for _ in range(MAX_ITERATIONS):
             e, J = self.evaluation.position(x)
-            residual = wrap(self.values(e, x)[rows] - target, angle)
-            error = float(np.max(np.abs(residual) / scale, initial=0.0))
+            residual = self._residual(e, x, target)
+            error = float(np.abs(residual * self._weight).max(initial=0.0))
             if error < TOLERANCE or (error < 1e-10 and error > 0.5 * last):
+                self._x, self._target = x, target
                 return Configuration(t, x, e, J)
-            if not np.isfinite(error):
+            self._lu = Factorization(J[rows, :nf])
+            if not (np.isfinite(error) and self._lu.regular):
                 break
-            if iteration or self._lu is None:
-                self._lu = Factorization(J[rows, :nf])
-                if not self._lu.regular:
-                    break
             step = self._lu.solve(residual)
-            x[:nf] -= step * min(1.0, 0.5 / max(float(np.max(np.abs(step) / self._step_scale)), 1e-300))
-            last = error if iteration else np.inf
-        self._lu = None
-        worst = np.argsort(-np.abs(np.nan_to_num(residual, nan=np.inf)) / scale)[:4]
+            largest = float(np.abs(step * self._step_weight).max())
+            x[:nf] -= step if largest < 0.5 else step * (0.5 / largest)
+            last = error if largest < 0.5 else np.inf
+        self._forget()
+        raise PositionError(self._unreached(t, residual))
+
+    def _residual(self, e: Array, x: Array, target: Array) -> Array:
+        residual = self.values(e, x)[self.roles.position_rows] - target
+        if self._angles.size:
+            difference = residual[self._angles]
+            residual[self._angles] -= 2 * np.pi * np.round(difference / (2 * np.pi))
+        return residual
+
+    def _predict(self, guess: Array, target: Array) -> Array:
+        """First-order prediction from the last solution, if the guess is that one; else the guess."""
+        x = guess.copy()
+        if self._lu is not None and guess is self._x:
+            step = self._lu.solve(target - self._target)
+            if float(np.abs(step * self._step_weight).max(initial=0.0)) < 0.5:
+                x[: self.structure.nf] += step
+        return x
+
+    def _unreached(self, t: float, residual: Array) -> str:
+        worst = np.argsort(-np.abs(np.nan_to_num(residual, nan=np.inf)) * self._weight)[:4]
+        rows = self.roles.position_rows
         names = ", ".join(f"'{self.structure.names[rows[i]]}' (off by {residual[i]:.3g})" for i in worst)
-        raise PositionError(
+        return (
             f"position at t = {t:g} s cannot be reached: {names} stay unsatisfied; the constraints admit no such "
             "position near the present one: check prescribed and initial values, or move in smaller steps"
         )
-
-    @property
-    def _step_scale(self) -> Array:
-        return self._scale[self.structure.m + self.structure.k :][: self.structure.nf]
 
     def velocity_matrix(self, configuration: Configuration) -> Factorization:
         """Factors of B at a configuration.
@@ -163,14 +196,11 @@ class Kinematics:
 
     def velocity(self, configuration: Configuration, B: Factorization, qd: Array) -> Array:
         """Rates v (n,) of all coordinates for the rates q_d' (nd,) of the dynamic freedoms."""
-        rhs = np.concatenate(
-            [
-                np.zeros(self.roles.rigid.size),
-                self.roles.motion(configuration.t)[1],
-                np.zeros(self.roles.zero.size),
-                qd,
-            ]
-        )
+        roles = self.roles
+        rhs = np.zeros(self.structure.nf)
+        if roles.motions:
+            rhs[roles.rigid.size : roles.holonomic.size] = roles.motion(configuration.t)[1]
+        rhs[rhs.size - roles.nd :] = qd
         v = np.zeros(self.structure.n)
         v[: self.structure.nf] = B.solve(rhs)
         return v
@@ -180,8 +210,7 @@ class Kinematics:
         rows = self.roles.velocity_rows
         rhs = -self.evaluation.convective(configuration.x, v)[rows]
         if self.roles.motions:
-            first = self.roles.rigid.size
-            rhs[first : first + self.roles.prescribed.size] += self.roles.motion(configuration.t)[2]
+            rhs[self.roles.rigid.size : self.roles.holonomic.size] += self.roles.motion(configuration.t)[2]
         return rhs
 
     def names(self, rows: Any) -> str:
