@@ -1,34 +1,22 @@
 """What an element and a law are: frozen data, with the mathematics and its source beside it.
 
-This room declares and checks; it derives nothing. It may import sympy and nothing else of the house. An
+This room declares and checks; it derives nothing. It may import sympy and the checks beside it. An
 element is written as a few plain SymPy expressions in its nodes' coordinates ``x`` and rates ``v`` and in its
 parameters; everything else (derivatives, mass matrix, tangents) is obtained by ``flexel.derive.program``.
 """
 
-import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 
 import sympy as sp
 from sympy import Expr, Matrix, Symbol
 
-# Words that cannot be names in the generated C, and the names of the arguments of its functions.
-_RESERVED = frozenset(
-    "auto break case char const continue default do double else enum extern float for goto if inline int "
-    "long register restrict return short signed sizeof static struct switch typedef union unsigned void "
-    "volatile while real complex bool true false nblocks in out main".split()
-)
-_IDENTIFIER = re.compile(r"[A-Za-z][A-Za-z0-9_]*\Z")
+from flexel.derive.checks import check_name, check_symbols, check_unique, rate_degrees
 
 
 def symbol(name: str) -> Symbol:
     """Real symbol, the only kind used in elements and laws (equal names are equal symbols)."""
     return Symbol(name, real=True)
-
-
-def _check_name(owner: str, name: str) -> None:
-    if not _IDENTIFIER.match(name) or name in _RESERVED:
-        raise ValueError(f"{owner}: '{name}' cannot be a name in C; choose letters, digits and underscores")
 
 
 @dataclass(frozen=True)
@@ -174,55 +162,6 @@ class Let:
         return tuple(self._entries)
 
 
-def rate_degrees(expr: Expr, known: dict[Symbol, frozenset[int]]) -> frozenset[int]:
-    """Degrees in the rates of the terms of an expression, found from its structure.
-
-    Parameters
-    ----------
-    expr : Expr
-    known : dict
-        The degrees of every symbol that may occur.
-
-    Returns
-    -------
-    frozenset of int
-        Empty for zero; -1 among them stands for "not a polynomial".
-    """
-    if expr == 0:
-        return frozenset()
-    if isinstance(expr, Symbol):
-        return known[expr]
-    if not expr.args:
-        return frozenset({0})
-    parts = [rate_degrees(arg, known) for arg in expr.args if isinstance(arg, Expr)]
-    if isinstance(expr, sp.Add):
-        return frozenset().union(*parts)
-    if isinstance(expr, sp.Mul):
-        total = frozenset({0})
-        for part in parts:
-            total = frozenset(-1 if -1 in (i, j) else i + j for i in total for j in part)
-        return total
-    if isinstance(expr, sp.Pow) and expr.exp.is_Integer and int(expr.exp) > 0:
-        total = frozenset({0})
-        for _ in range(int(expr.exp)):
-            total = frozenset(-1 if -1 in (i, j) else i + j for i in total for j in parts[0])
-        return total
-    constant = all(known.get(s, frozenset({0})) <= {0} for s in expr.free_symbols)
-    return frozenset({0}) if constant else frozenset({-1})
-
-
-def _check_unique(owner: str, names: list[str]) -> None:
-    for i, name in enumerate(names):
-        if name in names[:i]:
-            raise ValueError(f"{owner}: the name '{name}' is used twice; rename one")
-
-
-def _check_symbols(owner: str, what: str, expr: Expr, known: Iterable[Symbol]) -> None:
-    unknown = sorted(str(s) for s in expr.free_symbols - set(known))
-    if unknown:
-        raise ValueError(f"{owner}: {what} contains {', '.join(unknown)}: not a coordinate, parameter or let")
-
-
 @dataclass(frozen=True)
 class Element:
     """An element *is* its functions D, V, T and U of the coordinates of its nodes.
@@ -269,16 +208,16 @@ class Element:
 
     def __post_init__(self) -> None:
         owner = f"element '{self.name}'"
-        _check_name(owner, self.name)
+        check_name(owner, self.name)
         if not self.nodes:
             raise ValueError(f"{owner} has no nodes")
         symbols = [*self.x, *self.v, *self.parameter_symbols, *(s for s, _ in self.let)]
         for s in symbols:
-            _check_name(owner, s.name)
-        _check_unique(owner, [s.name for s in symbols])
-        _check_unique(owner, [d.name for d in self.deformations] + [s.name for s in self.slips])
-        _check_unique(owner, [node.name for node in self.nodes])
-        _check_unique(owner, [p.name for p in self.parameters])
+            check_name(owner, s.name)
+        check_unique(owner, [s.name for s in symbols])
+        check_unique(owner, [d.name for d in self.deformations] + [s.name for s in self.slips])
+        check_unique(owner, [node.name for node in self.nodes])
+        check_unique(owner, [p.name for p in self.parameters])
         self._check_expressions(owner)
 
     def _check_expressions(self, owner: str) -> None:
@@ -288,16 +227,17 @@ class Element:
         def check(what: str, expr: object, allowed: int, fact: str) -> None:
             if not isinstance(expr, Expr):
                 raise ValueError(f"{owner}: {what} is not a scalar expression but {type(expr).__name__}")
-            _check_symbols(owner, what, expr, degrees)
+            check_symbols(owner, what, expr, degrees)
             if not rate_degrees(expr, degrees) <= {allowed}:
                 raise ValueError(f"{owner}: {what} {fact}")
 
         for s, expr in self.let:
             if not isinstance(expr, Expr):
                 raise ValueError(f"{owner}: let '{s}' is not a scalar expression but {type(expr).__name__}")
-            _check_symbols(owner, f"let '{s}'", expr, degrees)
+            check_symbols(owner, f"let '{s}'", expr, degrees)
             degrees[s] = rate_degrees(expr, degrees)
-        for mode in (*self.deformations, *self.slips):
+        modes: tuple[Deformation | Slip, ...] = (*self.deformations, *self.slips)
+        for mode in modes:
             if not mode.unit:
                 raise ValueError(f"{owner}: '{mode.name}' has no unit; give an SI unit, or '1'")
         for d in self.deformations:
@@ -361,12 +301,12 @@ class Law:
 
     def __post_init__(self) -> None:
         owner = f"law '{self.name}'"
-        _check_name(owner, self.name)
+        check_name(owner, self.name)
         symbols = [*self.e, *self.ed, *self.s, *self.parameter_symbols]
         for s in symbols:
-            _check_name(owner, s.name)
-        _check_unique(owner, [s.name for s in symbols])
-        _check_unique(owner, [p.name for p in self.parameters])
+            check_name(owner, s.name)
+        check_unique(owner, [s.name for s in symbols])
+        check_unique(owner, [p.name for p in self.parameters])
         if not len(self.e) == len(self.ed) == len(self.sigma) or len(self.s) != len(self.tau):
             raise ValueError(f"{owner}: give a stress for each deformation (with its rate) and slip")
         for what, expr in (
@@ -375,7 +315,7 @@ class Law:
         ):
             if not isinstance(expr, Expr):
                 raise ValueError(f"{owner}: {what} is not a scalar expression but {type(expr).__name__}")
-            _check_symbols(owner, what, expr, symbols)
+            check_symbols(owner, what, expr, symbols)
 
     @property
     def parameter_symbols(self) -> tuple[Symbol, ...]:
