@@ -9,44 +9,63 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from flexel.errors import FlexelError, ModelError
+    from flexel.errors import (
+        ConstraintError,
+        DynamicsError,
+        FlexelError,
+        LinearizationError,
+        ModelError,
+        PositionError,
+    )
     from flexel.functions import Harmonic, Polynomial, Ramp, Table
     from flexel.integrate import Event
     from flexel.linearize import Linearization
     from flexel.model import Model
+    from flexel.orientation import turn
     from flexel.result import Motion
-    from flexel.system import State, System
+    from flexel.state import State
+    from flexel.system import System
 
 __version__ = "0.1.0"
 
 __all__ = [
+    "ConstraintError",
+    "DynamicsError",
     "Event",
     "FlexelError",
     "Harmonic",
     "Linearization",
+    "LinearizationError",
     "Model",
     "ModelError",
     "Motion",
     "Polynomial",
+    "PositionError",
     "Ramp",
     "State",
     "System",
     "Table",
+    "turn",
 ]
 
 _HOMES = {
+    "ConstraintError": "flexel.errors",
+    "DynamicsError": "flexel.errors",
     "Event": "flexel.integrate",
     "FlexelError": "flexel.errors",
     "Harmonic": "flexel.functions",
     "Linearization": "flexel.linearize",
+    "LinearizationError": "flexel.errors",
     "Model": "flexel.model",
     "ModelError": "flexel.errors",
     "Motion": "flexel.result",
     "Polynomial": "flexel.functions",
+    "PositionError": "flexel.errors",
     "Ramp": "flexel.functions",
-    "State": "flexel.system",
+    "State": "flexel.state",
     "System": "flexel.system",
     "Table": "flexel.functions",
+    "turn": "flexel.orientation",
 }
 
 

@@ -29,7 +29,9 @@ def build(model: Model, t: float) -> System:
     """The system of a model at time t; see `Model.build`."""
     if not model.nodes:
         raise ModelError("the model has no nodes; add points and frames first")
-    structure = assemble_structure(model.nodes.values(), [*model.instances.values(), *norms(model)], model.laws)
+    structure = assemble_structure(
+        model.nodes.values(), [*model.instances.values(), *norms(model)], model.laws
+    )
     evaluation = Evaluation(structure)
     roles = resolve_roles(model, structure)
     loads = Loads(structure, tuple(model.loads))
@@ -65,16 +67,18 @@ def resolve_roles(model: Model, structure: Structure) -> Roles:
     """Rigid, prescribed and rolling conditions, from what the user said and the elements' defaults."""
     role = {}
     for instance in structure.instances:
-        specs = (*instance.spec.deformations, *instance.spec.slips)
-        for name, spec in zip((*instance.deformations, *instance.slips), specs, strict=True):
-            role[name] = "free" if spec.free else "rigid"
+        frees = [z.free for z in instance.spec.deformations] + [z.free for z in instance.spec.slips]
+        for name, free in zip((*instance.deformations, *instance.slips), frees, strict=True):
+            role[name] = "free" if free else "rigid"
     for law in model.laws:
         for name in (*law.deformations, *law.slips):
             structure.find(name)
             role[name] = "free"
     for name, wish in model.roles.items():
         if structure.find(name) >= structure.m + structure.k:
-            raise ModelError(f"'{name}' is a coordinate; rigid and free are roles of deformations and slips, use fix")
+            raise ModelError(
+                f"'{name}' is a coordinate; rigid and free are roles of deformations and slips, use fix"
+            )
         role[name] = wish
     for name in [*(model.dynamic or []), *(model.kinematic_names or []), *model.motions]:
         structure.find(name)
@@ -98,19 +102,27 @@ def check_names(model: Model, structure: Structure, roles: Roles) -> None:
     for name in [*(model.dynamic or []), *(model.kinematic_names or []), *model.motions]:
         i = structure.find(name)
         if structure.m <= i < first:
-            raise ModelError(f"'{name}' is a slip; only coordinates and deformations can be freedoms or prescribed")
+            raise ModelError(
+                f"'{name}' is a slip; only coordinates and deformations can be freedoms or prescribed"
+            )
         if i >= first + nf:
-            raise ModelError(f"'{name}' is fixed; release the node, or take it out of the freedoms and motions")
+            raise ModelError(
+                f"'{name}' is fixed; release the node, or take it out of the freedoms and motions"
+            )
     for name in model.dynamic or []:
         if name in model.motions or name in (model.kinematic_names or []):
             raise ModelError(f"'{name}' is independent and also prescribed or kinematic; choose one")
     for load in model.loads:
         if structure.find(load.name) >= first + nf:
-            raise ModelError(f"load on '{load.name}': this coordinate is fixed and cannot move; remove load or fixing")
+            raise ModelError(
+                f"load on '{load.name}': this coordinate is fixed and cannot move; remove load or fixing"
+            )
     for name in model.values:
         i = structure.find(name)
         if i in roles.rigid or i in roles.prescribed or i >= first + nf or structure.m <= i < first:
-            raise ModelError(f"initial value of '{name}': it is rigid, prescribed, fixed or a slip; take it back")
+            raise ModelError(
+                f"initial value of '{name}': it is rigid, prescribed, fixed or a slip; take it back"
+            )
     for name in model.rates:
         if structure.find(name) >= first + nf:
             raise ModelError(f"initial rate of '{name}': this coordinate is fixed; take it back")

@@ -103,7 +103,9 @@ def pick(kinematics: Kinematics, J: Array, space: Array, exclude: Index) -> Inde
     return np.sort(rows[pivots[: space.shape[1]]])
 
 
-def choose_freedoms(kinematics: Kinematics, J: Array, dynamic: Index | None, kinematic: Index | None) -> Roles:
+def choose_freedoms(
+    kinematics: Kinematics, J: Array, dynamic: Index | None, kinematic: Index | None
+) -> Roles:
     """Roles with all freedoms: those the user named, checked, or an automatic choice.
 
     Parameters

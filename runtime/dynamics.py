@@ -9,6 +9,7 @@ Imports numpy, scipy.linalg and the kinematics.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from scipy.linalg import get_lapack_funcs
@@ -19,7 +20,7 @@ from flexel.loads import Loads
 from flexel.state import Energy, State
 from flexel.structure import Array
 
-_posv = get_lapack_funcs("posv", dtype=np.float64)
+_posv: Any = get_lapack_funcs("posv", dtype=np.float64)
 
 
 @dataclass(frozen=True)

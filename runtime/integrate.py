@@ -100,7 +100,9 @@ class Integrator:
     def run(self) -> Integration:
         """Integrate to the last time; an interrupt (Ctrl-C) keeps what was computed."""
         message = "reached the end"
-        bar = tqdm(total=float(self.times[-1] - self.times[0]), disable=not self.progress, unit="s", leave=False)
+        bar = tqdm(
+            total=float(self.times[-1] - self.times[0]), disable=not self.progress, unit="s", leave=False
+        )
         bar.bar_format = "{l_bar}{bar}| {n:.3g}/{total:.3g} s [{elapsed}<{remaining}]"
         try:
             while self.state.t < self.times[-1]:
@@ -128,7 +130,9 @@ class Integrator:
         while solver.status == "running":
             message = self._step(solver)
             if solver.status == "failed":
-                raise DynamicsError(f"integration failed at t = {solver.t:g} s: {message}; see motion up to there")
+                raise DynamicsError(
+                    f"integration failed at t = {solver.t:g} s: {message}; see motion up to there"
+                )
             statistics["steps"] += 1
             dense = solver.dense_output()
             t1 = float(solver.t)
@@ -168,7 +172,9 @@ class Integrator:
     def _terminal(self, name: str) -> bool:
         return any(event.terminal for event in self.events if event.name == name)
 
-    def _events(self, solver: Any, dense: Any, before: list[float]) -> tuple[list[tuple[str, State]], list[float], State]:
+    def _events(
+        self, solver: Any, dense: Any, before: list[float]
+    ) -> tuple[list[tuple[str, State]], list[float], State]:
         """Passages through zero within the last step, in the order of time."""
         system, roles, t0, t1 = self.system, self.system.roles, float(solver.t_old), float(solver.t)
 

@@ -19,7 +19,9 @@ from flexel.evaluate import Evaluation
 from flexel.roles import Roles
 from flexel.structure import Array, Structure
 
-_getrf, _getrs, _gecon = get_lapack_funcs(("getrf", "getrs", "gecon"), dtype=np.float64)
+_getrf: Any = get_lapack_funcs("getrf", dtype=np.float64)
+_getrs: Any = get_lapack_funcs("getrs", dtype=np.float64)
+_gecon: Any = get_lapack_funcs("gecon", dtype=np.float64)
 TOLERANCE = 1e-13  # of a deformation, relative to its natural scale
 MAX_ITERATIONS = 40
 
@@ -29,12 +31,16 @@ class Factorization:
 
     def __init__(self, matrix: Array) -> None:
         self._matrix = matrix
-        self._lu, self._pivots, self.info = _getrf(matrix) if matrix.size else (matrix, None, 0)
+        self._lu: Array = matrix
+        self._pivots: Any = None
+        self._info = 0
+        if matrix.size:
+            self._lu, self._pivots, self._info = _getrf(matrix)
 
     @property
     def regular(self) -> bool:
         """False if a pivot is exactly zero."""
-        return self.info == 0
+        return self._info == 0
 
     @property
     def rcond(self) -> float:

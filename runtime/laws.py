@@ -46,7 +46,9 @@ def formula_law(name: str, stress: Callable[..., Any], energy: Callable[..., Any
             "sympy.Piecewise), not math or numpy ones"
         ) from error
     if not isinstance(sigma, sympy.Expr) or sigma.free_symbols - {e, ed}:
-        raise ModelError(f"law on '{name}': {sigma} is not an expression of e and its rate alone; insert the numbers")
+        raise ModelError(
+            f"law on '{name}': {sigma} is not an expression of e and its rate alone; insert the numbers"
+        )
     stored = sympy.sympify(energy(e)) if energy else sympy.integrate(sigma.subs(ed, 0), (e, 0, e))
     if not isinstance(stored, sympy.Expr) or stored.has(sympy.Integral):
         raise ModelError(f"law on '{name}': SymPy finds no stored energy; give it as energy=lambda e: …")

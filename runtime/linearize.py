@@ -10,8 +10,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.linalg import eig
 
 from flexel.dynamics import solve_mass
@@ -20,6 +22,9 @@ from flexel.evaluate import Tangents
 from flexel.kinematics import Configuration, Factorization, Kinematics
 from flexel.state import State
 from flexel.structure import Array
+
+_eig: Any = eig
+ComplexArray = NDArray[np.complex128]
 
 
 @dataclass(frozen=True)
@@ -111,17 +116,17 @@ class Reduced:
         top = -np.linalg.solve(self.M, np.hstack([self.C, self.K]))
         return np.vstack([top, np.hstack([np.eye(n), np.zeros((n, n))])])
 
-    def eigenvalues(self) -> Array:
+    def eigenvalues(self) -> ComplexArray:
         """The 2 n eigenvalues [1/s], sorted by real, then imaginary part."""
         return sort_eigenvalues(np.linalg.eigvals(self.state_matrix))
 
 
-def sort_eigenvalues(values: Array) -> Array:
+def sort_eigenvalues(values: Any) -> ComplexArray:
     """Complex numbers sorted by real, then imaginary part; real parts equal to rounding count as equal."""
     w = np.asarray(values, dtype=complex)
     scale = float(np.max(np.abs(w), initial=1e-300))
     order = np.lexsort((w.imag, np.round(w.real / scale, 11)))
-    return np.asarray(w[order])
+    return w[order]
 
 
 @dataclass(frozen=True)
@@ -177,7 +182,7 @@ class Linearization:
         middle = np.hstack([np.eye(nd), np.zeros((nd, nd + nk))])
         return np.vstack([top, middle, np.hstack([self.A_k, self.B_k])])
 
-    def eigenvalues(self) -> Array:
+    def eigenvalues(self) -> ComplexArray:
         """All eigenvalues [1/s] of the state matrix, sorted by real, then imaginary part.
 
         The zeros of a non-holonomic system are defective and come out with large rounding errors; use
@@ -187,13 +192,13 @@ class Linearization:
 
     def modes(self) -> list[Mode]:
         """Modes, sorted as the eigenvalues, one for each complex pair (the one with positive imaginary part)."""
-        w, left, right = eig(self.state_matrix, left=True, right=True)
+        w, left, right = _eig(self.state_matrix, left=True, right=True)
         scale = float(np.max(np.abs(w), initial=1e-300))
         keep = [i for i in range(w.size) if w[i].imag >= -1e-12 * scale]
         keep.sort(key=lambda i: (round(w[i].real / scale, 11), w[i].imag))
         return [self._mode(complex(w[i]), left[:, i], right[:, i]) for i in keep]
 
-    def _mode(self, value: complex, left: Array, right: Array) -> Mode:
+    def _mode(self, value: complex, left: ComplexArray, right: ComplexArray) -> Mode:
         nd = len(self.dynamic)
         displacement = right[nd:]
         pivot = displacement[int(np.argmax(np.abs(displacement)))]

@@ -106,7 +106,9 @@ class Model:
 
     def _new_name(self, name: str, kind: str) -> None:
         if not isinstance(name, str) or not re.fullmatch(r"[^\s.':][^.':]*", name):
-            raise ModelError(f"{kind} {name!r}: a name is text without dots, colons or quotes; choose another")
+            raise ModelError(
+                f"{kind} {name!r}: a name is text without dots, colons or quotes; choose another"
+            )
         if name in self.nodes or name in self.instances:
             raise ModelError(f"{kind} '{name}': this name is taken; choose another")
 
@@ -128,7 +130,9 @@ class Model:
 
     # -- elements --------------------------------------------------------------------------------
 
-    def add(self, name: str, element: str, nodes: Sequence[Node | str], parameters: Mapping[str, Any]) -> None:
+    def add(
+        self, name: str, element: str, nodes: Sequence[Node | str], parameters: Mapping[str, Any]
+    ) -> None:
         """An element of the table by its type, with its parameters as the kernels take them.
 
         The methods below are more comfortable; this one serves types that have no method.
@@ -254,7 +258,10 @@ class Model:
     ) -> None:
         """A hinge that also holds the points p and q together, as drawn; the angle is free."""
         owner = f"bearing '{name}'"
-        nodes = [self._of_kind(n, (k,), owner) for n, k in ((p, "point"), (rp, "frame"), (q, "point"), (rq, "frame"))]
+        nodes = [
+            self._of_kind(n, (k,), owner)
+            for n, k in ((p, "point"), (rp, "frame"), (q, "point"), (rq, "frame"))
+        ]
         x = [n.x0 for n in nodes]
         self.add(name, "bearing", nodes, parts.bearing(x[0], x[1], x[2], x[3], axis, owner))
 
@@ -314,9 +321,13 @@ class Model:
                 parts.positive(value, owner, key)
         flexible = any(value is not None for value in given.values())
         if rigid == flexible and not (frame_q is None and not flexible):
-            raise ModelError(f"{owner}: give rigid=True, or a stiffness (EA, GJ, EIy, EIz) and not rigid=True")
+            raise ModelError(
+                f"{owner}: give rigid=True, or a stiffness (EA, GJ, EIy, EIz) and not rigid=True"
+            )
         if frame_q is None and flexible:
-            raise ModelError(f"{owner}: one frame makes it the rigid three-node beam; give a second frame to bend it")
+            raise ModelError(
+                f"{owner}: one frame makes it the rigid three-node beam; give a second frame to bend it"
+            )
         if inertia_per_length is None:
             inertia_per_length = 0.0 if planar else (0.0, 0.0, 0.0)
         mass = {"rhoA": mass_per_length, "rhoJ": inertia_per_length}
@@ -328,13 +339,19 @@ class Model:
         values = parts.planar_beam(*x, owner, **mass) if planar else parts.beam(*x, direction, owner, **mass)
         l0 = float(values["l0"][0])
         phi_y, phi_z = parts.shear_numbers(l0, EIy or 0.0, EIz or 0.0, GAy, GAz)
-        values |= {"phi_z": np.array([phi_y])} if planar else {"phi_y": np.array([phi_y]), "phi_z": np.array([phi_z])}
+        values |= (
+            {"phi_z": np.array([phi_y])}
+            if planar
+            else {"phi_y": np.array([phi_y]), "phi_z": np.array([phi_z])}
+        )
         element = ("planar_beam" if planar else "beam") + ("" if second_order else "_first_order")
         self.add(name, element, nodes, values)
         if flexible:
             modes = [d.name for d in ELEMENTS[element].deformations]
             free, S = parts.beam_stiffness(l0, modes, given, phi_y, phi_z)
-            self.linear_law([f"{name}.{z}" for z in free], S, parts.not_negative(damping, owner, "damping") * S)
+            self.linear_law(
+                [f"{name}.{z}" for z in free], S, parts.not_negative(damping, owner, "damping") * S
+            )
 
     def wheel(
         self,
@@ -362,7 +379,9 @@ class Model:
         The slips ``longitudinal`` and ``lateral`` are zero (pure rolling); ``m.release("rear.lateral")`` frees one.
         """
         owner = f"wheel '{name}'"
-        nodes = [self._of_kind(n, (k,), owner) for n, k in ((hub, "point"), (frame, "frame"), (contact, "point"))]
+        nodes = [
+            self._of_kind(n, (k,), owner) for n, k in ((hub, "point"), (frame, "frame"), (contact, "point"))
+        ]
         x = [n.x0 for n in nodes]
         self.add(name, "wheel", nodes, parts.wheel(x[0], x[1], x[2], radius, axle, normal, height, owner))
 
@@ -428,7 +447,9 @@ class Model:
             target = self.nodes[node]
             parts_ = COMPONENTS[target.kind]
             if component and component not in parts_:
-                raise ModelError(f"fix: node '{node}' has no coordinate '{component}'; it has {', '.join(parts_)}")
+                raise ModelError(
+                    f"fix: node '{node}' has no coordinate '{component}'; it has {', '.join(parts_)}"
+                )
             held = target.fixed | np.array([not component or c == component for c in parts_])
             self.nodes[node] = replace(target, fixed=held)
 
@@ -527,5 +548,3 @@ class Model:
             Initial values that the constraints do not admit.
         """
         return build(self, t)
-
-

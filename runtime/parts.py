@@ -39,7 +39,9 @@ def span(xp: Array, xq: Array, owner: str) -> tuple[Array, float]:
     line = xq - xp
     length = float(np.linalg.norm(line))
     if length < 1e-12 * max(1.0, float(np.max(np.abs(xp)))):
-        raise ModelError(f"{owner}: its two points coincide at {tuple(xp)}; the element has no length, move one")
+        raise ModelError(
+            f"{owner}: its two points coincide at {tuple(xp)}; the element has no length, move one"
+        )
     return line / length, length
 
 
@@ -58,10 +60,14 @@ def inertia_tensor(value: Any, owner: str) -> Array:
         xx, yy, zz, xy, xz, yz = J
         J = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
     if J.shape != (3, 3) or not np.all(np.isfinite(J)) or not np.allclose(J, J.T, rtol=1e-12, atol=0):
-        raise ModelError(f"{owner}: inertia must be 3 principal moments, (xx, yy, zz, xy, xz, yz) or symmetric 3x3")
+        raise ModelError(
+            f"{owner}: inertia must be 3 principal moments, (xx, yy, zz, xy, xz, yz) or symmetric 3x3"
+        )
     w = np.linalg.eigvalsh(J)
     if w[0] <= 0:
-        raise ModelError(f"{owner}: inertia is not positive definite (principal moments {w}); check the signs")
+        raise ModelError(
+            f"{owner}: inertia is not positive definite (principal moments {w}); check the signs"
+        )
     if w[2] > (w[0] + w[1]) * (1 + 1e-12):
         raise ModelError(
             f"{owner}: principal moments {w} violate the triangle inequality (none may exceed the sum of the others); "
@@ -168,9 +174,13 @@ def wheel(
     """
     a, n = unit(axle, owner, "axle"), unit(normal, owner, "road normal")
     if np.linalg.norm(np.cross(a, n)) < 1e-6:
-        raise ModelError(f"{owner}: its axle {tuple(a)} is normal to the road, so that no point is lowest; tilt it")
+        raise ModelError(
+            f"{owner}: its axle {tuple(a)} is normal to the road, so that no point is lowest; tilt it"
+        )
     if np.linalg.norm(xc - xw) < 1e-12:
-        raise ModelError(f"{owner}: contact point and hub coincide at {tuple(xw)}; put the contact on the road")
+        raise ModelError(
+            f"{owner}: contact point and hub coincide at {tuple(xw)}; put the contact on the road"
+        )
     return {
         "radius": np.array([positive(radius, owner, "radius")]),
         "axle": matrix(rw).T @ a,
@@ -179,7 +189,9 @@ def wheel(
     }
 
 
-def shear_numbers(l0: float, EIy: float, EIz: float, GAy: float | None, GAz: float | None) -> tuple[float, float]:
+def shear_numbers(
+    l0: float, EIy: float, EIz: float, GAy: float | None, GAz: float | None
+) -> tuple[float, float]:
     """Shear numbers (Φ_y, Φ_z) = 12 E I / (k G A l0²) of deflection in y and in z; 0 without shear stiffness."""
     phi_y = 12 * EIz / (GAy * l0**2) if GAy else 0.0
     phi_z = 12 * EIy / (GAz * l0**2) if GAz else 0.0

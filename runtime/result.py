@@ -107,7 +107,9 @@ class Motion(Sequence[State]):
             If the motion does not cover the time.
         """
         if not self.t[0] <= t <= self._segments[-1].t1:
-            raise ModelError(f"time {t:g} s lies outside the motion, {self.t[0]:g}…{self._segments[-1].t1:g} s")
+            raise ModelError(
+                f"time {t:g} s lies outside the motion, {self.t[0]:g}…{self._segments[-1].t1:g} s"
+            )
         segment = next(z for z in self._segments if t <= z.t1)
         near = self._states[int(np.searchsorted(self.t, t, side="right")) - 1]
         return self.system.state_from(t, segment.dense(t), segment.roles, near)

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
@@ -317,7 +316,9 @@ class System:
         start = self.initial if start is None else start
         if not (np.isfinite(duration) and duration > 0):
             raise ModelError(f"simulate: duration {duration} s is not positive; give a positive time")
-        grid = np.linspace(start.t, start.t + duration, samples) if times is None else np.asarray(times, float)
+        grid = (
+            np.linspace(start.t, start.t + duration, samples) if times is None else np.asarray(times, float)
+        )
         if np.any(np.diff(grid) <= 0) or grid[0] < start.t:
             raise ModelError(f"simulate: times must increase from {start.t:g} s; sort them")
         if grid[0] > start.t:
@@ -344,7 +345,9 @@ class System:
             states.append(last)
         dense: Callable[[float], Array] = lambda t: none  # noqa: E731 (a fully prescribed motion has no state)
         segment = Segment(float(grid[0]), float(grid[-1]), self.roles, dense)
-        return Integration(states, [], [segment], {"steps": len(states) - 1, "evaluations": 0, "rechoices": 0}, "")
+        return Integration(
+            states, [], [segment], {"steps": len(states) - 1, "evaluations": 0, "rechoices": 0}, ""
+        )
 
     def steady(
         self,
@@ -373,5 +376,3 @@ class System:
             If no steady motion is found near the start; says what was reached.
         """
         return steady_motion(self, start or self.initial, rates, unknown, unknown_rates)
-
-
