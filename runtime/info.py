@@ -25,10 +25,11 @@ def facts() -> list[tuple[str, str]]:
 
 
 def _packages() -> list[str]:
-    """Return the names of the packages that flexel needs or can use."""
-    names = (re.split(r"[^\w-]", line, maxsplit=1)[0].lower() for line in requires("flexel") or ())
-    tools = {"flexel", "setuptools", "ruff", "mypy", "sphinx", "numpydoc", "myst-parser", "furo"}
-    return [name for name in dict.fromkeys(names) if name not in tools and not name.startswith("types-")]
+    """Return the names of the packages that flexel needs or can use, tools for working on flexel apart."""
+    lines = [
+        line for line in requires("flexel") or () if not re.search(r"extra == .(test|lint|docs|all)\b", line)
+    ]
+    return list(dict.fromkeys(re.split(r"[^\w-]", line, maxsplit=1)[0].lower() for line in lines))
 
 
 def _version(name: str) -> str:

@@ -14,8 +14,9 @@ from typing import Any
 
 import numpy as np
 
-from flexel import parts
+from flexel import beams, bodies, joints
 from flexel.build import build
+from flexel.checks import not_negative
 from flexel.errors import ModelError
 from flexel.functions import TimeFunction, as_function
 from flexel.generated.table import ELEMENTS, LAWS
@@ -112,7 +113,8 @@ class Model:
         if name in self.nodes or name in self.instances:
             raise ModelError(f"{kind} '{name}': this name is taken; choose another")
 
-    def _of_kind(self, node: Node | str, kinds: tuple[str, ...], owner: str) -> Node:
+    def of_kind(self, node: Node | str, kinds: tuple[str, ...], owner: str) -> Node:
+        """The named node, if it is of one of the kinds; a ModelError that names the owner otherwise."""
         name = node.name if isinstance(node, Node) else node
         if name not in self.nodes:
             raise ModelError(f"{owner}: {unknown(name, self.nodes, 'node')}")
@@ -121,12 +123,12 @@ class Model:
             raise ModelError(f"{owner}: node '{name}' is a {found.kind}; it needs a {' or '.join(kinds)}")
         return found
 
-    def _resolve(self, owner: str, *nodes: tuple[Node | str, str]) -> tuple[bool, list[Node]]:
+    def resolve(self, owner: str, *nodes: tuple[Node | str, str]) -> tuple[bool, list[Node]]:
         """Nodes of the asked kinds, all spatial or all planar, and whether they are planar."""
         first = nodes[0][0]
         name = first.name if isinstance(first, Node) else first
         planar = name in self.nodes and self.nodes[name].kind.startswith("planar")
-        return planar, [self._of_kind(n, (PLANAR[k] if planar else k,), owner) for n, k in nodes]
+        return planar, [self.of_kind(n, (PLANAR[k] if planar else k,), owner) for n, k in nodes]
 
     # -- elements --------------------------------------------------------------------------------
 
@@ -142,7 +144,7 @@ class Model:
             raise ModelError(f"'{name}': {unknown(element, ELEMENTS, 'element type')}")
         spec = ELEMENTS[element]
         kinds = [(n, (s.kind,)) for n, s in zip(nodes, spec.nodes, strict=True)]
-        members = [self._of_kind(n, k, f"{element} '{name}'") for n, k in kinds]
+        members = [self.of_kind(n, k, f"{element} '{name}'") for n, k in kinds]
         values = {z.name: np.zeros(z.size) for z in spec.parameters} | dict(parameters)
         if "gravity" in values:
             values["gravity"] = self.gravity[: values["gravity"].size]
@@ -150,240 +152,14 @@ class Model:
         _ = instance.p  # checks sizes and finiteness now, where the caller can see it
         self.instances[name] = instance
 
-    def point_mass(self, name: str, point: Node | str, mass: float) -> None:
-        """A mass [kg] at a point."""
-        owner = f"point mass '{name}'"
-        planar, (p,) = self._resolve(owner, (point, "point"))
-        element = "planar_point_mass" if planar else "point_mass"
-        self.add(name, element, [p], {"mass": np.array([parts.positive(mass, owner, "mass")])})
-
-    def body(
-        self,
-        name: str,
-        point: Node | str,
-        frame: Node | str,
-        *,
-        mass: float,
-        inertia: Any,
-        offset: Vector | None = None,
-    ) -> None:
-        """A rigid body carried by a point and a frame.
-
-        Parameters
-        ----------
-        mass : float
-            [kg]
-        inertia : array_like
-            About the mass centre in body axes [kg m²]: three principal moments, (xx, yy, zz, xy, xz, yz) as tensor
-            components, or a symmetric (3, 3); one number in a planar model.
-        offset : sequence of float
-            Mass centre relative to the point, in body axes [m].
-        """
-        owner = f"body '{name}'"
-        planar, nodes = self._resolve(owner, (point, "point"), (frame, "frame"))
-        size = 2 if planar else 3
-        c = np.zeros(size) if offset is None else vector(offset, owner, "offset", size)
-        values = {"mass": np.array([parts.positive(mass, owner, "mass")]), "c": c}
-        if planar:
-            values["J"] = np.array([parts.positive(inertia, owner, "inertia")])
-        else:
-            values["J"] = parts.inertia_tensor(inertia, owner)
-        self.add(name, "planar_body" if planar else "body", nodes, values)
-
-    def truss(
-        self,
-        name: str,
-        p: Node | str,
-        q: Node | str,
-        *,
-        stiffness: float | None = None,
-        damping: float = 0.0,
-        mass_per_length: float = 0.0,
-    ) -> None:
-        """A bar between two points; rigid unless a stiffness [N/m] is given (EA / length).
-
-        Its elongation may be prescribed or independent: a hydraulic cylinder.
-        """
-        owner = f"truss '{name}'"
-        planar, nodes = self._resolve(owner, (p, "point"), (q, "point"))
-        l0 = parts.span(nodes[0].x0, nodes[1].x0, owner)[1]
-        rhoA = np.array([parts.not_negative(mass_per_length, owner, "mass_per_length")])
-        self.add(name, "planar_truss" if planar else "truss", nodes, {"l0": np.array([l0]), "rhoA": rhoA})
-        if stiffness is not None:
-            self.spring(f"{name}.elongation", parts.positive(stiffness, owner, "stiffness"), damping)
-
-    def hinge(
-        self,
-        name: str,
-        p: Node | str,
-        q: Node | str,
-        axis: Vector | None = None,
-        *,
-        stiffness: float | Sequence[float] | None = None,
-        damping: float | Sequence[float] = 0.0,
-    ) -> None:
-        """A hinge between two orientations; the angle is free, zero as drawn.
-
-        Parameters
-        ----------
-        axis : sequence of float (3,)
-            Direction of the axis in global axes as drawn; not needed in a planar model.
-        stiffness, damping : float or three of them
-            Torsional spring [N m/rad] and damper [N m s/rad] on the angle, or on angle and both bending deformations:
-            a flexible hinge.
-        """
-        owner = f"hinge '{name}'"
-        planar, nodes = self._resolve(owner, (p, "frame"), (q, "frame"))
-        if planar:
-            offset = {"offset0": nodes[1].x0 - nodes[0].x0}
-            self.add(name, "planar_hinge", nodes, offset)
-        else:
-            if axis is None:
-                raise ModelError(f"{owner}: a spatial hinge needs an axis; give axis=(x, y, z)")
-            self.add(name, "hinge", nodes, parts.hinge(nodes[0].x0, nodes[1].x0, axis, owner))
-        self._joint_springs(name, ("angle",) if planar else ("angle", "bend1", "bend2"), stiffness, damping)
-
-    def _joint_springs(self, name: str, modes: Sequence[str], stiffness: Any, damping: Any) -> None:
-        if stiffness is None and not np.any(damping):
-            return
-        k = np.atleast_1d(np.asarray(0.0 if stiffness is None else stiffness, dtype=float))
-        d = np.broadcast_to(np.asarray(damping, dtype=float), k.shape)
-        if k.size not in (1, len(modes)):
-            raise ModelError(f"'{name}': stiffness needs one number or {len(modes)}, for {', '.join(modes)}")
-        for mode, ki, di in zip(modes, k, d, strict=False):
-            self.spring(f"{name}.{mode}", float(ki), float(di))
-
-    def bearing(
-        self, name: str, p: Node | str, rp: Node | str, q: Node | str, rq: Node | str, axis: Vector
-    ) -> None:
-        """A hinge that also holds the points p and q together, as drawn; the angle is free."""
-        owner = f"bearing '{name}'"
-        nodes = [
-            self._of_kind(n, (k,), owner)
-            for n, k in ((p, "point"), (rp, "frame"), (q, "point"), (rq, "frame"))
-        ]
-        x = [n.x0 for n in nodes]
-        self.add(name, "bearing", nodes, parts.bearing(x[0], x[1], x[2], x[3], axis, owner))
-
-    def fixed_point(self, name: str, p: Node | str, frame: Node | str, q: Node | str) -> None:
-        """Hold the point q at its drawn place in the body (p, frame) (SPACAR's PINBODY, without mass)."""
-        self.beam(name, p, frame, q, rigid=True)
-
-    def beam(
-        self,
-        name: str,
-        p: Node | str,
-        frame_p: Node | str,
-        q: Node | str,
-        frame_q: Node | str | None = None,
-        *,
-        rigid: bool = False,
-        direction: Vector | None = None,
-        EA: float | None = None,
-        GJ: float | None = None,
-        EIy: float | None = None,
-        EIz: float | None = None,
-        GAy: float | None = None,
-        GAz: float | None = None,
-        damping: float = 0.0,
-        mass_per_length: float = 0.0,
-        inertia_per_length: Any = None,
-        second_order: bool = True,
-    ) -> None:
-        """A straight beam between two points; without a second frame, the rigid three-node beam.
-
-        Parameters
-        ----------
-        rigid : bool
-            All modes rigid.  Otherwise the modes whose stiffness is given are flexible, the others rigid.
-        direction : sequence of float (3,)
-            Global direction of the section's y axis as drawn.
-        EA, GJ, EIy, EIz : float
-            Axial [N], torsional and bending stiffness [N m²] about the section's axes; planar beams use EA and EIz.
-        GAy, GAz : float
-            Shear stiffness k G A [N] for deflection in y and z; none means no shear deformation.
-        damping : float
-            Kelvin–Voigt damping: ratio of damping to stiffness [s].
-        mass_per_length : float
-            [kg/m]
-        inertia_per_length : sequence of float (3,), or float for a planar beam
-            Rotary inertia per length [kg m] about the section's x, y, z axes.
-        second_order : bool
-            Second-order terms in the deformations (Meijaard 1996); without them more elements are needed.
-        """
-        owner = f"beam '{name}'"
-        ends = [(p, "point"), (frame_p, "frame"), (q, "point")]
-        ends += [(frame_q, "frame")] if frame_q is not None else []
-        planar, nodes = self._resolve(owner, *ends)
-        given = {"EA": EA, "GJ": GJ, "EIy": EIy, "EIz": EIz}
-        for key, value in {**given, "GAy": GAy, "GAz": GAz}.items():
-            if value is not None:
-                parts.positive(value, owner, key)
-        flexible = any(value is not None for value in given.values())
-        if rigid == flexible and not (frame_q is None and not flexible):
-            raise ModelError(
-                f"{owner}: give rigid=True, or a stiffness (EA, GJ, EIy, EIz) and not rigid=True"
-            )
-        if frame_q is None and flexible:
-            raise ModelError(
-                f"{owner}: one frame makes it the rigid three-node beam; give a second frame to bend it"
-            )
-        if inertia_per_length is None:
-            inertia_per_length = 0.0 if planar else (0.0, 0.0, 0.0)
-        mass = {"rhoA": mass_per_length, "rhoJ": inertia_per_length}
-        x: list[Any] = [n.x0 if n.kind != "planar_angle" else float(n.x0[0]) for n in nodes]
-        if frame_q is None:
-            make = parts.planar_beam3 if planar else parts.beam3
-            self.add(name, "planar_beam3" if planar else "beam3", nodes, make(*x, owner, **mass))
-            return
-        values = parts.planar_beam(*x, owner, **mass) if planar else parts.beam(*x, direction, owner, **mass)
-        l0 = float(values["l0"][0])
-        phi_y, phi_z = parts.shear_numbers(l0, EIy or 0.0, EIz or 0.0, GAy, GAz)
-        values |= (
-            {"phi_z": np.array([phi_y])}
-            if planar
-            else {"phi_y": np.array([phi_y]), "phi_z": np.array([phi_z])}
-        )
-        element = ("planar_beam" if planar else "beam") + ("" if second_order else "_first_order")
-        self.add(name, element, nodes, values)
-        if flexible:
-            modes = [d.name for d in ELEMENTS[element].deformations]
-            free, S = parts.beam_stiffness(l0, modes, given, phi_y, phi_z)
-            self.linear_law(
-                [f"{name}.{z}" for z in free], S, parts.not_negative(damping, owner, "damping") * S
-            )
-
-    def wheel(
-        self,
-        name: str,
-        hub: Node | str,
-        frame: Node | str,
-        contact: Node | str,
-        *,
-        radius: float,
-        axle: Vector,
-        normal: Vector = (0.0, 0.0, 1.0),
-        height: float = 0.0,
-    ) -> None:
-        """A knife-edge wheel that rolls without slip on the plane normal·x = height.
-
-        Parameters
-        ----------
-        axle : sequence of float (3,)
-            Direction of the axle in global axes as drawn.
-        normal : sequence of float (3,)
-            Normal of the road, pointing up.
-
-        Notes
-        -----
-        The slips ``longitudinal`` and ``lateral`` are zero (pure rolling); ``m.release("rear.lateral")`` frees one.
-        """
-        owner = f"wheel '{name}'"
-        nodes = [
-            self._of_kind(n, (k,), owner) for n, k in ((hub, "point"), (frame, "frame"), (contact, "point"))
-        ]
-        x = [n.x0 for n in nodes]
-        self.add(name, "wheel", nodes, parts.wheel(x[0], x[1], x[2], radius, axle, normal, height, owner))
+    point_mass = bodies.point_mass
+    body = bodies.body
+    truss = joints.truss
+    hinge = joints.hinge
+    bearing = joints.bearing
+    fixed_point = joints.fixed_point
+    wheel = joints.wheel
+    beam = beams.beam
 
     # -- laws ------------------------------------------------------------------------------------
 
@@ -401,13 +177,13 @@ class Model:
     def spring(self, name: str, stiffness: float, damping: float = 0.0, preload: float = 0.0) -> None:
         """A linear spring and damper on one deformation: σ = preload + stiffness e + damping ė."""
         owner = f"spring on '{name}'"
-        parts.not_negative(stiffness, owner, "stiffness")
-        parts.not_negative(damping, owner, "damping")
+        not_negative(stiffness, owner, "stiffness")
+        not_negative(damping, owner, "damping")
         self.linear_law([name], [[stiffness]], [[damping]], [preload])
 
     def viscous(self, name: str, damping: float) -> None:
         """Viscous resistance on one slip, τ = damping s; the slip becomes free."""
-        values = {"C": np.array([parts.not_negative(damping, f"damper on '{name}'", "damping")])}
+        values = {"C": np.array([not_negative(damping, f"damper on '{name}'", "damping")])}
         self._law(LawInstance(name, LAWS["viscous_1"], (), (name,), values))
 
     def law(self, name: str, stress: Callable[..., Any], energy: Callable[..., Any] | None = None) -> None:
@@ -445,12 +221,12 @@ class Model:
             if node not in self.nodes:
                 raise ModelError(f"fix: {unknown(node, self.nodes, 'node')}")
             target = self.nodes[node]
-            parts_ = COMPONENTS[target.kind]
-            if component and component not in parts_:
+            components = COMPONENTS[target.kind]
+            if component and component not in components:
                 raise ModelError(
-                    f"fix: node '{node}' has no coordinate '{component}'; it has {', '.join(parts_)}"
+                    f"fix: node '{node}' has no coordinate '{component}'; it has {', '.join(components)}"
                 )
-            held = target.fixed | np.array([not component or c == component for c in parts_])
+            held = target.fixed | np.array([not component or c == component for c in components])
             self.nodes[node] = replace(target, fixed=held)
 
     def release(self, *names: str) -> None:
@@ -530,7 +306,7 @@ class Model:
 
     def angular_velocity(self, frame: Node | str, body_axes: bool = False) -> str:
         """Measure a frame's angular velocity; its components are the slips ``<returned name>.wx``, ``wy``, ``wz``."""
-        node = self._of_kind(frame, ("frame",), "angular_velocity")
+        node = self.of_kind(frame, ("frame",), "angular_velocity")
         return self._sensor(node, body_axes)
 
     # -- finish ----------------------------------------------------------------------------------

@@ -158,8 +158,9 @@ def plain(values: ArrayLike) -> object:
 def _rows(quantity: Quantity) -> Iterable[tuple[str, ...]]:
     """Yield the table's lines for one quantity."""
     computed, errors = np.asarray(quantity.computed), quantity.errors
-    if errors is not None and errors.shape != np.shape(quantity.reference):
-        shapes = f"shape {np.shape(quantity.reference)}", f"shape {computed.shape}"
+    reference = None if quantity.reference is None else np.asarray(quantity.reference)
+    if reference is not None and reference.shape != computed.shape:
+        shapes = f"shape {reference.shape}", f"shape {computed.shape}"
         yield (quantity.name, *shapes, "inf", f"{quantity.tolerance:.0e}", "NO", quantity.source)
         return
     chosen = list(np.ndindex(computed.shape))
@@ -174,7 +175,7 @@ def _rows(quantity: Quantity) -> Iterable[tuple[str, ...]]:
             fits = quantity.ok
         yield (
             quantity.name + (f"[{','.join(map(str, index))}]" if index else "") + note,
-            "-" if quantity.reference is None else _number(np.asarray(quantity.reference)[index]),
+            "-" if reference is None else _number(reference[index]),
             _number(computed[index]) + (f" {quantity.unit}" if quantity.unit else ""),
             "-" if error is None else f"{error:.1e}",
             "-" if error is None else f"{quantity.tolerance:.0e}",

@@ -12,7 +12,7 @@ from functools import cached_property
 
 import numpy as np
 
-from flexel import dynamics
+from flexel import dynamics, states
 from flexel.diagnose import choose_freedoms
 from flexel.errors import ConstraintError, ModelError, PositionError
 from flexel.evaluate import Evaluation
@@ -52,9 +52,10 @@ class System:
 
     def _use(self, roles: Roles) -> None:
         self.roles = roles
-        self.kinematics = self._kinematics_of(roles)
+        self.kinematics = self.kinematics_of(roles)
 
-    def _kinematics_of(self, roles: Roles) -> Kinematics:
+    def kinematics_of(self, roles: Roles) -> Kinematics:
+        """The kinematic problems in the coordinates `roles`, kept for the next time."""
         if id(roles) not in self._kinematics:
             self._kinematics[id(roles)] = Kinematics(self.evaluation, roles)
         return self._kinematics[id(roles)]
@@ -108,7 +109,7 @@ class System:
         c = kinematics.position(t, y[:nq], self._x)
         B = kinematics.velocity_matrix(c)
         v = kinematics.velocity(c, B, y[nq:])
-        self._x, self._e = c.x, self._unwrap(c.e, self._e)
+        self._x, self._e = c.x, states.unwrap(self.structure, c.e, self._e)
         F = dynamics.forces(kinematics, self.loads, c, v, self._e)
         motion = dynamics.accelerations(kinematics, c, B, v, F)
         return np.concatenate([y[nq:], c.J[self.roles.kinematic] @ v, motion.qdd])
@@ -119,7 +120,7 @@ class System:
         c = kinematics.position(t, q, guess.x)
         B = kinematics.velocity_matrix(c)
         v = kinematics.velocity(c, B, qd)
-        F = dynamics.forces(kinematics, self.loads, c, v, self._unwrap(c.e, guess.e))
+        F = dynamics.forces(kinematics, self.loads, c, v, states.unwrap(self.structure, c.e, guess.e))
         H, g = dynamics.unit_solutions(kinematics, B), B.solve(kinematics.convective(c, v))
         return np.asarray(H.T @ (F.M[:nf, :nf] @ (H @ qdd + g) - F.F[:nf]))
 
@@ -138,7 +139,7 @@ class System:
     def state(self, t: float, x: Array, v: Array, e: Array | None = None) -> State:
         """Complete state from coordinates and rates that satisfy the constraints; e counts the turns."""
         principal, J = self.evaluation.position(x)
-        e = principal if e is None else self._unwrap(principal, e)
+        e = principal if e is None else states.unwrap(self.structure, principal, e)
         c = Configuration(t, x, e, J)
         if not np.any(v) and self.roles.motions:
             B = self.kinematics.velocity_matrix(c)
@@ -169,74 +170,11 @@ class System:
         ModelError, PositionError
             A name that is no freedom; an unreachable position; inconsistent rates, by name.
         """
-        start = self.initial if start is None else start
-        t = start.t if t is None else t
-        q = self._freedom_values(start)
-        for name, value in (values or {}).items():
-            i = self.structure.find(name)
-            if i not in self.roles.freedoms:
-                names = self.kinematics.names(self.roles.freedoms)
-                raise ModelError(f"'{name}' is not a freedom; values can be given to {names}")
-            q[list(self.roles.freedoms).index(i)] = float(value)
-        c = self.kinematics.position(t, q, start.x)
-        e = self._freedom_angles(self._unwrap(c.e, start.e), q, self.roles)
-        qd = start.qd if rates is None else self.consistent_rates(c, rates)
-        v = self.kinematics.velocity(c, self.kinematics.velocity_matrix(c), qd)
-        return dynamics.complete(self.kinematics, self.loads, c, v, e)
-
-    def consistent_rates(self, c: Configuration, rates: Mapping[str, float]) -> Array:
-        """Rates q_d' (nd,) that give the named rates; those that nothing determines are zero.
-
-        Raises
-        ------
-        PositionError
-            If the rates contradict one another or the constraints.
-        """
-        rows = np.array([self.structure.find(name) for name in rates], dtype=np.intp)
-        wanted = np.array([float(z) for z in rates.values()])
-        if not np.all(np.isfinite(wanted)):
-            raise ModelError(f"initial rates {dict(rates)} are not all finite; give finite numbers")
-        nf, kinematics = self.structure.nf, self.kinematics
-        B = kinematics.velocity_matrix(c)
-        H = dynamics.unit_solutions(kinematics, B)
-        v0 = kinematics.velocity(c, B, np.zeros(self.roles.nd))
-        J = c.J[rows, :nf]
-        missing = wanted - J @ v0[:nf]
-        qd = np.linalg.lstsq(J @ H, missing, rcond=1e-12)[0] if rows.size else np.zeros(self.roles.nd)
-        off = missing - J @ (H @ qd)
-        scale = max(float(np.max(np.abs(wanted), initial=0.0)), 1e-12)
-        if np.max(np.abs(off), initial=0.0) > 1e-9 * scale:
-            worst = int(np.argmax(np.abs(off)))
-            raise PositionError(
-                f"initial rates are inconsistent: '{list(rates)[worst]}' cannot be {wanted[worst]:g} together with the "
-                f"others and the constraints (off by {off[worst]:.3g}); give at most {self.roles.nd} independent rates"
-            )
-        return np.asarray(qd)
+        return states.state_at(self, values or {}, rates, t, start or self.initial)
 
     def state_from(self, t: float, y: Array, roles: Roles, previous: State) -> State:
         """Complete state from y = (q, q_d') in the coordinates `roles`, turns counted from an earlier state."""
-        kinematics, nq = self._kinematics_of(roles), roles.nq
-        guess = previous.x + (t - previous.t) * previous.v if nq == 0 else previous.x
-        c = kinematics.position(t, y[:nq], guess)
-        v = kinematics.velocity(c, kinematics.velocity_matrix(c), y[nq:])
-        m = self.structure.m
-        predicted = previous.e + (t - previous.t) * (previous.J[:m] @ previous.v + c.J[:m] @ v) / 2
-        e = self._freedom_angles(self._unwrap(c.e, predicted), y[:nq], roles)
-        return dynamics.complete(kinematics, self.loads, c, v, e)
-
-    def _freedom_values(self, state: State) -> Array:
-        return np.array(state.values[self.roles.freedoms])
-
-    def _freedom_angles(self, e: Array, q: Array, roles: Roles) -> Array:
-        """Deformations that are freedoms take the freedoms' own values, turns included."""
-        own = roles.freedoms < self.structure.m
-        e[roles.freedoms[own]] = q[own]
-        return e
-
-    def _unwrap(self, e: Array, reference: Array) -> Array:
-        angle = self.structure.angle[: self.structure.m]
-        turns = np.where(angle, np.round((reference - e) / (2 * np.pi)), 0.0)
-        return np.asarray(e + 2 * np.pi * turns)
+        return states.state_from(self, t, y, roles, previous)
 
     # -- choice of coordinates -------------------------------------------------------------------
 

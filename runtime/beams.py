@@ -1,0 +1,193 @@
+"""Beams: the method of `Model` that lays one between nodes, its reference triads and its stiffness.
+
+Imports numpy, the errors, the orientation, the element table and the shared checks.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from flexel.checks import in_frame, not_negative, positive, span
+from flexel.errors import ModelError
+from flexel.generated.table import ELEMENTS
+from flexel.orientation import matrix, triad, vector
+from flexel.structure import Array, Node
+
+if TYPE_CHECKING:
+    from flexel.model import Model
+
+MODES = ("elongation", "torsion", "bend1", "bend2", "bend3", "bend4")
+PLANAR = (0, 4, 5)  # the modes of a planar beam among those of the spatial one; its plane has the normal z
+
+
+def beam(
+    self: Model,
+    name: str,
+    p: Node | str,
+    frame_p: Node | str,
+    q: Node | str,
+    frame_q: Node | str | None = None,
+    *,
+    rigid: bool = False,
+    direction: Sequence[float] | Array | None = None,
+    EA: float | None = None,
+    GJ: float | None = None,
+    EIy: float | None = None,
+    EIz: float | None = None,
+    GAy: float | None = None,
+    GAz: float | None = None,
+    damping: float = 0.0,
+    mass_per_length: float = 0.0,
+    inertia_per_length: Any = None,
+    second_order: bool = True,
+) -> None:
+    """Lay a straight beam between two points; without a second frame, the rigid three-node beam.
+
+    Parameters
+    ----------
+    rigid : bool
+        All modes rigid.  Otherwise the modes whose stiffness is given are flexible, the others rigid.
+    direction : sequence of float (3,)
+        Global direction of the section's y axis as drawn.
+    EA, GJ, EIy, EIz : float
+        Axial [N], torsional and bending stiffness [N m²] about the section's axes; planar beams use EA and EIz.
+    GAy, GAz : float
+        Shear stiffness k G A [N] for deflection in y and z; none means no shear deformation.
+    damping : float
+        Kelvin–Voigt damping: ratio of damping to stiffness [s].
+    mass_per_length : float
+        [kg/m]
+    inertia_per_length : sequence of float (3,), or float for a planar beam
+        Rotary inertia per length [kg m] about the section's x, y, z axes.
+    second_order : bool
+        Second-order terms in the deformations (Meijaard 1996); without them more elements are needed.
+
+    Raises
+    ------
+    ModelError
+        Points that coincide, a stiffness that is not positive, a beam neither rigid nor flexible.
+    """
+    owner = f"beam '{name}'"
+    ends = [(p, "point"), (frame_p, "frame"), (q, "point")]
+    planar, nodes = self.resolve(owner, *ends, *([] if frame_q is None else [(frame_q, "frame")]))
+    section = {"EA": EA, "GJ": GJ, "EIy": EIy, "EIz": EIz, "GAy": GAy, "GAz": GAz}
+    given = {key: positive(z, owner, key) for key, z in section.items() if z is not None}
+    _check_kind(owner, rigid, bool(given), frame_q is not None)
+    if planar and given.keys() - {"EA", "EIz", "GAy"}:
+        raise ModelError(
+            f"{owner}: a planar beam takes EA, EIz and GAy, not {sorted(given)}; drop the others"
+        )
+    mass = _mass(owner, planar, mass_per_length, inertia_per_length)
+    if frame_q is None:
+        shape = (_planar_offset if planar else _offset)(nodes, owner)
+        self.add(name, "planar_beam3" if planar else "beam3", nodes, shape | mass)
+        return
+    shape = _planar_triads(nodes, owner) if planar else _triads(nodes, direction, owner)
+    l0 = float(shape["l0"][0])
+    phi_y, phi_z = shear_numbers(l0, given)
+    shear = {"phi_z": phi_y} if planar else {"phi_y": phi_y, "phi_z": phi_z}
+    element = ("planar_beam" if planar else "beam") + ("" if second_order else "_first_order")
+    self.add(name, element, nodes, shape | mass | {key: np.array([z]) for key, z in shear.items()})
+    if given:
+        modes = [d.name for d in ELEMENTS[element].deformations]
+        free, S = beam_stiffness(l0, modes, given, phi_y, phi_z)
+        D = not_negative(damping, owner, "damping") * S
+        self.linear_law([f"{name}.{z}" for z in free], S, D)
+
+
+def _check_kind(owner: str, rigid: bool, flexible: bool, two_frames: bool) -> None:
+    if rigid and flexible:
+        raise ModelError(f"{owner}: rigid=True and a stiffness contradict one another; drop one")
+    if two_frames and not (rigid or flexible):
+        raise ModelError(f"{owner}: neither rigid nor flexible; give rigid=True or EA, GJ, EIy, EIz")
+    if flexible and not two_frames:
+        raise ModelError(
+            f"{owner}: one frame makes it the rigid three-node beam; give a second frame to bend it"
+        )
+
+
+def _mass(owner: str, planar: bool, per_length: float, inertia: Any) -> dict[str, Array]:
+    size = 1 if planar else 3
+    J = (
+        np.zeros(size)
+        if inertia is None
+        else vector(np.atleast_1d(inertia), owner, "inertia_per_length", size)
+    )
+    if np.any(J < 0):
+        raise ModelError(f"{owner}: inertia_per_length {J.tolist()} has a negative entry; give zero or more")
+    return {"rhoA": np.array([not_negative(per_length, owner, "mass_per_length")]), "rhoJ": J}
+
+
+def _triads(nodes: Sequence[Node], direction: Any, owner: str) -> dict[str, Array]:
+    """Length and reference triads of a straight spatial beam (p, frame p, q, frame q)."""
+    xp, rp, xq, rq = (n.x0 for n in nodes)
+    e_x, l0 = span(xp, xq, owner)
+    t = triad(e_x, direction, owner)
+    return {"l0": np.array([l0]), "tp": in_frame(rp, t), "tq": in_frame(rq, t)}
+
+
+def _offset(nodes: Sequence[Node], owner: str) -> dict[str, Array]:
+    """Offset of q in the triad of the frame; with coinciding points, a mere connection."""
+    xp, rp, xq = (n.x0 for n in nodes)
+    l0 = float(np.linalg.norm(xq - xp))
+    t = triad((xq - xp) / l0, None, owner) if l0 > 0 else rp
+    return {"tp": in_frame(rp, t), "d0": matrix(t).T @ (xq - xp), "l0": np.array([l0])}
+
+
+def _planar_triads(nodes: Sequence[Node], owner: str) -> dict[str, Array]:
+    """Length and reference directions of a straight planar beam."""
+    xp, phi_p, xq, phi_q = (n.x0 for n in nodes)
+    e, l0 = span(xp, xq, owner)
+    alpha = np.arctan2(e[1], e[0])
+    return {"l0": np.array([l0]), "alpha0": alpha - phi_p, "alphaq0": alpha - phi_q}
+
+
+def _planar_offset(nodes: Sequence[Node], owner: str) -> dict[str, Array]:
+    """Offset of q seen from the frame's angle, for the planar rigid link."""
+    xp, phi, xq = (n.x0 for n in nodes)
+    d = xq - xp
+    l0 = float(np.linalg.norm(d))
+    alpha = np.arctan2(d[1], d[0]) if l0 > 0 else phi
+    return {"alpha0": np.atleast_1d(alpha - phi), "d0": np.array([l0, 0.0]), "l0": np.array([l0])}
+
+
+def shear_numbers(l0: float, given: Mapping[str, float]) -> tuple[float, float]:
+    """Shear numbers (Φ_y, Φ_z) = 12 E I / (k G A l0²) of deflection in y and in z; 0 without shear stiffness."""
+    phi_y = 12 * given.get("EIz", 0.0) / (given["GAy"] * l0**2) if "GAy" in given else 0.0
+    phi_z = 12 * given.get("EIy", 0.0) / (given["GAz"] * l0**2) if "GAz" in given else 0.0
+    return phi_y, phi_z
+
+
+def bending_block(EI: float, phi: float, l0: float) -> Array:
+    """Stiffness (2, 2) of the two bending modes of one plane."""
+    return np.array([[4 + phi, -2 + phi], [-2 + phi, 4 + phi]]) * EI / ((1 + phi) * l0**3)
+
+
+def beam_stiffness(
+    l0: float, modes: Sequence[str], given: Mapping[str, float], phi_y: float, phi_z: float
+) -> tuple[list[str], Array]:
+    """Flexible modes, in the order of `modes`, and their stiffness matrix.
+
+    Parameters
+    ----------
+    modes : sequence of str
+        The element's deformations: six, or the three of a planar beam.
+    given : mapping
+        EA, GJ, EIy, EIz; absent means that these modes are rigid.
+    """
+    K = np.zeros((6, 6))
+    if "EA" in given:
+        K[0, 0] = given["EA"] / l0
+    if "GJ" in given:
+        K[1, 1] = given["GJ"] / l0**3
+    if "EIy" in given:
+        K[2:4, 2:4] = bending_block(given["EIy"], phi_z, l0)
+    if "EIz" in given:
+        K[4:6, 4:6] = bending_block(given["EIz"], phi_y, l0)
+    places = PLANAR if len(modes) == len(PLANAR) else range(6)
+    keep = [i for i in places if K[i, i] > 0]
+    names = dict(zip(places, modes, strict=True))
+    return [names[i] for i in keep], K[np.ix_(keep, keep)]

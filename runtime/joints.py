@@ -1,0 +1,166 @@
+"""Joints and connections: the methods of `Model` for trusses, hinges, bearings, body points and wheels.
+
+Imports numpy, the errors, the orientation and the shared checks.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from flexel.checks import in_frame, not_negative, positive, span
+from flexel.errors import ModelError
+from flexel.orientation import matrix, triad, unit, vector
+from flexel.structure import Array, Node
+
+if TYPE_CHECKING:
+    from flexel.model import Model
+
+Vector = Sequence[float] | Array
+
+
+def truss(
+    self: Model,
+    name: str,
+    p: Node | str,
+    q: Node | str,
+    *,
+    stiffness: float | None = None,
+    damping: float = 0.0,
+    mass_per_length: float = 0.0,
+) -> None:
+    """Join two points by a bar; rigid unless a stiffness EA / length [N/m] is given.
+
+    Its elongation may be prescribed or independent: a hydraulic cylinder.
+    """
+    owner = f"truss '{name}'"
+    planar, nodes = self.resolve(owner, (p, "point"), (q, "point"))
+    l0 = span(nodes[0].x0, nodes[1].x0, owner)[1]
+    rhoA = np.array([not_negative(mass_per_length, owner, "mass_per_length")])
+    self.add(name, "planar_truss" if planar else "truss", nodes, {"l0": np.array([l0]), "rhoA": rhoA})
+    if stiffness is not None:
+        self.spring(f"{name}.elongation", positive(stiffness, owner, "stiffness"), damping)
+
+
+def hinge(
+    self: Model,
+    name: str,
+    p: Node | str,
+    q: Node | str,
+    axis: Vector | None = None,
+    *,
+    stiffness: float | Sequence[float] | None = None,
+    damping: float | Sequence[float] = 0.0,
+) -> None:
+    """Join two orientations by a hinge; the angle is free, zero as drawn.
+
+    Parameters
+    ----------
+    axis : sequence of float (3,)
+        Direction of the axis in global axes as drawn; not needed in a planar model.
+    stiffness, damping : float or three of them
+        Torsional spring [N m/rad] and damper [N m s/rad] on the angle, or on the angle and both bending
+        deformations: a flexible hinge.
+    """
+    owner = f"hinge '{name}'"
+    planar, nodes = self.resolve(owner, (p, "frame"), (q, "frame"))
+    if planar:
+        self.add(name, "planar_hinge", nodes, {"offset0": nodes[1].x0 - nodes[0].x0})
+    else:
+        if axis is None:
+            raise ModelError(f"{owner}: a spatial hinge needs an axis; give axis=(x, y, z)")
+        self.add(name, "hinge", nodes, hinge_triads(nodes[0].x0, nodes[1].x0, axis, owner))
+    modes = ("angle",) if planar else ("angle", "bend1", "bend2")
+    _joint_springs(self, name, modes, stiffness, damping)
+
+
+def hinge_triads(rp: Array, rq: Array, axis: Any, owner: str) -> dict[str, Array]:
+    """Reference triads at both frames of a hinge about an axis in global directions of the drawing."""
+    t = triad(unit(axis, owner, "axis"), None, owner)
+    return {"tp": in_frame(rp, t), "tq": in_frame(rq, t)}
+
+
+def _joint_springs(self: Model, name: str, modes: Sequence[str], stiffness: Any, damping: Any) -> None:
+    owner = f"hinge '{name}'"
+    if stiffness is None and not np.any(damping):
+        return
+    k = np.atleast_1d(np.asarray(0.0 if stiffness is None else stiffness, dtype=float))
+    if k.shape not in ((1,), (len(modes),)):
+        raise ModelError(
+            f"{owner}: stiffness needs one number or {len(modes)}, for {', '.join(modes)}; it has shape {k.shape}"
+        )
+    d = np.atleast_1d(np.asarray(damping, dtype=float))
+    if d.shape not in ((1,), k.shape):
+        raise ModelError(f"{owner}: damping needs one number or as many as stiffness; it has shape {d.shape}")
+    for mode, ki, di in zip(modes, k, np.broadcast_to(d, k.shape), strict=False):
+        self.spring(f"{name}.{mode}", float(ki), float(di))
+
+
+def bearing(
+    self: Model, name: str, p: Node | str, rp: Node | str, q: Node | str, rq: Node | str, axis: Vector
+) -> None:
+    """Join two bodies by a hinge that also holds the points p and q together, as drawn; the angle is free."""
+    owner = f"bearing '{name}'"
+    kinds = ((p, "point"), (rp, "frame"), (q, "point"), (rq, "frame"))
+    nodes = [self.of_kind(n, (k,), owner) for n, k in kinds]
+    t = triad(unit(axis, owner, "axis"), None, owner)
+    values = hinge_triads(nodes[1].x0, nodes[3].x0, axis, owner)
+    self.add(name, "bearing", nodes, values | {"d0": matrix(t).T @ (nodes[2].x0 - nodes[0].x0)})
+
+
+def fixed_point(self: Model, name: str, p: Node | str, frame: Node | str, q: Node | str) -> None:
+    """Hold the point q at its drawn place in the body (p, frame): SPACAR's PINBODY, without mass."""
+    self.beam(name, p, frame, q, rigid=True)
+
+
+def wheel(
+    self: Model,
+    name: str,
+    hub: Node | str,
+    frame: Node | str,
+    contact: Node | str,
+    *,
+    radius: float,
+    axle: Vector,
+    normal: Vector = (0.0, 0.0, 1.0),
+    height: float = 0.0,
+) -> None:
+    """Roll a knife-edge wheel without slip on the plane normal·x = height.
+
+    Parameters
+    ----------
+    axle : sequence of float (3,)
+        Direction of the axle in global axes as drawn.
+    normal : sequence of float (3,)
+        Normal of the road, pointing up.
+
+    Raises
+    ------
+    ModelError
+        If the axle is normal to the road: the wheel lies flat and has no lowest point.
+
+    Notes
+    -----
+    The slips ``longitudinal`` and ``lateral`` are zero (pure rolling); ``m.release("rear.lateral")`` frees one.
+    """
+    owner = f"wheel '{name}'"
+    nodes = [self.of_kind(n, (k,), owner) for n, k in ((hub, "point"), (frame, "frame"), (contact, "point"))]
+    xw, rw, xc = (n.x0 for n in nodes)
+    a, n = unit(axle, owner, "axle"), unit(normal, owner, "road normal")
+    if np.linalg.norm(np.cross(a, n)) < 1e-6:
+        raise ModelError(
+            f"{owner}: its axle {tuple(a.tolist())} is normal to the road, so that no point is lowest; tilt it"
+        )
+    if np.linalg.norm(xc - xw) < 1e-12:
+        raise ModelError(
+            f"{owner}: contact point and hub coincide at {tuple(xw.tolist())}; put the contact on the road"
+        )
+    values = {
+        "radius": np.array([positive(radius, owner, "radius")]),
+        "axle": matrix(rw).T @ a,
+        "normal": n,
+        "height": vector([height], owner, "road height", 1),
+    }
+    self.add(name, "wheel", nodes, values)
