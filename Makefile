@@ -8,6 +8,7 @@ OUT ?= out
 PYTEST ?= -n 2
 TYPED := build/typed
 
+PIP := $(VENV)/bin/pip install --quiet --disable-pip-version-check
 SETUP := pyproject.toml setup.py
 SOURCES := $(SETUP) $(wildcard generated/*.c generated/*.h generated/build.py)
 WARNINGS := -std=c11 -O2 -fopenmp-simd -Wall -Wextra -Wpedantic -Werror
@@ -16,7 +17,7 @@ WARNINGS := -std=c11 -O2 -fopenmp-simd -Wall -Wextra -Wpedantic -Werror
 
 demo: $(VENV)/installed-plot
 	$(VENV)/bin/flexel derive
-	@$(MAKE) --no-print-directory $(VENV)/installed-plot
+	@$(MAKE) --no-print-directory $(VENV)/installed
 	$(VENV)/bin/flexel verify
 	$(VENV)/bin/flexel reproduce bicycle --out $(OUT)/bicycle
 	@echo; echo "The pictures are in $(abspath $(OUT))/bicycle:"; ls $(OUT)/bicycle
@@ -34,7 +35,7 @@ types: $(VENV_LINT)/installed
 	$(VENV_LINT)/bin/python setup.py --quiet build_py --build-lib $(TYPED)
 	cd $(TYPED) && MYPYPATH=. $(abspath $(VENV_LINT))/bin/mypy --config-file $(CURDIR)/pyproject.toml --strict -p flexel
 
-check: $(VENV)/installed-test
+check: $(VENV)/installed
 	$(VENV)/bin/flexel derive --check
 
 # The generated C, one file at a time, with every warning an error.
@@ -65,14 +66,20 @@ prerequisites:
 $(VENV)/bin/python $(VENV_LINT)/bin/python: %/bin/python: | prerequisites
 	$(PYTHON) -m venv --clear $*
 
-# An editable install with its extra; compiles the kernels, and does so again when one of them has changed.
-$(VENV)/installed-%: $(SOURCES) | $(VENV)/bin/python
-	$(VENV)/bin/pip install --quiet --disable-pip-version-check --editable '.[$*]'
+# An editable install: compiles the kernels (a minute or two), and does so again when one of them has changed.
+$(VENV)/installed: $(SOURCES) | $(VENV)/bin/python
+	$(PIP) --editable .
+	@touch $@
+
+# What an extra asks for, beside the installed package: nothing is compiled again.
+$(VENV)/installed-%: $(VENV)/installed
+	$(PIP) 'flexel[$*]'
 	@touch $@
 
 # The tools and what they must see, without flexel itself: nothing to compile.
 $(VENV_LINT)/installed: pyproject.toml | $(VENV_LINT)/bin/python
-	$(PYTHON) -c 'import tomllib; p = tomllib.load(open("pyproject.toml", "rb"))["project"]; \
-	  e = p["optional-dependencies"]; print(*p["dependencies"], *e["plot"], *e["lint"], "setuptools", sep="\n")' > $(VENV_LINT)/needs.txt
+	$(PYTHON) -c 'import tomllib; t = tomllib.load(open("pyproject.toml", "rb")); p = t["project"]; \
+	  extras = p["optional-dependencies"]; needs = p["dependencies"] + extras["plot"] + extras["lint"]; \
+	  print(*needs, *t["build-system"]["requires"], sep="\n")' > $(VENV_LINT)/needs.txt
 	$(VENV_LINT)/bin/pip install --quiet --disable-pip-version-check --requirement $(VENV_LINT)/needs.txt
 	@touch $@
