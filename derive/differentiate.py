@@ -8,6 +8,7 @@ each other, is computed once. May import sympy and the program's rooms.
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from functools import cache
+from heapq import heapify, heappop, heappush
 
 import sympy as sp
 
@@ -75,7 +76,9 @@ def _power(p: Program, number: int) -> list[tuple[int, int]]:
     return pairs
 
 
-def forward(program: Program, outputs: Sequence[int], seeds: Mapping[int, int]) -> list[int]:
+def forward(
+    program: Program, outputs: Sequence[int], seeds: Mapping[int, int], inputs: Sequence[int] = ()
+) -> list[int]:
     """Directional derivatives of the outputs.
 
     Parameters
@@ -85,6 +88,8 @@ def forward(program: Program, outputs: Sequence[int], seeds: Mapping[int, int]) 
         Rows to differentiate.
     seeds : mapping of int to int
         Tangents of inputs; all others are zero.
+    inputs : sequence of int
+        Rows that count as inputs, although they may depend on others: their tangents are the seeds.
 
     Returns
     -------
@@ -93,9 +98,10 @@ def forward(program: Program, outputs: Sequence[int], seeds: Mapping[int, int]) 
     """
     p = program
     tangents = {row: tangent for row, tangent in seeds.items() if tangent != p.zero}
+    given = set(seeds).union(inputs)
     for number in p.reachable(outputs):
         op, args, _ = p.rows[number]
-        if op in LEAVES or op in CONDITIONS or number in tangents:
+        if op in LEAVES or op in CONDITIONS or number in given:
             continue
         if not any(arg in tangents for arg in args):
             continue
@@ -120,7 +126,7 @@ def gradient(program: Program, output: int, inputs: Sequence[int]) -> list[int]:
     output : int
         Row to differentiate.
     inputs : sequence of int
-        Inputs to differentiate by.
+        Rows to differentiate by; they count as inputs, although they may depend on others.
 
     Returns
     -------
@@ -129,16 +135,90 @@ def gradient(program: Program, output: int, inputs: Sequence[int]) -> list[int]:
     """
     p = program
     order = p.reachable([output])
-    active = set(inputs)
+    given, active = set(inputs), set(inputs)
     for number in order:
-        if p.rows[number].op not in CONDITIONS and any(arg in active for arg in p.rows[number].args):
+        if number not in given and p.rows[number].op not in CONDITIONS and any(arg in active for arg in p.rows[number].args):
             active.add(number)
     adjoints = {output: p.one} if output in active else {}
     for number in reversed(order):
         adjoint = adjoints.get(number, p.zero)
-        if adjoint == p.zero or p.rows[number].op in LEAVES:
+        if adjoint == p.zero or number in given or p.rows[number].op in LEAVES:
             continue
         for arg, partial in partials(p, number):
             if arg in active:
                 adjoints[arg] = p.add(adjoints.get(arg, p.zero), p.mul(adjoint, partial))
     return [adjoints.get(number, p.zero) for number in inputs]
+
+
+class _Edges:
+    """The graph of local partial derivatives between inputs and outputs, while vertices are eliminated from it."""
+
+    def __init__(self, program: Program, outputs: Sequence[int], inputs: Sequence[int]) -> None:
+        self.program = program
+        self.into: dict[int, dict[int, int]] = {row: {} for row in inputs}  # vertex to {argument: partial}
+        self.out: dict[int, set[int]] = {row: set() for row in inputs}  # vertex to its users
+        for number in program.reachable(outputs):
+            row = program.rows[number]
+            if number in self.into or row.op in CONDITIONS or not any(arg in self.into for arg in row.args):
+                continue
+            self.into[number], self.out[number] = {}, set()
+            for arg, partial in partials(program, number):
+                if arg in self.into:
+                    self.add(arg, number, partial)
+        self.inner = [number for number in self.into if number not in set(inputs)]
+        for i, number in enumerate(outputs):  # outputs are vertices of their own, numbered -1, -2, ...
+            self.into[-1 - i] = {}
+            if number in self.into:
+                self.add(number, -1 - i, program.one)
+
+    def add(self, start: int, end: int, partial: int) -> None:
+        """Add to the partial derivative of a vertex by another."""
+        total = self.program.add(self.into[end].get(start, self.program.zero), partial)
+        if total == self.program.zero:
+            self.into[end].pop(start, None)
+            self.out[start].discard(end)
+        else:
+            self.into[end][start] = total
+            self.out[start].add(end)
+
+    def cost(self, vertex: int) -> int:
+        """Multiplications and additions that it takes to eliminate a vertex."""
+        into = self.into[vertex]
+        constant = self.program.constant
+        wide = sum(constant(partial) is None for partial in into.values())
+        total = 0
+        for user in self.out[vertex]:
+            total += wide if constant(self.into[user][vertex]) is None else 0
+            total += sum(argument in self.into[user] for argument in into)
+        return total
+
+    def eliminate(self, vertex: int) -> None:
+        """Connect the users of a vertex with its arguments; the chain rule."""
+        into = self.into.pop(vertex)
+        for user in sorted(self.out.pop(vertex)):
+            outer = self.into[user].pop(vertex)
+            for argument, inner in into.items():
+                self.add(argument, user, self.program.mul(outer, inner))
+        for argument in into:
+            self.out[argument].discard(vertex)
+
+
+def elimination(program: Program, outputs: Sequence[int], inputs: Sequence[int]) -> list[list[int]]:
+    """Derivatives of outputs by inputs, by eliminating intermediate rows in the order of their cost.
+
+    The chain rule may be applied in any order; forward and reverse sweeps are two of them. Here the row that is
+    cheapest to remove goes first (Griewank and Walther 2008, Evaluating Derivatives, ch. 9: Markowitz rule).
+    """
+    edges = _Edges(program, outputs, inputs)
+    heap = [(edges.cost(vertex), vertex) for vertex in edges.inner]
+    heapify(heap)
+    while heap:
+        cost, vertex = heappop(heap)
+        if vertex not in edges.out:
+            continue
+        now = edges.cost(vertex)
+        if heap and (now, vertex) > heap[0]:
+            heappush(heap, (now, vertex))
+            continue
+        edges.eliminate(vertex)
+    return [[edges.into[-1 - i].get(number, program.zero) for number in inputs] for i in range(len(outputs))]

@@ -12,6 +12,17 @@ import sympy as sp
 
 from flexel.derive.differentiate import forward, gradient
 from flexel.derive.element import Element, Law
+from flexel.derive.layers import (
+    Matrix,
+    Rows,
+    flat,
+    hessian,
+    jacobian,
+    linear_layer,
+    product,
+    pulled_jacobian,
+    transpose,
+)
 from flexel.derive.lower import Lowering
 from flexel.derive.program import Program
 
@@ -56,10 +67,6 @@ class Derived:
     kernels: dict[str, Kernel]
 
 
-Rows = list[int]
-Matrix = list[list[int]]
-
-
 class _Builder:
     """Program, input arrays and kernels while they are made."""
 
@@ -70,7 +77,7 @@ class _Builder:
 
     def array(self, name: str, component_names: Sequence[str]) -> Rows:
         """Declare an input array, with a name for each component."""
-        rows = [self.program.input(f"{name}.{i}") for i in range(len(component_names))]
+        rows = [self.program.input(f"{name}.{i}", name == "p") for i in range(len(component_names))]
         self.inputs[name] = tuple(rows)
         self.program.names.update(zip(rows, component_names, strict=True))
         return rows
@@ -86,34 +93,6 @@ class _Builder:
 
     def derived(self) -> Derived:
         return Derived(self.program, self.inputs, self.kernels)
-
-
-def _flat(matrix: Matrix) -> Rows:
-    return [entry for row in matrix for entry in row]
-
-
-def jacobian(program: Program, outputs: Rows, inputs: Rows) -> Matrix:
-    """Derivatives of the outputs by the inputs, by forward or reverse sweeps: whichever takes fewer operations."""
-    backward = [gradient(program, output, inputs) for output in outputs]
-    columns = [forward(program, outputs, {i: program.one}) for i in inputs]
-    ahead = [list(row) for row in zip(*columns, strict=True)] if columns else [[] for _ in outputs]
-    fewer = program.operations(_flat(backward) + outputs) <= program.operations(_flat(ahead) + outputs)
-    return backward if fewer else ahead
-
-
-def symmetric_jacobian(program: Program, outputs: Rows, inputs: Rows) -> Matrix:
-    """Derivatives of a gradient: one triangle is computed and serves for both, again the cheaper one."""
-    n = len(inputs)
-    candidates: list[Matrix] = []
-    for upper in (True, False):
-        matrix = [[program.zero] * n for _ in range(n)]
-        for j in range(n):
-            kept = range(j + 1) if upper else range(j, n)
-            column = forward(program, [outputs[i] for i in kept], {inputs[j]: program.one})
-            for i, entry in zip(kept, column, strict=True):
-                matrix[i][j] = matrix[j][i] = entry
-        candidates.append(matrix)
-    return min(candidates, key=lambda matrix: program.operations(_flat(matrix)))
 
 
 def _weighted(program: Program, weights: Rows, rows: Rows) -> int:
@@ -167,7 +146,7 @@ def _kinematic_kernels(b: _Builder, rows: _Lowered) -> None:
     De, V = jacobian(p, rows.e, x), jacobian(p, rows.s, v)
     ed = forward(p, rows.e, along_v)
     g, gs = forward(p, ed, along_v), forward(p, rows.s, along_v)
-    b.kernel("position", "xp", {"e": ((m,), rows.e), "De": ((m, n), _flat(De)), "V": ((k, n), _flat(V))})
+    b.kernel("position", "xp", {"e": ((m,), rows.e), "De": ((m, n), flat(De)), "V": ((k, n), flat(V))})
     b.kernel("velocity", "xvp", {"ed": ((m,), ed), "s": ((k,), rows.s)})
     b.kernel("acceleration", "xvp", {"g": ((m,), g), "gs": ((k,), gs)})
 
@@ -180,29 +159,48 @@ def _kinematic_kernels(b: _Builder, rows: _Lowered) -> None:
     Psi_x = jacobian(p, Psi_e, x) + jacobian(p, Psi_s, x)
     Psi_v = twice + jacobian(p, Psi_s, v)
     shape = (m + k, n)
-    outputs = {"Phi_x": (shape, _flat(ed_x + s_x)), "Psi_x": (shape, _flat(Psi_x)), "Psi_v": (shape, _flat(Psi_v))}
+    outputs = {"Phi_x": (shape, flat(ed_x + s_x)), "Psi_x": (shape, flat(Psi_x)), "Psi_v": (shape, flat(Psi_v))}
     b.kernel("kinematics", "xvap", outputs)
 
-    K = symmetric_jacobian(p, gradient(p, _weighted(p, rows.sigma, rows.e), x), x)
+    K = hessian(p, _weighted(p, rows.sigma, rows.e), x)
     if k:
         K = _plus(p, K, jacobian(p, gradient(p, _weighted(p, rows.tau, rows.s), v), x))
-    b.kernel("stiffness", ("x", "sigma", "tau", "p"), {"K": ((n, n), _flat(K))})
+    b.kernel("stiffness", ("x", "sigma", "tau", "p"), {"K": ((n, n), flat(K))})
 
 
 def _inertia_kernels(b: _Builder, rows: _Lowered) -> None:
+    """M, h, f and U, and the tangent of R = d(dT/dv)/dt - dT/dx + dU/dx, summed over the rows of linear layers."""
     p, x, v, n = b.program, rows.x, rows.v, len(rows.x)
-    momentum, T_x, U_x = gradient(p, rows.T, v), gradient(p, rows.T, x), gradient(p, rows.U, x)
-    M = symmetric_jacobian(p, momentum, v)
-    Mdot_v = forward(p, momentum, dict(zip(x, v, strict=True)))
-    h = [p.sub(*pair) for pair in zip(Mdot_v, T_x, strict=True)]
+    along_v = dict(zip(x, v, strict=True))
+    along = {**along_v, **dict(zip(v, rows.a, strict=True))}
+    layer_v, layer_x = linear_layer(p, [rows.T], v), linear_layer(p, [rows.T], x)
+    momentum = gradient(p, rows.T, layer_v.rows)
+    T_x = list(zip(layer_x.B, map(p.neg, gradient(p, rows.T, layer_x.rows)), strict=True))
+    convective = list(zip(layer_v.B, forward(p, momentum, along_v), strict=True))
+    complete = list(zip(layer_v.B, forward(p, momentum, along), strict=True))
+    U_x = gradient(p, rows.U, x)
+    left, inner = _gathered(p, convective + T_x)
+    M, h = hessian(p, rows.T, v), flat(product(p, left, [[row] for row in inner]))
     f = [p.neg(row) for row in U_x]
-    outputs = {"M": ((n, n), _flat(M)), "h": ((n,), h), "f": ((n,), f), "U": ((1,), [rows.U])}
+    outputs = {"M": ((n, n), flat(M)), "h": ((n,), h), "f": ((n,), f), "U": ((1,), [rows.U])}
     b.kernel("inertia", "xvp", outputs)
 
-    rate = forward(p, momentum, dict(zip(x + v, v + rows.a, strict=True)))  # d(dT/dv)/dt = M a + Mdot v
-    R = [p.add(p.sub(dp, t), u) for dp, t, u in zip(rate, T_x, U_x, strict=True)]
-    R_x, R_v = jacobian(p, R, x), jacobian(p, R, v)
-    b.kernel("tangent", "xvap", {"R_x": ((n, n), _flat(R_x)), "R_v": ((n, n), _flat(R_v))})
+    layer_U = linear_layer(p, [rows.U], x)
+    stiff = list(zip(layer_U.B, gradient(p, rows.U, layer_U.rows), strict=True))
+    left, inner = _gathered(p, complete + T_x + stiff)
+    R_x, R_v = pulled_jacobian(p, left, inner, x), pulled_jacobian(p, left, inner, v)
+    b.kernel("tangent", "xvap", {"R_x": ((n, n), flat(R_x)), "R_v": ((n, n), flat(R_v))})
+
+
+def _gathered(p: Program, terms: list[tuple[Rows, int]]) -> tuple[Matrix, Rows]:
+    """Sum of B' r over rows r of layers, as one matrix and one column; rows with the same B are added up."""
+    sums: dict[tuple[int, ...], int] = {}
+    for B, row in terms:
+        sums[tuple(B)] = p.add(sums.get(tuple(B), p.zero), row)
+    kept = {B: row for B, row in sums.items() if row != p.zero}
+    if not kept:
+        return [[] for _ in terms[0][0]], []
+    return transpose([list(B) for B in kept]), list(kept.values())
 
 
 def derive_element(element: Element) -> Derived:
@@ -229,5 +227,5 @@ def derive_law(law: Law) -> Derived:
     m, k, inputs = len(e), len(s), ("e", "ed", "s", "p")
     b.kernel("law", inputs, {"sigma": ((m,), sigma), "tau": ((k,), tau), "U": ((1,), [energy])})
     J = jacobian(p, sigma + tau, e + ed + s)
-    b.kernel("tangent", inputs, {"J": ((m + k, 2 * m + k), _flat(J))})
+    b.kernel("tangent", inputs, {"J": ((m + k, 2 * m + k), flat(J))})
     return b.derived()

@@ -109,12 +109,9 @@ class Lowering:
         if isinstance(expr, sp.Expr) and expr.is_number and not expr.args:
             return p.const(exact(expr))
         if isinstance(expr, sp.Add):
-            return p.sum(args)
+            return self._sum(args)
         if isinstance(expr, sp.Mul):
-            result = p.one
-            for arg in args:
-                result = p.mul(result, arg)
-            return result
+            return self._product(args)
         if isinstance(expr, sp.Pow):
             return self._power(expr)
         if type(expr) in FUNCTIONS:
@@ -126,6 +123,34 @@ class Lowering:
                 result = p.call(op, result, arg)
             return result
         return self._conditional(expr, args)
+
+    def _product(self, args: list[int]) -> int:
+        """Product of constants times product of the others."""
+        p = self.program
+        parts = [p.one, p.one]
+        for arg in args:
+            changing = not p.is_constant(arg)
+            parts[changing] = p.mul(parts[changing], arg)
+        return p.mul(*parts)
+
+    def _sum(self, args: list[int]) -> int:
+        """Sum, with the constant factors that several terms share taken out of them."""
+        p = self.program
+        groups: dict[int, dict[Fraction, list[int]]] = {}
+        for arg in args:
+            number, row = p.split(arg)
+            op, factors, _ = p.rows[row]
+            constants = [factor for factor in factors if op == "mul" and p.is_constant(factor)]
+            constant, rest = p.one, row
+            if len(constants) == 1:
+                constant = constants[0]
+                rest = factors[1] if constant == factors[0] else factors[0]
+            term = p.scale(Fraction(-1 if number < 0 else 1), rest)
+            groups.setdefault(constant, {}).setdefault(abs(number), []).append(term)
+        return p.sum(
+            p.mul(constant, p.sum(p.scale(number, p.sum(terms)) for number, terms in by_number.items()))
+            for constant, by_number in groups.items()
+        )
 
     def _power(self, expr: sp.Pow) -> int:
         p, base, exponent = self.program, self._known[expr.base], expr.exp

@@ -52,6 +52,7 @@ class Program:
         self.rows: list[Row] = []
         self.names: dict[int, str] = {}
         self._index: dict[Row, int] = {}
+        self._constant: list[bool] = []
         self.zero = self.const(0)
         self.one = self.const(1)
 
@@ -62,6 +63,7 @@ class Program:
         if number is None:
             number = len(self.rows)
             self.rows.append(row)
+            self._constant.append(all(self._constant[arg] for arg in args) if op != "input" else False)
             self._index[row] = number
         return number
 
@@ -71,9 +73,15 @@ class Program:
         """An exact constant."""
         return self.row("const", (), Fraction(value))
 
-    def input(self, name: str) -> int:
-        """An input, known by its name."""
-        return self.row("input", (), name)
+    def input(self, name: str, parameter: bool = False) -> int:
+        """An input, known by its name; parameters count as constants (see `is_constant`)."""
+        number = self.row("input", (), name)
+        self._constant[number] = parameter
+        return number
+
+    def is_constant(self, a: int) -> bool:
+        """Whether a row depends on nothing but parameters."""
+        return self._constant[a]
 
     def constant(self, a: int) -> Fraction | None:
         """The value of a row that is a constant, else None."""

@@ -12,7 +12,7 @@
  *   t (4) [1]: unit quaternion from the body frame to the triad */
 #include "kernels.h"
 
-/* position: 93 operations.
+/* position: 92 operations.
  * in:  x (4), p (4)
  * out: e (0), De (0,4), V (3,4) */
 FLEXEL_CLONES
@@ -33,46 +33,42 @@ static void body_rotation_position(size_t nblocks, const real *const *in, real *
             const real r_l3 = x[3 * 8 + j];
             const real t_1 = p[1 * 8 + j];
             const real t0 = r_l1 * t_3 - r_l0 * t_2 - r_l2 * t_0 - r_l3 * t_1;
-            const real t1 = 2.0 * t_3 * t0;
-            const real t2 = r_l2 * t_1 - r_l0 * t_3 - r_l1 * t_2 - r_l3 * t_0;
-            const real t3 = 2.0 * t_2 * t2;
+            const real t1 = t_3 * t0;
+            const real t2 = r_l0 * t_0 - r_l1 * t_1 - r_l2 * t_2 - r_l3 * t_3;
+            const real t3 = t_1 * t2;
             const real t4 = r_l3 * t_2 - r_l0 * t_1 - r_l1 * t_0 - r_l2 * t_3;
-            const real t5 = 2.0 * t_0 * t4;
-            const real t6 = r_l0 * t_0 - r_l1 * t_1 - r_l2 * t_2 - r_l3 * t_3;
-            const real t7 = 2.0 * t_1 * t6;
-            V[0 * 8 + j] = t1 - t3 + t5 + t7;
-            const real t8 = 2.0 * t_3 * t2;
-            const real t9 = 2.0 * t_2 * t0;
-            const real t10 = 2.0 * t_1 * t4;
-            const real t11 = 2.0 * t_0 * t6;
-            V[1 * 8 + j] = t8 + t9 - t10 + t11;
-            const real t12 = 2.0 * t_3 * t6;
-            const real t13 = 2.0 * t_0 * t2;
-            const real t14 = 2.0 * t_1 * t0;
-            const real t15 = 2.0 * t_2 * t4;
-            V[2 * 8 + j] = t12 - (t13 + t14 + t15);
-            const real t16 = 2.0 * t_0 * t0;
-            const real t17 = 2.0 * t_1 * t2;
-            const real t18 = 2.0 * t_3 * t4;
-            const real t19 = 2.0 * t_2 * t6;
-            V[3 * 8 + j] = t16 - t17 - t18 - t19;
-            const real t20 = t19 - t18;
-            V[4 * 8 + j] = t16 + t20 + t17;
-            const real t21 = t15 + t12;
-            V[5 * 8 + j] = t13 - (t14 + t21);
-            const real t22 = t10 + t11;
-            V[6 * 8 + j] = t22 - t9 + t8;
-            const real t23 = t7 - t5;
-            V[7 * 8 + j] = t23 - t1 - t3;
-            V[8 * 8 + j] = t13 + t21 - t14;
-            V[9 * 8 + j] = t20 - t17 - t16;
-            V[10 * 8 + j] = -(t3 + t23 + t1);
-            V[11 * 8 + j] = t22 - t8 + t9;
+            const real t5 = t_0 * t4;
+            const real t6 = r_l2 * t_1 - r_l0 * t_3 - r_l1 * t_2 - r_l3 * t_0;
+            const real t7 = t_2 * t6;
+            V[0 * 8 + j] = 2.0 * (t3 + t5 + t1 - t7);
+            const real t8 = t_3 * t6;
+            const real t9 = t_2 * t0;
+            const real t10 = t_0 * t2;
+            const real t11 = t_1 * t4;
+            V[1 * 8 + j] = 2.0 * (t10 - t11 + t9 + t8);
+            const real t12 = t_3 * t2;
+            const real t13 = t_2 * t4;
+            const real t14 = t_1 * t0;
+            const real t15 = t_0 * t6;
+            V[2 * 8 + j] = 2.0 * (t12 - t13 - t14 - t15);
+            const real t16 = t_0 * t0;
+            const real t17 = t_2 * t2;
+            const real t18 = t_3 * t4;
+            const real t19 = t_1 * t6;
+            V[3 * 8 + j] = 2.0 * (t16 - (t17 + t18) - t19);
+            V[4 * 8 + j] = 2.0 * (t17 + t16 + t19 - t18);
+            V[5 * 8 + j] = 2.0 * (t15 - (t12 + t14) - t13);
+            V[6 * 8 + j] = 2.0 * (t10 - t9 + t8 + t11);
+            V[7 * 8 + j] = 2.0 * (t3 - t1 - t7 - t5);
+            V[8 * 8 + j] = 2.0 * (t12 + t13 + t15 - t14);
+            V[9 * 8 + j] = 2.0 * (t17 - t18 - t19 - t16);
+            V[10 * 8 + j] = 2.0 * (t5 - t3 - t7 - t1);
+            V[11 * 8 + j] = 2.0 * (t10 + t11 - t8 + t9);
         }
     }
 }
 
-/* velocity: 89 operations.
+/* velocity: 80 operations.
  * in:  x (4), v (4), p (4)
  * out: ed (0), s (3) */
 FLEXEL_CLONES
@@ -105,14 +101,14 @@ static void body_rotation_velocity(size_t nblocks, const real *const *in, real *
             const real t5 = r_vl0 * t_0 - r_vl1 * t_1 - r_vl2 * t_2 - r_vl3 * t_3;
             const real t6 = r_l2 * t_1 - r_l0 * t_3 - r_l1 * t_2 - r_l3 * t_0;
             const real t7 = r_vl0 * t_2 + r_vl2 * t_0 + r_vl3 * t_1 - r_vl1 * t_3;
-            s[0 * 8 + j] = 2.0 * t2 * t3 + 2.0 * t4 * t5 + 2.0 * t0 * t1 - 2.0 * t6 * t7;
-            s[1 * 8 + j] = 2.0 * t2 * t7 + 2.0 * t5 * t0 + 2.0 * t3 * t6 - 2.0 * t4 * t1;
-            s[2 * 8 + j] = 2.0 * t2 * t1 + 2.0 * t4 * t7 + 2.0 * t5 * t6 - 2.0 * t3 * t0;
+            s[0 * 8 + j] = 2.0 * (t2 * t3 + t4 * t5 + t0 * t1 - t6 * t7);
+            s[1 * 8 + j] = 2.0 * (t2 * t7 + t5 * t0 + t3 * t6 - t4 * t1);
+            s[2 * 8 + j] = 2.0 * (t2 * t1 + t4 * t7 + t5 * t6 - t3 * t0);
         }
     }
 }
 
-/* acceleration: 70 operations.
+/* acceleration: 61 operations.
  * in:  x (4), v (4), p (4)
  * out: g (0), gs (3) */
 FLEXEL_CLONES
@@ -151,9 +147,9 @@ static void body_rotation_acceleration(size_t nblocks, const real *const *in, re
             const real t16 = t13 - t11 - t12 - t10;
             const real t17 = t6 + t7 + t8 - t5;
             const real t18 = t3 - t1 - t2 - t0;
-            gs[0 * 8 + j] = 2.0 * t14 * t15 + 2.0 * t15 * t16 + 2.0 * t4 * t9 - 2.0 * t17 * t18;
-            gs[1 * 8 + j] = 2.0 * t15 * t17 + 2.0 * t15 * t9 + 2.0 * t14 * t18 - 2.0 * t4 * t16;
-            gs[2 * 8 + j] = 2.0 * t15 * t4 + 2.0 * t17 * t16 + 2.0 * t15 * t18 - 2.0 * t14 * t9;
+            gs[0 * 8 + j] = 2.0 * (t14 * t15 + t15 * t16 + t4 * t9 - t17 * t18);
+            gs[1 * 8 + j] = 2.0 * (t15 * t17 + t15 * t9 + t14 * t18 - t4 * t16);
+            gs[2 * 8 + j] = 2.0 * (t15 * t4 + t17 * t16 + t15 * t18 - t14 * t9);
         }
     }
 }
@@ -312,18 +308,18 @@ static void body_rotation_stiffness(size_t nblocks, const real *const *in, real 
         real *restrict K = out[0] + b * (16 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
-            const real t_1 = p[1 * 8 + j];
-            const real tau_wx = tau[0 * 8 + j];
-            const real t_2 = p[2 * 8 + j];
-            const real tau_wy = tau[1 * 8 + j];
             const real t_3 = p[3 * 8 + j];
             const real tau_wz = tau[2 * 8 + j];
-            const real t0 = 2.0 * t_1 * tau_wx + 2.0 * t_2 * tau_wy + 2.0 * t_3 * tau_wz;
+            const real t_2 = p[2 * 8 + j];
+            const real tau_wy = tau[1 * 8 + j];
+            const real t_1 = p[1 * 8 + j];
+            const real tau_wx = tau[0 * 8 + j];
+            const real t0 = 2.0 * t_2 * tau_wy + 2.0 * t_1 * tau_wx + 2.0 * t_3 * tau_wz;
             const real t_0 = p[0 * 8 + j];
             const real t1 = t_0 * t0;
             const real t2 = 2.0 * t_1 * tau_wy - 2.0 * t_2 * tau_wx + 2.0 * t_0 * tau_wz;
             const real t3 = t_3 * t2;
-            const real t4 = 2.0 * t_3 * tau_wx + 2.0 * t_0 * tau_wy - 2.0 * t_1 * tau_wz;
+            const real t4 = 2.0 * t_0 * tau_wy + 2.0 * t_3 * tau_wx - 2.0 * t_1 * tau_wz;
             const real t5 = t_2 * t4;
             const real t6 = t3 + t5;
             const real t7 = 2.0 * t_0 * tau_wx - 2.0 * t_3 * tau_wy + 2.0 * t_2 * tau_wz;

@@ -94,7 +94,7 @@ static void planar_body_inertia(size_t nblocks, const real *const *in, real *con
     }
 }
 
-/* tangent: 134 operations.
+/* tangent: 114 operations.
  * in:  x (3), v (3), a (3), p (6)
  * out: R_x (3,3), 3 of 9 entries, R_v (3,3), 5 of 9 entries */
 FLEXEL_CLONES
@@ -107,7 +107,7 @@ static void planar_body_tangent(size_t nblocks, const real *const *in, real *con
         const real *restrict p = in[3] + b * (6 * 8);
         real *restrict R_x = out[0] + b * (3 * 8);
         real *restrict R_v = out[1] + b * (5 * 8);
-        real cos_r[8], sin_r[8], t10[8], t11[8], t27[8], t28[8];
+        real cos_r[8], sin_r[8], t10[8], t11[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real mass = p[0 * 8 + j];
@@ -119,10 +119,6 @@ static void planar_body_tangent(size_t nblocks, const real *const *in, real *con
             const real c_x = p[1 * 8 + j];
             t10[j] = c_y * t8 + c_x * t9;
             t11[j] = c_y * t9 - c_x * t8;
-            const real r_vangle = v[2 * 8 + j];
-            const real t26 = r_vangle * mass;
-            t27[j] = c_y * t26;
-            t28[j] = c_x * t26;
         }
         for (size_t j = 0; j < 8; j++) {
             const real r_angle = x[2 * 8 + j];
@@ -169,18 +165,20 @@ static void planar_body_tangent(size_t nblocks, const real *const *in, real *con
             const real p_ax = a[0 * 8 + j];
             const real t25 = mass * (p_ax - t6) * b_x - b_y * t4 - (t5 * t18 + t16 * t2);
             R_x[2 * 8 + j] = cos_r[j] * t10[j] - sin_r[j] * t11[j] + (t22 - t23 - (t24 + t25));
-            R_v[0 * 8 + j] = sin_r[j] * t27[j] - (mass * t5 + cos_r[j] * t28[j]);
-            R_v[1 * 8 + j] = -(mass * t2 + cos_r[j] * t27[j] + sin_r[j] * t28[j]);
-            const real t29 = mass * (t12 - t5);
-            R_v[2 * 8 + j] = t29;
-            const real t30 = mass * (t15 - t2);
-            R_v[3 * 8 + j] = t30;
-            const real t31 = mass * b_y;
-            const real t32 = mass * b_x;
-            const real t33 = r_vangle * t31 - t16;
-            const real t34 = t13 + r_vangle * t32;
-            const real t35 = t31 * t5 - t32 * t2 + cos_r[j] * (c_x * t33 - c_y * t34) - sin_r[j] * (c_y * t33 + c_x * t34);
-            R_v[4 * 8 + j] = t35 + b_x * t16 + b_y * t13 + b_x * t30 - b_y * t29;
+            const real t26 = t12 + t5;
+            R_v[0 * 8 + j] = -(mass * t26);
+            const real t27 = t15 + t2;
+            R_v[1 * 8 + j] = -(mass * t27);
+            const real t28 = t12 - t5;
+            R_v[2 * 8 + j] = mass * t28;
+            const real t29 = t15 - t2;
+            R_v[3 * 8 + j] = mass * t29;
+            const real t30 = b_x * t16;
+            const real t31 = b_y * t13;
+            const real t32 = mass * b_y;
+            const real t33 = mass * b_x;
+            const real t34 = t31 - (t31 + t30) + t30 + t32 * t26 - t33 * t27 + t33 * t29;
+            R_v[4 * 8 + j] = t34 - t32 * t28;
         }
     }
 }

@@ -110,7 +110,7 @@ static void planar_truss_acceleration(size_t nblocks, const real *const *in, rea
     }
 }
 
-/* kinematics: 81 operations.
+/* kinematics: 74 operations.
  * in:  x (4), v (4), a (4), p (4)
  * out: Phi_x (1,4), Psi_x (1,4), Psi_v (1,4) */
 FLEXEL_CLONES
@@ -141,46 +141,41 @@ static void planar_truss_kinematics(size_t nblocks, const real *const *in, real 
             const real t2 = q_vy - p_vy;
             const real t3 = 2.0 * d_x * t1 + 2.0 * d_y * t2;
             const real t4 = t0 * t0;
-            const real t5 = t3 * t4;
-            const real t6 = t0 * t5;
-            const real t7 = 0.25 * d_x * t6;
-            const real t8 = t0 * t1 - t7 - t7;
-            Phi_x[2 * 8 + j] = t8;
-            Phi_x[0 * 8 + j] = -t8;
-            const real t9 = 0.25 * d_y * t6;
-            const real t10 = t0 * t2 - t9 - t9;
-            Phi_x[3 * 8 + j] = t10;
-            Phi_x[1 * 8 + j] = -t10;
+            const real t5 = t0 * t4;
+            const real t6 = t3 * t5;
+            const real t7 = t0 * t1 - 0.5 * d_x * t6;
+            Phi_x[2 * 8 + j] = t7;
+            Phi_x[0 * 8 + j] = -t7;
+            const real t8 = t0 * t2 - 0.5 * d_y * t6;
+            Phi_x[3 * 8 + j] = t8;
+            Phi_x[1 * 8 + j] = -t8;
             const real q_ax = a[2 * 8 + j];
             const real p_ax = a[0 * 8 + j];
-            const real t11 = q_ax - p_ax;
-            const real t12 = t0 * t3;
-            const real t13 = 0.25 * t6 + 0.25 * t12 * t4;
+            const real t9 = q_ax - p_ax;
             const real q_ay = a[3 * 8 + j];
             const real p_ay = a[1 * 8 + j];
-            const real t14 = q_ay - p_ay;
-            const real t15 = 0.5 * (2.0 * d_x * t11 + 2.0 * d_y * t14) + 0.5 * (2.0 * t1 * t1 + 2.0 * t2 * t2);
-            const real t16 = 0.25 * t3 * t12 * t0;
-            const real t17 = t4 * (t15 - t16 - t16 - 0.25 * t3 * t5) * t0;
-            const real t18 = 0.5 * d_x * t17;
-            const real t19 = t0 * t11 - 2.0 * t1 * t13 - t18 - t18;
-            Psi_x[2 * 8 + j] = t19;
-            Psi_x[0 * 8 + j] = -t19;
-            const real t20 = 0.5 * d_y * t17;
-            const real t21 = t0 * t14 - 2.0 * t2 * t13 - t20 - t20;
-            Psi_x[3 * 8 + j] = t21;
-            Psi_x[1 * 8 + j] = -t21;
-            const real t22 = 2.0 * t8;
-            Psi_v[2 * 8 + j] = t22;
-            Psi_v[0 * 8 + j] = -t22;
-            const real t23 = 2.0 * t10;
-            Psi_v[3 * 8 + j] = t23;
-            Psi_v[1 * 8 + j] = -t23;
+            const real t10 = q_ay - p_ay;
+            const real t11 = 0.5 * (2.0 * d_x * t9 + 2.0 * d_y * t10) + 0.5 * (2.0 * t1 * t1 + 2.0 * t2 * t2);
+            const real t12 = t0 * t3;
+            const real t13 = t11 - 0.25 * t3 * (t3 * t4 + 2.0 * t0 * t12);
+            const real t14 = 0.25 * t6 + 0.25 * t12 * t4;
+            const real t15 = t0 * t9 - d_x * t5 * t13 - 2.0 * t1 * t14;
+            Psi_x[2 * 8 + j] = t15;
+            Psi_x[0 * 8 + j] = -t15;
+            const real t16 = t0 * t10 - d_y * t5 * t13 - 2.0 * t2 * t14;
+            Psi_x[3 * 8 + j] = t16;
+            Psi_x[1 * 8 + j] = -t16;
+            const real t17 = 2.0 * t7;
+            Psi_v[2 * 8 + j] = t17;
+            Psi_v[0 * 8 + j] = -t17;
+            const real t18 = 2.0 * t8;
+            Psi_v[3 * 8 + j] = t18;
+            Psi_v[1 * 8 + j] = -t18;
         }
     }
 }
 
-/* stiffness: 24 operations.
+/* stiffness: 21 operations.
  * in:  x (4), sigma (1), tau (0), p (4)
  * out: K (4,4) */
 FLEXEL_CLONES
@@ -200,21 +195,19 @@ static void planar_truss_stiffness(size_t nblocks, const real *const *in, real *
             const real d_y = q_y - p_y;
             const real l = real_sqrt(d_x * d_x + d_y * d_y);
             const real t0 = 1.0 / l;
-            const real t1 = t0 * t0;
             const real sigma_elongation = sigma[0 * 8 + j];
-            const real t2 = d_x * t0 * t1 * sigma_elongation;
-            const real t3 = sigma_elongation * t0;
-            const real t4 = d_x * t2 - t3;
-            K[2 * 8 + j] = K[8 * 8 + j] = t4;
-            K[0 * 8 + j] = K[10 * 8 + j] = -t4;
-            const real t5 = d_y * t0 * t1 * sigma_elongation;
-            const real t6 = d_x * t5;
-            K[3 * 8 + j] = K[12 * 8 + j] = t6;
-            K[1 * 8 + j] = K[4 * 8 + j] = K[11 * 8 + j] = K[14 * 8 + j] = -t6;
-            const real t7 = d_y * t5 - t3;
-            K[7 * 8 + j] = K[13 * 8 + j] = t7;
-            K[5 * 8 + j] = K[15 * 8 + j] = -t7;
-            K[6 * 8 + j] = K[9 * 8 + j] = d_y * t2;
+            const real t1 = sigma_elongation * t0;
+            const real t2 = t0 * t0 * t0 * sigma_elongation;
+            const real t3 = t1 - d_x * t2 * d_x;
+            K[0 * 8 + j] = K[10 * 8 + j] = t3;
+            const real t4 = d_y * t2;
+            const real t5 = d_x * t4;
+            K[3 * 8 + j] = K[6 * 8 + j] = K[9 * 8 + j] = K[12 * 8 + j] = t5;
+            K[1 * 8 + j] = K[4 * 8 + j] = K[11 * 8 + j] = K[14 * 8 + j] = -t5;
+            K[2 * 8 + j] = K[8 * 8 + j] = -t3;
+            const real t6 = t1 - d_y * t4;
+            K[5 * 8 + j] = K[15 * 8 + j] = t6;
+            K[7 * 8 + j] = K[13 * 8 + j] = -t6;
         }
     }
 }

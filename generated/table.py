@@ -76,15 +76,15 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("f", (7,), tuple(range(7))),
                     OutputSpec("U", (1,), (0,)),
                 ),
-                891,
+                781,
             ),
             "tangent": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
                     OutputSpec("R_x", (7, 7), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 45, 46, 47, 48)),
-                    OutputSpec("R_v", (7, 7), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 45, 46, 47, 48)),
+                    OutputSpec("R_v", (7, 7), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 21, 22, 24, 25, 26, 27, 28, 29, 31, 32, 33, 34, 35, 36, 38, 39, 40, 41, 42, 43, 45, 46, 47, 48)),
                 ),
-                1498,
+                1424,
             ),
         },
     ),
@@ -196,14 +196,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("Psi_x", (1, 6), tuple(range(6))),
                     OutputSpec("Psi_v", (1, 6), tuple(range(6))),
                 ),
-                112,
+                103,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
                 (
                     OutputSpec("K", (6, 6), tuple(range(36))),
                 ),
-                39,
+                32,
             ),
             "inertia": KernelSpec(
                 ("x", "v", "p"),
@@ -252,7 +252,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("De", (3, 8), tuple(range(24))),
                     OutputSpec("V", (0, 8), ()),
                 ),
-                453,
+                412,
             ),
             "velocity": KernelSpec(
                 ("x", "v", "p"),
@@ -260,7 +260,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("ed", (3,), (0, 1, 2)),
                     OutputSpec("s", (0,), ()),
                 ),
-                303,
+                287,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -268,7 +268,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("g", (3,), (0, 1, 2)),
                     OutputSpec("gs", (0,), ()),
                 ),
-                411,
+                395,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -277,14 +277,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("Psi_x", (3, 8), tuple(range(24))),
                     OutputSpec("Psi_v", (3, 8), tuple(range(24))),
                 ),
-                1704,
+                1613,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
                 (
                     OutputSpec("K", (8, 8), tuple(range(64))),
                 ),
-                1369,
+                1095,
             ),
         },
     ),
@@ -321,7 +321,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("De", (6, 14), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79)),
                     OutputSpec("V", (0, 14), ()),
                 ),
-                632,
+                536,
             ),
             "velocity": KernelSpec(
                 ("x", "v", "p"),
@@ -329,7 +329,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("ed", (6,), tuple(range(6))),
                     OutputSpec("s", (0,), ()),
                 ),
-                352,
+                339,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -337,7 +337,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("g", (6,), tuple(range(6))),
                     OutputSpec("gs", (0,), ()),
                 ),
-                469,
+                456,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -346,14 +346,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("Psi_x", (6, 14), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79)),
                     OutputSpec("Psi_v", (6, 14), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79)),
                 ),
-                2247,
+                2045,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
                 (
                     OutputSpec("K", (14, 14), (3, 4, 5, 6, 17, 18, 19, 20, 31, 32, 33, 34, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 91, 92, 93, 94, 95, 96, 97, 101, 102, 103, 104, 115, 116, 117, 118, 129, 130, 131, 132, 143, 144, 145, 146, 150, 151, 152, 153, 157, 158, 159, 160, 164, 165, 166, 167, 171, 172, 173, 174, 178, 179, 180, 181, 185, 186, 187, 188, 192, 193, 194, 195)),
                 ),
-                1655,
+                1200,
             ),
         },
     ),
@@ -389,7 +389,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("De", (3, 10), tuple(range(30))),
                     OutputSpec("V", (0, 10), ()),
                 ),
-                233,
+                172,
             ),
             "velocity": KernelSpec(
                 ("x", "v", "p"),
@@ -397,7 +397,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("ed", (3,), (0, 1, 2)),
                     OutputSpec("s", (0,), ()),
                 ),
-                173,
+                164,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -405,7 +405,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("g", (3,), (0, 1, 2)),
                     OutputSpec("gs", (0,), ()),
                 ),
-                186,
+                183,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -414,14 +414,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("Psi_x", (3, 10), tuple(range(30))),
                     OutputSpec("Psi_v", (3, 10), tuple(range(30))),
                 ),
-                735,
+                556,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
                 (
                     OutputSpec("K", (10, 10), (3, 4, 5, 6, 13, 14, 15, 16, 23, 24, 25, 26, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 73, 74, 75, 76, 83, 84, 85, 86, 93, 94, 95, 96)),
                 ),
-                606,
+                328,
             ),
             "inertia": KernelSpec(
                 ("x", "v", "p"),
@@ -431,7 +431,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("f", (10,), (0, 1, 2, 7, 8, 9)),
                     OutputSpec("U", (1,), (0,)),
                 ),
-                553,
+                439,
             ),
             "tangent": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -439,7 +439,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("R_x", (10, 10), (33, 34, 35, 36, 43, 44, 45, 46, 53, 54, 55, 56, 63, 64, 65, 66)),
                     OutputSpec("R_v", (10, 10), (33, 34, 35, 36, 43, 44, 45, 46, 53, 54, 55, 56, 63, 64, 65, 66)),
                 ),
-                1049,
+                881,
             ),
         },
     ),
@@ -481,7 +481,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("De", (6, 14), tuple(range(84))),
                     OutputSpec("V", (0, 14), ()),
                 ),
-                1084,
+                975,
             ),
             "velocity": KernelSpec(
                 ("x", "v", "p"),
@@ -489,7 +489,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("ed", (6,), tuple(range(6))),
                     OutputSpec("s", (0,), ()),
                 ),
-                447,
+                440,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -506,14 +506,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("Psi_x", (6, 14), tuple(range(84))),
                     OutputSpec("Psi_v", (6, 14), tuple(range(84))),
                 ),
-                6218,
+                6312,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
                 (
                     OutputSpec("K", (14, 14), tuple(range(196))),
                 ),
-                3417,
+                2857,
             ),
             "inertia": KernelSpec(
                 ("x", "v", "p"),
@@ -523,7 +523,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("f", (14,), tuple(range(14))),
                     OutputSpec("U", (1,), (0,)),
                 ),
-                2998,
+                2565,
             ),
             "tangent": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -531,7 +531,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("R_x", (14, 14), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 45, 46, 47, 48, 52, 53, 54, 55, 59, 60, 61, 62, 66, 67, 68, 69, 73, 74, 75, 76, 80, 81, 82, 83, 87, 88, 89, 90, 94, 95, 96, 97, 101, 102, 103, 104, 108, 109, 110, 111, 115, 116, 117, 118, 122, 123, 124, 125, 129, 130, 131, 132, 136, 137, 138, 139, 143, 144, 145, 146, 150, 151, 152, 153, 157, 158, 159, 160, 164, 165, 166, 167, 171, 172, 173, 174, 178, 179, 180, 181, 185, 186, 187, 188, 192, 193, 194, 195)),
                     OutputSpec("R_v", (14, 14), tuple(range(196))),
                 ),
-                10375,
+                9579,
             ),
         },
     ),
@@ -573,7 +573,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("De", (6, 14), (0, 1, 2, 7, 8, 9, 17, 18, 19, 20, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 42, 43, 44, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 70, 71, 72, 77, 78, 79, 80, 81, 82, 83)),
                     OutputSpec("V", (0, 14), ()),
                 ),
-                632,
+                639,
             ),
             "velocity": KernelSpec(
                 ("x", "v", "p"),
@@ -581,7 +581,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("ed", (6,), tuple(range(6))),
                     OutputSpec("s", (0,), ()),
                 ),
-                363,
+                345,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -589,7 +589,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("g", (6,), tuple(range(6))),
                     OutputSpec("gs", (0,), ()),
                 ),
-                511,
+                493,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -598,14 +598,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("Psi_x", (6, 14), (0, 1, 2, 7, 8, 9, 17, 18, 19, 20, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 42, 43, 44, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 70, 71, 72, 77, 78, 79, 80, 81, 82, 83)),
                     OutputSpec("Psi_v", (6, 14), (0, 1, 2, 7, 8, 9, 17, 18, 19, 20, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 42, 43, 44, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 70, 71, 72, 77, 78, 79, 80, 81, 82, 83)),
                 ),
-                2752,
+                2809,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
                 (
                     OutputSpec("K", (14, 14), tuple(range(196))),
                 ),
-                1722,
+                1326,
             ),
             "inertia": KernelSpec(
                 ("x", "v", "p"),
@@ -615,7 +615,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("f", (14,), tuple(range(14))),
                     OutputSpec("U", (1,), (0,)),
                 ),
-                2998,
+                2565,
             ),
             "tangent": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -623,7 +623,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("R_x", (14, 14), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 45, 46, 47, 48, 52, 53, 54, 55, 59, 60, 61, 62, 66, 67, 68, 69, 73, 74, 75, 76, 80, 81, 82, 83, 87, 88, 89, 90, 94, 95, 96, 97, 101, 102, 103, 104, 108, 109, 110, 111, 115, 116, 117, 118, 122, 123, 124, 125, 129, 130, 131, 132, 136, 137, 138, 139, 143, 144, 145, 146, 150, 151, 152, 153, 157, 158, 159, 160, 164, 165, 166, 167, 171, 172, 173, 174, 178, 179, 180, 181, 185, 186, 187, 188, 192, 193, 194, 195)),
                     OutputSpec("R_v", (14, 14), tuple(range(196))),
                 ),
-                10375,
+                9579,
             ),
         },
     ),
@@ -662,7 +662,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("De", (4, 10), (0, 1, 2, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39)),
                     OutputSpec("V", (3, 10), (0, 1, 2, 3, 4, 5, 6, 10, 11, 12, 13, 14, 15, 16, 23, 24, 25, 26)),
                 ),
-                331,
+                319,
             ),
             "velocity": KernelSpec(
                 ("x", "v", "p"),
@@ -670,7 +670,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("ed", (4,), (0, 1, 2, 3)),
                     OutputSpec("s", (3,), (0, 1, 2)),
                 ),
-                249,
+                243,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -687,14 +687,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("Psi_x", (7, 10), (0, 1, 2, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 63, 64, 65, 66)),
                     OutputSpec("Psi_v", (7, 10), (0, 1, 2, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59)),
                 ),
-                2064,
+                2076,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
                 (
                     OutputSpec("K", (10, 10), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 73, 74, 75, 76, 77, 81, 83, 84, 85, 86, 88, 92, 93, 94, 95, 96, 99)),
                 ),
-                1174,
+                807,
             ),
         },
     ),
@@ -729,7 +729,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("ed", (0,), ()),
                     OutputSpec("s", (3,), (0, 1, 2)),
                 ),
-                33,
+                24,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -737,7 +737,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("g", (0,), ()),
                     OutputSpec("gs", (3,), (0, 1, 2)),
                 ),
-                21,
+                18,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -782,7 +782,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("De", (0, 4), ()),
                     OutputSpec("V", (3, 4), tuple(range(12))),
                 ),
-                93,
+                92,
             ),
             "velocity": KernelSpec(
                 ("x", "v", "p"),
@@ -790,7 +790,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("ed", (0,), ()),
                     OutputSpec("s", (3,), (0, 1, 2)),
                 ),
-                89,
+                80,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -798,7 +798,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("g", (0,), ()),
                     OutputSpec("gs", (3,), (0, 1, 2)),
                 ),
-                70,
+                61,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -887,7 +887,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("R_x", (3, 3), (2, 5, 8)),
                     OutputSpec("R_v", (3, 3), (2, 5, 6, 7, 8)),
                 ),
-                134,
+                114,
             ),
         },
     ),
@@ -942,14 +942,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("Psi_x", (1, 4), (0, 1, 2, 3)),
                     OutputSpec("Psi_v", (1, 4), (0, 1, 2, 3)),
                 ),
-                81,
+                74,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
                 (
                     OutputSpec("K", (4, 4), tuple(range(16))),
                 ),
-                24,
+                21,
             ),
             "inertia": KernelSpec(
                 ("x", "v", "p"),
@@ -1065,7 +1065,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("De", (3, 6), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 13, 15, 16, 17)),
                     OutputSpec("V", (0, 6), ()),
                 ),
-                112,
+                113,
             ),
             "velocity": KernelSpec(
                 ("x", "v", "p"),
@@ -1073,7 +1073,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("ed", (3,), (0, 1, 2)),
                     OutputSpec("s", (0,), ()),
                 ),
-                76,
+                77,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -1081,7 +1081,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("g", (3,), (0, 1, 2)),
                     OutputSpec("gs", (0,), ()),
                 ),
-                140,
+                141,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -1090,14 +1090,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("Psi_x", (3, 6), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 13, 15, 16, 17)),
                     OutputSpec("Psi_v", (3, 6), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 13, 15, 16, 17)),
                 ),
-                755,
+                763,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
                 (
                     OutputSpec("K", (6, 6), tuple(range(36))),
                 ),
-                283,
+                202,
             ),
             "inertia": KernelSpec(
                 ("x", "v", "p"),
@@ -1107,7 +1107,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("f", (6,), tuple(range(6))),
                     OutputSpec("U", (1,), (0,)),
                 ),
-                389,
+                344,
             ),
             "tangent": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -1115,7 +1115,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("R_x", (6, 6), (2, 5, 8, 11, 14, 17, 20, 23, 26, 29, 32, 35)),
                     OutputSpec("R_v", (6, 6), tuple(range(36))),
                 ),
-                878,
+                667,
             ),
         },
     ),
@@ -1178,14 +1178,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("Psi_x", (3, 6), (0, 1, 3, 4, 6, 7, 8, 9, 10, 12, 13, 15, 16, 17)),
                     OutputSpec("Psi_v", (3, 6), (0, 1, 3, 4, 6, 7, 8, 9, 10, 12, 13, 15, 16, 17)),
                 ),
-                442,
+                483,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
                 (
                     OutputSpec("K", (6, 6), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 33, 34, 35)),
                 ),
-                129,
+                90,
             ),
             "inertia": KernelSpec(
                 ("x", "v", "p"),
@@ -1195,7 +1195,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("f", (6,), tuple(range(6))),
                     OutputSpec("U", (1,), (0,)),
                 ),
-                389,
+                344,
             ),
             "tangent": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -1203,7 +1203,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("R_x", (6, 6), (2, 5, 8, 11, 14, 17, 20, 23, 26, 29, 32, 35)),
                     OutputSpec("R_v", (6, 6), tuple(range(36))),
                 ),
-                878,
+                667,
             ),
         },
     ),

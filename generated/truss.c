@@ -127,7 +127,7 @@ static void truss_acceleration(size_t nblocks, const real *const *in, real *cons
     }
 }
 
-/* kinematics: 112 operations.
+/* kinematics: 103 operations.
  * in:  x (6), v (6), a (6), p (5)
  * out: Phi_x (1,6), Psi_x (1,6), Psi_v (1,6) */
 FLEXEL_CLONES
@@ -164,61 +164,54 @@ static void truss_kinematics(size_t nblocks, const real *const *in, real *const 
             const real t3 = q_vy - p_vy;
             const real t4 = 2.0 * d_x * t1 + 2.0 * d_y * t3 + 2.0 * d_z * t2;
             const real t5 = t0 * t0;
-            const real t6 = t4 * t5;
-            const real t7 = t0 * t6;
-            const real t8 = 0.25 * d_x * t7;
-            const real t9 = t0 * t1 - t8 - t8;
-            Phi_x[3 * 8 + j] = t9;
-            Phi_x[0 * 8 + j] = -t9;
-            const real t10 = 0.25 * d_y * t7;
-            const real t11 = t0 * t3 - t10 - t10;
-            Phi_x[4 * 8 + j] = t11;
-            Phi_x[1 * 8 + j] = -t11;
-            const real t12 = 0.25 * d_z * t7;
-            const real t13 = t0 * t2 - t12 - t12;
-            Phi_x[5 * 8 + j] = t13;
-            Phi_x[2 * 8 + j] = -t13;
+            const real t6 = t0 * t5;
+            const real t7 = t4 * t6;
+            const real t8 = t0 * t1 - 0.5 * d_x * t7;
+            Phi_x[3 * 8 + j] = t8;
+            Phi_x[0 * 8 + j] = -t8;
+            const real t9 = t0 * t3 - 0.5 * d_y * t7;
+            Phi_x[4 * 8 + j] = t9;
+            Phi_x[1 * 8 + j] = -t9;
+            const real t10 = t0 * t2 - 0.5 * d_z * t7;
+            Phi_x[5 * 8 + j] = t10;
+            Phi_x[2 * 8 + j] = -t10;
             const real q_ax = a[3 * 8 + j];
             const real p_ax = a[0 * 8 + j];
-            const real t14 = q_ax - p_ax;
-            const real t15 = t0 * t4;
-            const real t16 = 0.25 * t7 + 0.25 * t15 * t5;
+            const real t11 = q_ax - p_ax;
+            const real t12 = t0 * t4;
+            const real t13 = 0.25 * t7 + 0.25 * t12 * t5;
             const real q_az = a[5 * 8 + j];
             const real p_az = a[2 * 8 + j];
-            const real t17 = q_az - p_az;
+            const real t14 = q_az - p_az;
             const real q_ay = a[4 * 8 + j];
             const real p_ay = a[1 * 8 + j];
-            const real t18 = q_ay - p_ay;
-            const real t19 = 0.5 * (2.0 * d_x * t14 + 2.0 * d_y * t18 + 2.0 * d_z * t17);
-            const real t20 = t19 + 0.5 * (2.0 * t1 * t1 + 2.0 * t3 * t3 + 2.0 * t2 * t2);
-            const real t21 = 0.25 * t4 * t15 * t0;
-            const real t22 = t5 * (t20 - t21 - t21 - 0.25 * t4 * t6) * t0;
-            const real t23 = 0.5 * d_x * t22;
-            const real t24 = t0 * t14 - 2.0 * t1 * t16 - t23 - t23;
-            Psi_x[3 * 8 + j] = t24;
-            Psi_x[0 * 8 + j] = -t24;
-            const real t25 = 0.5 * d_y * t22;
-            const real t26 = t0 * t18 - 2.0 * t3 * t16 - t25 - t25;
-            Psi_x[4 * 8 + j] = t26;
-            Psi_x[1 * 8 + j] = -t26;
-            const real t27 = 0.5 * d_z * t22;
-            const real t28 = t0 * t17 - 2.0 * t2 * t16 - t27 - t27;
-            Psi_x[5 * 8 + j] = t28;
-            Psi_x[2 * 8 + j] = -t28;
-            const real t29 = 2.0 * t9;
-            Psi_v[3 * 8 + j] = t29;
-            Psi_v[0 * 8 + j] = -t29;
-            const real t30 = 2.0 * t11;
-            Psi_v[4 * 8 + j] = t30;
-            Psi_v[1 * 8 + j] = -t30;
-            const real t31 = 2.0 * t13;
-            Psi_v[5 * 8 + j] = t31;
-            Psi_v[2 * 8 + j] = -t31;
+            const real t15 = q_ay - p_ay;
+            const real t16 = 0.5 * (2.0 * d_x * t11 + 2.0 * d_y * t15 + 2.0 * d_z * t14);
+            const real t17 = t16 + 0.5 * (2.0 * t1 * t1 + 2.0 * t3 * t3 + 2.0 * t2 * t2);
+            const real t18 = t17 - 0.25 * t4 * (t4 * t5 + 2.0 * t0 * t12);
+            const real t19 = t0 * t11 - 2.0 * t1 * t13 - d_x * t6 * t18;
+            Psi_x[3 * 8 + j] = t19;
+            Psi_x[0 * 8 + j] = -t19;
+            const real t20 = t0 * t15 - 2.0 * t3 * t13 - d_y * t6 * t18;
+            Psi_x[4 * 8 + j] = t20;
+            Psi_x[1 * 8 + j] = -t20;
+            const real t21 = t0 * t14 - 2.0 * t2 * t13 - d_z * t6 * t18;
+            Psi_x[5 * 8 + j] = t21;
+            Psi_x[2 * 8 + j] = -t21;
+            const real t22 = 2.0 * t8;
+            Psi_v[3 * 8 + j] = t22;
+            Psi_v[0 * 8 + j] = -t22;
+            const real t23 = 2.0 * t9;
+            Psi_v[4 * 8 + j] = t23;
+            Psi_v[1 * 8 + j] = -t23;
+            const real t24 = 2.0 * t10;
+            Psi_v[5 * 8 + j] = t24;
+            Psi_v[2 * 8 + j] = -t24;
         }
     }
 }
 
-/* stiffness: 39 operations.
+/* stiffness: 32 operations.
  * in:  x (6), sigma (1), tau (0), p (5)
  * out: K (6,6) */
 FLEXEL_CLONES
@@ -230,44 +223,40 @@ static void truss_stiffness(size_t nblocks, const real *const *in, real *const *
         real *restrict K = out[0] + b * (36 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
-            const real q_x = x[3 * 8 + j];
-            const real p_x = x[0 * 8 + j];
-            const real d_x = q_x - p_x;
             const real q_z = x[5 * 8 + j];
             const real p_z = x[2 * 8 + j];
             const real d_z = q_z - p_z;
+            const real q_x = x[3 * 8 + j];
+            const real p_x = x[0 * 8 + j];
+            const real d_x = q_x - p_x;
             const real q_y = x[4 * 8 + j];
             const real p_y = x[1 * 8 + j];
             const real d_y = q_y - p_y;
             const real l = real_sqrt(d_x * d_x + d_y * d_y + d_z * d_z);
             const real t0 = 1.0 / l;
-            const real t1 = t0 * t0;
             const real sigma_elongation = sigma[0 * 8 + j];
-            const real t2 = d_x * t0 * t1 * sigma_elongation;
-            const real t3 = sigma_elongation * t0;
-            const real t4 = d_x * t2 - t3;
-            K[3 * 8 + j] = K[18 * 8 + j] = t4;
-            K[0 * 8 + j] = K[21 * 8 + j] = -t4;
-            const real t5 = d_y * t0 * t1 * sigma_elongation;
-            const real t6 = d_x * t5;
-            K[4 * 8 + j] = K[24 * 8 + j] = t6;
-            K[1 * 8 + j] = K[6 * 8 + j] = K[22 * 8 + j] = K[27 * 8 + j] = -t6;
-            const real t7 = d_z * t0 * t1 * sigma_elongation;
-            const real t8 = d_x * t7;
-            K[5 * 8 + j] = K[30 * 8 + j] = t8;
-            K[2 * 8 + j] = K[12 * 8 + j] = K[23 * 8 + j] = K[33 * 8 + j] = -t8;
-            const real t9 = d_y * t5 - t3;
-            K[10 * 8 + j] = K[25 * 8 + j] = t9;
-            K[7 * 8 + j] = K[28 * 8 + j] = -t9;
-            const real t10 = d_y * t7;
-            K[11 * 8 + j] = K[31 * 8 + j] = t10;
-            K[8 * 8 + j] = K[13 * 8 + j] = K[29 * 8 + j] = K[34 * 8 + j] = -t10;
-            K[9 * 8 + j] = K[19 * 8 + j] = d_y * t2;
-            const real t11 = d_z * t7 - t3;
-            K[17 * 8 + j] = K[32 * 8 + j] = t11;
-            K[14 * 8 + j] = K[35 * 8 + j] = -t11;
-            K[15 * 8 + j] = K[20 * 8 + j] = d_z * t2;
-            K[16 * 8 + j] = K[26 * 8 + j] = d_z * t5;
+            const real t1 = sigma_elongation * t0;
+            const real t2 = t0 * t0 * t0 * sigma_elongation;
+            const real t3 = t1 - d_x * t2 * d_x;
+            K[0 * 8 + j] = K[21 * 8 + j] = t3;
+            const real t4 = d_y * t2;
+            const real t5 = d_x * t4;
+            K[4 * 8 + j] = K[9 * 8 + j] = K[19 * 8 + j] = K[24 * 8 + j] = t5;
+            K[1 * 8 + j] = K[6 * 8 + j] = K[22 * 8 + j] = K[27 * 8 + j] = -t5;
+            const real t6 = d_z * t2;
+            const real t7 = d_x * t6;
+            K[5 * 8 + j] = K[15 * 8 + j] = K[20 * 8 + j] = K[30 * 8 + j] = t7;
+            K[2 * 8 + j] = K[12 * 8 + j] = K[23 * 8 + j] = K[33 * 8 + j] = -t7;
+            K[3 * 8 + j] = K[18 * 8 + j] = -t3;
+            const real t8 = t1 - d_y * t4;
+            K[7 * 8 + j] = K[28 * 8 + j] = t8;
+            const real t9 = d_y * t6;
+            K[11 * 8 + j] = K[16 * 8 + j] = K[26 * 8 + j] = K[31 * 8 + j] = t9;
+            K[8 * 8 + j] = K[13 * 8 + j] = K[29 * 8 + j] = K[34 * 8 + j] = -t9;
+            K[10 * 8 + j] = K[25 * 8 + j] = -t8;
+            const real t10 = t1 - d_z * t6;
+            K[14 * 8 + j] = K[35 * 8 + j] = t10;
+            K[17 * 8 + j] = K[32 * 8 + j] = -t10;
         }
     }
 }
