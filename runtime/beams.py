@@ -13,7 +13,8 @@ import numpy as np
 from flexel.checks import in_frame, not_negative, positive, span
 from flexel.errors import ModelError
 from flexel.generated.table import ELEMENTS
-from flexel.orientation import matrix, triad, vector
+from flexel.inputs import array
+from flexel.orientation import matrix, triad
 from flexel.structure import Array, Node
 
 if TYPE_CHECKING:
@@ -75,14 +76,17 @@ def beam(
     planar, nodes = self.resolve(owner, *ends, *([] if frame_q is None else [(frame_q, "frame")]))
     section = {"EA": EA, "GJ": GJ, "EIy": EIy, "EIz": EIz, "GAy": GAy, "GAz": GAz}
     given = {key: positive(z, owner, key) for key, z in section.items() if z is not None}
-    _check_kind(owner, rigid, bool(given), frame_q is not None)
-    if planar and given.keys() - {"EA", "EIz", "GAy"}:
+    _check_kind(owner, rigid, given, frame_q is not None)
+    if not given and damping:
+        raise ModelError(f"{owner}: damping has no effect on a rigid beam; drop it, or give a stiffness")
+    unfit = sorted(given.keys() - {"EA", "EIz", "GAy"}) + (["direction"] if direction is not None else [])
+    if planar and unfit:
         raise ModelError(
-            f"{owner}: a planar beam takes EA, EIz and GAy, not {sorted(given)}; drop the others"
+            f"{owner}: a planar beam takes EA, EIz and GAy, not {', '.join(unfit)}; drop the others"
         )
     mass = _mass(owner, planar, mass_per_length, inertia_per_length)
     if frame_q is None:
-        shape = (_planar_offset if planar else _offset)(nodes, owner)
+        shape = _planar_offset(nodes) if planar else _offset(nodes, direction, owner)
         self.add(name, "planar_beam3" if planar else "beam3", nodes, shape | mass)
         return
     shape = _planar_triads(nodes, owner) if planar else _triads(nodes, direction, owner)
@@ -98,7 +102,13 @@ def beam(
         self.linear_law([f"{name}.{z}" for z in free], S, D)
 
 
-def _check_kind(owner: str, rigid: bool, flexible: bool, two_frames: bool) -> None:
+def _check_kind(owner: str, rigid: bool, given: Mapping[str, float], two_frames: bool) -> None:
+    flexible = bool(given)
+    for shear, bending in (("GAy", "EIz"), ("GAz", "EIy")):
+        if shear in given and bending not in given and not rigid:
+            raise ModelError(
+                f"{owner}: the shear stiffness {shear} has no effect without {bending}; give {bending} or drop it"
+            )
     if rigid and flexible:
         raise ModelError(f"{owner}: rigid=True and a stiffness contradict one another; drop one")
     if two_frames and not (rigid or flexible):
@@ -111,11 +121,9 @@ def _check_kind(owner: str, rigid: bool, flexible: bool, two_frames: bool) -> No
 
 def _mass(owner: str, planar: bool, per_length: float, inertia: Any) -> dict[str, Array]:
     size = 1 if planar else 3
-    J = (
-        np.zeros(size)
-        if inertia is None
-        else vector(np.atleast_1d(inertia), owner, "inertia_per_length", size)
-    )
+    J = np.zeros(size) if inertia is None else np.atleast_1d(array(inertia, owner, "inertia_per_length"))
+    if J.shape != (size,):
+        raise ModelError(f"{owner}: inertia_per_length has {J.size} numbers; give {size}")
     if np.any(J < 0):
         raise ModelError(f"{owner}: inertia_per_length {J.tolist()} has a negative entry; give zero or more")
     return {"rhoA": np.array([not_negative(per_length, owner, "mass_per_length")]), "rhoJ": J}
@@ -129,11 +137,11 @@ def _triads(nodes: Sequence[Node], direction: Any, owner: str) -> dict[str, Arra
     return {"l0": np.array([l0]), "tp": in_frame(rp, t), "tq": in_frame(rq, t)}
 
 
-def _offset(nodes: Sequence[Node], owner: str) -> dict[str, Array]:
+def _offset(nodes: Sequence[Node], direction: Any, owner: str) -> dict[str, Array]:
     """Offset of q in the triad of the frame; with coinciding points, a mere connection."""
     xp, rp, xq = (n.x0 for n in nodes)
     l0 = float(np.linalg.norm(xq - xp))
-    t = triad((xq - xp) / l0, None, owner) if l0 > 0 else rp
+    t = triad((xq - xp) / l0, direction, owner) if l0 > 0 else rp
     return {"tp": in_frame(rp, t), "d0": matrix(t).T @ (xq - xp), "l0": np.array([l0])}
 
 
@@ -145,7 +153,7 @@ def _planar_triads(nodes: Sequence[Node], owner: str) -> dict[str, Array]:
     return {"l0": np.array([l0]), "alpha0": alpha - phi_p, "alphaq0": alpha - phi_q}
 
 
-def _planar_offset(nodes: Sequence[Node], owner: str) -> dict[str, Array]:
+def _planar_offset(nodes: Sequence[Node]) -> dict[str, Array]:
     """Offset of q seen from the frame's angle, for the planar rigid link."""
     xp, phi, xq = (n.x0 for n in nodes)
     d = xq - xp

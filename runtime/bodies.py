@@ -12,7 +12,7 @@ import numpy as np
 
 from flexel.checks import positive
 from flexel.errors import ModelError
-from flexel.orientation import vector
+from flexel.inputs import array, vector
 from flexel.structure import Array, Node
 
 if TYPE_CHECKING:
@@ -71,18 +71,16 @@ def inertia_tensor(value: Any, owner: str) -> Array:
     ModelError
         If it is not positive definite, or a principal moment exceeds the sum of the other two.
     """
-    try:
-        J = np.asarray(value, dtype=float)
-    except (TypeError, ValueError) as error:
-        raise ModelError(f"{owner}: inertia {value!r} is not numeric; give numbers [kg m²]") from error
+    J = array(value, owner, "inertia")
     if J.shape == (3,):
         J = np.diag(J)
     elif J.shape == (6,):
         xx, yy, zz, xy, xz, yz = J
         J = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
-    if J.shape != (3, 3) or not np.all(np.isfinite(J)) or not np.allclose(J, J.T, rtol=1e-12, atol=0):
+    if J.shape != (3, 3) or np.max(np.abs(J - J.T)) > 1e-12 * np.max(np.abs(J)):
         raise ModelError(
-            f"{owner}: inertia must be 3 principal moments, (xx, yy, zz, xy, xz, yz) or a symmetric 3x3"
+            f"{owner}: inertia {J.tolist()} is not a tensor; give 3 principal moments, (xx, yy, zz, xy, xz, yz) "
+            "or a symmetric 3x3"
         )
     w = np.linalg.eigvalsh(J)
     if w[0] <= 0:

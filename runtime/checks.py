@@ -10,13 +10,14 @@ from typing import Any
 import numpy as np
 
 from flexel.errors import ModelError
-from flexel.orientation import conjugate, product, vector
+from flexel.inputs import number as checked
+from flexel.orientation import conjugate, product
 from flexel.structure import Array
 
 
 def positive(value: Any, owner: str, what: str) -> float:
     """A positive finite number, or a ModelError."""
-    number = float(vector([value], owner, what, 1)[0])
+    number = checked(value, owner, what)
     if number <= 0:
         raise ModelError(f"{owner}: {what} {number:g} is not positive; give a positive value")
     return number
@@ -24,7 +25,7 @@ def positive(value: Any, owner: str, what: str) -> float:
 
 def not_negative(value: Any, owner: str, what: str) -> float:
     """A finite number that is zero or positive, or a ModelError."""
-    number = float(vector([value], owner, what, 1)[0])
+    number = checked(value, owner, what)
     if number < 0:
         raise ModelError(f"{owner}: {what} {number:g} is negative; give zero or a positive value")
     return number

@@ -26,5 +26,9 @@ class DynamicsError(FlexelError, RuntimeError):
     """The equations of motion cannot be solved or integrated (singular mass matrix, failed step)."""
 
 
+class CompilerError(FlexelError, RuntimeError):
+    """A user-defined law or element cannot be compiled, for want of a C compiler or because it refuses."""
+
+
 class LinearizationError(FlexelError, ValueError):
     """A linearization cannot be formed or reduced as asked."""

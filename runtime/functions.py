@@ -7,6 +7,7 @@ Imports numpy, scipy and the errors.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol, runtime_checkable
@@ -14,7 +15,8 @@ from typing import Any, Protocol, runtime_checkable
 import numpy as np
 from numpy.typing import ArrayLike
 
-from flexel.errors import ModelError
+from flexel.errors import FlexelError, ModelError
+from flexel.inputs import array, number
 
 
 @runtime_checkable
@@ -167,6 +169,8 @@ class Jet:
 
 
 def _jet(value: Any) -> Jet:
+    if isinstance(value, np.ndarray) and value.shape == ():  # from np.where
+        value = value.item()
     return value if isinstance(value, Jet) else Jet(value)
 
 
@@ -190,11 +194,20 @@ class Formula:
     """A Python function of time, differentiated by second-order jets."""
 
     function: Callable[[Any], Any]
+    owner: str = "function of time"
 
     def rates(self, t: float) -> tuple[float, float, float]:
         """Value, first and second rate at time t [s]."""
-        y = _jet(self.function(Jet(t, 1.0, 0.0)))
-        return y.value, y.rate, y.acceleration
+        try:
+            y = _jet(self.function(Jet(t, 1.0, 0.0)))
+        except FlexelError:
+            raise
+        except Exception as error:  # whatever a user's function does
+            raise ModelError(
+                f"{self.owner}: the function failed at t = {t:g} s ({error}); it is called with one argument t and "
+                "must give one number, by operators and NumPy functions, or give the triple (u, u', u'')"
+            ) from error
+        return _finite((y.value, y.rate, y.acceleration), self.owner, t)
 
 
 @dataclass(frozen=True)
@@ -202,11 +215,29 @@ class Triple:
     """Value, first and second rate as three functions of time."""
 
     functions: tuple[Callable[[float], float], Callable[[float], float], Callable[[float], float]]
+    owner: str = "function of time"
 
     def rates(self, t: float) -> tuple[float, float, float]:
         """Value, first and second rate at time t [s]."""
         u, ud, udd = self.functions
-        return float(u(t)), float(ud(t)), float(udd(t))
+        try:
+            values = float(u(t)), float(ud(t)), float(udd(t))
+        except FlexelError:
+            raise
+        except Exception as error:  # whatever a user's function does
+            raise ModelError(
+                f"{self.owner}: one of the functions (u, u', u'') failed at t = {t:g} s ({error}); each is called "
+                "with one number t and must give one number"
+            ) from error
+        return _finite(values, self.owner, t)
+
+
+def _finite(values: tuple[float, float, float], owner: str, t: float) -> tuple[float, float, float]:
+    if math.isfinite(values[0]) and math.isfinite(values[1]) and math.isfinite(values[2]):
+        return values
+    raise ModelError(
+        f"{owner}: value, rate and acceleration at t = {t:g} s are {values}; they must be finite, correct the function"
+    )
 
 
 @dataclass(frozen=True)
@@ -214,6 +245,13 @@ class Polynomial:
     """u(t) = c0 + c1 t + c2 t^2 + …"""
 
     coefficients: Sequence[float]
+
+    def __post_init__(self) -> None:
+        c = array(self.coefficients, "Polynomial", "coefficients")
+        if c.ndim != 1 or not c.size:
+            raise ModelError(
+                f"Polynomial: coefficients {self.coefficients!r}; give a list of one number or more"
+            )
 
     def rates(self, t: float) -> tuple[float, float, float]:
         """Value, first and second rate at time t [s]."""
@@ -231,6 +269,8 @@ class Ramp:
     u1: float
 
     def __post_init__(self) -> None:
+        for name in ("t0", "t1", "u0", "u1"):
+            number(getattr(self, name), "Ramp", name)
         if not self.t1 > self.t0:
             raise ModelError(f"Ramp: t1 = {self.t1} is not after t0 = {self.t0}; give t0 < t1")
 
@@ -251,6 +291,10 @@ class Harmonic:
     phase: float = 0.0
     offset: float = 0.0
 
+    def __post_init__(self) -> None:
+        for name in ("amplitude", "omega", "phase", "offset"):
+            number(getattr(self, name), "Harmonic", name)
+
     def rates(self, t: float) -> tuple[float, float, float]:
         """Value, first and second rate at time t [s]."""
         w, p = self.omega, self.omega * t + self.phase
@@ -270,10 +314,14 @@ class Table:
     def __init__(self, t: ArrayLike, u: ArrayLike) -> None:
         from scipy.interpolate import CubicSpline
 
-        times = np.asarray(t, dtype=float)
+        times, values = array(t, "Table", "times"), array(u, "Table", "values")
+        if values.shape != times.shape:
+            raise ModelError(
+                f"Table: {times.size} times and values of shape {values.shape}; give one value for each"
+            )
         if times.ndim != 1 or times.size < 4 or np.any(np.diff(times) <= 0):
             raise ModelError("Table: times must be at least four, strictly increasing; sort them")
-        self._spline = CubicSpline(times, np.asarray(u, dtype=float))
+        self._spline = CubicSpline(times, values)
         self._range = float(times[0]), float(times[-1])
 
     def rates(self, t: float) -> tuple[float, float, float]:
@@ -286,18 +334,18 @@ class Table:
 
 def as_function(value: Any, owner: str) -> TimeFunction:
     """A TimeFunction from a number, a function of time, a triple of functions, or a ready-made one."""
-    if isinstance(value, TimeFunction):
+    if isinstance(value, TimeFunction) and not isinstance(value, type):
         return value
+    if isinstance(value, type):
+        raise ModelError(
+            f"{owner}: {value.__name__} is a class; give one made with its numbers, {value.__name__}(…)"
+        )
     if isinstance(value, tuple):
         if len(value) != 3 or not all(callable(z) for z in value):
-            raise ModelError(f"{owner}: a tuple must hold three functions (u, u', u'')")
-        return Triple(value)
+            raise ModelError(f"{owner}: {value!r} given; a tuple must hold the three functions (u, u', u'')")
+        return Triple(value, owner)
     if callable(value):
-        return Formula(value)
-    try:
-        number = float(value)
-    except (TypeError, ValueError) as error:
-        raise ModelError(f"{owner}: {value!r} is neither a number nor a function of time") from error
-    if not np.isfinite(number):
-        raise ModelError(f"{owner}: {number} is not finite; give a finite number")
-    return Polynomial((number,))
+        return Formula(value, owner)
+    if isinstance(value, (str, list, type(None))):
+        raise ModelError(f"{owner}: {value!r} is neither a number nor a function of time; give one of these")
+    return Polynomial((number(value, owner, "value"),))

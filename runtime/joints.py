@@ -12,7 +12,8 @@ import numpy as np
 
 from flexel.checks import in_frame, not_negative, positive, span
 from flexel.errors import ModelError
-from flexel.orientation import matrix, triad, unit, vector
+from flexel.inputs import array, number
+from flexel.orientation import matrix, triad, unit
 from flexel.structure import Array, Node
 
 if TYPE_CHECKING:
@@ -37,11 +38,18 @@ def truss(
     """
     owner = f"truss '{name}'"
     planar, nodes = self.resolve(owner, (p, "point"), (q, "point"))
+    k = 0.0 if stiffness is None else positive(stiffness, owner, "stiffness")
+    d = not_negative(damping, owner, "damping")
+    if stiffness is None and d:
+        raise ModelError(
+            f"{owner}: damping without stiffness leaves the bar rigid; give a stiffness, or make a dashpot with "
+            f"m.spring('{name}.elongation', 0, damping)"
+        )
     l0 = span(nodes[0].x0, nodes[1].x0, owner)[1]
     rhoA = np.array([not_negative(mass_per_length, owner, "mass_per_length")])
     self.add(name, "planar_truss" if planar else "truss", nodes, {"l0": np.array([l0]), "rhoA": rhoA})
     if stiffness is not None:
-        self.spring(f"{name}.elongation", positive(stiffness, owner, "stiffness"), damping)
+        self.spring(f"{name}.elongation", k, d)
 
 
 def hinge(
@@ -84,18 +92,23 @@ def hinge_triads(rp: Array, rq: Array, axis: Any, owner: str) -> dict[str, Array
 
 def _joint_springs(self: Model, name: str, modes: Sequence[str], stiffness: Any, damping: Any) -> None:
     owner = f"hinge '{name}'"
-    if stiffness is None and not np.any(damping):
+    d = np.atleast_1d(array(damping, owner, "damping"))
+    if stiffness is None and not np.any(d):
         return
-    k = np.atleast_1d(np.asarray(0.0 if stiffness is None else stiffness, dtype=float))
+    k = np.zeros(d.shape) if stiffness is None else np.atleast_1d(array(stiffness, owner, "stiffness"))
     if k.shape not in ((1,), (len(modes),)):
         raise ModelError(
-            f"{owner}: stiffness needs one number or {len(modes)}, for {', '.join(modes)}; it has shape {k.shape}"
+            f"{owner}: stiffness and damping take one number or {len(modes)}, for {', '.join(modes)}; "
+            f"{k.size} given"
         )
-    d = np.atleast_1d(np.asarray(damping, dtype=float))
     if d.shape not in ((1,), k.shape):
-        raise ModelError(f"{owner}: damping needs one number or as many as stiffness; it has shape {d.shape}")
+        raise ModelError(
+            f"{owner}: {d.size} numbers for damping and {k.size} for stiffness; give equally many"
+        )
     for mode, ki, di in zip(modes, k, np.broadcast_to(d, k.shape), strict=False):
-        self.spring(f"{name}.{mode}", float(ki), float(di))
+        if stiffness is not None:
+            positive(ki, owner, f"stiffness of {mode}")
+        self.spring(f"{name}.{mode}", float(ki), not_negative(di, owner, f"damping of {mode}"))
 
 
 def bearing(
@@ -161,6 +174,6 @@ def wheel(
         "radius": np.array([positive(radius, owner, "radius")]),
         "axle": matrix(rw).T @ a,
         "normal": n,
-        "height": vector([height], owner, "road height", 1),
+        "height": np.array([number(height, owner, "road height")]),
     }
     self.add(name, "wheel", nodes, values)

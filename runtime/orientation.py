@@ -2,7 +2,7 @@
 
 Quaternions are arrays (4,) with the scalar first, lambda = (lambda0, lambda1, lambda2, lambda3).
 The symbolic counterpart, used to derive the kernels, is `flexel.derive.rotation`.
-Imports numpy and the errors.
+Imports numpy, the errors and the checked inputs.
 """
 
 from __future__ import annotations
@@ -10,11 +10,9 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from flexel.errors import ModelError
-
-Array = NDArray[np.float64]
+from flexel.inputs import Array, vector
 
 
 def product(p: Array, q: Array) -> Array:
@@ -80,21 +78,8 @@ def unit(direction: Any, owner: str, what: str, size: int = 3) -> Array:
     d = vector(direction, owner, what, size)
     length = np.linalg.norm(d)
     if length < 1e-12:
-        raise ModelError(f"{owner}: {what} {tuple(d)} has no length; give a direction")
+        raise ModelError(f"{owner}: {what} {d.tolist()} has no length; give a direction")
     return np.asarray(d / length)
-
-
-def vector(value: Any, owner: str, what: str, size: int) -> Array:
-    """A float array (size,) of finite numbers, or a ModelError that names the owner."""
-    try:
-        d = np.array(value, dtype=float)
-    except (TypeError, ValueError) as error:
-        raise ModelError(f"{owner}: {what} {value!r} is not numeric; give {size} numbers") from error
-    if d.shape != (size,):
-        raise ModelError(f"{owner}: {what} has shape {d.shape}; give {size} numbers")
-    if not np.all(np.isfinite(d)):
-        raise ModelError(f"{owner}: {what} {tuple(d)} is not finite; give {size} finite numbers")
-    return d
 
 
 def triad(e_x: Array, hint: Any | None, owner: str) -> Array:
@@ -110,6 +95,6 @@ def triad(e_x: Array, hint: Any | None, owner: str) -> Array:
     e_y = h - (h @ e_x) * e_x
     length = np.linalg.norm(e_y)
     if length < 1e-8:
-        raise ModelError(f"{owner}: direction {tuple(h)} is parallel to the axis; give another direction")
+        raise ModelError(f"{owner}: direction {h.tolist()} is parallel to the axis; give another direction")
     e_y /= length
     return from_matrix(np.column_stack([e_x, e_y, np.cross(e_x, e_y)]))
