@@ -7,10 +7,13 @@ largest entries.  Imports numpy, scipy.linalg and the kinematics.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from scipy.linalg import qr
 
-from flexel.errors import ConstraintError
+from flexel.errors import ConstraintError, ModelError
+from flexel.inputs import names as checked_names
 from flexel.kinematics import Kinematics
 from flexel.roles import Roles
 from flexel.structure import Array, Index, Structure
@@ -45,7 +48,7 @@ def quoted(names: list[str]) -> str:
     return ", ".join(f"'{name}'" for name in names)
 
 
-def check_redundancy(structure: Structure, J: Array, rows: Index, what: str) -> None:
+def check_redundancy(structure: Structure, roles: Roles, J: Array, rows: Index, what: str) -> None:
     """Raise if the constraint rows are dependent, naming the conditions that repeat one another.
 
     Raises
@@ -59,10 +62,12 @@ def check_redundancy(structure: Structure, J: Array, rows: Index, what: str) -> 
     for column in left.T:
         names += [z for z in largest(structure, rows, column) if z not in names]
     count = left.shape[1]
+    mine = [z for z in names if structure.find(z) not in roles.prescribed]
+    remedy = f"m.release('{mine[0]}')" if mine else f"without m.prescribe('{names[0]}', …)"
     raise ConstraintError(
         f"over-constrained: {count} {what} repeat{'s' if count == 1 else ''} what others already say, among "
         f"{quoted(names[:10])}; release {'one' if count == 1 else str(count)} of them "
-        f"(for example m.release('{names[0]}'))"
+        f"(for example {remedy})"
     )
 
 
@@ -103,6 +108,24 @@ def pick(kinematics: Kinematics, J: Array, space: Array, exclude: Index) -> Inde
     return np.sort(rows[pivots[: space.shape[1]]])
 
 
+def named_freedoms(structure: Structure, names: Sequence[str] | None, owner: str) -> Index | None:
+    """Quantity indices of named freedoms: coordinates that can move, or deformations; each once."""
+    if names is None:
+        return None
+    if len(set(checked_names(names, owner))) < len(names):
+        doubles = sorted({z for z in names if list(names).count(z) > 1})
+        raise ModelError(f"{owner}: {quoted(doubles)} named twice; name each once")
+    found = np.array([structure.find(z, owner) for z in names], dtype=np.intp)
+    first = structure.m + structure.k
+    for name, i in zip(names, found, strict=True):
+        if structure.m <= i < first or i >= first + structure.nf:
+            what = "a slip" if i < first else "fixed"
+            raise ModelError(
+                f"{owner}: '{name}' is {what} and no freedom; name coordinates that can move, or deformations"
+            )
+    return found
+
+
 def choose_freedoms(
     kinematics: Kinematics, J: Array, dynamic: Index | None, kinematic: Index | None
 ) -> Roles:
@@ -122,35 +145,47 @@ def choose_freedoms(
     """
     structure, roles = kinematics.structure, kinematics.roles
     nf = structure.nf
-    check_redundancy(structure, J, roles.holonomic, "rigid or prescribed condition(s)")
+    check_redundancy(structure, roles, J, roles.holonomic, "rigid or prescribed condition(s)")
     rolling = np.concatenate([roles.holonomic, roles.zero])
-    check_redundancy(structure, J, rolling, "rolling condition(s)")
+    check_redundancy(structure, roles, J, rolling, "rolling condition(s)")
     if dynamic is None:
         dynamic = pick(kinematics, J, null_space(J[rolling, :nf], nf)[0], roles.prescribed)
     else:
-        check_choice(structure, J, rolling, dynamic, "dynamic", "independent")
+        check_choice(kinematics, J, rolling, dynamic, "dynamic", "independent")
     held = np.concatenate([roles.holonomic, dynamic])
     if kinematic is None:
         kinematic = pick(kinematics, J, null_space(J[held, :nf], nf)[0], dynamic)
     else:
-        check_choice(structure, J, held, kinematic, "kinematic", "kinematic")
+        check_choice(kinematics, J, held, kinematic, "kinematic", "kinematic")
     return roles.with_freedoms(dynamic, kinematic)
 
 
 def check_choice(
-    structure: Structure, J: Array, constraints: Index, chosen: Index, kind: str, method: str
+    kinematics: Kinematics, J: Array, constraints: Index, chosen: Index, kind: str, method: str
 ) -> None:
     """Raise if named freedoms are too many, too few or dependent, naming what is left or repeated."""
-    nf = structure.nf
+    structure, nf = kinematics.structure, kinematics.structure.nf
     rows = np.concatenate([constraints, chosen])
     right, left = null_space(J[rows, :nf], nf)
     needed = nf - constraints.size
-    if left.shape[1]:
-        names = [structure.names[i] for i in chosen]
-        repeated = largest(structure, rows, left[:, 0])
+    names = [structure.names[i] for i in chosen]
+    taken = [names[i] for i in range(chosen.size) if chosen[i] in constraints]
+    if taken:
+        raise ConstraintError(
+            f"{quoted(taken)} is constrained and cannot be a {kind} coordinate; name others"
+        )
+    if left.shape[1] and chosen.size > needed:
         raise ConstraintError(
             f"{chosen.size} {kind} coordinate(s) named ({quoted(names)}) but the mechanism has {needed}: "
-            f"{quoted(repeated)} depend on one another; take one of {quoted(names)} back"
+            f"{quoted(largest(structure, rows, left[:, 0]))} depend on one another; take {chosen.size - needed} of "
+            f"{quoted(names)} back"
+        )
+    if left.shape[1]:
+        better = pick(kinematics, J, null_space(J[constraints, :nf], nf)[0], constraints)
+        raise ConstraintError(
+            f"{quoted(names)} cannot be the {kind} coordinate(s) in this position: "
+            f"{quoted(largest(structure, rows, left[:, 0]))} depend on one another; name others, for example "
+            f"{quoted([structure.names[i] for i in better])}"
         )
     if right.shape[1]:
         moving = np.arange(nf) + structure.m + structure.k

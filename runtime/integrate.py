@@ -19,6 +19,7 @@ from scipy.optimize import brentq
 from tqdm import tqdm
 
 from flexel.errors import DynamicsError, FlexelError, ModelError
+from flexel.inputs import array, number
 from flexel.roles import Roles
 from flexel.state import State
 from flexel.structure import Array
@@ -69,6 +70,43 @@ class Integration:
     message: str
 
 
+def stored_times(start: State, duration: Any, times: Any, samples: Any) -> Array:
+    """Times at which states are kept, from the start on.
+
+    Raises
+    ------
+    ModelError
+        A duration that is not positive, times that do not increase or lie outside the motion.
+    """
+    span = number(duration, "simulate", "duration")
+    if span <= 0:
+        raise ModelError(f"simulate: duration {span:g} s is not positive; give a positive time")
+    if times is None:
+        if not isinstance(samples, (int, np.integer)) or samples < 2:
+            raise ModelError(f"simulate: {samples!r} samples asked for; give a whole number, 2 or more")
+        return np.linspace(start.t, start.t + span, int(samples))
+    grid = array(times, "simulate", "times")
+    if grid.ndim != 1 or not grid.size or np.any(np.diff(grid) <= 0) or grid[0] < start.t:
+        raise ModelError(f"simulate: times must be a list that increases from {start.t:g} s; sort them")
+    if grid[-1] > start.t + span * (1 + 1e-12):
+        raise ModelError(
+            f"simulate: time {grid[-1]:g} s lies after the end of the motion, {start.t + span:g} s; lengthen the "
+            "duration"
+        )
+    return np.concatenate([[start.t], grid]) if grid[0] > start.t else grid
+
+
+def _positive(value: Any, what: str, least: float = 0.0) -> float:
+    checked = np.inf if value is np.inf else number(value, "simulate", what)
+    if checked <= least:
+        raise ModelError(f"simulate: {what} {checked:g} is too small; give more than {least:g}")
+    return checked
+
+
+def _value(event: Event, state: State) -> float:
+    return number(event.function(state), f"event '{event.name}' at t = {state.t:g} s", "value")
+
+
 class Integrator:
     """One run of the forward dynamics of a system."""
 
@@ -85,11 +123,19 @@ class Integrator:
         progress: bool | None,
         rechoose: bool,
     ) -> None:
-        if method not in METHODS:
-            raise ModelError(f"integrator '{method}' is unknown; choose one of {', '.join(METHODS)}")
+        if not isinstance(method, str) or method not in METHODS:
+            raise ModelError(f"simulate: method {method!r} is unknown; choose one of {', '.join(METHODS)}")
+        if isinstance(events, Event) or not all(isinstance(z, Event) for z in events):
+            raise ModelError(
+                f"simulate: events {events!r} are not a list of Events; write [Event(name, function)]"
+            )
         self.system = system
         self.times = times
-        self.options = {"rtol": rtol, "atol": atol, "max_step": max_step}
+        self.options = {
+            "rtol": _positive(rtol, "rtol", 1e-13),
+            "atol": _positive(atol, "atol"),
+            "max_step": _positive(max_step, "max_step"),
+        }
         self.method = METHODS[method]
         self.events = events
         self.rechoose = rechoose
@@ -124,7 +170,7 @@ class Integrator:
         system.warm(self.state)
         solver = self.method(system.rhs, self.state.t, y0, float(self.times[-1]), **self.options)
         reference = system.condition(self.state)
-        values = [event.function(self.state) for event in self.events]
+        values = [_value(event, self.state) for event in self.events]
         statistics = self.result.statistics
         count = 0
         while solver.status == "running":
@@ -183,10 +229,10 @@ class Integrator:
             return found
 
         last = state(t1)
-        after = [event.function(last) for event in self.events]
+        after = [_value(event, last) for event in self.events]
         found: list[tuple[str, State]] = []
         for event, g0, g1 in zip(self.events, before, after, strict=True):
-            if g0 * g1 < 0 and (event.direction == 0 or event.direction * (g1 - g0) > 0):
+            if (g0 < 0 <= g1 or g1 <= 0 < g0) and (event.direction == 0 or event.direction * (g1 - g0) > 0):
                 t = brentq(lambda z, event=event: event.function(state(z)), t0, t1, xtol=1e-13, rtol=8.9e-16)
                 found.append((event.name, state(float(t))))
         return sorted(found, key=lambda z: z[1].t), after, last

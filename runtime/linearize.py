@@ -17,10 +17,11 @@ from numpy.typing import NDArray
 from scipy.linalg import eig
 
 from flexel.dynamics import solve_mass
-from flexel.errors import LinearizationError, ModelError
+from flexel.errors import LinearizationError
 from flexel.evaluate import Tangents
+from flexel.inputs import names as checked_names
 from flexel.kinematics import Configuration, Factorization, Kinematics
-from flexel.state import State
+from flexel.state import State, own_state
 from flexel.structure import Array
 
 _eig: Any = eig
@@ -216,9 +217,13 @@ class Linearization:
         LinearizationError
             If another freedom enters their equations by more than `tolerance` of the largest entry.
         """
+        if not checked_names(names, "reduced") or len(set(names)) < len(names):
+            raise LinearizationError(f"reduced: {names!r} given; name one dynamic freedom or more, each once")
         for name in names:
             if name not in self.dynamic:
-                raise LinearizationError(f"'{name}' is not a dynamic freedom; there are {self.dynamic}")
+                raise LinearizationError(
+                    f"reduced: '{name}' is not a dynamic freedom; name some of {self.dynamic}"
+                )
         i = [self.dynamic.index(name) for name in names]
         for matrix, label in ((self.M, "M"), (self.C, "C"), (self.K, "K")):
             block = matrix[i]
@@ -234,7 +239,10 @@ class Linearization:
 
     def input_matrix(self, names: Sequence[str]) -> Array:
         """F̄ (nd, inputs): generalized forces of loads on the named coordinates, deformations or slips."""
-        rows = [self.state.structure.find(name) for name in names]
+        rows = [self.state.structure.find(name, "input") for name in checked_names(names, "inputs")]
+        for name, i in zip(names, rows, strict=True):
+            if i >= self.state.J.shape[0] - self.state.J.shape[1] + self.state.structure.nf:
+                raise LinearizationError(f"input '{name}' is a fixed coordinate and moves nothing; drop it")
         nd, nf = len(self.dynamic), self.state.structure.nf
         return np.asarray((self.state.J[rows, :nf] @ self.transfer.H[:, :nd]).T)
 
@@ -264,8 +272,7 @@ class Linearization:
 def linearize(kinematics: Kinematics, state: State) -> Linearization:
     """Linearized equations of motion about a complete state."""
     structure, roles = kinematics.structure, kinematics.roles
-    if state.structure is not structure:
-        raise ModelError("the state belongs to another model; linearize about a state of this one")
+    own_state(structure, state, "linearize")
     nf, nd, nq = structure.nf, roles.nd, roles.nq
     c = Configuration(state.t, state.x, state.e, state.J)
     T = kinematics.evaluation.tangents(state.x, state.v, state.a, state.J, state.e, state.stress)

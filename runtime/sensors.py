@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from flexel.errors import LinearizationError
+from flexel.inputs import names
 from flexel.linearize import Linearization
 from flexel.structure import Array
 
@@ -30,6 +31,7 @@ def state_space(
     lin: Linearization, inputs: Sequence[str], outputs: Sequence[str]
 ) -> tuple[Array, Array, Array, Array]:
     """State-space matrices; see `Linearization.state_space`."""
+    inputs, outputs = names(inputs, "inputs"), names(outputs, "outputs")
     loads = [z for z in inputs if z not in lin.prescribed]
     driven = [lin.prescribed.index(z) for z in inputs if z in lin.prescribed]
     place = {z: i for i, z in enumerate(inputs)}

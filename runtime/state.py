@@ -110,3 +110,14 @@ class State:
     def velocity(self, node: str) -> Array:
         """Rates of a node's coordinates."""
         return np.asarray(self.v[self.structure.places(node)])
+
+
+def own_state(structure: Structure, state: object, owner: str) -> State:
+    """The state, if it is one of this model; a ModelError that names the owner otherwise."""
+    if not isinstance(state, State):
+        raise ModelError(
+            f"{owner}: {type(state).__name__} is no state; give one, such as system.initial or motion[-1]"
+        )
+    if state.structure is not structure:
+        raise ModelError(f"{owner}: the state belongs to another model; give a state of this one")
+    return state

@@ -13,9 +13,10 @@ import numpy as np
 
 from flexel import dynamics
 from flexel.errors import ModelError, PositionError
-from flexel.kinematics import Configuration
+from flexel.inputs import number, numbers
+from flexel.kinematics import Configuration, Kinematics
 from flexel.roles import Roles
-from flexel.state import State
+from flexel.state import State, own_state
 from flexel.structure import Array, Structure
 
 if TYPE_CHECKING:
@@ -38,15 +39,47 @@ def with_freedoms(structure: Structure, e: Array, q: Array, roles: Roles) -> Arr
     return e
 
 
-def state_from(system: System, t: float, y: Array, roles: Roles, previous: State) -> State:
+def with_turns(kinematics: Kinematics, c: Configuration, q: Array, reference: Array) -> Array:
+    """Deformations with their turns: freedoms and prescribed angles know theirs, others are nearest to a reference."""
+    structure, rows = kinematics.structure, kinematics.roles.position_rows
+    own = rows < structure.m
+    known = reference.copy()
+    known[rows[own]] = kinematics.target(c.t, q)[own]
+    return with_freedoms(structure, unwrap(structure, c.e, known), q, kinematics.roles)
+
+
+def state_from(
+    system: System, t: float, y: Array, roles: Roles, previous: State, guess: Array | None = None
+) -> State:
     """Complete state from y = (q, q_d') in the coordinates `roles`; see `System.state_from`."""
     kinematics, nq, m = system.kinematics_of(roles), roles.nq, system.structure.m
-    guess = previous.x + (t - previous.t) * previous.v if nq == 0 else previous.x
+    if guess is None:
+        guess = previous.x + (t - previous.t) * previous.v if nq == 0 else previous.x
     c = kinematics.position(t, y[:nq], guess)
     v = kinematics.velocity(c, kinematics.velocity_matrix(c), y[nq:])
     predicted = previous.e + (t - previous.t) * (previous.J[:m] @ previous.v + c.J[:m] @ v) / 2
-    e = with_freedoms(system.structure, unwrap(system.structure, c.e, predicted), y[:nq], roles)
-    return dynamics.complete(kinematics, system.loads, c, v, e)
+    return dynamics.complete(
+        kinematics, system.loads, c, v, with_turns(kinematics, c, y[:nq], predicted)
+    )
+
+
+def state_between(system: System, t: float, y: Array, roles: Roles, first: State, last: State) -> State:
+    """Complete state inside a step of the integration, from y and the states at its two ends.
+
+    Positions of a mechanism have branches; the cubic through both ends tells which one is meant.
+    """
+    h, m = last.t - first.t, system.structure.m
+    z = (t - first.t) / h
+    a, b = z * z * (3 - 2 * z), h * z * (1 - z)
+    guess = (1 - a) * first.x + a * last.x + b * ((1 - z) * first.v - z * last.v)
+    e0, e1 = first.J[:m] @ first.v, last.J[:m] @ last.v
+    predicted = (1 - a) * first.e + a * last.e + b * ((1 - z) * e0 - z * e1)
+    kinematics, nq = system.kinematics_of(roles), roles.nq
+    c = kinematics.position(t, y[:nq], guess)
+    v = kinematics.velocity(c, kinematics.velocity_matrix(c), y[nq:])
+    return dynamics.complete(
+        kinematics, system.loads, c, v, with_turns(kinematics, c, y[:nq], predicted)
+    )
 
 
 def state_at(
@@ -58,17 +91,18 @@ def state_at(
 ) -> State:
     """Consistent state with given values and rates; see `System.state_at`."""
     structure, roles, kinematics = system.structure, system.roles, system.kinematics
-    if start.structure is not structure:
-        raise ModelError("the start state belongs to another model; take one of this system")
+    own_state(structure, start, "state_at")
+    wanted = numbers(values, "state_at", "value")
+    time = start.t if t is None else number(t, "state_at", "time t")
     q = np.array(start.values[roles.freedoms])
-    for name, value in values.items():
-        i = structure.find(name)
+    for name, value in wanted.items():
+        i = structure.find(name, "state_at")
         if i not in roles.freedoms:
             raise ModelError(
                 f"'{name}' is not a freedom; values can be given to {kinematics.names(roles.freedoms)}"
             )
-        q[list(roles.freedoms).index(i)] = float(value)
-    c = kinematics.position(start.t if t is None else t, q, start.x)
+        q[list(roles.freedoms).index(i)] = value
+    c = kinematics.position(time, q, start.x)
     e = with_freedoms(structure, unwrap(structure, c.e, start.e), q, roles)
     qd = start.J[roles.dynamic] @ start.v if rates is None else consistent_rates(system, c, rates)
     v = kinematics.velocity(c, kinematics.velocity_matrix(c), qd)
@@ -84,10 +118,9 @@ def consistent_rates(system: System, c: Configuration, rates: Mapping[str, float
         Rates that are not finite; rates that contradict one another or the constraints.
     """
     structure, kinematics, nd = system.structure, system.kinematics, system.roles.nd
-    rows = np.array([structure.find(name) for name in rates], dtype=np.intp)
-    wanted = np.array([float(z) for z in rates.values()])
-    if not np.all(np.isfinite(wanted)):
-        raise ModelError(f"initial rates {dict(rates)} are not all finite; give finite numbers")
+    given = numbers(rates, "initial rates", "rate")
+    rows = np.array([structure.find(name, "initial rates") for name in given], dtype=np.intp)
+    wanted = np.array(list(given.values()))
     B = kinematics.velocity_matrix(c)
     H = dynamics.unit_solutions(kinematics, B)
     v0 = kinematics.velocity(c, B, np.zeros(nd))

@@ -139,11 +139,11 @@ class Structure:
         """Quantity index of coordinate i."""
         return self.m + self.k + i
 
-    def find(self, name: str) -> int:
-        """Quantity index of a name; a ModelError with the nearest known names otherwise."""
-        if name in self.index:
+    def find(self, name: str, owner: str = "") -> int:
+        """Quantity index of a name; a ModelError with the nearest known names (and the owner) otherwise."""
+        if isinstance(name, str) and name in self.index:
             return self.index[name]
-        raise ModelError(unknown(name, self.index))
+        raise ModelError(f"{owner}: " * bool(owner) + unknown(str(name), self.index))
 
     def node(self, name: str) -> Node:
         """The node of that name."""
