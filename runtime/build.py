@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from flexel.diagnose import choose_freedoms
+from flexel.diagnose import choose_freedoms, named_freedoms
 from flexel.errors import ModelError, PositionError
 from flexel.evaluate import Evaluation
 from flexel.generated.table import ELEMENTS
+from flexel.inputs import number
 from flexel.kinematics import Configuration, Kinematics, wrap
 from flexel.loads import Loads
 from flexel.roles import Roles
@@ -27,24 +28,24 @@ STEP = 0.2  # largest change of a wanted value (in its natural scale) in one ste
 
 def build(model: Model, t: float) -> System:
     """The system of a model at time t; see `Model.build`."""
+    t = number(t, "build", "time t")
     if not model.nodes:
         raise ModelError("the model has no nodes; add points and frames first")
     structure = assemble_structure(
         model.nodes.values(), [*model.instances.values(), *norms(model)], model.laws
     )
+    check_laws(structure)
     evaluation = Evaluation(structure)
     roles = resolve_roles(model, structure)
     loads = Loads(structure, tuple(model.loads))
     check_names(model, structure, roles)
+    loads.at(t)  # a load that fails is found here, not in the middle of a motion
     kinematics = Kinematics(evaluation, roles)
     c = first_position(model, kinematics, t)
-    chosen = choose_freedoms(
-        kinematics, c.J, named(structure, model.dynamic), named(structure, model.kinematic_names)
-    )
-    system = System(evaluation, loads, chosen, c)
-    if model.rates:
-        system.initial = system.state_at(rates=model.rates)
-    return system
+    dynamic = named_freedoms(structure, model.dynamic, "independent")
+    kinematic = named_freedoms(structure, model.kinematic_names, "kinematic")
+    chosen = choose_freedoms(kinematics, c.J, dynamic, kinematic)
+    return System(evaluation, loads, chosen, c, model.rates)
 
 
 def norms(model: Model) -> list[Instance]:
@@ -53,14 +54,30 @@ def norms(model: Model) -> list[Instance]:
     return [Instance(n.name, ELEMENTS["norm"], (n.name,), {}) for n in frames]
 
 
-def named(structure: Structure, names: list[str] | None) -> Index | None:
-    """Quantity indices of named freedoms, each once."""
-    if names is None:
-        return None
-    doubles = {z for z in names if names.count(z) > 1}
-    if doubles:
-        raise ModelError(f"freedom(s) {sorted(doubles)} named twice; name each once")
-    return np.array([structure.find(z) for z in names], dtype=np.intp)
+def check_laws(structure: Structure) -> None:
+    """Each law must act on deformations (springs) or slips (viscous resistance) that exist."""
+    m, k = structure.m, structure.k
+    for law in structure.laws:
+        owner = f"law on '{law.name}'"
+        for name in law.deformations:
+            if structure.find(name, owner) >= m:
+                raise ModelError(f"{owner}: '{name}' is not a deformation; springs and formulas act on these")
+            refuse_norm(structure, name, owner)
+        for name in law.slips:
+            if not m <= structure.find(name, owner) < m + k:
+                raise ModelError(
+                    f"{owner}: '{name}' is not a slip; use m.spring(…, 0, damping) on deformations"
+                )
+
+
+def refuse_norm(structure: Structure, name: str, owner: str) -> None:
+    """The norm of Euler parameters has no role, law or load of its own."""
+    if structure.find(name, owner) < structure.m and name.endswith(".norm"):
+        frame = name.removesuffix(".norm")
+        raise ModelError(
+            f"{owner}: '{name}' is the norm of the Euler parameters of frame '{frame}', which always holds; name "
+            "another quantity"
+        )
 
 
 def resolve_roles(model: Model, structure: Structure) -> Roles:
@@ -70,18 +87,23 @@ def resolve_roles(model: Model, structure: Structure) -> Roles:
         frees = [z.free for z in instance.spec.deformations] + [z.free for z in instance.spec.slips]
         for name, free in zip((*instance.deformations, *instance.slips), frees, strict=True):
             role[name] = "free" if free else "rigid"
-    for law in model.laws:
-        for name in (*law.deformations, *law.slips):
-            structure.find(name)
-            role[name] = "free"
+    for law in structure.laws:
+        role.update(dict.fromkeys((*law.deformations, *law.slips), "free"))
+        contradicted = [z for z in (*law.deformations, *law.slips) if model.roles.get(z) == "rigid"]
+        if contradicted:
+            raise ModelError(f"'{contradicted[0]}' is rigid and also has a law; take one of them back")
     for name, wish in model.roles.items():
-        if structure.find(name) >= structure.m + structure.k:
+        if structure.find(name, "rigid or release") >= structure.m + structure.k:
             raise ModelError(
                 f"'{name}' is a coordinate; rigid and free are roles of deformations and slips, use fix"
             )
+        refuse_norm(structure, name, "rigid or release")
         role[name] = wish
     for name in [*(model.dynamic or []), *(model.kinematic_names or []), *model.motions]:
-        structure.find(name)
+        structure.find(name, "independent, kinematic or prescribe")
+        refuse_norm(structure, name, "independent, kinematic or prescribe")
+        if model.roles.get(name) == "rigid":
+            raise ModelError(f"'{name}' is rigid and also independent or prescribed; take one of them back")
         role[name] = "free"
     rigid = [structure.index[z] for z, wish in role.items() if wish == "rigid"]
     prescribed = [structure.find(z) for z in model.motions]
@@ -99,33 +121,35 @@ def resolve_roles(model: Model, structure: Structure) -> Roles:
 def check_names(model: Model, structure: Structure, roles: Roles) -> None:
     """Contradictions between roles, loads and initial values, by name."""
     first, nf = structure.m + structure.k, structure.nf
-    for name in [*(model.dynamic or []), *(model.kinematic_names or []), *model.motions]:
+    for name in model.motions:
         i = structure.find(name)
         if structure.m <= i < first:
             raise ModelError(
-                f"'{name}' is a slip; only coordinates and deformations can be freedoms or prescribed"
+                f"prescribe: '{name}' is a slip; only coordinates and deformations are prescribed"
             )
         if i >= first + nf:
-            raise ModelError(
-                f"'{name}' is fixed; release the node, or take it out of the freedoms and motions"
-            )
+            raise ModelError(f"prescribe: '{name}' is fixed; release the node, or do not prescribe it")
     for name in model.dynamic or []:
         if name in model.motions or name in (model.kinematic_names or []):
             raise ModelError(f"'{name}' is independent and also prescribed or kinematic; choose one")
     for load in model.loads:
+        refuse_norm(structure, load.name, "load")
         if structure.find(load.name) >= first + nf:
             raise ModelError(
                 f"load on '{load.name}': this coordinate is fixed and cannot move; remove load or fixing"
             )
     for name in model.values:
-        i = structure.find(name)
+        i = structure.find(name, "initial")
         if i in roles.rigid or i in roles.prescribed or i >= first + nf or structure.m <= i < first:
             raise ModelError(
                 f"initial value of '{name}': it is rigid, prescribed, fixed or a slip; take it back"
             )
     for name in model.rates:
-        if structure.find(name) >= first + nf:
-            raise ModelError(f"initial rate of '{name}': this coordinate is fixed; take it back")
+        i = structure.find(name, "initial")
+        if i in roles.rigid or i in roles.prescribed or i in roles.zero or i >= first + nf:
+            raise ModelError(
+                f"initial rate of '{name}': it is rigid, prescribed, fixed or a zero slip; take it back"
+            )
 
 
 def first_position(model: Model, kinematics: Kinematics, t: float) -> Configuration:

@@ -109,22 +109,42 @@ def solve_mass(kinematics: Kinematics, Mr: Array, rhs: Array) -> Array:
     return np.asarray(x)
 
 
-def complete(kinematics: Kinematics, loads: Loads, c: Configuration, v: Array, e: Array) -> State:
-    """The complete state at a configuration with velocities: accelerations, stresses, reactions, energy."""
+def complete(
+    kinematics: Kinematics, loads: Loads, c: Configuration, v: Array, e: Array, qdd: Array | None = None
+) -> State:
+    """The complete state at a configuration with velocities: accelerations, stresses, reactions, energy.
+
+    With `qdd` (nd,) the motion is driven: the stresses of the freedoms that are deformations, and the reactions
+    of those that are coordinates, then hold what drives them.
+    """
     s, roles = kinematics.structure, kinematics.roles
     B = kinematics.velocity_matrix(c)
     given = forces(kinematics, loads, c, v, e)
-    a = accelerations(kinematics, c, B, v, given).a
+    if qdd is None:
+        a = accelerations(kinematics, c, B, v, given).a
+    else:
+        rhs = kinematics.convective(c, v)
+        rhs[s.nf - roles.nd :] += qdd
+        a = np.zeros(s.n)
+        a[: s.nf] = B.solve(rhs)
     residual = given.F - given.M @ a
     mu = B.solve(residual[: s.nf], transposed=True)
+    if qdd is None:
+        mu[s.nf - roles.nd :] = 0.0
     multiplier = np.zeros(len(s.names))
-    rows = roles.velocity_rows[: roles.velocity_rows.size - roles.nd]
-    multiplier[rows] = mu[: rows.size]
+    multiplier[roles.velocity_rows] = mu
+    return with_multipliers(kinematics, c, v, a, e, given, multiplier)
+
+
+def with_multipliers(
+    kinematics: Kinematics, c: Configuration, v: Array, a: Array, e: Array, given: Forces, multiplier: Array
+) -> State:
+    """The state with known accelerations and multipliers (m + k + n,) of constraints, by quantity."""
+    s, roles = kinematics.structure, kinematics.roles
     first = s.m + s.k
-    stress = given.stress + multiplier[:first]
     reactions = -multiplier[first:]
-    reactions[s.nf :] = -(residual - multiplier[:first] @ c.J[:first])[s.nf :]
-    second = kinematics.evaluation.convective(c.x, v) + c.J @ a
+    unbalance = given.F - given.M @ a - multiplier[:first] @ c.J[:first]
+    reactions[s.nf :] = -unbalance[s.nf :]
     held = kinematics.values(c.e, c.x)[roles.rigid] / kinematics.scales(roles.rigid)
     return State(
         t=c.t,
@@ -133,11 +153,11 @@ def complete(kinematics: Kinematics, loads: Loads, c: Configuration, v: Array, e
         a=a,
         e=e,
         J=c.J,
-        stress=stress,
+        stress=given.stress + multiplier[:first],
         reactions=reactions,
         roles=roles,
         structure=s,
         energy=given.energy,
         drift=float(np.max(np.abs(held), initial=0.0)),
-        Phi_v=second,
+        Phi_v=kinematics.evaluation.convective(c.x, v) + c.J @ a,
     )

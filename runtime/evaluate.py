@@ -90,6 +90,12 @@ class Evaluation:
         self._law.run(e=e, ed=ed, s=s)
         return self._law.sum("stress", (size,)), float(self._law.sum("U", (1,))[0])
 
+    def stress_stiffness(self, x: Array, stress: Array) -> Array:
+        """Derivative (n, n) of De' sigma + V' tau by x at given stresses (m + k,)."""
+        m, n = self.structure.m, self.structure.n
+        self._stiffness.run(x=x, sigma=stress[:m], tau=stress[m:])
+        return self._stiffness.sum("K", (n, n))
+
     def tangents(self, x: Array, v: Array, a: Array, J: Array, e: Array, stress: Array) -> Tangents:
         """All derivatives at a state; `stress` (m + k,) includes those of rigid deformations."""
         m, k, n = self.structure.m, self.structure.k, self.structure.n
@@ -98,9 +104,8 @@ class Evaluation:
         Phi_x, Psi_x, Psi_v = (
             self._kinematics.put(name, np.zeros(shape)) for name in ("Phi_x", "Psi_x", "Psi_v")
         )
-        self._stiffness.run(x=x, sigma=stress[:m], tau=stress[m:])
         self._tangent.run(x=x, v=v, a=a)
-        r_x = self._stiffness.sum("K", (n, n)) + self._tangent.sum("R_x", (n, n))
+        r_x = self.stress_stiffness(x, stress) + self._tangent.sum("R_x", (n, n))
         r_v = self._tangent.sum("R_v", (n, n))
         S = J[: m + k]
         self._law_tangent.run(e=e, ed=J[:m] @ v, s=J[m : m + k] @ v)

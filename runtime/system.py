@@ -12,17 +12,17 @@ from functools import cached_property
 
 import numpy as np
 
-from flexel import dynamics, states
-from flexel.diagnose import choose_freedoms
-from flexel.errors import ConstraintError, ModelError, PositionError
+from flexel import dynamics, states, statics
+from flexel.diagnose import choose_freedoms, named_freedoms
+from flexel.errors import ConstraintError, PositionError
 from flexel.evaluate import Evaluation
-from flexel.integrate import Event, Integration, Integrator, Segment
+from flexel.integrate import Event, Integration, Integrator, Segment, stored_times
 from flexel.kinematics import Configuration, Factorization, Kinematics
 from flexel.linearize import Linearization, linearize
 from flexel.loads import Loads
 from flexel.result import Motion
 from flexel.roles import Roles
-from flexel.state import State
+from flexel.state import State, own_state
 from flexel.steady import steady_motion
 from flexel.structure import Array, Structure
 
@@ -36,19 +36,44 @@ class System:
         Names and index maps.
     roles : Roles
         The constraints and the present choice of freedoms.
-    initial : State
-        The consistent initial state.
     """
 
-    def __init__(self, evaluation: Evaluation, loads: Loads, roles: Roles, start: Configuration) -> None:
+    def __init__(
+        self,
+        evaluation: Evaluation,
+        loads: Loads,
+        roles: Roles,
+        start: Configuration,
+        rates: Mapping[str, float],
+    ) -> None:
         self.structure: Structure = evaluation.structure
         self.evaluation = evaluation
         self.loads = loads
         self._kinematics: dict[int, Kinematics] = {}
         self._use(roles)
-        self._x = start.x
-        self._e = start.e
-        self.initial = self.state(start.t, start.x, np.zeros(self.structure.n))
+        self._x, self._e = start.x, start.e
+        qd = states.consistent_rates(self, start, rates)
+        self._start = start, self.kinematics.velocity(start, self.kinematics.velocity_matrix(start), qd)
+
+    @cached_property
+    def initial(self) -> State:
+        """The consistent initial state, with its accelerations.
+
+        Raises
+        ------
+        DynamicsError
+            If a freedom has no inertia; `rest` needs none.
+        """
+        c, v = self._start
+        return dynamics.complete(self.kinematics, self.loads, c, v, c.e)
+
+    @cached_property
+    def rest(self) -> State:
+        """The initial configuration without motion and constraint forces: where statics starts."""
+        c, still = self._start[0], np.zeros(self.structure.n)
+        given = dynamics.forces(self.kinematics, self.loads, c, still, c.e)
+        none = np.zeros(len(self.structure.names))
+        return dynamics.with_multipliers(self.kinematics, c, still, still, c.e, given, none)
 
     def _use(self, roles: Roles) -> None:
         self.roles = roles
@@ -200,11 +225,10 @@ class System:
 
     def use_freedoms(self, dynamic: Sequence[str], kinematic: Sequence[str] | None = None) -> None:
         """Describe the motion from now on by the named freedoms; checked at the initial state."""
-        find = self.structure.find
-        kinematic_rows = None if kinematic is None else np.array([find(z) for z in kinematic], dtype=np.intp)
-        dynamic_rows = np.array([find(z) for z in dynamic], dtype=np.intp)
-        self._use(choose_freedoms(self.kinematics, self.initial.J, dynamic_rows, kinematic_rows))
-        self.initial = self.state(self.initial.t, self.initial.x, self.initial.v, self.initial.e)
+        rows = [named_freedoms(self.structure, z, "use_freedoms") for z in (dynamic, kinematic)]
+        self._use(choose_freedoms(self.kinematics, self._start[0].J, *rows))
+        self.__dict__.pop("initial", None)
+        self.__dict__.pop("rest", None)
 
     # -- analyses --------------------------------------------------------------------------------
 
@@ -251,16 +275,8 @@ class System:
         ------
         ModelError, PositionError, DynamicsError
         """
-        start = self.initial if start is None else start
-        if not (np.isfinite(duration) and duration > 0):
-            raise ModelError(f"simulate: duration {duration} s is not positive; give a positive time")
-        grid = (
-            np.linspace(start.t, start.t + duration, samples) if times is None else np.asarray(times, float)
-        )
-        if np.any(np.diff(grid) <= 0) or grid[0] < start.t:
-            raise ModelError(f"simulate: times must increase from {start.t:g} s; sort them")
-        if grid[0] > start.t:
-            grid = np.concatenate([[start.t], grid])
+        start = self.initial if start is None else own_state(self.structure, start, "simulate")
+        grid = stored_times(start, duration, times, samples)
         if start.roles is not self.roles:
             start = self.state(start.t, start.x, start.v, start.e)
         if self.roles.nq == 0:
@@ -286,6 +302,64 @@ class System:
         return Integration(
             states, [], [segment], {"steps": len(states) - 1, "evaluations": 0, "rechoices": 0}, ""
         )
+
+    def equilibrium(self, t: float | None = None, start: State | None = None) -> State:
+        """State of rest in which all forces balance, kinematic coordinates held.
+
+        Newton's method on the analytic tangent; where it fails, the forces that are out of balance at the start
+        are taken on gradually, past limit points if need be.
+
+        Parameters
+        ----------
+        t : float, optional
+            Time [s] at which loads and prescribed motions are taken; that of `start` by default.
+        start : State, optional
+            Where to look from; the initial configuration by default.
+
+        Raises
+        ------
+        PositionError
+            If none is found; says how far the loads could be taken on.
+        DynamicsError
+            If nothing resists a motion; names it.
+        """
+        return statics.equilibrium(self, t, start or self.rest)
+
+    def static_path(self, t_end: float, start: State | None = None) -> Motion:
+        """Equilibria while the time, here the load parameter, goes to `t_end`; past limit points by arc length.
+
+        The start must be in equilibrium (see `equilibrium`).  If the path cannot be continued, what was reached
+        is returned, and ``message`` says where it stopped and why.
+        """
+        states_, message = statics.static_path(self, t_end, start or self.rest)
+        counts = {"steps": len(states_) - 1, "evaluations": 0, "rechoices": 0}
+        return Motion(self, Integration(states_, [], [], counts, message))
+
+    def buckling(
+        self, state: State | None = None, *, increment: Mapping[str, float], count: int = 5
+    ) -> list[statics.BucklingMode]:
+        """Load multipliers at which equilibrium branches, with their shapes, nearest first.
+
+        Parameters
+        ----------
+        state : State, optional
+            A state of rest, with its preload; the unloaded initial configuration by default.
+        increment : mapping of name to generalized force
+            The loads that are multiplied, e.g. ``{"tip.z": -1.0}``.
+
+        Raises
+        ------
+        DynamicsError
+            If the state is unstable already.
+        """
+        return statics.buckling(self, state or self.rest, increment, count)
+
+    def vibrations(self, state: State | None = None, count: int = 10) -> list[statics.Vibration]:
+        """Lowest natural frequencies [rad/s] and modes about a state of rest, damping left out.
+
+        Unlike ``linearize(state).modes()`` this needs no choice of independent coordinates.
+        """
+        return statics.vibrations(self, state or self.rest, count)
 
     def steady(
         self,

@@ -1,0 +1,130 @@
+"""Static equilibrium, load paths, buckling and vibrations: closed forms and convergence."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import flexel as fx
+
+DATA = Path(__file__).parents[1] / "data"
+
+
+def cantilever(n: int, EA: float = 1e6) -> fx.Model:
+    """Clamped beam along x of length 1 with EI = GJ = 1, n elements."""
+    m = fx.Model()
+    p, r = m.point("P0", (0, 0, 0), fixed=True), m.frame("R0", fixed=True)
+    for i in range(1, n + 1):
+        q, s = m.point(f"P{i}", (i / n, 0, 0)), m.frame(f"R{i}")
+        m.beam(f"b{i}", p, r, q, s, direction=(0, 1, 0), EA=EA, GJ=1.0, EIy=1.0, EIz=1.0, mass_per_length=1.0)
+        p, r = q, s
+    return m
+
+
+def tip_error(n: int, load: float) -> float:
+    rows = json.loads((DATA / "elastica_cantilever.json").read_text())["vertical_tip_load"]
+    exact = next(float(z["w_over_L"]) for z in rows if float(z["PL2_EI"]) == load)
+    m = cantilever(n, EA=1e8)
+    m.load(f"P{n}.z", lambda t: load * t)
+    path = m.build().static_path(1.0)
+    assert path.message == ""
+    assert path[-1].t == pytest.approx(1.0, abs=1e-14)
+    return abs(path[-1][f"P{n}.z"] / exact - 1)
+
+
+def test_an_elastica_under_an_end_force_converges_with_the_second_order() -> None:
+    errors = [tip_error(n, 1.0) for n in (2, 4, 8)]
+    orders = np.log2(np.array(errors[:-1]) / errors[1:])
+    assert errors[-1] < 1.2e-3
+    np.testing.assert_allclose(orders, 2.0, atol=0.15)
+
+
+def test_an_end_moment_rolls_a_cantilever_up_to_a_circle() -> None:
+    def gap(n: int) -> float:
+        m = cantilever(n, EA=1e8)
+        m.load(f"R{n}", (0, 0, lambda t: 2 * np.pi * t))
+        path = m.build().static_path(1.0)
+        assert path.message == ""
+        return float(np.linalg.norm(path[-1].position(f"P{n}")))
+
+    coarse, fine = gap(16), gap(32)
+    assert np.log2(coarse / fine) == pytest.approx(2.0, abs=0.1)
+
+
+def test_taking_all_loads_on_at_once_or_along_a_path_ends_in_the_same_equilibrium() -> None:
+    m = cantilever(4)
+    m.load("P4.z", 3.0)
+    at_once = m.build().equilibrium()
+    m = cantilever(4)
+    m.load("P4.z", lambda t: 3.0 * t)
+    along = m.build().static_path(1.0)[-1]
+    np.testing.assert_allclose(at_once.position("P4"), along.position("P4"), atol=1e-11)
+
+
+def test_equilibrium_balances_the_reactions_at_the_clamp() -> None:
+    m = cantilever(4)
+    m.load("P4.z", 3.0)
+    state = m.build().equilibrium()
+    assert state.force("P0.z") == pytest.approx(-3.0, rel=1e-10)
+    assert state.force("P0.x") == pytest.approx(0.0, abs=1e-9)
+
+
+def test_a_shallow_truss_snaps_through_along_the_closed_form() -> None:
+    height, k = 0.1, 1000.0
+    m = fx.Model()
+    left, right = m.point("L", (-1, 0), fixed=True), m.point("R", (1, 0), fixed=True)
+    top = m.point("T", (0, height))
+    m.truss("a", left, top, stiffness=k)
+    m.truss("b", right, top, stiffness=k)
+    m.fix("T.x")
+    m.load("T.y", lambda t: -t)
+    l0 = np.hypot(1, height)
+
+    def load(y: np.ndarray) -> np.ndarray:
+        length = np.hypot(1, y)
+        return -2 * k * (length - l0) * y / length
+
+    peak = float(np.max(load(np.linspace(-height, height, 20001))))
+    path = m.build().static_path(2 * peak)
+    assert path.message == ""
+    np.testing.assert_allclose(path.t, load(path["T.y"]), atol=1e-9 * peak)
+    assert np.any(np.diff(path.t) < 0)  # the load falls while the truss snaps through
+    assert path["T.y"][-1] < -height
+
+
+def test_the_euler_load_and_the_frequencies_of_a_cantilever() -> None:
+    system = cantilever(8).build()
+    load = system.buckling(increment={"P8.x": -1.0}, count=1)[0].multiplier
+    assert load == pytest.approx(np.pi**2 / 4, rel=1e-5)
+    frequencies = [z.frequency for z in system.vibrations(count=4)]
+    exact = np.array([1.8751040687119612, 4.694091132974175]) ** 2
+    np.testing.assert_allclose(frequencies, np.repeat(exact, 2), rtol=1e-4)
+
+
+def test_frequencies_fall_to_zero_at_the_buckling_load() -> None:
+    m = cantilever(4)
+    m.load("P4.x", lambda t: -t)
+    system = m.build()
+    critical = system.buckling(increment={"P4.x": -1.0}, count=1)[0].multiplier
+    state = system.static_path(0.999999 * critical)[-1]
+    first = system.vibrations(state, count=1)[0].frequency
+    assert 0 < first < 1e-2
+    assert system.buckling(state, increment={"P4.x": -1.0}, count=1)[0].multiplier < 1e-4
+
+
+def test_an_unsupported_motion_is_named() -> None:
+    m = fx.Model(gravity=(0, 0, -9.81))
+    m.point_mass("stone", m.point("S", (0, 0, 1)), 1.0)
+    with pytest.raises(fx.DynamicsError, match=r"nothing resists a motion of .*'S\.[xyz]'"):
+        m.build().equilibrium()
+
+
+def test_a_path_that_cannot_be_followed_says_where_it_stopped() -> None:
+    m = fx.Model()
+    m.truss("rod", m.point("O", (0, 0), fixed=True), m.point("A", (1, 0)))
+    m.prescribe("A.y", lambda t: 2 * t)  # the rod is rigid: it can reach 1 and no more
+    path = m.build().static_path(1.0)
+    assert "stopped at" in path.message
+    assert np.max(path.t) == pytest.approx(0.5, abs=0.05)
+    assert np.max(path.t) < 0.5
