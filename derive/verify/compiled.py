@@ -61,23 +61,29 @@ class Compiled:
         Returns
         -------
         dict
-            Outputs by name, each (count, *shape), structural zeros filled in.
+            Outputs by name, each (count, *shape), structural zeros filled in; not-a-number where the kernel
+            writes nothing, or anything beyond the rows that its spec names.
         """
         spec = self.spec.kernels[kernel]
         count = len(data[spec.inputs[0]])
         inputs = [blocks(data[name]) for name in spec.inputs]
         nblocks = len(inputs[0])
-        results = [np.full((nblocks, len(output.nonzeros), BLOCK), np.nan) for output in spec.outputs]
+        results = [np.full(nblocks * BLOCK * int(np.prod(output.shape)), np.nan) for output in spec.outputs]
         pointers = [self._pointers(arrays) for arrays in (inputs, results)]
         constant, variable = "const double *const *", "double *const *"
         call = getattr(self.struct, kernel)
         call(nblocks, self._ffi.cast(constant, pointers[0]), self._ffi.cast(variable, pointers[1]))
         outputs = {}
         for output, result in zip(spec.outputs, results, strict=True):
+            rows = len(output.nonzeros)
+            stored, beyond = np.split(result, [nblocks * rows * BLOCK])
             full = np.zeros((count, int(np.prod(output.shape))))
-            full[:, list(output.nonzeros)] = result.transpose(0, 2, 1).reshape(
-                nblocks * BLOCK, len(output.nonzeros)
-            )[:count]
+            by_element = (
+                stored.reshape(nblocks, rows, BLOCK).transpose(0, 2, 1).reshape(nblocks * BLOCK, rows)
+            )
+            full[:, list(output.nonzeros)] = by_element[:count]
+            if not np.isnan(beyond).all():  # the kernel stores more than its spec says
+                full[:] = np.nan
             outputs[output.name] = full.reshape(count, *output.shape)
         return outputs
 

@@ -1,10 +1,14 @@
 """The definition of an element or a law, evaluated as it is written, in many digits.
 
 Nothing is differentiated here and nothing of ``flexel.derive.program`` is used: the SymPy expressions are
-handed to mpmath line by line. This is what the compiled kernels are judged against.
+evaluated line by line. Arithmetic is done in Python's decimal numbers of 60 digits, which are several times
+faster than mpmath's; functions other than the square root are mpmath's. This is what the compiled kernels are
+judged against.
 """
 
 from collections.abc import Callable, Iterable, Sequence
+from decimal import Context, Decimal
+from functools import cache
 from typing import Any
 
 import mpmath
@@ -13,13 +17,44 @@ import sympy as sp
 from flexel.derive.element import Element, Law
 
 DIGITS = 60
-Number = Any  # an mpmath number; mpmath has no types
-Vector = list[Number]
+CONTEXT = Context(prec=DIGITS)
+Number = Any  # Decimal, or a number of mpmath where a function of it is taken
+Vector = list[Decimal]
 
 
 def many_digits(values: Iterable[float]) -> Vector:
-    """Floating-point numbers as exactly the same numbers of mpmath."""
-    return [mpmath.mpf(float(value)) for value in values]
+    """Floating-point numbers as exactly the same numbers with many digits."""
+    return [Decimal(float(value)) for value in values]
+
+
+def _in_decimals(function: Callable[..., Number]) -> Callable[..., Decimal]:
+    """Function of mpmath as a function of decimal numbers."""
+
+    def of_decimals(*arguments: Decimal) -> Decimal:
+        with mpmath.workdps(DIGITS + 5):
+            return Decimal(mpmath.nstr(function(*(mpmath.mpf(str(x)) for x in arguments)), DIGITS + 5))
+
+    return of_decimals
+
+
+def _literal(value: int | tuple[int, int, int, int]) -> Decimal:
+    """Number written in an expression: an integer, or mpmath's sign, mantissa, exponent of two and bit count."""
+    if isinstance(value, int):
+        return Decimal(value)
+    sign, mantissa, exponent, _ = value
+    return Decimal(-mantissa if sign else mantissa) * Decimal(2) ** exponent
+
+
+@cache
+def _functions() -> dict[str, Any]:
+    """What the names in a printed expression stand for."""
+    names: dict[str, Any] = {"sqrt": lambda x: Decimal(x).sqrt(), "mpf": _literal}
+    for name, value in vars(mpmath).items():
+        if isinstance(value, type(mpmath.pi)):
+            names[name] = _in_decimals(lambda value=value: +value)()
+        elif callable(value) and not isinstance(value, type):
+            names.setdefault(name, _in_decimals(value))
+    return names
 
 
 def _compile(
@@ -36,14 +71,14 @@ def _compile(
     def as_written(expressions: Sequence[sp.Expr]) -> tuple[Any, Any]:
         return used, expressions
 
-    function = sp.lambdify(arguments, list(expressions), modules="mpmath", cse=as_written)
-    return lambda *values: [mpmath.mpf(value) for value in function(*values)]
+    function = sp.lambdify(arguments, list(expressions), modules=[_functions(), "mpmath"], cse=as_written)
+    return lambda *values: [Decimal(value) for value in function(*values)]
 
 
 class Definition:
-    """D(x), s(x, v), T(x, v) and U(x) of an element, as functions of columns of mpmath numbers.
+    """D(x), s(x, v), T(x, v) and U(x) of an element, as functions of columns of decimal numbers.
 
-    The attribute `p` (np,) holds the parameters that they use.
+    To be used in the decimal context `CONTEXT`. The attribute `p` (np,) holds the parameters that they use.
     """
 
     def __init__(self, element: Element) -> None:
@@ -64,17 +99,17 @@ class Definition:
         """Slips, (k,)."""
         return self._slips(*x, *v, *self.p)
 
-    def T(self, x: Vector, v: Vector) -> Number:  # noqa: N802
+    def T(self, x: Vector, v: Vector) -> Decimal:  # noqa: N802
         """Kinetic energy."""
         return self._kinetic_energy(*x, *v, *self.p)[0]
 
-    def U(self, x: Vector) -> Number:  # noqa: N802
+    def U(self, x: Vector) -> Decimal:  # noqa: N802
         """Potential of the body forces."""
         return self._potential(*x, *self.p)[0]
 
 
 class LawDefinition:
-    """Stresses and stored energy of a law, as functions of columns of mpmath numbers."""
+    """Stresses and stored energy of a law, as functions of columns of decimal numbers."""
 
     def __init__(self, law: Law) -> None:
         arguments = [*law.e, *law.ed, *law.s, *law.parameter_symbols]
@@ -86,6 +121,6 @@ class LawDefinition:
         """(sigma, tau), (m + k,), of (e, ed, s)."""
         return self._stresses(*inputs, *self.p)
 
-    def energy(self, inputs: Vector) -> Number:
+    def energy(self, inputs: Vector) -> Decimal:
         """Stored energy of (e, ed, s)."""
         return self._energy(*inputs, *self.p)[0]

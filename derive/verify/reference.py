@@ -2,38 +2,42 @@
 
 Central differences with a step of 1e-12 in 60 digits: the truncation error is about 1e-24, and rounding stays
 below that for third derivatives too. Energies are quadratic in the rates, so their rate derivatives are exact
-differences with a step of one. This room may import numpy and mpmath, and the definitions beside it.
+differences with a step of one. This room may import numpy, and the definitions beside it.
 """
 
 from collections.abc import Callable, Mapping, Sequence
+from decimal import Decimal, localcontext
 
-import mpmath
 import numpy as np
 from numpy.typing import NDArray
 
-from flexel.derive.verify.definition import DIGITS, Definition, LawDefinition, Number, Vector, many_digits
+from flexel.derive.verify.definition import CONTEXT, Definition, LawDefinition, Vector, many_digits
 
 Array = NDArray[np.float64]
-_STEP = mpmath.mpf(10) ** -12
+_STEP = Decimal("1e-12")
 
 
-def _moved(x: Vector, step: Number, direction: Vector) -> Vector:
+def _moved(x: Vector, step: Decimal | int, direction: Vector) -> Vector:
     return [a + step * b for a, b in zip(x, direction, strict=True)]
 
 
+def _dot(x: Vector, y: Vector) -> Decimal:
+    return sum((a * b for a, b in zip(x, y, strict=True)), Decimal(0))
+
+
 def _unit(n: int, i: int) -> Vector:
-    return [mpmath.mpf(int(i == j)) for j in range(n)]
+    return [Decimal(int(i == j)) for j in range(n)]
 
 
-def _central(function: Callable[[Number], Vector]) -> Vector:
+def _central(function: Callable[[Decimal], Vector]) -> Vector:
     """First derivative at zero of a column that depends on one number."""
     plus, minus = function(_STEP), function(-_STEP)
     return [(a - b) / (2 * _STEP) for a, b in zip(plus, minus, strict=True)]
 
 
-def _central_second(function: Callable[[Number], Vector]) -> Vector:
+def _central_second(function: Callable[[Decimal], Vector]) -> Vector:
     """Second derivative at zero of a column that depends on one number."""
-    plus, middle, minus = function(_STEP), function(mpmath.mpf(0)), function(-_STEP)
+    plus, middle, minus = function(_STEP), function(Decimal(0)), function(-_STEP)
     return [(a - 2 * b + c) / _STEP**2 for a, b, c in zip(plus, middle, minus, strict=True)]
 
 
@@ -81,7 +85,7 @@ class Reference:
             "stiffness": self._stiffness,
             "tangent": self._tangent,
         }
-        with mpmath.workdps(DIGITS):
+        with localcontext(CONTEXT):
             return table[kernel]()
 
     def _position(self) -> dict[str, Array]:
@@ -93,7 +97,7 @@ class Reference:
         return {"ed": _array(self._deformation_rates(self.x, self.v)), "s": _array(self.d.s(self.x, self.v))}
 
     def _acceleration(self) -> dict[str, Array]:
-        zero = [mpmath.mpf(0)] * self.d.n
+        zero = [Decimal(0)] * self.d.n
         second = self._mode_accelerations(self.x, self.v, zero)
         return {"g": _array(second[: self.d.m]), "gs": _array(second[self.d.m :])}
 
@@ -128,7 +132,7 @@ class Reference:
         for i in self.every:
             unit = _unit(d.n, i)
             De_i = _central(lambda h, unit=unit: d.D(_moved(x, h, unit)))  # type: ignore[misc]
-            forces.append(mpmath.fdot(self.sigma, De_i) + mpmath.fdot(self.tau, d.s(x, unit)))
+            forces.append(_dot(self.sigma, De_i) + _dot(self.tau, d.s(x, unit)))
         return forces
 
     def _momenta(self, x: Vector, v: Vector) -> Vector:
@@ -139,7 +143,7 @@ class Reference:
             values.append((d.T(x, _moved(v, 1, unit)) - d.T(x, _moved(v, -1, unit))) / 2)
         return values
 
-    def _gradient(self, function: Callable[[Vector], Number]) -> Callable[[Vector], Vector]:
+    def _gradient(self, function: Callable[[Vector], Decimal]) -> Callable[[Vector], Vector]:
         def gradient(x: Vector) -> Vector:
             units = (_unit(len(x), i) for i in self.every)
             return [_central(lambda h, u=u: [function(_moved(x, h, u))])[0] for u in units]  # type: ignore[misc]
@@ -150,12 +154,12 @@ class Reference:
         """M a + h - f: Lagrange's d(dT/dv)/dt - dT/dx + dU/dx along the motion (v, a)."""
         inertia = _central(lambda t: self._momenta(_moved(x, t, v), _moved(v, t, a)))
         centrifugal = self._gradient(lambda y: self.d.T(y, v))(x)
-        weight = self._gradient(self.d.U)(x) if body_forces else [mpmath.mpf(0)] * self.d.n
+        weight = self._gradient(self.d.U)(x) if body_forces else [Decimal(0)] * self.d.n
         return [i - c + w for i, c, w in zip(inertia, centrifugal, weight, strict=True)]
 
     def _inertia(self) -> dict[str, Array]:
         d, x = self.d, self.x
-        zero = [mpmath.mpf(0)] * d.n
+        zero = [Decimal(0)] * d.n
         return {
             "M": np.array([_array(self._momenta(x, _unit(d.n, i))) for i in self.every]),
             "h": _array(self._residual(x, self.v, zero, body_forces=False)),
@@ -176,7 +180,7 @@ def law_outputs(definition: LawDefinition, kernel: str, data: Mapping[str, Array
     inputs = many_digits(np.concatenate([data["e"], data["ed"], data["s"]]))
     m, stresses = len(data["e"]), len(data["e"]) + len(data["s"])
     definition.p = many_digits(data["p"])
-    with mpmath.workdps(DIGITS):
+    with localcontext(CONTEXT):
         if kernel == "tangent":
             return {"J": _columns(definition.stresses, inputs, stresses, range(len(inputs)))}
         values = _array(definition.stresses(inputs))
