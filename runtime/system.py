@@ -12,7 +12,7 @@ from functools import cached_property
 
 import numpy as np
 
-from flexel import dynamics, states, statics
+from flexel import dynamics, stability, states, statics
 from flexel.diagnose import choose_freedoms, named_freedoms
 from flexel.errors import ConstraintError, PositionError
 from flexel.evaluate import Evaluation
@@ -128,13 +128,18 @@ class System:
         """Start the next position problem from a state, and count turns of angles from it."""
         self._x, self._e = state.x, state.e
 
+    @property
+    def position_guess(self) -> Array:
+        """Coordinates (n,) of the last evaluation of `rhs`."""
+        return self._x
+
     def rhs(self, t: float, y: Array) -> Array:
         """Rates of y = (q_d, q_k, q_d') (nq + nd,) at time t [s]."""
         kinematics, nq = self.kinematics, self.roles.nq
         c = kinematics.position(t, y[:nq], self._x)
         B = kinematics.velocity_matrix(c)
         v = kinematics.velocity(c, B, y[nq:])
-        self._x, self._e = c.x, states.unwrap(self.structure, c.e, self._e)
+        self._x, self._e = c.x, states.with_turns(kinematics, c, y[:nq], self._e)
         F = dynamics.forces(kinematics, self.loads, c, v, self._e)
         motion = dynamics.accelerations(kinematics, c, B, v, F)
         return np.concatenate([y[nq:], c.J[self.roles.kinematic] @ v, motion.qdd])
@@ -157,7 +162,9 @@ class System:
         >>> lin = system.linearize(motion[-1])  # doctest: +SKIP
         >>> lin.eigenvalues()  # doctest: +SKIP
         """
-        return linearize(self.kinematics, self.initial if state is None else state)
+        state = self.initial if state is None else state
+        usable = state.roles is self.roles or self.condition(state) > 1e-9
+        return linearize(self.kinematics if usable else self.kinematics_of(state.roles), state)
 
     # -- states ----------------------------------------------------------------------------------
 
@@ -277,30 +284,40 @@ class System:
         """
         start = self.initial if start is None else own_state(self.structure, start, "simulate")
         grid = stored_times(start, duration, times, samples)
-        if start.roles is not self.roles:
-            start = self.state(start.t, start.x, start.v, start.e)
         if self.roles.nq == 0:
             return Motion(self, self._follow(start, grid))
-        run = Integrator(self, start, grid, method, rtol, atol, max_step, events, progress, rechoose)
-        return Motion(self, run.run())
+        chosen = self.roles
+        if start.roles is not chosen:
+            if self.condition(start) > 1e-3 * self.condition(start, start.roles):
+                start = self.state(start.t, start.x, start.v, start.e)
+            else:  # the motion has led to where the chosen freedoms are of no use
+                self._use(start.roles)
+        try:
+            run = Integrator(self, start, grid, method, rtol, atol, max_step, events, progress, rechoose)
+            return Motion(self, run.run())
+        finally:
+            self._use(chosen)
 
     def _follow(self, start: State, grid: Array) -> Integration:
         """States of a fully prescribed motion; long steps are halved until the position is found."""
-        states, none = [start], np.zeros(0)
+        found, segments, none = [start], [], np.zeros(0)
+        dense: Callable[[float], Array] = lambda t: none  # noqa: E731 (a fully prescribed motion has no state)
         for t in grid[1:]:
-            last, step = states[-1], float(t) - states[-1].t
+            last, step = found[-1], float(t) - found[-1].t
             while last.t < t:
                 try:
-                    last = self.state_from(min(last.t + step, float(t)), none, self.roles, last)
+                    state = self.state_from(min(last.t + step, float(t)), none, self.roles, last)
                 except PositionError:
                     step /= 2
                     if step < 1e-6 * (grid[-1] - grid[0]):
                         raise
-            states.append(last)
-        dense: Callable[[float], Array] = lambda t: none  # noqa: E731 (a fully prescribed motion has no state)
-        segment = Segment(float(grid[0]), float(grid[-1]), self.roles, dense)
+                    continue
+                ends = states.End.of(last), states.End.of(state)
+                segments.append(Segment(last.t, state.t, self.roles, dense, *ends))
+                last = state
+            found.append(last)
         return Integration(
-            states, [], [segment], {"steps": len(states) - 1, "evaluations": 0, "rechoices": 0}, ""
+            found, [], segments, {"steps": len(segments), "evaluations": 0, "rechoices": 0}, ""
         )
 
     def equilibrium(self, t: float | None = None, start: State | None = None) -> State:
@@ -337,7 +354,7 @@ class System:
 
     def buckling(
         self, state: State | None = None, *, increment: Mapping[str, float], count: int = 5
-    ) -> list[statics.BucklingMode]:
+    ) -> list[stability.BucklingMode]:
         """Load multipliers at which equilibrium branches, with their shapes, nearest first.
 
         Parameters
@@ -352,14 +369,14 @@ class System:
         DynamicsError
             If the state is unstable already.
         """
-        return statics.buckling(self, state or self.rest, increment, count)
+        return stability.buckling(self, state or self.rest, increment, count)
 
-    def vibrations(self, state: State | None = None, count: int = 10) -> list[statics.Vibration]:
+    def vibrations(self, state: State | None = None, count: int = 10) -> list[stability.Vibration]:
         """Lowest natural frequencies [rad/s] and modes about a state of rest, damping left out.
 
         Unlike ``linearize(state).modes()`` this needs no choice of independent coordinates.
         """
-        return statics.vibrations(self, state or self.rest, count)
+        return stability.vibrations(self, state or self.rest, count)
 
     def steady(
         self,
