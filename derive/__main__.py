@@ -18,9 +18,13 @@ FOLDER = Path(__file__).resolve().parents[1] / "generated"
 
 @click.command()
 @click.argument("elements", nargs=-1, metavar="[ELEMENT]...")
-@click.option("--check", "checking", is_flag=True, help="Compare byte for byte and count operations; write nothing.")
+@click.option(
+    "--check", "checking", is_flag=True, help="Compare byte for byte and count operations; write nothing."
+)
 @click.option("--update-baseline", is_flag=True, help="Accept the operation counts as the new baseline.")
-@click.option("--out", type=click.Path(path_type=Path, file_okay=False), default=FOLDER, help="Folder of the C files.")
+@click.option(
+    "--out", type=click.Path(path_type=Path, file_okay=False), default=FOLDER, help="Folder of the C files."
+)
 def main(elements: tuple[str, ...], checking: bool, update_baseline: bool, out: Path) -> None:
     """Derive the kernels of all elements (or of some) and write them to generated/."""
     names = [element.name for element in ELEMENTS]

@@ -129,7 +129,9 @@ def _compiler() -> list[str]:
 
 def _flags() -> list[str]:
     """Flags for this machine only: one vector width instead of a choice at run time."""
-    own = ["-march=native", "-DFLEXEL_NO_CLONES"] if platform.machine() in ("x86_64", "AMD64") else []
+    own = ["-DFLEXEL_NO_CLONES", "-march=native", "-mprefer-vector-width=512"]
+    if platform.machine() not in ("x86_64", "AMD64"):
+        own = []
     return ["-std=c11", *FLAGS, *own, "-shared", "-fPIC"]
 
 

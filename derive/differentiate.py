@@ -137,7 +137,11 @@ def gradient(program: Program, output: int, inputs: Sequence[int]) -> list[int]:
     order = p.reachable([output])
     given, active = set(inputs), set(inputs)
     for number in order:
-        if number not in given and p.rows[number].op not in CONDITIONS and any(arg in active for arg in p.rows[number].args):
+        if (
+            number not in given
+            and p.rows[number].op not in CONDITIONS
+            and any(arg in active for arg in p.rows[number].args)
+        ):
             active.add(number)
     adjoints = {output: p.one} if output in active else {}
     for number in reversed(order):

@@ -17,8 +17,9 @@ from flexel.derive.kernels import Derived, derive_element, derive_law
 from flexel.derive.laws import LAWS
 from flexel.derive.source import element_source, laws_source, render
 
+# -O2 gives the same speed as -O3 (the loops are marked for vectorization) in three quarters of the time.
 # Never -ffast-math: on the link line it changes denormals for the whole process.
-FLAGS = ("-O3", "-fno-math-errno", "-fno-trapping-math", "-fopenmp-simd", "-ffp-contract=off")
+FLAGS = ("-O2", "-fno-math-errno", "-fno-trapping-math", "-fopenmp-simd", "-ffp-contract=off")
 BASELINE = Path(__file__).with_name("operations.json")
 _ENTRY = re.compile(r"^    # (element|law) (\w+)\n(.*?)\n(?=    # )", re.MULTILINE | re.DOTALL)
 
@@ -114,7 +115,9 @@ def stale(folder: Path) -> list[str]:
     """Files in the folder that a complete derivation would not write; compiled ones are nobody's business here."""
     known = {f"{element.name}.c" for element in ELEMENTS} | {"laws.c", *_common({}, {})}
     return sorted(
-        path.name for path in folder.glob("*") if path.suffix in (".c", ".h", ".py") and path.name not in known
+        path.name
+        for path in folder.glob("*")
+        if path.suffix in (".c", ".h", ".py") and path.name not in known
     )
 
 

@@ -60,6 +60,10 @@ def table_entry(declared: Element | Law, derived: Derived) -> str:
         head += _group("slips", [_call("SlipSpec", s.name, s.unit, s.free) for s in d.slips])
     else:
         kind = "LawSpec"
-        head += [f"        deformations={len(d.e)},", f"        slips={len(d.s)},", *_group("parameters", parameters)]
+        head += [
+            f"        deformations={len(d.e)},",
+            f"        slips={len(d.s)},",
+            *_group("parameters", parameters),
+        ]
     lines = [f"    {_literal(d.name)}: {kind}(", *head, *_kernels(derived.kernels.values()), "    ),"]
     return "\n".join(lines)

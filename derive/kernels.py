@@ -82,7 +82,9 @@ class _Builder:
         self.program.names.update(zip(rows, component_names, strict=True))
         return rows
 
-    def kernel(self, name: str, inputs: Sequence[str], outputs: Mapping[str, tuple[tuple[int, ...], Rows]]) -> None:
+    def kernel(
+        self, name: str, inputs: Sequence[str], outputs: Mapping[str, tuple[tuple[int, ...], Rows]]
+    ) -> None:
         """Note a kernel; zero entries of its outputs are dropped."""
         arrays: list[Output] = []
         for array, (shape, rows) in outputs.items():
@@ -100,7 +102,9 @@ def _weighted(program: Program, weights: Rows, rows: Rows) -> int:
 
 
 def _plus(program: Program, first: Matrix, second: Matrix) -> Matrix:
-    return [[program.add(a, b) for a, b in zip(r, s, strict=True)] for r, s in zip(first, second, strict=True)]
+    return [
+        [program.add(a, b) for a, b in zip(r, s, strict=True)] for r, s in zip(first, second, strict=True)
+    ]
 
 
 def _names(symbols: Sequence[sp.Symbol]) -> list[str]:
@@ -159,7 +163,11 @@ def _kinematic_kernels(b: _Builder, rows: _Lowered) -> None:
     Psi_x = jacobian(p, Psi_e, x) + jacobian(p, Psi_s, x)
     Psi_v = twice + jacobian(p, Psi_s, v)
     shape = (m + k, n)
-    outputs = {"Phi_x": (shape, flat(ed_x + s_x)), "Psi_x": (shape, flat(Psi_x)), "Psi_v": (shape, flat(Psi_v))}
+    outputs = {
+        "Phi_x": (shape, flat(ed_x + s_x)),
+        "Psi_x": (shape, flat(Psi_x)),
+        "Psi_v": (shape, flat(Psi_v)),
+    }
     b.kernel("kinematics", "xvap", outputs)
 
     K = hessian(p, _weighted(p, rows.sigma, rows.e), x)

@@ -186,18 +186,27 @@ class Lowering:
             sp.And: lambda: p.logic("and", *args),
             sp.Or: lambda: p.logic("or", *args),
             sp.Not: lambda: p.logic("not", args[0]),
+            sp.ITE: lambda: p.logic(
+                "or",
+                p.logic("and", args[0], args[1]),
+                p.logic("and", p.logic("not", args[0]), args[2]),
+            ),
         }
         for kind, build in compare.items():
             if isinstance(expr, kind):
                 return build()
         what = f"symbol '{expr}'" if isinstance(expr, sp.Symbol) else f"function '{type(expr).__name__}'"
-        raise LoweringError(f"{what} cannot be compiled; known functions: {', '.join(sorted(FUNCTIONS.values()))}")
+        raise LoweringError(
+            f"{what} cannot be compiled; known functions: {', '.join(sorted(FUNCTIONS.values()))}"
+        )
 
     def _piecewise(self, expr: sp.Piecewise) -> int:
         p = self.program
         pairs = [(self._known[pair.args[0]], self._known[pair.args[1]]) for pair in expr.args]
         if p.constant(pairs[-1][1]) != 1:
-            raise LoweringError(f"'{expr}' has no value where none of its conditions holds; end it with (…, True)")
+            raise LoweringError(
+                f"'{expr}' has no value where none of its conditions holds; end it with (…, True)"
+            )
         result = pairs[-1][0]
         for value, condition in reversed(pairs[:-1]):
             result = p.select(condition, value, result)

@@ -10,7 +10,9 @@ _SOURCE, _TARGET = -1, -2
 _ANY = 1 << 30
 
 
-def narrowest(arguments: Mapping[int, Collection[int]], sources: Collection[int], targets: Collection[int]) -> list[int]:
+def narrowest(
+    arguments: Mapping[int, Collection[int]], sources: Collection[int], targets: Collection[int]
+) -> list[int]:
     """Vertices that every path from a source to a target passes; as few as possible, as near the targets as possible.
 
     Parameters

@@ -97,7 +97,11 @@ class _Printer:
 
     def _names(self) -> dict[int, str]:
         used: set[str] = set()
-        return {row: _c_name(self.program.names[row], used) for row in sorted(self.order) if row in self.program.names}
+        return {
+            row: _c_name(self.program.names[row], used)
+            for row in sorted(self.order)
+            if row in self.program.names
+        }
 
     def body(self) -> Body:
         loops = [Loop(level % 2 == 0) for level in range(max(self.level.values(), default=0) + 1)]
@@ -172,9 +176,11 @@ class _Printer:
 
     def _power_of_two(self, row: int) -> bool:
         value = self.program.constant(row)
-        return value is not None and value > 0 and value.numerator * value.denominator & (
-            value.numerator * value.denominator - 1
-        ) == 0
+        return (
+            value is not None
+            and value > 0
+            and value.numerator * value.denominator & (value.numerator * value.denominator - 1) == 0
+        )
 
     def _wrapped(self, args: tuple[int, ...], which: int, binding: int) -> str:
         text, own = self.text[args[which]]

@@ -8,7 +8,7 @@ import os
 from cffi import FFI
 
 FOLDER = os.path.dirname(__file__)
-FLAGS = ["-O3", "-fno-math-errno", "-fno-trapping-math", "-fopenmp-simd", "-ffp-contract=off"]
+FLAGS = ["-O2", "-fno-math-errno", "-fno-trapping-math", "-fopenmp-simd", "-ffp-contract=off"]
 ELEMENTS = (
     "point_mass",
     "body",
