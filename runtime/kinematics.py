@@ -179,9 +179,10 @@ class Kinematics:
         worst = np.argsort(-np.abs(np.nan_to_num(residual, nan=np.inf)) * self._weight)[:4]
         rows = self.roles.position_rows
         names = ", ".join(f"'{self.structure.names[rows[i]]}' (off by {residual[i]:.3g})" for i in worst)
+        driven = f" of {self.names(self.roles.prescribed)}" if self.roles.prescribed.size else ""
         return (
             f"position at t = {t:g} s cannot be reached: {names} stay unsatisfied; the constraints admit no such "
-            "position near the present one: check prescribed and initial values, or move in smaller steps"
+            f"position near the present one: check prescribed and initial values{driven}, or move in smaller steps"
         )
 
     def velocity_matrix(self, configuration: Configuration) -> Factorization:

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from flexel.errors import ModelError
 from flexel.generated.spec import ElementSpec, LawSpec
+from flexel.inputs import array
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
@@ -92,11 +93,9 @@ def flatten(values: Mapping[str, Array], specs: Iterable[object], owner: str) ->
     parts: list[Array] = []
     for spec in specs:
         name, size = spec.name, spec.size  # type: ignore[attr-defined]
-        value = np.atleast_1d(np.asarray(values[name], dtype=float)).ravel()
+        value = array(values[name], owner, f"parameter {name}").ravel()
         if value.size != size:
             raise ModelError(f"{owner}: parameter {name} has {value.size} numbers; it needs {size}")
-        if not np.all(np.isfinite(value)):
-            raise ModelError(f"{owner}: parameter {name} is not finite; give finite numbers")
         parts.append(value)
     return np.concatenate(parts) if parts else np.zeros(0)
 

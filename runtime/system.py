@@ -162,7 +162,7 @@ class System:
         >>> lin = system.linearize(motion[-1])  # doctest: +SKIP
         >>> lin.eigenvalues()  # doctest: +SKIP
         """
-        state = self.initial if state is None else state
+        state = self.initial if state is None else own_state(self.structure, state, "linearize")
         usable = state.roles is self.roles or self.condition(state) > 1e-9
         return linearize(self.kinematics if usable else self.kinematics_of(state.roles), state)
 
