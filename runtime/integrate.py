@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -18,15 +18,18 @@ from scipy.integrate import BDF, DOP853, LSODA, RK45, Radau
 from scipy.optimize import brentq
 from tqdm import tqdm
 
-from flexel.errors import DynamicsError, FlexelError, ModelError
+from flexel import states
+from flexel.errors import ConstraintError, DynamicsError, FlexelError, ModelError, PositionError
 from flexel.inputs import array, number
 from flexel.roles import Roles
 from flexel.state import State
 from flexel.structure import Array
 
 METHODS: dict[str, Any] = {"DOP853": DOP853, "RK45": RK45, "Radau": Radau, "BDF": BDF, "LSODA": LSODA}
-ILL_CONDITIONED = 0.02  # condition of B or of the position matrix, relative to that at the last choice
-BETTER = 4.0  # a new choice must improve the condition by this factor
+ILL_CONDITIONED = 0.25  # condition of B or of the position matrix, relative to that at the last choice
+SHORTEST = 1e-10  # first step, relative to the times, below which a position counts as out of reach
+RETRY = "out of reach"
+BETTER = 1.5  # a new choice must improve the condition by this factor
 
 
 @dataclass(frozen=True)
@@ -51,12 +54,18 @@ class Event:
 
 @dataclass(frozen=True)
 class Segment:
-    """A piece of motion with one choice of freedoms and its dense output y(t) = (q, q_d')."""
+    """A step of the integration: its choice of freedoms, its dense output y(t) = (q, q_d') and its ends."""
 
     t0: float
     t1: float
     roles: Roles
     dense: Any
+    first: states.End
+    last: states.End
+
+    def state(self, system: Any, t: float) -> State:
+        """Complete state at a time within the step."""
+        return states.state_between(system, t, self.dense(t), self.roles, self.first, self.last)
 
 
 @dataclass(frozen=True)
@@ -141,6 +150,8 @@ class Integrator:
         self.rechoose = rechoose
         self.progress = sys.stderr.isatty() if progress is None else progress
         self.state = start
+        self._end = states.End.of(start)
+        self._first_step: float | None = None
         self.result = Integration([start], [], [], {"steps": 0, "evaluations": 0, "rechoices": 0}, "")
 
     def run(self) -> Integration:
@@ -168,13 +179,16 @@ class Integrator:
         system, roles = self.system, self.system.roles
         y0 = np.concatenate([self.state.q, self.state.qd])
         system.warm(self.state)
-        solver = self.method(system.rhs, self.state.t, y0, float(self.times[-1]), **self.options)
+        first = {"first_step": self._first_step} if self._first_step else {}
+        solver = self.method(system.rhs, self.state.t, y0, float(self.times[-1]), **self.options, **first)
         reference = system.condition(self.state)
         values = [_value(event, self.state) for event in self.events]
         statistics = self.result.statistics
         count = 0
         while solver.status == "running":
             message = self._step(solver)
+            if message == RETRY:
+                break
             if solver.status == "failed":
                 raise DynamicsError(
                     f"integration failed at t = {solver.t:g} s: {message}; see motion up to there"
@@ -182,12 +196,15 @@ class Integrator:
             statistics["steps"] += 1
             dense = solver.dense_output()
             t1 = float(solver.t)
-            found, values, state = self._events(solver, dense, values)
+            state = states.state_from(system, t1, dense(t1), roles, self.state, system.position_guess)
+            step = Segment(float(solver.t_old), t1, roles, dense, self._end, states.End.of(state))
+            found, values = self._events(step, state, values)
             terminal = next((z for z in found if self._terminal(z[0])), None)
             end = terminal[1].t if terminal else t1
-            self._store(dense, end, roles)
+            self._store(step, end)
             self.result.events.extend(z for z in found if z[1].t <= end)
-            self.result.segments.append(Segment(float(solver.t_old), end, roles, dense))
+            self.result.segments.append(replace(step, t1=end))
+            self._end = step.last
             bar.update(end - float(solver.t_old))
             self.state = terminal[1] if terminal else state
             if terminal:
@@ -200,42 +217,47 @@ class Integrator:
         return None
 
     def _step(self, solver: Any) -> str | None:
+        """One step; RETRY where a stage led out of reach, so that a shorter first step is to be tried."""
         try:
             message: str | None = solver.step()
+        except (PositionError, ConstraintError) as error:
+            tried = float(getattr(solver, "h_abs", None) or 1e-3 * (solver.t_bound - solver.t))
+            self._first_step = min(tried, self._first_step or np.inf) / 8
+            if self._first_step < SHORTEST * max(abs(solver.t_bound), float(np.ptp(self.times))):
+                error.add_note(f"the motion was computed up to t = {solver.t:g} s")
+                raise
+            return RETRY
         except FlexelError as error:
-            note = f"the motion was computed up to t = {solver.t:g} s"
-            error.add_note(note)
+            error.add_note(f"the motion was computed up to t = {solver.t:g} s")
             raise
+        self._first_step = None
         return message
 
-    def _store(self, dense: Any, end: float, roles: Roles) -> None:
+    def _store(self, step: Segment, end: float) -> None:
         done = len(self.result.states)
         while done < self.times.size and self.times[done] <= end:
-            t = float(self.times[done])
-            self.result.states.append(self.system.state_from(t, dense(t), roles, self.result.states[-1]))
+            self.result.states.append(step.state(self.system, float(self.times[done])))
             done += 1
 
     def _terminal(self, name: str) -> bool:
         return any(event.terminal for event in self.events if event.name == name)
 
     def _events(
-        self, solver: Any, dense: Any, before: list[float]
-    ) -> tuple[list[tuple[str, State]], list[float], State]:
-        """Passages through zero within the last step, in the order of time."""
-        system, roles, t0, t1 = self.system, self.system.roles, float(solver.t_old), float(solver.t)
-
-        def state(t: float) -> State:
-            found: State = system.state_from(t, dense(t), roles, self.state)
-            return found
-
-        last = state(t1)
+        self, step: Segment, last: State, before: list[float]
+    ) -> tuple[list[tuple[str, State]], list[float]]:
+        """Passages through zero within the last step, in the order of time, and the functions at its end."""
         after = [_value(event, last) for event in self.events]
         found: list[tuple[str, State]] = []
         for event, g0, g1 in zip(self.events, before, after, strict=True):
             if (g0 < 0 <= g1 or g1 <= 0 < g0) and (event.direction == 0 or event.direction * (g1 - g0) > 0):
-                t = brentq(lambda z, event=event: event.function(state(z)), t0, t1, xtol=1e-13, rtol=8.9e-16)
-                found.append((event.name, state(float(t))))
-        return sorted(found, key=lambda z: z[1].t), after, last
+                ends = {step.t0: g0, step.t1: g1}  # as found before, so that brentq sees the same signs
+
+                def function(t: float, event: Event = event, ends: dict[float, float] = ends) -> float:
+                    return ends[t] if t in ends else _value(event, step.state(self.system, t))
+
+                t = brentq(function, step.t0, step.t1, xtol=1e-13, rtol=8.9e-16)
+                found.append((event.name, step.state(self.system, float(t))))
+        return sorted(found, key=lambda z: z[1].t), after
 
     def _rechosen(self, reference: float) -> bool:
         """Take other freedoms if the present ones became ill-conditioned and others are clearly better."""

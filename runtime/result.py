@@ -111,8 +111,7 @@ class Motion(Sequence[State]):
                 f"time {t:g} s lies outside the motion, {self.t[0]:g}…{self._segments[-1].t1:g} s"
             )
         segment = next(z for z in self._segments if t <= z.t1)
-        near = self._states[int(np.searchsorted(self.t, t, side="right")) - 1]
-        return self.system.state_from(t, segment.dense(t), segment.roles, near)
+        return segment.state(self.system, t)
 
     def plot(self, *names: str, path: str | Path | None = None) -> Any:
         """Time histories of named quantities (needs matplotlib); written to `path` if given."""

@@ -7,6 +7,7 @@ Imports numpy, the errors and the dynamics.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -58,28 +59,39 @@ def state_from(
     c = kinematics.position(t, y[:nq], guess)
     v = kinematics.velocity(c, kinematics.velocity_matrix(c), y[nq:])
     predicted = previous.e + (t - previous.t) * (previous.J[:m] @ previous.v + c.J[:m] @ v) / 2
-    return dynamics.complete(
-        kinematics, system.loads, c, v, with_turns(kinematics, c, y[:nq], predicted)
-    )
+    return dynamics.complete(kinematics, system.loads, c, v, with_turns(kinematics, c, y[:nq], predicted))
 
 
-def state_between(system: System, t: float, y: Array, roles: Roles, first: State, last: State) -> State:
-    """Complete state inside a step of the integration, from y and the states at its two ends.
+@dataclass(frozen=True)
+class End:
+    """An end of a step of the integration: what is needed to find the states inside it again."""
 
-    Positions of a mechanism have branches; the cubic through both ends tells which one is meant.
+    t: float
+    x: Array
+    v: Array
+    e: Array
+    ed: Array
+
+    @staticmethod
+    def of(state: State) -> End:
+        """The end at a complete state."""
+        return End(state.t, state.x, state.v, state.e, state.J[: state.e.size] @ state.v)
+
+
+def state_between(system: System, t: float, y: Array, roles: Roles, first: End, last: End) -> State:
+    """Complete state inside a step, from y = (q, q_d') and the two ends of the step.
+
+    Positions of a mechanism have branches and its angles turns; the cubic through both ends tells which are meant.
     """
-    h, m = last.t - first.t, system.structure.m
+    kinematics, nq = system.kinematics_of(roles), roles.nq
+    h = last.t - first.t
     z = (t - first.t) / h
     a, b = z * z * (3 - 2 * z), h * z * (1 - z)
     guess = (1 - a) * first.x + a * last.x + b * ((1 - z) * first.v - z * last.v)
-    e0, e1 = first.J[:m] @ first.v, last.J[:m] @ last.v
-    predicted = (1 - a) * first.e + a * last.e + b * ((1 - z) * e0 - z * e1)
-    kinematics, nq = system.kinematics_of(roles), roles.nq
     c = kinematics.position(t, y[:nq], guess)
     v = kinematics.velocity(c, kinematics.velocity_matrix(c), y[nq:])
-    return dynamics.complete(
-        kinematics, system.loads, c, v, with_turns(kinematics, c, y[:nq], predicted)
-    )
+    predicted = (1 - a) * first.e + a * last.e + b * ((1 - z) * first.ed - z * last.ed)
+    return dynamics.complete(kinematics, system.loads, c, v, with_turns(kinematics, c, y[:nq], predicted))
 
 
 def state_at(
