@@ -1,0 +1,270 @@
+"""The uncontrolled bicycle: rigid rider, hands off, knife-edge wheels that roll without slip.
+
+The model of the SPACAR talk (2 wheels, 2 beams, 6 hinges; 3 degrees of freedom, 4 kinematic coordinates) with the
+parameters of the 2007 benchmark.  Axes are the benchmark's: x forward, y right, z down, origin at the rear contact.
+`reproduce` compares the linear equations, their eigenvalues, the stable range of speeds and one nonlinear motion
+with published numbers, and lets the bicycle roll on after a kick from the side.
+Imports numpy, scipy and flexel; the pictures are in `flexel.examples.bicycle_figures`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from scipy.optimize import brentq
+
+import flexel as fx
+from flexel.examples import bicycle_data as data
+from flexel.linearize import Reduced
+from flexel.orientation import matrix
+from flexel.report import Quantity, Report
+from flexel.structure import Array
+
+LEAN_STEER = ("lean.angle", "steer.angle")
+SPEEDS = range(11)  # of the eigenvalue table [m/s]
+KICK_SPEEDS = (3.5, 4.5, 6.3)  # of the talk: below, within and above the stable range [m/s]
+KICK_SECONDS = 10.0
+HEAD_HEIGHT = 0.9  # where the two beams meet on the steering axis [m]; any other point of the axis would do
+
+
+def bicycle(p: Mapping[str, float] = data.BENCHMARK) -> fx.System:
+    """The bicycle upright at the origin; `p` are the 25 parameters of the benchmark, by their symbols."""
+    m = fx.Model(gravity=(0, 0, p["g"]))
+    axis = np.array([np.sin(p["lam"]), 0, np.cos(p["lam"])])  # of steering, downwards
+    head = np.array([p["w"] + p["c"], 0, 0]) - axis * HEAD_HEIGHT / axis[2]
+    rear_hub, rear_contact = m.point("rear hub", (0, 0, -p["rR"])), m.point("rear contact", (0, 0, 0))
+    front_hub, front_contact = (
+        m.point("front hub", (p["w"], 0, -p["rF"])),
+        m.point("front contact", (p["w"], 0, 0)),
+    )
+    steering_head = m.point("head", head)
+    ground = m.frame("ground", fixed=True)
+    yawed, leaned, rear_frame = m.frame("yawed"), m.frame("leaned"), m.frame("rear frame")
+    front_frame, rear_wheel, front_wheel = (
+        m.frame("front frame"),
+        m.frame("rear wheel"),
+        m.frame("front wheel"),
+    )
+
+    m.hinge("yaw", ground, yawed, axis=(0, 0, 1))
+    m.hinge("lean", yawed, leaned, axis=(1, 0, 0))
+    m.hinge("pitch", leaned, rear_frame, axis=(0, 1, 0))
+    m.hinge("steer", rear_frame, front_frame, axis=axis)
+    m.hinge("rear spin", rear_frame, rear_wheel, axis=(0, 1, 0))
+    m.hinge("front spin", front_frame, front_wheel, axis=(0, 1, 0))
+    m.beam("frame", rear_hub, rear_frame, steering_head)
+    m.beam("fork", steering_head, front_frame, front_hub)
+    axle, up = (0, 1, 0), (0, 0, -1)
+    m.wheel("rear", rear_hub, rear_wheel, rear_contact, radius=p["rR"], axle=axle, normal=up)
+    m.wheel("front", front_hub, front_wheel, front_contact, radius=p["rF"], axle=axle, normal=up)
+    _bodies(m, p, head)
+
+    m.independent("lean.angle", "steer.angle", "rear spin.angle")
+    m.kinematic("rear contact.x", "rear contact.y", "yaw.angle", "front spin.angle")
+    return m.build()
+
+
+def _bodies(m: fx.Model, p: Mapping[str, float], head: Array) -> None:
+    """The four bodies; mass centres of B and H relative to the points that carry them."""
+    B = (p["IBxx"], p["IByy"], p["IBzz"], 0, p["IBxz"], 0)
+    H = (p["IHxx"], p["IHyy"], p["IHzz"], 0, p["IHxz"], 0)
+    R, F = (p["IRxx"], p["IRyy"], p["IRxx"]), (p["IFxx"], p["IFyy"], p["IFxx"])
+    rear_offset, front_offset = (p["xB"], 0, p["zB"] + p["rR"]), np.array([p["xH"], 0, p["zH"]]) - head
+    m.body("frame and rider", "rear hub", "rear frame", mass=p["mB"], inertia=B, offset=rear_offset)
+    m.body("handlebar and fork", "head", "front frame", mass=p["mH"], inertia=H, offset=front_offset)
+    m.body("rear wheel body", "rear hub", "rear wheel", mass=p["mR"], inertia=R)
+    m.body("front wheel body", "front hub", "front wheel", mass=p["mF"], inertia=F)
+
+
+# -- analyses -------------------------------------------------------------------------------------
+
+
+def rolling(system: fx.System, speed: float, roll_rate: float = 0.0) -> fx.State:
+    """Upright, straight ahead at a speed [m/s], turning about the ground line with a roll rate [rad/s]."""
+    return system.state_at(rates={"rear hub.x": speed, "lean.angle": roll_rate, "steer.angle": 0.0})
+
+
+def steady(system: fx.System, speed: float, lean: float = 0.0, steer: float = 0.0) -> fx.State:
+    """Steady motion at a speed, looked for from a leaning and steered state (and only confirmed from upright)."""
+    start = system.state_at({"lean.angle": lean, "steer.angle": steer}, start=rolling(system, speed))
+    return system.steady(start)
+
+
+def lean_steer(system: fx.System, speed: float) -> Reduced:
+    """Linear equations of lean and steer about the steady motion, after a check that nothing else enters them."""
+    return system.linearize(steady(system, speed)).reduced(LEAN_STEER)
+
+
+def matrices(system: fx.System, gravity: float) -> dict[str, Array]:
+    """M, C1, K0, K2 of M q'' + v C1 q' + (g K0 + v² K2) q = 0, from linearizations at 1 and 2 m/s."""
+    one, two = lean_steer(system, 1.0), lean_steer(system, 2.0)
+    K2 = (two.K - one.K) / 3
+    return {"M": one.M, "C1": two.C / 2, "K0": (one.K - K2) / gravity, "K2": K2}
+
+
+def eigenvalues(system: fx.System, speeds: Array) -> Array:
+    """Eigenvalues (nv, 4) [1/s] of the lean-steer block, linearized anew at each speed."""
+    return np.array([lean_steer(system, float(v)).eigenvalues() for v in speeds])
+
+
+def stable_range(system: fx.System, fastest: float = 12.0) -> tuple[float, float | None]:
+    """Weave speed and capsize speed [m/s] (None: no capsize below `fastest`), as roots on the lean-steer block."""
+
+    def weave(v: float) -> float:
+        """Real part of the complex pair, positive where there is none."""
+        w = lean_steer(system, v).eigenvalues()
+        pair = w[np.abs(w.imag) > 1e-6]
+        return float(np.max(pair.real)) if pair.size else 1.0
+
+    def capsize(v: float) -> float:
+        return float(np.linalg.det(lean_steer(system, v).K))
+
+    grid = np.linspace(0.0, fastest, 49)
+    oscillation, divergence = [weave(v) for v in grid], [capsize(v) for v in grid]
+    last = max(i for i in range(grid.size) if oscillation[i] > 0)
+    fall = [i for i in range(grid.size - 1) if divergence[i] > 0 >= divergence[i + 1]]
+    return _root(weave, grid[last], grid[last + 1]), _root(
+        capsize, grid[fall[-1]], grid[fall[-1] + 1]
+    ) if fall else None
+
+
+def _root(function: object, a: float, b: float) -> float:
+    return float(brentq(function, a, b, xtol=1e-13, rtol=8.9e-16))  # type: ignore[call-overload]
+
+
+def kick(system: fx.System, speed: float, seconds: float = KICK_SECONDS, rtol: float = 1e-10) -> fx.Motion:
+    """The nonlinear motion after a kick from the side: rolling upright with a roll rate of 0.05 rad/s."""
+    start = rolling(system, speed, data.ROLL_RATE)
+    times = np.linspace(0.0, seconds, round(40 * seconds) + 1)
+    return system.simulate(seconds, start=start, times=times, rtol=rtol, atol=rtol / 100)
+
+
+def energy_drift(motion: fx.Motion) -> float:
+    """Largest |E - E0| / E0, with no potential energy at ground level."""
+    E = motion.energy["total"]
+    return float(np.max(np.abs(E - E[0])) / abs(E[0]))
+
+
+def forward_speed(state: fx.State) -> float:
+    """Velocity of the rear hub along the rear frame's x axis [m/s]."""
+    return float(matrix(state.position("rear frame"))[:, 0] @ state.velocity("rear hub"))
+
+
+def manoeuvre_m1(motion: fx.Motion) -> Array:
+    """The columns `data.M1_COLUMNS` (17, 8) of manoeuvre M1 at the times of the reference."""
+    states = [motion.at(row[0]) for row in data.M1]
+    names = data.M1_COLUMNS[1:]
+    return np.array([[z.t, *(z.rate(n[:-1]) if n.endswith("'") else z[n] for n in names)] for z in states])
+
+
+@dataclass(frozen=True)
+class Results:
+    """Everything that is computed, for the table and for the pictures."""
+
+    system: fx.System
+    matrices: dict[str, Array]
+    eigenvalues: Array
+    range: tuple[float, float | None]
+    measured: dict[str, tuple[float, float | None]]
+    steady: list[fx.State]
+    m1: fx.Motion
+    kicks: dict[float, fx.Motion]
+
+
+def analyse() -> Results:
+    """Run all analyses."""
+    system = bicycle()
+    return Results(
+        system=system,
+        matrices=matrices(system, data.BENCHMARK["g"]),
+        eigenvalues=eigenvalues(system, np.array(SPEEDS, dtype=float)),
+        range=stable_range(system),
+        measured={name: stable_range(bicycle(p)) for name, p in data.MEASURED.items()},
+        steady=[steady(system, float(v), lean=0.005, steer=-0.005) for v in SPEEDS],
+        m1=kick(system, data.M1_SPEED, 5.0, rtol=1e-11),
+        kicks={v: kick(system, v) for v in KICK_SPEEDS},
+    )
+
+
+# -- the table ------------------------------------------------------------------------------------
+
+
+def reproduce(out: Path | None = None) -> Report:
+    """All quantities beside their published values; figures and an animation in `out`, if given."""
+    results = analyse()
+    files: list[Path] = []
+    if out is not None:
+        from flexel.examples.bicycle_figures import pictures
+
+        files = pictures(results, out)
+    return Report(
+        "bicycle", [*counts(results), *linear(results), *manoeuvre(results), *kicks(results)], files
+    )
+
+
+def counts(results: Results) -> list[Quantity]:
+    """Size of the model."""
+    found = results.system.counts
+    return [
+        Quantity("freedoms", found["freedoms"], 3, 0, "", data.TALK),
+        Quantity("kinematic_coordinates", found["kinematic_coordinates"], 4, 0, "", data.TALK),
+        Quantity("coordinates", found["coordinates"]),
+        Quantity("deformations", found["deformations"], source="Euler-parameter norms not counted"),
+    ]
+
+
+def linear(results: Results) -> list[Quantity]:
+    """Steady motion, linear equations, eigenvalues, stable ranges."""
+    published = {"M": data.M, "C1": data.C1, "K0": data.K0, "K2": data.K2}
+    units = {"M": "kg m2", "C1": "kg m", "K0": "kg m", "K2": "kg"}
+    angles = [[state[name] for name in LEAN_STEER] for state in results.steady]
+    residual = max(abs(state.acceleration(z)) for state in results.steady for z in results.system.dynamic)
+    weave, capsize = results.range
+    speeds = {name: pair for name, pair in results.measured.items() if pair[1] is not None}
+    found = np.array(list(speeds.values()), dtype=float)
+    expected = np.array([list(data.MEASURED_SPEEDS[name].values()) for name in speeds], dtype=float)
+    return [
+        Quantity("steady_lean_steer", angles, np.zeros((len(angles), 2)), 1e-10, "rad", "upright, v = 0 ... 10 m/s"),
+        Quantity("steady_residual", residual, 0.0, 1e-9, "rad/s2", "largest acceleration of the motions found"),
+        *(Quantity(k, results.matrices[k], z, 1e-11, units[k], data.PAPER) for k, z in published.items()),
+        Quantity("eigenvalues", results.eigenvalues, data.EIGENVALUES, 1e-10, "1/s", data.EXACT),
+        Quantity("weave_speed", weave, data.WEAVE_SPEED, 1e-10, "m/s", data.PAPER),
+        Quantity("capsize_speed", np.nan if capsize is None else capsize, data.CAPSIZE_SPEED, 1e-10, "m/s", data.PAPER),
+        Quantity("measured_bicycles_weave_and_capsize", found, expected, 1e-9, "m/s",
+                 data.MEASURED_SOURCE, {"bicycles": list(speeds)}),
+    ]  # fmt: skip
+
+
+def manoeuvre(results: Results) -> list[Quantity]:
+    """Manoeuvre M1 beside its reference trajectory, row by row, and at 5 s."""
+    found, reference, end = manoeuvre_m1(results.m1), np.array(data.M1), results.m1[-1]
+    units = ("s", "rad", "rad", "rad", "rad/s", "rad/s", "m", "m")
+    return [
+        Quantity("M1_steer_5s", end["steer.angle"], data.M1_STEER_5S, 1e-8, "rad", data.MANOEUVRE),
+        Quantity(
+            "M1_forward_speed_5s", forward_speed(end), data.M1_FORWARD_SPEED_5S, 1e-8, "m/s", data.MANOEUVRE
+        ),
+        Quantity("M1_energy", end.energy.total, data.M1_ENERGY, 1e-11, "J", data.MANOEUVRE),
+        Quantity("M1_energy_drift", energy_drift(results.m1), 0.0, 1e-10, "", "conservative"),
+        *(
+            Quantity(f"M1 {name}", found[:, i], reference[:, i], 1e-8, units[i], data.MANOEUVRE)
+            for i, name in enumerate(data.M1_COLUMNS)
+            if i > 0
+        ),
+    ]
+
+
+def kicks(results: Results) -> list[Quantity]:
+    """The three kicks of the talk: lean after 2 s (no published number), drift of energy and constraints."""
+    rows = []
+    for v, motion in results.kicks.items():
+        rows.append(Quantity(f"kick_{v}", motion.at(2.0)["lean.angle"], unit="rad", source="lean at t = 2 s"))
+        drift, violation = energy_drift(motion), float(np.max(motion.drift))
+        rows.append(
+            Quantity(f"kick_{v}_energy_drift", drift, 0.0, 1e-9, "", "conservative; integrated at 1e-10")
+        )
+        rows.append(Quantity(f"kick_{v}_constraint_drift", violation, 0.0, 1e-12, "", "rigid bodies, road"))
+    return rows

@@ -1,0 +1,202 @@
+"""Pictures of a mechanism: any model at a state, painted on matplotlib axes.
+
+Imports numpy and the runtime rooms of drawing, figures, state and structure; matplotlib when a picture is drawn.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from flexel import drawing
+from flexel.drawing import Sketch
+from flexel.figures import figure
+from flexel.state import State
+from flexel.structure import Array
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+# Colour, line width and mark of each style of shape; order is from back to front.
+PAINT: dict[str, tuple[str, float, str]] = {
+    "sketch": ("#8fa3b3", 2.0, ""),
+    "spoke": ("#9aa3ab", 0.6, ""),
+    "valve": ("#c8501e", 1.4, ""),
+    "rim": ("#222222", 2.2, ""),
+    "axle": ("#222222", 2.2, ""),
+    "bar": ("#0b5fa5", 2.6, ""),
+    "beam": ("#2e8540", 2.6, ""),
+    "joint": ("#ffffff", 4.0, "o"),
+    "fixed": ("#444444", 5.0, "s"),
+    "mass": ("#c8501e", 5.0, "o"),
+}
+
+
+@dataclass(frozen=True)
+class View:
+    """How a mechanism is looked at.
+
+    Parameters
+    ----------
+    elevation, azimuth : float
+        Of the eye, in degrees.
+    up : sequence of float (3,), optional
+        Direction shown as up: normal to the road, against gravity, or z by default.
+    centre : str or sequence of float (3,), optional
+        A point node to keep in the middle, or a place; the middle of the model by default.
+    span : float, optional
+        Width of what is seen [m]; the size of the model by default.
+    ground : bool
+        Draw a grid on the roads of the wheels.
+    trails : sequence of str
+        Point nodes whose past track is drawn in an animation.
+    sketches : sequence of Sketch
+        Lines carried by bodies, only to be seen.
+    """
+
+    elevation: float = 20.0
+    azimuth: float = -60.0
+    up: Sequence[float] | None = None
+    centre: str | Sequence[float] | None = None
+    span: float | None = None
+    ground: bool = True
+    trails: Sequence[str] = ()
+    sketches: Sequence[Sketch] = ()
+
+
+@contextmanager
+def canvas(state: State, size: tuple[float, float] = (7.0, 5.0)) -> Iterator[tuple[Figure, Any]]:
+    """A figure whose only axes fit the model: plain for a planar one, else spatial and filling the figure."""
+    if drawing.planar(state):
+        with figure(size=size) as (drawn, axes):
+            yield drawn, axes
+        return
+    with figure(0, size=size) as (drawn, _):
+        yield drawn, drawn.add_axes((0, 0, 1, 1), projection="3d")
+
+
+def draw(
+    state: State, axes: Any = None, view: View | None = None, trails: Mapping[str, Array] | None = None
+) -> Any:
+    """Draw a mechanism at a state: bars, beams, wheels, bodies, points and the road.
+
+    Parameters
+    ----------
+    axes : matplotlib axes, optional
+        Three-dimensional, or plain for a planar model; made if missing.
+    view : View, optional
+    trails : mapping of str to ndarray (k, 3)
+        Tracks to be drawn, in global axes.
+
+    Returns
+    -------
+    axes
+
+    Examples
+    --------
+    >>> draw(motion[-1], view=View(azimuth=-70)).figure.savefig("end.png")  # doctest: +SKIP
+    """
+    view = view or View()
+    flat = drawing.planar(state)
+    if axes is None:
+        with canvas(state) as (_, axes):
+            pass
+    parts = drawing.shapes(state, view.sketches)
+    R = display_axes(drawing.upward(state) if view.up is None else np.asarray(view.up, dtype=float))
+    centre, span = _window(state, view, parts)
+    if not flat:
+        if view.ground:
+            for normal, height in drawing.roads(state):
+                _ground(axes, R, normal, height, centre, span)
+        axes.view_init(view.elevation, view.azimuth)
+    turn = np.eye(3) if flat else R
+    for track in (trails or {}).values():
+        axes.plot(*(track @ turn.T).T[: 2 if flat else 3], color="#2e8540", lw=1.2, zorder=1, clip_on=False)
+    for order, (style, (colour, width, mark)) in enumerate(PAINT.items(), start=2):
+        lines = [line @ turn.T for part in parts if part.style == style for line in part.lines]
+        if lines:
+            _paint(axes, flat, lines, colour, width, mark, order)
+    _limits(axes, flat, turn @ centre, span)
+    return axes
+
+
+def display_axes(up: Array) -> Array:
+    """Rotation (3, 3) from global axes to the picture's, whose z axis is `up`; x stays x as far as it can."""
+    e_z = up / np.linalg.norm(up)
+    start = np.eye(3)[0 if abs(e_z[0]) < 0.9 else 1]
+    e_x = start - (start @ e_z) * e_z
+    e_x /= np.linalg.norm(e_x)
+    return np.array([e_x, np.cross(e_z, e_x), e_z])
+
+
+def _window(state: State, view: View, parts: Sequence[drawing.Shape]) -> tuple[Array, float]:
+    """Centre and width of what is seen."""
+    places = np.vstack([line for part in parts for line in part.lines])
+    low, high = places.min(axis=0), places.max(axis=0)
+    centre = (low + high) / 2
+    if isinstance(view.centre, str):
+        place = state.position(view.centre)
+        centre[: place.size] = place
+    elif view.centre is not None:
+        centre = np.asarray(view.centre, dtype=float)
+    return centre, view.span or 1.1 * max(float(np.max(high - low)), 1e-9)
+
+
+def _paint(
+    axes: Any, flat: bool, lines: list[Array], colour: str, width: float, mark: str, order: int
+) -> None:
+    """All lines or marks of one style at once."""
+    if mark:
+        points = np.vstack(lines).T[: 2 if flat else 3]
+        options = {
+            "linestyle": "",
+            "marker": mark,
+            "ms": width,
+            "color": colour,
+            "mec": "#222222",
+            "mew": 0.8,
+        }
+        axes.plot(*points, zorder=order, **options)
+    elif flat:
+        from matplotlib.collections import LineCollection
+
+        axes.add_collection(LineCollection([z[:, :2] for z in lines], colors=colour, lw=width, zorder=order))
+    else:
+        _spatial_lines(axes, lines, colour, width, order)
+
+
+def _spatial_lines(axes: Any, lines: list[Array], colour: str, width: float, order: int) -> None:
+    from mpl_toolkits.mplot3d.art3d import Line3DCollection  # type: ignore[import-untyped]
+
+    collection = Line3DCollection(lines, colors=colour, lw=width, zorder=order, clip_on=False)
+    axes.add_collection3d(collection, autolim=False)
+
+
+def _ground(axes: Any, R: Array, normal: Array, height: float, centre: Array, span: float) -> None:
+    """A grid of round steps on a road, fixed to the ground, cut at the edge of the window."""
+    T = display_axes(normal)  # rows: two directions in the road, and its normal
+    step = 10.0 ** np.floor(np.log10(span / 2.0))
+    step *= next(z for z in (1, 2, 5, 10) if span / (step * z) <= 9)
+    (a0, b0), (a1, b1) = (T @ centre)[:2] - 0.7 * span, (T @ centre)[:2] + 0.7 * span
+    lines = [[(z, b0, height), (z, b1, height)] for z in step * np.arange(np.ceil(a0 / step), a1 / step)]
+    lines += [[(a0, z, height), (a1, z, height)] for z in step * np.arange(np.ceil(b0 / step), b1 / step)]
+    _spatial_lines(axes, [np.array(line) @ T @ R.T for line in lines], "#cfd6dc", 0.7, 0)
+
+
+def _limits(axes: Any, flat: bool, centre: Array, span: float) -> None:
+    """Equal scales around the centre; a spatial picture without box and ticks."""
+    axes.set_xlim(centre[0] - span / 2, centre[0] + span / 2)
+    axes.set_ylim(centre[1] - span / 2, centre[1] + span / 2)
+    if flat:
+        axes.set_aspect("equal")
+        axes.set_xlabel("x [m]")
+        axes.set_ylabel("y [m]")
+    else:
+        axes.set_zlim(centre[2] - span / 2, centre[2] + span / 2)
+        axes.set_box_aspect((1, 1, 1), zoom=1.9)
+        axes.set_axis_off()
+        axes.computed_zorder = False
