@@ -12,6 +12,7 @@ import sympy as sp
 
 from flexel.derive.differentiate import forward, gradient
 from flexel.derive.element import Element, Law
+from flexel.derive.factor import factored
 from flexel.derive.layers import (
     Matrix,
     Rows,
@@ -87,7 +88,9 @@ class _Builder:
     ) -> None:
         """Note a kernel; zero entries of its outputs are dropped."""
         arrays: list[Output] = []
-        for array, (shape, rows) in outputs.items():
+        fewer = iter(factored(self.program, [row for _, rows in outputs.values() for row in rows]))
+        for array, (shape, unfactored) in outputs.items():
+            rows = [next(fewer) for _ in unfactored]
             kept = tuple(i for i, row in enumerate(rows) if row != self.program.zero)
             arrays.append(Output(array, shape, kept, tuple(rows[i] for i in kept)))
         count = self.program.operations([row for output in arrays for row in output.rows])

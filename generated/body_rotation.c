@@ -108,7 +108,7 @@ static void body_rotation_velocity(size_t nblocks, const real *const *in, real *
     }
 }
 
-/* acceleration: 61 operations.
+/* acceleration: 58 operations.
  * in:  x (4), v (4), p (4)
  * out: g (0), gs (3) */
 FLEXEL_CLONES
@@ -120,36 +120,36 @@ static void body_rotation_acceleration(size_t nblocks, const real *const *in, re
         real *restrict gs = out[1] + b * (3 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
-            const real r_vl3 = v[3 * 8 + j];
-            const real t_0 = p[0 * 8 + j];
-            const real t0 = r_vl3 * t_0;
             const real r_vl0 = v[0 * 8 + j];
-            const real t_3 = p[3 * 8 + j];
-            const real t1 = r_vl0 * t_3;
+            const real t_0 = p[0 * 8 + j];
             const real r_vl1 = v[1 * 8 + j];
-            const real t_2 = p[2 * 8 + j];
-            const real t2 = r_vl1 * t_2;
-            const real r_vl2 = v[2 * 8 + j];
             const real t_1 = p[1 * 8 + j];
-            const real t3 = r_vl2 * t_1;
-            const real t4 = t1 + t2 + t0 - t3;
-            const real t5 = r_vl1 * t_3;
-            const real t6 = r_vl0 * t_2;
-            const real t7 = r_vl2 * t_0;
-            const real t8 = r_vl3 * t_1;
-            const real t9 = t5 - t6 - t7 - t8;
-            const real t10 = r_vl2 * t_3;
-            const real t11 = r_vl0 * t_1;
-            const real t12 = r_vl1 * t_0;
-            const real t13 = r_vl3 * t_2;
-            const real t14 = t11 + t12 + t10 - t13;
-            const real t15 = r_vl0 * t_0 - r_vl1 * t_1 - r_vl2 * t_2 - r_vl3 * t_3;
-            const real t16 = t13 - t11 - t12 - t10;
-            const real t17 = t6 + t7 + t8 - t5;
-            const real t18 = t3 - t1 - t2 - t0;
-            gs[0 * 8 + j] = 2.0 * (t14 * t15 + t15 * t16 + t4 * t9 - t17 * t18);
-            gs[1 * 8 + j] = 2.0 * (t15 * t17 + t15 * t9 + t14 * t18 - t4 * t16);
-            gs[2 * 8 + j] = 2.0 * (t15 * t4 + t17 * t16 + t15 * t18 - t14 * t9);
+            const real r_vl2 = v[2 * 8 + j];
+            const real t_2 = p[2 * 8 + j];
+            const real r_vl3 = v[3 * 8 + j];
+            const real t_3 = p[3 * 8 + j];
+            const real t0 = r_vl0 * t_0 - r_vl1 * t_1 - r_vl2 * t_2 - r_vl3 * t_3;
+            const real t1 = r_vl3 * t_2;
+            const real t2 = r_vl0 * t_1;
+            const real t3 = r_vl1 * t_0;
+            const real t4 = r_vl2 * t_3;
+            const real t5 = t1 - t2 - t3 - t4;
+            const real t6 = t2 + t4 + t3 - t1;
+            const real t7 = r_vl1 * t_3;
+            const real t8 = r_vl0 * t_2;
+            const real t9 = r_vl2 * t_0;
+            const real t10 = r_vl3 * t_1;
+            const real t11 = t7 - t8 - t9 - t10;
+            const real t12 = r_vl1 * t_2;
+            const real t13 = r_vl0 * t_3;
+            const real t14 = r_vl3 * t_0;
+            const real t15 = r_vl2 * t_1;
+            const real t16 = t13 + t14 + t12 - t15;
+            const real t17 = t15 - t13 - t12 - t14;
+            const real t18 = t8 + t10 + t9 - t7;
+            gs[0 * 8 + j] = 2.0 * (t0 * (t5 + t6) + t11 * t16 - t17 * t18);
+            gs[1 * 8 + j] = 2.0 * (t0 * (t11 + t18) + t17 * t6 - t5 * t16);
+            gs[2 * 8 + j] = 2.0 * (t0 * (t17 + t16) + t5 * t18 - t11 * t6);
         }
     }
 }
@@ -296,7 +296,7 @@ static void body_rotation_kinematics(size_t nblocks, const real *const *in, real
     }
 }
 
-/* stiffness: 88 operations.
+/* stiffness: 86 operations.
  * in:  x (4), sigma (0), tau (3), p (4)
  * out: K (4,4) */
 FLEXEL_CLONES
@@ -308,57 +308,53 @@ static void body_rotation_stiffness(size_t nblocks, const real *const *in, real 
         real *restrict K = out[0] + b * (16 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
+            const real t_1 = p[1 * 8 + j];
+            const real tau_wx = tau[0 * 8 + j];
             const real t_3 = p[3 * 8 + j];
             const real tau_wz = tau[2 * 8 + j];
             const real t_2 = p[2 * 8 + j];
             const real tau_wy = tau[1 * 8 + j];
-            const real t_1 = p[1 * 8 + j];
-            const real tau_wx = tau[0 * 8 + j];
-            const real t0 = 2.0 * t_2 * tau_wy + 2.0 * t_1 * tau_wx + 2.0 * t_3 * tau_wz;
+            const real t0 = t_3 * tau_wz + t_2 * tau_wy + t_1 * tau_wx;
             const real t_0 = p[0 * 8 + j];
-            const real t1 = t_0 * t0;
-            const real t2 = 2.0 * t_1 * tau_wy - 2.0 * t_2 * tau_wx + 2.0 * t_0 * tau_wz;
-            const real t3 = t_3 * t2;
-            const real t4 = 2.0 * t_0 * tau_wy + 2.0 * t_3 * tau_wx - 2.0 * t_1 * tau_wz;
-            const real t5 = t_2 * t4;
-            const real t6 = t3 + t5;
-            const real t7 = 2.0 * t_0 * tau_wx - 2.0 * t_3 * tau_wy + 2.0 * t_2 * tau_wz;
-            const real t8 = t_1 * t7;
-            K[0 * 8 + j] = t1 - (t6 + t8);
-            const real t9 = t_3 * t4;
-            const real t10 = t_2 * t2;
-            const real t11 = t9 - t10;
-            const real t12 = t_0 * t7;
-            const real t13 = t_1 * t0;
-            K[1 * 8 + j] = t11 - t12 - t13;
-            const real t14 = t_1 * t2;
-            const real t15 = t_0 * t4;
-            const real t16 = t14 - t15;
-            const real t17 = t_3 * t7;
-            const real t18 = t_2 * t0;
-            K[2 * 8 + j] = t16 - t17 - t18;
-            const real t19 = t_2 * t7;
-            const real t20 = t_0 * t2;
-            const real t21 = t_1 * t4;
-            const real t22 = t20 + t21;
-            const real t23 = t_3 * t0;
-            K[3 * 8 + j] = t19 - t22 - t23;
-            K[4 * 8 + j] = t13 - t11 + t12;
-            K[5 * 8 + j] = t1 - t6 - t8;
-            K[6 * 8 + j] = t22 + t23 - t19;
-            K[7 * 8 + j] = t16 - t18 - t17;
-            const real t24 = t17 + t18;
-            K[8 * 8 + j] = t24 - t14 + t15;
-            const real t25 = t19 - t23;
-            K[9 * 8 + j] = t25 - t20 - t21;
-            const real t26 = t1 - t8;
-            K[10 * 8 + j] = t26 - t3 - t5;
-            const real t27 = t12 + t13;
-            K[11 * 8 + j] = t10 + t27 - t9;
-            K[12 * 8 + j] = t21 - t25 + t20;
-            K[13 * 8 + j] = t15 + t24 - t14;
-            K[14 * 8 + j] = t9 - t27 - t10;
-            K[15 * 8 + j] = t26 - t5 - t3;
+            const real t1 = 2.0 * t_0 * t0;
+            const real t2 = t_0 * tau_wz + t_1 * tau_wy - t_2 * tau_wx;
+            const real t3 = 2.0 * t_3 * t2;
+            const real t4 = t_0 * tau_wy + t_3 * tau_wx - t_1 * tau_wz;
+            const real t5 = 2.0 * t_2 * t4;
+            const real t6 = t_2 * tau_wz + t_0 * tau_wx - t_3 * tau_wy;
+            const real t7 = 2.0 * t_1 * t6;
+            K[0 * 8 + j] = K[5 * 8 + j] = t1 - (t3 + t5) - t7;
+            const real t8 = 2.0 * t_3 * t4;
+            const real t9 = 2.0 * t_2 * t2;
+            const real t10 = t8 - t9;
+            const real t11 = 2.0 * t_0 * t6;
+            const real t12 = 2.0 * t_1 * t0;
+            K[1 * 8 + j] = t10 - t11 - t12;
+            const real t13 = 2.0 * t_1 * t2;
+            const real t14 = 2.0 * t_0 * t4;
+            const real t15 = t13 - t14;
+            const real t16 = 2.0 * t_3 * t6;
+            const real t17 = 2.0 * t_2 * t0;
+            K[2 * 8 + j] = t15 - t16 - t17;
+            const real t18 = 2.0 * t_2 * t6;
+            const real t19 = 2.0 * t_0 * t2;
+            const real t20 = 2.0 * t_1 * t4;
+            const real t21 = t19 + t20;
+            const real t22 = 2.0 * t_3 * t0;
+            K[3 * 8 + j] = t18 - t21 - t22;
+            const real t23 = t11 + t12;
+            K[4 * 8 + j] = t23 - t10;
+            K[6 * 8 + j] = t21 + t22 - t18;
+            K[7 * 8 + j] = t15 - t17 - t16;
+            K[8 * 8 + j] = K[13 * 8 + j] = t16 + t17 + t14 - t13;
+            const real t24 = t18 - t22;
+            K[9 * 8 + j] = t24 - t19 - t20;
+            const real t25 = t1 - t7;
+            K[10 * 8 + j] = t25 - t3 - t5;
+            K[11 * 8 + j] = t9 + t23 - t8;
+            K[12 * 8 + j] = t21 - t24;
+            K[14 * 8 + j] = t8 - t23 - t9;
+            K[15 * 8 + j] = t25 - t5 - t3;
         }
     }
 }

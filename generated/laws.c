@@ -81,7 +81,7 @@ const flexel_law flexel_law_linear_1 = {
  *   S (3) [N/m or N m]: stiffness, upper triangle, row by row
  *   D (3) [N s/m or N m s]: damping, upper triangle, row by row */
 
-/* law: 27 operations.
+/* law: 23 operations.
  * in:  e (2), ed (2), s (0), p (8)
  * out: sigma (2), tau (0), U (1) */
 FLEXEL_CLONES
@@ -95,25 +95,23 @@ static void linear_2_law(size_t nblocks, const real *const *in, real *const *out
         real *restrict U = out[2] + b * (1 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
-            const real e_1 = e[1 * 8 + j];
-            const real S_12 = p[3 * 8 + j];
-            const real t0 = e_1 * S_12;
-            const real e_0 = e[0 * 8 + j];
-            const real S_11 = p[2 * 8 + j];
-            const real t1 = e_0 * S_11;
-            const real ed_1 = ed[1 * 8 + j];
-            const real D_12 = p[6 * 8 + j];
             const real ed_0 = ed[0 * 8 + j];
             const real D_11 = p[5 * 8 + j];
+            const real ed_1 = ed[1 * 8 + j];
+            const real D_12 = p[6 * 8 + j];
+            const real e_0 = e[0 * 8 + j];
+            const real S_11 = p[2 * 8 + j];
+            const real e_1 = e[1 * 8 + j];
+            const real S_12 = p[3 * 8 + j];
+            const real t0 = e_0 * S_11 + e_1 * S_12;
             const real preload_0 = p[0 * 8 + j];
-            sigma[0 * 8 + j] = preload_0 + ed_0 * D_11 + ed_1 * D_12 + t1 + t0;
-            const real S_22 = p[4 * 8 + j];
-            const real t2 = e_1 * S_22;
-            const real t3 = e_0 * S_12;
+            sigma[0 * 8 + j] = ed_1 * D_12 + t0 + preload_0 + ed_0 * D_11;
             const real D_22 = p[7 * 8 + j];
+            const real S_22 = p[4 * 8 + j];
+            const real t1 = e_0 * S_12 + e_1 * S_22;
             const real preload_1 = p[1 * 8 + j];
-            sigma[1 * 8 + j] = preload_1 + ed_0 * D_12 + ed_1 * D_22 + t3 + t2;
-            U[0 * 8 + j] = e_0 * (preload_0 + 0.5 * t1 + 0.5 * t0) + e_1 * (preload_1 + 0.5 * t3 + 0.5 * t2);
+            sigma[1 * 8 + j] = ed_1 * D_22 + t1 + preload_1 + ed_0 * D_12;
+            U[0 * 8 + j] = e_0 * (preload_0 + 0.5 * t0) + e_1 * (preload_1 + 0.5 * t1);
         }
     }
 }
@@ -167,7 +165,7 @@ const flexel_law flexel_law_linear_2 = {
  *   S (6) [N/m or N m]: stiffness, upper triangle, row by row
  *   D (6) [N s/m or N m s]: damping, upper triangle, row by row */
 
-/* law: 59 operations.
+/* law: 47 operations.
  * in:  e (3), ed (3), s (0), p (15)
  * out: sigma (3), tau (0), U (1) */
 FLEXEL_CLONES
@@ -181,44 +179,35 @@ static void linear_3_law(size_t nblocks, const real *const *in, real *const *out
         real *restrict U = out[2] + b * (1 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
-            const real e_2 = e[2 * 8 + j];
-            const real S_13 = p[5 * 8 + j];
-            const real t0 = e_2 * S_13;
-            const real e_1 = e[1 * 8 + j];
-            const real S_12 = p[4 * 8 + j];
-            const real t1 = e_1 * S_12;
-            const real e_0 = e[0 * 8 + j];
-            const real S_11 = p[3 * 8 + j];
-            const real t2 = e_0 * S_11;
-            const real ed_2 = ed[2 * 8 + j];
-            const real D_13 = p[11 * 8 + j];
-            const real ed_1 = ed[1 * 8 + j];
-            const real D_12 = p[10 * 8 + j];
             const real ed_0 = ed[0 * 8 + j];
             const real D_11 = p[9 * 8 + j];
+            const real ed_1 = ed[1 * 8 + j];
+            const real D_12 = p[10 * 8 + j];
+            const real ed_2 = ed[2 * 8 + j];
+            const real D_13 = p[11 * 8 + j];
+            const real e_0 = e[0 * 8 + j];
+            const real S_11 = p[3 * 8 + j];
+            const real e_1 = e[1 * 8 + j];
+            const real S_12 = p[4 * 8 + j];
+            const real e_2 = e[2 * 8 + j];
+            const real S_13 = p[5 * 8 + j];
+            const real t0 = e_1 * S_12 + e_2 * S_13 + e_0 * S_11;
             const real preload_0 = p[0 * 8 + j];
-            const real t3 = preload_0 + ed_0 * D_11 + ed_1 * D_12 + ed_2 * D_13 + t2 + t1;
-            sigma[0 * 8 + j] = t0 + t3;
-            const real S_23 = p[7 * 8 + j];
-            const real t4 = e_2 * S_23;
-            const real S_22 = p[6 * 8 + j];
-            const real t5 = e_1 * S_22;
-            const real t6 = e_0 * S_12;
-            const real D_23 = p[13 * 8 + j];
+            sigma[0 * 8 + j] = ed_2 * D_13 + t0 + ed_1 * D_12 + preload_0 + ed_0 * D_11;
             const real D_22 = p[12 * 8 + j];
+            const real D_23 = p[13 * 8 + j];
+            const real S_22 = p[6 * 8 + j];
+            const real S_23 = p[7 * 8 + j];
+            const real t1 = e_1 * S_22 + e_2 * S_23 + e_0 * S_12;
             const real preload_1 = p[1 * 8 + j];
-            const real t7 = preload_1 + ed_0 * D_12 + ed_1 * D_22 + ed_2 * D_23 + t6 + t5;
-            sigma[1 * 8 + j] = t4 + t7;
-            const real S_33 = p[8 * 8 + j];
-            const real t8 = e_2 * S_33;
-            const real t9 = e_1 * S_23;
-            const real t10 = e_0 * S_13;
+            sigma[1 * 8 + j] = ed_2 * D_23 + t1 + ed_1 * D_22 + preload_1 + ed_0 * D_12;
             const real D_33 = p[14 * 8 + j];
+            const real S_33 = p[8 * 8 + j];
+            const real t2 = e_1 * S_23 + e_2 * S_33 + e_0 * S_13;
             const real preload_2 = p[2 * 8 + j];
-            const real t11 = preload_2 + ed_0 * D_13 + ed_1 * D_23 + ed_2 * D_33 + t10;
-            sigma[2 * 8 + j] = t9 + t11 + t8;
-            const real t12 = e_0 * (preload_0 + 0.5 * t2 + 0.5 * t1 + 0.5 * t0) + e_1 * (preload_1 + 0.5 * t6 + 0.5 * t5 + 0.5 * t4);
-            U[0 * 8 + j] = e_2 * (preload_2 + 0.5 * t10 + 0.5 * t9 + 0.5 * t8) + t12;
+            sigma[2 * 8 + j] = ed_2 * D_33 + t2 + ed_1 * D_23 + preload_2 + ed_0 * D_13;
+            const real t3 = e_2 * (preload_2 + 0.5 * t2) + e_0 * (preload_0 + 0.5 * t0);
+            U[0 * 8 + j] = e_1 * (preload_1 + 0.5 * t1) + t3;
         }
     }
 }
@@ -284,7 +273,7 @@ const flexel_law flexel_law_linear_3 = {
  *   S (10) [N/m or N m]: stiffness, upper triangle, row by row
  *   D (10) [N s/m or N m s]: damping, upper triangle, row by row */
 
-/* law: 103 operations.
+/* law: 79 operations.
  * in:  e (4), ed (4), s (0), p (24)
  * out: sigma (4), tau (0), U (1) */
 FLEXEL_CLONES
@@ -298,67 +287,48 @@ static void linear_4_law(size_t nblocks, const real *const *in, real *const *out
         real *restrict U = out[2] + b * (1 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
-            const real e_3 = e[3 * 8 + j];
-            const real S_14 = p[7 * 8 + j];
-            const real t0 = e_3 * S_14;
-            const real e_2 = e[2 * 8 + j];
-            const real S_13 = p[6 * 8 + j];
-            const real t1 = e_2 * S_13;
-            const real e_1 = e[1 * 8 + j];
-            const real S_12 = p[5 * 8 + j];
-            const real t2 = e_1 * S_12;
-            const real e_0 = e[0 * 8 + j];
-            const real S_11 = p[4 * 8 + j];
-            const real t3 = e_0 * S_11;
-            const real ed_3 = ed[3 * 8 + j];
-            const real D_14 = p[17 * 8 + j];
-            const real ed_2 = ed[2 * 8 + j];
-            const real D_13 = p[16 * 8 + j];
-            const real ed_1 = ed[1 * 8 + j];
-            const real D_12 = p[15 * 8 + j];
             const real ed_0 = ed[0 * 8 + j];
             const real D_11 = p[14 * 8 + j];
+            const real ed_1 = ed[1 * 8 + j];
+            const real D_12 = p[15 * 8 + j];
+            const real ed_2 = ed[2 * 8 + j];
+            const real D_13 = p[16 * 8 + j];
+            const real ed_3 = ed[3 * 8 + j];
+            const real D_14 = p[17 * 8 + j];
+            const real e_0 = e[0 * 8 + j];
+            const real S_11 = p[4 * 8 + j];
+            const real e_1 = e[1 * 8 + j];
+            const real S_12 = p[5 * 8 + j];
+            const real e_2 = e[2 * 8 + j];
+            const real S_13 = p[6 * 8 + j];
+            const real e_3 = e[3 * 8 + j];
+            const real S_14 = p[7 * 8 + j];
+            const real t0 = e_2 * S_13 + e_3 * S_14 + e_1 * S_12 + e_0 * S_11;
             const real preload_0 = p[0 * 8 + j];
-            const real t4 = preload_0 + ed_0 * D_11 + ed_1 * D_12 + ed_2 * D_13 + ed_3 * D_14;
-            sigma[0 * 8 + j] = t3 + t4 + t2 + t1 + t0;
-            const real S_24 = p[10 * 8 + j];
-            const real t5 = e_3 * S_24;
-            const real S_23 = p[9 * 8 + j];
-            const real t6 = e_2 * S_23;
-            const real S_22 = p[8 * 8 + j];
-            const real t7 = e_1 * S_22;
-            const real t8 = e_0 * S_12;
-            const real D_24 = p[20 * 8 + j];
-            const real D_23 = p[19 * 8 + j];
+            sigma[0 * 8 + j] = ed_3 * D_14 + t0 + ed_2 * D_13 + ed_1 * D_12 + preload_0 + ed_0 * D_11;
             const real D_22 = p[18 * 8 + j];
+            const real D_23 = p[19 * 8 + j];
+            const real D_24 = p[20 * 8 + j];
+            const real S_22 = p[8 * 8 + j];
+            const real S_23 = p[9 * 8 + j];
+            const real S_24 = p[10 * 8 + j];
+            const real t1 = e_2 * S_23 + e_3 * S_24 + e_1 * S_22 + e_0 * S_12;
             const real preload_1 = p[1 * 8 + j];
-            const real t9 = preload_1 + ed_0 * D_12 + ed_1 * D_22 + ed_2 * D_23 + ed_3 * D_24;
-            sigma[1 * 8 + j] = t8 + t9 + t7 + t6 + t5;
-            const real S_34 = p[12 * 8 + j];
-            const real t10 = e_3 * S_34;
-            const real S_33 = p[11 * 8 + j];
-            const real t11 = e_2 * S_33;
-            const real t12 = e_1 * S_23;
-            const real t13 = e_0 * S_13;
-            const real D_34 = p[22 * 8 + j];
+            sigma[1 * 8 + j] = ed_3 * D_24 + t1 + ed_2 * D_23 + ed_1 * D_22 + preload_1 + ed_0 * D_12;
             const real D_33 = p[21 * 8 + j];
+            const real D_34 = p[22 * 8 + j];
+            const real S_33 = p[11 * 8 + j];
+            const real S_34 = p[12 * 8 + j];
+            const real t2 = e_2 * S_33 + e_3 * S_34 + e_1 * S_23 + e_0 * S_13;
             const real preload_2 = p[2 * 8 + j];
-            const real t14 = preload_2 + ed_0 * D_13 + ed_1 * D_23 + ed_2 * D_33 + ed_3 * D_34;
-            sigma[2 * 8 + j] = t13 + t14 + t12 + t11 + t10;
-            const real S_44 = p[13 * 8 + j];
-            const real t15 = e_3 * S_44;
-            const real t16 = e_2 * S_34;
-            const real t17 = e_1 * S_24;
-            const real t18 = e_0 * S_14;
+            sigma[2 * 8 + j] = ed_3 * D_34 + t2 + ed_2 * D_33 + ed_1 * D_23 + preload_2 + ed_0 * D_13;
             const real D_44 = p[23 * 8 + j];
+            const real S_44 = p[13 * 8 + j];
+            const real t3 = e_2 * S_34 + e_3 * S_44 + e_1 * S_24 + e_0 * S_14;
             const real preload_3 = p[3 * 8 + j];
-            const real t19 = preload_3 + ed_0 * D_14 + ed_1 * D_24 + ed_2 * D_34 + ed_3 * D_44;
-            sigma[3 * 8 + j] = t18 + t19 + t17 + t16 + t15;
-            const real t20 = preload_3 + 0.5 * t18 + 0.5 * t17 + 0.5 * t16 + 0.5 * t15;
-            const real t21 = preload_2 + 0.5 * t13 + 0.5 * t12 + 0.5 * t11 + 0.5 * t10;
-            const real t22 = e_0 * (preload_0 + 0.5 * t3 + 0.5 * t2 + 0.5 * t1 + 0.5 * t0);
-            const real t23 = e_1 * (preload_1 + 0.5 * t8 + 0.5 * t7 + 0.5 * t6 + 0.5 * t5);
-            U[0 * 8 + j] = t22 + t23 + e_2 * t21 + e_3 * t20;
+            sigma[3 * 8 + j] = ed_3 * D_44 + t3 + ed_2 * D_34 + ed_1 * D_24 + preload_3 + ed_0 * D_14;
+            const real t4 = e_3 * (preload_3 + 0.5 * t3) + e_2 * (preload_2 + 0.5 * t2);
+            U[0 * 8 + j] = e_0 * (preload_0 + 0.5 * t0) + t4 + e_1 * (preload_1 + 0.5 * t1);
         }
     }
 }
@@ -440,7 +410,7 @@ const flexel_law flexel_law_linear_4 = {
  *   S (15) [N/m or N m]: stiffness, upper triangle, row by row
  *   D (15) [N s/m or N m s]: damping, upper triangle, row by row */
 
-/* law: 159 operations.
+/* law: 119 operations.
  * in:  e (5), ed (5), s (0), p (35)
  * out: sigma (5), tau (0), U (1) */
 FLEXEL_CLONES
@@ -454,93 +424,69 @@ static void linear_5_law(size_t nblocks, const real *const *in, real *const *out
         real *restrict U = out[2] + b * (1 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
-            const real e_4 = e[4 * 8 + j];
-            const real S_15 = p[9 * 8 + j];
-            const real t0 = e_4 * S_15;
-            const real e_3 = e[3 * 8 + j];
-            const real S_14 = p[8 * 8 + j];
-            const real t1 = e_3 * S_14;
-            const real e_2 = e[2 * 8 + j];
-            const real S_13 = p[7 * 8 + j];
-            const real t2 = e_2 * S_13;
-            const real e_1 = e[1 * 8 + j];
-            const real S_12 = p[6 * 8 + j];
-            const real t3 = e_1 * S_12;
-            const real e_0 = e[0 * 8 + j];
-            const real S_11 = p[5 * 8 + j];
-            const real t4 = e_0 * S_11;
-            const real ed_4 = ed[4 * 8 + j];
-            const real D_15 = p[24 * 8 + j];
-            const real ed_3 = ed[3 * 8 + j];
-            const real D_14 = p[23 * 8 + j];
-            const real ed_2 = ed[2 * 8 + j];
-            const real D_13 = p[22 * 8 + j];
-            const real ed_1 = ed[1 * 8 + j];
-            const real D_12 = p[21 * 8 + j];
             const real ed_0 = ed[0 * 8 + j];
             const real D_11 = p[20 * 8 + j];
+            const real ed_1 = ed[1 * 8 + j];
+            const real D_12 = p[21 * 8 + j];
+            const real ed_2 = ed[2 * 8 + j];
+            const real D_13 = p[22 * 8 + j];
+            const real ed_3 = ed[3 * 8 + j];
+            const real D_14 = p[23 * 8 + j];
+            const real ed_4 = ed[4 * 8 + j];
+            const real D_15 = p[24 * 8 + j];
+            const real e_0 = e[0 * 8 + j];
+            const real S_11 = p[5 * 8 + j];
+            const real e_1 = e[1 * 8 + j];
+            const real S_12 = p[6 * 8 + j];
+            const real e_2 = e[2 * 8 + j];
+            const real S_13 = p[7 * 8 + j];
+            const real e_3 = e[3 * 8 + j];
+            const real S_14 = p[8 * 8 + j];
+            const real e_4 = e[4 * 8 + j];
+            const real S_15 = p[9 * 8 + j];
+            const real t0 = e_3 * S_14 + e_4 * S_15 + e_2 * S_13 + e_1 * S_12 + e_0 * S_11;
+            const real t1 = ed_4 * D_15 + t0 + ed_3 * D_14 + ed_2 * D_13 + ed_1 * D_12;
             const real preload_0 = p[0 * 8 + j];
-            const real t5 = preload_0 + ed_0 * D_11 + ed_1 * D_12 + ed_2 * D_13 + ed_3 * D_14;
-            sigma[0 * 8 + j] = ed_4 * D_15 + t5 + t4 + t3 + t2 + t1 + t0;
-            const real S_25 = p[13 * 8 + j];
-            const real t6 = e_4 * S_25;
-            const real S_24 = p[12 * 8 + j];
-            const real t7 = e_3 * S_24;
-            const real S_23 = p[11 * 8 + j];
-            const real t8 = e_2 * S_23;
-            const real S_22 = p[10 * 8 + j];
-            const real t9 = e_1 * S_22;
-            const real t10 = e_0 * S_12;
-            const real D_25 = p[28 * 8 + j];
-            const real D_24 = p[27 * 8 + j];
-            const real D_23 = p[26 * 8 + j];
+            sigma[0 * 8 + j] = preload_0 + t1 + ed_0 * D_11;
             const real D_22 = p[25 * 8 + j];
+            const real D_23 = p[26 * 8 + j];
+            const real D_24 = p[27 * 8 + j];
+            const real D_25 = p[28 * 8 + j];
+            const real S_22 = p[10 * 8 + j];
+            const real S_23 = p[11 * 8 + j];
+            const real S_24 = p[12 * 8 + j];
+            const real S_25 = p[13 * 8 + j];
+            const real t2 = e_3 * S_24 + e_4 * S_25 + e_2 * S_23 + e_1 * S_22 + e_0 * S_12;
+            const real t3 = ed_4 * D_25 + t2 + ed_3 * D_24 + ed_2 * D_23 + ed_1 * D_22;
             const real preload_1 = p[1 * 8 + j];
-            const real t11 = preload_1 + ed_0 * D_12 + ed_1 * D_22 + ed_2 * D_23 + ed_3 * D_24;
-            sigma[1 * 8 + j] = ed_4 * D_25 + t11 + t10 + t9 + t8 + t7 + t6;
-            const real S_35 = p[16 * 8 + j];
-            const real t12 = e_4 * S_35;
-            const real S_34 = p[15 * 8 + j];
-            const real t13 = e_3 * S_34;
-            const real S_33 = p[14 * 8 + j];
-            const real t14 = e_2 * S_33;
-            const real t15 = e_1 * S_23;
-            const real t16 = e_0 * S_13;
-            const real D_35 = p[31 * 8 + j];
-            const real D_34 = p[30 * 8 + j];
+            sigma[1 * 8 + j] = preload_1 + t3 + ed_0 * D_12;
             const real D_33 = p[29 * 8 + j];
+            const real D_34 = p[30 * 8 + j];
+            const real D_35 = p[31 * 8 + j];
+            const real S_33 = p[14 * 8 + j];
+            const real S_34 = p[15 * 8 + j];
+            const real S_35 = p[16 * 8 + j];
+            const real t4 = e_3 * S_34 + e_4 * S_35 + e_2 * S_33 + e_1 * S_23 + e_0 * S_13;
+            const real t5 = ed_4 * D_35 + t4 + ed_3 * D_34 + ed_2 * D_33 + ed_1 * D_23;
             const real preload_2 = p[2 * 8 + j];
-            const real t17 = preload_2 + ed_0 * D_13 + ed_1 * D_23 + ed_2 * D_33 + ed_3 * D_34;
-            sigma[2 * 8 + j] = ed_4 * D_35 + t17 + t16 + t15 + t14 + t13 + t12;
-            const real S_45 = p[18 * 8 + j];
-            const real t18 = e_4 * S_45;
-            const real S_44 = p[17 * 8 + j];
-            const real t19 = e_3 * S_44;
-            const real t20 = e_2 * S_34;
-            const real t21 = e_1 * S_24;
-            const real t22 = e_0 * S_14;
-            const real D_45 = p[33 * 8 + j];
+            sigma[2 * 8 + j] = preload_2 + t5 + ed_0 * D_13;
             const real D_44 = p[32 * 8 + j];
+            const real D_45 = p[33 * 8 + j];
+            const real S_44 = p[17 * 8 + j];
+            const real S_45 = p[18 * 8 + j];
+            const real t6 = e_3 * S_44 + e_4 * S_45 + e_2 * S_34 + e_1 * S_24 + e_0 * S_14;
+            const real t7 = ed_4 * D_45 + t6 + ed_3 * D_44 + ed_2 * D_34 + ed_1 * D_24;
             const real preload_3 = p[3 * 8 + j];
-            const real t23 = preload_3 + ed_0 * D_14 + ed_1 * D_24 + ed_2 * D_34 + ed_3 * D_44;
-            sigma[3 * 8 + j] = ed_4 * D_45 + t23 + t22 + t21 + t20 + t19 + t18;
-            const real S_55 = p[19 * 8 + j];
-            const real t24 = e_4 * S_55;
-            const real t25 = e_3 * S_45;
-            const real t26 = e_2 * S_35;
-            const real t27 = e_1 * S_25;
-            const real t28 = e_0 * S_15;
+            sigma[3 * 8 + j] = preload_3 + t7 + ed_0 * D_14;
             const real D_55 = p[34 * 8 + j];
+            const real S_55 = p[19 * 8 + j];
+            const real t8 = e_3 * S_45 + e_4 * S_55 + e_2 * S_35 + e_1 * S_25 + e_0 * S_15;
+            const real t9 = ed_4 * D_55 + t8 + ed_3 * D_45 + ed_2 * D_35 + ed_1 * D_25;
             const real preload_4 = p[4 * 8 + j];
-            const real t29 = preload_4 + ed_0 * D_15 + ed_1 * D_25 + ed_2 * D_35 + ed_3 * D_45;
-            sigma[4 * 8 + j] = ed_4 * D_55 + t29 + t28 + t27 + t26 + t25 + t24;
-            const real t30 = preload_4 + 0.5 * t28 + 0.5 * t27 + 0.5 * t26 + 0.5 * t25;
-            const real t31 = preload_3 + 0.5 * t22 + 0.5 * t21 + 0.5 * t20 + 0.5 * t19;
-            const real t32 = preload_2 + 0.5 * t16 + 0.5 * t15 + 0.5 * t14 + 0.5 * t13;
-            const real t33 = preload_0 + 0.5 * t4 + 0.5 * t3 + 0.5 * t2 + 0.5 * t1 + 0.5 * t0;
-            const real t34 = preload_1 + 0.5 * t10 + 0.5 * t9 + 0.5 * t8 + 0.5 * t7 + 0.5 * t6;
-            const real t35 = e_0 * t33 + e_1 * t34 + e_2 * (0.5 * t12 + t32) + e_3 * (0.5 * t18 + t31);
-            U[0 * 8 + j] = e_4 * (0.5 * t24 + t30) + t35;
+            sigma[4 * 8 + j] = preload_4 + t9 + ed_0 * D_15;
+            const real t10 = e_4 * (preload_4 + 0.5 * t8) + e_3 * (preload_3 + 0.5 * t6);
+            const real t11 = e_2 * (preload_2 + 0.5 * t4) + t10 + e_0 * (preload_0 + 0.5 * t0);
+            U[0 * 8 + j] = e_1 * (preload_1 + 0.5 * t2) + t11;
         }
     }
 }
@@ -642,7 +588,7 @@ const flexel_law flexel_law_linear_5 = {
  *   S (21) [N/m or N m]: stiffness, upper triangle, row by row
  *   D (21) [N s/m or N m s]: damping, upper triangle, row by row */
 
-/* law: 227 operations.
+/* law: 167 operations.
  * in:  e (6), ed (6), s (0), p (48)
  * out: sigma (6), tau (0), U (1) */
 FLEXEL_CLONES
@@ -656,128 +602,93 @@ static void linear_6_law(size_t nblocks, const real *const *in, real *const *out
         real *restrict U = out[2] + b * (1 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
-            const real e_5 = e[5 * 8 + j];
-            const real S_16 = p[11 * 8 + j];
-            const real t0 = e_5 * S_16;
-            const real e_4 = e[4 * 8 + j];
-            const real S_15 = p[10 * 8 + j];
-            const real t1 = e_4 * S_15;
-            const real e_3 = e[3 * 8 + j];
-            const real S_14 = p[9 * 8 + j];
-            const real t2 = e_3 * S_14;
-            const real e_2 = e[2 * 8 + j];
-            const real S_13 = p[8 * 8 + j];
-            const real t3 = e_2 * S_13;
-            const real e_1 = e[1 * 8 + j];
-            const real S_12 = p[7 * 8 + j];
-            const real t4 = e_1 * S_12;
-            const real e_0 = e[0 * 8 + j];
-            const real S_11 = p[6 * 8 + j];
-            const real t5 = e_0 * S_11;
-            const real ed_5 = ed[5 * 8 + j];
-            const real D_16 = p[32 * 8 + j];
-            const real ed_4 = ed[4 * 8 + j];
-            const real D_15 = p[31 * 8 + j];
-            const real ed_3 = ed[3 * 8 + j];
-            const real D_14 = p[30 * 8 + j];
-            const real ed_2 = ed[2 * 8 + j];
-            const real D_13 = p[29 * 8 + j];
-            const real ed_1 = ed[1 * 8 + j];
-            const real D_12 = p[28 * 8 + j];
             const real ed_0 = ed[0 * 8 + j];
             const real D_11 = p[27 * 8 + j];
+            const real ed_1 = ed[1 * 8 + j];
+            const real D_12 = p[28 * 8 + j];
+            const real ed_2 = ed[2 * 8 + j];
+            const real D_13 = p[29 * 8 + j];
+            const real ed_3 = ed[3 * 8 + j];
+            const real D_14 = p[30 * 8 + j];
+            const real ed_4 = ed[4 * 8 + j];
+            const real D_15 = p[31 * 8 + j];
+            const real ed_5 = ed[5 * 8 + j];
+            const real D_16 = p[32 * 8 + j];
+            const real e_0 = e[0 * 8 + j];
+            const real S_11 = p[6 * 8 + j];
+            const real e_1 = e[1 * 8 + j];
+            const real S_12 = p[7 * 8 + j];
+            const real e_2 = e[2 * 8 + j];
+            const real S_13 = p[8 * 8 + j];
+            const real e_3 = e[3 * 8 + j];
+            const real S_14 = p[9 * 8 + j];
+            const real e_4 = e[4 * 8 + j];
+            const real S_15 = p[10 * 8 + j];
+            const real e_5 = e[5 * 8 + j];
+            const real S_16 = p[11 * 8 + j];
+            const real t0 = e_4 * S_15 + e_5 * S_16 + e_3 * S_14 + e_2 * S_13 + e_1 * S_12;
+            const real t1 = e_0 * S_11 + t0;
+            const real t2 = ed_5 * D_16 + t1 + ed_4 * D_15 + ed_3 * D_14 + ed_2 * D_13;
             const real preload_0 = p[0 * 8 + j];
-            const real t6 = preload_0 + ed_0 * D_11 + ed_1 * D_12 + ed_2 * D_13 + ed_3 * D_14;
-            sigma[0 * 8 + j] = ed_4 * D_15 + t6 + ed_5 * D_16 + t5 + t4 + t3 + t2 + t1 + t0;
-            const real S_26 = p[16 * 8 + j];
-            const real t7 = e_5 * S_26;
-            const real S_25 = p[15 * 8 + j];
-            const real t8 = e_4 * S_25;
-            const real S_24 = p[14 * 8 + j];
-            const real t9 = e_3 * S_24;
-            const real S_23 = p[13 * 8 + j];
-            const real t10 = e_2 * S_23;
-            const real S_22 = p[12 * 8 + j];
-            const real t11 = e_1 * S_22;
-            const real t12 = e_0 * S_12;
-            const real D_26 = p[37 * 8 + j];
-            const real D_25 = p[36 * 8 + j];
-            const real D_24 = p[35 * 8 + j];
-            const real D_23 = p[34 * 8 + j];
+            sigma[0 * 8 + j] = ed_1 * D_12 + t2 + preload_0 + ed_0 * D_11;
             const real D_22 = p[33 * 8 + j];
+            const real D_23 = p[34 * 8 + j];
+            const real D_24 = p[35 * 8 + j];
+            const real D_25 = p[36 * 8 + j];
+            const real D_26 = p[37 * 8 + j];
+            const real S_22 = p[12 * 8 + j];
+            const real S_23 = p[13 * 8 + j];
+            const real S_24 = p[14 * 8 + j];
+            const real S_25 = p[15 * 8 + j];
+            const real S_26 = p[16 * 8 + j];
+            const real t3 = e_4 * S_25 + e_5 * S_26 + e_3 * S_24 + e_2 * S_23 + e_1 * S_22;
+            const real t4 = e_0 * S_12 + t3;
+            const real t5 = ed_5 * D_26 + t4 + ed_4 * D_25 + ed_3 * D_24 + ed_2 * D_23;
             const real preload_1 = p[1 * 8 + j];
-            const real t13 = preload_1 + ed_0 * D_12 + ed_1 * D_22 + ed_2 * D_23 + ed_3 * D_24;
-            const real t14 = ed_4 * D_25 + t13 + ed_5 * D_26 + t12 + t11 + t10 + t9 + t8;
-            sigma[1 * 8 + j] = t7 + t14;
-            const real S_36 = p[20 * 8 + j];
-            const real t15 = e_5 * S_36;
-            const real S_35 = p[19 * 8 + j];
-            const real t16 = e_4 * S_35;
-            const real S_34 = p[18 * 8 + j];
-            const real t17 = e_3 * S_34;
-            const real S_33 = p[17 * 8 + j];
-            const real t18 = e_2 * S_33;
-            const real t19 = e_1 * S_23;
-            const real t20 = e_0 * S_13;
-            const real D_36 = p[41 * 8 + j];
-            const real D_35 = p[40 * 8 + j];
-            const real D_34 = p[39 * 8 + j];
+            sigma[1 * 8 + j] = ed_1 * D_22 + t5 + preload_1 + ed_0 * D_12;
             const real D_33 = p[38 * 8 + j];
+            const real D_34 = p[39 * 8 + j];
+            const real D_35 = p[40 * 8 + j];
+            const real D_36 = p[41 * 8 + j];
+            const real S_33 = p[17 * 8 + j];
+            const real S_34 = p[18 * 8 + j];
+            const real S_35 = p[19 * 8 + j];
+            const real S_36 = p[20 * 8 + j];
+            const real t6 = e_4 * S_35 + e_5 * S_36 + e_3 * S_34 + e_2 * S_33 + e_1 * S_23;
+            const real t7 = e_0 * S_13 + t6;
+            const real t8 = ed_5 * D_36 + t7 + ed_4 * D_35 + ed_3 * D_34 + ed_2 * D_33;
             const real preload_2 = p[2 * 8 + j];
-            const real t21 = preload_2 + ed_0 * D_13 + ed_1 * D_23 + ed_2 * D_33 + ed_3 * D_34;
-            const real t22 = ed_4 * D_35 + t21 + ed_5 * D_36 + t20 + t19 + t18 + t17 + t16;
-            sigma[2 * 8 + j] = t15 + t22;
-            const real S_46 = p[23 * 8 + j];
-            const real t23 = e_5 * S_46;
-            const real S_45 = p[22 * 8 + j];
-            const real t24 = e_4 * S_45;
-            const real S_44 = p[21 * 8 + j];
-            const real t25 = e_3 * S_44;
-            const real t26 = e_2 * S_34;
-            const real t27 = e_1 * S_24;
-            const real t28 = e_0 * S_14;
-            const real D_46 = p[44 * 8 + j];
-            const real D_45 = p[43 * 8 + j];
+            sigma[2 * 8 + j] = ed_1 * D_23 + t8 + preload_2 + ed_0 * D_13;
             const real D_44 = p[42 * 8 + j];
+            const real D_45 = p[43 * 8 + j];
+            const real D_46 = p[44 * 8 + j];
+            const real S_44 = p[21 * 8 + j];
+            const real S_45 = p[22 * 8 + j];
+            const real S_46 = p[23 * 8 + j];
+            const real t9 = e_4 * S_45 + e_5 * S_46 + e_3 * S_44 + e_2 * S_34 + e_1 * S_24;
+            const real t10 = e_0 * S_14 + t9;
+            const real t11 = ed_5 * D_46 + t10 + ed_4 * D_45 + ed_3 * D_44 + ed_2 * D_34;
             const real preload_3 = p[3 * 8 + j];
-            const real t29 = preload_3 + ed_0 * D_14 + ed_1 * D_24 + ed_2 * D_34 + ed_3 * D_44;
-            const real t30 = ed_4 * D_45 + t29 + ed_5 * D_46 + t28 + t27 + t26 + t25 + t24;
-            sigma[3 * 8 + j] = t23 + t30;
-            const real S_56 = p[25 * 8 + j];
-            const real t31 = e_5 * S_56;
-            const real S_55 = p[24 * 8 + j];
-            const real t32 = e_4 * S_55;
-            const real t33 = e_3 * S_45;
-            const real t34 = e_2 * S_35;
-            const real t35 = e_1 * S_25;
-            const real t36 = e_0 * S_15;
-            const real D_56 = p[46 * 8 + j];
+            sigma[3 * 8 + j] = ed_1 * D_24 + t11 + preload_3 + ed_0 * D_14;
             const real D_55 = p[45 * 8 + j];
+            const real D_56 = p[46 * 8 + j];
+            const real S_55 = p[24 * 8 + j];
+            const real S_56 = p[25 * 8 + j];
+            const real t12 = e_4 * S_55 + e_5 * S_56 + e_3 * S_45 + e_2 * S_35 + e_1 * S_25;
+            const real t13 = e_0 * S_15 + t12;
+            const real t14 = ed_5 * D_56 + t13 + ed_4 * D_55 + ed_3 * D_45 + ed_2 * D_35;
             const real preload_4 = p[4 * 8 + j];
-            const real t37 = preload_4 + ed_0 * D_15 + ed_1 * D_25 + ed_2 * D_35 + ed_3 * D_45;
-            const real t38 = ed_4 * D_55 + t37 + ed_5 * D_56 + t36 + t35 + t34 + t33 + t32;
-            sigma[4 * 8 + j] = t31 + t38;
-            const real S_66 = p[26 * 8 + j];
-            const real t39 = e_5 * S_66;
-            const real t40 = e_4 * S_56;
-            const real t41 = e_3 * S_46;
-            const real t42 = e_2 * S_36;
-            const real t43 = e_1 * S_26;
-            const real t44 = e_0 * S_16;
+            sigma[4 * 8 + j] = ed_1 * D_25 + t14 + preload_4 + ed_0 * D_15;
             const real D_66 = p[47 * 8 + j];
+            const real S_66 = p[26 * 8 + j];
+            const real t15 = e_4 * S_56 + e_5 * S_66 + e_3 * S_46 + e_2 * S_36 + e_1 * S_26;
+            const real t16 = e_0 * S_16 + t15;
+            const real t17 = ed_5 * D_66 + t16 + ed_4 * D_56 + ed_3 * D_46 + ed_2 * D_36;
             const real preload_5 = p[5 * 8 + j];
-            const real t45 = preload_5 + ed_0 * D_16 + ed_1 * D_26 + ed_2 * D_36 + ed_3 * D_46;
-            const real t46 = ed_4 * D_56 + t45 + ed_5 * D_66 + t44 + t43 + t42 + t41 + t40;
-            sigma[5 * 8 + j] = t39 + t46;
-            const real t47 = preload_5 + 0.5 * t44 + 0.5 * t43 + 0.5 * t42 + 0.5 * t41;
-            const real t48 = preload_4 + 0.5 * t36 + 0.5 * t35 + 0.5 * t34 + 0.5 * t33;
-            const real t49 = preload_3 + 0.5 * t28 + 0.5 * t27 + 0.5 * t26 + 0.5 * t25;
-            const real t50 = preload_2 + 0.5 * t20 + 0.5 * t19 + 0.5 * t18 + 0.5 * t17;
-            const real t51 = preload_0 + 0.5 * t5 + 0.5 * t4 + 0.5 * t3 + 0.5 * t2 + 0.5 * t1;
-            const real t52 = preload_1 + 0.5 * t12 + 0.5 * t11 + 0.5 * t10 + 0.5 * t9 + 0.5 * t8;
-            const real t53 = e_0 * (0.5 * t0 + t51) + e_1 * (0.5 * t7 + t52) + e_2 * (0.5 * t16 + t50 + 0.5 * t15);
-            const real t54 = e_3 * (0.5 * t24 + t49 + 0.5 * t23) + t53 + e_4 * (0.5 * t32 + t48 + 0.5 * t31);
-            U[0 * 8 + j] = e_5 * (0.5 * t40 + t47 + 0.5 * t39) + t54;
+            sigma[5 * 8 + j] = ed_1 * D_26 + t17 + preload_5 + ed_0 * D_16;
+            const real t18 = e_5 * (preload_5 + 0.5 * t16) + e_4 * (preload_4 + 0.5 * t13);
+            const real t19 = e_3 * (preload_3 + 0.5 * t10) + t18 + e_2 * (preload_2 + 0.5 * t7);
+            U[0 * 8 + j] = e_0 * (preload_0 + 0.5 * t1) + t19 + e_1 * (preload_1 + 0.5 * t4);
         }
     }
 }

@@ -111,7 +111,7 @@ static void planar_beam3_velocity(size_t nblocks, const real *const *in, real *c
     }
 }
 
-/* acceleration: 30 operations.
+/* acceleration: 27 operations.
  * in:  x (5), v (5), p (8)
  * out: g (2), gs (0) */
 FLEXEL_CLONES
@@ -122,7 +122,7 @@ static void planar_beam3_acceleration(size_t nblocks, const real *const *in, rea
         const real *restrict v = in[1] + b * (5 * 8);
         const real *restrict p = in[2] + b * (8 * 8);
         real *restrict g = out[0] + b * (2 * 8);
-        real t0[8], cos_p[8], t2[8], d_y[8], sin_p[8], t6[8], d_x[8];
+        real t0[8], cos_p[8], t2[8], sin_p[8], t4[8], d_y[8], d_x[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real rp_angle = x[2 * 8 + j];
@@ -131,12 +131,12 @@ static void planar_beam3_acceleration(size_t nblocks, const real *const *in, rea
             const real q_vy = v[4 * 8 + j];
             const real p_vy = v[1 * 8 + j];
             t2[j] = q_vy - p_vy;
+            const real q_vx = v[3 * 8 + j];
+            const real p_vx = v[0 * 8 + j];
+            t4[j] = q_vx - p_vx;
             const real q_y = x[4 * 8 + j];
             const real p_y = x[1 * 8 + j];
             d_y[j] = q_y - p_y;
-            const real q_vx = v[3 * 8 + j];
-            const real p_vx = v[0 * 8 + j];
-            t6[j] = q_vx - p_vx;
             const real q_x = x[3 * 8 + j];
             const real p_x = x[0 * 8 + j];
             d_x[j] = q_x - p_x;
@@ -149,20 +149,16 @@ static void planar_beam3_acceleration(size_t nblocks, const real *const *in, rea
         for (size_t j = 0; j < 8; j++) {
             const real rp_vangle = v[2 * 8 + j];
             const real t1 = rp_vangle * cos_p[j];
-            const real t3 = t1 * t2[j];
-            const real t4 = rp_vangle * sin_p[j];
-            const real t5 = rp_vangle * t4;
-            const real t7 = t4 * t6[j];
-            const real t8 = rp_vangle * t1;
-            g[0 * 8 + j] = t3 - d_y[j] * t5 + t3 - (t7 + d_x[j] * t8 + t7);
-            const real t9 = t4 * t2[j];
-            const real t10 = t1 * t6[j];
-            g[1 * 8 + j] = -(t9 + d_y[j] * t8 + t9 + (t10 - d_x[j] * t5 + t10));
+            const real t3 = rp_vangle * sin_p[j];
+            const real t5 = rp_vangle * t3;
+            const real t6 = rp_vangle * t1;
+            g[0 * 8 + j] = 2.0 * (t1 * t2[j] - t3 * t4[j]) - d_y[j] * t5 - d_x[j] * t6;
+            g[1 * 8 + j] = d_x[j] * t5 - 2.0 * (t3 * t2[j] + t1 * t4[j]) - d_y[j] * t6;
         }
     }
 }
 
-/* kinematics: 78 operations.
+/* kinematics: 67 operations.
  * in:  x (5), v (5), a (5), p (8)
  * out: Phi_x (2,5), Psi_x (2,5), Psi_v (2,5) */
 FLEXEL_CLONES
@@ -176,7 +172,7 @@ static void planar_beam3_kinematics(size_t nblocks, const real *const *in, real 
         real *restrict Phi_x = out[0] + b * (10 * 8);
         real *restrict Psi_x = out[1] + b * (10 * 8);
         real *restrict Psi_v = out[2] + b * (10 * 8);
-        real t0[8], sin_p[8], cos_p[8], t3[8], d_y[8], d_x[8], t4[8], t13[8], t14[8];
+        real t0[8], sin_p[8], cos_p[8], t3[8], d_y[8], d_x[8], t4[8], t9[8], t11[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real rp_angle = x[2 * 8 + j];
@@ -196,10 +192,10 @@ static void planar_beam3_kinematics(size_t nblocks, const real *const *in, real 
             t4[j] = q_vx - p_vx;
             const real q_ay = a[4 * 8 + j];
             const real p_ay = a[1 * 8 + j];
-            t13[j] = q_ay - p_ay;
+            t9[j] = q_ay - p_ay;
             const real q_ax = a[3 * 8 + j];
             const real p_ax = a[0 * 8 + j];
-            t14[j] = q_ax - p_ax;
+            t11[j] = q_ax - p_ax;
         }
         for (size_t j = 0; j < 8; j++) {
             sin_p[j] = real_sin(t0[j]);
@@ -213,38 +209,29 @@ static void planar_beam3_kinematics(size_t nblocks, const real *const *in, real 
             const real t2 = rp_vangle * cos_p[j];
             Phi_x[4 * 8 + j] = Phi_x[5 * 8 + j] = t2;
             Phi_x[1 * 8 + j] = Phi_x[8 * 8 + j] = -t2;
-            const real t5 = cos_p[j] * t3[j] - d_y[j] * t1 - (d_x[j] * t2 + sin_p[j] * t4[j]);
+            const real t5 = cos_p[j] * t3[j] - d_y[j] * t1 - d_x[j] * t2 - sin_p[j] * t4[j];
             Phi_x[2 * 8 + j] = t5;
             Phi_x[3 * 8 + j] = Phi_x[9 * 8 + j] = -t1;
-            const real t6 = cos_p[j] * t4[j] - d_x[j] * t1 + (d_y[j] * t2 + sin_p[j] * t3[j]);
+            const real t6 = cos_p[j] * t4[j] + sin_p[j] * t3[j] + d_y[j] * t2 - d_x[j] * t1;
             Phi_x[7 * 8 + j] = -t6;
-            const real t7 = rp_vangle * t2;
             const real rp_aangle = a[2 * 8 + j];
-            const real t8 = sin_p[j] * rp_aangle;
-            const real t9 = t7 + t8;
-            Psi_x[0 * 8 + j] = Psi_x[6 * 8 + j] = t9;
-            const real t10 = cos_p[j] * rp_aangle;
-            const real t11 = rp_vangle * t1;
-            const real t12 = t10 - t11;
-            Psi_x[4 * 8 + j] = Psi_x[5 * 8 + j] = t12;
-            Psi_x[1 * 8 + j] = Psi_x[8 * 8 + j] = -t12;
-            const real t15 = cos_p[j] * t13[j] - d_y[j] * t8 - (d_x[j] * t10 + sin_p[j] * t14[j]);
-            const real t16 = t1 * t3[j];
-            const real t17 = t2 * t4[j];
-            Psi_x[2 * 8 + j] = t15 - (t16 + d_y[j] * t7 + t16 + (t17 - d_x[j] * t11 + t17));
-            Psi_x[3 * 8 + j] = Psi_x[9 * 8 + j] = -t9;
-            const real t18 = t2 * t3[j];
-            const real t19 = t1 * t4[j];
-            const real t20 = cos_p[j] * t14[j] - d_x[j] * t8 + (d_y[j] * t10 + sin_p[j] * t13[j]);
-            const real t21 = t18 - d_y[j] * t11 + t18 - (t19 + d_x[j] * t7 + t19) + t20;
-            Psi_x[7 * 8 + j] = -t21;
-            const real t22 = 2.0 * t1;
-            Psi_v[0 * 8 + j] = Psi_v[6 * 8 + j] = t22;
-            const real t23 = 2.0 * t2;
-            Psi_v[4 * 8 + j] = Psi_v[5 * 8 + j] = t23;
-            Psi_v[1 * 8 + j] = Psi_v[8 * 8 + j] = -t23;
+            const real t7 = rp_vangle * t2 + sin_p[j] * rp_aangle;
+            Psi_x[0 * 8 + j] = Psi_x[6 * 8 + j] = t7;
+            const real t8 = cos_p[j] * rp_aangle - rp_vangle * t1;
+            Psi_x[4 * 8 + j] = Psi_x[5 * 8 + j] = t8;
+            Psi_x[1 * 8 + j] = Psi_x[8 * 8 + j] = -t8;
+            const real t10 = cos_p[j] * t9[j] - 2.0 * (t1 * t3[j] + t2 * t4[j]) - d_x[j] * t8;
+            Psi_x[2 * 8 + j] = t10 - d_y[j] * t7 - sin_p[j] * t11[j];
+            Psi_x[3 * 8 + j] = Psi_x[9 * 8 + j] = -t7;
+            const real t12 = d_x[j] * t7 - 2.0 * (t2 * t3[j] - t1 * t4[j]) - d_y[j] * t8;
+            Psi_x[7 * 8 + j] = t12 - cos_p[j] * t11[j] - sin_p[j] * t9[j];
+            const real t13 = 2.0 * t1;
+            Psi_v[0 * 8 + j] = Psi_v[6 * 8 + j] = t13;
+            const real t14 = 2.0 * t2;
+            Psi_v[4 * 8 + j] = Psi_v[5 * 8 + j] = t14;
+            Psi_v[1 * 8 + j] = Psi_v[8 * 8 + j] = -t14;
             Psi_v[2 * 8 + j] = 2.0 * t5;
-            Psi_v[3 * 8 + j] = Psi_v[9 * 8 + j] = -t22;
+            Psi_v[3 * 8 + j] = Psi_v[9 * 8 + j] = -t13;
             Psi_v[7 * 8 + j] = -(2.0 * t6);
         }
     }

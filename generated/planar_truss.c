@@ -48,7 +48,7 @@ static void planar_truss_position(size_t nblocks, const real *const *in, real *c
     }
 }
 
-/* velocity: 16 operations.
+/* velocity: 13 operations.
  * in:  x (4), v (4), p (4)
  * out: ed (1), s (0) */
 FLEXEL_CLONES
@@ -71,13 +71,12 @@ static void planar_truss_velocity(size_t nblocks, const real *const *in, real *c
             const real p_vx = v[0 * 8 + j];
             const real q_vy = v[3 * 8 + j];
             const real p_vy = v[1 * 8 + j];
-            const real t0 = 1.0 / l * (2.0 * d_x * (q_vx - p_vx) + 2.0 * d_y * (q_vy - p_vy));
-            ed[0 * 8 + j] = 0.5 * t0;
+            ed[0 * 8 + j] = 1.0 / l * (d_x * (q_vx - p_vx) + d_y * (q_vy - p_vy));
         }
     }
 }
 
-/* acceleration: 27 operations.
+/* acceleration: 20 operations.
  * in:  x (4), v (4), p (4)
  * out: g (1), gs (0) */
 FLEXEL_CLONES
@@ -103,14 +102,13 @@ static void planar_truss_acceleration(size_t nblocks, const real *const *in, rea
             const real q_vy = v[3 * 8 + j];
             const real p_vy = v[1 * 8 + j];
             const real t2 = q_vy - p_vy;
-            const real t3 = 2.0 * d_x * t1 + 2.0 * d_y * t2;
-            const real t4 = t0 * (2.0 * t1 * t1 + 2.0 * t2 * t2) - 0.5 * t0 * t3 * (t0 * t0) * t3;
-            g[0 * 8 + j] = 0.5 * t4;
+            const real t3 = d_x * t1 + d_y * t2;
+            g[0 * 8 + j] = t0 * (t1 * t1 + t2 * t2 - t0 * t0 * t3 * t3);
         }
     }
 }
 
-/* kinematics: 74 operations.
+/* kinematics: 63 operations.
  * in:  x (4), v (4), a (4), p (4)
  * out: Phi_x (1,4), Psi_x (1,4), Psi_v (1,4) */
 FLEXEL_CLONES
@@ -139,14 +137,14 @@ static void planar_truss_kinematics(size_t nblocks, const real *const *in, real 
             const real q_vy = v[3 * 8 + j];
             const real p_vy = v[1 * 8 + j];
             const real t2 = q_vy - p_vy;
-            const real t3 = 2.0 * d_x * t1 + 2.0 * d_y * t2;
+            const real t3 = d_x * t1 + d_y * t2;
             const real t4 = t0 * t0;
             const real t5 = t0 * t4;
             const real t6 = t3 * t5;
-            const real t7 = t0 * t1 - 0.5 * d_x * t6;
+            const real t7 = t0 * t1 - d_x * t6;
             Phi_x[2 * 8 + j] = t7;
             Phi_x[0 * 8 + j] = -t7;
-            const real t8 = t0 * t2 - 0.5 * d_y * t6;
+            const real t8 = t0 * t2 - d_y * t6;
             Phi_x[3 * 8 + j] = t8;
             Phi_x[1 * 8 + j] = -t8;
             const real q_ax = a[2 * 8 + j];
@@ -155,27 +153,26 @@ static void planar_truss_kinematics(size_t nblocks, const real *const *in, real 
             const real q_ay = a[3 * 8 + j];
             const real p_ay = a[1 * 8 + j];
             const real t10 = q_ay - p_ay;
-            const real t11 = 0.5 * (2.0 * d_x * t9 + 2.0 * d_y * t10) + 0.5 * (2.0 * t1 * t1 + 2.0 * t2 * t2);
-            const real t12 = t0 * t3;
-            const real t13 = t11 - 0.25 * t3 * (t3 * t4 + 2.0 * t0 * t12);
-            const real t14 = 0.25 * t6 + 0.25 * t12 * t4;
-            const real t15 = t0 * t9 - d_x * t5 * t13 - 2.0 * t1 * t14;
-            Psi_x[2 * 8 + j] = t15;
-            Psi_x[0 * 8 + j] = -t15;
-            const real t16 = t0 * t10 - d_y * t5 * t13 - 2.0 * t2 * t14;
-            Psi_x[3 * 8 + j] = t16;
-            Psi_x[1 * 8 + j] = -t16;
-            const real t17 = 2.0 * t7;
-            Psi_v[2 * 8 + j] = t17;
-            Psi_v[0 * 8 + j] = -t17;
-            const real t18 = 2.0 * t8;
-            Psi_v[3 * 8 + j] = t18;
-            Psi_v[1 * 8 + j] = -t18;
+            const real t11 = t0 * t3;
+            const real t12 = 2.0 * (t1 * t1 + t2 * t2 + (d_x * t9 + d_y * t10)) - t3 * (2.0 * t4 * t3 + 4.0 * t0 * t11);
+            const real t13 = t6 + t4 * t11;
+            const real t14 = t0 * t9 - 0.5 * d_x * t5 * t12 - t1 * t13;
+            Psi_x[2 * 8 + j] = t14;
+            Psi_x[0 * 8 + j] = -t14;
+            const real t15 = t0 * t10 - 0.5 * d_y * t5 * t12 - t2 * t13;
+            Psi_x[3 * 8 + j] = t15;
+            Psi_x[1 * 8 + j] = -t15;
+            const real t16 = 2.0 * t7;
+            Psi_v[2 * 8 + j] = t16;
+            Psi_v[0 * 8 + j] = -t16;
+            const real t17 = 2.0 * t8;
+            Psi_v[3 * 8 + j] = t17;
+            Psi_v[1 * 8 + j] = -t17;
         }
     }
 }
 
-/* stiffness: 21 operations.
+/* stiffness: 19 operations.
  * in:  x (4), sigma (1), tau (0), p (4)
  * out: K (4,4) */
 FLEXEL_CLONES
@@ -190,24 +187,25 @@ static void planar_truss_stiffness(size_t nblocks, const real *const *in, real *
             const real q_x = x[2 * 8 + j];
             const real p_x = x[0 * 8 + j];
             const real d_x = q_x - p_x;
+            const real t0 = d_x * d_x;
             const real q_y = x[3 * 8 + j];
             const real p_y = x[1 * 8 + j];
             const real d_y = q_y - p_y;
-            const real l = real_sqrt(d_x * d_x + d_y * d_y);
-            const real t0 = 1.0 / l;
+            const real l = real_sqrt(t0 + d_y * d_y);
+            const real t1 = 1.0 / l;
             const real sigma_elongation = sigma[0 * 8 + j];
-            const real t1 = sigma_elongation * t0;
-            const real t2 = t0 * t0 * t0 * sigma_elongation;
-            const real t3 = t1 - d_x * t2 * d_x;
-            K[0 * 8 + j] = K[10 * 8 + j] = t3;
-            const real t4 = d_y * t2;
-            const real t5 = d_x * t4;
-            K[3 * 8 + j] = K[6 * 8 + j] = K[9 * 8 + j] = K[12 * 8 + j] = t5;
-            K[1 * 8 + j] = K[4 * 8 + j] = K[11 * 8 + j] = K[14 * 8 + j] = -t5;
-            K[2 * 8 + j] = K[8 * 8 + j] = -t3;
-            const real t6 = t1 - d_y * t4;
-            K[5 * 8 + j] = K[15 * 8 + j] = t6;
-            K[7 * 8 + j] = K[13 * 8 + j] = -t6;
+            const real t2 = sigma_elongation * t1;
+            const real t3 = t1 * t2 * t1;
+            const real t4 = t2 - t0 * t3;
+            K[0 * 8 + j] = K[10 * 8 + j] = t4;
+            const real t5 = d_y * t3;
+            const real t6 = d_x * t5;
+            K[3 * 8 + j] = K[6 * 8 + j] = K[9 * 8 + j] = K[12 * 8 + j] = t6;
+            K[1 * 8 + j] = K[4 * 8 + j] = K[11 * 8 + j] = K[14 * 8 + j] = -t6;
+            K[2 * 8 + j] = K[8 * 8 + j] = -t4;
+            const real t7 = t2 - d_y * t5;
+            K[5 * 8 + j] = K[15 * 8 + j] = t7;
+            K[7 * 8 + j] = K[13 * 8 + j] = -t7;
         }
     }
 }

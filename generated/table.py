@@ -76,7 +76,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("f", (7,), tuple(range(7))),
                     OutputSpec("U", (1,), (0,)),
                 ),
-                781,
+                702,
             ),
             "tangent": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -84,7 +84,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("R_x", (7, 7), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 45, 46, 47, 48)),
                     OutputSpec("R_v", (7, 7), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 21, 22, 24, 25, 26, 27, 28, 29, 31, 32, 33, 34, 35, 36, 38, 39, 40, 41, 42, 43, 45, 46, 47, 48)),
                 ),
-                1424,
+                1337,
             ),
         },
     ),
@@ -117,7 +117,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("ed", (1,), (0,)),
                     OutputSpec("s", (0,), ()),
                 ),
-                11,
+                8,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -125,7 +125,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("g", (1,), (0,)),
                     OutputSpec("gs", (0,), ()),
                 ),
-                11,
+                8,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -179,7 +179,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("ed", (1,), (0,)),
                     OutputSpec("s", (0,), ()),
                 ),
-                23,
+                19,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -187,7 +187,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("g", (1,), (0,)),
                     OutputSpec("gs", (0,), ()),
                 ),
-                37,
+                28,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -196,14 +196,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("Psi_x", (1, 6), tuple(range(6))),
                     OutputSpec("Psi_v", (1, 6), tuple(range(6))),
                 ),
-                103,
+                88,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
                 (
                     OutputSpec("K", (6, 6), tuple(range(36))),
                 ),
-                32,
+                30,
             ),
             "inertia": KernelSpec(
                 ("x", "v", "p"),
@@ -260,7 +260,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("ed", (3,), (0, 1, 2)),
                     OutputSpec("s", (0,), ()),
                 ),
-                287,
+                284,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -268,7 +268,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("g", (3,), (0, 1, 2)),
                     OutputSpec("gs", (0,), ()),
                 ),
-                395,
+                371,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -277,14 +277,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("Psi_x", (3, 8), tuple(range(24))),
                     OutputSpec("Psi_v", (3, 8), tuple(range(24))),
                 ),
-                1613,
+                1443,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
                 (
                     OutputSpec("K", (8, 8), tuple(range(64))),
                 ),
-                1095,
+                1035,
             ),
         },
     ),
@@ -329,7 +329,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("ed", (6,), tuple(range(6))),
                     OutputSpec("s", (0,), ()),
                 ),
-                339,
+                336,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -337,7 +337,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("g", (6,), tuple(range(6))),
                     OutputSpec("gs", (0,), ()),
                 ),
-                456,
+                430,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -346,14 +346,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("Psi_x", (6, 14), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79)),
                     OutputSpec("Psi_v", (6, 14), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79)),
                 ),
-                2045,
+                1830,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
                 (
                     OutputSpec("K", (14, 14), (3, 4, 5, 6, 17, 18, 19, 20, 31, 32, 33, 34, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 91, 92, 93, 94, 95, 96, 97, 101, 102, 103, 104, 115, 116, 117, 118, 129, 130, 131, 132, 143, 144, 145, 146, 150, 151, 152, 153, 157, 158, 159, 160, 164, 165, 166, 167, 171, 172, 173, 174, 178, 179, 180, 181, 185, 186, 187, 188, 192, 193, 194, 195)),
                 ),
-                1200,
+                1150,
             ),
         },
     ),
@@ -414,7 +414,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("Psi_x", (3, 10), tuple(range(30))),
                     OutputSpec("Psi_v", (3, 10), tuple(range(30))),
                 ),
-                556,
+                510,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -431,7 +431,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("f", (10,), (0, 1, 2, 7, 8, 9)),
                     OutputSpec("U", (1,), (0,)),
                 ),
-                439,
+                410,
             ),
             "tangent": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -439,7 +439,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("R_x", (10, 10), (33, 34, 35, 36, 43, 44, 45, 46, 53, 54, 55, 56, 63, 64, 65, 66)),
                     OutputSpec("R_v", (10, 10), (33, 34, 35, 36, 43, 44, 45, 46, 53, 54, 55, 56, 63, 64, 65, 66)),
                 ),
-                881,
+                845,
             ),
         },
     ),
@@ -481,7 +481,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("De", (6, 14), tuple(range(84))),
                     OutputSpec("V", (0, 14), ()),
                 ),
-                975,
+                870,
             ),
             "velocity": KernelSpec(
                 ("x", "v", "p"),
@@ -489,7 +489,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("ed", (6,), tuple(range(6))),
                     OutputSpec("s", (0,), ()),
                 ),
-                440,
+                423,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -497,7 +497,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("g", (6,), tuple(range(6))),
                     OutputSpec("gs", (0,), ()),
                 ),
-                696,
+                659,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -506,14 +506,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("Psi_x", (6, 14), tuple(range(84))),
                     OutputSpec("Psi_v", (6, 14), tuple(range(84))),
                 ),
-                6312,
+                4974,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
                 (
                     OutputSpec("K", (14, 14), tuple(range(196))),
                 ),
-                2857,
+                2735,
             ),
             "inertia": KernelSpec(
                 ("x", "v", "p"),
@@ -523,7 +523,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("f", (14,), tuple(range(14))),
                     OutputSpec("U", (1,), (0,)),
                 ),
-                2565,
+                2385,
             ),
             "tangent": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -531,7 +531,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("R_x", (14, 14), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 45, 46, 47, 48, 52, 53, 54, 55, 59, 60, 61, 62, 66, 67, 68, 69, 73, 74, 75, 76, 80, 81, 82, 83, 87, 88, 89, 90, 94, 95, 96, 97, 101, 102, 103, 104, 108, 109, 110, 111, 115, 116, 117, 118, 122, 123, 124, 125, 129, 130, 131, 132, 136, 137, 138, 139, 143, 144, 145, 146, 150, 151, 152, 153, 157, 158, 159, 160, 164, 165, 166, 167, 171, 172, 173, 174, 178, 179, 180, 181, 185, 186, 187, 188, 192, 193, 194, 195)),
                     OutputSpec("R_v", (14, 14), tuple(range(196))),
                 ),
-                9579,
+                8280,
             ),
         },
     ),
@@ -573,7 +573,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("De", (6, 14), (0, 1, 2, 7, 8, 9, 17, 18, 19, 20, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 42, 43, 44, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 70, 71, 72, 77, 78, 79, 80, 81, 82, 83)),
                     OutputSpec("V", (0, 14), ()),
                 ),
-                639,
+                551,
             ),
             "velocity": KernelSpec(
                 ("x", "v", "p"),
@@ -581,7 +581,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("ed", (6,), tuple(range(6))),
                     OutputSpec("s", (0,), ()),
                 ),
-                345,
+                338,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -598,14 +598,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("Psi_x", (6, 14), (0, 1, 2, 7, 8, 9, 17, 18, 19, 20, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 42, 43, 44, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 70, 71, 72, 77, 78, 79, 80, 81, 82, 83)),
                     OutputSpec("Psi_v", (6, 14), (0, 1, 2, 7, 8, 9, 17, 18, 19, 20, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 42, 43, 44, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 70, 71, 72, 77, 78, 79, 80, 81, 82, 83)),
                 ),
-                2809,
+                2358,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
                 (
                     OutputSpec("K", (14, 14), tuple(range(196))),
                 ),
-                1326,
+                1313,
             ),
             "inertia": KernelSpec(
                 ("x", "v", "p"),
@@ -615,7 +615,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("f", (14,), tuple(range(14))),
                     OutputSpec("U", (1,), (0,)),
                 ),
-                2565,
+                2385,
             ),
             "tangent": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -623,7 +623,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("R_x", (14, 14), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 45, 46, 47, 48, 52, 53, 54, 55, 59, 60, 61, 62, 66, 67, 68, 69, 73, 74, 75, 76, 80, 81, 82, 83, 87, 88, 89, 90, 94, 95, 96, 97, 101, 102, 103, 104, 108, 109, 110, 111, 115, 116, 117, 118, 122, 123, 124, 125, 129, 130, 131, 132, 136, 137, 138, 139, 143, 144, 145, 146, 150, 151, 152, 153, 157, 158, 159, 160, 164, 165, 166, 167, 171, 172, 173, 174, 178, 179, 180, 181, 185, 186, 187, 188, 192, 193, 194, 195)),
                     OutputSpec("R_v", (14, 14), tuple(range(196))),
                 ),
-                9579,
+                8280,
             ),
         },
     ),
@@ -670,7 +670,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("ed", (4,), (0, 1, 2, 3)),
                     OutputSpec("s", (3,), (0, 1, 2)),
                 ),
-                243,
+                231,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -678,7 +678,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("g", (4,), (0, 1, 3)),
                     OutputSpec("gs", (3,), (0, 1, 2)),
                 ),
-                419,
+                385,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -687,7 +687,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("Psi_x", (7, 10), (0, 1, 2, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 63, 64, 65, 66)),
                     OutputSpec("Psi_v", (7, 10), (0, 1, 2, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59)),
                 ),
-                2076,
+                1861,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -798,7 +798,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("g", (0,), ()),
                     OutputSpec("gs", (3,), (0, 1, 2)),
                 ),
-                61,
+                58,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -814,7 +814,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                 (
                     OutputSpec("K", (4, 4), tuple(range(16))),
                 ),
-                88,
+                86,
             ),
         },
     ),
@@ -879,7 +879,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("f", (3,), (0, 1, 2)),
                     OutputSpec("U", (1,), (0,)),
                 ),
-                73,
+                72,
             ),
             "tangent": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -887,7 +887,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("R_x", (3, 3), (2, 5, 8)),
                     OutputSpec("R_v", (3, 3), (2, 5, 6, 7, 8)),
                 ),
-                114,
+                90,
             ),
         },
     ),
@@ -925,7 +925,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("ed", (1,), (0,)),
                     OutputSpec("s", (0,), ()),
                 ),
-                16,
+                13,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -933,7 +933,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("g", (1,), (0,)),
                     OutputSpec("gs", (0,), ()),
                 ),
-                27,
+                20,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -942,14 +942,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("Psi_x", (1, 4), (0, 1, 2, 3)),
                     OutputSpec("Psi_v", (1, 4), (0, 1, 2, 3)),
                 ),
-                74,
+                63,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
                 (
                     OutputSpec("K", (4, 4), tuple(range(16))),
                 ),
-                21,
+                19,
             ),
             "inertia": KernelSpec(
                 ("x", "v", "p"),
@@ -1065,7 +1065,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("De", (3, 6), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 13, 15, 16, 17)),
                     OutputSpec("V", (0, 6), ()),
                 ),
-                113,
+                107,
             ),
             "velocity": KernelSpec(
                 ("x", "v", "p"),
@@ -1073,7 +1073,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("ed", (3,), (0, 1, 2)),
                     OutputSpec("s", (0,), ()),
                 ),
-                77,
+                68,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -1081,7 +1081,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("g", (3,), (0, 1, 2)),
                     OutputSpec("gs", (0,), ()),
                 ),
-                141,
+                127,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -1090,14 +1090,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("Psi_x", (3, 6), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 13, 15, 16, 17)),
                     OutputSpec("Psi_v", (3, 6), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 13, 15, 16, 17)),
                 ),
-                763,
+                654,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
                 (
                     OutputSpec("K", (6, 6), tuple(range(36))),
                 ),
-                202,
+                190,
             ),
             "inertia": KernelSpec(
                 ("x", "v", "p"),
@@ -1107,7 +1107,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("f", (6,), tuple(range(6))),
                     OutputSpec("U", (1,), (0,)),
                 ),
-                344,
+                291,
             ),
             "tangent": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -1115,7 +1115,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("R_x", (6, 6), (2, 5, 8, 11, 14, 17, 20, 23, 26, 29, 32, 35)),
                     OutputSpec("R_v", (6, 6), tuple(range(36))),
                 ),
-                667,
+                539,
             ),
         },
     ),
@@ -1161,7 +1161,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("ed", (3,), (0, 1, 2)),
                     OutputSpec("s", (0,), ()),
                 ),
-                55,
+                48,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -1169,7 +1169,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("g", (3,), (0, 1, 2)),
                     OutputSpec("gs", (0,), ()),
                 ),
-                96,
+                84,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -1178,14 +1178,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("Psi_x", (3, 6), (0, 1, 3, 4, 6, 7, 8, 9, 10, 12, 13, 15, 16, 17)),
                     OutputSpec("Psi_v", (3, 6), (0, 1, 3, 4, 6, 7, 8, 9, 10, 12, 13, 15, 16, 17)),
                 ),
-                483,
+                455,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
                 (
                     OutputSpec("K", (6, 6), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 33, 34, 35)),
                 ),
-                90,
+                84,
             ),
             "inertia": KernelSpec(
                 ("x", "v", "p"),
@@ -1195,7 +1195,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("f", (6,), tuple(range(6))),
                     OutputSpec("U", (1,), (0,)),
                 ),
-                344,
+                291,
             ),
             "tangent": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -1203,7 +1203,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("R_x", (6, 6), (2, 5, 8, 11, 14, 17, 20, 23, 26, 29, 32, 35)),
                     OutputSpec("R_v", (6, 6), tuple(range(36))),
                 ),
-                667,
+                539,
             ),
         },
     ),
@@ -1254,7 +1254,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("g", (2,), (0, 1)),
                     OutputSpec("gs", (0,), ()),
                 ),
-                30,
+                27,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -1263,7 +1263,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("Psi_x", (2, 5), tuple(range(10))),
                     OutputSpec("Psi_v", (2, 5), tuple(range(10))),
                 ),
-                78,
+                67,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -1345,7 +1345,7 @@ LAWS: dict[str, LawSpec] = {
                     OutputSpec("tau", (0,), ()),
                     OutputSpec("U", (1,), (0,)),
                 ),
-                27,
+                23,
             ),
             "tangent": KernelSpec(
                 ("e", "ed", "s", "p"),
@@ -1375,7 +1375,7 @@ LAWS: dict[str, LawSpec] = {
                     OutputSpec("tau", (0,), ()),
                     OutputSpec("U", (1,), (0,)),
                 ),
-                59,
+                47,
             ),
             "tangent": KernelSpec(
                 ("e", "ed", "s", "p"),
@@ -1405,7 +1405,7 @@ LAWS: dict[str, LawSpec] = {
                     OutputSpec("tau", (0,), ()),
                     OutputSpec("U", (1,), (0,)),
                 ),
-                103,
+                79,
             ),
             "tangent": KernelSpec(
                 ("e", "ed", "s", "p"),
@@ -1435,7 +1435,7 @@ LAWS: dict[str, LawSpec] = {
                     OutputSpec("tau", (0,), ()),
                     OutputSpec("U", (1,), (0,)),
                 ),
-                159,
+                119,
             ),
             "tangent": KernelSpec(
                 ("e", "ed", "s", "p"),
@@ -1465,7 +1465,7 @@ LAWS: dict[str, LawSpec] = {
                     OutputSpec("tau", (0,), ()),
                     OutputSpec("U", (1,), (0,)),
                 ),
-                227,
+                167,
             ),
             "tangent": KernelSpec(
                 ("e", "ed", "s", "p"),

@@ -54,7 +54,7 @@ static void truss_position(size_t nblocks, const real *const *in, real *const *o
     }
 }
 
-/* velocity: 23 operations.
+/* velocity: 19 operations.
  * in:  x (6), v (6), p (5)
  * out: ed (1), s (0) */
 FLEXEL_CLONES
@@ -66,29 +66,29 @@ static void truss_velocity(size_t nblocks, const real *const *in, real *const *o
         real *restrict ed = out[0] + b * (1 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
-            const real q_z = x[5 * 8 + j];
-            const real p_z = x[2 * 8 + j];
-            const real d_z = q_z - p_z;
-            const real q_x = x[3 * 8 + j];
-            const real p_x = x[0 * 8 + j];
-            const real d_x = q_x - p_x;
             const real q_y = x[4 * 8 + j];
             const real p_y = x[1 * 8 + j];
             const real d_y = q_y - p_y;
-            const real l = real_sqrt(d_x * d_x + d_y * d_y + d_z * d_z);
-            const real q_vz = v[5 * 8 + j];
-            const real p_vz = v[2 * 8 + j];
-            const real q_vx = v[3 * 8 + j];
-            const real p_vx = v[0 * 8 + j];
+            const real q_x = x[3 * 8 + j];
+            const real p_x = x[0 * 8 + j];
+            const real d_x = q_x - p_x;
+            const real q_z = x[5 * 8 + j];
+            const real p_z = x[2 * 8 + j];
+            const real d_z = q_z - p_z;
+            const real l = real_sqrt(d_x * d_x + d_z * d_z + d_y * d_y);
             const real q_vy = v[4 * 8 + j];
             const real p_vy = v[1 * 8 + j];
-            const real t0 = 2.0 * d_x * (q_vx - p_vx) + 2.0 * d_y * (q_vy - p_vy) + 2.0 * d_z * (q_vz - p_vz);
-            ed[0 * 8 + j] = 0.5 * 1.0 / l * t0;
+            const real q_vx = v[3 * 8 + j];
+            const real p_vx = v[0 * 8 + j];
+            const real q_vz = v[5 * 8 + j];
+            const real p_vz = v[2 * 8 + j];
+            const real t0 = d_x * (q_vx - p_vx) + d_z * (q_vz - p_vz) + d_y * (q_vy - p_vy);
+            ed[0 * 8 + j] = 1.0 / l * t0;
         }
     }
 }
 
-/* acceleration: 37 operations.
+/* acceleration: 28 operations.
  * in:  x (6), v (6), p (5)
  * out: g (1), gs (0) */
 FLEXEL_CLONES
@@ -120,14 +120,13 @@ static void truss_acceleration(size_t nblocks, const real *const *in, real *cons
             const real q_vy = v[4 * 8 + j];
             const real p_vy = v[1 * 8 + j];
             const real t3 = q_vy - p_vy;
-            const real t4 = 2.0 * d_x * t2 + 2.0 * d_y * t3 + 2.0 * d_z * t1;
-            const real t5 = t0 * (2.0 * t2 * t2 + 2.0 * t3 * t3 + 2.0 * t1 * t1) - 0.5 * t0 * t4 * (t0 * t0) * t4;
-            g[0 * 8 + j] = 0.5 * t5;
+            const real t4 = d_x * t2 + d_y * t3 + d_z * t1;
+            g[0 * 8 + j] = t0 * (t2 * t2 + t3 * t3 + t1 * t1 - t0 * t0 * t4 * t4);
         }
     }
 }
 
-/* kinematics: 103 operations.
+/* kinematics: 88 operations.
  * in:  x (6), v (6), a (6), p (5)
  * out: Phi_x (1,6), Psi_x (1,6), Psi_v (1,6) */
 FLEXEL_CLONES
@@ -162,56 +161,55 @@ static void truss_kinematics(size_t nblocks, const real *const *in, real *const 
             const real q_vy = v[4 * 8 + j];
             const real p_vy = v[1 * 8 + j];
             const real t3 = q_vy - p_vy;
-            const real t4 = 2.0 * d_x * t1 + 2.0 * d_y * t3 + 2.0 * d_z * t2;
+            const real t4 = d_x * t1 + d_y * t3 + d_z * t2;
             const real t5 = t0 * t0;
             const real t6 = t0 * t5;
             const real t7 = t4 * t6;
-            const real t8 = t0 * t1 - 0.5 * d_x * t7;
+            const real t8 = t0 * t1 - d_x * t7;
             Phi_x[3 * 8 + j] = t8;
             Phi_x[0 * 8 + j] = -t8;
-            const real t9 = t0 * t3 - 0.5 * d_y * t7;
+            const real t9 = t0 * t3 - d_y * t7;
             Phi_x[4 * 8 + j] = t9;
             Phi_x[1 * 8 + j] = -t9;
-            const real t10 = t0 * t2 - 0.5 * d_z * t7;
+            const real t10 = t0 * t2 - d_z * t7;
             Phi_x[5 * 8 + j] = t10;
             Phi_x[2 * 8 + j] = -t10;
             const real q_ax = a[3 * 8 + j];
             const real p_ax = a[0 * 8 + j];
             const real t11 = q_ax - p_ax;
             const real t12 = t0 * t4;
-            const real t13 = 0.25 * t7 + 0.25 * t12 * t5;
+            const real t13 = t7 + t5 * t12;
             const real q_az = a[5 * 8 + j];
             const real p_az = a[2 * 8 + j];
             const real t14 = q_az - p_az;
             const real q_ay = a[4 * 8 + j];
             const real p_ay = a[1 * 8 + j];
             const real t15 = q_ay - p_ay;
-            const real t16 = 0.5 * (2.0 * d_x * t11 + 2.0 * d_y * t15 + 2.0 * d_z * t14);
-            const real t17 = t16 + 0.5 * (2.0 * t1 * t1 + 2.0 * t3 * t3 + 2.0 * t2 * t2);
-            const real t18 = t17 - 0.25 * t4 * (t4 * t5 + 2.0 * t0 * t12);
-            const real t19 = t0 * t11 - 2.0 * t1 * t13 - d_x * t6 * t18;
-            Psi_x[3 * 8 + j] = t19;
-            Psi_x[0 * 8 + j] = -t19;
-            const real t20 = t0 * t15 - 2.0 * t3 * t13 - d_y * t6 * t18;
-            Psi_x[4 * 8 + j] = t20;
-            Psi_x[1 * 8 + j] = -t20;
-            const real t21 = t0 * t14 - 2.0 * t2 * t13 - d_z * t6 * t18;
-            Psi_x[5 * 8 + j] = t21;
-            Psi_x[2 * 8 + j] = -t21;
-            const real t22 = 2.0 * t8;
-            Psi_v[3 * 8 + j] = t22;
-            Psi_v[0 * 8 + j] = -t22;
-            const real t23 = 2.0 * t9;
-            Psi_v[4 * 8 + j] = t23;
-            Psi_v[1 * 8 + j] = -t23;
-            const real t24 = 2.0 * t10;
-            Psi_v[5 * 8 + j] = t24;
-            Psi_v[2 * 8 + j] = -t24;
+            const real t16 = t1 * t1 + t3 * t3 + t2 * t2 + (d_x * t11 + d_y * t15 + d_z * t14);
+            const real t17 = 2.0 * t16 - t4 * (2.0 * t5 * t4 + 4.0 * t0 * t12);
+            const real t18 = t0 * t11 - t1 * t13 - 0.5 * d_x * t17 * t6;
+            Psi_x[3 * 8 + j] = t18;
+            Psi_x[0 * 8 + j] = -t18;
+            const real t19 = t0 * t15 - t3 * t13 - 0.5 * d_y * t17 * t6;
+            Psi_x[4 * 8 + j] = t19;
+            Psi_x[1 * 8 + j] = -t19;
+            const real t20 = t0 * t14 - t2 * t13 - 0.5 * d_z * t17 * t6;
+            Psi_x[5 * 8 + j] = t20;
+            Psi_x[2 * 8 + j] = -t20;
+            const real t21 = 2.0 * t8;
+            Psi_v[3 * 8 + j] = t21;
+            Psi_v[0 * 8 + j] = -t21;
+            const real t22 = 2.0 * t9;
+            Psi_v[4 * 8 + j] = t22;
+            Psi_v[1 * 8 + j] = -t22;
+            const real t23 = 2.0 * t10;
+            Psi_v[5 * 8 + j] = t23;
+            Psi_v[2 * 8 + j] = -t23;
         }
     }
 }
 
-/* stiffness: 32 operations.
+/* stiffness: 30 operations.
  * in:  x (6), sigma (1), tau (0), p (5)
  * out: K (6,6) */
 FLEXEL_CLONES
@@ -223,40 +221,41 @@ static void truss_stiffness(size_t nblocks, const real *const *in, real *const *
         real *restrict K = out[0] + b * (36 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
-            const real q_z = x[5 * 8 + j];
-            const real p_z = x[2 * 8 + j];
-            const real d_z = q_z - p_z;
-            const real q_x = x[3 * 8 + j];
-            const real p_x = x[0 * 8 + j];
-            const real d_x = q_x - p_x;
             const real q_y = x[4 * 8 + j];
             const real p_y = x[1 * 8 + j];
             const real d_y = q_y - p_y;
-            const real l = real_sqrt(d_x * d_x + d_y * d_y + d_z * d_z);
-            const real t0 = 1.0 / l;
+            const real q_x = x[3 * 8 + j];
+            const real p_x = x[0 * 8 + j];
+            const real d_x = q_x - p_x;
+            const real t0 = d_x * d_x;
+            const real q_z = x[5 * 8 + j];
+            const real p_z = x[2 * 8 + j];
+            const real d_z = q_z - p_z;
+            const real l = real_sqrt(t0 + d_z * d_z + d_y * d_y);
+            const real t1 = 1.0 / l;
             const real sigma_elongation = sigma[0 * 8 + j];
-            const real t1 = sigma_elongation * t0;
-            const real t2 = t0 * t0 * t0 * sigma_elongation;
-            const real t3 = t1 - d_x * t2 * d_x;
-            K[0 * 8 + j] = K[21 * 8 + j] = t3;
-            const real t4 = d_y * t2;
-            const real t5 = d_x * t4;
-            K[4 * 8 + j] = K[9 * 8 + j] = K[19 * 8 + j] = K[24 * 8 + j] = t5;
-            K[1 * 8 + j] = K[6 * 8 + j] = K[22 * 8 + j] = K[27 * 8 + j] = -t5;
-            const real t6 = d_z * t2;
-            const real t7 = d_x * t6;
-            K[5 * 8 + j] = K[15 * 8 + j] = K[20 * 8 + j] = K[30 * 8 + j] = t7;
-            K[2 * 8 + j] = K[12 * 8 + j] = K[23 * 8 + j] = K[33 * 8 + j] = -t7;
-            K[3 * 8 + j] = K[18 * 8 + j] = -t3;
-            const real t8 = t1 - d_y * t4;
-            K[7 * 8 + j] = K[28 * 8 + j] = t8;
-            const real t9 = d_y * t6;
-            K[11 * 8 + j] = K[16 * 8 + j] = K[26 * 8 + j] = K[31 * 8 + j] = t9;
-            K[8 * 8 + j] = K[13 * 8 + j] = K[29 * 8 + j] = K[34 * 8 + j] = -t9;
-            K[10 * 8 + j] = K[25 * 8 + j] = -t8;
-            const real t10 = t1 - d_z * t6;
-            K[14 * 8 + j] = K[35 * 8 + j] = t10;
-            K[17 * 8 + j] = K[32 * 8 + j] = -t10;
+            const real t2 = sigma_elongation * t1;
+            const real t3 = t1 * t2 * t1;
+            const real t4 = t2 - t0 * t3;
+            K[0 * 8 + j] = K[21 * 8 + j] = t4;
+            const real t5 = d_y * t3;
+            const real t6 = d_x * t5;
+            K[4 * 8 + j] = K[9 * 8 + j] = K[19 * 8 + j] = K[24 * 8 + j] = t6;
+            K[1 * 8 + j] = K[6 * 8 + j] = K[22 * 8 + j] = K[27 * 8 + j] = -t6;
+            const real t7 = d_z * t3;
+            const real t8 = d_x * t7;
+            K[5 * 8 + j] = K[15 * 8 + j] = K[20 * 8 + j] = K[30 * 8 + j] = t8;
+            K[2 * 8 + j] = K[12 * 8 + j] = K[23 * 8 + j] = K[33 * 8 + j] = -t8;
+            K[3 * 8 + j] = K[18 * 8 + j] = -t4;
+            const real t9 = t2 - d_y * t5;
+            K[7 * 8 + j] = K[28 * 8 + j] = t9;
+            const real t10 = d_y * t7;
+            K[11 * 8 + j] = K[16 * 8 + j] = K[26 * 8 + j] = K[31 * 8 + j] = t10;
+            K[8 * 8 + j] = K[13 * 8 + j] = K[29 * 8 + j] = K[34 * 8 + j] = -t10;
+            K[10 * 8 + j] = K[25 * 8 + j] = -t9;
+            const real t11 = t2 - d_z * t7;
+            K[14 * 8 + j] = K[35 * 8 + j] = t11;
+            K[17 * 8 + j] = K[32 * 8 + j] = -t11;
         }
     }
 }
