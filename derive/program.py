@@ -11,8 +11,8 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
-ZERO = Fraction(0)
 ONE = Fraction(1)
+_MINUS = Fraction(-1)
 
 # Odd functions hand a sign through, even ones swallow it.
 _ODD = frozenset({"sin", "tan", "asin", "atan", "tanh", "sinh"})
@@ -20,6 +20,13 @@ _EVEN = frozenset({"cos", "abs", "cosh"})
 _COMPARE = {"lt": Fraction.__lt__, "le": Fraction.__le__, "eq": Fraction.__eq__}
 LEAVES = frozenset({"const", "input"})
 CONDITIONS = frozenset({"lt", "le", "eq", "not", "and", "or"})
+
+
+def _times(a: Fraction, b: Fraction) -> Fraction:
+    """Product; most factors are one, and exact products are slow."""
+    if a is ONE:
+        return b
+    return a if b is ONE else a * b
 
 
 class Row(NamedTuple):
@@ -95,18 +102,18 @@ class Program:
         factor = ONE
         row = self.rows[a]
         if row.op == "neg":
-            factor, a = -ONE, row.args[0]
+            factor, a = _MINUS, row.args[0]
             row = self.rows[a]
         if row.op == "mul":
             value = self.constant(row.args[0])
             if value is not None:
-                return factor * value, row.args[1]
+                return _times(factor, value), row.args[1]
         return factor, a
 
     def scale(self, factor: Fraction, a: int) -> int:
         """Constant times row."""
         inner, base = self.split(a)
-        factor *= inner
+        factor = _times(factor, inner)
         value = self.constant(base)
         if value is not None:
             return self.const(factor * value)
@@ -164,7 +171,7 @@ class Program:
     def mul(self, a: int, b: int) -> int:
         """a b."""
         (fa, ra), (fb, rb) = self.split(a), self.split(b)
-        factor = fa * fb
+        factor = _times(fa, fb)
         va, vb = self.constant(ra), self.constant(rb)
         if va is not None:
             return self.scale(factor * va, rb)
@@ -175,7 +182,8 @@ class Program:
             return self.const(factor)
         if ra == rb and rowa.op == "sqrt":
             return self.scale(factor, rowa.args[0])
-        return self.scale(factor, self.row("mul", (ra, rb) if ra < rb else (rb, ra)))
+        result = self.row("mul", (ra, rb) if ra < rb else (rb, ra))
+        return result if factor is ONE else self.scale(factor, result)
 
     def inv(self, a: int) -> int:
         """1 / a."""
