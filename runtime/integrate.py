@@ -27,7 +27,7 @@ from flexel.structure import Array
 
 METHODS: dict[str, Any] = {"DOP853": DOP853, "RK45": RK45, "Radau": Radau, "BDF": BDF, "LSODA": LSODA}
 ILL_CONDITIONED = 0.25  # condition of B or of the position matrix, relative to that at the last choice
-SHORTEST = 1e-10  # first step, relative to the times, below which a position counts as out of reach
+SHORTEST = 1e-8  # first step, relative to the times, below which a position counts as out of reach
 RETRY = "out of reach"
 BETTER = 1.5  # a new choice must improve the condition by this factor
 

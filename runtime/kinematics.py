@@ -95,10 +95,10 @@ class Kinematics:
         self._weight = 1.0 / self._scale[rows]
         self._angles = np.flatnonzero(self.structure.angle[rows])
         self._step_weight = 1.0 / self._scale[self.structure.m + self.structure.k :][: self.structure.nf]
-        self._forget()
+        self.forget()
 
-    def _forget(self) -> None:
-        """Drop the factors kept from the last position problem."""
+    def forget(self) -> None:
+        """Drop what is kept from the last position problem, so that the next one does not depend on it."""
         self._lu: Factorization | None = None
         self._x = self._target = np.zeros(0)
 
@@ -156,7 +156,7 @@ class Kinematics:
             largest = float(np.abs(step * self._step_weight).max())
             x[:nf] -= step if largest < 0.5 else step * (0.5 / largest)
             last = error if largest < 0.5 else np.inf
-        self._forget()
+        self.forget()
         raise PositionError(self._unreached(t, residual))
 
     def _residual(self, e: Array, x: Array, target: Array) -> Array:
@@ -176,6 +176,12 @@ class Kinematics:
         return x
 
     def _unreached(self, t: float, residual: Array) -> str:
+        if np.isnan(residual).all():
+            laws = ", ".join(f"'{law.name}'" for law in self.structure.laws if law.kernels) or "no formula"
+            return (
+                f"position at t = {t:g} s is not a number: a force was not finite just before; check the loads and "
+                f"the laws given by formulas (on {laws}) in the range that the motion reaches"
+            )
         worst = np.argsort(-np.abs(np.nan_to_num(residual, nan=np.inf)) * self._weight)[:4]
         rows = self.roles.position_rows
         names = ", ".join(f"'{self.structure.names[rows[i]]}' (off by {residual[i]:.3g})" for i in worst)

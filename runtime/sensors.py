@@ -23,7 +23,8 @@ class Variations:
     x: Array
     v: Array
     a: Array
-    load: Array  # generalized forces on the free coordinates
+    load: Array  # generalized forces on the coordinates
+    applied: Array  # stresses (m + k,) of the loads on deformations and slips
     states: int
 
 
@@ -50,6 +51,8 @@ def state_space(
     cq, cu, hu = slice(0, nq), [nq + i for i in driven], [nd + i for i in driven]
     structure = lin.state.structure
     rows = [structure.find(name) for name in loads]
+    applied = np.zeros((len(structure.names), ns + ni))
+    np.subtract.at(applied, rows, f)
     motion = Variations(
         x=X.G[:, cq] @ q + X.G[:, cu] @ u,
         v=X.N[:, cq] @ q + X.N[:, cu] @ u + X.H[:, :nd] @ qd + X.H[:, hu] @ ud,
@@ -60,6 +63,7 @@ def state_space(
         + X.H[:, :nd] @ qdd
         + X.H[:, hu] @ udd,
         load=lin.state.J[rows].T @ f,
+        applied=applied[: structure.m + structure.k],
         states=ns,
     )
     Y = np.array([_output(lin, motion, name) for name in outputs]).reshape(len(outputs), ns + ni)
@@ -101,7 +105,7 @@ def _force(lin: Linearization, d: Variations, i: int) -> Array:
     if i < first:
         ed = T.Phi_x[: m + k, :nf] @ d.x + J[: m + k, :nf] @ d.v
         law = T.stress_e[i] @ (J[:m, :nf] @ d.x) + T.stress_ed[i] @ ed[:m] + T.stress_s[i] @ ed[m:]
-        return np.asarray(law + multipliers[i])
+        return np.asarray(law + d.applied[i] + multipliers[i])
     if i - first < nf:
         return np.asarray(-multipliers[i])
     return np.asarray((unbalance + J[:first].T @ multipliers[:first])[i - first])

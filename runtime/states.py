@@ -139,8 +139,10 @@ def consistent_rates(system: System, c: Configuration, rates: Mapping[str, float
     J = c.J[rows, : structure.nf]
     missing = wanted - J @ v0[: structure.nf]
     qd = np.linalg.lstsq(J @ H, missing, rcond=1e-12)[0] if rows.size else np.zeros(nd)
-    off = missing - J @ (H @ qd)
-    scale = max(float(np.max(np.abs(wanted), initial=0.0)), 1e-12)
+    v = v0[: structure.nf] + H @ qd
+    off = wanted - J @ v
+    speeds = np.concatenate([wanted, v0, v, [1e-12]])
+    scale = float(np.max(np.abs(speeds)))
     if np.max(np.abs(off), initial=0.0) > 1e-9 * scale:
         worst = int(np.argmax(np.abs(off)))
         raise PositionError(

@@ -12,12 +12,14 @@ import numpy as np
 
 from flexel.errors import ModelError, PositionError
 from flexel.state import State
+from flexel.structure import Array
 
 if TYPE_CHECKING:
     from flexel.system import System
 
 TOLERANCE = 1e-13  # of the unbalanced forces, relative to the largest of the forces that balance
 MAX_ITERATIONS = 30
+HALVINGS = 6  # of a step that leads out of reach
 
 
 def steady_motion(
@@ -46,15 +48,29 @@ def steady_motion(
         A = np.hstack([lin.K[:, columns], lin.C[:, speeds]])
         step = np.linalg.lstsq(A, -unbalance, rcond=1e-10)[0]
         step *= min(1.0, 0.3 / max(float(np.max(np.abs(step[: len(columns)]), initial=0.0)), 1e-300))
-        values = {freedoms[j]: float(state.q[j] + d) for j, d in zip(columns, step, strict=False)}
-        qd = state.qd.copy()
-        qd[speeds] += step[len(columns) :]
-        state = system.state_at(values, dict(zip(freedoms[:nd], qd, strict=True)), start=state)
+        state = _moved(system, state, (columns, speeds), step)
     raise PositionError(
         f"no steady motion found near the start after {MAX_ITERATIONS} iterations (unbalanced forces "
         f"{error:.3g} of the acting ones at {dict(zip(freedoms, np.round(state.q, 6), strict=True))}); start nearer, "
         "or name other unknowns"
     )
+
+
+def _moved(system: System, state: State, places: tuple[list[int], list[int]], step: Array) -> State:
+    """The state with its unknown values and rates changed by a step, shortened where the mechanism cannot follow."""
+    names, nd = [system.structure.names[i] for i in system.roles.freedoms], system.roles.nd
+    columns, speeds = places
+    for shorter in range(HALVINGS + 1):
+        part = step / 2**shorter
+        values = {names[j]: float(state.q[j] + d) for j, d in zip(columns, part, strict=False)}
+        qd = state.qd.copy()
+        qd[speeds] += part[len(columns) :]
+        try:
+            return system.state_at(values, dict(zip(names[:nd], qd, strict=True)), start=state)
+        except PositionError:
+            if shorter == HALVINGS:
+                raise
+    return state
 
 
 def _force_scale(system: System, state: State, H: np.ndarray) -> float:

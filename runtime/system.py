@@ -51,7 +51,13 @@ class System:
         self.loads = loads
         self._kinematics: dict[int, Kinematics] = {}
         self._use(roles)
-        self._x, self._e = start.x, start.e
+        still = np.zeros(self.structure.n)
+        self._last = states.End(start.t, start.x, still, start.e, np.zeros(self.structure.m))
+        self._wound = any(  # where an angle's turns matter to the forces
+            self.structure.angle[self.structure.index[z]]
+            for law in self.structure.laws
+            for z in law.deformations
+        )
         qd = states.consistent_rates(self, start, rates)
         self._start = start, self.kinematics.velocity(start, self.kinematics.velocity_matrix(start), qd)
 
@@ -126,21 +132,27 @@ class System:
 
     def warm(self, state: State) -> None:
         """Start the next position problem from a state, and count turns of angles from it."""
-        self._x, self._e = state.x, state.e
+        self._last = states.End.of(state)
+        self.kinematics.forget()
 
     @property
     def position_guess(self) -> Array:
         """Coordinates (n,) of the last evaluation of `rhs`."""
-        return self._x
+        return self._last.x
 
     def rhs(self, t: float, y: Array) -> Array:
         """Rates of y = (q_d, q_k, q_d') (nq + nd,) at time t [s]."""
         kinematics, nq = self.kinematics, self.roles.nq
-        c = kinematics.position(t, y[:nq], self._x)
+        last = self._last
+        c = kinematics.position(t, y[:nq], last.x)
         B = kinematics.velocity_matrix(c)
         v = kinematics.velocity(c, B, y[nq:])
-        self._x, self._e = c.x, states.with_turns(kinematics, c, y[:nq], self._e)
-        F = dynamics.forces(kinematics, self.loads, c, v, self._e)
+        e, ed = c.e, last.ed
+        if self._wound:
+            ed = c.J[: self.structure.m] @ v
+            e = states.with_turns(kinematics, c, y[:nq], last.e + (t - last.t) * (last.ed + ed) / 2)
+        self._last = states.End(t, c.x, v, e, ed)
+        F = dynamics.forces(kinematics, self.loads, c, v, e)
         motion = dynamics.accelerations(kinematics, c, B, v, F)
         return np.concatenate([y[nq:], c.J[self.roles.kinematic] @ v, motion.qdd])
 
