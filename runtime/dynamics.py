@@ -142,6 +142,12 @@ def with_multipliers(
     """The state with known accelerations and multipliers (m + k + n,) of constraints, by quantity."""
     s, roles = kinematics.structure, kinematics.roles
     first = s.m + s.k
+    if not np.all(np.isfinite(given.stress)):
+        name = s.names[int(np.argmin(np.isfinite(given.stress)))]
+        raise DynamicsError(
+            f"the stress of '{name}' at t = {c.t:g} s is not finite: its law has no value here; correct the law, or "
+            "start within its range"
+        )
     reactions = -multiplier[first:]
     unbalance = given.F - given.M @ a - multiplier[:first] @ c.J[:first]
     reactions[s.nf :] = -unbalance[s.nf :]
