@@ -176,7 +176,7 @@ class Kinematics:
         return x
 
     def _unreached(self, t: float, residual: Array) -> str:
-        if np.isnan(residual).all():
+        if np.isnan(residual[self.roles.holonomic.size :]).any():
             laws = ", ".join(f"'{law.name}'" for law in self.structure.laws if law.kernels) or "no formula"
             return (
                 f"position at t = {t:g} s is not a number: a force was not finite just before; check the loads and "
