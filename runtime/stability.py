@@ -16,6 +16,7 @@ from scipy.linalg import eigh
 
 from flexel.diagnose import null_space
 from flexel.errors import DynamicsError, ModelError
+from flexel.inputs import numbers
 from flexel.state import State
 from flexel.statics import Rest
 from flexel.structure import Array
@@ -45,8 +46,12 @@ def buckling(system: System, state: State, increment: Mapping[str, float], count
     s, evaluation = problem.structure, system.evaluation
     q = problem.equations(state.t, state.x, problem.multipliers(state), state.e)
     load = np.zeros(len(s.names))
-    for name, value in increment.items():
-        load[s.find(name)] += float(value)
+    for name, value in numbers(increment, "buckling", "load").items():
+        i = s.find(name, "buckling")
+        if i >= s.m + s.k + s.nf:
+            raise ModelError(f"buckling: the load acts on '{name}', which is fixed; name another quantity")
+        load[i] += value
+    _check_count(count, "buckling")
     if not np.any(load):
         raise ModelError("buckling: the load increment is zero; name at least one load, {'tip.z': -1.0}")
     J = q.balance.configuration.J
@@ -92,9 +97,15 @@ def vibrations(system: System, state: State, count: int) -> list[Vibration]:
     Z, _ = null_space(q.balance.configuration.J[problem.hold_rows, : s.nf], s.nf)
     K = Z.T @ q.matrix[: s.nf, : s.nf] @ Z
     M = Z.T @ q.balance.forces.M[: s.nf, : s.nf] @ Z
+    _check_count(count, "vibrations")
     w2, V = _pencil((K + K.T) / 2, (M + M.T) / 2)
     found = [(np.sign(z) * np.sqrt(abs(z)), V[:, i]) for i, z in enumerate(w2)]
     return [Vibration(float(z), _shape(system, Z @ v)) for z, v in found[:count]]
+
+
+def _check_count(count: object, owner: str) -> None:
+    if not isinstance(count, (int, np.integer)) or count < 1:
+        raise ModelError(f"{owner}: {count!r} modes asked for; give a whole number, 1 or more")
 
 
 def _pencil(K: Array, M: Array) -> tuple[Array, Array]:

@@ -17,8 +17,9 @@ import numpy as np
 
 from flexel.balance import Balance, Saddle
 from flexel.diagnose import quoted
-from flexel.errors import PositionError
-from flexel.state import State
+from flexel.errors import ModelError, PositionError
+from flexel.inputs import number
+from flexel.state import State, own_state
 from flexel.structure import Array
 
 if TYPE_CHECKING:
@@ -34,6 +35,7 @@ class Rest(Saddle):
     """The equations of equilibrium of a system, kinematic coordinates held."""
 
     def __init__(self, system: System, start: State) -> None:
+        own_state(system.structure, start, "equilibrium")
         super().__init__(system)
         self.held = start.values[self.roles.kinematic]
         self.hold_rows = np.concatenate([self.roles.holonomic, self.roles.kinematic])
@@ -74,7 +76,7 @@ class Equations:
 def equilibrium(system: System, t: float | None, start: State) -> State:
     """State of rest in which all forces balance; see `System.equilibrium`."""
     problem = Rest(system, start)
-    t = start.t if t is None else t
+    t = start.t if t is None else number(t, "equilibrium", "time t")
     mu = np.zeros(problem.force_rows.size)
     direct = _newton(problem, t, start.x, mu, start.e)
     if direct is not None:
@@ -88,7 +90,10 @@ def equilibrium(system: System, t: float | None, start: State) -> State:
 def static_path(system: System, t_end: float, start: State) -> tuple[list[State], str]:
     """Equilibria from `start` to the time `t_end`, which is the load parameter; see `System.static_path`."""
     problem = Rest(system, start)
-    return _follow(problem, start, problem.multipliers(start), start.t, t_end)
+    end = number(t_end, "static_path", "t_end")
+    if end == start.t:
+        raise ModelError(f"static_path: t_end is the time of the start, {end:g} s; give another")
+    return _follow(problem, start, problem.multipliers(start), start.t, end)
 
 
 def _newton(problem: Rest, t: float, x: Array, mu: Array, near: Array) -> tuple[Equations, Array] | None:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from flexel.errors import ModelError, PositionError
+from flexel.inputs import names
 from flexel.state import State
 from flexel.structure import Array
 
@@ -32,8 +33,9 @@ def steady_motion(
     """State near `start` with q_d'' = 0; see `System.steady`."""
     freedoms = [system.structure.names[i] for i in system.roles.freedoms]
     nd = system.roles.nd
-    columns = list(range(len(freedoms))) if unknown is None else [_place(freedoms, z) for z in unknown]
-    speeds = [_place(freedoms[:nd], z) for z in unknown_rates]
+    named = freedoms if unknown is None else names(unknown, "steady")
+    columns = [_place(freedoms, z) for z in named]
+    speeds = [_place(freedoms[:nd], z) for z in names(unknown_rates, "steady")]
     state = start if rates is None else _with_rates(system, start, rates)
     best = np.inf
     for _ in range(MAX_ITERATIONS):
@@ -90,5 +92,5 @@ def _with_rates(system: System, start: State, rates: Mapping[str, float]) -> Sta
 
 def _place(names: Sequence[str], name: str) -> int:
     if name not in names:
-        raise ModelError(f"'{name}' is not among the freedoms {tuple(names)}; name one of them")
+        raise ModelError(f"steady: '{name}' is not among the freedoms {tuple(names)}; name one of them")
     return list(names).index(name)
