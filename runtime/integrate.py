@@ -23,12 +23,13 @@ from flexel.errors import ConstraintError, DynamicsError, FlexelError, ModelErro
 from flexel.inputs import array, number
 from flexel.roles import Roles
 from flexel.state import State
-from flexel.structure import Array
+from flexel.structure import Array, Structure
 
 METHODS: dict[str, Any] = {"DOP853": DOP853, "RK45": RK45, "Radau": Radau, "BDF": BDF, "LSODA": LSODA}
 ILL_CONDITIONED = 0.25  # condition of B or of the position matrix, relative to that at the last choice
 SHORTEST = 1e-8  # first step, relative to the times, below which a position counts as out of reach
 RETRY = "out of reach"
+TRAVEL = 1.0  # of an Euler parameter in one step: more than two radians could lead to another branch or turn
 BETTER = 1.5  # a new choice must improve the condition by this factor
 
 
@@ -116,6 +117,18 @@ def _value(event: Event, state: State) -> float:
     return number(event.function(state), f"event '{event.name}' at t = {state.t:g} s", "value")
 
 
+def turning_weights(structure: Structure) -> Array:
+    """Weights (n,) that pick the coordinates of orientations: one for Euler parameters, half for planar angles."""
+    weight = {"-": 1.0, "rad": 0.5}
+    return np.array([weight.get(unit, 0.0) for unit in structure.units[structure.m + structure.k :]])
+
+
+def longest_step(state: State, weights: Array) -> float:
+    """Time [s] in which an orientation travels by TRAVEL, at the present rates and accelerations."""
+    v, a = (float(np.max(np.abs(z) * weights, initial=0.0)) for z in (state.v, state.a))
+    return 2 * TRAVEL / max(v + float(np.sqrt(v * v + 2 * a * TRAVEL)), 1e-300)
+
+
 class Integrator:
     """One run of the forward dynamics of a system."""
 
@@ -152,6 +165,7 @@ class Integrator:
         self.state = start
         self._end = states.End.of(start)
         self._first_step: float | None = None
+        self._turning = turning_weights(system.structure)
         self.result = Integration([start], [], [], {"steps": 0, "evaluations": 0, "rechoices": 0}, "")
 
     def run(self) -> Integration:
@@ -179,13 +193,16 @@ class Integrator:
         system, roles = self.system, self.system.roles
         y0 = np.concatenate([self.state.q, self.state.qd])
         system.warm(self.state)
-        first = {"first_step": self._first_step} if self._first_step else {}
-        solver = self.method(system.rhs, self.state.t, y0, float(self.times[-1]), **self.options, **first)
+        options = self.options | {"max_step": self._longest()}
+        if self._first_step:
+            options["first_step"] = min(self._first_step, options["max_step"])
+        solver = self.method(system.rhs, self.state.t, y0, float(self.times[-1]), **options)
         reference = system.condition(self.state)
         values = [_value(event, self.state) for event in self.events]
         statistics = self.result.statistics
         count = 0
         while solver.status == "running":
+            solver.max_step = self._longest()
             message = self._step(solver)
             if message == RETRY:
                 break
@@ -215,6 +232,10 @@ class Integrator:
                 break
         statistics["evaluations"] += solver.nfev
         return None
+
+    def _longest(self) -> float:
+        """Longest step [s] in which no frame turns farther than a position can be followed."""
+        return min(self.options["max_step"], longest_step(self.state, self._turning))
 
     def _step(self, solver: Any) -> str | None:
         """One step; RETRY where a stage led out of reach, so that a shorter first step is to be tried."""

@@ -16,7 +16,16 @@ from flexel import dynamics, stability, states, statics
 from flexel.diagnose import choose_freedoms, named_freedoms
 from flexel.errors import ConstraintError, PositionError
 from flexel.evaluate import Evaluation
-from flexel.integrate import Event, Integration, Integrator, Segment, stored_times
+from flexel.implicit import GeneralizedAlpha
+from flexel.integrate import (
+    Event,
+    Integration,
+    Integrator,
+    Segment,
+    longest_step,
+    stored_times,
+    turning_weights,
+)
 from flexel.kinematics import Configuration, Factorization, Kinematics
 from flexel.linearize import Linearization, linearize
 from flexel.loads import Loads
@@ -295,6 +304,8 @@ class System:
         ModelError, PositionError, DynamicsError
         """
         start = self.initial if start is None else own_state(self.structure, start, "simulate")
+        if method == "generalized-alpha":
+            raise ModelError("the generalized-alpha method has its own call; use simulate_stiff")
         grid = stored_times(start, duration, times, samples)
         if self.roles.nq == 0:
             return Motion(self, self._follow(start, grid))
@@ -310,13 +321,54 @@ class System:
         finally:
             self._use(chosen)
 
+    def simulate_stiff(
+        self,
+        duration: float,
+        *,
+        start: State | None = None,
+        times: Sequence[float] | Array | None = None,
+        samples: int = 201,
+        tolerance: float = 1e-6,
+        radius: float = 0.8,
+        first_step: float | None = None,
+        max_step: float = np.inf,
+        progress: bool | None = None,
+    ) -> Motion:
+        """Implicit dynamics of a stiff model by the generalized-alpha method, whatever the freedoms.
+
+        Parameters
+        ----------
+        duration : float
+            Length of the motion [s].
+        start : State, optional
+            The initial state by default; a state of rest serves where a freedom has no inertia.
+        times : array_like, optional
+            Times [s] at which states are kept; `samples` equidistant ones by default.
+        tolerance : float
+            Local error of the coordinates in their natural scales, in one step.
+        radius : float
+            Spectral radius at infinite frequency, 0 (all high frequencies damped at once) to below 1.
+        first_step, max_step : float
+            [s]; the first is a thousandth of the duration by default.
+
+        Raises
+        ------
+        ModelError, DynamicsError
+        """
+        start = self.initial if start is None else own_state(self.structure, start, "simulate_stiff")
+        grid = stored_times(start, duration, times, samples)
+        run = GeneralizedAlpha(self, start, radius, tolerance)
+        return Motion(self, run.run(grid, first_step or duration / 1000, max_step, progress))
+
     def _follow(self, start: State, grid: Array) -> Integration:
         """States of a fully prescribed motion; long steps are halved until the position is found."""
         found, segments, none = [start], [], np.zeros(0)
+        weights = turning_weights(self.structure)
         dense: Callable[[float], Array] = lambda t: none  # noqa: E731 (a fully prescribed motion has no state)
         for t in grid[1:]:
             last, step = found[-1], float(t) - found[-1].t
             while last.t < t:
+                step = min(step, longest_step(last, weights))
                 try:
                     state = self.state_from(min(last.t + step, float(t)), none, self.roles, last)
                 except PositionError:
