@@ -41,9 +41,12 @@ class Scheme:
 
     @classmethod
     def with_radius(cls, radius: float) -> Scheme:
-        """The optimal scheme of second order; radius 1 keeps all energy, 0 damps high frequencies at once."""
-        if not 0 <= radius <= 1:
-            raise ModelError(f"spectral radius {radius} lies outside 0…1; 0.8 is a good value")
+        """The optimal scheme of second order; near radius 1 keeps energy, 0 damps high frequencies at once.
+
+        Radius 1 is left out: with constraints its accelerations and multipliers grow without bound.
+        """
+        if not 0 <= radius < 1:
+            raise ModelError(f"spectral radius {radius} lies outside 0 ≤ radius < 1; 0.8 is a good value")
         m, f = (2 * radius - 1) / (radius + 1), radius / (radius + 1)
         gamma = 0.5 - m + f
         return cls(m, f, 0.25 * (gamma + 0.5) ** 2, gamma)

@@ -304,8 +304,6 @@ class System:
         ModelError, PositionError, DynamicsError
         """
         start = self.initial if start is None else own_state(self.structure, start, "simulate")
-        if method == "generalized-alpha":
-            raise ModelError("the generalized-alpha method has its own call; use simulate_stiff")
         grid = stored_times(start, duration, times, samples)
         if self.roles.nq == 0:
             return Motion(self, self._follow(start, grid))
