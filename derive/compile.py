@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING
 from flexel.derive.element import Element, Law, Parameter
 from flexel.derive.emit import FLAGS
 from flexel.derive.kernels import Kernel, derive_element, derive_law
-from flexel.derive.source import element_source, laws_source
+from flexel.derive.source import digest_of, element_source, laws_source
 
 if TYPE_CHECKING:
     from flexel.generated.spec import ElementSpec, KernelSpec, LawSpec, ParameterSpec
@@ -69,9 +69,11 @@ def compile_element(element: Element) -> CompiledElement:
     from flexel.generated.spec import DeformationSpec, ElementSpec, NodeSpec, SlipSpec
 
     derived = derive_element(element)
-    path = _shared_object(element.name, element_source(element, derived, _SYMBOL))
+    source = element_source(element, derived, _SYMBOL)
+    path = _shared_object(element.name, source)
     spec = ElementSpec(
         name=element.name,
+        digest=digest_of(source),
         doc=element.doc,
         source=element.source,
         nodes=tuple(NodeSpec(node.name, node.kind) for node in element.nodes),
@@ -88,9 +90,10 @@ def compile_law(law: Law) -> CompiledLaw:
     from flexel.generated.spec import LawSpec
 
     derived = derive_law(law)
-    path = _shared_object(law.name, laws_source([law], [derived], _SYMBOL))
+    source = laws_source([law], [derived], _SYMBOL)
+    path = _shared_object(law.name, source)
     parameters, kernels = _parameters(law.parameters), _kernels(derived.kernels)
-    spec = LawSpec(law.name, law.doc, len(law.e), len(law.s), parameters, kernels)
+    spec = LawSpec(law.name, digest_of(source), law.doc, len(law.e), len(law.s), parameters, kernels)
     return CompiledLaw(spec, _address(path), path)
 
 

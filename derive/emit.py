@@ -15,7 +15,7 @@ from flexel.derive.elements import ELEMENTS
 from flexel.derive.entries import table_entry
 from flexel.derive.kernels import Derived, derive_element, derive_law
 from flexel.derive.laws import LAWS
-from flexel.derive.source import element_source, laws_source, render
+from flexel.derive.source import digest_of, element_source, laws_source, render
 
 # -O2 gives the same speed as -O3 (the loops are marked for vectorization) in three quarters of the time.
 # Never -ffast-math: on the link line it changes denormals for the whole process.
@@ -80,15 +80,18 @@ def emit(
             continue
         progress(element.name)
         derived = derive_element(element)
-        files[f"{element.name}.c"] = element_source(element, derived)
-        entries[element.name] = table_entry(element, derived)
+        source = element_source(element, derived)
+        files[f"{element.name}.c"] = source
+        entries[element.name] = table_entry(element, derived, digest_of(source))
         counts[element.name] = _counts(derived)
     law_entries = {law.name: kept[law.name] for law in laws if law.name in kept}
     if len(law_entries) < len(laws):
         progress("laws")
         all_derived = [derive_law(law) for law in laws]
-        files["laws.c"] = laws_source(laws, all_derived)
-        law_entries = {law.name: table_entry(law, d) for law, d in zip(laws, all_derived, strict=True)}
+        source = laws_source(laws, all_derived)
+        files["laws.c"] = source
+        pairs = zip(laws, all_derived, strict=True)
+        law_entries = {law.name: table_entry(law, d, digest_of(source)) for law, d in pairs}
         counts.update({law.name: _counts(d) for law, d in zip(laws, all_derived, strict=True)})
     return Emitted({**files, **_common(entries, law_entries)}, counts)
 

@@ -45,11 +45,12 @@ def _kernels(kernels: Collection[Kernel]) -> list[str]:
     return [*lines, "        },"]
 
 
-def table_entry(declared: Element | Law, derived: Derived) -> str:
-    """Entry of an element or a law in ``table.py``."""
+def table_entry(declared: Element | Law, derived: Derived, digest: str) -> str:
+    """Entry of an element or a law in ``table.py``, with the digest of its C."""
     d = declared
     parameters = [_call("ParameterSpec", p.name, p.size, p.unit, p.doc) for p in d.parameters]
-    head = [f"        name={_literal(d.name)},", f"        doc={_literal(d.doc)},"]
+    head = [f"        name={_literal(d.name)},", f"        digest={_literal(digest)},"]
+    head += [f"        doc={_literal(d.doc)},"]
     if isinstance(d, Element):
         kind = "ElementSpec"
         head.append(f"        source={_literal(d.source)},")

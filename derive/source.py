@@ -3,6 +3,7 @@
 May import the rooms of derive, and jinja2.
 """
 
+import hashlib
 import math
 import re
 from collections.abc import Sequence
@@ -15,6 +16,8 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from flexel.derive.element import Element, Law, Parameter
 from flexel.derive.kernels import Derived, Kernel
 from flexel.derive.printer import BLOCK, print_kernel
+
+_DIGEST = "@digest@"
 
 NOTICE = "Written by `flexel derive`; do not edit."
 
@@ -29,6 +32,18 @@ def render(template: str, **context: Any) -> str:
     """Text of a template, without trailing blanks."""
     text = _environment().get_template(template).render(notice=NOTICE, block=BLOCK, **context)
     return "\n".join(line.rstrip() for line in text.splitlines()).rstrip("\n") + "\n"
+
+
+def _stamped(text: str) -> str:
+    """The text with its own digest in the places kept for it."""
+    return text.replace(_DIGEST, hashlib.sha256(text.encode()).hexdigest()[:16])
+
+
+def digest_of(source: str) -> str:
+    """The digest that a source carries."""
+    found = re.search(r'^    \.digest = "(\w+)",$', source, re.MULTILINE)
+    assert found is not None
+    return found[1]
 
 
 def _kernel_context(derived: Derived, kernel: Kernel) -> dict[str, Any]:
@@ -80,7 +95,7 @@ def element_source(element: Element, derived: Derived, symbol: str = "") -> str:
         ", ".join(f"{mode.name} [{mode.unit}]" for mode in group) or "none"
         for group in (element.deformations, element.slips)
     ]
-    return render(
+    text = render(
         "element.c.jinja",
         **_context(element, derived, symbol or element.name),
         n=len(element.x),
@@ -89,7 +104,9 @@ def element_source(element: Element, derived: Derived, symbol: str = "") -> str:
         x=", ".join(symbol.name for symbol in element.x),
         e=_comment(modes[0]),
         s=_comment(modes[1]),
+        digest=_DIGEST,
     )
+    return _stamped(text)
 
 
 def laws_source(laws: Sequence[Law], derived: Sequence[Derived], symbol: str = "") -> str:
@@ -98,4 +115,4 @@ def laws_source(laws: Sequence[Law], derived: Sequence[Derived], symbol: str = "
         {**_context(law, d, symbol or f"law_{law.name}"), "m": len(law.e), "k": len(law.s)}
         for law, d in zip(laws, derived, strict=True)
     ]
-    return render("laws.c.jinja", laws=contexts)
+    return _stamped(render("laws.c.jinja", laws=contexts, digest=_DIGEST))

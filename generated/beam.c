@@ -6444,6 +6444,7 @@ static void beam_tangent(size_t nblocks, const real *const *in, real *const *out
 
 const flexel_element flexel_beam = {
     .name = "beam",
+    .digest = "9a749c33f10ee5b1",
     .n = 14,
     .m = 6,
     .k = 0,

@@ -1150,6 +1150,7 @@ static void beam3_tangent(size_t nblocks, const real *const *in, real *const *ou
 
 const flexel_element flexel_beam3 = {
     .name = "beam3",
+    .digest = "3963d68a37a93ea5",
     .n = 10,
     .m = 3,
     .k = 0,

@@ -5279,6 +5279,7 @@ static void beam_first_order_tangent(size_t nblocks, const real *const *in, real
 
 const flexel_element flexel_beam_first_order = {
     .name = "beam_first_order",
+    .digest = "d385681c75909caa",
     .n = 14,
     .m = 6,
     .k = 0,

@@ -1488,6 +1488,7 @@ static void bearing_stiffness(size_t nblocks, const real *const *in, real *const
 
 const flexel_element flexel_bearing = {
     .name = "bearing",
+    .digest = "14a47077b7749713",
     .n = 14,
     .m = 6,
     .k = 0,

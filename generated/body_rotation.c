@@ -361,6 +361,7 @@ static void body_rotation_stiffness(size_t nblocks, const real *const *in, real 
 
 const flexel_element flexel_body_rotation = {
     .name = "body_rotation",
+    .digest = "d8d0a32f89083ce7",
     .n = 4,
     .m = 0,
     .k = 3,

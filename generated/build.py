@@ -46,12 +46,12 @@ SOURCES = [os.path.join(FOLDER, f"{name}.c") for name in (*ELEMENTS, "laws", "sy
 DECLARATIONS = """
 typedef void (*flexel_kernel)(size_t nblocks, const double *const *in, double *const *out);
 typedef struct {
-    const char *name;
+    const char *name, *digest;
     int n, m, k, np;
     flexel_kernel position, velocity, acceleration, inertia, kinematics, stiffness, tangent;
 } flexel_element;
 typedef struct {
-    const char *name;
+    const char *name, *digest;
     int m, k, np;
     flexel_kernel law, tangent;
 } flexel_law;

@@ -994,6 +994,7 @@ static void hinge_stiffness(size_t nblocks, const real *const *in, real *const *
 
 const flexel_element flexel_hinge = {
     .name = "hinge",
+    .digest = "36b57df45efb877e",
     .n = 8,
     .m = 3,
     .k = 0,

@@ -61,6 +61,7 @@ static void linear_1_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_1 = {
     .name = "linear_1",
+    .digest = "aa41d588a1df124f",
     .m = 1,
     .k = 0,
     .np = 3,
@@ -145,6 +146,7 @@ static void linear_2_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_2 = {
     .name = "linear_2",
+    .digest = "aa41d588a1df124f",
     .m = 2,
     .k = 0,
     .np = 8,
@@ -253,6 +255,7 @@ static void linear_3_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_3 = {
     .name = "linear_3",
+    .digest = "aa41d588a1df124f",
     .m = 3,
     .k = 0,
     .np = 15,
@@ -390,6 +393,7 @@ static void linear_4_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_4 = {
     .name = "linear_4",
+    .digest = "aa41d588a1df124f",
     .m = 4,
     .k = 0,
     .np = 24,
@@ -568,6 +572,7 @@ static void linear_5_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_5 = {
     .name = "linear_5",
+    .digest = "aa41d588a1df124f",
     .m = 5,
     .k = 0,
     .np = 35,
@@ -794,6 +799,7 @@ static void linear_6_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_6 = {
     .name = "linear_6",
+    .digest = "aa41d588a1df124f",
     .m = 6,
     .k = 0,
     .np = 48,
@@ -849,6 +855,7 @@ static void viscous_1_tangent(size_t nblocks, const real *const *in, real *const
 
 const flexel_law flexel_law_viscous_1 = {
     .name = "viscous_1",
+    .digest = "aa41d588a1df124f",
     .m = 0,
     .k = 1,
     .np = 1,
@@ -912,6 +919,7 @@ static void viscous_2_tangent(size_t nblocks, const real *const *in, real *const
 
 const flexel_law flexel_law_viscous_2 = {
     .name = "viscous_2",
+    .digest = "aa41d588a1df124f",
     .m = 0,
     .k = 2,
     .np = 3,
@@ -986,6 +994,7 @@ static void viscous_3_tangent(size_t nblocks, const real *const *in, real *const
 
 const flexel_law flexel_law_viscous_3 = {
     .name = "viscous_3",
+    .digest = "aa41d588a1df124f",
     .m = 0,
     .k = 3,
     .np = 6,

@@ -1124,6 +1124,7 @@ static void planar_beam_tangent(size_t nblocks, const real *const *in, real *con
 
 const flexel_element flexel_planar_beam = {
     .name = "planar_beam",
+    .digest = "4d9fa97e8dfefd97",
     .n = 6,
     .m = 3,
     .k = 0,

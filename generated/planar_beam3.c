@@ -330,6 +330,7 @@ static void planar_beam3_tangent(size_t nblocks, const real *const *in, real *co
 
 const flexel_element flexel_planar_beam3 = {
     .name = "planar_beam3",
+    .digest = "2b16067a688e31cf",
     .n = 5,
     .m = 2,
     .k = 0,

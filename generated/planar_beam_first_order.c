@@ -1000,6 +1000,7 @@ static void planar_beam_first_order_tangent(size_t nblocks, const real *const *i
 
 const flexel_element flexel_planar_beam_first_order = {
     .name = "planar_beam_first_order",
+    .digest = "806e05380f6c77f1",
     .n = 6,
     .m = 3,
     .k = 0,

@@ -177,6 +177,7 @@ static void planar_body_tangent(size_t nblocks, const real *const *in, real *con
 
 const flexel_element flexel_planar_body = {
     .name = "planar_body",
+    .digest = "6cf6f684a8c218f0",
     .n = 3,
     .m = 0,
     .k = 0,

@@ -81,6 +81,7 @@ static void planar_hinge_stiffness(size_t nblocks, const real *const *in, real *
 
 const flexel_element flexel_planar_hinge = {
     .name = "planar_hinge",
+    .digest = "6052f4512148ac68",
     .n = 2,
     .m = 1,
     .k = 0,

@@ -51,6 +51,7 @@ static void planar_point_mass_tangent(size_t nblocks, const real *const *in, rea
 
 const flexel_element flexel_planar_point_mass = {
     .name = "planar_point_mass",
+    .digest = "f22588a68588a407",
     .n = 2,
     .m = 0,
     .k = 0,

@@ -254,6 +254,7 @@ static void planar_truss_tangent(size_t nblocks, const real *const *in, real *co
 
 const flexel_element flexel_planar_truss = {
     .name = "planar_truss",
+    .digest = "3d9899e12000162a",
     .n = 4,
     .m = 1,
     .k = 0,

@@ -55,6 +55,7 @@ static void point_mass_tangent(size_t nblocks, const real *const *in, real *cons
 
 const flexel_element flexel_point_mass = {
     .name = "point_mass",
+    .digest = "c85cdc28358d7673",
     .n = 3,
     .m = 0,
     .k = 0,

@@ -171,6 +171,7 @@ static void rotation_stiffness(size_t nblocks, const real *const *in, real *cons
 
 const flexel_element flexel_rotation = {
     .name = "rotation",
+    .digest = "1e370b1b675ba195",
     .n = 4,
     .m = 0,
     .k = 3,

@@ -66,6 +66,7 @@ class ElementSpec:
     """Element: what `flexel_element` in kernels.h does not say."""
 
     name: str
+    digest: str
     doc: str
     source: str
     nodes: tuple[NodeSpec, ...]
@@ -80,6 +81,7 @@ class LawSpec:
     """Law of so many deformations and slips; kernels are "law" and "tangent"."""
 
     name: str
+    digest: str
     doc: str
     deformations: int
     slips: int

@@ -18,6 +18,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element point_mass
     "point_mass": ElementSpec(
         name="point_mass",
+        digest="c85cdc28358d7673",
         doc="T = mass v.v/2\nU = -mass gravity.x",
         source="textbook mechanics",
         nodes=(
@@ -53,6 +54,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element body
     "body": ElementSpec(
         name="body",
+        digest="7085a03aa04dcef2",
         doc="vc = xdot + d(R(lambda) c)/dt, velocity of the mass centre\nw = 2 (conj(lambda) o lambdadot), angular velocity in body axes\nT = mass vc.vc/2 + w.J w/2\nU = -mass gravity.(x + R(lambda) c)",
         source="Schwab and Meijaard 2006, DETC2006-99307",
         nodes=(
@@ -91,6 +93,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element norm
     "norm": ElementSpec(
         name="norm",
+        digest="7d85543497befd61",
         doc="norm = lambda.lambda - 1",
         source="Schwab and Meijaard 2006, DETC2006-99307",
         nodes=(
@@ -148,6 +151,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element truss
     "truss": ElementSpec(
         name="truss",
+        digest="d3e5d85da45de0db",
         doc="elongation = |xq - xp| - l0\nT = rhoA l0/6 (vp.vp + vp.vq + vq.vq), uniform bar\nU = -rhoA l0 gravity.(xp + xq)/2",
         source="van der Werff and Jonker 1984, NATO ASI F9, p. 381",
         nodes=(
@@ -228,6 +232,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element hinge
     "hinge": ElementSpec(
         name="hinge",
+        digest="36b57df45efb877e",
         doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nc = conj(u_p) o u_q\nangle = 2 atan2(c1, c0), period 2 pi\nbend1 = ez_p.ex_q,  bend2 = -ey_p.ex_q",
         source="van der Werff and Jonker 1984; SPACAR95 manual (Schwab and Meijaard 2000), HINGE",
         nodes=(
@@ -291,6 +296,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element bearing
     "bearing": ElementSpec(
         name="bearing",
+        digest="14a47077b7749713",
         doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nc = conj(u_p) o u_q\nangle = 2 atan2(c1, c0), period 2 pi\nbend1 = ez_p.ex_q,  bend2 = -ey_p.ex_q\nd = xq - xp\n(axial, radial1, radial2) = R(u_p)' d - d0",
         source="SPACAR95 manual (Schwab and Meijaard 2000), BEARING",
         nodes=(
@@ -360,6 +366,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element beam3
     "beam3": ElementSpec(
         name="beam3",
+        digest="3963d68a37a93ea5",
         doc="triad ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp; d = xq - xp\n(along, across1, across2) = R(u_p)' d - d0\nw_p = angular velocity of the triad, in its own axes\nT = rhoA l0/6 (vp.vp + vp.vq + vq.vq) + l0/2 sum rhoJ_i w_i^2, uniform bar\nU = -rhoA l0 gravity.(xp + xq)/2",
         source="Meijaard, Papadopoulos, Ruina and Schwab 2007, supplement, PINBODY; UT SPACAR, RBEAM",
         nodes=(
@@ -446,6 +453,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element beam
     "beam": ElementSpec(
         name="beam",
+        digest="9a749c33f10ee5b1",
         doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nd = xq - xp, l = |d|, el = d/l\nb1 = l - l0                 b2 = l0 (ez_p.ey_q - ey_p.ez_q)/2\nb3 = -l0 ez_p.el            b4 = l0 ez_q.el\nb5 = l0 ey_p.el             b6 = -l0 ey_q.el\nelongation = b1 + (2 b3^2 + b3 b4 + 2 b4^2 + 2 b5^2 + b5 b6 + 2 b6^2)/(30 l0)\ntorsion = b2 + (b4 b5 - b3 b6)/l0\nbend1, bend2 = b3 + k, b4 - k with k = b2 (b5 + b6)/(6 l0)\nbend3, bend4 = b5 - h, b6 + h with h = b2 (b3 + b4)/(6 l0)\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_y, phi_z) cubic shapes, torsion linear; w_p, w_q angular velocities in the triads\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
         source="Meijaard 1996, Nonlinear Dyn. 9; Jonker and Meijaard 2013, Int. J. Non-Linear Mech. 53; Przemieniecki 1968 (mass with rotary inertia)",
         nodes=(
@@ -538,6 +546,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element beam_first_order
     "beam_first_order": ElementSpec(
         name="beam_first_order",
+        digest="d385681c75909caa",
         doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nd = xq - xp, l = |d|, el = d/l\nb1 = l - l0                 b2 = l0 (ez_p.ey_q - ey_p.ez_q)/2\nb3 = -l0 ez_p.el            b4 = l0 ez_q.el\nb5 = l0 ey_p.el             b6 = -l0 ey_q.el\nelongation, torsion, bend1, bend2, bend3, bend4 = b1, b2, b3, b4, b5, b6\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_y, phi_z) cubic shapes, torsion linear; w_p, w_q angular velocities in the triads\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
         source="Meijaard 1996, Nonlinear Dyn. 9; Jonker and Meijaard 2013, Int. J. Non-Linear Mech. 53; Przemieniecki 1968 (mass with rotary inertia)",
         nodes=(
@@ -630,6 +639,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element wheel
     "wheel": ElementSpec(
         name="wheel",
+        digest="72f1a6fa62b48db3",
         doc="w hub, c contact point, d = xc - xw, a = R(lambda) axle, n = normal, ra = d x a\nradius = (d.d - R^2)/(2 R),  plane = a.d,  surface = n.xc - height,  lowest = n.ra\nomega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x d, the material point in contact\nlongitudinal = ra.vc/|ra|,  lateral = (n x ra).vc/|n x ra|,  spin = omega.n",
         source="Meijaard, Papadopoulos, Ruina and Schwab 2007, Proc. R. Soc. A 463:1955, supplement, WHEEL",
         nodes=(
@@ -701,6 +711,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element rotation
     "rotation": ElementSpec(
         name="rotation",
+        digest="1e370b1b675ba195",
         doc="(wx, wy, wz) = 2 (lambdadot o conj(lambda)), angular velocity in global axes",
         source="Schwab and Meijaard 2006, DETC2006-99307",
         nodes=(
@@ -760,6 +771,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element body_rotation
     "body_rotation": ElementSpec(
         name="body_rotation",
+        digest="d8d0a32f89083ce7",
         doc="u = lambda o t\n(wx, wy, wz) = 2 (conj(u) o udot), angular velocity in the axes of R(u)",
         source="Schwab and Meijaard 2006, DETC2006-99307",
         nodes=(
@@ -821,6 +833,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_point_mass
     "planar_point_mass": ElementSpec(
         name="planar_point_mass",
+        digest="f22588a68588a407",
         doc="T = mass v.v/2\nU = -mass gravity.x",
         source="textbook mechanics",
         nodes=(
@@ -856,6 +869,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_body
     "planar_body": ElementSpec(
         name="planar_body",
+        digest="6cf6f684a8c218f0",
         doc="b = R(angle) c,  vc = xdot + angledot (-b_y, b_x), velocity of the mass centre\nT = mass vc.vc/2 + J angledot^2/2\nU = -mass gravity.(x + b)",
         source="textbook mechanics",
         nodes=(
@@ -894,6 +908,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_truss
     "planar_truss": ElementSpec(
         name="planar_truss",
+        digest="3d9899e12000162a",
         doc="elongation = |xq - xp| - l0\nT = rhoA l0/6 (vp.vp + vp.vq + vq.vq), uniform bar\nU = -rhoA l0 gravity.(xp + xq)/2",
         source="van der Werff and Jonker 1984, NATO ASI F9, p. 381",
         nodes=(
@@ -974,6 +989,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_hinge
     "planar_hinge": ElementSpec(
         name="planar_hinge",
+        digest="6052f4512148ac68",
         doc="angle = angle_q - angle_p - offset0 (counts turns)",
         source="SPACAR95 manual (Schwab and Meijaard 2000), PLHINGE",
         nodes=(
@@ -1034,6 +1050,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_beam
     "planar_beam": ElementSpec(
         name="planar_beam",
+        digest="4d9fa97e8dfefd97",
         doc="ex, ey: directions of the element at p (angle_p + alpha0) and q (angle_q + alphaq0)\nd = xq - xp, l = |d|, el = d/l;  b1 = l - l0,  b5 = l0 ey_p.el,  b6 = -l0 ey_q.el\nelongation = b1 + (2 b5^2 + b5 b6 + 2 b6^2)/(30 l0),  bend1 = b5,  bend2 = b6\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_z) cubic shapes\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
         source="SPACAR95 manual (Schwab and Meijaard 2000), PLBEAM, PLBEAMNL; signs of the spatial beam's b5, b6; Meijaard 1996, Nonlinear Dyn. 9",
         nodes=(
@@ -1122,6 +1139,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_beam_first_order
     "planar_beam_first_order": ElementSpec(
         name="planar_beam_first_order",
+        digest="806e05380f6c77f1",
         doc="ex, ey: directions of the element at p (angle_p + alpha0) and q (angle_q + alphaq0)\nd = xq - xp, l = |d|, el = d/l;  b1 = l - l0,  b5 = l0 ey_p.el,  b6 = -l0 ey_q.el\nelongation = b1,  bend1 = b5,  bend2 = b6\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_z) cubic shapes\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
         source="SPACAR95 manual (Schwab and Meijaard 2000), PLBEAM, PLBEAMNL; signs of the spatial beam's b5, b6; Meijaard 1996, Nonlinear Dyn. 9",
         nodes=(
@@ -1210,6 +1228,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_beam3
     "planar_beam3": ElementSpec(
         name="planar_beam3",
+        digest="2b16067a688e31cf",
         doc="ex, ey: directions of the element (angle_p + alpha0); d = xq - xp\nalong = ex.d - d0_x,  across = ey.d - d0_y\nT = rhoA l0/6 (vp.vp + vp.vq + vq.vq) + l0/2 rhoJ angledot^2, uniform bar\nU = -rhoA l0 gravity.(xp + xq)/2",
         source="planar counterpart of beam3",
         nodes=(
@@ -1299,6 +1318,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_1
     "linear_1": LawSpec(
         name="linear_1",
+        digest="aa41d588a1df124f",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=1,
         slips=0,
@@ -1329,6 +1349,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_2
     "linear_2": LawSpec(
         name="linear_2",
+        digest="aa41d588a1df124f",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=2,
         slips=0,
@@ -1359,6 +1380,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_3
     "linear_3": LawSpec(
         name="linear_3",
+        digest="aa41d588a1df124f",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=3,
         slips=0,
@@ -1389,6 +1411,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_4
     "linear_4": LawSpec(
         name="linear_4",
+        digest="aa41d588a1df124f",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=4,
         slips=0,
@@ -1419,6 +1442,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_5
     "linear_5": LawSpec(
         name="linear_5",
+        digest="aa41d588a1df124f",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=5,
         slips=0,
@@ -1449,6 +1473,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_6
     "linear_6": LawSpec(
         name="linear_6",
+        digest="aa41d588a1df124f",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=6,
         slips=0,
@@ -1479,6 +1504,7 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_1
     "viscous_1": LawSpec(
         name="viscous_1",
+        digest="aa41d588a1df124f",
         doc="tau = C s",
         deformations=0,
         slips=1,
@@ -1507,6 +1533,7 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_2
     "viscous_2": LawSpec(
         name="viscous_2",
+        digest="aa41d588a1df124f",
         doc="tau = C s",
         deformations=0,
         slips=2,
@@ -1535,6 +1562,7 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_3
     "viscous_3": LawSpec(
         name="viscous_3",
+        digest="aa41d588a1df124f",
         doc="tau = C s",
         deformations=0,
         slips=3,

@@ -1493,6 +1493,7 @@ static void wheel_stiffness(size_t nblocks, const real *const *in, real *const *
 
 const flexel_element flexel_wheel = {
     .name = "wheel",
+    .digest = "72f1a6fa62b48db3",
     .n = 10,
     .m = 4,
     .k = 3,

@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 from scipy.sparse import csr_array
 
+from flexel.errors import FlexelError
 from flexel.generated._kernels import ffi, lib
 from flexel.generated.spec import ElementSpec, LawSpec
 from flexel.structure import Array, Index
@@ -65,8 +66,15 @@ def kernel_struct(spec: ElementSpec | LawSpec, address: object) -> Any:
     """The C table of function pointers of a built-in (by name) or user-defined (by address) type."""
     law = isinstance(spec, LawSpec)
     if address is None:
-        return getattr(lib, f"flexel_law_{spec.name}" if law else f"flexel_{spec.name}")
-    return ffi.cast("flexel_law *" if law else "flexel_element *", address)[0]
+        struct = getattr(lib, f"flexel_law_{spec.name}" if law else f"flexel_{spec.name}")
+    else:
+        struct = ffi.cast("flexel_law *" if law else "flexel_element *", address)[0]
+    if ffi.string(struct.digest).decode() != spec.digest:
+        raise FlexelError(
+            f"the compiled kernels of '{spec.name}' are of another derivation than generated/table.py; compile them "
+            "again: pip install -e . (or make test)"
+        )
+    return struct
 
 
 def blocks(values: Any) -> Any:

@@ -107,7 +107,9 @@ class Motion(Sequence[State]):
             If the motion does not cover the time.
         """
         if not self._segments:
-            raise ModelError("this motion has no dense output (a path, or implicit integration); give times to keep")
+            raise ModelError(
+                "this motion has no dense output (a path, or implicit integration); give times to keep"
+            )
         if not self.t[0] <= t <= self._segments[-1].t1:
             raise ModelError(
                 f"time {t:g} s lies outside the motion, {self.t[0]:g}…{self._segments[-1].t1:g} s"
