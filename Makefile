@@ -5,7 +5,7 @@ PYTHON ?= python3
 VENV ?= .venv
 VENV_LINT ?= .venv-lint
 OUT ?= out
-PYTEST ?= -n 2
+PYTEST ?= -n 2 --durations=10
 TYPED := build/typed
 
 PIP := $(VENV)/bin/pip install --quiet --disable-pip-version-check

@@ -1,4 +1,4 @@
-"""What all tests share: where the checkout is, no window opened by a plot."""
+"""What all tests share: the checkout, no window opened by a plot, one thread for small matrices."""
 
 import os
 from pathlib import Path
@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 os.environ.setdefault("MPLBACKEND", "Agg")
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # read when NumPy is first imported
 
 
 @pytest.fixture(scope="session")
