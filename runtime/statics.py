@@ -40,6 +40,18 @@ class Rest(Saddle):
         self.held = start.values[self.roles.kinematic]
         self.hold_rows = np.concatenate([self.roles.holonomic, self.roles.kinematic])
 
+    def holding_forces(self, t: float, start: State) -> Array:
+        """Multipliers that come nearest to balancing the given forces at a configuration, by least squares.
+
+        The geometric stiffness of a mechanism (a pendulum's gravity) is in them; without it the first tangent
+        would be singular.
+        """
+        nf = self.structure.nf
+        none = np.zeros(self.force_rows.size)
+        b = self.balance(t, start.x, self.rest, self.rest, none, start.e)
+        C = b.configuration.J[self.force_rows, :nf]
+        return np.asarray(np.linalg.lstsq(C.T, -b.r, rcond=None)[0])
+
     def equations(self, t: float, x: Array, mu: Array, near: Array) -> Equations:
         """Residual (r, gap) and its derivative by (x, mu) at time t."""
         s = self.structure
@@ -77,7 +89,7 @@ def equilibrium(system: System, t: float | None, start: State) -> State:
     """State of rest in which all forces balance; see `System.equilibrium`."""
     problem = Rest(system, start)
     t = start.t if t is None else number(t, "equilibrium", "time t")
-    mu = np.zeros(problem.force_rows.size)
+    mu = problem.holding_forces(t, start)
     direct = _newton(problem, t, start.x, mu, start.e)
     if direct is not None:
         return problem.state(direct[0].balance)

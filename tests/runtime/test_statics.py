@@ -128,3 +128,15 @@ def test_a_path_that_cannot_be_followed_says_where_it_stopped() -> None:
     assert "stopped at" in path.message
     assert np.max(path.t) == pytest.approx(0.5, abs=0.05)
     assert np.max(path.t) < 0.5
+
+
+def test_a_pendulum_drawn_askew_finds_its_way_down() -> None:
+    m = fx.Model(gravity=(0, 0, -9.81))
+    o, a = m.point("O", (0, 0, 0), fixed=True), m.point("A", (0.3, 0, -0.9))
+    r0, r1 = m.frame("R0", fixed=True), m.frame("R1")
+    m.hinge("pivot", r0, r1, axis=(0, 1, 0))
+    m.beam("rod", o, r1, a, mass_per_length=2.0)
+    state = m.build().equilibrium()
+    length = float(np.hypot(0.3, 0.9))
+    np.testing.assert_allclose(state.position("A"), (0, 0, -length), atol=1e-12)
+    assert state.force("O.z") == pytest.approx(2.0 * length * 9.81, rel=1e-12)
