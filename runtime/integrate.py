@@ -28,6 +28,7 @@ from flexel.structure import Array, Structure
 METHODS: dict[str, Any] = {"DOP853": DOP853, "RK45": RK45, "Radau": Radau, "BDF": BDF, "LSODA": LSODA}
 ILL_CONDITIONED = 0.25  # condition of B or of the position matrix, relative to that at the last choice
 SHORTEST = 1e-8  # first step, relative to the times, below which a position counts as out of reach
+MOST_SHORT = 100  # steps of that length in a row before the integration gives up
 RETRY = "out of reach"
 TRAVEL = 1.0  # of an Euler parameter in one step: more than two radians could lead to another branch or turn
 BETTER = 1.5  # a new choice must improve the condition by this factor
@@ -165,6 +166,8 @@ class Integrator:
         self.state = start
         self._end = states.End.of(start)
         self._first_step: float | None = None
+        self._values: list[float] = []
+        self._short = 0
         self._turning = turning_weights(system.structure)
         self.result = Integration([start], [], [], {"steps": 0, "evaluations": 0, "rechoices": 0}, "")
 
@@ -198,40 +201,53 @@ class Integrator:
             options["first_step"] = min(self._first_step, options["max_step"])
         solver = self.method(system.rhs, self.state.t, y0, float(self.times[-1]), **options)
         reference = system.condition(self.state)
-        values = [_value(event, self.state) for event in self.events]
-        statistics = self.result.statistics
-        count = 0
-        while solver.status == "running":
+        self._values = [_value(event, self.state) for event in self.events]
+        stopped: str | None = None
+        while solver.status == "running" and stopped is None:
             solver.max_step = self._longest()
             message = self._step(solver)
             if message == RETRY:
                 break
             if solver.status == "failed":
                 raise DynamicsError(
-                    f"integration failed at t = {solver.t:g} s: {message}; see motion up to there"
+                    f"integration failed at t = {solver.t:g} s: {message}; {self._trouble(roles)}"
                 )
-            statistics["steps"] += 1
-            dense = solver.dense_output()
-            t1 = float(solver.t)
-            state = states.state_from(system, t1, dense(t1), roles, self.state, system.position_guess)
-            step = Segment(float(solver.t_old), t1, roles, dense, self._end, states.End.of(state))
-            found, values = self._events(step, state, values)
-            terminal = next((z for z in found if self._terminal(z[0])), None)
-            end = terminal[1].t if terminal else t1
-            self._store(step, end)
-            self.result.events.extend(z for z in found if z[1].t <= end)
-            self.result.segments.append(replace(step, t1=end))
-            self._end = step.last
-            bar.update(end - float(solver.t_old))
-            self.state = terminal[1] if terminal else state
-            if terminal:
-                statistics["evaluations"] += solver.nfev
-                return terminal[0]
-            count += 1
-            if self.rechoose and self._rechosen(reference):
+            stopped = self._accept(solver, roles, bar)
+            if stopped is None and self.rechoose and self._rechosen(reference):
                 break
-        statistics["evaluations"] += solver.nfev
-        return None
+        self.result.statistics["evaluations"] += solver.nfev
+        return stopped
+
+    def _accept(self, solver: Any, roles: Roles, bar: Any) -> str | None:
+        """Keep what the last step gave; returns the name of a terminal event within it."""
+        system, t0, t1 = self.system, float(solver.t_old), float(solver.t)
+        dense = solver.dense_output()
+        state = states.state_from(system, t1, dense(t1), roles, self.state, system.position_guess)
+        step = Segment(t0, t1, roles, dense, self._end, states.End.of(state))
+        found, self._values = self._events(step, state, self._values)
+        terminal = next((z for z in found if self._terminal(z[0])), None)
+        end = terminal[1].t if terminal else t1
+        self._store(step, end)
+        self.result.events.extend(z for z in found if z[1].t <= end)
+        self.result.segments.append(replace(step, t1=end))
+        self.result.statistics["steps"] += 1
+        self._end = step.last
+        bar.update(end - t0)
+        self.state = terminal[1] if terminal else state
+        short = t1 - t0 < SHORTEST * float(np.ptp(self.times)) and t1 < self.times[-1]
+        self._short = self._short + 1 if short else 0
+        if self._short > MOST_SHORT:
+            raise DynamicsError(f"the steps have become too short at t = {t1:g} s; {self._trouble(roles)}")
+        return terminal[0] if terminal else None
+
+    def _trouble(self, roles: Roles) -> str:
+        """What may be the matter where the integration cannot go on."""
+        return (
+            f"freedoms {self.system.kinematics.names(roles.dynamic)}, condition "
+            f"{self.system.condition(self.state, roles):.2g}: the motion is not smooth there, or the position is "
+            "singular (gimbal lock of frames without inertia); give those frames inertia, choose other freedoms, or "
+            f"end the motion before {self.state.t:g} s"
+        )
 
     def _longest(self) -> float:
         """Longest step [s] in which no frame turns farther than a position can be followed."""
