@@ -7,32 +7,20 @@ Imports numpy and the runtime rooms below it.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 
 import numpy as np
 
-from flexel import dynamics, stability, states, statics
+from flexel import analyses, dynamics, states
 from flexel.diagnose import choose_freedoms, named_freedoms
-from flexel.errors import ConstraintError, PositionError
+from flexel.errors import ConstraintError
 from flexel.evaluate import Evaluation
-from flexel.implicit import GeneralizedAlpha
-from flexel.integrate import (
-    Event,
-    Integration,
-    Integrator,
-    Segment,
-    longest_step,
-    stored_times,
-    turning_weights,
-)
 from flexel.kinematics import Configuration, Factorization, Kinematics
 from flexel.linearize import Linearization, linearize
 from flexel.loads import Loads
-from flexel.result import Motion
 from flexel.roles import Roles
 from flexel.state import State, own_state
-from flexel.steady import steady_motion
 from flexel.structure import Array, Structure
 
 
@@ -59,7 +47,7 @@ class System:
         self.evaluation = evaluation
         self.loads = loads
         self._kinematics: dict[int, Kinematics] = {}
-        self._use(roles)
+        self.use(roles)
         still = np.zeros(self.structure.n)
         self._last = states.End(start.t, start.x, still, start.e, np.zeros(self.structure.m))
         self._wound = any(  # where an angle's turns matter to the forces
@@ -90,7 +78,8 @@ class System:
         none = np.zeros(len(self.structure.names))
         return dynamics.with_multipliers(self.kinematics, c, still, still, c.e, given, none)
 
-    def _use(self, roles: Roles) -> None:
+    def use(self, roles: Roles) -> None:
+        """Describe the motion by the freedoms in `roles`, which must be right; see `use_freedoms`."""
         self.roles = roles
         self.kinematics = self.kinematics_of(roles)
 
@@ -248,222 +237,22 @@ class System:
             return None
         if self.condition(state, roles) < needed:
             return None
-        self._use(roles)
+        self.use(roles)
         return self.state(state.t, state.x, state.v, state.e)
 
     def use_freedoms(self, dynamic: Sequence[str], kinematic: Sequence[str] | None = None) -> None:
         """Describe the motion from now on by the named freedoms; checked at the initial state."""
         rows = [named_freedoms(self.structure, z, "use_freedoms") for z in (dynamic, kinematic)]
-        self._use(choose_freedoms(self.kinematics, self._start[0].J, *rows))
+        self.use(choose_freedoms(self.kinematics, self._start[0].J, *rows))
         self.__dict__.pop("initial", None)
         self.__dict__.pop("rest", None)
 
-    # -- analyses --------------------------------------------------------------------------------
+    # -- analyses, at home in flexel.analyses ----------------------------------------------------
 
-    def simulate(
-        self,
-        duration: float,
-        *,
-        start: State | None = None,
-        times: Sequence[float] | Array | None = None,
-        samples: int = 201,
-        method: str = "DOP853",
-        rtol: float = 1e-9,
-        atol: float = 1e-11,
-        max_step: float = np.inf,
-        events: Sequence[Event] = (),
-        progress: bool | None = None,
-        rechoose: bool = True,
-    ) -> Motion:
-        """Forward dynamics; with no freedoms left, the prescribed motion and its driving forces.
-
-        Parameters
-        ----------
-        duration : float
-            Length of the motion [s].
-        start : State, optional
-            The initial state by default.
-        times : array_like, optional
-            Times [s] at which states are kept; `samples` equidistant ones by default.
-        method : str
-            DOP853, RK45, LSODA, Radau or BDF.
-        rtol, atol, max_step : float
-            Of the integrator.
-        events : sequence of Event
-        progress : bool, optional
-            Progress bar on stderr; by default where stderr is a terminal.
-        rechoose : bool
-            Change the freedoms when they become ill-conditioned.
-
-        Returns
-        -------
-        Motion
-
-        Raises
-        ------
-        ModelError, PositionError, DynamicsError
-        """
-        start = self.initial if start is None else own_state(self.structure, start, "simulate")
-        grid = stored_times(start, duration, times, samples)
-        if self.roles.nq == 0:
-            return Motion(self, self._follow(start, grid))
-        chosen = self.roles
-        if start.roles is not chosen:
-            if self.condition(start) > 1e-3 * self.condition(start, start.roles):
-                start = self.state(start.t, start.x, start.v, start.e)
-            else:  # the motion has led to where the chosen freedoms are of no use
-                self._use(start.roles)
-        try:
-            run = Integrator(self, start, grid, method, rtol, atol, max_step, events, progress, rechoose)
-            return Motion(self, run.run())
-        finally:
-            self._use(chosen)
-
-    def simulate_stiff(
-        self,
-        duration: float,
-        *,
-        start: State | None = None,
-        times: Sequence[float] | Array | None = None,
-        samples: int = 201,
-        tolerance: float = 1e-6,
-        radius: float = 0.8,
-        first_step: float | None = None,
-        max_step: float = np.inf,
-        progress: bool | None = None,
-    ) -> Motion:
-        """Implicit dynamics of a stiff model by the generalized-alpha method, whatever the freedoms.
-
-        Parameters
-        ----------
-        duration : float
-            Length of the motion [s].
-        start : State, optional
-            The initial state by default; a state of rest serves where a freedom has no inertia.
-        times : array_like, optional
-            Times [s] at which states are kept; `samples` equidistant ones by default.
-        tolerance : float
-            Local error of the coordinates in their natural scales, in one step.
-        radius : float
-            Spectral radius at infinite frequency, 0 (all high frequencies damped at once) to below 1.
-        first_step, max_step : float
-            [s]; the first is a thousandth of the duration by default.
-
-        Raises
-        ------
-        ModelError, DynamicsError
-        """
-        start = self.initial if start is None else own_state(self.structure, start, "simulate_stiff")
-        grid = stored_times(start, duration, times, samples)
-        run = GeneralizedAlpha(self, start, radius, tolerance)
-        return Motion(self, run.run(grid, first_step or duration / 1000, max_step, progress))
-
-    def _follow(self, start: State, grid: Array) -> Integration:
-        """States of a fully prescribed motion; long steps are halved until the position is found."""
-        found, segments, none = [start], [], np.zeros(0)
-        weights = turning_weights(self.structure)
-        dense: Callable[[float], Array] = lambda t: none  # noqa: E731 (a fully prescribed motion has no state)
-        for t in grid[1:]:
-            last, step = found[-1], float(t) - found[-1].t
-            while last.t < t:
-                step = min(step, longest_step(last, weights))
-                try:
-                    state = self.state_from(min(last.t + step, float(t)), none, self.roles, last)
-                except PositionError:
-                    step /= 2
-                    if step < 1e-6 * (grid[-1] - grid[0]):
-                        raise
-                    continue
-                ends = states.End.of(last), states.End.of(state)
-                segments.append(Segment(last.t, state.t, self.roles, dense, *ends))
-                last = state
-            found.append(last)
-        return Integration(
-            found, [], segments, {"steps": len(segments), "evaluations": 0, "rechoices": 0}, ""
-        )
-
-    def equilibrium(self, t: float | None = None, start: State | None = None) -> State:
-        """State of rest in which all forces balance, kinematic coordinates held.
-
-        Newton's method on the analytic tangent; where it fails, the forces that are out of balance at the start
-        are taken on gradually, past limit points if need be.
-
-        Parameters
-        ----------
-        t : float, optional
-            Time [s] at which loads and prescribed motions are taken; that of `start` by default.
-        start : State, optional
-            Where to look from; the initial configuration by default.
-
-        Raises
-        ------
-        PositionError
-            If none is found; says how far the loads could be taken on.
-        DynamicsError
-            If nothing resists a motion; names it.
-        """
-        return statics.equilibrium(self, t, start or self.rest)
-
-    def static_path(self, t_end: float, start: State | None = None) -> Motion:
-        """Equilibria while the time, here the load parameter, goes to `t_end`; past limit points by arc length.
-
-        The start must be in equilibrium (see `equilibrium`).  If the path cannot be continued, what was reached
-        is returned, and ``message`` says where it stopped and why.
-        """
-        states_, message = statics.static_path(self, t_end, start or self.rest)
-        counts = {"steps": len(states_) - 1, "evaluations": 0, "rechoices": 0}
-        return Motion(self, Integration(states_, [], [], counts, message))
-
-    def buckling(
-        self, state: State | None = None, *, increment: Mapping[str, float], count: int = 5
-    ) -> list[stability.BucklingMode]:
-        """Load multipliers at which equilibrium branches, with their shapes, nearest first.
-
-        Parameters
-        ----------
-        state : State, optional
-            A state of rest, with its preload; the unloaded initial configuration by default.
-        increment : mapping of name to generalized force
-            The loads that are multiplied, e.g. ``{"tip.z": -1.0}``.
-
-        Raises
-        ------
-        DynamicsError
-            If the state is unstable already.
-        """
-        return stability.buckling(self, state or self.rest, increment, count)
-
-    def vibrations(self, state: State | None = None, count: int = 10) -> list[stability.Vibration]:
-        """Lowest natural frequencies [rad/s] and modes about a state of rest, damping left out.
-
-        Unlike ``linearize(state).modes()`` this needs no choice of independent coordinates.
-        """
-        return stability.vibrations(self, state or self.rest, count)
-
-    def steady(
-        self,
-        start: State | None = None,
-        *,
-        rates: Mapping[str, float] | None = None,
-        unknown: Sequence[str] | None = None,
-        unknown_rates: Sequence[str] = (),
-    ) -> State:
-        """Steady motion or equilibrium: the state near `start` whose freedoms have no acceleration.
-
-        Parameters
-        ----------
-        start : State, optional
-            Where to look from; the initial state by default.
-        rates : mapping of name to rate, optional
-            Given rates of the dynamic freedoms; those of `start` by default.
-        unknown : sequence of str, optional
-            Freedoms to be found; all by default (smallest change).
-        unknown_rates : sequence of str
-            Dynamic freedoms whose rates are to be found too.
-
-        Raises
-        ------
-        PositionError
-            If no steady motion is found near the start; says what was reached.
-        """
-        return steady_motion(self, start or self.initial, rates, unknown, unknown_rates)
+    simulate = analyses.simulate
+    simulate_stiff = analyses.simulate_stiff
+    equilibrium = analyses.equilibrium
+    static_path = analyses.static_path
+    buckling = analyses.buckling
+    vibrations = analyses.vibrations
+    steady = analyses.steady
