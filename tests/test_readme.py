@@ -1,0 +1,44 @@
+"""The README's program runs as it stands and prints what the README says of it."""
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+README = Path(__file__).parents[1] / "README.md"
+
+
+def program() -> str:
+    found = re.search(r"```python\n(import numpy.*?)```", README.read_text(encoding="utf-8"), re.DOTALL)
+    assert found is not None
+    return found[1]
+
+
+def test_the_bicycle_takes_less_than_thirty_lines() -> None:
+    assert len(program().strip().splitlines()) < 30
+
+
+def test_the_bicycle_of_the_readme_rides(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib", reason="the README's program draws with matplotlib")
+    environment = os.environ | {"MPLBACKEND": "Agg"}
+    answer = subprocess.run(
+        [sys.executable, "-c", program()],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        env=environment,
+        check=False,
+    )
+    assert answer.returncode == 0, answer.stderr
+    assert (tmp_path / "kick.png").stat().st_size > 10_000
+    for digits in ("-13.1", "-0.72", "-0.26", "3.72"):
+        assert digits in answer.stdout
+
+
+def test_the_pictures_of_the_readme_exist() -> None:
+    names = re.findall(r"\]\((docs/images/[^)]+)\)", README.read_text(encoding="utf-8"))
+    assert names
+    assert all((README.parent / name).is_file() for name in names)
