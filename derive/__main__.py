@@ -31,7 +31,7 @@ def main(elements: tuple[str, ...], checking: bool, update_baseline: bool, out: 
     unknown = [name for name in elements if name not in names]
     if unknown:
         raise click.UsageError(f"no element '{unknown[0]}'; there are {', '.join(names)}")
-    with tqdm(total=len(elements) or len(names) + 1, unit="element", file=sys.stderr) as bar:
+    with tqdm(total=len(elements) or len(names) + 1, unit="element", file=sys.stderr, disable=None) as bar:
 
         def progress(name: str) -> None:
             bar.set_description(name, refresh=False)

@@ -25,6 +25,7 @@ class Struct(ctypes.Structure):
 
     _fields_ = [
         ("name", ctypes.c_char_p),
+        ("digest", ctypes.c_char_p),
         ("m", ctypes.c_int),
         ("k", ctypes.c_int),
         ("np", ctypes.c_int),
