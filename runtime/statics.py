@@ -150,14 +150,18 @@ def _follow(problem: Rest, start: State, mu: Array, t0: float, t1: float) -> tup
         tangent = _unit_tangent(problem, slope, direction)
         reach = (1.0 - p) / tangent[-1] if tangent[-1] > 0 else np.inf
         if reach <= arc:
-            guess = z + reach * tangent[:-1]
-            x = np.concatenate([guess[:nf], start.x[nf:]])
-            found = _newton(problem, t1, x, guess[nf:], near)
-            if found is not None:
-                states.append(problem.state(found[0].balance))
+            end = _at_end(problem, start, z + reach * tangent[:-1], t1, near)
+            if end is not None:
+                states.append(end)
                 return states, ""
             arc = reach
         corrected = _correct(problem, start, z, p, arc, tangent, unbalance, (t0, t1), near)
+        if corrected is not None and corrected[2] >= 1.0:  # the plane of the correction leans beyond the end
+            end = _at_end(problem, start, corrected[1], t1, corrected[0].balance.e)
+            if end is not None:
+                states.append(end)
+                return states, ""
+            corrected = None
         if corrected is None:
             arc /= 2
             if arc < SMALLEST_ARC or count > MAX_STEPS:
@@ -170,6 +174,13 @@ def _follow(problem: Rest, start: State, mu: Array, t0: float, t1: float) -> tup
         if count > MAX_STEPS:
             return states, _stopped(problem, states, p, arc)
     return states, ""
+
+
+def _at_end(problem: Rest, start: State, guess: Array, t1: float, near: Array) -> State | None:
+    """The equilibrium at the end of a path, from coordinates and multipliers near it; None if Newton fails."""
+    nf = problem.structure.nf
+    found = _newton(problem, t1, np.concatenate([guess[:nf], start.x[nf:]]), guess[nf:], near)
+    return None if found is None else problem.state(found[0].balance)
 
 
 def _slope(problem: Rest, q: Equations, unbalance: Array, span: float) -> Array:

@@ -62,6 +62,15 @@ def test_taking_all_loads_on_at_once_or_along_a_path_ends_in_the_same_equilibriu
     np.testing.assert_allclose(at_once.position("P4"), along.position("P4"), atol=1e-11)
 
 
+def test_a_path_ends_at_its_end_on_fine_meshes_too() -> None:
+    """Where the last step's correction leans beyond the full load."""
+    m = cantilever(48, EA=1e8)
+    m.load("P48.z", 5.0)
+    state = m.build().equilibrium()
+    assert state["P48.z"] == pytest.approx(0.7137915236119127, rel=2e-4)
+    assert state.force("P0.z") == pytest.approx(-5.0, rel=1e-8)
+
+
 def test_equilibrium_balances_the_reactions_at_the_clamp() -> None:
     m = cantilever(4)
     m.load("P4.z", 3.0)
