@@ -9,6 +9,8 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from flexel.compliance import Compliance, body_compliance
+    from flexel.constraints import constraint_report
     from flexel.errors import (
         ConstraintError,
         DynamicsError,
@@ -20,51 +22,76 @@ if TYPE_CHECKING:
     from flexel.functions import Harmonic, Polynomial, Ramp, Table
     from flexel.integrate import Event
     from flexel.linearize import Linearization
+    from flexel.materials import Material
     from flexel.model import Model
     from flexel.orientation import turn
     from flexel.result import Motion
+    from flexel.sections import Circle, IBeam, Rectangle, Tube
     from flexel.state import State
+    from flexel.stress import beam_stress, largest_stress, section_forces
     from flexel.system import System
 
 __version__ = "0.1.0"
 
 __all__ = [
+    "Circle",
+    "Compliance",
     "ConstraintError",
     "DynamicsError",
     "Event",
     "FlexelError",
     "Harmonic",
+    "IBeam",
     "Linearization",
     "LinearizationError",
+    "Material",
     "Model",
     "ModelError",
     "Motion",
     "Polynomial",
     "PositionError",
     "Ramp",
+    "Rectangle",
     "State",
     "System",
     "Table",
+    "Tube",
+    "beam_stress",
+    "body_compliance",
+    "constraint_report",
+    "largest_stress",
+    "section_forces",
     "turn",
 ]
 
 _HOMES = {
+    "Circle": "flexel.sections",
+    "Compliance": "flexel.compliance",
     "ConstraintError": "flexel.errors",
     "DynamicsError": "flexel.errors",
     "Event": "flexel.integrate",
     "FlexelError": "flexel.errors",
     "Harmonic": "flexel.functions",
+    "IBeam": "flexel.sections",
     "Linearization": "flexel.linearize",
     "LinearizationError": "flexel.errors",
+    "Material": "flexel.materials",
     "Model": "flexel.model",
     "ModelError": "flexel.errors",
     "Motion": "flexel.result",
     "Polynomial": "flexel.functions",
     "PositionError": "flexel.errors",
     "Ramp": "flexel.functions",
+    "Rectangle": "flexel.sections",
     "State": "flexel.state",
     "System": "flexel.system",
     "Table": "flexel.functions",
+    "Tube": "flexel.sections",
+    "beam_stress": "flexel.stress",
+    "body_compliance": "flexel.compliance",
+    "constraint_report": "flexel.constraints",
+    "largest_stress": "flexel.stress",
+    "section_forces": "flexel.stress",
     "turn": "flexel.orientation",
 }
 

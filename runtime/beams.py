@@ -1,11 +1,12 @@
 """Beams: the method of `Model` that lays one between nodes, its reference triads and its stiffness.
 
-Imports numpy, the errors, the orientation, the element table and the shared checks.
+Imports numpy, the errors, the orientation, the sections, the element table and the shared checks.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,14 +14,17 @@ import numpy as np
 from flexel.checks import in_frame, not_negative, positive, span
 from flexel.errors import ModelError
 from flexel.generated.table import ELEMENTS
-from flexel.inputs import array
+from flexel.inputs import array, names, number, vector
+from flexel.materials import Material, Profile, profile_of
 from flexel.orientation import matrix, triad
+from flexel.sections import Section
 from flexel.structure import Array, Node
 
 if TYPE_CHECKING:
     from flexel.model import Model
 
 MODES = ("elongation", "torsion", "bend1", "bend2", "bend3", "bend4")
+STIFFNESS_OF = dict(zip(MODES, ("EA", "GJ", "EIy", "EIy", "EIz", "EIz"), strict=True))
 PLANAR = (0, 4, 5)  # the modes of a planar beam among those of the spatial one; its plane has the normal z
 
 
@@ -40,6 +44,11 @@ def beam(
     EIz: float | None = None,
     GAy: float | None = None,
     GAz: float | None = None,
+    section: Section | None = None,
+    material: Material | str | None = None,
+    flexible: Sequence[str] | None = None,
+    initial_strain: float = 0.0,
+    initial_curvature: Any = None,
     damping: float = 0.0,
     mass_per_length: float = 0.0,
     inertia_per_length: Any = None,
@@ -57,6 +66,16 @@ def beam(
         Axial [N], torsional and bending stiffness [N m²] about the section's axes; planar beams use EA and EIz.
     GAy, GAz : float
         Shear stiffness k G A [N] for deflection in y and z; none means no shear deformation.
+    section, material : Section and Material (or its name, such as "steel")
+        Give all stiffnesses, shear included, the mass and the rotary inertia, instead of the numbers; the
+        stresses of the section are found by `flexel.beam_stress`.
+    flexible : sequence of str, optional
+        With a section: the modes that deform, of elongation, torsion, bend1 ... bend4; all by default.
+    initial_strain : float
+        Elongation per length of the beam without stress.
+    initial_curvature : sequence of float (3,), or float for a planar beam
+        Twist and curvatures about the section's y and z axes [1/m] of the beam without stress, uniform; it is
+        drawn straight and takes this shape when nothing holds it.
     damping : float
         Kelvin–Voigt damping: ratio of damping to stiffness [s].
     mass_per_length : float
@@ -70,12 +89,27 @@ def beam(
     ------
     ModelError
         Points that coincide, a stiffness that is not positive, a beam neither rigid nor flexible.
+
+    Examples
+    --------
+    >>> m.beam("leaf", P, RP, Q, RQ, direction=(0, 1, 0), section=fx.Rectangle(0.3e-3, 20e-3), material="steel")
+    ... # doctest: +SKIP
     """
     owner = f"beam '{name}'"
     ends = [(p, "point"), (frame_p, "frame"), (q, "point")]
     planar, nodes = self.resolve(owner, *ends, *([] if frame_q is None else [(frame_q, "frame")]))
-    section = {"EA": EA, "GJ": GJ, "EIy": EIy, "EIz": EIz, "GAy": GAy, "GAz": GAz}
-    given = {key: positive(z, owner, key) for key, z in section.items() if z is not None}
+    numbers = {"EA": EA, "GJ": GJ, "EIy": EIy, "EIz": EIz, "GAy": GAy, "GAz": GAz}
+    given = {key: positive(z, owner, key) for key, z in numbers.items() if z is not None}
+    profile = None
+    if section is not None or material is not None or flexible is not None:
+        stated = [*given, *(["mass_per_length"] if mass_per_length else [])]
+        stated += [] if inertia_per_length is None else ["inertia_per_length"]
+        profile = _profile(owner, section, material, stated)
+        mass_per_length, inertia_per_length = profile.mass()
+        if planar:
+            inertia_per_length = inertia_per_length[2]
+        if not rigid and frame_q is not None:
+            given = _section_stiffness(owner, profile, flexible, planar)
     _check_kind(owner, rigid, given, frame_q is not None)
     if not given and damping:
         raise ModelError(f"{owner}: damping has no effect on a rigid beam; drop it, or give a stiffness")
@@ -88,6 +122,7 @@ def beam(
     if frame_q is None:
         shape = _planar_offset(nodes) if planar else _offset(nodes, direction, owner)
         self.add(name, "planar_beam3" if planar else "beam3", nodes, shape | mass)
+        self.instances[name] = replace(self.instances[name], profile=profile)
         return
     shape = _planar_triads(nodes, owner) if planar else _triads(nodes, direction, owner)
     l0 = float(shape["l0"][0])
@@ -95,11 +130,71 @@ def beam(
     shear = {"phi_z": phi_y} if planar else {"phi_y": phi_y, "phi_z": phi_z}
     element = ("planar_beam" if planar else "beam") + ("" if second_order else "_first_order")
     self.add(name, element, nodes, shape | mass | {key: np.array([z]) for key, z in shear.items()})
+    self.instances[name] = replace(self.instances[name], profile=profile)
+    modes = [d.name for d in ELEMENTS[element].deformations]
+    free, S = beam_stiffness(l0, modes, given, phi_y, phi_z)
+    e0 = _initial_deformations(owner, planar, l0, free, initial_strain, initial_curvature)
     if given:
-        modes = [d.name for d in ELEMENTS[element].deformations]
-        free, S = beam_stiffness(l0, modes, given, phi_y, phi_z)
         D = not_negative(damping, owner, "damping") * S
-        self.linear_law([f"{name}.{z}" for z in free], S, D)
+        self.linear_law([f"{name}.{z}" for z in free], S, D, -S @ e0)
+
+
+def _profile(owner: str, section: Any, material: Any, stated: Sequence[str]) -> Profile:
+    """Section and material of a beam, given without numbers that they imply."""
+    if section is None:
+        what = "material" if material is not None else "flexible"
+        raise ModelError(f"{owner}: {what} is given without a section; give section=Rectangle(…) or the like")
+    if stated:
+        raise ModelError(
+            f"{owner}: section and material give {', '.join(stated)} already; drop these, or drop the section"
+        )
+    return profile_of(section, material, owner)
+
+
+def _section_stiffness(
+    owner: str, profile: Profile, flexible: Sequence[str] | None, planar: bool
+) -> dict[str, float]:
+    """Stiffnesses of the modes that deform; a plane bends with both of its modes."""
+    known = ("elongation", "bend1", "bend2") if planar else MODES
+    chosen = known if flexible is None else names(flexible, f"{owner}: flexible")
+    wrong = [z for z in chosen if z not in known]
+    if wrong or not chosen:
+        raise ModelError(
+            f"{owner}: flexible {list(chosen)} names no modes of this beam; they are {', '.join(known)}"
+        )
+    keys = {"elongation": "EA", "bend1": "EIz", "bend2": "EIz"} if planar else STIFFNESS_OF
+    for a, b in (("bend1", "bend2"), ("bend3", "bend4")):
+        if (a in chosen) != (b in chosen):
+            raise ModelError(f"{owner}: flexible has one of {a} and {b}; they bend in one plane, name both")
+    wanted = {keys[z] for z in chosen}
+    wanted |= {"GAy"} if "EIz" in wanted else set()
+    wanted |= {"GAz"} if "EIy" in wanted else set()
+    return {key: z for key, z in profile.stiffness().items() if key in wanted}
+
+
+def _initial_deformations(
+    owner: str, planar: bool, l0: float, free: Sequence[str], strain: Any, curvature: Any
+) -> Array:
+    """Deformations of the beam without stress, for its flexible modes."""
+    eps = number(strain, owner, "initial_strain")
+    if curvature is None:
+        k = np.zeros(3)
+    elif planar:
+        k = np.array([0.0, 0.0, number(curvature, owner, "initial_curvature")])
+    else:
+        k = vector(curvature, owner, "initial_curvature", 3)
+    bends = k * l0**2 / 2
+    if planar:
+        e0 = {"elongation": eps * l0, "bend1": bends[2], "bend2": bends[2]}
+    else:
+        values = (eps * l0, k[0] * l0**2, bends[1], bends[1], bends[2], bends[2])
+        e0 = dict(zip(MODES, values, strict=True))
+    stiff = [z for z, value in e0.items() if value and z not in free]
+    if stiff:
+        raise ModelError(
+            f"{owner}: initial strain or curvature in {', '.join(stiff)}, which is rigid; make it flexible"
+        )
+    return np.array([e0[z] for z in free])
 
 
 def _check_kind(owner: str, rigid: bool, given: Mapping[str, float], two_frames: bool) -> None:

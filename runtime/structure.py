@@ -54,6 +54,7 @@ class Instance:
     nodes: tuple[str, ...]
     parameters: Mapping[str, Array]
     kernels: object = None  # address of a user-defined element's kernels; None: built in
+    profile: object = None  # of a beam: its section and material, where given
 
     @property
     def p(self) -> Array:
