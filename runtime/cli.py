@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 # The published systems: name -> module with a function reproduce(out: Path | None) -> Report.
 CASES = {
     "bicycle": "flexel.examples.bicycle",
+    "slider-crank": "flexel.examples.slider_crank",
 }
 
 PASSED_ON = {"ignore_unknown_options": True, "help_option_names": []}

@@ -1,0 +1,73 @@
+"""The table of the slider-crank: every quantity beside its reference, with what explains their difference.
+
+Imports numpy and flexel.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from flexel import periodic
+from flexel.examples import slider_crank_data as data
+from flexel.examples.slider_crank import CONVERGED, Results, amplitudes, deflection, largest, omega0
+from flexel.report import Quantity
+
+
+def single(results: Results) -> list[Quantity]:
+    """Frequencies of the rod, transients and periodic motions at 150 rad/s."""
+    steady = data.SWEEP[[row[0] for row in data.SWEEP].index(data.SPEED)]
+    series = results.converged[0.02]
+    two, converged = {"elements": 2}, {"elements": CONVERGED}
+    gap = float(np.abs(results.spatial - results.second_order).max())
+    return [
+        Quantity("omega0_two_elements", omega0(2), data.OMEGA0_TWO_ELEMENTS, 1e-7, "rad/s", data.TWO, two),
+        Quantity("omega0_exact", omega0(32), data.OMEGA0_EXACT, 1e-6, "rad/s", data.EXACT, {"elements": 32}),
+        *(
+            Quantity(f"transient_max_{round(100 * z)}pct", float(np.abs(deflection(m, CONVERGED)).max()),
+                     data.TRANSIENT_MAX[z], 0.002, "", data.TRANSIENT, converged)
+            for z, m in results.transients.items()
+        ),
+        *(
+            Quantity(f"periodic_{round(100 * z)}pct_2el", largest(results.periodic[z]),
+                     data.TWO_ELEMENTS[z], 5e-4, "", data.TWO_ELEMENTS_SOURCE, two)
+            for z in (0.02, 0.01)
+        ),
+        Quantity("periodic_2pct_converged", largest(series), steady[2], 0.002, "", data.MODES, converged),
+        Quantity("periodic_1pct_converged", largest(results.converged[0.01]), steady[1],
+                 0.002, "", data.MODES, converged),
+        Quantity("periodic_2pct_2el_linearized", largest(results.linearized), source=data.NOMINAL, more=two),
+        Quantity("periodic_2pct_2el_second_order", largest(results.second_order), steady[2], 0.005, "",
+                 "converged value; with second-order terms two elements suffice", two),
+        Quantity("periodic_2pct_converged_linearized", largest(results.converged_linearized), more=converged),
+        Quantity("harmonics_2pct", periodic.cosine_sine(series, 6), source=data.PAIRS, more=converged),
+        Quantity("harmonics_2pct_amplitudes", amplitudes(series), data.HARMONICS, 0.002, "", data.MODES, converged),
+        Quantity("spatial_minus_planar", gap / largest(results.second_order), 0.0, 1e-9, "", data.SPACE, two),
+    ]  # fmt: skip
+
+
+def sweeps(results: Results) -> list[Quantity]:
+    """Largest deflections over the speeds, and stability."""
+    rows = []
+    for z, column in ((0.02, 2), (0.01, 1)):
+        found, name = results.swept[z], f"{round(100 * z)}pct"
+        reference = {row[0]: row[column] for row in data.SWEEP}
+        at = [i for i, speed in enumerate(found.speeds) if speed in reference]
+        expected = [reference[found.speeds[i]] for i in at]
+        more = {"elements": CONVERGED, "speeds": found.speeds[at].tolist()}
+        table = np.column_stack(
+            [found.speeds, results.rows_linearized[z][: found.speeds.size], found.largest]
+        )
+        about = f"rows of speed [rad/s], linearized, nonlinear; {100 * z:g} % damping"
+        rows += [
+            Quantity(
+                "sweep" if z == 0.02 else "sweep_1pct", table, source=about, more={"elements": CONVERGED}
+            ),
+            Quantity(f"sweep_nonlinear_{name}", found.largest[at], expected, 0.01, "", data.MODES, more),
+        ]
+    multipliers = float(results.swept[0.02].multipliers.max())
+    return [
+        *rows,
+        Quantity("sweep_seconds", results.seconds, unit="s",
+                 source=data.TIMED),
+        Quantity("largest_floquet_multiplier", multipliers, source="nonlinear, all speeds, 2 %; stable below 1"),
+    ]  # fmt: skip
