@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 CASES = {
     "bicycle": "flexel.examples.bicycle",
     "slider-crank": "flexel.examples.slider_crank",
+    "flexures": "flexel.examples.flexures",
 }
 
 PASSED_ON = {"ignore_unknown_options": True, "help_option_names": []}

@@ -1,0 +1,297 @@
+"""Two flexure mechanisms over their range of motion: the parallel leaf-spring guide and the cross-flexure pivot.
+
+Guide: two leaf springs along x, clamped to the ground and to a rigid shuttle that moves in y.  Pivot: two leaf
+springs that cross at right angles in their middles (through a slot) and let a body turn about z.  `reproduce`
+gives, along the range: compliance and stiffness in every direction, frequencies, the largest stress, buckling
+multipliers of a payload along x; and what is over-constrained, by name.  At the start of the range, and under
+payload, closed forms are known; the rest is reported.
+Imports numpy and flexel; the table is made in `flexel.examples.flexures_table`, the pictures in
+`flexel.examples.flexures_figures`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+import flexel as fx
+from flexel.examples import flexures_exact as exact
+from flexel.materials import MATERIALS, Profile
+from flexel.orientation import turn
+from flexel.report import Report
+from flexel.stress import BeamStress
+from flexel.structure import Array
+
+ELEMENTS = 8  # of each leaf spring
+STEEL = MATERIALS["spring steel"]
+DIRECTIONS = ("x", "y", "z", "turn x", "turn y", "turn z")
+IDEAL = ("torsion", "bend3", "bend4")  # what a leaf spring that is stiff in its own plane lets happen
+BENDING = ("bend3", "bend4")  # the same leaf, thought stiff in torsion too
+
+
+@dataclass(frozen=True)
+class Design:
+    """Sizes of a mechanism [m, kg, kg m²], its largest drive [N or N m], and its nodes and drive by name."""
+
+    case: str
+    length: float
+    section: fx.Rectangle
+    mass: float
+    inertia: float
+    largest_drive: float
+    point: str
+    frame: str
+    drive: str
+
+    @property
+    def profile(self) -> Profile:
+        """Section and material of the leaf springs."""
+        return Profile(self.section, STEEL)
+
+    @property
+    def EI(self) -> float:  # noqa: N802
+        """Bending stiffness of a leaf spring [N m²]."""
+        return self.profile.stiffness()["EIz"]
+
+
+GUIDE = Design(
+    "guide", 0.1, fx.Rectangle(0.4e-3, 25e-3), 0.5, 2e-4, 10.0, "shuttle", "shuttle frame", "shuttle.y"
+)
+PIVOT = Design("pivot", 0.06, fx.Rectangle(0.3e-3, 15e-3), 0.2, 1e-4, 0.1, "axis", "body frame", "turn.angle")
+SPACING = 0.06  # of the leaf springs of the guide [m]
+HALF_ANGLE = np.pi / 4  # between the leaf springs of the pivot and the x axis
+
+
+# -- models ---------------------------------------------------------------------------------------
+
+
+def leaf(
+    m: fx.Model,
+    name: str,
+    ends: Sequence[Array],
+    body: tuple[str, str],
+    section: fx.Rectangle,
+    flexible: Sequence[str] | None,
+    elements: int,
+) -> None:
+    """A leaf spring in the plane of z from the ground to a body (point, frame), deflecting normal to that plane."""
+    start, end = ends
+    axis = (end - start) / np.linalg.norm(end - start)
+    normal = np.array([-axis[1], axis[0], 0.0])
+    orientation = turn((0, 0, 1), float(np.arctan2(axis[1], axis[0])))
+    nodes = [(f"{name} {i}", f"{name} frame {i}") for i in range(elements)] + [(f"{name} end", body[1])]
+    for i, (p, r) in enumerate(nodes):
+        m.point(p, start + (end - start) * i / elements, fixed=i == 0)
+        if i < elements:
+            m.frame(r, orientation, fixed=i == 0)
+    for i in range(elements):
+        label = f"{name} {'abcdefghijklmnopqrstuvwxyz'[i]}" if elements > 1 else name
+        m.beam(
+            label,
+            *nodes[i],
+            *nodes[i + 1],
+            direction=normal,
+            section=section,
+            material=STEEL,
+            flexible=flexible,
+        )
+    m.beam(f"{name} clamp", body[0], body[1], f"{name} end")
+
+
+def guide(
+    payload: float = 0.0, flexible: Sequence[str] | None = None, elements: int = ELEMENTS, d: Design = GUIDE
+) -> fx.Model:
+    """The parallel guide; force in y at half the height of its leaf springs equal to the time, payload in x [N]."""
+    m = fx.Model()
+    m.point(d.point, (d.length / 2, 0, 0))
+    m.frame(d.frame)
+    m.body("shuttle body", d.point, d.frame, mass=d.mass, inertia=(d.inertia,) * 3)
+    for name, y in (("left", -SPACING / 2), ("right", SPACING / 2)):
+        ends = np.array([0, y, 0.0]), np.array([d.length, y, 0.0])
+        leaf(m, name, ends, (d.point, d.frame), d.section, flexible, elements)
+    return _loads(m, d, payload)
+
+
+def pivot(
+    payload: float = 0.0, flexible: Sequence[str] | None = None, elements: int = ELEMENTS, d: Design = PIVOT
+) -> fx.Model:
+    """The cross-flexure pivot; moment about z equal to the time, payload along x on its axis [N]."""
+    m = fx.Model()
+    m.point(d.point, (0, 0, 0))
+    m.frame(d.frame)
+    m.frame("ground", fixed=True)
+    m.body("turning body", d.point, d.frame, mass=d.mass, inertia=(d.inertia,) * 3)
+    for name, side in (("up", 1.0), ("down", -1.0)):
+        half = d.length / 2 * np.array([np.cos(HALF_ANGLE), side * np.sin(HALF_ANGLE), 0])
+        leaf(m, name, (-half, half), (d.point, d.frame), d.section, flexible, elements)
+    m.hinge("turn", "ground", d.frame, axis=(0, 0, 1))  # only measures: nothing of it is rigid
+    m.release("turn.bend1", "turn.bend2")
+    return _loads(m, d, payload)
+
+
+def _loads(m: fx.Model, d: Design, payload: float) -> fx.Model:
+    m.load(d.drive, lambda t: 1.0 * t)
+    if payload:
+        m.load(f"{d.point}.x", payload)
+    return m
+
+
+Maker = Callable[..., fx.Model]
+
+
+def guided_directions(d: Design) -> list[str]:
+    """The directions in which a mechanism is meant to be stiff."""
+    return [z for z in DIRECTIONS if z != ("y" if d is GUIDE else "turn z")]
+
+
+# -- analyses -------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Station:
+    """A mechanism at one point of its range.
+
+    Attributes
+    ----------
+    drive, travel : float
+        Force or moment, and the displacement [m] or rotation [rad] that belongs to it.
+    shift : ndarray (3,)
+        Displacement of the reference point [m].
+    free, held : Compliance
+        With the drive's force constant, and with its travel held.
+    frequencies : ndarray (6,)
+        [rad/s]
+    stress : BeamStress
+        The largest.
+    buckling : (float, float)
+        Smallest payload in -x and in +x [N] that buckles it here.
+    """
+
+    drive: float
+    travel: float
+    shift: Array
+    free: fx.Compliance
+    held: fx.Compliance
+    frequencies: Array
+    stress: BeamStress
+    buckling: tuple[float, float]
+    state: fx.State
+
+
+def station(system: fx.System, d: Design, state: fx.State) -> Station:
+    """All analyses at a state of rest."""
+    modes = system.buckling(state, increment={f"{d.point}.x": -1.0}, count=40)
+    push = min((z.multiplier for z in modes if z.multiplier > 0), default=np.inf)
+    pull = min((-z.multiplier for z in modes if z.multiplier < 0), default=np.inf)
+    return Station(
+        drive=state.t,
+        travel=state[d.drive],
+        shift=state.position(d.point) - system.rest.position(d.point),
+        free=fx.body_compliance(system, d.point, d.frame, state),
+        held=fx.body_compliance(system, d.point, d.frame, state, hold=[d.drive]),
+        frequencies=np.array([z.frequency for z in system.vibrations(state, 6)]),
+        stress=fx.largest_stress(state),
+        buckling=(push, pull),
+        state=state,
+    )
+
+
+def over_range(make: Maker, d: Design, steps: int = 16) -> list[Station]:
+    """Stations from rest to the largest drive."""
+    system = make().build()
+    state, found = system.equilibrium(0.0), []
+    for drive in np.linspace(0.0, d.largest_drive, steps + 1):
+        state = system.equilibrium(float(drive), state)
+        found.append(station(system, d, state))
+    return found
+
+
+def small(make: Maker, d: Design) -> Station:
+    """A station so near to rest that leading terms suffice: a thousandth of the range."""
+    system = make().build()
+    return station(system, d, system.equilibrium(d.largest_drive / 1000))
+
+
+def drive_stiffness(make: Maker, d: Design, payload: float) -> float:
+    """Stiffness of the drive at rest under a payload."""
+    system = make(payload).build()
+    free = fx.body_compliance(system, d.point, d.frame, system.equilibrium(0.0))
+    return free.stiffness()["y" if make is guide else "turn z"]
+
+
+@dataclass(frozen=True)
+class Results:
+    """Everything that is computed, for the table and for the pictures."""
+
+    guide: list[Station]
+    pivot: list[Station]
+    small: dict[str, Station]
+    payload: dict[str, tuple[Array, Array]]  # payloads over the buckling payload, stiffness over that without
+
+
+CASES: tuple[tuple[Maker, Design], ...] = ((guide, GUIDE), (pivot, PIVOT))
+
+
+def critical(d: Design) -> tuple[float, float]:
+    """Payloads [N] in -x and +x that buckle the mechanism at rest, by the closed forms."""
+    if d is GUIDE:
+        return 2 * np.pi**2 * d.EI / d.length**2, np.inf
+    push, pull = exact.pivot_buckling(d.EI, d.length)
+    return 2 * np.cos(HALF_ANGLE) * push, 2 * np.cos(HALF_ANGLE) * pull
+
+
+def expected_stiffness(d: Design, payload: float) -> float:
+    """Stiffness of the drive at rest under a payload in x, by the closed forms."""
+    if d is GUIDE:
+        return 2 * exact.guided_stiffness(d.EI, d.length, payload / 2)
+    return 2 * exact.pivot_stiffness(d.EI, d.length, payload / (2 * np.cos(HALF_ANGLE)))
+
+
+def payloads(d: Design) -> Array:
+    """Payloads in +x over the range in which the mechanism is stable [N], without zero."""
+    push, pull = critical(d)
+    return np.concatenate([-push * np.array([0.8, 0.4]), min(push, pull) * np.array([0.4, 0.8])])
+
+
+def analyse() -> Results:
+    """Run all analyses."""
+    return Results(
+        guide=over_range(guide, GUIDE),
+        pivot=over_range(pivot, PIVOT),
+        small={d.case: small(make, d) for make, d in CASES},
+        payload={
+            d.case: (payloads(d), np.array([drive_stiffness(make, d, float(p)) for p in payloads(d)]))
+            for make, d in CASES
+        },
+    )
+
+
+def ends(d: Design) -> list[tuple[Array, Array]]:
+    """Axes of the leaf springs, and their ends seen from the reference point."""
+    if d is GUIDE:
+        return [(np.eye(3), np.array([d.length / 2, y, 0.0])) for y in (-SPACING / 2, SPACING / 2)]
+    found = []
+    for angle in (HALF_ANGLE, -HALF_ANGLE):
+        c, s = np.cos(angle), np.sin(angle)
+        axes = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1.0]])
+        found.append((axes, axes[:, 0] * d.length / 2))
+    return found
+
+
+# -- the table ------------------------------------------------------------------------------------
+
+
+def reproduce(out: Path | None = None) -> Report:
+    """All quantities beside their closed forms; figures in `out`, if given."""
+    results = analyse()
+    files: list[Path] = []
+    if out is not None:
+        from flexel.examples.flexures_figures import pictures
+
+        files = pictures(results, out)
+    from flexel.examples.flexures_table import rows
+
+    return Report("flexures", rows(results), files)

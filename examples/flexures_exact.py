@@ -1,0 +1,117 @@
+"""Closed forms that the flexure mechanisms are compared with, each with its source.
+
+Beam-column theory (Timoshenko and Gere 1961) for the stiffness under payload; the cross-flexure pivot was treated
+so by Haringx (1949) and Wittrick (1951).  Imports numpy, scipy and the profiles of flexel.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from scipy.optimize import brentq
+from scipy.special import ellipe, ellipeinc, ellipk, ellipkinc
+
+from flexel.materials import Profile
+from flexel.structure import Array
+
+BEAM = "closed form: Timoshenko cantilevers, moved to the body and added"
+COLUMN = "closed form: beam-column theory (Timoshenko and Gere 1961)"
+PIVOT = "closed form: beam-column theory; Haringx 1949, Wittrick 1951"
+AWTAR = "closed form: Awtar, Slocum and Sevincer 2007, J. Mech. Des. 129"
+FREQUENCY = "closed form: Euler-Bernoulli beam with end mass, end not turning"
+ELASTICA = "closed form: elliptic integrals of the elastica, half a leaf as a cantilever"
+
+
+def root(function: object, a: float, b: float) -> float:
+    """A root between a and b."""
+    return float(brentq(function, a, b, xtol=1e-14, rtol=8.9e-16))  # type: ignore[call-overload]
+
+
+def end_stiffness(profile: Profile, length: float) -> Array:
+    """Stiffness (6, 6) of the end of a Timoshenko cantilever along x, in its own axes."""
+    k, L = profile.stiffness(), length
+    C = np.diag(
+        [
+            L / k["EA"],
+            L**3 / (3 * k["EIz"]) + L / k["GAy"],
+            L**3 / (3 * k["EIy"]) + L / k["GAz"],
+            L / k["GJ"],
+            L / k["EIy"],
+            L / k["EIz"],
+        ]
+    )
+    C[1, 5] = C[5, 1] = L**2 / (2 * k["EIz"])
+    C[2, 4] = C[4, 2] = -(L**2) / (2 * k["EIy"])
+    return np.asarray(np.linalg.inv(C))
+
+
+def body_stiffness(profile: Profile, length: float, ends: Sequence[tuple[Array, Array]]) -> Array:
+    """Stiffness (6, 6) of a rigid body at its reference point, on unloaded leaf springs.
+
+    Parameters
+    ----------
+    ends : sequence of (axes (3, 3), place (3,))
+        Of each leaf: its axes as columns, and its end on the body from the reference point.
+    """
+    total = np.zeros((6, 6))
+    K = end_stiffness(profile, length)
+    for axes, r in ends:
+        T = np.eye(6)
+        T[:3, 3:] = [[0, r[2], -r[1]], [-r[2], 0, r[0]], [r[1], -r[0], 0]]
+        S = np.kron(np.eye(2), axes).T @ T
+        total += S.T @ K @ S
+    return total
+
+
+def guided_stiffness(EI: float, L: float, N: float) -> float:
+    """Lateral stiffness [N/m] of a clamped leaf whose end does not turn, under the tension N [N]."""
+    x = L / 2 * np.sqrt(abs(N) / EI)
+    return float(N / (L * (1 - (np.tanh(x) if N > 0 else np.tan(x)) / x)))
+
+
+def pivot_stiffness(EI: float, L: float, N: float) -> float:
+    """Rotational stiffness [N m/rad] that a leaf crossing at its middle gives a pivot, under the tension N [N].
+
+    Symmetric bending of the leaf, EI/L x coth x, and the moment -N L/4 of the force along its chord about the
+    pivot, with x = L/2 sqrt(N/EI); in compression x cot x + x² replaces x coth x - x².
+    """
+    x = L / 2 * np.sqrt(abs(N) / EI)
+    return float(EI / L * (x / np.tanh(x) - x * x if N > 0 else x / np.tan(x) + x * x))
+
+
+def pivot_buckling(EI: float, L: float) -> tuple[float, float]:
+    """Compression and tension [N] of a leaf at which that stiffness is zero."""
+    push = root(lambda x: x / np.tan(x) + x * x, 2.0, 3.1)
+    pull = root(lambda x: 1 / np.tanh(x) - x, 0.5, 2.0)
+    return 4 * push**2 * EI / L**2, 4 * pull**2 * EI / L**2
+
+
+def guided_frequency(EI: float, L: float, rhoA: float, mass: float) -> float:
+    """Lowest angular frequency [rad/s] of a clamped Euler-Bernoulli beam whose end carries a mass and does not turn."""
+
+    def residual(b: float) -> float:
+        """End force for the shape A (cosh - cos) + B (sinh - sin) with slope zero at the end."""
+        s, c, sh, ch = np.sin(b), np.cos(b), np.sinh(b), np.cosh(b)
+        A, B = ch - c, -(sh + s)
+        value = A * (ch - c) + B * (sh - s)
+        third = A * (sh - s) + B * (ch + c)
+        return float(third + mass / (rhoA * L) * b * value)
+
+    b = root(residual, 1e-2, 2.4)
+    return b * b * float(np.sqrt(EI / (rhoA * L**4)))
+
+
+def cantilever_elastica(a: float) -> tuple[float, float]:
+    """Deflection and shortening, over the length, of a cantilever with a dead end force across it, a = P L²/EI.
+
+    Bisshop and Drucker 1945: k² = (1 + sin of the end slope)/2, K(k) - F(k, phi) = sqrt(a), sin phi = 1/(k sqrt 2).
+    """
+
+    def gap(m: float) -> float:
+        return float(ellipk(m) - ellipkinc(np.arcsin(1 / np.sqrt(2 * m)), m) - np.sqrt(a))
+
+    m = root(gap, 0.5 + 1e-14, 1 - 1e-12)
+    phi = np.arcsin(1 / np.sqrt(2 * m))
+    deflection = 1 - 2 / np.sqrt(a) * (ellipe(m) - ellipeinc(phi, m))
+    return float(deflection), float(1 - np.sqrt(2 * (2 * m - 1) / a))

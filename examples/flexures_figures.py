@@ -1,0 +1,158 @@
+"""Pictures of the flexure mechanisms: shapes, stiffness, frequencies, stress and buckling over the range.
+
+Imports numpy and flexel; matplotlib is imported by `flexel.figures` when a picture is drawn.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import flexel as fx
+from flexel.drawing import shapes
+from flexel.examples.flexures import (
+    CASES,
+    GUIDE,
+    IDEAL,
+    PIVOT,
+    STEEL,
+    Design,
+    Results,
+    Station,
+    critical,
+    expected_stiffness,
+    guided_directions,
+)
+from flexel.figures import COLOURS, figure, save
+
+NAMES = {"turn x": "about x", "turn y": "about y", "turn z": "about z"}
+
+
+def pictures(results: Results, out: Path) -> list[Path]:
+    """Write all figures into a folder; returns what was written."""
+    out.mkdir(parents=True, exist_ok=True)
+    files = [out / "flexures_guide.png", out / "flexures_pivot.png"]
+    overview(results, GUIDE, files[0], "Parallel leaf-spring guide")
+    overview(results, PIVOT, files[1], "Cross-flexure pivot")
+    return files
+
+
+def overview(results: Results, d: Design, path: Path, title: str) -> None:
+    """Six panels of one mechanism."""
+    stations = results.guide if d is GUIDE else results.pivot
+    travel = np.array([z.travel for z in stations]) * (1e3 if d is GUIDE else 180 / np.pi)
+    label = "travel [mm]" if d is GUIDE else "rotation [degrees]"
+    with figure(2, 3, size=(13.0, 7.6)) as (drawn, axes):
+        _shapes(axes[0, 0], stations, d)
+        _stiffness(axes[0, 1], stations, travel, d)
+        _frequencies(axes[0, 2], stations, travel)
+        _stress(axes[1, 0], stations, travel)
+        _buckling(axes[1, 1], stations, travel, d)
+        _payload(axes[1, 2], results, d)
+        for axis in (axes[0, 1], axes[0, 2], axes[1, 0], axes[1, 1]):
+            axis.set_xlabel(label)
+            axis.set_xlim(0, travel[-1])
+        s = d.section
+        drawn.supxlabel(_constrained(d), fontsize=9)
+        drawn.suptitle(
+            f"{title}: two leaf springs of spring steel, {d.length * 1e3:g} × {s.width * 1e3:g} × {s.height * 1e3:g} mm"
+        )
+        save(drawn, path)
+
+
+def _constrained(d: Design) -> str:
+    """What is over-constrained if the leaf springs are thought rigid in their own planes."""
+    make = next(make for make, design in CASES if design is d)
+    found = fx.constraint_report(make(flexible=IDEAL, elements=1))
+    names = "; ".join(", ".join(z) for z in found.redundant)
+    times = {1: "once", 2: "twice"}.get(len(found.redundant), f"{len(found.redundant)} times")
+    return (
+        f"Leaf springs thought rigid in their own planes over-constrain it {times}: {names} repeat "
+        f"one another; release {', '.join(found.release)}"
+    )
+
+
+def _shapes(axis: Any, stations: list[Station], d: Design) -> None:
+    """The mechanism from above at rest, half way and at the end."""
+    chosen = (stations[0], stations[len(stations) // 2], stations[-1])
+    for station, shade in zip(chosen, ("#c3ccd4", "#7fa6c9", COLOURS[0]), strict=True):
+        _outline(axis, station.state, shade)
+    axis.set_aspect("equal")
+    axis.set_xlabel("x [mm]")
+    axis.set_ylabel("y [mm]")
+    axis.set_title("at rest, at half the drive and at all of it")
+
+
+def _outline(axis: Any, state: fx.State, colour: str) -> None:
+    for part in shapes(state):
+        if part.style not in ("beam", "bar"):
+            continue
+        for line in part.lines:
+            width = 1.8 if part.style == "beam" else 0.9
+            axis.plot(
+                1e3 * line[:, 0], 1e3 * line[:, 1], color=colour, lw=width, ls="-" if width > 1 else "--"
+            )
+
+
+def _stiffness(axis: Any, stations: list[Station], travel: Any, d: Design) -> None:
+    """Stiffness in the guided directions over that at rest, the drive's travel held."""
+    for colour, z in zip(COLOURS, guided_directions(d), strict=False):
+        found = np.array([s.held.stiffness()[z] for s in stations])
+        unit = "N/m" if z in "xyz" else "N m/rad"
+        axis.semilogy(
+            travel, found / found[0], color=colour, label=f"{NAMES.get(z, z)}: {found[0]:.3g} {unit}"
+        )
+    axis.set_title("stiffness over that at rest (given), drive held")
+    axis.legend(fontsize=8)
+
+
+def _frequencies(axis: Any, stations: list[Station], travel: Any) -> None:
+    """Natural frequencies, the drive's force constant."""
+    found = np.array([z.frequencies for z in stations]) / (2 * np.pi)
+    for i in range(found.shape[1]):
+        axis.semilogy(travel, found[:, i], color=COLOURS[i % len(COLOURS)])
+        if i == 0 or found[-1, i] > 1.15 * found[-1, i - 1]:
+            axis.text(
+                travel[-1], found[-1, i], f" {found[-1, i]:.3g}", fontsize=8, va="center", clip_on=False
+            )
+    axis.set_title("natural frequencies [Hz], drive free")
+
+
+def _stress(axis: Any, stations: list[Station], travel: Any) -> None:
+    """Largest equivalent stress."""
+    axis.plot(travel, [z.stress.mises / 1e6 for z in stations], color=COLOURS[0])
+    axis.set_ylim(bottom=0)
+    worst = stations[-1].stress
+    safety = f"; safety {worst.safety:.1f}" if worst.safety is not None else ""
+    axis.set_title(f"largest stress [MPa] (yield {(STEEL.strength or np.nan) / 1e6:g}{safety})")
+
+
+def _buckling(axis: Any, stations: list[Station], travel: Any, d: Design) -> None:
+    """Payload along x that buckles the mechanism at each point of the range."""
+    for k, (name, exact) in enumerate(zip(("-x", "+x"), critical(d), strict=True)):
+        found = np.array([z.buckling[k] for z in stations])
+        if np.isfinite(exact):
+            axis.plot(travel, found, color=COLOURS[k], label=f"payload in {name}")
+            axis.plot(0, exact, "o", color=COLOURS[k], mfc="white", clip_on=False, zorder=5)
+    axis.plot([], [], "o", color="#444444", mfc="white", label="closed form")
+    axis.set_ylim(bottom=0)
+    axis.set_title("payload along x that buckles [N]")
+    axis.legend(fontsize=8)
+
+
+def _payload(axis: Any, results: Results, d: Design) -> None:
+    """Stiffness of the drive at rest under payload."""
+    push, pull = critical(d)
+    grid = np.linspace(-push, min(push, pull), 201)[:-1] + 1e-6 * push
+    rest = expected_stiffness(d, 1e-6 * push)
+    axis.plot(
+        grid, [expected_stiffness(d, float(p)) / rest for p in grid], color="#8a8f94", label="closed form"
+    )
+    loads, found = results.payload[d.case]
+    axis.plot(loads, found / rest, "o", color=COLOURS[1], label="computed")
+    axis.axhline(0, color="#444444", lw=0.8)
+    axis.set_xlabel("payload in +x [N]")
+    axis.set_title("stiffness of the drive over that without payload")
+    axis.legend(fontsize=8)

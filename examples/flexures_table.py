@@ -1,0 +1,159 @@
+"""The table of the flexure mechanisms: computed quantities beside their closed forms, and what is reported only.
+
+Imports numpy and flexel.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+import flexel as fx
+from flexel.examples import flexures_exact as exact
+from flexel.examples.flexures import (
+    BENDING,
+    CASES,
+    DIRECTIONS,
+    ELEMENTS,
+    GUIDE,
+    HALF_ANGLE,
+    IDEAL,
+    PIVOT,
+    STEEL,
+    Design,
+    Maker,
+    Results,
+    Station,
+    critical,
+    ends,
+    expected_stiffness,
+    guided_directions,
+)
+from flexel.report import Quantity
+
+
+def rows(results: Results) -> list[Quantity]:
+    """The whole table."""
+    found = [*guide_rows(results), *pivot_rows(results)]
+    for make, d in CASES:
+        found += [*stiffness_rows(results, d), *payload_rows(results, d), *constraint_rows(make, d)]
+    return [*found, *range_rows(results.guide, GUIDE), *range_rows(results.pivot, PIVOT)]
+
+
+def stiffness_rows(results: Results, d: Design) -> list[Quantity]:
+    """Stiffness at rest in the six directions."""
+    station = (results.guide if d is GUIDE else results.pivot)[0]
+    K = exact.body_stiffness(d.profile, d.length, ends(d))
+    expected = 1 / np.diag(np.linalg.inv(K))
+    return [
+        Quantity(f"{d.case}_stiffness_{z.replace(' ', '_')}", station.free.stiffness()[z], float(expected[i]), 1e-9,
+                 "N/m" if i < 3 else "N m/rad", exact.BEAM, {"elements": ELEMENTS})
+        for i, z in enumerate(DIRECTIONS)
+    ]  # fmt: skip
+
+
+def payload_rows(results: Results, d: Design) -> list[Quantity]:
+    """Stiffness of the drive under payload, and the payload that buckles."""
+    loads, found = results.payload[d.case]
+    source = exact.COLUMN if d is GUIDE else exact.PIVOT
+    expected = [expected_stiffness(d, float(p)) for p in loads]
+    station = (results.guide if d is GUIDE else results.pivot)[0]
+    push, pull = critical(d)
+    unit, more = "N/m" if d is GUIDE else "N m/rad", {"payloads": loads.tolist(), "elements": ELEMENTS}
+    rows = [
+        Quantity(f"{d.case}_stiffness_under_payload", found, expected, 2e-4, unit, source, more),
+        Quantity(
+            f"{d.case}_buckling_payload", station.buckling[0], push, 2e-4, "N", f"{source}; at rest, -x"
+        ),
+    ]
+    if np.isfinite(pull):
+        row = f"{source}; at rest, +x"
+        rows.append(Quantity(f"{d.case}_buckling_pull", station.buckling[1], pull, 2e-4, "N", row))
+    return rows
+
+
+def guide_rows(results: Results) -> list[Quantity]:
+    """Parasitic motion, large deflection, softening, frequency and stress of the guide."""
+    d, near, rest, last = GUIDE, results.small["guide"], results.guide[0], results.guide[-1]
+    L, u = d.length, near.travel
+    softening = near.held.matrix[0, 0] - rest.held.matrix[0, 0]
+    w, drop = exact.cantilever_elastica(last.drive / 2 * (L / 2) ** 2 / d.EI)
+    rhoA = d.profile.mass()[0]
+    omega = exact.guided_frequency(d.EI, L, rhoA, d.mass / 2)
+    peak = 3 * STEEL.E * d.section.height * u / L**2
+    small_deflection = "closed form: 3 u²/(5 L), cubic shape; at u = L/1000"
+    return [
+        Quantity("guide_shortening", -near.shift[0] * L / u**2, 0.6, 2e-4, "", small_deflection),
+        Quantity("guide_elastica_travel", last.travel / L, w, 2e-3, "", exact.ELASTICA),
+        Quantity("guide_elastica_shortening", -last.shift[0] / L, drop, 4e-3, "", exact.ELASTICA),
+        Quantity("guide_softening_x", softening * d.EI / (L * u**2), 1 / 1400, 3e-3, "", f"{exact.AWTAR}: 1/700"),
+        Quantity("guide_frequency", rest.frequencies[0], omega, 1e-4, "rad/s", exact.FREQUENCY),
+        Quantity("guide_stress", near.stress.point.normal, peak, 5e-4, "Pa", "closed form: 3 E t u/L²"),
+    ]  # fmt: skip
+
+
+def pivot_rows(results: Results) -> list[Quantity]:
+    """Shift of the axis, frequency and stress of the pivot."""
+    d, near, rest = PIVOT, results.small["pivot"], results.pivot[0]
+    L, angle = d.length, near.travel
+    inertia = d.inertia + 2 * d.profile.mass()[0] * L**3 / 20  # the leaf springs bend to circles
+    omega = np.sqrt(2 * d.EI / L / inertia)
+    shift = near.shift[0] / (L * angle**2)
+    return [
+        Quantity("pivot_axis_shift", shift, 1 / (12 * np.cos(HALF_ANGLE)), 2e-4, "", "closed form: L a²/(12 cos 45°)"),
+        Quantity("pivot_frequency", rest.frequencies[0], omega, 1e-5, "rad/s", "closed form: Rayleigh, circular arcs"),
+        Quantity("pivot_stress", near.stress.point.normal, STEEL.E * d.section.height * angle / (2 * L), 5e-4,
+                 "Pa", "closed form: E t a/(2 L)"),
+    ]  # fmt: skip
+
+
+def constraint_rows(make: Maker, d: Design) -> list[Quantity]:
+    """Over-constraint of ideal leaf springs, with torsion free and with torsion thought rigid, and after release."""
+    rows = []
+    for name, flexible, redundant in (("", IDEAL, 1), ("_torsion_rigid", BENDING, 3)):
+        m = make(flexible=flexible, elements=1)
+        found = fx.constraint_report(m)
+        named = {"redundant": [sorted(z) for z in found.redundant], "release": found.release}
+        of = "elongation, bend1, bend2" + (", torsion" if name else "")
+        source = f"closed form: count, {of} of both leaf springs rigid; release {', '.join(found.release)}"
+        rows.append(
+            Quantity(f"{d.case}_overconstraint{name}", len(found.redundant), redundant, 0, "", source, named)
+        )
+        m.release(*found.release)
+        freedoms = m.build().counts["freedoms"] if not fx.constraint_report(m).redundant else -1
+        rows.append(
+            Quantity(
+                f"{d.case}_freedoms_after_release{name}", freedoms, 1, 0, "", "the motion it is made for"
+            )
+        )
+    return rows
+
+
+def range_rows(stations: list[Station], d: Design) -> list[Quantity]:
+    """What has no closed form, along the range."""
+    unit = "m" if d is GUIDE else "rad"
+    rest, last, case = stations[0].held.stiffness(), stations[-1].held.stiffness(), d.case
+    buckling = [z.buckling[0] for z in stations]
+    frequencies = np.array([z.frequencies for z in stations])
+    free, in_body = (np.array([getattr(z.free, kind) for z in stations]) for kind in ("matrix", "in_body"))
+    found = [
+        Quantity(f"{case}_end_travel", stations[-1].travel, unit=unit, source="reported"),
+        Quantity(f"{case}_end_stress", stations[-1].stress.mises, unit="Pa", source="reported; von Mises"),
+        Quantity(f"{case}_end_buckling_payload", buckling[-1], unit="N", source="reported; -x"),
+    ]
+    for z in guided_directions(d):
+        name, ratio = f"{case}_end_stiffness_{z.replace(' ', '_')}", last[z] / rest[z]
+        found.append(Quantity(name, ratio, source="reported; over that at rest, drive held"))
+    found += [
+        Quantity(f"{case}_range_travel", [z.travel for z in stations], unit=unit, source="reported"),
+        Quantity(f"{case}_range_frequencies", frequencies, unit="rad/s", source="reported"),
+        Quantity(f"{case}_range_stress", [z.stress.mises for z in stations], unit="Pa", source="reported"),
+        Quantity(f"{case}_range_buckling", buckling, unit="N", source="reported; payload in -x"),
+        Quantity(f"{case}_range_compliance", free, source="reported; global axes"),
+        Quantity(f"{case}_range_compliance_body", in_body, source="reported; body axes"),
+    ]
+    for z in guided_directions(d):
+        values = [s.held.stiffness()[z] for s in stations]
+        units = "N/m" if z in "xyz" else "N m/rad"
+        name = f"{case}_range_stiffness_{z.replace(' ', '_')}"
+        found.append(Quantity(name, values, unit=units, source="reported; drive held"))
+    return found
