@@ -57,10 +57,11 @@ class Sketch:
 
 def shapes(state: State, sketches: Sequence[Sketch] = ()) -> list[Shape]:
     """All parts of the model at a state, elements in their order, then sketches, then the nodes."""
-    found = [shape for instance in state.structure.instances for shape in _element(state, instance)]
+    shown = [z for z in state.structure.instances if "." not in z.name]  # the others only measure
+    found = [shape for instance in shown for shape in _element(state, instance)]
     found += [_sketch(state, sketch) for sketch in sketches]
     for node in state.structure.nodes:
-        if node.kind.endswith("point"):
+        if node.kind.endswith("point") and "." not in node.name:
             style = "fixed" if node.fixed.all() else "joint"
             found.append(Shape(style, node.name, (_place(state, node.name)[None],)))
     return found

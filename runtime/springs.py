@@ -12,10 +12,10 @@ import numpy as np
 
 from flexel.checks import not_negative
 from flexel.errors import ModelError
-from flexel.generated.table import LAWS
+from flexel.generated.table import ELEMENTS, LAWS
 from flexel.inputs import array, names, number, quantities
 from flexel.laws import formula_law
-from flexel.structure import Array, LawInstance
+from flexel.structure import COMPONENTS, Array, Instance, LawInstance, Node
 
 if TYPE_CHECKING:
     from flexel.model import Model
@@ -70,12 +70,84 @@ def _symmetric(value: Any, owner: str, what: str, m: int) -> Array:
     return (A + A.T) / 2
 
 
-def spring(self: Model, name: str, stiffness: float, damping: float = 0.0, preload: float = 0.0) -> None:
-    """Attach a linear spring and damper to one deformation: σ = preload + stiffness e + damping ė."""
-    quantities([name], "spring")
-    owner = f"spring on '{name}'"
+def spring(
+    self: Model,
+    name: str,
+    stiffness: float,
+    damping: float = 0.0,
+    preload: float = 0.0,
+    *,
+    to: str | None = None,
+) -> None:
+    """Attach a linear spring and damper: force = preload + stiffness e + damping ė, against the growth of e.
+
+    Parameters
+    ----------
+    name : str
+        A deformation; or a coordinate of a point or planar angle, counted from its drawn value, for a spring to
+        the ground.
+    stiffness, damping, preload : float
+        Stiffness 0 leaves a mere damper.
+    to : str, optional
+        A second deformation or coordinate; e is then the first less the second.
+
+    Raises
+    ------
+    ModelError
+
+    Examples
+    --------
+    >>> m.spring("A.x", 200.0)  # to the ground  # doctest: +SKIP
+    >>> m.spring("left.angle", 0.0, damping=0.3, to="right.angle")  # doctest: +SKIP
+    """
+    quantities([name] if to is None else [name, to], "spring")
+    owner = f"spring on '{name}'" if to is None else f"spring between '{name}' and '{to}'"
     k, d = not_negative(stiffness, owner, "stiffness"), not_negative(damping, owner, "damping")
-    self.linear_law([name], [[k]], [[d]], [number(preload, owner, "preload")])
+    force = number(preload, owner, "preload")
+    if to == name:
+        raise ModelError(
+            f"{owner}: a quantity does not change against itself; name another one, or leave out to"
+        )
+    on = [displacement(self, z, owner) for z in ([name] if to is None else [name, to])]
+    share = np.array([1.0, -1.0])[: len(on)]
+    self.linear_law(on, k * np.outer(share, share), d * np.outer(share, share), force * share)
+
+
+def displacement(self: Model, name: str, owner: str) -> str:
+    """The deformation that is a coordinate less its drawn value; other names are returned as they are.
+
+    It is one of an element without mass from a fixed node, ``<node>.drawn``; made when first needed.
+    """
+    node, _, component = name.partition(".")
+    if node not in self.nodes or component not in COMPONENTS[self.nodes[node].kind]:
+        return name
+    found = self.nodes[node]
+    if found.kind == "frame":
+        raise ModelError(
+            f"{owner}: Euler parameters such as '{name}' carry no springs; measure an angle with m.hinge(…), all of "
+            "it released, and take its angle"
+        )
+    if found.fixed[COMPONENTS[found.kind].index(component)]:
+        raise ModelError(f"{owner}: '{name}' is fixed and cannot move; remove spring or fixing")
+    element = f"{node}.displacement"
+    if element not in self.instances:
+        _add_displacement(self, element, found)
+    spec = self.instances[element].spec
+    return f"{element}.{spec.deformations[COMPONENTS[found.kind].index(component)].name}"
+
+
+def _add_displacement(self: Model, element: str, node: Node) -> None:
+    """The element whose deformations, all free, are the displacements of a point or an angle in global axes."""
+    drawn = Node(f"{node.name}.drawn", node.kind, node.x0, np.ones(node.x0.size, dtype=bool))
+    axes_kind, axes = ("frame", np.eye(4)[0]) if node.kind == "point" else ("planar_angle", np.zeros(1))
+    still = Node(f"{node.name}.axes", axes_kind, axes, np.ones(axes.size, dtype=bool))
+    kind = {"point": "beam3", "planar_point": "planar_beam3", "planar_angle": "planar_hinge"}[node.kind]
+    ends = (drawn, node) if node.kind == "planar_angle" else (drawn, still, node)
+    self.nodes |= {z.name: z for z in ends if z is not node}
+    spec = ELEMENTS[kind]
+    values = {z.name: np.eye(z.size)[0] if z.name == "tp" else np.zeros(z.size) for z in spec.parameters}
+    self.instances[element] = Instance(element, spec, tuple(z.name for z in ends), values)
+    self.roles |= {z: "free" for z in self.instances[element].deformations if z not in self.roles}
 
 
 def viscous(self: Model, name: str, damping: float) -> None:

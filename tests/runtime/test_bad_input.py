@@ -648,7 +648,12 @@ LOADS = {
 LAWS = {
     "spring unknown": built(lambda m: m.spring("pivot.a", 1), "'pivot.a'", "did you mean pivot.angle"),
     "spring on an element": built(lambda m: m.spring("pivot", 1), "'pivot'", "did you mean pivot."),
-    "spring on a coordinate": built(lambda m: m.spring("A.x", 1), "'A.x' is not a deformation", "springs"),
+    "spring on Euler parameters": built(
+        lambda m: m.spring("R1.lambda1", 1), "'R1.lambda1'", "measure an angle"
+    ),
+    "spring on a fixed coordinate": built(lambda m: m.spring("O.x", 1), "'O.x' is fixed", "remove spring"),
+    "spring to itself": built(lambda m: m.spring("A.x", 1, to="A.x"), "'A.x'", "name another one"),
+    "spring to nothing": built(lambda m: m.spring("A.x", 1, to="pivot.a"), "'pivot.a'", "did you mean"),
     "spring on a norm": built(lambda m: m.spring("R1.norm", 1), "'R1.norm'", "name another"),
     "spring on a slip": built(
         lambda m: (m.angular_velocity("R1"), m.spring("R1.omega.wx", 1)), "'R1.omega.wx' is not a deformation"
