@@ -1,0 +1,198 @@
+"""Pictures of the universal joint: kinematics, reactions, free run, convergence, zones of instability.
+
+Imports numpy and flexel; matplotlib is imported by `flexel.figures` when a picture is drawn.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from flexel.errors import LinearizationError
+from flexel.examples import cardan_data as data
+from flexel.examples.cardan import (
+    B30,
+    STIFFNESSES,
+    Results,
+    closed_form,
+    closed_moments,
+    elastic_shaft,
+    family,
+    flexible,
+    growth,
+    mathieu_edges,
+    modulation,
+    pins_for_unit_frequency,
+)
+from flexel.examples.cardan_table import bearing_moment
+from flexel.figures import COLOURS, figure, save
+from flexel.orientation import matrix
+from flexel.periodic import Coefficients
+from flexel.structure import Array
+
+CHART_ANGLES = np.linspace(3.0, 45.0, 7)  # degrees
+CHART_SPEEDS = np.linspace(0.3, 1.2, 46)
+
+
+def pictures(results: Results, out: Path) -> list[Path]:
+    """Write all figures into a folder; returns what was written."""
+    out.mkdir(parents=True, exist_ok=True)
+    names: dict[str, Callable[[Results, Path], None]] = {
+        "cardan_model.png": model,
+        "cardan_kinematics.png": kinematics,
+        "cardan_moments.png": moments,
+        "cardan_free_run.png": free_run,
+        "cardan_flexible_limit.png": limit,
+        "cardan_zones.png": zones,
+    }
+    for name, make in names.items():
+        make(results, out / name)
+    return [out / name for name in names]
+
+
+def model(results: Results, path: Path) -> None:
+    """The joint at three angles of the driving shaft, 45 degrees between the shafts."""
+    turn, b = results.turns[45.0], np.radians(45.0)
+    with figure(1, 3, size=(11.0, 3.6), subplot_kw={"projection": "3d"}) as (drawn, axes):
+        for panel, degrees in zip(axes, (0, 40, 90), strict=True):
+            state = turn[int(np.argmin(np.abs(turn.t - np.radians(degrees))))]
+            driving, cross, driven = (matrix(state.position(z)) for z in ("driving", "cross", "driven"))
+            line(panel, [(-0.9, 0, 0), (-0.42, 0, 0)], COLOURS[0], 5)
+            d2 = np.array([np.cos(b), np.sin(b), 0])
+            line(panel, [0.42 * d2, 0.9 * d2], COLOURS[1], 5)
+            fork(panel, driving @ [0, 0.3, 0], np.array([-0.42, 0, 0]), COLOURS[0])
+            fork(panel, driven @ [0, 0, 0.3], 0.42 * d2, COLOURS[1])
+            for axis in ([0, 0.3, 0], [0, 0, 0.3]):
+                arm = cross @ axis
+                line(panel, [-arm, arm], COLOURS[5], 3)
+            panel.set(xlim=(-0.8, 0.6), ylim=(-0.4, 0.6), zlim=(-0.4, 0.4))
+            panel.set_box_aspect((1.4, 1.0, 0.8), zoom=1.4)
+            panel.view_init(28, -60)
+            panel.set_axis_off()
+            panel.set_title(
+                f"driving {degrees}°, driven {abs(np.degrees(state['out.angle'])):.1f}°", fontsize=10
+            )
+        drawn.suptitle(
+            "Universal joint: two bearings, two pins; (a) rigid, (b) with pins that bend", fontsize=11
+        )
+        save(drawn, path)
+
+
+def line(panel: Any, points: Any, colour: str, width: float) -> None:
+    """A straight piece in space."""
+    panel.plot(*np.array(points, dtype=float).T, color=colour, lw=width, solid_capstyle="round")
+
+
+def fork(panel: Any, pin: Array, root: Array, colour: str) -> None:
+    """A fork from its root on the shaft to both ends of its pin."""
+    for side in (pin, -pin):
+        line(panel, [root, root + side, side], colour, 3)
+
+
+def kinematics(results: Results, path: Path) -> None:
+    """Lead of the driven shaft, ratios of speed and acceleration over a turn."""
+    labels = ("driven - driving angle [°]", "speed ratio", "acceleration / speed²")
+    with figure(3, size=(8.0, 8.0), sharex=True) as (drawn, axes):
+        for j, (degrees, turn) in enumerate(results.turns.items()):
+            angle = np.degrees(turn.t)
+            exact = closed_form(turn.t, np.radians(degrees))
+            computed = turn["out.angle"], turn.rate("out.angle"), turn.acceleration("out.angle")
+            for i, panel in enumerate(axes):
+                y, z = computed[i], exact[i]
+                if i == 0:
+                    y, z = np.degrees(y - turn.t), np.degrees(z - turn.t)
+                panel.plot(angle, y, color=COLOURS[j], label=f"{degrees:g}°")
+                panel.plot(angle[::9], z[::9], "o", ms=3, color=COLOURS[j])
+        for panel, label in zip(axes, labels, strict=True):
+            panel.set_ylabel(label)
+        axes[0].legend(title="between the shafts", ncols=5, loc="lower left", bbox_to_anchor=(0.0, 1.0))
+        axes[2].set(xlabel="angle of the driving shaft [°]", xlim=(0, 360), xticks=range(0, 361, 45))
+        drawn.suptitle("Four rigid hinges (lines) and the closed form (dots)")
+        drawn.align_ylabels()
+        save(drawn, path)
+
+
+def moments(results: Results, path: Path) -> None:
+    """Driving moment and moments in the bearings, per unit of torque on the driven shaft."""
+    turn = results.turns[30.0]
+    curves = (-turn.force("in.angle"), bearing_moment(turn, "in"), bearing_moment(turn, "out"))
+    with figure(size=(8.0, 4.4)) as (drawn, axes):
+        for j, ((name, exact), y) in enumerate(zip(closed_moments(turn.t, B30).items(), curves, strict=True)):
+            label = "driving moment" if j == 0 else f"bending moment, {name} of its shaft"
+            axes.plot(np.degrees(turn.t), y, color=COLOURS[j], label=label.replace(" bearing of its", ""))
+            axes.plot(np.degrees(turn.t)[::6], exact[::6], "o", ms=3, color=COLOURS[j])
+        axes.set(
+            xlabel="angle of the driving shaft [°]", ylabel="moment / torque", xlim=(0, 360), ylim=(0, 1.6)
+        )
+        axes.set_xticks(range(0, 361, 45))
+        axes.legend(loc="upper right", ncols=3)
+        axes.set_title("Moments at 30° between the shafts: computed (lines), closed form (dots)")
+        save(drawn, path)
+
+
+def free_run(results: Results, path: Path) -> None:
+    """Two rotors that turn freely through the joint."""
+    motion = results.free
+    t = np.linspace(0, motion.t[-1], 400)
+    states = [motion.at(float(z)) for z in t]
+    with figure(size=(8.0, 4.2)) as (drawn, axes):
+        axes.plot(t, [z.rate("in.angle") for z in states], color=COLOURS[0], label="driving rotor")
+        axes.plot(t, [z.rate("out.angle") for z in states], color=COLOURS[1], label="driven rotor")
+        axes.plot(*np.array(data.FREE_RUN)[:, [0, 2]].T, "o", color=COLOURS[0], mfc="none", label="reference")
+        axes.set(xlabel="time [s]", ylabel="speed [rad/s]", xlim=(0, t[-1]))
+        axes.legend(ncols=3, loc="lower left", bbox_to_anchor=(0.0, 1.0))
+        save(drawn, path)
+
+
+def limit(results: Results, path: Path) -> None:
+    """Flexible pins become rigid ones: the error falls with the stiffness."""
+    with figure(size=(6.5, 4.6)) as (drawn, axes):
+        axes.loglog(STIFFNESSES, results.errors, "o-", color=COLOURS[0], label="flexible - rigid, whole turn")
+        slope = results.errors[-1] * STIFFNESSES[-1] / STIFFNESSES
+        axes.loglog(STIFFNESSES, 2 * slope, "--", color=COLOURS[1], label="slope -1")
+        axes.set(
+            xlabel="bending stiffness of the pins [N m/rad]", ylabel="largest error of the driven angle [rad]"
+        )
+        axes.legend()
+        axes.set_title("(b) converges to (a): 1 rad/s, 1 kg m² driven, 30°", fontsize=11)
+        save(drawn, path)
+
+
+def chart(at: Callable[[float], Callable[[float], Coefficients]]) -> Array:
+    """Growth in one turn over speeds (rows) and angles between the shafts (columns)."""
+    found = np.zeros((CHART_SPEEDS.size, CHART_ANGLES.size))
+    for j, degrees in enumerate(CHART_ANGLES):
+        equations = at(float(np.radians(degrees)))
+        for i, speed in enumerate(CHART_SPEEDS):
+            try:
+                found[i, j] = growth(equations(float(speed)), 1e-5)
+            except LinearizationError:  # left blank
+                found[i, j] = np.nan
+    return found
+
+
+def zones(results: Results, path: Path) -> None:
+    """Zones of parametric instability over angle and speed, pins or shaft elastic."""
+    pins = chart(lambda b: family(lambda w: flexible(b, w, pins_for_unit_frequency(b), cross=0.01)).at)
+    shaft = chart(lambda b: family(lambda w: elastic_shaft(b, w, 1.0), 64).at)
+    titles = ("(b) pins flexible in bending", "(a) with an elastic driving shaft")
+    edges = np.array([mathieu_edges(modulation(np.radians(z))) for z in CHART_ANGLES])
+    with figure(1, 2, size=(11.0, 4.8), sharey=True) as (drawn, axes):
+        for panel, found, title in zip(axes, (pins, shaft), titles, strict=True):
+            levels = np.linspace(0.005, 0.6, 13)
+            shown = panel.contourf(CHART_ANGLES, CHART_SPEEDS, found, levels, cmap="Oranges", extend="max")
+            panel.set_title(title)
+            panel.set_xlabel("angle between the shafts [°]")
+        axes[0].plot(CHART_ANGLES, edges, "--", color=COLOURS[0], lw=1.2)
+        axes[0].plot([], [], "--", color=COLOURS[0], label="Mathieu, first zone")
+        axes[0].plot([30, 30], results.edges, "o", color=COLOURS[2], label="edges at 30°")
+        axes[1].plot([30, 30], results.shaft_edges, "o", color=COLOURS[2], label="edges at 30°")
+        for panel in axes:
+            panel.legend(loc="upper left")
+        axes[0].set_ylabel("speed / natural frequency")
+        drawn.colorbar(shown, ax=axes, label="growth in one turn, log |multiplier|")
+        drawn.suptitle("Parametric instability by Floquet multipliers, no damping")
+        save(drawn, path)

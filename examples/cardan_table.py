@@ -1,0 +1,96 @@
+"""The table of the universal joint: every quantity beside its closed form.
+
+Imports numpy and flexel.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+import flexel as fx
+from flexel.examples import cardan_data as data
+from flexel.examples.cardan import (
+    ANGLES,
+    B30,
+    CROSS,
+    STIFFNESSES,
+    TURN,
+    Results,
+    closed_form,
+    closed_moments,
+    mathieu_edges,
+    modulation,
+)
+from flexel.report import Quantity
+from flexel.structure import Array
+
+
+def bearing_moment(motion: fx.Motion, name: str) -> Array:
+    """Size (nt,) of the moment in a bearing across its axis [N m]."""
+    force = motion.force
+    return np.asarray(np.hypot(force(f"{name}.bend1"), force(f"{name}.bend2")))
+
+
+def motion(results: Results) -> list[Quantity]:
+    """Four rigid hinges: kinematics, reactions, linearization, free run."""
+    angle, ratio, second, moments = 0.0, 0.0, 0.0, dict.fromkeys(closed_moments(TURN, B30), 0.0)
+    for degrees, turn in results.turns.items():
+        b = np.radians(degrees)
+        found = turn["out.angle"], turn.rate("out.angle"), turn.acceleration("out.angle")
+        off = [float(np.abs(x - y).max()) for x, y in zip(found, closed_form(turn.t, b), strict=True)]
+        angle, ratio, second = max(angle, off[0]), max(ratio, off[1]), max(second, off[2])
+        forces = (-turn.force("in.angle"), bearing_moment(turn, "in"), bearing_moment(turn, "out"))
+        for (name, expected), force in zip(closed_moments(turn.t, b).items(), forces, strict=True):
+            moments[name] = max(moments[name], float(np.abs(force - expected).max()))
+    more = {"angles": list(ANGLES)}
+    at = [int(np.argmin(np.abs(TURN - np.radians(row[0])))) for row in data.TABLE_30]
+    thirty, free = results.turns[30.0], results.free
+    columns = np.degrees(thirty["out.angle"]), thirty.rate("out.angle"), thirty.acceleration("out.angle")
+    return [
+        Quantity("angle_max_error", angle, 0.0, 1e-12, "rad", data.CLOSED, more),
+        Quantity("ratio_max_error", ratio, 0.0, 1e-12, "", data.CLOSED, more),
+        Quantity("acceleration_max_error", second, 0.0, 1e-12, "", data.CLOSED, more),
+        Quantity("table_30_degrees", np.column_stack(columns)[at], [row[1:] for row in data.TABLE_30], 1e-12, "",
+                 "driven angle [degrees], ratio, acceleration; closed form"),
+        *(Quantity(f"{z.replace(' ', '_')}_moment_max_error", e, 0.0, 1e-12, "N m", data.MOMENTS, more)
+          for z, e in moments.items()),
+        *linear(results),
+        Quantity("free_run_angle", free["in.angle"][1:], [z[1] for z in data.FREE_RUN], 1e-9, "rad", data.FREE),
+        Quantity("free_run_speed", free.rate("in.angle")[1:], [z[2] for z in data.FREE_RUN], 1e-9, "rad/s", data.FREE),
+    ]  # fmt: skip
+
+
+def linear(results: Results) -> list[Quantity]:
+    """Linearized twist of an elastic driving shaft about steady rotation, over a turn."""
+    computed, closed = results.linear
+    return [
+        Quantity(
+            f"linearization_{name}_max_error",
+            float(np.abs(getattr(computed, name) - getattr(closed, name)).max()),
+            0.0,
+            1e-12,
+            "",
+            "closed form, elastic shaft at 30 degrees",
+        )
+        for name in "MCKF"
+    ]
+
+
+def flexibility(results: Results) -> list[Quantity]:
+    """Flexible pins: convergence to rigid ones; zones of parametric instability."""
+    logs = np.log10(results.errors)
+    order = -float(np.polyfit(np.log10(STIFFNESSES[-3:]), logs[-3:], 1)[0])
+    more = {"cross": CROSS, "w0": "mean torsional frequency on the pins, cross extrapolated to no mass"}
+    own = mathieu_edges(modulation(B30))
+    return [
+        Quantity("flexible_limit_order", order, 1.0, 0.01, "", "error of the driven angle over 1/stiffness"),
+        Quantity("flexible_errors", np.column_stack([STIFFNESSES, results.errors]),
+                 source="rows of stiffness [N m/rad], largest error [rad]"),
+        Quantity("mathieu_edges", results.mathieu_edges, data.EDGES, 1e-6, "w0", data.MATHIEU),
+        Quantity("zone_edges", results.edges, data.EDGES, 0.005, "w0",
+                 "Mathieu at eps = b^2/2, b = 30 degrees, its first term; flexible pins", more),
+        Quantity("zone_edges_exact_modulation", results.edges, own, 0.005, "w0",
+                 "Mathieu at the pins' own sin^2(b)/(2 - sin^2(b))", more),
+        Quantity("shaft_zone_edges", results.shaft_edges, results.shaft_edges_closed, 1e-6, "w0",
+                 "closed form; an elastic driving shaft modulates by b^2, twice the pins"),
+    ]  # fmt: skip
