@@ -25,7 +25,7 @@ from flexel.report import Report
 from flexel.stress import BeamStress
 from flexel.structure import Array
 
-ELEMENTS = 8  # of each leaf spring
+ELEMENTS = 16  # of each leaf spring
 STEEL = MATERIALS["spring steel"]
 DIRECTIONS = ("x", "y", "z", "turn x", "turn y", "turn z")
 IDEAL = ("torsion", "bend3", "bend4")  # what a leaf spring that is stiff in its own plane lets happen
@@ -88,7 +88,7 @@ def leaf(
         if i < elements:
             m.frame(r, orientation, fixed=i == 0)
     for i in range(elements):
-        label = f"{name} {'abcdefghijklmnopqrstuvwxyz'[i]}" if elements > 1 else name
+        label = f"{name} element {i + 1}" if elements > 1 else name
         m.beam(
             label,
             *nodes[i],
@@ -209,6 +209,13 @@ def over_range(make: Maker, d: Design, steps: int = 16) -> list[Station]:
     return found
 
 
+def coarse_end(make: Maker, d: Design) -> Station:
+    """The end of the range with half the elements, to tell how far the mesh has converged."""
+    system = make(elements=ELEMENTS // 2).build()
+    half = system.equilibrium(d.largest_drive / 2)
+    return station(system, d, system.equilibrium(d.largest_drive, half))
+
+
 def small(make: Maker, d: Design) -> Station:
     """A station so near to rest that leading terms suffice: a thousandth of the range."""
     system = make().build()
@@ -229,6 +236,7 @@ class Results:
     guide: list[Station]
     pivot: list[Station]
     small: dict[str, Station]
+    coarse: dict[str, Station]  # at the end of the range, with half the elements
     payload: dict[str, tuple[Array, Array]]  # payloads over the buckling payload, stiffness over that without
 
 
@@ -262,6 +270,7 @@ def analyse() -> Results:
         guide=over_range(guide, GUIDE),
         pivot=over_range(pivot, PIVOT),
         small={d.case: small(make, d) for make, d in CASES},
+        coarse={d.case: coarse_end(make, d) for make, d in CASES},
         payload={
             d.case: (payloads(d), np.array([drive_stiffness(make, d, float(p)) for p in payloads(d)]))
             for make, d in CASES

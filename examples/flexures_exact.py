@@ -19,6 +19,7 @@ BEAM = "closed form: Timoshenko cantilevers, moved to the body and added"
 COLUMN = "closed form: beam-column theory (Timoshenko and Gere 1961)"
 PIVOT = "closed form: beam-column theory; Haringx 1949, Wittrick 1951"
 AWTAR = "closed form: Awtar, Slocum and Sevincer 2007, J. Mech. Des. 129"
+BENT = "closed form: Castigliano on the bent leaf (z, turns); Awtar et al. 2007 (x)"
 FREQUENCY = "closed form: Euler-Bernoulli beam with end mass, end not turning"
 ELASTICA = "closed form: elliptic integrals of the elastica, half a leaf as a cantilever"
 
@@ -85,6 +86,43 @@ def pivot_buckling(EI: float, L: float) -> tuple[float, float]:
     push = root(lambda x: x / np.tan(x) + x * x, 2.0, 3.1)
     pull = root(lambda x: 1 / np.tanh(x) - x, 0.5, 2.0)
     return 4 * push**2 * EI / L**2, 4 * pull**2 * EI / L**2
+
+
+def bent_leaf(profile: Profile, L: float, u: float) -> Array:
+    """Compliance (3, 3) of the end of a leaf bent to y = u (3 s² - 2 s³), for (z force, moments about x and y).
+
+    Castigliano's theorem for a curved bar: torque, bending about the normal in the plane, shear.
+    """
+    k = profile.stiffness()
+    nodes, weights = np.polynomial.legendre.leggauss(24)
+    total = np.zeros((3, 3))
+    for s, w in zip((nodes + 1) / 2, weights / 2, strict=True):
+        slope = 6 * u / L * s * (1 - s)
+        c = 1 / np.hypot(1, slope)
+        about_x = np.array([u * (1 - 3 * s**2 + 2 * s**3), 1.0, 0.0])
+        about_y = np.array([-L * (1 - s), 0.0, 1.0])
+        torque, bending = c * (about_x + slope * about_y), c * (about_y - slope * about_x)
+        shear = np.array([1.0, 0.0, 0.0])
+        parts = ((torque, k["GJ"]), (bending, k["EIy"]), (shear, k["GAz"]))
+        total += w * L / c * np.sum([np.outer(z, z) / stiffness for z, stiffness in parts], axis=0)
+    return total
+
+
+def bent_guide(profile: Profile, L: float, spacing: float, u: float) -> dict[str, float]:
+    """Stiffness of a parallel guide at the travel u, at half the height of its leaf springs, in x, z, turn x, turn y.
+
+    Small u, and leaf springs much stiffer in their plane than out of it; the drive is held.
+    """
+    K = np.zeros((3, 3))
+    for y in (-spacing / 2, spacing / 2):
+        T = np.array([[1, y, -L / 2], [0, 1, 0], [0, 0, 1]])
+        K += T.T @ np.linalg.inv(bent_leaf(profile, L, u)) @ T
+    C = np.diag(np.linalg.inv(K))
+    k = profile.stiffness()
+    along = (
+        (L / k["EA"] + L * u**2 / (700 * k["EIz"])) / 2 * (1 + (u / spacing) ** 2)
+    )  # the shuttle turns a little
+    return {"x": 1 / along, "z": float(1 / C[0]), "turn x": float(1 / C[1]), "turn y": float(1 / C[2])}
 
 
 def guided_frequency(EI: float, L: float, rhoA: float, mass: float) -> float:

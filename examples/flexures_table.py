@@ -18,11 +18,11 @@ from flexel.examples.flexures import (
     HALF_ANGLE,
     IDEAL,
     PIVOT,
+    SPACING,
     STEEL,
     Design,
     Maker,
     Results,
-    Station,
     critical,
     ends,
     expected_stiffness,
@@ -33,10 +33,10 @@ from flexel.report import Quantity
 
 def rows(results: Results) -> list[Quantity]:
     """The whole table."""
-    found = [*guide_rows(results), *pivot_rows(results)]
+    found = [*guide_rows(results), *bent_rows(results), *pivot_rows(results)]
     for make, d in CASES:
         found += [*stiffness_rows(results, d), *payload_rows(results, d), *constraint_rows(make, d)]
-    return [*found, *range_rows(results.guide, GUIDE), *range_rows(results.pivot, PIVOT)]
+    return [*found, *range_rows(results, GUIDE), *range_rows(results, PIVOT)]
 
 
 def stiffness_rows(results: Results, d: Design) -> list[Quantity]:
@@ -52,7 +52,7 @@ def stiffness_rows(results: Results, d: Design) -> list[Quantity]:
 
 
 def payload_rows(results: Results, d: Design) -> list[Quantity]:
-    """Stiffness of the drive under payload, and the payload that buckles."""
+    """Stiffness of the drive under payload, and the payload that buckles; the closed forms know bending only."""
     loads, found = results.payload[d.case]
     source = exact.COLUMN if d is GUIDE else exact.PIVOT
     expected = [expected_stiffness(d, float(p)) for p in loads]
@@ -60,14 +60,14 @@ def payload_rows(results: Results, d: Design) -> list[Quantity]:
     push, pull = critical(d)
     unit, more = "N/m" if d is GUIDE else "N m/rad", {"payloads": loads.tolist(), "elements": ELEMENTS}
     rows = [
-        Quantity(f"{d.case}_stiffness_under_payload", found, expected, 2e-4, unit, source, more),
+        Quantity(f"{d.case}_stiffness_under_payload", found, expected, 1e-3, unit, source, more),
         Quantity(
-            f"{d.case}_buckling_payload", station.buckling[0], push, 2e-4, "N", f"{source}; at rest, -x"
+            f"{d.case}_buckling_payload", station.buckling[0], push, 1e-3, "N", f"{source}; at rest, -x"
         ),
     ]
     if np.isfinite(pull):
         row = f"{source}; at rest, +x"
-        rows.append(Quantity(f"{d.case}_buckling_pull", station.buckling[1], pull, 2e-4, "N", row))
+        rows.append(Quantity(f"{d.case}_buckling_pull", station.buckling[1], pull, 1e-3, "N", row))
     return rows
 
 
@@ -79,15 +79,30 @@ def guide_rows(results: Results) -> list[Quantity]:
     w, drop = exact.cantilever_elastica(last.drive / 2 * (L / 2) ** 2 / d.EI)
     rhoA = d.profile.mass()[0]
     omega = exact.guided_frequency(d.EI, L, rhoA, d.mass / 2)
+    softer = 1 / 1400 + d.EI / (
+        2 * d.profile.stiffness()["EA"] * SPACING**2
+    )  # the shuttle turns a little, too
     peak = 3 * STEEL.E * d.section.height * u / L**2
     small_deflection = "closed form: 3 u²/(5 L), cubic shape; at u = L/1000"
     return [
         Quantity("guide_shortening", -near.shift[0] * L / u**2, 0.6, 2e-4, "", small_deflection),
-        Quantity("guide_elastica_travel", last.travel / L, w, 2e-3, "", exact.ELASTICA),
-        Quantity("guide_elastica_shortening", -last.shift[0] / L, drop, 4e-3, "", exact.ELASTICA),
-        Quantity("guide_softening_x", softening * d.EI / (L * u**2), 1 / 1400, 3e-3, "", f"{exact.AWTAR}: 1/700"),
+        Quantity("guide_elastica_travel", last.travel / L, w, 1e-3, "", exact.ELASTICA),
+        Quantity("guide_elastica_shortening", -last.shift[0] / L, drop, 1.5e-3, "", exact.ELASTICA),
+        Quantity("guide_softening_x", softening * d.EI / (L * u**2), softer, 3e-3, "", f"{exact.AWTAR}: 1/700"),
         Quantity("guide_frequency", rest.frequencies[0], omega, 1e-4, "rad/s", exact.FREQUENCY),
         Quantity("guide_stress", near.stress.point.normal, peak, 5e-4, "Pa", "closed form: 3 E t u/L²"),
+    ]  # fmt: skip
+
+
+def bent_rows(results: Results) -> list[Quantity]:
+    """Support stiffness of the guide at an eighth of its range, where it has fallen by a quarter or more."""
+    station = results.guide[len(results.guide) // 8]
+    expected = exact.bent_guide(GUIDE.profile, GUIDE.length, SPACING, station.travel)
+    found, more = station.held.stiffness(), {"travel": station.travel, "elements": ELEMENTS}
+    return [
+        Quantity(f"guide_bent_stiffness_{z.replace(' ', '_')}", found[z], expected[z], 8e-3,
+                 "N/m" if z in "xyz" else "N m/rad", exact.BENT, more)
+        for z in expected
     ]  # fmt: skip
 
 
@@ -128,8 +143,10 @@ def constraint_rows(make: Maker, d: Design) -> list[Quantity]:
     return rows
 
 
-def range_rows(stations: list[Station], d: Design) -> list[Quantity]:
-    """What has no closed form, along the range."""
+def range_rows(results: Results, d: Design) -> list[Quantity]:
+    """What has no closed form, along the range; at its end beside what half the elements give."""
+    stations = results.guide if d is GUIDE else results.pivot
+    coarse, half = results.coarse[d.case].held.stiffness(), f"with_{ELEMENTS // 2}_elements"
     unit = "m" if d is GUIDE else "rad"
     rest, last, case = stations[0].held.stiffness(), stations[-1].held.stiffness(), d.case
     buckling = [z.buckling[0] for z in stations]
@@ -142,7 +159,10 @@ def range_rows(stations: list[Station], d: Design) -> list[Quantity]:
     ]
     for z in guided_directions(d):
         name, ratio = f"{case}_end_stiffness_{z.replace(' ', '_')}", last[z] / rest[z]
-        found.append(Quantity(name, ratio, source="reported; over that at rest, drive held"))
+        source = f"reported; over that at rest, drive held; {coarse[z] / rest[z]:.4g} with half the elements"
+        found.append(
+            Quantity(name, ratio, source=source, more={"elements": ELEMENTS, half: coarse[z] / rest[z]})
+        )
     found += [
         Quantity(f"{case}_range_travel", [z.travel for z in stations], unit=unit, source="reported"),
         Quantity(f"{case}_range_frequencies", frequencies, unit="rad/s", source="reported"),

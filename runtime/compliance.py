@@ -126,16 +126,18 @@ def body_compliance(
     if any(s.m <= i < s.m + s.k for i in held):
         raise ModelError("compliance: a slip cannot be held; name coordinates or deformations")
     extra = C[np.array(held, dtype=np.intp), : s.nf]
-    size = len(matrix_)
     if held:
-        side = np.zeros((len(held), size))
+        side = np.zeros((len(held), len(matrix_)))
         side[:, : s.nf] = extra
         matrix_ = np.block([[matrix_, side.T], [side, np.zeros((len(held), len(held)))]])
     B, turn = _rows(state, point, frame, offset)
     rhs = np.zeros((len(matrix_), B.shape[0]))
     rhs[: s.nf] = B[:, : s.nf].T
     moved = B[:, : s.nf] @ problem.solve(matrix_, rhs)[: s.nf]
-    moved[np.abs(moved) < RIGID * np.abs(moved).max(initial=0.0)] = 0.0
+    size = np.ones(len(moved))
+    size[: len(moved) - (3 if len(moved) == 6 else 1)] = problem.x_scale.max(initial=0.0)
+    shares = np.abs(moved) / np.outer(size, size)
+    moved[shares < RIGID * shares.max(initial=0.0)] = 0.0
     directions = DIRECTIONS if B.shape[0] == 6 else PLANAR_DIRECTIONS
     return Compliance(directions, moved, turn)
 

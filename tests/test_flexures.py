@@ -138,3 +138,26 @@ def test_figures_are_written(results: example.Results, tmp_path: Path) -> None:
 
     for file in pictures(results, tmp_path):
         assert file.stat().st_size > 20000
+
+
+def test_a_bent_leaf_without_travel_is_a_cantilever() -> None:
+    d = example.GUIDE
+    C = np.linalg.inv(exact.end_stiffness(d.profile, d.length))
+    places = np.ix_([2, 3, 4], [2, 3, 4])
+    np.testing.assert_allclose(exact.bent_leaf(d.profile, d.length, 0.0), C[places], rtol=1e-10, atol=1e-16)
+
+
+def test_support_stiffness_of_the_bent_guide_converges_to_that_of_curved_bars() -> None:
+    d = example.GUIDE
+
+    def errors(n: int) -> np.ndarray:
+        system = example.guide(elements=n).build()
+        state = system.equilibrium(1.25)
+        found = fx.body_compliance(system, d.point, d.frame, state, hold=[d.drive]).stiffness()
+        expected = exact.bent_guide(d.profile, d.length, example.SPACING, state[d.drive])
+        return np.array([found[z] / expected[z] - 1 for z in ("z", "turn x", "turn y")])
+
+    e = [errors(n) for n in (4, 8, 16)]
+    assert np.max(np.abs(e[-1])) < 6e-3
+    assert np.all(np.log2(np.abs(e[0] / e[1])) > 1.7)
+    assert np.all(np.log2(np.abs(e[1] / e[2])) > 1.7)
