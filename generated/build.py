@@ -22,6 +22,9 @@ ELEMENTS = (
     "wheel",
     "rotation",
     "body_rotation",
+    "body_velocity",
+    "bar_span",
+    "beam_span",
     "planar_point_mass",
     "planar_body",
     "planar_truss",
@@ -29,6 +32,9 @@ ELEMENTS = (
     "planar_beam",
     "planar_beam_first_order",
     "planar_beam3",
+    "planar_body_velocity",
+    "planar_bar_span",
+    "planar_beam_span",
 )
 LAWS = (
     "linear_1",

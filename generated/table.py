@@ -830,6 +830,197 @@ ELEMENTS: dict[str, ElementSpec] = {
             ),
         },
     ),
+    # element body_velocity
+    "body_velocity": ElementSpec(
+        name="body_velocity",
+        digest="86710256fe764578",
+        doc="(vx, vy, vz) = R(lambda)' xdot_p, velocity of the point in the axes of the frame",
+        source="textbook mechanics",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("r", "frame"),
+        ),
+        parameters=(),
+        deformations=(),
+        slips=(
+            SlipSpec("vx", "m/s", True),
+            SlipSpec("vy", "m/s", True),
+            SlipSpec("vz", "m/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (0,), ()),
+                    OutputSpec("De", (0, 7), ()),
+                    OutputSpec("V", (3, 7), (0, 1, 2, 7, 8, 9, 14, 15, 16)),
+                ),
+                31,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (0,), ()),
+                    OutputSpec("s", (3,), (0, 1, 2)),
+                ),
+                43,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (0,), ()),
+                    OutputSpec("gs", (3,), (0, 1, 2)),
+                ),
+                59,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 7), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20)),
+                    OutputSpec("Psi_x", (3, 7), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20)),
+                    OutputSpec("Psi_v", (3, 7), tuple(range(21))),
+                ),
+                125,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (7, 7), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20)),
+                ),
+                27,
+            ),
+        },
+    ),
+    # element bar_span
+    "bar_span": ElementSpec(
+        name="bar_span",
+        digest="3fe5eb028bf501f6",
+        doc="(x, y, z) = l0 (vp + vq)/2, rate of the integral of position over a straight bar",
+        source="textbook mechanics (consistent nodal forces)",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("q", "point"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+        ),
+        deformations=(),
+        slips=(
+            SlipSpec("x", "m^2/s", True),
+            SlipSpec("y", "m^2/s", True),
+            SlipSpec("z", "m^2/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (0,), ()),
+                    OutputSpec("De", (0, 6), ()),
+                    OutputSpec("V", (3, 6), (0, 3, 7, 10, 14, 17)),
+                ),
+                1,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (0,), ()),
+                    OutputSpec("s", (3,), (0, 1, 2)),
+                ),
+                9,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (0,), ()),
+                    OutputSpec("gs", (3,), ()),
+                ),
+                0,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 6), ()),
+                    OutputSpec("Psi_x", (3, 6), ()),
+                    OutputSpec("Psi_v", (3, 6), ()),
+                ),
+                0,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (6, 6), ()),
+                ),
+                0,
+            ),
+        },
+    ),
+    # element beam_span
+    "beam_span": ElementSpec(
+        name="beam_span",
+        digest="10150c5a84d3bc2e",
+        doc="(x, y, z) = l0 ((vp + vq)/2 + l0 (exdot_p - exdot_q)/12), rate of the integral of position over the\nbeam's cubic Hermite interpolation; ex: first columns of R(lambda_p o tp), R(lambda_q o tq)",
+        source="textbook mechanics (consistent nodal forces)",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("rp", "frame"),
+            NodeSpec("q", "point"),
+            NodeSpec("rq", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("tp", 4, "1", "unit quaternion from the body frame of node p to the element's triad there"),
+            ParameterSpec("tq", 4, "1", "unit quaternion from the body frame of node q to the element's triad there"),
+        ),
+        deformations=(),
+        slips=(
+            SlipSpec("x", "m^2/s", True),
+            SlipSpec("y", "m^2/s", True),
+            SlipSpec("z", "m^2/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (0,), ()),
+                    OutputSpec("De", (0, 14), ()),
+                    OutputSpec("V", (3, 14), (0, 3, 4, 5, 6, 7, 10, 11, 12, 13, 15, 17, 18, 19, 20, 22, 24, 25, 26, 27, 30, 31, 32, 33, 34, 37, 38, 39, 40, 41)),
+                ),
+                169,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (0,), ()),
+                    OutputSpec("s", (3,), (0, 1, 2)),
+                ),
+                175,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (0,), ()),
+                    OutputSpec("gs", (3,), (0, 1, 2)),
+                ),
+                96,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 14), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41)),
+                    OutputSpec("Psi_x", (3, 14), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41)),
+                    OutputSpec("Psi_v", (3, 14), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41)),
+                ),
+                398,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (14, 14), (45, 46, 47, 48, 59, 60, 61, 62, 73, 74, 75, 76, 87, 88, 89, 90, 150, 151, 152, 153, 164, 165, 166, 167, 178, 179, 180, 181, 192, 193, 194, 195)),
+                ),
+                326,
+            ),
+        },
+    ),
     # element planar_point_mass
     "planar_point_mass": ElementSpec(
         name="planar_point_mass",
@@ -1308,6 +1499,194 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("R_v", (5, 5), ()),
                 ),
                 0,
+            ),
+        },
+    ),
+    # element planar_body_velocity
+    "planar_body_velocity": ElementSpec(
+        name="planar_body_velocity",
+        digest="b8ba437990d280db",
+        doc="(vx, vy) = R(angle)' xdot_p, velocity of the point in the axes of the angle node",
+        source="textbook mechanics",
+        nodes=(
+            NodeSpec("p", "planar_point"),
+            NodeSpec("r", "planar_angle"),
+        ),
+        parameters=(),
+        deformations=(),
+        slips=(
+            SlipSpec("vx", "m/s", True),
+            SlipSpec("vy", "m/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (0,), ()),
+                    OutputSpec("De", (0, 3), ()),
+                    OutputSpec("V", (2, 3), (0, 1, 3, 4)),
+                ),
+                3,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (0,), ()),
+                    OutputSpec("s", (2,), (0, 1)),
+                ),
+                8,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (0,), ()),
+                    OutputSpec("gs", (2,), (0, 1)),
+                ),
+                11,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Phi_x", (2, 3), (2, 5)),
+                    OutputSpec("Psi_x", (2, 3), (2, 5)),
+                    OutputSpec("Psi_v", (2, 3), tuple(range(6))),
+                ),
+                28,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (3, 3), (2, 5)),
+                ),
+                9,
+            ),
+        },
+    ),
+    # element planar_bar_span
+    "planar_bar_span": ElementSpec(
+        name="planar_bar_span",
+        digest="c9b50032dd451681",
+        doc="(x, y, z) = l0 (vp + vq)/2, rate of the integral of position over a straight bar",
+        source="textbook mechanics (consistent nodal forces)",
+        nodes=(
+            NodeSpec("p", "planar_point"),
+            NodeSpec("q", "planar_point"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+        ),
+        deformations=(),
+        slips=(
+            SlipSpec("x", "m^2/s", True),
+            SlipSpec("y", "m^2/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (0,), ()),
+                    OutputSpec("De", (0, 4), ()),
+                    OutputSpec("V", (2, 4), (0, 2, 5, 7)),
+                ),
+                1,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (0,), ()),
+                    OutputSpec("s", (2,), (0, 1)),
+                ),
+                6,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (0,), ()),
+                    OutputSpec("gs", (2,), ()),
+                ),
+                0,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Phi_x", (2, 4), ()),
+                    OutputSpec("Psi_x", (2, 4), ()),
+                    OutputSpec("Psi_v", (2, 4), ()),
+                ),
+                0,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (4, 4), ()),
+                ),
+                0,
+            ),
+        },
+    ),
+    # element planar_beam_span
+    "planar_beam_span": ElementSpec(
+        name="planar_beam_span",
+        digest="dc9d7017d466ca00",
+        doc="(x, y) = l0 ((vp + vq)/2 + l0 (exdot_p - exdot_q)/12), rate of the integral of position over the\nbeam's cubic Hermite interpolation; ex: directions of the element at p and q",
+        source="textbook mechanics (consistent nodal forces)",
+        nodes=(
+            NodeSpec("p", "planar_point"),
+            NodeSpec("rp", "planar_angle"),
+            NodeSpec("q", "planar_point"),
+            NodeSpec("rq", "planar_angle"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("alpha0", 1, "rad", "initial direction of the element minus the angle of node p"),
+            ParameterSpec("alphaq0", 1, "rad", "initial direction of the element minus the angle of node q"),
+        ),
+        deformations=(),
+        slips=(
+            SlipSpec("x", "m^2/s", True),
+            SlipSpec("y", "m^2/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (0,), ()),
+                    OutputSpec("De", (0, 6), ()),
+                    OutputSpec("V", (2, 6), (0, 2, 3, 5, 7, 8, 10, 11)),
+                ),
+                18,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (0,), ()),
+                    OutputSpec("s", (2,), (0, 1)),
+                ),
+                24,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (0,), ()),
+                    OutputSpec("gs", (2,), (0, 1)),
+                ),
+                19,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Phi_x", (2, 6), (2, 5, 8, 11)),
+                    OutputSpec("Psi_x", (2, 6), (2, 5, 8, 11)),
+                    OutputSpec("Psi_v", (2, 6), (2, 5, 8, 11)),
+                ),
+                50,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (6, 6), (14, 35)),
+                ),
+                18,
             ),
         },
     ),

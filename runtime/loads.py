@@ -14,7 +14,7 @@ import numpy as np
 from flexel.errors import ModelError
 from flexel.functions import Polynomial, TimeFunction, as_function
 from flexel.generated.table import ELEMENTS
-from flexel.structure import Array, Instance, Node, Structure
+from flexel.structure import Array, Instance, Node, Structure, unknown
 
 if TYPE_CHECKING:
     from flexel.model import Model
@@ -54,15 +54,15 @@ class Loads:
         return U
 
 
-def load(self: Model, target: Node | str, value: Any, *, follower: bool = False) -> None:
+def load(self: Model, target: Node | str, value: Any, *, follower: bool | Node | str = False) -> None:
     """Apply a force, moment or generalized force, constant or a function of time.
 
     Parameters
     ----------
     target : node or name
-        A point takes a force vector [N]; a frame a moment vector [N m] about global axes (with
-        ``follower=True`` about body axes); a coordinate, deformation or slip a generalized force, positive when
-        it does positive work as the quantity grows.
+        A point takes a force vector [N] in global axes (with ``follower=frame`` in the axes of that frame); a frame
+        a moment vector [N m] about global axes (with ``follower=True`` about body axes); a coordinate, deformation
+        or slip a generalized force, positive when it does positive work as the quantity grows.
     value : number or function of time, or a sequence of them for a node
     """
     if isinstance(target, str) and "." in target:
@@ -72,18 +72,87 @@ def load(self: Model, target: Node | str, value: Any, *, follower: bool = False)
         return
     node = self.node(target, "load")
     owner = f"load on '{node.name}'"
-    if follower and node.kind != "frame":
-        raise ModelError(f"{owner}: follower loads act on frames, not on a {node.kind}; leave follower out")
+    _check_follower(node, follower, owner)
     if np.all(node.fixed):
         raise ModelError(f"{owner}: this node is fixed and cannot move; remove load or fixing")
-    if node.kind == "frame":
-        quantities = [f"{sensor(self, node, follower)}.{w}" for w in ("wx", "wy", "wz")]
+    if node.kind in ("point", "planar_point") and follower:
+        quantities = _follower_slips(self, node, follower, owner)
+    elif node.kind == "frame":
+        quantities = [f"{sensor(self, node, bool(follower))}.{w}" for w in ("wx", "wy", "wz")]
     else:
         quantities = list(node.coordinates)
     for quantity, component in zip(quantities, _components(value, len(quantities), owner), strict=True):
         function = as_function(component, owner)
         if function != Polynomial((0.0,)):
             self.loads.append(Load(quantity, function))
+
+
+def _check_follower(node: Node, follower: bool | Node | str, owner: str) -> None:
+    """A frame's moment follows itself (True); a point's force follows a named frame; an angle's cannot follow."""
+    if node.kind == "planar_angle" and follower:
+        raise ModelError(f"{owner}: a moment in the plane has no direction to follow; leave follower out")
+    if node.kind == "frame" and not isinstance(follower, bool):
+        raise ModelError(f"{owner}: a moment follows its own frame; write follower=True")
+    if node.kind in ("point", "planar_point") and follower is True:
+        raise ModelError(f"{owner}: a point has no axes for the force to follow; write follower=frame")
+
+
+def _follower_slips(self: Model, point: Node, frame: Any, owner: str) -> list[str]:
+    """Slips of the element that measures a point's velocity in a frame's axes; made when first needed."""
+    planar = point.kind == "planar_point"
+    body = self.of_kind(frame, ("planar_angle" if planar else "frame",), owner)
+    name = f"{point.name}.in {body.name}"
+    if name not in self.instances:
+        spec = ELEMENTS["planar_body_velocity" if planar else "body_velocity"]
+        self.instances[name] = Instance(name, spec, (point.name, body.name), {})
+    return [f"{name}.{v}" for v in (("vx", "vy") if planar else ("vx", "vy", "vz"))]
+
+
+# element that carries the load of a span, and the parameters it takes from the beam
+_SPANS = {
+    "truss": "bar_span",
+    "beam3": "bar_span",
+    "beam": "beam_span",
+    "beam_first_order": "beam_span",
+    "planar_truss": "planar_bar_span",
+    "planar_beam3": "planar_bar_span",
+    "planar_beam": "planar_beam_span",
+    "planar_beam_first_order": "planar_beam_span",
+}
+
+
+def distributed_load(self: Model, beam: str, value: Any) -> None:
+    """Load a beam or truss evenly along its length.
+
+    Parameters
+    ----------
+    beam : str
+        Name of a beam (flexible or rigid) or truss.
+    value : sequence of numbers or functions of time
+        Force per undeformed length [N/m] in global axes; the nodal forces and moments are the consistent ones.
+
+    Raises
+    ------
+    ModelError
+        Unknown name, an element without length, wrong number of components.
+    """
+    owner = f"distributed load on '{beam}'"
+    if beam not in self.instances:
+        raise ModelError(f"{owner}: {unknown(str(beam), self.instances, 'element')}")
+    loaded = self.instances[beam]
+    if loaded.spec.name not in _SPANS:
+        raise ModelError(f"{owner}: a {loaded.spec.name} has no span; load a beam or a truss")
+    spec = ELEMENTS[_SPANS[loaded.spec.name]]
+    name = f"{beam}.span"
+    if name not in self.instances:
+        nodes = loaded.nodes if spec.name.endswith("beam_span") else (loaded.nodes[0], loaded.nodes[-1])
+        values = {z.name: loaded.parameters[z.name] for z in spec.parameters}
+        self.instances[name] = Instance(name, spec, nodes, values)
+    axes = [slip.name for slip in spec.slips]
+    for axis, component in zip(axes, _components(value, len(axes), owner), strict=True):
+        function = as_function(component, owner)
+        if function != Polynomial((0.0,)):
+            self.loads.append(Load(f"{name}.{axis}", function))
 
 
 def _components(value: Any, size: int, owner: str) -> list[Any]:

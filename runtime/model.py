@@ -242,6 +242,7 @@ class Model:
             self.rates[name] = number(rate, owner, "rate")
 
     load = loads.load
+    distributed_load = loads.distributed_load
     angular_velocity = loads.angular_velocity
 
     # -- finish ----------------------------------------------------------------------------------

@@ -5,6 +5,7 @@ from flexel.derive.elements.beam import BEAM, BEAM_FIRST_ORDER
 from flexel.derive.elements.beam3 import BEAM3
 from flexel.derive.elements.bearing import BEARING
 from flexel.derive.elements.body import BODY, POINT_MASS
+from flexel.derive.elements.body_velocity import BODY_VELOCITY, PLANAR_BODY_VELOCITY
 from flexel.derive.elements.hinge import HINGE
 from flexel.derive.elements.norm import NORM
 from flexel.derive.elements.planar_beam import PLANAR_BEAM, PLANAR_BEAM_FIRST_ORDER
@@ -12,6 +13,7 @@ from flexel.derive.elements.planar_beam3 import PLANAR_BEAM3
 from flexel.derive.elements.planar_body import PLANAR_BODY, PLANAR_POINT_MASS
 from flexel.derive.elements.planar_hinge import PLANAR_HINGE
 from flexel.derive.elements.rotation_slips import BODY_ROTATION, ROTATION
+from flexel.derive.elements.span_slips import BAR_SPAN, BEAM_SPAN, PLANAR_BAR_SPAN, PLANAR_BEAM_SPAN
 from flexel.derive.elements.truss import PLANAR_TRUSS, TRUSS
 from flexel.derive.elements.wheel import WHEEL
 
@@ -28,6 +30,9 @@ ELEMENTS: tuple[Element, ...] = (
     WHEEL,
     ROTATION,
     BODY_ROTATION,
+    BODY_VELOCITY,
+    BAR_SPAN,
+    BEAM_SPAN,
     PLANAR_POINT_MASS,
     PLANAR_BODY,
     PLANAR_TRUSS,
@@ -35,4 +40,7 @@ ELEMENTS: tuple[Element, ...] = (
     PLANAR_BEAM,
     PLANAR_BEAM_FIRST_ORDER,
     PLANAR_BEAM3,
+    PLANAR_BODY_VELOCITY,
+    PLANAR_BAR_SPAN,
+    PLANAR_BEAM_SPAN,
 )
