@@ -33,8 +33,8 @@ from flexel.orientation import matrix
 from flexel.periodic import Coefficients
 from flexel.structure import Array
 
-CHART_ANGLES = np.linspace(3.0, 45.0, 7)  # degrees
-CHART_SPEEDS = np.linspace(0.3, 1.2, 46)
+CHART_ANGLES = np.linspace(5.0, 45.0, 6)  # degrees
+CHART_SPEEDS = np.linspace(0.3, 1.2, 37)
 
 
 def pictures(results: Results, out: Path) -> list[Path]:
@@ -168,7 +168,7 @@ def chart(at: Callable[[float], Callable[[float], Coefficients]]) -> Array:
         equations = at(float(np.radians(degrees)))
         for i, speed in enumerate(CHART_SPEEDS):
             try:
-                found[i, j] = growth(equations(float(speed)), 1e-5)
+                found[i, j] = growth(equations(float(speed)), 1e-4)
             except LinearizationError:  # left blank
                 found[i, j] = np.nan
     return found

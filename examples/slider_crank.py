@@ -27,12 +27,23 @@ HARMONICS = 16
 SAMPLES = 4 * HARMONICS + 4
 DAMPING = (0.01, 0.02)
 SPEEDS = np.linspace(50.0, 330.0, 200)  # of the linearized sweep [rad/s]
-NONLINEAR_SPEEDS = tuple(
-    sorted(
-        {row[0] for row in data.SWEEP}
-        | {110.0, 138.0, 145.0, 155.0, 175.0, 195.0, 230.0, 250.0, 265.0, 315.0}
-    )
+MORE_SPEEDS = (
+    110.0,
+    138.0,
+    145.0,
+    195.0,
+    203.5,
+    230.0,
+    250.0,
+    255.0,
+    262.0,
+    264.0,
+    266.0,
+    268.0,
+    273.0,
+    315.0,
 )
+NONLINEAR_SPEEDS = tuple(sorted({row[0] for row in data.SWEEP} | set(MORE_SPEEDS)))  # followed upwards
 SECONDS = 0.1
 p = data.DATA
 
@@ -163,13 +174,18 @@ def family(elements: int, zeta: float) -> tuple[periodic.Orbit, periodic.SpeedFa
 
 @dataclass(frozen=True)
 class Sweep:
-    """Over speeds [rad/s]: largest deflection, amplitudes of harmonics 0…6, and Floquet multipliers' moduli."""
+    """Over speeds [rad/s]: largest deflection, amplitudes of harmonics 0…6, and Floquet multipliers' moduli.
+
+    `neglected` is the share of the harmonics left out, `message` where the range ended early and why.
+    """
 
     speeds: Array
     largest: Array
     harmonics: Array
     quasi_static: Array
     multipliers: Array
+    neglected: float
+    message: str
 
 
 def linear_sweep(zeta: float, elements: int = 2, speeds: Array = SPEEDS, harmonics: int = 12) -> Sweep:
@@ -177,10 +193,11 @@ def linear_sweep(zeta: float, elements: int = 2, speeds: Array = SPEEDS, harmoni
     nominal, equations = family(elements, zeta)
     midpoint = small_deflection(nominal, elements)
 
-    def at(speed: float) -> tuple[Array, Array]:
+    def at(speed: float) -> tuple[Array, Array, float]:
         c = equations.at(speed)
-        q = c.harmonic_balance(harmonics).samples()[0]
-        return (midpoint * q).sum(axis=1), (midpoint * c.quasi_static()).sum(axis=1)
+        found = c.harmonic_balance(harmonics)
+        q = found.samples()[0]
+        return (midpoint * q).sum(axis=1), (midpoint * c.quasi_static()).sum(axis=1), found.error
 
     found = periodic.speed_range(at, speeds)
     series = [z[0] for z in found.results]
@@ -190,6 +207,8 @@ def linear_sweep(zeta: float, elements: int = 2, speeds: Array = SPEEDS, harmoni
         np.array([amplitudes(z) for z in series]),
         np.array([amplitudes(z[1]) for z in found.results]),
         np.zeros((0, 0)),
+        max(z[2] for z in found.results),
+        found.message,
     )
 
 
@@ -201,18 +220,20 @@ def nonlinear_sweep(
 ) -> Sweep:
     """Nonlinear periodic motions from speed to speed; their Floquet multipliers if asked for."""
 
-    def measure(motion: periodic.Orbit, vibration: periodic.PeriodicVibration) -> tuple[Array, Array]:
-        w = motion.coefficients.floquet_multipliers(1e-7) if multipliers else np.zeros(0)
-        return deflection(motion, elements), np.abs(w)
+    def measure(motion: periodic.Orbit, vibration: periodic.PeriodicVibration) -> tuple[Array, Array, float]:
+        w = motion.coefficients.floquet_multipliers(1e-6) if multipliers else np.zeros(0)
+        return deflection(motion, elements), np.abs(w), vibration.error
 
     system = lambda speed: slider_crank(speed, elements, zeta)  # noqa: E731
     found = periodic.nonlinear_range(system, speeds, HARMONICS, measure)
     return Sweep(
         found.speeds,
-        np.array([largest(z) for z, _ in found.results]),
-        np.array([amplitudes(z) for z, _ in found.results]),
+        np.array([largest(z) for z, _, _ in found.results]),
+        np.array([amplitudes(z) for z, _, _ in found.results]),
         np.zeros((0, 0)),
-        np.array([w for _, w in found.results]),
+        np.array([w for _, w, _ in found.results]),
+        max(z[2] for z in found.results),
+        found.message,
     )
 
 

@@ -64,10 +64,13 @@ def sweeps(results: Results) -> list[Quantity]:
             ),
             Quantity(f"sweep_nonlinear_{name}", found.largest[at], expected, 0.01, "", data.MODES, more),
         ]
+    neglected = max(z.neglected for z in results.swept.values())
+    stops = "; ".join(z.message for z in results.swept.values() if z.message)
     multipliers = float(results.swept[0.02].multipliers.max())
     return [
         *rows,
         Quantity("sweep_seconds", results.seconds, unit="s",
                  source=data.TIMED),
+        Quantity("sweep_neglected", neglected, 0.0, 2e-3, "", stops or "share of the harmonics above 16, worst speed"),
         Quantity("largest_floquet_multiplier", multipliers, source="nonlinear, all speeds, 2 %; stable below 1"),
     ]  # fmt: skip
