@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from flexel.errors import ModelError
+from flexel.inputs import number
 from flexel.state import State
 from flexel.structure import Array
 
@@ -110,6 +111,7 @@ class Motion(Sequence[State]):
             raise ModelError(
                 "this motion has no dense output (a path, or implicit integration); give times to keep"
             )
+        t = number(t, "motion.at", "time")
         if not self.t[0] <= t <= self._segments[-1].t1:
             raise ModelError(
                 f"time {t:g} s lies outside the motion, {self.t[0]:g}…{self._segments[-1].t1:g} s"
