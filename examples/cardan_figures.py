@@ -34,7 +34,9 @@ from flexel.periodic import Coefficients
 from flexel.structure import Array
 
 CHART_ANGLES = np.linspace(5.0, 45.0, 6)  # degrees
-CHART_SPEEDS = np.linspace(0.3, 1.2, 37)
+CHART_SPEEDS = np.concatenate(  # close together near 1/3, 1/2 and 1
+    [np.linspace(0.3, 0.4, 9), np.linspace(0.45, 0.6, 13), np.linspace(0.85, 1.2, 24)]
+)
 
 
 def pictures(results: Results, out: Path) -> list[Path]:
