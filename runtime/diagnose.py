@@ -63,6 +63,7 @@ def check_redundancy(structure: Structure, roles: Roles, J: Array, rows: Index, 
         names += [z for z in largest(structure, rows, column) if z not in names]
     count = left.shape[1]
     mine = [z for z in names if structure.find(z) not in roles.prescribed]
+    mine.sort(key=lambda z: structure.find(z) not in roles.zero)  # a slip is the first thing to release
     remedy = f"m.release('{mine[0]}')" if mine else f"without m.prescribe('{names[0]}', …)"
     raise ConstraintError(
         f"over-constrained: {count} {what} repeat{'s' if count == 1 else ''} what others already say, among "
