@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 # The published systems: name -> module with a function reproduce(out: Path | None) -> Report.
 CASES = {
     "bicycle": "flexel.examples.bicycle",
+    "beams": "flexel.examples.beams",
     "cardan": "flexel.examples.cardan",
     "slider-crank": "flexel.examples.slider_crank",
     "flexures": "flexel.examples.flexures",

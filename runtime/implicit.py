@@ -79,7 +79,7 @@ class GeneralizedAlpha(Saddle):
         self.start = start
         self.statistics = {"steps": 0, "rejected": 0, "evaluations": 0, "factorizations": 0, "rechoices": 0}
         self._matrix: Factorization | None = None
-        self._matrix_step = 0.0
+        self._matrix_step = self._shortest = 0.0
         self._stiffness = np.zeros((0, 0))
 
     def run(self, times: Array, first_step: float, max_step: float, progress: bool | None) -> Integration:
@@ -94,6 +94,7 @@ class GeneralizedAlpha(Saddle):
         mu = self.multipliers(s)
         point = Point(s.t, s.x.copy(), s.v.copy(), s.a.copy(), s.a.copy(), mu, s.e)
         states, h, message = [s], first_step, "reached the end"
+        self._shortest = 1e-10 * float(times[-1] - s.t)
         show = sys.stderr.isatty() if progress is None else progress
         bar = tqdm(total=float(times[-1] - s.t), disable=not show, unit="s", leave=False)
         try:
@@ -116,7 +117,7 @@ class GeneralizedAlpha(Saddle):
         self, point: Point, step: float, wish: float, states: list[State]
     ) -> tuple[Point, Balance, float]:
         """One accepted step of at most `step`; returns also the step that the error allows next."""
-        shortest, asked = 1e-10 * max(wish, step), step
+        asked = step
         while True:
             found = self._solve(point, step)
             if found is not None:
@@ -128,7 +129,7 @@ class GeneralizedAlpha(Saddle):
                     return new, balance, max(allowed, wish) if step == asked else allowed
             self.statistics["rejected"] += 1
             step *= 0.5 if found is None else max(0.2, 0.9 * error ** (-1 / 3))
-            if step < shortest:
+            if step < self._shortest:
                 failure = DynamicsError(
                     f"implicit integration cannot go on at t = {point.t:g} s (step {step:.2g} s): the motion is not "
                     "smooth there, or a condition cannot be met; look at the last states (error.states)"

@@ -1,0 +1,348 @@
+"""The published beam problems at rest: large deflections and buckling, with the elements that each needs.
+
+Every problem is a function of the number of elements and of whether the second-order terms are on; its rows give
+the result on the finest mesh, the observed order, and the limit extrapolated from three meshes.
+Imports numpy, scipy and flexel.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import cache, partial
+from typing import Protocol
+
+import numpy as np
+from scipy.optimize import brentq
+
+import flexel as fx
+from flexel.examples import beams_data as data
+from flexel.examples import beams_models as models
+from flexel.examples.convergence import elements_needed, order, romberg
+from flexel.orientation import matrix
+from flexel.report import Quantity
+from flexel.structure import Array
+
+SHEAR_NOTE = (
+    "the second-order terms are those of an unshearable element: a limit off by the order of EI/(GA L²)"
+)
+PRINCETON_ANGLES = (0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0)  # of the load from the width [degrees]
+
+
+# -- results as functions of the mesh -------------------------------------------------------------
+
+
+@cache
+def elastica(load: float, n: int, second_order: bool = True) -> fx.State:
+    """The inextensible cantilever under a transverse tip force P = load EI/L²."""
+    m = models.planar(n, EIz=1.0, second_order=second_order)
+    m.load(f"P{n}.y", load)
+    return m.build().equilibrium()
+
+
+def elastica_tip(load: float, n: int, second_order: bool = True) -> Array:
+    """Deflection and shortening (2,) of the tip."""
+    tip = elastica(load, n, second_order).position(f"P{n}")
+    return np.array([tip[1], 1.0 - tip[0]])
+
+
+@cache
+def rolled_up(turns: float, n: int, second_order: bool = True) -> fx.State:
+    """The cantilever rolled up by an end moment into `turns` full circles."""
+    m = models.planar(n, EIz=1.0, second_order=second_order)
+    m.load(f"R{n}", 2 * np.pi * turns)
+    return m.build().equilibrium()
+
+
+@cache
+def bend_states(n: int, second_order: bool = True) -> tuple[fx.State, ...]:
+    """The 45 degree bend under each of the published loads."""
+    system = models.bend(n, second_order)
+    states: list[fx.State] = []
+    for load, *_ in data.BEND_TIPS:
+        states.append(system.equilibrium(load, states[-1] if states else None))
+    return tuple(states)
+
+
+def bend_tips(n: int, second_order: bool = True) -> Array:
+    """Tip positions (loads, 3) of the 45 degree bend."""
+    return np.array([z.position(f"P{n}") for z in bend_states(n, second_order)])
+
+
+@cache
+def princeton_tips(degrees: float, n: int, second_order: bool = True) -> Array:
+    """u, edgewise and flatwise deflection, twist (loads, 4) of the Princeton beam."""
+    system, state, rows = models.princeton(n, degrees, second_order), None, []
+    for load in sorted({row[0] for row in data.PRINCETON_TIPS}):
+        state = system.equilibrium(load, state)
+        R = matrix(state.position(f"R{n}"))
+        twist = np.arctan2(R[2, 1] - R[1, 2], R[1, 1] + R[2, 2])
+        rows.append([*(state.position(f"P{n}") - [data.PRINCETON_LENGTH, 0, 0]), twist])
+    return np.array(rows)
+
+
+@cache
+def post_buckled(load: float, n: int, second_order: bool = True) -> fx.State:
+    """The cantilever column under `load` times its Euler load."""
+    path = models.bent_column(n, load * np.pi**2 / 4, second_order).static_path(1.0)
+    if path.message:
+        raise fx.PositionError(path.message)
+    end: fx.State = path[-1]
+    return end
+
+
+def lateral_factor(n: int, second_order: bool = True) -> float:
+    """P L² / sqrt(EIy GJ) of the narrow cantilever, straight until it buckles."""
+    system = models.narrow(n, second_order, EA=1e7, GJ=1.0, EIy=1.0, EIz=1e4)
+    return abs(system.buckling(increment={f"P{n}.y": -1.0}, count=1)[0].multiplier)
+
+
+def critical_load(system: fx.System, low: float, high: float) -> float:
+    """The load parameter between two at which the lowest frequency about equilibrium falls to zero."""
+
+    def stiffness(load: float) -> float:
+        lowest = system.vibrations(system.equilibrium(load), count=1)[0].frequency
+        return lowest * abs(lowest)
+
+    return float(brentq(stiffness, low, high, xtol=1e-11 * abs(high), rtol=1e-11))
+
+
+@cache
+def prebent_load(n: int, second_order: bool = True) -> float:
+    """Load [N] at which the narrow cantilever, bent by it, buckles sideways."""
+    P = data.LATERAL_PREBENT
+    return critical_load(models.narrow(n, second_order, **data.LATERAL_SECTION), 0.7 * P, 2.0 * P)
+
+
+@cache
+def frame_load(n: int, sense: int, second_order: bool = True) -> float:
+    """Critical load [N] of the right-angle frame along +x or -x (sense 1 or -1), n elements a leg."""
+    known = data.FRAME_LOADS[0 if sense > 0 else 1]
+    return critical_load(models.right_angle_frame(n, second_order), 0.8 * known, 1.3 * known)
+
+
+def frame_loads(n: int) -> Array:
+    """Critical loads (2,) [N] of the right-angle frame along +x and -x."""
+    return np.array([frame_load(n, 1), frame_load(n, -1)])
+
+
+def euler_factor(supports: str, n: int, second_order: bool = True) -> float:
+    """Critical load of an inextensible column over EI/L²."""
+    system = models.column(n, supports, second_order=second_order)
+    return system.buckling(increment={f"P{n}.x": -1.0}, count=1)[0].multiplier
+
+
+def column_load(n: int, section: dict[str, float]) -> float:
+    """Critical load of an extensible or shearable column, at the shortened state."""
+    return critical_load(models.column(n, "clamped-free", **section), 1.0, 3.0)
+
+
+class MeshError(Protocol):
+    """Relative error on a mesh of n elements, with or without the second-order terms."""
+
+    def __call__(self, n: int, second_order: bool) -> float:
+        """The error."""
+
+
+# -- rows -----------------------------------------------------------------------------------------
+
+
+def converged(
+    name: str,
+    value: Callable[[int], Array | float],
+    reference: Array | float,
+    meshes: Sequence[int],
+    tolerances: tuple[float, float],
+    unit: str,
+    source: str,
+    order_tolerance: float | None = 0.03,
+) -> list[Quantity]:
+    """Rows of one result: on the finest mesh, the order there, and the limit extrapolated from the meshes.
+
+    Parameters
+    ----------
+    meshes : sequence of int
+        Numbers of elements, each twice the one before.
+    tolerances : (float, float)
+        Of the finest mesh, and of the limit.
+    order_tolerance : float, optional
+        The order is to be 2 within it; none where terms of the second and fourth order are of the same size.
+    """
+    found = [np.asarray(value(n)) for n in meshes]
+    size = float(np.max(np.abs(reference)))
+    errors = [float(np.max(np.abs(z - reference))) / size for z in found]
+    observed = order(errors)
+    mesh = {"elements": meshes[-1], "order": observed, "errors": errors}
+    limit = {"elements": list(meshes)}
+    comment = f"{source}; extrapolated from the meshes of " + ", ".join(map(str, meshes)) + " elements"
+    return [
+        Quantity(name, found[-1], reference, tolerances[0], unit, source, mesh),
+        Quantity(
+            f"{name}_order",
+            observed,
+            None if order_tolerance is None else 2.0,
+            (order_tolerance or 0.0) / 2,
+            "",
+            "order of convergence",
+            limit,
+        ),
+        Quantity(f"{name}_limit", romberg(found), reference, tolerances[1], unit, comment, limit),
+    ]
+
+
+def needed(name: str, error: MeshError, source: str, fewest: int = 1, terms: bool = True) -> Quantity:
+    """Row of the elements needed for 1 % and for 0.1 %, with and without the second-order terms."""
+    both: tuple[bool, ...] = (True, False) if terms else (True,)
+    found = [elements_needed(partial(error, second_order=z), (1e-2, 1e-3), fewest) for z in both]
+    more: dict[str, object] = {"elements_1pct": found[0][0], "elements_0.1pct": found[0][1]}
+    if terms:
+        more |= {"elements_1pct_first_order": found[1][0], "elements_0.1pct_first_order": found[1][1]}
+    counts = np.array([np.nan if n is None else n for row in found for n in row], dtype=float)
+    text = "elements for 1 %, 0.1 %" + ("; the same without second-order terms" if terms else "")
+    return Quantity(f"elements_for_{name}", counts, source=f"{text}: {source}", more=more)
+
+
+def large_deflections() -> list[Quantity]:
+    """Elastica, roll-up, post-buckled column, 45 degree bend, Princeton beam."""
+    meshes, rows = (8, 16, 32), []
+    for load, w, u in data.TIP_FORCE:
+        rows += converged(
+            f"elastica_{load:g}", partial(elastica_tip, load), np.array([w, u]), meshes,
+            (1e-3, 1e-6), "L", data.ELASTICA,
+        )  # fmt: skip
+    circle, meshes = np.array([0.0, 0.0]), (16, 32, 64)
+    tips = [rolled_up(1.0, n).position(f"P{n}") for n in meshes]
+    gaps = [float(np.linalg.norm(z)) for z in tips]
+    mesh = {"elements": meshes[-1], "order": order(gaps), "errors": gaps}
+    limit = {"elements": list(meshes)}
+    rows += [
+        Quantity("roll_up_tip", tips[-1], circle, 2e-3, "L", data.ROLL_UP, mesh),
+        Quantity("roll_up_order", order(gaps), 2.0, 0.015, "", "order of convergence", limit),
+        Quantity("roll_up_limit", romberg(tips), circle, 2e-5, "L", data.ROLL_UP, limit),
+    ]
+    reference = np.array([row[1:] for row in data.POST_BUCKLED])
+
+    def column(n: int) -> Array:
+        return np.array([post_buckled(row[0], n).position(f"P{n}") for row in data.POST_BUCKLED])
+
+    rows += converged("column_bent", column, reference, (8, 16, 32), (5e-3, 1e-3), "L", data.COLUMN, 0.1)
+    tips_45 = np.array([row[1:] for row in data.BEND_TIPS])
+    rows += converged("bend_45", bend_tips, tips_45, (8, 16, 32), (4e-4, 1e-6), "in", data.BEND)
+    return rows + princeton()
+
+
+def princeton() -> list[Quantity]:
+    """The Princeton beam: displacements and twist at all angles, three loads each.
+
+    Without shear and extension the limit agrees with an exact rod to 1e-10 (tests/test_beam_problems.py); with them
+    it is 4e-6 rad of the twist off, because the second-order terms leave out the shear.
+    """
+    meshes, reference = (8, 16, 32), {z: _princeton_reference(z) for z in PRINCETON_ANGLES}
+    everything = np.array([reference[z] for z in PRINCETON_ANGLES])
+
+    def all_angles(n: int) -> Array:
+        return np.array([princeton_tips(z, n) for z in PRINCETON_ANGLES])
+
+    return [
+        *converged(
+            "princeton_tip", lambda n: all_angles(n)[..., :3], everything[..., :3], meshes,
+            (2e-4, 5e-6), "m", data.PRINCETON,
+        ),
+        *converged(
+            "princeton_twist", lambda n: all_angles(n)[..., 3], everything[..., 3], meshes,
+            (5e-4, 2e-4), "rad", data.PRINCETON + "; " + SHEAR_NOTE, None,
+        ),
+    ]  # fmt: skip
+
+
+def _princeton_reference(degrees: float) -> Array:
+    return np.array([row[2:] for row in data.PRINCETON_TIPS if row[1] == degrees])
+
+
+def buckling() -> list[Quantity]:
+    """Lateral buckling, Euler columns, the right-angle frame."""
+    n_golden = [row[0] for row in data.LATERAL_ERRORS]
+    golden = np.array([row[1:] for row in data.LATERAL_ERRORS])
+    errors = [
+        [100 * (lateral_factor(n, z) / data.LATERAL_FACTOR - 1) for z in (False, True)] for n in n_golden
+    ]
+    rows = [
+        *converged(
+            "lateral_buckling", lateral_factor, data.LATERAL_FACTOR, (8, 16, 32), (4e-4, 1e-5), "", data.LATERAL
+        ),
+        Quantity("lateral_errors", errors, golden, 0.01, "%",
+                 "error without and with second-order terms, by an independent program", {"elements": n_golden}),
+        *converged(
+            "lateral_buckling_prebent", prebent_load, data.LATERAL_PREBENT, (8, 16, 32), (4e-4, 1e-6), "N",
+            data.PREBENDING,
+        ),
+    ]  # fmt: skip
+    for supports, factor in data.EULER_FACTORS.items():
+        rows.append(
+            Quantity(f"euler_{supports}", euler_factor(supports, 16), factor, 1e-4, "EI/L2", data.EULER,
+                     {"elements": 16})
+        )  # fmt: skip
+    EA, GA = data.SHEARABLE["EA"], data.SHEARABLE["GA"]
+    extensible = (1 - np.sqrt(1 - np.pi**2 / EA)) * EA / 2
+    rows += [
+        Quantity("euler_extensible", column_load(32, {"EA": EA}), extensible, 1e-5, "EI/L2",
+                 "P (1 - P/EA) = pi² EI/(4 L²)", {"elements": 32}),
+        Quantity("euler_shearable", column_load(32, {"EA": EA, "GAy": GA}), data.SHEARABLE_LOAD, 2e-3, "EI/L2",
+                 "P (1 + P/GA - P/EA) = pi² EI/(4 L²); " + SHEAR_NOTE, {"elements": 32}),
+    ]  # fmt: skip
+    rows += converged(
+        "right_angle_frame",
+        frame_loads,
+        np.array(data.FRAME_LOADS),
+        (4, 8, 16),
+        (5e-4, 1e-6),
+        "N",
+        data.FRAME,
+    )
+    return rows
+
+
+def meshes_needed() -> list[Quantity]:
+    """What the second-order terms are for: elements needed for 1 % and for 0.1 %."""
+    w = {load: np.array(tip) for load, *tip in data.TIP_FORCE}
+    princeton_45 = _princeton_reference(45.0)
+    drawn = np.array([100 * (1 - np.sqrt(0.5)), 100 * np.sqrt(0.5), 0.0])
+    moved = np.array(data.BEND_TIPS[-1][1:]) - drawn
+
+    def relative(found: Array, exact: Array) -> float:
+        return float(np.linalg.norm(found - exact) / np.linalg.norm(exact))
+
+    def elastica_error(load: float) -> MeshError:
+        return lambda n, second_order: relative(elastica_tip(load, n, second_order), w[load])
+
+    def gap(n: int, second_order: bool) -> float:
+        return float(np.linalg.norm(rolled_up(1.0, n, second_order).position(f"P{n}")))
+
+    def bend(n: int, second_order: bool) -> float:
+        return relative(bend_tips(n, second_order)[-1] - drawn, moved)
+
+    def princeton_tip(n: int, second_order: bool) -> float:
+        return relative(princeton_tips(45.0, n, second_order)[:, :3], princeton_45[:, :3])
+
+    def princeton_twist(n: int, second_order: bool) -> float:
+        return relative(princeton_tips(45.0, n, second_order)[:, 3], princeton_45[:, 3])
+
+    def lateral(n: int, second_order: bool) -> float:
+        return abs(lateral_factor(n, second_order) / data.LATERAL_FACTOR - 1)
+
+    def euler(n: int, second_order: bool) -> float:
+        return abs(euler_factor("clamped-free", n, second_order) / data.EULER_FACTORS["clamped-free"] - 1)
+
+    def frame(n: int, second_order: bool) -> float:
+        return abs(frame_load(n, 1, second_order) / data.FRAME_LOADS[0] - 1)
+
+    return [
+        needed("elastica_2", elastica_error(2.0), "tip displacement", 2),
+        needed("elastica_10", elastica_error(10.0), "tip displacement", 3),
+        needed("roll_up", gap, "gap of the circle over its circumference", 6),
+        needed("bend_45", bend, "tip displacement, 600 lbf"),
+        needed("princeton_tip", princeton_tip, "tip displacement at 45°"),
+        needed("princeton_twist", princeton_twist, "twist of the tip at 45°"),
+        needed("lateral_buckling", lateral, "load", 2),
+        needed("euler_column", euler, "load, clamped-free"),
+        needed("right_angle_frame", frame, "load along +x; elements a leg", 3),
+    ]
