@@ -630,7 +630,7 @@ LOADS = {
         "remove load or fixing",
     ),
     "follower on a point": built(
-        lambda m: m.load("A", (1, 0, 1), follower=True), "'A'", "frames", "leave follower"
+        lambda m: m.load("A", (1, 0, 1), follower=True), "'A'", "no axes", "follower=frame"
     ),
     "follower on an angle": built(
         lambda m: m.load("pivot.angle", 1, follower=True), "'pivot.angle'", "leave follower"
@@ -845,7 +845,7 @@ ANALYSES = {
         lambda s: s.simulate(0.01, samples=2)["pivot.agle"], "'pivot.agle'", "did you mean pivot.angle"
     ),
     "motion after its end": system(lambda s: s.simulate(0.01, samples=2).at(5), "5 s", "0…0.01"),
-    "motion at NaN": system(lambda s: s.simulate(0.01, samples=2).at(math.nan), "nan", "0…0.01"),
+    "motion at NaN": system(lambda s: s.simulate(0.01, samples=2).at(math.nan), "nan", "finite"),
     "reduced to an unknown": linear(lambda z: z.reduced(["q"]), "'q'", "name some of"),
     "reduced to nothing": linear(lambda z: z.reduced([]), "reduced", "name one"),
     "reduced twice": linear(lambda z: z.reduced(["elbow.angle"] * 2), "reduced", "each once"),
