@@ -36,12 +36,15 @@ class Batch:
         For each kernel input, where its rows lie in the global vector.
     p : ndarray (elements, np)
         Parameters.
+    weight : ndarray (elements,), optional
+        Mass-proportional damping of the elements [1/s].
     """
 
     spec: ElementSpec | LawSpec
     struct: Any
     inputs: dict[str, Index]
     p: Array
+    weight: Array | None = None
 
     @property
     def size(self) -> int:
@@ -111,6 +114,7 @@ class Stage:
         self._starts, width = _output_starts(active, kind)
         self._output = np.zeros(max(width, 1))
         self._count = len(active)
+        self._shares = _input_shares(active) if kind == "tangent" and "a" in self._names else None
         self._calls = self._call_table(active, kind)
         self._targets = self._scatter_table(active, kind, placement)
 
@@ -153,10 +157,12 @@ class Stage:
         table: dict[str, Any] = {}
         for name, (place, s, t) in pieces.items():
             source, target = np.concatenate(s), np.concatenate(t)
-            size = int(np.prod(place.shape))
+            shape = int(np.prod(place.shape)), self._output.size
             if place.summed:
-                ones = np.ones(source.size)
-                table[name] = csr_array((ones, (target, source)), shape=(size, self._output.size))
+                table[name] = csr_array((np.ones(source.size), (target, source)), shape=shape)
+                shares = [_share(b, rows.size // b.size) for b, rows in zip(active, s, strict=False)]
+                if name == "M" and any(z.any() for z in shares):
+                    table["damped M"] = csr_array((np.concatenate(shares), (target, source)), shape=shape)
             else:
                 table[name] = (source, target)
         return table
@@ -165,6 +171,8 @@ class Stage:
         """Gather the inputs and run the kernels of all batches; read the results with `add` and `put`."""
         for name in self._filled:
             np.take(vectors[name], self._gather[name], out=self._inputs[name], mode="clip")
+        if self._shares is not None:
+            self._inputs["a"] += self._shares * self._inputs["v"]
         if self._count:
             lib.flexel_run(self._count, self._calls)
 
@@ -183,6 +191,19 @@ class Stage:
 
 def _pointer(array: Array, offset: int) -> Any:
     return ffi.cast("double *", array.ctypes.data) + offset
+
+
+def _share(batch: Batch, rows: int) -> Array:
+    """The elements' mass-proportional damping, once for each of `rows` entries of an element."""
+    return np.repeat(np.zeros(batch.size) if batch.weight is None else batch.weight, rows)
+
+
+def _input_shares(active: list[Batch]) -> Array | None:
+    """Damping of each entry of the gathered accelerations of the tangent, which then is that of M (a + share v)."""
+    if not any(b.weight is not None and b.weight.any() for b in active):
+        return None
+    columns = [(_share(b, 1)[:, None], b.inputs["a"].shape[1]) for b in active]
+    return np.concatenate([blocks(np.repeat(share, rows, axis=1)).ravel() for share, rows in columns])
 
 
 def _output_starts(active: list[Batch], kind: str) -> tuple[list[dict[str, int]], int]:

@@ -49,6 +49,7 @@ class Evaluation:
         self.structure = structure
         m, k, n = structure.m, structure.k, structure.n
         self._rows = m + k + n
+        self._damped = any(z.mass_damping for z in structure.instances)
         elements = _element_batches(structure)
         laws = _law_batches(structure)
         place = _Places(m, k, n)
@@ -75,12 +76,18 @@ class Evaluation:
         return self._acceleration.put("g", np.zeros(self._rows))
 
     def inertia(self, x: Array, v: Array) -> tuple[Array, Array, Array, float]:
-        """Mass matrix M (n, n), convective inertia h (n,), body forces f (n,) and their potential [J]."""
+        """Mass matrix M (n, n), convective inertia h (n,), body forces f (n,) and their potential [J].
+
+        Mass-proportional damping counts with h.
+        """
         n = self.structure.n
         self._inertia.run(x=x, v=v)
         stage = self._inertia
         U = float(stage.sum("U", (1,))[0])
-        return stage.sum("M", (n, n)), stage.sum("h", (n,)), stage.sum("f", (n,)), U
+        h = stage.sum("h", (n,))
+        if self._damped:
+            h += stage.sum("damped M", (n, n)) @ v
+        return stage.sum("M", (n, n)), h, stage.sum("f", (n,)), U
 
     def stresses(self, e: Array, ed: Array, s: Array) -> tuple[Array, float]:
         """Stresses (sigma, tau) of the laws (m + k,) and their stored energy [J]; e unwrapped."""
@@ -107,6 +114,9 @@ class Evaluation:
         self._tangent.run(x=x, v=v, a=a)
         r_x = self.stress_stiffness(x, stress) + self._tangent.sum("R_x", (n, n))
         r_v = self._tangent.sum("R_v", (n, n))
+        if self._damped:
+            self._inertia.run(x=x, v=v)
+            r_v += self._inertia.sum("damped M", (n, n))
         S = J[: m + k]
         self._law_tangent.run(e=e, ed=J[:m] @ v, s=J[m : m + k] @ v)
         L = self._law_tangent.sum("J", (m + k, 2 * m + k))
@@ -171,7 +181,8 @@ def _element_batches(structure: Structure) -> list[Batch]:
         spec = members[0].spec
         struct = kernel_struct(spec, members[0].kernels)
         inputs = {"x": x, "v": x, "a": x, "sigma": sigma, "tau": tau}
-        batches.append(Batch(spec, struct, inputs, np.array([i.p for i in members])))
+        weight = np.array([i.mass_damping for i in members])
+        batches.append(Batch(spec, struct, inputs, np.array([i.p for i in members]), weight))
     return batches
 
 

@@ -182,6 +182,7 @@ class Model:
     linear_law = springs.linear_law
     spring = springs.spring
     viscous = springs.viscous
+    mass_damping = springs.mass_damping
     law = springs.law
 
     # -- roles -----------------------------------------------------------------------------------

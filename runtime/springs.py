@@ -6,6 +6,7 @@ Imports numpy, the errors, the table of laws and the checked inputs.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,7 +16,7 @@ from flexel.errors import ModelError
 from flexel.generated.table import ELEMENTS, LAWS
 from flexel.inputs import array, names, number, quantities
 from flexel.laws import formula_law
-from flexel.structure import COMPONENTS, Array, Instance, LawInstance, Node
+from flexel.structure import COMPONENTS, Array, Instance, LawInstance, Node, unknown
 
 if TYPE_CHECKING:
     from flexel.model import Model
@@ -148,6 +149,26 @@ def _add_displacement(self: Model, element: str, node: Node) -> None:
     values = {z.name: np.eye(z.size)[0] if z.name == "tp" else np.zeros(z.size) for z in spec.parameters}
     self.instances[element] = Instance(element, spec, tuple(z.name for z in ends), values)
     self.roles |= {z: "free" for z in self.instances[element].deformations if z not in self.roles}
+
+
+def mass_damping(self: Model, element: str, rate: float) -> None:
+    """Resist the motion of an element by `rate` [1/s] times its momentum: Rayleigh's mass-proportional part.
+
+    The stiffness-proportional part is the `damping` of springs and beams.  The force is -rate M v, with M the
+    element's own consistent mass matrix; a whole mechanism that drifts is resisted too.
+
+    Raises
+    ------
+    ModelError
+        An unknown element, one without mass, a rate that is negative.
+    """
+    owner = f"mass_damping of '{element}'"
+    if element not in self.instances:
+        raise ModelError(f"{owner}: {unknown(str(element), self.instances, 'element')}")
+    if "inertia" not in self.instances[element].spec.kernels:
+        raise ModelError(f"{owner}: a {self.instances[element].spec.name} has no mass; name a body or a beam")
+    share = not_negative(rate, owner, "rate")
+    self.instances[element] = replace(self.instances[element], mass_damping=share)
 
 
 def viscous(self: Model, name: str, damping: float) -> None:

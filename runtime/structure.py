@@ -55,6 +55,7 @@ class Instance:
     parameters: Mapping[str, Array]
     kernels: object = None  # address of a user-defined element's kernels; None: built in
     profile: object = None  # of a beam: its section and material, where given
+    mass_damping: float = 0.0  # force per momentum [1/s], the mass-proportional part of Rayleigh damping
 
     @property
     def p(self) -> Array:
