@@ -233,7 +233,7 @@ def large_deflections() -> list[Quantity]:
 def princeton() -> list[Quantity]:
     """The Princeton beam: displacements and twist at all angles, three loads each.
 
-    Without shear and extension the limit agrees with an exact rod to 1e-10 (tests/test_beam_problems.py); with them
+    Without shear and extension the limit agrees with an exact rod to 1e-10 (compared once, by hand); with them
     it is 4e-6 rad of the twist off, because the second-order terms leave out the shear.
     """
     meshes, reference = (8, 16, 32), {z: _princeton_reference(z) for z in PRINCETON_ANGLES}

@@ -212,9 +212,10 @@ def buckling(
 def vibrations(self: System, state: State | None = None, count: int = 10) -> list[stability.Vibration]:
     """Lowest natural frequencies [rad/s] and modes about a state of rest, damping left out.
 
+    The state is the equilibrium nearest to the initial configuration, if none is given.
     Unlike ``linearize(state).modes()`` this needs no choice of independent coordinates.
     """
-    return stability.vibrations(self, state or self.rest, count)
+    return stability.vibrations(self, state or self.equilibrium(), count)
 
 
 def steady(

@@ -149,3 +149,12 @@ def test_a_pendulum_drawn_askew_finds_its_way_down() -> None:
     length = float(np.hypot(0.3, 0.9))
     np.testing.assert_allclose(state.position("A"), (0, 0, -length), atol=1e-12)
     assert state.force("O.z") == pytest.approx(2.0 * length * 9.81, rel=1e-12)
+
+
+def test_a_hanging_rod_vibrates_about_its_equilibrium_if_no_state_is_given() -> None:
+    m = fx.Model(gravity=(0, 0, -9.81))
+    r1 = m.frame("R1")
+    m.hinge("pivot", m.frame("R0", fixed=True), r1, axis=(0, 1, 0))
+    m.beam("rod", m.point("O", (0, 0, 0), fixed=True), r1, m.point("A", (0.1, 0, -0.7)), mass_per_length=2.0)
+    frequency = m.build().vibrations()[0].frequency
+    assert frequency**2 == pytest.approx(1.5 * 9.81 / np.hypot(0.1, 0.7), rel=1e-9)
