@@ -38,7 +38,19 @@ def test_the_bicycle_of_the_readme_rides(tmp_path: Path) -> None:
         assert digits in answer.stdout
 
 
-def test_the_pictures_of_the_readme_exist() -> None:
-    names = re.findall(r"\]\((docs/images/[^)]+)\)", README.read_text(encoding="utf-8"))
+PAGES = [README, *sorted((README.parent / "docs").glob("*.md"))]
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_the_pictures_and_links_of_a_page_exist(page: Path) -> None:
+    names = re.findall(r"\]\(([^):]+)\)", page.read_text(encoding="utf-8"))
     assert names
-    assert all((README.parent / name).is_file() for name in names)
+    assert [name for name in names if not (page.parent / name).is_file()] == []
+
+
+def test_the_leaf_spring_of_the_documentation_runs(capsys: pytest.CaptureFixture[str]) -> None:
+    text = (README.parent / "docs" / "flexures.md").read_text(encoding="utf-8")
+    found = re.search(r"```python\n(.*?)```", text, re.DOTALL)
+    assert found is not None
+    exec(found[1], {})
+    assert capsys.readouterr().out.strip()
