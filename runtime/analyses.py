@@ -6,13 +6,14 @@ Imports numpy and those rooms.
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from flexel import stability, states, statics
-from flexel.errors import PositionError
+from flexel.errors import IncompleteWarning, PositionError
 from flexel.implicit import GeneralizedAlpha
 from flexel.integrate import (
     Event,
@@ -182,9 +183,11 @@ def static_path(self: System, t_end: float, start: State | None = None) -> Motio
     """Equilibria while the time, here the load parameter, goes to `t_end`; past limit points by arc length.
 
     The start must be in equilibrium (see `equilibrium`).  If the path cannot be continued, what was reached
-    is returned, and ``message`` says where it stopped and why.
+    is returned with an IncompleteWarning, and ``message`` says where it stopped and why.
     """
     states_, message = statics.static_path(self, t_end, start or self.rest)
+    if message:
+        warnings.warn(message, IncompleteWarning, stacklevel=2)
     counts = {"steps": len(states_) - 1, "evaluations": 0, "rechoices": 0}
     return Motion(self, Integration(states_, [], [], counts, message))
 

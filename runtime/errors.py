@@ -26,6 +26,10 @@ class DynamicsError(FlexelError, RuntimeError):
     """The equations of motion cannot be solved or integrated (singular mass matrix, failed step)."""
 
 
+class IncompleteWarning(UserWarning):
+    """An analysis gave less than was asked: the message says what was reached and where it stopped."""
+
+
 class CompilerError(FlexelError, RuntimeError):
     """A user-defined law or element cannot be compiled, for want of a C compiler or because it refuses."""
 
