@@ -2,20 +2,21 @@
 
 Small vibrations about the nominal motion come from harmonic balance of the linearized equations; the full nonlinear
 periodic motion from Newton's method with the same coefficients, taken along the present guess, as Jacobian.  Where
-a range of speeds cannot be finished, what was found is kept, with a message that says where it stopped and why.
+a range of speeds cannot be finished, what was found is kept, with a warning that says where it stopped and why.
 Source: Schwab and Meijaard, "SPACAR" (2004); Cameron and Griffin (1989) for alternating frequency and time.
 Imports numpy, the errors, the harmonics and the orbits, whose names it passes on.
 """
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Generic, TypeVar
 
 import numpy as np
 
-from flexel.errors import FlexelError, LinearizationError, PositionError
+from flexel.errors import FlexelError, IncompleteWarning, LinearizationError, PositionError
 from flexel.floquet import ComplexArray
 from flexel.harmonics import (
     Coefficients,
@@ -196,12 +197,17 @@ def speed_range(family: Callable[[float], Result], speeds: Sequence[float] | Arr
         try:
             found.append(family(float(omega)))
         except FlexelError as error:
-            return SpeedRange(np.array(speeds[: len(found)], dtype=float), found, _stopped(omega, error))
+            return _cut_short(speeds, found, omega, error)
     return SpeedRange(np.array(speeds, dtype=float), found)
 
 
-def _stopped(omega: float, error: FlexelError) -> str:
-    return f"stopped at {omega:g} rad/s: {error}"
+def _cut_short(
+    speeds: Sequence[float] | Array, found: list[Result], omega: float, error: FlexelError
+) -> SpeedRange[Result]:
+    """What was found before a speed that fails, with a warning."""
+    message = f"stopped at {omega:g} rad/s: {error}"
+    warnings.warn(message, IncompleteWarning, stacklevel=3)
+    return SpeedRange(np.array(speeds[: len(found)], dtype=float), found, message)
 
 
 def nonlinear_range(
@@ -234,7 +240,7 @@ def nonlinear_range(
         try:
             motion, vibration = _reach(system, float(omega), harmonics, known, accuracy)
         except FlexelError as error:
-            return SpeedRange(np.array(speeds[: len(found)], dtype=float), found, _stopped(omega, error))
+            return _cut_short(speeds, found, omega, error)
         found.append(measure(motion, vibration))
     return SpeedRange(np.array(speeds, dtype=float), found)
 

@@ -203,7 +203,8 @@ def test_too_few_samples_are_named() -> None:
 
 def test_a_range_with_a_resonance_without_damping_stops_there_and_keeps_the_rest() -> None:
     speeds = [0.7, 0.8, 1.0, 1.25]
-    found = periodic.speed_range(lambda w: mathieu(1.0, 0.0, w).harmonic_balance(3), speeds)
+    with pytest.warns(fx.IncompleteWarning, match="stopped at 1 rad/s"):
+        found = periodic.speed_range(lambda w: mathieu(1.0, 0.0, w).harmonic_balance(3), speeds)
     assert len(found.results) == 2
     assert list(found.speeds) == speeds[:2]
     assert found.message.startswith(
@@ -212,26 +213,39 @@ def test_a_range_with_a_resonance_without_damping_stops_there_and_keeps_the_rest
 
 
 def test_a_range_with_standstill_stops_there() -> None:
-    for found in (
-        periodic.nonlinear_range(oscillator, [0.2, 0.1, 0.0], 3, lambda _, v: v.error),
-        periodic.speed_range(
+    for go in (
+        lambda: periodic.nonlinear_range(oscillator, [0.2, 0.1, 0.0], 3, lambda _, v: v.error),
+        lambda: periodic.speed_range(
             lambda w: periodic.orbit(oscillator(w), 2 * np.pi / w if w else np.inf, 8), [0.1, 0.0]
         ),
     ):
+        with pytest.warns(fx.IncompleteWarning, match="stopped at 0 rad/s"):
+            found = go()
         assert found.message.startswith("stopped at 0 rad/s")
         assert len(found.results) == found.speeds.size > 0
 
 
-def test_a_range_over_a_fold_says_where_it_stopped() -> None:
-    """Beyond the top of a hardening resonance with no way on but a jump, either the lower branch or a message."""
-    found = periodic.nonlinear_range(
+def amplitudes(speeds: np.ndarray) -> periodic.SpeedRange[float]:
+    """Largest harmonic of a hardening oscillator, whose resonance bends over to higher speeds."""
+    return periodic.nonlinear_range(
         lambda w: oscillator(w, zeta=0.01, cubic=0.2, push=0.1),
-        np.linspace(0.9, 2.4, 6),
+        speeds,
         5,
-        lambda _, v: float(np.abs(v.X).max()),
+        lambda _, v: float(np.abs(v.X[v.harmonics + 1 :]).max()),
     )
-    assert len(found.results) == found.speeds.size
-    assert found.message == "" or found.message.startswith("stopped at")
+
+
+def test_a_range_that_climbs_a_fold_stops_at_its_top_and_says_so() -> None:
+    with pytest.warns(fx.IncompleteWarning, match="stopped at 1.6 rad/s: no periodic motion found"):
+        found = amplitudes(np.linspace(0.9, 2.4, 16))
+    assert found.speeds[-1] == pytest.approx(1.5)
+    assert np.all(np.diff(found.results) > 0)
+
+
+def test_a_range_in_long_steps_goes_round_a_fold_on_the_lower_branch() -> None:
+    found = amplitudes(np.linspace(0.9, 2.4, 6))
+    assert found.message == ""
+    assert np.all(np.diff(found.results) < 0)
 
 
 def test_positions_out_of_reach_are_named() -> None:
