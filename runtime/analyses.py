@@ -246,5 +246,11 @@ def steady(
     ------
     PositionError
         If no steady motion is found near the start; says what was reached.
+
+    Notes
+    -----
+    The rates that are held are those of the freedoms.  For a rotating structure name deformations as freedoms
+    (`Model.independent`) and prescribe the rotation: with global coordinates as freedoms a motion with these at
+    rest would be looked for.
     """
     return steady_motion(self, start or self.initial, rates, unknown, unknown_rates)

@@ -232,7 +232,11 @@ class Model:
         self.kinematic_names = [*(self.kinematic_names or []), *quantities(names, "kinematic")]
 
     def initial(self, name: str, value: float | None = None, rate: float | None = None) -> None:
-        """Initial value and rate of a coordinate or deformation (a slip: rate only)."""
+        """Initial value and rate of a coordinate or deformation (a slip: rate only).
+
+        Rates that nothing given determines are zero for the freedoms; name these with `independent`, or give
+        enough rates, where it matters which they are.
+        """
         owner = f"initial '{name}'"
         quantities([name], "initial")
         if value is None and rate is None:
