@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from scipy.sparse import csr_array
+from scipy.sparse import csr_array, vstack
 
 from flexel.errors import FlexelError
 from flexel.generated._kernels import ffi, lib
@@ -117,6 +117,7 @@ class Stage:
         self._shares = _input_shares(active) if kind == "tangent" and "a" in self._names else None
         self._calls = self._call_table(active, kind)
         self._targets = self._scatter_table(active, kind, placement)
+        self._stack_sums()
 
     def _call_table(self, active: list[Batch], kind: str) -> Any:
         """The array of `flexel_call` with all pointers, made once."""
@@ -167,6 +168,14 @@ class Stage:
                 table[name] = (source, target)
         return table
 
+    def _stack_sums(self) -> None:
+        """One sparse product for all summed outputs together."""
+        tables = {name: z for name, z in self._targets.items() if not isinstance(z, tuple)}
+        ends = np.cumsum([0, *(z.shape[0] for z in tables.values())])
+        self._parts = {name: slice(a, b) for name, a, b in zip(tables, ends[:-1], ends[1:], strict=True)}
+        self._sums: Any = vstack(list(tables.values()), format="csr") if tables else None
+        self._totals: Array | None = None
+
     def run(self, **vectors: Array) -> None:
         """Gather the inputs and run the kernels of all batches; read the results with `add` and `put`."""
         for name in self._filled:
@@ -175,6 +184,7 @@ class Stage:
             self._inputs["a"] += self._shares * self._inputs["v"]
         if self._count:
             lib.flexel_run(self._count, self._calls)
+        self._totals = None
 
     def put(self, name: str, out: Array) -> Array:
         """Write the entries of the output `name` into `out` (each has one owner) and return it."""
@@ -185,8 +195,11 @@ class Stage:
 
     def sum(self, name: str, shape: tuple[int, ...]) -> Array:
         """The output `name`, contributions of all elements summed."""
-        table = self._targets.get(name)
-        return np.zeros(shape) if table is None else np.asarray(table @ self._output).reshape(shape)
+        if name not in self._parts:
+            return np.zeros(shape)
+        if self._totals is None:
+            self._totals = np.asarray(self._sums @ self._output)
+        return self._totals[self._parts[name]].reshape(shape)
 
 
 def _pointer(array: Array, offset: int) -> Any:

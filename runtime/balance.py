@@ -134,7 +134,7 @@ class Saddle:
     def state(self, b: Balance) -> State:
         """The complete state at a balance."""
         return with_multipliers(
-            self.system.kinematics, b.configuration, b.v, b.a, b.e, b.forces, b.multiplier
+            self.system.kinematics, self.system.loads, b.configuration, b.v, b.a, b.e, b.forces, b.multiplier
         )
 
     def solve(self, matrix: Array, rhs: Array) -> Array:

@@ -34,17 +34,19 @@ class Forces:
         f - h - De' sigma - V' tau over all given stresses.
     stress : ndarray (m + k,)
         Given stresses: of laws and of loads.
-    energy : Energy
+    potential, strain : float
+        Of body forces and of laws [J].
     """
 
     M: Array
     F: Array
     stress: Array
-    energy: Energy
+    potential: float
+    strain: float
 
 
 def forces(kinematics: Kinematics, loads: Loads, c: Configuration, v: Array, e: Array) -> Forces:
-    """Mass matrix, given forces and energies at (x, v); `e` holds the deformations with their turns."""
+    """Mass matrix, given forces and potentials at (x, v); `e` holds the deformations with their turns."""
     s = kinematics.structure
     evaluation = kinematics.evaluation
     M, h, f, U = evaluation.inertia(c.x, v)
@@ -52,9 +54,10 @@ def forces(kinematics: Kinematics, loads: Loads, c: Configuration, v: Array, e: 
     law, strain = evaluation.stresses(e, rates[: s.m], rates[s.m :])
     nodal, applied = loads.at(c.t)
     stress = law + applied
-    F = f - h + nodal - stress @ c.J[: s.m + s.k]
-    U += loads.potential(c.t, kinematics.values(e, c.x))
-    return Forces(M, F, stress, Energy(float(v @ M @ v) / 2, U, strain))
+    F = f - h + nodal
+    if loads.any or s.laws:
+        F = F - stress @ c.J[: s.m + s.k]
+    return Forces(M, F, stress, U, strain)
 
 
 @dataclass(frozen=True)
@@ -133,11 +136,18 @@ def complete(
         mu[s.nf - roles.nd :] = 0.0
     multiplier = np.zeros(len(s.names))
     multiplier[roles.velocity_rows] = mu
-    return with_multipliers(kinematics, c, v, a, e, given, multiplier)
+    return with_multipliers(kinematics, loads, c, v, a, e, given, multiplier)
 
 
 def with_multipliers(
-    kinematics: Kinematics, c: Configuration, v: Array, a: Array, e: Array, given: Forces, multiplier: Array
+    kinematics: Kinematics,
+    loads: Loads,
+    c: Configuration,
+    v: Array,
+    a: Array,
+    e: Array,
+    given: Forces,
+    multiplier: Array,
 ) -> State:
     """The state with known accelerations and multipliers (m + k + n,) of constraints, by quantity."""
     s, roles = kinematics.structure, kinematics.roles
@@ -151,6 +161,7 @@ def with_multipliers(
     reactions = -multiplier[first:]
     unbalance = given.F - given.M @ a - multiplier[:first] @ c.J[:first]
     reactions[s.nf :] = -unbalance[s.nf :]
+    potential = given.potential + loads.potential(c.t, kinematics.values(e, c.x))
     held = kinematics.values(c.e, c.x)[roles.rigid] / kinematics.scales(roles.rigid)
     return State(
         t=c.t,
@@ -163,7 +174,7 @@ def with_multipliers(
         reactions=reactions,
         roles=roles,
         structure=s,
-        energy=given.energy,
+        energy=Energy(float(v @ given.M @ v) / 2, potential, given.strain),
         drift=float(np.max(np.abs(held), initial=0.0)),
         Phi_v=kinematics.evaluation.convective(c.x, v) + c.J @ a,
     )

@@ -86,7 +86,7 @@ class Evaluation:
         U = float(stage.sum("U", (1,))[0])
         h = stage.sum("h", (n,))
         if self._damped:
-            h += stage.sum("damped M", (n, n)) @ v
+            h = h + stage.sum("damped M", (n, n)) @ v
         return stage.sum("M", (n, n)), h, stage.sum("f", (n,)), U
 
     def stresses(self, e: Array, ed: Array, s: Array) -> tuple[Array, float]:

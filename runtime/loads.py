@@ -38,6 +38,11 @@ class Loads:
         self._functions = [load.function for load in loads]
         self._conservative = [isinstance(f, Polynomial) and len(f.coefficients) == 1 for f in self._functions]
 
+    @property
+    def any(self) -> bool:
+        """Whether there is a load at all."""
+        return bool(self._functions)
+
     def at(self, t: float, order: int = 0) -> tuple[Array, Array]:
         """Nodal forces f (n,) and applied stresses (m + k,) at time t, or their first or second rates."""
         total = np.zeros(self._size)

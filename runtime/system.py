@@ -76,7 +76,7 @@ class System:
         c, still = self._start[0], np.zeros(self.structure.n)
         given = dynamics.forces(self.kinematics, self.loads, c, still, c.e)
         none = np.zeros(len(self.structure.names))
-        return dynamics.with_multipliers(self.kinematics, c, still, still, c.e, given, none)
+        return dynamics.with_multipliers(self.kinematics, self.loads, c, still, still, c.e, given, none)
 
     def use(self, roles: Roles) -> None:
         """Describe the motion by the freedoms in `roles`, which must be right; see `use_freedoms`."""
