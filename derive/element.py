@@ -262,12 +262,6 @@ class Element:
         """All parameters, flattened in declared order."""
         return tuple(s for p in self.parameters for s in p.symbols)
 
-    def substituted(self, expr: Expr) -> Expr:
-        """Expression with the named intermediates replaced by what they stand for (for checks only)."""
-        for s, value in reversed(self.let):
-            expr = expr.xreplace({s: value})
-        return expr
-
 
 @dataclass(frozen=True)
 class Law:

@@ -109,11 +109,6 @@ def _common(elements: dict[str, str], laws: dict[str, str]) -> dict[str, str]:
     }
 
 
-def emit_all() -> dict[str, str]:
-    """Every file of ``generated/``: relative name to text."""
-    return emit().files
-
-
 def stale(folder: Path) -> list[str]:
     """Files in the folder that a complete derivation would not write; compiled ones are nobody's business here."""
     known = {f"{element.name}.c" for element in ELEMENTS} | {"laws.c", *_common({}, {})}

@@ -18,12 +18,6 @@ _P = Symbol("P")
 HERMITE_MASS = Matrix([[156, 22, 54, -13], [22, 4, 13, -3], [54, 13, 156, -22], [-13, -3, -22, 4]]) / 420
 
 
-def hermite() -> Matrix:
-    """The four cubic shape functions on (r_p, l0 r'_p, r_q, l0 r'_q) of xi in [0, 1]."""
-    xi = _XI
-    return Matrix([1 - 3 * xi**2 + 2 * xi**3, xi - 2 * xi**2 + xi**3, 3 * xi**2 - 2 * xi**3, xi**3 - xi**2])
-
-
 @cache
 def rotary_gram() -> tuple[tuple[Expr, ...], ...]:
     """Gram matrix of the section's rotation, times (1 + P)^2, as polynomials in P (symbol `P`).

@@ -191,7 +191,7 @@ class GeneralizedAlpha(Saddle):
 
     def _factor(self, b: Balance, rate: float, acceleration: float, scaling: float) -> Factorization:
         """Factors of the iteration matrix, first rows and multipliers scaled by beta h²."""
-        s, nf = self.structure, self.structure.nf
+        nf = self.structure.nf
         self.statistics["factorizations"] += 1
         T, J = self.tangents(b), b.configuration.J
         K = T.r_x[:nf, :nf] + rate * T.r_v[:nf, :nf] + acceleration * b.forces.M[:nf, :nf]
@@ -200,5 +200,4 @@ class GeneralizedAlpha(Saddle):
         C = J[self.force_rows, :nf]
         zero = np.zeros((self.force_rows.size, self.force_rows.size))
         held = np.vstack([J[self.roles.holonomic, :nf], slips])
-        assert s.nf == nf
         return Factorization(np.block([[scaling * K, C.T], [held, zero]]))

@@ -15,6 +15,7 @@ import numpy as np
 from flexel import dynamics
 from flexel.errors import LinearizationError
 from flexel.harmonics import Coefficients
+from flexel.kinematics import Configuration
 from flexel.linearize import Linearization, linearize
 from flexel.state import State
 from flexel.states import unwrap, with_freedoms
@@ -35,13 +36,10 @@ def driven_state(system: System, t: float, q: Array, qd: Array, qdd: Array, near
 
 def lacking_force(system: System, state: State, lin: Linearization) -> Array:
     """Generalized forces (nd,) that a driven motion lacks: H' (f - h - De' sigma - V' tau - M a) of what is given."""
-    s, kinematics, nd = system.structure, system.kinematics, system.roles.nd
-    _, h, f, _ = kinematics.evaluation.inertia(state.x, state.v)
-    rates = state.J[: s.m + s.k] @ state.v
-    law, _ = kinematics.evaluation.stresses(state.e, rates[: s.m], rates[s.m :])
-    nodal, applied = system.loads.at(state.t)
-    F = f - h + nodal - (law + applied) @ state.J[: s.m + s.k] - lin.mass @ state.a
-    return np.asarray(lin.transfer.H[:, :nd].T @ F[: s.nf])
+    c = Configuration(state.t, state.x, state.e, state.J)
+    given = dynamics.forces(system.kinematics, system.loads, c, state.v, state.e)
+    F = given.F - given.M @ state.a
+    return np.asarray(lin.transfer.H[:, : system.roles.nd].T @ F[: system.structure.nf])
 
 
 @dataclass(frozen=True)

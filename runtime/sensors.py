@@ -36,7 +36,7 @@ def state_space(
     loads = [z for z in inputs if z not in lin.prescribed]
     driven = [lin.prescribed.index(z) for z in inputs if z in lin.prescribed]
     place = {z: i for i, z in enumerate(inputs)}
-    nd, nq, nk, nu = len(lin.dynamic), len(lin.freedoms), len(lin.kinematic), len(driven)
+    nd, nq, nu = len(lin.dynamic), len(lin.freedoms), len(driven)
     ns, ni = nd + nq + 2 * nu, len(inputs)
     z = np.eye(ns + ni)
     qd, q, ud, u = z[:nd], z[nd : nd + nq], z[nd + nq : nd + nq + nu], z[nd + nq + nu : ns]
@@ -67,7 +67,6 @@ def state_space(
         states=ns,
     )
     Y = np.array([_output(lin, motion, name) for name in outputs]).reshape(len(outputs), ns + ni)
-    assert rates.shape == (2 * nd + nk + 2 * nu, ns + ni)
     return rates[:, :ns], rates[:, ns:], Y[:, :ns], Y[:, ns:]
 
 

@@ -80,7 +80,7 @@ def buckling(system: System, state: State, increment: Mapping[str, float], count
 
 @dataclass(frozen=True)
 class Vibration:
-    """An undamped free vibration about equilibrium: angular frequency [rad/s] (0 and NaN free, see below) and shape.
+    """An undamped free vibration about equilibrium: angular frequency [rad/s] and shape.
 
     A negative square of the frequency, an unstable equilibrium, is given as a negative frequency -|ω|.
     """
