@@ -61,7 +61,7 @@ static void linear_1_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_1 = {
     .name = "linear_1",
-    .digest = "aa41d588a1df124f",
+    .digest = "de4f40f20d7d189e",
     .m = 1,
     .k = 0,
     .np = 3,
@@ -146,7 +146,7 @@ static void linear_2_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_2 = {
     .name = "linear_2",
-    .digest = "aa41d588a1df124f",
+    .digest = "de4f40f20d7d189e",
     .m = 2,
     .k = 0,
     .np = 8,
@@ -255,7 +255,7 @@ static void linear_3_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_3 = {
     .name = "linear_3",
-    .digest = "aa41d588a1df124f",
+    .digest = "de4f40f20d7d189e",
     .m = 3,
     .k = 0,
     .np = 15,
@@ -393,7 +393,7 @@ static void linear_4_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_4 = {
     .name = "linear_4",
-    .digest = "aa41d588a1df124f",
+    .digest = "de4f40f20d7d189e",
     .m = 4,
     .k = 0,
     .np = 24,
@@ -572,7 +572,7 @@ static void linear_5_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_5 = {
     .name = "linear_5",
-    .digest = "aa41d588a1df124f",
+    .digest = "de4f40f20d7d189e",
     .m = 5,
     .k = 0,
     .np = 35,
@@ -799,12 +799,355 @@ static void linear_6_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_6 = {
     .name = "linear_6",
-    .digest = "aa41d588a1df124f",
+    .digest = "de4f40f20d7d189e",
     .m = 6,
     .k = 0,
     .np = 48,
     .law = linear_6_law,
     .tangent = linear_6_tangent,
+};
+
+/* diagonal_7
+ *
+ * sigma_i = preload_i + S_i e_i + D_i ed_i
+ * energy = sum of preload_i e_i + S_i e_i^2/2
+ *
+ * Source: Kelvin-Voigt model
+ *
+ * 7 deformations, 0 slips
+ * p (21):
+ *   preload (7) [N or N m]: stress at zero deformation
+ *   S (7) [N/m or N m]: stiffness of each deformation
+ *   D (7) [N s/m or N m s]: damping of each deformation */
+
+/* law: 55 operations.
+ * in:  e (7), ed (7), s (0), p (21)
+ * out: sigma (7), tau (0), U (1) */
+FLEXEL_CLONES
+static void diagonal_7_law(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (7 * 8);
+        const real *restrict ed = in[1] + b * (7 * 8);
+        const real *restrict p = in[3] + b * (21 * 8);
+        real *restrict sigma = out[0] + b * (7 * 8);
+        real *restrict U = out[2] + b * (1 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real e_0 = e[0 * 8 + j];
+            const real S_0 = p[7 * 8 + j];
+            const real t0 = e_0 * S_0;
+            const real ed_0 = ed[0 * 8 + j];
+            const real D_0 = p[14 * 8 + j];
+            const real preload_0 = p[0 * 8 + j];
+            sigma[0 * 8 + j] = preload_0 + ed_0 * D_0 + t0;
+            const real e_1 = e[1 * 8 + j];
+            const real S_1 = p[8 * 8 + j];
+            const real t1 = e_1 * S_1;
+            const real ed_1 = ed[1 * 8 + j];
+            const real D_1 = p[15 * 8 + j];
+            const real preload_1 = p[1 * 8 + j];
+            sigma[1 * 8 + j] = preload_1 + ed_1 * D_1 + t1;
+            const real e_2 = e[2 * 8 + j];
+            const real S_2 = p[9 * 8 + j];
+            const real t2 = e_2 * S_2;
+            const real ed_2 = ed[2 * 8 + j];
+            const real D_2 = p[16 * 8 + j];
+            const real preload_2 = p[2 * 8 + j];
+            sigma[2 * 8 + j] = preload_2 + ed_2 * D_2 + t2;
+            const real e_3 = e[3 * 8 + j];
+            const real S_3 = p[10 * 8 + j];
+            const real t3 = e_3 * S_3;
+            const real ed_3 = ed[3 * 8 + j];
+            const real D_3 = p[17 * 8 + j];
+            const real preload_3 = p[3 * 8 + j];
+            sigma[3 * 8 + j] = preload_3 + ed_3 * D_3 + t3;
+            const real e_4 = e[4 * 8 + j];
+            const real S_4 = p[11 * 8 + j];
+            const real t4 = e_4 * S_4;
+            const real ed_4 = ed[4 * 8 + j];
+            const real D_4 = p[18 * 8 + j];
+            const real preload_4 = p[4 * 8 + j];
+            sigma[4 * 8 + j] = preload_4 + ed_4 * D_4 + t4;
+            const real e_5 = e[5 * 8 + j];
+            const real S_5 = p[12 * 8 + j];
+            const real t5 = e_5 * S_5;
+            const real ed_5 = ed[5 * 8 + j];
+            const real D_5 = p[19 * 8 + j];
+            const real preload_5 = p[5 * 8 + j];
+            sigma[5 * 8 + j] = preload_5 + ed_5 * D_5 + t5;
+            const real e_6 = e[6 * 8 + j];
+            const real S_6 = p[13 * 8 + j];
+            const real t6 = e_6 * S_6;
+            const real ed_6 = ed[6 * 8 + j];
+            const real D_6 = p[20 * 8 + j];
+            const real preload_6 = p[6 * 8 + j];
+            sigma[6 * 8 + j] = preload_6 + ed_6 * D_6 + t6;
+            const real t7 = e_0 * (preload_0 + 0.5 * t0) + e_1 * (preload_1 + 0.5 * t1);
+            const real t8 = e_2 * (preload_2 + 0.5 * t2) + t7 + e_3 * (preload_3 + 0.5 * t3);
+            const real t9 = e_4 * (preload_4 + 0.5 * t4) + t8 + e_5 * (preload_5 + 0.5 * t5);
+            U[0 * 8 + j] = e_6 * (preload_6 + 0.5 * t6) + t9;
+        }
+    }
+}
+
+/* tangent: 0 operations.
+ * in:  e (7), ed (7), s (0), p (21)
+ * out: J (7,14), 14 of 98 entries */
+FLEXEL_CLONES
+static void diagonal_7_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict p = in[3] + b * (21 * 8);
+        real *restrict J = out[0] + b * (14 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real S_0 = p[7 * 8 + j];
+            J[0 * 8 + j] = S_0;
+            const real D_0 = p[14 * 8 + j];
+            J[1 * 8 + j] = D_0;
+            const real S_1 = p[8 * 8 + j];
+            J[2 * 8 + j] = S_1;
+            const real D_1 = p[15 * 8 + j];
+            J[3 * 8 + j] = D_1;
+            const real S_2 = p[9 * 8 + j];
+            J[4 * 8 + j] = S_2;
+            const real D_2 = p[16 * 8 + j];
+            J[5 * 8 + j] = D_2;
+            const real S_3 = p[10 * 8 + j];
+            J[6 * 8 + j] = S_3;
+            const real D_3 = p[17 * 8 + j];
+            J[7 * 8 + j] = D_3;
+            const real S_4 = p[11 * 8 + j];
+            J[8 * 8 + j] = S_4;
+            const real D_4 = p[18 * 8 + j];
+            J[9 * 8 + j] = D_4;
+            const real S_5 = p[12 * 8 + j];
+            J[10 * 8 + j] = S_5;
+            const real D_5 = p[19 * 8 + j];
+            J[11 * 8 + j] = D_5;
+            const real S_6 = p[13 * 8 + j];
+            J[12 * 8 + j] = S_6;
+            const real D_6 = p[20 * 8 + j];
+            J[13 * 8 + j] = D_6;
+        }
+    }
+}
+
+const flexel_law flexel_law_diagonal_7 = {
+    .name = "diagonal_7",
+    .digest = "de4f40f20d7d189e",
+    .m = 7,
+    .k = 0,
+    .np = 21,
+    .law = diagonal_7_law,
+    .tangent = diagonal_7_tangent,
+};
+
+/* diagonal_13
+ *
+ * sigma_i = preload_i + S_i e_i + D_i ed_i
+ * energy = sum of preload_i e_i + S_i e_i^2/2
+ *
+ * Source: Kelvin-Voigt model
+ *
+ * 13 deformations, 0 slips
+ * p (39):
+ *   preload (13) [N or N m]: stress at zero deformation
+ *   S (13) [N/m or N m]: stiffness of each deformation
+ *   D (13) [N s/m or N m s]: damping of each deformation */
+
+/* law: 103 operations.
+ * in:  e (13), ed (13), s (0), p (39)
+ * out: sigma (13), tau (0), U (1) */
+FLEXEL_CLONES
+static void diagonal_13_law(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (13 * 8);
+        const real *restrict ed = in[1] + b * (13 * 8);
+        const real *restrict p = in[3] + b * (39 * 8);
+        real *restrict sigma = out[0] + b * (13 * 8);
+        real *restrict U = out[2] + b * (1 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real e_0 = e[0 * 8 + j];
+            const real S_0 = p[13 * 8 + j];
+            const real t0 = e_0 * S_0;
+            const real ed_0 = ed[0 * 8 + j];
+            const real D_0 = p[26 * 8 + j];
+            const real preload_0 = p[0 * 8 + j];
+            sigma[0 * 8 + j] = preload_0 + ed_0 * D_0 + t0;
+            const real e_1 = e[1 * 8 + j];
+            const real S_1 = p[14 * 8 + j];
+            const real t1 = e_1 * S_1;
+            const real ed_1 = ed[1 * 8 + j];
+            const real D_1 = p[27 * 8 + j];
+            const real preload_1 = p[1 * 8 + j];
+            sigma[1 * 8 + j] = preload_1 + ed_1 * D_1 + t1;
+            const real e_2 = e[2 * 8 + j];
+            const real S_2 = p[15 * 8 + j];
+            const real t2 = e_2 * S_2;
+            const real ed_2 = ed[2 * 8 + j];
+            const real D_2 = p[28 * 8 + j];
+            const real preload_2 = p[2 * 8 + j];
+            sigma[2 * 8 + j] = preload_2 + ed_2 * D_2 + t2;
+            const real e_3 = e[3 * 8 + j];
+            const real S_3 = p[16 * 8 + j];
+            const real t3 = e_3 * S_3;
+            const real ed_3 = ed[3 * 8 + j];
+            const real D_3 = p[29 * 8 + j];
+            const real preload_3 = p[3 * 8 + j];
+            sigma[3 * 8 + j] = preload_3 + ed_3 * D_3 + t3;
+            const real e_4 = e[4 * 8 + j];
+            const real S_4 = p[17 * 8 + j];
+            const real t4 = e_4 * S_4;
+            const real ed_4 = ed[4 * 8 + j];
+            const real D_4 = p[30 * 8 + j];
+            const real preload_4 = p[4 * 8 + j];
+            sigma[4 * 8 + j] = preload_4 + ed_4 * D_4 + t4;
+            const real e_5 = e[5 * 8 + j];
+            const real S_5 = p[18 * 8 + j];
+            const real t5 = e_5 * S_5;
+            const real ed_5 = ed[5 * 8 + j];
+            const real D_5 = p[31 * 8 + j];
+            const real preload_5 = p[5 * 8 + j];
+            sigma[5 * 8 + j] = preload_5 + ed_5 * D_5 + t5;
+            const real e_6 = e[6 * 8 + j];
+            const real S_6 = p[19 * 8 + j];
+            const real t6 = e_6 * S_6;
+            const real ed_6 = ed[6 * 8 + j];
+            const real D_6 = p[32 * 8 + j];
+            const real preload_6 = p[6 * 8 + j];
+            sigma[6 * 8 + j] = preload_6 + ed_6 * D_6 + t6;
+            const real e_7 = e[7 * 8 + j];
+            const real S_7 = p[20 * 8 + j];
+            const real t7 = e_7 * S_7;
+            const real ed_7 = ed[7 * 8 + j];
+            const real D_7 = p[33 * 8 + j];
+            const real preload_7 = p[7 * 8 + j];
+            sigma[7 * 8 + j] = preload_7 + ed_7 * D_7 + t7;
+            const real e_8 = e[8 * 8 + j];
+            const real S_8 = p[21 * 8 + j];
+            const real t8 = e_8 * S_8;
+            const real ed_8 = ed[8 * 8 + j];
+            const real D_8 = p[34 * 8 + j];
+            const real preload_8 = p[8 * 8 + j];
+            sigma[8 * 8 + j] = preload_8 + ed_8 * D_8 + t8;
+            const real e_9 = e[9 * 8 + j];
+            const real S_9 = p[22 * 8 + j];
+            const real t9 = e_9 * S_9;
+            const real ed_9 = ed[9 * 8 + j];
+            const real D_9 = p[35 * 8 + j];
+            const real preload_9 = p[9 * 8 + j];
+            sigma[9 * 8 + j] = preload_9 + ed_9 * D_9 + t9;
+            const real e_10 = e[10 * 8 + j];
+            const real S_10 = p[23 * 8 + j];
+            const real t10 = e_10 * S_10;
+            const real ed_10 = ed[10 * 8 + j];
+            const real D_10 = p[36 * 8 + j];
+            const real preload_10 = p[10 * 8 + j];
+            sigma[10 * 8 + j] = preload_10 + ed_10 * D_10 + t10;
+            const real e_11 = e[11 * 8 + j];
+            const real S_11 = p[24 * 8 + j];
+            const real t11 = e_11 * S_11;
+            const real ed_11 = ed[11 * 8 + j];
+            const real D_11 = p[37 * 8 + j];
+            const real preload_11 = p[11 * 8 + j];
+            sigma[11 * 8 + j] = preload_11 + ed_11 * D_11 + t11;
+            const real e_12 = e[12 * 8 + j];
+            const real S_12 = p[25 * 8 + j];
+            const real t12 = e_12 * S_12;
+            const real ed_12 = ed[12 * 8 + j];
+            const real D_12 = p[38 * 8 + j];
+            const real preload_12 = p[12 * 8 + j];
+            sigma[12 * 8 + j] = preload_12 + ed_12 * D_12 + t12;
+            const real t13 = e_0 * (preload_0 + 0.5 * t0) + e_1 * (preload_1 + 0.5 * t1);
+            const real t14 = e_10 * (preload_10 + 0.5 * t10) + t13 + e_11 * (preload_11 + 0.5 * t11);
+            const real t15 = e_12 * (preload_12 + 0.5 * t12) + t14 + e_2 * (preload_2 + 0.5 * t2);
+            const real t16 = e_3 * (preload_3 + 0.5 * t3) + t15 + e_4 * (preload_4 + 0.5 * t4);
+            const real t17 = e_5 * (preload_5 + 0.5 * t5) + t16 + e_6 * (preload_6 + 0.5 * t6);
+            const real t18 = e_7 * (preload_7 + 0.5 * t7) + t17 + e_8 * (preload_8 + 0.5 * t8);
+            U[0 * 8 + j] = e_9 * (preload_9 + 0.5 * t9) + t18;
+        }
+    }
+}
+
+/* tangent: 0 operations.
+ * in:  e (13), ed (13), s (0), p (39)
+ * out: J (13,26), 26 of 338 entries */
+FLEXEL_CLONES
+static void diagonal_13_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict p = in[3] + b * (39 * 8);
+        real *restrict J = out[0] + b * (26 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real S_0 = p[13 * 8 + j];
+            J[0 * 8 + j] = S_0;
+            const real D_0 = p[26 * 8 + j];
+            J[1 * 8 + j] = D_0;
+            const real S_1 = p[14 * 8 + j];
+            J[2 * 8 + j] = S_1;
+            const real D_1 = p[27 * 8 + j];
+            J[3 * 8 + j] = D_1;
+            const real S_2 = p[15 * 8 + j];
+            J[4 * 8 + j] = S_2;
+            const real D_2 = p[28 * 8 + j];
+            J[5 * 8 + j] = D_2;
+            const real S_3 = p[16 * 8 + j];
+            J[6 * 8 + j] = S_3;
+            const real D_3 = p[29 * 8 + j];
+            J[7 * 8 + j] = D_3;
+            const real S_4 = p[17 * 8 + j];
+            J[8 * 8 + j] = S_4;
+            const real D_4 = p[30 * 8 + j];
+            J[9 * 8 + j] = D_4;
+            const real S_5 = p[18 * 8 + j];
+            J[10 * 8 + j] = S_5;
+            const real D_5 = p[31 * 8 + j];
+            J[11 * 8 + j] = D_5;
+            const real S_6 = p[19 * 8 + j];
+            J[12 * 8 + j] = S_6;
+            const real D_6 = p[32 * 8 + j];
+            J[13 * 8 + j] = D_6;
+            const real S_7 = p[20 * 8 + j];
+            J[14 * 8 + j] = S_7;
+            const real D_7 = p[33 * 8 + j];
+            J[15 * 8 + j] = D_7;
+            const real S_8 = p[21 * 8 + j];
+            J[16 * 8 + j] = S_8;
+            const real D_8 = p[34 * 8 + j];
+            J[17 * 8 + j] = D_8;
+            const real S_9 = p[22 * 8 + j];
+            J[18 * 8 + j] = S_9;
+            const real D_9 = p[35 * 8 + j];
+            J[19 * 8 + j] = D_9;
+            const real S_10 = p[23 * 8 + j];
+            J[20 * 8 + j] = S_10;
+            const real D_10 = p[36 * 8 + j];
+            J[21 * 8 + j] = D_10;
+            const real S_11 = p[24 * 8 + j];
+            J[22 * 8 + j] = S_11;
+            const real D_11 = p[37 * 8 + j];
+            J[23 * 8 + j] = D_11;
+            const real S_12 = p[25 * 8 + j];
+            J[24 * 8 + j] = S_12;
+            const real D_12 = p[38 * 8 + j];
+            J[25 * 8 + j] = D_12;
+        }
+    }
+}
+
+const flexel_law flexel_law_diagonal_13 = {
+    .name = "diagonal_13",
+    .digest = "de4f40f20d7d189e",
+    .m = 13,
+    .k = 0,
+    .np = 39,
+    .law = diagonal_13_law,
+    .tangent = diagonal_13_tangent,
 };
 
 /* viscous_1
@@ -855,7 +1198,7 @@ static void viscous_1_tangent(size_t nblocks, const real *const *in, real *const
 
 const flexel_law flexel_law_viscous_1 = {
     .name = "viscous_1",
-    .digest = "aa41d588a1df124f",
+    .digest = "de4f40f20d7d189e",
     .m = 0,
     .k = 1,
     .np = 1,
@@ -919,7 +1262,7 @@ static void viscous_2_tangent(size_t nblocks, const real *const *in, real *const
 
 const flexel_law flexel_law_viscous_2 = {
     .name = "viscous_2",
-    .digest = "aa41d588a1df124f",
+    .digest = "de4f40f20d7d189e",
     .m = 0,
     .k = 2,
     .np = 3,
@@ -994,7 +1337,7 @@ static void viscous_3_tangent(size_t nblocks, const real *const *in, real *const
 
 const flexel_law flexel_law_viscous_3 = {
     .name = "viscous_3",
-    .digest = "aa41d588a1df124f",
+    .digest = "de4f40f20d7d189e",
     .m = 0,
     .k = 3,
     .np = 6,

@@ -1690,6 +1690,881 @@ ELEMENTS: dict[str, ElementSpec] = {
             ),
         },
     ),
+    # element cable
+    "cable": ElementSpec(
+        name="cable",
+        digest="575957ec0eb977a2",
+        doc="r(s): cubic Hermite curve with slopes dp, dq = dr/ds by the undeformed arc length s at the ends\nstrain = (r'.r' - 1)/2 at 4 Gauss points of (0, l0); curvature = (r' x r'')/|r'|^3 at 3 Gauss points\nwork: EA strain and EI curvature, each times its Gauss weight (of sum l0), are the stresses of a rope\nT = rhoA/2 int rdot.rdot ds (constant mass matrix),  U = -rhoA gravity.int r ds",
+        source="Berzeri and Shabana 2000, J. Sound Vib. 235:539; Gerstmayr and Shabana 2006, Nonlinear Dyn. 45:109",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("dp", "slope"),
+            NodeSpec("q", "point"),
+            NodeSpec("dq", "slope"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("rhoA", 1, "kg/m", "mass per length"),
+            ParameterSpec("gravity", 3, "m/s^2", "acceleration of gravity"),
+        ),
+        deformations=(
+            DeformationSpec("strain1", "1", False, True),
+            DeformationSpec("strain2", "1", False, True),
+            DeformationSpec("strain3", "1", False, True),
+            DeformationSpec("strain4", "1", False, True),
+            DeformationSpec("curvature1x", "1/m", False, True),
+            DeformationSpec("curvature1y", "1/m", False, True),
+            DeformationSpec("curvature1z", "1/m", False, True),
+            DeformationSpec("curvature2x", "1/m", False, True),
+            DeformationSpec("curvature2y", "1/m", False, True),
+            DeformationSpec("curvature2z", "1/m", False, True),
+            DeformationSpec("curvature3x", "1/m", False, True),
+            DeformationSpec("curvature3y", "1/m", False, True),
+            DeformationSpec("curvature3z", "1/m", False, True),
+        ),
+        slips=(),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (13,), tuple(range(13))),
+                    OutputSpec("De", (13, 12), tuple(range(156))),
+                    OutputSpec("V", (0, 12), ()),
+                ),
+                640,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (13,), tuple(range(13))),
+                    OutputSpec("s", (0,), ()),
+                ),
+                492,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (13,), tuple(range(13))),
+                    OutputSpec("gs", (0,), ()),
+                ),
+                570,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Phi_x", (13, 12), tuple(range(156))),
+                    OutputSpec("Psi_x", (13, 12), tuple(range(156))),
+                    OutputSpec("Psi_v", (13, 12), tuple(range(156))),
+                ),
+                2546,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (12, 12), tuple(range(144))),
+                ),
+                1367,
+            ),
+            "inertia": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("M", (12, 12), (0, 3, 6, 9, 13, 16, 19, 22, 26, 29, 32, 35, 36, 39, 42, 45, 49, 52, 55, 58, 62, 65, 68, 71, 72, 75, 78, 81, 85, 88, 91, 94, 98, 101, 104, 107, 108, 111, 114, 117, 121, 124, 127, 130, 134, 137, 140, 143)),
+                    OutputSpec("h", (12,), ()),
+                    OutputSpec("f", (12,), tuple(range(12))),
+                    OutputSpec("U", (1,), (0,)),
+                ),
+                53,
+            ),
+            "tangent": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("R_x", (12, 12), ()),
+                    OutputSpec("R_v", (12, 12), ()),
+                ),
+                0,
+            ),
+        },
+    ),
+    # element slope_clamp
+    "slope_clamp": ElementSpec(
+        name="slope_clamp",
+        digest="408f22e62c820ec5",
+        doc="triad ex, ey, ez: columns of R(lambda o t);  across_y = ey.d,  across_z = ez.d",
+        source="textbook mechanics",
+        nodes=(
+            NodeSpec("r", "frame"),
+            NodeSpec("d", "slope"),
+        ),
+        parameters=(
+            ParameterSpec("t", 4, "1", "unit quaternion from the body frame to a triad whose first axis is the held direction"),
+        ),
+        deformations=(
+            DeformationSpec("across_y", "1", False, False),
+            DeformationSpec("across_z", "1", False, False),
+        ),
+        slips=(),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (2,), (0, 1)),
+                    OutputSpec("De", (2, 7), tuple(range(14))),
+                    OutputSpec("V", (0, 7), ()),
+                ),
+                133,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (2,), (0, 1)),
+                    OutputSpec("s", (0,), ()),
+                ),
+                136,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (2,), (0, 1)),
+                    OutputSpec("gs", (0,), ()),
+                ),
+                144,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Phi_x", (2, 7), tuple(range(14))),
+                    OutputSpec("Psi_x", (2, 7), tuple(range(14))),
+                    OutputSpec("Psi_v", (2, 7), tuple(range(14))),
+                ),
+                419,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (7, 7), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 35, 36, 37, 38, 42, 43, 44, 45)),
+                ),
+                263,
+            ),
+        },
+    ),
+    # element cable_span
+    "cable_span": ElementSpec(
+        name="cable_span",
+        digest="55ab046e897bea11",
+        doc="l0 ((vp + vq)/2 + l0 (dpdot - dqdot)/12), rate of the integral of position over a cable's cubic curve",
+        source="textbook mechanics (consistent nodal forces)",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("dp", "slope"),
+            NodeSpec("q", "point"),
+            NodeSpec("dq", "slope"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+        ),
+        deformations=(),
+        slips=(
+            SlipSpec("x", "m^2/s", True),
+            SlipSpec("y", "m^2/s", True),
+            SlipSpec("z", "m^2/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (0,), ()),
+                    OutputSpec("De", (0, 12), ()),
+                    OutputSpec("V", (3, 12), (0, 3, 6, 9, 13, 16, 19, 22, 26, 29, 32, 35)),
+                ),
+                4,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (0,), ()),
+                    OutputSpec("s", (3,), (0, 1, 2)),
+                ),
+                21,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (0,), ()),
+                    OutputSpec("gs", (3,), ()),
+                ),
+                0,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 12), ()),
+                    OutputSpec("Psi_x", (3, 12), ()),
+                    OutputSpec("Psi_v", (3, 12), ()),
+                ),
+                0,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (12, 12), ()),
+                ),
+                0,
+            ),
+        },
+    ),
+    # element cable_cylinder
+    "cable_cylinder": ElementSpec(
+        name="cable_cylinder",
+        digest="2167b9f4a75d4aca",
+        doc="x: point at the fraction xi of the cable's cubic curve; triad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\ndistance = |(yy, yz)| from the axle ex, (ny, nz) = (yy, yz)/distance\ngap = distance - radius - rope_radius,  tangential = ny ydot_z - nz ydot_y,  axial = ydot_x",
+        source="textbook mechanics",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("dp", "slope"),
+            NodeSpec("q", "point"),
+            NodeSpec("dq", "slope"),
+            NodeSpec("c", "point"),
+            NodeSpec("r", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("xi", 1, "1", "place along the element, from 0 at p to 1 at q"),
+            ParameterSpec("t", 4, "1", "unit quaternion from the body frame to the surface's triad ex, ey, ez"),
+            ParameterSpec("offset", 3, "m", "origin of the surface from the node c, on its triad"),
+            ParameterSpec("radius", 1, "m", "radius at which the rope's surface touches, about the axle ex"),
+            ParameterSpec("rope_radius", 1, "m", "outer radius of the rope"),
+        ),
+        deformations=(
+            DeformationSpec("gap", "m", False, True),
+        ),
+        slips=(
+            SlipSpec("tangential", "m/s", True),
+            SlipSpec("axial", "m/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 19), tuple(range(19))),
+                    OutputSpec("V", (2, 19), tuple(range(38))),
+                ),
+                394,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (1,), (0,)),
+                    OutputSpec("s", (2,), (0, 1)),
+                ),
+                268,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (2,), (0, 1)),
+                ),
+                391,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 19), tuple(range(57))),
+                    OutputSpec("Psi_x", (3, 19), tuple(range(57))),
+                    OutputSpec("Psi_v", (3, 19), tuple(range(57))),
+                ),
+                2062,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (19, 19), tuple(range(361))),
+                ),
+                2726,
+            ),
+        },
+    ),
+    # element cable_plane
+    "cable_plane": ElementSpec(
+        name="cable_plane",
+        digest="afb59aa85f33b318",
+        doc="x: point at the fraction xi of the cable's cubic curve; triad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\ngap = yz - rope_radius, the plane is z = 0;  x = ydot_x,  y = ydot_y",
+        source="textbook mechanics",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("dp", "slope"),
+            NodeSpec("q", "point"),
+            NodeSpec("dq", "slope"),
+            NodeSpec("c", "point"),
+            NodeSpec("r", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("xi", 1, "1", "place along the element, from 0 at p to 1 at q"),
+            ParameterSpec("t", 4, "1", "unit quaternion from the body frame to the surface's triad ex, ey, ez"),
+            ParameterSpec("offset", 3, "m", "origin of the surface from the node c, on its triad"),
+            ParameterSpec("rope_radius", 1, "m", "outer radius of the rope"),
+        ),
+        deformations=(
+            DeformationSpec("gap", "m", False, True),
+        ),
+        slips=(
+            SlipSpec("x", "m/s", True),
+            SlipSpec("y", "m/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 19), tuple(range(19))),
+                    OutputSpec("V", (2, 19), tuple(range(38))),
+                ),
+                333,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (1,), (0,)),
+                    OutputSpec("s", (2,), (0, 1)),
+                ),
+                225,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (2,), (0, 1)),
+                ),
+                309,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 19), tuple(range(57))),
+                    OutputSpec("Psi_x", (3, 19), tuple(range(57))),
+                    OutputSpec("Psi_v", (3, 19), tuple(range(57))),
+                ),
+                1464,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (19, 19), (15, 16, 17, 18, 34, 35, 36, 37, 53, 54, 55, 56, 72, 73, 74, 75, 91, 92, 93, 94, 110, 111, 112, 113, 129, 130, 131, 132, 148, 149, 150, 151, 167, 168, 169, 170, 186, 187, 188, 189, 205, 206, 207, 208, 224, 225, 226, 227, 243, 244, 245, 246, 262, 263, 264, 265, 281, 282, 283, 284, 285, 286, 287, 288, 289, 290, 291, 292, 293, 294, 295, 296, 297, 298, 299, 300, 301, 302, 303, 304, 305, 306, 307, 308, 309, 310, 311, 312, 313, 314, 315, 316, 317, 318, 319, 320, 321, 322, 323, 324, 325, 326, 327, 328, 329, 330, 331, 332, 333, 334, 335, 336, 337, 338, 339, 340, 341, 342, 343, 344, 345, 346, 347, 348, 349, 350, 351, 352, 353, 354, 355, 356, 357, 358, 359, 360)),
+                ),
+                1353,
+            ),
+        },
+    ),
+    # element cable_v_groove
+    "cable_v_groove": ElementSpec(
+        name="cable_v_groove",
+        digest="f2bd2abf4835caa5",
+        doc="x: point at the fraction xi of the cable's cubic curve; triad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\ndistance = |(yy, yz)| from the axle ex, h = distance - radius - rope_radius; two flanks of half the angle beta\ngap1 = h sin beta - yx cos beta,  gap2 = h sin beta + yx cos beta: both closed at h = 0 in the middle\ntangential as for a cylinder,  across1, across2 = hdot cos beta +- ydot_x sin beta, up the flanks",
+        source="textbook mechanics",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("dp", "slope"),
+            NodeSpec("q", "point"),
+            NodeSpec("dq", "slope"),
+            NodeSpec("c", "point"),
+            NodeSpec("r", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("xi", 1, "1", "place along the element, from 0 at p to 1 at q"),
+            ParameterSpec("t", 4, "1", "unit quaternion from the body frame to the surface's triad ex, ey, ez"),
+            ParameterSpec("offset", 3, "m", "origin of the surface from the node c, on its triad"),
+            ParameterSpec("radius", 1, "m", "radius at which the rope's surface touches, about the axle ex"),
+            ParameterSpec("flank", 2, "1", "sine and cosine of half the opening angle of the flanks"),
+            ParameterSpec("rope_radius", 1, "m", "outer radius of the rope"),
+        ),
+        deformations=(
+            DeformationSpec("gap1", "m", False, True),
+            DeformationSpec("gap2", "m", False, True),
+        ),
+        slips=(
+            SlipSpec("tangential", "m/s", True),
+            SlipSpec("across1", "m/s", True),
+            SlipSpec("across2", "m/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (2,), (0, 1)),
+                    OutputSpec("De", (2, 19), tuple(range(38))),
+                    OutputSpec("V", (3, 19), tuple(range(57))),
+                ),
+                575,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (2,), (0, 1)),
+                    OutputSpec("s", (3,), (0, 1, 2)),
+                ),
+                293,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (2,), (0, 1)),
+                    OutputSpec("gs", (3,), (0, 1, 2)),
+                ),
+                425,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Phi_x", (5, 19), tuple(range(95))),
+                    OutputSpec("Psi_x", (5, 19), tuple(range(95))),
+                    OutputSpec("Psi_v", (5, 19), tuple(range(95))),
+                ),
+                3370,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (19, 19), tuple(range(361))),
+                ),
+                2801,
+            ),
+        },
+    ),
+    # element cable_round_groove
+    "cable_round_groove": ElementSpec(
+        name="cable_round_groove",
+        digest="b97f70bdbcb6fc3a",
+        doc="x: point at the fraction xi of the cable's cubic curve; triad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\nw = (radius + groove_radius - distance from the axle ex, yx), from the centre of the round bottom to the rope\ngap = groove_radius - rope_radius - n.w, n = w/|w| on the bottom, (sin beta, +-cos beta) on the flanks that\ncontinue it;  tangential as for a cylinder,  across = n_0 ydot_x + n_1 distancedot, along the groove's profile",
+        source="textbook mechanics",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("dp", "slope"),
+            NodeSpec("q", "point"),
+            NodeSpec("dq", "slope"),
+            NodeSpec("c", "point"),
+            NodeSpec("r", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("xi", 1, "1", "place along the element, from 0 at p to 1 at q"),
+            ParameterSpec("t", 4, "1", "unit quaternion from the body frame to the surface's triad ex, ey, ez"),
+            ParameterSpec("offset", 3, "m", "origin of the surface from the node c, on its triad"),
+            ParameterSpec("radius", 1, "m", "radius at which the rope's surface touches, about the axle ex"),
+            ParameterSpec("groove_radius", 1, "m", "radius of the groove's round bottom"),
+            ParameterSpec("flank", 2, "1", "sine and cosine of half the opening angle of the flanks"),
+            ParameterSpec("rope_radius", 1, "m", "outer radius of the rope"),
+        ),
+        deformations=(
+            DeformationSpec("gap", "m", False, True),
+        ),
+        slips=(
+            SlipSpec("tangential", "m/s", True),
+            SlipSpec("across", "m/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 19), tuple(range(19))),
+                    OutputSpec("V", (2, 19), tuple(range(38))),
+                ),
+                478,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (1,), (0,)),
+                    OutputSpec("s", (2,), (0, 1)),
+                ),
+                320,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (2,), (0, 1)),
+                ),
+                493,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 19), tuple(range(57))),
+                    OutputSpec("Psi_x", (3, 19), tuple(range(57))),
+                    OutputSpec("Psi_v", (3, 19), tuple(range(57))),
+                ),
+                2756,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (19, 19), tuple(range(361))),
+                ),
+                3268,
+            ),
+        },
+    ),
+    # element planar_cable
+    "planar_cable": ElementSpec(
+        name="planar_cable",
+        digest="6563947ec900e27b",
+        doc="r(s): cubic Hermite curve with slopes dp, dq = dr/ds by the undeformed arc length s at the ends\nstrain = (r'.r' - 1)/2 at 4 Gauss points of (0, l0); curvature = (r' x r'')/|r'|^3 at 3 Gauss points\nwork: EA strain and EI curvature, each times its Gauss weight (of sum l0), are the stresses of a rope\nT = rhoA/2 int rdot.rdot ds (constant mass matrix),  U = -rhoA gravity.int r ds",
+        source="Berzeri and Shabana 2000, J. Sound Vib. 235:539; Gerstmayr and Shabana 2006, Nonlinear Dyn. 45:109",
+        nodes=(
+            NodeSpec("p", "planar_point"),
+            NodeSpec("dp", "planar_slope"),
+            NodeSpec("q", "planar_point"),
+            NodeSpec("dq", "planar_slope"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("rhoA", 1, "kg/m", "mass per length"),
+            ParameterSpec("gravity", 2, "m/s^2", "acceleration of gravity"),
+        ),
+        deformations=(
+            DeformationSpec("strain1", "1", False, True),
+            DeformationSpec("strain2", "1", False, True),
+            DeformationSpec("strain3", "1", False, True),
+            DeformationSpec("strain4", "1", False, True),
+            DeformationSpec("curvature1", "1/m", False, True),
+            DeformationSpec("curvature2", "1/m", False, True),
+            DeformationSpec("curvature3", "1/m", False, True),
+        ),
+        slips=(),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (7,), tuple(range(7))),
+                    OutputSpec("De", (7, 8), tuple(range(56))),
+                    OutputSpec("V", (0, 8), ()),
+                ),
+                302,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (7,), tuple(range(7))),
+                    OutputSpec("s", (0,), ()),
+                ),
+                286,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (7,), tuple(range(7))),
+                    OutputSpec("gs", (0,), ()),
+                ),
+                354,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Phi_x", (7, 8), tuple(range(56))),
+                    OutputSpec("Psi_x", (7, 8), tuple(range(56))),
+                    OutputSpec("Psi_v", (7, 8), tuple(range(56))),
+                ),
+                1211,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (8, 8), tuple(range(64))),
+                ),
+                688,
+            ),
+            "inertia": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("M", (8, 8), (0, 2, 4, 6, 9, 11, 13, 15, 16, 18, 20, 22, 25, 27, 29, 31, 32, 34, 36, 38, 41, 43, 45, 47, 48, 50, 52, 54, 57, 59, 61, 63)),
+                    OutputSpec("h", (8,), ()),
+                    OutputSpec("f", (8,), tuple(range(8))),
+                    OutputSpec("U", (1,), (0,)),
+                ),
+                40,
+            ),
+            "tangent": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("R_x", (8, 8), ()),
+                    OutputSpec("R_v", (8, 8), ()),
+                ),
+                0,
+            ),
+        },
+    ),
+    # element planar_slope_clamp
+    "planar_slope_clamp": ElementSpec(
+        name="planar_slope_clamp",
+        digest="948185e16da779ac",
+        doc="ex, ey: directions at angle + alpha0;  across = ey.d",
+        source="planar counterpart of slope_clamp",
+        nodes=(
+            NodeSpec("r", "planar_angle"),
+            NodeSpec("d", "planar_slope"),
+        ),
+        parameters=(
+            ParameterSpec("alpha0", 1, "rad", "initial direction of the element minus the angle of node p"),
+        ),
+        deformations=(
+            DeformationSpec("across", "1", False, False),
+        ),
+        slips=(),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 3), (0, 1, 2)),
+                    OutputSpec("V", (0, 3), ()),
+                ),
+                11,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (1,), (0,)),
+                    OutputSpec("s", (0,), ()),
+                ),
+                11,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (0,), ()),
+                ),
+                15,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Phi_x", (1, 3), (0, 1, 2)),
+                    OutputSpec("Psi_x", (1, 3), (0, 1, 2)),
+                    OutputSpec("Psi_v", (1, 3), (0, 1, 2)),
+                ),
+                42,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (3, 3), (0, 1, 2, 3, 6)),
+                ),
+                12,
+            ),
+        },
+    ),
+    # element planar_cable_span
+    "planar_cable_span": ElementSpec(
+        name="planar_cable_span",
+        digest="fe8e68d85d8b736e",
+        doc="l0 ((vp + vq)/2 + l0 (dpdot - dqdot)/12), rate of the integral of position over a cable's cubic curve",
+        source="textbook mechanics (consistent nodal forces)",
+        nodes=(
+            NodeSpec("p", "planar_point"),
+            NodeSpec("dp", "planar_slope"),
+            NodeSpec("q", "planar_point"),
+            NodeSpec("dq", "planar_slope"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+        ),
+        deformations=(),
+        slips=(
+            SlipSpec("x", "m^2/s", True),
+            SlipSpec("y", "m^2/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (0,), ()),
+                    OutputSpec("De", (0, 8), ()),
+                    OutputSpec("V", (2, 8), (0, 2, 4, 6, 9, 11, 13, 15)),
+                ),
+                4,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (0,), ()),
+                    OutputSpec("s", (2,), (0, 1)),
+                ),
+                14,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (0,), ()),
+                    OutputSpec("gs", (2,), ()),
+                ),
+                0,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Phi_x", (2, 8), ()),
+                    OutputSpec("Psi_x", (2, 8), ()),
+                    OutputSpec("Psi_v", (2, 8), ()),
+                ),
+                0,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (8, 8), ()),
+                ),
+                0,
+            ),
+        },
+    ),
+    # element planar_cable_circle
+    "planar_cable_circle": ElementSpec(
+        name="planar_cable_circle",
+        digest="d8b5ae1365a785cc",
+        doc="x: point at the fraction xi of the cable's cubic curve;  ex, ey: directions at angle + alpha0\nw = xdot - xcdot - angledot ez x (x - xc), the velocity seen from the body\na = x - xc - offset_x ex - offset_y ey\ngap = |a| - radius - rope_radius,  tangential = (ax wy - ay wx)/|a|, counterclockwise",
+        source="planar counterpart of contact in space",
+        nodes=(
+            NodeSpec("p", "planar_point"),
+            NodeSpec("dp", "planar_slope"),
+            NodeSpec("q", "planar_point"),
+            NodeSpec("dq", "planar_slope"),
+            NodeSpec("c", "planar_point"),
+            NodeSpec("r", "planar_angle"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("xi", 1, "1", "place along the element, from 0 at p to 1 at q"),
+            ParameterSpec("alpha0", 1, "rad", "initial direction of the element minus the angle of node p"),
+            ParameterSpec("offset", 2, "m", "origin of the circle or line from c, on ex and ey"),
+            ParameterSpec("radius", 1, "m", "radius at which the rope's surface touches, about the axle ex"),
+            ParameterSpec("rope_radius", 1, "m", "outer radius of the rope"),
+        ),
+        deformations=(
+            DeformationSpec("gap", "m", False, True),
+        ),
+        slips=(
+            SlipSpec("tangential", "m/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 11), tuple(range(11))),
+                    OutputSpec("V", (1, 11), tuple(range(11))),
+                ),
+                72,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (1,), (0,)),
+                    OutputSpec("s", (1,), (0,)),
+                ),
+                88,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (1,), (0,)),
+                ),
+                117,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Phi_x", (2, 11), tuple(range(22))),
+                    OutputSpec("Psi_x", (2, 11), tuple(range(22))),
+                    OutputSpec("Psi_v", (2, 11), tuple(range(22))),
+                ),
+                412,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (11, 11), tuple(range(121))),
+                ),
+                391,
+            ),
+        },
+    ),
+    # element planar_cable_line
+    "planar_cable_line": ElementSpec(
+        name="planar_cable_line",
+        digest="50ff14ae424243c6",
+        doc="x: point at the fraction xi of the cable's cubic curve;  ex, ey: directions at angle + alpha0\nw = xdot - xcdot - angledot ez x (x - xc), the velocity seen from the body\ngap = ey.(x - xc) - offset_y - rope_radius,  tangential = ex.w",
+        source="planar counterpart of contact in space",
+        nodes=(
+            NodeSpec("p", "planar_point"),
+            NodeSpec("dp", "planar_slope"),
+            NodeSpec("q", "planar_point"),
+            NodeSpec("dq", "planar_slope"),
+            NodeSpec("c", "planar_point"),
+            NodeSpec("r", "planar_angle"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("xi", 1, "1", "place along the element, from 0 at p to 1 at q"),
+            ParameterSpec("alpha0", 1, "rad", "initial direction of the element minus the angle of node p"),
+            ParameterSpec("offset", 2, "m", "origin of the circle or line from c, on ex and ey"),
+            ParameterSpec("rope_radius", 1, "m", "outer radius of the rope"),
+        ),
+        deformations=(
+            DeformationSpec("gap", "m", False, True),
+        ),
+        slips=(
+            SlipSpec("tangential", "m/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 11), tuple(range(11))),
+                    OutputSpec("V", (1, 11), tuple(range(11))),
+                ),
+                56,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (1,), (0,)),
+                    OutputSpec("s", (1,), (0,)),
+                ),
+                67,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (1,), (0,)),
+                ),
+                76,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Phi_x", (2, 11), tuple(range(22))),
+                    OutputSpec("Psi_x", (2, 11), tuple(range(22))),
+                    OutputSpec("Psi_v", (2, 11), tuple(range(22))),
+                ),
+                181,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (11, 11), (10, 21, 32, 43, 54, 65, 76, 87, 98, 109, 110, 111, 112, 113, 114, 115, 116, 117, 118, 119, 120)),
+                ),
+                60,
+            ),
+        },
+    ),
     # end
 }
 
@@ -1697,7 +2572,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_1
     "linear_1": LawSpec(
         name="linear_1",
-        digest="aa41d588a1df124f",
+        digest="de4f40f20d7d189e",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=1,
         slips=0,
@@ -1728,7 +2603,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_2
     "linear_2": LawSpec(
         name="linear_2",
-        digest="aa41d588a1df124f",
+        digest="de4f40f20d7d189e",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=2,
         slips=0,
@@ -1759,7 +2634,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_3
     "linear_3": LawSpec(
         name="linear_3",
-        digest="aa41d588a1df124f",
+        digest="de4f40f20d7d189e",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=3,
         slips=0,
@@ -1790,7 +2665,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_4
     "linear_4": LawSpec(
         name="linear_4",
-        digest="aa41d588a1df124f",
+        digest="de4f40f20d7d189e",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=4,
         slips=0,
@@ -1821,7 +2696,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_5
     "linear_5": LawSpec(
         name="linear_5",
-        digest="aa41d588a1df124f",
+        digest="de4f40f20d7d189e",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=5,
         slips=0,
@@ -1852,7 +2727,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_6
     "linear_6": LawSpec(
         name="linear_6",
-        digest="aa41d588a1df124f",
+        digest="de4f40f20d7d189e",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=6,
         slips=0,
@@ -1880,10 +2755,72 @@ LAWS: dict[str, LawSpec] = {
             ),
         },
     ),
+    # law diagonal_7
+    "diagonal_7": LawSpec(
+        name="diagonal_7",
+        digest="de4f40f20d7d189e",
+        doc="sigma_i = preload_i + S_i e_i + D_i ed_i\nenergy = sum of preload_i e_i + S_i e_i^2/2",
+        deformations=7,
+        slips=0,
+        parameters=(
+            ParameterSpec("preload", 7, "N or N m", "stress at zero deformation"),
+            ParameterSpec("S", 7, "N/m or N m", "stiffness of each deformation"),
+            ParameterSpec("D", 7, "N s/m or N m s", "damping of each deformation"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "p"),
+                (
+                    OutputSpec("sigma", (7,), tuple(range(7))),
+                    OutputSpec("tau", (0,), ()),
+                    OutputSpec("U", (1,), (0,)),
+                ),
+                55,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "p"),
+                (
+                    OutputSpec("J", (7, 14), (0, 7, 15, 22, 30, 37, 45, 52, 60, 67, 75, 82, 90, 97)),
+                ),
+                0,
+            ),
+        },
+    ),
+    # law diagonal_13
+    "diagonal_13": LawSpec(
+        name="diagonal_13",
+        digest="de4f40f20d7d189e",
+        doc="sigma_i = preload_i + S_i e_i + D_i ed_i\nenergy = sum of preload_i e_i + S_i e_i^2/2",
+        deformations=13,
+        slips=0,
+        parameters=(
+            ParameterSpec("preload", 13, "N or N m", "stress at zero deformation"),
+            ParameterSpec("S", 13, "N/m or N m", "stiffness of each deformation"),
+            ParameterSpec("D", 13, "N s/m or N m s", "damping of each deformation"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "p"),
+                (
+                    OutputSpec("sigma", (13,), tuple(range(13))),
+                    OutputSpec("tau", (0,), ()),
+                    OutputSpec("U", (1,), (0,)),
+                ),
+                103,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "p"),
+                (
+                    OutputSpec("J", (13, 26), (0, 13, 27, 40, 54, 67, 81, 94, 108, 121, 135, 148, 162, 175, 189, 202, 216, 229, 243, 256, 270, 283, 297, 310, 324, 337)),
+                ),
+                0,
+            ),
+        },
+    ),
     # law viscous_1
     "viscous_1": LawSpec(
         name="viscous_1",
-        digest="aa41d588a1df124f",
+        digest="de4f40f20d7d189e",
         doc="tau = C s",
         deformations=0,
         slips=1,
@@ -1912,7 +2849,7 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_2
     "viscous_2": LawSpec(
         name="viscous_2",
-        digest="aa41d588a1df124f",
+        digest="de4f40f20d7d189e",
         doc="tau = C s",
         deformations=0,
         slips=2,
@@ -1941,7 +2878,7 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_3
     "viscous_3": LawSpec(
         name="viscous_3",
-        digest="aa41d588a1df124f",
+        digest="de4f40f20d7d189e",
         doc="tau = C s",
         deformations=0,
         slips=3,
