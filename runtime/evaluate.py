@@ -144,8 +144,9 @@ class Evaluation:
         by_v = Ld @ J[:m] + Ls @ J[m : m + k]
         r_x += S.T @ by_x[: m + k]
         r_v += S.T @ by_v[: m + k]
-        upper = (part[: m + k] for part in (Le, Ld, Ls, Lz))
-        return Tangents(Phi_x, Psi_x, Psi_v, r_x, r_v, *upper, by_x[m + k :], by_v[m + k :], Lz[m + k :])
+        Se, Sd, Ss, Sz = (part[: m + k] for part in (Le, Ld, Ls, Lz))
+        lags = by_x[m + k :], by_v[m + k :], Lz[m + k :]
+        return Tangents(Phi_x, Psi_x, Psi_v, r_x, r_v, Se, Sd, Ss, Sz, *lags)
 
     def _law_derivatives(self, e: Array, ed: Array, s: Array, z: Array, t: float) -> Array:
         """Derivatives (m + k + nz, 2 m + k + nz) of (sigma, tau, dz/dt) of all laws by (e, ed, s, z)."""

@@ -214,7 +214,7 @@ def attach(
     """
     on = names(on, "attach")
     quantities(on, "attach")
-    spec: LawSpec = law.spec if hasattr(law, "spec") else LAWS.get(law)
+    spec: LawSpec | None = law.spec if hasattr(law, "spec") else LAWS.get(law)
     if spec is None:
         raise ModelError(f"attach: {unknown(str(law), LAWS, 'law')}")
     owner = f"law '{spec.name}' on {', '.join(repr(z) for z in on)}"
