@@ -60,6 +60,11 @@ LAWS = (
     "viscous_1",
     "viscous_2",
     "viscous_3",
+    "hertz",
+    "hertz_coulomb_1",
+    "hertz_coulomb_2",
+    "hertz_bristle_1",
+    "hertz_bristle_2",
 )
 SOURCES = [os.path.join(FOLDER, f"{name}.c") for name in (*ELEMENTS, "laws", "system")]
 
@@ -68,11 +73,11 @@ typedef void (*flexel_kernel)(size_t nblocks, const double *const *in, double *c
 typedef struct {
     const char *name, *digest;
     int n, m, k, np;
-    flexel_kernel position, velocity, acceleration, inertia, kinematics, stiffness, tangent;
+    flexel_kernel position, velocity, acceleration, inertia, rates, kinematics, stiffness, tangent;
 } flexel_element;
 typedef struct {
     const char *name, *digest;
-    int m, k, np;
+    int m, k, nz, np;
     flexel_kernel law, tangent;
 } flexel_law;
 typedef struct {

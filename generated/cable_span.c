@@ -75,9 +75,18 @@ static void cable_span_acceleration(size_t nblocks, const real *const *in, real 
     (void)nblocks, (void)in, (void)out; /* every entry is zero */
 }
 
+/* rates: 0 operations.
+ * in:  x (12), v (12), p (1)
+ * out: Phi_x (3,12), 0 of 36 entries */
+FLEXEL_CLONES
+static void cable_span_rates(size_t nblocks, const real *const *in, real *const *out)
+{
+    (void)nblocks, (void)in, (void)out; /* every entry is zero */
+}
+
 /* kinematics: 0 operations.
  * in:  x (12), v (12), a (12), p (1)
- * out: Phi_x (3,12), 0 of 36 entries, Psi_x (3,12), 0 of 36 entries, Psi_v (3,12), 0 of 36 entries */
+ * out: Psi_x (3,12), 0 of 36 entries, Psi_v (3,12), 0 of 36 entries */
 FLEXEL_CLONES
 static void cable_span_kinematics(size_t nblocks, const real *const *in, real *const *out)
 {
@@ -95,7 +104,7 @@ static void cable_span_stiffness(size_t nblocks, const real *const *in, real *co
 
 const flexel_element flexel_cable_span = {
     .name = "cable_span",
-    .digest = "55ab046e897bea11",
+    .digest = "7e554948f71f970a",
     .n = 12,
     .m = 0,
     .k = 3,
@@ -103,6 +112,7 @@ const flexel_element flexel_cable_span = {
     .position = cable_span_position,
     .velocity = cable_span_velocity,
     .acceleration = cable_span_acceleration,
+    .rates = cable_span_rates,
     .kinematics = cable_span_kinematics,
     .stiffness = cable_span_stiffness,
 };

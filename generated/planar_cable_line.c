@@ -250,21 +250,18 @@ static void planar_cable_line_acceleration(size_t nblocks, const real *const *in
     }
 }
 
-/* kinematics: 181 operations.
- * in:  x (11), v (11), a (11), p (6)
- * out: Phi_x (2,11), Psi_x (2,11), Psi_v (2,11) */
+/* rates: 83 operations.
+ * in:  x (11), v (11), p (6)
+ * out: Phi_x (2,11) */
 FLEXEL_CLONES
-static void planar_cable_line_kinematics(size_t nblocks, const real *const *in, real *const *out)
+static void planar_cable_line_rates(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict x = in[0] + b * (11 * 8);
         const real *restrict v = in[1] + b * (11 * 8);
-        const real *restrict a = in[2] + b * (11 * 8);
-        const real *restrict p = in[3] + b * (6 * 8);
+        const real *restrict p = in[2] + b * (6 * 8);
         real *restrict Phi_x = out[0] + b * (22 * 8);
-        real *restrict Psi_x = out[1] + b * (22 * 8);
-        real *restrict Psi_v = out[2] + b * (22 * 8);
-        real n0[8], t3[8], cos_r[8], sin_r[8], n1[8], n2[8], t13[8], d_x[8], t18[8], d_y[8], t24[8], t25[8], sliding_y[8], sliding_x[8], t42[8], t46[8], t47[8], t49[8];
+        real n0[8], t3[8], cos_r[8], sin_r[8], n1[8], n2[8], t10[8], d_x[8], t14[8], t20[8], sliding_y[8], sliding_x[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real xi = p[1 * 8 + j];
@@ -277,70 +274,43 @@ static void planar_cable_line_kinematics(size_t nblocks, const real *const *in, 
             t3[j] = r_angle + alpha0;
             const real l0 = p[0 * 8 + j];
             n1[j] = l0 * t1 * xi;
-            const real t10 = xi * xi;
-            n2[j] = t10 * (3.0 - t2);
-            t13[j] = l0 * t0 * t10;
+            const real t8 = xi * xi;
+            n2[j] = t8 * (3.0 - t2);
+            t10[j] = l0 * t0 * t8;
             const real p_x = x[0 * 8 + j];
             const real q_x = x[4 * 8 + j];
             const real dp_x = x[2 * 8 + j];
             const real c_x = x[8 * 8 + j];
             const real dq_x = x[6 * 8 + j];
-            d_x[j] = q_x * n2[j] + dp_x * n1[j] + p_x * n0[j] - c_x - dq_x * t13[j];
+            d_x[j] = q_x * n2[j] + dp_x * n1[j] + p_x * n0[j] - c_x - dq_x * t10[j];
             const real p_vy = v[1 * 8 + j];
             const real q_vy = v[5 * 8 + j];
             const real dp_vy = v[3 * 8 + j];
             const real c_vy = v[9 * 8 + j];
-            const real t16 = q_vy * n2[j] + dp_vy * n1[j] + p_vy * n0[j] - c_vy;
+            const real t12 = q_vy * n2[j] + dp_vy * n1[j] + p_vy * n0[j] - c_vy;
             const real dq_vy = v[7 * 8 + j];
-            const real t17 = dq_vy * t13[j];
-            t18[j] = t16 - t17;
+            const real t13 = dq_vy * t10[j];
+            t14[j] = t12 - t13;
+            const real p_vx = v[0 * 8 + j];
+            const real t15 = p_vx * n0[j];
+            const real dp_vx = v[2 * 8 + j];
+            const real t16 = dp_vx * n1[j];
+            const real q_vx = v[4 * 8 + j];
+            const real t17 = q_vx * n2[j];
             const real p_y = x[1 * 8 + j];
             const real q_y = x[5 * 8 + j];
             const real dp_y = x[3 * 8 + j];
             const real c_y = x[9 * 8 + j];
             const real dq_y = x[7 * 8 + j];
-            d_y[j] = q_y * n2[j] + dp_y * n1[j] + p_y * n0[j] - c_y - dq_y * t13[j];
+            const real d_y = q_y * n2[j] + dp_y * n1[j] + p_y * n0[j] - c_y - dq_y * t10[j];
             const real r_vangle = v[10 * 8 + j];
-            const real t19 = r_vangle * d_y[j];
-            const real p_vx = v[0 * 8 + j];
-            const real t20 = p_vx * n0[j];
-            const real q_vx = v[4 * 8 + j];
-            const real t21 = q_vx * n2[j];
-            const real dp_vx = v[2 * 8 + j];
-            const real t22 = dp_vx * n1[j];
+            const real t18 = r_vangle * d_y;
             const real c_vx = v[8 * 8 + j];
             const real dq_vx = v[6 * 8 + j];
-            const real t23 = dq_vx * t13[j];
-            t24[j] = t21 + t22 + t20 - c_vx - t23;
-            t25[j] = t19 + t24[j];
-            const real t27 = r_vangle * d_x[j];
-            sliding_y[j] = t16 - t27 - t17;
-            sliding_x[j] = t20 + t21 + t22 + t19 - c_vx - t23;
-            const real dq_ax = a[6 * 8 + j];
-            const real t36 = dq_ax * t13[j];
-            const real c_ax = a[8 * 8 + j];
-            const real q_ax = a[4 * 8 + j];
-            const real t37 = n2[j] * q_ax;
-            const real dp_ax = a[2 * 8 + j];
-            const real t38 = dp_ax * n1[j];
-            const real p_ax = a[0 * 8 + j];
-            const real t39 = n0[j] * p_ax;
-            const real t40 = c_ax + r_vangle * (t27 - 2.0 * t18[j]) + t36 - t37 - t38 - t39;
-            const real r_aangle = a[10 * 8 + j];
-            const real t41 = r_aangle * d_y[j];
-            t42[j] = t40 - t41;
-            const real p_ay = a[1 * 8 + j];
-            const real q_ay = a[5 * 8 + j];
-            const real dp_ay = a[3 * 8 + j];
-            const real t43 = n2[j] * q_ay + dp_ay * n1[j] + n0[j] * p_ay;
-            const real c_ay = a[9 * 8 + j];
-            const real dq_ay = a[7 * 8 + j];
-            const real t44 = dq_ay * t13[j];
-            const real t45 = r_aangle * d_x[j];
-            t46[j] = t43 - c_ay - t44 - t45 - r_vangle * (t19 + 2.0 * t24[j]);
-            t47[j] = t43 - r_vangle * (sliding_x[j] + t24[j]) - c_ay - t45 - t44;
-            const real t48 = t37 + r_vangle * (sliding_y[j] + t18[j]) + t39 + t38 + t41;
-            t49[j] = t48 - c_ax - t36;
+            const real t19 = dq_vx * t10[j];
+            t20[j] = t17 + t18 + t16 + t15 - c_vx - t19;
+            sliding_y[j] = t12 - r_vangle * d_x[j] - t13;
+            sliding_x[j] = t15 + t17 + t16 + t18 - c_vx - t19;
         }
         for (size_t j = 0; j < 8; j++) {
             cos_r[j] = real_cos(t3[j]);
@@ -356,76 +326,173 @@ static void planar_cable_line_kinematics(size_t nblocks, const real *const *in, 
             Phi_x[0 * 8 + j] = -t5;
             const real t6 = r_vangle * sin_r[j];
             Phi_x[9 * 8 + j] = Phi_x[19 * 8 + j] = t6;
-            const real t7 = n0[j] * t6;
-            Phi_x[1 * 8 + j] = Phi_x[11 * 8 + j] = -t7;
-            const real t8 = t4 * n1[j];
-            Phi_x[14 * 8 + j] = t8;
-            Phi_x[2 * 8 + j] = -t8;
-            const real t9 = t6 * n1[j];
-            Phi_x[3 * 8 + j] = Phi_x[13 * 8 + j] = -t9;
-            const real t11 = n2[j] * t4;
-            Phi_x[16 * 8 + j] = t11;
-            Phi_x[4 * 8 + j] = -t11;
-            const real t12 = n2[j] * t6;
-            Phi_x[5 * 8 + j] = Phi_x[15 * 8 + j] = -t12;
-            const real t14 = t4 * t13[j];
-            Phi_x[6 * 8 + j] = t14;
-            const real t15 = t6 * t13[j];
-            Phi_x[7 * 8 + j] = Phi_x[17 * 8 + j] = t15;
-            const real t26 = t6 * d_x[j] - sin_r[j] * t18[j] - cos_r[j] * t25[j];
-            Phi_x[10 * 8 + j] = t26;
-            Phi_x[18 * 8 + j] = -t14;
+            Phi_x[1 * 8 + j] = Phi_x[11 * 8 + j] = -(n0[j] * t6);
+            const real t7 = t4 * n1[j];
+            Phi_x[14 * 8 + j] = t7;
+            Phi_x[2 * 8 + j] = -t7;
+            Phi_x[3 * 8 + j] = Phi_x[13 * 8 + j] = -(t6 * n1[j]);
+            const real t9 = n2[j] * t4;
+            Phi_x[16 * 8 + j] = t9;
+            Phi_x[4 * 8 + j] = -t9;
+            Phi_x[5 * 8 + j] = Phi_x[15 * 8 + j] = -(n2[j] * t6);
+            const real t11 = t4 * t10[j];
+            Phi_x[6 * 8 + j] = t11;
+            Phi_x[7 * 8 + j] = Phi_x[17 * 8 + j] = t6 * t10[j];
+            Phi_x[10 * 8 + j] = t6 * d_x[j] - sin_r[j] * t14[j] - cos_r[j] * t20[j];
+            Phi_x[18 * 8 + j] = -t11;
             Phi_x[20 * 8 + j] = -t4;
-            const real t28 = cos_r[j] * sliding_y[j];
-            const real t29 = sin_r[j] * sliding_x[j];
-            Phi_x[21 * 8 + j] = t28 - t29;
+            Phi_x[21 * 8 + j] = cos_r[j] * sliding_y[j] - sin_r[j] * sliding_x[j];
+        }
+    }
+}
+
+/* kinematics: 168 operations.
+ * in:  x (11), v (11), a (11), p (6)
+ * out: Psi_x (2,11), Psi_v (2,11) */
+FLEXEL_CLONES
+static void planar_cable_line_kinematics(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (11 * 8);
+        const real *restrict v = in[1] + b * (11 * 8);
+        const real *restrict a = in[2] + b * (11 * 8);
+        const real *restrict p = in[3] + b * (6 * 8);
+        real *restrict Psi_x = out[0] + b * (22 * 8);
+        real *restrict Psi_v = out[1] + b * (22 * 8);
+        real n0[8], t3[8], cos_r[8], sin_r[8], n1[8], n2[8], t12[8], d_x[8], t18[8], d_y[8], t24[8], t34[8], t35[8], t36[8], t37[8], t38[8], t44[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real xi = p[1 * 8 + j];
+            const real t0 = 1.0 - xi;
+            const real t1 = t0 * t0;
+            const real t2 = 2.0 * xi;
+            n0[j] = t1 * (1.0 + t2);
+            const real r_angle = x[10 * 8 + j];
+            const real alpha0 = p[2 * 8 + j];
+            t3[j] = r_angle + alpha0;
+            const real l0 = p[0 * 8 + j];
+            n1[j] = l0 * t1 * xi;
+            const real t10 = xi * xi;
+            n2[j] = t10 * (3.0 - t2);
+            t12[j] = l0 * t0 * t10;
+            const real dq_ax = a[6 * 8 + j];
+            const real t14 = dq_ax * t12[j];
+            const real p_x = x[0 * 8 + j];
+            const real q_x = x[4 * 8 + j];
+            const real dp_x = x[2 * 8 + j];
+            const real c_x = x[8 * 8 + j];
+            const real dq_x = x[6 * 8 + j];
+            d_x[j] = q_x * n2[j] + dp_x * n1[j] + p_x * n0[j] - c_x - dq_x * t12[j];
+            const real r_vangle = v[10 * 8 + j];
+            const real t15 = r_vangle * d_x[j];
+            const real p_vy = v[1 * 8 + j];
+            const real q_vy = v[5 * 8 + j];
+            const real dp_vy = v[3 * 8 + j];
+            const real c_vy = v[9 * 8 + j];
+            const real t16 = q_vy * n2[j] + dp_vy * n1[j] + p_vy * n0[j] - c_vy;
+            const real dq_vy = v[7 * 8 + j];
+            const real t17 = dq_vy * t12[j];
+            t18[j] = t16 - t17;
+            const real c_ax = a[8 * 8 + j];
+            const real q_ax = a[4 * 8 + j];
+            const real t19 = n2[j] * q_ax;
+            const real dp_ax = a[2 * 8 + j];
+            const real t20 = dp_ax * n1[j];
+            const real p_ax = a[0 * 8 + j];
+            const real t21 = n0[j] * p_ax;
+            const real t22 = c_ax + r_vangle * (t15 - 2.0 * t18[j]) + t14 - t19 - t20 - t21;
+            const real p_y = x[1 * 8 + j];
+            const real q_y = x[5 * 8 + j];
+            const real dp_y = x[3 * 8 + j];
+            const real c_y = x[9 * 8 + j];
+            const real dq_y = x[7 * 8 + j];
+            d_y[j] = q_y * n2[j] + dp_y * n1[j] + p_y * n0[j] - c_y - dq_y * t12[j];
             const real r_aangle = a[10 * 8 + j];
-            const real t30 = cos_r[j] * r_aangle - r_vangle * t6;
-            Psi_x[8 * 8 + j] = t30;
-            const real t31 = n0[j] * t30;
-            Psi_x[12 * 8 + j] = t31;
-            Psi_x[0 * 8 + j] = -t31;
-            const real t32 = r_vangle * t4 + sin_r[j] * r_aangle;
-            Psi_x[9 * 8 + j] = Psi_x[19 * 8 + j] = t32;
-            Psi_x[1 * 8 + j] = Psi_x[11 * 8 + j] = -(n0[j] * t32);
-            const real t33 = n1[j] * t30;
-            Psi_x[14 * 8 + j] = t33;
-            Psi_x[2 * 8 + j] = -t33;
-            Psi_x[3 * 8 + j] = Psi_x[13 * 8 + j] = -(n1[j] * t32);
-            const real t34 = n2[j] * t30;
-            Psi_x[16 * 8 + j] = t34;
-            Psi_x[4 * 8 + j] = -t34;
-            Psi_x[5 * 8 + j] = Psi_x[15 * 8 + j] = -(n2[j] * t32);
-            const real t35 = t13[j] * t30;
-            Psi_x[6 * 8 + j] = t35;
-            Psi_x[7 * 8 + j] = Psi_x[17 * 8 + j] = t13[j] * t32;
-            Psi_x[10 * 8 + j] = cos_r[j] * t42[j] - sin_r[j] * t46[j];
-            Psi_x[18 * 8 + j] = -t35;
-            Psi_x[20 * 8 + j] = -t30;
-            Psi_x[21 * 8 + j] = cos_r[j] * t47[j] - sin_r[j] * t49[j];
-            const real t50 = 2.0 * t5;
-            Psi_v[12 * 8 + j] = t50;
-            Psi_v[0 * 8 + j] = -t50;
-            Psi_v[1 * 8 + j] = Psi_v[11 * 8 + j] = -(2.0 * t7);
-            const real t51 = 2.0 * t8;
-            Psi_v[14 * 8 + j] = t51;
-            Psi_v[2 * 8 + j] = -t51;
-            Psi_v[3 * 8 + j] = Psi_v[13 * 8 + j] = -(2.0 * t9);
-            const real t52 = 2.0 * t11;
-            Psi_v[16 * 8 + j] = t52;
-            Psi_v[4 * 8 + j] = -t52;
-            Psi_v[5 * 8 + j] = Psi_v[15 * 8 + j] = -(2.0 * t12);
-            const real t53 = 2.0 * t14;
-            Psi_v[6 * 8 + j] = t53;
-            Psi_v[7 * 8 + j] = Psi_v[17 * 8 + j] = 2.0 * t15;
-            const real t54 = 2.0 * t4;
-            Psi_v[8 * 8 + j] = t54;
-            Psi_v[9 * 8 + j] = Psi_v[19 * 8 + j] = 2.0 * t6;
-            Psi_v[10 * 8 + j] = 2.0 * t26;
-            Psi_v[18 * 8 + j] = -t53;
-            Psi_v[20 * 8 + j] = -t54;
-            const real t55 = cos_r[j] * t18[j] + t28 - sin_r[j] * t24[j] - t29 - t4 * d_x[j];
-            Psi_v[21 * 8 + j] = t55 - t6 * d_y[j];
+            const real t23 = r_aangle * d_y[j];
+            t24[j] = t22 - t23;
+            const real p_ay = a[1 * 8 + j];
+            const real q_ay = a[5 * 8 + j];
+            const real dp_ay = a[3 * 8 + j];
+            const real t25 = n2[j] * q_ay + dp_ay * n1[j] + n0[j] * p_ay;
+            const real c_ay = a[9 * 8 + j];
+            const real dq_ay = a[7 * 8 + j];
+            const real t26 = dq_ay * t12[j];
+            const real t27 = r_aangle * d_x[j];
+            const real t28 = r_vangle * d_y[j];
+            const real p_vx = v[0 * 8 + j];
+            const real t29 = p_vx * n0[j];
+            const real q_vx = v[4 * 8 + j];
+            const real t30 = q_vx * n2[j];
+            const real dp_vx = v[2 * 8 + j];
+            const real t31 = dp_vx * n1[j];
+            const real c_vx = v[8 * 8 + j];
+            const real dq_vx = v[6 * 8 + j];
+            const real t32 = dq_vx * t12[j];
+            const real t33 = t30 + t31 + t29 - c_vx - t32;
+            t34[j] = t25 - c_ay - t26 - t27 - r_vangle * (t28 + 2.0 * t33);
+            const real sliding_x = t29 + t30 + t31 + t28 - c_vx - t32;
+            t35[j] = sliding_x + t33;
+            t36[j] = t25 - r_vangle * t35[j] - c_ay - t27 - t26;
+            const real sliding_y = t16 - t15 - t17;
+            t37[j] = sliding_y + t18[j];
+            t38[j] = t19 + r_vangle * t37[j] + t21 + t20 + t23 - c_ax - t14;
+            t44[j] = t28 + t33;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            cos_r[j] = real_cos(t3[j]);
+            sin_r[j] = real_sin(t3[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real r_aangle = a[10 * 8 + j];
+            const real r_vangle = v[10 * 8 + j];
+            const real t4 = r_vangle * sin_r[j];
+            const real t5 = cos_r[j] * r_aangle - r_vangle * t4;
+            Psi_x[8 * 8 + j] = t5;
+            const real t6 = n0[j] * t5;
+            Psi_x[12 * 8 + j] = t6;
+            Psi_x[0 * 8 + j] = -t6;
+            const real t7 = r_vangle * cos_r[j];
+            const real t8 = r_vangle * t7 + sin_r[j] * r_aangle;
+            Psi_x[9 * 8 + j] = Psi_x[19 * 8 + j] = t8;
+            Psi_x[1 * 8 + j] = Psi_x[11 * 8 + j] = -(n0[j] * t8);
+            const real t9 = n1[j] * t5;
+            Psi_x[14 * 8 + j] = t9;
+            Psi_x[2 * 8 + j] = -t9;
+            Psi_x[3 * 8 + j] = Psi_x[13 * 8 + j] = -(n1[j] * t8);
+            const real t11 = n2[j] * t5;
+            Psi_x[16 * 8 + j] = t11;
+            Psi_x[4 * 8 + j] = -t11;
+            Psi_x[5 * 8 + j] = Psi_x[15 * 8 + j] = -(n2[j] * t8);
+            const real t13 = t12[j] * t5;
+            Psi_x[6 * 8 + j] = t13;
+            Psi_x[7 * 8 + j] = Psi_x[17 * 8 + j] = t12[j] * t8;
+            Psi_x[10 * 8 + j] = cos_r[j] * t24[j] - sin_r[j] * t34[j];
+            Psi_x[18 * 8 + j] = -t13;
+            Psi_x[20 * 8 + j] = -t5;
+            Psi_x[21 * 8 + j] = cos_r[j] * t36[j] - sin_r[j] * t38[j];
+            const real t39 = 2.0 * n0[j] * t7;
+            Psi_v[12 * 8 + j] = t39;
+            Psi_v[0 * 8 + j] = -t39;
+            Psi_v[1 * 8 + j] = Psi_v[11 * 8 + j] = -(2.0 * n0[j] * t4);
+            const real t40 = 2.0 * t7 * n1[j];
+            Psi_v[14 * 8 + j] = t40;
+            Psi_v[2 * 8 + j] = -t40;
+            Psi_v[3 * 8 + j] = Psi_v[13 * 8 + j] = -(2.0 * t4 * n1[j]);
+            const real t41 = 2.0 * n2[j] * t7;
+            Psi_v[16 * 8 + j] = t41;
+            Psi_v[4 * 8 + j] = -t41;
+            Psi_v[5 * 8 + j] = Psi_v[15 * 8 + j] = -(2.0 * n2[j] * t4);
+            const real t42 = 2.0 * t7 * t12[j];
+            Psi_v[6 * 8 + j] = t42;
+            Psi_v[7 * 8 + j] = Psi_v[17 * 8 + j] = 2.0 * t4 * t12[j];
+            const real t43 = 2.0 * t7;
+            Psi_v[8 * 8 + j] = t43;
+            Psi_v[9 * 8 + j] = Psi_v[19 * 8 + j] = 2.0 * t4;
+            Psi_v[10 * 8 + j] = 2.0 * (t4 * d_x[j] - sin_r[j] * t18[j] - cos_r[j] * t44[j]);
+            Psi_v[18 * 8 + j] = -t42;
+            Psi_v[20 * 8 + j] = -t43;
+            Psi_v[21 * 8 + j] = cos_r[j] * t37[j] - sin_r[j] * t35[j] - t7 * d_x[j] - t4 * d_y[j];
         }
     }
 }
@@ -501,7 +568,7 @@ static void planar_cable_line_stiffness(size_t nblocks, const real *const *in, r
 
 const flexel_element flexel_planar_cable_line = {
     .name = "planar_cable_line",
-    .digest = "50ff14ae424243c6",
+    .digest = "ba1dc5a65c6fdea4",
     .n = 11,
     .m = 1,
     .k = 1,
@@ -509,6 +576,7 @@ const flexel_element flexel_planar_cable_line = {
     .position = planar_cable_line_position,
     .velocity = planar_cable_line_velocity,
     .acceleration = planar_cable_line_acceleration,
+    .rates = planar_cable_line_rates,
     .kinematics = planar_cable_line_kinematics,
     .stiffness = planar_cable_line_stiffness,
 };

@@ -69,9 +69,18 @@ static void planar_cable_span_acceleration(size_t nblocks, const real *const *in
     (void)nblocks, (void)in, (void)out; /* every entry is zero */
 }
 
+/* rates: 0 operations.
+ * in:  x (8), v (8), p (1)
+ * out: Phi_x (2,8), 0 of 16 entries */
+FLEXEL_CLONES
+static void planar_cable_span_rates(size_t nblocks, const real *const *in, real *const *out)
+{
+    (void)nblocks, (void)in, (void)out; /* every entry is zero */
+}
+
 /* kinematics: 0 operations.
  * in:  x (8), v (8), a (8), p (1)
- * out: Phi_x (2,8), 0 of 16 entries, Psi_x (2,8), 0 of 16 entries, Psi_v (2,8), 0 of 16 entries */
+ * out: Psi_x (2,8), 0 of 16 entries, Psi_v (2,8), 0 of 16 entries */
 FLEXEL_CLONES
 static void planar_cable_span_kinematics(size_t nblocks, const real *const *in, real *const *out)
 {
@@ -89,7 +98,7 @@ static void planar_cable_span_stiffness(size_t nblocks, const real *const *in, r
 
 const flexel_element flexel_planar_cable_span = {
     .name = "planar_cable_span",
-    .digest = "fe8e68d85d8b736e",
+    .digest = "0b6db2958d79cc9f",
     .n = 8,
     .m = 0,
     .k = 2,
@@ -97,6 +106,7 @@ const flexel_element flexel_planar_cable_span = {
     .position = planar_cable_span_position,
     .velocity = planar_cable_span_velocity,
     .acceleration = planar_cable_span_acceleration,
+    .rates = planar_cable_span_rates,
     .kinematics = planar_cable_span_kinematics,
     .stiffness = planar_cable_span_stiffness,
 };

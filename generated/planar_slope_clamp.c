@@ -118,21 +118,18 @@ static void planar_slope_clamp_acceleration(size_t nblocks, const real *const *i
     }
 }
 
-/* kinematics: 42 operations.
- * in:  x (3), v (3), a (3), p (1)
- * out: Phi_x (1,3), Psi_x (1,3), Psi_v (1,3) */
+/* rates: 14 operations.
+ * in:  x (3), v (3), p (1)
+ * out: Phi_x (1,3) */
 FLEXEL_CLONES
-static void planar_slope_clamp_kinematics(size_t nblocks, const real *const *in, real *const *out)
+static void planar_slope_clamp_rates(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict x = in[0] + b * (3 * 8);
         const real *restrict v = in[1] + b * (3 * 8);
-        const real *restrict a = in[2] + b * (3 * 8);
-        const real *restrict p = in[3] + b * (1 * 8);
+        const real *restrict p = in[2] + b * (1 * 8);
         real *restrict Phi_x = out[0] + b * (3 * 8);
-        real *restrict Psi_x = out[1] + b * (3 * 8);
-        real *restrict Psi_v = out[2] + b * (3 * 8);
-        real t0[8], sin_r[8], cos_r[8], t3[8], t6[8], t7[8];
+        real t0[8], sin_r[8], cos_r[8], t2[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real r_angle = x[0 * 8 + j];
@@ -140,16 +137,8 @@ static void planar_slope_clamp_kinematics(size_t nblocks, const real *const *in,
             t0[j] = r_angle + alpha0;
             const real d_y = x[2 * 8 + j];
             const real r_vangle = v[0 * 8 + j];
-            const real t2 = d_y * r_vangle;
             const real d_vx = v[1 * 8 + j];
-            t3[j] = d_vx + t2;
-            const real d_x = x[1 * 8 + j];
-            const real d_vy = v[2 * 8 + j];
-            const real r_aangle = a[0 * 8 + j];
-            const real d_ax = a[1 * 8 + j];
-            t6[j] = r_vangle * (d_x * r_vangle - 2.0 * d_vy) - (d_ax + d_y * r_aangle);
-            const real d_ay = a[2 * 8 + j];
-            t7[j] = d_ay - d_x * r_aangle - r_vangle * (t2 + 2.0 * d_vx);
+            t2[j] = d_vx + d_y * r_vangle;
         }
         for (size_t j = 0; j < 8; j++) {
             sin_r[j] = real_sin(t0[j]);
@@ -161,18 +150,63 @@ static void planar_slope_clamp_kinematics(size_t nblocks, const real *const *in,
             const real t1 = r_vangle * sin_r[j];
             const real d_x = x[1 * 8 + j];
             const real d_vy = v[2 * 8 + j];
-            const real t4 = d_x * t1 - d_vy * sin_r[j] - cos_r[j] * t3[j];
-            Phi_x[0 * 8 + j] = t4;
-            const real t5 = r_vangle * cos_r[j];
-            Phi_x[1 * 8 + j] = -t5;
+            Phi_x[0 * 8 + j] = d_x * t1 - d_vy * sin_r[j] - cos_r[j] * t2[j];
+            Phi_x[1 * 8 + j] = -(r_vangle * cos_r[j]);
             Phi_x[2 * 8 + j] = -t1;
-            Psi_x[0 * 8 + j] = cos_r[j] * t6[j] - sin_r[j] * t7[j];
+        }
+    }
+}
+
+/* kinematics: 40 operations.
+ * in:  x (3), v (3), a (3), p (1)
+ * out: Psi_x (1,3), Psi_v (1,3) */
+FLEXEL_CLONES
+static void planar_slope_clamp_kinematics(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (3 * 8);
+        const real *restrict v = in[1] + b * (3 * 8);
+        const real *restrict a = in[2] + b * (3 * 8);
+        const real *restrict p = in[3] + b * (1 * 8);
+        real *restrict Psi_x = out[0] + b * (3 * 8);
+        real *restrict Psi_v = out[1] + b * (3 * 8);
+        real t0[8], cos_r[8], t1[8], sin_r[8], t3[8], t6[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real r_angle = x[0 * 8 + j];
+            const real alpha0 = p[0 * 8 + j];
+            t0[j] = r_angle + alpha0;
+            const real d_x = x[1 * 8 + j];
+            const real r_vangle = v[0 * 8 + j];
+            const real d_vy = v[2 * 8 + j];
+            const real d_y = x[2 * 8 + j];
             const real r_aangle = a[0 * 8 + j];
-            Psi_x[1 * 8 + j] = r_vangle * t1 - cos_r[j] * r_aangle;
+            const real d_ax = a[1 * 8 + j];
+            t1[j] = r_vangle * (d_x * r_vangle - 2.0 * d_vy) - (d_ax + d_y * r_aangle);
+            const real d_ay = a[2 * 8 + j];
+            const real t2 = d_y * r_vangle;
+            const real d_vx = v[1 * 8 + j];
+            t3[j] = d_ay - d_x * r_aangle - r_vangle * (t2 + 2.0 * d_vx);
+            t6[j] = d_vx + t2;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            cos_r[j] = real_cos(t0[j]);
+            sin_r[j] = real_sin(t0[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            Psi_x[0 * 8 + j] = cos_r[j] * t1[j] - sin_r[j] * t3[j];
+            const real r_vangle = v[0 * 8 + j];
+            const real t4 = r_vangle * sin_r[j];
+            const real r_aangle = a[0 * 8 + j];
+            Psi_x[1 * 8 + j] = r_vangle * t4 - cos_r[j] * r_aangle;
+            const real t5 = r_vangle * cos_r[j];
             Psi_x[2 * 8 + j] = -(r_vangle * t5 + sin_r[j] * r_aangle);
-            Psi_v[0 * 8 + j] = 2.0 * t4;
+            const real d_x = x[1 * 8 + j];
+            const real d_vy = v[2 * 8 + j];
+            Psi_v[0 * 8 + j] = 2.0 * (d_x * t4 - d_vy * sin_r[j] - cos_r[j] * t6[j]);
             Psi_v[1 * 8 + j] = -(2.0 * t5);
-            Psi_v[2 * 8 + j] = -(2.0 * t1);
+            Psi_v[2 * 8 + j] = -(2.0 * t4);
         }
     }
 }
@@ -213,7 +247,7 @@ static void planar_slope_clamp_stiffness(size_t nblocks, const real *const *in, 
 
 const flexel_element flexel_planar_slope_clamp = {
     .name = "planar_slope_clamp",
-    .digest = "948185e16da779ac",
+    .digest = "e0d85b77a082ab2e",
     .n = 3,
     .m = 1,
     .k = 0,
@@ -221,6 +255,7 @@ const flexel_element flexel_planar_slope_clamp = {
     .position = planar_slope_clamp_position,
     .velocity = planar_slope_clamp_velocity,
     .acceleration = planar_slope_clamp_acceleration,
+    .rates = planar_slope_clamp_rates,
     .kinematics = planar_slope_clamp_kinematics,
     .stiffness = planar_slope_clamp_stiffness,
 };

@@ -207,20 +207,17 @@ static void slope_clamp_acceleration(size_t nblocks, const real *const *in, real
     }
 }
 
-/* kinematics: 419 operations.
- * in:  x (7), v (7), a (7), p (4)
- * out: Phi_x (2,7), Psi_x (2,7), Psi_v (2,7) */
+/* rates: 189 operations.
+ * in:  x (7), v (7), p (4)
+ * out: Phi_x (2,7) */
 FLEXEL_CLONES
-static void slope_clamp_kinematics(size_t nblocks, const real *const *in, real *const *out)
+static void slope_clamp_rates(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict x = in[0] + b * (7 * 8);
         const real *restrict v = in[1] + b * (7 * 8);
-        const real *restrict a = in[2] + b * (7 * 8);
-        const real *restrict p = in[3] + b * (4 * 8);
+        const real *restrict p = in[2] + b * (4 * 8);
         real *restrict Phi_x = out[0] + b * (14 * 8);
-        real *restrict Psi_x = out[1] + b * (14 * 8);
-        real *restrict Psi_v = out[2] + b * (14 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real r_vl3 = v[3 * 8 + j];
@@ -260,122 +257,179 @@ static void slope_clamp_kinematics(size_t nblocks, const real *const *in, real *
             const real t12 = d_vy * u_2 + d_vx * u_1 + d_vz * u_3 + d_x * t7 + d_z * t3;
             const real t13 = d_y * t0 + t12;
             const real t14 = 2.0 * t_2 * t13;
-            const real t15 = t11 + t14 + t5;
-            Phi_x[0 * 8 + j] = t15;
-            const real t16 = 2.0 * (t_0 * t8 - t_1 * t10);
-            const real t17 = 2.0 * t_2 * t4;
-            const real t18 = 2.0 * t_3 * t13;
-            const real t19 = t16 + t17 - t18;
-            Phi_x[1 * 8 + j] = t19;
-            const real t20 = 2.0 * t_0 * t13;
-            const real t21 = 2.0 * (t_2 * t10 - t_3 * t8);
-            const real t22 = 2.0 * t_1 * t4;
-            const real t23 = t20 - t21 - t22;
-            Phi_x[2 * 8 + j] = t23;
-            const real t24 = 2.0 * t_0 * t4;
-            const real t25 = 2.0 * t_1 * t13;
-            const real t26 = 2.0 * (t_2 * t8 + t_3 * t10);
-            const real t27 = t24 + t25 - t26;
-            Phi_x[3 * 8 + j] = t27;
-            const real t28 = u_2 * t7 + u_1 * t0 - u_3 * t1 - u_0 * t3;
-            Phi_x[4 * 8 + j] = 2.0 * t28;
-            const real t29 = 2.0 * u_0 * t1;
-            const real t30 = 2.0 * u_2 * t0;
-            const real t31 = 2.0 * u_1 * t7;
-            const real t32 = 2.0 * u_3 * t3;
-            const real t33 = t29 + t30 - t31 - t32;
-            Phi_x[5 * 8 + j] = t33;
-            const real t34 = u_1 * t1 + u_0 * t7;
-            const real t35 = u_3 * t0 + u_2 * t3;
-            const real t36 = t34 + t35;
-            Phi_x[6 * 8 + j] = 2.0 * t36;
-            const real t37 = t16 + t18 - t17;
-            Phi_x[7 * 8 + j] = t37;
-            const real t38 = t5 + t14 - t11;
-            Phi_x[8 * 8 + j] = t38;
-            const real t39 = t26 + t25 + t24;
-            Phi_x[9 * 8 + j] = -t39;
-            const real t40 = t21 + t20 - t22;
-            Phi_x[10 * 8 + j] = t40;
-            const real t41 = u_3 * t7 + u_1 * t3 + u_2 * t1 + u_0 * t0;
-            Phi_x[11 * 8 + j] = 2.0 * t41;
-            const real t42 = t35 - t34;
-            Phi_x[12 * 8 + j] = 2.0 * t42;
-            const real t43 = t29 + t32 - t31 - t30;
-            Phi_x[13 * 8 + j] = t43;
+            Phi_x[0 * 8 + j] = t11 + t14 + t5;
+            const real t15 = 2.0 * (t_0 * t8 - t_1 * t10);
+            const real t16 = 2.0 * t_2 * t4;
+            const real t17 = 2.0 * t_3 * t13;
+            Phi_x[1 * 8 + j] = t15 + t16 - t17;
+            const real t18 = 2.0 * t_0 * t13;
+            const real t19 = 2.0 * (t_2 * t10 - t_3 * t8);
+            const real t20 = 2.0 * t_1 * t4;
+            Phi_x[2 * 8 + j] = t18 - t19 - t20;
+            const real t21 = 2.0 * t_0 * t4;
+            const real t22 = 2.0 * t_1 * t13;
+            const real t23 = 2.0 * (t_2 * t8 + t_3 * t10);
+            Phi_x[3 * 8 + j] = t21 + t22 - t23;
+            Phi_x[4 * 8 + j] = 2.0 * (u_2 * t7 + u_1 * t0 - u_3 * t1 - u_0 * t3);
+            const real t24 = 2.0 * u_0 * t1;
+            const real t25 = 2.0 * u_2 * t0;
+            const real t26 = 2.0 * u_1 * t7;
+            const real t27 = 2.0 * u_3 * t3;
+            Phi_x[5 * 8 + j] = t24 + t25 - t26 - t27;
+            const real t28 = u_1 * t1 + u_0 * t7;
+            const real t29 = u_3 * t0 + u_2 * t3;
+            Phi_x[6 * 8 + j] = 2.0 * (t28 + t29);
+            Phi_x[7 * 8 + j] = t15 + t17 - t16;
+            Phi_x[8 * 8 + j] = t5 + t14 - t11;
+            Phi_x[9 * 8 + j] = -(t23 + t22 + t21);
+            Phi_x[10 * 8 + j] = t19 + t18 - t20;
+            Phi_x[11 * 8 + j] = 2.0 * (u_3 * t7 + u_1 * t3 + u_2 * t1 + u_0 * t0);
+            Phi_x[12 * 8 + j] = 2.0 * (t29 - t28);
+            Phi_x[13 * 8 + j] = t24 + t27 - t26 - t25;
+        }
+    }
+}
+
+/* kinematics: 414 operations.
+ * in:  x (7), v (7), a (7), p (4)
+ * out: Psi_x (2,7), Psi_v (2,7) */
+FLEXEL_CLONES
+static void slope_clamp_kinematics(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (7 * 8);
+        const real *restrict v = in[1] + b * (7 * 8);
+        const real *restrict a = in[2] + b * (7 * 8);
+        const real *restrict p = in[3] + b * (4 * 8);
+        real *restrict Psi_x = out[0] + b * (14 * 8);
+        real *restrict Psi_v = out[1] + b * (14 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real t_1 = p[1 * 8 + j];
             const real r_al3 = a[3 * 8 + j];
+            const real t_2 = p[2 * 8 + j];
             const real r_al0 = a[0 * 8 + j];
+            const real t_0 = p[0 * 8 + j];
             const real r_al2 = a[2 * 8 + j];
+            const real t_3 = p[3 * 8 + j];
             const real r_al1 = a[1 * 8 + j];
-            const real t44 = t_2 * r_al0 + t_0 * r_al2 + t_1 * r_al3 - t_3 * r_al1;
+            const real t0 = t_2 * r_al0 + t_0 * r_al2 + t_1 * r_al3 - t_3 * r_al1;
+            const real d_z = x[6 * 8 + j];
+            const real r_l3 = x[3 * 8 + j];
+            const real r_l0 = x[0 * 8 + j];
+            const real r_l2 = x[2 * 8 + j];
+            const real r_l1 = x[1 * 8 + j];
+            const real u_2 = r_l0 * t_2 + r_l2 * t_0 + r_l3 * t_1 - r_l1 * t_3;
             const real d_az = a[6 * 8 + j];
+            const real u_0 = r_l0 * t_0 - r_l1 * t_1 - r_l2 * t_2 - r_l3 * t_3;
             const real d_ax = a[4 * 8 + j];
+            const real u_3 = r_l0 * t_3 + r_l1 * t_2 + r_l3 * t_0 - r_l2 * t_1;
             const real d_ay = a[5 * 8 + j];
-            const real t45 = t_0 * r_al0 - t_1 * r_al1 - t_2 * r_al2 - t_3 * r_al3;
-            const real t46 = d_z * t44 + u_2 * d_az - u_0 * d_ax - u_3 * d_ay - d_x * t45;
-            const real t47 = t_3 * r_al0 + t_2 * r_al1 + t_0 * r_al3 - t_1 * r_al2;
-            const real t48 = 2.0 * (t46 - d_y * t47) + 4.0 * (d_vz * t0 - d_vx * t1 - d_vy * t3);
-            const real t49 = t_3 * t48;
-            const real t50 = u_0 * d_az + u_2 * d_ax + d_z * t45 + d_x * t44 - u_1 * d_ay;
-            const real t51 = t_1 * r_al0 + t_0 * r_al1 + t_3 * r_al2 - t_2 * r_al3;
-            const real t52 = 2.0 * (t50 - d_y * t51) + 4.0 * (d_vz * t1 + d_vx * t0 - d_vy * t7);
-            const real t53 = u_1 * d_az + u_0 * d_ay + d_y * t45 + d_z * t51 - u_3 * d_ax;
-            const real t54 = 2.0 * (t53 - d_x * t47) + 4.0 * (d_vz * t7 + d_vy * t1 - d_vx * t3);
-            const real t55 = t_1 * t52 + t_0 * t54;
-            const real t56 = u_2 * d_ay + u_1 * d_ax + u_3 * d_az + d_x * t51 + d_z * t47;
-            const real t57 = 2.0 * (d_y * t44 + t56) + 4.0 * (d_vz * t3 + d_vx * t7 + d_vy * t0);
-            const real t58 = t_2 * t57;
-            Psi_x[0 * 8 + j] = t55 + t58 + t49;
-            const real t59 = t_0 * t52 - t_1 * t54;
-            const real t60 = t_2 * t48;
-            const real t61 = t_3 * t57;
-            Psi_x[1 * 8 + j] = t59 + t60 - t61;
-            const real t62 = t_0 * t57;
-            const real t63 = t_2 * t54 - t_3 * t52;
-            const real t64 = t_1 * t48;
-            Psi_x[2 * 8 + j] = t62 - t63 - t64;
-            const real t65 = t_0 * t48;
-            const real t66 = t_1 * t57;
-            const real t67 = t_2 * t52 + t_3 * t54;
-            Psi_x[3 * 8 + j] = t65 + t66 - t67;
-            const real t68 = u_2 * t51 + 2.0 * (t7 * t0 - t1 * t3) + u_1 * t44 - u_3 * t45;
-            Psi_x[4 * 8 + j] = 2.0 * (t68 - u_0 * t47);
-            const real t69 = 2.0 * u_0 * t45;
-            const real t70 = 2.0 * t0 * t0;
-            const real t71 = 2.0 * t1 * t1;
-            const real t72 = 2.0 * u_2 * t44;
-            const real t73 = 2.0 * t7 * t7;
-            const real t74 = 2.0 * t3 * t3;
-            const real t75 = 2.0 * u_1 * t51;
-            const real t76 = 2.0 * u_3 * t47;
-            Psi_x[5 * 8 + j] = t71 + t72 + t70 + t69 - t73 - t74 - t75 - t76;
-            const real t77 = u_3 * t44 + u_2 * t47;
-            const real t78 = 2.0 * t1 * t7;
-            const real t79 = 2.0 * t0 * t3;
-            const real t80 = u_1 * t45 + u_0 * t51;
-            Psi_x[6 * 8 + j] = 2.0 * (t78 + t79 + t80 + t77);
-            Psi_x[7 * 8 + j] = t59 + t61 - t60;
-            Psi_x[8 * 8 + j] = t49 + t58 - t55;
-            Psi_x[9 * 8 + j] = -(t67 + t66 + t65);
-            Psi_x[10 * 8 + j] = t63 + t62 - t64;
-            const real t81 = u_1 * t47 + 2.0 * (t1 * t0 + t7 * t3) + u_3 * t51 + u_2 * t45;
-            Psi_x[11 * 8 + j] = 2.0 * (u_0 * t44 + t81);
-            Psi_x[12 * 8 + j] = 2.0 * (t79 + t77 - t78 - t80);
-            Psi_x[13 * 8 + j] = t71 + t76 + t74 + t69 - t73 - t70 - t75 - t72;
-            Psi_v[0 * 8 + j] = 2.0 * t15;
-            Psi_v[1 * 8 + j] = 2.0 * t19;
-            Psi_v[2 * 8 + j] = 2.0 * t23;
-            Psi_v[3 * 8 + j] = 2.0 * t27;
-            Psi_v[4 * 8 + j] = 4.0 * t28;
-            Psi_v[5 * 8 + j] = 2.0 * t33;
-            Psi_v[6 * 8 + j] = 4.0 * t36;
-            Psi_v[7 * 8 + j] = 2.0 * t37;
-            Psi_v[8 * 8 + j] = 2.0 * t38;
-            Psi_v[9 * 8 + j] = -(2.0 * t39);
-            Psi_v[10 * 8 + j] = 2.0 * t40;
-            Psi_v[11 * 8 + j] = 4.0 * t41;
-            Psi_v[12 * 8 + j] = 4.0 * t42;
-            Psi_v[13 * 8 + j] = 2.0 * t43;
+            const real t1 = t_0 * r_al0 - t_1 * r_al1 - t_2 * r_al2 - t_3 * r_al3;
+            const real d_x = x[4 * 8 + j];
+            const real t2 = d_z * t0 + u_2 * d_az - u_0 * d_ax - u_3 * d_ay - d_x * t1;
+            const real t3 = t_3 * r_al0 + t_2 * r_al1 + t_0 * r_al3 - t_1 * r_al2;
+            const real d_y = x[5 * 8 + j];
+            const real r_vl3 = v[3 * 8 + j];
+            const real r_vl0 = v[0 * 8 + j];
+            const real r_vl2 = v[2 * 8 + j];
+            const real r_vl1 = v[1 * 8 + j];
+            const real t4 = r_vl0 * t_2 + r_vl2 * t_0 + r_vl3 * t_1 - r_vl1 * t_3;
+            const real d_vz = v[6 * 8 + j];
+            const real t5 = r_vl0 * t_0 - r_vl1 * t_1 - r_vl2 * t_2 - r_vl3 * t_3;
+            const real d_vx = v[4 * 8 + j];
+            const real t6 = r_vl0 * t_3 + r_vl1 * t_2 + r_vl3 * t_0 - r_vl2 * t_1;
+            const real d_vy = v[5 * 8 + j];
+            const real t7 = 2.0 * (t2 - d_y * t3) + 4.0 * (d_vz * t4 - d_vx * t5 - d_vy * t6);
+            const real t8 = t_3 * t7;
+            const real u_1 = r_l0 * t_1 + r_l1 * t_0 + r_l2 * t_3 - r_l3 * t_2;
+            const real t9 = u_0 * d_az + u_2 * d_ax + d_z * t1 + d_x * t0 - u_1 * d_ay;
+            const real t10 = t_1 * r_al0 + t_0 * r_al1 + t_3 * r_al2 - t_2 * r_al3;
+            const real t11 = r_vl0 * t_1 + r_vl1 * t_0 + r_vl2 * t_3 - r_vl3 * t_2;
+            const real t12 = 2.0 * (t9 - d_y * t10) + 4.0 * (d_vz * t5 + d_vx * t4 - d_vy * t11);
+            const real t13 = u_1 * d_az + u_0 * d_ay + d_y * t1 + d_z * t10 - u_3 * d_ax;
+            const real t14 = 2.0 * (t13 - d_x * t3) + 4.0 * (d_vz * t11 + d_vy * t5 - d_vx * t6);
+            const real t15 = t_1 * t12 + t_0 * t14;
+            const real t16 = u_2 * d_ay + u_1 * d_ax + u_3 * d_az + d_x * t10 + d_z * t3;
+            const real t17 = 2.0 * (d_y * t0 + t16) + 4.0 * (d_vz * t6 + d_vx * t11 + d_vy * t4);
+            const real t18 = t_2 * t17;
+            Psi_x[0 * 8 + j] = t15 + t18 + t8;
+            const real t19 = t_0 * t12 - t_1 * t14;
+            const real t20 = t_2 * t7;
+            const real t21 = t_3 * t17;
+            Psi_x[1 * 8 + j] = t19 + t20 - t21;
+            const real t22 = t_0 * t17;
+            const real t23 = t_2 * t14 - t_3 * t12;
+            const real t24 = t_1 * t7;
+            Psi_x[2 * 8 + j] = t22 - t23 - t24;
+            const real t25 = t_0 * t7;
+            const real t26 = t_1 * t17;
+            const real t27 = t_2 * t12 + t_3 * t14;
+            Psi_x[3 * 8 + j] = t25 + t26 - t27;
+            const real t28 = u_2 * t10 + 2.0 * (t11 * t4 - t5 * t6) + u_1 * t0 - u_3 * t1;
+            Psi_x[4 * 8 + j] = 2.0 * (t28 - u_0 * t3);
+            const real t29 = 2.0 * u_0 * t1;
+            const real t30 = 2.0 * t4 * t4;
+            const real t31 = 2.0 * t5 * t5;
+            const real t32 = 2.0 * u_2 * t0;
+            const real t33 = 2.0 * t11 * t11;
+            const real t34 = 2.0 * t6 * t6;
+            const real t35 = 2.0 * u_1 * t10;
+            const real t36 = 2.0 * u_3 * t3;
+            Psi_x[5 * 8 + j] = t31 + t32 + t30 + t29 - t33 - t34 - t35 - t36;
+            const real t37 = u_3 * t0 + u_2 * t3;
+            const real t38 = 2.0 * t5 * t11;
+            const real t39 = 2.0 * t4 * t6;
+            const real t40 = u_1 * t1 + u_0 * t10;
+            Psi_x[6 * 8 + j] = 2.0 * (t38 + t39 + t40 + t37);
+            Psi_x[7 * 8 + j] = t19 + t21 - t20;
+            Psi_x[8 * 8 + j] = t8 + t18 - t15;
+            Psi_x[9 * 8 + j] = -(t27 + t26 + t25);
+            Psi_x[10 * 8 + j] = t23 + t22 - t24;
+            const real t41 = u_1 * t3 + 2.0 * (t5 * t4 + t11 * t6) + u_3 * t10 + u_2 * t1;
+            Psi_x[11 * 8 + j] = 2.0 * (u_0 * t0 + t41);
+            Psi_x[12 * 8 + j] = 2.0 * (t39 + t37 - t38 - t40);
+            Psi_x[13 * 8 + j] = t31 + t36 + t34 + t29 - t33 - t30 - t35 - t32;
+            const real t42 = d_z * t4 + d_vz * u_2 - d_vx * u_0 - d_vy * u_3 - d_x * t5;
+            const real t43 = t42 - d_y * t6;
+            const real t44 = 2.0 * t_3 * t43;
+            const real t45 = d_vz * u_0 + d_vx * u_2 + d_z * t5 + d_x * t4 - d_vy * u_1;
+            const real t46 = t45 - d_y * t11;
+            const real t47 = d_vz * u_1 + d_vy * u_0 + d_y * t5 + d_z * t11 - d_vx * u_3;
+            const real t48 = t47 - d_x * t6;
+            const real t49 = 2.0 * (t_1 * t46 + t_0 * t48);
+            const real t50 = d_vy * u_2 + d_vx * u_1 + d_vz * u_3 + d_x * t11 + d_z * t6;
+            const real t51 = d_y * t4 + t50;
+            const real t52 = 2.0 * t_2 * t51;
+            Psi_v[0 * 8 + j] = 2.0 * (t49 + t52 + t44);
+            const real t53 = 2.0 * (t_0 * t46 - t_1 * t48);
+            const real t54 = 2.0 * t_2 * t43;
+            const real t55 = 2.0 * t_3 * t51;
+            Psi_v[1 * 8 + j] = 2.0 * (t53 + t54 - t55);
+            const real t56 = 2.0 * t_0 * t51;
+            const real t57 = 2.0 * (t_2 * t48 - t_3 * t46);
+            const real t58 = 2.0 * t_1 * t43;
+            Psi_v[2 * 8 + j] = 2.0 * (t56 - t57 - t58);
+            const real t59 = 2.0 * t_0 * t43;
+            const real t60 = 2.0 * t_1 * t51;
+            const real t61 = 2.0 * (t_2 * t46 + t_3 * t48);
+            Psi_v[3 * 8 + j] = 2.0 * (t59 + t60 - t61);
+            Psi_v[4 * 8 + j] = 4.0 * (u_2 * t11 + u_1 * t4 - u_3 * t5 - u_0 * t6);
+            const real t62 = 2.0 * u_0 * t5;
+            const real t63 = 2.0 * u_2 * t4;
+            const real t64 = 2.0 * u_1 * t11;
+            const real t65 = 2.0 * u_3 * t6;
+            Psi_v[5 * 8 + j] = 2.0 * (t62 + t63 - t64 - t65);
+            const real t66 = u_1 * t5 + u_0 * t11;
+            const real t67 = u_3 * t4 + u_2 * t6;
+            Psi_v[6 * 8 + j] = 4.0 * (t66 + t67);
+            Psi_v[7 * 8 + j] = 2.0 * (t53 + t55 - t54);
+            Psi_v[8 * 8 + j] = 2.0 * (t44 + t52 - t49);
+            Psi_v[9 * 8 + j] = -(2.0 * (t61 + t60 + t59));
+            Psi_v[10 * 8 + j] = 2.0 * (t57 + t56 - t58);
+            Psi_v[11 * 8 + j] = 4.0 * (u_3 * t11 + u_1 * t6 + u_2 * t5 + u_0 * t4);
+            Psi_v[12 * 8 + j] = 4.0 * (t67 - t66);
+            Psi_v[13 * 8 + j] = 2.0 * (t62 + t65 - t64 - t63);
         }
     }
 }
@@ -507,7 +561,7 @@ static void slope_clamp_stiffness(size_t nblocks, const real *const *in, real *c
 
 const flexel_element flexel_slope_clamp = {
     .name = "slope_clamp",
-    .digest = "408f22e62c820ec5",
+    .digest = "ccd55d0ed9dcfc59",
     .n = 7,
     .m = 2,
     .k = 0,
@@ -515,6 +569,7 @@ const flexel_element flexel_slope_clamp = {
     .position = slope_clamp_position,
     .velocity = slope_clamp_velocity,
     .acceleration = slope_clamp_acceleration,
+    .rates = slope_clamp_rates,
     .kinematics = slope_clamp_kinematics,
     .stiffness = slope_clamp_stiffness,
 };

@@ -1,7 +1,6 @@
-"""The table of laws: constitutive functions without geometry.
+"""Linear laws: visco-elastic ones of deformations, viscous ones of slips.
 
-This room may import sympy and ``flexel.derive.element``. A law is attached by the runtime to any list of
-deformations and slips, so it has its own small numbers m of deformations and k of slips.
+This room may import sympy and ``flexel.derive.element``.
 """
 
 import sympy as sp
@@ -87,7 +86,7 @@ def _viscous(k: int) -> Law:
     )
 
 
-LAWS: tuple[Law, ...] = (
+LINEAR: tuple[Law, ...] = (
     *(_linear(m) for m in range(1, 7)),
     *(_diagonal(m) for m in (7, 13)),  # planar and spatial cable
     *(_viscous(k) for k in range(1, 4)),
