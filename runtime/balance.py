@@ -15,14 +15,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from flexel.diagnose import largest, null_space, quoted
-from flexel.dynamics import whole_state
+from flexel.dynamics import check_finite, drift
 from flexel.errors import DynamicsError
 from flexel.kinematics import wrap
-from flexel.local import Inertia, LawForces, Local
+from flexel.local import Inertia, Local
+from flexel.locallaws import ImplicitStep, LawForces
 from flexel.solvers import Factors, Pattern
-from flexel.state import State
+from flexel.state import Energy, State
 from flexel.states import unwrap
-from flexel.structure import Array, Index
+from flexel.structure import Array, Index, Structure
 
 if TYPE_CHECKING:
     from flexel.system import System
@@ -88,7 +89,7 @@ class SaddlePattern:
         self._d, d_rows, d_columns = self._rows(hold_rows)
         outside = n + force_rows.size + nf  # any number beyond the matrix: fixed coordinates drop out
         place = np.where(np.arange(n) < nf, np.arange(n), outside)
-        cross = (local.columns_J[z] for z in (local.pairs.left, local.pairs.right))
+        cross = (local.columns_J[z] for z in (local.laws.left, local.laws.right))
         rows = [place[local.rows_K], *(place[z] for z in cross)]
         left, right = rows[1], rows[2]
         all_rows = np.concatenate([rows[0], left, place[c_columns], nf + d_rows])
@@ -147,12 +148,14 @@ class Saddle:
         self.first = self.structure.m + self.structure.k
         self.x_scale = self.scales[self.first : self.first + self.structure.nf]
         self.rest = np.zeros(self.structure.n)
+        self.z = self.structure.z0  # internal states of laws: held, or where an implicit step starts
+        self.step: ImplicitStep | None = None
         self._angles = self.structure.angle[self.roles.holonomic]
 
     def multipliers(self, state: State) -> Array:
         """Multipliers of the constraints at a state: stresses less those of laws and loads."""
         e, J = state.e, self.local.position(state.x)[1]
-        laws = self.local.laws(e, self.local.rates(J, state.v)).stress
+        laws = self.local.laws.forces(e, self.local.rates(J, state.v), state.z, state.t).stress
         applied = self.system.loads.at(state.t)[1]
         return np.concatenate([state.stress - laws - applied, -state.reactions])[self.force_rows]
 
@@ -162,7 +165,7 @@ class Saddle:
         principal, J = local.position(x)
         e = unwrap(s, principal, e_near)
         w = local.rates(J, v)
-        laws = local.laws(e, w)
+        laws = self._laws(e, w, t)
         nodal, applied = self.system.loads.at(t)
         given = laws.stress + applied
         multiplier = np.zeros(len(s.names))
@@ -178,6 +181,11 @@ class Saddle:
         return Balance(
             t, x, v, a, e, J, w, inertia, laws, given, stress, multiplier, force, r, self._gap(t, x, principal), scale
         )  # fmt: skip
+
+    def _laws(self, e: Array, w: Array, t: float) -> LawForces:
+        if self.step is None or not self.z.size:
+            return self.local.laws.forces(e, w, self.z, t)
+        return self.local.laws.step(e, w, self.z, t, self.step)
 
     def _gap(self, t: float, x: Array, e: Array) -> Array:
         rows = self.roles.holonomic
@@ -208,11 +216,12 @@ class Saddle:
         local.inertia_tangent(K, b.x, b.v, b.a, b.inertia.M, rate)
         if acceleration and local.size_M:
             K[: local.size_M] += acceleration * b.inertia.M
-        by_value, by_rate = local.law_tangents(b.e, b.w)
+        share = 0.0 if self.step is None else self.step.share
+        by_value, by_rate = local.laws.tangents(b.e, b.w, b.laws.z, b.t, share)
         phi = None
         if np.any(b.v) and (self.roles.zero.size or by_rate.any()):
             phi = local.phi(b.x, b.v)
-        cross = local.pairs.add(K, b.J, phi, by_value, by_rate, rate)
+        cross = local.laws.add(K, b.J, phi, by_value, by_rate, rate)
         return K, cross, phi
 
     def load_rate(self, b: Balance) -> tuple[Array, Array]:
@@ -236,32 +245,69 @@ class Saddle:
 
     def state(self, b: Balance) -> State:
         """The complete state at a balance."""
-        loads, kinematics, local = self.system.loads, self.system.kinematics, self.local
+        s, loads, kinematics, local = self.structure, self.system.loads, self.system.kinematics, self.local
+        check_finite(s, b.given, b.t)
         reactions = -b.multiplier[self.first :]
-        reactions[self.structure.nf :] = b.force[self.structure.nf :]
-        momentum = local.momentum(b.inertia.M, b.v)
-        rates = np.concatenate([b.w, b.v])
-        second = np.concatenate([local.convective(b.x, b.v) + local.rates(b.J, b.a), b.a])
+        reactions[s.nf :] = b.force[s.nf :]
         potential = b.inertia.potential + loads.potential(b.t, kinematics.values(b.e, b.x))
-        energy = Energy(float(b.v @ momentum) / 2, potential, float(b.laws.stored.sum()))
-        return whole_state(kinematics, b.t, b.x, b.v, b.a, b.e, rates, second, b.stress, reactions, energy)
+        kinetic = float(b.v @ local.momentum(b.inertia.M, b.v)) / 2
+        return State(
+            t=b.t,
+            x=b.x,
+            v=b.v,
+            a=b.a,
+            e=b.e,
+            rates=np.concatenate([b.w, b.v]),
+            stress=b.stress,
+            reactions=reactions,
+            roles=self.roles,
+            evaluation=self.system.evaluation,
+            energy=Energy(kinetic, potential, float(b.laws.stored.sum())),
+            drift=drift(kinematics, b.e, b.x),
+            z=b.laws.z,
+            zd=b.laws.zd,
+            dissipated=float(b.laws.dissipated.sum()),
+            Phi_v=np.concatenate([local.convective(b.x, b.v) + local.rates(b.J, b.a), b.a]),
+        )
 
 
-def solve(structure: Any, pattern: Pattern, factors: Factors, stored: Array, rhs: Array) -> Array:
-    """Solve a saddle-point system; names the motion that nothing resists if it is singular.
+@dataclass
+class Matrix:
+    """A saddle-point matrix, factorized when first needed."""
 
-    Raises
-    ------
-    DynamicsError
-    """
-    if factors.regular:
-        return factors.solve(rhs)
-    nf, names = structure.nf, []
-    if pattern.size <= LARGEST_NULL_SPACE:
-        right, _ = null_space(pattern.matrix(stored).toarray(), pattern.size)
-        rows = np.arange(nf) + structure.m + structure.k
-        names = largest(structure, rows, right[:nf, 0]) if right.shape[1] else []
-    raise DynamicsError(
-        f"the stiffness is singular: nothing resists a motion of {quoted(names)}; support it, or give it "
-        "a stiffness or a mass"
-    )
+    structure: Structure
+    pattern: Pattern
+    stored: Array
+
+    @cached_property
+    def size(self) -> float:
+        """Largest entry."""
+        return float(np.abs(self.stored).max(initial=0.0))
+
+    @cached_property
+    def factors(self) -> Factors:
+        """LU factors."""
+        return self.pattern.factorize(self.stored)
+
+    @property
+    def sparse(self) -> Any:
+        """The matrix as a scipy.sparse array."""
+        return self.pattern.matrix(self.stored)
+
+    def solve(self, rhs: Array) -> Array:
+        """Solution for one or several right-hand sides; names the motion that nothing resists if it is singular.
+
+        Raises
+        ------
+        DynamicsError
+        """
+        if self.factors.regular:
+            return self.factors.solve(rhs)
+        nf, first, names = self.structure.nf, self.structure.m + self.structure.k, ["unknown"]
+        if self.pattern.size <= LARGEST_NULL_SPACE:
+            right, _ = null_space(self.sparse.toarray(), self.pattern.size)
+            names = largest(self.structure, np.arange(nf) + first, right[:nf, 0]) if right.shape[1] else []
+        raise DynamicsError(
+            f"the stiffness is singular: nothing resists a motion of {quoted(names)}; support it, or give it "
+            "a stiffness or a mass"
+        )

@@ -15,10 +15,11 @@ import numpy as np
 from scipy.linalg import get_lapack_funcs
 
 from flexel.errors import DynamicsError
-from flexel.kinematics import Configuration, Factorization, Kinematics
+from flexel.kinematics import Configuration, Kinematics, wrap
 from flexel.loads import Loads
+from flexel.solvers import Factorization
 from flexel.state import Energy, State
-from flexel.structure import Array
+from flexel.structure import Array, Structure
 
 _posv: Any = get_lapack_funcs("posv", dtype=np.float64)
 
@@ -165,32 +166,48 @@ def with_multipliers(
     """The state with known accelerations and multipliers (m + k + n,) of constraints, by quantity."""
     s, roles = kinematics.structure, kinematics.roles
     first = s.m + s.k
-    if not np.all(np.isfinite(given.stress)):
-        name = s.names[int(np.argmin(np.isfinite(given.stress)))]
-        raise DynamicsError(
-            f"the stress of '{name}' at t = {c.t:g} s is not finite: its law has no value here; correct the law, or "
-            "start within its range"
-        )
+    check_finite(s, given.stress, c.t)
     reactions = -multiplier[first:]
     unbalance = given.F - given.M @ a - multiplier[:first] @ c.J[:first]
     reactions[s.nf :] = -unbalance[s.nf :]
     potential = given.potential + loads.potential(c.t, kinematics.values(e, c.x))
-    held = kinematics.values(c.e, c.x)[roles.rigid] / kinematics.scales(roles.rigid)
     return State(
         t=c.t,
         x=c.x,
         v=v,
         a=a,
         e=e,
-        J=c.J,
+        rates=c.J @ v,
         stress=given.stress + multiplier[:first],
         reactions=reactions,
         roles=roles,
-        structure=s,
+        evaluation=kinematics.evaluation,
         energy=Energy(float(v @ given.M @ v) / 2, potential, given.strain),
-        drift=float(np.max(np.abs(held), initial=0.0)),
+        drift=drift(kinematics, e, c.x),
         z=z,
         zd=given.zd,
         dissipated=given.dissipated,
         Phi_v=kinematics.evaluation.convective(c.x, v) + c.J @ a,
     )
+
+
+def check_finite(structure: Structure, stress: Array, t: float) -> None:
+    """Raise if a given stress is not a number, by its name.
+
+    Raises
+    ------
+    DynamicsError
+    """
+    if not np.all(np.isfinite(stress)):
+        name = structure.names[int(np.argmin(np.isfinite(stress)))]
+        raise DynamicsError(
+            f"the stress of '{name}' at t = {t:g} s is not finite: its law has no value here; correct the law, or "
+            "start within its range"
+        )
+
+
+def drift(kinematics: Kinematics, e: Array, x: Array) -> float:
+    """Largest violation of the rigid conditions, relative to their natural scales."""
+    rows = kinematics.roles.rigid
+    held = wrap(kinematics.values(e, x)[rows], kinematics.structure.angle[rows])
+    return float(np.max(np.abs(held) / kinematics.scales(rows), initial=0.0))

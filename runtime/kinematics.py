@@ -3,7 +3,7 @@
 Position: c(x, t) = 0 and the freedoms at their values, by Newton's method with warm start, angles compared
 modulo 2 pi.  Velocity: B v = (u', 0, q_d').  Acceleration: B a = (u'', 0, q_d'') - convective terms.  Source: van der
 Werff (1977); Jonker and Meijaard (1990); Schwab and Meijaard (2003) for the non-holonomic rows.
-Imports numpy, scipy.linalg and the evaluation.
+Imports numpy, the solvers and the evaluation.
 """
 
 from __future__ import annotations
@@ -12,49 +12,15 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from scipy.linalg import get_lapack_funcs
 
 from flexel.errors import ConstraintError, PositionError
 from flexel.evaluate import Evaluation
 from flexel.roles import Roles
+from flexel.solvers import Factorization
 from flexel.structure import Array, Structure
 
-_getrf: Any = get_lapack_funcs("getrf", dtype=np.float64)
-_getrs: Any = get_lapack_funcs("getrs", dtype=np.float64)
-_gecon: Any = get_lapack_funcs("gecon", dtype=np.float64)
 TOLERANCE = 1e-13  # of a deformation, relative to its natural scale
 MAX_ITERATIONS = 40
-
-
-class Factorization:
-    """LU factors of a square matrix, with row scaling left to the caller."""
-
-    def __init__(self, matrix: Array) -> None:
-        self._matrix = matrix
-        self._lu: Array = matrix
-        self._pivots: Any = None
-        self._info = 0
-        if matrix.size:
-            self._lu, self._pivots, self._info = _getrf(matrix)
-
-    @property
-    def regular(self) -> bool:
-        """False if a pivot is exactly zero."""
-        return self._info == 0
-
-    @property
-    def rcond(self) -> float:
-        """Estimate of the reciprocal condition number in the 1-norm."""
-        if not self._lu.size:
-            return 1.0
-        return float(_gecon(self._lu, np.abs(self._matrix).sum(axis=0).max())[0])
-
-    def solve(self, b: Array, transposed: bool = False) -> Array:
-        """Solution of A x = b, or of A' x = b."""
-        if not self._lu.size or not b.size:
-            return np.zeros(b.shape)
-        x: Array = _getrs(self._lu, self._pivots, b, trans=1 if transposed else 0)[0]
-        return x
 
 
 @dataclass(frozen=True)

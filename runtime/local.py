@@ -8,6 +8,7 @@ Letters as in the formulation.  Imports numpy, scipy.sparse and the assembly.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,9 +16,7 @@ import numpy as np
 from scipy.sparse import coo_array, csc_array, csr_array, eye_array, vstack
 
 from flexel.assembly import Batch, Place, Stage
-from flexel.evaluate import _element_batches as element_batches
-from flexel.evaluate import _law_batches as law_batches
-from flexel.lawpairs import LawPairs
+from flexel.locallaws import LocalLaws
 from flexel.structure import Array, Index, Structure
 
 
@@ -92,14 +91,6 @@ class Inertia:
     potential: float
 
 
-@dataclass(frozen=True)
-class LawForces:
-    """Stresses (sigma, tau) of the laws (m + k,) and the stored energy of each law [J]."""
-
-    stress: Array
-    stored: Array
-
-
 class Local:
     """The compiled kernels of a structure, outputs kept element by element.
 
@@ -112,10 +103,10 @@ class Local:
         Coordinates of each entry of the flat arrays of the kind of K.
     """
 
-    def __init__(self, structure: Structure) -> None:
+    def __init__(self, structure: Structure, elements: Sequence[Batch], laws: Sequence[Batch]) -> None:
         self.structure = structure
         m, k, n = structure.m, structure.k, structure.n
-        batches = sorted(element_batches(structure), key=lambda z: not varies(z))
+        batches = sorted(elements, key=lambda z: not varies(z))
         self.groups = grouped(batches, m)
         self._group = {id(g.batch): g for g in self.groups}
         moving = [g for g in self.groups if varies(g.batch)]  # they come first in the flat arrays
@@ -137,22 +128,21 @@ class Local:
         self._shares = _joined(
             (np.repeat(_weights(g.batch), g.shape[2]) for g in moving), dtype=np.float64
         )  # mass-proportional damping of each row of M
+        self.laws = LocalLaws(structure, laws, self.groups)
         self._stage_kernels([g.batch for g in moving])
         self._constant_inertia()
 
     def _stage_kernels(self, moving: list[Batch]) -> None:
-        structure = self.structure
         batches = [g.batch for g in self.groups]
         self._position = Stage(batches, "position", self._place)
         self._acceleration = Stage(batches, "acceleration", self._place)
         self._inertia = Stage(moving, "inertia", self._place)
         self._tangent = Stage(moving, "tangent", self._place)
         self._stiffness = Stage(batches, "stiffness", self._place)
-        self._rates = Stage(batches, "kinematics", self._place)
-        laws = law_batches(structure)
-        self.pairs = LawPairs(structure, laws, self.groups)
-        self._law = Stage(laws, "law", self.pairs.place)
-        self._law_tangent = Stage(laws, "tangent", self.pairs.place)
+        lawful = np.zeros(self.lines.size, dtype=bool)
+        lawful[self.laws.lines] = True
+        damped = [g.batch for g in self.groups if lawful[g.lines].any() or g.batch.inputs["tau"].size]
+        self._rates = Stage(damped, "rates", self._place)
 
     def _place(self, batch: Batch, name: str) -> Place:
         """Where an output of an element goes."""
@@ -187,6 +177,7 @@ class Local:
             (np.repeat(_weights(g.batch), g.shape[2] ** 2) for g in self.groups if not varies(g.batch)),
             dtype=np.float64,
         )
+        self.masses0 = entries
         self.M0: Any = csr_array(coo_array((entries, at), shape=(n, n)))
         self.damping0: Any = csr_array(coo_array((entries * shares, at), shape=(n, n)))
         self.damped = bool(self._shares.any() or shares.any())
@@ -228,10 +219,13 @@ class Local:
             h, f = self._inertia.sum("h", (n,)), self._inertia.sum("f", (n,)) + self._f0
             U = float(self._inertia.sum("U", (1,))[0])
         if self.damped:
-            h = h + self.damping0 @ v
-            if self._shares.any():
-                h = h + self._momentum(M, v, self._shares)
+            h = h + self.damping(M, v)
         return Inertia(M, h, f, U + self._U0 - float(self._f0 @ x))
+
+    def damping(self, M: Array, v: Array) -> Array:
+        """Forces (n,) of the mass-proportional damping."""
+        d = np.asarray(self.damping0 @ v)
+        return d + self._momentum(M, v, self._shares) if self._shares.any() else d
 
     def momentum(self, M: Array, a: Array) -> Array:
         """The mass matrix times a (n,): momenta of rates, forces of accelerations."""
@@ -242,18 +236,9 @@ class Local:
         self._M.data = M
         return np.bincount(self._places_M, share * (self._M @ a), minlength=a.size)
 
-    def laws(self, e: Array, w: Array) -> LawForces:
-        """Stresses and stored energies of the laws for deformations e (turns included) and rates w."""
-        m = self.structure.m
-        if not self.structure.laws:
-            return LawForces(np.zeros(self.lines.size), np.zeros(0))
-        self._law.run(e=e, ed=w[:m], s=w[m:])
-        stored = self._law.flat("U", len(self.structure.laws))
-        return LawForces(self._law.sum("stress", (self.lines.size,)), stored)
-
     def phi(self, x: Array, v: Array) -> Array:
         """Derivatives of the rates of deformations and slips by x, flat like J."""
-        self._rates.run(x=x, v=v, a=np.zeros(x.size))
+        self._rates.run(x=x, v=v)
         return self._rates.flat("Phi_x", self.columns_J.size)
 
     def stress_stiffness(self, x: Array, stress: Array) -> Array:
@@ -261,13 +246,6 @@ class Local:
         m = self.structure.m
         self._stiffness.run(x=x, sigma=stress[:m], tau=stress[m:])
         return self._stiffness.flat("K", self.rows_K.size)
-
-    def law_tangents(self, e: Array, w: Array) -> tuple[Array, Array]:
-        """Derivatives of the laws' stresses by deformations, and by their rates and slips; see `LawPairs`."""
-        m = self.structure.m
-        self._law_tangent.run(e=e, ed=w[:m], s=w[m:])
-        both = self._law_tangent.sum("L", (2, self.pairs.size + 1))
-        return both[0], both[1]
 
     def inertia_tangent(self, K: Array, x: Array, v: Array, a: Array, M: Array, rate: float) -> None:
         """Add the derivatives of M a + h - f by x, and `rate` times those by v, to K."""
@@ -280,6 +258,15 @@ class Local:
             own += rate * self._tangent.flat("R_v", self.size_M)
             if self._shares.any():
                 own += rate * np.repeat(self._shares, np.diff(self._M.indptr)) * M
+
+    def assembled(self, K: Array) -> Any:
+        """The sum (n, n) of a flat array of the kind of K as a sparse matrix."""
+        n = self.structure.n
+        return csr_array(coo_array((K, (self.rows_K, self.columns_K)), shape=(n, n)))
+
+    def mass(self, M: Array) -> Any:
+        """The sparse mass matrix (n, n), from its part that varies."""
+        return self.assembled(np.concatenate([M, self.masses0]))
 
     def matrix(self, J: Array) -> Any:
         """The sparse matrix [De; V; I] (m + k + n, n) in the order of the quantities."""

@@ -59,7 +59,7 @@ def state_from(
         guess = previous.x + (t - previous.t) * previous.v if nq == 0 else previous.x
     c = kinematics.position(t, y[:nq], guess)
     v = kinematics.velocity(c, kinematics.velocity_matrix(c), qd)
-    predicted = previous.e + (t - previous.t) * (previous.J[:m] @ previous.v + c.J[:m] @ v) / 2
+    predicted = previous.e + (t - previous.t) * (previous.rates[:m] + c.J[:m] @ v) / 2
     return dynamics.complete(kinematics, system.loads, c, v, with_turns(kinematics, c, y[:nq], predicted), z)
 
 
@@ -76,7 +76,7 @@ class End:
     @staticmethod
     def of(state: State) -> End:
         """The end at a complete state."""
-        return End(state.t, state.x, state.v, state.e, state.J[: state.e.size] @ state.v)
+        return End(state.t, state.x, state.v, state.e, state.rates[: state.e.size])
 
 
 def state_between(system: System, t: float, y: Array, roles: Roles, first: End, last: End) -> State:
@@ -121,7 +121,7 @@ def state_at(
         q[list(roles.freedoms).index(i)] = value
     c = kinematics.position(time, q, start.x)
     e = with_freedoms(structure, unwrap(structure, c.e, start.e), q, roles)
-    qd = start.J[roles.dynamic] @ start.v if rates is None else consistent_rates(system, c, rates)
+    qd = start.qd if rates is None else consistent_rates(system, c, rates)
     v = kinematics.velocity(c, kinematics.velocity_matrix(c), qd)
     return dynamics.complete(kinematics, system.loads, c, v, e, z)
 
