@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 
 SHORTEST = 1e-10  # of the duration
 DEEP = 0.1  # of a new contact's penetration: a larger local error halves the step
+STEADY = 1.3  # growth of the step below which it stays as it is: every change disturbs the multipliers
 MOST_HALVINGS = 4  # on account of new contacts
 
 
@@ -126,7 +127,8 @@ class GeneralizedAlpha:
                 return False
         point, balance = found
         self._steps += 1
-        allowed = step * min(2.0, 0.9 * max(error, 1e-6) ** (-1 / 3))
+        growth = min(2.0, 0.9 * max(error, 1e-6) ** (-1 / 3))
+        allowed = step * (1.0 if 1.0 < growth < STEADY else growth)
         self._wish = max(allowed, self._wish) if step == asked else allowed
         self._halvings = max(self._halvings - 1, 0) if step == asked else self._halvings
         if abs(point.t - until) < 1e-6 * step:
