@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -103,10 +104,19 @@ class Evaluation:
         e = self._stage("position").put("e", np.zeros(self.structure.m))
         return e, self._stage("position").put("J", self._J.copy())
 
+    def jacobian(self, x: Array) -> tuple[Array, Any]:
+        """Deformations e (m,) as principal values, and J as a sparse matrix."""
+        e, J = self.local.position(x)
+        return e, self.local.matrix(J)
+
+    def sparse_inertia(self, x: Array, v: Array) -> tuple[Any, Array, Array, float]:
+        """The same as `inertia` with a sparse mass matrix."""
+        found = self.local.inertia(x, v)
+        return self.local.mass(found.M), found.h, found.f, found.potential
+
     def convective(self, x: Array, v: Array) -> Array:
         """Convective accelerations [D²e(v,v); s_x v; 0] of all quantities (m + k + n,)."""
-        self._stage("acceleration").run(x=x, v=v)
-        return self._stage("acceleration").put("g", np.zeros(self._rows))
+        return np.concatenate([self.local.convective(x, v), np.zeros(self.structure.n)])
 
     def inertia(self, x: Array, v: Array) -> tuple[Array, Array, Array, float]:
         """Mass matrix M (n, n), convective inertia h (n,), body forces f (n,) and their potential [J].

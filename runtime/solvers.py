@@ -13,7 +13,7 @@ from typing import Any, Protocol
 
 import numpy as np
 from scipy.linalg import get_lapack_funcs
-from scipy.sparse import coo_array, csc_array, csr_array
+from scipy.sparse import coo_array, csc_array, csr_array, issparse
 from scipy.sparse.csgraph import reverse_cuthill_mckee
 from scipy.sparse.linalg import splu
 
@@ -93,6 +93,14 @@ class SparseFactors:
         """Solution of A x = b, or of A' x = b."""
         x: Array = self._lu.solve(b, trans="T" if transposed else "N")
         return x
+
+
+Solvable = Factorization | SparseFactors
+
+
+def factorize(matrix: Any) -> Solvable:
+    """LU factors of a dense or sparse square matrix."""
+    return SparseFactors(csc_array(matrix)) if issparse(matrix) else Factorization(matrix)
 
 
 @dataclass(frozen=True)

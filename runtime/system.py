@@ -188,7 +188,7 @@ class System:
 
         Internal states z (nz,) of laws have their initial values by default.
         """
-        principal, J = self.evaluation.position(x)
+        principal, J = self.kinematics.evaluate(x)
         e = principal if e is None else states.unwrap(self.structure, principal, e)
         c = Configuration(t, x, e, J)
         if not np.any(v) and self.roles.motions:
