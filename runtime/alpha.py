@@ -87,6 +87,11 @@ class Point:
     zd: Array
     zw: Array
 
+    @classmethod
+    def at(cls, s: State, mu: Array) -> Point:
+        """The point at a state with known multipliers."""
+        return cls(s.t, s.x.copy(), s.v.copy(), s.a.copy(), s.a.copy(), mu, s.e, s.z, s.zd, s.zd)
+
 
 class Stepper(Saddle):
     """Newton's method for single steps of the generalized-alpha method.
@@ -110,11 +115,6 @@ class Stepper(Saddle):
             self._rolling[self.local.starts_J[line] : self.local.starts_J[line + 1]] = True
         self._matrix: Matrix | None = None
         self._matrix_step = self._stiffness = 0.0
-
-    def start(self, s: State) -> Point:
-        """The point at a state."""
-        mu = self.multipliers(s)
-        return Point(s.t, s.x.copy(), s.v.copy(), s.a.copy(), s.a.copy(), mu, s.e, s.z, s.zd, s.zd)
 
     def _predict(self, p: Point, h: float) -> Point:
         z, n = self.scheme, self.structure.nf

@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from flexel import stability, states, statics
-from flexel.errors import IncompleteWarning, PositionError
-from flexel.implicit import Control, GeneralizedAlpha
+from flexel.bdf import Bdf
+from flexel.errors import IncompleteWarning, ModelError, PositionError
+from flexel.implicit import Control, GeneralizedAlpha, Run
 from flexel.integrate import (
     Event,
     Integration,
@@ -107,6 +108,8 @@ def simulate_stiff(
     first_step: float | None = None,
     max_step: float = np.inf,
     newton: str = "full",
+    method: str = "alpha",
+    max_order: int = 2,
     progress: bool | None = None,
 ) -> Motion:
     """Implicit dynamics of a stiff model by the generalized-alpha method, whatever the freedoms.
@@ -134,6 +137,11 @@ def simulate_stiff(
         [s]; the first is a thousandth of the duration by default.
     newton : str
         full: a new tangent at every iteration; modified: the last one is kept while it serves.
+    method : str
+        alpha, or bdf: the backward differentiation formulas of SUNDIALS, for comparison (needs the optional package
+        scikit-sundae; radius, step and newton are then without meaning, and first_step is its own choice by default).
+    max_order : int
+        Of bdf, 1 to 5; orders above 2 are slow on structures with little damping.
 
     Returns
     -------
@@ -146,10 +154,21 @@ def simulate_stiff(
     """
     start = self.initial if start is None else own_state(self.structure, start, "simulate_stiff")
     grid = stored_times(start, duration, times, samples)
-    control = Control(tolerance, first_step or duration / 1000, max_step)
+    tolerance = positive(tolerance, "tolerance")
+    first = duration / 1000 if first_step is None else positive(first_step, "first_step")
+    control = Control(tolerance, first, positive(max_step, "max_step"))
     if step is not None:
         control = Control(np.inf, *(positive(step, "step"),) * 2)
-    found = GeneralizedAlpha(self, start, radius, newton, control).run(grid, progress)
+    run: Run
+    if method == "alpha":
+        run = GeneralizedAlpha(self, start, radius, newton, control)
+    elif method == "bdf":
+        if step is not None or max_order not in range(1, 6):
+            raise ModelError("simulate_stiff: bdf takes steps of its own and max_order 1 to 5; leave step out")
+        run = Bdf(self, start, duration, Control(tolerance, first_step or 0.0, max_step), max_order)
+    else:
+        raise ModelError(f"simulate_stiff: method {method!r} is unknown; choose alpha or bdf")
+    found = run.run(grid, progress)
     if not found.complete:
         warnings.warn(found.message, IncompleteWarning, stacklevel=2)
     return Motion(self, found)

@@ -13,7 +13,7 @@ import numpy as np
 from tqdm import tqdm
 
 from flexel.alpha import Point, Stepper
-from flexel.balance import Balance
+from flexel.balance import Balance, Saddle
 from flexel.integrate import Integration
 from flexel.ledger import Ledger
 from flexel.state import State
@@ -45,16 +45,85 @@ class Control:
     longest: float
 
 
-class GeneralizedAlpha:
-    """One implicit run of the dynamics of a system."""
+class Run:
+    """An implicit integration over given times: progress, what is kept, and how it ends.
+
+    Attributes
+    ----------
+    states : list of State
+    ledger : Ledger
+    point : Point
+        Where it stands.
+    """
+
+    def __init__(self, saddle: Saddle, start: State) -> None:
+        self.saddle = saddle
+        self.ledger = Ledger(saddle)
+        self.states = [start]
+        self.point = Point.at(start, saddle.multipliers(start))
+        self.shortest = 0.0
+        self._balance: Balance | None = None
+
+    @property
+    def statistics(self) -> dict[str, int]:
+        """Counts of what was done."""
+        raise NotImplementedError
+
+    def advance(self, until: float) -> bool:
+        """Take one step towards a time and `accept` it; False if that is not possible."""
+        raise NotImplementedError
+
+    def accept(self, point: Point, balance: Balance) -> None:
+        """Go on from the end of a step."""
+        h = point.t - self.point.t
+        self.point, self._balance = point, balance
+        self.ledger.add(balance, h)
+
+    def run(self, times: Array, progress: bool | None) -> Integration:
+        """Integrate over the stored times; an interrupt (Ctrl-C) or a step that fails keeps what was computed."""
+        begin, span = self.point.t, float(times[-1] - times[0])
+        self.shortest = SHORTEST * span
+        message, complete = "reached the end", True
+        self.ledger.begin(self.point)
+        show = sys.stderr.isatty() if progress is None else progress
+        bar = tqdm(total=span, disable=not show, unit="s", leave=False)
+        bar.bar_format = "{l_bar}{bar}| {n:.3g}/{total:.3g} s [{elapsed}<{remaining}]"
+        try:
+            for t in times[1:]:
+                while self.point.t < t and complete:
+                    complete = self.advance(float(t))
+                    bar.update(self.point.t - begin - float(bar.n))
+                self._keep()
+                if not complete:
+                    message = self._failure()
+                    break
+        except KeyboardInterrupt:
+            message = f"interrupted at t = {self.point.t:g} s; the motion up to there is kept"
+        finally:
+            bar.close()
+        return Integration(self.states, [], [], self.statistics, message, self.ledger.kept, complete)
+
+    def _keep(self) -> None:
+        """Store the present state, if it is a new one."""
+        if self._balance is not None and self.point.t > self.states[-1].t:
+            self.states.append(self.saddle.state(self._balance))
+            self.ledger.keep()
+
+    def _failure(self) -> str:
+        return (
+            f"implicit integration cannot go on at t = {self.point.t:g} s (step below {self.shortest:.2g} s): the "
+            "motion is not smooth there, or a condition cannot be met; look at the last state of the motion, and start "
+            "from there again after a change"
+        )
+
+
+class GeneralizedAlpha(Run):
+    """One run of the generalized-alpha method."""
 
     def __init__(self, system: System, start: State, radius: float, newton: str, control: Control) -> None:
         self.stepper = Stepper(system, radius, newton)
+        super().__init__(self.stepper, start)
         self.control = control
-        self.ledger = Ledger(self.stepper)
-        self.states = [start]
-        self._point = self.stepper.start(start)
-        self._balance: Balance | None = None
         self._steps = self._rejected = self._at_contact = self._halvings = 0
         self._wish = min(control.first, control.longest)
 
@@ -72,48 +141,9 @@ class GeneralizedAlpha:
             "rechoices": 0,
         }
 
-    def run(self, times: Array, progress: bool | None) -> Integration:
-        """Integrate over the stored times; an interrupt (Ctrl-C) or a step that fails keeps what was computed."""
-        begin, span = self._point.t, float(times[-1] - times[0])
-        self._shortest = SHORTEST * span
-        message, complete = "reached the end", True
-        self.ledger.begin(self._point)
-        show = sys.stderr.isatty() if progress is None else progress
-        bar = tqdm(total=span, disable=not show, unit="s", leave=False)
-        bar.bar_format = "{l_bar}{bar}| {n:.3g}/{total:.3g} s [{elapsed}<{remaining}]"
-        try:
-            for t in times[1:]:
-                while self._point.t < t and complete:
-                    complete = self._advance(float(t))
-                    bar.update(self._point.t - begin - float(bar.n))
-                if not complete:
-                    message = self._failure()
-                    break
-                self._keep()
-        except KeyboardInterrupt:
-            message = f"interrupted at t = {self._point.t:g} s; the motion up to there is kept"
-        finally:
-            bar.close()
-        return Integration(self.states, [], [], self.statistics, message, self.ledger.kept, complete)
-
-    def _keep(self) -> None:
-        """Store the present state."""
-        if self._balance is not None and self._point.t > self.states[-1].t:
-            self.states.append(self.stepper.state(self._balance))
-            self.ledger.keep()
-
-    def _failure(self) -> str:
-        """Keep the last point that was reached, to start from again, and say where it stopped."""
-        self._keep()
-        return (
-            f"implicit integration cannot go on at t = {self._point.t:g} s (step below {self._shortest:.2g} s): the "
-            "motion is not smooth there, or a condition cannot be met; look at the last state of the motion, and start "
-            "from there again after a change"
-        )
-
-    def _advance(self, until: float) -> bool:
-        """One accepted step towards a time; False if even the shortest does not converge."""
-        old, gap = self._point, until - self._point.t
+    def advance(self, until: float) -> bool:
+        """One accepted step; False if even the shortest does not converge."""
+        old, gap = self.point, until - self.point.t
         parts = max(float(np.ceil(gap / min(self._wish, self.control.longest) * (1 - 1e-9))), 1.0)
         step = asked = gap / parts
         while True:
@@ -123,7 +153,7 @@ class GeneralizedAlpha:
                 break
             self._rejected += 1
             step *= 0.5 if np.isinf(error) else max(0.2, 0.9 * error ** (-1 / 3))
-            if step < self._shortest:
+            if step < self.shortest:
                 return False
         point, balance = found
         self._steps += 1
@@ -133,8 +163,7 @@ class GeneralizedAlpha:
         self._halvings = max(self._halvings - 1, 0) if step == asked else self._halvings
         if abs(point.t - until) < 1e-6 * step:
             point.t = until
-        self._point, self._balance = point, balance
-        self.ledger.add(balance, point.t - old.t)
+        self.accept(point, balance)
         return True
 
     def _error(self, old: Point, new: Point, b: Balance, h: float) -> float:

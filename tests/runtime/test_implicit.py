@@ -174,7 +174,7 @@ def test_prescribed_motions_are_followed_exactly() -> None:
 
 def test_an_interrupted_integration_keeps_what_was_computed(monkeypatch: pytest.MonkeyPatch) -> None:
     system = pendulum()
-    advance, calls = GeneralizedAlpha._advance, []
+    advance, calls = GeneralizedAlpha.advance, []
 
     def interrupted(self: GeneralizedAlpha, *arguments: object) -> object:
         calls.append(1)
@@ -182,7 +182,7 @@ def test_an_interrupted_integration_keeps_what_was_computed(monkeypatch: pytest.
             raise KeyboardInterrupt
         return advance(self, *arguments)  # type: ignore[arg-type]
 
-    monkeypatch.setattr(GeneralizedAlpha, "_advance", interrupted)
+    monkeypatch.setattr(GeneralizedAlpha, "advance", interrupted)
     motion = system.simulate_stiff(1.0, samples=1001, max_step=1e-3, progress=False)
     assert "interrupted at t = 0.03" in motion.message
     assert len(motion) == 31
