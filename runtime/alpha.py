@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from flexel.system import System
 
 MAX_ITERATIONS = 10
+FORCES = 1e-2  # weight of the forces' relative unbalance beside the violation of conditions
 SLOW = 0.2  # a contraction weaker than this renews the iteration matrix
 
 
@@ -149,7 +150,7 @@ class Stepper(Saddle):
             self.z = b.laws.z
             slip = b.w[self.roles.zero]
             held = np.concatenate([b.gap / self.scales[self.roles.holonomic], slip * h])
-            error = self.error(b, b.r, held, self._stiffness)
+            error = self.error(b, FORCES * b.r, held, self._stiffness)
             if error < 1e-11 or (error < 1e-8 and error > 0.5 * last):
                 return self._finished(old, p, b), b
             if not np.isfinite(error) or (fresh and error > 10 * last):

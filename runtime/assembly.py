@@ -180,7 +180,7 @@ class Stage:
     def run(self, **vectors: Array) -> None:
         """Gather the inputs and run the kernels of all batches; read the results with `add` and `put`."""
         for name in self._filled:
-            np.take(vectors[name], self._gather[name], out=self._inputs[name], mode="clip")
+            vectors[name].take(self._gather[name], out=self._inputs[name], mode="clip")
         if self._shares is not None:
             self._inputs["a"] += self._shares * self._inputs["v"]
         if self._count:
@@ -203,7 +203,8 @@ class Stage:
                 places, targets = self._targets[name]
                 source[targets] = places
             self._flat[name] = source
-        return np.take(self._output, source, mode="clip")
+        found: Array = self._output.take(source, mode="clip")
+        return found
 
     def sum(self, name: str, shape: tuple[int, ...]) -> Array:
         """The output `name`, contributions of all elements summed."""

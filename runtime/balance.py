@@ -150,6 +150,7 @@ class Saddle:
         self.rest = np.zeros(self.structure.n)
         self.z = self.structure.z0  # internal states of laws: held, or where an implicit step starts
         self.step: ImplicitStep | None = None
+        self._sizes: Array | None = None  # of the rows of J, found again with every tangent
         self._angles = self.structure.angle[self.roles.holonomic]
 
     def multipliers(self, state: State) -> Array:
@@ -176,8 +177,10 @@ class Saddle:
         outer = inertia.h - inertia.f - nodal
         force = momentum + outer + local.pull(J, stress)
         r = (force + multiplier[self.first :])[: s.nf]
-        sizes = (stress * self._row_sizes(J), outer[: s.nf], momentum[: s.nf], mu)
-        scale = max(float(np.abs(z).max(initial=0.0)) for z in sizes)
+        if self._sizes is None:
+            self._sizes = self._row_sizes(J)
+        sizes = np.concatenate([stress * self._sizes, outer[: s.nf], momentum[: s.nf], mu])
+        scale = float(np.abs(sizes).max(initial=0.0))
         return Balance(
             t, x, v, a, e, J, w, inertia, laws, given, stress, multiplier, force, r, self._gap(t, x, principal), scale
         )  # fmt: skip
@@ -211,7 +214,7 @@ class Saddle:
         Returns K (flat), its entries across elements, and the derivative of the rates of all quantities by x (flat
         like J; None where neither damping nor rolling needs it).
         """
-        local = self.local
+        local, self._sizes = self.local, None
         K = local.stress_stiffness(b.x, b.stress)
         local.inertia_tangent(K, b.x, b.v, b.a, b.inertia.M, rate)
         if acceleration and local.size_M:

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from scipy.sparse import coo_array, csc_array, csr_array, eye_array, vstack
+from scipy.sparse import coo_array, csr_array, eye_array, vstack
 
 from flexel.assembly import Batch, Place, Stage
 from flexel.locallaws import LocalLaws
@@ -122,7 +122,8 @@ class Local:
         starts_M = _starts((g.places.size, g.shape[2]) for g in moving)
         shape = self.lines.size, n
         self._J: Any = csr_array((np.zeros(self.columns_J.size), self.columns_J, self.starts_J), shape=shape)
-        self._Jt: Any = csc_array((self._J.data, self._J.indices, self._J.indptr), shape=shape[::-1])
+        self._lined = [g for g in self.groups if g.lines.size]
+        self._places_J = _joined(g.places for g in self._lined)
         columns = self.columns_K[: self.size_M]
         self._M: Any = csr_array((np.zeros(self.size_M), columns, starts_M), shape=(self._places_M.size, n))
         self._shares = _joined(
@@ -157,7 +158,9 @@ class Local:
             places = g.first_K + np.arange(E * columns**2).reshape(E, -1)
             return Place(name, (self.rows_K.size,), places, False)
         if name in ("e", "g", "gs"):
-            lines = g.lines[:, : g.batch.inputs["sigma"].shape[1]] if name != "gs" else batch.inputs["tau"] + m
+            lines = (
+                g.lines[:, : g.batch.inputs["sigma"].shape[1]] if name != "gs" else batch.inputs["tau"] + m
+            )
             return Place(name[0], (m + k,), lines, False)
         places = g.first_J + np.arange(E * rows * columns).reshape(E, rows, columns)
         deformations = batch.inputs["sigma"].shape[1]
@@ -193,15 +196,15 @@ class Local:
 
     def rates(self, J: Array, v: Array) -> Array:
         """Rates of the deformations and slips (m + k,)."""
-        self._J.data = J
         w = np.empty(self.lines.size)
-        w[self.lines] = self._J @ v
+        for g in self._lined:
+            w[g.lines] = (g.J(J) @ v[g.places][:, :, None])[:, :, 0]
         return w
 
     def pull(self, J: Array, stress: Array) -> Array:
         """Nodal forces J' stress (n,) of stresses (m + k,)."""
-        self._Jt.data = J
-        return np.asarray(self._Jt @ stress[self.lines])
+        forces = [(stress[g.lines][:, None, :] @ g.J(J)).ravel() for g in self._lined]
+        return np.bincount(self._places_J, np.concatenate(forces or [np.zeros(0)]), minlength=self.structure.n)
 
     def convective(self, x: Array, v: Array) -> Array:
         """Convective accelerations [D²e(v,v); s_x v] (m + k,)."""
