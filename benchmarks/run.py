@@ -1,4 +1,4 @@
-"""Print the table of all benchmarks: `python benchmarks/run.py [kernels|bicycle|chains|start]…`.
+"""Print the table of all benchmarks: `python benchmarks/run.py [kernels|bicycle|chains|ropes|start]…`.
 
 Run it on a quiet machine, with OPENBLAS_NUM_THREADS=1.
 """
@@ -8,7 +8,7 @@ import sys
 
 from timing import Row, yardstick
 
-FILES = ("start", "kernels", "bicycle", "chains")
+FILES = ("start", "kernels", "bicycle", "chains", "ropes")
 
 
 def shown(seconds: float | None) -> str:

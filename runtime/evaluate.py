@@ -93,7 +93,7 @@ class Evaluation:
         return Stage(self.laws, "tangent", self._place.law)
 
     @cached_property
-    def _J(self) -> Array:
+    def _J(self) -> Array:  # noqa: N802
         J = np.zeros((self._rows, self.structure.n))
         J[self._rows - self.structure.n :] = np.eye(self.structure.n)
         return J

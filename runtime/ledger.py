@@ -15,6 +15,8 @@ from flexel.structure import Array
 class Ledger:
     """Work and losses of a motion, by the trapezoidal rule over its steps.
 
+    A contact is a law whose first deformation is called gap.
+
     Attributes
     ----------
     kept : dict of str to list of float
@@ -23,18 +25,12 @@ class Ledger:
 
     def __init__(self, saddle: Saddle) -> None:
         self._saddle = saddle
-        structure = saddle.structure
-        contact = {
-            structure.index[z]
-            for i in structure.instances
-            if "contact" in i.spec.name
-            for z in i.deformations
-        }
+        names = saddle.structure.names
         laws = saddle.local.laws
         self._contact = np.zeros(laws.count, dtype=bool)
         self._gap = np.zeros(laws.count, dtype=np.intp)
         for numbers, quantities in laws.instances():
-            self._contact[numbers] = [q in contact for q in quantities]
+            self._contact[numbers] = [names[q].endswith(".gap") for q in quantities]
             self._gap[numbers] = quantities
         self._touching = np.zeros(0, dtype=bool)
         self._power = np.zeros(2)

@@ -45,12 +45,12 @@ class Group:
         """Elements, rows, columns."""
         return self.lines.shape[0], self.lines.shape[1], self.places.shape[1]
 
-    def J(self, flat: Array) -> Array:
+    def J(self, flat: Array) -> Array:  # noqa: N802
         """The part (elements, rows, columns) of a flat array of the kind of J."""
         E, m, n = self.shape
         return flat[self.first_J : self.first_J + E * m * n].reshape(E, m, n)
 
-    def K(self, flat: Array) -> Array:
+    def K(self, flat: Array) -> Array:  # noqa: N802
         """The part (elements, columns, columns) of a flat array of the kind of K."""
         E, _, n = self.shape
         return flat[self.first_K : self.first_K + E * n * n].reshape(E, n, n)
@@ -204,7 +204,9 @@ class Local:
     def pull(self, J: Array, stress: Array) -> Array:
         """Nodal forces J' stress (n,) of stresses (m + k,)."""
         forces = [(stress[g.lines][:, None, :] @ g.J(J)).ravel() for g in self._lined]
-        return np.bincount(self._places_J, np.concatenate(forces or [np.zeros(0)]), minlength=self.structure.n)
+        return np.bincount(
+            self._places_J, np.concatenate(forces or [np.zeros(0)]), minlength=self.structure.n
+        )
 
     def convective(self, x: Array, v: Array) -> Array:
         """Convective accelerations [D²e(v,v); s_x v] (m + k,)."""

@@ -84,8 +84,8 @@ class State:
         return self.evaluation.structure
 
     @property
-    def J(self) -> Array:
-        """De, V and the identity, stacked (m + k + n, n): rates of all quantities are J v.  Computed when asked for."""
+    def J(self) -> Array:  # noqa: N802
+        """De, V and the identity, stacked (m + k + n, n), so that the rates are J v; computed when asked for."""
         return self.evaluation.position(self.x)[1]
 
     @property

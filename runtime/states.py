@@ -172,7 +172,7 @@ def smallest(S: Any, J: Any, roles: Roles, rows: Any, wanted: Array) -> Array:
     nf = S.shape[1]
     C = J[np.concatenate([roles.holonomic, roles.zero])][:, :nf]
     A = vstack([C, rows])
-    damping = -1e-12 * eye_array(A.shape[0])  # for rates that repeat one another
+    damping = -1e-14 * eye_array(A.shape[0])  # for rates that repeat one another
     factors = factorize(block_array([[S.T @ S, A.T], [A, damping]]))
     rhs = np.concatenate([np.zeros(nf + C.shape[0]), wanted])
     return np.asarray(S @ factors.solve(rhs)[:nf])

@@ -8,7 +8,7 @@ from flexel.structure import Array, Index
 
 
 def chain(elements: int, hubs: int = 0, seed: int = 1) -> tuple[Index, Index, int]:
-    """Entries of a chain of 12 x 12 elements in blocks of 6, its unknowns in a random order, with hubs that touch all."""
+    """Entries of a chain of 12 x 12 elements in blocks of 6, unknowns in random order, with hubs that touch all."""
     size = 6 * (elements + 1) + hubs
     order = np.random.default_rng(seed).permutation(size)
     rows, columns = [], []
