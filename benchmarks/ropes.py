@@ -1,5 +1,8 @@
 """Ropes of spatial cables: implicit steps with full and modified Newton iteration, and how they grow with the rope."""
 
+from collections.abc import Callable
+from functools import partial
+
 from timing import Row, best
 
 import flexel as fx
@@ -19,21 +22,20 @@ def rope(n: int, element: float = 0.1) -> fx.System:
     return m.build()
 
 
+def moved(system: fx.System, duration: float, newton: str = "full") -> Callable[[], object]:
+    """Work that integrates a motion."""
+    return lambda: system.simulate_stiff(duration, step=H, samples=2, newton=newton, progress=False)
+
+
 def measure() -> list[Row]:
     """The figures of this file."""
-    rows = []
     system = rope(56)
-    for newton, reach, aim in (("full", 1.5, 0.35), ("modified", 1.5, 0.35)):
-        run = lambda newton=newton: system.simulate_stiff(
-            1.0, step=H, samples=2, newton=newton, progress=False
-        )  # noqa: E731
-        rows.append(
-            Row(f"rope of 56 cables, 1 s, h = 1 ms, {newton} Newton", best(run, repeat=2), reach, aim)
-        )
+    rows = [
+        Row(f"rope of 56 cables, 1 s, h = 1 ms, {z} Newton", best(moved(system, 1.0, z), repeat=2), 1.5, 0.35)
+        for z in ("full", "modified")
+    ]
     for n in (125, 500, 2000):
-        rows.append(Row(f"rope of {n} cables: build", best(lambda n=n: rope(n), repeat=1)))
-        system = rope(n)
-        steps = 20
-        run = lambda s=system: s.simulate_stiff(steps * H, step=H, samples=2, progress=False)  # noqa: E731, B023
-        rows.append(Row(f"rope of {n} cables: a step, per cable", best(run, repeat=2) / steps / n))
+        rows.append(Row(f"rope of {n} cables: build", best(partial(rope, n), repeat=1)))
+        seconds = best(moved(rope(n), 20 * H), repeat=2)
+        rows.append(Row(f"rope of {n} cables: a step, per cable", seconds / 20 / n))
     return rows

@@ -215,6 +215,11 @@ class Stage:
         return self._totals[self._parts[name]].reshape(shape)
 
 
+def summed(places: Index, values: Array, size: int) -> Array:
+    """Array (size,) of the sums of the values at each place."""
+    return np.asarray(np.bincount(places, values, minlength=size), dtype=np.float64)
+
+
 def _pointer(array: Array, offset: int) -> Any:
     return ffi.cast("double *", array.ctypes.data) + offset
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from scipy.sparse import block_array, eye_array, issparse
+from scipy.sparse import block_array, eye_array
 
 from flexel.diagnose import choose_freedoms, named_freedoms
 from flexel.errors import ModelError, PositionError
@@ -210,7 +210,7 @@ def _nearest(kinematics: Kinematics, rows: Index, goal: Array, x: Array, t: floa
 
 def smallest_step(C: Any, residual: Array) -> Array:
     """The smallest change of the coordinates with C dx = residual, in the sense of least squares."""
-    if not issparse(C):
+    if isinstance(C, np.ndarray):
         return np.asarray(np.linalg.lstsq(C, residual, rcond=1e-10)[0])
     size, count = C.shape[1], C.shape[0]
     damping = -1e-12 * eye_array(count)  # conditions that repeat one another are reported later

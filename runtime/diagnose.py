@@ -23,6 +23,7 @@ from flexel.roles import Roles
 from flexel.solvers import factorize
 from flexel.structure import Array, Index, Structure
 
+_block_array: Any = block_array
 RANK_TOLERANCE = 1e-9  # singular value of the row-scaled constraint matrix that counts as zero
 PREFERENCE = 3.0  # relative angles and elongations are preferred to absolute coordinates by this factor
 
@@ -185,7 +186,7 @@ def blocks(J: Any, rows: Index, nf: int) -> tuple[list[Block], Index]:
     """Constraints of a large model in parts that do not touch one another, and the coordinates without any."""
     C = csr_array(J[rows][:, :nf])
     C.eliminate_zeros()
-    count, label = connected_components(block_array([[None, C], [C.T, None]]), directed=False)
+    count, label = connected_components(_block_array([[None, C], [C.T, None]]), directed=False)
     order = np.argsort(label, kind="stable")
     parts = np.split(order, np.searchsorted(label[order], np.arange(1, count)))
     found, free = [], []

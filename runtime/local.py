@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from scipy.sparse import coo_array, csr_array, eye_array, vstack
 
-from flexel.assembly import Batch, Place, Stage
+from flexel.assembly import Batch, Place, Stage, summed
 from flexel.locallaws import LocalLaws
 from flexel.structure import Array, Index, Structure
 
@@ -155,8 +155,8 @@ class Local:
         if name == "U":
             return Place("U", (1,), np.zeros((E, 1), dtype=np.intp), True)
         if name in ("M", "K", "R_x", "R_v"):
-            places = g.first_K + np.arange(E * columns**2).reshape(E, -1)
-            return Place(name, (self.rows_K.size,), places, False)
+            square = g.first_K + np.arange(E * columns**2).reshape(E, -1)
+            return Place(name, (self.rows_K.size,), square, False)
         if name in ("e", "g", "gs"):
             lines = (
                 g.lines[:, : g.batch.inputs["sigma"].shape[1]] if name != "gs" else batch.inputs["tau"] + m
@@ -204,9 +204,7 @@ class Local:
     def pull(self, J: Array, stress: Array) -> Array:
         """Nodal forces J' stress (n,) of stresses (m + k,)."""
         forces = [(stress[g.lines][:, None, :] @ g.J(J)).ravel() for g in self._lined]
-        return np.bincount(
-            self._places_J, np.concatenate(forces or [np.zeros(0)]), minlength=self.structure.n
-        )
+        return summed(self._places_J, np.concatenate(forces or [np.zeros(0)]), self.structure.n)
 
     def convective(self, x: Array, v: Array) -> Array:
         """Convective accelerations [D²e(v,v); s_x v] (m + k,)."""
@@ -239,7 +237,7 @@ class Local:
 
     def _momentum(self, M: Array, a: Array, share: Any) -> Array:
         self._M.data = M
-        return np.bincount(self._places_M, share * (self._M @ a), minlength=a.size)
+        return summed(self._places_M, share * (self._M @ a), a.size)
 
     def phi(self, x: Array, v: Array) -> Array:
         """Derivatives of the rates of deformations and slips by x, flat like J."""

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from flexel.assembly import Batch, Place, Stage
+from flexel.assembly import Batch, Place, Stage, summed
 from flexel.structure import Array, Index, Structure
 
 if TYPE_CHECKING:
@@ -111,15 +111,14 @@ class LocalLaws:
     def _pair_places(self, batch: Batch) -> Index:
         """Places of (stresses) x (e, its rate and s) in the values by pair: by e first, by the rates then."""
         m = batch.inputs["e"].shape[1]
-        pair = np.searchsorted(
-            self._codes, self._pair_codes(batch)
-        )  # right for pairs that exist, which are used
+        pair = np.searchsorted(self._codes, self._pair_codes(batch))  # of no meaning where there is no pair
         places = np.concatenate([pair[:, :, :m], self._size + 1 + pair], axis=2)
         return places.reshape(batch.size, -1)
 
     def _pair_codes(self, batch: Batch) -> Index:
         lines = self._lines[id(batch)]
-        return lines[:, :, None] * self._width + lines[:, None, :]
+        codes: Index = lines[:, :, None] * self._width + lines[:, None, :]
+        return codes
 
     def _find(self, codes: Index) -> Index:
         """Pair of each code, `_size` where there is none."""
@@ -202,13 +201,13 @@ class LocalLaws:
                 A = np.eye(nz) - share * Z[:, rows:, -nz:]
                 direct = direct + Z[:, :rows, -nz:] @ np.linalg.solve(A, share * Z[:, rows:, :-nz])
             places = self._pair_places(b).ravel()
-            L = L + np.bincount(places, direct.ravel(), minlength=L.size).reshape(L.shape)
+            L = L + summed(places, direct.ravel(), L.size).reshape(L.shape)
         return L[0], L[1]
 
     def stress_change(self, by_value: Array, change: Array) -> Array:
         """Change of the stresses (m + k,) for small changes of the deformations (m + k,), slips not counted."""
         parts = by_value[: self._size] * change[self._codes % self._width]
-        return np.bincount(self._codes // self._width, parts, minlength=change.size)
+        return summed(self._codes // self._width, parts, change.size)
 
     def _run_tangent(self, e: Array, w: Array, z: Array, t: float) -> None:
         m = self.structure.m

@@ -3,7 +3,7 @@
 Dense LAPACK where the matrix is small; banded LAPACK after reverse Cuthill-McKee for chains and ropes, with
 the few unknowns that couple to everything (a drum under a rope) kept apart in a border; `splu` otherwise.  The
 entries are summed straight into the storage that the factorization wants.
-Imports numpy and scipy.
+Imports numpy, scipy and the assembly.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ from scipy.sparse import coo_array, csc_array, csr_array, issparse
 from scipy.sparse.csgraph import reverse_cuthill_mckee
 from scipy.sparse.linalg import splu
 
+from flexel.assembly import summed
 from flexel.structure import Array, Index
 
 _getrf: Any = get_lapack_funcs("getrf", dtype=np.float64)
@@ -25,6 +26,7 @@ _gecon: Any = get_lapack_funcs("gecon", dtype=np.float64)
 _gbtrf: Any = get_lapack_funcs("gbtrf", dtype=np.float64)
 _gbtrs: Any = get_lapack_funcs("gbtrs", dtype=np.float64)
 _splu: Any = splu
+_issparse: Any = issparse
 SMALL = 100  # unknowns below which a dense factorization is always the fastest
 LARGEST_DENSE = 1500
 MOST_HUBS = 64  # unknowns in the border of a banded matrix
@@ -100,7 +102,7 @@ Solvable = Factorization | SparseFactors
 
 def factorize(matrix: Any) -> Solvable:
     """LU factors of a dense or sparse square matrix."""
-    return SparseFactors(csc_array(matrix)) if issparse(matrix) else Factorization(matrix)
+    return SparseFactors(csc_array(matrix)) if _issparse(matrix) else Factorization(matrix)
 
 
 @dataclass(frozen=True)
@@ -235,7 +237,7 @@ class Pattern:
 
     def assemble(self, entries: Array) -> Array:
         """The matrix in its storage, from its entries in the order in which the positions were given."""
-        return np.bincount(self._slots, entries, minlength=self._length + 1)[: self._length]
+        return summed(self._slots, entries, self._length + 1)[: self._length]
 
     def factorize(self, stored: Array) -> Factors:
         """LU factors of a stored matrix."""

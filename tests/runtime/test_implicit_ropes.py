@@ -1,4 +1,4 @@
-"""The implicit integrator on ropes: order, energy, kinds of factorization, internal states, counts, failure, large models."""
+"""The implicit integrator on ropes: order, energy, factorization, internal states, counts, failure, large models."""
 
 import tracemalloc
 
