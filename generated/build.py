@@ -65,6 +65,7 @@ LAWS = (
     "hertz_coulomb_2",
     "hertz_bristle_1",
     "hertz_bristle_2",
+    "journal",
 )
 SOURCES = [os.path.join(FOLDER, f"{name}.c") for name in (*ELEMENTS, "laws", "system")]
 

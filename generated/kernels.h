@@ -199,5 +199,6 @@ extern const flexel_law flexel_law_hertz_coulomb_1;
 extern const flexel_law flexel_law_hertz_coulomb_2;
 extern const flexel_law flexel_law_hertz_bristle_1;
 extern const flexel_law flexel_law_hertz_bristle_2;
+extern const flexel_law flexel_law_journal;
 
 #endif

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from flexel.compliance import Compliance, body_compliance
     from flexel.constraints import constraint_report
+    from flexel.contacts import Contact, hunt_crossley, lankarani_nikravesh
     from flexel.errors import (
         ConstraintError,
         DynamicsError,
@@ -27,9 +28,11 @@ if TYPE_CHECKING:
     from flexel.model import Model
     from flexel.orientation import turn
     from flexel.result import Motion
+    from flexel.ropes import Rope
     from flexel.sections import Circle, IBeam, Rectangle, Tube
     from flexel.state import State
     from flexel.stress import beam_stress, largest_stress, section_forces
+    from flexel.surfaces import RoundGroove, VGroove
     from flexel.system import System
     from flexel.wire_rope import WireRope
 
@@ -39,6 +42,7 @@ __all__ = [
     "Circle",
     "Compliance",
     "ConstraintError",
+    "Contact",
     "DynamicsError",
     "Event",
     "FlexelError",
@@ -55,14 +59,19 @@ __all__ = [
     "PositionError",
     "Ramp",
     "Rectangle",
+    "Rope",
+    "RoundGroove",
     "State",
     "System",
     "Table",
     "Tube",
+    "VGroove",
     "WireRope",
     "beam_stress",
     "body_compliance",
     "constraint_report",
+    "hunt_crossley",
+    "lankarani_nikravesh",
     "largest_stress",
     "section_forces",
     "turn",
@@ -72,6 +81,7 @@ _HOMES = {
     "Circle": "flexel.sections",
     "Compliance": "flexel.compliance",
     "ConstraintError": "flexel.errors",
+    "Contact": "flexel.contacts",
     "DynamicsError": "flexel.errors",
     "Event": "flexel.integrate",
     "FlexelError": "flexel.errors",
@@ -88,14 +98,19 @@ _HOMES = {
     "PositionError": "flexel.errors",
     "Ramp": "flexel.functions",
     "Rectangle": "flexel.sections",
+    "Rope": "flexel.ropes",
+    "RoundGroove": "flexel.surfaces",
     "State": "flexel.state",
     "System": "flexel.system",
     "Table": "flexel.functions",
     "Tube": "flexel.sections",
+    "VGroove": "flexel.surfaces",
     "WireRope": "flexel.wire_rope",
     "beam_stress": "flexel.stress",
     "body_compliance": "flexel.compliance",
     "constraint_report": "flexel.constraints",
+    "hunt_crossley": "flexel.contacts",
+    "lankarani_nikravesh": "flexel.contacts",
     "largest_stress": "flexel.stress",
     "section_forces": "flexel.stress",
     "turn": "flexel.orientation",

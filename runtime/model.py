@@ -14,13 +14,14 @@ from typing import Any
 
 import numpy as np
 
-from flexel import beams, bodies, cable_lines, cables, joints, loads, springs
+from flexel import beams, bodies, cable_lines, cables, contacts, joints, loads, ropes, springs, surfaces
 from flexel.build import build
 from flexel.errors import ModelError
 from flexel.functions import TimeFunction, as_function
 from flexel.generated.table import ELEMENTS
 from flexel.inputs import array, number, quantities, vector
 from flexel.structure import COMPONENTS, Array, Instance, LawInstance, Node, unknown
+from flexel.surfaces import Surface
 from flexel.system import System
 
 Vector = Sequence[float] | Array
@@ -56,6 +57,7 @@ class Model:
         self.nodes: dict[str, Node] = {}
         self.instances: dict[str, Instance] = {}
         self.laws: list[LawInstance] = []
+        self.surfaces: dict[str, Surface] = {}
         self.loads: list[loads.Load] = []
         self.motions: dict[str, TimeFunction] = {}
         self.roles: dict[str, str] = {}  # "rigid" or "free", as the user said
@@ -184,6 +186,10 @@ class Model:
     cable_line = cable_lines.cable_line
     clamp_slope = cables.clamp_slope
     anchor = cables.anchor
+    sheave = surfaces.sheave
+    plane = surfaces.plane
+    contact = contacts.contact
+    rope = ropes.rope
 
     linear_law = springs.linear_law
     spring = springs.spring
