@@ -13,14 +13,16 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from flexel import stability, states, statics
-from flexel.errors import IncompleteWarning, PositionError
-from flexel.implicit import GeneralizedAlpha
+from flexel.bdf import Bdf
+from flexel.errors import IncompleteWarning, ModelError, PositionError
+from flexel.implicit import Control, GeneralizedAlpha, Run
 from flexel.integrate import (
     Event,
     Integration,
     Integrator,
     Segment,
     longest_step,
+    positive,
     stored_times,
     turning_weights,
 )
@@ -102,11 +104,19 @@ def simulate_stiff(
     samples: int = 201,
     tolerance: float = 1e-6,
     radius: float = 0.8,
+    step: float | None = None,
     first_step: float | None = None,
     max_step: float = np.inf,
+    newton: str = "full",
+    method: str = "alpha",
+    max_order: int = 2,
     progress: bool | None = None,
 ) -> Motion:
     """Implicit dynamics of a stiff model by the generalized-alpha method, whatever the freedoms.
+
+    The cost of a step grows linearly with the number of elements.  Where a step does not converge it is halved,
+    and a few times where a contact begins.  If the integration cannot go on, the motion up to there is returned with an
+    IncompleteWarning, and ``message`` says why; its last state can be started from again.
 
     Parameters
     ----------
@@ -119,9 +129,24 @@ def simulate_stiff(
     tolerance : float
         Local error of the coordinates in their natural scales, in one step.
     radius : float
-        Spectral radius at infinite frequency, 0 (all high frequencies damped at once) to below 1.
+        Spectral radius at infinite frequency, 0 (all high frequencies damped at once) to below 1; 1 (no damping) is
+        possible without constraints.
+    step : float, optional
+        Constant step [s] in place of one that follows from the tolerance.
     first_step, max_step : float
         [s]; the first is a thousandth of the duration by default.
+    newton : str
+        full: a new tangent at every iteration; modified: the last one is kept while it serves.
+    method : str
+        alpha, or bdf: the backward differentiation formulas of SUNDIALS, for comparison (needs the optional package
+        scikit-sundae; radius, step and newton are then without meaning, and first_step is its own choice by default).
+    max_order : int
+        Of bdf, 1 to 5; orders above 2 are slow on structures with little damping.
+
+    Returns
+    -------
+    Motion
+        With `Motion.energy_balance`, and statistics of steps, iterations and factorizations.
 
     Raises
     ------
@@ -129,8 +154,24 @@ def simulate_stiff(
     """
     start = self.initial if start is None else own_state(self.structure, start, "simulate_stiff")
     grid = stored_times(start, duration, times, samples)
-    run = GeneralizedAlpha(self, start, radius, tolerance)
-    return Motion(self, run.run(grid, first_step or duration / 1000, max_step, progress))
+    tolerance = positive(tolerance, "tolerance")
+    first = duration / 1000 if first_step is None else positive(first_step, "first_step")
+    control = Control(tolerance, first, positive(max_step, "max_step"))
+    if step is not None:
+        control = Control(np.inf, *(positive(step, "step"),) * 2)
+    run: Run
+    if method == "alpha":
+        run = GeneralizedAlpha(self, start, radius, newton, control)
+    elif method == "bdf":
+        if step is not None or max_order not in range(1, 6):
+            raise ModelError("simulate_stiff: bdf takes steps of its own and max_order 1 to 5; leave step out")
+        run = Bdf(self, start, duration, Control(tolerance, first_step or 0.0, max_step), max_order)
+    else:
+        raise ModelError(f"simulate_stiff: method {method!r} is unknown; choose alpha or bdf")
+    found = run.run(grid, progress)
+    if not found.complete:
+        warnings.warn(found.message, IncompleteWarning, stacklevel=2)
+    return Motion(self, found)
 
 
 def _follow(self: System, start: State, grid: Array) -> Integration:

@@ -112,11 +112,12 @@ class Stage:
         self._inputs = {name: np.zeros(max(index.size, 1)) for name, index in self._gather.items()}
         self._parameters = [blocks(b.p).ravel() for b in active]
         self._starts, width = _output_starts(active, kind)
-        self._output = np.zeros(max(width, 1))
+        self._output = np.zeros(width + 1)  # the last entry stays zero, see `flat`
         self._count = len(active)
         self._shares = _input_shares(active) if kind == "tangent" and "a" in self._names else None
         self._calls = self._call_table(active, kind)
         self._targets = self._scatter_table(active, kind, placement)
+        self._flat: dict[str, Index] = {}
         self._stack_sums()
 
     def _call_table(self, active: list[Batch], kind: str) -> Any:
@@ -192,6 +193,17 @@ class Stage:
         if table is not None:
             out.ravel()[table[1]] = self._output[table[0]]
         return out
+
+    def flat(self, name: str, size: int) -> Array:
+        """The output `name` (each entry has one owner) as a new flat array (size,), zeros filled in."""
+        source = self._flat.get(name)
+        if source is None:
+            source = np.full(size, self._output.size - 1)
+            if name in self._targets:
+                places, targets = self._targets[name]
+                source[targets] = places
+            self._flat[name] = source
+        return np.take(self._output, source, mode="clip")
 
     def sum(self, name: str, shape: tuple[int, ...]) -> Array:
         """The output `name`, contributions of all elements summed."""

@@ -1,30 +1,35 @@
 """The balance of forces in coordinates and multipliers together: residual and tangent (saddle-point form).
 
 r = M a + h - f + De' sigma + V' tau = 0 with the constraints beside it.  Statics, buckling and implicit
-integration share it; none needs a choice of independent coordinates.
-Imports numpy and the dynamics.
+integration share it; none needs a choice of independent coordinates.  Everything is sparse, with patterns
+that are found once.
+Imports numpy, the local evaluation and the solvers.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from flexel.diagnose import largest, null_space, quoted
-from flexel.dynamics import Forces, forces, with_multipliers
+from flexel.dynamics import check_finite, drift
 from flexel.errors import DynamicsError
-from flexel.evaluate import Tangents
-from flexel.kinematics import Configuration, wrap
-from flexel.state import State
+from flexel.kinematics import wrap
+from flexel.local import Inertia, Local
+from flexel.locallaws import ImplicitStep, LawForces
+from flexel.solvers import Factors, Pattern
+from flexel.state import Energy, State
 from flexel.states import unwrap
-from flexel.structure import Array, Index
+from flexel.structure import Array, Index, Structure
 
 if TYPE_CHECKING:
     from flexel.system import System
 
 TINY_FORCE = 1e-3  # [N] in the denominator of relative unbalances: 1e-15 N counts as nothing
+LARGEST_NULL_SPACE = 1500  # unknowns up to which a singular matrix is searched for the motion that is free
 
 
 @dataclass(frozen=True)
@@ -33,11 +38,19 @@ class Balance:
 
     Attributes
     ----------
-    configuration : Configuration
-    v, a : ndarray (n,)
+    x, v, a : ndarray (n,)
     e : ndarray (m,)
         Deformations with their turns.
-    forces : Forces
+    J : ndarray
+        Rows of deformations and slips, flat (see `Local`).
+    w : ndarray (m + k,)
+        Rates of the deformations, and slips.
+    given, stress : ndarray (m + k,)
+        Stresses of laws and loads, and those with the multipliers.
+    multiplier : ndarray (m + k + n,)
+        Multipliers by quantity.
+    force : ndarray (n,)
+        M a + h - f + De' sigma + V' tau, given nodal forces included.
     r : ndarray (nf,)
         Unbalanced forces on the free coordinates.
     gap : ndarray (nh,)
@@ -46,15 +59,74 @@ class Balance:
         Size of the forces that balance one another [N].
     """
 
-    configuration: Configuration
+    t: float
+    x: Array
     v: Array
     a: Array
     e: Array
-    forces: Forces
+    J: Array
+    w: Array
+    inertia: Inertia
+    laws: LawForces
+    given: Array
+    stress: Array
     multiplier: Array
+    force: Array
     r: Array
     gap: Array
     scale: float
+
+
+class SaddlePattern:
+    """The pattern of [K C'; D 0]: K of the elements, C rows of J with multipliers, D rows of J that are held."""
+
+    def __init__(self, local: Local, force_rows: Index, hold_rows: Index, kind: str | None = None) -> None:
+        structure = local.structure
+        n, nf = structure.n, structure.nf
+        self._local = local
+        size = nf + force_rows.size
+        self._c, c_rows, c_columns = self._rows(force_rows)
+        self._d, d_rows, d_columns = self._rows(hold_rows)
+        outside = n + force_rows.size + nf  # any number beyond the matrix: fixed coordinates drop out
+        place = np.where(np.arange(n) < nf, np.arange(n), outside)
+        cross = (local.columns_J[z] for z in (local.laws.left, local.laws.right))
+        rows = [place[local.rows_K], *(place[z] for z in cross)]
+        left, right = rows[1], rows[2]
+        all_rows = np.concatenate([rows[0], left, place[c_columns], nf + d_rows])
+        all_columns = np.concatenate([place[local.columns_K], right, nf + c_rows, place[d_columns]])
+        self.pattern = Pattern(all_rows, all_columns, size, kind)
+        self._zeros = np.zeros(c_rows.size + d_rows.size + left.size)
+
+    def _rows(self, quantities: Index) -> tuple[Index, Index, Index]:
+        """Entries of [J, 1] that make up rows of J, their row numbers and their coordinates."""
+        local = self._local
+        first, ones = local.structure.m + local.structure.k, local.columns_J.size
+        entries, rows, columns = [], [], []
+        for row, i in enumerate(quantities):
+            if i >= first:
+                entries.append(np.array([ones]))
+                columns.append(np.array([i - first]))
+            else:
+                line = local.line_of[i]
+                entries.append(np.arange(local.starts_J[line], local.starts_J[line + 1]))
+                columns.append(local.columns_J[entries[-1]])
+            rows.append(np.full(entries[-1].size, row))
+        none = [np.zeros(0, dtype=np.intp)]
+        found = tuple(np.concatenate(z or none).astype(np.intp) for z in (entries, rows, columns))
+        return found[0], found[1], found[2]
+
+    def assemble(self, K: Array, cross: Array, J: Array, held: Array) -> Array:
+        """The matrix in its storage: K flat, entries across elements, J for the multipliers and for the held rows."""
+        C = np.append(J, 1.0)[self._c]
+        D = C if held is J and self._d is self._c else np.append(held, 1.0)[self._d]
+        return self.pattern.assemble(np.concatenate([K, cross, C, D]))
+
+    @cached_property
+    def mass(self) -> Array:
+        """The constant part of the mass matrix, in the storage."""
+        local = self._local
+        entries = np.concatenate([np.zeros(local.size_M), local.masses0, self._zeros])
+        return self.pattern.assemble(entries)
 
 
 class Saddle:
@@ -68,6 +140,7 @@ class Saddle:
 
     def __init__(self, system: System) -> None:
         self.system = system
+        self.local = system.local
         self.structure = system.structure
         self.roles = system.roles
         self.force_rows: Index = np.concatenate([self.roles.holonomic, self.roles.zero])
@@ -75,85 +148,166 @@ class Saddle:
         self.first = self.structure.m + self.structure.k
         self.x_scale = self.scales[self.first : self.first + self.structure.nf]
         self.rest = np.zeros(self.structure.n)
-        self.z = self.structure.z0  # internal states of laws, held
+        self.z = self.structure.z0  # internal states of laws: held, or where an implicit step starts
+        self.step: ImplicitStep | None = None
+        self._angles = self.structure.angle[self.roles.holonomic]
 
     def multipliers(self, state: State) -> Array:
         """Multipliers of the constraints at a state: stresses less those of laws and loads."""
-        c = Configuration(state.t, state.x, state.e, state.J)
-        given = forces(self.system.kinematics, self.system.loads, c, state.v, state.e, state.z)
-        return np.concatenate([state.stress - given.stress, -state.reactions])[self.force_rows]
+        e, J = state.e, self.local.position(state.x)[1]
+        laws = self.local.laws.forces(e, self.local.rates(J, state.v), state.z, state.t).stress
+        applied = self.system.loads.at(state.t)[1]
+        return np.concatenate([state.stress - laws - applied, -state.reactions])[self.force_rows]
 
     def balance(self, t: float, x: Array, v: Array, a: Array, mu: Array, e_near: Array) -> Balance:
         """Unbalance at (x, v, a, mu) and time t; angles are counted from `e_near`."""
-        s, kinematics = self.structure, self.system.kinematics
-        principal, J = kinematics.evaluation.position(x)
+        s, local = self.structure, self.local
+        principal, J = local.position(x)
         e = unwrap(s, principal, e_near)
-        c = Configuration(t, x, principal, J)
-        given = forces(kinematics, self.system.loads, c, v, e, self.z)
+        w = local.rates(J, v)
+        laws = self._laws(e, w, t)
+        nodal, applied = self.system.loads.at(t)
+        given = laws.stress + applied
         multiplier = np.zeros(len(s.names))
         multiplier[self.force_rows] = mu
-        inertia = given.M[: s.nf] @ a
-        C = J[self.force_rows, : s.nf]
-        target = kinematics.target(t, np.zeros(0))
-        rows = self.roles.holonomic
-        gap = wrap(kinematics.values(e, x)[rows] - target, s.angle[rows])
-        stress = given.stress + multiplier[: self.first]
-        parts = (
-            np.abs(stress) * np.abs(J[: self.first, : s.nf]).max(axis=1, initial=0.0),
-            given.F[: s.nf],
-            inertia,
-            mu,
-        )
-        scale = max(float(np.abs(z).max(initial=0.0)) for z in parts)
-        return Balance(c, v, a, e, given, multiplier, inertia - given.F[: s.nf] + mu @ C, gap, scale)
+        stress = given + multiplier[: self.first]
+        inertia = local.inertia(x, v)
+        momentum = local.momentum(inertia.M, a)
+        outer = inertia.h - inertia.f - nodal
+        force = momentum + outer + local.pull(J, stress)
+        r = (force + multiplier[self.first :])[: s.nf]
+        sizes = (stress * self._row_sizes(J), outer[: s.nf], momentum[: s.nf], mu)
+        scale = max(float(np.abs(z).max(initial=0.0)) for z in sizes)
+        return Balance(
+            t, x, v, a, e, J, w, inertia, laws, given, stress, multiplier, force, r, self._gap(t, x, principal), scale
+        )  # fmt: skip
 
-    def tangents(self, b: Balance) -> Tangents:
-        """Derivatives at a balance, the multipliers' stresses included."""
-        c = b.configuration
-        stress = b.forces.stress + b.multiplier[: self.first]
-        return self.system.evaluation.tangents(c.x, b.v, b.a, c.J, b.e, stress, self.z, c.t)
+    def _laws(self, e: Array, w: Array, t: float) -> LawForces:
+        if self.step is None or not self.z.size:
+            return self.local.laws.forces(e, w, self.z, t)
+        return self.local.laws.step(e, w, self.z, t, self.step)
+
+    def _gap(self, t: float, x: Array, e: Array) -> Array:
+        rows = self.roles.holonomic
+        if not rows.size:
+            return np.zeros(0)
+        kinematics = self.system.kinematics
+        target = kinematics.target(t, np.zeros(0))
+        return wrap(kinematics.values(e, x)[rows] - target, self._angles)
+
+    def _row_sizes(self, J: Array) -> Array:
+        """Largest entry of the row of each quantity in J."""
+        local = self.local
+        sizes = np.zeros(local.lines.size)
+        if J.size:
+            sizes[local.lines] = np.maximum.reduceat(np.abs(J), local.starts_J[:-1])
+        return sizes
+
+    def stiffness(
+        self, b: Balance, rate: float = 0.0, acceleration: float = 0.0
+    ) -> tuple[Array, Array, Array | None]:
+        """Derivative of r by x, with v and a following at the given rates, the constant masses left out.
+
+        Returns K (flat), its entries across elements, and the derivative of the rates of all quantities by x (flat
+        like J; None where neither damping nor rolling needs it).
+        """
+        local = self.local
+        K = local.stress_stiffness(b.x, b.stress)
+        local.inertia_tangent(K, b.x, b.v, b.a, b.inertia.M, rate)
+        if acceleration and local.size_M:
+            K[: local.size_M] += acceleration * b.inertia.M
+        share = 0.0 if self.step is None else self.step.share
+        by_value, by_rate = local.laws.tangents(b.e, b.w, b.laws.z, b.t, share)
+        phi = None
+        if np.any(b.v) and (self.roles.zero.size or by_rate.any()):
+            phi = local.phi(b.x, b.v)
+        cross = local.laws.add(K, b.J, phi, by_value, by_rate, rate)
+        return K, cross, phi
 
     def load_rate(self, b: Balance) -> tuple[Array, Array]:
         """Derivatives of r (nf,) and of the gap (nh,) with respect to the time at fixed x and mu."""
-        s, t = self.structure, b.configuration.t
-        nodal, applied = self.system.loads.at(t, order=1)
+        s = self.structure
+        nodal, applied = self.system.loads.at(b.t, order=1)
         gap = np.zeros(self.roles.holonomic.size)
         if self.roles.motions:
-            gap[self.roles.rigid.size :] = -self.roles.motion(t)[1]
-        return -nodal[: s.nf] + applied @ b.configuration.J[: applied.size, : s.nf], gap
+            gap[self.roles.rigid.size :] = -self.roles.motion(b.t)[1]
+        return (self.local.pull(b.J, applied) - nodal)[: s.nf], gap
 
-    def error(self, b: Balance, r: Array, gap: Array, stiffness: Array) -> float:
+    def error(self, b: Balance, r: Array, gap: Array, stiffness: float) -> float:
         """Largest unbalance relative to the forces that balance, or gap relative to its natural scale.
 
         A stiffness K turns a rounding of x into an unbalance of about 1e-15 K x, below which nothing can go; with
-        it in the denominator, the tolerance 1e-12 is met there.
+        its largest entry in the denominator, the tolerance 1e-12 is met there.
         """
-        stiff = float(np.abs(stiffness).max(initial=0.0)) * float(self.x_scale.max(initial=0.0))
+        stiff = stiffness * float(self.x_scale.max(initial=0.0))
         force = float(np.abs(r).max(initial=0.0)) / (b.scale + 1e-3 * stiff + TINY_FORCE)
         return max(force, float(np.abs(gap).max(initial=0.0)))
 
     def state(self, b: Balance) -> State:
         """The complete state at a balance."""
-        kinematics, loads = self.system.kinematics, self.system.loads
-        return with_multipliers(
-            kinematics, loads, b.configuration, b.v, b.a, b.e, self.z, b.forces, b.multiplier
+        s, loads, kinematics, local = self.structure, self.system.loads, self.system.kinematics, self.local
+        check_finite(s, b.given, b.t)
+        reactions = -b.multiplier[self.first :]
+        reactions[s.nf :] = b.force[s.nf :]
+        potential = b.inertia.potential + loads.potential(b.t, kinematics.values(b.e, b.x))
+        kinetic = float(b.v @ local.momentum(b.inertia.M, b.v)) / 2
+        return State(
+            t=b.t,
+            x=b.x,
+            v=b.v,
+            a=b.a,
+            e=b.e,
+            rates=np.concatenate([b.w, b.v]),
+            stress=b.stress,
+            reactions=reactions,
+            roles=self.roles,
+            evaluation=self.system.evaluation,
+            energy=Energy(kinetic, potential, float(b.laws.stored.sum())),
+            drift=drift(kinematics, b.e, b.x),
+            z=b.laws.z,
+            zd=b.laws.zd,
+            dissipated=float(b.laws.dissipated.sum()),
+            Phi_v=np.concatenate([local.convective(b.x, b.v) + local.rates(b.J, b.a), b.a]),
         )
 
-    def solve(self, matrix: Array, rhs: Array) -> Array:
-        """Solve a saddle-point system; names the motion that nothing resists if it is singular.
+
+@dataclass
+class Matrix:
+    """A saddle-point matrix, factorized when first needed."""
+
+    structure: Structure
+    pattern: Pattern
+    stored: Array
+
+    @cached_property
+    def size(self) -> float:
+        """Largest entry."""
+        return float(np.abs(self.stored).max(initial=0.0))
+
+    @cached_property
+    def factors(self) -> Factors:
+        """LU factors."""
+        return self.pattern.factorize(self.stored)
+
+    @property
+    def sparse(self) -> Any:
+        """The matrix as a scipy.sparse array."""
+        return self.pattern.matrix(self.stored)
+
+    def solve(self, rhs: Array) -> Array:
+        """Solution for one or several right-hand sides; names the motion that nothing resists if it is singular.
 
         Raises
         ------
         DynamicsError
         """
-        try:
-            return np.asarray(np.linalg.solve(matrix, rhs))
-        except np.linalg.LinAlgError as error:
-            nf = self.structure.nf
-            right, _ = null_space(matrix, matrix.shape[0])
-            rows = np.arange(nf) + self.first
-            names = largest(self.structure, rows, right[:nf, 0]) if right.shape[1] else []
-            raise DynamicsError(
-                f"the stiffness is singular: nothing resists a motion of {quoted(names)}; support it, or give it "
-                "a stiffness or a mass"
-            ) from error
+        if self.factors.regular:
+            return self.factors.solve(rhs)
+        nf, first, names = self.structure.nf, self.structure.m + self.structure.k, ["unknown"]
+        if self.pattern.size <= LARGEST_NULL_SPACE:
+            right, _ = null_space(self.sparse.toarray(), self.pattern.size)
+            names = largest(self.structure, np.arange(nf) + first, right[:nf, 0]) if right.shape[1] else []
+        raise DynamicsError(
+            f"the stiffness is singular: nothing resists a motion of {quoted(names)}; support it, or give it "
+            "a stiffness or a mass"
+        )

@@ -1,13 +1,14 @@
 """From a declared model to a system: roles resolved, position assembled, freedoms chosen, rates made consistent.
 
-Imports numpy and the runtime rooms below the model.
+Imports numpy, scipy.sparse and the runtime rooms below the model.
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from scipy.sparse import block_array, eye_array, issparse
 
 from flexel.diagnose import choose_freedoms, named_freedoms
 from flexel.errors import ModelError, PositionError
@@ -17,6 +18,7 @@ from flexel.inputs import number
 from flexel.kinematics import Configuration, Kinematics, wrap
 from flexel.loads import Loads
 from flexel.roles import Roles
+from flexel.solvers import factorize
 from flexel.structure import Array, Index, Instance, Structure, assemble_structure
 from flexel.system import System
 
@@ -159,7 +161,7 @@ def first_position(model: Model, kinematics: Kinematics, t: float) -> Configurat
     """
     structure, roles = kinematics.structure, kinematics.roles
     x = structure.x0.copy()
-    e, J = kinematics.evaluation.position(x)
+    e, J = kinematics.evaluate(x)
     drawn = kinematics.values(e, x)
     wanted = {structure.find(z): drawn[structure.find(z)] for z in (model.dynamic or [])}
     wanted |= {structure.find(z): drawn[structure.find(z)] for z in (model.kinematic_names or [])}
@@ -173,7 +175,7 @@ def first_position(model: Model, kinematics: Kinematics, t: float) -> Configurat
     for i in range(1, steps + 1):
         part = start + (goal - start) * i / steps
         x = _nearest(kinematics, rows, part, x, t)
-    e, J = kinematics.evaluation.position(x)
+    e, J = kinematics.evaluate(x)
     angle = structure.angle[: structure.m]
     target = np.zeros(structure.m)
     own = rows < structure.m
@@ -187,7 +189,7 @@ def _nearest(kinematics: Kinematics, rows: Index, goal: Array, x: Array, t: floa
     scale, angle = kinematics.scales(rows), structure.angle[rows]
     x, best, stalled = x.copy(), np.inf, 0
     for _ in range(60):
-        e, J = kinematics.evaluation.position(x)
+        e, J = kinematics.evaluate(x)
         residual = wrap(kinematics.values(e, x)[rows] - goal, angle)
         error = float(np.max(np.abs(residual) / scale, initial=0.0))
         if error < 1e-13 or (error < 1e-11 and error > 0.5 * best):
@@ -196,7 +198,7 @@ def _nearest(kinematics: Kinematics, rows: Index, goal: Array, x: Array, t: floa
         best = min(best, error)
         if stalled > 12 or not np.isfinite(error):
             break
-        step = np.linalg.lstsq(J[rows, :nf], residual, rcond=1e-10)[0]
+        step = smallest_step(J[rows][:, :nf], residual)
         x[:nf] -= step * min(1.0, 0.3 / max(float(np.max(np.abs(step))), 1e-300))
     worst = np.argsort(-np.abs(residual) / scale)[:4]
     names = ", ".join(f"'{structure.names[rows[i]]}' (off by {residual[i]:.3g})" for i in worst)
@@ -204,3 +206,13 @@ def _nearest(kinematics: Kinematics, rows: Index, goal: Array, x: Array, t: floa
         f"the mechanism cannot be assembled at t = {t:g} s: {names} stay unsatisfied; the drawing and the wanted "
         "initial or prescribed values contradict the constraints: correct one of them"
     )
+
+
+def smallest_step(C: Any, residual: Array) -> Array:
+    """The smallest change of the coordinates with C dx = residual, in the sense of least squares."""
+    if not issparse(C):
+        return np.asarray(np.linalg.lstsq(C, residual, rcond=1e-10)[0])
+    size, count = C.shape[1], C.shape[0]
+    damping = -1e-12 * eye_array(count)  # conditions that repeat one another are reported later
+    factors = factorize(block_array([[eye_array(size), C.T], [C, damping]]))
+    return factors.solve(np.concatenate([np.zeros(size), residual]))[:size]

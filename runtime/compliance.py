@@ -16,7 +16,7 @@ from flexel.errors import DynamicsError, ModelError
 from flexel.inputs import names as checked_names
 from flexel.inputs import vector
 from flexel.orientation import matrix
-from flexel.state import State
+from flexel.state import State, own_state
 from flexel.statics import Rest
 from flexel.stress import rotation_rows
 from flexel.structure import Array
@@ -112,28 +112,22 @@ def body_compliance(
     DynamicsError
         If nothing resists a motion; names it.
     """
-    problem = Rest(system, system.rest if state is None else state)
-    state = system.rest if state is None else state
-    s = problem.structure
+    state = system.rest if state is None else own_state(system.structure, state, "compliance")
+    s = system.structure
     for name, kinds in ((point, ("point", "planar_point")), (frame, ("frame", "planar_angle"))):
         if s.node(name).kind not in kinds:
             raise ModelError(
                 f"compliance: node '{name}' is a {s.node(name).kind}; give a {kinds[0]} node here"
             )
-    q = problem.equations(state.t, state.x, problem.multipliers(state), state.e)
-    matrix_, C = q.matrix, q.balance.configuration.J
-    held = [s.find(z, "compliance") for z in checked_names(hold, "compliance")]
-    if any(s.m <= i < s.m + s.k for i in held):
+    held = np.array([s.find(z, "compliance") for z in checked_names(hold, "compliance")], dtype=np.intp)
+    if np.any((s.m <= held) & (held < s.m + s.k)):
         raise ModelError("compliance: a slip cannot be held; name coordinates or deformations")
-    extra = C[np.array(held, dtype=np.intp), : s.nf]
-    if held:
-        side = np.zeros((len(held), len(matrix_)))
-        side[:, : s.nf] = extra
-        matrix_ = np.block([[matrix_, side.T], [side, np.zeros((len(held), len(held)))]])
+    problem = Rest(system, state, held)
+    q = problem.equations(state.t, state.x, problem.multipliers(state), state.e)
     B, turn = _rows(state, point, frame, offset)
-    rhs = np.zeros((len(matrix_), B.shape[0]))
+    rhs = np.zeros((q.residual.size, B.shape[0]))
     rhs[: s.nf] = B[:, : s.nf].T
-    moved = B[:, : s.nf] @ problem.solve(matrix_, rhs)[: s.nf]
+    moved = B[:, : s.nf] @ q.matrix.solve(rhs)[: s.nf]
     size = np.ones(len(moved))
     size[: len(moved) - (3 if len(moved) == 6 else 1)] = problem.x_scale.max(initial=0.0)
     shares = np.abs(moved) / np.outer(size, size)

@@ -2,20 +2,25 @@
 
 A null space says what is wrong: a left null vector of the constraint matrix is a redundant set of
 conditions, a right null vector is a motion that nothing controls.  Both are reported by the names of their
-largest entries.  Imports numpy, scipy.linalg and the kinematics.
+largest entries.  Imports numpy, scipy and the kinematics.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from scipy.linalg import qr
+from scipy.sparse import block_array, csr_array, issparse
+from scipy.sparse.csgraph import connected_components
 
 from flexel.errors import ConstraintError, ModelError
 from flexel.inputs import names as checked_names
 from flexel.kinematics import Kinematics
 from flexel.roles import Roles
+from flexel.solvers import factorize
 from flexel.structure import Array, Index, Structure
 
 RANK_TOLERANCE = 1e-9  # singular value of the row-scaled constraint matrix that counts as zero
@@ -55,7 +60,11 @@ def check_redundancy(structure: Structure, roles: Roles, J: Array, rows: Index, 
     ------
     ConstraintError
     """
-    _, left = null_space(J[rows, : structure.nf], structure.nf)
+    _report_redundancy(structure, roles, rows, null_space(J[rows, : structure.nf], structure.nf)[1], what)
+
+
+def _report_redundancy(structure: Structure, roles: Roles, rows: Index, left: Array, what: str) -> None:
+    """Raise if there are left null vectors (rows, l) of the constraint rows."""
     if not left.shape[1]:
         return
     names: list[str] = []
@@ -135,7 +144,7 @@ def choose_freedoms(
     Parameters
     ----------
     J : ndarray (m + k + n, n)
-        At the configuration that decides.
+        At the configuration that decides; of a large model as a sparse matrix.
     dynamic, kinematic : ndarray of int or None
         Named freedoms; None leaves the choice to the program.
 
@@ -146,6 +155,8 @@ def choose_freedoms(
     """
     structure, roles = kinematics.structure, kinematics.roles
     nf = structure.nf
+    if issparse(J):
+        return choose_by_blocks(kinematics, J, dynamic, kinematic)
     check_redundancy(structure, roles, J, roles.holonomic, "rigid or prescribed condition(s)")
     rolling = np.concatenate([roles.holonomic, roles.zero])
     check_redundancy(structure, roles, J, rolling, "rolling condition(s)")
@@ -159,6 +170,80 @@ def choose_freedoms(
     else:
         check_choice(kinematics, J, held, kinematic, "kinematic", "kinematic")
     return roles.with_freedoms(dynamic, kinematic)
+
+
+@dataclass(frozen=True)
+class Block:
+    """Constraint rows (quantities) and coordinates that have to do with one another, and their dense matrix."""
+
+    rows: Index
+    columns: Index
+    matrix: Array
+
+
+def blocks(J: Any, rows: Index, nf: int) -> tuple[list[Block], Index]:
+    """Constraints of a large model in parts that do not touch one another, and the coordinates without any."""
+    C = csr_array(J[rows][:, :nf])
+    C.eliminate_zeros()
+    count, label = connected_components(block_array([[None, C], [C.T, None]]), directed=False)
+    order = np.argsort(label, kind="stable")
+    parts = np.split(order, np.searchsorted(label[order], np.arange(1, count)))
+    found, free = [], []
+    for part in parts:
+        own, columns = part[part < rows.size], part[part >= rows.size] - rows.size
+        if own.size:
+            found.append(Block(rows[own], columns, C[own][:, columns].toarray()))
+        else:
+            free.append(columns)
+    return found, np.concatenate(free) if free else np.zeros(0, dtype=np.intp)
+
+
+def choose_by_blocks(
+    kinematics: Kinematics, J: Any, dynamic: Index | None, kinematic: Index | None
+) -> Roles:
+    """Freedoms of a large model: named ones, or coordinates, chosen in each part of the constraints by itself.
+
+    Raises
+    ------
+    ConstraintError
+    """
+    structure, roles = kinematics.structure, kinematics.roles
+    nf = structure.nf
+    rolling = np.concatenate([roles.holonomic, roles.zero])
+    for rows, what in ((roles.holonomic, "rigid or prescribed condition(s)"), (rolling, "rolling condition(s)")):
+        for block in blocks(J, rows, nf)[0] if rows.size else ():
+            left = null_space(block.matrix, block.columns.size)[1]
+            _report_redundancy(structure, roles, block.rows, left, what)
+    if dynamic is None:
+        dynamic = _left_free(kinematics, J, rolling)
+    held = np.concatenate([roles.holonomic, dynamic])
+    if kinematic is None:
+        kinematic = _left_free(kinematics, J, held) if roles.zero.size else np.zeros(0, dtype=np.intp)
+    for rows in (np.concatenate([rolling, dynamic]), np.concatenate([held, kinematic])):
+        if rows.size != nf or not factorize(J[rows][:, :nf]).regular:
+            raise ConstraintError(
+                f"the {rows.size} conditions and named coordinates do not determine the {nf} coordinates of this "
+                "model; name none and let the program choose"
+            )
+    return roles.with_freedoms(dynamic, kinematic)
+
+
+def _left_free(kinematics: Kinematics, J: Any, rows: Index) -> Index:
+    """Coordinates that describe the motions which constraint rows leave, part by part."""
+    structure = kinematics.structure
+    first, nf = structure.m + structure.k, structure.nf
+    if not rows.size:
+        return np.arange(first, first + nf)
+    parts, free = blocks(J, rows, nf)
+    chosen = [first + free]
+    for block in parts:
+        space, _ = null_space(block.matrix, block.columns.size)
+        if space.shape[1]:
+            weight = 1.0 / kinematics.scales(first + block.columns)
+            weight[np.isin(first + block.columns, block.rows)] = 0.0
+            pivots = qr((space * weight[:, None]).T, mode="economic", pivoting=True)[2]
+            chosen.append(first + block.columns[pivots[: space.shape[1]]])
+    return np.sort(np.concatenate(chosen))
 
 
 def check_choice(

@@ -13,12 +13,14 @@ from typing import Any
 
 import numpy as np
 from scipy.linalg import get_lapack_funcs
+from scipy.sparse import block_array, coo_array
 
 from flexel.errors import DynamicsError
-from flexel.kinematics import Configuration, Factorization, Kinematics
+from flexel.kinematics import Configuration, Kinematics, wrap
 from flexel.loads import Loads
+from flexel.solvers import Solvable, factorize
 from flexel.state import Energy, State
-from flexel.structure import Array
+from flexel.structure import Array, Structure
 
 _posv: Any = get_lapack_funcs("posv", dtype=np.float64)
 
@@ -30,6 +32,7 @@ class Forces:
     Attributes
     ----------
     M : ndarray (n, n)
+        Sparse in a large model.
     F : ndarray (n,)
         f - h - De' sigma - V' tau over all given stresses.
     stress : ndarray (m + k,)
@@ -42,7 +45,7 @@ class Forces:
         Power that the laws lose [W].
     """
 
-    M: Array
+    M: Any
     F: Array
     stress: Array
     potential: float
@@ -55,7 +58,8 @@ def forces(kinematics: Kinematics, loads: Loads, c: Configuration, v: Array, e: 
     """Mass matrix, given forces and potentials at (x, v, z); `e` holds the deformations with their turns."""
     s = kinematics.structure
     evaluation = kinematics.evaluation
-    M, h, f, U = evaluation.inertia(c.x, v)
+    inertia = evaluation.sparse_inertia if kinematics.large else evaluation.inertia
+    M, h, f, U = inertia(c.x, v)
     rates = c.J[: s.m + s.k] @ v
     law = evaluation.constitutive(e, rates[: s.m], rates[s.m :], z, c.t)
     nodal, applied = loads.at(c.t)
@@ -76,7 +80,7 @@ class Acceleration:
 
 
 def accelerations(
-    kinematics: Kinematics, c: Configuration, B: Factorization, v: Array, forces_: Forces
+    kinematics: Kinematics, c: Configuration, B: Solvable, v: Array, forces_: Forces
 ) -> Acceleration:
     """Solve (H' M H) q_d'' = H' (F - M g) and give a (n,).
 
@@ -99,7 +103,7 @@ def accelerations(
     return Acceleration(H, qdd, a)
 
 
-def unit_solutions(kinematics: Kinematics, B: Factorization) -> Array:
+def unit_solutions(kinematics: Kinematics, B: Solvable) -> Array:
     """First-order transfer function H = dv/dq_d' (nf, nd): the last columns of the inverse of B."""
     nf, nd = kinematics.structure.nf, kinematics.roles.nd
     return B.solve(np.eye(nf)[:, nf - nd :])
@@ -133,8 +137,13 @@ def complete(
     of those that are coordinates, then hold what drives them.
     """
     s, roles = kinematics.structure, kinematics.roles
-    B = kinematics.velocity_matrix(c)
     given = forces(kinematics, loads, c, v, e, z)
+    multiplier = np.zeros(len(s.names))
+    if kinematics.large and qdd is None:
+        a, mu = saddle_accelerations(kinematics, c, v, given)
+        multiplier[np.concatenate([roles.holonomic, roles.zero])] = mu
+        return with_multipliers(kinematics, loads, c, v, a, e, z, given, multiplier)
+    B = kinematics.velocity_matrix(c)
     if qdd is None:
         a = accelerations(kinematics, c, B, v, given).a
     else:
@@ -146,9 +155,31 @@ def complete(
     mu = B.solve(residual[: s.nf], transposed=True)
     if qdd is None:
         mu[s.nf - roles.nd :] = 0.0
-    multiplier = np.zeros(len(s.names))
     multiplier[roles.velocity_rows] = mu
     return with_multipliers(kinematics, loads, c, v, a, e, z, given, multiplier)
+
+
+def saddle_accelerations(
+    kinematics: Kinematics, c: Configuration, v: Array, given: Forces
+) -> tuple[Array, Array]:
+    """Accelerations (n,) and multipliers of a large model, from the sparse matrix [M C'; C 0].
+
+    Raises
+    ------
+    DynamicsError
+        If a motion moves no mass.
+    """
+    s, roles = kinematics.structure, kinematics.roles
+    nf, count = s.nf, s.nf - roles.nd
+    C = c.J[np.concatenate([roles.holonomic, roles.zero])][:, :nf]
+    factors = factorize(block_array([[given.M[:nf, :nf], C.T], [C, coo_array((count, count))]]))
+    if not factors.regular:
+        raise DynamicsError(
+            "the mass matrix is singular: a motion moves no mass; give its bodies mass and inertia, or start from rest "
+            "(start=system.rest)"
+        )
+    solution = factors.solve(np.concatenate([given.F[:nf], kinematics.convective(c, v)[:count]]))
+    return np.concatenate([solution[:nf], np.zeros(s.n - nf)]), solution[nf:]
 
 
 def with_multipliers(
@@ -165,32 +196,48 @@ def with_multipliers(
     """The state with known accelerations and multipliers (m + k + n,) of constraints, by quantity."""
     s, roles = kinematics.structure, kinematics.roles
     first = s.m + s.k
-    if not np.all(np.isfinite(given.stress)):
-        name = s.names[int(np.argmin(np.isfinite(given.stress)))]
-        raise DynamicsError(
-            f"the stress of '{name}' at t = {c.t:g} s is not finite: its law has no value here; correct the law, or "
-            "start within its range"
-        )
+    check_finite(s, given.stress, c.t)
     reactions = -multiplier[first:]
     unbalance = given.F - given.M @ a - multiplier[:first] @ c.J[:first]
     reactions[s.nf :] = -unbalance[s.nf :]
     potential = given.potential + loads.potential(c.t, kinematics.values(e, c.x))
-    held = kinematics.values(c.e, c.x)[roles.rigid] / kinematics.scales(roles.rigid)
     return State(
         t=c.t,
         x=c.x,
         v=v,
         a=a,
         e=e,
-        J=c.J,
+        rates=c.J @ v,
         stress=given.stress + multiplier[:first],
         reactions=reactions,
         roles=roles,
-        structure=s,
+        evaluation=kinematics.evaluation,
         energy=Energy(float(v @ given.M @ v) / 2, potential, given.strain),
-        drift=float(np.max(np.abs(held), initial=0.0)),
+        drift=drift(kinematics, e, c.x),
         z=z,
         zd=given.zd,
         dissipated=given.dissipated,
         Phi_v=kinematics.evaluation.convective(c.x, v) + c.J @ a,
     )
+
+
+def check_finite(structure: Structure, stress: Array, t: float) -> None:
+    """Raise if a given stress is not a number, by its name.
+
+    Raises
+    ------
+    DynamicsError
+    """
+    if not np.all(np.isfinite(stress)):
+        name = structure.names[int(np.argmin(np.isfinite(stress)))]
+        raise DynamicsError(
+            f"the stress of '{name}' at t = {t:g} s is not finite: its law has no value here; correct the law, or "
+            "start within its range"
+        )
+
+
+def drift(kinematics: Kinematics, e: Array, x: Array) -> float:
+    """Largest violation of the rigid conditions, relative to their natural scales."""
+    rows = kinematics.roles.rigid
+    held = wrap(kinematics.values(e, x)[rows], kinematics.structure.angle[rows])
+    return float(np.max(np.abs(held) / kinematics.scales(rows), initial=0.0))

@@ -8,14 +8,16 @@ Imports numpy and the assembly.
 
 from __future__ import annotations
 
-from collections import defaultdict
-from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
 
 import numpy as np
 
-from flexel.assembly import Batch, Place, Stage, kernel_struct
-from flexel.structure import Array, Index, Instance, LawInstance, Structure
+from flexel.assembly import Batch, Place, Stage
+from flexel.batches import element_batches, law_batches
+from flexel.local import Local
+from flexel.structure import Array, Index, Structure
 
 
 @dataclass(frozen=True)
@@ -66,31 +68,55 @@ class Evaluation:
         m, k, n = structure.m, structure.k, structure.n
         self._rows = m + k + n
         self._damped = any(z.mass_damping for z in structure.instances)
-        elements = _element_batches(structure)
-        laws = _law_batches(structure)
-        place = _Places(m, k, n, structure.nz)
-        self._position = Stage(elements, "position", place.element)
-        self._acceleration = Stage(elements, "acceleration", place.element)
-        self._inertia = Stage(elements, "inertia", place.element)
-        self._rates = Stage(elements, "rates", place.element)
-        self._kinematics = Stage(elements, "kinematics", place.element)
-        self._stiffness = Stage(elements, "stiffness", place.element)
-        self._tangent = Stage(elements, "tangent", place.element)
-        self._law = Stage(laws, "law", place.law)
-        self._law_tangent = Stage(laws, "tangent", place.law)
-        self._J = np.zeros((self._rows, n))
-        self._J[m + k :] = np.eye(n)
+        self.elements = element_batches(structure)
+        self.laws = law_batches(structure)
+        self._place = _Places(m, k, n, structure.nz)
+        self._stages: dict[str, Stage] = {}
+
+    @cached_property
+    def local(self) -> Local:
+        """The same kernels with their outputs kept element by element, for what is sparse."""
+        return Local(self.structure, self.elements, self.laws)
+
+    def _stage(self, kind: str) -> Stage:
+        """A kernel of all elements, made ready when first needed (its tables are as large as dense matrices)."""
+        if kind not in self._stages:
+            self._stages[kind] = Stage(self.elements, kind, self._place.element)
+        return self._stages[kind]
+
+    @cached_property
+    def _law(self) -> Stage:
+        return Stage(self.laws, "law", self._place.law)
+
+    @cached_property
+    def _law_tangent(self) -> Stage:
+        return Stage(self.laws, "tangent", self._place.law)
+
+    @cached_property
+    def _J(self) -> Array:
+        J = np.zeros((self._rows, self.structure.n))
+        J[self._rows - self.structure.n :] = np.eye(self.structure.n)
+        return J
 
     def position(self, x: Array) -> tuple[Array, Array]:
         """Deformations e (m,) as principal values, and J = [De; V; I] (m + k + n, n)."""
-        self._position.run(x=x)
-        e = self._position.put("e", np.zeros(self.structure.m))
-        return e, self._position.put("J", self._J.copy())
+        self._stage("position").run(x=x)
+        e = self._stage("position").put("e", np.zeros(self.structure.m))
+        return e, self._stage("position").put("J", self._J.copy())
+
+    def jacobian(self, x: Array) -> tuple[Array, Any]:
+        """Deformations e (m,) as principal values, and J as a sparse matrix."""
+        e, J = self.local.position(x)
+        return e, self.local.matrix(J)
+
+    def sparse_inertia(self, x: Array, v: Array) -> tuple[Any, Array, Array, float]:
+        """The same as `inertia` with a sparse mass matrix."""
+        found = self.local.inertia(x, v)
+        return self.local.mass(found.M), found.h, found.f, found.potential
 
     def convective(self, x: Array, v: Array) -> Array:
         """Convective accelerations [D²e(v,v); s_x v; 0] of all quantities (m + k + n,)."""
-        self._acceleration.run(x=x, v=v)
-        return self._acceleration.put("g", np.zeros(self._rows))
+        return np.concatenate([self.local.convective(x, v), np.zeros(self.structure.n)])
 
     def inertia(self, x: Array, v: Array) -> tuple[Array, Array, Array, float]:
         """Mass matrix M (n, n), convective inertia h (n,), body forces f (n,) and their potential [J].
@@ -98,8 +124,8 @@ class Evaluation:
         Mass-proportional damping counts with h.
         """
         n = self.structure.n
-        self._inertia.run(x=x, v=v)
-        stage = self._inertia
+        self._stage("inertia").run(x=x, v=v)
+        stage = self._stage("inertia")
         U = float(stage.sum("U", (1,))[0])
         h = stage.sum("h", (n,))
         if self._damped:
@@ -118,8 +144,8 @@ class Evaluation:
     def stress_stiffness(self, x: Array, stress: Array) -> Array:
         """Derivative (n, n) of De' sigma + V' tau by x at given stresses (m + k,)."""
         m, n = self.structure.m, self.structure.n
-        self._stiffness.run(x=x, sigma=stress[:m], tau=stress[m:])
-        return self._stiffness.sum("K", (n, n))
+        self._stage("stiffness").run(x=x, sigma=stress[:m], tau=stress[m:])
+        return self._stage("stiffness").sum("K", (n, n))
 
     def tangents(
         self, x: Array, v: Array, a: Array, J: Array, e: Array, stress: Array, z: Array, t: float
@@ -127,16 +153,16 @@ class Evaluation:
         """All derivatives at a state; `stress` (m + k,) includes those of rigid deformations."""
         m, k, n = self.structure.m, self.structure.k, self.structure.n
         shape = (self._rows, n)
-        self._rates.run(x=x, v=v)
-        self._kinematics.run(x=x, v=v, a=a)
-        Phi_x = self._rates.put("Phi_x", np.zeros(shape))
-        Psi_x, Psi_v = (self._kinematics.put(name, np.zeros(shape)) for name in ("Psi_x", "Psi_v"))
-        self._tangent.run(x=x, v=v, a=a)
-        r_x = self.stress_stiffness(x, stress) + self._tangent.sum("R_x", (n, n))
-        r_v = self._tangent.sum("R_v", (n, n))
+        self._stage("rates").run(x=x, v=v)
+        self._stage("kinematics").run(x=x, v=v, a=a)
+        Phi_x = self._stage("rates").put("Phi_x", np.zeros(shape))
+        Psi_x, Psi_v = (self._stage("kinematics").put(name, np.zeros(shape)) for name in ("Psi_x", "Psi_v"))
+        self._stage("tangent").run(x=x, v=v, a=a)
+        r_x = self.stress_stiffness(x, stress) + self._stage("tangent").sum("R_x", (n, n))
+        r_v = self._stage("tangent").sum("R_v", (n, n))
         if self._damped:
-            self._inertia.run(x=x, v=v)
-            r_v += self._inertia.sum("damped M", (n, n))
+            self._stage("inertia").run(x=x, v=v)
+            r_v += self._stage("inertia").sum("damped M", (n, n))
         S = J[: m + k]
         L = self._law_derivatives(e, J[:m] @ v, J[m : m + k] @ v, z, t)
         Le, Ld, Ls, Lz = np.split(L, [m, 2 * m, 2 * m + k], axis=1)
@@ -200,40 +226,3 @@ class _Places:
 def _outer(lines: Index, columns: Index, width: int) -> Index:
     """Flat places (elements, rows x columns) of local matrices in a global one of that width."""
     return (lines[:, :, None] * width + columns[:, None, :]).reshape(lines.shape[0], -1)
-
-
-def _element_batches(structure: Structure) -> list[Batch]:
-    groups: dict[tuple[str, object], list[Instance]] = defaultdict(list)
-    for instance in structure.instances:
-        groups[instance.spec.name, instance.kernels].append(instance)
-    batches = []
-    for members in groups.values():
-        x = np.array([np.concatenate([structure.places(z) for z in i.nodes]) for i in members])
-        sigma = _indices([[structure.index[z] for z in i.deformations] for i in members])
-        tau = _indices([[structure.index[z] - structure.m for z in i.slips] for i in members])
-        spec = members[0].spec
-        struct = kernel_struct(spec, members[0].kernels)
-        inputs = {"x": x, "v": x, "a": x, "sigma": sigma, "tau": tau}
-        weight = np.array([i.mass_damping for i in members])
-        batches.append(Batch(spec, struct, inputs, np.array([i.p for i in members]), weight))
-    return batches
-
-
-def _law_batches(structure: Structure) -> list[Batch]:
-    groups: dict[tuple[str, object], list[LawInstance]] = defaultdict(list)
-    for law in structure.laws:
-        groups[law.spec.name, law.kernels].append(law)
-    batches = []
-    for members in groups.values():
-        e = _indices([[structure.index[z] for z in i.deformations] for i in members])
-        s = _indices([[structure.index[z] - structure.m for z in i.slips] for i in members])
-        z = _indices([[structure.internal[z] for z in i.states] for i in members])
-        inputs = {"e": e, "ed": e, "s": s, "z": z, "t": np.zeros((len(members), 1), dtype=np.intp)}
-        spec = members[0].spec
-        struct = kernel_struct(spec, members[0].kernels)
-        batches.append(Batch(spec, struct, inputs, np.array([i.p for i in members])))
-    return batches
-
-
-def _indices(rows: Sequence[Sequence[int]]) -> Index:
-    return np.array(rows, dtype=np.intp).reshape(len(rows), -1)

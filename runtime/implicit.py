@@ -1,10 +1,6 @@
-"""Implicit integration of stiff models: the generalized-alpha method on coordinates and multipliers.
+"""Implicit integration of stiff models: steps, their control, the energy ledger, and what is kept.
 
-Rigid and prescribed conditions hold at every step to rounding (index 3), rolling conditions on the rates;
-multipliers are scaled by beta h², so that the iteration matrix does not grow ill-conditioned with small
-steps.  The iteration matrix is the analytic tangent.  Source: Chung and Hulbert (1993); Arnold and Brüls
-(2007); Bottasso, Bauchau and Cardona (2007) for the scaling; Zienkiewicz and Xie (1991) for the step control.
-Imports numpy, scipy.linalg and the balance.
+Imports numpy, tqdm and the generalized-alpha method.
 """
 
 from __future__ import annotations
@@ -16,193 +12,168 @@ from typing import TYPE_CHECKING
 import numpy as np
 from tqdm import tqdm
 
+from flexel.alpha import Point, Stepper
 from flexel.balance import Balance, Saddle
-from flexel.errors import DynamicsError, ModelError
 from flexel.integrate import Integration
-from flexel.kinematics import Factorization
+from flexel.ledger import Ledger
 from flexel.state import State
 from flexel.structure import Array
 
 if TYPE_CHECKING:
     from flexel.system import System
 
-MAX_ITERATIONS = 10
-SLOW = 0.2  # a contraction weaker than this renews the iteration matrix
+SHORTEST = 1e-10  # of the duration
+DEEP = 0.1  # of a new contact's penetration: a larger local error halves the step
+STEADY = 1.3  # growth of the step below which it stays as it is: every change disturbs the multipliers
+MOST_HALVINGS = 4  # on account of new contacts
 
 
 @dataclass(frozen=True)
-class Scheme:
-    """Coefficients of the generalized-alpha method with a given spectral radius at infinite frequency."""
+class Control:
+    """How the steps are chosen.
 
-    alpha_m: float
-    alpha_f: float
-    beta: float
-    gamma: float
+    Attributes
+    ----------
+    tolerance : float
+        Local error of the coordinates in their natural scales; infinite for steps of constant length.
+    first, longest : float
+        Steps [s].
+    """
 
-    @classmethod
-    def with_radius(cls, radius: float) -> Scheme:
-        """The optimal scheme of second order; near radius 1 keeps energy, 0 damps high frequencies at once.
-
-        Radius 1 is left out: with constraints its accelerations and multipliers grow without bound.
-        """
-        if not 0 <= radius < 1:
-            raise ModelError(f"spectral radius {radius} lies outside 0 ≤ radius < 1; 0.8 is a good value")
-        m, f = (2 * radius - 1) / (radius + 1), radius / (radius + 1)
-        gamma = 0.5 - m + f
-        return cls(m, f, 0.25 * (gamma + 0.5) ** 2, gamma)
-
-    def rates(self, h: float) -> tuple[float, float]:
-        """Derivatives (gamma', beta') of the rates and of the accelerations by the coordinates, step h."""
-        return self.gamma / (h * self.beta), (1 - self.alpha_m) / (h * h * self.beta * (1 - self.alpha_f))
+    tolerance: float
+    first: float
+    longest: float
 
 
-@dataclass
-class Point:
-    """Where the integration stands: coordinates, rates, accelerations, the method's own acceleration, multipliers."""
+class Run:
+    """An implicit integration over given times: progress, what is kept, and how it ends.
 
-    t: float
-    x: Array
-    v: Array
-    a: Array
-    w: Array
-    mu: Array
-    e: Array
+    Attributes
+    ----------
+    states : list of State
+    ledger : Ledger
+    point : Point
+        Where it stands.
+    """
 
+    def __init__(self, saddle: Saddle, start: State) -> None:
+        self.saddle = saddle
+        self.ledger = Ledger(saddle)
+        self.states = [start]
+        self.point = Point.at(start, saddle.multipliers(start))
+        self.shortest = 0.0
+        self._balance: Balance | None = None
 
-class GeneralizedAlpha(Saddle):
-    """One implicit run of the dynamics of a system."""
+    @property
+    def statistics(self) -> dict[str, int]:
+        """Counts of what was done."""
+        raise NotImplementedError
 
-    def __init__(self, system: System, start: State, radius: float, tolerance: float) -> None:
-        super().__init__(system)
-        if system.structure.nz:
-            raise ModelError(
-                f"simulate_stiff: internal states of laws ({', '.join(system.structure.internal)}) are not taken "
-                "along; use simulate(…, method='Radau')"
-            )
-        self.scheme = Scheme.with_radius(radius)
-        self.tolerance = tolerance
-        self.start = start
-        self.statistics = {"steps": 0, "rejected": 0, "evaluations": 0, "factorizations": 0, "rechoices": 0}
-        self._matrix: Factorization | None = None
-        self._matrix_step = self._shortest = 0.0
-        self._stiffness = np.zeros((0, 0))
+    def advance(self, until: float) -> bool:
+        """Take one step towards a time and `accept` it; False if that is not possible."""
+        raise NotImplementedError
 
-    def run(self, times: Array, first_step: float, max_step: float, progress: bool | None) -> Integration:
-        """Integrate over the stored times; an interrupt (Ctrl-C) keeps what was computed.
+    def accept(self, point: Point, balance: Balance) -> None:
+        """Go on from the end of a step."""
+        h = point.t - self.point.t
+        self.point, self._balance = point, balance
+        self.ledger.add(balance, h)
 
-        Raises
-        ------
-        DynamicsError
-            If the step becomes too small; the motion up to there is in its attribute ``states``.
-        """
-        s = self.start
-        mu = self.multipliers(s)
-        point = Point(s.t, s.x.copy(), s.v.copy(), s.a.copy(), s.a.copy(), mu, s.e)
-        states, h, message = [s], first_step, "reached the end"
-        self._shortest = 1e-10 * float(times[-1] - s.t)
+    def run(self, times: Array, progress: bool | None) -> Integration:
+        """Integrate over the stored times; an interrupt (Ctrl-C) or a step that fails keeps what was computed."""
+        begin, span = self.point.t, float(times[-1] - times[0])
+        self.shortest = SHORTEST * span
+        message, complete = "reached the end", True
+        self.ledger.begin(self.point)
         show = sys.stderr.isatty() if progress is None else progress
-        bar = tqdm(total=float(times[-1] - s.t), disable=not show, unit="s", leave=False)
+        bar = tqdm(total=span, disable=not show, unit="s", leave=False)
+        bar.bar_format = "{l_bar}{bar}| {n:.3g}/{total:.3g} s [{elapsed}<{remaining}]"
         try:
             for t in times[1:]:
-                while point.t < t:
-                    gap = float(t) - point.t
-                    parts = max(float(np.ceil(gap / min(h, max_step) * (1 - 1e-9))), 1.0)
-                    point, balance, h = self._advance(point, gap / parts, h, states)
-                    if abs(point.t - t) < 1e-6 * gap / parts:
-                        point.t = float(t)
-                    bar.update(point.t - s.t - float(bar.n))
-                states.append(self.state(balance))
+                while self.point.t < t and complete:
+                    complete = self.advance(float(t))
+                    bar.update(self.point.t - begin - float(bar.n))
+                self._keep()
+                if not complete:
+                    message = self._failure()
+                    break
         except KeyboardInterrupt:
-            message = f"interrupted at t = {point.t:g} s; the motion up to there is kept"
+            message = f"interrupted at t = {self.point.t:g} s; the motion up to there is kept"
         finally:
             bar.close()
-        return Integration(states, [], [], self.statistics, message)
+        return Integration(self.states, [], [], self.statistics, message, self.ledger.kept, complete)
 
-    def _advance(
-        self, point: Point, step: float, wish: float, states: list[State]
-    ) -> tuple[Point, Balance, float]:
-        """One accepted step of at most `step`; returns also the step that the error allows next."""
-        asked = step
+    def _keep(self) -> None:
+        """Store the present state, if it is a new one."""
+        if self._balance is not None and self.point.t > self.states[-1].t:
+            self.states.append(self.saddle.state(self._balance))
+            self.ledger.keep()
+
+    def _failure(self) -> str:
+        return (
+            f"implicit integration cannot go on at t = {self.point.t:g} s (step below {self.shortest:.2g} s): the "
+            "motion is not smooth there, or a condition cannot be met; look at the last state of the motion, and start "
+            "from there again after a change"
+        )
+
+
+class GeneralizedAlpha(Run):
+    """One run of the generalized-alpha method."""
+
+    def __init__(self, system: System, start: State, radius: float, newton: str, control: Control) -> None:
+        self.stepper = Stepper(system, radius, newton)
+        super().__init__(self.stepper, start)
+        self.control = control
+        self._steps = self._rejected = self._at_contact = self._halvings = 0
+        self._wish = min(control.first, control.longest)
+
+    @property
+    def statistics(self) -> dict[str, int]:
+        """Counts of what was done."""
+        s = self.stepper
+        return {
+            "steps": self._steps,
+            "rejected": self._rejected,
+            "halved at contact": self._at_contact,
+            "evaluations": s.evaluations,
+            "iterations": s.iterations,
+            "factorizations": s.factorizations,
+            "rechoices": 0,
+        }
+
+    def advance(self, until: float) -> bool:
+        """One accepted step; False if even the shortest does not converge."""
+        old, gap = self.point, until - self.point.t
+        parts = max(float(np.ceil(gap / min(self._wish, self.control.longest) * (1 - 1e-9))), 1.0)
+        step = asked = gap / parts
         while True:
-            found = self._solve(point, step)
-            if found is not None:
-                new, balance = found
-                error = self._error(point, new, step)
-                if error <= 1.0:
-                    self.statistics["steps"] += 1
-                    allowed = step * min(2.0, 0.9 * max(error, 1e-6) ** (-1 / 3))
-                    return new, balance, max(allowed, wish) if step == asked else allowed
-            self.statistics["rejected"] += 1
-            step *= 0.5 if found is None else max(0.2, 0.9 * error ** (-1 / 3))
-            if step < self._shortest:
-                failure = DynamicsError(
-                    f"implicit integration cannot go on at t = {point.t:g} s (step {step:.2g} s): the motion is not "
-                    "smooth there, or a condition cannot be met; look at the last states (error.states)"
-                )
-                failure.states = states  # type: ignore[attr-defined]
-                raise failure
+            found = self.stepper.solve(old, step)
+            error = np.inf if found is None else self._error(old, *found, step)
+            if found is not None and error <= 1.0:
+                break
+            self._rejected += 1
+            step *= 0.5 if np.isinf(error) else max(0.2, 0.9 * error ** (-1 / 3))
+            if step < self.shortest:
+                return False
+        point, balance = found
+        self._steps += 1
+        growth = min(2.0, 0.9 * max(error, 1e-6) ** (-1 / 3))
+        allowed = step * (1.0 if 1.0 < growth < STEADY else growth)
+        self._wish = max(allowed, self._wish) if step == asked else allowed
+        self._halvings = max(self._halvings - 1, 0) if step == asked else self._halvings
+        if abs(point.t - until) < 1e-6 * step:
+            point.t = until
+        self.accept(point, balance)
+        return True
 
-    def _error(self, old: Point, new: Point, h: float) -> float:
-        """Local error of the coordinates over the tolerance."""
-        nf = self.structure.nf
-        change = abs(self.scheme.beta - 1 / 6) * h * h * (new.w - old.w)[:nf] / self.x_scale
-        return float(np.abs(change).max(initial=0.0)) / self.tolerance
-
-    def _predict(self, p: Point, h: float) -> Point:
-        z, n = self.scheme, self.structure.nf
-        a = p.a.copy()
-        w = (z.alpha_f * p.a + (1 - z.alpha_f) * a - z.alpha_m * p.w) / (1 - z.alpha_m)
-        x = p.x + h * p.v + h * h * ((0.5 - z.beta) * p.w + z.beta * w)
-        v = p.v + h * ((1 - z.gamma) * p.w + z.gamma * w)
-        x[n:], v[n:] = p.x[n:], p.v[n:]
-        return Point(p.t + h, x, v, a, w, p.mu.copy(), p.e)
-
-    def _solve(self, old: Point, h: float) -> tuple[Point, Balance] | None:
-        """Newton's method for one step; None if it does not converge."""
-        p, nf = self._predict(old, h), self.structure.nf
-        rate, acceleration = self.scheme.rates(h)
-        scaling = self.scheme.beta * h * h
-        last, fresh = np.inf, False
-        if self._matrix_step != h:
-            self._matrix = None
-        for _ in range(MAX_ITERATIONS):
-            b = self.balance(p.t, p.x, p.v, p.a, p.mu, p.e)
-            self.statistics["evaluations"] += 1
-            slip = b.configuration.J[self.roles.zero, :nf] @ p.v[:nf]
-            held = np.concatenate([b.gap / self.scales[self.roles.holonomic], slip * h])
-            error = self.error(b, b.r, held, self._stiffness)
-            if error < 1e-11 or (error < 1e-8 and error > 0.5 * last):
-                p.e = b.e
-                return p, b
-            if not np.isfinite(error) or (fresh and error > 10 * last):
-                return None
-            fresh = self._matrix is None or error > SLOW * last
-            if fresh:
-                self._matrix = self._factor(b, rate, acceleration, scaling)
-                self._matrix_step = h
-            rhs = np.concatenate([scaling * b.r, b.gap, slip / rate])
-            assert self._matrix is not None
-            if not self._matrix.regular:
-                return None
-            step = self._matrix.solve(rhs)
-            dx = -step[:nf]
-            p.x[:nf] += dx
-            p.v[:nf] += rate * dx
-            p.a[:nf] += acceleration * dx
-            p.w[:nf] += (1 - self.scheme.alpha_f) / (1 - self.scheme.alpha_m) * acceleration * dx
-            p.mu -= step[nf:] / scaling
-            p.e, last = b.e, error
-        return None
-
-    def _factor(self, b: Balance, rate: float, acceleration: float, scaling: float) -> Factorization:
-        """Factors of the iteration matrix, first rows and multipliers scaled by beta h²."""
-        nf = self.structure.nf
-        self.statistics["factorizations"] += 1
-        T, J = self.tangents(b), b.configuration.J
-        K = T.r_x[:nf, :nf] + rate * T.r_v[:nf, :nf] + acceleration * b.forces.M[:nf, :nf]
-        self._stiffness = K
-        slips = J[self.roles.zero, :nf] + T.Phi_x[self.roles.zero, :nf] / rate
-        C = J[self.force_rows, :nf]
-        zero = np.zeros((self.force_rows.size, self.force_rows.size))
-        held = np.vstack([J[self.roles.holonomic, :nf], slips])
-        return Factorization(np.block([[scaling * K, C.T], [held, zero]]))
+    def _error(self, old: Point, new: Point, b: Balance, h: float) -> float:
+        """Local error over the tolerance; infinite where a contact has begun too deeply for this step."""
+        stepper = self.stepper
+        error = stepper.error_of(old, new, h)
+        if self._halvings < MOST_HALVINGS:
+            begun = self.ledger.new_penetration(b)
+            if begun and float(np.abs(error).max(initial=0.0)) > DEEP * begun:
+                self._halvings += 1
+                self._at_contact += 1
+                return np.inf
+        return float(np.abs(error / stepper.x_scale).max(initial=0.0)) / self.control.tolerance

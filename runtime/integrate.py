@@ -72,13 +72,18 @@ class Segment:
 
 @dataclass(frozen=True)
 class Integration:
-    """What an integration gives: states at the asked times, events, pieces with dense output, counts."""
+    """What an integration gives: states at the asked times, events, pieces with dense output, counts.
+
+    An implicit one also gives its energy ledger at these times, and says whether it reached the end.
+    """
 
     states: list[State]
     events: list[tuple[str, State]]
     segments: list[Segment]
     statistics: dict[str, int]
     message: str
+    ledger: dict[str, list[float]] | None = None
+    complete: bool = True
 
 
 def stored_times(start: State, duration: Any, times: Any, samples: Any) -> Array:
@@ -107,7 +112,8 @@ def stored_times(start: State, duration: Any, times: Any, samples: Any) -> Array
     return np.concatenate([[start.t], grid]) if grid[0] > start.t else grid
 
 
-def _positive(value: Any, what: str, least: float = 0.0) -> float:
+def positive(value: Any, what: str, least: float = 0.0) -> float:
+    """A number above `least`, or infinity; a ModelError otherwise."""
     checked = np.inf if value is np.inf else number(value, "simulate", what)
     if checked <= least:
         raise ModelError(f"simulate: {what} {checked:g} is too small; give more than {least:g}")
@@ -155,9 +161,9 @@ class Integrator:
         self.system = system
         self.times = times
         self.options = {
-            "rtol": _positive(rtol, "rtol", 1e-13),
-            "atol": _positive(atol, "atol"),
-            "max_step": _positive(max_step, "max_step"),
+            "rtol": positive(rtol, "rtol", 1e-13),
+            "atol": positive(atol, "atol"),
+            "max_step": positive(max_step, "max_step"),
         }
         self.method = METHODS[method]
         self.events = events

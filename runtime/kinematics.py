@@ -3,7 +3,7 @@
 Position: c(x, t) = 0 and the freedoms at their values, by Newton's method with warm start, angles compared
 modulo 2 pi.  Velocity: B v = (u', 0, q_d').  Acceleration: B a = (u'', 0, q_d'') - convective terms.  Source: van der
 Werff (1977); Jonker and Meijaard (1990); Schwab and Meijaard (2003) for the non-holonomic rows.
-Imports numpy, scipy.linalg and the evaluation.
+Imports numpy, the solvers and the evaluation.
 """
 
 from __future__ import annotations
@@ -12,59 +12,29 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from scipy.linalg import get_lapack_funcs
 
 from flexel.errors import ConstraintError, PositionError
 from flexel.evaluate import Evaluation
 from flexel.roles import Roles
+from flexel.solvers import Solvable, factorize
 from flexel.structure import Array, Structure
 
-_getrf: Any = get_lapack_funcs("getrf", dtype=np.float64)
-_getrs: Any = get_lapack_funcs("getrs", dtype=np.float64)
-_gecon: Any = get_lapack_funcs("gecon", dtype=np.float64)
 TOLERANCE = 1e-13  # of a deformation, relative to its natural scale
 MAX_ITERATIONS = 40
-
-
-class Factorization:
-    """LU factors of a square matrix, with row scaling left to the caller."""
-
-    def __init__(self, matrix: Array) -> None:
-        self._matrix = matrix
-        self._lu: Array = matrix
-        self._pivots: Any = None
-        self._info = 0
-        if matrix.size:
-            self._lu, self._pivots, self._info = _getrf(matrix)
-
-    @property
-    def regular(self) -> bool:
-        """False if a pivot is exactly zero."""
-        return self._info == 0
-
-    @property
-    def rcond(self) -> float:
-        """Estimate of the reciprocal condition number in the 1-norm."""
-        if not self._lu.size:
-            return 1.0
-        return float(_gecon(self._lu, np.abs(self._matrix).sum(axis=0).max())[0])
-
-    def solve(self, b: Array, transposed: bool = False) -> Array:
-        """Solution of A x = b, or of A' x = b."""
-        if not self._lu.size or not b.size:
-            return np.zeros(b.shape)
-        x: Array = _getrs(self._lu, self._pivots, b, trans=1 if transposed else 0)[0]
-        return x
+LARGE = 400  # coordinates above which matrices are sparse
 
 
 @dataclass(frozen=True)
 class Configuration:
-    """A configuration that satisfies the constraints: time, coordinates, deformations, J = [De; V; I]."""
+    """A configuration that satisfies the constraints: time, coordinates, deformations, J = [De; V; I].
+
+    J is a sparse matrix in a large model (`Kinematics.large`).
+    """
 
     t: float
     x: Array
     e: Array
-    J: Array
+    J: Any
 
 
 def natural_scales(structure: Structure) -> Array:
@@ -90,6 +60,7 @@ class Kinematics:
         self.evaluation = evaluation
         self.structure: Structure = evaluation.structure
         self.roles = roles
+        self.large = self.structure.n > LARGE
         self._scale = natural_scales(self.structure)
         rows = roles.position_rows
         self._weight = 1.0 / self._scale[rows]
@@ -97,9 +68,13 @@ class Kinematics:
         self._step_weight = 1.0 / self._scale[self.structure.m + self.structure.k :][: self.structure.nf]
         self.forget()
 
+    def evaluate(self, x: Array) -> tuple[Array, Any]:
+        """Deformations e (m,) as principal values, and J = [De; V; I] (m + k + n, n), sparse in a large model."""
+        return self.evaluation.jacobian(x) if self.large else self.evaluation.position(x)
+
     def forget(self) -> None:
         """Drop what is kept from the last position problem, so that the next one does not depend on it."""
-        self._lu: Factorization | None = None
+        self._lu: Solvable | None = None
         self._x = self._target = np.zeros(0)
 
     def scales(self, rows: Any) -> Array:
@@ -143,13 +118,13 @@ class Kinematics:
         x = self._predict(guess, target)
         last = np.inf
         for _ in range(MAX_ITERATIONS):
-            e, J = self.evaluation.position(x)
+            e, J = self.evaluate(x)
             residual = self._residual(e, x, target)
             error = float(np.abs(residual * self._weight).max(initial=0.0))
             if error < TOLERANCE or (error < 1e-10 and error > 0.5 * last):
                 self._x, self._target = x, target
                 return Configuration(t, x, e, J)
-            self._lu = Factorization(J[rows, :nf])
+            self._lu = factorize(J[rows][:, :nf])
             if not (np.isfinite(error) and self._lu.regular):
                 break
             step = self._lu.solve(residual)
@@ -191,7 +166,7 @@ class Kinematics:
             f"position near the present one: check prescribed and initial values{driven}, or move in smaller steps"
         )
 
-    def velocity_matrix(self, configuration: Configuration) -> Factorization:
+    def velocity_matrix(self, configuration: Configuration) -> Solvable:
         """Factors of B at a configuration.
 
         Raises
@@ -199,7 +174,7 @@ class Kinematics:
         ConstraintError
             If B is singular: the chosen freedoms do not determine the velocities here.
         """
-        B = Factorization(configuration.J[self.roles.velocity_rows, : self.structure.nf])
+        B = factorize(configuration.J[self.roles.velocity_rows][:, : self.structure.nf])
         if not B.regular:
             raise ConstraintError(
                 f"the freedoms {self.names(self.roles.dynamic)} do not determine the velocities at "
@@ -207,7 +182,7 @@ class Kinematics:
             )
         return B
 
-    def velocity(self, configuration: Configuration, B: Factorization, qd: Array) -> Array:
+    def velocity(self, configuration: Configuration, B: Solvable, qd: Array) -> Array:
         """Rates v (n,) of all coordinates for the rates q_d' (nd,) of the dynamic freedoms."""
         roles = self.roles
         rhs = np.zeros(self.structure.nf)

@@ -21,7 +21,8 @@ from flexel.dynamics import solve_mass
 from flexel.errors import LinearizationError
 from flexel.evaluate import Tangents
 from flexel.inputs import names as checked_names
-from flexel.kinematics import Configuration, Factorization, Kinematics
+from flexel.kinematics import Configuration, Kinematics
+from flexel.solvers import Factorization
 from flexel.state import State, own_state
 from flexel.structure import Array
 
@@ -256,7 +257,7 @@ class Linearization:
         """F̄ (nd, inputs): generalized forces of loads on the named coordinates, deformations or slips."""
         rows = [self.state.structure.find(name, "input") for name in checked_names(names, "inputs")]
         for name, i in zip(names, rows, strict=True):
-            if i >= self.state.J.shape[0] - self.state.J.shape[1] + self.state.structure.nf:
+            if i >= self.state.rates.size - self.state.x.size + self.state.structure.nf:
                 raise LinearizationError(f"input '{name}' is a fixed coordinate and moves nothing; drop it")
         nd, nf = len(self.dynamic), self.state.structure.nf
         return np.asarray((self.state.J[rows, :nf] @ self.transfer.H[:, :nd]).T)
@@ -289,10 +290,11 @@ def linearize(kinematics: Kinematics, state: State) -> Linearization:
     structure, roles = kinematics.structure, kinematics.roles
     own_state(structure, state, "linearize")
     nf, nd, nq = structure.nf, roles.nd, roles.nq
-    c = Configuration(state.t, state.x, state.e, state.J)
+    J = state.J
+    c = Configuration(state.t, state.x, state.e, J)
     m, k, nz = structure.m, structure.k, structure.nz
     T = kinematics.evaluation.tangents(
-        state.x, state.v, state.a, state.J, state.e, state.stress, state.z, state.t
+        state.x, state.v, state.a, J, state.e, state.stress, state.z, state.t
     )
     X = transfer_functions(kinematics, c, T)
     mass, *_ = kinematics.evaluation.inertia(state.x, state.v)
@@ -301,10 +303,10 @@ def linearize(kinematics: Kinematics, state: State) -> Linearization:
     Mbar = H.T @ M @ X.H
     Cbar = H.T @ (r_v @ X.H + M @ X.A_v)
     Kbar = H.T @ (r_x @ X.G + r_v @ X.N + M @ X.A_q)
-    Jk, Phik = state.J[roles.kinematic, :nf], T.Phi_x[roles.kinematic, :nf]
+    Jk, Phik = J[roles.kinematic, :nf], T.Phi_x[roles.kinematic, :nf]
     A_k, B_k = Jk @ X.H, Phik @ X.G + Jk @ X.N
     Z_v, Z_q = T.zd_v[:, :nf] @ X.H, T.zd_x[:, :nf] @ X.G + T.zd_v[:, :nf] @ X.N
-    Z = H.T @ (state.J[: m + k, :nf].T @ T.stress_z) if nz else np.zeros((nd, 0))
+    Z = H.T @ (J[: m + k, :nf].T @ T.stress_z) if nz else np.zeros((nd, 0))
     if nd:
         solve_mass(kinematics, Mbar[:, :nd], np.zeros(nd))
     names = structure.names

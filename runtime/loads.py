@@ -34,6 +34,7 @@ class Loads:
     def __init__(self, structure: Structure, loads: tuple[Load, ...]) -> None:
         self._size = len(structure.names)
         self._split = structure.m + structure.k
+        self._slips = range(structure.m, self._split)
         self._index = np.array([structure.find(load.name) for load in loads], dtype=np.intp)
         self._functions = [load.function for load in loads]
         self._conservative = [isinstance(f, Polynomial) and len(f.coefficients) == 1 for f in self._functions]
@@ -49,6 +50,14 @@ class Loads:
         if self._functions:
             np.add.at(total, self._index, [f.rates(t)[order] for f in self._functions])
         return total[self._split :], -total[: self._split]
+
+    def power(self, t: float, rates: Array) -> float:
+        """Power [W] of the loads that have no potential, at given rates of all quantities (m + k + n,)."""
+        P = 0.0
+        for i, f, conservative in zip(self._index, self._functions, self._conservative, strict=True):
+            if not conservative or i in self._slips:
+                P += f.rates(t)[0] * float(rates[i])
+        return P
 
     def potential(self, t: float, values: Array) -> float:
         """Potential [J] of the constant loads on coordinates and deformations; zero at value zero."""

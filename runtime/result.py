@@ -13,6 +13,7 @@ import numpy as np
 
 from flexel.errors import ModelError
 from flexel.inputs import number
+from flexel.ledger import energy_balance
 from flexel.state import State
 from flexel.structure import Array
 
@@ -45,6 +46,7 @@ class Motion(Sequence[State]):
         self.events = integration.events
         self.statistics = integration.statistics
         self.message = integration.message
+        self._ledger = integration.ledger
         self.t = np.array([state.t for state in self._states])
 
     def __len__(self) -> int:
@@ -93,6 +95,22 @@ class Motion(Sequence[State]):
         """Kinetic, potential, strain and total energy [J] over time, each (nt,)."""
         names = ("kinetic", "potential", "strain", "total")
         return {z: np.array([getattr(state.energy, z) for state in self._states]) for z in names}
+
+    def energy_balance(self) -> dict[str, Array]:
+        """Energies [J] of an implicit integration over time, each (nt,).
+
+        kinetic, potential, strain (of laws other than contacts), contact; dissipated, and work of prescribed
+        motions and of loads without a potential, both since the start; error: what does not add up, which is that of
+        the integration, numerical damping included.
+
+        Raises
+        ------
+        ModelError
+            If the motion has no ledger of its losses.
+        """
+        if self._ledger is None:
+            raise ModelError("this motion has no energy balance; integrate with simulate_stiff for one")
+        return energy_balance(self.energy, self._ledger)
 
     @property
     def drift(self) -> Array:

@@ -9,20 +9,26 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from scipy.linalg import eigh
+from scipy.sparse import block_diag, coo_array, csc_array
+from scipy.sparse.linalg import LinearOperator, eigsh, splu
 
 from flexel.diagnose import null_space
 from flexel.errors import DynamicsError, ModelError
 from flexel.inputs import numbers
 from flexel.state import State
-from flexel.statics import Rest
+from flexel.statics import Equations, Rest
 from flexel.structure import Array
 
 if TYPE_CHECKING:
     from flexel.system import System
+
+
+_eigsh: Any = eigsh
+SMALL = 400  # free coordinates up to which all modes are found at once, with dense matrices
 
 
 @dataclass(frozen=True)
@@ -43,7 +49,7 @@ class BucklingMode:
 def buckling(system: System, state: State, increment: Mapping[str, float], count: int) -> list[BucklingMode]:
     """Buckling multipliers of a load increment at a preloaded state; see `System.buckling`."""
     problem = Rest(system, state)
-    s, evaluation = problem.structure, system.evaluation
+    s = problem.structure
     q = problem.equations(state.t, state.x, problem.multipliers(state), state.e)
     load = np.zeros(len(s.names))
     for name, value in numbers(increment, "buckling", "load").items():
@@ -54,22 +60,19 @@ def buckling(system: System, state: State, increment: Mapping[str, float], count
     _check_count(count, "buckling")
     if not np.any(load):
         raise ModelError("buckling: the load increment is zero; name at least one load, {'tip.z': -1.0}")
-    J = q.balance.configuration.J
-    rhs = np.concatenate([(load @ J)[: s.nf], np.zeros(problem.hold_rows.size)])
-    change = problem.solve(q.matrix, rhs)
+    local, J = problem.local, q.balance.J
     first = s.m + s.k
-    T = evaluation.tangents(
-        state.x, problem.rest, problem.rest, J, state.e, np.zeros(first), state.z, state.t
-    )
-    stress = T.stress_e @ (J[: s.m, : s.nf] @ change[: s.nf]) - load[:first]
+    nodal = load[first:] + local.pull(J, load[:first])
+    change = np.zeros(s.n)
+    solution = q.matrix.solve(np.concatenate([nodal[: s.nf], np.zeros(problem.hold_rows.size)]))
+    change[: s.nf] = solution[: s.nf]
+    by_value, _ = local.laws.tangents(q.balance.e, q.balance.w, state.z, state.t, 0.0)
+    stress = local.laws.stress_change(by_value, local.rates(J, change)) - load[:first]
     inner = problem.force_rows < first
-    np.add.at(stress, problem.force_rows[inner], change[s.nf :][inner])
-    K1 = evaluation.stress_stiffness(state.x, stress)[: s.nf, : s.nf]
-    Z, _ = null_space(J[problem.hold_rows, : s.nf], s.nf)
-    K0 = Z.T @ q.matrix[: s.nf, : s.nf] @ Z
-    G = Z.T @ K1 @ Z
+    np.add.at(stress, problem.force_rows[inner], solution[s.nf :][inner])
+    K1 = local.assembled(local.stress_stiffness(state.x, stress))[: s.nf, : s.nf]
     try:
-        w, V = eigh((G + G.T) / 2, (K0 + K0.T) / 2)
+        w, V = _largest(problem, q, K1, count)
     except np.linalg.LinAlgError as error:
         raise DynamicsError(
             "buckling: the stiffness at this state is not positive definite: it has buckled already, or a motion is "
@@ -77,7 +80,7 @@ def buckling(system: System, state: State, increment: Mapping[str, float], count
         ) from error
     modes = [(-1.0 / wi, V[:, i]) for i, wi in enumerate(w) if abs(wi) > 1e-12 * np.abs(w).max(initial=0.0)]
     modes.sort(key=lambda z: (abs(z[0]), -z[0]))
-    return [BucklingMode(float(z), _shape(system, Z @ v)) for z, v in modes[:count]]
+    return [BucklingMode(float(z), _shape(system, v)) for z, v in modes[:count]]
 
 
 @dataclass(frozen=True)
@@ -96,13 +99,67 @@ def vibrations(system: System, state: State, count: int) -> list[Vibration]:
     problem = Rest(system, state)
     s = problem.structure
     q = problem.equations(state.t, state.x, problem.multipliers(state), state.e)
-    Z, _ = null_space(q.balance.configuration.J[problem.hold_rows, : s.nf], s.nf)
-    K = Z.T @ q.matrix[: s.nf, : s.nf] @ Z
-    M = Z.T @ q.balance.forces.M[: s.nf, : s.nf] @ Z
     _check_count(count, "vibrations")
-    w2, V = _pencil((K + K.T) / 2, (M + M.T) / 2)
+    M = problem.local.mass(q.balance.inertia.M)[: s.nf, : s.nf]
+    w2, V = _lowest(problem, q, M, count)
     found = [(np.sign(z) * np.sqrt(abs(z)), V[:, i]) for i, z in enumerate(w2)]
-    return [Vibration(float(z), _shape(system, Z @ v)) for z, v in found[:count]]
+    return [Vibration(float(z), _shape(system, v)) for z, v in found[:count]]
+
+
+def _admitted(problem: Rest, q: Equations) -> tuple[Array, Array]:
+    """Basis (nf, r) of the motions that the constraints admit, and the stiffness (r, r) on it."""
+    nf = problem.structure.nf
+    matrix = q.matrix.sparse.toarray()
+    Z, _ = null_space(matrix[nf:, :nf], nf)
+    K = Z.T @ matrix[:nf, :nf] @ Z
+    return Z, (K + K.T) / 2
+
+
+def _lowest(problem: Rest, q: Equations, M: Any, count: int) -> tuple[Array, Array]:
+    """Eigenvalues of K v = w² M v, rising, and vectors (nf, …) that the constraints admit."""
+    nf = problem.structure.nf
+    if nf <= SMALL:
+        Z, K = _admitted(problem, q)
+        M = Z.T @ (M @ Z)
+        w2, V = _pencil(K, (M + M.T) / 2)
+        return w2, Z @ V
+    A, B, start = _bordered(problem, q, M)
+    shift = -1e-6 * q.stiffness / max(float(np.abs(M.diagonal()).max()), 1e-300)  # a free motion has w = 0
+    inverse = LinearOperator(A.shape, matvec=splu(csc_array(A - shift * B)).solve, dtype=np.float64)
+    v0 = inverse @ (B @ start)
+    w2, V = _eigsh(A, min(count, nf - 2), M=B, sigma=shift, OPinv=inverse, v0=v0)
+    order = np.argsort(w2)
+    return w2[order], V[:nf, order]
+
+
+def _largest(problem: Rest, q: Equations, G: Any, count: int) -> tuple[Array, Array]:
+    """Eigenvalues of G v = w K v of largest size, and vectors (nf, …) that the constraints admit.
+
+    Raises
+    ------
+    LinAlgError
+        If K is not positive definite on these motions.
+    """
+    nf = problem.structure.nf
+    if nf <= SMALL:
+        Z, K = _admitted(problem, q)
+        G = Z.T @ (G @ Z)
+        w, V = eigh((G + G.T) / 2, K)
+        return w, Z @ V
+    A, B, start = _bordered(problem, q, G)
+    inverse = LinearOperator(A.shape, matvec=q.matrix.solve, dtype=np.float64)
+    w, V = _eigsh(B, min(count, nf - 2), M=A, Minv=inverse, which="LM", v0=inverse @ (B @ start))
+    if np.any(np.einsum("ij,ij->j", V, A @ V) <= 0):
+        raise np.linalg.LinAlgError("not positive definite")
+    return w, V[:nf]
+
+
+def _bordered(problem: Rest, q: Equations, M: Any) -> tuple[Any, Any, Array]:
+    """The tangent with its constraints, a matrix of the same size with M in it, and a vector to start from."""
+    A = q.matrix.sparse
+    border = A.shape[0] - problem.structure.nf
+    B = block_diag([M, coo_array((border, border))], format="csc")
+    return A, B, np.random.default_rng(0).standard_normal(A.shape[0])
 
 
 def _check_count(count: object, owner: str) -> None:

@@ -6,12 +6,16 @@ Imports numpy and the structure.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from flexel.errors import ModelError
 from flexel.roles import Roles
 from flexel.structure import Array, Structure
+
+if TYPE_CHECKING:
+    from flexel.evaluate import Evaluation
 
 
 @dataclass(frozen=True)
@@ -40,8 +44,8 @@ class State:
         Coordinates, rates and accelerations, free coordinates first.
     e : ndarray (m,)
         Generalized deformations; angles over any number of turns.
-    J : ndarray (m + k + n, n)
-        De, V and the identity, stacked.
+    rates : ndarray (m + k + n,)
+        Rates of all quantities.
     stress : ndarray (m + k,)
         Generalized stresses sigma and tau: of laws, of loads, and of rigid, prescribed and rolling constraints.
     reactions : ndarray (n,)
@@ -62,17 +66,27 @@ class State:
     v: Array
     a: Array
     e: Array
-    J: Array = field(repr=False)
+    rates: Array = field(repr=False)
     stress: Array
     reactions: Array
     roles: Roles = field(repr=False)
-    structure: Structure = field(repr=False)
+    evaluation: Evaluation = field(repr=False)
     energy: Energy
     drift: float
     z: Array
     zd: Array
     dissipated: float
     Phi_v: Array = field(repr=False)  # accelerations of all quantities (m + k + n,)
+
+    @property
+    def structure(self) -> Structure:
+        """Names and index maps of the model."""
+        return self.evaluation.structure
+
+    @property
+    def J(self) -> Array:
+        """De, V and the identity, stacked (m + k + n, n): rates of all quantities are J v.  Computed when asked for."""
+        return self.evaluation.position(self.x)[1]
 
     @property
     def values(self) -> Array:
@@ -87,7 +101,7 @@ class State:
     @property
     def qd(self) -> Array:
         """Rates of the dynamic freedoms (nd,)."""
-        return np.asarray(self.J[self.roles.dynamic] @ self.v)
+        return self.rates[self.roles.dynamic]
 
     def __getitem__(self, name: str) -> float:
         """Value of a coordinate, a deformation or a law's internal state (a slip has none: see `rate`)."""
@@ -102,7 +116,7 @@ class State:
         """Rate of a coordinate, a deformation or a law's internal state, or a slip itself."""
         if name in self.structure.internal:
             return float(self.zd[self.structure.internal[name]])
-        return float(self.J[self.structure.find(name)] @ self.v)
+        return float(self.rates[self.structure.find(name)])
 
     def acceleration(self, name: str) -> float:
         """Second rate of a coordinate or deformation, or the rate of a slip."""

@@ -1,22 +1,24 @@
 """Complete states of a system: from values and rates by name, or from the integrator's variables.
 
 Angles are kernels' principal values plus turns; the turns are counted from a nearby state.
-Imports numpy, the errors and the dynamics.
+Imports numpy, scipy.sparse, the errors and the dynamics.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from scipy.sparse import block_array, eye_array, vstack
 
 from flexel import dynamics
 from flexel.errors import ModelError, PositionError
 from flexel.inputs import number, numbers
 from flexel.kinematics import Configuration, Kinematics
 from flexel.roles import Roles
+from flexel.solvers import factorize
 from flexel.state import State, own_state
 from flexel.structure import Array, Structure
 
@@ -59,7 +61,7 @@ def state_from(
         guess = previous.x + (t - previous.t) * previous.v if nq == 0 else previous.x
     c = kinematics.position(t, y[:nq], guess)
     v = kinematics.velocity(c, kinematics.velocity_matrix(c), qd)
-    predicted = previous.e + (t - previous.t) * (previous.J[:m] @ previous.v + c.J[:m] @ v) / 2
+    predicted = previous.e + (t - previous.t) * (previous.rates[:m] + c.J[:m] @ v) / 2
     return dynamics.complete(kinematics, system.loads, c, v, with_turns(kinematics, c, y[:nq], predicted), z)
 
 
@@ -76,7 +78,7 @@ class End:
     @staticmethod
     def of(state: State) -> End:
         """The end at a complete state."""
-        return End(state.t, state.x, state.v, state.e, state.J[: state.e.size] @ state.v)
+        return End(state.t, state.x, state.v, state.e, state.rates[: state.e.size])
 
 
 def state_between(system: System, t: float, y: Array, roles: Roles, first: End, last: End) -> State:
@@ -121,7 +123,7 @@ def state_at(
         q[list(roles.freedoms).index(i)] = value
     c = kinematics.position(time, q, start.x)
     e = with_freedoms(structure, unwrap(structure, c.e, start.e), q, roles)
-    qd = start.J[roles.dynamic] @ start.v if rates is None else consistent_rates(system, c, rates)
+    qd = start.qd if rates is None else consistent_rates(system, c, rates)
     v = kinematics.velocity(c, kinematics.velocity_matrix(c), qd)
     return dynamics.complete(kinematics, system.loads, c, v, e, z)
 
@@ -137,14 +139,19 @@ def consistent_rates(system: System, c: Configuration, rates: Mapping[str, float
     structure, kinematics, nd = system.structure, system.kinematics, system.roles.nd
     given = numbers(rates, "initial rates", "rate")
     rows = np.array([structure.find(name, "initial rates") for name in given], dtype=np.intp)
-    wanted = np.array(list(given.values()))
+    wanted, nf = np.array(list(given.values())), structure.nf
+    if not rows.size:
+        return np.zeros(nd)
     B = kinematics.velocity_matrix(c)
-    H = dynamics.unit_solutions(kinematics, B)
     v0 = kinematics.velocity(c, B, np.zeros(nd))
-    J = c.J[rows, : structure.nf]
-    missing = wanted - J @ v0[: structure.nf]
-    qd = np.linalg.lstsq(J @ H, missing, rcond=1e-12)[0] if rows.size else np.zeros(nd)
-    v = v0[: structure.nf] + H @ qd
+    J = c.J[rows][:, :nf]
+    missing = wanted - J @ v0[:nf]
+    if kinematics.large:
+        qd = smallest(c.J[system.roles.dynamic][:, :nf], c.J, system.roles, J, missing)
+    else:
+        by_freedoms = B.solve(np.ascontiguousarray(J.T), transposed=True)[nf - nd :].T
+        qd = np.linalg.lstsq(by_freedoms, missing, rcond=1e-12)[0]
+    v = v0[:nf] + B.solve(np.concatenate([np.zeros(nf - nd), qd]))
     off = wanted - J @ v
     speeds = np.concatenate([wanted, v0, v, [1e-12]])
     scale = float(np.max(np.abs(speeds)))
@@ -155,3 +162,17 @@ def consistent_rates(system: System, c: Configuration, rates: Mapping[str, float
             f"the others and the constraints (off by {off[worst]:.3g}); give at most {nd} independent rates"
         )
     return np.asarray(qd)
+
+
+def smallest(S: Any, J: Any, roles: Roles, rows: Any, wanted: Array) -> Array:
+    """Rates S v (nd,) of the freedoms, smallest in size, that change the given rows of rates as wanted.
+
+    For large models: v from the sparse conditions of the constrained least squares.
+    """
+    nf = S.shape[1]
+    C = J[np.concatenate([roles.holonomic, roles.zero])][:, :nf]
+    A = vstack([C, rows])
+    damping = -1e-12 * eye_array(A.shape[0])  # for rates that repeat one another
+    factors = factorize(block_array([[S.T @ S, A.T], [A, damping]]))
+    rhs = np.concatenate([np.zeros(nf + C.shape[0]), wanted])
+    return np.asarray(S @ factors.solve(rhs)[:nf])

@@ -5,22 +5,24 @@ independent coordinates is needed, however far the structure deforms; the tangen
 A path is followed by its arc length, from the unbalance that the start has (loads that are taken on
 gradually) or along the time, which then is the load parameter.  Source: Crisfield (1981) for the arc
 length.
-Imports numpy and the balance.
+Imports numpy, scipy.sparse and the balance.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
+from scipy.sparse.linalg import lsmr
 
-from flexel.balance import Balance, Saddle
+from flexel.balance import Balance, Matrix, Saddle, SaddlePattern
 from flexel.diagnose import quoted
 from flexel.errors import ModelError, PositionError
 from flexel.inputs import number
 from flexel.state import State, own_state
-from flexel.structure import Array
+from flexel.structure import Array, Index
 
 if TYPE_CHECKING:
     from flexel.system import System
@@ -32,14 +34,25 @@ MAX_STEPS = 500
 
 
 class Rest(Saddle):
-    """The equations of equilibrium of a system; kinematic coordinates and internal states of laws are held."""
+    """The equations of equilibrium of a system; kinematic coordinates and internal states of laws are held.
 
-    def __init__(self, system: System, start: State) -> None:
+    Further coordinates or deformations that are held too are given by their quantities.
+    """
+
+    def __init__(self, system: System, start: State, held: Index | None = None) -> None:
         own_state(system.structure, start, "equilibrium")
         super().__init__(system)
         self.z = start.z
-        self.held = start.values[self.roles.kinematic]
-        self.hold_rows = np.concatenate([self.roles.holonomic, self.roles.kinematic])
+        more = np.zeros(0, dtype=np.intp) if held is None else held
+        self.still = np.concatenate([self.roles.kinematic, more])
+        self.held = start.values[self.still]
+        self.hold_rows = np.concatenate([self.roles.holonomic, self.still])
+        self.force_rows = np.concatenate([self.force_rows, more])
+
+    @cached_property
+    def pattern(self) -> SaddlePattern:
+        """Pattern of the tangent."""
+        return SaddlePattern(self.local, self.force_rows, self.hold_rows)
 
     def holding_forces(self, t: float, start: State) -> Array:
         """Multipliers that come nearest to balancing the given forces at a configuration, by least squares.
@@ -47,43 +60,52 @@ class Rest(Saddle):
         The geometric stiffness of a mechanism (a pendulum's gravity) is in them; without it the first tangent
         would be singular.
         """
-        nf = self.structure.nf
+        if not self.force_rows.size:
+            return np.zeros(0)
         none = np.zeros(self.force_rows.size)
         b = self.balance(t, start.x, self.rest, self.rest, none, start.e)
-        C = b.configuration.J[self.force_rows, :nf]
-        return np.asarray(np.linalg.lstsq(C.T, -b.r, rcond=None)[0])
+        C = self.local.matrix(b.J)[self.force_rows][:, : self.structure.nf]
+        return np.asarray(lsmr(C.T, -b.r, atol=1e-12, btol=1e-12, conlim=1e10)[0])
 
     def equations(self, t: float, x: Array, mu: Array, near: Array) -> Equations:
         """Residual (r, gap) and its derivative by (x, mu) at time t."""
-        s = self.structure
         b = self.balance(t, x, self.rest, self.rest, mu, near)
-        K = self.tangents(b).r_x[: s.nf, : s.nf]
-        J = b.configuration.J
+        K, cross, _ = self.stiffness(b)
         values = self.system.kinematics.values(b.e, x)
-        gap = np.concatenate([b.gap, values[self.roles.kinematic] - self.held])
-        zero = np.zeros((self.hold_rows.size, self.force_rows.size))
-        matrix = np.block([[K, J[self.force_rows, : s.nf].T], [J[self.hold_rows, : s.nf], zero]])
-        return Equations(b, np.concatenate([b.r, gap]), matrix)
+        gap = np.concatenate([b.gap, values[self.still] - self.held])
+        stored = self.pattern.assemble(K, cross, b.J, b.J)
+        matrix = Matrix(self.structure, self.pattern.pattern, stored)
+        return Equations(b, np.concatenate([b.r, gap]), matrix, float(np.abs(K).max(initial=0.0)))
 
     def size(self, q: Equations, residual: Array) -> float:
         """Size of a residual in natural scales."""
         nf = self.structure.nf
-        return self.error(
-            q.balance, residual[:nf], residual[nf:] / self.scales[self.hold_rows], q.matrix[:nf, :nf]
-        )
+        return self.error(q.balance, residual[:nf], residual[nf:] / self.scales[self.hold_rows], q.stiffness)
 
     def rate(self, q: Equations) -> Array:
         """Derivative of the residual by the time at fixed x and mu."""
-        return np.concatenate([*self.load_rate(q.balance), np.zeros(self.roles.kinematic.size)])
+        return np.concatenate([*self.load_rate(q.balance), np.zeros(self.still.size)])
 
 
 @dataclass(frozen=True)
 class Equations:
-    """The equations of equilibrium at one point: balance, residual (r, gap) and its derivative by (x, mu)."""
+    """The equations of equilibrium at one point.
+
+    Attributes
+    ----------
+    balance : Balance
+    residual : ndarray
+        (r, gap).
+    matrix : Matrix
+        Its derivative by (x, mu).
+    stiffness : float
+        Largest entry of an element's stiffness.
+    """
 
     balance: Balance
     residual: Array
-    matrix: Array
+    matrix: Matrix
+    stiffness: float
 
 
 def equilibrium(system: System, t: float | None, start: State) -> State:
@@ -120,7 +142,7 @@ def _newton(problem: Rest, t: float, x: Array, mu: Array, near: Array) -> tuple[
             return q, mu
         if not np.isfinite(error):
             return None
-        step = problem.solve(q.matrix, q.residual)
+        step = q.matrix.solve(q.residual)
         size = float(np.abs(step[:nf] / problem.x_scale).max(initial=0.0))
         if size > 10 * STEP:
             return None
@@ -189,7 +211,7 @@ def _slope(problem: Rest, q: Equations, unbalance: Array, span: float) -> Array:
     rate = unbalance.copy()
     if span:
         rate += span * problem.rate(q)
-    return -problem.solve(q.matrix, rate)
+    return -q.matrix.solve(rate)
 
 
 def _unit_tangent(problem: Rest, slope: Array, before: Array | None) -> Array:
@@ -230,7 +252,7 @@ def _correct(
         if not np.isfinite(error):
             return None
         rate = unbalance + (t1 - t0) * problem.rate(q)
-        both = problem.solve(q.matrix, np.column_stack([residual, rate]))
+        both = q.matrix.solve(np.column_stack([residual, rate]))
         # bordered elimination: (x, mu) = -both0 - both1 dp, and the step stays in the plane
         gap = normal @ (y - predicted)
         bottom = normal[-1] - normal[:-1] @ both[:, 1]

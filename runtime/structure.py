@@ -11,6 +11,7 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -167,12 +168,15 @@ class Structure:
             return self.index[name]
         raise ModelError(f"{owner}: " * bool(owner) + unknown(str(name), self.index))
 
+    @cached_property
+    def _by_name(self) -> dict[str, Node]:
+        return {node.name: node for node in self.nodes}
+
     def node(self, name: str) -> Node:
         """The node of that name."""
-        for node in self.nodes:
-            if node.name == name:
-                return node
-        raise ModelError(unknown(name, [node.name for node in self.nodes], "node"))
+        if name not in self._by_name:
+            raise ModelError(unknown(name, self._by_name, "node"))
+        return self._by_name[name]
 
     def places(self, name: str) -> Index:
         """Indices in x of all coordinates of a node."""

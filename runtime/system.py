@@ -16,10 +16,11 @@ from flexel import analyses, dynamics, states
 from flexel.diagnose import choose_freedoms, named_freedoms
 from flexel.errors import ConstraintError
 from flexel.evaluate import Evaluation
-from flexel.kinematics import Configuration, Factorization, Kinematics
+from flexel.kinematics import Configuration, Kinematics
 from flexel.linearize import Linearization, linearize
 from flexel.loads import Loads
 from flexel.roles import Roles
+from flexel.solvers import Factorization
 from flexel.state import State, own_state
 from flexel.structure import Array, Structure
 
@@ -45,6 +46,7 @@ class System:
     ) -> None:
         self.structure: Structure = evaluation.structure
         self.evaluation = evaluation
+        self.local = evaluation.local
         self.loads = loads
         self._kinematics: dict[int, Kinematics] = {}
         self.use(roles)
@@ -186,7 +188,7 @@ class System:
 
         Internal states z (nz,) of laws have their initial values by default.
         """
-        principal, J = self.evaluation.position(x)
+        principal, J = self.kinematics.evaluate(x)
         e = principal if e is None else states.unwrap(self.structure, principal, e)
         c = Configuration(t, x, e, J)
         if not np.any(v) and self.roles.motions:

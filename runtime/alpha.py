@@ -1,0 +1,202 @@
+"""Single steps of the generalized-alpha method on coordinates and multipliers.
+
+Rigid and prescribed conditions hold at every step to rounding (index 3), rolling conditions on the rates;
+multipliers are scaled by beta h², so that the iteration matrix does not grow ill-conditioned with small
+steps.  The iteration matrix is the analytic tangent.  Internal states of laws follow the same scheme for
+equations of first order.  Source: Chung and Hulbert (1993); Jansen, Whiting and Hulbert (2000) for first
+order; Arnold and Brüls (2007); Bottasso, Bauchau and Cardona (2007) for the scaling; Zienkiewicz and Xie
+(1991) for the step control.
+Imports numpy and the balance.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from flexel.balance import Balance, Matrix, Saddle, SaddlePattern
+from flexel.errors import ModelError
+from flexel.locallaws import ImplicitStep
+from flexel.state import State
+from flexel.structure import Array
+
+if TYPE_CHECKING:
+    from flexel.system import System
+
+MAX_ITERATIONS = 10
+SLOW = 0.2  # a contraction weaker than this renews the iteration matrix
+
+
+@dataclass(frozen=True)
+class Scheme:
+    """Coefficients of the generalized-alpha method with a given spectral radius at infinite frequency."""
+
+    alpha_m: float
+    alpha_f: float
+    beta: float
+    gamma: float
+    lag_m: float
+    lag_gamma: float
+
+    @classmethod
+    def with_radius(cls, radius: float, constrained: bool = True) -> Scheme:
+        """The optimal scheme of second order; near radius 1 keeps energy, 0 damps high frequencies at once.
+
+        Radius 1 needs a system without constraints: with them its accelerations and multipliers grow without bound.
+        """
+        if not (0 <= radius < 1 or (radius == 1 and not constrained)):
+            raise ModelError(
+                f"spectral radius {radius} lies outside 0 ≤ radius < 1 (1 without constraints); 0.8 is a good value"
+            )
+        m, f = (2 * radius - 1) / (radius + 1), radius / (radius + 1)
+        gamma = 0.5 - m + f
+        lag = (3 * radius - 1) / (2 * (radius + 1))
+        return cls(m, f, 0.25 * (gamma + 0.5) ** 2, gamma, lag, 0.5 - lag + f)
+
+    def rates(self, h: float) -> tuple[float, float]:
+        """Derivatives (gamma', beta') of the rates and of the accelerations by the coordinates, step h."""
+        return self.gamma / (h * self.beta), (1 - self.alpha_m) / (h * h * self.beta * (1 - self.alpha_f))
+
+
+@dataclass
+class Point:
+    """Where the integration stands.
+
+    Attributes
+    ----------
+    x, v, a, w : ndarray (n,)
+        Coordinates, rates, accelerations and the method's own accelerations.
+    mu : ndarray
+        Multipliers.
+    e : ndarray (m,)
+        Deformations with their turns.
+    z, zd, zw : ndarray (nz,)
+        Internal states of laws, their rates, and the method's own rates.
+    """
+
+    t: float
+    x: Array
+    v: Array
+    a: Array
+    w: Array
+    mu: Array
+    e: Array
+    z: Array
+    zd: Array
+    zw: Array
+
+    @classmethod
+    def at(cls, s: State, mu: Array) -> Point:
+        """The point at a state with known multipliers."""
+        return cls(s.t, s.x.copy(), s.v.copy(), s.a.copy(), s.a.copy(), mu, s.e, s.z, s.zd, s.zd)
+
+
+class Stepper(Saddle):
+    """Newton's method for single steps of the generalized-alpha method.
+
+    Attributes
+    ----------
+    evaluations, factorizations, iterations : int
+        Counts.
+    """
+
+    def __init__(self, system: System, radius: float, newton: str, kind: str | None = None) -> None:
+        super().__init__(system)
+        if newton not in ("full", "modified"):
+            raise ModelError(f"simulate_stiff: newton {newton!r} is unknown; choose full or modified")
+        self.full = newton == "full"
+        self.scheme = Scheme.with_radius(radius, bool(self.force_rows.size))
+        self.pattern = SaddlePattern(self.local, self.force_rows, self.force_rows, kind)
+        self.evaluations = self.factorizations = self.iterations = 0
+        self._rolling = np.zeros(self.local.columns_J.size, dtype=bool)
+        for line in self.local.line_of[self.roles.zero]:
+            self._rolling[self.local.starts_J[line] : self.local.starts_J[line + 1]] = True
+        self._matrix: Matrix | None = None
+        self._matrix_step = self._stiffness = 0.0
+
+    def _predict(self, p: Point, h: float) -> Point:
+        z, n = self.scheme, self.structure.nf
+        a = p.a.copy()
+        w = (z.alpha_f * p.a + (1 - z.alpha_f) * a - z.alpha_m * p.w) / (1 - z.alpha_m)
+        x = p.x + h * p.v + h * h * ((0.5 - z.beta) * p.w + z.beta * w)
+        v = p.v + h * ((1 - z.gamma) * p.w + z.gamma * w)
+        x[n:], v[n:] = p.x[n:], p.v[n:]
+        return Point(p.t + h, x, v, a, w, p.mu.copy(), p.e, p.z, p.zd, p.zw)
+
+    def _lag(self, p: Point, h: float) -> ImplicitStep | None:
+        """The internal states as the scheme wants them at the end of a step: known part, and share of their rates."""
+        if not p.z.size:
+            return None
+        c, f = self.scheme, self.scheme.alpha_f
+        share = h * c.lag_gamma / (1 - c.lag_m)
+        known = p.z + h * (1 - c.lag_gamma) * p.zw + share * (f * p.zd - c.lag_m * p.zw)
+        return ImplicitStep(known, share * (1 - f))
+
+    def solve(self, old: Point, h: float) -> tuple[Point, Balance] | None:
+        """One step by Newton's method; None if it does not converge."""
+        p, nf = self._predict(old, h), self.structure.nf
+        self.step, self.z = self._lag(old, h), old.z
+        rate, acceleration = self.scheme.rates(h)
+        scaling = self.scheme.beta * h * h
+        last, fresh = np.inf, False
+        if abs(self._matrix_step - h) > 1e-9 * h:
+            self._matrix = None
+        for _ in range(MAX_ITERATIONS):
+            b = self.balance(p.t, p.x, p.v, p.a, p.mu, p.e)
+            self.evaluations += 1
+            self.z = b.laws.z
+            slip = b.w[self.roles.zero]
+            held = np.concatenate([b.gap / self.scales[self.roles.holonomic], slip * h])
+            error = self.error(b, b.r, held, self._stiffness)
+            if error < 1e-11 or (error < 1e-8 and error > 0.5 * last):
+                return self._finished(old, p, b), b
+            if not np.isfinite(error) or (fresh and error > 10 * last):
+                return None
+            fresh = self._matrix is None or self.full or error > SLOW * last
+            if fresh:
+                self._matrix = self._tangent(b, rate, acceleration, scaling)
+                self._matrix_step = h
+            if self._matrix is None or not self._matrix.factors.regular:
+                return None
+            step = self._matrix.factors.solve(np.concatenate([scaling * b.r, b.gap, slip / rate]))
+            self.iterations += 1
+            dx = -step[:nf]
+            p.x[:nf] += dx
+            p.v[:nf] += rate * dx
+            p.a[:nf] += acceleration * dx
+            p.w[:nf] += (1 - self.scheme.alpha_f) / (1 - self.scheme.alpha_m) * acceleration * dx
+            p.mu -= step[nf:] / scaling
+            p.e, last = b.e, error
+        return None
+
+    def _finished(self, old: Point, p: Point, b: Balance) -> Point:
+        c = self.scheme
+        p.e, p.z, p.zd = b.e, b.laws.z, b.laws.zd
+        p.zw = ((1 - c.alpha_f) * p.zd + c.alpha_f * old.zd - c.lag_m * old.zw) / (1 - c.lag_m)
+        return p
+
+    def _tangent(self, b: Balance, rate: float, acceleration: float, scaling: float) -> Matrix:
+        """The iteration matrix, first rows and multipliers scaled by beta h²."""
+        self.factorizations += 1
+        K, cross, phi = self.stiffness(b, rate, acceleration)
+        held = b.J
+        if phi is not None and self.roles.zero.size:
+            held = self._with_slips(b.J, phi, rate)
+        stored = self.pattern.assemble(scaling * K, scaling * cross, b.J, held)
+        stored += scaling * acceleration * self.pattern.mass
+        self._stiffness = float(np.abs(K).max(initial=0.0))
+        if self.local.masses0.size:
+            self._stiffness += acceleration * float(self.local.masses0.max(initial=0.0))
+        return Matrix(self.structure, self.pattern.pattern, stored)
+
+    def _with_slips(self, J: Array, phi: Array, rate: float) -> Array:
+        """Flat J in which the rows of rolling slips are J + Phi_x / rate: what changes a slip by way of x and v."""
+        return J + np.where(self._rolling, phi, 0.0) / rate
+
+    def error_of(self, old: Point, new: Point, h: float) -> Array:
+        """Local error (nf,) of the coordinates."""
+        nf = self.structure.nf
+        error: Array = abs(self.scheme.beta - 1 / 6) * h * h * (new.w - old.w)[:nf]
+        return error
