@@ -30,9 +30,8 @@ def shapes(state: State, sketches: Sequence[Sketch] = ()) -> list[Shape]:
         boxed = outlined.isdisjoint(instance.nodes)
         found += [z for z in _element(state, instance) if boxed or z.style != "box"]
     found += [_sketch(state, sketch) for sketch in sketches]
-    slopes = {n for z in shown if z.spec.name.endswith("cable") for n in z.nodes[1::2]}
     for node in state.structure.nodes:
-        if node.kind.endswith("point") and "." not in node.name and node.name not in slopes:
+        if node.kind.endswith("point") and "." not in node.name:
             style = "fixed" if node.fixed.all() else "joint"
             found.append(Shape(style, node.name, (place(state, node.name)[None],)))
     return found

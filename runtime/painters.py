@@ -70,7 +70,20 @@ def rope(state: State, instance: Instance) -> Iterator[Shape]:
     p, dp, q, dq = instance.nodes
     l0 = float(instance.parameters["l0"][0])
     slopes = l0 * place(state, dp), l0 * place(state, dq)
-    yield Shape("rope", instance.name, (hermite(STEPS, (place(state, p), place(state, q)), slopes),))
+    line = hermite(STEPS, (place(state, p), place(state, q)), slopes)
+    yield Shape(
+        "rope", instance.name, (line,), outline=_outline(instance), values=_stretch(state, instance, l0)
+    )
+
+
+def _stretch(state: State, instance: Instance, l0: float) -> dict[str, Array]:
+    """Mean tension and strain of a cable element, from those at its points of quadrature."""
+    names = [z for z in instance.deformations if z.rpartition(".")[2].startswith("strain")]
+    if not names:
+        return {}
+    weights = np.polynomial.legendre.leggauss(len(names))[1] / 2
+    strain = abs(float(weights @ [state[z] for z in names]))
+    return {"tension": np.array([sum(state.force(z) for z in names) / l0]), "strain": np.array([strain])}
 
 
 def wheel(state: State, instance: Instance) -> Iterator[Shape]:

@@ -101,7 +101,7 @@ def _sampled(motion: Motion, frames: int, between: tuple[float, float] | None) -
 
 def _speed(duration: float) -> float:
     """Speed 1, 2 or 5 times a power of ten at which a motion takes about ten seconds; 1 if that will do."""
-    if 2.0 <= duration <= 60.0 or duration <= 0:
+    if 1.0 <= duration <= 60.0 or duration <= 0:
         return 1.0
     wanted = duration / 10
     power = 10.0 ** np.floor(np.log10(wanted))

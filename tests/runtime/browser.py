@@ -39,24 +39,23 @@ class Browser:
 
     def __init__(self, profile: Path, size: tuple[int, int] = (900, 640)) -> None:
         assert PROGRAM is not None, MISSING
-        there, self._write = os.pipe()
-        self._read, back = os.pipe()
         switches = [*SWITCHES.split(), f"--user-data-dir={profile}", f"--window-size={size[0]},{size[1]}"]
+        # the protocol wants the descriptors 3 and 4
         command = [
             "/bin/sh",
             "-c",
-            f'exec "$@" 3<&{there} 4>&{back}',
+            'exec "$@" 3<&0 4>&1 0</dev/null 1>&2',
             "sh",
             PROGRAM,
             *switches,
             "about:blank",
         ]
-        self._log = open(profile.with_suffix(".log"), "wb")  # noqa: SIM115 (closed with the browser)
-        self._process = subprocess.Popen(
-            command, pass_fds=(there, back), stdin=subprocess.DEVNULL, stdout=self._log, stderr=self._log
-        )
-        os.close(there)
-        os.close(back)
+        self._log = profile.with_suffix(".log")
+        with self._log.open("wb") as log:
+            pipe = subprocess.PIPE
+            self._process = subprocess.Popen(command, stdin=pipe, stdout=pipe, stderr=log, bufsize=0)
+        assert self._process.stdin is not None and self._process.stdout is not None
+        self._write, self._read = self._process.stdin.fileno(), self._process.stdout.fileno()
         self._buffer, self._count, self._session = b"", 0, ""
         self.complaints: list[str] = []
         self.requests: list[str] = []
@@ -75,10 +74,8 @@ class Browser:
     ) -> None:
         self._session = ""
         self.call("Browser.close")
-        self._process.wait(PATIENCE)
-        os.close(self._write)
-        os.close(self._read)
-        self._log.close()
+        with self._process:  # closes the pipes
+            self._process.wait(PATIENCE)
 
     # -- the protocol ----------------------------------------------------------------------------
 
@@ -101,7 +98,7 @@ class Browser:
         while b"\0" not in self._buffer:
             assert select.select([self._read], [], [], max(0.0, deadline - time.monotonic()))[0], "no answer"
             piece = os.read(self._read, 1 << 20)
-            assert piece, f"the browser ended; see {self._log.name}"
+            assert piece, f"the browser ended; see {self._log}"
             self._buffer += piece
         line, _, self._buffer = self._buffer.partition(b"\0")
         message: dict[str, Any] = json.loads(line)
@@ -222,8 +219,11 @@ class Browser:
             "(() => { const b = document.querySelector('canvas').getBoundingClientRect(); "
             "return {x: b.x, y: b.y, width: b.width, height: b.height, scale: 1} })()"
         )
-        self.value("document.querySelector('#panel').style.visibility = 'hidden'")
+        hidden = "#panel, #legend { visibility: hidden } canvas { outline: none !important }"
+        self.value(
+            f"document.head.append(Object.assign(document.createElement('style'), {{textContent: '{hidden}'}}))"
+        )
         data = self.call("Page.captureScreenshot", format="png", clip=box)["data"]
-        self.value("document.querySelector('#panel').style.visibility = ''")
+        self.value("document.head.lastChild.remove()")
         with Image.open(io.BytesIO(base64.b64decode(data))) as picture:
             return np.asarray(picture.convert("RGB"), dtype=np.int16)
