@@ -128,9 +128,8 @@ def body(state: State, instance: Instance) -> Iterator[Shape]:
     if np.any(c):
         yield Shape("spoke", instance.name, (np.array([start, centre]),), (start, R))
     sides, T = _box(instance)
-    size = extent(state.structure)
-    # an inertia given only to make a mass matrix regular has no box that says anything
-    if np.min(np.sort(sides)[1:]) > 0 and (size == 0 or np.max(sides) < 1.5 * size):
+    # thin ones, and ones larger than the whole model, say nothing: the inertia was not meant as a shape
+    if np.min(np.sort(sides)[1:]) > 0 and np.max(sides) < extent(state.structure):
         axes = R @ T
         half = sides[0] / 2 * axes[:, 0]
         line = np.array([centre - half, centre + half])

@@ -91,17 +91,23 @@ def axes_of(state: State, frame: str) -> Array:
 
 
 def extent(structure: Structure) -> float:
-    """Size of the model as drawn: of the box around its points, mass centres and wheels [m]; 0 for a point."""
-    size, places = 0.0, []
-    for node in structure.nodes:
-        if node.kind.endswith("point"):
-            places.append(np.append(node.x0, 0.0)[:3])
+    """Size of the model as drawn [m]: of the box around its points, mass centres and wheels, or of its largest body.
+
+    A model in which nothing has a size is given 1 m.
+    """
+    sizes, gyration = [0.0], 0.0
     for instance in structure.instances:
-        if "c" in instance.parameters:
-            size = max(size, float(np.linalg.norm(instance.parameters["c"])))
-        if "radius" in instance.parameters:
-            size = max(size, 2 * float(np.max(instance.parameters["radius"])))
-    return max(size, float(np.max(np.ptp(places, axis=0)))) if places else size
+        z = instance.parameters
+        if "c" in z:
+            sizes.append(float(np.linalg.norm(z["c"])))
+        if "radius" in z:
+            sizes.append(2 * float(np.max(z["radius"])))
+        if "J" in z and "mass" in z:
+            gyration = max(gyration, float(np.sqrt(np.max(z["J"]) / z["mass"][0])))
+    places = [np.append(n.x0, 0.0)[:3] for n in structure.nodes if n.kind.endswith("point")]
+    if places:
+        sizes.append(float(np.max(np.ptp(places, axis=0))))
+    return max(sizes) or 3 * gyration or 1.0
 
 
 def circle(radius: float) -> Array:

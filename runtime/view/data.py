@@ -115,8 +115,7 @@ def common(
     flat = drawing.planar(state)
     up = drawing.upward(state) if view.up is None else np.asarray(view.up, dtype=float)
     axes = np.array([(1.0, 0, 0), (0, 0, -1), (0, 1, 0)]) if flat else display_axes(up)
-    own = painted(table[0])
-    size = extent(state.structure) or float(np.max(np.ptp(own, axis=0))) or 1.0
+    size = extent(state.structure)
     roads = drawing.roads(state) if view.ground else []
     return {
         "format": FORMAT,
@@ -127,28 +126,28 @@ def common(
         "colours": COLOURS,
         "units": UNITS,
         "roads": [{"axes": _rounded(display_axes(n)), "height": height} for n, height in roads],
-        "camera": _camera(table, view, flat),
+        "camera": _camera(table, view, flat, size),
         "trails": list(view.trails),
         "modes": [],
     }
 
 
-def _camera(table: Sequence[Sequence[Shape]], view: View, flat: bool) -> dict[str, Any]:
+def _camera(table: Sequence[Sequence[Shape]], view: View, flat: bool, size: float) -> dict[str, Any]:
     """Where the eye is at first, and what it follows."""
-    own, places = painted(table[0]), np.vstack([painted(shapes) for shapes in table])
+    places = np.vstack([painted(shapes) for shapes in table])
     low, high = places.min(axis=0), places.max(axis=0)
-    span, follow = 1.15 * float(np.max(high - low)), ""
-    near = 1.15 * float(np.max(np.ptp(own, axis=0)))
+    near = 1.15 * max(float(np.max(np.ptp(painted(table[0]), axis=0))), size)
+    span, follow = max(1.15 * float(np.max(high - low)), near), ""
     if isinstance(view.centre, str):
-        follow, span = view.centre, max(near, 1e-9)
-    elif span > WINDOW * near > 0:
+        follow, span = view.centre, near
+    elif view.centre is None and span > WINDOW * near:
         follow, span = _mover(table), near
     centre = (low + high) / 2 if view.centre is None or follow else np.asarray(view.centre, dtype=float)
     return {
         "azimuth": -90.0 if flat else view.azimuth,
         "elevation": 0.0 if flat else view.elevation,
         "centre": _rounded(centre),
-        "span": float(f"{view.span or max(span, 1e-9):.6g}"),
+        "span": float(f"{view.span or span:.6g}"),
         "follow": follow,
     }
 

@@ -110,7 +110,7 @@ def _displaced(
     """Real and imaginary displacement of every part's numbers, so scaled that the farthest vertex moves by 1."""
     s = state.structure
     parts: list[tuple[list[Array], list[Array]]] = []
-    step = SMALL * (extent(s) or 1.0) / max(float(np.max(np.abs(amplitude))), 1e-300)
+    step = SMALL * extent(s) / max(float(np.max(np.abs(amplitude))), 1e-300)
     for direction in (amplitude.real, amplitude.imag):
         ends = [
             drawing.shapes(replace(state, x=state.x + z * step * direction), view.sketches) for z in (1, -1)

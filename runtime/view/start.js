@@ -2,6 +2,7 @@
 
 function complain(message) {
   const alert = document.getElementById("alert");
+  if (!alert.hidden) return; // what comes after the first complaint follows from it
   alert.textContent = message;
   alert.hidden = false;
 }
