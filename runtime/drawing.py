@@ -29,12 +29,27 @@ def shapes(state: State, sketches: Sequence[Sketch] = ()) -> list[Shape]:
     for instance in shown:
         boxed = outlined.isdisjoint(instance.nodes)
         found += [z for z in _element(state, instance) if boxed or z.style != "box"]
+    found = _once(found)
     found += [_sketch(state, sketch) for sketch in sketches]
     for node in state.structure.nodes:
         if node.kind.endswith("point") and "." not in node.name:
             style = "fixed" if node.fixed.all() else "joint"
             found.append(Shape(style, node.name, (place(state, node.name)[None],)))
     return found
+
+
+def _once(found: list[Shape]) -> list[Shape]:
+    """Each sheave only once, with its marks, however many contacts it has."""
+    seen: set[tuple[str, str]] = set()
+    kept = []
+    sheaves = {z.name for z in found if z.style == "sheave"}
+    for shape in found:
+        if shape.name in sheaves and shape.style in ("sheave", "valve", "spoke"):
+            if (shape.style, shape.name) in seen:
+                continue
+            seen.add((shape.style, shape.name))
+        kept.append(shape)
+    return kept
 
 
 def roads(state: State) -> list[tuple[Array, float]]:

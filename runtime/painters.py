@@ -1,7 +1,7 @@
 """What each kind of element looks like at a state: a table of functions that give its shapes.
 
 A new kind of element is drawn by one function and one line in `PAINTERS`.
-Imports numpy and the runtime rooms of materials, orientation, shape, state, stress and structure.
+Imports numpy and the runtime rooms of materials, ropes' painters, orientation, shape, state, stress and structure.
 """
 
 from __future__ import annotations
@@ -12,7 +12,20 @@ import numpy as np
 
 from flexel.materials import Profile
 from flexel.orientation import matrix, product
-from flexel.shape import Shape, axes_of, circle, extent, outline_of, place, rectangle, turned
+from flexel.rope_painters import contact, rope
+from flexel.shape import (
+    Shape,
+    axes_of,
+    circle,
+    cubic,
+    extent,
+    outline_of,
+    place,
+    rectangle,
+    resultant,
+    section_outline,
+    turned,
+)
 from flexel.state import State
 from flexel.stress import section_forces
 from flexel.structure import Array, Instance, Structure
@@ -23,18 +36,12 @@ STEPS = np.linspace(0, 1, 17)[:, None]  # vertices of a bent beam
 HINGE = 0.02  # half the length of a hinge's pin, relative to the model
 
 
-def hermite(xi: Array, ends: tuple[Array, Array], slopes: tuple[Array, Array]) -> Array:
-    """Points (k, 3) of the cubic through two ends with given slopes d/dxi, at xi (k, 1) from 0 to 1."""
-    line = (1 - 3 * xi**2 + 2 * xi**3) * ends[0] + (3 * xi**2 - 2 * xi**3) * ends[1]
-    return np.asarray(line + (xi - 2 * xi**2 + xi**3) * slopes[0] + (xi**3 - xi**2) * slopes[1])
-
-
 def bar(state: State, instance: Instance) -> Iterator[Shape]:
     """The line through an element's points: trusses, rigid links, elements of the user's own."""
     ends = [n for n in instance.nodes if state.structure.node(n).kind.endswith("point")]
     line = np.array([place(state, n) for n in ends])
     if len(line) > 1:
-        outline = _outline(instance)
+        outline = section_outline(instance)
         across = None if outline is None else _across(state, instance, line)
         yield Shape(
             "bar", instance.name, (line,), outline=outline, across=across, values=_axial(state, instance)
@@ -59,31 +66,12 @@ def beam(state: State, instance: Instance) -> Iterator[Shape]:
     else:
         pairs = ((rp, "tp"), (rq, "tq"))
         triads = [matrix(product(state.position(r), instance.parameters[t])) for r, t in pairs]
-    line = hermite(STEPS, (place(state, p), place(state, q)), (l0 * triads[0][:, 0], l0 * triads[1][:, 0]))
+    line = cubic(STEPS, (place(state, p), place(state, q)), (l0 * triads[0][:, 0], l0 * triads[1][:, 0]))
     across = np.array([t[:, 1] for t in triads])
     values = _axial(state, instance) | _bending(state, instance)
-    yield Shape("beam", instance.name, (line,), outline=_outline(instance), across=across, values=values)
-
-
-def rope(state: State, instance: Instance) -> Iterator[Shape]:
-    """The centre line of a cable element: the cubic through its points with the slopes dr/ds there."""
-    p, dp, q, dq = instance.nodes
-    l0 = float(instance.parameters["l0"][0])
-    slopes = l0 * place(state, dp), l0 * place(state, dq)
-    line = hermite(STEPS, (place(state, p), place(state, q)), slopes)
     yield Shape(
-        "rope", instance.name, (line,), outline=_outline(instance), values=_stretch(state, instance, l0)
+        "beam", instance.name, (line,), outline=section_outline(instance), across=across, values=values
     )
-
-
-def _stretch(state: State, instance: Instance, l0: float) -> dict[str, Array]:
-    """Mean tension and strain of a cable element, from those at its points of quadrature."""
-    names = [z for z in instance.deformations if z.rpartition(".")[2].startswith("strain")]
-    if not names:
-        return {}
-    weights = np.polynomial.legendre.leggauss(len(names))[1] / 2
-    strain = abs(float(weights @ [state[z] for z in names]))
-    return {"tension": np.array([sum(state.force(z) for z in names) / l0]), "strain": np.array([strain])}
 
 
 def wheel(state: State, instance: Instance) -> Iterator[Shape]:
@@ -105,17 +93,9 @@ def wheel(state: State, instance: Instance) -> Iterator[Shape]:
     yield Shape("valve", name, (np.array([centre, tips[0]]),), pose)
     half = 0.15 * radius * (R @ axle)
     yield Shape("axle", name, (np.array([centre - half, centre + half]),), pose)
-    yield Shape("force", name, (place(state, contact)[None],), force=resultant(state, instance))
-
-
-def resultant(state: State, instance: Instance) -> Array:
-    """Force (3,) of an element on the points it connects, taken together: what comes from the ground [N]."""
-    s = state.structure
-    rows = [s.index[z] for z in (*instance.deformations, *instance.slips)]
-    f = -(state.J[rows].T @ state.stress[rows])
-    ends = [n for n in instance.nodes if s.node(n).kind.endswith("point")]
-    total = sum((f[s.places(n)] for n in ends), np.zeros(len(s.places(ends[0]))))
-    return np.append(total, 0.0)[:3]
+    yield Shape(
+        "force", name, (place(state, contact)[None],), force=resultant(state, instance, (hub, contact))
+    )
 
 
 def body(state: State, instance: Instance) -> Iterator[Shape]:
@@ -195,10 +175,6 @@ def _points(structure: Structure, frame: str) -> list[str]:
     return found
 
 
-def _outline(instance: Instance) -> Array | None:
-    return outline_of(instance.profile.section) if isinstance(instance.profile, Profile) else None
-
-
 def _axial(state: State, instance: Instance) -> dict[str, Array]:
     """Tension, and the strain of the axis of an element that can stretch."""
     name = f"{instance.name}.elongation"
@@ -232,6 +208,8 @@ PAINTERS: dict[str, Callable[[State, Instance], Iterator[Shape]]] = {
     "cable": rope,
     "planar_cable": rope,
     "wheel": wheel,
+    **dict.fromkeys(("cable_cylinder", "cable_plane", "cable_v_groove", "cable_round_groove"), contact),
+    **dict.fromkeys(("planar_cable_circle", "planar_cable_line"), contact),
     "body": body,
     "planar_body": body,
     "point_mass": mass,

@@ -1,6 +1,6 @@
 """The primitives of a picture: lines that a body carries or that deform, with a section, a force or values.
 
-Imports numpy and the runtime rooms of orientation, sections, state and structure.
+Imports numpy and the runtime rooms of materials, orientation, sections, state and structure.
 """
 
 from __future__ import annotations
@@ -10,10 +10,12 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from flexel.materials import Profile
 from flexel.orientation import matrix
 from flexel.sections import IBeam, Rectangle, Section, Tube
 from flexel.state import State
-from flexel.structure import Array, Structure
+from flexel.structure import Array, Instance, Structure
+from flexel.wire_rope import WireRope
 
 CORNERS = 16  # of a round section
 
@@ -127,9 +129,31 @@ def outline_of(section: Section) -> Array:
         return rectangle(section.height, section.width)
     if isinstance(section, Tube):
         return circle(section.outer / 2)
+    if isinstance(section, WireRope):
+        return circle(section.diameter / 2)
     if isinstance(section, IBeam):
         h, b, w = section.height / 2, section.width / 2, section.web / 2
         f = h - section.flange
         half = [(h, b), (f, b), (f, w), (-f, w), (-f, b), (-h, b)]
         return np.array(half + [(y, -z) for y, z in reversed(half)])
     return circle(float(np.sqrt(section.A / np.pi)))
+
+
+def section_outline(instance: Instance) -> Array | None:
+    """Outline of an element's section, where it has one."""
+    return outline_of(instance.profile.section) if isinstance(instance.profile, Profile) else None
+
+
+def cubic(xi: Array, ends: tuple[Array, Array], slopes: tuple[Array, Array]) -> Array:
+    """Points (k, 3) of the cubic through two ends with given slopes d/dxi, at xi (k, 1) from 0 to 1."""
+    line = (1 - 3 * xi**2 + 2 * xi**3) * ends[0] + (3 * xi**2 - 2 * xi**3) * ends[1]
+    return np.asarray(line + (xi - 2 * xi**2 + xi**3) * slopes[0] + (xi**3 - xi**2) * slopes[1])
+
+
+def resultant(state: State, instance: Instance, points: Sequence[str]) -> Array:
+    """Force (3,) of an element on some of its points, taken together [N]."""
+    s = state.structure
+    rows = [s.index[z] for z in (*instance.deformations, *instance.slips)]
+    f = -(state.J[rows].T @ state.stress[rows])
+    total = np.sum([f[s.places(n)] for n in points], axis=0)
+    return np.append(total, 0.0)[:3]

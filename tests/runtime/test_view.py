@@ -12,6 +12,7 @@ from mechanisms import cantilever, pendulum
 from numpy.typing import NDArray
 
 import flexel as fx
+from flexel.drawing import shapes
 from flexel.examples.bicycle import bicycle, kick
 from flexel.orientation import matrix
 from flexel.plot import View
@@ -105,6 +106,63 @@ def test_tension_and_strain_of_two_bars_that_carry_a_load() -> None:
         assert unpacked(bar["values"]["strain"]["data"], 1)[0, 0] == pytest.approx(
             N / 1e9 / np.sqrt(2), rel=1e-6
         )
+
+
+def rope_on_a_sheave() -> fx.System:
+    """A tight rope over a sheave of 0.1 m, pressed into it by 1 mm at two points of contact with springs of 1e5 N/m."""
+    m = fx.Model()
+    for name, x in (("p", -0.1), ("q", 0.1)):
+        m.point(name, (x, 0.109), fixed=True)
+        m.slope(f"d{name}", (1.0, 0.0))
+    m.point("axle", (0, 0))
+    m.angle("turn")
+    m.body("sheave", "axle", "turn", mass=1.0, inertia=0.01)
+    m.cable("rope", "p", "dp", "q", "dq", EA=1e5, EI=10.0, mass_per_length=0.1)
+    contact = {
+        "l0": [0.2],
+        "xi": [0.5],
+        "alpha0": [0.0],
+        "offset": [0.0, 0.0],
+        "radius": [0.1],
+        "rope_radius": [0.01],
+    }
+    for name in ("touch", "touch too"):
+        values = {key: np.array(z) for key, z in contact.items()}
+        m.add(name, "planar_cable_circle", ["p", "dp", "q", "dq", "axle", "turn"], values)
+        m.spring(f"{name}.gap", 1e5)
+    return m.build()
+
+
+def test_a_sheave_is_drawn_once_with_the_forces_on_the_rope() -> None:
+    """Whatever the number of contacts; each force is stiffness times depth, away from the axle, where the rope is."""
+    state = rope_on_a_sheave().initial
+    found = shapes(state)
+    (sheave,) = (z for z in found if z.style == "sheave")
+    assert sheave.outline is not None
+    assert np.allclose(np.linalg.norm(sheave.outline, axis=1), 0.1)
+    forces = [z for z in found if z.style == "force"]
+    assert len(forces) == 2
+    for z in forces:
+        assert np.allclose(z.lines[0], [(0, 0.109, 0)])
+        assert z.force is not None
+        assert np.allclose(z.force, (0, 100.0, 0), atol=1e-6)
+
+
+def test_a_rope_sags_as_its_cubic_and_shows_its_tension() -> None:
+    """The drawn line passes through the ends with their slopes; tension and strain are those of a pulled rope."""
+    m = fx.Model()
+    m.point("p", (0, 0, 0), fixed=True)
+    m.point("q", (1, 0, 0))
+    for name in "pq":
+        m.slope(f"d{name}", (1.0, 0.0, 0.0))
+    m.cable("rope", "p", "dp", "q", "dq", EA=1e5, EI=10.0, mass_per_length=0.1)
+    m.load("q.x", 200.0)
+    system = m.build()
+    state = system.equilibrium()
+    (rope,) = (z for z in shapes(state) if z.style == "rope")
+    assert np.allclose(rope.lines[0][[0, -1]], [(0, 0, 0), state.position("q")])
+    assert np.allclose(rope.values["tension"], 200.0, rtol=1e-6)
+    assert np.allclose(rope.values["strain"], 200.0 / 1e5, rtol=5e-3)
 
 
 def test_modes_are_the_linear_displacements() -> None:
