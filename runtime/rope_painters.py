@@ -16,7 +16,7 @@ from flexel.state import State
 from flexel.structure import Array, Instance
 
 STEPS = np.linspace(0, 1, 9)[:, None]  # vertices of an element
-RING = np.linspace(0, 2 * np.pi, 33)
+RING = np.linspace(0, 2 * np.pi, 65)
 WIDTH = 6.0  # of a sheave, relative to the rope's radius
 
 
@@ -73,7 +73,7 @@ def _sheave(state: State, instance: Instance) -> Iterator[Shape]:
     centre = place(state, body) + R @ np.append(z["offset"], 0.0)[:3]
     line = np.array([centre - half * axle, centre + half * axle])
     name, pose = f"{body} {radius:g}", (centre, R)
-    yield Shape("sheave", name, (line,), pose, circle(radius), np.array([spoke, spoke]))
+    yield Shape("sheave", name, (line,), pose, circle(radius, RING.size - 1), np.array([spoke, spoke]))
     faces = [centre + side * 1.05 * half * axle for side in (-1, 1)]
     marks = tuple(np.array([face, face + 0.95 * radius * spoke]) for face in faces)
     yield Shape("valve", name, marks, pose)

@@ -112,9 +112,9 @@ def extent(structure: Structure) -> float:
     return max(sizes) or 3 * gyration or 1.0
 
 
-def circle(radius: float) -> Array:
-    """Outline (CORNERS, 2) of a round section."""
-    angles = np.arange(CORNERS) * 2 * np.pi / CORNERS
+def circle(radius: float, corners: int = CORNERS) -> Array:
+    """Outline (corners, 2) of a round section."""
+    angles = np.arange(corners) * 2 * np.pi / corners
     return radius * np.column_stack([np.cos(angles), np.sin(angles)])
 
 
