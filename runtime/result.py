@@ -117,6 +117,11 @@ class Motion(Sequence[State]):
         """Largest relative violation of the constraints at each stored time (nt,)."""
         return np.array([state.drift for state in self._states])
 
+    @property
+    def dense(self) -> bool:
+        """Whether `at` gives states between the stored times."""
+        return bool(self._segments)
+
     def at(self, t: float) -> State:
         """State at any time within the motion, from the integrator's dense output.
 
@@ -144,7 +149,13 @@ class Motion(Sequence[State]):
         return plot_histories(self, names, path)
 
     def animate(self, path: str | Path, **options: Any) -> Path:
-        """Animation of the mechanism as .html (self-contained), .gif or .mp4 (needs matplotlib)."""
+        """Animation of the mechanism as .gif or .mp4 (needs matplotlib), or .html: see `view`."""
         from flexel.plot import animate
 
         return animate(self, Path(path), **options)
+
+    def view(self, path: str | Path, **options: Any) -> Path:
+        """A page that shows the motion in any browser, without a network; options of `flexel.view.scene_data`."""
+        from flexel.view import view_motion
+
+        return view_motion(self, path, **options)
