@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from flexel.materials import Material
     from flexel.model import Model
     from flexel.orientation import turn
+    from flexel.restore import load
     from flexel.result import Motion
     from flexel.sections import Circle, IBeam, Rectangle, Tube
     from flexel.state import State
@@ -62,6 +63,7 @@ __all__ = [
     "body_compliance",
     "constraint_report",
     "largest_stress",
+    "load",
     "section_forces",
     "turn",
 ]
@@ -94,6 +96,7 @@ _HOMES = {
     "body_compliance": "flexel.compliance",
     "constraint_report": "flexel.constraints",
     "largest_stress": "flexel.stress",
+    "load": "flexel.restore",
     "section_forces": "flexel.stress",
     "turn": "flexel.orientation",
 }

@@ -12,7 +12,7 @@ from functools import cached_property
 
 import numpy as np
 
-from flexel import analyses, dynamics, states
+from flexel import analyses, dynamics, restore, states
 from flexel.diagnose import choose_freedoms, named_freedoms
 from flexel.errors import ConstraintError
 from flexel.evaluate import Evaluation
@@ -246,6 +246,8 @@ class System:
         self.use(choose_freedoms(self.kinematics, self._start[0].J, *rows))
         self.__dict__.pop("initial", None)
         self.__dict__.pop("rest", None)
+
+    restore = restore.restore  # a saved state, in flexel.restore
 
     # -- analyses, at home in flexel.analyses ----------------------------------------------------
 
