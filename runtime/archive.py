@@ -8,31 +8,48 @@ Imports numpy and the runtime rooms of records, states and structures.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from flexel.description import described, quantity_units, structure_of
 from flexel.errors import ModelError
-from flexel.generated.spec import (
-    DeformationSpec,
-    ElementSpec,
-    LawSpec,
-    NodeSpec,
-    ParameterSpec,
-    SlipSpec,
-)
+from flexel.evaluate import Evaluation
 from flexel.record import Record, Variable
 from flexel.roles import Roles
 from flexel.state import Energy, State
-from flexel.structure import Array, Index, Instance, LawInstance, Node, Structure, assemble_structure
-from flexel.units import force_unit, rate_unit
+from flexel.structure import Array, Index, Structure
 
 if TYPE_CHECKING:
     from flexel.result import Motion
 
 ENERGIES = ("kinetic", "potential", "strain")
+ROLES = ("rigid", "prescribed", "zero", "dynamic", "kinematic")
+_LATER = np.zeros((0, 0))
 TABLES = ("value", "rate", "acceleration", "force")
+
+
+class Geometry:
+    """Evaluates the elements of a structure from a file, once the first state asks for it."""
+
+    def __init__(self, structure: Structure) -> None:
+        self.structure = structure
+
+    @cached_property
+    def _evaluation(self) -> Evaluation:
+        strange = sorted({z.spec.name for z in self.structure.instances if not z.spec.kernels})
+        if strange:
+            raise ModelError(
+                f"the elements {', '.join(strange)} are not built in; build the model, and restore the state in it: "
+                "system.restore(state)"
+            )
+        return Evaluation(replace(self.structure, laws=()))
+
+    def jacobian(self, x: Array) -> Array:
+        """J (m + k + n, n) at coordinates x (n,)."""
+        return self._evaluation.position(x)[1]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -43,9 +60,20 @@ class SavedState(State):
     ----------
     rates : ndarray (m + k + n,)
         Of all quantities.
+    geometry : Geometry
+        Gives J, which is in no file, when it is asked for.
     """
 
     rates: Array = field(repr=False)
+    geometry: Geometry = field(repr=False)
+
+    def __post_init__(self) -> None:
+        object.__delattr__(self, "J")
+
+    @cached_property
+    def J(self) -> Array:  # type: ignore[override]  # noqa: N802
+        """De, V and the identity, stacked (m + k + n, n)."""
+        return self.geometry.jacobian(self.x)
 
     @property
     def qd(self) -> Array:
@@ -55,90 +83,6 @@ class SavedState(State):
     def rate(self, name: str) -> float:
         """Rate of a coordinate or deformation, or a slip itself."""
         return float(self.rates[self.structure.find(name)])
-
-
-# -- structures -----------------------------------------------------------------------------------
-
-
-def described(structure: Structure) -> dict[str, Any]:
-    """Nodes, elements and laws in text and numbers."""
-    return {
-        "nodes": [
-            {"name": z.name, "kind": z.kind, "x0": z.x0.tolist(), "fixed": z.fixed.tolist()} for z in structure.nodes
-        ],
-        "elements": [_element(z) for z in structure.instances],
-        "laws": [
-            {
-                "name": z.name,
-                "type": z.spec.name,
-                "deformations": z.deformations,
-                "slips": z.slips,
-                "parameters": _numbers(z.parameters),
-            }
-            for z in structure.laws
-        ],
-    }
-
-
-def _element(z: Instance) -> dict[str, Any]:
-    return {
-        "name": z.name,
-        "type": z.spec.name,
-        "nodes": z.nodes,
-        "ends": [(node.name, node.kind) for node in z.spec.nodes],
-        "deformations": [(d.name, d.unit, d.angle, d.free) for d in z.spec.deformations],
-        "slips": [(s.name, s.unit, s.free) for s in z.spec.slips],
-        "parameters": _numbers(z.parameters),
-        "mass_damping": z.mass_damping,
-    }
-
-
-def _numbers(parameters: Mapping[str, Array]) -> dict[str, Any]:
-    return {name: np.asarray(value, dtype=float).tolist() for name, value in parameters.items()}
-
-
-def structure_of(description: Mapping[str, Any]) -> Structure:
-    """The structure of a description: names, units and drawing data as they were, without compiled kernels."""
-    nodes = [
-        Node(z["name"], z["kind"], np.array(z["x0"], dtype=float), np.array(z["fixed"], dtype=bool))
-        for z in description["nodes"]
-    ]
-    instances = []
-    for z in description["elements"]:
-        values = {name: np.array(value, dtype=float) for name, value in z["parameters"].items()}
-        spec = ElementSpec(
-            name=z["type"],
-            digest="",
-            doc="",
-            source="",
-            nodes=tuple(NodeSpec(*end) for end in z["ends"]),
-            parameters=tuple(ParameterSpec(name, value.size, "", "") for name, value in values.items()),
-            deformations=tuple(DeformationSpec(*d) for d in z["deformations"]),
-            slips=tuple(SlipSpec(*s) for s in z["slips"]),
-            kernels={},
-        )
-        instances.append(Instance(z["name"], spec, tuple(z["nodes"]), values, mass_damping=z["mass_damping"]))
-    return assemble_structure(nodes, instances, [_law(z) for z in description["laws"]])
-
-
-def _law(z: Mapping[str, Any]) -> LawInstance:
-    values = {name: np.array(value, dtype=float) for name, value in z["parameters"].items()}
-    parameters = tuple(ParameterSpec(name, value.size, "", "") for name, value in values.items())
-    spec = LawSpec(z["type"], "", "", len(z["deformations"]), len(z["slips"]), parameters, {})
-    return LawInstance(z["name"], spec, tuple(z["deformations"]), tuple(z["slips"]), values)
-
-
-def quantity_units(structure: Structure) -> dict[str, tuple[str, ...]]:
-    """Units of the values, rates, accelerations and forces of all quantities; slips have no value."""
-    m, first = structure.m, structure.m + structure.k
-    slips = [m <= i < first for i in range(len(structure.names))]
-    pairs = list(zip(structure.units, slips, strict=True))
-    return {
-        "value": tuple("" if slip else unit for unit, slip in pairs),
-        "rate": tuple(rate_unit(unit, 0 if slip else 1) for unit, slip in pairs),
-        "acceleration": tuple(rate_unit(unit, 1 if slip else 2) for unit, slip in pairs),
-        "force": tuple(force_unit(unit, slip) for unit, slip in pairs),
-    }
 
 
 # -- motions --------------------------------------------------------------------------------------
@@ -176,13 +120,14 @@ class _Choices:
             if roles is state.roles:
                 return i
         self.roles.append(state.roles)
-        names = state.structure.names
-        lists = {key: getattr(state.roles, key) for key in _ROLES}
-        self.names.append({key: [names[i] for i in rows] for key, rows in lists.items()})
+        self.names.append(roles_in_names(state))
         return len(self.roles) - 1
 
 
-_ROLES = ("rigid", "prescribed", "zero", "dynamic", "kinematic")
+def roles_in_names(state: State) -> dict[str, list[str]]:
+    """The roles of a state by the names of the quantities; the prescribed functions of time are left out."""
+    names = state.structure.names
+    return {key: [names[i] for i in getattr(state.roles, key)] for key in ROLES}
 
 
 def _packed(states: Sequence[State], dim: str, choices: _Choices) -> dict[str, Variable]:
@@ -198,7 +143,9 @@ def _packed(states: Sequence[State], dim: str, choices: _Choices) -> dict[str, V
     found |= {name: Variable((dim, "quantity"), np.array(rows)) for name, rows in tables.items()}
     energies = np.array([[getattr(z.energy, name) for name in ENERGIES] for z in states])
     found["energy"] = Variable((dim, "energy_kind"), energies, "J")
-    found["drift"] = Variable((dim,), np.array([z.drift for z in states]), "", "largest violation of the constraints")
+    found["drift"] = Variable(
+        (dim,), np.array([z.drift for z in states]), "", "largest violation of the constraints"
+    )
     numbers = np.array([choices.number(z) for z in states])
     found["choice"] = Variable((dim,), numbers, "", "which choice of freedoms the state is described by")
     return found
@@ -208,7 +155,9 @@ def _rates(state: State) -> Array:
     if isinstance(state, SavedState):
         return state.rates
     first = state.structure.m + state.structure.k
-    return np.array([*(row @ state.v for row in state.J[:first]), *state.v])  # as `State.rate`, to the last digit
+    return np.array(
+        [*(row @ state.v for row in state.J[:first]), *state.v]
+    )  # as `State.rate`, to the last digit
 
 
 def motion_of(record: Record) -> Motion:
@@ -218,8 +167,10 @@ def motion_of(record: Record) -> Motion:
 
     structure = structure_of(record.header["structure"])
     if structure.names != record.labels["quantity"]:
-        raise ModelError("load: the names in the file do not belong to its nodes and elements; the file is damaged")
-    roles = [_roles(structure, z) for z in record.header["choices"]]
+        raise ModelError(
+            "load: the names in the file do not belong to its nodes and elements; the file is damaged"
+        )
+    roles = [roles_from(structure, z) for z in record.header["choices"]]
     states = _unpacked(structure, roles, {name: z.values for name, z in record.variables.items()})
     late = {n.removeprefix("event_"): z.values for n, z in record.variables.items() if n.startswith("event_")}
     events = list(zip(record.labels["event"], _unpacked(structure, roles, late), strict=True)) if late else []
@@ -227,15 +178,16 @@ def motion_of(record: Record) -> Motion:
     return Motion(None, Integration(states, events, [], dict(header["statistics"]), str(header["message"])))
 
 
-def _roles(structure: Structure, names: Mapping[str, Sequence[str]]) -> Roles:
+def roles_from(structure: Structure, names: Mapping[str, Sequence[str]]) -> Roles:
+    """Roles from the names of the quantities, without functions of time."""
     rows: dict[str, Index] = {
-        key: np.array([structure.find(name, "load") for name in names[key]], dtype=np.intp) for key in _ROLES
+        key: np.array([structure.find(name, "load") for name in names[key]], dtype=np.intp) for key in ROLES
     }
     return Roles(motions=(), **rows)
 
 
 def _unpacked(structure: Structure, roles: Sequence[Roles], arrays: Mapping[str, Any]) -> list[State]:
-    m, first = structure.m, structure.m + structure.k
+    m, first, geometry = structure.m, structure.m + structure.k, Geometry(structure)
     value, rate, acceleration, force = (arrays[name] for name in TABLES)
     return [
         SavedState(
@@ -244,7 +196,8 @@ def _unpacked(structure: Structure, roles: Sequence[Roles], arrays: Mapping[str,
             v=rate[i, first:],
             a=acceleration[i, first:],
             e=value[i, :m],
-            J=np.zeros((0, structure.n)),
+            J=_LATER,
+            geometry=geometry,
             stress=force[i, :first],
             reactions=force[i, first:],
             roles=roles[int(arrays["choice"][i])],

@@ -57,14 +57,26 @@ def read(path: str | Path) -> Record:
         raise ModelError(f"load '{path}': there is no such file; give the path that was saved")
     try:
         header, arrays = reader(path)
-    except (ValueError, KeyError, TypeError, OSError, EOFError, zipfile.BadZipFile, NotImplementedError) as error:
-        raise ModelError(f"load '{path}': this is no result saved by flexel, or it is damaged ({error})") from error
+    except (
+        ValueError,
+        KeyError,
+        TypeError,
+        OSError,
+        EOFError,
+        zipfile.BadZipFile,
+        NotImplementedError,
+    ) as error:
+        raise ModelError(
+            f"load '{path}': this is no result saved by flexel, or it is damaged ({error})"
+        ) from error
     return _assembled(path, header, arrays)
 
 
 def _format(path: Path, what: str) -> tuple[Writer, Reader]:
     if path.suffix not in FORMATS:
-        raise ModelError(f"{what} '{path}': suffix '{path.suffix}' is unknown; use one of {', '.join(FORMATS)}")
+        raise ModelError(
+            f"{what} '{path}': suffix '{path.suffix}' is unknown; use one of {', '.join(FORMATS)}"
+        )
     return FORMATS[path.suffix]
 
 
@@ -106,7 +118,7 @@ def _assembled(path: Path, header: Mapping[str, Any], arrays: Mapping[str, Array
         if arrays[name].dtype.kind not in "biuf":
             raise ModelError(f"{owner}: '{name}' holds no numbers; the file is damaged")
         if arrays[name].size != np.prod(z["shape"], dtype=int):
-            raise ModelError(f"{owner}: '{name}' has {arrays[name].size} numbers, not {z['shape']}; the file is damaged")
+            raise ModelError(f"{owner}: '{name}' is not of the shape {z['shape']}; the file is damaged")
         variables[name] = Variable(tuple(z["dims"]), arrays[name].reshape(z["shape"]), z["unit"], z["doc"])
     labels, units = ({name: tuple(z) for name, z in header[key].items()} for key in ("labels", "units"))
     return Record(header["kind"], variables, labels, units, header["header"]).checked(owner)
@@ -221,7 +233,9 @@ def _write_csv(record: Record, path: Path) -> None:
         else:
             rest[name] = np.asarray(z.values).tolist()
     if not columns:
-        raise ModelError(f"save '{path}': a {record.kind} is no table over time; save it as .nc, .npz or .mat")
+        raise ModelError(
+            f"save '{path}': a {record.kind} is no table over time; save it as .nc, .npz or .mat"
+        )
     first = json.dumps({"result": _header(record), "arrays": rest})
     with path.open("w", newline="", encoding="utf-8") as stream:
         stream.write(f"# {first}\n")

@@ -52,7 +52,7 @@ class Record:
     header: Mapping[str, Any]
 
     def checked(self, owner: str) -> Record:
-        """This record, if its arrays fit one another and their labels; a ModelError otherwise."""
+        """The record itself, if its arrays fit one another and their labels; a ModelError otherwise."""
         sizes = {dim: len(names) for dim, names in self.labels.items()}
         for name, variable in self.variables.items():
             if len(variable.dims) != variable.values.ndim:
@@ -60,7 +60,7 @@ class Record:
             for dim, size in zip(variable.dims, variable.values.shape, strict=True):
                 if sizes.setdefault(dim, size) != size:
                     raise ModelError(
-                        f"{owner}: '{name}' has {size} entries along '{dim}', which has {sizes[dim]}; the file is damaged"
+                        f"{owner}: '{name}' has {size} entries along '{dim}', not {sizes[dim]}; the file is damaged"
                     )
         return self
 

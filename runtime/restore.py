@@ -13,19 +13,22 @@ import numpy as np
 
 from flexel import dynamics
 from flexel.archive import motion_of
+from flexel.archive_linear import linearization_of
 from flexel.errors import ModelError
 from flexel.files import read
 from flexel.inputs import number
 from flexel.kinematics import Configuration
+from flexel.periodic_result import PeriodicSolution, periodic_of
 from flexel.result import Motion
 from flexel.state import State
 from flexel.structure import Index, Structure
 
 if TYPE_CHECKING:
+    from flexel.linearize import Linearization
     from flexel.system import System
 
 
-def load(path: str | Path) -> Any:
+def load(path: str | Path) -> Motion | Linearization | PeriodicSolution:
     """A result from a file that its `save` has written: .nc, .npz, .mat or .csv.
 
     Nothing in the file is executed.  The result answers to the same names, in the same units, without a model;
@@ -51,6 +54,10 @@ def load(path: str | Path) -> Any:
     record = read(path)
     if record.kind == "motion":
         return motion_of(record)
+    if record.kind == "linearization":
+        return linearization_of(record)
+    if record.kind == "periodic":
+        return periodic_of(record)
     raise ModelError(f"load '{path}': a result of kind '{record.kind}' is unknown here; use a newer flexel")
 
 
@@ -96,7 +103,9 @@ def _stored(saved: Any, time: float | None) -> State:
     """The stored state at a time."""
     if isinstance(saved, State):
         if time is not None and time != saved.t:
-            raise ModelError(f"restore: the state is of t = {saved.t:g} s, not {time:g} s; give the motion instead")
+            raise ModelError(
+                f"restore: the state is of t = {saved.t:g} s, not {time:g} s; give the motion instead"
+            )
         return saved
     if not isinstance(saved, Motion):
         raise ModelError(
@@ -107,13 +116,17 @@ def _stored(saved: Any, time: float | None) -> State:
     t = number(time, "restore", "time")
     i = int(np.argmin(np.abs(saved.t - t)))
     if abs(saved.t[i] - t) > 1e-9 * max(float(np.ptp(saved.t)), abs(t)):
-        raise ModelError(f"restore: no state is stored at t = {t:g} s; the nearest time is {saved.t[i]:.12g} s")
+        raise ModelError(
+            f"restore: no state is stored at t = {t:g} s; the nearest time is {saved.t[i]:.12g} s"
+        )
     return saved[i]  # type: ignore[no-any-return]
 
 
 def _check_names(own: Structure, other: Structure) -> None:
     """Both must have the same quantities in the same order."""
-    differing = [z for z in own.names if z not in other.index] or [z for z in other.names if z not in own.index]
+    differing = [z for z in own.names if z not in other.index] or [
+        z for z in other.names if z not in own.index
+    ]
     if differing:
         raise ModelError(
             f"restore: only one of the saved state and this model has {', '.join(map(repr, differing[:4]))}; build the "
@@ -135,5 +148,5 @@ def _check_freedoms(system: System, rows: list[Index]) -> None:
         found = tuple(names[i] for z in rows for i in z.tolist())
         raise ModelError(
             f"restore: the saved state has the freedoms {found}, this model {system.dynamic + system.kinematic}"
-            f"{': ' + ', '.join(held) + ' is constrained now' if held else ''}; build the model with the same constraints"
+            f"{': ' + ', '.join(held) + ' is constrained now' if held else ''}; build it with the same constraints"
         )

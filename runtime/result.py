@@ -191,8 +191,8 @@ class Motion(Sequence[State]):
         return plot_phase(self, x, y or f"{x}'", path)
 
     def plot_shapes(self, *times: float, path: str | Path | None = None, **options: Any) -> Any:
-        """The mechanism at the stored states nearest to the times; see `flexel.shapes.plot_states`."""
-        from flexel.shapes import plot_states
+        """The mechanism at the stored states nearest to the times; see `flexel.deflected.plot_states`."""
+        from flexel.deflected import plot_states
 
         return plot_states(self, times, path, **options)
 

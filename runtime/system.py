@@ -12,7 +12,7 @@ from functools import cached_property
 
 import numpy as np
 
-from flexel import analyses, dynamics, restore, states
+from flexel import analyses, dynamics, periodic_result, restore, states
 from flexel.diagnose import choose_freedoms, named_freedoms
 from flexel.errors import ConstraintError
 from flexel.evaluate import Evaluation
@@ -247,7 +247,8 @@ class System:
         self.__dict__.pop("initial", None)
         self.__dict__.pop("rest", None)
 
-    restore = restore.restore  # a saved state, in flexel.restore
+    restore = restore.restore  # at home in flexel.restore
+    periodic = periodic_result.periodic
 
     # -- analyses, at home in flexel.analyses ----------------------------------------------------
 
