@@ -21,6 +21,7 @@ from flexel.record import Record, Variable
 from flexel.roles import Roles
 from flexel.state import Energy, State
 from flexel.structure import Array, Index, Structure
+from flexel.units import rate_unit
 
 if TYPE_CHECKING:
     from flexel.result import Motion
@@ -81,7 +82,9 @@ class SavedState(State):
         return np.asarray(self.rates[self.roles.dynamic])
 
     def rate(self, name: str) -> float:
-        """Rate of a coordinate or deformation, or a slip itself."""
+        """Rate of a coordinate, a deformation or a law's internal state, or a slip itself."""
+        if name in self.structure.internal:
+            return super().rate(name)
         return float(self.rates[self.structure.find(name)])
 
 
@@ -94,10 +97,14 @@ def record_of(motion: Motion) -> Record:
     variables = _packed(list(motion), "time", choices)
     units = quantity_units(structure)
     labels = {"quantity": structure.names, "energy_kind": ENERGIES}
+    if structure.nz:
+        labels["internal_state"] = tuple(structure.internal)
+        units["internal"] = structure.internal_units
+        units["internal_rate"] = tuple(rate_unit(unit, 1) for unit in structure.internal_units)
     if motion.events:
         found = _packed([state for _, state in motion.events], "event", choices)
         variables |= {f"event_{name}": z for name, z in found.items()}
-        units |= {f"event_{name}": units[name] for name in TABLES}
+        units |= {f"event_{name}": z for name, z in units.items()}
         labels["event"] = tuple(name for name, _ in motion.events)
     header = {
         "structure": described(structure),
@@ -146,6 +153,12 @@ def _packed(states: Sequence[State], dim: str, choices: _Choices) -> dict[str, V
     found["drift"] = Variable(
         (dim,), np.array([z.drift for z in states]), "", "largest violation of the constraints"
     )
+    found["dissipated"] = Variable(
+        (dim,), np.array([z.dissipated for z in states]), "W", "power that laws lose"
+    )
+    if states[0].structure.nz:
+        found["internal"] = Variable((dim, "internal_state"), np.array([z.z for z in states]))
+        found["internal_rate"] = Variable((dim, "internal_state"), np.array([z.zd for z in states]))
     numbers = np.array([choices.number(z) for z in states])
     found["choice"] = Variable((dim,), numbers, "", "which choice of freedoms the state is described by")
     return found
@@ -189,6 +202,8 @@ def roles_from(structure: Structure, names: Mapping[str, Sequence[str]]) -> Role
 def _unpacked(structure: Structure, roles: Sequence[Roles], arrays: Mapping[str, Any]) -> list[State]:
     m, first, geometry = structure.m, structure.m + structure.k, Geometry(structure)
     value, rate, acceleration, force = (arrays[name] for name in TABLES)
+    none = np.zeros((len(arrays["time"]), 0))
+    z, zd = (arrays.get(name, none) for name in ("internal", "internal_rate"))
     return [
         SavedState(
             t=float(t),
@@ -204,6 +219,9 @@ def _unpacked(structure: Structure, roles: Sequence[Roles], arrays: Mapping[str,
             structure=structure,
             energy=Energy(*map(float, arrays["energy"][i])),
             drift=float(arrays["drift"][i]),
+            z=z[i],
+            zd=zd[i],
+            dissipated=float(arrays["dissipated"][i]),
             Phi_v=acceleration[i],
             rates=rate[i],
         )

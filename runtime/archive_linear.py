@@ -32,6 +32,11 @@ DIMS = {
     "B_k": ("kinematic", "freedom"),
     **dict.fromkeys(("M_u", "C_u", "K_u"), ("dynamic", "prescribed")),
     **dict.fromkeys(("A_ku", "B_ku"), ("kinematic", "prescribed")),
+    "Z": ("dynamic", "internal"),
+    "Z_v": ("internal", "dynamic_column"),
+    "Z_q": ("internal", "freedom"),
+    "Z_z": ("internal", "internal_column"),
+    **dict.fromkeys(("Z_vu", "Z_qu"), ("internal", "prescribed")),
     "state_matrix": ("state", "state_column"),
 }
 PARTS = ("state", "transfer", "tangents")
@@ -53,6 +58,8 @@ def record_of_linearization(lin: Linearization) -> Record:
         "kinematic": lin.kinematic,
         "freedom": lin.freedoms,
         "prescribed": lin.prescribed,
+        "internal": lin.internal,
+        "internal_column": lin.internal,
         "state": lin.states,
         "state_column": lin.states,
     }
@@ -62,8 +69,9 @@ def record_of_linearization(lin: Linearization) -> Record:
         "names": {
             z.name: getattr(lin, z.name) for z in fields(lin) if isinstance(getattr(lin, z.name), tuple)
         },
-        "t": state.t,
-        "drift": state.drift,
+        "state": {
+            z.name: getattr(state, z.name) for z in fields(state) if isinstance(getattr(state, z.name), float)
+        },
         "energy": [state.energy.kinetic, state.energy.potential, state.energy.strain],
     }
     return Record("linearization", variables, labels, {}, header)
@@ -103,9 +111,7 @@ def _part(arrays: Mapping[str, Any], part: str) -> dict[str, Any]:
 def _state(structure: Structure, header: Mapping[str, Any], arrays: Mapping[str, Any]) -> State:
     energy = Energy(*header["energy"])
     roles = roles_from(structure, {key: header["roles"][key] for key in ROLES})
-    return State(
-        **arrays, t=header["t"], drift=header["drift"], energy=energy, roles=roles, structure=structure
-    )
+    return State(**arrays, **header["state"], energy=energy, roles=roles, structure=structure)
 
 
 # -- methods of Linearization ---------------------------------------------------------------------

@@ -11,7 +11,15 @@ from typing import Any
 
 import numpy as np
 
-from flexel.generated.spec import DeformationSpec, ElementSpec, LawSpec, NodeSpec, ParameterSpec, SlipSpec
+from flexel.generated.spec import (
+    DeformationSpec,
+    ElementSpec,
+    InternalSpec,
+    LawSpec,
+    NodeSpec,
+    ParameterSpec,
+    SlipSpec,
+)
 from flexel.generated.table import ELEMENTS
 from flexel.materials import Material, Profile
 from flexel.sections import Circle, IBeam, Rectangle, Tube
@@ -36,6 +44,8 @@ def described(structure: Structure) -> dict[str, Any]:
                 "deformations": z.deformations,
                 "slips": z.slips,
                 "parameters": _numbers(z.parameters),
+                "states": [(state.name, state.unit) for state in z.spec.states],
+                "z0": z.z0,
             }
             for z in structure.laws
         ],
@@ -119,8 +129,10 @@ def _outside(spec: ElementSpec) -> tuple[object, ...]:
 def _law(z: Mapping[str, Any]) -> LawInstance:
     values = {name: np.array(value, dtype=float) for name, value in z["parameters"].items()}
     parameters = tuple(ParameterSpec(name, value.size, "", "") for name, value in values.items())
-    spec = LawSpec(z["type"], "", "", len(z["deformations"]), len(z["slips"]), parameters, {})
-    return LawInstance(z["name"], spec, tuple(z["deformations"]), tuple(z["slips"]), values)
+    on, slips = tuple(z["deformations"]), tuple(z["slips"])
+    states = tuple(InternalSpec(*state) for state in z["states"])
+    spec = LawSpec(z["type"], "", "", len(on), len(slips), states, parameters, {})
+    return LawInstance(z["name"], spec, on, slips, values, None, tuple(z["z0"]))
 
 
 def quantity_units(structure: Structure) -> dict[str, tuple[str, ...]]:

@@ -67,7 +67,7 @@ class Record:
     def to_xarray(self) -> Any:
         """All arrays as one xarray.Dataset, with labels and units as coordinates."""
         xarray = require("xarray", "xarray")
-        coordinates: dict[str, Any] = {dim: list(names) for dim, names in self.labels.items()}
+        coordinates: dict[str, Any] = {dim: np.array(names, dtype=str) for dim, names in self.labels.items()}
         for name, units in self.units.items():
             coordinates[f"{name}_unit"] = (self.variables[name].dims[-1], list(units))
         data = {}

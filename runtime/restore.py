@@ -66,7 +66,7 @@ def restore(
 ) -> State:
     """A state of this system from a saved one: to simulate on from, linearize about, or draw.
 
-    Coordinates, rates, turns of angles and the choice of freedoms are those of the file, bit for bit;
+    Coordinates, rates, turns, internal states of laws and the choice of freedoms are those of the file, bit for bit;
     accelerations, forces and energies are computed anew, with the loads that the model has now.
 
     Parameters
@@ -96,7 +96,7 @@ def restore(
         own = {field.name: getattr(state, field.name) for field in fields(State)}
         return State(**own | {"J": J, "roles": roles, "structure": self.structure})
     c = Configuration(state.t, state.x, state.e, J)
-    return dynamics.complete(self.kinematics_of(roles), self.loads, c, state.v, state.e)
+    return dynamics.complete(self.kinematics_of(roles), self.loads, c, state.v, state.e, state.z)
 
 
 def _stored(saved: Any, time: float | None) -> State:
@@ -124,19 +124,22 @@ def _stored(saved: Any, time: float | None) -> State:
 
 def _check_names(own: Structure, other: Structure) -> None:
     """Both must have the same quantities in the same order."""
-    differing = [z for z in own.names if z not in other.index] or [
-        z for z in other.names if z not in own.index
-    ]
+    differing = _only_in(own, other) or _only_in(other, own)
     if differing:
         raise ModelError(
             f"restore: only one of the saved state and this model has {', '.join(map(repr, differing[:4]))}; build the "
             "model that was saved"
         )
-    if own.names != other.names:
+    if own.names != other.names or tuple(own.internal) != tuple(other.internal):
         raise ModelError(
             "restore: this model was declared in another order, or holds other coordinates, than the saved one; build "
             "the model that was saved"
         )
+
+
+def _only_in(a: Structure, b: Structure) -> list[str]:
+    """Quantities and internal states that only the first structure has."""
+    return [z for z in (*a.names, *a.internal) if z not in b.index and z not in b.internal]
 
 
 def _check_freedoms(system: System, rows: list[Index]) -> None:

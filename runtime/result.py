@@ -91,6 +91,8 @@ class Motion(Sequence[State]):
         """
         structure = self.structure
         base = name.removeprefix("force:").rstrip("'")
+        if base in structure.internal:
+            return self._internal(name, base)
         i = structure.find(base)
         slip = structure.m <= i < structure.m + structure.k  # its unit is already a rate's
         if name.startswith("force:"):
@@ -104,6 +106,15 @@ class Motion(Sequence[State]):
             return np.array([state[base] for state in self._states]), structure.units[i]
         values = self.rate(base) if order == 1 else self.acceleration(base)
         return values, rate_unit(structure.units[i], order - 1 if slip else order)
+
+    def _internal(self, name: str, base: str) -> tuple[Array, str]:
+        """Values and unit of a law's internal state or its rate."""
+        unit = self.structure.internal_units[self.structure.internal[base]]
+        if name == base:
+            return np.array([state[base] for state in self._states]), unit
+        if name == f"{base}'":
+            return self.rate(base), rate_unit(unit, 1)
+        raise ModelError(f"'{name}': an internal state of a law has a value and a rate; leave the rest out")
 
     def unit(self, name: str) -> str:
         """Unit of a quantity, of its rate (``name'``), its acceleration (``name''``) or its force (``force:name``)."""
