@@ -10,7 +10,6 @@ from __future__ import annotations
 import csv
 import json
 import re
-import zipfile
 from collections.abc import Callable, Mapping
 from itertools import product
 from pathlib import Path
@@ -18,7 +17,7 @@ from typing import Any
 
 import numpy as np
 
-from flexel.errors import ModelError
+from flexel.errors import FlexelError, ModelError
 from flexel.record import Record, Variable, require
 from flexel.structure import Array
 
@@ -57,15 +56,9 @@ def read(path: str | Path) -> Record:
         raise ModelError(f"load '{path}': there is no such file; give the path that was saved")
     try:
         header, arrays = reader(path)
-    except (
-        ValueError,
-        KeyError,
-        TypeError,
-        OSError,
-        EOFError,
-        zipfile.BadZipFile,
-        NotImplementedError,
-    ) as error:
+    except FlexelError:
+        raise
+    except Exception as error:  # whatever a damaged file makes its reader raise
         raise ModelError(
             f"load '{path}': this is no result saved by flexel, or it is damaged ({error})"
         ) from error
@@ -133,7 +126,7 @@ def _write_npz(record: Record, path: Path) -> None:
 
 
 def _read_npz(path: Path) -> tuple[dict[str, Any], dict[str, Array]]:
-    with np.load(path, allow_pickle=False) as file:
+    with path.open("rb") as stream, np.load(stream, allow_pickle=False) as file:
         header = _parsed(str(file[HEADER]))
         return header, {name: file[name] for name in header["variables"] if name in file.files}
 
