@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from flexel import beams, bodies, joints, loads, springs
+from flexel import beams, bodies, feedback, joints, loads, springs
 from flexel.build import build
 from flexel.errors import ModelError
 from flexel.functions import TimeFunction, as_function
@@ -184,6 +184,7 @@ class Model:
     viscous = springs.viscous
     mass_damping = springs.mass_damping
     law = springs.law
+    feedback = feedback.feedback
     attach = springs.attach
 
     # -- roles -----------------------------------------------------------------------------------
