@@ -20,6 +20,8 @@ from flexel.structure import Array
 if TYPE_CHECKING:
     from flexel.model import Model
 
+UNITS = {"P": "N/m or N m", "D": "N s/m or N m s", "C": "N or N m", "A": "1/s", "B": "1/s", "B_rate": "1"}
+
 
 def feedback(
     self: Model,
@@ -73,7 +75,9 @@ def feedback(
     act, measure = names(act, owner), names(measure, owner)
     quantities([*act, *measure], owner)
     if not act or not measure or len(set(act)) < len(act) or len(set(measure)) < len(measure):
-        raise ModelError(f"{owner}: acts on {act}, measures {measure}; name one or more deformations, each once")
+        raise ModelError(
+            f"{owner}: acts on {act}, measures {measure}; name one or more deformations, each once"
+        )
     na, ny = len(act), len(measure)
     nz = 0 if A is None else array(A, owner, "A").shape[0]
     asked = {"P": (na, ny), "D": (na, ny), "C": (na, nz), "A": (nz, nz), "B": (nz, ny), "B_rate": (nz, ny)}
@@ -81,7 +85,9 @@ def feedback(
     gains = {key: _matrix(given[key], owner, key, shape) for key, shape in asked.items()}
     r = numbers(reference, owner, "reference")
     for other in r.keys() - set(measure):
-        raise ModelError(f"{owner}: the reference '{other}' is not measured; it measures {', '.join(measure)}")
+        raise ModelError(
+            f"{owner}: the reference '{other}' is not measured; it measures {', '.join(measure)}"
+        )
     on = list(dict.fromkeys([*act, *measure]))
     places = [on.index(z) for z in measure]
     parameters = {key: z.ravel() for key, z in gains.items() if z.size}
@@ -107,7 +113,9 @@ def _law(owner: str, m: int, na: int, nz: int, places: tuple[int, ...]) -> Any:
 
     ny = len(places)
     sizes = {"P": (na, ny), "D": (na, ny), "C": (na, nz), "A": (nz, nz), "B": (nz, ny), "B_rate": (nz, ny)}
-    gains = {key: Parameter(key, a * b, "", "gains, row by row") for key, (a, b) in sizes.items() if a * b}
+    gains = {
+        key: Parameter(key, a * b, UNITS[key], "gains, row by row") for key, (a, b) in sizes.items() if a * b
+    }
     r = Parameter("r", ny, "m or rad", "reference")
     matrix = {
         key: sympy.Matrix(*sizes[key], list(gains[key].symbols)) if key in gains else sympy.zeros(*sizes[key])
