@@ -156,7 +156,7 @@ def tip_error(motion: fx.Motion) -> Array:
     a, b = motion["shoulder command.angle"], motion["elbow command.angle"]
     l = Arm().length
     wanted = l * np.column_stack([np.cos(a) + np.cos(a + b), np.sin(a) + np.sin(a + b)])
-    return np.linalg.norm(motion.position("lower end") - wanted, axis=1)
+    return np.asarray(np.linalg.norm(motion.position("lower end") - wanted, axis=1))
 
 
 # -- pictures -------------------------------------------------------------------------------------

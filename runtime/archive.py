@@ -71,8 +71,8 @@ class SavedState(State):
     def __post_init__(self) -> None:
         object.__delattr__(self, "J")
 
-    @cached_property
-    def J(self) -> Array:  # type: ignore[override]  # noqa: N802
+    @cached_property  # type: ignore[misc]  # what a file does not hold is found when it is asked for
+    def J(self) -> Array:  # noqa: N802
         """De, V and the identity, stacked (m + k + n, n)."""
         return self.geometry.jacobian(self.x)
 

@@ -90,10 +90,10 @@ def linearization_of(record: Record) -> Linearization:
 
     header, arrays = record.header, {name: z.values for name, z in record.variables.items()}
     structure = structure_of(header["structure"])
-    names = {name: tuple(z) for name, z in header["names"].items()}
-    own = {z.name: arrays[z.name] for z in fields(Linearization) if z.name in arrays}
+    names: dict[str, Any] = {name: tuple(z) for name, z in header["names"].items()}
+    own: dict[str, Any] = {z.name: arrays[z.name] for z in fields(Linearization) if z.name in arrays}
     return Linearization(
-        **own,  # type: ignore[arg-type]
+        **own,
         **names,
         state=_state(structure, header, _part(arrays, "state")),
         transfer=Transfer(**_part(arrays, "transfer")),

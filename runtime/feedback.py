@@ -90,7 +90,7 @@ def feedback(
         )
     on = list(dict.fromkeys([*act, *measure]))
     places = [on.index(z) for z in measure]
-    parameters = {key: z.ravel() for key, z in gains.items() if z.size}
+    parameters: dict[str, Any] = {key: z.ravel() for key, z in gains.items() if z.size}
     parameters["r"] = np.array([r.get(z, 0.0) for z in measure])
     self.attach(_law(owner, len(on), na, nz, tuple(places)), on, name=name, **parameters)
 

@@ -61,11 +61,11 @@ def spectrum(motion: Motion, name: str, window: str = "hann") -> tuple[Array, Ar
         raise ModelError(
             f"spectrum of '{name}': {error}; 'hann', 'boxcar' and 'flattop' are usual"
         ) from error
-    amplitude = 2 * np.abs(np.fft.rfft(w * values)) / w.sum()
+    amplitude: Array = np.asarray(2 * np.abs(np.fft.rfft(w * values)) / w.sum(), dtype=float)
     amplitude[0] /= 2
     if t.size % 2 == 0:
         amplitude[-1] /= 2
-    return np.fft.rfftfreq(t.size, float(steps.mean())), amplitude, unit
+    return np.asarray(np.fft.rfftfreq(t.size, float(steps.mean())), dtype=float), amplitude, unit
 
 
 def plot_spectra(
