@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from flexel.materials import Material
     from flexel.model import Model
     from flexel.orientation import turn
+    from flexel.restore import load
     from flexel.result import Motion
     from flexel.ropes import Rope
     from flexel.sections import Circle, IBeam, Rectangle, Tube
@@ -73,6 +74,7 @@ __all__ = [
     "hunt_crossley",
     "lankarani_nikravesh",
     "largest_stress",
+    "load",
     "section_forces",
     "turn",
 ]
@@ -112,6 +114,7 @@ _HOMES = {
     "hunt_crossley": "flexel.contacts",
     "lankarani_nikravesh": "flexel.contacts",
     "largest_stress": "flexel.stress",
+    "load": "flexel.restore",
     "section_forces": "flexel.stress",
     "turn": "flexel.orientation",
 }

@@ -164,7 +164,9 @@ def simulate_stiff(
         run = GeneralizedAlpha(self, start, radius, newton, control)
     elif method == "bdf":
         if step is not None or max_order not in range(1, 6):
-            raise ModelError("simulate_stiff: bdf takes steps of its own and max_order 1 to 5; leave step out")
+            raise ModelError(
+                "simulate_stiff: bdf takes steps of its own and max_order 1 to 5; leave step out"
+            )
         run = Bdf(self, start, duration, Control(tolerance, first_step or 0.0, max_step), max_order)
     else:
         raise ModelError(f"simulate_stiff: method {method!r} is unknown; choose alpha or bdf")

@@ -63,7 +63,11 @@ class DifferentialAlgebraic(Saddle):
         nf, s = self.structure.nf, self._start
         x, v, mu, self.z = self.split(y)
         a = self.split(yp)[1]
-        full = (np.concatenate([x, s.x[nf:]]), np.concatenate([v, self.rest[nf:]]), np.concatenate([a, self.rest[nf:]]))
+        full = (
+            np.concatenate([x, s.x[nf:]]),
+            np.concatenate([v, self.rest[nf:]]),
+            np.concatenate([a, self.rest[nf:]]),
+        )
         return self.balance(t, *full, mu, self.near)
 
     def residual(self, t: float, y: Array, yp: Array, out: Array) -> None:
@@ -171,5 +175,7 @@ class Bdf(Run):
         b = equations.at(t, y, yp)
         equations.near = b.e
         self._steps += 1
-        self.accept(Point(t, b.x, b.v, b.a, b.a, equations.split(y)[2], b.e, b.laws.z, b.laws.zd, b.laws.zd), b)
+        self.accept(
+            Point(t, b.x, b.v, b.a, b.a, equations.split(y)[2], b.e, b.laws.z, b.laws.zd, b.laws.zd), b
+        )
         return True

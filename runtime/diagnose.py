@@ -198,9 +198,7 @@ def blocks(J: Any, rows: Index, nf: int) -> tuple[list[Block], Index]:
     return found, np.concatenate(free) if free else np.zeros(0, dtype=np.intp)
 
 
-def choose_by_blocks(
-    kinematics: Kinematics, J: Any, dynamic: Index | None, kinematic: Index | None
-) -> Roles:
+def choose_by_blocks(kinematics: Kinematics, J: Any, dynamic: Index | None, kinematic: Index | None) -> Roles:
     """Freedoms of a large model: named ones, or coordinates, chosen in each part of the constraints by itself.
 
     Raises
@@ -210,7 +208,10 @@ def choose_by_blocks(
     structure, roles = kinematics.structure, kinematics.roles
     nf = structure.nf
     rolling = np.concatenate([roles.holonomic, roles.zero])
-    for rows, what in ((roles.holonomic, "rigid or prescribed condition(s)"), (rolling, "rolling condition(s)")):
+    for rows, what in (
+        (roles.holonomic, "rigid or prescribed condition(s)"),
+        (rolling, "rolling condition(s)"),
+    ):
         for block in blocks(J, rows, nf)[0] if rows.size else ():
             left = null_space(block.matrix, block.columns.size)[1]
             _report_redundancy(structure, roles, block.rows, left, what)

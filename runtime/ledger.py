@@ -25,7 +25,10 @@ class Ledger:
         self._saddle = saddle
         structure = saddle.structure
         contact = {
-            structure.index[z] for i in structure.instances if "contact" in i.spec.name for z in i.deformations
+            structure.index[z]
+            for i in structure.instances
+            if "contact" in i.spec.name
+            for z in i.deformations
         }
         laws = saddle.local.laws
         self._contact = np.zeros(laws.count, dtype=bool)

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import eig
 
+from flexel import archive_linear, control
 from flexel.dynamics import solve_mass
 from flexel.errors import LinearizationError
 from flexel.evaluate import Tangents
@@ -284,6 +285,17 @@ class Linearization:
 
         return state_space(self, inputs, outputs)
 
+    # control engineering, pictures, files: at home in flexel.control and flexel.archive_linear
+    to_control = control.to_control
+    to_scipy = control.to_scipy
+    save_state_space = control.save_state_space
+    to_xarray = archive_linear.to_xarray
+    to_pandas = archive_linear.to_pandas
+    save = archive_linear.save
+    plot = archive_linear.plot
+    plot_mode = archive_linear.plot_mode
+    mode_shape = archive_linear.mode_shape
+
 
 def linearize(kinematics: Kinematics, state: State) -> Linearization:
     """Linearized equations of motion about a complete state."""
@@ -293,9 +305,7 @@ def linearize(kinematics: Kinematics, state: State) -> Linearization:
     J = state.J
     c = Configuration(state.t, state.x, state.e, J)
     m, k, nz = structure.m, structure.k, structure.nz
-    T = kinematics.evaluation.tangents(
-        state.x, state.v, state.a, J, state.e, state.stress, state.z, state.t
-    )
+    T = kinematics.evaluation.tangents(state.x, state.v, state.a, J, state.e, state.stress, state.z, state.t)
     X = transfer_functions(kinematics, c, T)
     mass, *_ = kinematics.evaluation.inertia(state.x, state.v)
     M, r_x, r_v = mass[:nf, :nf], T.r_x[:nf, :nf], T.r_v[:nf, :nf]

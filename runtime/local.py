@@ -157,7 +157,9 @@ class Local:
             places = g.first_K + np.arange(E * columns**2).reshape(E, -1)
             return Place(name, (self.rows_K.size,), places, False)
         if name in ("e", "g", "gs"):
-            lines = g.lines[:, : g.batch.inputs["sigma"].shape[1]] if name != "gs" else batch.inputs["tau"] + m
+            lines = (
+                g.lines[:, : g.batch.inputs["sigma"].shape[1]] if name != "gs" else batch.inputs["tau"] + m
+            )
             return Place(name[0], (m + k,), lines, False)
         places = g.first_J + np.arange(E * rows * columns).reshape(E, rows, columns)
         deformations = batch.inputs["sigma"].shape[1]

@@ -111,7 +111,9 @@ class LocalLaws:
     def _pair_places(self, batch: Batch) -> Index:
         """Places of (stresses) x (e, its rate and s) in the values by pair: by e first, by the rates then."""
         m = batch.inputs["e"].shape[1]
-        pair = np.searchsorted(self._codes, self._pair_codes(batch))  # right for pairs that exist, which are used
+        pair = np.searchsorted(
+            self._codes, self._pair_codes(batch)
+        )  # right for pairs that exist, which are used
         places = np.concatenate([pair[:, :, :m], self._size + 1 + pair], axis=2)
         return places.reshape(batch.size, -1)
 
@@ -223,7 +225,9 @@ class LocalLaws:
             found.append((b, flat[first : first + int(np.prod(shape))].reshape(shape)))
         return found
 
-    def add(self, K: Array, J: Array, phi: Array | None, by_value: Array, by_rate: Array, rate: float) -> Array:
+    def add(
+        self, K: Array, J: Array, phi: Array | None, by_value: Array, by_rate: Array, rate: float
+    ) -> Array:
         """Add J' ((by value + rate by rate) J + by rate Phi) within elements to the flat K.
 
         Returns the same for the pairs across elements: entries in the rows `left` and columns `right` of J.

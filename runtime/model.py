@@ -14,7 +14,19 @@ from typing import Any
 
 import numpy as np
 
-from flexel import beams, bodies, cable_lines, cables, contacts, joints, loads, ropes, springs, surfaces
+from flexel import (
+    beams,
+    bodies,
+    cable_lines,
+    cables,
+    contacts,
+    feedback,
+    joints,
+    loads,
+    ropes,
+    springs,
+    surfaces,
+)
 from flexel.build import build
 from flexel.errors import ModelError
 from flexel.functions import TimeFunction, as_function
@@ -196,6 +208,7 @@ class Model:
     viscous = springs.viscous
     mass_damping = springs.mass_damping
     law = springs.law
+    feedback = feedback.feedback
     attach = springs.attach
 
     # -- roles -----------------------------------------------------------------------------------
