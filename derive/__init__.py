@@ -1,1 +1,34 @@
-"""From elements declared in SymPy to C: the floor that derives. See `flexel.derive.element` for the declaration."""
+"""From elements declared in SymPy to C: the floor that derives. See `flexel.derive.element` for the declaration.
+
+What a user's own element or law is written with is found here.
+"""
+
+from flexel.derive.element import (
+    Deformation,
+    Element,
+    Frame,
+    Law,
+    Let,
+    Node,
+    Parameter,
+    PlanarAngle,
+    PlanarPoint,
+    Point,
+    Slip,
+    symbol,
+)
+
+__all__ = [
+    "Deformation",
+    "Element",
+    "Frame",
+    "Law",
+    "Let",
+    "Node",
+    "Parameter",
+    "PlanarAngle",
+    "PlanarPoint",
+    "Point",
+    "Slip",
+    "symbol",
+]

@@ -12,8 +12,10 @@ if TYPE_CHECKING:
     from flexel.compliance import Compliance, body_compliance
     from flexel.constraints import constraint_report
     from flexel.errors import (
+        CompilerError,
         ConstraintError,
         DynamicsError,
+        ElementError,
         FlexelError,
         IncompleteWarning,
         LinearizationError,
@@ -31,15 +33,18 @@ if TYPE_CHECKING:
     from flexel.state import State
     from flexel.stress import beam_stress, largest_stress, section_forces
     from flexel.system import System
+    from flexel.user import compile_element, compile_law
     from flexel.wire_rope import WireRope
 
 __version__ = "0.1.0"
 
 __all__ = [
     "Circle",
+    "CompilerError",
     "Compliance",
     "ConstraintError",
     "DynamicsError",
+    "ElementError",
     "Event",
     "FlexelError",
     "Harmonic",
@@ -62,6 +67,8 @@ __all__ = [
     "WireRope",
     "beam_stress",
     "body_compliance",
+    "compile_element",
+    "compile_law",
     "constraint_report",
     "largest_stress",
     "section_forces",
@@ -70,9 +77,11 @@ __all__ = [
 
 _HOMES = {
     "Circle": "flexel.sections",
+    "CompilerError": "flexel.errors",
     "Compliance": "flexel.compliance",
     "ConstraintError": "flexel.errors",
     "DynamicsError": "flexel.errors",
+    "ElementError": "flexel.errors",
     "Event": "flexel.integrate",
     "FlexelError": "flexel.errors",
     "Harmonic": "flexel.functions",
@@ -95,6 +104,8 @@ _HOMES = {
     "WireRope": "flexel.wire_rope",
     "beam_stress": "flexel.stress",
     "body_compliance": "flexel.compliance",
+    "compile_element": "flexel.user",
+    "compile_law": "flexel.user",
     "constraint_report": "flexel.constraints",
     "largest_stress": "flexel.stress",
     "section_forces": "flexel.stress",
