@@ -61,6 +61,7 @@ def _relaxed(compiled: Compiled, x: Array, p: Array) -> Array:
 
     Not-a-number where the steps lead out of the domain of the deformations.
     """
+    x = x.copy()
     for _ in range(60):
         position = compiled("position", {"x": x, "p": p})
         e, De = position["e"], position["De"]
