@@ -4,9 +4,11 @@ What a user's own element or law is written with is found here.
 """
 
 from flexel.derive.element import (
+    TIME,
     Deformation,
     Element,
     Frame,
+    Internal,
     Law,
     Let,
     Node,
@@ -19,9 +21,11 @@ from flexel.derive.element import (
 )
 
 __all__ = [
+    "TIME",
     "Deformation",
     "Element",
     "Frame",
+    "Internal",
     "Law",
     "Let",
     "Node",

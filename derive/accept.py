@@ -89,7 +89,8 @@ def _accepted(row: "Row", smooth: bool) -> bool:
 
 def _expressions(declared: Element | Law) -> list[sp.Expr]:
     if isinstance(declared, Law):
-        return [*declared.sigma, *declared.tau, declared.energy]
+        rates = [state.rate for state in declared.states]
+        return [*(expr for _, expr in declared.let), *declared.sigma, *declared.tau, *rates, declared.energy]
     modes = [*(d.expr for d in declared.deformations), *(s.expr for s in declared.slips)]
     return [*(expr for _, expr in declared.let), *modes, declared.kinetic_energy, declared.potential]
 
