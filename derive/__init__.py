@@ -17,6 +17,7 @@ from flexel.derive.element import (
     PlanarPoint,
     Point,
     Slip,
+    Slope,
     symbol,
 )
 
@@ -34,5 +35,6 @@ __all__ = [
     "PlanarPoint",
     "Point",
     "Slip",
+    "Slope",
     "symbol",
 ]

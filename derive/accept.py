@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import sympy as sp
 
+from flexel.derive.checks import check_smooth
 from flexel.derive.compile import CompiledElement, CompiledLaw, compile_element, compile_law
 from flexel.derive.element import Element, Law
 from flexel.derive.elements import ELEMENTS
@@ -42,13 +43,15 @@ def accepted_element(element: Element, ranges: Ranges = NOTHING) -> CompiledElem
     Raises
     ------
     ValueError
-        The name of a built-in element; a wrong range.
+        The name of a built-in element; a function with a kink; a wrong range.
     VerificationError
     CompilerMissingError, CompilationError
         As `flexel.derive.compile.compile_element`.
     """
     if element.name in _OWN:
         raise ValueError(f"element '{element.name}': flexel has an element of this name; choose another")
+    for what, expr in _expressions(element):
+        check_smooth(_owner(element), what, expr)
     check_ranges(element, ranges)
     compiled = compile_element(element)
     _verify_once(element, compiled, ranges)
@@ -69,9 +72,8 @@ def _verify_once(declared: Element | Law, compiled: CompiledElement | CompiledLa
         return
     _check_finite(declared, Compiled(compiled.spec, compiled.address), ranges)
     rows = verify(compiled.spec, compiled.address, declared, ranges)
-    smooth = not any(
-        expr.has(sp.Piecewise, sp.Min, sp.Max, sp.Abs, sp.sign) for expr in _expressions(declared)
-    )
+    kinds = (sp.Piecewise, sp.Min, sp.Max, sp.Abs, sp.sign, sp.Heaviside)
+    smooth = not any(sp.sympify(expr).has(*kinds) for _, expr in _expressions(declared))
     if wrong := [row for row in rows if not _accepted(row, smooth)]:
         found = Verification(tuple(wrong), 0.0).table()
         raise VerificationError(
@@ -87,12 +89,16 @@ def _accepted(row: "Row", smooth: bool) -> bool:
     return row.ok or (not smooth and row.by_definition)
 
 
-def _expressions(declared: Element | Law) -> list[sp.Expr]:
+def _expressions(declared: Element | Law) -> list[tuple[str, sp.Expr]]:
+    """All expressions of a declaration, each with its name."""
+    named = [(f"let '{symbol}'", expr) for symbol, expr in declared.let]
     if isinstance(declared, Law):
-        rates = [state.rate for state in declared.states]
-        return [*(expr for _, expr in declared.let), *declared.sigma, *declared.tau, *rates, declared.energy]
-    modes = [*(d.expr for d in declared.deformations), *(s.expr for s in declared.slips)]
-    return [*(expr for _, expr in declared.let), *modes, declared.kinetic_energy, declared.potential]
+        named += [(f"stress {i + 1}", expr) for i, expr in enumerate((*declared.sigma, *declared.tau))]
+        named += [(f"the rate of '{state.name}'", state.rate) for state in declared.states]
+        return [*named, ("the energy", declared.energy)]
+    named += [(f"deformation '{d.name}'", d.expr) for d in declared.deformations]
+    named += [(f"slip '{s.name}'", s.expr) for s in declared.slips]
+    return [*named, ("the kinetic energy", declared.kinetic_energy), ("the potential", declared.potential)]
 
 
 def _check_finite(declared: Element | Law, compiled: Compiled, ranges: Ranges) -> None:

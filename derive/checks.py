@@ -94,28 +94,24 @@ def check_text(owner: str, what: str, text: str) -> None:
         raise ValueError(f"{owner}: {what} has no doc; say in a few words what it means")
 
 
-def check_functions(owner: str, what: str, expr: Expr, smooth: bool) -> None:
-    """Raise ValueError for a function that cannot be differentiated or compiled.
-
-    Parameters
-    ----------
-    owner, what : str
-        For the message.
-    expr : Expr
-    smooth : bool
-        Whether kinks are refused: an element is differentiated three times, a law once.
-    """
+def check_functions(owner: str, what: str, expr: Expr) -> None:
+    """Raise ValueError for a function that cannot be differentiated or compiled."""
     for part in sp.preorder_traversal(expr):
         if part in _NOT_REAL:
             raise ValueError(f"{owner}: {what} contains {part}: not real and finite; correct the formula")
-        if isinstance(part, _KINKED) and smooth:
-            raise ValueError(
-                f"{owner}: {what} contains {part}: it has a kink, and derivatives up to the third are needed; use "
-                "sqrt(x**2 + eps**2), a Piecewise whose pieces join smoothly, or a law (for contact and friction)"
-            )
         if not isinstance(part, (*_ALGEBRA, *_ATOMS, *_KINKED, *FUNCTIONS)):
             known = ", ".join(sorted(FUNCTIONS.values()))
             raise ValueError(
                 f"{owner}: {what} contains {part}: {type(part).__name__} cannot be differentiated and compiled; use "
                 f"powers, sqrt, Piecewise, {known}"
+            )
+
+
+def check_smooth(owner: str, what: str, expr: Expr) -> None:
+    """Raise ValueError for a function with a kink: an element is differentiated three times, a law once."""
+    for part in sp.preorder_traversal(expr):
+        if isinstance(part, _KINKED):
+            raise ValueError(
+                f"{owner}: {what} contains {part}: it has a kink, and derivatives up to the third are needed; use "
+                "sqrt(x**2 + eps**2), a Piecewise whose pieces join smoothly, or a law (for contact and friction)"
             )

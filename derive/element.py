@@ -209,8 +209,8 @@ class Element:
     Raises
     ------
     ValueError
-        A name is used twice or is not a name in C, a unit or a meaning is missing, an expression is not scalar, has a
-        kink or contains an unknown symbol or function, D or U depends on v, a slip is not linear or T not quadratic
+        A name is used twice or is not a name in C, a unit or a meaning is missing, an expression is not scalar or
+        contains an unknown symbol or function, D or U depends on v, a slip is not linear or T not quadratic
         in v.
     """
 
@@ -249,13 +249,13 @@ class Element:
             check_symbols(owner, what, expr, degrees)
             if not rate_degrees(expr, degrees) <= {allowed}:
                 raise ValueError(f"{owner}: {what} {fact}")
-            check_functions(owner, what, expr, smooth=True)
+            check_functions(owner, what, expr)
 
         for s, expr in self.let:
             if not isinstance(expr, Expr):
                 raise ValueError(f"{owner}: let '{s}' is not a scalar expression but {type(expr).__name__}")
             check_symbols(owner, f"let '{s}'", expr, degrees)
-            check_functions(owner, f"let '{s}'", expr, smooth=True)
+            check_functions(owner, f"let '{s}'", expr)
             degrees[s] = rate_degrees(expr, degrees)
         modes: tuple[Deformation | Slip, ...] = (*self.deformations, *self.slips)
         for mode in modes:
@@ -365,7 +365,7 @@ class Law:
             if not isinstance(expr, Expr):
                 raise ValueError(f"{owner}: {what} is not a scalar expression but {type(expr).__name__}")
             check_symbols(owner, what, expr, known)
-            check_functions(owner, what, expr, smooth=False)
+            check_functions(owner, what, expr)
 
         known, on_rates = set(symbols), {*self.ed, *self.s, TIME}
         for s, expr in self.let:

@@ -187,7 +187,7 @@ L0 = Parameter("l0", 1, "m", "length")
 )
 def test_a_wrong_deformation_is_named(expression: Any, message: str) -> None:
     with pytest.raises(ValueError, match=message):
-        Element("wrong", (P, Q), (L0,), (), (Deformation("d", "m", expression),), doc="d")
+        fx.compile_element(Element("wrong", (P, Q), (L0,), (), (Deformation("d", "m", expression),), doc="d"))
 
 
 def test_meanings_and_units_are_asked_for() -> None:
