@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 import sympy as sp
 
-from flexel.derive.checks import check_smooth
+from flexel.derive.checks import check_joins, check_smooth
 from flexel.derive.compile import CompiledElement, CompiledLaw, compile_element, compile_law
 from flexel.derive.element import Element, Law
 from flexel.derive.elements import ELEMENTS
@@ -51,7 +51,8 @@ def accepted_element(element: Element, ranges: Ranges = NOTHING) -> CompiledElem
     if element.name in _OWN:
         raise ValueError(f"element '{element.name}': flexel has an element of this name; choose another")
     for what, expr in _expressions(element):
-        check_smooth(_owner(element), what, expr)
+        check_smooth(_owner(element), what, sp.sympify(expr))
+        check_joins(_owner(element), what, sp.sympify(expr))
     check_ranges(element, ranges)
     compiled = compile_element(element)
     _verify_once(element, compiled, ranges)

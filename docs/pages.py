@@ -141,8 +141,9 @@ def laws_page(rows: dict[str, Rows]) -> str:
 
 
 def law_facts(spec: LawSpec) -> str:
-    """How many deformations and slips a law takes."""
-    return f"Deformations: {spec.deformations}; slips: {spec.slips}.\n"
+    """How many deformations and slips a law takes, and what it remembers."""
+    states = ", ".join(f"`{z.name}` [{z.unit}]" for z in spec.states) or "none"
+    return f"Deformations: {spec.deformations}; slips: {spec.slips}; internal states: {states}.\n"
 
 
 def directive(name: str) -> str:

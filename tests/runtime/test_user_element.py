@@ -180,6 +180,11 @@ L0 = Parameter("l0", 1, "m", "length")
         (P.x[0] - sp.Symbol("l0"), "contains l0: .*parameter.symbol"),  # not real: another symbol
         (P.x - Q.x, "deformation 'd' is not a scalar expression but .*Matrix"),
         (sp.Abs(P.x[0]), "'wrong': deformation 'd' contains Abs.*kink.*Piecewise"),
+        (
+            sp.Piecewise((0, P.x[0] < 0), (P.x[0], True)),
+            "'wrong': deformation 'd': the pieces .* do not join smoothly",
+        ),
+        (sp.Piecewise((0, P.x[0] < L0.symbol), (1, True)), "do not join smoothly where l0 - p_x = 0"),
         (sp.floor(P.x[0]), "floor cannot be differentiated.*use powers"),
         (sp.Function("profile")(P.x[0]), "'d' contains profile.*cannot be differentiated"),
         (P.x[0] / sp.S.Zero, "not real and finite"),
@@ -188,6 +193,15 @@ L0 = Parameter("l0", 1, "m", "length")
 def test_a_wrong_deformation_is_named(expression: Any, message: str) -> None:
     with pytest.raises(ValueError, match=message):
         fx.compile_element(Element("wrong", (P, Q), (L0,), (), (Deformation("d", "m", expression),), doc="d"))
+
+
+def test_pieces_that_join_smoothly_are_an_element() -> None:
+    x, l0 = P.x[0], L0.symbol
+    stop = sp.Piecewise((x, x < l0), (x + (x - l0) ** 3, True))
+    compiled = fx.compile_element(
+        Element("stop", (P,), (L0,), (), (Deformation("d", "m", stop),), doc="a soft stop")
+    )
+    assert compiled.spec.kernels["position"].operations > 0
 
 
 def test_meanings_and_units_are_asked_for() -> None:
