@@ -51,6 +51,16 @@ def _coordinates(rng: np.random.Generator, count: int, element: Element) -> Arra
     return np.hstack(parts)
 
 
+def _inside(rng: np.random.Generator, element: Element, compiled: Compiled, x: Array, p: Array) -> Array:
+    """Coordinates drawn anew where the element has no deformation, such as pulleys inside one another."""
+    for _ in range(100):
+        outside = ~np.isfinite(compiled("position", {"x": x, "p": p})["e"]).all(axis=1)
+        if not outside.any():
+            break
+        x[outside] = _coordinates(rng, len(x), element)[outside]
+    return x
+
+
 def _relaxed(compiled: Compiled, x: Array, p: Array) -> Array:
     """Coordinates with (nearly) zero deformations, by least-norm Newton steps of bounded length."""
     for _ in range(60):
@@ -68,9 +78,11 @@ def element_samples(element: Element, compiled: Compiled, count: int) -> dict[st
     x = _coordinates(rng, count, element)
     n, m, k = x.shape[1], len(element.deformations), len(element.slips)
     if m and compiled.has("position"):
+        x = _inside(rng, element, compiled, x, p)
         near = slice(1, None, 2)
         relaxed = _relaxed(compiled, x[near], p[near]) + NEAR * rng.normal(size=x[near].shape)
-        x[near] = np.where(np.isfinite(relaxed), relaxed, x[near])
+        usable = np.isfinite(compiled("position", {"x": relaxed, "p": p[near]})["e"]).all(axis=1)
+        x[near] = np.where(usable[:, None], relaxed, x[near])
     v, a = rng.normal(size=(2, count, n))
     return {
         "x": x,
