@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from flexel import beams, bodies, joints, loads, springs
+from flexel import beams, bodies, couplings, joints, loads, springs
 from flexel.build import build
 from flexel.errors import ModelError
 from flexel.functions import TimeFunction, as_function
@@ -178,6 +178,11 @@ class Model:
     fixed_point = joints.fixed_point
     wheel = joints.wheel
     beam = beams.beam
+    belt = couplings.belt
+    gears = couplings.gears
+    surface = couplings.surface
+    planar_wheel = couplings.planar_wheel
+    rotary_inertia = couplings.rotary_inertia
 
     linear_law = springs.linear_law
     spring = springs.spring

@@ -81,7 +81,8 @@ def element_samples(element: Element, compiled: Compiled, count: int) -> dict[st
         x = _inside(rng, element, compiled, x, p)
         near = slice(1, None, 2)
         relaxed = _relaxed(compiled, x[near], p[near]) + NEAR * rng.normal(size=x[near].shape)
-        usable = np.isfinite(compiled("position", {"x": relaxed, "p": p[near]})["e"]).all(axis=1)
+        e = compiled("position", {"x": relaxed, "p": p[near]})["e"]
+        usable = np.asarray(np.isfinite(e).all(axis=1))
         x[near] = np.where(usable[:, None], relaxed, x[near])
     v, a = rng.normal(size=(2, count, n))
     return {
