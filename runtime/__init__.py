@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from flexel.orientation import turn
     from flexel.result import Motion
     from flexel.sections import Circle, IBeam, Rectangle, Tube
+    from flexel.spacar.reading import Spacar, read_spacar
     from flexel.state import State
     from flexel.stress import beam_stress, largest_stress, section_forces
     from flexel.system import System
@@ -54,6 +55,7 @@ __all__ = [
     "PositionError",
     "Ramp",
     "Rectangle",
+    "Spacar",
     "State",
     "System",
     "Table",
@@ -62,6 +64,7 @@ __all__ = [
     "body_compliance",
     "constraint_report",
     "largest_stress",
+    "read_spacar",
     "section_forces",
     "turn",
 ]
@@ -86,6 +89,7 @@ _HOMES = {
     "PositionError": "flexel.errors",
     "Ramp": "flexel.functions",
     "Rectangle": "flexel.sections",
+    "Spacar": "flexel.spacar.reading",
     "State": "flexel.state",
     "System": "flexel.system",
     "Table": "flexel.functions",
@@ -94,6 +98,7 @@ _HOMES = {
     "body_compliance": "flexel.compliance",
     "constraint_report": "flexel.constraints",
     "largest_stress": "flexel.stress",
+    "read_spacar": "flexel.spacar.reading",
     "section_forces": "flexel.stress",
     "turn": "flexel.orientation",
 }

@@ -1,4 +1,4 @@
-"""The command line: `flexel derive`, `verify`, `reproduce` and `info`.
+"""The command line: `flexel derive`, `verify`, `reproduce`, `run`, `convert` and `info`.
 
 Each command imports what it needs when it runs, so that ``flexel --help`` is quick and ``flexel derive``
 works without compiled kernels. It may see `flexel.derive`, but only lazily.
@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 import click
 
 import flexel
+from flexel.spacar.commands import convert, run
 
 if TYPE_CHECKING:
     from flexel.report import Report
@@ -35,6 +36,10 @@ PASSED_ON = {"ignore_unknown_options": True, "help_option_names": []}
 @click.version_option(flexel.__version__, prog_name="flexel")
 def main() -> None:
     """A compiler for mechanisms: derive, compile, run."""
+
+
+main.add_command(run)
+main.add_command(convert)
 
 
 @main.command(context_settings=PASSED_ON, short_help="Regenerate the C kernels, or check them (--check).")

@@ -49,7 +49,7 @@ def fails_with(monkeypatch: pytest.MonkeyPatch, outcome: Report | Exception) -> 
     monkeypatch.setattr(sys.modules["pendulum_example"], "reproduce", reproduce)
 
 
-@pytest.mark.parametrize("command", ["derive", "verify", "reproduce", "info"])
+@pytest.mark.parametrize("command", ["derive", "verify", "reproduce", "run", "convert", "info"])
 def test_every_command_has_help(command: str) -> None:
     """`flexel COMMAND --help` explains, and `flexel --help` lists it."""
     assert command in run("--help").output
