@@ -128,7 +128,10 @@ def _analysis(file: Spacar) -> list[str]:
         '    print(f"{name:<24} {state[name]: .12e}")',
     ]
     if file.linearized:
-        lines += ["lin = system.linearize()", *(f'print("{z}", lin.{z}.tolist())' for z in ("M", "C", "K"))]
+        lines += [
+            "lin = system.linearize()",
+            *(f'print("lin.{z}", lin.{z}.tolist())' for z in ("M", "C", "K")),
+        ]
     if file.inputs or file.outputs:
         for what, terminals in (("inputs", file.inputs), ("outputs", file.outputs)):
             lines.append(f"{what} = {literal([z.name for z in terminals])}")

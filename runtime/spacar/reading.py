@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 
-from flexel.errors import ModelError
+from flexel.errors import ConstraintError, ModelError
 from flexel.model import Model
 from flexel.spacar import linear
 from flexel.spacar.lexer import Line, read_lines
@@ -73,8 +73,23 @@ class Spacar:
 
     @cached_property
     def system(self) -> System:
-        """The built system."""
-        return self.model.build(self.start)
+        """The built system.
+
+        Raises
+        ------
+        ConstraintError
+            Freedoms that the file does not give a coordinate, or conditions that repeat one another.
+        """
+        return self._built(self.model, self.start)
+
+    def _built(self, model: Model, start: float) -> System:
+        try:
+            return model.build(start)
+        except ConstraintError as error:
+            raise ConstraintError(
+                f"{self.path.name}: {error} (in the file: a freedom is named by DYNE or DYNX, a kinematic one by ENHC "
+                "or KINE, a given motion is INPUTE or INPUTX, RLSE releases and FIX holds)"
+            ) from error
 
     def deformation(self, state: State, element: int, i: int) -> float:
         """Deformation i of an element in SPACAR's sign; of a slip, its rate.
@@ -120,7 +135,7 @@ class Spacar:
         model = build_model(self.gravity, [*self.calls, *(self.load_steps if load_steps else ())])
         if not loads:
             model.loads.clear()
-        return model.build(0.0 if load_steps else self.start)
+        return self._built(model, 0.0 if load_steps else self.start)
 
     matrices = linear.matrices
     state_space = linear.state_space
