@@ -42,6 +42,18 @@ ELEMENTS = (
     "planar_body_velocity",
     "planar_bar_span",
     "planar_beam_span",
+    "cable",
+    "slope_clamp",
+    "cable_span",
+    "cable_cylinder",
+    "cable_plane",
+    "cable_v_groove",
+    "cable_round_groove",
+    "planar_cable",
+    "planar_slope_clamp",
+    "planar_cable_span",
+    "planar_cable_circle",
+    "planar_cable_line",
 )
 LAWS = (
     "linear_1",
@@ -50,9 +62,16 @@ LAWS = (
     "linear_4",
     "linear_5",
     "linear_6",
+    "diagonal_7",
+    "diagonal_13",
     "viscous_1",
     "viscous_2",
     "viscous_3",
+    "hertz",
+    "hertz_coulomb_1",
+    "hertz_coulomb_2",
+    "hertz_bristle_1",
+    "hertz_bristle_2",
 )
 SOURCES = [os.path.join(FOLDER, f"{name}.c") for name in (*ELEMENTS, "laws", "system")]
 
@@ -61,11 +80,11 @@ typedef void (*flexel_kernel)(size_t nblocks, const double *const *in, double *c
 typedef struct {
     const char *name, *digest;
     int n, m, k, np;
-    flexel_kernel position, velocity, acceleration, inertia, kinematics, stiffness, tangent;
+    flexel_kernel position, velocity, acceleration, inertia, rates, kinematics, stiffness, tangent;
 } flexel_element;
 typedef struct {
     const char *name, *digest;
-    int m, k, np;
+    int m, k, nz, np;
     flexel_kernel law, tangent;
 } flexel_law;
 typedef struct {

@@ -14,40 +14,45 @@
  *   S (1) [N/m or N m]: stiffness, upper triangle, row by row
  *   D (1) [N s/m or N m s]: damping, upper triangle, row by row */
 
-/* law: 7 operations.
- * in:  e (1), ed (1), s (0), p (3)
- * out: sigma (1), tau (0), U (1) */
+/* law: 10 operations.
+ * in:  e (1), ed (1), s (0), z (0), t (1), p (3)
+ * out: sigma (1), tau (0), zd (0), U (1), P (1) */
 FLEXEL_CLONES
 static void linear_1_law(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict e = in[0] + b * (1 * 8);
         const real *restrict ed = in[1] + b * (1 * 8);
-        const real *restrict p = in[3] + b * (3 * 8);
+        const real *restrict p = in[5] + b * (3 * 8);
         real *restrict sigma = out[0] + b * (1 * 8);
-        real *restrict U = out[2] + b * (1 * 8);
+        real *restrict U = out[3] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
+            const real ed_0 = ed[0 * 8 + j];
+            const real D = p[2 * 8 + j];
             const real e_0 = e[0 * 8 + j];
             const real S = p[1 * 8 + j];
             const real t0 = e_0 * S;
-            const real ed_0 = ed[0 * 8 + j];
-            const real D = p[2 * 8 + j];
             const real preload = p[0 * 8 + j];
-            sigma[0 * 8 + j] = preload + ed_0 * D + t0;
-            U[0 * 8 + j] = e_0 * (preload + 0.5 * t0);
+            const real t1 = preload + t0 + ed_0 * D;
+            sigma[0 * 8 + j] = t1;
+            const real t2 = 0.5 * t0;
+            const real t3 = preload + t2;
+            U[0 * 8 + j] = e_0 * t3;
+            P[0 * 8 + j] = ed_0 * (t1 - t3 - t2);
         }
     }
 }
 
 /* tangent: 0 operations.
- * in:  e (1), ed (1), s (0), p (3)
+ * in:  e (1), ed (1), s (0), z (0), t (1), p (3)
  * out: J (1,2) */
 FLEXEL_CLONES
 static void linear_1_tangent(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
-        const real *restrict p = in[3] + b * (3 * 8);
+        const real *restrict p = in[5] + b * (3 * 8);
         real *restrict J = out[0] + b * (2 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
@@ -61,9 +66,10 @@ static void linear_1_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_1 = {
     .name = "linear_1",
-    .digest = "aa41d588a1df124f",
+    .digest = "87a3bd826beee276",
     .m = 1,
     .k = 0,
+    .nz = 0,
     .np = 3,
     .law = linear_1_law,
     .tangent = linear_1_tangent,
@@ -82,49 +88,56 @@ const flexel_law flexel_law_linear_1 = {
  *   S (3) [N/m or N m]: stiffness, upper triangle, row by row
  *   D (3) [N s/m or N m s]: damping, upper triangle, row by row */
 
-/* law: 23 operations.
- * in:  e (2), ed (2), s (0), p (8)
- * out: sigma (2), tau (0), U (1) */
+/* law: 39 operations.
+ * in:  e (2), ed (2), s (0), z (0), t (1), p (8)
+ * out: sigma (2), tau (0), zd (0), U (1), P (1) */
 FLEXEL_CLONES
 static void linear_2_law(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict e = in[0] + b * (2 * 8);
         const real *restrict ed = in[1] + b * (2 * 8);
-        const real *restrict p = in[3] + b * (8 * 8);
+        const real *restrict p = in[5] + b * (8 * 8);
         real *restrict sigma = out[0] + b * (2 * 8);
-        real *restrict U = out[2] + b * (1 * 8);
+        real *restrict U = out[3] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
-            const real ed_0 = ed[0 * 8 + j];
-            const real D_11 = p[5 * 8 + j];
             const real ed_1 = ed[1 * 8 + j];
             const real D_12 = p[6 * 8 + j];
+            const real ed_0 = ed[0 * 8 + j];
+            const real D_11 = p[5 * 8 + j];
+            const real preload_0 = p[0 * 8 + j];
             const real e_0 = e[0 * 8 + j];
             const real S_11 = p[2 * 8 + j];
             const real e_1 = e[1 * 8 + j];
             const real S_12 = p[3 * 8 + j];
             const real t0 = e_0 * S_11 + e_1 * S_12;
-            const real preload_0 = p[0 * 8 + j];
-            sigma[0 * 8 + j] = ed_1 * D_12 + t0 + preload_0 + ed_0 * D_11;
+            const real t1 = preload_0 + ed_0 * D_11 + ed_1 * D_12 + t0;
+            sigma[0 * 8 + j] = t1;
             const real D_22 = p[7 * 8 + j];
-            const real S_22 = p[4 * 8 + j];
-            const real t1 = e_0 * S_12 + e_1 * S_22;
             const real preload_1 = p[1 * 8 + j];
-            sigma[1 * 8 + j] = ed_1 * D_22 + t1 + preload_1 + ed_0 * D_12;
-            U[0 * 8 + j] = e_0 * (preload_0 + 0.5 * t0) + e_1 * (preload_1 + 0.5 * t1);
+            const real S_22 = p[4 * 8 + j];
+            const real t2 = e_0 * S_12 + e_1 * S_22;
+            const real t3 = preload_1 + ed_0 * D_12 + ed_1 * D_22 + t2;
+            sigma[1 * 8 + j] = t3;
+            const real t4 = preload_0 + 0.5 * t0;
+            const real t5 = preload_1 + 0.5 * t2;
+            U[0 * 8 + j] = e_0 * t4 + e_1 * t5;
+            const real t6 = e_0 * (ed_0 * S_11 + ed_1 * S_12) + e_1 * (ed_0 * S_12 + ed_1 * S_22);
+            P[0 * 8 + j] = ed_0 * (t1 - t4) + ed_1 * (t3 - t5) - 0.5 * t6;
         }
     }
 }
 
 /* tangent: 0 operations.
- * in:  e (2), ed (2), s (0), p (8)
+ * in:  e (2), ed (2), s (0), z (0), t (1), p (8)
  * out: J (2,4) */
 FLEXEL_CLONES
 static void linear_2_tangent(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
-        const real *restrict p = in[3] + b * (8 * 8);
+        const real *restrict p = in[5] + b * (8 * 8);
         real *restrict J = out[0] + b * (8 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
@@ -146,9 +159,10 @@ static void linear_2_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_2 = {
     .name = "linear_2",
-    .digest = "aa41d588a1df124f",
+    .digest = "87a3bd826beee276",
     .m = 2,
     .k = 0,
+    .nz = 0,
     .np = 8,
     .law = linear_2_law,
     .tangent = linear_2_tangent,
@@ -167,61 +181,70 @@ const flexel_law flexel_law_linear_2 = {
  *   S (6) [N/m or N m]: stiffness, upper triangle, row by row
  *   D (6) [N s/m or N m s]: damping, upper triangle, row by row */
 
-/* law: 47 operations.
- * in:  e (3), ed (3), s (0), p (15)
- * out: sigma (3), tau (0), U (1) */
+/* law: 77 operations.
+ * in:  e (3), ed (3), s (0), z (0), t (1), p (15)
+ * out: sigma (3), tau (0), zd (0), U (1), P (1) */
 FLEXEL_CLONES
 static void linear_3_law(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict e = in[0] + b * (3 * 8);
         const real *restrict ed = in[1] + b * (3 * 8);
-        const real *restrict p = in[3] + b * (15 * 8);
+        const real *restrict p = in[5] + b * (15 * 8);
         real *restrict sigma = out[0] + b * (3 * 8);
-        real *restrict U = out[2] + b * (1 * 8);
+        real *restrict U = out[3] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
-            const real ed_0 = ed[0 * 8 + j];
-            const real D_11 = p[9 * 8 + j];
-            const real ed_1 = ed[1 * 8 + j];
-            const real D_12 = p[10 * 8 + j];
             const real ed_2 = ed[2 * 8 + j];
             const real D_13 = p[11 * 8 + j];
+            const real ed_1 = ed[1 * 8 + j];
+            const real D_12 = p[10 * 8 + j];
+            const real ed_0 = ed[0 * 8 + j];
+            const real D_11 = p[9 * 8 + j];
+            const real preload_0 = p[0 * 8 + j];
+            const real e_2 = e[2 * 8 + j];
+            const real S_13 = p[5 * 8 + j];
             const real e_0 = e[0 * 8 + j];
             const real S_11 = p[3 * 8 + j];
             const real e_1 = e[1 * 8 + j];
             const real S_12 = p[4 * 8 + j];
-            const real e_2 = e[2 * 8 + j];
-            const real S_13 = p[5 * 8 + j];
-            const real t0 = e_1 * S_12 + e_2 * S_13 + e_0 * S_11;
-            const real preload_0 = p[0 * 8 + j];
-            sigma[0 * 8 + j] = ed_2 * D_13 + t0 + ed_1 * D_12 + preload_0 + ed_0 * D_11;
-            const real D_22 = p[12 * 8 + j];
+            const real t0 = e_0 * S_11 + e_1 * S_12 + e_2 * S_13;
+            const real t1 = preload_0 + ed_0 * D_11 + ed_1 * D_12 + ed_2 * D_13 + t0;
+            sigma[0 * 8 + j] = t1;
             const real D_23 = p[13 * 8 + j];
-            const real S_22 = p[6 * 8 + j];
-            const real S_23 = p[7 * 8 + j];
-            const real t1 = e_1 * S_22 + e_2 * S_23 + e_0 * S_12;
+            const real D_22 = p[12 * 8 + j];
             const real preload_1 = p[1 * 8 + j];
-            sigma[1 * 8 + j] = ed_2 * D_23 + t1 + ed_1 * D_22 + preload_1 + ed_0 * D_12;
+            const real S_23 = p[7 * 8 + j];
+            const real S_22 = p[6 * 8 + j];
+            const real t2 = e_0 * S_12 + e_1 * S_22 + e_2 * S_23;
+            const real t3 = preload_1 + ed_0 * D_12 + ed_1 * D_22 + ed_2 * D_23 + t2;
+            sigma[1 * 8 + j] = t3;
             const real D_33 = p[14 * 8 + j];
-            const real S_33 = p[8 * 8 + j];
-            const real t2 = e_1 * S_23 + e_2 * S_33 + e_0 * S_13;
             const real preload_2 = p[2 * 8 + j];
-            sigma[2 * 8 + j] = ed_2 * D_33 + t2 + ed_1 * D_23 + preload_2 + ed_0 * D_13;
-            const real t3 = e_2 * (preload_2 + 0.5 * t2) + e_0 * (preload_0 + 0.5 * t0);
-            U[0 * 8 + j] = e_1 * (preload_1 + 0.5 * t1) + t3;
+            const real S_33 = p[8 * 8 + j];
+            const real t4 = e_0 * S_13 + e_1 * S_23 + e_2 * S_33;
+            const real t5 = preload_2 + ed_0 * D_13 + ed_1 * D_23 + ed_2 * D_33 + t4;
+            sigma[2 * 8 + j] = t5;
+            const real t6 = preload_0 + 0.5 * t0;
+            const real t7 = preload_1 + 0.5 * t2;
+            const real t8 = preload_2 + 0.5 * t4;
+            U[0 * 8 + j] = e_1 * t7 + e_2 * t8 + e_0 * t6;
+            const real t9 = e_2 * (ed_0 * S_13 + ed_1 * S_23 + ed_2 * S_33) + e_0 * (ed_0 * S_11 + ed_1 * S_12 + ed_2 * S_13);
+            const real t10 = 0.5 * (e_1 * (ed_0 * S_12 + ed_1 * S_22 + ed_2 * S_23) + t9);
+            P[0 * 8 + j] = ed_2 * (t5 - t8) + ed_0 * (t1 - t6) + ed_1 * (t3 - t7) - t10;
         }
     }
 }
 
 /* tangent: 0 operations.
- * in:  e (3), ed (3), s (0), p (15)
+ * in:  e (3), ed (3), s (0), z (0), t (1), p (15)
  * out: J (3,6) */
 FLEXEL_CLONES
 static void linear_3_tangent(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
-        const real *restrict p = in[3] + b * (15 * 8);
+        const real *restrict p = in[5] + b * (15 * 8);
         real *restrict J = out[0] + b * (18 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
@@ -255,9 +278,10 @@ static void linear_3_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_3 = {
     .name = "linear_3",
-    .digest = "aa41d588a1df124f",
+    .digest = "87a3bd826beee276",
     .m = 3,
     .k = 0,
+    .nz = 0,
     .np = 15,
     .law = linear_3_law,
     .tangent = linear_3_tangent,
@@ -276,74 +300,92 @@ const flexel_law flexel_law_linear_3 = {
  *   S (10) [N/m or N m]: stiffness, upper triangle, row by row
  *   D (10) [N s/m or N m s]: damping, upper triangle, row by row */
 
-/* law: 79 operations.
- * in:  e (4), ed (4), s (0), p (24)
- * out: sigma (4), tau (0), U (1) */
+/* law: 127 operations.
+ * in:  e (4), ed (4), s (0), z (0), t (1), p (24)
+ * out: sigma (4), tau (0), zd (0), U (1), P (1) */
 FLEXEL_CLONES
 static void linear_4_law(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict e = in[0] + b * (4 * 8);
         const real *restrict ed = in[1] + b * (4 * 8);
-        const real *restrict p = in[3] + b * (24 * 8);
+        const real *restrict p = in[5] + b * (24 * 8);
         real *restrict sigma = out[0] + b * (4 * 8);
-        real *restrict U = out[2] + b * (1 * 8);
+        real *restrict U = out[3] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
-            const real ed_0 = ed[0 * 8 + j];
-            const real D_11 = p[14 * 8 + j];
-            const real ed_1 = ed[1 * 8 + j];
-            const real D_12 = p[15 * 8 + j];
-            const real ed_2 = ed[2 * 8 + j];
-            const real D_13 = p[16 * 8 + j];
             const real ed_3 = ed[3 * 8 + j];
             const real D_14 = p[17 * 8 + j];
+            const real ed_2 = ed[2 * 8 + j];
+            const real D_13 = p[16 * 8 + j];
+            const real ed_1 = ed[1 * 8 + j];
+            const real D_12 = p[15 * 8 + j];
+            const real ed_0 = ed[0 * 8 + j];
+            const real D_11 = p[14 * 8 + j];
+            const real preload_0 = p[0 * 8 + j];
+            const real t0 = preload_0 + ed_0 * D_11 + ed_1 * D_12 + ed_2 * D_13 + ed_3 * D_14;
+            const real e_3 = e[3 * 8 + j];
+            const real S_14 = p[7 * 8 + j];
+            const real e_2 = e[2 * 8 + j];
+            const real S_13 = p[6 * 8 + j];
             const real e_0 = e[0 * 8 + j];
             const real S_11 = p[4 * 8 + j];
             const real e_1 = e[1 * 8 + j];
             const real S_12 = p[5 * 8 + j];
-            const real e_2 = e[2 * 8 + j];
-            const real S_13 = p[6 * 8 + j];
-            const real e_3 = e[3 * 8 + j];
-            const real S_14 = p[7 * 8 + j];
-            const real t0 = e_2 * S_13 + e_3 * S_14 + e_1 * S_12 + e_0 * S_11;
-            const real preload_0 = p[0 * 8 + j];
-            sigma[0 * 8 + j] = ed_3 * D_14 + t0 + ed_2 * D_13 + ed_1 * D_12 + preload_0 + ed_0 * D_11;
-            const real D_22 = p[18 * 8 + j];
-            const real D_23 = p[19 * 8 + j];
+            const real t1 = e_0 * S_11 + e_1 * S_12 + e_2 * S_13 + e_3 * S_14;
+            const real t2 = t0 + t1;
+            sigma[0 * 8 + j] = t2;
             const real D_24 = p[20 * 8 + j];
-            const real S_22 = p[8 * 8 + j];
-            const real S_23 = p[9 * 8 + j];
-            const real S_24 = p[10 * 8 + j];
-            const real t1 = e_2 * S_23 + e_3 * S_24 + e_1 * S_22 + e_0 * S_12;
+            const real D_23 = p[19 * 8 + j];
+            const real D_22 = p[18 * 8 + j];
             const real preload_1 = p[1 * 8 + j];
-            sigma[1 * 8 + j] = ed_3 * D_24 + t1 + ed_2 * D_23 + ed_1 * D_22 + preload_1 + ed_0 * D_12;
-            const real D_33 = p[21 * 8 + j];
+            const real t3 = preload_1 + ed_0 * D_12 + ed_1 * D_22 + ed_2 * D_23 + ed_3 * D_24;
+            const real S_24 = p[10 * 8 + j];
+            const real S_23 = p[9 * 8 + j];
+            const real S_22 = p[8 * 8 + j];
+            const real t4 = e_0 * S_12 + e_1 * S_22 + e_2 * S_23 + e_3 * S_24;
+            const real t5 = t3 + t4;
+            sigma[1 * 8 + j] = t5;
             const real D_34 = p[22 * 8 + j];
-            const real S_33 = p[11 * 8 + j];
-            const real S_34 = p[12 * 8 + j];
-            const real t2 = e_2 * S_33 + e_3 * S_34 + e_1 * S_23 + e_0 * S_13;
+            const real D_33 = p[21 * 8 + j];
             const real preload_2 = p[2 * 8 + j];
-            sigma[2 * 8 + j] = ed_3 * D_34 + t2 + ed_2 * D_33 + ed_1 * D_23 + preload_2 + ed_0 * D_13;
+            const real t6 = preload_2 + ed_0 * D_13 + ed_1 * D_23 + ed_2 * D_33 + ed_3 * D_34;
+            const real S_34 = p[12 * 8 + j];
+            const real S_33 = p[11 * 8 + j];
+            const real t7 = e_0 * S_13 + e_1 * S_23 + e_2 * S_33 + e_3 * S_34;
+            const real t8 = t6 + t7;
+            sigma[2 * 8 + j] = t8;
             const real D_44 = p[23 * 8 + j];
-            const real S_44 = p[13 * 8 + j];
-            const real t3 = e_2 * S_34 + e_3 * S_44 + e_1 * S_24 + e_0 * S_14;
             const real preload_3 = p[3 * 8 + j];
-            sigma[3 * 8 + j] = ed_3 * D_44 + t3 + ed_2 * D_34 + ed_1 * D_24 + preload_3 + ed_0 * D_14;
-            const real t4 = e_3 * (preload_3 + 0.5 * t3) + e_2 * (preload_2 + 0.5 * t2);
-            U[0 * 8 + j] = e_0 * (preload_0 + 0.5 * t0) + t4 + e_1 * (preload_1 + 0.5 * t1);
+            const real t9 = preload_3 + ed_0 * D_14 + ed_1 * D_24 + ed_2 * D_34 + ed_3 * D_44;
+            const real S_44 = p[13 * 8 + j];
+            const real t10 = e_0 * S_14 + e_1 * S_24 + e_2 * S_34 + e_3 * S_44;
+            const real t11 = t9 + t10;
+            sigma[3 * 8 + j] = t11;
+            const real t12 = preload_2 + 0.5 * t7;
+            const real t13 = preload_3 + 0.5 * t10;
+            const real t14 = preload_1 + 0.5 * t4;
+            const real t15 = preload_0 + 0.5 * t1;
+            U[0 * 8 + j] = e_1 * t14 + e_0 * t15 + e_3 * t13 + e_2 * t12;
+            const real t16 = ed_3 * (t11 - t13) + ed_2 * (t8 - t12) + ed_0 * (t2 - t15);
+            const real t17 = e_1 * (ed_0 * S_12 + ed_1 * S_22 + ed_2 * S_23 + ed_3 * S_24);
+            const real t18 = e_0 * (ed_0 * S_11 + ed_1 * S_12 + ed_2 * S_13 + ed_3 * S_14);
+            const real t19 = e_3 * (ed_0 * S_14 + ed_1 * S_24 + ed_2 * S_34 + ed_3 * S_44);
+            const real t20 = e_2 * (ed_0 * S_13 + ed_1 * S_23 + ed_2 * S_33 + ed_3 * S_34);
+            P[0 * 8 + j] = ed_1 * (t5 - t14) + t16 - 0.5 * (t19 + t20 + t18 + t17);
         }
     }
 }
 
 /* tangent: 0 operations.
- * in:  e (4), ed (4), s (0), p (24)
+ * in:  e (4), ed (4), s (0), z (0), t (1), p (24)
  * out: J (4,8) */
 FLEXEL_CLONES
 static void linear_4_tangent(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
-        const real *restrict p = in[3] + b * (24 * 8);
+        const real *restrict p = in[5] + b * (24 * 8);
         real *restrict J = out[0] + b * (32 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
@@ -393,9 +435,10 @@ static void linear_4_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_4 = {
     .name = "linear_4",
-    .digest = "aa41d588a1df124f",
+    .digest = "87a3bd826beee276",
     .m = 4,
     .k = 0,
+    .nz = 0,
     .np = 24,
     .law = linear_4_law,
     .tangent = linear_4_tangent,
@@ -414,95 +457,112 @@ const flexel_law flexel_law_linear_4 = {
  *   S (15) [N/m or N m]: stiffness, upper triangle, row by row
  *   D (15) [N s/m or N m s]: damping, upper triangle, row by row */
 
-/* law: 119 operations.
- * in:  e (5), ed (5), s (0), p (35)
- * out: sigma (5), tau (0), U (1) */
+/* law: 189 operations.
+ * in:  e (5), ed (5), s (0), z (0), t (1), p (35)
+ * out: sigma (5), tau (0), zd (0), U (1), P (1) */
 FLEXEL_CLONES
 static void linear_5_law(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict e = in[0] + b * (5 * 8);
         const real *restrict ed = in[1] + b * (5 * 8);
-        const real *restrict p = in[3] + b * (35 * 8);
+        const real *restrict p = in[5] + b * (35 * 8);
         real *restrict sigma = out[0] + b * (5 * 8);
-        real *restrict U = out[2] + b * (1 * 8);
+        real *restrict U = out[3] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
-            const real ed_0 = ed[0 * 8 + j];
-            const real D_11 = p[20 * 8 + j];
-            const real ed_1 = ed[1 * 8 + j];
-            const real D_12 = p[21 * 8 + j];
-            const real ed_2 = ed[2 * 8 + j];
-            const real D_13 = p[22 * 8 + j];
-            const real ed_3 = ed[3 * 8 + j];
-            const real D_14 = p[23 * 8 + j];
             const real ed_4 = ed[4 * 8 + j];
             const real D_15 = p[24 * 8 + j];
+            const real ed_3 = ed[3 * 8 + j];
+            const real D_14 = p[23 * 8 + j];
+            const real ed_2 = ed[2 * 8 + j];
+            const real D_13 = p[22 * 8 + j];
+            const real ed_1 = ed[1 * 8 + j];
+            const real D_12 = p[21 * 8 + j];
+            const real ed_0 = ed[0 * 8 + j];
+            const real D_11 = p[20 * 8 + j];
+            const real preload_0 = p[0 * 8 + j];
+            const real t0 = preload_0 + ed_0 * D_11 + ed_1 * D_12 + ed_2 * D_13 + ed_3 * D_14;
+            const real e_4 = e[4 * 8 + j];
+            const real S_15 = p[9 * 8 + j];
+            const real e_3 = e[3 * 8 + j];
+            const real S_14 = p[8 * 8 + j];
+            const real e_2 = e[2 * 8 + j];
+            const real S_13 = p[7 * 8 + j];
             const real e_0 = e[0 * 8 + j];
             const real S_11 = p[5 * 8 + j];
             const real e_1 = e[1 * 8 + j];
             const real S_12 = p[6 * 8 + j];
-            const real e_2 = e[2 * 8 + j];
-            const real S_13 = p[7 * 8 + j];
-            const real e_3 = e[3 * 8 + j];
-            const real S_14 = p[8 * 8 + j];
-            const real e_4 = e[4 * 8 + j];
-            const real S_15 = p[9 * 8 + j];
-            const real t0 = e_3 * S_14 + e_4 * S_15 + e_2 * S_13 + e_1 * S_12 + e_0 * S_11;
-            const real t1 = ed_4 * D_15 + t0 + ed_3 * D_14 + ed_2 * D_13 + ed_1 * D_12;
-            const real preload_0 = p[0 * 8 + j];
-            sigma[0 * 8 + j] = preload_0 + t1 + ed_0 * D_11;
-            const real D_22 = p[25 * 8 + j];
-            const real D_23 = p[26 * 8 + j];
-            const real D_24 = p[27 * 8 + j];
+            const real t1 = e_0 * S_11 + e_1 * S_12 + e_2 * S_13 + e_3 * S_14 + e_4 * S_15;
+            const real t2 = ed_4 * D_15 + t0 + t1;
+            sigma[0 * 8 + j] = t2;
             const real D_25 = p[28 * 8 + j];
-            const real S_22 = p[10 * 8 + j];
-            const real S_23 = p[11 * 8 + j];
-            const real S_24 = p[12 * 8 + j];
-            const real S_25 = p[13 * 8 + j];
-            const real t2 = e_3 * S_24 + e_4 * S_25 + e_2 * S_23 + e_1 * S_22 + e_0 * S_12;
-            const real t3 = ed_4 * D_25 + t2 + ed_3 * D_24 + ed_2 * D_23 + ed_1 * D_22;
+            const real D_24 = p[27 * 8 + j];
+            const real D_23 = p[26 * 8 + j];
+            const real D_22 = p[25 * 8 + j];
             const real preload_1 = p[1 * 8 + j];
-            sigma[1 * 8 + j] = preload_1 + t3 + ed_0 * D_12;
-            const real D_33 = p[29 * 8 + j];
-            const real D_34 = p[30 * 8 + j];
+            const real t3 = preload_1 + ed_0 * D_12 + ed_1 * D_22 + ed_2 * D_23 + ed_3 * D_24;
+            const real S_25 = p[13 * 8 + j];
+            const real S_24 = p[12 * 8 + j];
+            const real S_23 = p[11 * 8 + j];
+            const real S_22 = p[10 * 8 + j];
+            const real t4 = e_0 * S_12 + e_1 * S_22 + e_2 * S_23 + e_3 * S_24 + e_4 * S_25;
+            const real t5 = ed_4 * D_25 + t3 + t4;
+            sigma[1 * 8 + j] = t5;
             const real D_35 = p[31 * 8 + j];
-            const real S_33 = p[14 * 8 + j];
-            const real S_34 = p[15 * 8 + j];
-            const real S_35 = p[16 * 8 + j];
-            const real t4 = e_3 * S_34 + e_4 * S_35 + e_2 * S_33 + e_1 * S_23 + e_0 * S_13;
-            const real t5 = ed_4 * D_35 + t4 + ed_3 * D_34 + ed_2 * D_33 + ed_1 * D_23;
+            const real D_34 = p[30 * 8 + j];
+            const real D_33 = p[29 * 8 + j];
             const real preload_2 = p[2 * 8 + j];
-            sigma[2 * 8 + j] = preload_2 + t5 + ed_0 * D_13;
-            const real D_44 = p[32 * 8 + j];
+            const real t6 = preload_2 + ed_0 * D_13 + ed_1 * D_23 + ed_2 * D_33 + ed_3 * D_34;
+            const real S_35 = p[16 * 8 + j];
+            const real S_34 = p[15 * 8 + j];
+            const real S_33 = p[14 * 8 + j];
+            const real t7 = e_0 * S_13 + e_1 * S_23 + e_2 * S_33 + e_3 * S_34 + e_4 * S_35;
+            const real t8 = ed_4 * D_35 + t6 + t7;
+            sigma[2 * 8 + j] = t8;
             const real D_45 = p[33 * 8 + j];
-            const real S_44 = p[17 * 8 + j];
-            const real S_45 = p[18 * 8 + j];
-            const real t6 = e_3 * S_44 + e_4 * S_45 + e_2 * S_34 + e_1 * S_24 + e_0 * S_14;
-            const real t7 = ed_4 * D_45 + t6 + ed_3 * D_44 + ed_2 * D_34 + ed_1 * D_24;
+            const real D_44 = p[32 * 8 + j];
             const real preload_3 = p[3 * 8 + j];
-            sigma[3 * 8 + j] = preload_3 + t7 + ed_0 * D_14;
+            const real t9 = preload_3 + ed_0 * D_14 + ed_1 * D_24 + ed_2 * D_34 + ed_3 * D_44;
+            const real S_45 = p[18 * 8 + j];
+            const real S_44 = p[17 * 8 + j];
+            const real t10 = e_0 * S_14 + e_1 * S_24 + e_2 * S_34 + e_3 * S_44 + e_4 * S_45;
+            const real t11 = ed_4 * D_45 + t9 + t10;
+            sigma[3 * 8 + j] = t11;
             const real D_55 = p[34 * 8 + j];
-            const real S_55 = p[19 * 8 + j];
-            const real t8 = e_3 * S_45 + e_4 * S_55 + e_2 * S_35 + e_1 * S_25 + e_0 * S_15;
-            const real t9 = ed_4 * D_55 + t8 + ed_3 * D_45 + ed_2 * D_35 + ed_1 * D_25;
             const real preload_4 = p[4 * 8 + j];
-            sigma[4 * 8 + j] = preload_4 + t9 + ed_0 * D_15;
-            const real t10 = e_4 * (preload_4 + 0.5 * t8) + e_3 * (preload_3 + 0.5 * t6);
-            const real t11 = e_2 * (preload_2 + 0.5 * t4) + t10 + e_0 * (preload_0 + 0.5 * t0);
-            U[0 * 8 + j] = e_1 * (preload_1 + 0.5 * t2) + t11;
+            const real t12 = preload_4 + ed_0 * D_15 + ed_1 * D_25 + ed_2 * D_35 + ed_3 * D_45;
+            const real S_55 = p[19 * 8 + j];
+            const real t13 = e_0 * S_15 + e_1 * S_25 + e_2 * S_35 + e_3 * S_45 + e_4 * S_55;
+            const real t14 = ed_4 * D_55 + t12 + t13;
+            sigma[4 * 8 + j] = t14;
+            const real t15 = preload_3 + 0.5 * t10;
+            const real t16 = preload_4 + 0.5 * t13;
+            const real t17 = preload_2 + 0.5 * t7;
+            const real t18 = preload_1 + 0.5 * t4;
+            const real t19 = preload_0 + 0.5 * t1;
+            U[0 * 8 + j] = e_1 * t18 + e_0 * t19 + e_2 * t17 + e_4 * t16 + e_3 * t15;
+            const real t20 = ed_4 * (t14 - t16) + ed_3 * (t11 - t15) + ed_2 * (t8 - t17);
+            const real t21 = ed_0 * S_12 + ed_1 * S_22 + ed_2 * S_23 + ed_3 * S_24 + ed_4 * S_25;
+            const real t22 = ed_0 * S_11 + ed_1 * S_12 + ed_2 * S_13 + ed_3 * S_14 + ed_4 * S_15;
+            const real t23 = ed_0 * S_13 + ed_1 * S_23 + ed_2 * S_33 + ed_3 * S_34 + ed_4 * S_35;
+            const real t24 = ed_0 * S_15 + ed_1 * S_25 + ed_2 * S_35 + ed_3 * S_45 + ed_4 * S_55;
+            const real t25 = ed_0 * S_14 + ed_1 * S_24 + ed_2 * S_34 + ed_3 * S_44 + ed_4 * S_45;
+            const real t26 = e_4 * t24 + e_3 * t25 + e_2 * t23 + e_0 * t22 + e_1 * t21;
+            P[0 * 8 + j] = ed_0 * (t2 - t19) + t20 + ed_1 * (t5 - t18) - 0.5 * t26;
         }
     }
 }
 
 /* tangent: 0 operations.
- * in:  e (5), ed (5), s (0), p (35)
+ * in:  e (5), ed (5), s (0), z (0), t (1), p (35)
  * out: J (5,10) */
 FLEXEL_CLONES
 static void linear_5_tangent(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
-        const real *restrict p = in[3] + b * (35 * 8);
+        const real *restrict p = in[5] + b * (35 * 8);
         real *restrict J = out[0] + b * (50 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
@@ -572,9 +632,10 @@ static void linear_5_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_5 = {
     .name = "linear_5",
-    .digest = "aa41d588a1df124f",
+    .digest = "87a3bd826beee276",
     .m = 5,
     .k = 0,
+    .nz = 0,
     .np = 35,
     .law = linear_5_law,
     .tangent = linear_5_tangent,
@@ -593,119 +654,142 @@ const flexel_law flexel_law_linear_5 = {
  *   S (21) [N/m or N m]: stiffness, upper triangle, row by row
  *   D (21) [N s/m or N m s]: damping, upper triangle, row by row */
 
-/* law: 167 operations.
- * in:  e (6), ed (6), s (0), p (48)
- * out: sigma (6), tau (0), U (1) */
+/* law: 263 operations.
+ * in:  e (6), ed (6), s (0), z (0), t (1), p (48)
+ * out: sigma (6), tau (0), zd (0), U (1), P (1) */
 FLEXEL_CLONES
 static void linear_6_law(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict e = in[0] + b * (6 * 8);
         const real *restrict ed = in[1] + b * (6 * 8);
-        const real *restrict p = in[3] + b * (48 * 8);
+        const real *restrict p = in[5] + b * (48 * 8);
         real *restrict sigma = out[0] + b * (6 * 8);
-        real *restrict U = out[2] + b * (1 * 8);
+        real *restrict U = out[3] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
-            const real ed_0 = ed[0 * 8 + j];
-            const real D_11 = p[27 * 8 + j];
-            const real ed_1 = ed[1 * 8 + j];
-            const real D_12 = p[28 * 8 + j];
-            const real ed_2 = ed[2 * 8 + j];
-            const real D_13 = p[29 * 8 + j];
-            const real ed_3 = ed[3 * 8 + j];
-            const real D_14 = p[30 * 8 + j];
-            const real ed_4 = ed[4 * 8 + j];
-            const real D_15 = p[31 * 8 + j];
             const real ed_5 = ed[5 * 8 + j];
             const real D_16 = p[32 * 8 + j];
+            const real ed_4 = ed[4 * 8 + j];
+            const real D_15 = p[31 * 8 + j];
+            const real ed_3 = ed[3 * 8 + j];
+            const real D_14 = p[30 * 8 + j];
+            const real ed_2 = ed[2 * 8 + j];
+            const real D_13 = p[29 * 8 + j];
+            const real ed_1 = ed[1 * 8 + j];
+            const real D_12 = p[28 * 8 + j];
+            const real ed_0 = ed[0 * 8 + j];
+            const real D_11 = p[27 * 8 + j];
+            const real preload_0 = p[0 * 8 + j];
+            const real t0 = preload_0 + ed_0 * D_11 + ed_1 * D_12 + ed_2 * D_13 + ed_3 * D_14;
+            const real e_5 = e[5 * 8 + j];
+            const real S_16 = p[11 * 8 + j];
+            const real e_4 = e[4 * 8 + j];
+            const real S_15 = p[10 * 8 + j];
+            const real e_3 = e[3 * 8 + j];
+            const real S_14 = p[9 * 8 + j];
+            const real e_2 = e[2 * 8 + j];
+            const real S_13 = p[8 * 8 + j];
             const real e_0 = e[0 * 8 + j];
             const real S_11 = p[6 * 8 + j];
             const real e_1 = e[1 * 8 + j];
             const real S_12 = p[7 * 8 + j];
-            const real e_2 = e[2 * 8 + j];
-            const real S_13 = p[8 * 8 + j];
-            const real e_3 = e[3 * 8 + j];
-            const real S_14 = p[9 * 8 + j];
-            const real e_4 = e[4 * 8 + j];
-            const real S_15 = p[10 * 8 + j];
-            const real e_5 = e[5 * 8 + j];
-            const real S_16 = p[11 * 8 + j];
-            const real t0 = e_4 * S_15 + e_5 * S_16 + e_3 * S_14 + e_2 * S_13 + e_1 * S_12;
-            const real t1 = e_0 * S_11 + t0;
-            const real t2 = ed_5 * D_16 + t1 + ed_4 * D_15 + ed_3 * D_14 + ed_2 * D_13;
-            const real preload_0 = p[0 * 8 + j];
-            sigma[0 * 8 + j] = ed_1 * D_12 + t2 + preload_0 + ed_0 * D_11;
-            const real D_22 = p[33 * 8 + j];
-            const real D_23 = p[34 * 8 + j];
-            const real D_24 = p[35 * 8 + j];
-            const real D_25 = p[36 * 8 + j];
+            const real t1 = e_0 * S_11 + e_1 * S_12 + e_2 * S_13 + e_3 * S_14 + e_4 * S_15;
+            const real t2 = e_5 * S_16 + t1;
+            const real t3 = ed_4 * D_15 + t0 + ed_5 * D_16 + t2;
+            sigma[0 * 8 + j] = t3;
             const real D_26 = p[37 * 8 + j];
-            const real S_22 = p[12 * 8 + j];
-            const real S_23 = p[13 * 8 + j];
-            const real S_24 = p[14 * 8 + j];
-            const real S_25 = p[15 * 8 + j];
-            const real S_26 = p[16 * 8 + j];
-            const real t3 = e_4 * S_25 + e_5 * S_26 + e_3 * S_24 + e_2 * S_23 + e_1 * S_22;
-            const real t4 = e_0 * S_12 + t3;
-            const real t5 = ed_5 * D_26 + t4 + ed_4 * D_25 + ed_3 * D_24 + ed_2 * D_23;
+            const real D_25 = p[36 * 8 + j];
+            const real D_24 = p[35 * 8 + j];
+            const real D_23 = p[34 * 8 + j];
+            const real D_22 = p[33 * 8 + j];
             const real preload_1 = p[1 * 8 + j];
-            sigma[1 * 8 + j] = ed_1 * D_22 + t5 + preload_1 + ed_0 * D_12;
-            const real D_33 = p[38 * 8 + j];
-            const real D_34 = p[39 * 8 + j];
-            const real D_35 = p[40 * 8 + j];
+            const real t4 = preload_1 + ed_0 * D_12 + ed_1 * D_22 + ed_2 * D_23 + ed_3 * D_24;
+            const real S_26 = p[16 * 8 + j];
+            const real S_25 = p[15 * 8 + j];
+            const real S_24 = p[14 * 8 + j];
+            const real S_23 = p[13 * 8 + j];
+            const real S_22 = p[12 * 8 + j];
+            const real t5 = e_0 * S_12 + e_1 * S_22 + e_2 * S_23 + e_3 * S_24 + e_4 * S_25;
+            const real t6 = e_5 * S_26 + t5;
+            const real t7 = ed_4 * D_25 + t4 + ed_5 * D_26 + t6;
+            sigma[1 * 8 + j] = t7;
             const real D_36 = p[41 * 8 + j];
-            const real S_33 = p[17 * 8 + j];
-            const real S_34 = p[18 * 8 + j];
-            const real S_35 = p[19 * 8 + j];
-            const real S_36 = p[20 * 8 + j];
-            const real t6 = e_4 * S_35 + e_5 * S_36 + e_3 * S_34 + e_2 * S_33 + e_1 * S_23;
-            const real t7 = e_0 * S_13 + t6;
-            const real t8 = ed_5 * D_36 + t7 + ed_4 * D_35 + ed_3 * D_34 + ed_2 * D_33;
+            const real D_35 = p[40 * 8 + j];
+            const real D_34 = p[39 * 8 + j];
+            const real D_33 = p[38 * 8 + j];
             const real preload_2 = p[2 * 8 + j];
-            sigma[2 * 8 + j] = ed_1 * D_23 + t8 + preload_2 + ed_0 * D_13;
-            const real D_44 = p[42 * 8 + j];
-            const real D_45 = p[43 * 8 + j];
+            const real t8 = preload_2 + ed_0 * D_13 + ed_1 * D_23 + ed_2 * D_33 + ed_3 * D_34;
+            const real S_36 = p[20 * 8 + j];
+            const real S_35 = p[19 * 8 + j];
+            const real S_34 = p[18 * 8 + j];
+            const real S_33 = p[17 * 8 + j];
+            const real t9 = e_0 * S_13 + e_1 * S_23 + e_2 * S_33 + e_3 * S_34 + e_4 * S_35;
+            const real t10 = e_5 * S_36 + t9;
+            const real t11 = ed_4 * D_35 + t8 + ed_5 * D_36 + t10;
+            sigma[2 * 8 + j] = t11;
             const real D_46 = p[44 * 8 + j];
-            const real S_44 = p[21 * 8 + j];
-            const real S_45 = p[22 * 8 + j];
-            const real S_46 = p[23 * 8 + j];
-            const real t9 = e_4 * S_45 + e_5 * S_46 + e_3 * S_44 + e_2 * S_34 + e_1 * S_24;
-            const real t10 = e_0 * S_14 + t9;
-            const real t11 = ed_5 * D_46 + t10 + ed_4 * D_45 + ed_3 * D_44 + ed_2 * D_34;
+            const real D_45 = p[43 * 8 + j];
+            const real D_44 = p[42 * 8 + j];
             const real preload_3 = p[3 * 8 + j];
-            sigma[3 * 8 + j] = ed_1 * D_24 + t11 + preload_3 + ed_0 * D_14;
-            const real D_55 = p[45 * 8 + j];
+            const real t12 = preload_3 + ed_0 * D_14 + ed_1 * D_24 + ed_2 * D_34 + ed_3 * D_44;
+            const real S_46 = p[23 * 8 + j];
+            const real S_45 = p[22 * 8 + j];
+            const real S_44 = p[21 * 8 + j];
+            const real t13 = e_0 * S_14 + e_1 * S_24 + e_2 * S_34 + e_3 * S_44 + e_4 * S_45;
+            const real t14 = e_5 * S_46 + t13;
+            const real t15 = ed_4 * D_45 + t12 + ed_5 * D_46 + t14;
+            sigma[3 * 8 + j] = t15;
             const real D_56 = p[46 * 8 + j];
-            const real S_55 = p[24 * 8 + j];
-            const real S_56 = p[25 * 8 + j];
-            const real t12 = e_4 * S_55 + e_5 * S_56 + e_3 * S_45 + e_2 * S_35 + e_1 * S_25;
-            const real t13 = e_0 * S_15 + t12;
-            const real t14 = ed_5 * D_56 + t13 + ed_4 * D_55 + ed_3 * D_45 + ed_2 * D_35;
+            const real D_55 = p[45 * 8 + j];
             const real preload_4 = p[4 * 8 + j];
-            sigma[4 * 8 + j] = ed_1 * D_25 + t14 + preload_4 + ed_0 * D_15;
+            const real t16 = preload_4 + ed_0 * D_15 + ed_1 * D_25 + ed_2 * D_35 + ed_3 * D_45;
+            const real S_56 = p[25 * 8 + j];
+            const real S_55 = p[24 * 8 + j];
+            const real t17 = e_0 * S_15 + e_1 * S_25 + e_2 * S_35 + e_3 * S_45 + e_4 * S_55;
+            const real t18 = e_5 * S_56 + t17;
+            const real t19 = ed_4 * D_55 + t16 + ed_5 * D_56 + t18;
+            sigma[4 * 8 + j] = t19;
             const real D_66 = p[47 * 8 + j];
-            const real S_66 = p[26 * 8 + j];
-            const real t15 = e_4 * S_56 + e_5 * S_66 + e_3 * S_46 + e_2 * S_36 + e_1 * S_26;
-            const real t16 = e_0 * S_16 + t15;
-            const real t17 = ed_5 * D_66 + t16 + ed_4 * D_56 + ed_3 * D_46 + ed_2 * D_36;
             const real preload_5 = p[5 * 8 + j];
-            sigma[5 * 8 + j] = ed_1 * D_26 + t17 + preload_5 + ed_0 * D_16;
-            const real t18 = e_5 * (preload_5 + 0.5 * t16) + e_4 * (preload_4 + 0.5 * t13);
-            const real t19 = e_3 * (preload_3 + 0.5 * t10) + t18 + e_2 * (preload_2 + 0.5 * t7);
-            U[0 * 8 + j] = e_0 * (preload_0 + 0.5 * t1) + t19 + e_1 * (preload_1 + 0.5 * t4);
+            const real t20 = preload_5 + ed_0 * D_16 + ed_1 * D_26 + ed_2 * D_36 + ed_3 * D_46;
+            const real S_66 = p[26 * 8 + j];
+            const real t21 = e_0 * S_16 + e_1 * S_26 + e_2 * S_36 + e_3 * S_46 + e_4 * S_56;
+            const real t22 = e_5 * S_66 + t21;
+            const real t23 = ed_4 * D_56 + t20 + ed_5 * D_66 + t22;
+            sigma[5 * 8 + j] = t23;
+            const real t24 = preload_4 + 0.5 * t18;
+            const real t25 = preload_5 + 0.5 * t22;
+            const real t26 = preload_3 + 0.5 * t14;
+            const real t27 = preload_2 + 0.5 * t10;
+            const real t28 = preload_1 + 0.5 * t6;
+            const real t29 = preload_0 + 0.5 * t2;
+            const real t30 = e_1 * t28 + e_0 * t29 + e_2 * t27 + e_3 * t26 + e_5 * t25;
+            U[0 * 8 + j] = e_4 * t24 + t30;
+            const real t31 = ed_5 * (t23 - t25) + ed_4 * (t19 - t24) + ed_3 * (t15 - t26);
+            const real t32 = ed_2 * (t11 - t27) + t31 + ed_0 * (t3 - t29) + ed_1 * (t7 - t28);
+            const real t33 = ed_0 * S_12 + ed_1 * S_22 + ed_2 * S_23 + ed_3 * S_24 + ed_4 * S_25;
+            const real t34 = ed_0 * S_11 + ed_1 * S_12 + ed_2 * S_13 + ed_3 * S_14 + ed_4 * S_15;
+            const real t35 = ed_0 * S_13 + ed_1 * S_23 + ed_2 * S_33 + ed_3 * S_34 + ed_4 * S_35;
+            const real t36 = ed_0 * S_14 + ed_1 * S_24 + ed_2 * S_34 + ed_3 * S_44 + ed_4 * S_45;
+            const real t37 = ed_0 * S_16 + ed_1 * S_26 + ed_2 * S_36 + ed_3 * S_46 + ed_4 * S_56;
+            const real t38 = ed_0 * S_15 + ed_1 * S_25 + ed_2 * S_35 + ed_3 * S_45 + ed_4 * S_55;
+            const real t39 = e_5 * (ed_5 * S_66 + t37) + e_4 * (ed_5 * S_56 + t38) + e_3 * (ed_5 * S_46 + t36);
+            const real t40 = e_2 * (ed_5 * S_36 + t35) + t39 + e_0 * (ed_5 * S_16 + t34);
+            P[0 * 8 + j] = t32 - 0.5 * (e_1 * (ed_5 * S_26 + t33) + t40);
         }
     }
 }
 
 /* tangent: 0 operations.
- * in:  e (6), ed (6), s (0), p (48)
+ * in:  e (6), ed (6), s (0), z (0), t (1), p (48)
  * out: J (6,12) */
 FLEXEL_CLONES
 static void linear_6_tangent(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
-        const real *restrict p = in[3] + b * (48 * 8);
+        const real *restrict p = in[5] + b * (48 * 8);
         real *restrict J = out[0] + b * (72 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
@@ -799,12 +883,405 @@ static void linear_6_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_6 = {
     .name = "linear_6",
-    .digest = "aa41d588a1df124f",
+    .digest = "87a3bd826beee276",
     .m = 6,
     .k = 0,
+    .nz = 0,
     .np = 48,
     .law = linear_6_law,
     .tangent = linear_6_tangent,
+};
+
+/* diagonal_7
+ *
+ * sigma_i = preload_i + S_i e_i + D_i ed_i
+ * energy = sum of preload_i e_i + S_i e_i^2/2
+ *
+ * Source: Kelvin-Voigt model
+ *
+ * 7 deformations, 0 slips
+ * p (21):
+ *   preload (7) [N or N m]: stress at zero deformation
+ *   S (7) [N/m or N m]: stiffness of each deformation
+ *   D (7) [N s/m or N m s]: damping of each deformation */
+
+/* law: 90 operations.
+ * in:  e (7), ed (7), s (0), z (0), t (1), p (21)
+ * out: sigma (7), tau (0), zd (0), U (1), P (1) */
+FLEXEL_CLONES
+static void diagonal_7_law(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (7 * 8);
+        const real *restrict ed = in[1] + b * (7 * 8);
+        const real *restrict p = in[5] + b * (21 * 8);
+        real *restrict sigma = out[0] + b * (7 * 8);
+        real *restrict U = out[3] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real e_0 = e[0 * 8 + j];
+            const real S_0 = p[7 * 8 + j];
+            const real t0 = e_0 * S_0;
+            const real ed_0 = ed[0 * 8 + j];
+            const real D_0 = p[14 * 8 + j];
+            const real preload_0 = p[0 * 8 + j];
+            const real t1 = preload_0 + ed_0 * D_0 + t0;
+            sigma[0 * 8 + j] = t1;
+            const real e_1 = e[1 * 8 + j];
+            const real S_1 = p[8 * 8 + j];
+            const real t2 = e_1 * S_1;
+            const real ed_1 = ed[1 * 8 + j];
+            const real D_1 = p[15 * 8 + j];
+            const real preload_1 = p[1 * 8 + j];
+            const real t3 = preload_1 + ed_1 * D_1 + t2;
+            sigma[1 * 8 + j] = t3;
+            const real e_2 = e[2 * 8 + j];
+            const real S_2 = p[9 * 8 + j];
+            const real t4 = e_2 * S_2;
+            const real ed_2 = ed[2 * 8 + j];
+            const real D_2 = p[16 * 8 + j];
+            const real preload_2 = p[2 * 8 + j];
+            const real t5 = preload_2 + ed_2 * D_2 + t4;
+            sigma[2 * 8 + j] = t5;
+            const real e_3 = e[3 * 8 + j];
+            const real S_3 = p[10 * 8 + j];
+            const real t6 = e_3 * S_3;
+            const real ed_3 = ed[3 * 8 + j];
+            const real D_3 = p[17 * 8 + j];
+            const real preload_3 = p[3 * 8 + j];
+            const real t7 = preload_3 + ed_3 * D_3 + t6;
+            sigma[3 * 8 + j] = t7;
+            const real e_4 = e[4 * 8 + j];
+            const real S_4 = p[11 * 8 + j];
+            const real t8 = e_4 * S_4;
+            const real ed_4 = ed[4 * 8 + j];
+            const real D_4 = p[18 * 8 + j];
+            const real preload_4 = p[4 * 8 + j];
+            const real t9 = preload_4 + ed_4 * D_4 + t8;
+            sigma[4 * 8 + j] = t9;
+            const real e_5 = e[5 * 8 + j];
+            const real S_5 = p[12 * 8 + j];
+            const real t10 = e_5 * S_5;
+            const real ed_5 = ed[5 * 8 + j];
+            const real D_5 = p[19 * 8 + j];
+            const real preload_5 = p[5 * 8 + j];
+            const real t11 = preload_5 + ed_5 * D_5 + t10;
+            sigma[5 * 8 + j] = t11;
+            const real e_6 = e[6 * 8 + j];
+            const real S_6 = p[13 * 8 + j];
+            const real t12 = e_6 * S_6;
+            const real ed_6 = ed[6 * 8 + j];
+            const real D_6 = p[20 * 8 + j];
+            const real preload_6 = p[6 * 8 + j];
+            const real t13 = preload_6 + ed_6 * D_6 + t12;
+            sigma[6 * 8 + j] = t13;
+            const real t14 = preload_6 + 0.5 * t12;
+            const real t15 = preload_5 + 0.5 * t10;
+            const real t16 = preload_4 + 0.5 * t8;
+            const real t17 = preload_3 + 0.5 * t6;
+            const real t18 = preload_2 + 0.5 * t4;
+            const real t19 = preload_0 + 0.5 * t0;
+            const real t20 = preload_1 + 0.5 * t2;
+            const real t21 = e_0 * t19 + e_1 * t20 + e_2 * t18 + e_3 * t17 + e_4 * t16;
+            U[0 * 8 + j] = e_5 * t15 + t21 + e_6 * t14;
+            const real t22 = ed_6 * (t13 - t14) + ed_5 * (t11 - t15) + ed_4 * (t9 - t16);
+            const real t23 = ed_3 * (t7 - t17) + t22 + ed_2 * (t5 - t18) + ed_0 * (t1 - t19);
+            const real t24 = ed_1 * t2 + ed_0 * t0 + ed_2 * t4 + ed_3 * t6 + ed_4 * t8;
+            P[0 * 8 + j] = ed_1 * (t3 - t20) + t23 - 0.5 * (ed_6 * t12 + t24 + ed_5 * t10);
+        }
+    }
+}
+
+/* tangent: 0 operations.
+ * in:  e (7), ed (7), s (0), z (0), t (1), p (21)
+ * out: J (7,14), 14 of 98 entries */
+FLEXEL_CLONES
+static void diagonal_7_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict p = in[5] + b * (21 * 8);
+        real *restrict J = out[0] + b * (14 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real S_0 = p[7 * 8 + j];
+            J[0 * 8 + j] = S_0;
+            const real D_0 = p[14 * 8 + j];
+            J[1 * 8 + j] = D_0;
+            const real S_1 = p[8 * 8 + j];
+            J[2 * 8 + j] = S_1;
+            const real D_1 = p[15 * 8 + j];
+            J[3 * 8 + j] = D_1;
+            const real S_2 = p[9 * 8 + j];
+            J[4 * 8 + j] = S_2;
+            const real D_2 = p[16 * 8 + j];
+            J[5 * 8 + j] = D_2;
+            const real S_3 = p[10 * 8 + j];
+            J[6 * 8 + j] = S_3;
+            const real D_3 = p[17 * 8 + j];
+            J[7 * 8 + j] = D_3;
+            const real S_4 = p[11 * 8 + j];
+            J[8 * 8 + j] = S_4;
+            const real D_4 = p[18 * 8 + j];
+            J[9 * 8 + j] = D_4;
+            const real S_5 = p[12 * 8 + j];
+            J[10 * 8 + j] = S_5;
+            const real D_5 = p[19 * 8 + j];
+            J[11 * 8 + j] = D_5;
+            const real S_6 = p[13 * 8 + j];
+            J[12 * 8 + j] = S_6;
+            const real D_6 = p[20 * 8 + j];
+            J[13 * 8 + j] = D_6;
+        }
+    }
+}
+
+const flexel_law flexel_law_diagonal_7 = {
+    .name = "diagonal_7",
+    .digest = "87a3bd826beee276",
+    .m = 7,
+    .k = 0,
+    .nz = 0,
+    .np = 21,
+    .law = diagonal_7_law,
+    .tangent = diagonal_7_tangent,
+};
+
+/* diagonal_13
+ *
+ * sigma_i = preload_i + S_i e_i + D_i ed_i
+ * energy = sum of preload_i e_i + S_i e_i^2/2
+ *
+ * Source: Kelvin-Voigt model
+ *
+ * 13 deformations, 0 slips
+ * p (39):
+ *   preload (13) [N or N m]: stress at zero deformation
+ *   S (13) [N/m or N m]: stiffness of each deformation
+ *   D (13) [N s/m or N m s]: damping of each deformation */
+
+/* law: 168 operations.
+ * in:  e (13), ed (13), s (0), z (0), t (1), p (39)
+ * out: sigma (13), tau (0), zd (0), U (1), P (1) */
+FLEXEL_CLONES
+static void diagonal_13_law(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (13 * 8);
+        const real *restrict ed = in[1] + b * (13 * 8);
+        const real *restrict p = in[5] + b * (39 * 8);
+        real *restrict sigma = out[0] + b * (13 * 8);
+        real *restrict U = out[3] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real e_0 = e[0 * 8 + j];
+            const real S_0 = p[13 * 8 + j];
+            const real t0 = e_0 * S_0;
+            const real ed_0 = ed[0 * 8 + j];
+            const real D_0 = p[26 * 8 + j];
+            const real preload_0 = p[0 * 8 + j];
+            const real t1 = preload_0 + ed_0 * D_0 + t0;
+            sigma[0 * 8 + j] = t1;
+            const real e_1 = e[1 * 8 + j];
+            const real S_1 = p[14 * 8 + j];
+            const real t2 = e_1 * S_1;
+            const real ed_1 = ed[1 * 8 + j];
+            const real D_1 = p[27 * 8 + j];
+            const real preload_1 = p[1 * 8 + j];
+            const real t3 = preload_1 + ed_1 * D_1 + t2;
+            sigma[1 * 8 + j] = t3;
+            const real e_2 = e[2 * 8 + j];
+            const real S_2 = p[15 * 8 + j];
+            const real t4 = e_2 * S_2;
+            const real ed_2 = ed[2 * 8 + j];
+            const real D_2 = p[28 * 8 + j];
+            const real preload_2 = p[2 * 8 + j];
+            const real t5 = preload_2 + ed_2 * D_2 + t4;
+            sigma[2 * 8 + j] = t5;
+            const real e_3 = e[3 * 8 + j];
+            const real S_3 = p[16 * 8 + j];
+            const real t6 = e_3 * S_3;
+            const real ed_3 = ed[3 * 8 + j];
+            const real D_3 = p[29 * 8 + j];
+            const real preload_3 = p[3 * 8 + j];
+            const real t7 = preload_3 + ed_3 * D_3 + t6;
+            sigma[3 * 8 + j] = t7;
+            const real e_4 = e[4 * 8 + j];
+            const real S_4 = p[17 * 8 + j];
+            const real t8 = e_4 * S_4;
+            const real ed_4 = ed[4 * 8 + j];
+            const real D_4 = p[30 * 8 + j];
+            const real preload_4 = p[4 * 8 + j];
+            const real t9 = preload_4 + ed_4 * D_4 + t8;
+            sigma[4 * 8 + j] = t9;
+            const real e_5 = e[5 * 8 + j];
+            const real S_5 = p[18 * 8 + j];
+            const real t10 = e_5 * S_5;
+            const real ed_5 = ed[5 * 8 + j];
+            const real D_5 = p[31 * 8 + j];
+            const real preload_5 = p[5 * 8 + j];
+            const real t11 = preload_5 + ed_5 * D_5 + t10;
+            sigma[5 * 8 + j] = t11;
+            const real e_6 = e[6 * 8 + j];
+            const real S_6 = p[19 * 8 + j];
+            const real t12 = e_6 * S_6;
+            const real ed_6 = ed[6 * 8 + j];
+            const real D_6 = p[32 * 8 + j];
+            const real preload_6 = p[6 * 8 + j];
+            const real t13 = preload_6 + ed_6 * D_6 + t12;
+            sigma[6 * 8 + j] = t13;
+            const real e_7 = e[7 * 8 + j];
+            const real S_7 = p[20 * 8 + j];
+            const real t14 = e_7 * S_7;
+            const real ed_7 = ed[7 * 8 + j];
+            const real D_7 = p[33 * 8 + j];
+            const real preload_7 = p[7 * 8 + j];
+            const real t15 = preload_7 + ed_7 * D_7 + t14;
+            sigma[7 * 8 + j] = t15;
+            const real e_8 = e[8 * 8 + j];
+            const real S_8 = p[21 * 8 + j];
+            const real t16 = e_8 * S_8;
+            const real ed_8 = ed[8 * 8 + j];
+            const real D_8 = p[34 * 8 + j];
+            const real preload_8 = p[8 * 8 + j];
+            const real t17 = preload_8 + ed_8 * D_8 + t16;
+            sigma[8 * 8 + j] = t17;
+            const real e_9 = e[9 * 8 + j];
+            const real S_9 = p[22 * 8 + j];
+            const real t18 = e_9 * S_9;
+            const real ed_9 = ed[9 * 8 + j];
+            const real D_9 = p[35 * 8 + j];
+            const real preload_9 = p[9 * 8 + j];
+            const real t19 = preload_9 + ed_9 * D_9 + t18;
+            sigma[9 * 8 + j] = t19;
+            const real e_10 = e[10 * 8 + j];
+            const real S_10 = p[23 * 8 + j];
+            const real t20 = e_10 * S_10;
+            const real ed_10 = ed[10 * 8 + j];
+            const real D_10 = p[36 * 8 + j];
+            const real preload_10 = p[10 * 8 + j];
+            const real t21 = preload_10 + ed_10 * D_10 + t20;
+            sigma[10 * 8 + j] = t21;
+            const real e_11 = e[11 * 8 + j];
+            const real S_11 = p[24 * 8 + j];
+            const real t22 = e_11 * S_11;
+            const real ed_11 = ed[11 * 8 + j];
+            const real D_11 = p[37 * 8 + j];
+            const real preload_11 = p[11 * 8 + j];
+            const real t23 = preload_11 + ed_11 * D_11 + t22;
+            sigma[11 * 8 + j] = t23;
+            const real e_12 = e[12 * 8 + j];
+            const real S_12 = p[25 * 8 + j];
+            const real t24 = e_12 * S_12;
+            const real ed_12 = ed[12 * 8 + j];
+            const real D_12 = p[38 * 8 + j];
+            const real preload_12 = p[12 * 8 + j];
+            const real t25 = preload_12 + ed_12 * D_12 + t24;
+            sigma[12 * 8 + j] = t25;
+            const real t26 = preload_9 + 0.5 * t18;
+            const real t27 = preload_8 + 0.5 * t16;
+            const real t28 = preload_7 + 0.5 * t14;
+            const real t29 = preload_6 + 0.5 * t12;
+            const real t30 = preload_5 + 0.5 * t10;
+            const real t31 = preload_4 + 0.5 * t8;
+            const real t32 = preload_3 + 0.5 * t6;
+            const real t33 = preload_2 + 0.5 * t4;
+            const real t34 = preload_12 + 0.5 * t24;
+            const real t35 = preload_11 + 0.5 * t22;
+            const real t36 = preload_10 + 0.5 * t20;
+            const real t37 = preload_0 + 0.5 * t0;
+            const real t38 = preload_1 + 0.5 * t2;
+            const real t39 = e_0 * t37 + e_1 * t38 + e_10 * t36 + e_11 * t35 + e_12 * t34;
+            const real t40 = e_2 * t33 + t39 + e_3 * t32 + e_4 * t31 + e_5 * t30 + e_6 * t29;
+            U[0 * 8 + j] = e_7 * t28 + t40 + e_8 * t27 + e_9 * t26;
+            const real t41 = ed_12 * (t25 - t34) + ed_11 * (t23 - t35) + ed_10 * (t21 - t36);
+            const real t42 = ed_9 * (t19 - t26) + t41 + ed_8 * (t17 - t27) + ed_7 * (t15 - t28);
+            const real t43 = ed_6 * (t13 - t29) + t42 + ed_5 * (t11 - t30) + ed_4 * (t9 - t31);
+            const real t44 = ed_3 * (t7 - t32) + t43 + ed_2 * (t5 - t33) + ed_0 * (t1 - t37);
+            const real t45 = ed_1 * t2 + ed_0 * t0 + ed_10 * t20 + ed_11 * t22 + ed_12 * t24;
+            const real t46 = ed_2 * t4 + t45 + ed_3 * t6 + ed_4 * t8 + ed_5 * t10 + ed_6 * t12;
+            P[0 * 8 + j] = ed_1 * (t3 - t38) + t44 - 0.5 * (ed_7 * t14 + t46 + ed_9 * t18 + ed_8 * t16);
+        }
+    }
+}
+
+/* tangent: 0 operations.
+ * in:  e (13), ed (13), s (0), z (0), t (1), p (39)
+ * out: J (13,26), 26 of 338 entries */
+FLEXEL_CLONES
+static void diagonal_13_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict p = in[5] + b * (39 * 8);
+        real *restrict J = out[0] + b * (26 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real S_0 = p[13 * 8 + j];
+            J[0 * 8 + j] = S_0;
+            const real D_0 = p[26 * 8 + j];
+            J[1 * 8 + j] = D_0;
+            const real S_1 = p[14 * 8 + j];
+            J[2 * 8 + j] = S_1;
+            const real D_1 = p[27 * 8 + j];
+            J[3 * 8 + j] = D_1;
+            const real S_2 = p[15 * 8 + j];
+            J[4 * 8 + j] = S_2;
+            const real D_2 = p[28 * 8 + j];
+            J[5 * 8 + j] = D_2;
+            const real S_3 = p[16 * 8 + j];
+            J[6 * 8 + j] = S_3;
+            const real D_3 = p[29 * 8 + j];
+            J[7 * 8 + j] = D_3;
+            const real S_4 = p[17 * 8 + j];
+            J[8 * 8 + j] = S_4;
+            const real D_4 = p[30 * 8 + j];
+            J[9 * 8 + j] = D_4;
+            const real S_5 = p[18 * 8 + j];
+            J[10 * 8 + j] = S_5;
+            const real D_5 = p[31 * 8 + j];
+            J[11 * 8 + j] = D_5;
+            const real S_6 = p[19 * 8 + j];
+            J[12 * 8 + j] = S_6;
+            const real D_6 = p[32 * 8 + j];
+            J[13 * 8 + j] = D_6;
+            const real S_7 = p[20 * 8 + j];
+            J[14 * 8 + j] = S_7;
+            const real D_7 = p[33 * 8 + j];
+            J[15 * 8 + j] = D_7;
+            const real S_8 = p[21 * 8 + j];
+            J[16 * 8 + j] = S_8;
+            const real D_8 = p[34 * 8 + j];
+            J[17 * 8 + j] = D_8;
+            const real S_9 = p[22 * 8 + j];
+            J[18 * 8 + j] = S_9;
+            const real D_9 = p[35 * 8 + j];
+            J[19 * 8 + j] = D_9;
+            const real S_10 = p[23 * 8 + j];
+            J[20 * 8 + j] = S_10;
+            const real D_10 = p[36 * 8 + j];
+            J[21 * 8 + j] = D_10;
+            const real S_11 = p[24 * 8 + j];
+            J[22 * 8 + j] = S_11;
+            const real D_11 = p[37 * 8 + j];
+            J[23 * 8 + j] = D_11;
+            const real S_12 = p[25 * 8 + j];
+            J[24 * 8 + j] = S_12;
+            const real D_12 = p[38 * 8 + j];
+            J[25 * 8 + j] = D_12;
+        }
+    }
+}
+
+const flexel_law flexel_law_diagonal_13 = {
+    .name = "diagonal_13",
+    .digest = "87a3bd826beee276",
+    .m = 13,
+    .k = 0,
+    .nz = 0,
+    .np = 39,
+    .law = diagonal_13_law,
+    .tangent = diagonal_13_tangent,
 };
 
 /* viscous_1
@@ -817,33 +1294,36 @@ const flexel_law flexel_law_linear_6 = {
  * p (1):
  *   C (1) [N s/m or N m s]: viscosity, upper triangle, row by row */
 
-/* law: 1 operations.
- * in:  e (0), ed (0), s (1), p (1)
- * out: sigma (0), tau (1), U (1), 0 of 1 entries */
+/* law: 2 operations.
+ * in:  e (0), ed (0), s (1), z (0), t (1), p (1)
+ * out: sigma (0), tau (1), zd (0), U (1), 0 of 1 entries, P (1) */
 FLEXEL_CLONES
 static void viscous_1_law(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict s = in[2] + b * (1 * 8);
-        const real *restrict p = in[3] + b * (1 * 8);
+        const real *restrict p = in[5] + b * (1 * 8);
         real *restrict tau = out[1] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real s_0 = s[0 * 8 + j];
             const real C = p[0 * 8 + j];
-            tau[0 * 8 + j] = s_0 * C;
+            const real t0 = s_0 * C;
+            tau[0 * 8 + j] = t0;
+            P[0 * 8 + j] = s_0 * t0;
         }
     }
 }
 
 /* tangent: 0 operations.
- * in:  e (0), ed (0), s (1), p (1)
+ * in:  e (0), ed (0), s (1), z (0), t (1), p (1)
  * out: J (1,1) */
 FLEXEL_CLONES
 static void viscous_1_tangent(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
-        const real *restrict p = in[3] + b * (1 * 8);
+        const real *restrict p = in[5] + b * (1 * 8);
         real *restrict J = out[0] + b * (1 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
@@ -855,9 +1335,10 @@ static void viscous_1_tangent(size_t nblocks, const real *const *in, real *const
 
 const flexel_law flexel_law_viscous_1 = {
     .name = "viscous_1",
-    .digest = "aa41d588a1df124f",
+    .digest = "87a3bd826beee276",
     .m = 0,
     .k = 1,
+    .nz = 0,
     .np = 1,
     .law = viscous_1_law,
     .tangent = viscous_1_tangent,
@@ -873,37 +1354,41 @@ const flexel_law flexel_law_viscous_1 = {
  * p (3):
  *   C (3) [N s/m or N m s]: viscosity, upper triangle, row by row */
 
-/* law: 6 operations.
- * in:  e (0), ed (0), s (2), p (3)
- * out: sigma (0), tau (2), U (1), 0 of 1 entries */
+/* law: 9 operations.
+ * in:  e (0), ed (0), s (2), z (0), t (1), p (3)
+ * out: sigma (0), tau (2), zd (0), U (1), 0 of 1 entries, P (1) */
 FLEXEL_CLONES
 static void viscous_2_law(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict s = in[2] + b * (2 * 8);
-        const real *restrict p = in[3] + b * (3 * 8);
+        const real *restrict p = in[5] + b * (3 * 8);
         real *restrict tau = out[1] + b * (2 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real s_0 = s[0 * 8 + j];
             const real C_11 = p[0 * 8 + j];
             const real s_1 = s[1 * 8 + j];
             const real C_12 = p[1 * 8 + j];
-            tau[0 * 8 + j] = s_0 * C_11 + s_1 * C_12;
+            const real t0 = s_0 * C_11 + s_1 * C_12;
+            tau[0 * 8 + j] = t0;
             const real C_22 = p[2 * 8 + j];
-            tau[1 * 8 + j] = s_0 * C_12 + s_1 * C_22;
+            const real t1 = s_0 * C_12 + s_1 * C_22;
+            tau[1 * 8 + j] = t1;
+            P[0 * 8 + j] = s_0 * t0 + s_1 * t1;
         }
     }
 }
 
 /* tangent: 0 operations.
- * in:  e (0), ed (0), s (2), p (3)
+ * in:  e (0), ed (0), s (2), z (0), t (1), p (3)
  * out: J (2,2) */
 FLEXEL_CLONES
 static void viscous_2_tangent(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
-        const real *restrict p = in[3] + b * (3 * 8);
+        const real *restrict p = in[5] + b * (3 * 8);
         real *restrict J = out[0] + b * (4 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
@@ -919,9 +1404,10 @@ static void viscous_2_tangent(size_t nblocks, const real *const *in, real *const
 
 const flexel_law flexel_law_viscous_2 = {
     .name = "viscous_2",
-    .digest = "aa41d588a1df124f",
+    .digest = "87a3bd826beee276",
     .m = 0,
     .k = 2,
+    .nz = 0,
     .np = 3,
     .law = viscous_2_law,
     .tangent = viscous_2_tangent,
@@ -937,16 +1423,17 @@ const flexel_law flexel_law_viscous_2 = {
  * p (6):
  *   C (6) [N s/m or N m s]: viscosity, upper triangle, row by row */
 
-/* law: 15 operations.
- * in:  e (0), ed (0), s (3), p (6)
- * out: sigma (0), tau (3), U (1), 0 of 1 entries */
+/* law: 20 operations.
+ * in:  e (0), ed (0), s (3), z (0), t (1), p (6)
+ * out: sigma (0), tau (3), zd (0), U (1), 0 of 1 entries, P (1) */
 FLEXEL_CLONES
 static void viscous_3_law(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict s = in[2] + b * (3 * 8);
-        const real *restrict p = in[3] + b * (6 * 8);
+        const real *restrict p = in[5] + b * (6 * 8);
         real *restrict tau = out[1] + b * (3 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real s_2 = s[2 * 8 + j];
@@ -955,24 +1442,28 @@ static void viscous_3_law(size_t nblocks, const real *const *in, real *const *ou
             const real C_11 = p[0 * 8 + j];
             const real s_1 = s[1 * 8 + j];
             const real C_12 = p[1 * 8 + j];
-            tau[0 * 8 + j] = s_0 * C_11 + s_1 * C_12 + s_2 * C_13;
+            const real t0 = s_0 * C_11 + s_1 * C_12 + s_2 * C_13;
+            tau[0 * 8 + j] = t0;
             const real C_23 = p[4 * 8 + j];
             const real C_22 = p[3 * 8 + j];
-            tau[1 * 8 + j] = s_0 * C_12 + s_1 * C_22 + s_2 * C_23;
+            const real t1 = s_0 * C_12 + s_1 * C_22 + s_2 * C_23;
+            tau[1 * 8 + j] = t1;
             const real C_33 = p[5 * 8 + j];
-            tau[2 * 8 + j] = s_0 * C_13 + s_1 * C_23 + s_2 * C_33;
+            const real t2 = s_0 * C_13 + s_1 * C_23 + s_2 * C_33;
+            tau[2 * 8 + j] = t2;
+            P[0 * 8 + j] = s_0 * t0 + s_1 * t1 + s_2 * t2;
         }
     }
 }
 
 /* tangent: 0 operations.
- * in:  e (0), ed (0), s (3), p (6)
+ * in:  e (0), ed (0), s (3), z (0), t (1), p (6)
  * out: J (3,3) */
 FLEXEL_CLONES
 static void viscous_3_tangent(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
-        const real *restrict p = in[3] + b * (6 * 8);
+        const real *restrict p = in[5] + b * (6 * 8);
         real *restrict J = out[0] + b * (9 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
@@ -994,10 +1485,808 @@ static void viscous_3_tangent(size_t nblocks, const real *const *in, real *const
 
 const flexel_law flexel_law_viscous_3 = {
     .name = "viscous_3",
-    .digest = "aa41d588a1df124f",
+    .digest = "87a3bd826beee276",
     .m = 0,
     .k = 3,
+    .nz = 0,
     .np = 6,
     .law = viscous_3_law,
     .tangent = viscous_3_tangent,
+};
+
+/* hertz
+ *
+ * d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N
+ * energy = stiffness d^(exponent + 1)/(exponent + 1)
+ *
+ * Source: Hunt and Crossley 1975, J. Appl. Mech. 42:440; Lankarani and Nikravesh 1990, J. Mech. Des. 112:369
+ *
+ * 1 deformations, 0 slips
+ * p (3):
+ *   stiffness (1) [N/m^exponent]: normal force per penetration^exponent
+ *   exponent (1) [1]: exponent of the penetration, 3/2 for Hertz, at least 1
+ *   dissipation (1) [s/m]: relative growth of the normal force per speed of approach */
+
+/* law: 30 operations.
+ * in:  e (1), ed (1), s (0), z (0), t (1), p (3)
+ * out: sigma (1), tau (0), zd (0), U (1), P (1) */
+FLEXEL_CLONES
+static void hertz_law(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (1 * 8);
+        const real *restrict ed = in[1] + b * (1 * 8);
+        const real *restrict p = in[5] + b * (3 * 8);
+        real *restrict sigma = out[0] + b * (1 * 8);
+        real *restrict U = out[3] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
+        real depth[8], t0[8], t1[8], t2[8], t3[8], t4[8], t5[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real e_0 = e[0 * 8 + j];
+            depth[j] = real_lt(e_0, 0.0) ? -e_0 : 1.0;
+            const real ed_0 = ed[0 * 8 + j];
+            const real dissipation = p[2 * 8 + j];
+            t1[j] = 1.0 - ed_0 * dissipation;
+            const real exponent = p[1 * 8 + j];
+            t2[j] = 1.0 / (1.0 + exponent);
+            t3[j] = real_lt(e_0, 0.0) ? -ed_0 : 0.0;
+            t4[j] = exponent - 1.0;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            const real exponent = p[1 * 8 + j];
+            t0[j] = real_pow(depth[j], exponent);
+            t5[j] = real_pow(depth[j], t4[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real stiffness = p[0 * 8 + j];
+            const real elastic = real_lt(e_0, 0.0) ? stiffness * t0[j] : 0.0;
+            const real N = real_max(0.0, elastic * t1[j]);
+            sigma[0 * 8 + j] = -N;
+            const real e_0 = e[0 * 8 + j];
+            U[0 * 8 + j] = -(e_0 * elastic * t2[j]);
+            const real ed_0 = ed[0 * 8 + j];
+            const real exponent = p[1 * 8 + j];
+            const real t6 = real_lt(e_0, 0.0) ? exponent * t5[j] * t3[j] * stiffness : 0.0;
+            P[0 * 8 + j] = t2[j] * (ed_0 * elastic + e_0 * t6) - ed_0 * N;
+        }
+    }
+}
+
+/* tangent: 22 operations.
+ * in:  e (1), ed (1), s (0), z (0), t (1), p (3)
+ * out: J (1,2) */
+FLEXEL_CLONES
+static void hertz_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (1 * 8);
+        const real *restrict ed = in[1] + b * (1 * 8);
+        const real *restrict p = in[5] + b * (3 * 8);
+        real *restrict J = out[0] + b * (2 * 8);
+        real t0[8], depth[8], t1[8], t2[8], t3[8], t4[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real e_0 = e[0 * 8 + j];
+            t0[j] = real_lt(e_0, 0.0) ? 1.0 : 0.0;
+            depth[j] = real_lt(e_0, 0.0) ? -e_0 : 1.0;
+            const real exponent = p[1 * 8 + j];
+            t1[j] = exponent - 1.0;
+            const real ed_0 = ed[0 * 8 + j];
+            const real dissipation = p[2 * 8 + j];
+            t3[j] = 1.0 - ed_0 * dissipation;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            t2[j] = real_pow(depth[j], t1[j]);
+            const real exponent = p[1 * 8 + j];
+            t4[j] = real_pow(depth[j], exponent);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real exponent = p[1 * 8 + j];
+            const real stiffness = p[0 * 8 + j];
+            const real elastic = real_lt(e_0, 0.0) ? stiffness * t4[j] : 0.0;
+            const real t5 = real_le(elastic * t3[j], 0.0) ? 0.0 : 1.0;
+            J[0 * 8 + j] = exponent * t2[j] * (t3[j] * t5 * t0[j] * stiffness) * t0[j];
+            const real dissipation = p[2 * 8 + j];
+            J[1 * 8 + j] = elastic * t5 * dissipation;
+        }
+    }
+}
+
+const flexel_law flexel_law_hertz = {
+    .name = "hertz",
+    .digest = "87a3bd826beee276",
+    .m = 1,
+    .k = 0,
+    .nz = 0,
+    .np = 3,
+    .law = hertz_law,
+    .tangent = hertz_tangent,
+};
+
+/* hertz_coulomb_1
+ *
+ * d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N
+ * energy = stiffness d^(exponent + 1)/(exponent + 1)
+ * tau = friction N s/sqrt(s.s + slip_speed^2)
+ *
+ * Source: Hunt and Crossley 1975, J. Appl. Mech. 42:440; Lankarani and Nikravesh 1990, J. Mech. Des. 112:369; Coulomb's friction, regularized
+ *
+ * 1 deformations, 1 slips
+ * p (5):
+ *   stiffness (1) [N/m^exponent]: normal force per penetration^exponent
+ *   exponent (1) [1]: exponent of the penetration, 3/2 for Hertz, at least 1
+ *   dissipation (1) [s/m]: relative growth of the normal force per speed of approach
+ *   friction (1) [1]: coefficient of friction
+ *   slip_speed (1) [m/s]: speed of sliding at which 71 % of the friction acts */
+
+/* law: 40 operations.
+ * in:  e (1), ed (1), s (1), z (0), t (1), p (5)
+ * out: sigma (1), tau (1), zd (0), U (1), P (1) */
+FLEXEL_CLONES
+static void hertz_coulomb_1_law(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (1 * 8);
+        const real *restrict ed = in[1] + b * (1 * 8);
+        const real *restrict s = in[2] + b * (1 * 8);
+        const real *restrict p = in[5] + b * (5 * 8);
+        real *restrict sigma = out[0] + b * (1 * 8);
+        real *restrict tau = out[1] + b * (1 * 8);
+        real *restrict U = out[3] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
+        real depth[8], t0[8], t1[8], t2[8], t4[8], t5[8], t6[8], t7[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real e_0 = e[0 * 8 + j];
+            depth[j] = real_lt(e_0, 0.0) ? -e_0 : 1.0;
+            const real ed_0 = ed[0 * 8 + j];
+            const real dissipation = p[2 * 8 + j];
+            t1[j] = 1.0 - ed_0 * dissipation;
+            const real s_0 = s[0 * 8 + j];
+            const real slip_speed = p[4 * 8 + j];
+            t2[j] = 1.0 / real_sqrt(s_0 * s_0 + slip_speed * slip_speed);
+            const real exponent = p[1 * 8 + j];
+            t4[j] = 1.0 / (1.0 + exponent);
+            t5[j] = real_lt(e_0, 0.0) ? -ed_0 : 0.0;
+            t6[j] = exponent - 1.0;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            const real exponent = p[1 * 8 + j];
+            t0[j] = real_pow(depth[j], exponent);
+            t7[j] = real_pow(depth[j], t6[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real stiffness = p[0 * 8 + j];
+            const real elastic = real_lt(e_0, 0.0) ? stiffness * t0[j] : 0.0;
+            const real N = real_max(0.0, elastic * t1[j]);
+            sigma[0 * 8 + j] = -N;
+            const real friction = p[3 * 8 + j];
+            const real factor = N * t2[j] * friction;
+            const real s_0 = s[0 * 8 + j];
+            const real t3 = s_0 * factor;
+            tau[0 * 8 + j] = t3;
+            const real e_0 = e[0 * 8 + j];
+            U[0 * 8 + j] = -(e_0 * elastic * t4[j]);
+            const real ed_0 = ed[0 * 8 + j];
+            const real exponent = p[1 * 8 + j];
+            const real t8 = real_lt(e_0, 0.0) ? exponent * t7[j] * t5[j] * stiffness : 0.0;
+            P[0 * 8 + j] = s_0 * t3 - ed_0 * N + t4[j] * (ed_0 * elastic + e_0 * t8);
+        }
+    }
+}
+
+/* tangent: 43 operations.
+ * in:  e (1), ed (1), s (1), z (0), t (1), p (5)
+ * out: J (2,3), 5 of 6 entries */
+FLEXEL_CLONES
+static void hertz_coulomb_1_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (1 * 8);
+        const real *restrict ed = in[1] + b * (1 * 8);
+        const real *restrict s = in[2] + b * (1 * 8);
+        const real *restrict p = in[5] + b * (5 * 8);
+        real *restrict J = out[0] + b * (5 * 8);
+        real depth[8], t0[8], t1[8], t4[8], t5[8], t6[8], t9[8], t10[8], t12[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real e_0 = e[0 * 8 + j];
+            depth[j] = real_lt(e_0, 0.0) ? -e_0 : 1.0;
+            const real ed_0 = ed[0 * 8 + j];
+            const real dissipation = p[2 * 8 + j];
+            t1[j] = 1.0 - ed_0 * dissipation;
+            t4[j] = real_lt(e_0, 0.0) ? 1.0 : 0.0;
+            const real exponent = p[1 * 8 + j];
+            t5[j] = exponent - 1.0;
+            const real s_0 = s[0 * 8 + j];
+            const real friction = p[3 * 8 + j];
+            t9[j] = s_0 * friction;
+            const real slip_speed = p[4 * 8 + j];
+            t10[j] = 1.0 / real_sqrt(s_0 * s_0 + slip_speed * slip_speed);
+            t12[j] = s_0 * t10[j] * (t10[j] * t10[j]);
+        }
+        for (size_t j = 0; j < 8; j++) {
+            const real exponent = p[1 * 8 + j];
+            t0[j] = real_pow(depth[j], exponent);
+            t6[j] = real_pow(depth[j], t5[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real stiffness = p[0 * 8 + j];
+            const real elastic = real_lt(e_0, 0.0) ? stiffness * t0[j] : 0.0;
+            const real t2 = elastic * t1[j];
+            const real t3 = real_le(t2, 0.0) ? 0.0 : 1.0;
+            const real exponent = p[1 * 8 + j];
+            const real t7 = exponent * t6[j] * t4[j] * stiffness * t4[j] * t1[j];
+            J[0 * 8 + j] = t3 * t7;
+            const real dissipation = p[2 * 8 + j];
+            const real t8 = dissipation * elastic;
+            J[1 * 8 + j] = t3 * t8;
+            const real t11 = t10[j] * t3 * t9[j];
+            J[2 * 8 + j] = -(t7 * t11);
+            J[3 * 8 + j] = -(t8 * t11);
+            const real N = real_max(0.0, t2);
+            const real friction = p[3 * 8 + j];
+            const real factor = N * t10[j] * friction;
+            J[4 * 8 + j] = factor - N * t12[j] * t9[j];
+        }
+    }
+}
+
+const flexel_law flexel_law_hertz_coulomb_1 = {
+    .name = "hertz_coulomb_1",
+    .digest = "87a3bd826beee276",
+    .m = 1,
+    .k = 1,
+    .nz = 0,
+    .np = 5,
+    .law = hertz_coulomb_1_law,
+    .tangent = hertz_coulomb_1_tangent,
+};
+
+/* hertz_coulomb_2
+ *
+ * d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N
+ * energy = stiffness d^(exponent + 1)/(exponent + 1)
+ * tau = friction N s/sqrt(s.s + slip_speed^2)
+ *
+ * Source: Hunt and Crossley 1975, J. Appl. Mech. 42:440; Lankarani and Nikravesh 1990, J. Mech. Des. 112:369; Coulomb's friction, regularized
+ *
+ * 1 deformations, 2 slips
+ * p (5):
+ *   stiffness (1) [N/m^exponent]: normal force per penetration^exponent
+ *   exponent (1) [1]: exponent of the penetration, 3/2 for Hertz, at least 1
+ *   dissipation (1) [s/m]: relative growth of the normal force per speed of approach
+ *   friction (1) [1]: coefficient of friction
+ *   slip_speed (1) [m/s]: speed of sliding at which 71 % of the friction acts */
+
+/* law: 45 operations.
+ * in:  e (1), ed (1), s (2), z (0), t (1), p (5)
+ * out: sigma (1), tau (2), zd (0), U (1), P (1) */
+FLEXEL_CLONES
+static void hertz_coulomb_2_law(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (1 * 8);
+        const real *restrict ed = in[1] + b * (1 * 8);
+        const real *restrict s = in[2] + b * (2 * 8);
+        const real *restrict p = in[5] + b * (5 * 8);
+        real *restrict sigma = out[0] + b * (1 * 8);
+        real *restrict tau = out[1] + b * (2 * 8);
+        real *restrict U = out[3] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
+        real depth[8], t0[8], t1[8], t3[8], t6[8], t7[8], t8[8], t9[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real e_0 = e[0 * 8 + j];
+            depth[j] = real_lt(e_0, 0.0) ? -e_0 : 1.0;
+            const real ed_0 = ed[0 * 8 + j];
+            const real dissipation = p[2 * 8 + j];
+            t1[j] = 1.0 - ed_0 * dissipation;
+            const real slip_speed = p[4 * 8 + j];
+            const real s_0 = s[0 * 8 + j];
+            const real s_1 = s[1 * 8 + j];
+            const real t2 = real_sqrt(s_0 * s_0 + s_1 * s_1 + slip_speed * slip_speed);
+            t3[j] = 1.0 / t2;
+            const real exponent = p[1 * 8 + j];
+            t6[j] = 1.0 / (1.0 + exponent);
+            t7[j] = real_lt(e_0, 0.0) ? -ed_0 : 0.0;
+            t8[j] = exponent - 1.0;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            const real exponent = p[1 * 8 + j];
+            t0[j] = real_pow(depth[j], exponent);
+            t9[j] = real_pow(depth[j], t8[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real stiffness = p[0 * 8 + j];
+            const real elastic = real_lt(e_0, 0.0) ? stiffness * t0[j] : 0.0;
+            const real N = real_max(0.0, elastic * t1[j]);
+            sigma[0 * 8 + j] = -N;
+            const real friction = p[3 * 8 + j];
+            const real factor = N * t3[j] * friction;
+            const real s_0 = s[0 * 8 + j];
+            const real t4 = s_0 * factor;
+            tau[0 * 8 + j] = t4;
+            const real s_1 = s[1 * 8 + j];
+            const real t5 = s_1 * factor;
+            tau[1 * 8 + j] = t5;
+            const real e_0 = e[0 * 8 + j];
+            U[0 * 8 + j] = -(e_0 * elastic * t6[j]);
+            const real ed_0 = ed[0 * 8 + j];
+            const real exponent = p[1 * 8 + j];
+            const real t10 = real_lt(e_0, 0.0) ? exponent * t9[j] * t7[j] * stiffness : 0.0;
+            P[0 * 8 + j] = s_0 * t4 + s_1 * t5 - ed_0 * N + t6[j] * (ed_0 * elastic + e_0 * t10);
+        }
+    }
+}
+
+/* tangent: 58 operations.
+ * in:  e (1), ed (1), s (2), z (0), t (1), p (5)
+ * out: J (3,4), 10 of 12 entries */
+FLEXEL_CLONES
+static void hertz_coulomb_2_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (1 * 8);
+        const real *restrict ed = in[1] + b * (1 * 8);
+        const real *restrict s = in[2] + b * (2 * 8);
+        const real *restrict p = in[5] + b * (5 * 8);
+        real *restrict J = out[0] + b * (10 * 8);
+        real depth[8], t0[8], t1[8], t4[8], t5[8], t6[8], t9[8], t11[8], t15[8], t19[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real e_0 = e[0 * 8 + j];
+            depth[j] = real_lt(e_0, 0.0) ? -e_0 : 1.0;
+            const real ed_0 = ed[0 * 8 + j];
+            const real dissipation = p[2 * 8 + j];
+            t1[j] = 1.0 - ed_0 * dissipation;
+            t4[j] = real_lt(e_0, 0.0) ? 1.0 : 0.0;
+            const real exponent = p[1 * 8 + j];
+            t5[j] = exponent - 1.0;
+            const real s_0 = s[0 * 8 + j];
+            const real friction = p[3 * 8 + j];
+            t9[j] = s_0 * friction;
+            const real slip_speed = p[4 * 8 + j];
+            const real s_1 = s[1 * 8 + j];
+            const real t10 = real_sqrt(s_0 * s_0 + s_1 * s_1 + slip_speed * slip_speed);
+            t11[j] = 1.0 / t10;
+            t15[j] = t11[j] * t11[j] * t11[j];
+            t19[j] = s_1 * friction;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            const real exponent = p[1 * 8 + j];
+            t0[j] = real_pow(depth[j], exponent);
+            t6[j] = real_pow(depth[j], t5[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real stiffness = p[0 * 8 + j];
+            const real elastic = real_lt(e_0, 0.0) ? stiffness * t0[j] : 0.0;
+            const real t2 = elastic * t1[j];
+            const real t3 = real_le(t2, 0.0) ? 0.0 : 1.0;
+            const real exponent = p[1 * 8 + j];
+            const real t7 = exponent * t6[j] * t4[j] * stiffness * t4[j] * t1[j];
+            J[0 * 8 + j] = t3 * t7;
+            const real dissipation = p[2 * 8 + j];
+            const real t8 = dissipation * elastic;
+            J[1 * 8 + j] = t3 * t8;
+            const real t12 = t11[j] * t3;
+            const real t13 = t7 * t12;
+            J[2 * 8 + j] = -(t9[j] * t13);
+            const real t14 = t8 * t12;
+            J[3 * 8 + j] = -(t9[j] * t14);
+            const real N = real_max(0.0, t2);
+            const real friction = p[3 * 8 + j];
+            const real factor = N * t11[j] * friction;
+            const real t16 = N * t15[j];
+            const real s_0 = s[0 * 8 + j];
+            const real t17 = s_0 * t16;
+            J[4 * 8 + j] = factor - t9[j] * t17;
+            const real s_1 = s[1 * 8 + j];
+            const real t18 = s_1 * t16;
+            J[5 * 8 + j] = -(t9[j] * t18);
+            J[6 * 8 + j] = -(t19[j] * t13);
+            J[7 * 8 + j] = -(t19[j] * t14);
+            J[8 * 8 + j] = -(t19[j] * t17);
+            J[9 * 8 + j] = factor - t19[j] * t18;
+        }
+    }
+}
+
+const flexel_law flexel_law_hertz_coulomb_2 = {
+    .name = "hertz_coulomb_2",
+    .digest = "87a3bd826beee276",
+    .m = 1,
+    .k = 2,
+    .nz = 0,
+    .np = 5,
+    .law = hertz_coulomb_2_law,
+    .tangent = hertz_coulomb_2_tangent,
+};
+
+/* hertz_bristle_1
+ *
+ * d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N
+ * energy = stiffness d^(exponent + 1)/(exponent + 1) + stiffness d^exponent bristle_stiffness z.z/2
+ * dz/dt = s - bristle_stiffness |s| z/friction in contact, -release z when open
+ * tau = N (bristle_stiffness z + bristle_damping dz/dt)
+ *
+ * Source: Hunt and Crossley 1975, J. Appl. Mech. 42:440; Lankarani and Nikravesh 1990, J. Mech. Des. 112:369; Dahl 1968; Canudas de Wit et al. 1995, IEEE Trans. Autom. Control 40:419
+ *
+ * 1 deformations, 1 slips, z: z_0 [m]
+ * p (7):
+ *   stiffness (1) [N/m^exponent]: normal force per penetration^exponent
+ *   exponent (1) [1]: exponent of the penetration, 3/2 for Hertz, at least 1
+ *   dissipation (1) [s/m]: relative growth of the normal force per speed of approach
+ *   friction (1) [1]: coefficient of friction
+ *   bristle_stiffness (1) [1/m]: friction per normal force and deflection of the bristles
+ *   bristle_damping (1) [s/m]: friction per normal force and rate of deflection
+ *   release (1) [1/s]: rate at which bristles straighten while the gap is open */
+
+/* law: 60 operations.
+ * in:  e (1), ed (1), s (1), z (1), t (1), p (7)
+ * out: sigma (1), tau (1), zd (1), U (1), P (1) */
+FLEXEL_CLONES
+static void hertz_bristle_1_law(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (1 * 8);
+        const real *restrict ed = in[1] + b * (1 * 8);
+        const real *restrict s = in[2] + b * (1 * 8);
+        const real *restrict z = in[3] + b * (1 * 8);
+        const real *restrict p = in[5] + b * (7 * 8);
+        real *restrict sigma = out[0] + b * (1 * 8);
+        real *restrict tau = out[1] + b * (1 * 8);
+        real *restrict zd = out[2] + b * (1 * 8);
+        real *restrict U = out[3] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
+        real depth[8], t0[8], t1[8], zd_0[8], t2[8], t4[8], t5[8], t6[8], t7[8], t8[8], t9[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real e_0 = e[0 * 8 + j];
+            depth[j] = real_lt(e_0, 0.0) ? -e_0 : 1.0;
+            const real ed_0 = ed[0 * 8 + j];
+            const real dissipation = p[2 * 8 + j];
+            t1[j] = 1.0 - ed_0 * dissipation;
+            const real z_0 = z[0 * 8 + j];
+            const real bristle_stiffness = p[4 * 8 + j];
+            const real friction = p[3 * 8 + j];
+            const real s_0 = s[0 * 8 + j];
+            const real square = s_0 * s_0;
+            const real root = real_lt(0.0, square) ? real_sqrt(square) : 1.0;
+            const real speed = real_lt(0.0, square) ? root : 0.0;
+            const real sliding = 1.0 / friction * (bristle_stiffness * speed);
+            const real release = p[6 * 8 + j];
+            zd_0[j] = real_lt(e_0, 0.0) ? s_0 - z_0 * sliding : -(z_0 * release);
+            zd[0 * 8 + j] = zd_0[j];
+            const real bristle_damping = p[5 * 8 + j];
+            t2[j] = z_0 * bristle_stiffness + bristle_damping * zd_0[j];
+            t4[j] = z_0 * z_0;
+            const real exponent = p[1 * 8 + j];
+            t5[j] = 1.0 / (1.0 + exponent);
+            t6[j] = 0.5 * bristle_stiffness * t4[j] - e_0 * t5[j];
+            t7[j] = exponent - 1.0;
+            const real stiffness = p[0 * 8 + j];
+            t9[j] = stiffness * (real_lt(e_0, 0.0) ? -ed_0 : 0.0) * exponent;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            const real exponent = p[1 * 8 + j];
+            t0[j] = real_pow(depth[j], exponent);
+            t8[j] = real_pow(depth[j], t7[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real stiffness = p[0 * 8 + j];
+            const real elastic = real_lt(e_0, 0.0) ? stiffness * t0[j] : 0.0;
+            const real N = real_max(0.0, elastic * t1[j]);
+            sigma[0 * 8 + j] = -N;
+            const real t3 = N * t2[j];
+            tau[0 * 8 + j] = t3;
+            U[0 * 8 + j] = elastic * t6[j];
+            const real s_0 = s[0 * 8 + j];
+            const real ed_0 = ed[0 * 8 + j];
+            const real t10 = real_lt(e_0, 0.0) ? t8[j] * t9[j] : 0.0;
+            const real e_0 = e[0 * 8 + j];
+            const real t11 = s_0 * t3 + t5[j] * (ed_0 * elastic + e_0 * t10) - ed_0 * N;
+            const real z_0 = z[0 * 8 + j];
+            const real bristle_stiffness = p[4 * 8 + j];
+            const real t12 = bristle_stiffness * (t4[j] * t10 + 2.0 * z_0 * elastic * zd_0[j]);
+            P[0 * 8 + j] = t11 - 0.5 * t12;
+        }
+    }
+}
+
+/* tangent: 59 operations.
+ * in:  e (1), ed (1), s (1), z (1), t (1), p (7)
+ * out: J (3,4), 8 of 12 entries */
+FLEXEL_CLONES
+static void hertz_bristle_1_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (1 * 8);
+        const real *restrict ed = in[1] + b * (1 * 8);
+        const real *restrict s = in[2] + b * (1 * 8);
+        const real *restrict z = in[3] + b * (1 * 8);
+        const real *restrict p = in[5] + b * (7 * 8);
+        real *restrict J = out[0] + b * (8 * 8);
+        real t0[8], depth[8], t1[8], t2[8], t3[8], t5[8], t12[8], t15[8], t17[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real ed_0 = ed[0 * 8 + j];
+            const real dissipation = p[2 * 8 + j];
+            t0[j] = 1.0 - ed_0 * dissipation;
+            const real e_0 = e[0 * 8 + j];
+            depth[j] = real_lt(e_0, 0.0) ? -e_0 : 1.0;
+            const real exponent = p[1 * 8 + j];
+            t1[j] = exponent - 1.0;
+            t3[j] = real_lt(e_0, 0.0) ? -1.0 : 0.0;
+            const real s_0 = s[0 * 8 + j];
+            const real square = s_0 * s_0;
+            const real t10 = real_sqrt(square);
+            const real root = real_lt(0.0, square) ? t10 : 1.0;
+            const real speed = real_lt(0.0, square) ? root : 0.0;
+            const real friction = p[3 * 8 + j];
+            const real bristle_stiffness = p[4 * 8 + j];
+            const real t11 = 1.0 / friction * bristle_stiffness;
+            const real sliding = speed * t11;
+            const real z_0 = z[0 * 8 + j];
+            const real release = p[6 * 8 + j];
+            const real zd_0 = real_lt(e_0, 0.0) ? s_0 - z_0 * sliding : -(z_0 * release);
+            const real bristle_damping = p[5 * 8 + j];
+            t12[j] = bristle_damping * zd_0 + z_0 * bristle_stiffness;
+            const real t13 = real_lt(0.0, square) ? (real_lt(0.0, square) ? 1.0 / t10 * s_0 : 0.0) : 0.0;
+            const real t14 = real_lt(e_0, 0.0) ? 1.0 - t11 * t13 * z_0 : 0.0;
+            J[6 * 8 + j] = t14;
+            t15[j] = bristle_damping * t14;
+            const real t16 = real_lt(e_0, 0.0) ? -sliding : -release;
+            J[7 * 8 + j] = t16;
+            t17[j] = bristle_stiffness + bristle_damping * t16;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            t2[j] = real_pow(depth[j], t1[j]);
+            const real exponent = p[1 * 8 + j];
+            t5[j] = real_pow(depth[j], exponent);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real exponent = p[1 * 8 + j];
+            const real stiffness = p[0 * 8 + j];
+            const real t4 = real_lt(e_0, 0.0) ? exponent * t2[j] * t3[j] * stiffness : 0.0;
+            const real elastic = real_lt(e_0, 0.0) ? stiffness * t5[j] : 0.0;
+            const real t6 = elastic * t0[j];
+            const real t7 = real_le(t6, 0.0) ? 0.0 : 1.0;
+            const real t8 = t0[j] * t4 * t7;
+            J[0 * 8 + j] = -t8;
+            const real dissipation = p[2 * 8 + j];
+            const real t9 = dissipation * elastic * t7;
+            J[1 * 8 + j] = t9;
+            J[2 * 8 + j] = t12[j] * t8;
+            J[3 * 8 + j] = -(t12[j] * t9);
+            const real N = real_max(0.0, t6);
+            J[4 * 8 + j] = N * t15[j];
+            J[5 * 8 + j] = N * t17[j];
+        }
+    }
+}
+
+const flexel_law flexel_law_hertz_bristle_1 = {
+    .name = "hertz_bristle_1",
+    .digest = "87a3bd826beee276",
+    .m = 1,
+    .k = 1,
+    .nz = 1,
+    .np = 7,
+    .law = hertz_bristle_1_law,
+    .tangent = hertz_bristle_1_tangent,
+};
+
+/* hertz_bristle_2
+ *
+ * d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N
+ * energy = stiffness d^(exponent + 1)/(exponent + 1) + stiffness d^exponent bristle_stiffness z.z/2
+ * dz/dt = s - bristle_stiffness |s| z/friction in contact, -release z when open
+ * tau = N (bristle_stiffness z + bristle_damping dz/dt)
+ *
+ * Source: Hunt and Crossley 1975, J. Appl. Mech. 42:440; Lankarani and Nikravesh 1990, J. Mech. Des. 112:369; Dahl 1968; Canudas de Wit et al. 1995, IEEE Trans. Autom. Control 40:419
+ *
+ * 1 deformations, 2 slips, z: z_0 [m], z_1 [m]
+ * p (7):
+ *   stiffness (1) [N/m^exponent]: normal force per penetration^exponent
+ *   exponent (1) [1]: exponent of the penetration, 3/2 for Hertz, at least 1
+ *   dissipation (1) [s/m]: relative growth of the normal force per speed of approach
+ *   friction (1) [1]: coefficient of friction
+ *   bristle_stiffness (1) [1/m]: friction per normal force and deflection of the bristles
+ *   bristle_damping (1) [s/m]: friction per normal force and rate of deflection
+ *   release (1) [1/s]: rate at which bristles straighten while the gap is open */
+
+/* law: 77 operations.
+ * in:  e (1), ed (1), s (2), z (2), t (1), p (7)
+ * out: sigma (1), tau (2), zd (2), U (1), P (1) */
+FLEXEL_CLONES
+static void hertz_bristle_2_law(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (1 * 8);
+        const real *restrict ed = in[1] + b * (1 * 8);
+        const real *restrict s = in[2] + b * (2 * 8);
+        const real *restrict z = in[3] + b * (2 * 8);
+        const real *restrict p = in[5] + b * (7 * 8);
+        real *restrict sigma = out[0] + b * (1 * 8);
+        real *restrict tau = out[1] + b * (2 * 8);
+        real *restrict zd = out[2] + b * (2 * 8);
+        real *restrict U = out[3] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
+        real depth[8], t0[8], t1[8], t2[8], t4[8], t6[8], t7[8], t8[8], t9[8], t10[8], t11[8], t14[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real e_0 = e[0 * 8 + j];
+            depth[j] = real_lt(e_0, 0.0) ? -e_0 : 1.0;
+            const real ed_0 = ed[0 * 8 + j];
+            const real dissipation = p[2 * 8 + j];
+            t1[j] = 1.0 - ed_0 * dissipation;
+            const real z_0 = z[0 * 8 + j];
+            const real bristle_stiffness = p[4 * 8 + j];
+            const real friction = p[3 * 8 + j];
+            const real s_0 = s[0 * 8 + j];
+            const real s_1 = s[1 * 8 + j];
+            const real square = s_0 * s_0 + s_1 * s_1;
+            const real root = real_lt(0.0, square) ? real_sqrt(square) : 1.0;
+            const real speed = real_lt(0.0, square) ? root : 0.0;
+            const real sliding = 1.0 / friction * (bristle_stiffness * speed);
+            const real release = p[6 * 8 + j];
+            const real zd_0 = real_lt(e_0, 0.0) ? s_0 - z_0 * sliding : -(z_0 * release);
+            zd[0 * 8 + j] = zd_0;
+            const real bristle_damping = p[5 * 8 + j];
+            t2[j] = z_0 * bristle_stiffness + bristle_damping * zd_0;
+            const real z_1 = z[1 * 8 + j];
+            const real zd_1 = real_lt(e_0, 0.0) ? s_1 - z_1 * sliding : -(z_1 * release);
+            zd[1 * 8 + j] = zd_1;
+            t4[j] = z_1 * bristle_stiffness + bristle_damping * zd_1;
+            t6[j] = z_0 * z_0 + z_1 * z_1;
+            const real exponent = p[1 * 8 + j];
+            t7[j] = 1.0 / (1.0 + exponent);
+            t8[j] = 0.5 * bristle_stiffness * t6[j] - e_0 * t7[j];
+            t9[j] = exponent - 1.0;
+            const real stiffness = p[0 * 8 + j];
+            t11[j] = stiffness * (real_lt(e_0, 0.0) ? -ed_0 : 0.0) * exponent;
+            t14[j] = z_0 * zd_0 + z_1 * zd_1;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            const real exponent = p[1 * 8 + j];
+            t0[j] = real_pow(depth[j], exponent);
+            t10[j] = real_pow(depth[j], t9[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real stiffness = p[0 * 8 + j];
+            const real elastic = real_lt(e_0, 0.0) ? stiffness * t0[j] : 0.0;
+            const real N = real_max(0.0, elastic * t1[j]);
+            sigma[0 * 8 + j] = -N;
+            const real t3 = N * t2[j];
+            tau[0 * 8 + j] = t3;
+            const real t5 = N * t4[j];
+            tau[1 * 8 + j] = t5;
+            U[0 * 8 + j] = elastic * t8[j];
+            const real ed_0 = ed[0 * 8 + j];
+            const real t12 = real_lt(e_0, 0.0) ? t10[j] * t11[j] : 0.0;
+            const real e_0 = e[0 * 8 + j];
+            const real s_0 = s[0 * 8 + j];
+            const real s_1 = s[1 * 8 + j];
+            const real t13 = s_0 * t3 + s_1 * t5 + t7[j] * (ed_0 * elastic + e_0 * t12);
+            const real bristle_stiffness = p[4 * 8 + j];
+            const real t15 = bristle_stiffness * (t6[j] * t12 + 2.0 * elastic * t14[j]);
+            P[0 * 8 + j] = t13 - ed_0 * N - 0.5 * t15;
+        }
+    }
+}
+
+/* tangent: 88 operations.
+ * in:  e (1), ed (1), s (2), z (2), t (1), p (7)
+ * out: J (5,6), 18 of 30 entries */
+FLEXEL_CLONES
+static void hertz_bristle_2_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (1 * 8);
+        const real *restrict ed = in[1] + b * (1 * 8);
+        const real *restrict s = in[2] + b * (2 * 8);
+        const real *restrict z = in[3] + b * (2 * 8);
+        const real *restrict p = in[5] + b * (7 * 8);
+        real *restrict J = out[0] + b * (18 * 8);
+        real depth[8], t0[8], t1[8], t4[8], t5[8], t6[8], t7[8], t13[8], t17[8], t21[8], t23[8], t24[8], t25[8], t26[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real e_0 = e[0 * 8 + j];
+            depth[j] = real_lt(e_0, 0.0) ? -e_0 : 1.0;
+            const real ed_0 = ed[0 * 8 + j];
+            const real dissipation = p[2 * 8 + j];
+            t1[j] = 1.0 - ed_0 * dissipation;
+            t4[j] = real_lt(e_0, 0.0) ? -1.0 : 0.0;
+            const real exponent = p[1 * 8 + j];
+            t5[j] = exponent - 1.0;
+            const real stiffness = p[0 * 8 + j];
+            t7[j] = stiffness * exponent;
+            const real s_0 = s[0 * 8 + j];
+            const real s_1 = s[1 * 8 + j];
+            const real square = s_0 * s_0 + s_1 * s_1;
+            const real t11 = real_sqrt(square);
+            const real root = real_lt(0.0, square) ? t11 : 1.0;
+            const real speed = real_lt(0.0, square) ? root : 0.0;
+            const real friction = p[3 * 8 + j];
+            const real bristle_stiffness = p[4 * 8 + j];
+            const real t12 = 1.0 / friction * bristle_stiffness;
+            const real sliding = speed * t12;
+            const real z_0 = z[0 * 8 + j];
+            const real release = p[6 * 8 + j];
+            const real zd_0 = real_lt(e_0, 0.0) ? s_0 - z_0 * sliding : -(z_0 * release);
+            const real bristle_damping = p[5 * 8 + j];
+            t13[j] = bristle_damping * zd_0 + z_0 * bristle_stiffness;
+            const real t14 = 1.0 / t11;
+            const real t15 = real_lt(0.0, square) ? (real_lt(0.0, square) ? s_0 * t14 : 0.0) : 0.0;
+            const real t16 = t12 * t15;
+            t17[j] = real_lt(e_0, 0.0) ? 1.0 - z_0 * t16 : 0.0;
+            J[12 * 8 + j] = t17[j];
+            const real t19 = real_lt(0.0, square) ? (real_lt(0.0, square) ? s_1 * t14 : 0.0) : 0.0;
+            const real t20 = t12 * t19;
+            t21[j] = real_lt(e_0, 0.0) ? -(z_0 * t20) : 0.0;
+            J[13 * 8 + j] = t21[j];
+            const real t22 = real_lt(e_0, 0.0) ? -sliding : -release;
+            J[14 * 8 + j] = J[17 * 8 + j] = t22;
+            t23[j] = bristle_stiffness + bristle_damping * t22;
+            const real z_1 = z[1 * 8 + j];
+            const real zd_1 = real_lt(e_0, 0.0) ? s_1 - z_1 * sliding : -(z_1 * release);
+            t24[j] = bristle_damping * zd_1 + z_1 * bristle_stiffness;
+            t25[j] = real_lt(e_0, 0.0) ? -(z_1 * t16) : 0.0;
+            J[15 * 8 + j] = t25[j];
+            t26[j] = real_lt(e_0, 0.0) ? 1.0 - z_1 * t20 : 0.0;
+            J[16 * 8 + j] = t26[j];
+        }
+        for (size_t j = 0; j < 8; j++) {
+            const real exponent = p[1 * 8 + j];
+            t0[j] = real_pow(depth[j], exponent);
+            t6[j] = real_pow(depth[j], t5[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real stiffness = p[0 * 8 + j];
+            const real elastic = real_lt(e_0, 0.0) ? stiffness * t0[j] : 0.0;
+            const real t2 = elastic * t1[j];
+            const real t3 = real_le(t2, 0.0) ? 0.0 : 1.0;
+            const real t8 = t1[j] * (real_lt(e_0, 0.0) ? t6[j] * t7[j] * t4[j] : 0.0);
+            const real t9 = t3 * t8;
+            J[0 * 8 + j] = -t9;
+            const real dissipation = p[2 * 8 + j];
+            const real t10 = dissipation * t3 * elastic;
+            J[1 * 8 + j] = t10;
+            J[2 * 8 + j] = t13[j] * t9;
+            J[3 * 8 + j] = -(t13[j] * t10);
+            const real N = real_max(0.0, t2);
+            const real bristle_damping = p[5 * 8 + j];
+            const real t18 = bristle_damping * N;
+            J[4 * 8 + j] = t17[j] * t18;
+            J[5 * 8 + j] = t21[j] * t18;
+            J[6 * 8 + j] = J[11 * 8 + j] = N * t23[j];
+            J[7 * 8 + j] = t24[j] * t9;
+            J[8 * 8 + j] = -(t24[j] * t10);
+            J[9 * 8 + j] = t25[j] * t18;
+            J[10 * 8 + j] = t26[j] * t18;
+        }
+    }
+}
+
+const flexel_law flexel_law_hertz_bristle_2 = {
+    .name = "hertz_bristle_2",
+    .digest = "87a3bd826beee276",
+    .m = 1,
+    .k = 2,
+    .nz = 2,
+    .np = 7,
+    .law = hertz_bristle_2_law,
+    .tangent = hertz_bristle_2_tangent,
 };

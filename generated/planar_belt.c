@@ -198,71 +198,47 @@ static void planar_belt_acceleration(size_t nblocks, const real *const *in, real
     }
 }
 
-/* kinematics: 188 operations.
- * in:  x (6), v (6), a (6), p (4)
- * out: Phi_x (1,6), 4 of 6 entries, Psi_x (1,6), 4 of 6 entries, Psi_v (1,6), 4 of 6 entries */
+/* rates: 78 operations.
+ * in:  x (6), v (6), p (4)
+ * out: Phi_x (1,6), 4 of 6 entries */
 FLEXEL_CLONES
-static void planar_belt_kinematics(size_t nblocks, const real *const *in, real *const *out)
+static void planar_belt_rates(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict x = in[0] + b * (6 * 8);
         const real *restrict v = in[1] + b * (6 * 8);
-        const real *restrict a = in[2] + b * (6 * 8);
-        const real *restrict p = in[3] + b * (4 * 8);
+        const real *restrict p = in[2] + b * (4 * 8);
         real *restrict Phi_x = out[0] + b * (4 * 8);
-        real *restrict Psi_x = out[1] + b * (4 * 8);
-        real *restrict Psi_v = out[2] + b * (4 * 8);
-        real d_x[8], step[8], d_y[8], t5[8], t6[8], t17[8], cos_0[8], sin_0[8], t31[8], t32[8], t34[8], t38[8], t42[8], t52[8];
+        real t0[8], d_x[8], d_y[8], step[8], t8[8], t10[8], cos_0[8], sin_0[8], t20[8], t21[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
+            const real q_vx = v[3 * 8 + j];
+            const real p_vx = v[0 * 8 + j];
+            t0[j] = q_vx - p_vx;
             const real q_x = x[3 * 8 + j];
             const real p_x = x[0 * 8 + j];
             d_x[j] = q_x - p_x;
-            const real radius_p = p[0 * 8 + j];
-            const real radius_q = p[1 * 8 + j];
-            step[j] = radius_p - radius_q;
-            const real t0 = step[j] * step[j];
             const real q_y = x[4 * 8 + j];
             const real p_y = x[1 * 8 + j];
             d_y[j] = q_y - p_y;
-            const real t1 = d_x[j] * d_x[j] + d_y[j] * d_y[j] - t0;
-            const real t2 = 1.0 / (t0 + t1);
-            const real t3 = t2 * t2;
-            const real free_length = real_sqrt(t1);
-            const real t4 = 1.0 / free_length;
-            const real q_vx = v[3 * 8 + j];
-            const real p_vx = v[0 * 8 + j];
-            t5[j] = q_vx - p_vx;
+            const real radius_p = p[0 * 8 + j];
+            const real radius_q = p[1 * 8 + j];
+            step[j] = radius_p - radius_q;
+            const real t1 = step[j] * step[j];
+            const real t2 = d_x[j] * d_x[j] + d_y[j] * d_y[j] - t1;
+            const real free_length = real_sqrt(t2);
+            const real t3 = 1.0 / free_length;
+            const real t4 = 1.0 / (t1 + t2);
+            const real t5 = t1 * t4;
+            const real t6 = 1.0 - t5;
+            const real t7 = t3 * t6;
             const real q_vy = v[4 * 8 + j];
             const real p_vy = v[1 * 8 + j];
-            t6[j] = q_vy - p_vy;
-            const real t7 = d_x[j] * t5[j] + d_y[j] * t6[j];
-            const real t8 = t4 * t7;
-            const real t9 = t0 * t8;
-            const real t10 = t3 * t9;
-            const real t11 = t4 * t4;
-            const real t12 = 1.0 - t0 * t2;
-            const real t13 = t12 * t7;
-            const real t14 = t11 * t13;
-            const real t15 = t10 - 0.5 * t4 * t14;
-            const real t16 = t4 * t12;
-            t17[j] = 2.0 * d_x[j] * t15 + t5[j] * t16;
-            t31[j] = t6[j] * t16;
-            t32[j] = 2.0 * d_y[j] * t15;
-            const real q_ax = a[3 * 8 + j];
-            const real p_ax = a[0 * 8 + j];
-            t34[j] = q_ax - p_ax;
-            const real t35 = 2.0 * t0 * t3 * t7 - t14;
-            const real t36 = t11 * t8;
-            const real t37 = t10 + 0.5 * (t4 * t35 - t12 * t36);
-            const real q_ay = a[4 * 8 + j];
-            const real p_ay = a[1 * 8 + j];
-            t38[j] = q_ay - p_ay;
-            const real t39 = t5[j] * t5[j] + t6[j] * t6[j] + (d_x[j] * t34[j] + d_y[j] * t38[j]);
-            const real t40 = 0.5 * t4 * t11 * (t12 * t39 + t7 * t35 - 2.0 * t4 * t13 * t8);
-            const real t41 = t3 * (4.0 * t2 * t9 * t7 - t0 * (t4 * t39 - t7 * t36)) + t40;
-            t42[j] = 2.0 * (0.5 * t16 * t34[j] + t5[j] * t37 - d_x[j] * t41);
-            t52[j] = 2.0 * (0.5 * t16 * t38[j] + t6[j] * t37 - d_y[j] * t41);
+            t8[j] = q_vy - p_vy;
+            const real t9 = t3 * (d_x[j] * t0[j] + d_y[j] * t8[j]) * (t4 * t5 - 0.5 * t3 * t3 * t6);
+            t10[j] = t0[j] * t7 + 2.0 * d_x[j] * t9;
+            t20[j] = t8[j] * t7;
+            t21[j] = 2.0 * d_y[j] * t9;
         }
         for (size_t j = 0; j < 8; j++) {
             const real psi0 = p[2 * 8 + j];
@@ -271,44 +247,129 @@ static void planar_belt_kinematics(size_t nblocks, const real *const *in, real *
         }
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
-            const real t18 = d_y[j] * cos_0[j] - d_x[j] * sin_0[j];
-            const real t19 = d_x[j] * cos_0[j] + d_y[j] * sin_0[j];
-            const real t20 = 1.0 / (t18 * t18 + t19 * t19);
-            const real t21 = cos_0[j] * t6[j] - sin_0[j] * t5[j];
-            const real t22 = step[j] * t21;
-            const real t23 = t20 * t20;
-            const real t24 = cos_0[j] * t5[j] + sin_0[j] * t6[j];
-            const real t25 = step[j] * t24;
-            const real t26 = t18 * t25 - t19 * t22;
-            const real t27 = t23 * t26;
-            const real t28 = t20 * t22 + 2.0 * t19 * t27;
-            const real t29 = t20 * t25 - 2.0 * t18 * t27;
-            const real t30 = t17[j] - cos_0[j] * t28 - sin_0[j] * t29;
-            Phi_x[2 * 8 + j] = t30;
-            Phi_x[0 * 8 + j] = -t30;
-            const real t33 = t32[j] + cos_0[j] * t29 + t31[j] - sin_0[j] * t28;
-            Phi_x[3 * 8 + j] = t33;
-            Phi_x[1 * 8 + j] = -t33;
-            const real t43 = t18 * t21 + t19 * t24;
-            const real t44 = t23 * t43;
-            const real t45 = step[j] * (cos_0[j] * t34[j] + sin_0[j] * t38[j]);
-            const real t46 = t21 * t25 + t18 * t45 - 4.0 * t20 * t43 * t26 - t24 * t22;
-            const real t47 = step[j] * (cos_0[j] * t38[j] - sin_0[j] * t34[j]);
-            const real t48 = t23 * (t46 - t19 * t47);
-            const real t49 = 2.0 * (t44 * t22 - t19 * t48 - t24 * t27) - t20 * t47;
-            const real t50 = t20 * t45 - 2.0 * (t18 * t48 + t44 * t25 + t21 * t27);
-            const real t51 = t42[j] + cos_0[j] * t49 - sin_0[j] * t50;
-            Psi_x[2 * 8 + j] = t51;
-            Psi_x[0 * 8 + j] = -t51;
-            const real t53 = t52[j] + cos_0[j] * t50 + sin_0[j] * t49;
-            Psi_x[3 * 8 + j] = t53;
-            Psi_x[1 * 8 + j] = -t53;
-            const real t54 = 2.0 * t30;
-            Psi_v[2 * 8 + j] = t54;
-            Psi_v[0 * 8 + j] = -t54;
-            const real t55 = 2.0 * t33;
-            Psi_v[3 * 8 + j] = t55;
-            Psi_v[1 * 8 + j] = -t55;
+            const real t11 = d_y[j] * cos_0[j] - d_x[j] * sin_0[j];
+            const real t12 = d_x[j] * cos_0[j] + d_y[j] * sin_0[j];
+            const real t13 = 1.0 / (t11 * t11 + t12 * t12);
+            const real t14 = step[j] * (cos_0[j] * t8[j] - sin_0[j] * t0[j]);
+            const real t15 = step[j] * (cos_0[j] * t0[j] + sin_0[j] * t8[j]);
+            const real t16 = t13 * t13 * (t11 * t15 - t12 * t14);
+            const real t17 = t13 * t14 + 2.0 * t12 * t16;
+            const real t18 = t13 * t15 - 2.0 * t11 * t16;
+            const real t19 = t10[j] - cos_0[j] * t17 - sin_0[j] * t18;
+            Phi_x[2 * 8 + j] = t19;
+            Phi_x[0 * 8 + j] = -t19;
+            const real t22 = cos_0[j] * t18 + t21[j] + t20[j] - sin_0[j] * t17;
+            Phi_x[3 * 8 + j] = t22;
+            Phi_x[1 * 8 + j] = -t22;
+        }
+    }
+}
+
+/* kinematics: 186 operations.
+ * in:  x (6), v (6), a (6), p (4)
+ * out: Psi_x (1,6), 4 of 6 entries, Psi_v (1,6), 4 of 6 entries */
+FLEXEL_CLONES
+static void planar_belt_kinematics(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (6 * 8);
+        const real *restrict v = in[1] + b * (6 * 8);
+        const real *restrict a = in[2] + b * (6 * 8);
+        const real *restrict p = in[3] + b * (4 * 8);
+        real *restrict Psi_x = out[0] + b * (4 * 8);
+        real *restrict Psi_v = out[1] + b * (4 * 8);
+        real d_x[8], d_y[8], step[8], t6[8], t7[8], t9[8], t20[8], t25[8], cos_0[8], sin_0[8], t45[8], t48[8], t52[8], t53[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real q_x = x[3 * 8 + j];
+            const real p_x = x[0 * 8 + j];
+            d_x[j] = q_x - p_x;
+            const real q_y = x[4 * 8 + j];
+            const real p_y = x[1 * 8 + j];
+            d_y[j] = q_y - p_y;
+            const real radius_p = p[0 * 8 + j];
+            const real radius_q = p[1 * 8 + j];
+            step[j] = radius_p - radius_q;
+            const real t0 = step[j] * step[j];
+            const real t1 = d_x[j] * d_x[j] + d_y[j] * d_y[j] - t0;
+            const real free_length = real_sqrt(t1);
+            const real t2 = 1.0 / free_length;
+            const real t3 = 1.0 / (t0 + t1);
+            const real t4 = 1.0 - t0 * t3;
+            const real t5 = t2 * t4;
+            const real q_ax = a[3 * 8 + j];
+            const real p_ax = a[0 * 8 + j];
+            t6[j] = q_ax - p_ax;
+            const real q_vx = v[3 * 8 + j];
+            const real p_vx = v[0 * 8 + j];
+            t7[j] = q_vx - p_vx;
+            const real t8 = t3 * t3;
+            const real q_vy = v[4 * 8 + j];
+            const real p_vy = v[1 * 8 + j];
+            t9[j] = q_vy - p_vy;
+            const real t10 = d_x[j] * t7[j] + d_y[j] * t9[j];
+            const real t11 = t2 * t10;
+            const real t12 = t0 * t11;
+            const real t13 = t8 * t12;
+            const real t14 = t2 * t2;
+            const real t15 = t4 * t10;
+            const real t16 = t14 * t15;
+            const real t17 = 2.0 * t0 * t8 * t10 - t16;
+            const real t18 = t14 * t11;
+            const real t19 = t13 + 0.5 * (t2 * t17 - t4 * t18);
+            const real q_ay = a[4 * 8 + j];
+            const real p_ay = a[1 * 8 + j];
+            t20[j] = q_ay - p_ay;
+            const real t21 = t7[j] * t7[j] + t9[j] * t9[j] + (d_x[j] * t6[j] + d_y[j] * t20[j]);
+            const real t22 = t8 * (4.0 * t3 * t12 * t10 - t0 * (t2 * t21 - t10 * t18));
+            const real t23 = 0.5 * t2 * t14 * (t4 * t21 + t10 * t17 - 2.0 * t2 * t15 * t11);
+            const real t24 = t22 + t23;
+            t25[j] = 2.0 * (0.5 * t5 * t6[j] + t7[j] * t19 - d_x[j] * t24);
+            t45[j] = 2.0 * (0.5 * t5 * t20[j] + t9[j] * t19 - d_y[j] * t24);
+            const real t47 = t13 - 0.5 * t2 * t16;
+            t48[j] = t7[j] * t5 + 2.0 * d_x[j] * t47;
+            t52[j] = t9[j] * t5;
+            t53[j] = 2.0 * d_y[j] * t47;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            const real psi0 = p[2 * 8 + j];
+            cos_0[j] = real_cos(psi0);
+            sin_0[j] = real_sin(psi0);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real t26 = d_y[j] * cos_0[j] - d_x[j] * sin_0[j];
+            const real t27 = d_x[j] * cos_0[j] + d_y[j] * sin_0[j];
+            const real t28 = 1.0 / (t26 * t26 + t27 * t27);
+            const real t29 = t28 * t28;
+            const real t30 = cos_0[j] * t9[j] - sin_0[j] * t7[j];
+            const real t31 = cos_0[j] * t7[j] + sin_0[j] * t9[j];
+            const real t32 = t26 * t30 + t27 * t31;
+            const real t33 = t29 * t32;
+            const real t34 = step[j] * t30;
+            const real t35 = step[j] * t31;
+            const real t36 = step[j] * (cos_0[j] * t6[j] + sin_0[j] * t20[j]);
+            const real t37 = t26 * t35 - t27 * t34;
+            const real t38 = t30 * t35 + t26 * t36 - 4.0 * t28 * t32 * t37 - t31 * t34;
+            const real t39 = step[j] * (cos_0[j] * t20[j] - sin_0[j] * t6[j]);
+            const real t40 = t29 * (t38 - t27 * t39);
+            const real t41 = t29 * t37;
+            const real t42 = 2.0 * (t33 * t34 - t27 * t40 - t31 * t41) - t28 * t39;
+            const real t43 = t28 * t36 - 2.0 * (t26 * t40 + t33 * t35 + t30 * t41);
+            const real t44 = t25[j] + cos_0[j] * t42 - sin_0[j] * t43;
+            Psi_x[2 * 8 + j] = t44;
+            Psi_x[0 * 8 + j] = -t44;
+            const real t46 = t45[j] + cos_0[j] * t43 + sin_0[j] * t42;
+            Psi_x[3 * 8 + j] = t46;
+            Psi_x[1 * 8 + j] = -t46;
+            const real t49 = t28 * t34 + 2.0 * t27 * t41;
+            const real t50 = t28 * t35 - 2.0 * t26 * t41;
+            const real t51 = 2.0 * (t48[j] - cos_0[j] * t49 - sin_0[j] * t50);
+            Psi_v[2 * 8 + j] = t51;
+            Psi_v[0 * 8 + j] = -t51;
+            const real t54 = 2.0 * (t52[j] + cos_0[j] * t50 + t53[j] - sin_0[j] * t49);
+            Psi_v[3 * 8 + j] = t54;
+            Psi_v[1 * 8 + j] = -t54;
         }
     }
 }
@@ -386,7 +447,7 @@ static void planar_belt_stiffness(size_t nblocks, const real *const *in, real *c
 
 const flexel_element flexel_planar_belt = {
     .name = "planar_belt",
-    .digest = "7afd672f828a7954",
+    .digest = "152600f1af549654",
     .n = 6,
     .m = 1,
     .k = 0,
@@ -394,6 +455,7 @@ const flexel_element flexel_planar_belt = {
     .position = planar_belt_position,
     .velocity = planar_belt_velocity,
     .acceleration = planar_belt_acceleration,
+    .rates = planar_belt_rates,
     .kinematics = planar_belt_kinematics,
     .stiffness = planar_belt_stiffness,
 };

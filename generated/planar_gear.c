@@ -165,21 +165,18 @@ static void planar_gear_acceleration(size_t nblocks, const real *const *in, real
     }
 }
 
-/* kinematics: 95 operations.
- * in:  x (6), v (6), a (6), p (3)
- * out: Phi_x (1,6), 4 of 6 entries, Psi_x (1,6), 4 of 6 entries, Psi_v (1,6), 4 of 6 entries */
+/* rates: 43 operations.
+ * in:  x (6), v (6), p (3)
+ * out: Phi_x (1,6), 4 of 6 entries */
 FLEXEL_CLONES
-static void planar_gear_kinematics(size_t nblocks, const real *const *in, real *const *out)
+static void planar_gear_rates(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict x = in[0] + b * (6 * 8);
         const real *restrict v = in[1] + b * (6 * 8);
-        const real *restrict a = in[2] + b * (6 * 8);
-        const real *restrict p = in[3] + b * (3 * 8);
+        const real *restrict p = in[2] + b * (3 * 8);
         real *restrict Phi_x = out[0] + b * (4 * 8);
-        real *restrict Psi_x = out[1] + b * (4 * 8);
-        real *restrict Psi_v = out[2] + b * (4 * 8);
-        real cos_0[8], d_x[8], d_y[8], sin_0[8], t4[8], t5[8], t18[8], t19[8];
+        real cos_0[8], d_x[8], d_y[8], sin_0[8], t3[8], t4[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real q_x = x[3 * 8 + j];
@@ -190,16 +187,10 @@ static void planar_gear_kinematics(size_t nblocks, const real *const *in, real *
             d_y[j] = q_y - p_y;
             const real q_vx = v[3 * 8 + j];
             const real p_vx = v[0 * 8 + j];
-            t4[j] = q_vx - p_vx;
+            t3[j] = q_vx - p_vx;
             const real q_vy = v[4 * 8 + j];
             const real p_vy = v[1 * 8 + j];
-            t5[j] = q_vy - p_vy;
-            const real q_ay = a[4 * 8 + j];
-            const real p_ay = a[1 * 8 + j];
-            t18[j] = q_ay - p_ay;
-            const real q_ax = a[3 * 8 + j];
-            const real p_ax = a[0 * 8 + j];
-            t19[j] = q_ax - p_ax;
+            t4[j] = q_vy - p_vy;
         }
         for (size_t j = 0; j < 8; j++) {
             const real offset0 = p[2 * 8 + j];
@@ -211,42 +202,98 @@ static void planar_gear_kinematics(size_t nblocks, const real *const *in, real *
             const real t0 = d_x[j] * cos_0[j] + d_y[j] * sin_0[j];
             const real t1 = d_y[j] * cos_0[j] - d_x[j] * sin_0[j];
             const real t2 = 1.0 / (t1 * t1 + t0 * t0);
-            const real t3 = t2 * t2;
-            const real t6 = cos_0[j] * t4[j] + sin_0[j] * t5[j];
-            const real t7 = cos_0[j] * t5[j] - sin_0[j] * t4[j];
-            const real t8 = t1 * t6 - t0 * t7;
-            const real t9 = t3 * t8;
-            const real t10 = t0 * t9;
-            const real t11 = t2 * t7 + t10 + t10;
-            const real t12 = t1 * t9;
-            const real t13 = t2 * t6 - t12 - t12;
-            const real t14 = cos_0[j] * t11 + sin_0[j] * t13;
-            Phi_x[0 * 8 + j] = t14;
-            const real t15 = cos_0[j] * t13 - sin_0[j] * t11;
-            Phi_x[3 * 8 + j] = t15;
-            Phi_x[1 * 8 + j] = -t15;
-            Phi_x[2 * 8 + j] = -t14;
-            const real t16 = 2.0 * t1 * t7 + 2.0 * t0 * t6;
-            const real t17 = t16 * t3;
-            const real t20 = cos_0[j] * t18[j] - sin_0[j] * t19[j];
-            const real t21 = cos_0[j] * t19[j] + sin_0[j] * t18[j];
-            const real t22 = t3 * (t1 * t21 - 2.0 * t16 * t8 * t2 - t0 * t20);
-            const real t23 = t0 * t22;
-            const real t24 = t7 * t17 - 2.0 * t6 * t9 - t2 * t20 - t23 - t23;
-            const real t25 = t1 * t22;
-            const real t26 = t2 * t21 - (t6 * t17 + 2.0 * t7 * t9) - t25 - t25;
-            const real t27 = cos_0[j] * t24 - sin_0[j] * t26;
-            Psi_x[2 * 8 + j] = t27;
-            Psi_x[0 * 8 + j] = -t27;
-            const real t28 = sin_0[j] * t24 + cos_0[j] * t26;
-            Psi_x[3 * 8 + j] = t28;
-            Psi_x[1 * 8 + j] = -t28;
-            const real t29 = 2.0 * t14;
-            Psi_v[0 * 8 + j] = t29;
-            const real t30 = 2.0 * t15;
-            Psi_v[3 * 8 + j] = t30;
-            Psi_v[1 * 8 + j] = -t30;
-            Psi_v[2 * 8 + j] = -t29;
+            const real t5 = cos_0[j] * t3[j] + sin_0[j] * t4[j];
+            const real t6 = cos_0[j] * t4[j] - sin_0[j] * t3[j];
+            const real t7 = t2 * t2 * (t1 * t5 - t0 * t6);
+            const real t8 = t0 * t7;
+            const real t9 = t2 * t6 + t8 + t8;
+            const real t10 = t1 * t7;
+            const real t11 = t2 * t5 - t10 - t10;
+            const real t12 = cos_0[j] * t9 + sin_0[j] * t11;
+            Phi_x[0 * 8 + j] = t12;
+            const real t13 = cos_0[j] * t11 - sin_0[j] * t9;
+            Phi_x[3 * 8 + j] = t13;
+            Phi_x[1 * 8 + j] = -t13;
+            Phi_x[2 * 8 + j] = -t12;
+        }
+    }
+}
+
+/* kinematics: 93 operations.
+ * in:  x (6), v (6), a (6), p (3)
+ * out: Psi_x (1,6), 4 of 6 entries, Psi_v (1,6), 4 of 6 entries */
+FLEXEL_CLONES
+static void planar_gear_kinematics(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (6 * 8);
+        const real *restrict v = in[1] + b * (6 * 8);
+        const real *restrict a = in[2] + b * (6 * 8);
+        const real *restrict p = in[3] + b * (3 * 8);
+        real *restrict Psi_x = out[0] + b * (4 * 8);
+        real *restrict Psi_v = out[1] + b * (4 * 8);
+        real cos_0[8], t0[8], sin_0[8], t1[8], d_y[8], d_x[8], t12[8], t13[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real q_vy = v[4 * 8 + j];
+            const real p_vy = v[1 * 8 + j];
+            t0[j] = q_vy - p_vy;
+            const real q_vx = v[3 * 8 + j];
+            const real p_vx = v[0 * 8 + j];
+            t1[j] = q_vx - p_vx;
+            const real q_y = x[4 * 8 + j];
+            const real p_y = x[1 * 8 + j];
+            d_y[j] = q_y - p_y;
+            const real q_x = x[3 * 8 + j];
+            const real p_x = x[0 * 8 + j];
+            d_x[j] = q_x - p_x;
+            const real q_ay = a[4 * 8 + j];
+            const real p_ay = a[1 * 8 + j];
+            t12[j] = q_ay - p_ay;
+            const real q_ax = a[3 * 8 + j];
+            const real p_ax = a[0 * 8 + j];
+            t13[j] = q_ax - p_ax;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            const real offset0 = p[2 * 8 + j];
+            cos_0[j] = real_cos(offset0);
+            sin_0[j] = real_sin(offset0);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real t2 = cos_0[j] * t0[j] - sin_0[j] * t1[j];
+            const real t3 = d_y[j] * cos_0[j] - d_x[j] * sin_0[j];
+            const real t4 = d_x[j] * cos_0[j] + d_y[j] * sin_0[j];
+            const real t5 = cos_0[j] * t1[j] + sin_0[j] * t0[j];
+            const real t6 = 2.0 * t3 * t2 + 2.0 * t4 * t5;
+            const real t7 = 1.0 / (t3 * t3 + t4 * t4);
+            const real t8 = t7 * t7;
+            const real t9 = t6 * t8;
+            const real t10 = t3 * t5 - t4 * t2;
+            const real t11 = t8 * t10;
+            const real t14 = cos_0[j] * t12[j] - sin_0[j] * t13[j];
+            const real t15 = cos_0[j] * t13[j] + sin_0[j] * t12[j];
+            const real t16 = t8 * (t3 * t15 - 2.0 * t6 * t10 * t7 - t4 * t14);
+            const real t17 = t4 * t16;
+            const real t18 = t2 * t9 - 2.0 * t5 * t11 - t7 * t14 - t17 - t17;
+            const real t19 = t3 * t16;
+            const real t20 = t7 * t15 - (t5 * t9 + 2.0 * t2 * t11) - t19 - t19;
+            const real t21 = cos_0[j] * t18 - sin_0[j] * t20;
+            Psi_x[2 * 8 + j] = t21;
+            Psi_x[0 * 8 + j] = -t21;
+            const real t22 = sin_0[j] * t18 + cos_0[j] * t20;
+            Psi_x[3 * 8 + j] = t22;
+            Psi_x[1 * 8 + j] = -t22;
+            const real t23 = t4 * t11;
+            const real t24 = t7 * t2 + t23 + t23;
+            const real t25 = t3 * t11;
+            const real t26 = t7 * t5 - t25 - t25;
+            const real t27 = 2.0 * (cos_0[j] * t24 + sin_0[j] * t26);
+            Psi_v[0 * 8 + j] = t27;
+            const real t28 = 2.0 * (cos_0[j] * t26 - sin_0[j] * t24);
+            Psi_v[3 * 8 + j] = t28;
+            Psi_v[1 * 8 + j] = -t28;
+            Psi_v[2 * 8 + j] = -t27;
         }
     }
 }
@@ -310,7 +357,7 @@ static void planar_gear_stiffness(size_t nblocks, const real *const *in, real *c
 
 const flexel_element flexel_planar_gear = {
     .name = "planar_gear",
-    .digest = "24f45e0258cf4737",
+    .digest = "a3ec170d343f7d9c",
     .n = 6,
     .m = 1,
     .k = 0,
@@ -318,6 +365,7 @@ const flexel_element flexel_planar_gear = {
     .position = planar_gear_position,
     .velocity = planar_gear_velocity,
     .acceleration = planar_gear_acceleration,
+    .rates = planar_gear_rates,
     .kinematics = planar_gear_kinematics,
     .stiffness = planar_gear_stiffness,
 };

@@ -115,20 +115,17 @@ static void planar_wheel_acceleration(size_t nblocks, const real *const *in, rea
     }
 }
 
-/* kinematics: 29 operations.
- * in:  x (4), v (4), a (4), p (2)
- * out: Phi_x (2,4), 2 of 8 entries, Psi_x (2,4), 2 of 8 entries, Psi_v (2,4), 6 of 8 entries */
+/* rates: 10 operations.
+ * in:  x (4), v (4), p (2)
+ * out: Phi_x (2,4), 2 of 8 entries */
 FLEXEL_CLONES
-static void planar_wheel_kinematics(size_t nblocks, const real *const *in, real *const *out)
+static void planar_wheel_rates(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict x = in[0] + b * (4 * 8);
         const real *restrict v = in[1] + b * (4 * 8);
-        const real *restrict a = in[2] + b * (4 * 8);
-        const real *restrict p = in[3] + b * (2 * 8);
+        const real *restrict p = in[2] + b * (2 * 8);
         real *restrict Phi_x = out[0] + b * (2 * 8);
-        real *restrict Psi_x = out[1] + b * (2 * 8);
-        real *restrict Psi_v = out[2] + b * (6 * 8);
         real t0[8], cos_r[8], sin_r[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
@@ -144,19 +141,53 @@ static void planar_wheel_kinematics(size_t nblocks, const real *const *in, real 
         for (size_t j = 0; j < 8; j++) {
             const real p_vy = v[1 * 8 + j];
             const real p_vx = v[0 * 8 + j];
-            Phi_x[0 * 8 + j] = Psi_v[2 * 8 + j] = p_vy * cos_r[j] - p_vx * sin_r[j];
-            Phi_x[1 * 8 + j] = Psi_v[5 * 8 + j] = -(p_vx * cos_r[j] + p_vy * sin_r[j]);
+            Phi_x[0 * 8 + j] = p_vy * cos_r[j] - p_vx * sin_r[j];
+            Phi_x[1 * 8 + j] = -(p_vx * cos_r[j] + p_vy * sin_r[j]);
+        }
+    }
+}
+
+/* kinematics: 29 operations.
+ * in:  x (4), v (4), a (4), p (2)
+ * out: Psi_x (2,4), 2 of 8 entries, Psi_v (2,4), 6 of 8 entries */
+FLEXEL_CLONES
+static void planar_wheel_kinematics(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (4 * 8);
+        const real *restrict v = in[1] + b * (4 * 8);
+        const real *restrict a = in[2] + b * (4 * 8);
+        const real *restrict p = in[3] + b * (2 * 8);
+        real *restrict Psi_x = out[0] + b * (2 * 8);
+        real *restrict Psi_v = out[1] + b * (6 * 8);
+        real t0[8], cos_r[8], sin_r[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real r_angle = x[2 * 8 + j];
+            const real alpha0 = p[1 * 8 + j];
+            t0[j] = r_angle + alpha0;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            cos_r[j] = real_cos(t0[j]);
+            sin_r[j] = real_sin(t0[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
             const real p_ay = a[1 * 8 + j];
             const real p_ax = a[0 * 8 + j];
             const real r_vangle = v[2 * 8 + j];
             const real t1 = r_vangle * sin_r[j];
+            const real p_vy = v[1 * 8 + j];
             const real t2 = r_vangle * cos_r[j];
             Psi_v[1 * 8 + j] = t2;
+            const real p_vx = v[0 * 8 + j];
             Psi_x[0 * 8 + j] = cos_r[j] * p_ay - sin_r[j] * p_ax - (p_vy * t1 + p_vx * t2);
             const real t3 = p_vy * t2 - p_vx * t1 + (cos_r[j] * p_ax + sin_r[j] * p_ay);
             Psi_x[1 * 8 + j] = -t3;
             Psi_v[0 * 8 + j] = Psi_v[4 * 8 + j] = -t1;
+            Psi_v[2 * 8 + j] = p_vy * cos_r[j] - p_vx * sin_r[j];
             Psi_v[3 * 8 + j] = -t2;
+            Psi_v[5 * 8 + j] = -(p_vx * cos_r[j] + p_vy * sin_r[j]);
         }
     }
 }
@@ -195,7 +226,7 @@ static void planar_wheel_stiffness(size_t nblocks, const real *const *in, real *
 
 const flexel_element flexel_planar_wheel = {
     .name = "planar_wheel",
-    .digest = "da78bf771e24986c",
+    .digest = "fb21d158a818ac2c",
     .n = 4,
     .m = 0,
     .k = 2,
@@ -203,6 +234,7 @@ const flexel_element flexel_planar_wheel = {
     .position = planar_wheel_position,
     .velocity = planar_wheel_velocity,
     .acceleration = planar_wheel_acceleration,
+    .rates = planar_wheel_rates,
     .kinematics = planar_wheel_kinematics,
     .stiffness = planar_wheel_stiffness,
 };

@@ -118,19 +118,16 @@ static void surface_acceleration(size_t nblocks, const real *const *in, real *co
     }
 }
 
-/* kinematics: 39 operations.
- * in:  x (3), v (3), a (3), p (10)
- * out: Phi_x (1,3), Psi_x (1,3), Psi_v (1,3) */
+/* rates: 18 operations.
+ * in:  x (3), v (3), p (10)
+ * out: Phi_x (1,3) */
 FLEXEL_CLONES
-static void surface_kinematics(size_t nblocks, const real *const *in, real *const *out)
+static void surface_rates(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict v = in[1] + b * (3 * 8);
-        const real *restrict a = in[2] + b * (3 * 8);
-        const real *restrict p = in[3] + b * (10 * 8);
+        const real *restrict p = in[2] + b * (10 * 8);
         real *restrict Phi_x = out[0] + b * (3 * 8);
-        real *restrict Psi_x = out[1] + b * (3 * 8);
-        real *restrict Psi_v = out[2] + b * (3 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real p_vz = v[2 * 8 + j];
@@ -139,23 +136,50 @@ static void surface_kinematics(size_t nblocks, const real *const *in, real *cons
             const real quadratic_xy = p[3 * 8 + j];
             const real p_vx = v[0 * 8 + j];
             const real quadratic_xx = p[0 * 8 + j];
-            const real t0 = p_vz * quadratic_xz + p_vy * quadratic_xy + 2.0 * p_vx * quadratic_xx;
-            Phi_x[0 * 8 + j] = t0;
+            Phi_x[0 * 8 + j] = p_vz * quadratic_xz + p_vy * quadratic_xy + 2.0 * p_vx * quadratic_xx;
             const real quadratic_yy = p[1 * 8 + j];
             const real quadratic_yz = p[5 * 8 + j];
-            const real t1 = p_vz * quadratic_yz + p_vx * quadratic_xy + 2.0 * p_vy * quadratic_yy;
-            Phi_x[1 * 8 + j] = t1;
+            Phi_x[1 * 8 + j] = p_vz * quadratic_yz + p_vx * quadratic_xy + 2.0 * p_vy * quadratic_yy;
             const real quadratic_zz = p[2 * 8 + j];
-            const real t2 = p_vx * quadratic_xz + p_vy * quadratic_yz + 2.0 * p_vz * quadratic_zz;
-            Phi_x[2 * 8 + j] = t2;
+            Phi_x[2 * 8 + j] = p_vx * quadratic_xz + p_vy * quadratic_yz + 2.0 * p_vz * quadratic_zz;
+        }
+    }
+}
+
+/* kinematics: 39 operations.
+ * in:  x (3), v (3), a (3), p (10)
+ * out: Psi_x (1,3), Psi_v (1,3) */
+FLEXEL_CLONES
+static void surface_kinematics(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict v = in[1] + b * (3 * 8);
+        const real *restrict a = in[2] + b * (3 * 8);
+        const real *restrict p = in[3] + b * (10 * 8);
+        real *restrict Psi_x = out[0] + b * (3 * 8);
+        real *restrict Psi_v = out[1] + b * (3 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real quadratic_xx = p[0 * 8 + j];
             const real p_ax = a[0 * 8 + j];
+            const real quadratic_xy = p[3 * 8 + j];
             const real p_ay = a[1 * 8 + j];
+            const real quadratic_xz = p[4 * 8 + j];
             const real p_az = a[2 * 8 + j];
             Psi_x[0 * 8 + j] = quadratic_xy * p_ay + quadratic_xz * p_az + 2.0 * quadratic_xx * p_ax;
+            const real quadratic_yy = p[1 * 8 + j];
+            const real quadratic_yz = p[5 * 8 + j];
             Psi_x[1 * 8 + j] = quadratic_xy * p_ax + quadratic_yz * p_az + 2.0 * quadratic_yy * p_ay;
+            const real quadratic_zz = p[2 * 8 + j];
             Psi_x[2 * 8 + j] = quadratic_xz * p_ax + quadratic_yz * p_ay + 2.0 * quadratic_zz * p_az;
+            const real p_vz = v[2 * 8 + j];
+            const real p_vy = v[1 * 8 + j];
+            const real p_vx = v[0 * 8 + j];
+            const real t0 = p_vz * quadratic_xz + p_vy * quadratic_xy + 2.0 * p_vx * quadratic_xx;
             Psi_v[0 * 8 + j] = 2.0 * t0;
+            const real t1 = p_vz * quadratic_yz + p_vx * quadratic_xy + 2.0 * p_vy * quadratic_yy;
             Psi_v[1 * 8 + j] = 2.0 * t1;
+            const real t2 = p_vx * quadratic_xz + p_vy * quadratic_yz + 2.0 * p_vz * quadratic_zz;
             Psi_v[2 * 8 + j] = 2.0 * t2;
         }
     }
@@ -192,7 +216,7 @@ static void surface_stiffness(size_t nblocks, const real *const *in, real *const
 
 const flexel_element flexel_surface = {
     .name = "surface",
-    .digest = "acabb9350fc5e5e2",
+    .digest = "fbe7bace4591c9b1",
     .n = 3,
     .m = 1,
     .k = 0,
@@ -200,6 +224,7 @@ const flexel_element flexel_surface = {
     .position = surface_position,
     .velocity = surface_velocity,
     .acceleration = surface_acceleration,
+    .rates = surface_rates,
     .kinematics = surface_kinematics,
     .stiffness = surface_stiffness,
 };

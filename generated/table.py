@@ -6,6 +6,7 @@ Written by `flexel derive`; do not edit.
 from flexel.generated.spec import (
     DeformationSpec,
     ElementSpec,
+    InternalSpec,
     KernelSpec,
     LawSpec,
     NodeSpec,
@@ -128,7 +129,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element norm
     "norm": ElementSpec(
         name="norm",
-        digest="7d85543497befd61",
+        digest="3c8b6eaec716cd66",
         doc="norm = lambda.lambda - 1",
         source="Schwab and Meijaard 2006, DETC2006-99307",
         nodes=(
@@ -165,14 +166,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 8,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (1, 4), (0, 1, 2, 3)),
+                ),
+                4,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (1, 4), (0, 1, 2, 3)),
                     OutputSpec("Psi_x", (1, 4), (0, 1, 2, 3)),
                     OutputSpec("Psi_v", (1, 4), (0, 1, 2, 3)),
                 ),
-                12,
+                8,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -186,7 +193,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element truss
     "truss": ElementSpec(
         name="truss",
-        digest="d3e5d85da45de0db",
+        digest="7c3720beb3f5cb02",
         doc="elongation = |xq - xp| - l0\nT = rhoA l0/6 (vp.vp + vp.vq + vq.vq), uniform bar\nU = -rhoA l0 gravity.(xp + xq)/2",
         source="van der Werff and Jonker 1984, NATO ASI F9, p. 381",
         nodes=(
@@ -228,14 +235,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 28,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (1, 6), tuple(range(6))),
+                ),
+                33,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (1, 6), tuple(range(6))),
                     OutputSpec("Psi_x", (1, 6), tuple(range(6))),
                     OutputSpec("Psi_v", (1, 6), tuple(range(6))),
                 ),
-                88,
+                85,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -267,7 +280,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element hinge
     "hinge": ElementSpec(
         name="hinge",
-        digest="36b57df45efb877e",
+        digest="dadc382dc2a6c903",
         doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nc = conj(u_p) o u_q\nangle = 2 atan2(c1, c0), period 2 pi\nbend1 = ez_p.ex_q,  bend2 = -ey_p.ex_q",
         source="van der Werff and Jonker 1984; SPACAR95 manual (Schwab and Meijaard 2000), HINGE",
         nodes=(
@@ -310,10 +323,16 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 371,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 8), tuple(range(24))),
+                ),
+                654,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (3, 8), tuple(range(24))),
                     OutputSpec("Psi_x", (3, 8), tuple(range(24))),
                     OutputSpec("Psi_v", (3, 8), tuple(range(24))),
                 ),
@@ -331,7 +350,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element bearing
     "bearing": ElementSpec(
         name="bearing",
-        digest="14a47077b7749713",
+        digest="130427e0d17764ae",
         doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nc = conj(u_p) o u_q\nangle = 2 atan2(c1, c0), period 2 pi\nbend1 = ez_p.ex_q,  bend2 = -ey_p.ex_q\nd = xq - xp\n(axial, radial1, radial2) = R(u_p)' d - d0",
         source="SPACAR95 manual (Schwab and Meijaard 2000), BEARING",
         nodes=(
@@ -380,14 +399,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 430,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (6, 14), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79)),
+                ),
+                788,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (6, 14), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79)),
                     OutputSpec("Psi_x", (6, 14), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79)),
                     OutputSpec("Psi_v", (6, 14), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79)),
                 ),
-                1830,
+                1814,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -401,7 +426,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element beam3
     "beam3": ElementSpec(
         name="beam3",
-        digest="3963d68a37a93ea5",
+        digest="e7b0b0ad07f4d7f0",
         doc="triad ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp; d = xq - xp\n(along, across1, across2) = R(u_p)' d - d0\nw_p = angular velocity of the triad, in its own axes\nT = rhoA l0/6 (vp.vp + vp.vq + vq.vq) + l0/2 sum rhoJ_i w_i^2, uniform bar\nU = -rhoA l0 gravity.(xp + xq)/2",
         source="Meijaard, Papadopoulos, Ruina and Schwab 2007, supplement, PINBODY; UT SPACAR, RBEAM",
         nodes=(
@@ -449,14 +474,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 183,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 10), tuple(range(30))),
+                ),
+                225,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (3, 10), tuple(range(30))),
                     OutputSpec("Psi_x", (3, 10), tuple(range(30))),
                     OutputSpec("Psi_v", (3, 10), tuple(range(30))),
                 ),
-                510,
+                494,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -488,7 +519,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element beam
     "beam": ElementSpec(
         name="beam",
-        digest="9a749c33f10ee5b1",
+        digest="d04fce21896d1200",
         doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nd = xq - xp, l = |d|, el = d/l\nb1 = l - l0                 b2 = l0 (ez_p.ey_q - ey_p.ez_q)/2\nb3 = -l0 ez_p.el            b4 = l0 ez_q.el\nb5 = l0 ey_p.el             b6 = -l0 ey_q.el\nelongation = b1 + (2 b3^2 + b3 b4 + 2 b4^2 + 2 b5^2 + b5 b6 + 2 b6^2)/(30 l0)\ntorsion = b2 + (b4 b5 - b3 b6)/l0\nbend1, bend2 = b3 + k, b4 - k with k = b2 (b5 + b6)/(6 l0)\nbend3, bend4 = b5 - h, b6 + h with h = b2 (b3 + b4)/(6 l0)\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_y, phi_z) cubic shapes, torsion linear; w_p, w_q angular velocities in the triads\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
         source="Meijaard 1996, Nonlinear Dyn. 9; Jonker and Meijaard 2013, Int. J. Non-Linear Mech. 53; Przemieniecki 1968 (mass with rotary inertia)",
         nodes=(
@@ -542,14 +573,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 659,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (6, 14), tuple(range(84))),
+                ),
+                1891,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (6, 14), tuple(range(84))),
                     OutputSpec("Psi_x", (6, 14), tuple(range(84))),
                     OutputSpec("Psi_v", (6, 14), tuple(range(84))),
                 ),
-                4974,
+                4947,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -581,7 +618,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element beam_first_order
     "beam_first_order": ElementSpec(
         name="beam_first_order",
-        digest="d385681c75909caa",
+        digest="dae5a50ddfb004c8",
         doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nd = xq - xp, l = |d|, el = d/l\nb1 = l - l0                 b2 = l0 (ez_p.ey_q - ey_p.ez_q)/2\nb3 = -l0 ez_p.el            b4 = l0 ez_q.el\nb5 = l0 ey_p.el             b6 = -l0 ey_q.el\nelongation, torsion, bend1, bend2, bend3, bend4 = b1, b2, b3, b4, b5, b6\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_y, phi_z) cubic shapes, torsion linear; w_p, w_q angular velocities in the triads\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
         source="Meijaard 1996, Nonlinear Dyn. 9; Jonker and Meijaard 2013, Int. J. Non-Linear Mech. 53; Przemieniecki 1968 (mass with rotary inertia)",
         nodes=(
@@ -635,14 +672,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 493,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (6, 14), (0, 1, 2, 7, 8, 9, 17, 18, 19, 20, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 42, 43, 44, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 70, 71, 72, 77, 78, 79, 80, 81, 82, 83)),
+                ),
+                903,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (6, 14), (0, 1, 2, 7, 8, 9, 17, 18, 19, 20, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 42, 43, 44, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 70, 71, 72, 77, 78, 79, 80, 81, 82, 83)),
                     OutputSpec("Psi_x", (6, 14), (0, 1, 2, 7, 8, 9, 17, 18, 19, 20, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 42, 43, 44, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 70, 71, 72, 77, 78, 79, 80, 81, 82, 83)),
                     OutputSpec("Psi_v", (6, 14), (0, 1, 2, 7, 8, 9, 17, 18, 19, 20, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 42, 43, 44, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 70, 71, 72, 77, 78, 79, 80, 81, 82, 83)),
                 ),
-                2358,
+                2333,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -674,7 +717,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element wheel
     "wheel": ElementSpec(
         name="wheel",
-        digest="72f1a6fa62b48db3",
+        digest="a09215249236d753",
         doc="w hub, c contact point, d = xc - xw, a = R(lambda) axle, n = normal, ra = d x a\nradius = (d.d - R^2)/(2 R),  plane = a.d,  surface = n.xc - height,  lowest = n.ra\nomega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x d, the material point in contact\nlongitudinal = ra.vc/|ra|,  lateral = (n x ra).vc/|n x ra|,  spin = omega.n",
         source="Meijaard, Papadopoulos, Ruina and Schwab 2007, Proc. R. Soc. A 463:1955, supplement, WHEEL",
         nodes=(
@@ -725,14 +768,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 385,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (7, 10), (0, 1, 2, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 63, 64, 65, 66)),
+                ),
+                619,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (7, 10), (0, 1, 2, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 63, 64, 65, 66)),
                     OutputSpec("Psi_x", (7, 10), (0, 1, 2, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 63, 64, 65, 66)),
                     OutputSpec("Psi_v", (7, 10), (0, 1, 2, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59)),
                 ),
-                1861,
+                1565,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -746,7 +795,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element surface
     "surface": ElementSpec(
         name="surface",
-        digest="acabb9350fc5e5e2",
+        digest="fbe7bace4591c9b1",
         doc="height = quadratic.(x^2, y^2, z^2, x y, x z, y z) + linear.(x, y, z) + constant",
         source="SPACAR95 manual (Schwab and Meijaard 2000), SURFACE",
         nodes=(
@@ -787,10 +836,16 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 15,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (1, 3), (0, 1, 2)),
+                ),
+                18,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (1, 3), (0, 1, 2)),
                     OutputSpec("Psi_x", (1, 3), (0, 1, 2)),
                     OutputSpec("Psi_v", (1, 3), (0, 1, 2)),
                 ),
@@ -808,7 +863,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element rotation
     "rotation": ElementSpec(
         name="rotation",
-        digest="1e370b1b675ba195",
+        digest="90e9bc3b757317e8",
         doc="(wx, wy, wz) = 2 (lambdadot o conj(lambda)), angular velocity in global axes",
         source="Schwab and Meijaard 2006, DETC2006-99307",
         nodes=(
@@ -847,14 +902,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 18,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 4), tuple(range(12))),
+                ),
+                8,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (3, 4), tuple(range(12))),
                     OutputSpec("Psi_x", (3, 4), tuple(range(12))),
                     OutputSpec("Psi_v", (3, 4), ()),
                 ),
-                16,
+                8,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -868,7 +929,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element body_rotation
     "body_rotation": ElementSpec(
         name="body_rotation",
-        digest="d8d0a32f89083ce7",
+        digest="e8ddafe8d118b8f6",
         doc="u = lambda o t\n(wx, wy, wz) = 2 (conj(u) o udot), angular velocity in the axes of R(u)",
         source="Schwab and Meijaard 2006, DETC2006-99307",
         nodes=(
@@ -909,14 +970,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 58,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 4), tuple(range(12))),
+                ),
+                94,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (3, 4), tuple(range(12))),
                     OutputSpec("Psi_x", (3, 4), tuple(range(12))),
                     OutputSpec("Psi_v", (3, 4), tuple(range(12))),
                 ),
-                247,
+                173,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -930,7 +997,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element body_velocity
     "body_velocity": ElementSpec(
         name="body_velocity",
-        digest="86710256fe764578",
+        digest="a79d16accc4bfcef",
         doc="(vx, vy, vz) = R(lambda)' xdot_p, velocity of the point in the axes of the frame",
         source="textbook mechanics",
         nodes=(
@@ -970,10 +1037,16 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 59,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 7), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20)),
+                ),
+                27,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (3, 7), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20)),
                     OutputSpec("Psi_x", (3, 7), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20)),
                     OutputSpec("Psi_v", (3, 7), tuple(range(21))),
                 ),
@@ -991,7 +1064,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element bar_span
     "bar_span": ElementSpec(
         name="bar_span",
-        digest="3fe5eb028bf501f6",
+        digest="a86c5d8cd144bdfb",
         doc="(x, y, z) = l0 (vp + vq)/2, rate of the integral of position over a straight bar",
         source="textbook mechanics (consistent nodal forces)",
         nodes=(
@@ -1033,10 +1106,16 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 0,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 6), ()),
+                ),
+                0,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (3, 6), ()),
                     OutputSpec("Psi_x", (3, 6), ()),
                     OutputSpec("Psi_v", (3, 6), ()),
                 ),
@@ -1054,7 +1133,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element beam_span
     "beam_span": ElementSpec(
         name="beam_span",
-        digest="10150c5a84d3bc2e",
+        digest="4e10cdff35b6c03c",
         doc="(x, y, z) = l0 ((vp + vq)/2 + l0 (exdot_p - exdot_q)/12), rate of the integral of position over the\nbeam's cubic Hermite interpolation; ex: first columns of R(lambda_p o tp), R(lambda_q o tq)",
         source="textbook mechanics (consistent nodal forces)",
         nodes=(
@@ -1100,14 +1179,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 96,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 14), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41)),
+                ),
+                172,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (3, 14), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41)),
                     OutputSpec("Psi_x", (3, 14), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41)),
                     OutputSpec("Psi_v", (3, 14), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41)),
                 ),
-                398,
+                324,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -1231,7 +1316,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_truss
     "planar_truss": ElementSpec(
         name="planar_truss",
-        digest="3d9899e12000162a",
+        digest="82d68f1d0a51ef46",
         doc="elongation = |xq - xp| - l0\nT = rhoA l0/6 (vp.vp + vp.vq + vq.vq), uniform bar\nU = -rhoA l0 gravity.(xp + xq)/2",
         source="van der Werff and Jonker 1984, NATO ASI F9, p. 381",
         nodes=(
@@ -1273,14 +1358,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 20,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (1, 4), (0, 1, 2, 3)),
+                ),
+                23,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (1, 4), (0, 1, 2, 3)),
                     OutputSpec("Psi_x", (1, 4), (0, 1, 2, 3)),
                     OutputSpec("Psi_v", (1, 4), (0, 1, 2, 3)),
                 ),
-                63,
+                61,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -1312,7 +1403,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_hinge
     "planar_hinge": ElementSpec(
         name="planar_hinge",
-        digest="6052f4512148ac68",
+        digest="6ba42158e941d963",
         doc="angle = angle_q - angle_p - offset0 (counts turns)",
         source="SPACAR95 manual (Schwab and Meijaard 2000), PLHINGE",
         nodes=(
@@ -1352,10 +1443,16 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 0,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (1, 2), ()),
+                ),
+                0,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (1, 2), ()),
                     OutputSpec("Psi_x", (1, 2), ()),
                     OutputSpec("Psi_v", (1, 2), ()),
                 ),
@@ -1373,7 +1470,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_beam
     "planar_beam": ElementSpec(
         name="planar_beam",
-        digest="4d9fa97e8dfefd97",
+        digest="362e2945d153049e",
         doc="ex, ey: directions of the element at p (angle_p + alpha0) and q (angle_q + alphaq0)\nd = xq - xp, l = |d|, el = d/l;  b1 = l - l0,  b5 = l0 ey_p.el,  b6 = -l0 ey_q.el\nelongation = b1 + (2 b5^2 + b5 b6 + 2 b6^2)/(30 l0),  bend1 = b5,  bend2 = b6\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_z) cubic shapes\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
         source="SPACAR95 manual (Schwab and Meijaard 2000), PLBEAM, PLBEAMNL; signs of the spatial beam's b5, b6; Meijaard 1996, Nonlinear Dyn. 9",
         nodes=(
@@ -1423,14 +1520,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 127,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 6), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 13, 15, 16, 17)),
+                ),
+                214,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (3, 6), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 13, 15, 16, 17)),
                     OutputSpec("Psi_x", (3, 6), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 13, 15, 16, 17)),
                     OutputSpec("Psi_v", (3, 6), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 13, 15, 16, 17)),
                 ),
-                654,
+                643,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -1462,7 +1565,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_beam_first_order
     "planar_beam_first_order": ElementSpec(
         name="planar_beam_first_order",
-        digest="806e05380f6c77f1",
+        digest="2c6ce5fe0749f4e7",
         doc="ex, ey: directions of the element at p (angle_p + alpha0) and q (angle_q + alphaq0)\nd = xq - xp, l = |d|, el = d/l;  b1 = l - l0,  b5 = l0 ey_p.el,  b6 = -l0 ey_q.el\nelongation = b1,  bend1 = b5,  bend2 = b6\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_z) cubic shapes\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
         source="SPACAR95 manual (Schwab and Meijaard 2000), PLBEAM, PLBEAMNL; signs of the spatial beam's b5, b6; Meijaard 1996, Nonlinear Dyn. 9",
         nodes=(
@@ -1512,14 +1615,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 84,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 6), (0, 1, 3, 4, 6, 7, 8, 9, 10, 12, 13, 15, 16, 17)),
+                ),
+                130,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (3, 6), (0, 1, 3, 4, 6, 7, 8, 9, 10, 12, 13, 15, 16, 17)),
                     OutputSpec("Psi_x", (3, 6), (0, 1, 3, 4, 6, 7, 8, 9, 10, 12, 13, 15, 16, 17)),
                     OutputSpec("Psi_v", (3, 6), (0, 1, 3, 4, 6, 7, 8, 9, 10, 12, 13, 15, 16, 17)),
                 ),
-                455,
+                448,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -1551,7 +1660,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_beam3
     "planar_beam3": ElementSpec(
         name="planar_beam3",
-        digest="2b16067a688e31cf",
+        digest="408e6bce41b88145",
         doc="ex, ey: directions of the element (angle_p + alpha0); d = xq - xp\nalong = ex.d - d0_x,  across = ey.d - d0_y\nT = rhoA l0/6 (vp.vp + vp.vq + vq.vq) + l0/2 rhoJ angledot^2, uniform bar\nU = -rhoA l0 gravity.(xp + xq)/2",
         source="planar counterpart of beam3",
         nodes=(
@@ -1598,14 +1707,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 27,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (2, 5), tuple(range(10))),
+                ),
+                26,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (2, 5), tuple(range(10))),
                     OutputSpec("Psi_x", (2, 5), tuple(range(10))),
                     OutputSpec("Psi_v", (2, 5), tuple(range(10))),
                 ),
-                67,
+                64,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -1637,7 +1752,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_bearing
     "planar_bearing": ElementSpec(
         name="planar_bearing",
-        digest="d91c45c5b5c4294f",
+        digest="8713668dd3810443",
         doc="ex, ey: directions of the element (angle_p + alpha0); d = xq - xp\nalong = ex.d - d0_x,  across = ey.d - d0_y,  angle = angle_q - angle_p - offset0 (counts turns)",
         source="SPACAR95 manual (Schwab and Meijaard 2000), PLBEAR",
         nodes=(
@@ -1683,14 +1798,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 27,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 6), (0, 1, 2, 3, 4, 6, 7, 8, 9, 10)),
+                ),
+                26,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (3, 6), (0, 1, 2, 3, 4, 6, 7, 8, 9, 10)),
                     OutputSpec("Psi_x", (3, 6), (0, 1, 2, 3, 4, 6, 7, 8, 9, 10)),
                     OutputSpec("Psi_v", (3, 6), (0, 1, 2, 3, 4, 6, 7, 8, 9, 10)),
                 ),
-                67,
+                64,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -1704,7 +1825,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_belt
     "planar_belt": ElementSpec(
         name="planar_belt",
-        digest="7afd672f828a7954",
+        digest="152600f1af549654",
         doc="d = xq - xp, psi its angle counted from psi0 (less than half a turn away)\nfree_length = sqrt(d.d - (radius_p - radius_q)^2), of the common tangent on the left of d\ntheta = psi - atan2(radius_p - radius_q, free_length), turn of the points of contact\nelongation = free_length + radius_p (angle_p - theta) - radius_q (angle_q - theta) - zero",
         source="SPACAR95 manual (Schwab and Meijaard 2000), PLBELT; terms in theta from the geometry: without them the tension would not act along the belt",
         nodes=(
@@ -1749,14 +1870,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 69,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (1, 6), (0, 1, 3, 4)),
+                ),
+                78,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (1, 6), (0, 1, 3, 4)),
                     OutputSpec("Psi_x", (1, 6), (0, 1, 3, 4)),
                     OutputSpec("Psi_v", (1, 6), (0, 1, 3, 4)),
                 ),
-                188,
+                186,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -1770,7 +1897,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_gear
     "planar_gear": ElementSpec(
         name="planar_gear",
-        digest="24f45e0258cf4737",
+        digest="a3ec170d343f7d9c",
         doc="d = xq - xp, psi its angle counted from offset0, period 2 pi\nmesh = (radius_p angle_p + radius_q angle_q)/(radius_p + radius_q) - psi, an angle, so that any number\nof turns of the line of centres can be counted; (radius_p + radius_q) mesh is the displacement of the teeth",
         source="rolling of the pitch circles, radius_p (angle_p - psi) + radius_q (angle_q - psi) = const; UT SPACAR, GEAR",
         nodes=(
@@ -1814,14 +1941,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 38,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (1, 6), (0, 1, 3, 4)),
+                ),
+                43,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (1, 6), (0, 1, 3, 4)),
                     OutputSpec("Psi_x", (1, 6), (0, 1, 3, 4)),
                     OutputSpec("Psi_v", (1, 6), (0, 1, 3, 4)),
                 ),
-                95,
+                93,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -1835,7 +1968,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_wheel
     "planar_wheel": ElementSpec(
         name="planar_wheel",
-        digest="da78bf771e24986c",
+        digest="fb21d158a818ac2c",
         doc="ex, ey: direction of travel (angle_r + alpha0) and its normal; angle_s is the turn about the axle\nlongitudinal = ex.v - radius angledot_s,  lateral = ey.v",
         source="SPACAR95 manual (Schwab and Meijaard 2000), PLWHEEL",
         nodes=(
@@ -1878,10 +2011,16 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 12,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (2, 4), (2, 6)),
+                ),
+                10,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (2, 4), (2, 6)),
                     OutputSpec("Psi_x", (2, 4), (2, 6)),
                     OutputSpec("Psi_v", (2, 4), (0, 1, 2, 4, 5, 6)),
                 ),
@@ -1899,7 +2038,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_body_velocity
     "planar_body_velocity": ElementSpec(
         name="planar_body_velocity",
-        digest="b8ba437990d280db",
+        digest="f28d34cdc337f22d",
         doc="(vx, vy) = R(angle)' xdot_p, velocity of the point in the axes of the angle node",
         source="textbook mechanics",
         nodes=(
@@ -1938,10 +2077,16 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 11,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (2, 3), (2, 5)),
+                ),
+                9,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (2, 3), (2, 5)),
                     OutputSpec("Psi_x", (2, 3), (2, 5)),
                     OutputSpec("Psi_v", (2, 3), tuple(range(6))),
                 ),
@@ -1959,7 +2104,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_bar_span
     "planar_bar_span": ElementSpec(
         name="planar_bar_span",
-        digest="c9b50032dd451681",
+        digest="54fd3e8820f139ba",
         doc="(x, y, z) = l0 (vp + vq)/2, rate of the integral of position over a straight bar",
         source="textbook mechanics (consistent nodal forces)",
         nodes=(
@@ -2000,10 +2145,16 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 0,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (2, 4), ()),
+                ),
+                0,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (2, 4), ()),
                     OutputSpec("Psi_x", (2, 4), ()),
                     OutputSpec("Psi_v", (2, 4), ()),
                 ),
@@ -2021,7 +2172,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_beam_span
     "planar_beam_span": ElementSpec(
         name="planar_beam_span",
-        digest="dc9d7017d466ca00",
+        digest="2b3f5c8c0e27ce9f",
         doc="(x, y) = l0 ((vp + vq)/2 + l0 (exdot_p - exdot_q)/12), rate of the integral of position over the\nbeam's cubic Hermite interpolation; ex: directions of the element at p and q",
         source="textbook mechanics (consistent nodal forces)",
         nodes=(
@@ -2066,14 +2217,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 19,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (2, 6), (2, 5, 8, 11)),
+                ),
+                21,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (2, 6), (2, 5, 8, 11)),
                     OutputSpec("Psi_x", (2, 6), (2, 5, 8, 11)),
                     OutputSpec("Psi_v", (2, 6), (2, 5, 8, 11)),
                 ),
-                50,
+                44,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -2084,6 +2241,953 @@ ELEMENTS: dict[str, ElementSpec] = {
             ),
         },
     ),
+    # element cable
+    "cable": ElementSpec(
+        name="cable",
+        digest="49a5e6dd4fb5947f",
+        doc="r(s): cubic Hermite curve with slopes dp, dq = dr/ds by the undeformed arc length s at the ends\nstrain = (r'.r' - 1)/2 at 4 Gauss points of (0, l0); curvature = (r' x r'')/|r'|^3 at 3 Gauss points\nwork: EA strain and EI curvature, each times its Gauss weight (of sum l0), are the stresses of a rope\nT = rhoA/2 int rdot.rdot ds (constant mass matrix),  U = -rhoA gravity.int r ds",
+        source="Berzeri and Shabana 2000, J. Sound Vib. 235:539; Gerstmayr and Shabana 2006, Nonlinear Dyn. 45:109",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("dp", "slope"),
+            NodeSpec("q", "point"),
+            NodeSpec("dq", "slope"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("rhoA", 1, "kg/m", "mass per length"),
+            ParameterSpec("gravity", 3, "m/s^2", "acceleration of gravity"),
+        ),
+        deformations=(
+            DeformationSpec("strain1", "1", False, True),
+            DeformationSpec("strain2", "1", False, True),
+            DeformationSpec("strain3", "1", False, True),
+            DeformationSpec("strain4", "1", False, True),
+            DeformationSpec("curvature1x", "1/m", False, True),
+            DeformationSpec("curvature1y", "1/m", False, True),
+            DeformationSpec("curvature1z", "1/m", False, True),
+            DeformationSpec("curvature2x", "1/m", False, True),
+            DeformationSpec("curvature2y", "1/m", False, True),
+            DeformationSpec("curvature2z", "1/m", False, True),
+            DeformationSpec("curvature3x", "1/m", False, True),
+            DeformationSpec("curvature3y", "1/m", False, True),
+            DeformationSpec("curvature3z", "1/m", False, True),
+        ),
+        slips=(),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (13,), tuple(range(13))),
+                    OutputSpec("De", (13, 12), tuple(range(156))),
+                    OutputSpec("V", (0, 12), ()),
+                ),
+                640,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (13,), tuple(range(13))),
+                    OutputSpec("s", (0,), ()),
+                ),
+                492,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (13,), tuple(range(13))),
+                    OutputSpec("gs", (0,), ()),
+                ),
+                570,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (13, 12), tuple(range(156))),
+                ),
+                1025,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (13, 12), tuple(range(156))),
+                    OutputSpec("Psi_v", (13, 12), tuple(range(156))),
+                ),
+                2414,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (12, 12), tuple(range(144))),
+                ),
+                1367,
+            ),
+            "inertia": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("M", (12, 12), (0, 3, 6, 9, 13, 16, 19, 22, 26, 29, 32, 35, 36, 39, 42, 45, 49, 52, 55, 58, 62, 65, 68, 71, 72, 75, 78, 81, 85, 88, 91, 94, 98, 101, 104, 107, 108, 111, 114, 117, 121, 124, 127, 130, 134, 137, 140, 143)),
+                    OutputSpec("h", (12,), ()),
+                    OutputSpec("f", (12,), tuple(range(12))),
+                    OutputSpec("U", (1,), (0,)),
+                ),
+                53,
+            ),
+            "tangent": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("R_x", (12, 12), ()),
+                    OutputSpec("R_v", (12, 12), ()),
+                ),
+                0,
+            ),
+        },
+    ),
+    # element slope_clamp
+    "slope_clamp": ElementSpec(
+        name="slope_clamp",
+        digest="ccd55d0ed9dcfc59",
+        doc="triad ex, ey, ez: columns of R(lambda o t);  across_y = ey.d,  across_z = ez.d",
+        source="textbook mechanics",
+        nodes=(
+            NodeSpec("r", "frame"),
+            NodeSpec("d", "slope"),
+        ),
+        parameters=(
+            ParameterSpec("t", 4, "1", "unit quaternion from the body frame to a triad whose first axis is the held direction"),
+        ),
+        deformations=(
+            DeformationSpec("across_y", "1", False, False),
+            DeformationSpec("across_z", "1", False, False),
+        ),
+        slips=(),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (2,), (0, 1)),
+                    OutputSpec("De", (2, 7), tuple(range(14))),
+                    OutputSpec("V", (0, 7), ()),
+                ),
+                133,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (2,), (0, 1)),
+                    OutputSpec("s", (0,), ()),
+                ),
+                136,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (2,), (0, 1)),
+                    OutputSpec("gs", (0,), ()),
+                ),
+                144,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (2, 7), tuple(range(14))),
+                ),
+                189,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (2, 7), tuple(range(14))),
+                    OutputSpec("Psi_v", (2, 7), tuple(range(14))),
+                ),
+                414,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (7, 7), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 35, 36, 37, 38, 42, 43, 44, 45)),
+                ),
+                263,
+            ),
+        },
+    ),
+    # element cable_span
+    "cable_span": ElementSpec(
+        name="cable_span",
+        digest="7e554948f71f970a",
+        doc="l0 ((vp + vq)/2 + l0 (dpdot - dqdot)/12), rate of the integral of position over a cable's cubic curve",
+        source="textbook mechanics (consistent nodal forces)",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("dp", "slope"),
+            NodeSpec("q", "point"),
+            NodeSpec("dq", "slope"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+        ),
+        deformations=(),
+        slips=(
+            SlipSpec("x", "m^2/s", True),
+            SlipSpec("y", "m^2/s", True),
+            SlipSpec("z", "m^2/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (0,), ()),
+                    OutputSpec("De", (0, 12), ()),
+                    OutputSpec("V", (3, 12), (0, 3, 6, 9, 13, 16, 19, 22, 26, 29, 32, 35)),
+                ),
+                4,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (0,), ()),
+                    OutputSpec("s", (3,), (0, 1, 2)),
+                ),
+                21,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (0,), ()),
+                    OutputSpec("gs", (3,), ()),
+                ),
+                0,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 12), ()),
+                ),
+                0,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (3, 12), ()),
+                    OutputSpec("Psi_v", (3, 12), ()),
+                ),
+                0,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (12, 12), ()),
+                ),
+                0,
+            ),
+        },
+    ),
+    # element cable_cylinder
+    "cable_cylinder": ElementSpec(
+        name="cable_cylinder",
+        digest="0cdf624fa3c16aa0",
+        doc="x: point at the fraction xi of the cable's cubic curve; triad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\ndistance = |(yy, yz)| from the axle ex, (ny, nz) = (yy, yz)/distance\ngap = distance - radius - rope_radius,  tangential = ny ydot_z - nz ydot_y,  axial = ydot_x",
+        source="textbook mechanics",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("dp", "slope"),
+            NodeSpec("q", "point"),
+            NodeSpec("dq", "slope"),
+            NodeSpec("c", "point"),
+            NodeSpec("r", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("xi", 1, "1", "place along the element, from 0 at p to 1 at q"),
+            ParameterSpec("t", 4, "1", "unit quaternion from the body frame to the surface's triad ex, ey, ez"),
+            ParameterSpec("offset", 3, "m", "origin of the surface from the node c, on its triad"),
+            ParameterSpec("radius", 1, "m", "radius at which the rope's surface touches, about the axle ex"),
+            ParameterSpec("rope_radius", 1, "m", "outer radius of the rope"),
+        ),
+        deformations=(
+            DeformationSpec("gap", "m", False, True),
+        ),
+        slips=(
+            SlipSpec("tangential", "m/s", True),
+            SlipSpec("axial", "m/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 19), tuple(range(19))),
+                    OutputSpec("V", (2, 19), tuple(range(38))),
+                ),
+                394,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (1,), (0,)),
+                    OutputSpec("s", (2,), (0, 1)),
+                ),
+                268,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (2,), (0, 1)),
+                ),
+                391,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 19), tuple(range(57))),
+                ),
+                764,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (3, 19), tuple(range(57))),
+                    OutputSpec("Psi_v", (3, 19), tuple(range(57))),
+                ),
+                1799,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (19, 19), tuple(range(361))),
+                ),
+                2726,
+            ),
+        },
+    ),
+    # element cable_plane
+    "cable_plane": ElementSpec(
+        name="cable_plane",
+        digest="d8df0a8058654fca",
+        doc="x: point at the fraction xi of the cable's cubic curve; triad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\ngap = yz - rope_radius, the plane is z = 0;  x = ydot_x,  y = ydot_y",
+        source="textbook mechanics",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("dp", "slope"),
+            NodeSpec("q", "point"),
+            NodeSpec("dq", "slope"),
+            NodeSpec("c", "point"),
+            NodeSpec("r", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("xi", 1, "1", "place along the element, from 0 at p to 1 at q"),
+            ParameterSpec("t", 4, "1", "unit quaternion from the body frame to the surface's triad ex, ey, ez"),
+            ParameterSpec("offset", 3, "m", "origin of the surface from the node c, on its triad"),
+            ParameterSpec("rope_radius", 1, "m", "outer radius of the rope"),
+        ),
+        deformations=(
+            DeformationSpec("gap", "m", False, True),
+        ),
+        slips=(
+            SlipSpec("x", "m/s", True),
+            SlipSpec("y", "m/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 19), tuple(range(19))),
+                    OutputSpec("V", (2, 19), tuple(range(38))),
+                ),
+                333,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (1,), (0,)),
+                    OutputSpec("s", (2,), (0, 1)),
+                ),
+                225,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (2,), (0, 1)),
+                ),
+                309,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 19), tuple(range(57))),
+                ),
+                582,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (3, 19), tuple(range(57))),
+                    OutputSpec("Psi_v", (3, 19), tuple(range(57))),
+                ),
+                1237,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (19, 19), (15, 16, 17, 18, 34, 35, 36, 37, 53, 54, 55, 56, 72, 73, 74, 75, 91, 92, 93, 94, 110, 111, 112, 113, 129, 130, 131, 132, 148, 149, 150, 151, 167, 168, 169, 170, 186, 187, 188, 189, 205, 206, 207, 208, 224, 225, 226, 227, 243, 244, 245, 246, 262, 263, 264, 265, 281, 282, 283, 284, 285, 286, 287, 288, 289, 290, 291, 292, 293, 294, 295, 296, 297, 298, 299, 300, 301, 302, 303, 304, 305, 306, 307, 308, 309, 310, 311, 312, 313, 314, 315, 316, 317, 318, 319, 320, 321, 322, 323, 324, 325, 326, 327, 328, 329, 330, 331, 332, 333, 334, 335, 336, 337, 338, 339, 340, 341, 342, 343, 344, 345, 346, 347, 348, 349, 350, 351, 352, 353, 354, 355, 356, 357, 358, 359, 360)),
+                ),
+                1353,
+            ),
+        },
+    ),
+    # element cable_v_groove
+    "cable_v_groove": ElementSpec(
+        name="cable_v_groove",
+        digest="80b8cb8524369dc0",
+        doc="x: point at the fraction xi of the cable's cubic curve; triad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\ndistance = |(yy, yz)| from the axle ex, h = distance - radius - rope_radius; two flanks of half the angle beta\ngap1 = h sin beta - yx cos beta,  gap2 = h sin beta + yx cos beta: both closed at h = 0 in the middle\ntangential as for a cylinder,  across1, across2 = hdot cos beta +- ydot_x sin beta, up the flanks",
+        source="textbook mechanics",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("dp", "slope"),
+            NodeSpec("q", "point"),
+            NodeSpec("dq", "slope"),
+            NodeSpec("c", "point"),
+            NodeSpec("r", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("xi", 1, "1", "place along the element, from 0 at p to 1 at q"),
+            ParameterSpec("t", 4, "1", "unit quaternion from the body frame to the surface's triad ex, ey, ez"),
+            ParameterSpec("offset", 3, "m", "origin of the surface from the node c, on its triad"),
+            ParameterSpec("radius", 1, "m", "radius at which the rope's surface touches, about the axle ex"),
+            ParameterSpec("flank", 2, "1", "sine and cosine of half the opening angle of the flanks"),
+            ParameterSpec("rope_radius", 1, "m", "outer radius of the rope"),
+        ),
+        deformations=(
+            DeformationSpec("gap1", "m", False, True),
+            DeformationSpec("gap2", "m", False, True),
+        ),
+        slips=(
+            SlipSpec("tangential", "m/s", True),
+            SlipSpec("across1", "m/s", True),
+            SlipSpec("across2", "m/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (2,), (0, 1)),
+                    OutputSpec("De", (2, 19), tuple(range(38))),
+                    OutputSpec("V", (3, 19), tuple(range(57))),
+                ),
+                575,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (2,), (0, 1)),
+                    OutputSpec("s", (3,), (0, 1, 2)),
+                ),
+                293,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (2,), (0, 1)),
+                    OutputSpec("gs", (3,), (0, 1, 2)),
+                ),
+                425,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (5, 19), tuple(range(95))),
+                ),
+                1021,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (5, 19), tuple(range(95))),
+                    OutputSpec("Psi_v", (5, 19), tuple(range(95))),
+                ),
+                2957,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (19, 19), tuple(range(361))),
+                ),
+                2801,
+            ),
+        },
+    ),
+    # element cable_round_groove
+    "cable_round_groove": ElementSpec(
+        name="cable_round_groove",
+        digest="3e6954f14ac7ecd0",
+        doc="x: point at the fraction xi of the cable's cubic curve; triad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\nw = (radius + groove_radius - distance from the axle ex, yx), from the centre of the round bottom to the rope\ngap = groove_radius - rope_radius - n.w, n = w/|w| on the bottom, (sin beta, +-cos beta) on the flanks that\ncontinue it;  tangential as for a cylinder,  across = n_0 ydot_x + n_1 distancedot, along the groove's profile",
+        source="textbook mechanics",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("dp", "slope"),
+            NodeSpec("q", "point"),
+            NodeSpec("dq", "slope"),
+            NodeSpec("c", "point"),
+            NodeSpec("r", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("xi", 1, "1", "place along the element, from 0 at p to 1 at q"),
+            ParameterSpec("t", 4, "1", "unit quaternion from the body frame to the surface's triad ex, ey, ez"),
+            ParameterSpec("offset", 3, "m", "origin of the surface from the node c, on its triad"),
+            ParameterSpec("radius", 1, "m", "radius at which the rope's surface touches, about the axle ex"),
+            ParameterSpec("groove_radius", 1, "m", "radius of the groove's round bottom"),
+            ParameterSpec("flank", 2, "1", "sine and cosine of half the opening angle of the flanks"),
+            ParameterSpec("rope_radius", 1, "m", "outer radius of the rope"),
+        ),
+        deformations=(
+            DeformationSpec("gap", "m", False, True),
+        ),
+        slips=(
+            SlipSpec("tangential", "m/s", True),
+            SlipSpec("across", "m/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 19), tuple(range(19))),
+                    OutputSpec("V", (2, 19), tuple(range(38))),
+                ),
+                478,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (1,), (0,)),
+                    OutputSpec("s", (2,), (0, 1)),
+                ),
+                320,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (2,), (0, 1)),
+                ),
+                493,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 19), tuple(range(57))),
+                ),
+                974,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (3, 19), tuple(range(57))),
+                    OutputSpec("Psi_v", (3, 19), tuple(range(57))),
+                ),
+                2381,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (19, 19), tuple(range(361))),
+                ),
+                3268,
+            ),
+        },
+    ),
+    # element planar_cable
+    "planar_cable": ElementSpec(
+        name="planar_cable",
+        digest="2852ed273422cfd2",
+        doc="r(s): cubic Hermite curve with slopes dp, dq = dr/ds by the undeformed arc length s at the ends\nstrain = (r'.r' - 1)/2 at 4 Gauss points of (0, l0); curvature = (r' x r'')/|r'|^3 at 3 Gauss points\nwork: EA strain and EI curvature, each times its Gauss weight (of sum l0), are the stresses of a rope\nT = rhoA/2 int rdot.rdot ds (constant mass matrix),  U = -rhoA gravity.int r ds",
+        source="Berzeri and Shabana 2000, J. Sound Vib. 235:539; Gerstmayr and Shabana 2006, Nonlinear Dyn. 45:109",
+        nodes=(
+            NodeSpec("p", "planar_point"),
+            NodeSpec("dp", "planar_slope"),
+            NodeSpec("q", "planar_point"),
+            NodeSpec("dq", "planar_slope"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("rhoA", 1, "kg/m", "mass per length"),
+            ParameterSpec("gravity", 2, "m/s^2", "acceleration of gravity"),
+        ),
+        deformations=(
+            DeformationSpec("strain1", "1", False, True),
+            DeformationSpec("strain2", "1", False, True),
+            DeformationSpec("strain3", "1", False, True),
+            DeformationSpec("strain4", "1", False, True),
+            DeformationSpec("curvature1", "1/m", False, True),
+            DeformationSpec("curvature2", "1/m", False, True),
+            DeformationSpec("curvature3", "1/m", False, True),
+        ),
+        slips=(),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (7,), tuple(range(7))),
+                    OutputSpec("De", (7, 8), tuple(range(56))),
+                    OutputSpec("V", (0, 8), ()),
+                ),
+                302,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (7,), tuple(range(7))),
+                    OutputSpec("s", (0,), ()),
+                ),
+                286,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (7,), tuple(range(7))),
+                    OutputSpec("gs", (0,), ()),
+                ),
+                354,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (7, 8), tuple(range(56))),
+                ),
+                504,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (7, 8), tuple(range(56))),
+                    OutputSpec("Psi_v", (7, 8), tuple(range(56))),
+                ),
+                1159,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (8, 8), tuple(range(64))),
+                ),
+                688,
+            ),
+            "inertia": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("M", (8, 8), (0, 2, 4, 6, 9, 11, 13, 15, 16, 18, 20, 22, 25, 27, 29, 31, 32, 34, 36, 38, 41, 43, 45, 47, 48, 50, 52, 54, 57, 59, 61, 63)),
+                    OutputSpec("h", (8,), ()),
+                    OutputSpec("f", (8,), tuple(range(8))),
+                    OutputSpec("U", (1,), (0,)),
+                ),
+                40,
+            ),
+            "tangent": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("R_x", (8, 8), ()),
+                    OutputSpec("R_v", (8, 8), ()),
+                ),
+                0,
+            ),
+        },
+    ),
+    # element planar_slope_clamp
+    "planar_slope_clamp": ElementSpec(
+        name="planar_slope_clamp",
+        digest="e0d85b77a082ab2e",
+        doc="ex, ey: directions at angle + alpha0;  across = ey.d",
+        source="planar counterpart of slope_clamp",
+        nodes=(
+            NodeSpec("r", "planar_angle"),
+            NodeSpec("d", "planar_slope"),
+        ),
+        parameters=(
+            ParameterSpec("alpha0", 1, "rad", "initial direction of the element minus the angle of node p"),
+        ),
+        deformations=(
+            DeformationSpec("across", "1", False, False),
+        ),
+        slips=(),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 3), (0, 1, 2)),
+                    OutputSpec("V", (0, 3), ()),
+                ),
+                11,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (1,), (0,)),
+                    OutputSpec("s", (0,), ()),
+                ),
+                11,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (0,), ()),
+                ),
+                15,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (1, 3), (0, 1, 2)),
+                ),
+                14,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (1, 3), (0, 1, 2)),
+                    OutputSpec("Psi_v", (1, 3), (0, 1, 2)),
+                ),
+                40,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (3, 3), (0, 1, 2, 3, 6)),
+                ),
+                12,
+            ),
+        },
+    ),
+    # element planar_cable_span
+    "planar_cable_span": ElementSpec(
+        name="planar_cable_span",
+        digest="0b6db2958d79cc9f",
+        doc="l0 ((vp + vq)/2 + l0 (dpdot - dqdot)/12), rate of the integral of position over a cable's cubic curve",
+        source="textbook mechanics (consistent nodal forces)",
+        nodes=(
+            NodeSpec("p", "planar_point"),
+            NodeSpec("dp", "planar_slope"),
+            NodeSpec("q", "planar_point"),
+            NodeSpec("dq", "planar_slope"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+        ),
+        deformations=(),
+        slips=(
+            SlipSpec("x", "m^2/s", True),
+            SlipSpec("y", "m^2/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (0,), ()),
+                    OutputSpec("De", (0, 8), ()),
+                    OutputSpec("V", (2, 8), (0, 2, 4, 6, 9, 11, 13, 15)),
+                ),
+                4,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (0,), ()),
+                    OutputSpec("s", (2,), (0, 1)),
+                ),
+                14,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (0,), ()),
+                    OutputSpec("gs", (2,), ()),
+                ),
+                0,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (2, 8), ()),
+                ),
+                0,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (2, 8), ()),
+                    OutputSpec("Psi_v", (2, 8), ()),
+                ),
+                0,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (8, 8), ()),
+                ),
+                0,
+            ),
+        },
+    ),
+    # element planar_cable_circle
+    "planar_cable_circle": ElementSpec(
+        name="planar_cable_circle",
+        digest="8d8817f8dc85f856",
+        doc="x: point at the fraction xi of the cable's cubic curve;  ex, ey: directions at angle + alpha0\nw = xdot - xcdot - angledot ez x (x - xc), the velocity seen from the body\na = x - xc - offset_x ex - offset_y ey\ngap = |a| - radius - rope_radius,  tangential = (ax wy - ay wx)/|a|, counterclockwise",
+        source="planar counterpart of contact in space",
+        nodes=(
+            NodeSpec("p", "planar_point"),
+            NodeSpec("dp", "planar_slope"),
+            NodeSpec("q", "planar_point"),
+            NodeSpec("dq", "planar_slope"),
+            NodeSpec("c", "planar_point"),
+            NodeSpec("r", "planar_angle"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("xi", 1, "1", "place along the element, from 0 at p to 1 at q"),
+            ParameterSpec("alpha0", 1, "rad", "initial direction of the element minus the angle of node p"),
+            ParameterSpec("offset", 2, "m", "origin of the circle or line from c, on ex and ey"),
+            ParameterSpec("radius", 1, "m", "radius at which the rope's surface touches, about the axle ex"),
+            ParameterSpec("rope_radius", 1, "m", "outer radius of the rope"),
+        ),
+        deformations=(
+            DeformationSpec("gap", "m", False, True),
+        ),
+        slips=(
+            SlipSpec("tangential", "m/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 11), tuple(range(11))),
+                    OutputSpec("V", (1, 11), tuple(range(11))),
+                ),
+                72,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (1,), (0,)),
+                    OutputSpec("s", (1,), (0,)),
+                ),
+                88,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (1,), (0,)),
+                ),
+                117,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (2, 11), tuple(range(22))),
+                ),
+                164,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (2, 11), tuple(range(22))),
+                    OutputSpec("Psi_v", (2, 11), tuple(range(22))),
+                ),
+                373,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (11, 11), tuple(range(121))),
+                ),
+                391,
+            ),
+        },
+    ),
+    # element planar_cable_line
+    "planar_cable_line": ElementSpec(
+        name="planar_cable_line",
+        digest="ba1dc5a65c6fdea4",
+        doc="x: point at the fraction xi of the cable's cubic curve;  ex, ey: directions at angle + alpha0\nw = xdot - xcdot - angledot ez x (x - xc), the velocity seen from the body\ngap = ey.(x - xc) - offset_y - rope_radius,  tangential = ex.w",
+        source="planar counterpart of contact in space",
+        nodes=(
+            NodeSpec("p", "planar_point"),
+            NodeSpec("dp", "planar_slope"),
+            NodeSpec("q", "planar_point"),
+            NodeSpec("dq", "planar_slope"),
+            NodeSpec("c", "planar_point"),
+            NodeSpec("r", "planar_angle"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("xi", 1, "1", "place along the element, from 0 at p to 1 at q"),
+            ParameterSpec("alpha0", 1, "rad", "initial direction of the element minus the angle of node p"),
+            ParameterSpec("offset", 2, "m", "origin of the circle or line from c, on ex and ey"),
+            ParameterSpec("rope_radius", 1, "m", "outer radius of the rope"),
+        ),
+        deformations=(
+            DeformationSpec("gap", "m", False, True),
+        ),
+        slips=(
+            SlipSpec("tangential", "m/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 11), tuple(range(11))),
+                    OutputSpec("V", (1, 11), tuple(range(11))),
+                ),
+                56,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (1,), (0,)),
+                    OutputSpec("s", (1,), (0,)),
+                ),
+                67,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (1,), (0,)),
+                ),
+                76,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (2, 11), tuple(range(22))),
+                ),
+                83,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (2, 11), tuple(range(22))),
+                    OutputSpec("Psi_v", (2, 11), tuple(range(22))),
+                ),
+                168,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (11, 11), (10, 21, 32, 43, 54, 65, 76, 87, 98, 109, 110, 111, 112, 113, 114, 115, 116, 117, 118, 119, 120)),
+                ),
+                60,
+            ),
+        },
+    ),
     # end
 }
 
@@ -2091,10 +3195,11 @@ LAWS: dict[str, LawSpec] = {
     # law linear_1
     "linear_1": LawSpec(
         name="linear_1",
-        digest="aa41d588a1df124f",
+        digest="87a3bd826beee276",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=1,
         slips=0,
+        states=(),
         parameters=(
             ParameterSpec("preload", 1, "N or N m", "stress at zero deformation"),
             ParameterSpec("S", 1, "N/m or N m", "stiffness, upper triangle, row by row"),
@@ -2102,16 +3207,18 @@ LAWS: dict[str, LawSpec] = {
         ),
         kernels={
             "law": KernelSpec(
-                ("e", "ed", "s", "p"),
+                ("e", "ed", "s", "z", "t", "p"),
                 (
                     OutputSpec("sigma", (1,), (0,)),
                     OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (0,), ()),
                     OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
                 ),
-                7,
+                10,
             ),
             "tangent": KernelSpec(
-                ("e", "ed", "s", "p"),
+                ("e", "ed", "s", "z", "t", "p"),
                 (
                     OutputSpec("J", (1, 2), (0, 1)),
                 ),
@@ -2122,10 +3229,11 @@ LAWS: dict[str, LawSpec] = {
     # law linear_2
     "linear_2": LawSpec(
         name="linear_2",
-        digest="aa41d588a1df124f",
+        digest="87a3bd826beee276",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=2,
         slips=0,
+        states=(),
         parameters=(
             ParameterSpec("preload", 2, "N or N m", "stress at zero deformation"),
             ParameterSpec("S", 3, "N/m or N m", "stiffness, upper triangle, row by row"),
@@ -2133,16 +3241,18 @@ LAWS: dict[str, LawSpec] = {
         ),
         kernels={
             "law": KernelSpec(
-                ("e", "ed", "s", "p"),
+                ("e", "ed", "s", "z", "t", "p"),
                 (
                     OutputSpec("sigma", (2,), (0, 1)),
                     OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (0,), ()),
                     OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
                 ),
-                23,
+                39,
             ),
             "tangent": KernelSpec(
-                ("e", "ed", "s", "p"),
+                ("e", "ed", "s", "z", "t", "p"),
                 (
                     OutputSpec("J", (2, 4), tuple(range(8))),
                 ),
@@ -2153,10 +3263,11 @@ LAWS: dict[str, LawSpec] = {
     # law linear_3
     "linear_3": LawSpec(
         name="linear_3",
-        digest="aa41d588a1df124f",
+        digest="87a3bd826beee276",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=3,
         slips=0,
+        states=(),
         parameters=(
             ParameterSpec("preload", 3, "N or N m", "stress at zero deformation"),
             ParameterSpec("S", 6, "N/m or N m", "stiffness, upper triangle, row by row"),
@@ -2164,16 +3275,18 @@ LAWS: dict[str, LawSpec] = {
         ),
         kernels={
             "law": KernelSpec(
-                ("e", "ed", "s", "p"),
+                ("e", "ed", "s", "z", "t", "p"),
                 (
                     OutputSpec("sigma", (3,), (0, 1, 2)),
                     OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (0,), ()),
                     OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
                 ),
-                47,
+                77,
             ),
             "tangent": KernelSpec(
-                ("e", "ed", "s", "p"),
+                ("e", "ed", "s", "z", "t", "p"),
                 (
                     OutputSpec("J", (3, 6), tuple(range(18))),
                 ),
@@ -2184,10 +3297,11 @@ LAWS: dict[str, LawSpec] = {
     # law linear_4
     "linear_4": LawSpec(
         name="linear_4",
-        digest="aa41d588a1df124f",
+        digest="87a3bd826beee276",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=4,
         slips=0,
+        states=(),
         parameters=(
             ParameterSpec("preload", 4, "N or N m", "stress at zero deformation"),
             ParameterSpec("S", 10, "N/m or N m", "stiffness, upper triangle, row by row"),
@@ -2195,16 +3309,18 @@ LAWS: dict[str, LawSpec] = {
         ),
         kernels={
             "law": KernelSpec(
-                ("e", "ed", "s", "p"),
+                ("e", "ed", "s", "z", "t", "p"),
                 (
                     OutputSpec("sigma", (4,), (0, 1, 2, 3)),
                     OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (0,), ()),
                     OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
                 ),
-                79,
+                127,
             ),
             "tangent": KernelSpec(
-                ("e", "ed", "s", "p"),
+                ("e", "ed", "s", "z", "t", "p"),
                 (
                     OutputSpec("J", (4, 8), tuple(range(32))),
                 ),
@@ -2215,10 +3331,11 @@ LAWS: dict[str, LawSpec] = {
     # law linear_5
     "linear_5": LawSpec(
         name="linear_5",
-        digest="aa41d588a1df124f",
+        digest="87a3bd826beee276",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=5,
         slips=0,
+        states=(),
         parameters=(
             ParameterSpec("preload", 5, "N or N m", "stress at zero deformation"),
             ParameterSpec("S", 15, "N/m or N m", "stiffness, upper triangle, row by row"),
@@ -2226,16 +3343,18 @@ LAWS: dict[str, LawSpec] = {
         ),
         kernels={
             "law": KernelSpec(
-                ("e", "ed", "s", "p"),
+                ("e", "ed", "s", "z", "t", "p"),
                 (
                     OutputSpec("sigma", (5,), tuple(range(5))),
                     OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (0,), ()),
                     OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
                 ),
-                119,
+                189,
             ),
             "tangent": KernelSpec(
-                ("e", "ed", "s", "p"),
+                ("e", "ed", "s", "z", "t", "p"),
                 (
                     OutputSpec("J", (5, 10), tuple(range(50))),
                 ),
@@ -2246,10 +3365,11 @@ LAWS: dict[str, LawSpec] = {
     # law linear_6
     "linear_6": LawSpec(
         name="linear_6",
-        digest="aa41d588a1df124f",
+        digest="87a3bd826beee276",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=6,
         slips=0,
+        states=(),
         parameters=(
             ParameterSpec("preload", 6, "N or N m", "stress at zero deformation"),
             ParameterSpec("S", 21, "N/m or N m", "stiffness, upper triangle, row by row"),
@@ -2257,18 +3377,88 @@ LAWS: dict[str, LawSpec] = {
         ),
         kernels={
             "law": KernelSpec(
-                ("e", "ed", "s", "p"),
+                ("e", "ed", "s", "z", "t", "p"),
                 (
                     OutputSpec("sigma", (6,), tuple(range(6))),
                     OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (0,), ()),
                     OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
                 ),
-                167,
+                263,
             ),
             "tangent": KernelSpec(
-                ("e", "ed", "s", "p"),
+                ("e", "ed", "s", "z", "t", "p"),
                 (
                     OutputSpec("J", (6, 12), tuple(range(72))),
+                ),
+                0,
+            ),
+        },
+    ),
+    # law diagonal_7
+    "diagonal_7": LawSpec(
+        name="diagonal_7",
+        digest="87a3bd826beee276",
+        doc="sigma_i = preload_i + S_i e_i + D_i ed_i\nenergy = sum of preload_i e_i + S_i e_i^2/2",
+        deformations=7,
+        slips=0,
+        states=(),
+        parameters=(
+            ParameterSpec("preload", 7, "N or N m", "stress at zero deformation"),
+            ParameterSpec("S", 7, "N/m or N m", "stiffness of each deformation"),
+            ParameterSpec("D", 7, "N s/m or N m s", "damping of each deformation"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (7,), tuple(range(7))),
+                    OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (0,), ()),
+                    OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                90,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (7, 14), (0, 7, 15, 22, 30, 37, 45, 52, 60, 67, 75, 82, 90, 97)),
+                ),
+                0,
+            ),
+        },
+    ),
+    # law diagonal_13
+    "diagonal_13": LawSpec(
+        name="diagonal_13",
+        digest="87a3bd826beee276",
+        doc="sigma_i = preload_i + S_i e_i + D_i ed_i\nenergy = sum of preload_i e_i + S_i e_i^2/2",
+        deformations=13,
+        slips=0,
+        states=(),
+        parameters=(
+            ParameterSpec("preload", 13, "N or N m", "stress at zero deformation"),
+            ParameterSpec("S", 13, "N/m or N m", "stiffness of each deformation"),
+            ParameterSpec("D", 13, "N s/m or N m s", "damping of each deformation"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (13,), tuple(range(13))),
+                    OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (0,), ()),
+                    OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                168,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (13, 26), (0, 13, 27, 40, 54, 67, 81, 94, 108, 121, 135, 148, 162, 175, 189, 202, 216, 229, 243, 256, 270, 283, 297, 310, 324, 337)),
                 ),
                 0,
             ),
@@ -2277,25 +3467,28 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_1
     "viscous_1": LawSpec(
         name="viscous_1",
-        digest="aa41d588a1df124f",
+        digest="87a3bd826beee276",
         doc="tau = C s",
         deformations=0,
         slips=1,
+        states=(),
         parameters=(
             ParameterSpec("C", 1, "N s/m or N m s", "viscosity, upper triangle, row by row"),
         ),
         kernels={
             "law": KernelSpec(
-                ("e", "ed", "s", "p"),
+                ("e", "ed", "s", "z", "t", "p"),
                 (
                     OutputSpec("sigma", (0,), ()),
                     OutputSpec("tau", (1,), (0,)),
+                    OutputSpec("zd", (0,), ()),
                     OutputSpec("U", (1,), ()),
+                    OutputSpec("P", (1,), (0,)),
                 ),
-                1,
+                2,
             ),
             "tangent": KernelSpec(
-                ("e", "ed", "s", "p"),
+                ("e", "ed", "s", "z", "t", "p"),
                 (
                     OutputSpec("J", (1, 1), (0,)),
                 ),
@@ -2306,25 +3499,28 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_2
     "viscous_2": LawSpec(
         name="viscous_2",
-        digest="aa41d588a1df124f",
+        digest="87a3bd826beee276",
         doc="tau = C s",
         deformations=0,
         slips=2,
+        states=(),
         parameters=(
             ParameterSpec("C", 3, "N s/m or N m s", "viscosity, upper triangle, row by row"),
         ),
         kernels={
             "law": KernelSpec(
-                ("e", "ed", "s", "p"),
+                ("e", "ed", "s", "z", "t", "p"),
                 (
                     OutputSpec("sigma", (0,), ()),
                     OutputSpec("tau", (2,), (0, 1)),
+                    OutputSpec("zd", (0,), ()),
                     OutputSpec("U", (1,), ()),
+                    OutputSpec("P", (1,), (0,)),
                 ),
-                6,
+                9,
             ),
             "tangent": KernelSpec(
-                ("e", "ed", "s", "p"),
+                ("e", "ed", "s", "z", "t", "p"),
                 (
                     OutputSpec("J", (2, 2), (0, 1, 2, 3)),
                 ),
@@ -2335,29 +3531,219 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_3
     "viscous_3": LawSpec(
         name="viscous_3",
-        digest="aa41d588a1df124f",
+        digest="87a3bd826beee276",
         doc="tau = C s",
         deformations=0,
         slips=3,
+        states=(),
         parameters=(
             ParameterSpec("C", 6, "N s/m or N m s", "viscosity, upper triangle, row by row"),
         ),
         kernels={
             "law": KernelSpec(
-                ("e", "ed", "s", "p"),
+                ("e", "ed", "s", "z", "t", "p"),
                 (
                     OutputSpec("sigma", (0,), ()),
                     OutputSpec("tau", (3,), (0, 1, 2)),
+                    OutputSpec("zd", (0,), ()),
                     OutputSpec("U", (1,), ()),
+                    OutputSpec("P", (1,), (0,)),
                 ),
-                15,
+                20,
             ),
             "tangent": KernelSpec(
-                ("e", "ed", "s", "p"),
+                ("e", "ed", "s", "z", "t", "p"),
                 (
                     OutputSpec("J", (3, 3), tuple(range(9))),
                 ),
                 0,
+            ),
+        },
+    ),
+    # law hertz
+    "hertz": LawSpec(
+        name="hertz",
+        digest="87a3bd826beee276",
+        doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1)",
+        deformations=1,
+        slips=0,
+        states=(),
+        parameters=(
+            ParameterSpec("stiffness", 1, "N/m^exponent", "normal force per penetration^exponent"),
+            ParameterSpec("exponent", 1, "1", "exponent of the penetration, 3/2 for Hertz, at least 1"),
+            ParameterSpec("dissipation", 1, "s/m", "relative growth of the normal force per speed of approach"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (1,), (0,)),
+                    OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (0,), ()),
+                    OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                30,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (1, 2), (0, 1)),
+                ),
+                22,
+            ),
+        },
+    ),
+    # law hertz_coulomb_1
+    "hertz_coulomb_1": LawSpec(
+        name="hertz_coulomb_1",
+        digest="87a3bd826beee276",
+        doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1)\ntau = friction N s/sqrt(s.s + slip_speed^2)",
+        deformations=1,
+        slips=1,
+        states=(),
+        parameters=(
+            ParameterSpec("stiffness", 1, "N/m^exponent", "normal force per penetration^exponent"),
+            ParameterSpec("exponent", 1, "1", "exponent of the penetration, 3/2 for Hertz, at least 1"),
+            ParameterSpec("dissipation", 1, "s/m", "relative growth of the normal force per speed of approach"),
+            ParameterSpec("friction", 1, "1", "coefficient of friction"),
+            ParameterSpec("slip_speed", 1, "m/s", "speed of sliding at which 71 % of the friction acts"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (1,), (0,)),
+                    OutputSpec("tau", (1,), (0,)),
+                    OutputSpec("zd", (0,), ()),
+                    OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                40,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (2, 3), (0, 1, 3, 4, 5)),
+                ),
+                43,
+            ),
+        },
+    ),
+    # law hertz_coulomb_2
+    "hertz_coulomb_2": LawSpec(
+        name="hertz_coulomb_2",
+        digest="87a3bd826beee276",
+        doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1)\ntau = friction N s/sqrt(s.s + slip_speed^2)",
+        deformations=1,
+        slips=2,
+        states=(),
+        parameters=(
+            ParameterSpec("stiffness", 1, "N/m^exponent", "normal force per penetration^exponent"),
+            ParameterSpec("exponent", 1, "1", "exponent of the penetration, 3/2 for Hertz, at least 1"),
+            ParameterSpec("dissipation", 1, "s/m", "relative growth of the normal force per speed of approach"),
+            ParameterSpec("friction", 1, "1", "coefficient of friction"),
+            ParameterSpec("slip_speed", 1, "m/s", "speed of sliding at which 71 % of the friction acts"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (1,), (0,)),
+                    OutputSpec("tau", (2,), (0, 1)),
+                    OutputSpec("zd", (0,), ()),
+                    OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                45,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (3, 4), (0, 1, 4, 5, 6, 7, 8, 9, 10, 11)),
+                ),
+                58,
+            ),
+        },
+    ),
+    # law hertz_bristle_1
+    "hertz_bristle_1": LawSpec(
+        name="hertz_bristle_1",
+        digest="87a3bd826beee276",
+        doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1) + stiffness d^exponent bristle_stiffness z.z/2\ndz/dt = s - bristle_stiffness |s| z/friction in contact, -release z when open\ntau = N (bristle_stiffness z + bristle_damping dz/dt)",
+        deformations=1,
+        slips=1,
+        states=(
+            InternalSpec("z_0", "m"),
+        ),
+        parameters=(
+            ParameterSpec("stiffness", 1, "N/m^exponent", "normal force per penetration^exponent"),
+            ParameterSpec("exponent", 1, "1", "exponent of the penetration, 3/2 for Hertz, at least 1"),
+            ParameterSpec("dissipation", 1, "s/m", "relative growth of the normal force per speed of approach"),
+            ParameterSpec("friction", 1, "1", "coefficient of friction"),
+            ParameterSpec("bristle_stiffness", 1, "1/m", "friction per normal force and deflection of the bristles"),
+            ParameterSpec("bristle_damping", 1, "s/m", "friction per normal force and rate of deflection"),
+            ParameterSpec("release", 1, "1/s", "rate at which bristles straighten while the gap is open"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (1,), (0,)),
+                    OutputSpec("tau", (1,), (0,)),
+                    OutputSpec("zd", (1,), (0,)),
+                    OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                60,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (3, 4), (0, 1, 4, 5, 6, 7, 10, 11)),
+                ),
+                59,
+            ),
+        },
+    ),
+    # law hertz_bristle_2
+    "hertz_bristle_2": LawSpec(
+        name="hertz_bristle_2",
+        digest="87a3bd826beee276",
+        doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1) + stiffness d^exponent bristle_stiffness z.z/2\ndz/dt = s - bristle_stiffness |s| z/friction in contact, -release z when open\ntau = N (bristle_stiffness z + bristle_damping dz/dt)",
+        deformations=1,
+        slips=2,
+        states=(
+            InternalSpec("z_0", "m"),
+            InternalSpec("z_1", "m"),
+        ),
+        parameters=(
+            ParameterSpec("stiffness", 1, "N/m^exponent", "normal force per penetration^exponent"),
+            ParameterSpec("exponent", 1, "1", "exponent of the penetration, 3/2 for Hertz, at least 1"),
+            ParameterSpec("dissipation", 1, "s/m", "relative growth of the normal force per speed of approach"),
+            ParameterSpec("friction", 1, "1", "coefficient of friction"),
+            ParameterSpec("bristle_stiffness", 1, "1/m", "friction per normal force and deflection of the bristles"),
+            ParameterSpec("bristle_damping", 1, "s/m", "friction per normal force and rate of deflection"),
+            ParameterSpec("release", 1, "1/s", "rate at which bristles straighten while the gap is open"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (1,), (0,)),
+                    OutputSpec("tau", (2,), (0, 1)),
+                    OutputSpec("zd", (2,), (0, 1)),
+                    OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                77,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (5, 6), (0, 1, 6, 7, 8, 9, 10, 12, 13, 14, 15, 17, 20, 21, 22, 26, 27, 29)),
+                ),
+                88,
             ),
         },
     ),

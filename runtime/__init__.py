@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from flexel.state import State
     from flexel.stress import beam_stress, largest_stress, section_forces
     from flexel.system import System
+    from flexel.wire_rope import WireRope
 
 __version__ = "0.1.0"
 
@@ -60,6 +61,7 @@ __all__ = [
     "System",
     "Table",
     "Tube",
+    "WireRope",
     "beam_stress",
     "body_compliance",
     "constraint_report",
@@ -94,6 +96,7 @@ _HOMES = {
     "System": "flexel.system",
     "Table": "flexel.functions",
     "Tube": "flexel.sections",
+    "WireRope": "flexel.wire_rope",
     "beam_stress": "flexel.stress",
     "body_compliance": "flexel.compliance",
     "constraint_report": "flexel.constraints",
