@@ -88,12 +88,20 @@ class _Printer:
             level[row] = needed if op in LEAVES or needed % 2 == call else needed + 1
         return level
 
+    def _operands(self, row: int) -> list[int]:
+        """Rows whose values a row needs where it is written; conditions are written out where they are used."""
+        found: list[int] = []
+        for arg in self.program.rows[row].args:
+            found += self._operands(arg) if self.program.rows[arg].op in CONDITIONS else [arg]
+        return found
+
     def _across(self) -> set[int]:
         """Rows that are used in a later loop than their own."""
         return {
             arg
             for row in self.order
-            for arg in self.program.rows[row].args
+            if self.program.rows[row].op not in CONDITIONS
+            for arg in self._operands(row)
             if self.level[arg] != self.level[row] and self.program.rows[arg].op not in LEAVES
         }
 
@@ -110,7 +118,10 @@ class _Printer:
         loaded: set[tuple[int, int]] = set()
         for row in self.order:
             loop = loops[self.level[row]]
-            for arg in (*self.program.rows[row].args, *([row] if row in self.stores else [])):
+            if self.program.rows[row].op in CONDITIONS:
+                self._row(row, loop)
+                continue
+            for arg in (*self._operands(row), *([row] if row in self.stores else [])):
                 if self.program.rows[arg].op == "input" and (self.level[row], arg) not in loaded:
                     loaded.add((self.level[row], arg))
                     loop.lines.append(f"const real {self.names[arg]} = {self.loads[arg]};")

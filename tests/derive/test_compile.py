@@ -99,6 +99,21 @@ def test_a_compiled_law_computes_stress_and_tangent() -> None:
         assert J == pytest.approx([9 * 0.25 if e > 0 else 0.0, math.cos(0.3)], rel=1e-15)
 
 
+def test_a_condition_is_written_out_wherever_it_is_used() -> None:
+    """The power is a loop of its own between two that both ask for the sign of e."""
+    e, ed, n = symbol("e"), symbol("ed"), Parameter("n", 1, "1", "exponent")
+    base = sp.Piecewise((-2 * e, 2 * e < 0), (1, True))
+    pull = sp.Piecewise((base**n.symbol, 2 * e < 0), (0, True))
+    compiled = compile_law(Law("power", "sigma = (-2 e)^n", (n,), (e,), (ed,), (), (pull,), ()))
+    law = Struct.from_address(compiled.address)
+    for value, expected in ((-0.5, 1.0), (-2.0, 8.0), (0.5, 0.0)):
+        assert call(law.law, [value, 0.0, None, None, 0.0, 1.5], [1, 0, 0, 0, 1])[0] == pytest.approx(
+            [expected]
+        )
+        slope = -3 * math.sqrt(-2 * value) if value < 0 else 0.0
+        assert call(law.tangent, [value, 0.0, None, None, 0.0, 1.5], [2])[0][:1] == pytest.approx([slope])
+
+
 def test_without_a_compiler_the_remedy_is_named(monkeypatch: pytest.MonkeyPatch, cache: Path) -> None:
     monkeypatch.setenv("CC", "no-such-compiler")
     with pytest.raises(CompilerMissingError, match="apt install gcc"):
