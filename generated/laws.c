@@ -66,7 +66,7 @@ static void linear_1_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_1 = {
     .name = "linear_1",
-    .digest = "87a3bd826beee276",
+    .digest = "88dc208a271dcc44",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -159,7 +159,7 @@ static void linear_2_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_2 = {
     .name = "linear_2",
-    .digest = "87a3bd826beee276",
+    .digest = "88dc208a271dcc44",
     .m = 2,
     .k = 0,
     .nz = 0,
@@ -278,7 +278,7 @@ static void linear_3_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_3 = {
     .name = "linear_3",
-    .digest = "87a3bd826beee276",
+    .digest = "88dc208a271dcc44",
     .m = 3,
     .k = 0,
     .nz = 0,
@@ -435,7 +435,7 @@ static void linear_4_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_4 = {
     .name = "linear_4",
-    .digest = "87a3bd826beee276",
+    .digest = "88dc208a271dcc44",
     .m = 4,
     .k = 0,
     .nz = 0,
@@ -632,7 +632,7 @@ static void linear_5_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_5 = {
     .name = "linear_5",
-    .digest = "87a3bd826beee276",
+    .digest = "88dc208a271dcc44",
     .m = 5,
     .k = 0,
     .nz = 0,
@@ -883,7 +883,7 @@ static void linear_6_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_6 = {
     .name = "linear_6",
-    .digest = "87a3bd826beee276",
+    .digest = "88dc208a271dcc44",
     .m = 6,
     .k = 0,
     .nz = 0,
@@ -1038,7 +1038,7 @@ static void diagonal_7_tangent(size_t nblocks, const real *const *in, real *cons
 
 const flexel_law flexel_law_diagonal_7 = {
     .name = "diagonal_7",
-    .digest = "87a3bd826beee276",
+    .digest = "88dc208a271dcc44",
     .m = 7,
     .k = 0,
     .nz = 0,
@@ -1275,7 +1275,7 @@ static void diagonal_13_tangent(size_t nblocks, const real *const *in, real *con
 
 const flexel_law flexel_law_diagonal_13 = {
     .name = "diagonal_13",
-    .digest = "87a3bd826beee276",
+    .digest = "88dc208a271dcc44",
     .m = 13,
     .k = 0,
     .nz = 0,
@@ -1335,7 +1335,7 @@ static void viscous_1_tangent(size_t nblocks, const real *const *in, real *const
 
 const flexel_law flexel_law_viscous_1 = {
     .name = "viscous_1",
-    .digest = "87a3bd826beee276",
+    .digest = "88dc208a271dcc44",
     .m = 0,
     .k = 1,
     .nz = 0,
@@ -1404,7 +1404,7 @@ static void viscous_2_tangent(size_t nblocks, const real *const *in, real *const
 
 const flexel_law flexel_law_viscous_2 = {
     .name = "viscous_2",
-    .digest = "87a3bd826beee276",
+    .digest = "88dc208a271dcc44",
     .m = 0,
     .k = 2,
     .nz = 0,
@@ -1485,7 +1485,7 @@ static void viscous_3_tangent(size_t nblocks, const real *const *in, real *const
 
 const flexel_law flexel_law_viscous_3 = {
     .name = "viscous_3",
-    .digest = "87a3bd826beee276",
+    .digest = "88dc208a271dcc44",
     .m = 0,
     .k = 3,
     .nz = 0,
@@ -1541,10 +1541,10 @@ static void hertz_law(size_t nblocks, const real *const *in, real *const *out)
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real stiffness = p[0 * 8 + j];
+            const real e_0 = e[0 * 8 + j];
             const real elastic = real_lt(e_0, 0.0) ? stiffness * t0[j] : 0.0;
             const real N = real_max(0.0, elastic * t1[j]);
             sigma[0 * 8 + j] = -N;
-            const real e_0 = e[0 * 8 + j];
             U[0 * 8 + j] = -(e_0 * elastic * t2[j]);
             const real ed_0 = ed[0 * 8 + j];
             const real exponent = p[1 * 8 + j];
@@ -1586,6 +1586,7 @@ static void hertz_tangent(size_t nblocks, const real *const *in, real *const *ou
         for (size_t j = 0; j < 8; j++) {
             const real exponent = p[1 * 8 + j];
             const real stiffness = p[0 * 8 + j];
+            const real e_0 = e[0 * 8 + j];
             const real elastic = real_lt(e_0, 0.0) ? stiffness * t4[j] : 0.0;
             const real t5 = real_le(elastic * t3[j], 0.0) ? 0.0 : 1.0;
             J[0 * 8 + j] = exponent * t2[j] * (t3[j] * t5 * t0[j] * stiffness) * t0[j];
@@ -1597,7 +1598,7 @@ static void hertz_tangent(size_t nblocks, const real *const *in, real *const *ou
 
 const flexel_law flexel_law_hertz = {
     .name = "hertz",
-    .digest = "87a3bd826beee276",
+    .digest = "88dc208a271dcc44",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -1661,6 +1662,7 @@ static void hertz_coulomb_1_law(size_t nblocks, const real *const *in, real *con
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real stiffness = p[0 * 8 + j];
+            const real e_0 = e[0 * 8 + j];
             const real elastic = real_lt(e_0, 0.0) ? stiffness * t0[j] : 0.0;
             const real N = real_max(0.0, elastic * t1[j]);
             sigma[0 * 8 + j] = -N;
@@ -1669,7 +1671,6 @@ static void hertz_coulomb_1_law(size_t nblocks, const real *const *in, real *con
             const real s_0 = s[0 * 8 + j];
             const real t3 = s_0 * factor;
             tau[0 * 8 + j] = t3;
-            const real e_0 = e[0 * 8 + j];
             U[0 * 8 + j] = -(e_0 * elastic * t4[j]);
             const real ed_0 = ed[0 * 8 + j];
             const real exponent = p[1 * 8 + j];
@@ -1717,6 +1718,7 @@ static void hertz_coulomb_1_tangent(size_t nblocks, const real *const *in, real 
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real stiffness = p[0 * 8 + j];
+            const real e_0 = e[0 * 8 + j];
             const real elastic = real_lt(e_0, 0.0) ? stiffness * t0[j] : 0.0;
             const real t2 = elastic * t1[j];
             const real t3 = real_le(t2, 0.0) ? 0.0 : 1.0;
@@ -1739,7 +1741,7 @@ static void hertz_coulomb_1_tangent(size_t nblocks, const real *const *in, real 
 
 const flexel_law flexel_law_hertz_coulomb_1 = {
     .name = "hertz_coulomb_1",
-    .digest = "87a3bd826beee276",
+    .digest = "88dc208a271dcc44",
     .m = 1,
     .k = 1,
     .nz = 0,
@@ -1805,6 +1807,7 @@ static void hertz_coulomb_2_law(size_t nblocks, const real *const *in, real *con
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real stiffness = p[0 * 8 + j];
+            const real e_0 = e[0 * 8 + j];
             const real elastic = real_lt(e_0, 0.0) ? stiffness * t0[j] : 0.0;
             const real N = real_max(0.0, elastic * t1[j]);
             sigma[0 * 8 + j] = -N;
@@ -1816,7 +1819,6 @@ static void hertz_coulomb_2_law(size_t nblocks, const real *const *in, real *con
             const real s_1 = s[1 * 8 + j];
             const real t5 = s_1 * factor;
             tau[1 * 8 + j] = t5;
-            const real e_0 = e[0 * 8 + j];
             U[0 * 8 + j] = -(e_0 * elastic * t6[j]);
             const real ed_0 = ed[0 * 8 + j];
             const real exponent = p[1 * 8 + j];
@@ -1867,6 +1869,7 @@ static void hertz_coulomb_2_tangent(size_t nblocks, const real *const *in, real 
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real stiffness = p[0 * 8 + j];
+            const real e_0 = e[0 * 8 + j];
             const real elastic = real_lt(e_0, 0.0) ? stiffness * t0[j] : 0.0;
             const real t2 = elastic * t1[j];
             const real t3 = real_le(t2, 0.0) ? 0.0 : 1.0;
@@ -1901,7 +1904,7 @@ static void hertz_coulomb_2_tangent(size_t nblocks, const real *const *in, real 
 
 const flexel_law flexel_law_hertz_coulomb_2 = {
     .name = "hertz_coulomb_2",
-    .digest = "87a3bd826beee276",
+    .digest = "88dc208a271dcc44",
     .m = 1,
     .k = 2,
     .nz = 0,
@@ -1983,6 +1986,7 @@ static void hertz_bristle_1_law(size_t nblocks, const real *const *in, real *con
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real stiffness = p[0 * 8 + j];
+            const real e_0 = e[0 * 8 + j];
             const real elastic = real_lt(e_0, 0.0) ? stiffness * t0[j] : 0.0;
             const real N = real_max(0.0, elastic * t1[j]);
             sigma[0 * 8 + j] = -N;
@@ -1992,7 +1996,6 @@ static void hertz_bristle_1_law(size_t nblocks, const real *const *in, real *con
             const real s_0 = s[0 * 8 + j];
             const real ed_0 = ed[0 * 8 + j];
             const real t10 = real_lt(e_0, 0.0) ? t8[j] * t9[j] : 0.0;
-            const real e_0 = e[0 * 8 + j];
             const real t11 = s_0 * t3 + t5[j] * (ed_0 * elastic + e_0 * t10) - ed_0 * N;
             const real z_0 = z[0 * 8 + j];
             const real bristle_stiffness = p[4 * 8 + j];
@@ -2057,6 +2060,7 @@ static void hertz_bristle_1_tangent(size_t nblocks, const real *const *in, real 
         for (size_t j = 0; j < 8; j++) {
             const real exponent = p[1 * 8 + j];
             const real stiffness = p[0 * 8 + j];
+            const real e_0 = e[0 * 8 + j];
             const real t4 = real_lt(e_0, 0.0) ? exponent * t2[j] * t3[j] * stiffness : 0.0;
             const real elastic = real_lt(e_0, 0.0) ? stiffness * t5[j] : 0.0;
             const real t6 = elastic * t0[j];
@@ -2077,7 +2081,7 @@ static void hertz_bristle_1_tangent(size_t nblocks, const real *const *in, real 
 
 const flexel_law flexel_law_hertz_bristle_1 = {
     .name = "hertz_bristle_1",
-    .digest = "87a3bd826beee276",
+    .digest = "88dc208a271dcc44",
     .m = 1,
     .k = 1,
     .nz = 1,
@@ -2165,6 +2169,7 @@ static void hertz_bristle_2_law(size_t nblocks, const real *const *in, real *con
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real stiffness = p[0 * 8 + j];
+            const real e_0 = e[0 * 8 + j];
             const real elastic = real_lt(e_0, 0.0) ? stiffness * t0[j] : 0.0;
             const real N = real_max(0.0, elastic * t1[j]);
             sigma[0 * 8 + j] = -N;
@@ -2175,7 +2180,6 @@ static void hertz_bristle_2_law(size_t nblocks, const real *const *in, real *con
             U[0 * 8 + j] = elastic * t8[j];
             const real ed_0 = ed[0 * 8 + j];
             const real t12 = real_lt(e_0, 0.0) ? t10[j] * t11[j] : 0.0;
-            const real e_0 = e[0 * 8 + j];
             const real s_0 = s[0 * 8 + j];
             const real s_1 = s[1 * 8 + j];
             const real t13 = s_0 * t3 + s_1 * t5 + t7[j] * (ed_0 * elastic + e_0 * t12);
@@ -2255,6 +2259,7 @@ static void hertz_bristle_2_tangent(size_t nblocks, const real *const *in, real 
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real stiffness = p[0 * 8 + j];
+            const real e_0 = e[0 * 8 + j];
             const real elastic = real_lt(e_0, 0.0) ? stiffness * t0[j] : 0.0;
             const real t2 = elastic * t1[j];
             const real t3 = real_le(t2, 0.0) ? 0.0 : 1.0;
@@ -2282,7 +2287,7 @@ static void hertz_bristle_2_tangent(size_t nblocks, const real *const *in, real 
 
 const flexel_law flexel_law_hertz_bristle_2 = {
     .name = "hertz_bristle_2",
-    .digest = "87a3bd826beee276",
+    .digest = "88dc208a271dcc44",
     .m = 1,
     .k = 2,
     .nz = 2,
