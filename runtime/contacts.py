@@ -23,31 +23,6 @@ if TYPE_CHECKING:
 RELEASE = 1e3  # rate [1/s] at which the bristles of an open contact straighten
 
 
-def hunt_crossley(restitution: float, speed: float) -> float:
-    """Dissipation [s/m] for a coefficient of restitution at a speed of impact: 3 (1 - e)/(2 v).
-
-    Source: Hunt and Crossley (1975); accurate for restitutions near one.
-    """
-    e = _restitution(restitution)
-    return 1.5 * (1 - e) / positive(speed, "hunt_crossley", "speed")
-
-
-def lankarani_nikravesh(restitution: float, speed: float) -> float:
-    """Dissipation [s/m] for a coefficient of restitution at a speed of impact: 3 (1 - e²)/(4 v).
-
-    Source: Lankarani and Nikravesh (1990).
-    """
-    e = _restitution(restitution)
-    return 0.75 * (1 - e * e) / positive(speed, "lankarani_nikravesh", "speed")
-
-
-def _restitution(value: float) -> float:
-    e = not_negative(value, "contact", "restitution")
-    if e > 1:
-        raise ModelError(f"contact: restitution {e:g} exceeds 1, which would make energy; give 0 to 1")
-    return e
-
-
 @dataclass(frozen=True)
 class Contact:
     """How a cable touches: points, normal force and friction.
@@ -59,7 +34,7 @@ class Contact:
     exponent : float
         3/2 as for Hertz's point contact.
     dissipation : float
-        Growth of the normal force per speed of approach [s/m]; `hunt_crossley`, `lankarani_nikravesh`.
+        Growth of the normal force per speed of approach [s/m]; see `fx.hunt_crossley`, `fx.lankarani_nikravesh`.
     friction : float
         Coefficient of friction.
     slip_speed : float

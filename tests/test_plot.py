@@ -97,7 +97,7 @@ def test_histories_have_a_panel_for_each_unit(motion: fx.Motion, tmp_path: Path)
     drawn = motion.plot(
         "lean.angle", "steer.angle", "lean.angle'", "force:rear.surface", path=tmp_path / "h.png"
     )
-    assert [axes.get_ylabel() for axes in drawn.axes] == ["[rad]", "[rad/s]", ""]
+    assert [axes.get_ylabel() for axes in drawn.axes] == ["[rad]", "[rad/s]", "[N]"]
     assert np.array_equal(drawn.axes[1].lines[0].get_ydata(), motion.rate("lean.angle"))
     assert (tmp_path / "h.png").exists()
     with pytest.raises(fx.ModelError, match=r"did you mean lean\.angle"):

@@ -43,7 +43,9 @@ def test_every_kind_of_storage_gives_the_same_solution(kind: str, hubs: int) -> 
 
 def test_entries_outside_the_matrix_are_dropped() -> None:
     pattern = Pattern(np.array([0, 1, 7]), np.array([0, 1, 0]), 2)
-    np.testing.assert_array_equal(pattern.matrix(pattern.assemble(np.array([2.0, 3.0, 9.0]))).toarray(), np.diag([2, 3]))
+    np.testing.assert_array_equal(
+        pattern.matrix(pattern.assemble(np.array([2.0, 3.0, 9.0]))).toarray(), np.diag([2, 3])
+    )
 
 
 @pytest.mark.parametrize(
