@@ -13,7 +13,7 @@ SETUP := pyproject.toml setup.py
 SOURCES := $(SETUP) $(wildcard generated/*.c generated/*.h generated/build.py)
 WARNINGS := -std=c11 -O2 -fopenmp-simd -DFLEXEL_NO_CLONES -Wall -Wextra -Wpedantic -Werror
 
-.PHONY: demo test lint types check strict wheel venv clean prerequisites
+.PHONY: demo test docs lint types check strict wheel venv clean prerequisites
 
 demo: $(VENV)/installed-plot
 	$(VENV)/bin/flexel derive
@@ -24,6 +24,11 @@ demo: $(VENV)/installed-plot
 
 test: $(VENV)/installed-test
 	$(VENV)/bin/python -m pytest $(PYTEST)
+
+# Pages of docs/ and those that docs/pages.py writes about elements, laws and public names; a warning is an error.
+docs: $(VENV)/installed-docs
+	$(VENV)/bin/python -m sphinx -W --keep-going -q docs docs/_build
+	@echo "The documentation is $(abspath docs)/_build/index.html"
 
 lint: $(VENV_LINT)/installed
 	$(VENV_LINT)/bin/ruff check .
@@ -51,7 +56,7 @@ wheel: $(VENV)/bin/python
 venv: $(VENV)/installed-test
 
 clean:
-	rm -rf build dist $(OUT) $(VENV) $(VENV_LINT) *.egg-info .pytest_cache .mypy_cache .ruff_cache generated/_kernels*.so
+	rm -rf build dist docs/_build docs/_generated $(OUT) $(VENV) $(VENV_LINT) *.egg-info .pytest_cache .mypy_cache .ruff_cache generated/_kernels*.so
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 prerequisites:

@@ -11,7 +11,14 @@ from dataclasses import dataclass
 import sympy as sp
 from sympy import Expr, Matrix, Symbol
 
-from flexel.derive.checks import check_name, check_symbols, check_unique, rate_degrees
+from flexel.derive.checks import (
+    check_functions,
+    check_name,
+    check_symbols,
+    check_text,
+    check_unique,
+    rate_degrees,
+)
 
 
 def symbol(name: str) -> Symbol:
@@ -101,6 +108,7 @@ class Parameter:
             raise ValueError(f"parameter '{self.name}': size {self.size} does not fit {self.components}")
         if not self.unit:
             raise ValueError(f"parameter '{self.name}' has no unit; give an SI unit, or '1'")
+        check_text("a declaration", f"parameter '{self.name}'", self.doc)
 
     @property
     def symbols(self) -> tuple[Symbol, ...]:
@@ -201,8 +209,9 @@ class Element:
     Raises
     ------
     ValueError
-        A name is used twice or is not a name in C, a unit is missing, an expression is not scalar or contains
-        an unknown symbol, D or U depends on v, a slip is not linear or T not quadratic in v.
+        A name is used twice or is not a name in C, a unit or a meaning is missing, an expression is not scalar or
+        contains an unknown symbol or function, D or U depends on v, a slip is not linear or T not quadratic
+        in v.
     """
 
     name: str
@@ -240,11 +249,13 @@ class Element:
             check_symbols(owner, what, expr, degrees)
             if not rate_degrees(expr, degrees) <= {allowed}:
                 raise ValueError(f"{owner}: {what} {fact}")
+            check_functions(owner, what, expr)
 
         for s, expr in self.let:
             if not isinstance(expr, Expr):
                 raise ValueError(f"{owner}: let '{s}' is not a scalar expression but {type(expr).__name__}")
             check_symbols(owner, f"let '{s}'", expr, degrees)
+            check_functions(owner, f"let '{s}'", expr)
             degrees[s] = rate_degrees(expr, degrees)
         modes: tuple[Deformation | Slip, ...] = (*self.deformations, *self.slips)
         for mode in modes:
@@ -256,6 +267,7 @@ class Element:
             check(f"slip '{slip.name}'", slip.expr, 1, "is not linear in the rates")
         check("the kinetic energy", self.kinetic_energy, 2, "is not quadratic in the rates")
         check("the potential", self.potential, 0, "depends on rates")
+        check_text(owner, "the element", self.doc)
 
     @property
     def x(self) -> Matrix:
@@ -353,6 +365,7 @@ class Law:
             if not isinstance(expr, Expr):
                 raise ValueError(f"{owner}: {what} is not a scalar expression but {type(expr).__name__}")
             check_symbols(owner, what, expr, known)
+            check_functions(owner, what, expr)
 
         known, on_rates = set(symbols), {*self.ed, *self.s, TIME}
         for s, expr in self.let:
@@ -369,6 +382,7 @@ class Law:
         check("the energy", self.energy)
         if self.energy.free_symbols & on_rates:
             raise ValueError(f"{owner}: the energy depends on rates, slips or the time; it is one of (e, z)")
+        check_text(owner, "the law", self.doc)
 
     @property
     def z(self) -> tuple[Symbol, ...]:

@@ -16,6 +16,7 @@ from flexel.examples import beams_data as data
 from flexel.examples import beams_dynamic as dynamic
 from flexel.examples import beams_static as static
 from flexel.figures import COLOURS, figure, save
+from flexel.plot import View
 from flexel.report import Quantity
 from flexel.structure import Array
 
@@ -33,6 +34,7 @@ def pictures(rows: Sequence[Quantity], out: Path) -> list[Path]:
         "elements_needed.png": elements_needed,
         "rotation.png": rotation,
         "spin_up.png": spin_up,
+        "spin_up.html": animation,
     }
     for name, make in names.items():
         make(rows, out / name)
@@ -184,3 +186,9 @@ def spin_up(rows: Sequence[Quantity], path: Path) -> None:
             ax.set(xlabel="t [s]", ylabel="tip displacement [m]", title=title)
         axes[0].legend(fontsize=8)
         save(drawn, path)
+
+
+def animation(rows: Sequence[Quantity], path: Path) -> None:
+    """The first spin-up beam, to be turned and played in a browser."""
+    title = "Spin-up of a flexible beam, after Simo and Vu-Quoc; 8 elements"
+    dynamic.spun_up("simo", 8).view(path, view=View(trails=["P8"]), title=title)

@@ -13,7 +13,7 @@ import numpy as np
 from flexel.examples import bicycle_data as data
 from flexel.examples.bicycle import Results, eigenvalues, kick, manoeuvre_m1
 from flexel.figures import COLOURS, figure, save
-from flexel.plot import Sketch, View, animate, draw, root_loci
+from flexel.plot import Sketch, View, draw, root_loci
 from flexel.scene import canvas
 from flexel.structure import Array
 
@@ -207,22 +207,20 @@ def outline(p: dict[str, float]) -> list[Sketch]:
 
 
 def animation(results: Results, path: Path) -> None:
-    """The kick at 3.5 m/s: the weave grows."""
+    """The kick at 3.5 m/s, to be turned and played in a browser: the weave grows."""
     view = View(
         elevation=18,
         azimuth=-115,
         centre="head",
-        span=2.9,
+        span=2.4,
         trails=("rear contact", "front contact"),
         sketches=outline(data.BENCHMARK),
     )
-    animate(
-        results.kicks[3.5],
+    results.kicks[3.5].view(
         path,
-        fps=12,
         between=(0.0, SHOWN_SECONDS),
         view=view,
         title="Uncontrolled bicycle, kicked from the side at 3.5 m/s",
         caption="Below the weave speed of 4.29 m/s the oscillation of lean and steer grows. Nonlinear motion, energy "
-        "conserved to 1e-11; the rider is rigid and keeps the hands off. One square is 0.5 m.",
+        "conserved to 1e-11; the rider is rigid and keeps the hands off.",
     )

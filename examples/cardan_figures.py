@@ -31,6 +31,7 @@ from flexel.examples.cardan_table import bearing_moment
 from flexel.figures import COLOURS, figure, save
 from flexel.orientation import matrix
 from flexel.periodic import Coefficients
+from flexel.plot import Sketch, View
 from flexel.structure import Array
 
 CHART_ANGLES = np.linspace(5.0, 45.0, 6)  # degrees
@@ -49,6 +50,7 @@ def pictures(results: Results, out: Path) -> list[Path]:
         "cardan_free_run.png": free_run,
         "cardan_flexible_limit.png": limit,
         "cardan_zones.png": zones,
+        "cardan_free_run.html": animation,
     }
     for name, make in names.items():
         make(results, out / name)
@@ -198,3 +200,19 @@ def zones(results: Results, path: Path) -> None:
         drawn.colorbar(shown, ax=axes, label="growth in one turn, log |multiplier|")
         drawn.suptitle("Parametric instability by Floquet multipliers, no damping")
         save(drawn, path)
+
+
+def animation(results: Results, path: Path) -> None:
+    """The free run, to be turned and played in a browser; shafts, forks and cross are only to be seen."""
+    out = np.array([np.cos(B30), np.sin(B30), 0.0])
+    y, z = np.array([0, 0.3, 0]), np.array([0, 0, 0.3])
+    lines: list[tuple[str, list[Array]]] = [("cross", [-y, y]), ("cross", [-z, z])]
+    for name, pin, root in (("driving", y, np.array([-0.42, 0, 0])), ("driven", z, 0.42 * out)):
+        lines += [(name, [root, 2.2 * root]), (name, [pin, root + pin, root - pin, -pin])]
+    sketches = [Sketch("centre", name, np.array(points).tolist()) for name, points in lines]
+    results.free.view(
+        path,
+        view=View(elevation=28, azimuth=-60, span=1.9, sketches=sketches),
+        title="Two rotors that turn freely through a universal joint, 30° between the shafts",
+        caption="The driven rotor runs ahead and falls behind twice a turn; energy is conserved.",
+    )

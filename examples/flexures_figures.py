@@ -5,6 +5,7 @@ Imports numpy and flexel; matplotlib is imported by `flexel.figures` when a pict
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -26,6 +27,7 @@ from flexel.examples.flexures import (
     guided_directions,
 )
 from flexel.figures import COLOURS, figure, save
+from flexel.view import view_modes
 
 NAMES = {"turn x": "about x", "turn y": "about y", "turn z": "about z"}
 
@@ -36,7 +38,15 @@ def pictures(results: Results, out: Path) -> list[Path]:
     files = [out / "flexures_guide.png", out / "flexures_pivot.png"]
     overview(results, GUIDE, files[0], "Parallel leaf-spring guide")
     overview(results, PIVOT, files[1], "Cross-flexure pivot")
-    return files
+    return files + [modes(make, d, out) for make, d in CASES]
+
+
+def modes(make: Callable[..., fx.Model], d: Design, out: Path) -> Path:
+    """The lowest modes at rest, to be turned and played in a browser."""
+    system = make().build()
+    state = system.equilibrium()
+    path = out / f"flexures_{d.case}_modes.html"
+    return view_modes(state, path, system.vibrations(state, 6), title=f"Modes of the {d.case} at rest")
 
 
 def overview(results: Results, d: Design, path: Path, title: str) -> None:

@@ -15,6 +15,7 @@ from flexel import periodic
 from flexel.examples import slider_crank_data as data
 from flexel.examples.slider_crank import CONVERGED, Results, deflection, omega0
 from flexel.figures import COLOURS, figure, save
+from flexel.plot import View
 from flexel.structure import Array
 
 ENLARGED = 4.0  # deflection in the picture of the mechanism
@@ -31,6 +32,7 @@ def pictures(results: Results, out: Path) -> list[Path]:
         "slider_crank_sweep.png": sweep,
         "slider_crank_harmonics.png": harmonics,
         "slider_crank_floquet.png": floquet,
+        "slider_crank_motion.html": animation,
     }
     for name, make in names.items():
         make(results, out / name)
@@ -188,3 +190,13 @@ def floquet(results: Results, path: Path) -> None:
         axes.legend(loc="lower right")
         axes.set_title("Floquet multipliers over the speed, 2 % damping: stable below 1")
         save(drawn, path)
+
+
+def animation(results: Results, path: Path) -> None:
+    """The motion from the straight rod, to be turned and played in a browser."""
+    results.transients[0.02].view(
+        path,
+        view=View(trails=["p2"]),
+        title=f"Slider-crank with a flexible connecting rod, {data.SPEED:g} rad/s",
+        caption="2 % damping, from the straight rod; deflections are true to scale.",
+    )

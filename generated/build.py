@@ -12,6 +12,7 @@ FLAGS = ["-O2", "-fno-math-errno", "-fno-trapping-math", "-fopenmp-simd", "-ffp-
 ELEMENTS = (
     "point_mass",
     "body",
+    "rotary_inertia",
     "norm",
     "truss",
     "hinge",
@@ -20,6 +21,7 @@ ELEMENTS = (
     "beam",
     "beam_first_order",
     "wheel",
+    "surface",
     "rotation",
     "body_rotation",
     "body_velocity",
@@ -27,11 +29,16 @@ ELEMENTS = (
     "beam_span",
     "planar_point_mass",
     "planar_body",
+    "planar_rotary_inertia",
     "planar_truss",
     "planar_hinge",
     "planar_beam",
     "planar_beam_first_order",
     "planar_beam3",
+    "planar_bearing",
+    "planar_belt",
+    "planar_gear",
+    "planar_wheel",
     "planar_body_velocity",
     "planar_bar_span",
     "planar_beam_span",
@@ -65,6 +72,7 @@ LAWS = (
     "hertz_coulomb_2",
     "hertz_bristle_1",
     "hertz_bristle_2",
+    "journal",
 )
 SOURCES = [os.path.join(FOLDER, f"{name}.c") for name in (*ELEMENTS, "laws", "system")]
 

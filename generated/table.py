@@ -91,6 +91,41 @@ ELEMENTS: dict[str, ElementSpec] = {
             ),
         },
     ),
+    # element rotary_inertia
+    "rotary_inertia": ElementSpec(
+        name="rotary_inertia",
+        digest="1f0f73ff467a44c7",
+        doc="w = 2 (conj(lambda) o lambdadot), angular velocity in body axes\nT = w.J w/2",
+        source="Schwab and Meijaard 2006, DETC2006-99307",
+        nodes=(
+            NodeSpec("r", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("J", 6, "kg m^2", "inertia tensor in body axes (tensor components)"),
+        ),
+        deformations=(),
+        slips=(),
+        kernels={
+            "inertia": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("M", (4, 4), tuple(range(16))),
+                    OutputSpec("h", (4,), (0, 1, 2, 3)),
+                    OutputSpec("f", (4,), ()),
+                    OutputSpec("U", (1,), ()),
+                ),
+                281,
+            ),
+            "tangent": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("R_x", (4, 4), tuple(range(16))),
+                    OutputSpec("R_v", (4, 4), tuple(range(16))),
+                ),
+                536,
+            ),
+        },
+    ),
     # element norm
     "norm": ElementSpec(
         name="norm",
@@ -757,6 +792,74 @@ ELEMENTS: dict[str, ElementSpec] = {
             ),
         },
     ),
+    # element surface
+    "surface": ElementSpec(
+        name="surface",
+        digest="fbe7bace4591c9b1",
+        doc="height = quadratic.(x^2, y^2, z^2, x y, x z, y z) + linear.(x, y, z) + constant",
+        source="SPACAR95 manual (Schwab and Meijaard 2000), SURFACE",
+        nodes=(
+            NodeSpec("p", "point"),
+        ),
+        parameters=(
+            ParameterSpec("quadratic", 6, "1/m", "coefficients of x^2, y^2, z^2, x y, x z, y z"),
+            ParameterSpec("linear", 3, "1", "coefficients of x, y, z"),
+            ParameterSpec("constant", 1, "m", "constant term"),
+        ),
+        deformations=(
+            DeformationSpec("height", "m", False, False),
+        ),
+        slips=(),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 3), (0, 1, 2)),
+                    OutputSpec("V", (0, 3), ()),
+                ),
+                33,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (1,), (0,)),
+                    OutputSpec("s", (0,), ()),
+                ),
+                30,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (0,), ()),
+                ),
+                15,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (1, 3), (0, 1, 2)),
+                ),
+                18,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (1, 3), (0, 1, 2)),
+                    OutputSpec("Psi_v", (1, 3), (0, 1, 2)),
+                ),
+                39,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (3, 3), tuple(range(9))),
+                ),
+                9,
+            ),
+        },
+    ),
     # element rotation
     "rotation": ElementSpec(
         name="rotation",
@@ -1172,6 +1275,41 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("R_v", (3, 3), (2, 5, 6, 7, 8)),
                 ),
                 90,
+            ),
+        },
+    ),
+    # element planar_rotary_inertia
+    "planar_rotary_inertia": ElementSpec(
+        name="planar_rotary_inertia",
+        digest="a6168cc2e6815af8",
+        doc="T = J angledot^2/2",
+        source="textbook mechanics",
+        nodes=(
+            NodeSpec("r", "planar_angle"),
+        ),
+        parameters=(
+            ParameterSpec("J", 1, "kg m^2", "moment of inertia"),
+        ),
+        deformations=(),
+        slips=(),
+        kernels={
+            "inertia": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("M", (1, 1), (0,)),
+                    OutputSpec("h", (1,), ()),
+                    OutputSpec("f", (1,), ()),
+                    OutputSpec("U", (1,), ()),
+                ),
+                0,
+            ),
+            "tangent": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("R_x", (1, 1), ()),
+                    OutputSpec("R_v", (1, 1), ()),
+                ),
+                0,
             ),
         },
     ),
@@ -1608,6 +1746,292 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("R_v", (5, 5), ()),
                 ),
                 0,
+            ),
+        },
+    ),
+    # element planar_bearing
+    "planar_bearing": ElementSpec(
+        name="planar_bearing",
+        digest="8713668dd3810443",
+        doc="ex, ey: directions of the element (angle_p + alpha0); d = xq - xp\nalong = ex.d - d0_x,  across = ey.d - d0_y,  angle = angle_q - angle_p - offset0 (counts turns)",
+        source="SPACAR95 manual (Schwab and Meijaard 2000), PLBEAR",
+        nodes=(
+            NodeSpec("p", "planar_point"),
+            NodeSpec("rp", "planar_angle"),
+            NodeSpec("q", "planar_point"),
+            NodeSpec("rq", "planar_angle"),
+        ),
+        parameters=(
+            ParameterSpec("alpha0", 1, "rad", "initial direction of the element minus the angle of node p"),
+            ParameterSpec("d0", 2, "m", "components of xq - xp on ex, ey when the deformations are zero"),
+            ParameterSpec("offset0", 1, "rad", "difference of the angles when the deformation is zero"),
+        ),
+        deformations=(
+            DeformationSpec("along", "m", False, False),
+            DeformationSpec("across", "m", False, False),
+            DeformationSpec("angle", "rad", False, True),
+        ),
+        slips=(),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (3,), (0, 1, 2)),
+                    OutputSpec("De", (3, 6), (0, 1, 2, 3, 4, 6, 7, 8, 9, 10, 14, 17)),
+                    OutputSpec("V", (0, 6), ()),
+                ),
+                19,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (3,), (0, 1, 2)),
+                    OutputSpec("s", (0,), ()),
+                ),
+                24,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (3,), (0, 1)),
+                    OutputSpec("gs", (0,), ()),
+                ),
+                27,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 6), (0, 1, 2, 3, 4, 6, 7, 8, 9, 10)),
+                ),
+                26,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (3, 6), (0, 1, 2, 3, 4, 6, 7, 8, 9, 10)),
+                    OutputSpec("Psi_v", (3, 6), (0, 1, 2, 3, 4, 6, 7, 8, 9, 10)),
+                ),
+                64,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (6, 6), (2, 8, 12, 13, 14, 15, 16, 20, 26)),
+                ),
+                23,
+            ),
+        },
+    ),
+    # element planar_belt
+    "planar_belt": ElementSpec(
+        name="planar_belt",
+        digest="152600f1af549654",
+        doc="d = xq - xp, psi its angle counted from psi0 (less than half a turn away)\nfree_length = sqrt(d.d - (radius_p - radius_q)^2), of the common tangent on the left of d\ntheta = psi - atan2(radius_p - radius_q, free_length), turn of the points of contact\nelongation = free_length + radius_p (angle_p - theta) - radius_q (angle_q - theta) - zero",
+        source="SPACAR95 manual (Schwab and Meijaard 2000), PLBELT; terms in theta from the geometry: without them the tension would not act along the belt",
+        nodes=(
+            NodeSpec("p", "planar_point"),
+            NodeSpec("rp", "planar_angle"),
+            NodeSpec("q", "planar_point"),
+            NodeSpec("rq", "planar_angle"),
+        ),
+        parameters=(
+            ParameterSpec("radius_p", 1, "m", "radius of the pulley at p, positive if the belt leaves it on the left"),
+            ParameterSpec("radius_q", 1, "m", "radius of the pulley at q, positive if the belt runs on it on the left"),
+            ParameterSpec("psi0", 1, "rad", "direction of the line of centres from which its turn is counted"),
+            ParameterSpec("zero", 1, "m", "length without strain, angles and turn taken as zero"),
+        ),
+        deformations=(
+            DeformationSpec("elongation", "m", False, False),
+        ),
+        slips=(),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 6), tuple(range(6))),
+                    OutputSpec("V", (0, 6), ()),
+                ),
+                53,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (1,), (0,)),
+                    OutputSpec("s", (0,), ()),
+                ),
+                49,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (0,), ()),
+                ),
+                69,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (1, 6), (0, 1, 3, 4)),
+                ),
+                78,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (1, 6), (0, 1, 3, 4)),
+                    OutputSpec("Psi_v", (1, 6), (0, 1, 3, 4)),
+                ),
+                186,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (6, 6), (0, 1, 3, 4, 6, 7, 9, 10, 18, 19, 21, 22, 24, 25, 27, 28)),
+                ),
+                77,
+            ),
+        },
+    ),
+    # element planar_gear
+    "planar_gear": ElementSpec(
+        name="planar_gear",
+        digest="a3ec170d343f7d9c",
+        doc="d = xq - xp, psi its angle counted from offset0, period 2 pi\nmesh = (radius_p angle_p + radius_q angle_q)/(radius_p + radius_q) - psi, an angle, so that any number\nof turns of the line of centres can be counted; (radius_p + radius_q) mesh is the displacement of the teeth",
+        source="rolling of the pitch circles, radius_p (angle_p - psi) + radius_q (angle_q - psi) = const; UT SPACAR, GEAR",
+        nodes=(
+            NodeSpec("p", "planar_point"),
+            NodeSpec("rp", "planar_angle"),
+            NodeSpec("q", "planar_point"),
+            NodeSpec("rq", "planar_angle"),
+        ),
+        parameters=(
+            ParameterSpec("radius_p", 1, "m", "pitch radius of the gear at p, negative for an internal gear"),
+            ParameterSpec("radius_q", 1, "m", "pitch radius of the gear at q, negative for an internal gear"),
+            ParameterSpec("offset0", 1, "rad", "difference of the angles when the deformation is zero"),
+        ),
+        deformations=(
+            DeformationSpec("mesh", "rad", True, False),
+        ),
+        slips=(),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 6), tuple(range(6))),
+                    OutputSpec("V", (0, 6), ()),
+                ),
+                34,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (1,), (0,)),
+                    OutputSpec("s", (0,), ()),
+                ),
+                33,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (0,), ()),
+                ),
+                38,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (1, 6), (0, 1, 3, 4)),
+                ),
+                43,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (1, 6), (0, 1, 3, 4)),
+                    OutputSpec("Psi_v", (1, 6), (0, 1, 3, 4)),
+                ),
+                93,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (6, 6), (0, 1, 3, 4, 6, 7, 9, 10, 18, 19, 21, 22, 24, 25, 27, 28)),
+                ),
+                53,
+            ),
+        },
+    ),
+    # element planar_wheel
+    "planar_wheel": ElementSpec(
+        name="planar_wheel",
+        digest="fb21d158a818ac2c",
+        doc="ex, ey: direction of travel (angle_r + alpha0) and its normal; angle_s is the turn about the axle\nlongitudinal = ex.v - radius angledot_s,  lateral = ey.v",
+        source="SPACAR95 manual (Schwab and Meijaard 2000), PLWHEEL",
+        nodes=(
+            NodeSpec("p", "planar_point"),
+            NodeSpec("r", "planar_angle"),
+            NodeSpec("s", "planar_angle"),
+        ),
+        parameters=(
+            ParameterSpec("radius", 1, "m", "radius of the wheel"),
+            ParameterSpec("alpha0", 1, "rad", "initial direction of the element minus the angle of node p"),
+        ),
+        deformations=(),
+        slips=(
+            SlipSpec("longitudinal", "m/s", False),
+            SlipSpec("lateral", "m/s", False),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (0,), ()),
+                    OutputSpec("De", (0, 4), ()),
+                    OutputSpec("V", (2, 4), (0, 1, 3, 4, 5)),
+                ),
+                5,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (0,), ()),
+                    OutputSpec("s", (2,), (0, 1)),
+                ),
+                11,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (0,), ()),
+                    OutputSpec("gs", (2,), (0, 1)),
+                ),
+                12,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (2, 4), (2, 6)),
+                ),
+                10,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (2, 4), (2, 6)),
+                    OutputSpec("Psi_v", (2, 4), (0, 1, 2, 4, 5, 6)),
+                ),
+                29,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (4, 4), (2, 6)),
+                ),
+                10,
             ),
         },
     ),
@@ -2771,7 +3195,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_1
     "linear_1": LawSpec(
         name="linear_1",
-        digest="88dc208a271dcc44",
+        digest="79e55ae86648085c",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=1,
         slips=0,
@@ -2805,7 +3229,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_2
     "linear_2": LawSpec(
         name="linear_2",
-        digest="88dc208a271dcc44",
+        digest="79e55ae86648085c",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=2,
         slips=0,
@@ -2839,7 +3263,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_3
     "linear_3": LawSpec(
         name="linear_3",
-        digest="88dc208a271dcc44",
+        digest="79e55ae86648085c",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=3,
         slips=0,
@@ -2873,7 +3297,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_4
     "linear_4": LawSpec(
         name="linear_4",
-        digest="88dc208a271dcc44",
+        digest="79e55ae86648085c",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=4,
         slips=0,
@@ -2907,7 +3331,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_5
     "linear_5": LawSpec(
         name="linear_5",
-        digest="88dc208a271dcc44",
+        digest="79e55ae86648085c",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=5,
         slips=0,
@@ -2941,7 +3365,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_6
     "linear_6": LawSpec(
         name="linear_6",
-        digest="88dc208a271dcc44",
+        digest="79e55ae86648085c",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=6,
         slips=0,
@@ -2975,7 +3399,7 @@ LAWS: dict[str, LawSpec] = {
     # law diagonal_7
     "diagonal_7": LawSpec(
         name="diagonal_7",
-        digest="88dc208a271dcc44",
+        digest="79e55ae86648085c",
         doc="sigma_i = preload_i + S_i e_i + D_i ed_i\nenergy = sum of preload_i e_i + S_i e_i^2/2",
         deformations=7,
         slips=0,
@@ -3009,7 +3433,7 @@ LAWS: dict[str, LawSpec] = {
     # law diagonal_13
     "diagonal_13": LawSpec(
         name="diagonal_13",
-        digest="88dc208a271dcc44",
+        digest="79e55ae86648085c",
         doc="sigma_i = preload_i + S_i e_i + D_i ed_i\nenergy = sum of preload_i e_i + S_i e_i^2/2",
         deformations=13,
         slips=0,
@@ -3043,7 +3467,7 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_1
     "viscous_1": LawSpec(
         name="viscous_1",
-        digest="88dc208a271dcc44",
+        digest="79e55ae86648085c",
         doc="tau = C s",
         deformations=0,
         slips=1,
@@ -3075,7 +3499,7 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_2
     "viscous_2": LawSpec(
         name="viscous_2",
-        digest="88dc208a271dcc44",
+        digest="79e55ae86648085c",
         doc="tau = C s",
         deformations=0,
         slips=2,
@@ -3107,7 +3531,7 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_3
     "viscous_3": LawSpec(
         name="viscous_3",
-        digest="88dc208a271dcc44",
+        digest="79e55ae86648085c",
         doc="tau = C s",
         deformations=0,
         slips=3,
@@ -3139,7 +3563,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz
     "hertz": LawSpec(
         name="hertz",
-        digest="88dc208a271dcc44",
+        digest="79e55ae86648085c",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1)",
         deformations=1,
         slips=0,
@@ -3173,7 +3597,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz_coulomb_1
     "hertz_coulomb_1": LawSpec(
         name="hertz_coulomb_1",
-        digest="88dc208a271dcc44",
+        digest="79e55ae86648085c",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1)\ntau = friction N s/sqrt(s.s + slip_speed^2)",
         deformations=1,
         slips=1,
@@ -3209,7 +3633,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz_coulomb_2
     "hertz_coulomb_2": LawSpec(
         name="hertz_coulomb_2",
-        digest="88dc208a271dcc44",
+        digest="79e55ae86648085c",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1)\ntau = friction N s/sqrt(s.s + slip_speed^2)",
         deformations=1,
         slips=2,
@@ -3245,7 +3669,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz_bristle_1
     "hertz_bristle_1": LawSpec(
         name="hertz_bristle_1",
-        digest="88dc208a271dcc44",
+        digest="79e55ae86648085c",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1) + stiffness d^exponent bristle_stiffness z.z/2\ndz/dt = s - bristle_stiffness |s| z/friction in contact, -release z when open\ntau = N (bristle_stiffness z + bristle_damping dz/dt)",
         deformations=1,
         slips=1,
@@ -3285,7 +3709,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz_bristle_2
     "hertz_bristle_2": LawSpec(
         name="hertz_bristle_2",
-        digest="88dc208a271dcc44",
+        digest="79e55ae86648085c",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1) + stiffness d^exponent bristle_stiffness z.z/2\ndz/dt = s - bristle_stiffness |s| z/friction in contact, -release z when open\ntau = N (bristle_stiffness z + bristle_damping dz/dt)",
         deformations=1,
         slips=2,
@@ -3320,6 +3744,41 @@ LAWS: dict[str, LawSpec] = {
                     OutputSpec("J", (5, 6), (0, 1, 6, 7, 8, 9, 10, 12, 13, 14, 15, 17, 20, 21, 22, 26, 27, 29)),
                 ),
                 88,
+            ),
+        },
+    ),
+    # law journal
+    "journal": LawSpec(
+        name="journal",
+        digest="79e55ae86648085c",
+        doc="N_i = stiffness e_i + damping ed_i in two directions (i = 0, 1), N = |(N_0, N_1)|\ntorque = friction_radius N w/sqrt(w^2 + slip_speed^2) on the angle e_2, w = ed_2",
+        deformations=3,
+        slips=0,
+        states=(),
+        parameters=(
+            ParameterSpec("stiffness", 1, "N/m", "radial stiffness"),
+            ParameterSpec("damping", 1, "N s/m", "radial damping"),
+            ParameterSpec("friction_radius", 1, "m", "coefficient of friction times the radius of the journal"),
+            ParameterSpec("slip_speed", 1, "rad/s", "speed of turning at which 71 % of the friction acts"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (3,), (0, 1, 2)),
+                    OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (0,), ()),
+                    OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                35,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (3, 6), (0, 3, 7, 10, 12, 13, 15, 16, 17)),
+                ),
+                37,
             ),
         },
     ),

@@ -11,9 +11,12 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from flexel.compliance import Compliance, body_compliance
     from flexel.constraints import constraint_report
+    from flexel.contacts import Contact
     from flexel.errors import (
+        CompilerError,
         ConstraintError,
         DynamicsError,
+        ElementError,
         FlexelError,
         IncompleteWarning,
         LinearizationError,
@@ -21,25 +24,34 @@ if TYPE_CHECKING:
         PositionError,
     )
     from flexel.functions import Harmonic, Polynomial, Ramp, Table
+    from flexel.impact import hunt_crossley, lankarani_nikravesh
     from flexel.integrate import Event
     from flexel.linearize import Linearization
     from flexel.materials import Material
     from flexel.model import Model
     from flexel.orientation import turn
+    from flexel.restore import load
     from flexel.result import Motion
+    from flexel.ropes import Rope
     from flexel.sections import Circle, IBeam, Rectangle, Tube
+    from flexel.spacar.reading import Spacar, read_spacar
     from flexel.state import State
     from flexel.stress import beam_stress, largest_stress, section_forces
+    from flexel.surfaces import RoundGroove, VGroove
     from flexel.system import System
+    from flexel.user import compile_element, compile_law
     from flexel.wire_rope import WireRope
 
 __version__ = "0.1.0"
 
 __all__ = [
     "Circle",
+    "CompilerError",
     "Compliance",
     "ConstraintError",
+    "Contact",
     "DynamicsError",
+    "ElementError",
     "Event",
     "FlexelError",
     "Harmonic",
@@ -55,24 +67,37 @@ __all__ = [
     "PositionError",
     "Ramp",
     "Rectangle",
+    "Rope",
+    "RoundGroove",
+    "Spacar",
     "State",
     "System",
     "Table",
     "Tube",
+    "VGroove",
     "WireRope",
     "beam_stress",
     "body_compliance",
+    "compile_element",
+    "compile_law",
     "constraint_report",
+    "hunt_crossley",
+    "lankarani_nikravesh",
     "largest_stress",
+    "load",
+    "read_spacar",
     "section_forces",
     "turn",
 ]
 
 _HOMES = {
     "Circle": "flexel.sections",
+    "CompilerError": "flexel.errors",
     "Compliance": "flexel.compliance",
     "ConstraintError": "flexel.errors",
+    "Contact": "flexel.contacts",
     "DynamicsError": "flexel.errors",
+    "ElementError": "flexel.errors",
     "Event": "flexel.integrate",
     "FlexelError": "flexel.errors",
     "Harmonic": "flexel.functions",
@@ -88,15 +113,25 @@ _HOMES = {
     "PositionError": "flexel.errors",
     "Ramp": "flexel.functions",
     "Rectangle": "flexel.sections",
+    "Rope": "flexel.ropes",
+    "RoundGroove": "flexel.surfaces",
+    "Spacar": "flexel.spacar.reading",
     "State": "flexel.state",
     "System": "flexel.system",
     "Table": "flexel.functions",
     "Tube": "flexel.sections",
+    "VGroove": "flexel.surfaces",
     "WireRope": "flexel.wire_rope",
     "beam_stress": "flexel.stress",
     "body_compliance": "flexel.compliance",
+    "compile_element": "flexel.user",
+    "compile_law": "flexel.user",
     "constraint_report": "flexel.constraints",
+    "hunt_crossley": "flexel.impact",
+    "lankarani_nikravesh": "flexel.impact",
     "largest_stress": "flexel.stress",
+    "load": "flexel.restore",
+    "read_spacar": "flexel.spacar.reading",
     "section_forces": "flexel.stress",
     "turn": "flexel.orientation",
 }

@@ -25,8 +25,11 @@ from flexel.structure import Array
 if TYPE_CHECKING:
     from flexel.system import System
 
-MAX_ITERATIONS = 10
+MAX_ITERATIONS = 20
+CONVERGED, STALLED = 1e-11, 1e-8  # relative errors: good at once, and where rounding lets it go no further
 FORCES = 1e-2  # weight of the forces' relative unbalance beside the violation of conditions
+ROUGH = 0.1  # relative error of a prediction beyond which another is tried
+SHORTENINGS = 6  # of a Newton step, each to 40 %
 SLOW = 0.2  # a contraction weaker than this renews the iteration matrix
 
 
@@ -137,40 +140,94 @@ class Stepper(Saddle):
 
     def solve(self, old: Point, h: float) -> tuple[Point, Balance] | None:
         """One step by Newton's method; None if it does not converge."""
-        p, nf = self._predict(old, h), self.structure.nf
+        p = self._predict(old, h)
         self.step, self.z = self._lag(old, h), old.z
         rate, acceleration = self.scheme.rates(h)
         scaling = self.scheme.beta * h * h
-        last, fresh = np.inf, False
         if abs(self._matrix_step - h) > 1e-9 * h:
             self._matrix = None
+        p, b = self._start_of(p, old, h)
+        error = self._relative(b, h)
+        last = np.inf
         for _ in range(MAX_ITERATIONS):
-            b = self.balance(p.t, p.x, p.v, p.a, p.mu, p.e)
-            self.evaluations += 1
-            self.z = b.laws.z
-            slip = b.w[self.roles.zero]
-            held = np.concatenate([b.gap / self.scales[self.roles.holonomic], slip * h])
-            error = self.error(b, FORCES * b.r, held, self._stiffness)
-            if error < 1e-11 or (error < 1e-8 and error > 0.5 * last):
+            if error < CONVERGED or (error < STALLED and error > 0.5 * last):
                 return self._finished(old, p, b), b
-            if not np.isfinite(error) or (fresh and error > 10 * last):
-                return None
             fresh = self._matrix is None or self.full or error > SLOW * last
             if fresh:
                 self._matrix = self._tangent(b, rate, acceleration, scaling)
                 self._matrix_step = h
-            if self._matrix is None or not self._matrix.factors.regular:
+            if self._matrix is None or not self._matrix.factors.regular or not np.isfinite(error):
                 return None
+            slip = b.w[self.roles.zero]
             step = self._matrix.factors.solve(np.concatenate([scaling * b.r, b.gap, slip / rate]))
             self.iterations += 1
-            dx = -step[:nf]
-            p.x[:nf] += dx
-            p.v[:nf] += rate * dx
-            p.a[:nf] += acceleration * dx
-            p.w[:nf] += (1 - self.scheme.alpha_f) / (1 - self.scheme.alpha_m) * acceleration * dx
-            p.mu -= step[nf:] / scaling
-            p.e, last = b.e, error
+            last = error
+            p, b = self._search(p, old, h, step, b)
+            error = self._relative(b, h)
         return None
+
+    def _start_of(self, p: Point, old: Point, h: float) -> tuple[Point, Balance]:
+        """The predicted point, or that of an unaccelerated step where it is nearer to balance.
+
+        Accelerations of stiff parts that are not at rest lead far away.
+        """
+        b = self._evaluate(p, old)
+        if self._relative(b, h) < ROUGH:
+            return p, b
+        still = self._moved(
+            p, np.append(h * h * self._pushed(p, old, h)[: self.structure.nf], 0 * p.mu), h, b
+        )
+        other = self._evaluate(still, old)
+        return (still, other) if self._size(other, h, b.scale) < self._size(b, h, b.scale) else (p, b)
+
+    def _pushed(self, p: Point, old: Point, h: float) -> Array:
+        """What the predictor added to x + h v, over h²."""
+        return (p.x - old.x - h * old.v) / (h * h)
+
+    def _search(self, p: Point, old: Point, h: float, step: Array, b: Balance) -> tuple[Point, Balance]:
+        """The point after a Newton step, shortened while that is farther from balance than the last one.
+
+        Contacts that open and close, and friction that saturates, make the full step overshoot.
+        """
+        best: tuple[Point, Balance, float] | None = None
+        share, last = 1.0, self._size(b, h, b.scale)
+        for _ in range(SHORTENINGS):
+            tried = self._moved(p, share * step, h, b)
+            found = self._evaluate(tried, old)
+            size = self._size(found, h, b.scale)
+            if best is None or size < best[2]:
+                best = tried, found, size
+            if size < (1 - 0.1 * share) * last or self._relative(found, h) < STALLED:
+                break
+            share *= 0.4
+        assert best is not None
+        return best[:2]
+
+    def _moved(self, p: Point, step: Array, h: float, b: Balance) -> Point:
+        """The point moved by minus a step of coordinates and scaled multipliers."""
+        nf, scheme = self.structure.nf, self.scheme
+        rate, acceleration = scheme.rates(h)
+        dx = np.zeros(p.x.size)
+        dx[:nf] = -step[:nf]
+        w = p.w + (1 - scheme.alpha_f) / (1 - scheme.alpha_m) * acceleration * dx
+        mu = p.mu - step[nf:] / (scheme.beta * h * h)
+        v, a = p.v + rate * dx, p.a + acceleration * dx
+        return Point(p.t, p.x + dx, v, a, w, mu, b.e, p.z, p.zd, p.zw)
+
+    def _evaluate(self, p: Point, old: Point) -> Balance:
+        """Balance at a point of the step."""
+        self.z = old.z
+        self.evaluations += 1
+        return self.balance(p.t, p.x, p.v, p.a, p.mu, p.e)
+
+    def _relative(self, b: Balance, h: float) -> float:
+        """Error of a balance relative to the forces in it."""
+        return self._size(b, h, b.scale)
+
+    def _size(self, b: Balance, h: float, scale: float) -> float:
+        """Error of a balance relative to given forces, so that two can be compared."""
+        held = np.concatenate([b.gap / self.scales[self.roles.holonomic], b.w[self.roles.zero] * h])
+        return self.error(b, FORCES * b.r, held, self._stiffness, scale)
 
     def _finished(self, old: Point, p: Point, b: Balance) -> Point:
         c = self.scheme

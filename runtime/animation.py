@@ -1,61 +1,29 @@
-"""Moving pictures of a mechanism: a self-contained HTML page, a GIF or an MP4.
+"""Moving pictures of a mechanism: a GIF or an MP4 painted by matplotlib, or the page of `flexel.view`.
 
-Each frame is one PNG, so that the three writers differ only in how they join them; the HTML page holds the
-frames and its own player and needs nothing from elsewhere.
-Imports numpy, tqdm and the runtime rooms of scene and state; matplotlib and Pillow when asked.
+Each frame is one PNG, so that the writers differ only in how they join them.
+Imports numpy, tqdm and the runtime rooms of drawing, scene and state; the viewer, matplotlib and Pillow when asked.
 """
 
 from __future__ import annotations
 
-import base64
-import html
 import io
 import shutil
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from tqdm import tqdm
 
 from flexel import drawing
 from flexel.errors import FlexelError, ModelError
-from flexel.scene import View, canvas, draw
+from flexel.scene import View, canvas, draw, painted
 from flexel.state import State
 
 if TYPE_CHECKING:
     from flexel.result import Motion
-
-PLAYER = """<!DOCTYPE html>
-<html lang="en"><head><meta charset="utf-8"><title>@TITLE@</title>
-<style>
-body { font: 15px system-ui, sans-serif; color: #222; max-width: @WIDTH@px; margin: 1em auto; padding: 0 8px }
-img { width: 100%; display: block } .bar { display: flex; gap: 10px; align-items: center } input { flex: 1 }
-button { font-size: 15px; width: 5em }
-</style></head><body>
-<h1 style="font-size: 18px">@TITLE@</h1>
-<img id="picture" alt="@TITLE@">
-<div class="bar"><button id="play">Pause</button><input id="slider" type="range" min="0" max="@LAST@" value="0">
-<span id="time"></span></div>
-<p>@CAPTION@</p>
-<script>
-const frames = [@FRAMES@];
-const times = [@TIMES@];
-const get = id => document.getElementById(id), picture = get("picture"), slider = get("slider");
-let playing = true;
-function show(i) {
-  picture.src = "data:image/png;base64," + frames[i];
-  slider.value = i;
-  get("time").textContent = times[i].toFixed(2) + " s";
-}
-get("play").onclick = () => { playing = !playing; get("play").textContent = playing ? "Pause" : "Play"; };
-slider.oninput = () => { playing = false; get("play").textContent = "Play"; show(+slider.value); };
-setInterval(() => { if (playing) show((+slider.value + 1) % frames.length); }, 1000 / @FPS@);
-show(0);
-</script></body></html>
-"""
 
 
 def animate(
@@ -77,20 +45,20 @@ def animate(
     Parameters
     ----------
     path : path
-        ``.html`` (self-contained, with a player), ``.gif`` (needs Pillow, which comes with matplotlib) or ``.mp4``
-        (needs the program ffmpeg).
+        ``.gif`` (needs Pillow, which comes with matplotlib), ``.mp4`` (needs the program ffmpeg), or ``.html``: the
+        page of `Motion.view`.
     fps : float
-        Frames per second of the picture.
+        Frames per second of the picture; the page shows what lies between them too.
     view : View, optional
         Eye, window, trails and sketches; by default all of the motion is within the window.
     between : (start, end), optional
         Times [s] of the part to be shown; all by default.
     title, caption : str
-        Written above the picture, and below it in HTML.
+        Written above the picture; the caption on the page only.
     slower : float
         Seconds of picture per second of motion.
     size, dpi
-        Of the frames, in inches and dots per inch.
+        Of the frames of a GIF or an MP4, in inches and dots per inch.
     progress : bool, optional
         Progress bar on stderr; by default where stderr is a terminal.
 
@@ -106,9 +74,10 @@ def animate(
         If matplotlib or ffmpeg is missing.
     """
     path = Path(path)
-    if path.suffix not in WRITERS:
+    known = [*WRITERS, ".html"]
+    if path.suffix not in known:
         raise ModelError(
-            f"animate '{path}': suffix '{path.suffix}' is unknown; use one of {', '.join(WRITERS)}"
+            f"animate '{path}': suffix '{path.suffix}' is unknown; use one of {', '.join(known)}"
         )
     if not (fps > 0 and slower > 0):
         raise ModelError(f"animate '{path}': fps {fps:g} and slower {slower:g} must be positive")
@@ -117,18 +86,23 @@ def animate(
             f"animate '{path}': the program ffmpeg is not installed; install it, or write .html or .gif"
         )
     start, end = between or (float(motion.t[0]), float(motion.t[-1]))
-    times = np.linspace(start, end, max(2, round((end - start) * slower * fps) + 1))
-    states = [motion.at(float(t)) for t in times]
+    count = max(2, round((end - start) * slower * fps) + 1)
+    if path.suffix == ".html":
+        from flexel.view import view_motion
+
+        shown: dict[str, Any] = {"view": view, "title": title, "caption": caption, "progress": progress}
+        return view_motion(motion, path, frames=count, between=between, slower=slower, **shown)
+    states = [motion.at(float(t)) for t in np.linspace(start, end, count)]
     view = view or _whole(states)
     hidden = not sys.stderr.isatty() if progress is None else not progress
     frames = tqdm(_frames(states, view, title, size, dpi), "frames", len(states), disable=hidden, leave=False)
-    WRITERS[path.suffix](path, list(frames), times.tolist(), fps, title, caption, round(size[0] * dpi))
+    WRITERS[path.suffix](path, list(frames), fps)
     return path
 
 
 def _whole(states: list[State]) -> View:
     """A view whose window holds all of a motion."""
-    places = np.vstack([line for z in states for part in drawing.shapes(z) for line in part.lines])
+    places = np.vstack([painted(drawing.shapes(z)) for z in states])
     low, high = places.min(axis=0), places.max(axis=0)
     middle = (low + high) / 2
     return View(centre=tuple(middle.tolist()), span=1.1 * max(float(np.max(high - low)), 1e-9))
@@ -152,24 +126,6 @@ def _frames(
             yield buffer.getvalue()
 
 
-def _write_html(
-    path: Path, frames: list[bytes], times: list[float], fps: float, title: str, caption: str, width: int
-) -> None:
-    texts = {
-        "TITLE": html.escape(title or "Motion"),
-        "CAPTION": html.escape(caption),
-        "WIDTH": f"{width:d}",
-        "LAST": str(len(frames) - 1),
-        "FPS": f"{fps:g}",
-        "TIMES": ", ".join(f"{t:.6g}" for t in times),
-        "FRAMES": ",\n".join(f'"{base64.b64encode(_fewer_colours(frame)).decode()}"' for frame in frames),
-    }
-    page = PLAYER
-    for name, text in texts.items():
-        page = page.replace(f"@{name}@", text)
-    path.write_text(page, encoding="utf-8")
-
-
 def _fewer_colours(frame: bytes) -> bytes:
     """The same picture with a palette of 64 colours, a third of the size."""
     from PIL import Image
@@ -180,9 +136,7 @@ def _fewer_colours(frame: bytes) -> bytes:
     return buffer.getvalue()
 
 
-def _write_gif(
-    path: Path, frames: list[bytes], times: list[float], fps: float, title: str, caption: str, width: int
-) -> None:
+def _write_gif(path: Path, frames: list[bytes], fps: float) -> None:
     from PIL import Image
 
     pictures = [Image.open(io.BytesIO(_fewer_colours(frame))) for frame in frames]
@@ -190,9 +144,7 @@ def _write_gif(
     pictures[0].save(path, save_all=True, append_images=rest, duration=duration, loop=0)
 
 
-def _write_mp4(
-    path: Path, frames: list[bytes], times: list[float], fps: float, title: str, caption: str, width: int
-) -> None:
+def _write_mp4(path: Path, frames: list[bytes], fps: float) -> None:
     command = ["ffmpeg", "-y", "-loglevel", "error", "-f", "image2pipe", "-framerate", f"{fps:g}", "-i", "-"]
     command += ["-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", str(path)]
     result = subprocess.run(command, input=b"".join(frames), capture_output=True, check=False)
@@ -202,8 +154,7 @@ def _write_mp4(
         )
 
 
-WRITERS: dict[str, Callable[[Path, list[bytes], list[float], float, str, str, int], None]] = {
-    ".html": _write_html,
+WRITERS: dict[str, Callable[[Path, list[bytes], float], None]] = {
     ".gif": _write_gif,
     ".mp4": _write_mp4,
 }

@@ -199,7 +199,7 @@ def anchor(
 ) -> None:
     """Anchor a cable's end at a body, where it is drawn; with the slope its direction, too (tangent to a drum).
 
-    The point's connection is the rigid link `name`, that of the direction the clamp ``name.direction``.  A cable that
+    The point's connection is the rigid link `name`, that of the direction the clamp ``name direction``.  A cable that
     ends in a body's own point needs no anchor, and one that ends at a beam or point mass shares its point.
     """
     self.beam(name, point, frame, end, rigid=True)

@@ -34,5 +34,9 @@ class CompilerError(FlexelError, RuntimeError):
     """A user-defined law or element cannot be compiled, for want of a C compiler or because it refuses."""
 
 
+class ElementError(FlexelError, ValueError):
+    """The definition of a user's own element or law is wrong, or fails its verification."""
+
+
 class LinearizationError(FlexelError, ValueError):
     """A linearization cannot be formed or reduced as asked."""

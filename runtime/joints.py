@@ -112,20 +112,62 @@ def _joint_springs(self: Model, name: str, modes: Sequence[str], stiffness: Any,
 
 
 def bearing(
-    self: Model, name: str, p: Node | str, rp: Node | str, q: Node | str, rq: Node | str, axis: Vector
+    self: Model,
+    name: str,
+    p: Node | str,
+    rp: Node | str,
+    q: Node | str,
+    rq: Node | str,
+    axis: Vector | None = None,
 ) -> None:
-    """Join two bodies by a hinge that also holds the points p and q together, as drawn; the angle is free."""
+    """Join two bodies by a hinge that also holds the points p and q together, as drawn; the angle is free.
+
+    In space the displacements are measured along and across the axis, in the plane in the axes of the first angle.
+    """
     owner = f"bearing '{name}'"
-    kinds = ((p, "point"), (rp, "frame"), (q, "point"), (rq, "frame"))
-    nodes = [self.of_kind(n, (k,), owner) for n, k in kinds]
+    planar, nodes = self.resolve(owner, (p, "point"), (rp, "frame"), (q, "point"), (rq, "frame"))
+    d = nodes[2].x0 - nodes[0].x0
+    if planar:
+        phi_p, phi_q = nodes[1].x0, nodes[3].x0
+        values = {"alpha0": np.zeros(1), "d0": _turned_back(phi_p, d), "offset0": phi_q - phi_p}
+        self.add(name, "planar_bearing", nodes, values)
+        return
+    if axis is None:
+        raise ModelError(f"{owner}: a spatial bearing needs an axis; give axis=(x, y, z)")
     t = triad(unit(axis, owner, "axis"), None, owner)
     values = hinge_triads(nodes[1].x0, nodes[3].x0, axis, owner)
-    self.add(name, "bearing", nodes, values | {"d0": matrix(t).T @ (nodes[2].x0 - nodes[0].x0)})
+    self.add(name, "bearing", nodes, values | {"d0": matrix(t).T @ d})
 
 
-def fixed_point(self: Model, name: str, p: Node | str, frame: Node | str, q: Node | str) -> None:
-    """Hold the point q at its drawn place in the body (p, frame): SPACAR's PINBODY, without mass."""
-    self.beam(name, p, frame, q, rigid=True)
+def _turned_back(phi: Array, d: Array) -> Array:
+    """Components of d (2,) on axes turned by the angle phi (1,)."""
+    c, s = np.cos(phi[0]), np.sin(phi[0])
+    return np.array([c * d[0] + s * d[1], c * d[1] - s * d[0]])
+
+
+def fixed_point(
+    self: Model, name: str, p: Node | str, frame: Node | str, q: Node | str, *, body_axes: bool = False
+) -> None:
+    """Hold the point q at its drawn place in the body (p, frame): SPACAR's PINBODY, without mass.
+
+    Parameters
+    ----------
+    body_axes : bool
+        Measure the displacements (along, across1, across2), where they are released, in the frame's own axes
+        instead of along and across the line from p to q.
+    """
+    if not body_axes:
+        self.beam(name, p, frame, q, rigid=True)
+        return
+    planar, nodes = self.resolve(f"fixed point '{name}'", (p, "point"), (frame, "frame"), (q, "point"))
+    d, r = nodes[2].x0 - nodes[0].x0, nodes[1].x0
+    zero = np.zeros(1)
+    if planar:
+        values = {"alpha0": zero, "d0": _turned_back(r, d), "l0": zero, "rhoA": zero, "rhoJ": zero}
+    else:
+        still = np.array([1.0, 0.0, 0.0, 0.0])
+        values = {"tp": still, "d0": matrix(r).T @ d, "l0": zero, "rhoA": zero, "rhoJ": np.zeros(3)}
+    self.add(name, "planar_beam3" if planar else "beam3", nodes, values)
 
 
 def wheel(

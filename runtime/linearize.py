@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import eig
 
+from flexel import archive_linear, control
 from flexel.dynamics import solve_mass
 from flexel.errors import LinearizationError
 from flexel.evaluate import Tangents
@@ -283,6 +284,17 @@ class Linearization:
         from flexel.sensors import state_space
 
         return state_space(self, inputs, outputs)
+
+    # control engineering, pictures, files: at home in flexel.control and flexel.archive_linear
+    to_control = control.to_control
+    to_scipy = control.to_scipy
+    save_state_space = control.save_state_space
+    to_xarray = archive_linear.to_xarray
+    to_pandas = archive_linear.to_pandas
+    save = archive_linear.save
+    plot = archive_linear.plot
+    plot_mode = archive_linear.plot_mode
+    mode_shape = archive_linear.mode_shape
 
 
 def linearize(kinematics: Kinematics, state: State) -> Linearization:

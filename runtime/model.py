@@ -14,13 +14,29 @@ from typing import Any
 
 import numpy as np
 
-from flexel import beams, bodies, cable_lines, cables, joints, loads, springs
+from flexel import (
+    beams,
+    bodies,
+    cable_lines,
+    cables,
+    contacts,
+    couplings,
+    feedback,
+    joints,
+    loads,
+    ropes,
+    springs,
+    surfaces,
+    user,
+)
 from flexel.build import build
 from flexel.errors import ModelError
 from flexel.functions import TimeFunction, as_function
+from flexel.generated.spec import ElementSpec
 from flexel.generated.table import ELEMENTS
 from flexel.inputs import array, number, quantities, vector
 from flexel.structure import COMPONENTS, Array, Instance, LawInstance, Node, unknown
+from flexel.surfaces import Surface
 from flexel.system import System
 
 Vector = Sequence[float] | Array
@@ -56,6 +72,7 @@ class Model:
         self.nodes: dict[str, Node] = {}
         self.instances: dict[str, Instance] = {}
         self.laws: list[LawInstance] = []
+        self.surfaces: dict[str, Surface] = {}
         self.loads: list[loads.Load] = []
         self.motions: dict[str, TimeFunction] = {}
         self.roles: dict[str, str] = {}  # "rigid" or "free", as the user said
@@ -151,10 +168,21 @@ class Model:
 
         The methods below are more comfortable; this one serves types that have no method.
         """
-        self._new_name(name, element)
         if element not in ELEMENTS:
             raise ModelError(f"'{name}': {unknown(str(element), ELEMENTS, 'element type')}")
-        spec, owner = ELEMENTS[element], f"{element} '{name}'"
+        self.place(name, ELEMENTS[element], nodes, parameters)
+
+    def place(
+        self,
+        name: str,
+        spec: ElementSpec,
+        nodes: Sequence[Node | str],
+        parameters: Mapping[str, Any],
+        kernels: object = None,
+    ) -> None:
+        """An element of this specification; `kernels` is the address of a user's own, none for a built-in one."""
+        self._new_name(name, spec.name)
+        owner = f"{spec.name} '{name}'"
         if isinstance(nodes, str) or len(nodes) != len(spec.nodes):
             ends = ", ".join(f"{z.name} ({z.kind})" for z in spec.nodes)
             raise ModelError(f"{owner}: its nodes are {nodes!r}; give a list of {len(spec.nodes)}: {ends}")
@@ -166,9 +194,11 @@ class Model:
                 f"{owner}: parameter(s) {', '.join(wrong)} missing or unknown; it takes {', '.join(sizes)}"
             )
         values = dict(parameters)
-        if "gravity" in sizes:
+        if "gravity" in sizes and (kernels is None or "gravity" not in parameters):
             values["gravity"] = self.gravity[: sizes["gravity"]]
-        instance = Instance(name, spec, tuple(n.name for n in members), values)
+        if kernels is not None:
+            values = {z: array(values[z], owner, f"parameter {z}").reshape(-1) for z in sizes}
+        instance = Instance(name, spec, tuple(n.name for n in members), values, kernels)
         _ = instance.p  # checks sizes and finiteness now, where the caller can see it
         self.instances[name] = instance
 
@@ -184,12 +214,23 @@ class Model:
     cable_line = cable_lines.cable_line
     clamp_slope = cables.clamp_slope
     anchor = cables.anchor
+    sheave = surfaces.sheave
+    plane = surfaces.plane
+    contact = contacts.contact
+    rope = ropes.rope
+    element = user.element
+    belt = couplings.belt
+    gears = couplings.gears
+    surface = couplings.surface
+    planar_wheel = couplings.planar_wheel
+    rotary_inertia = couplings.rotary_inertia
 
     linear_law = springs.linear_law
     spring = springs.spring
     viscous = springs.viscous
     mass_damping = springs.mass_damping
     law = springs.law
+    feedback = feedback.feedback
     attach = springs.attach
 
     # -- roles -----------------------------------------------------------------------------------

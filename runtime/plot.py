@@ -16,7 +16,6 @@ from scipy.optimize import linear_sum_assignment
 
 from flexel.animation import animate
 from flexel.drawing import Sketch
-from flexel.errors import ModelError
 from flexel.figures import COLOURS, figure, save
 from flexel.scene import View, draw
 from flexel.structure import Array
@@ -27,25 +26,10 @@ if TYPE_CHECKING:
 
     from flexel.result import Motion
 
-__all__ = ["Sketch", "View", "animate", "branches", "draw", "history", "plot_histories", "root_loci"]
+__all__ = ["Sketch", "View", "animate", "branches", "draw", "plot_histories", "root_loci"]
 
 
 # -- time histories -------------------------------------------------------------------------------
-
-
-def history(motion: Motion, name: str) -> tuple[Array, str]:
-    """Values (nt,) and unit of a quantity; primes ask for rates, the prefix ``force:`` for the stress."""
-    structure = motion.system.structure
-    if name.startswith("force:"):
-        return motion.force(name.removeprefix("force:")), ""
-    base = name.rstrip("'")
-    unit, order = structure.units[structure.find(base)], len(name) - len(base)
-    if order > 2:
-        raise ModelError(f"plot '{name}': rates go to the second; use at most two primes")
-    values = (motion.__getitem__, motion.rate, motion.acceleration)[order](base)
-    slip = structure.m <= structure.find(base) < structure.m + structure.k  # its unit is already a rate's
-    per_second = order - 1 if slip else order
-    return np.asarray(values), unit + ("", "/s", "/s²")[per_second] if unit else unit
 
 
 def plot_histories(motion: Motion, names: Sequence[str], path: str | Path | None = None) -> Figure:
@@ -66,8 +50,8 @@ def plot_histories(motion: Motion, names: Sequence[str], path: str | Path | None
     FlexelError
         If matplotlib is not installed.
     """
-    chosen = tuple(names) or motion.system.dynamic
-    series = {name: history(motion, name) for name in chosen}
+    chosen = tuple(names) or motion.freedoms
+    series = {name: motion.series(name) for name in chosen}
     units = list(dict.fromkeys(unit for _, unit in series.values()))
     with figure(len(units), size=(8.0, 1.2 + 2.2 * len(units)), sharex=True, squeeze=False) as (drawn, axes):
         for panel, unit in zip(axes[:, 0], units, strict=True):

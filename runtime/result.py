@@ -1,6 +1,6 @@
 """A motion: states over time, by name, with energy, drift, events and dense output.
 
-Imports numpy; pictures are made by `flexel.plot`, imported when asked for.
+Imports numpy and the units; pictures and files are made by rooms that are imported when asked for.
 """
 
 from __future__ import annotations
@@ -15,7 +15,8 @@ from flexel.errors import ModelError
 from flexel.inputs import number
 from flexel.ledger import energy_balance
 from flexel.state import State
-from flexel.structure import Array
+from flexel.structure import Array, Structure
+from flexel.units import force_unit, rate_unit
 
 if TYPE_CHECKING:
     from flexel.integrate import Integration
@@ -23,9 +24,11 @@ if TYPE_CHECKING:
 
 
 class Motion(Sequence[State]):
-    """The states of a simulated or prescribed motion at the stored times.
+    """The states of a simulated or prescribed motion at the stored times; from a file just as from a simulation.
 
-    ``motion["rod.bend1"]`` is the time history (nt,) of a quantity, ``motion[i]`` the i-th state.
+    ``motion["rod.bend1"]`` is the time history (nt,) of a quantity, ``motion["rod.bend1'"]`` of its rate,
+    ``motion["rod.bend1''"]`` of its acceleration, ``motion["force:rod.bend1"]`` of its stress or reaction; the same
+    names serve plots and tables.  ``motion[i]`` is the i-th state.
 
     Attributes
     ----------
@@ -39,8 +42,8 @@ class Motion(Sequence[State]):
         How the integration ended.
     """
 
-    def __init__(self, system: System, integration: Integration) -> None:
-        self.system = system
+    def __init__(self, system: System | None, integration: Integration) -> None:
+        self._system = system
         self._states = integration.states
         self._segments = integration.segments
         self.events = integration.events
@@ -57,8 +60,67 @@ class Motion(Sequence[State]):
 
     def __getitem__(self, key: Any) -> Any:
         if isinstance(key, str):
-            return np.array([state[key] for state in self._states])
+            return self.series(key)[0]
         return self._states[key]
+
+    @property
+    def system(self) -> System:
+        """The system that moves; a motion from a file has none."""
+        if self._system is None:
+            raise ModelError(
+                "this motion comes from a file and has no system; build its model and give it the state to go on "
+                "from: system.restore(motion)"
+            )
+        return self._system
+
+    @property
+    def structure(self) -> Structure:
+        """Nodes, elements and names."""
+        return self._states[0].structure
+
+    @property
+    def freedoms(self) -> tuple[str, ...]:
+        """Names of the dynamic freedoms at the start."""
+        return tuple(self.structure.names[i] for i in self._states[0].roles.dynamic)
+
+    def series(self, name: str) -> tuple[Array, str]:
+        """Values (nt,) and unit of a quantity; primes ask for rates, the prefix ``force:`` for the stress.
+
+        Raises
+        ------
+        ModelError
+            An unknown name, more than two primes, the value of a slip.
+        """
+        structure = self.structure
+        base = name.removeprefix("force:").rstrip("'")
+        if base in structure.internal:
+            return self._internal(name, base)
+        i = structure.find(base)
+        slip = structure.m <= i < structure.m + structure.k  # its unit is already a rate's
+        if name.startswith("force:"):
+            if name.endswith("'"):
+                raise ModelError(f"'{name}': forces have no rates here; leave the primes out")
+            return self.force(base), force_unit(structure.units[i], slip)
+        order = len(name) - len(base)
+        if order > 2:
+            raise ModelError(f"'{name}': rates go to the second; use at most two primes")
+        if order == 0:
+            return np.array([state[base] for state in self._states]), structure.units[i]
+        values = self.rate(base) if order == 1 else self.acceleration(base)
+        return values, rate_unit(structure.units[i], order - 1 if slip else order)
+
+    def _internal(self, name: str, base: str) -> tuple[Array, str]:
+        """Values and unit of a law's internal state or its rate."""
+        unit = self.structure.internal_units[self.structure.internal[base]]
+        if name == base:
+            return np.array([state[base] for state in self._states]), unit
+        if name == f"{base}'":
+            return self.rate(base), rate_unit(unit, 1)
+        raise ModelError(f"'{name}': an internal state of a law has a value and a rate; leave the rest out")
+
+    def unit(self, name: str) -> str:
+        """Unit of a quantity, of its rate (``name'``), its acceleration (``name''``) or its force (``force:name``)."""
+        return self.series(name)[1]
 
     def rate(self, name: str) -> Array:
         """Time history (nt,) of the rate of a quantity, or of a slip."""
@@ -117,6 +179,11 @@ class Motion(Sequence[State]):
         """Largest relative violation of the constraints at each stored time (nt,)."""
         return np.array([state.drift for state in self._states])
 
+    @property
+    def dense(self) -> bool:
+        """Whether `at` gives states between the stored times."""
+        return bool(self._segments)
+
     def at(self, t: float) -> State:
         """State at any time within the motion, from the integrator's dense output.
 
@@ -127,7 +194,7 @@ class Motion(Sequence[State]):
         """
         if not self._segments:
             raise ModelError(
-                "this motion has no dense output (a path, or implicit integration); give times to keep"
+                "this motion has no dense output (a path, implicit integration, or a file); give times to keep"
             )
         t = number(t, "motion.at", "time")
         if not self.t[0] <= t <= self._segments[-1].t1:
@@ -137,14 +204,70 @@ class Motion(Sequence[State]):
         segment = next(z for z in self._segments if t <= z.t1)
         return segment.state(self.system, t)
 
+    # -- pictures --------------------------------------------------------------------------------
+
     def plot(self, *names: str, path: str | Path | None = None) -> Any:
         """Time histories of named quantities (needs matplotlib); written to `path` if given."""
         from flexel.plot import plot_histories
 
         return plot_histories(self, names, path)
 
+    def plot_spectrum(self, *names: str, path: str | Path | None = None, **options: Any) -> Any:
+        """Amplitudes of named quantities over the frequency; see `flexel.graphs.plot_spectra`."""
+        from flexel.graphs import plot_spectra
+
+        return plot_spectra(self, names, path, **options)
+
+    def plot_phase(self, x: str, y: str | None = None, *, path: str | Path | None = None) -> Any:
+        """One quantity over another, by default the rate of `x` over `x`."""
+        from flexel.graphs import plot_phase
+
+        return plot_phase(self, x, y or f"{x}'", path)
+
+    def plot_shapes(self, *times: float, path: str | Path | None = None, **options: Any) -> Any:
+        """The mechanism at the stored states nearest to the times; see `flexel.deflected.plot_states`."""
+        from flexel.deflected import plot_states
+
+        return plot_states(self, times, path, **options)
+
     def animate(self, path: str | Path, **options: Any) -> Path:
-        """Animation of the mechanism as .html (self-contained), .gif or .mp4 (needs matplotlib)."""
+        """Animation of the mechanism as .gif or .mp4 (needs matplotlib), or .html: see `view`."""
         from flexel.plot import animate
 
         return animate(self, Path(path), **options)
+
+    def view(self, path: str | Path, **options: Any) -> Path:
+        """A page that shows the motion in any browser, without a network; options of `flexel.view.scene_data`."""
+        from flexel.view import view_motion
+
+        return view_motion(self, path, **options)
+
+    # -- tables and files ------------------------------------------------------------------------
+
+    def to_xarray(self, *names: str) -> Any:
+        """An xarray.Dataset: one variable for each name, or everything, labelled, if none is given."""
+        from flexel.tables import motion_dataset
+
+        return motion_dataset(self, names)
+
+    def to_pandas(self, *names: str) -> Any:
+        """A pandas.DataFrame over time, a column for each name; all values if none is given.
+
+        The units are in its ``attrs["units"]``.
+        """
+        from flexel.tables import motion_frame
+
+        return motion_frame(self, names)
+
+    def save(self, path: str | Path) -> Path:
+        """Write the motion, names and units included, as .nc, .npz, .mat or .csv; `flexel.load` reads it back.
+
+        Examples
+        --------
+        >>> motion.save("bicycle.nc")  # doctest: +SKIP
+        >>> fx.load("bicycle.nc")["lean.angle"]  # doctest: +SKIP
+        """
+        from flexel.archive import record_of
+        from flexel.files import write
+
+        return write(record_of(self), path)

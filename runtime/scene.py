@@ -5,7 +5,7 @@ Imports numpy and the runtime rooms of drawing, figures, state and structure; ma
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -21,7 +21,7 @@ from flexel.structure import Array
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-# Colour, line width and mark of each style of shape; order is from back to front.
+# Colour, line width and mark of each style of shape, from back to front; boxes and forces are not painted here.
 PAINT: dict[str, tuple[str, float, str]] = {
     "sketch": ("#8fa3b3", 2.0, ""),
     "spoke": ("#9aa3ab", 0.6, ""),
@@ -30,6 +30,9 @@ PAINT: dict[str, tuple[str, float, str]] = {
     "axle": ("#222222", 2.2, ""),
     "bar": ("#0b5fa5", 2.6, ""),
     "beam": ("#2e8540", 2.6, ""),
+    "rope": ("#6b4f2a", 2.0, ""),
+    "sheave": ("#8a8f94", 2.2, ""),
+    "hinge": ("#444444", 4.0, ""),
     "joint": ("#ffffff", 4.0, "o"),
     "fixed": ("#444444", 5.0, "s"),
     "mass": ("#c8501e", 5.0, "o"),
@@ -135,7 +138,7 @@ def display_axes(up: Array) -> Array:
 
 def _window(state: State, view: View, parts: Sequence[drawing.Shape]) -> tuple[Array, float]:
     """Centre and width of what is seen."""
-    places = np.vstack([line for part in parts for line in part.lines])
+    places = painted(parts)
     low, high = places.min(axis=0), places.max(axis=0)
     centre = (low + high) / 2
     if isinstance(view.centre, str):
@@ -144,6 +147,11 @@ def _window(state: State, view: View, parts: Sequence[drawing.Shape]) -> tuple[A
     elif view.centre is not None:
         centre = np.asarray(view.centre, dtype=float)
     return centre, view.span or 1.1 * max(float(np.max(high - low)), 1e-9)
+
+
+def painted(parts: Iterable[drawing.Shape]) -> Array:
+    """All vertices (k, 3) that are painted."""
+    return np.vstack([line for part in parts if part.style in PAINT for line in part.lines])
 
 
 def _paint(

@@ -144,5 +144,8 @@ def own_state(structure: Structure, state: object, owner: str) -> State:
             f"{owner}: {type(state).__name__} is no state; give one, such as system.initial or motion[-1]"
         )
     if state.structure is not structure:
-        raise ModelError(f"{owner}: the state belongs to another model; give a state of this one")
+        raise ModelError(
+            f"{owner}: the state belongs to another model; give a state of this one (one from a file: "
+            "system.restore(state))"
+        )
     return state

@@ -12,7 +12,7 @@ from functools import cached_property
 
 import numpy as np
 
-from flexel import analyses, dynamics, states
+from flexel import analyses, dynamics, periodic_result, restore, states
 from flexel.diagnose import choose_freedoms, named_freedoms
 from flexel.errors import ConstraintError
 from flexel.evaluate import Evaluation
@@ -255,6 +255,9 @@ class System:
         self.use(choose_freedoms(self.kinematics, self._start[0].J, *rows))
         self.__dict__.pop("initial", None)
         self.__dict__.pop("rest", None)
+
+    restore = restore.restore  # at home in flexel.restore
+    periodic = periodic_result.periodic
 
     # -- analyses, at home in flexel.analyses ----------------------------------------------------
 

@@ -5,12 +5,14 @@ import subprocess
 import sys
 import types
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 from click.testing import CliRunner, Result
 
 from flexel import cli
+from flexel.commands import reproduce as published
 from flexel.errors import FlexelError
 from flexel.report import Quantity, Report
 
@@ -34,7 +36,7 @@ def pendulum(monkeypatch: pytest.MonkeyPatch) -> list[Path | None]:
     module = types.ModuleType("pendulum_example")
     module.reproduce = reproduce  # type: ignore[attr-defined]
     monkeypatch.setitem(sys.modules, "pendulum_example", module)
-    monkeypatch.setattr(cli, "CASES", {"pendulum": "pendulum_example"})
+    monkeypatch.setattr(published, "CASES", {"pendulum": "pendulum_example"})
     return calls
 
 
@@ -49,7 +51,7 @@ def fails_with(monkeypatch: pytest.MonkeyPatch, outcome: Report | Exception) -> 
     monkeypatch.setattr(sys.modules["pendulum_example"], "reproduce", reproduce)
 
 
-@pytest.mark.parametrize("command", ["derive", "verify", "reproduce", "info"])
+@pytest.mark.parametrize("command", ["derive", "verify", "reproduce", "run", "convert", "info"])
 def test_every_command_has_help(command: str) -> None:
     """`flexel COMMAND --help` explains, and `flexel --help` lists it."""
     assert command in run("--help").output
@@ -124,6 +126,42 @@ def test_an_error_of_flexel_is_told_without_traceback(
     fails_with(monkeypatch, FlexelError("rod 'a': length is 0; give it one"))
     result = run("reproduce", "pendulum")
     assert result.exit_code == 1 and "pendulum: rod 'a': length is 0" in result.stderr
+
+
+def test_an_interrupt_keeps_the_systems_that_are_finished(
+    pendulum: list[Path | None], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """Ctrl-C in the second system: the JSON has the first, the exit status is that of an interrupt."""
+
+    def interrupted(out: Path | None) -> Report:
+        raise KeyboardInterrupt
+
+    module = types.ModuleType("second_example")
+    module.reproduce = interrupted  # type: ignore[attr-defined]
+    monkeypatch.setitem(sys.modules, "second_example", module)
+    monkeypatch.setitem(published.CASES, "second", "second_example")
+    result = run("reproduce", "all", "--json", str(tmp_path / "numbers.json"))
+    assert result.exit_code == 130
+    assert "second: interrupted; 1 of 2 systems are kept" in result.stderr
+    assert [case["case"] for case in json.loads((tmp_path / "numbers.json").read_text())] == ["pendulum"]
+
+
+def test_an_interrupted_verification_shows_what_was_verified(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Ctrl-C in the second element: the first one's rows are printed, the exit status is not 0."""
+    from flexel.derive import verify as room
+
+    one = room.verify
+
+    def second_is_interrupted(spec: Any, address: int, definition: Any) -> Any:
+        if spec.name == "norm":
+            raise KeyboardInterrupt
+        return one(spec, address, definition)
+
+    monkeypatch.setattr(room, "verify", second_is_interrupted)
+    result = run("verify", "planar_hinge", "norm", "truss")
+    assert result.exit_code == 1
+    assert "planar_hinge  stiffness" in result.stdout and "NOT OK interrupted" in result.stdout
+    assert "truss" not in result.stdout
 
 
 def test_unknown_system_lists_the_known_ones(pendulum: list[Path | None]) -> None:

@@ -18,7 +18,14 @@ FILES = [path for floor in FLOORS for path in sorted((ROOT / floor).rglob("*.py"
 # The two rooms of derive that may see the generated kernels.
 SEES_GENERATED = ("derive/verify", "derive/compile")
 # The rooms of the runtime that may call derive, inside functions only: commands, a user's own elements.
-CALLS_DERIVE = ("runtime/cli.py", "runtime/info.py", "runtime/laws.py")
+CALLS_DERIVE = (
+    "runtime/commands/derive.py",
+    "runtime/commands/verify.py",
+    "runtime/feedback.py",
+    "runtime/info.py",
+    "runtime/laws.py",
+    "runtime/user.py",
+)
 # What makes an import slow, or is an extra that may be absent: inside functions only.
 LAZY = {"sympy", "jinja2", "matplotlib", "xarray", "h5netcdf", "pandas", "control", "sksundae", "joblib"}
 

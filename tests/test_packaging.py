@@ -19,7 +19,7 @@ FOLDERS = {
     "generated": "flexel/generated",
     "examples": "flexel/examples",
 }
-DATA = {".py", ".typed", ".jinja", ".json", ".c", ".h"}
+DATA = {".py", ".typed", ".jinja", ".json", ".c", ".h", ".js", ".css", ".html", ".txt"}
 
 
 @pytest.fixture(scope="module")

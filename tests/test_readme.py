@@ -43,7 +43,7 @@ PAGES = [README, *sorted((README.parent / "docs").glob("*.md"))]
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
 def test_the_pictures_and_links_of_a_page_exist(page: Path) -> None:
-    names = re.findall(r"\]\(([^):]+)\)", page.read_text(encoding="utf-8"))
+    names = re.findall(r"\]\(([^):#]+)(?:#[^)]*)?\)", page.read_text(encoding="utf-8"))
     assert names
     assert [name for name in names if not (page.parent / name).is_file()] == []
 

@@ -11,15 +11,20 @@ from flexel.derive.elements.hinge import HINGE
 from flexel.derive.elements.norm import NORM
 from flexel.derive.elements.planar_beam import PLANAR_BEAM, PLANAR_BEAM_FIRST_ORDER
 from flexel.derive.elements.planar_beam3 import PLANAR_BEAM3
+from flexel.derive.elements.planar_bearing import PLANAR_BEARING
+from flexel.derive.elements.planar_belt import PLANAR_BELT
 from flexel.derive.elements.planar_body import PLANAR_BODY, PLANAR_POINT_MASS
+from flexel.derive.elements.planar_gear import PLANAR_GEAR
 from flexel.derive.elements.planar_hinge import PLANAR_HINGE
 from flexel.derive.elements.planar_rope_contact import PLANAR_CABLE_CIRCLE, PLANAR_CABLE_LINE
+from flexel.derive.elements.planar_wheel import PLANAR_WHEEL
 from flexel.derive.elements.rope_contact import (
     CABLE_CYLINDER,
     CABLE_PLANE,
     CABLE_ROUND_GROOVE,
     CABLE_V_GROOVE,
 )
+from flexel.derive.elements.rotary_inertia import PLANAR_ROTARY_INERTIA, ROTARY_INERTIA
 from flexel.derive.elements.rotation_slips import BODY_ROTATION, ROTATION
 from flexel.derive.elements.slope_clamp import PLANAR_SLOPE_CLAMP, SLOPE_CLAMP
 from flexel.derive.elements.span_slips import (
@@ -30,12 +35,14 @@ from flexel.derive.elements.span_slips import (
     PLANAR_BEAM_SPAN,
     PLANAR_CABLE_SPAN,
 )
+from flexel.derive.elements.surface import SURFACE
 from flexel.derive.elements.truss import PLANAR_TRUSS, TRUSS
 from flexel.derive.elements.wheel import WHEEL
 
 ELEMENTS: tuple[Element, ...] = (
     POINT_MASS,
     BODY,
+    ROTARY_INERTIA,
     NORM,
     TRUSS,
     HINGE,
@@ -44,6 +51,7 @@ ELEMENTS: tuple[Element, ...] = (
     BEAM,
     BEAM_FIRST_ORDER,
     WHEEL,
+    SURFACE,
     ROTATION,
     BODY_ROTATION,
     BODY_VELOCITY,
@@ -51,11 +59,16 @@ ELEMENTS: tuple[Element, ...] = (
     BEAM_SPAN,
     PLANAR_POINT_MASS,
     PLANAR_BODY,
+    PLANAR_ROTARY_INERTIA,
     PLANAR_TRUSS,
     PLANAR_HINGE,
     PLANAR_BEAM,
     PLANAR_BEAM_FIRST_ORDER,
     PLANAR_BEAM3,
+    PLANAR_BEARING,
+    PLANAR_BELT,
+    PLANAR_GEAR,
+    PLANAR_WHEEL,
     PLANAR_BODY_VELOCITY,
     PLANAR_BAR_SPAN,
     PLANAR_BEAM_SPAN,

@@ -1,6 +1,6 @@
 """Triads of the spatial elements and directions of the planar ones, as named intermediates computed once."""
 
-from sympy import Matrix, cos, sin
+from sympy import Expr, Matrix, atan2, cos, sin
 
 from flexel.derive.element import Let, Node, Parameter
 from flexel.derive.rotation import product, triad
@@ -24,3 +24,9 @@ def named_directions(let: Let, node: Node, alpha0: Parameter, end: str) -> tuple
     angle = node.x[0] + alpha0.symbol
     c, s = let.scalar(f"cos_{end}", cos(angle)), let.scalar(f"sin_{end}", sin(angle))
     return Matrix([c, s]), Matrix([-s, c])
+
+
+def line_angle(let: Let, d: Matrix, start: Expr) -> Expr:
+    """Angle of the column d (2, 1) from the direction `start`, in (-pi, pi]."""
+    c, s = let.scalar("cos_0", cos(start)), let.scalar("sin_0", sin(start))
+    return atan2(c * d[1] - s * d[0], c * d[0] + s * d[1])

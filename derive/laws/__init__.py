@@ -6,6 +6,7 @@ slips, so it has its own small numbers m of deformations, k of slips and nz of i
 
 from flexel.derive.element import Law
 from flexel.derive.laws.contact import CONTACT
+from flexel.derive.laws.journal import JOURNAL
 from flexel.derive.laws.linear import LINEAR
 
-LAWS: tuple[Law, ...] = (*LINEAR, *CONTACT)
+LAWS: tuple[Law, ...] = (*LINEAR, *CONTACT, *JOURNAL)

@@ -22,6 +22,7 @@ from flexel.derive.laws import LAWS
 from flexel.derive.verify.check import element_rows, law_rows
 from flexel.derive.verify.compiled import Compiled, generated_elements
 from flexel.derive.verify.report import Row, Verification
+from flexel.derive.verify.samples import NOTHING, Ranges
 
 if TYPE_CHECKING:
     from flexel.generated.spec import ElementSpec, LawSpec
@@ -31,7 +32,9 @@ __all__ = ["Row", "Verification", "main", "verify", "verify_generated"]
 NAMES: dict[str, Element | Law] = {e.name: e for e in ELEMENTS} | {f"law_{law.name}": law for law in LAWS}
 
 
-def verify(spec: "ElementSpec | LawSpec", address: int, definition: Element | Law) -> list[Row]:
+def verify(
+    spec: "ElementSpec | LawSpec", address: int, definition: Element | Law, ranges: Ranges = NOTHING
+) -> list[Row]:
     """Verify one element or law, built in or a user's own.
 
     Parameters
@@ -42,6 +45,8 @@ def verify(spec: "ElementSpec | LawSpec", address: int, definition: Element | La
         Address of its ``flexel_element`` or ``flexel_law``.
     definition : Element or Law
         What the kernels should compute.
+    ranges : mapping of str to (float, float), optional
+        Lowest and highest values of coordinates and parameters, by name.
 
     Returns
     -------
@@ -49,12 +54,14 @@ def verify(spec: "ElementSpec | LawSpec", address: int, definition: Element | La
     """
     compiled = Compiled(spec, address)
     if isinstance(definition, Law):
-        return law_rows(definition, compiled)
-    return element_rows(definition, compiled)
+        return law_rows(definition, compiled, ranges)
+    return element_rows(definition, compiled, ranges)
 
 
 def verify_generated(names: Sequence[str] = (), progress: bool = False) -> Verification:
     """Verify the kernels in ``flexel.generated``, all or the named ones (a law is called ``law_<name>``).
+
+    An interrupt (Ctrl-C) keeps what was verified; a row that is not ok says where it stopped.
 
     Raises
     ------
@@ -71,7 +78,11 @@ def verify_generated(names: Sequence[str] = (), progress: bool = False) -> Verif
         if name not in compiled:
             rows.append(Row(name, "*", "*", float("nan"), float("inf"), False, "not generated"))
             continue
-        rows += verify(*compiled[name], NAMES[name])
+        try:
+            rows += verify(*compiled[name], NAMES[name])
+        except KeyboardInterrupt:
+            rows.append(Row(name, "*", "*", float("nan"), float("inf"), False, "interrupted"))
+            break
     return Verification(tuple(rows), time.perf_counter() - start)
 
 

@@ -16,7 +16,7 @@ from flexel.derive.verify.definition import Definition, LawDefinition
 from flexel.derive.verify.differences import Differences, law_differences
 from flexel.derive.verify.reference import Reference, law_outputs
 from flexel.derive.verify.report import Row
-from flexel.derive.verify.samples import element_samples, lanes, law_samples
+from flexel.derive.verify.samples import NOTHING, Ranges, element_samples, lanes, law_samples
 
 Array = NDArray[np.float64]
 Outputs = Mapping[str, Array]
@@ -101,8 +101,8 @@ def _mismatch(compiled: Compiled, sizes: Mapping[str, int]) -> list[Row]:
     return [Row(compiled.spec.name, "struct", "sizes", math.nan, math.inf, True, text) for text in wrong]
 
 
-def element_rows(element: Element, compiled: Compiled) -> list[Row]:
-    """Verify all kernels of an element."""
+def element_rows(element: Element, compiled: Compiled, ranges: Ranges = NOTHING) -> list[Row]:
+    """Verify all kernels of an element, within ranges of coordinates and parameters."""
     sizes = {"n": len(element.x), "m": len(element.deformations), "k": len(element.slips)}
     sizes["np"] = len(element.parameter_symbols)
     if wrong := _mismatch(compiled, sizes):
@@ -112,7 +112,7 @@ def element_rows(element: Element, compiled: Compiled) -> list[Row]:
     )
     if missing := [_missing(element.name, kernel) for kernel in wanted if not compiled.has(kernel)]:
         return missing
-    data = element_samples(element, compiled, BATCH)
+    data = element_samples(element, compiled, BATCH, ranges)
     angles = np.array([d.angle for d in element.deformations], dtype=bool)
     differences = Differences(compiled, data, angles)
     definition = Definition(element)
@@ -139,8 +139,8 @@ def _scale(element: Element, p: Array) -> Array:
     return np.abs(p[:, names.index("l0")]) if "l0" in names else np.ones(len(p))
 
 
-def law_rows(law: Law, compiled: Compiled) -> list[Row]:
-    """Verify both kernels of a law."""
+def law_rows(law: Law, compiled: Compiled, ranges: Ranges = NOTHING) -> list[Row]:
+    """Verify both kernels of a law, within ranges of deformations, slips and parameters."""
     name = f"law {law.name}"
     sizes = {"m": len(law.e), "k": len(law.s), "nz": len(law.z), "np": len(law.parameter_symbols)}
     if wrong := _mismatch(compiled, sizes):
@@ -148,7 +148,7 @@ def law_rows(law: Law, compiled: Compiled) -> list[Row]:
     kernels = ("law", "tangent")
     if missing := [_missing(name, kernel) for kernel in kernels if not compiled.has(kernel)]:
         return missing
-    data = law_samples(law, BATCH)
+    data = law_samples(law, BATCH, ranges)
     definition = LawDefinition(law)
     rows = []
     for kernel in kernels:

@@ -1,19 +1,24 @@
 """Random configurations: anywhere, with large rotations, and near zero deformation.
 
-This room may import numpy. Values follow from the kind of a node and the size and unit of a parameter, so
-that a user's own element is sampled like the built-in ones; the seed is the element's name.
+This room may import numpy and sympy. Values follow from the kind of a node and the size and unit of a parameter, so
+that a user's own element is sampled like the built-in ones, unless ranges are given; the seed is the element's
+name.
 """
 
 import zlib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 
 import numpy as np
+import sympy as sp
 from numpy.typing import NDArray
 
-from flexel.derive.element import Element, Law, Parameter
+from flexel.derive.element import TIME, Element, Law, Parameter
 from flexel.derive.verify.compiled import Compiled
 
 Array = NDArray[np.float64]
+Ranges = Mapping[str, tuple[float, float]]
+NOTHING: Ranges = MappingProxyType({})
 NEAR = 1e-2  # size of the disturbance of a configuration with zero deformation
 
 
@@ -51,26 +56,86 @@ def _coordinates(rng: np.random.Generator, count: int, element: Element) -> Arra
     return np.hstack(parts)
 
 
+def _inside(rng: np.random.Generator, element: Element, compiled: Compiled, x: Array, p: Array) -> Array:
+    """Coordinates drawn anew where the element has no deformation, such as pulleys inside one another."""
+    for _ in range(100):
+        outside = ~np.isfinite(compiled("position", {"x": x, "p": p})["e"]).all(axis=1)
+        if not outside.any():
+            break
+        x[outside] = _coordinates(rng, len(x), element)[outside]
+    return x
+
+
 def _relaxed(compiled: Compiled, x: Array, p: Array) -> Array:
-    """Coordinates with (nearly) zero deformations, by least-norm Newton steps of bounded length."""
+    """Coordinates with (nearly) zero deformations, by least-norm Newton steps of bounded length.
+
+    Not-a-number where the steps lead out of the domain of the deformations.
+    """
+    x = x.copy()
     for _ in range(60):
         position = compiled("position", {"x": x, "p": p})
-        step = np.einsum("bij,bj->bi", np.linalg.pinv(position["De"], rcond=1e-6), position["e"])
+        e, De = position["e"], position["De"]
+        wild = ~(np.isfinite(e).all(axis=1) & np.isfinite(De.reshape(len(De), -1)).all(axis=1))
+        x[wild], e[wild], De[wild] = np.nan, 0.0, 0.0
+        step = np.einsum("bij,bj->bi", np.linalg.pinv(De, rcond=1e-6), e)
         length = np.linalg.norm(step, axis=1, keepdims=True)
         x = x - step * np.minimum(1.0, 0.5 / np.maximum(length, 1e-300))
     return x
 
 
-def element_samples(element: Element, compiled: Compiled, count: int) -> dict[str, Array]:
-    """Inputs of all kernels of an element, each (count, rows), every second near zero deformation."""
+def _limits(
+    symbols: Sequence[sp.Symbol], parameters: Sequence[Parameter], ranges: Ranges
+) -> tuple[Array, Array]:
+    """Lowest and highest values (rows,) of the symbols, not-a-number where the ranges say nothing."""
+    by_symbol = {s.name: ranges[p.name] for p in parameters if p.name in ranges for s in p.symbols}
+    by_symbol |= {s.name: ranges[s.name] for s in symbols if s.name in ranges}
+    limits = np.array([by_symbol.get(s.name, (np.nan, np.nan)) for s in symbols]).reshape(-1, 2)
+    return limits[:, 0], limits[:, 1]
+
+
+def _within(rng: np.random.Generator, values: Array, low: Array, high: Array) -> Array:
+    """The values (count, rows), replaced by random ones between limits where there are limits."""
+    return np.where(np.isnan(low), values, low + (high - low) * rng.uniform(size=values.shape))
+
+
+def check_ranges(declared: Element | Law, ranges: Ranges) -> None:
+    """Raise ValueError for a range of something unknown, or one that is not two increasing numbers."""
+    if isinstance(declared, Law):
+        symbols = [*declared.e, *declared.ed, *declared.s, *declared.z, TIME, *declared.parameter_symbols]
+    else:
+        symbols = [*declared.x, *declared.parameter_symbols]
+    known = list(dict.fromkeys([*(p.name for p in declared.parameters), *(s.name for s in symbols)]))
+    for name, limits in ranges.items():
+        if name not in known:
+            raise ValueError(f"'{declared.name}': a range of '{name}'; there are {', '.join(known)}")
+        if len(limits) != 2 or not -np.inf < limits[0] < limits[1] < np.inf:
+            raise ValueError(f"'{declared.name}': the range {limits} of '{name}' is not (lowest, highest)")
+
+
+def element_samples(
+    element: Element, compiled: Compiled, count: int, ranges: Ranges = NOTHING
+) -> dict[str, Array]:
+    """Inputs of all kernels of an element, each (count, rows), every second near zero deformation.
+
+    `ranges` limits coordinates and parameters by name, in place of those that follow from their kinds.
+    """
     rng = _generator(element.name)
     p = _parameters(rng, count, element.parameters)
     x = _coordinates(rng, count, element)
+    low, high = _limits(element.x, element.parameters, ranges)
+    if ranges:
+        p = _within(rng, p, *_limits(element.parameter_symbols, element.parameters, ranges))
+        x = _within(rng, x, low, high)
     n, m, k = x.shape[1], len(element.deformations), len(element.slips)
     if m and compiled.has("position"):
+        x = _inside(rng, element, compiled, x, p)
         near = slice(1, None, 2)
         relaxed = _relaxed(compiled, x[near], p[near]) + NEAR * rng.normal(size=x[near].shape)
-        x[near] = np.where(np.isfinite(relaxed), relaxed, x[near])
+        inside = np.isfinite(relaxed) & ~(relaxed < low) & ~(relaxed > high)  # no limit is not-a-number
+        relaxed = np.where(inside, relaxed, x[near])
+        e = compiled("position", {"x": relaxed, "p": p[near]})["e"]
+        usable = np.asarray(np.isfinite(e).all(axis=1))
+        x[near] = np.where(usable[:, None], relaxed, x[near])
     v, a = rng.normal(size=(2, count, n))
     return {
         "x": x,
@@ -82,17 +147,22 @@ def element_samples(element: Element, compiled: Compiled, count: int) -> dict[st
     }
 
 
-def law_samples(law: Law, count: int) -> dict[str, Array]:
-    """Inputs of the kernels of a law, each (count, rows)."""
+def law_samples(law: Law, count: int, ranges: Ranges = NOTHING) -> dict[str, Array]:
+    """Inputs of the kernels of a law, each (count, rows); `ranges` as in `element_samples`."""
     rng = _generator(law.name)
     m, k = len(law.e), len(law.s)
-    arrays = {
+    samples = {
         "e": rng.normal(size=(count, m)),
         "ed": rng.normal(size=(count, m)),
         "s": rng.normal(size=(count, k)),
         "p": _parameters(rng, count, law.parameters),
     }
-    return arrays | {"z": rng.normal(size=(count, len(law.z))), "t": rng.normal(size=(count, 1))}
+    samples |= {"z": rng.normal(size=(count, len(law.z))), "t": rng.normal(size=(count, 1))}
+    if ranges:
+        columns = {"e": law.e, "ed": law.ed, "s": law.s, "z": law.z, "t": (TIME,), "p": law.parameter_symbols}
+        for name, symbols in columns.items():
+            samples[name] = _within(rng, samples[name], *_limits(symbols, law.parameters, ranges))
+    return samples
 
 
 def lanes(data: Mapping[str, Array], chosen: slice) -> dict[str, Array]:

@@ -137,12 +137,20 @@ def numbers(element: Element, **values: Any) -> Definition:
 def random_parameters(element: Element, rng: random.Random) -> dict[str, Any]:
     values: dict[str, Any] = {}
     for parameter in element.parameters:
-        if parameter.size == 1:
+        if parameter.name in (
+            "radius_p",
+            "radius_q",
+        ):  # pulleys and gears that are smaller than their distance
+            values[parameter.name] = mpf(rng.uniform(0.01, 0.05))
+        elif parameter.size == 1:
             values[parameter.name] = mpf(rng.uniform(0.5, 1.5))
         elif parameter.unit == "1":
             values[parameter.name] = unit(column(rng, parameter.size))
         else:
             values[parameter.name] = column(rng, parameter.size)
+    if element.name == "surface":  # of revolution about z
+        a, b, c = column(rng, 3)
+        values |= {"quadratic": [a, a, b, 0, 0, 0], "linear": [0, 0, c]}
     return values
 
 
@@ -208,11 +216,14 @@ def symmetry(element: Element, values: dict[str, Any], rng: random.Random) -> Mo
     """Return a rigid motion that the element cannot notice: any, or for a wheel one that keeps the road."""
     axis, omega = unit(column(rng, 3)), column(rng, 3)
     shift, velocity = column(rng, 3), column(rng, 3)
+    if element.name == "surface":
+        return Motion(Z, mpf(rng.uniform(-3, 3)), [0, 0, 0], [0, 0, omega[2]], [0, 0, 0])
     normal = Z if is_planar(element) else values.get("normal")
     if normal:
         axis, omega = normal, [omega[0] * n for n in normal]
         shift, velocity = (plus(u, normal, -dot(u, normal)) for u in (shift, velocity))
-    return Motion(axis, mpf(rng.uniform(-3, 3)), shift, omega, velocity)
+    most = 0.1 if element.name == "planar_belt" else 3  # its line of centres turns by less than half a turn
+    return Motion(axis, mpf(rng.uniform(-most, most)), shift, omega, velocity)
 
 
 def rates_of_deformations(d: Definition, x: Vector, v: Vector) -> Vector:
@@ -300,7 +311,7 @@ def test_weight_is_mass_times_gravity(element: Element, rng: random.Random) -> N
 @with_mass
 def test_kinetic_energy_is_quadratic_and_not_negative(element: Element, rng: random.Random) -> None:
     values = random_parameters(element, rng)
-    if "J" in values and element.name == "body":
+    if "J" in values and element.name in ("body", "rotary_inertia"):
         values["J"] = [1, 2, 2.5, 0.1, 0.2, -0.1]
     values = {k: [abs(c) for c in v] if k == "rhoJ" and isinstance(v, list) else v for k, v in values.items()}
     d, x = numbers(element, **values), random_coordinates(element, rng)
@@ -562,6 +573,7 @@ def spatial(element: Element, x: Vector, rates: Vector) -> tuple[Vector, Vector]
 
 SPATIAL = {"planar_beam": "beam", "planar_beam_first_order": "beam_first_order", "planar_beam3": "beam3"}
 SPATIAL |= {"planar_truss": "truss", "planar_hinge": "hinge", "planar_body": "body"}
+SPATIAL |= {"planar_rotary_inertia": "rotary_inertia"}
 SPATIAL |= {"planar_point_mass": "point_mass", "planar_body_velocity": "body_velocity"}
 SPATIAL |= {"planar_bar_span": "bar_span", "planar_beam_span": "beam_span"}
 SPATIAL |= {"planar_cable": "cable", "planar_cable_span": "cable_span", "planar_slope_clamp": "slope_clamp"}
@@ -621,9 +633,69 @@ def test_planar_element_is_the_spatial_one_in_a_plane(name: str, rng: random.Ran
     assert equal([full.T(y, w), full.U(y)], [flat.T(x, v), flat.U(x)])
 
 
+PLANAR_ALONE = {"planar_bearing", "planar_belt", "planar_gear", "planar_wheel"}  # tested below
+
+
 @pytest.mark.parametrize("element", [e for e in ELEMENTS if is_planar(e)], ids=lambda e: e.name)
 def test_every_planar_element_has_its_spatial_counterpart(element: Element) -> None:
-    assert element.name in SPATIAL
+    assert (element.name in SPATIAL) != (element.name in PLANAR_ALONE)
+
+
+def test_planar_bearing_measures_what_a_rigid_link_and_a_hinge_do(rng: random.Random) -> None:
+    element = BY_NAME["planar_bearing"]
+    values, x = random_parameters(element, rng), random_coordinates(element, rng)
+    link = numbers(BY_NAME["planar_beam3"], alpha0=values["alpha0"], d0=values["d0"]).D(x[:5])
+    angle = numbers(BY_NAME["planar_hinge"], offset0=values["offset0"]).D([x[2], x[5]])
+    assert equal(numbers(element, **values).D(x), [*link, *angle])
+
+
+# --- pulleys, gears and wheels in the plane; surfaces ------------------------------------------------------
+
+
+def belt_force(radii: Vector, x: Vector) -> Vector:
+    """Forces and moments on the nodes that do the work of a unit tension, by differences."""
+    d, h = numbers(BY_NAME["planar_belt"], radius_p=radii[0], radius_q=radii[1]), mpf(10) ** -16
+    steps = [[h if i == j else mpf(0) for i in range(6)] for j in range(6)]
+    return [(d.D(plus(x, u))[0] - d.D(plus(x, u, -1))[0]) / (2 * h) for u in steps]
+
+
+@pytest.mark.parametrize("radii", [(0.3, 0.3), (0.5, 0.2), (0.2, -0.4), (-0.3, -0.1)])
+def test_tension_of_a_belt_acts_along_the_common_tangent(radii: tuple[float, float]) -> None:
+    a, b = map(mpf, radii)
+    x = [mpf(0), mpf(0), mpf("0.3"), mpf("1.2"), mpf("0.5"), mpf("-0.2")]
+    px, py, moment_p, qx, qy, moment_q = belt_force([a, b], x)
+    small = mpf(10) ** -25
+    assert equal([px + qx, py + qy, qx * qx + qy * qy], [0, 0, 1], small)  # a unit force and its reaction
+    assert equal([moment_p, moment_q], [a, -b], small)
+    # the line of the force passes both centres at the distances of the radii, on the left where they are positive
+    total = moment_p + moment_q + x[3] * qy - x[4] * qx
+    assert abs(total) < small
+
+
+def test_gears_roll_without_slip_on_centres_that_move(rng: random.Random) -> None:
+    a, b, arm, turn = (mpf(rng.uniform(0.2, 0.6)) for _ in range(4))
+    d = numbers(BY_NAME["planar_gear"], radius_p=a, radius_q=b)
+    start = [mpf(0), mpf(0), mpf(0), a + b, mpf(0), mpf(0)]
+    assert equal(d.D(start), [0])
+    # planetary gear: the arm turns about the fixed sun, the planet by (1 + a/b) as much
+    x = [mpf(0), mpf(0), mpf(0), (a + b) * cos(arm), (a + b) * sin(arm), arm * (1 + a / b)]
+    assert equal(d.D(x), [0])
+    # fixed centres: opposite turns in the ratio of the radii
+    assert equal(d.D([0, 0, turn, a + b, 0, -turn * a / b]), [0])
+
+
+def test_planar_wheel_rolls_where_it_heads(rng: random.Random) -> None:
+    radius, heading, alpha0, spin = (mpf(rng.uniform(0.2, 0.6)) for _ in range(4))
+    d = numbers(BY_NAME["planar_wheel"], radius=radius, alpha0=alpha0)
+    ahead = [cos(heading + alpha0), sin(heading + alpha0)]
+    x = [mpf(0), mpf(0), heading, mpf(0)]
+    assert equal(d.s(x, [radius * spin * ahead[0], radius * spin * ahead[1], mpf(1), spin]), [0, 0])
+    assert equal(d.s(x, [-ahead[1], ahead[0], 0, 0]), [0, 1])
+
+
+def test_surface_is_its_polynomial() -> None:
+    d = numbers(BY_NAME["surface"], quadratic=[1, 2, 3, 4, 5, 6], linear=[7, 8, 9], constant=10)
+    assert equal(d.D([mpf(1), mpf(2), mpf(3)]), [1 + 8 + 27 + 8 + 15 + 36 + 7 + 16 + 27 + 10])
 
 
 # --- wheels ------------------------------------------------------------------------------------------------

@@ -95,15 +95,15 @@ def test_tension_along_the_cable_is_that_of_the_catenary() -> None:
 
 
 def test_four_axial_and_three_bending_points_are_enough() -> None:
-    """The work of the Gauss points against that of many points, in an element bent over one radian and stretched.
+    """Work of the Gauss points in a stretched and bent element (strain about 0.5 %) against that of many points.
 
-    More points change the energy by less than the interpolation itself is wrong, and the better the shorter the
-    element is: by the order of at least six.
+    At an element of 0.4 radius the energy is right to 1e-5, the error falls with at least the third order of the
+    length, and one point less of each would be worse.
     """
 
     def energies(h: float, points: tuple[int, int]) -> np.ndarray:
-        """Of a circular arc of radius 1 and length h, not quite in equilibrium: end slopes 1 % apart."""
-        p, q = np.array([0.0, 0.0]), np.array([np.sin(h), 1 - np.cos(h)])
+        """Of an arc of radius 1 and length h whose end slopes are stretched by 1 and 0 %."""
+        p, q = np.array([0.0, 0.0]), 1.005 * np.array([np.sin(h), 1 - np.cos(h)])
         dp, dq = 1.01 * np.array([1.0, 0.0]), np.array([np.cos(h), np.sin(h)])
         found = []
         for k, axial in zip(points, (True, False), strict=True):
@@ -113,15 +113,13 @@ def test_four_axial_and_three_bending_points_are_enough() -> None:
             r2 = ((6 - 12 * xi) * d + (6 * xi - 4) * dp + (6 * xi - 2) * dq) / h
             square = (r1**2).sum(axis=1)
             value = (square - 1) / 2 if axial else (r1[:, 0] * r2[:, 1] - r1[:, 1] * r2[:, 0]) / square**1.5
-            found.append(h / 2 * weight @ value**2)
+            found.append(weight @ value**2 / 2)
         return np.array(found)
 
-    for h in (1.0, 0.5):
-        error = abs(energies(h, (4, 3)) / energies(h, (12, 12)) - 1)
-        fewer = abs(energies(h, (3, 2)) / energies(h, (12, 12)) - 1)
-        assert error[0] < 1e-6
-        assert error[1] < 2e-4 * h**4
-        assert np.all(error <= 0.1 * fewer + 1e-15)
+    errors = [abs(energies(h, (4, 3)) / energies(h, (12, 12)) - 1) for h in (0.4, 0.2)]
+    assert np.all(errors[0] < 1e-5)
+    assert np.all(errors[0] > 2**3 * errors[1])
+    assert np.all(errors[0] < 0.5 * abs(energies(0.4, (3, 2)) / energies(0.4, (12, 12)) - 1))
 
 
 def test_weights_are_the_rope_stiffness() -> None:
@@ -145,7 +143,7 @@ def cantilever(n: int, load: float) -> fx.State:
 def test_clamped_cable_bends_like_a_beam() -> None:
     """P L³/3EI for small loads; the elastica for large ones (P L²/EI = 2: 0.4935 L across, 0.8394 L along)."""
     assert cantilever(2, 1e-3).position("rope_p2")[2] == pytest.approx(1e-3 / 3, rel=1e-5)
-    tip = cantilever(8, 2.0).position("rope_p8")
+    tip = cantilever(16, 2.0).position("rope_p16")
     assert tip == pytest.approx([1 - 0.16064, 0, 0.49346], abs=3e-5)
 
 

@@ -1,0 +1,34 @@
+"""Bearing in the plane: relative displacement of two points, in the axes of the first, and relative angle."""
+
+from flexel.derive.element import Deformation, Element, Let, PlanarAngle, PlanarPoint
+from flexel.derive.elements.planar_beam import ALPHA0
+from flexel.derive.elements.planar_beam3 import PLANAR_D0
+from flexel.derive.elements.planar_hinge import OFFSET0
+from flexel.derive.elements.triads import named_directions
+from flexel.derive.rotation import dot
+
+
+def _planar_bearing() -> Element:
+    p, rp, q, rq = PlanarPoint("p"), PlanarAngle("rp"), PlanarPoint("q"), PlanarAngle("rq")
+    let = Let()
+    ex, ey = named_directions(let, rp, ALPHA0, "p")
+    d = let.vector("d", q.x - p.x)
+    return Element(
+        name="planar_bearing",
+        nodes=(p, rp, q, rq),
+        parameters=(ALPHA0, PLANAR_D0, OFFSET0),
+        let=let.entries,
+        deformations=(
+            Deformation("along", "m", dot(ex, d) - PLANAR_D0.vector[0]),
+            Deformation("across", "m", dot(ey, d) - PLANAR_D0.vector[1]),
+            Deformation("angle", "rad", rq.x[0] - rp.x[0] - OFFSET0.symbol, free=True),
+        ),
+        doc=(
+            "ex, ey: directions of the element (angle_p + alpha0); d = xq - xp\n"
+            "along = ex.d - d0_x,  across = ey.d - d0_y,  angle = angle_q - angle_p - offset0 (counts turns)"
+        ),
+        source="SPACAR95 manual (Schwab and Meijaard 2000), PLBEAR",
+    )
+
+
+PLANAR_BEARING = _planar_bearing()

@@ -1,0 +1,32 @@
+"""Wheel or knife edge that rolls on the plane itself, upright: two slips and no deformations."""
+
+from flexel.derive.element import Element, Let, Parameter, PlanarAngle, PlanarPoint, Slip
+from flexel.derive.elements.planar_beam import ALPHA0
+from flexel.derive.elements.triads import named_directions
+from flexel.derive.rotation import dot
+
+ROLLING_RADIUS = Parameter("radius", 1, "m", "radius of the wheel")
+
+
+def _planar_wheel() -> Element:
+    p, r, s = PlanarPoint("p"), PlanarAngle("r"), PlanarAngle("s")
+    let = Let()
+    ex, ey = named_directions(let, r, ALPHA0, "r")
+    return Element(
+        name="planar_wheel",
+        nodes=(p, r, s),
+        parameters=(ROLLING_RADIUS, ALPHA0),
+        let=let.entries,
+        slips=(
+            Slip("longitudinal", "m/s", dot(ex, p.v) - ROLLING_RADIUS.symbol * s.v[0]),
+            Slip("lateral", "m/s", dot(ey, p.v)),
+        ),
+        doc=(
+            "ex, ey: direction of travel (angle_r + alpha0) and its normal; angle_s is the turn about the axle\n"
+            "longitudinal = ex.v - radius angledot_s,  lateral = ey.v"
+        ),
+        source="SPACAR95 manual (Schwab and Meijaard 2000), PLWHEEL",
+    )
+
+
+PLANAR_WHEEL = _planar_wheel()

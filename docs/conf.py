@@ -1,0 +1,41 @@
+"""Sphinx reads this: how the pages are built. The generated ones are written first, by pages.py beside this file."""
+
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
+import pages  # noqa: E402
+
+import flexel  # noqa: E402
+
+project, author, copyright = "flexel", "flexel contributors", "flexel contributors"  # noqa: A001
+version = release = flexel.__version__
+extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
+exclude_patterns = ["_build", "_generated/contents.md"]
+myst_heading_anchors = 3
+default_role = "code"
+autodoc_typehints = "none"
+autodoc_member_order = "bysource"
+napoleon_google_docstring = False
+napoleon_use_ivar = True
+suppress_warnings = ["ref.python"]  # an attribute's letter, as x, is one of several classes: no link is meant
+html_theme = "alabaster"
+html_theme_options = {
+    "description": flexel.__doc__.split(":")[0],
+    "fixed_sidebar": True,
+    "page_width": "1100px",
+}
+html_show_sourcelink = False
+templates_path: list[str] = []
+
+
+def escape_bars(app: object, what: str, name: str, obj: object, options: object, lines: list[str]) -> None:
+    """|x| is a length in our docstrings, not a substitution of reStructuredText."""
+    lines[:] = [line if line.lstrip().startswith(">>>") else line.replace("|", "\\|") for line in lines]
+
+
+def setup(app: object) -> None:
+    """Write the generated pages, then let Sphinx read."""
+    pages.write(Path(__file__).resolve().parent)
+    app.connect("autodoc-process-docstring", escape_bars)  # type: ignore[attr-defined]

@@ -1,0 +1,216 @@
+"""Writes the generated pages of the documentation: one for each element, the laws, the public names, the contents.
+
+``python docs/pages.py`` or `make docs` runs it; what it writes is in ``docs/_generated`` and not kept in git. The
+numbers of the verification are those of `flexel verify`, computed once for each derivation of the kernels.
+"""
+
+import inspect
+import json
+from collections import defaultdict
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+from typing import Any
+
+import flexel
+from flexel.commands.reproduce import CASES
+from flexel.derive.verify import verify_generated
+from flexel.generated.spec import ElementSpec, KernelSpec, LawSpec, ParameterSpec
+from flexel.generated.table import ELEMENTS, LAWS
+
+FIRST = ("start", "coming-from-spacar", "writing-an-element")  # of the guides, in this order
+REFERENCE = ("theory",)
+Rows = list[dict[str, Any]]
+
+HOMES = {  # sections of the page of public names: title and modules
+    "Models": ("flexel.model", "flexel.sections", "flexel.materials", "flexel.orientation", "flexel.user"),
+    "Functions of time": ("flexel.functions",),
+    "Systems, states and motions": ("flexel.system", "flexel.state", "flexel.integrate", "flexel.result"),
+    "Linearization": ("flexel.linearize",),
+    "Errors": ("flexel.errors",),
+}
+DECLARATIONS = ("flexel.derive.element", "flexel.derive.rotation", "flexel.derive.shape")
+
+
+def table(head: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
+    """A table in Markdown, or a word where there are no rows."""
+    lines = [[str(cell).replace("|", r"\|") for cell in row] for row in rows]
+    if not lines:
+        return "None.\n"
+    return "\n".join(f"| {' | '.join(row)} |" for row in [head, ["---"] * len(head), *lines]) + "\n"
+
+
+def verification(folder: Path) -> dict[str, Rows]:
+    """Rows of `flexel verify` by element (a law is ``law <name>``), kept with the digests that they belong to."""
+    digests = {
+        f"{prefix}{z.name}": z.digest for prefix, t in (("", ELEMENTS), ("law_", LAWS)) for z in t.values()
+    }
+    file = folder / "verification.json"
+    kept = json.loads(file.read_text(encoding="utf-8")) if file.is_file() else {}
+    if kept.get("digests") != digests:
+        kept = {"digests": digests, "rows": verify_generated(progress=True).as_json()["rows"]}
+        put(file, json.dumps(kept))
+    rows: dict[str, Rows] = defaultdict(list)
+    for row in kept["rows"]:
+        rows[row["element"]].append(row)
+    return rows
+
+
+def put(file: Path, text: str) -> None:
+    """Write a file if it has changed, so that Sphinx does not read it again."""
+    file.parent.mkdir(parents=True, exist_ok=True)
+    if not file.is_file() or file.read_text(encoding="utf-8") != text:
+        file.write_text(text, encoding="utf-8")
+
+
+def parameters(specs: Sequence[ParameterSpec]) -> str:
+    """Table of the parameters of an element or a law."""
+    return table(("name", "size", "unit", "meaning"), [(f"`{z.name}`", z.size, z.unit, z.doc) for z in specs])
+
+
+def kernels(specs: dict[str, KernelSpec]) -> str:
+    """Table of kernels: what they read and write, and what they cost."""
+    rows = []
+    for name, kernel in specs.items():
+        written = [f"{z.name} {'×'.join(map(str, z.shape))} ({len(z.nonzeros)})" for z in kernel.outputs]
+        rows.append((name, ", ".join(kernel.inputs), ", ".join(written), kernel.operations))
+    return table(("kernel", "reads", "writes (stored entries)", "operations"), rows)
+
+
+def errors(rows: Rows) -> str:
+    """Table of the verification."""
+    return table(
+        ("kernel", "output", "against differences", "against the definition"),
+        [(z["kernel"], z["output"], number(z["differences"]), number(z["reference"])) for z in rows],
+    )
+
+
+def number(value: float | None) -> str:
+    """An error, or a dash where there is none."""
+    return "–" if value is None else f"{value:.0e}"
+
+
+def element_page(spec: ElementSpec, rows: Rows) -> str:
+    """Definition, source, kernels, counts and verification of one element."""
+    modes = [
+        (f"`{z.name}`", z.unit, "free" if z.free else "rigid", "2π" if z.angle else "")
+        for z in spec.deformations
+    ]
+    slips = [(f"`{z.name}`", z.unit, "free" if z.free else "zero") for z in spec.slips]
+    return f"""# {spec.name}
+
+```text
+{spec.doc}
+```
+
+Source: {spec.source}.
+
+## Nodes
+
+{table(("node", "kind"), [(f"`{z.name}`", z.kind.replace("_", " ")) for z in spec.nodes])}
+## Parameters
+
+{parameters(spec.parameters)}
+## Deformations
+
+{table(("name", "unit", "at first", "period"), modes)}
+## Slips
+
+{table(("name", "unit", "at first"), slips)}
+## Kernels
+
+{kernels(spec.kernels)}
+## Verification
+
+Worst relative errors at random configurations, as `flexel verify {spec.name}` prints them: against differences of the
+kernel one order below, and against the definition in 60 digits.
+
+{errors(rows)}"""
+
+
+def laws_page(rows: dict[str, Rows]) -> str:
+    """All laws on one page."""
+    parts = ["# Laws\n\nWhat gives free deformations and slips their stress. They know no geometry.\n"]
+    for spec in LAWS.values():
+        parts += [
+            f"## {spec.name}\n\n```text\n{spec.doc}\n```\n",
+            law_facts(spec),
+            parameters(spec.parameters),
+        ]
+        parts += [kernels(spec.kernels), f"Verification:\n\n{errors(rows.get(f'law {spec.name}', []))}"]
+    return "\n".join(parts)
+
+
+def law_facts(spec: LawSpec) -> str:
+    """How many deformations and slips a law takes, and what it remembers."""
+    states = ", ".join(f"`{z.name}` [{z.unit}]" for z in spec.states) or "none"
+    return f"Deformations: {spec.deformations}; slips: {spec.slips}; internal states: {states}.\n"
+
+
+def directive(name: str) -> str:
+    """The autodoc directive of a public name."""
+    value = getattr(flexel, name)
+    if not inspect.isclass(value):
+        return f".. autofunction:: flexel.{name}\n"
+    if issubclass(value, Exception):
+        return f".. autoexception:: flexel.{name}\n"
+    return f".. autoclass:: flexel.{name}\n   :members:\n"
+
+
+def api_page() -> str:
+    """Every public name with its docstring, in sections."""
+    modules = dict.fromkeys(flexel._HOMES.values())
+    titles = {module: title for title, homes in HOMES.items() for module in homes}
+    sections: dict[str, list[str]] = {title: [] for title in (*HOMES, "Analyses and results")}
+    for module in modules:
+        names = [name for name, home in flexel._HOMES.items() if home == module]
+        sections[titles.get(module, "Analyses and results")] += [directive(name) for name in names]
+    text = "# Public names\n\nEverything here is `fx.NAME` after `import flexel as fx`.\n"
+    for title, entries in sections.items():
+        text += f"\n## {title}\n\n```{{eval-rst}}\n" + "\n".join(entries) + "```\n"
+    text += "\n## Declaring elements and laws\n\n```{eval-rst}\n"
+    return text + "\n".join(f".. automodule:: {module}\n   :members:\n" for module in DECLARATIONS) + "```\n"
+
+
+def contents(folder: Path) -> str:
+    """The tables of contents: guides, systems, reference; a new page in the folder is in one of them."""
+    found = {file.stem for file in folder.glob("*.md")} - {"index"}
+    systems = [name for name in CASES if name in found]
+    guides = [*FIRST, *sorted(found - {*FIRST, *REFERENCE, *systems})]
+    elements = ["_generated/elements", "_generated/laws", "_generated/api"]
+    groups = {"Guides": guides, "Systems reproduced": systems, "Reference": [*REFERENCE, *elements]}
+    return "\n".join(
+        f"```{{toctree}}\n:caption: {caption}\n:maxdepth: 1\n\n" + "\n".join(names) + "\n```\n"
+        for caption, names in groups.items()
+    )
+
+
+def elements_page() -> str:
+    """The list of element pages."""
+    costs = [(f"[{z.name}](elements/{z.name}.md)", z.source, count(z)) for z in ELEMENTS.values()]
+    pages = "\n".join(f"elements/{name}" for name in ELEMENTS)
+    return (
+        "# Elements\n\nEach is declared in `derive/elements` and reached by a method of `Model`, or by `Model.add`.\n\n"
+        + table(("element", "source", "operations, all kernels"), costs)
+        + f"\n```{{toctree}}\n:hidden:\n\n{pages}\n```\n"
+    )
+
+
+def count(spec: ElementSpec) -> int:
+    """Operations of all kernels together."""
+    return sum(kernel.operations for kernel in spec.kernels.values())
+
+
+def write(folder: Path) -> None:
+    """Write all generated pages under a folder of documentation."""
+    out = folder / "_generated"
+    rows = verification(out)
+    for name, spec in ELEMENTS.items():
+        put(out / "elements" / f"{name}.md", element_page(spec, rows.get(name, [])))
+    put(out / "elements.md", elements_page())
+    put(out / "laws.md", laws_page(rows))
+    put(out / "api.md", api_page())
+    put(out / "contents.md", contents(folder))
+
+
+if __name__ == "__main__":
+    write(Path(__file__).resolve().parent)

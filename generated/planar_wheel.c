@@ -1,0 +1,240 @@
+/* planar_wheel: kernels of an element. Written by `flexel derive`; do not edit.
+ *
+ * ex, ey: direction of travel (angle_r + alpha0) and its normal; angle_s is the turn about the axle
+ * longitudinal = ex.v - radius angledot_s,  lateral = ey.v
+ *
+ * Source: SPACAR95 manual (Schwab and Meijaard 2000), PLWHEEL
+ *
+ * x (4): p_x, p_y, r_angle, s_angle
+ * e (0): none
+ * s (2): longitudinal [m/s], lateral [m/s]
+ * p (2):
+ *   radius (1) [m]: radius of the wheel
+ *   alpha0 (1) [rad]: initial direction of the element minus the angle of node p */
+#include "kernels.h"
+
+/* position: 5 operations.
+ * in:  x (4), p (2)
+ * out: e (0), De (0,4), V (2,4), 5 of 8 entries */
+FLEXEL_CLONES
+static void planar_wheel_position(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (4 * 8);
+        const real *restrict p = in[1] + b * (2 * 8);
+        real *restrict V = out[2] + b * (5 * 8);
+        real t0[8], sin_r[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real r_angle = x[2 * 8 + j];
+            const real alpha0 = p[1 * 8 + j];
+            t0[j] = r_angle + alpha0;
+            const real radius = p[0 * 8 + j];
+            V[2 * 8 + j] = -radius;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            const real cos_r = real_cos(t0[j]);
+            V[0 * 8 + j] = V[4 * 8 + j] = cos_r;
+            sin_r[j] = real_sin(t0[j]);
+            V[1 * 8 + j] = sin_r[j];
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            V[3 * 8 + j] = -sin_r[j];
+        }
+    }
+}
+
+/* velocity: 11 operations.
+ * in:  x (4), v (4), p (2)
+ * out: ed (0), s (2) */
+FLEXEL_CLONES
+static void planar_wheel_velocity(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (4 * 8);
+        const real *restrict v = in[1] + b * (4 * 8);
+        const real *restrict p = in[2] + b * (2 * 8);
+        real *restrict s = out[1] + b * (2 * 8);
+        real t0[8], cos_r[8], sin_r[8], t1[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real r_angle = x[2 * 8 + j];
+            const real alpha0 = p[1 * 8 + j];
+            t0[j] = r_angle + alpha0;
+            const real s_vangle = v[3 * 8 + j];
+            const real radius = p[0 * 8 + j];
+            t1[j] = s_vangle * radius;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            cos_r[j] = real_cos(t0[j]);
+            sin_r[j] = real_sin(t0[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real p_vx = v[0 * 8 + j];
+            const real p_vy = v[1 * 8 + j];
+            s[0 * 8 + j] = p_vx * cos_r[j] + p_vy * sin_r[j] - t1[j];
+            s[1 * 8 + j] = p_vy * cos_r[j] - p_vx * sin_r[j];
+        }
+    }
+}
+
+/* acceleration: 12 operations.
+ * in:  x (4), v (4), p (2)
+ * out: g (0), gs (2) */
+FLEXEL_CLONES
+static void planar_wheel_acceleration(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (4 * 8);
+        const real *restrict v = in[1] + b * (4 * 8);
+        const real *restrict p = in[2] + b * (2 * 8);
+        real *restrict gs = out[1] + b * (2 * 8);
+        real t0[8], cos_r[8], sin_r[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real r_angle = x[2 * 8 + j];
+            const real alpha0 = p[1 * 8 + j];
+            t0[j] = r_angle + alpha0;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            cos_r[j] = real_cos(t0[j]);
+            sin_r[j] = real_sin(t0[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real r_vangle = v[2 * 8 + j];
+            const real t1 = r_vangle * cos_r[j];
+            const real p_vy = v[1 * 8 + j];
+            const real t2 = r_vangle * sin_r[j];
+            const real p_vx = v[0 * 8 + j];
+            gs[0 * 8 + j] = p_vy * t1 - p_vx * t2;
+            gs[1 * 8 + j] = -(p_vy * t2 + p_vx * t1);
+        }
+    }
+}
+
+/* rates: 10 operations.
+ * in:  x (4), v (4), p (2)
+ * out: Phi_x (2,4), 2 of 8 entries */
+FLEXEL_CLONES
+static void planar_wheel_rates(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (4 * 8);
+        const real *restrict v = in[1] + b * (4 * 8);
+        const real *restrict p = in[2] + b * (2 * 8);
+        real *restrict Phi_x = out[0] + b * (2 * 8);
+        real t0[8], cos_r[8], sin_r[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real r_angle = x[2 * 8 + j];
+            const real alpha0 = p[1 * 8 + j];
+            t0[j] = r_angle + alpha0;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            cos_r[j] = real_cos(t0[j]);
+            sin_r[j] = real_sin(t0[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real p_vy = v[1 * 8 + j];
+            const real p_vx = v[0 * 8 + j];
+            Phi_x[0 * 8 + j] = p_vy * cos_r[j] - p_vx * sin_r[j];
+            Phi_x[1 * 8 + j] = -(p_vx * cos_r[j] + p_vy * sin_r[j]);
+        }
+    }
+}
+
+/* kinematics: 29 operations.
+ * in:  x (4), v (4), a (4), p (2)
+ * out: Psi_x (2,4), 2 of 8 entries, Psi_v (2,4), 6 of 8 entries */
+FLEXEL_CLONES
+static void planar_wheel_kinematics(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (4 * 8);
+        const real *restrict v = in[1] + b * (4 * 8);
+        const real *restrict a = in[2] + b * (4 * 8);
+        const real *restrict p = in[3] + b * (2 * 8);
+        real *restrict Psi_x = out[0] + b * (2 * 8);
+        real *restrict Psi_v = out[1] + b * (6 * 8);
+        real t0[8], cos_r[8], sin_r[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real r_angle = x[2 * 8 + j];
+            const real alpha0 = p[1 * 8 + j];
+            t0[j] = r_angle + alpha0;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            cos_r[j] = real_cos(t0[j]);
+            sin_r[j] = real_sin(t0[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real p_ay = a[1 * 8 + j];
+            const real p_ax = a[0 * 8 + j];
+            const real r_vangle = v[2 * 8 + j];
+            const real t1 = r_vangle * sin_r[j];
+            const real p_vy = v[1 * 8 + j];
+            const real t2 = r_vangle * cos_r[j];
+            Psi_v[1 * 8 + j] = t2;
+            const real p_vx = v[0 * 8 + j];
+            Psi_x[0 * 8 + j] = cos_r[j] * p_ay - sin_r[j] * p_ax - (p_vy * t1 + p_vx * t2);
+            const real t3 = p_vy * t2 - p_vx * t1 + (cos_r[j] * p_ax + sin_r[j] * p_ay);
+            Psi_x[1 * 8 + j] = -t3;
+            Psi_v[0 * 8 + j] = Psi_v[4 * 8 + j] = -t1;
+            Psi_v[2 * 8 + j] = p_vy * cos_r[j] - p_vx * sin_r[j];
+            Psi_v[3 * 8 + j] = -t2;
+            Psi_v[5 * 8 + j] = -(p_vx * cos_r[j] + p_vy * sin_r[j]);
+        }
+    }
+}
+
+/* stiffness: 10 operations.
+ * in:  x (4), sigma (0), tau (2), p (2)
+ * out: K (4,4), 2 of 16 entries */
+FLEXEL_CLONES
+static void planar_wheel_stiffness(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (4 * 8);
+        const real *restrict tau = in[2] + b * (2 * 8);
+        const real *restrict p = in[3] + b * (2 * 8);
+        real *restrict K = out[0] + b * (2 * 8);
+        real t0[8], cos_r[8], sin_r[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real r_angle = x[2 * 8 + j];
+            const real alpha0 = p[1 * 8 + j];
+            t0[j] = r_angle + alpha0;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            cos_r[j] = real_cos(t0[j]);
+            sin_r[j] = real_sin(t0[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real tau_lateral = tau[1 * 8 + j];
+            const real tau_longitudinal = tau[0 * 8 + j];
+            K[0 * 8 + j] = -(cos_r[j] * tau_lateral + sin_r[j] * tau_longitudinal);
+            K[1 * 8 + j] = cos_r[j] * tau_longitudinal - sin_r[j] * tau_lateral;
+        }
+    }
+}
+
+const flexel_element flexel_planar_wheel = {
+    .name = "planar_wheel",
+    .digest = "fb21d158a818ac2c",
+    .n = 4,
+    .m = 0,
+    .k = 2,
+    .np = 2,
+    .position = planar_wheel_position,
+    .velocity = planar_wheel_velocity,
+    .acceleration = planar_wheel_acceleration,
+    .rates = planar_wheel_rates,
+    .kinematics = planar_wheel_kinematics,
+    .stiffness = planar_wheel_stiffness,
+};

@@ -1,0 +1,185 @@
+"""`flexel run`: a user's model, built, simulated and saved; or a SPACAR input file, run in SPACAR's way."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from flexel.commands.modelfile import model_in, names_of, options_in, told_by_line
+from flexel.commands.stop import INTERRUPTED
+
+if TYPE_CHECKING:
+    from flexel.model import Model
+    from flexel.result import Motion
+
+STIFF = "stiff"
+METHODS = ("DOP853", "RK45", "LSODA", "Radau", "BDF", STIFF)
+DIALECTS = ("delft", "twente")
+FORMATS = ("npz", "nc", "mat", "csv")
+
+
+@dataclass(frozen=True)
+class Wish:
+    """What the command line asks for: where results go, and what is to be done with a motion."""
+
+    out: Path
+    simulate: Mapping[str, Any]
+    formats: tuple[str, ...]
+    plots: tuple[str, ...]
+    linearize: bool
+
+
+@click.command()
+@click.argument("file", type=click.Path(exists=True, dir_okay=False, path_type=Path), metavar="MODEL")
+@click.option("--time", type=float, metavar="SECONDS", help="Length of the motion.")
+@click.option("--samples", type=int, metavar="N", help="Number of stored states.")
+@click.option("--method", type=click.Choice(METHODS), help="Integrator; `stiff` is the implicit one.")
+@click.option(
+    "--out",
+    type=click.Path(file_okay=False, path_type=Path),
+    metavar="DIR",
+    help="Folder for results, made if missing; out/MODEL by default.",
+)
+@click.option(
+    "--format",
+    "formats",
+    type=click.Choice(FORMATS),
+    multiple=True,
+    default=("npz",),
+    help="Of the saved motion.",
+)
+@click.option(
+    "--plot", "plots", multiple=True, metavar="QUANTITY", help="Draw this time history; again for more."
+)
+@click.option(
+    "--linearize", is_flag=True, help="Print frequency and damping of the modes about the last state."
+)
+@click.option(
+    "--mode", type=int, metavar="N", help="Of a SPACAR file: its mode of analysis, 1, 2, 4, 7, 8, 9 or 10."
+)
+@click.option(
+    "--dialect",
+    type=click.Choice(DIALECTS),
+    help="Of a SPACAR file; recognized by its keywords if not given.",
+)
+def run(
+    file: Path,
+    time: float | None,
+    samples: int | None,
+    method: str | None,
+    out: Path | None,
+    formats: tuple[str, ...],
+    plots: tuple[str, ...],
+    linearize: bool,
+    mode: int | None,
+    dialect: str | None,
+) -> None:
+    """Build and simulate the model in a file MODEL.py and save its motion, or run a SPACAR input file MODEL.dat.
+
+    The file is a Python program that leaves a fx.Model behind, called `model` (or `m`, or the only one), and if it
+    likes a dict `simulate` with the options of System.simulate, as simulate = {"duration": 2.0}; the options given
+    here come before those. A file with a function main(out) does everything itself: it is called with the folder for
+    results, and a Motion that it returns is saved.
+
+    A SPACAR file is read as data and never executed; results are printed in SPACAR's numbering and signs, and written
+    where --out says. Without --mode a file with TIMESTEP is simulated, one with load steps takes these on, and for any
+    other the equilibrium, its frequencies and its buckling loads are found.
+
+    Ctrl-C stops a simulation; what was computed is saved, and the exit status is 130.
+    """
+    given = {"duration": time, "samples": samples, "method": method}
+    asked = {name: value for name, value in given.items() if value is not None}
+    if file.suffix.lower() == ".dat":
+        if asked or plots or linearize:
+            raise click.UsageError(
+                f"{file} says itself what is to be done; of the options only --mode, --dialect and "
+                "--out are for SPACAR files."
+            )
+        _run_spacar(file, out, mode, dialect)
+        return
+    if file.suffix != ".py":
+        raise click.UsageError(f"{file}: suffix '{file.suffix}' is unknown; give MODEL.py or MODEL.dat.")
+    if mode is not None or dialect is not None:
+        raise click.UsageError(f"{file}: --mode and --dialect are for SPACAR files, MODEL.dat.")
+    wish = Wish(out or Path("out") / file.stem, asked, formats, plots, linearize)
+    wish.out.mkdir(parents=True, exist_ok=True)
+    motion = _run_python(file, wish)
+    if motion is None:
+        return
+    with told_by_line(file):
+        _keep(motion, wish, file.stem)
+        _report(motion, wish)
+    if motion.message.startswith("interrupted"):
+        raise SystemExit(INTERRUPTED)
+
+
+def _run_python(file: Path, wish: Wish) -> Motion | None:
+    """The motion of a model declared in Python, or what its ``main(out)`` returns."""
+    from flexel.result import Motion
+
+    names = names_of(file)
+    if callable(names.get("main")):
+        if wish.simulate:
+            raise click.UsageError(
+                f"{file} has a main(out), which simulates itself; leave out --time and the like."
+            )
+        with told_by_line(file):
+            made = names["main"](wish.out)
+        return made if isinstance(made, Motion) else None
+    return simulated(model_in(names, file), {**options_in(names, file), **wish.simulate}, file)
+
+
+def simulated(model: Model, options: Mapping[str, Any], file: Path) -> Motion:
+    """The motion of a model, with options of `System.simulate`; method `stiff` is `System.simulate_stiff`."""
+    with told_by_line(file):
+        system = model.build()
+    click.echo(repr(system))
+    if "duration" not in options:
+        raise click.UsageError(
+            f"{file} does not say how long to simulate; give --time SECONDS, or write simulate = {{'duration': 2.0}}."
+        )
+    kept = {name: value for name, value in options.items() if (name, value) != ("method", STIFF)}
+    with told_by_line(file):
+        return (system.simulate_stiff if "method" not in kept and "method" in options else system.simulate)(
+            **kept
+        )
+
+
+def _report(motion: Motion, wish: Wish) -> None:
+    """Print how the motion ended and, if asked for, the modes about its end."""
+    last, total = motion[-1], motion.energy["total"]
+    click.echo(f"{motion.message}; {motion.statistics.get('steps', 0)} steps, {len(motion)} states")
+    click.echo(f"energy {total[0]:.6g} J at the start, {total[-1]:.6g} J at t = {last.t:g} s")
+    for name in motion.system.dynamic:
+        click.echo(f"  {name:<24} {last[name]: .10g}   rate {last.rate(name): .10g}")
+    if wish.linearize:
+        click.echo(f"modes about t = {last.t:g} s: frequency [rad/s], damping ratio, eigenvalue [1/s]")
+        for mode in motion.system.linearize(last).modes():
+            click.echo(
+                f"  {mode.name:<24} {mode.frequency:12.6g} {mode.damping:12.6g}   {mode.eigenvalue:.6g}"
+            )
+
+
+def _keep(motion: Motion, wish: Wish, stem: str) -> None:
+    """Save the motion, and draw what was asked for."""
+    for suffix in wish.formats:
+        click.echo(f"wrote {motion.save(wish.out / f'{stem}.{suffix}')}")
+    if wish.plots:
+        path = wish.out / f"{stem}.png"
+        motion.plot(*wish.plots, path=path)
+        click.echo(f"wrote {path}")
+
+
+def _run_spacar(file: Path, out: Path | None, mode: int | None, dialect: str | None) -> None:
+    """Run a SPACAR input file and print its results."""
+    from flexel.errors import FlexelError
+    from flexel.spacar.run import run_spacar
+
+    try:
+        click.echo(run_spacar(file, out, mode=mode, dialect=dialect))
+    except FlexelError as error:
+        raise click.ClickException(str(error)) from error

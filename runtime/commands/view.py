@@ -1,0 +1,52 @@
+"""`flexel view`: a saved result as a page for the browser."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+if TYPE_CHECKING:
+    from flexel.linearize import Linearization
+    from flexel.periodic_result import PeriodicSolution
+    from flexel.result import Motion
+
+
+@click.command()
+@click.argument("file", type=click.Path(exists=True, dir_okay=False, path_type=Path), metavar="RESULT")
+@click.option(
+    "--out",
+    type=click.Path(dir_okay=False, writable=True, path_type=Path),
+    metavar="FILE.html",
+    help="The page; beside the result by default.",
+)
+@click.option("--title", default="", help="Written above the picture; the name of the result by default.")
+@click.option("--open", "open_it", is_flag=True, help="Open the page in a browser.")
+def view(file: Path, out: Path | None, title: str, open_it: bool) -> None:
+    """Write a page that shows a saved RESULT (.npz, .nc, .mat or .csv) in any browser, without a network.
+
+    A motion and a periodic motion are played; of a linearization the modes are shown. Nothing in the file is executed.
+    """
+    from flexel.errors import FlexelError
+    from flexel.restore import load
+
+    try:
+        path = _written(load(file), out or file.with_suffix(".html"), title or file.stem)
+    except FlexelError as error:
+        raise click.ClickException(str(error)) from error
+    click.echo(f"wrote {path}")
+    if open_it:
+        click.launch(path.resolve().as_uri())
+
+
+def _written(result: Motion | Linearization | PeriodicSolution, path: Path, title: str) -> Path:
+    """The page of any kind of result."""
+    from flexel.linearize import Linearization
+    from flexel.result import Motion
+    from flexel.view import view_modes
+
+    if isinstance(result, Linearization):
+        return view_modes(result, path, title=title)
+    motion = result if isinstance(result, Motion) else result.motion
+    return motion.view(path, title=title)

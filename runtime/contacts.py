@@ -1,0 +1,203 @@
+"""Contact of cables with surfaces: the method of `Model` that makes its elements and gives them their law.
+
+Imports numpy, the errors, the shared checks, the tables and the surfaces.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from flexel.checks import not_negative, positive
+from flexel.errors import ModelError
+from flexel.generated.table import LAWS
+from flexel.structure import Array, LawInstance, unknown
+from flexel.surfaces import Surface
+
+if TYPE_CHECKING:
+    from flexel.model import Model
+
+RELEASE = 1e3  # rate [1/s] at which the bristles of an open contact straighten
+
+
+@dataclass(frozen=True)
+class Contact:
+    """How a cable touches: points, normal force and friction.
+
+    Parameters
+    ----------
+    stiffness : float
+        Normal force per penetration^exponent: of a length of rope [N/m^(exponent + 1)], or of a point if per="point".
+    exponent : float
+        3/2 as for Hertz's point contact.
+    dissipation : float
+        Growth of the normal force per speed of approach [s/m]; see `fx.hunt_crossley`, `fx.lankarani_nikravesh`.
+    friction : float
+        Coefficient of friction.
+    slip_speed : float
+        Coulomb's friction is regularized: 71 % of it at this speed [m/s].
+    bristle_stiffness : float, optional
+        Instead: bristles that stick, deflected by friction/bristle_stiffness when they slide [1/m].
+    bristle_damping : float
+        [s/m]
+    points : int
+        Per element.
+    places : str
+        "gauss", weighted by Gauss, or "equidistant".
+    per : str
+        "length": forces per length times the points' weights, so that they do not depend on the mesh; or "point".
+    """
+
+    stiffness: float
+    exponent: float = 1.5
+    dissipation: float = 0.0
+    friction: float = 0.0
+    slip_speed: float = 1e-2
+    bristle_stiffness: float | None = None
+    bristle_damping: float = 0.0
+    points: int = 5
+    places: str = "gauss"
+    per: str = "length"
+
+    def __post_init__(self) -> None:
+        positive(self.stiffness, "contact", "stiffness")
+        if not_negative(self.exponent, "contact", "exponent") < 1:
+            raise ModelError(
+                f"contact: exponent {self.exponent:g} is below 1; the stiffness would be infinite at touch"
+            )
+        for name in ("dissipation", "friction", "bristle_damping"):
+            not_negative(getattr(self, name), "contact", name)
+        positive(self.slip_speed, "contact", "slip_speed")
+        if self.bristle_stiffness is not None:
+            positive(self.bristle_stiffness, "contact", "bristle_stiffness")
+            positive(self.friction, "contact with bristles", "friction")
+        if not isinstance(self.points, (int, np.integer)) or not 1 <= self.points <= 50:
+            raise ModelError(f"contact: {self.points!r} points; give a whole number from 1 to 50")
+        if self.places not in ("gauss", "equidistant") or self.per not in ("length", "point"):
+            raise ModelError(
+                f"contact: places {self.places!r}, per {self.per!r}; choose 'gauss' or 'equidistant', "
+                "'length' or 'point'"
+            )
+
+    def rule(self) -> tuple[Array, Array]:
+        """Places on (0, 1) and weights of sum 1 of the points of an element."""
+        if self.places == "gauss":
+            xi, weight = np.polynomial.legendre.leggauss(self.points)
+            return (1 + xi) / 2, weight / 2
+        return (np.arange(self.points) + 0.5) / self.points, np.full(self.points, 1 / self.points)
+
+    def depth(self, load: float, length: float) -> float:
+        """Penetration [m] at which a line load [N/m] is carried by elements of a length [m]."""
+        share = load if self.per == "length" else load * length / self.points
+        return float((share / self.stiffness) ** (1 / self.exponent))
+
+    def law(self, slips: int, weight: float) -> tuple[str, dict[str, Array]]:
+        """Name and parameters of the law of a point that stands for a length of rope [m]."""
+        share = weight if self.per == "length" else 1.0
+        values: dict[str, float] = {
+            "stiffness": self.stiffness * share,
+            "exponent": self.exponent,
+            "dissipation": self.dissipation,
+        }
+        name = "hertz"
+        if self.friction and self.bristle_stiffness is None:
+            name = f"hertz_coulomb_{slips}"
+            values |= {"friction": self.friction, "slip_speed": self.slip_speed}
+        elif self.friction and self.bristle_stiffness is not None:
+            name = f"hertz_bristle_{slips}"
+            values |= {
+                "friction": self.friction,
+                "bristle_stiffness": self.bristle_stiffness,
+                "bristle_damping": self.bristle_damping,
+                "release": RELEASE,
+            }
+        return name, {key: np.array([value]) for key, value in values.items()}
+
+
+@dataclass(frozen=True)
+class ContactPoint:
+    """One point of a cable over one surface: its element, place (undeformed arc length [m]) and weight [m]."""
+
+    element: str
+    surface: Surface
+    cable: str
+    xi: float
+    s: float
+    weight: float
+
+
+def contact(
+    self: Model,
+    cables: Any,
+    surface: Surface | str,
+    contact: Contact,
+    *,
+    rope_radius: float,
+    only: Sequence[str] | None = None,
+) -> list[ContactPoint]:
+    """Let cables touch a surface: elements ``cable@surface#i``, with a gap, slips along the surface, and their law.
+
+    Parameters
+    ----------
+    cables : CableLine
+        What `Model.cable_line` or `Model.rope` returned.
+    surface : Surface or str
+        A sheave, drum or plane.
+    contact : Contact
+    rope_radius : float
+        [m]
+    only : sequence of str, optional
+        Names of elements of the cable that may touch; all by default.
+
+    Returns
+    -------
+    list of ContactPoint
+
+    Raises
+    ------
+    ModelError
+        An unknown surface or element, planar and spatial ones together.
+    """
+    found = find_surface(self, surface)
+    owner = f"contact of '{cables.name}' with '{found.name}'"
+    a = not_negative(rope_radius, owner, "rope_radius")
+    members = list(cables.elements) if only is None else list(only)
+    for name in members:
+        if name not in cables.elements:
+            raise ModelError(f"{owner}: {unknown(str(name), cables.elements, 'element')}")
+    made: list[ContactPoint] = []
+    xi, weight = contact.rule()
+    for name in members:
+        i = cables.elements.index(name)
+        s0, l0 = float(cables.s[i]), float(cables.s[i + 1] - cables.s[i])
+        nodes = [*self.instances[name].nodes, found.point, found.frame]
+        for j in range(contact.points):
+            element = f"{name}@{found.name}#{j + 1}"
+            own = {"l0": np.array([l0]), "xi": xi[j : j + 1], "rope_radius": np.array([a])}
+            self.add(element, found.element, nodes, found.parameters | own)
+            made.append(ContactPoint(element, found, name, float(xi[j]), s0 + xi[j] * l0, weight[j] * l0))
+    _attach(self, made, contact)
+    return made
+
+
+def _attach(model: Model, points: list[ContactPoint], contact: Contact) -> None:
+    """The law of every gap of every point."""
+    for point in points:
+        for gap, slips in point.surface.gaps:
+            law, values = contact.law(len(slips), point.weight)
+            spec = LAWS[law]
+            acting = tuple(f"{point.element}.{z}" for z in slips) if spec.slips else ()
+            gaps = (f"{point.element}.{gap}",)
+            z0 = (0.0,) * len(spec.states)
+            model.laws.append(LawInstance(f"{point.element} {gap}", spec, gaps, acting, values, None, z0))
+
+
+def find_surface(model: Model, surface: Surface | str) -> Surface:
+    """The surface of that name, or a ModelError with the nearest ones."""
+    name = surface.name if isinstance(surface, Surface) else str(surface)
+    if name not in model.surfaces:
+        raise ModelError(unknown(name, model.surfaces, "sheave or plane"))
+    return model.surfaces[name]

@@ -1,0 +1,173 @@
+"""Deflected shapes and mode shapes: a mechanism drawn at several states, or displaced from one.
+
+Every function returns the matplotlib figure and writes it where a path is given.
+Imports numpy and the rooms of drawing, figures, scene and states.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from copy import copy
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from flexel import drawing
+from flexel.errors import ModelError
+from flexel.figures import COLOURS, save
+from flexel.scene import View, canvas, display_axes
+from flexel.state import State
+from flexel.structure import Array, Structure
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from flexel.result import Motion
+
+UNSHOWN = ("spoke", "axle", "box")
+GREY = "#b8bfc6"
+LARGEST = 0.1  # displacement of a mode shape, relative to the size of the model
+
+
+def plot_states(
+    motion: Motion,
+    times: Sequence[float],
+    path: str | Path | None = None,
+    *,
+    view: View | None = None,
+    scale: float = 1.0,
+) -> Figure:
+    """The mechanism at the stored states nearest to the times, over its drawn shape in grey.
+
+    Parameters
+    ----------
+    times : sequence of float
+        [s]; the last stored one if none is given.
+    view : View, optional
+        Direction of sight, up and sketches.
+    scale : float
+        By which displacements from the drawn shape are magnified.
+    """
+    rows = [int(np.argmin(np.abs(motion.t - t))) for t in times] or [-1]
+    first = motion[0]
+    drawn = at_coordinates(first, motion.structure.x0)
+    figures = [(drawn, GREY, "as drawn")]
+    for i, row in enumerate(rows):
+        state: State = motion[row]
+        shown = displaced(drawn, scale * (state.x - drawn.x))
+        figures.append((shown, COLOURS[i % len(COLOURS)], f"t = {state.t:.4g} s"))
+    return _overlaid(figures, path, view, "" if scale == 1 else f"displacements × {scale:g}")
+
+
+def plot_shape(
+    state: State,
+    shape: Mapping[str, complex],
+    path: str | Path | None = None,
+    *,
+    size: float | None = None,
+    phases: Sequence[float] = (0.0,),
+    view: View | None = None,
+    title: str = "",
+) -> Figure:
+    """A mode shape over the state that it belongs to, in grey.
+
+    Parameters
+    ----------
+    state : State
+    shape : mapping of str to complex
+        Displacements of coordinates, as of `Vibration.shape`, `BucklingMode.shape` or `Linearization.mode_shape`.
+    size : float, optional
+        Largest displacement shown [m]; a tenth of the model's size by default.
+    phases : sequence of float
+        At which the motion is shown [rad]; several where the parts do not move in phase.
+    view : View, optional
+    title : str
+    """
+    X = coordinates_of(state.structure, shape)
+    X = X * (mode_size(state, X) if size is None else size / max(_travel(state, X), 1e-300))
+    figures = [(state, GREY, "")]
+    for i, phase in enumerate(phases):
+        shown = displaced(state, np.real(X * np.exp(1j * phase)))
+        label = f"{np.degrees(phase):.0f}°" if len(phases) > 1 else ""
+        figures.append((shown, COLOURS[i % len(COLOURS)], label))
+    return _overlaid(figures, path, view, title)
+
+
+def coordinates_of(structure: Structure, shape: Mapping[str, complex]) -> Any:
+    """Displacements (n,) of all coordinates from those that a shape names; other quantities are passed over."""
+    first = structure.m + structure.k
+    X = np.zeros(structure.n, dtype=complex)
+    for name, value in shape.items():
+        i = structure.find(name, "shape") - first
+        if i >= 0:
+            X[i] = value
+    if not np.any(X):
+        raise ModelError("shape: it moves no coordinate; give the displacements of coordinates, by name")
+    return X
+
+
+def mode_size(state: State, X: Any) -> float:
+    """Factor that makes the largest displacement of a shape (n,) a tenth of the model's size."""
+    places = np.vstack([line for part in drawing.shapes(state) for line in part.lines])
+    return LARGEST * float(np.max(np.ptp(places, axis=0))) / max(_travel(state, X), 1e-300)
+
+
+def _travel(state: State, X: Any) -> float:
+    """Largest displacement of what is drawn, to first order."""
+    small = 1e-6 / float(np.max(np.abs(X)))
+    moved = [displaced(state, small * part) for part in (np.real(X), np.imag(X))]
+    before = np.vstack([line for part in drawing.shapes(state) for line in part.lines])
+    after = [np.vstack([line for part in drawing.shapes(z) for line in part.lines]) for z in moved]
+    square = sum(np.sum((z - before) ** 2, axis=1) for z in after)
+    return float(np.sqrt(np.max(square))) / small
+
+
+def displaced(state: State, dx: Array) -> State:
+    """A state to be drawn only, its coordinates displaced; Euler parameters keep their norm."""
+    x, structure = state.x + dx, state.structure
+    for node in structure.nodes:
+        if node.kind == "frame":
+            places = structure.places(node.name)
+            x[places] /= np.linalg.norm(x[places])
+    return at_coordinates(state, x)
+
+
+def at_coordinates(state: State, x: Array) -> State:
+    """A state to be drawn only, at other coordinates (n,); all else in it is as it was."""
+    moved = copy(state)
+    object.__setattr__(moved, "x", x)
+    return moved
+
+
+def _overlaid(
+    figures: Sequence[tuple[State, str, str]], path: str | Path | None, view: View | None, title: str
+) -> Figure:
+    """Several states of one model in one picture, each in its colour."""
+    view = view or View()
+    flat = drawing.planar(figures[0][0])
+    up = drawing.upward(figures[0][0]) if view.up is None else np.asarray(view.up, dtype=float)
+    turn = np.eye(3) if flat else display_axes(up)
+    with canvas(figures[0][0]) as (drawn, axes):
+        for state, colour, label in figures:
+            parts = [z for z in drawing.shapes(state, view.sketches) if z.style not in UNSHOWN]
+            lines = [line @ turn.T for part in parts for line in part.lines if len(line) > 1]
+            for i, line in enumerate(lines):
+                axes.plot(*line.T[: 2 if flat else 3], color=colour, lw=2.0, label=label if i == 0 else None)
+            points = np.array(
+                [line[0] for z in drawing.shapes(state) if z.style in ("joint", "mass") for line in z.lines]
+            )
+            if points.size:
+                axes.plot(*(points @ turn.T).T[: 2 if flat else 3], ".", color=colour, ms=5)
+        if flat:
+            axes.set_xlabel("x [m]")
+            axes.set_ylabel("y [m]")
+        else:
+            axes.view_init(view.elevation, view.azimuth)
+            axes.set_axis_off()
+        axes.set_aspect("equal")
+        if any(label for *_, label in figures):
+            axes.legend(loc="upper right")
+        axes.set_title(title)
+    save(drawn, path)
+    return drawn

@@ -1,0 +1,217 @@
+"""What each kind of element looks like at a state: a table of functions that give its shapes.
+
+A new kind of element is drawn by one function and one line in `PAINTERS`.
+Imports numpy and the runtime rooms of materials, ropes' painters, orientation, shape, state, stress and structure.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+import numpy as np
+
+from flexel.materials import Profile
+from flexel.orientation import matrix, product
+from flexel.rope_painters import contact, rope
+from flexel.shape import (
+    Shape,
+    axes_of,
+    circle,
+    cubic,
+    extent,
+    outline_of,
+    place,
+    rectangle,
+    resultant,
+    section_outline,
+    turned,
+)
+from flexel.state import State
+from flexel.stress import section_forces
+from flexel.structure import Array, Instance, Structure
+
+SPOKES = 8
+RIM = np.linspace(0, 2 * np.pi, 49)
+STEPS = np.linspace(0, 1, 17)[:, None]  # vertices of a bent beam
+HINGE = 0.02  # half the length of a hinge's pin, relative to the model
+
+
+def bar(state: State, instance: Instance) -> Iterator[Shape]:
+    """The line through an element's points: trusses, rigid links, elements of the user's own."""
+    ends = [n for n in instance.nodes if state.structure.node(n).kind.endswith("point")]
+    line = np.array([place(state, n) for n in ends])
+    if len(line) > 1:
+        outline = section_outline(instance)
+        across = None if outline is None else _across(state, instance, line)
+        yield Shape(
+            "bar", instance.name, (line,), outline=outline, across=across, values=_axial(state, instance)
+        )
+
+
+def _across(state: State, instance: Instance, line: Array) -> Array | None:
+    """The section's y axes of a rigid beam with one frame."""
+    if "tp" not in instance.parameters:
+        return None
+    y = matrix(product(state.position(instance.nodes[1]), instance.parameters["tp"]))[:, 1]
+    return np.array([y, y])
+
+
+def beam(state: State, instance: Instance) -> Iterator[Shape]:
+    """The axis of a beam as the cubic through its end points and end directions."""
+    p, rp, q, rq = instance.nodes
+    l0 = float(instance.parameters["l0"][0])
+    if instance.spec.name.startswith("planar"):
+        starts = [float(instance.parameters[a][0]) for a in ("alpha0", "alphaq0")]
+        triads = [turned(float(state.position(r)[0]) + a) for r, a in zip((rp, rq), starts, strict=True)]
+    else:
+        pairs = ((rp, "tp"), (rq, "tq"))
+        triads = [matrix(product(state.position(r), instance.parameters[t])) for r, t in pairs]
+    line = cubic(STEPS, (place(state, p), place(state, q)), (l0 * triads[0][:, 0], l0 * triads[1][:, 0]))
+    across = np.array([t[:, 1] for t in triads])
+    values = _axial(state, instance) | _bending(state, instance)
+    yield Shape(
+        "beam", instance.name, (line,), outline=section_outline(instance), across=across, values=values
+    )
+
+
+def wheel(state: State, instance: Instance) -> Iterator[Shape]:
+    """Rim, spokes, axle, one spoke of its own style (the valve) that shows the turning, and the road's force."""
+    hub, frame, contact = instance.nodes
+    centre, R = place(state, hub), axes_of(state, frame)
+    radius, axle = float(instance.parameters["radius"][0]), instance.parameters["axle"]
+    first = np.cross(axle, np.eye(3)[int(np.argmin(np.abs(axle)))])
+    first /= np.linalg.norm(first)
+    across = np.column_stack([first, np.cross(axle, first)])
+
+    def ring(angles: Array) -> Array:
+        return np.asarray(centre + radius * (R @ across @ np.array([np.cos(angles), np.sin(angles)])).T)
+
+    name, pose = instance.name, (centre, R)
+    yield Shape("rim", name, (ring(RIM),), pose)
+    tips = ring(np.arange(SPOKES) * 2 * np.pi / SPOKES)
+    yield Shape("spoke", name, tuple(np.array([centre, tip]) for tip in tips[1:]), pose)
+    yield Shape("valve", name, (np.array([centre, tips[0]]),), pose)
+    half = 0.15 * radius * (R @ axle)
+    yield Shape("axle", name, (np.array([centre - half, centre + half]),), pose)
+    yield Shape(
+        "force", name, (place(state, contact)[None],), force=resultant(state, instance, (hub, contact))
+    )
+
+
+def body(state: State, instance: Instance) -> Iterator[Shape]:
+    """The mass centre, a thin line to the point that carries the body, and the box that has its inertia."""
+    p, r = instance.nodes
+    start, R = place(state, p), axes_of(state, r)
+    c = np.append(instance.parameters["c"], 0.0)[:3]
+    centre = start + R @ c
+    yield Shape("mass", instance.name, (centre[None],))
+    if np.any(c):
+        yield Shape("spoke", instance.name, (np.array([start, centre]),), (start, R))
+    sides, T = _box(instance)
+    # thin ones, and ones larger than the whole model, say nothing: the inertia was not meant as a shape
+    if np.min(np.sort(sides)[1:]) > 0 and np.max(sides) < extent(state.structure):
+        axes = R @ T
+        half = sides[0] / 2 * axes[:, 0]
+        line = np.array([centre - half, centre + half])
+        outline, across = rectangle(sides[1], sides[2]), np.array([axes[:, 1], axes[:, 1]])
+        yield Shape("box", instance.name, (line,), (centre, axes), outline, across)
+
+
+def _box(instance: Instance) -> tuple[Array, Array]:
+    """Sides (3,) and axes (3, 3) of the uniform box with a body's mass and principal moments of inertia."""
+    mass, J = float(instance.parameters["mass"][0]), instance.parameters["J"]
+    if J.size == 1:
+        side = np.sqrt(6 * float(J[0]) / mass)
+        return np.array([side, side, 0.1 * side]), np.eye(3)
+    xx, yy, zz, xy, xz, yz = J
+    w, T = np.linalg.eigh(np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]))
+    T[:, 2] = np.cross(T[:, 0], T[:, 1])
+    return np.sqrt(np.maximum(6 * (w.sum() - 2 * w) / mass, 0.0)), T
+
+
+def mass(state: State, instance: Instance) -> Iterator[Shape]:
+    """A mark at the point."""
+    yield Shape("mass", instance.name, (place(state, instance.nodes[0])[None],))
+
+
+def bearing(state: State, instance: Instance) -> Iterator[Shape]:
+    """The pin at its first point, and the link to the second."""
+    p, rp, *_ = instance.nodes
+    yield _pin(state, instance, p, matrix(product(state.position(rp), instance.parameters["tp"]))[:, 0])
+    yield from bar(state, instance)
+
+
+def hinge(state: State, instance: Instance) -> Iterator[Shape]:
+    """The pin, where the bodies of the hinge have a point in common; a hinge between frames alone has no place."""
+    held = [_points(state.structure, r) for r in instance.nodes]
+    found = [z for z in held[1] if z in held[0]] or held[1] or held[0]
+    if found:
+        planar = instance.spec.name.startswith("planar")
+        turn = None if planar else product(state.position(instance.nodes[0]), instance.parameters["tp"])
+        axis = np.array([0.0, 0.0, 1.0]) if turn is None else matrix(turn)[:, 0]
+        yield _pin(state, instance, found[0], axis)
+
+
+def _pin(state: State, instance: Instance, point: str, axis: Array) -> Shape:
+    half = HINGE * extent(state.structure)
+    centre = place(state, point)
+    line = np.array([centre - half * axis, centre + half * axis])
+    return Shape("hinge", instance.name, (line,), outline=circle(0.6 * half))
+
+
+def _points(structure: Structure, frame: str) -> list[str]:
+    """Points that lie on the body of a frame, in the order of the elements that say so."""
+    found: list[str] = []
+    for instance in structure.instances:
+        if frame not in instance.nodes:
+            continue
+        ends = [n for n in instance.nodes if structure.node(n).kind.endswith("point")]
+        frames = [n for n in instance.nodes if n not in ends]
+        if len(frames) == len(ends):  # each end has its own
+            ends = [ends[frames.index(frame)]]
+        elif instance.spec.name == "wheel":
+            ends = ends[:1]
+        found += [z for z in ends if "." not in z]
+    return found
+
+
+def _axial(state: State, instance: Instance) -> dict[str, Array]:
+    """Tension, and the strain of the axis of an element that can stretch."""
+    name = f"{instance.name}.elongation"
+    if name not in state.structure.index:
+        return {}
+    strain = abs(state[name]) / float(instance.parameters["l0"][0])
+    return {"tension": np.array([state.force(name)]), "strain": np.array([strain])}
+
+
+def _bending(state: State, instance: Instance) -> dict[str, Array]:
+    """Bending moments at the ends of a beam, and the largest strain in the sections there, where they are known."""
+    ends = section_forces(state, instance.name)
+    found = {"bending moment": np.array([np.hypot(z.My, z.Mz) for z in ends])}
+    if isinstance(instance.profile, Profile):
+        k, (y, z) = instance.profile.stiffness(), np.max(np.abs(outline_of(instance.profile.section)), axis=0)
+        parts = [(abs(f.N) / k["EA"], abs(f.My) * z / k["EIy"], abs(f.Mz) * y / k["EIz"]) for f in ends]
+        found["strain"] = np.array([sum(p) for p in parts])
+    return found
+
+
+PAINTERS: dict[str, Callable[[State, Instance], Iterator[Shape]]] = {
+    "truss": bar,
+    "planar_truss": bar,
+    "beam3": bar,
+    "planar_beam3": bar,
+    "bearing": bearing,
+    "hinge": hinge,
+    "planar_hinge": hinge,
+    "beam": beam,
+    "planar_beam": beam,
+    "cable": rope,
+    "planar_cable": rope,
+    "wheel": wheel,
+    **dict.fromkeys(("cable_cylinder", "cable_plane", "cable_v_groove", "cable_round_groove"), contact),
+    **dict.fromkeys(("planar_cable_circle", "planar_cable_line"), contact),
+    "body": body,
+    "planar_body": body,
+    "point_mass": mass,
+    "planar_point_mass": mass,
+}

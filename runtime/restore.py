@@ -1,0 +1,155 @@
+"""Results read back, and simulations continued from them.
+
+Imports numpy, the dynamics, the files and what makes results of records.
+"""
+
+from __future__ import annotations
+
+from dataclasses import fields
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from flexel import dynamics
+from flexel.archive import motion_of
+from flexel.archive_linear import linearization_of
+from flexel.errors import ModelError
+from flexel.files import read
+from flexel.inputs import number
+from flexel.kinematics import Configuration
+from flexel.periodic_result import PeriodicSolution, periodic_of
+from flexel.result import Motion
+from flexel.state import State
+from flexel.structure import Index, Structure
+
+if TYPE_CHECKING:
+    from flexel.linearize import Linearization
+    from flexel.system import System
+
+
+def load(path: str | Path) -> Motion | Linearization | PeriodicSolution:
+    """A result from a file that its `save` has written: .nc, .npz, .mat or .csv.
+
+    Nothing in the file is executed.  The result answers to the same names, in the same units, without a model;
+    `System.restore` gives its states a model again.
+
+    Returns
+    -------
+    Motion, Linearization or PeriodicSolution
+        As was saved.
+
+    Raises
+    ------
+    ModelError
+        A file that is missing, damaged, or of another program.
+    FlexelError
+        If a package that the format needs is missing.
+
+    Examples
+    --------
+    >>> motion = fx.load("bicycle.nc")  # doctest: +SKIP
+    >>> more = system.simulate(5.0, start=system.restore(motion))  # doctest: +SKIP
+    """
+    record = read(path)
+    if record.kind == "motion":
+        return motion_of(record)
+    if record.kind == "linearization":
+        return linearization_of(record)
+    if record.kind == "periodic":
+        return periodic_of(record)
+    raise ModelError(f"load '{path}': a result of kind '{record.kind}' is unknown here; use a newer flexel")
+
+
+def restore(
+    self: System, saved: Motion | State, time: float | None = None, *, as_saved: bool = False
+) -> State:
+    """A state of this system from a saved one: to simulate on from, linearize about, or draw.
+
+    Coordinates, rates, turns, internal states of laws and the choice of freedoms are those of the file, bit for bit;
+    accelerations, forces and energies are computed anew, with the loads that the model has now.
+
+    Parameters
+    ----------
+    saved : Motion or State
+        From `flexel.load`, or of another system of the same make.
+    time : float, optional
+        One of the stored times of a motion [s]; the last one by default.
+    as_saved : bool
+        Take accelerations, forces and energies from the file too: where a freedom has no inertia they cannot be
+        computed from the state.
+
+    Raises
+    ------
+    ModelError
+        A time that is not stored; a model with other quantities or other constraints.
+    """
+    state = _stored(saved, time)
+    _check_names(self.structure, state.structure)
+    roles = self.roles
+    rows = [state.roles.dynamic, state.roles.kinematic]
+    if not all(np.array_equal(a, b) for a, b in zip(rows, (roles.dynamic, roles.kinematic), strict=True)):
+        _check_freedoms(self, rows)
+        roles = roles.with_freedoms(*rows)
+    _, J = self.evaluation.position(state.x)
+    if as_saved:
+        own = {field.name: getattr(state, field.name) for field in fields(State)}
+        return State(**own | {"J": J, "roles": roles, "structure": self.structure})
+    c = Configuration(state.t, state.x, state.e, J)
+    return dynamics.complete(self.kinematics_of(roles), self.loads, c, state.v, state.e, state.z)
+
+
+def _stored(saved: Any, time: float | None) -> State:
+    """The stored state at a time."""
+    if isinstance(saved, State):
+        if time is not None and time != saved.t:
+            raise ModelError(
+                f"restore: the state is of t = {saved.t:g} s, not {time:g} s; give the motion instead"
+            )
+        return saved
+    if not isinstance(saved, Motion):
+        raise ModelError(
+            f"restore: {type(saved).__name__} is no motion or state; give what fx.load returned, or one of its states"
+        )
+    if time is None:
+        return saved[-1]  # type: ignore[no-any-return]
+    t = number(time, "restore", "time")
+    i = int(np.argmin(np.abs(saved.t - t)))
+    if abs(saved.t[i] - t) > 1e-9 * max(float(np.ptp(saved.t)), abs(t)):
+        raise ModelError(
+            f"restore: no state is stored at t = {t:g} s; the nearest time is {saved.t[i]:.12g} s"
+        )
+    return saved[i]  # type: ignore[no-any-return]
+
+
+def _check_names(own: Structure, other: Structure) -> None:
+    """Both must have the same quantities in the same order."""
+    differing = _only_in(own, other) or _only_in(other, own)
+    if differing:
+        raise ModelError(
+            f"restore: only one of the saved state and this model has {', '.join(map(repr, differing[:4]))}; build the "
+            "model that was saved"
+        )
+    if own.names != other.names or tuple(own.internal) != tuple(other.internal):
+        raise ModelError(
+            "restore: this model was declared in another order, or holds other coordinates, than the saved one; build "
+            "the model that was saved"
+        )
+
+
+def _only_in(a: Structure, b: Structure) -> list[str]:
+    """Quantities and internal states that only the first structure has."""
+    return [z for z in (*a.names, *a.internal) if z not in b.index and z not in b.internal]
+
+
+def _check_freedoms(system: System, rows: list[Index]) -> None:
+    """The saved freedoms must be as many as the model's, and none of them constrained."""
+    roles, names = system.roles, system.structure.names
+    taken = {*roles.rigid.tolist(), *roles.prescribed.tolist(), *roles.zero.tolist()}
+    held = [names[i] for z in rows for i in z.tolist() if i in taken]
+    if held or [z.size for z in rows] != [roles.nd, roles.nq - roles.nd]:
+        found = tuple(names[i] for z in rows for i in z.tolist())
+        raise ModelError(
+            f"restore: the saved state has the freedoms {found}, this model {system.dynamic + system.kinematic}"
+            f"{': ' + ', '.join(held) + ' is constrained now' if held else ''}; build it with the same constraints"
+        )

@@ -1,0 +1,82 @@
+"""What ropes and what they touch look like: the cable's curve with its tension, sheaves, and forces of contact.
+
+Imports numpy and the runtime rooms of cables, orientation, shape, state and structure.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from flexel.cables import cable_tension
+from flexel.orientation import matrix, product
+from flexel.shape import Shape, circle, cubic, place, resultant, section_outline, turned
+from flexel.state import State
+from flexel.structure import Array, Instance
+
+STEPS = np.linspace(0, 1, 9)[:, None]  # vertices of an element
+RING = np.linspace(0, 2 * np.pi, 65)
+WIDTH = 6.0  # of a sheave, relative to the rope's radius
+
+
+def rope(state: State, instance: Instance) -> Iterator[Shape]:
+    """The centre line of a cable element: the cubic through its points with the slopes dr/ds there."""
+    values = _stretch(state, instance)
+    yield Shape(
+        "rope",
+        instance.name,
+        (_curve(state, instance, STEPS),),
+        outline=section_outline(instance),
+        values=values,
+    )
+
+
+def _curve(state: State, instance: Instance, xi: Array) -> Array:
+    """Places (k, 3) on a cable, or on the cable of a contact, at xi (k, 1)."""
+    p, dp, q, dq = instance.nodes[:4]
+    l0 = float(instance.parameters["l0"][0])
+    return cubic(xi, (place(state, p), place(state, q)), (l0 * place(state, dp), l0 * place(state, dq)))
+
+
+def _stretch(state: State, instance: Instance) -> dict[str, Array]:
+    """Tension and strain along a cable, at equal steps between its points of quadrature."""
+    s, tension = cable_tension(state, instance.name)
+    strain = [abs(np.sqrt(1 + 2 * state[f"{instance.name}.strain{i}"]) - 1) for i in range(1, s.size + 1)]
+    steps = np.linspace(0, float(instance.parameters["l0"][0]), 5)
+    return {"tension": np.interp(steps, s, tension), "strain": np.interp(steps, s, strain)}
+
+
+def contact(state: State, instance: Instance) -> Iterator[Shape]:
+    """The force on a rope at a point of contact, and the sheave or drum with a spoke that shows its turning.
+
+    All contacts of one sheave draw it; `flexel.drawing.shapes` keeps the first.
+    """
+    place_of_contact = _curve(state, instance, instance.parameters["xi"][:, None])
+    force = resultant(state, instance, instance.nodes[:3:2])
+    yield Shape("force", instance.name, (place_of_contact,), force=force)
+    if "radius" in instance.parameters:
+        yield from _sheave(state, instance)
+
+
+def _sheave(state: State, instance: Instance) -> Iterator[Shape]:
+    """A cylinder about the axle, as wide as some rope diameters, and a mark on its face."""
+    z = instance.parameters
+    body, frame = instance.nodes[4:6]
+    radius, half = float(z["radius"][0]), WIDTH / 2 * float(z["rope_radius"][0])
+    if instance.spec.name.startswith("planar"):
+        R = turned(float(state.position(frame)[0]) + float(z["alpha0"][0]))
+        axle, spoke = R[:, 2], R[:, 0]
+    else:
+        R = matrix(product(state.position(frame), z["t"]))
+        axle, spoke = R[:, 0], R[:, 1]
+    centre = place(state, body) + R @ np.append(z["offset"], 0.0)[:3]
+    line = np.array([centre - half * axle, centre + half * axle])
+    name, pose = f"{body} {radius:g}", (centre, R)
+    yield Shape("sheave", name, (line,), pose, circle(radius, RING.size - 1), np.array([spoke, spoke]))
+    faces = [centre + side * 1.05 * half * axle for side in (-1, 1)]
+    marks = tuple(np.array([face, face + 0.95 * radius * spoke]) for face in faces)
+    yield Shape("valve", name, marks, pose)
+    across = np.column_stack([spoke, np.cross(axle, spoke)])
+    ring = radius * (across @ np.array([np.cos(RING), np.sin(RING)])).T
+    yield Shape("spoke", name, tuple(ring + face for face in faces), pose)

@@ -1,0 +1,159 @@
+"""The primitives of a picture: lines that a body carries or that deform, with a section, a force or values.
+
+Imports numpy and the runtime rooms of materials, orientation, sections, state and structure.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from flexel.materials import Profile
+from flexel.orientation import matrix
+from flexel.sections import IBeam, Rectangle, Section, Tube
+from flexel.state import State
+from flexel.structure import Array, Instance, Structure
+from flexel.wire_rope import WireRope
+
+CORNERS = 16  # of a round section
+
+
+@dataclass(frozen=True)
+class Shape:
+    """Lines and marks of one part, to be painted in one style.
+
+    Attributes
+    ----------
+    style : str
+        bar, beam, rope, sheave, rim, spoke, valve, axle, hinge, box, mass, joint, fixed, sketch or force.
+    name : str
+        Name of the element or node.
+    lines : tuple of ndarray (k, 3)
+        Polylines in global axes [m]; a mark is a polyline of one point.
+    pose : (origin (3,), axes (3, 3)), optional
+        Of the body that carries the lines, if they do not deform.
+    outline : ndarray (k, 2), optional
+        Corners (y, z) of the section that is swept along the lines [m]; thin lines without.
+    across : ndarray (2, 3), optional
+        Directions of the section's y axis at the ends of the lines; any, if they do not matter.
+    force : ndarray (3,), optional
+        A force on the point that is the only vertex [N].
+    values : mapping of str to ndarray
+        What the line may be coloured by: values at equal steps along it, one for all of it.
+    """
+
+    style: str
+    name: str
+    lines: tuple[Array, ...]
+    pose: tuple[Array, Array] | None = None
+    outline: Array | None = None
+    across: Array | None = None
+    force: Array | None = None
+    values: Mapping[str, Array] = field(default_factory=dict)
+
+
+UNITS = {"tension": "N", "bending moment": "N m", "strain": "-"}  # of the values that a line is coloured by
+
+
+@dataclass(frozen=True)
+class Sketch:
+    """A polyline that a body carries, only to be seen: it has no part in the mechanics.
+
+    Parameters
+    ----------
+    point, frame : str
+        Nodes of the body.
+    drawn : sequence of (x, y, z)
+        Vertices in global axes, as the model is drawn (before it moves) [m].
+    """
+
+    point: str
+    frame: str
+    drawn: Sequence[Sequence[float]]
+
+
+def place(state: State, node: str) -> Array:
+    """Place (3,) of a point; planar points lie in z = 0."""
+    x = state.position(node)
+    return np.append(x, 0.0) if x.size == 2 else x
+
+
+def turned(angle: float) -> Array:
+    """Axes (3, 3) turned about z by a planar node's angle."""
+    c, s = np.cos(angle), np.sin(angle)
+    return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+
+
+def axes_of(state: State, frame: str) -> Array:
+    """Axes (3, 3) of a frame or of a planar angle."""
+    x = state.position(frame)
+    return turned(float(x[0])) if x.size == 1 else matrix(x)
+
+
+def extent(structure: Structure) -> float:
+    """Size of the model as drawn [m]: of the box around its points, mass centres and wheels, or of its largest body.
+
+    A model in which nothing has a size is given 1 m.
+    """
+    sizes, gyration = [0.0], 0.0
+    for instance in structure.instances:
+        z = instance.parameters
+        if "c" in z:
+            sizes.append(float(np.linalg.norm(z["c"])))
+        if "radius" in z:
+            sizes.append(2 * float(np.max(z["radius"])))
+        if "J" in z and "mass" in z:
+            gyration = max(gyration, float(np.sqrt(np.max(z["J"]) / z["mass"][0])))
+    places = [np.append(n.x0, 0.0)[:3] for n in structure.nodes if n.kind.endswith("point")]
+    if places:
+        sizes.append(float(np.max(np.ptp(places, axis=0))))
+    return max(sizes) or 3 * gyration or 1.0
+
+
+def circle(radius: float, corners: int = CORNERS) -> Array:
+    """Outline (corners, 2) of a round section."""
+    angles = np.arange(corners) * 2 * np.pi / corners
+    return radius * np.column_stack([np.cos(angles), np.sin(angles)])
+
+
+def rectangle(height: float, width: float) -> Array:
+    """Outline (4, 2) of a rectangle, `height` along y."""
+    return np.array([(1, 1), (-1, 1), (-1, -1), (1, -1)]) * (height / 2, width / 2)
+
+
+def outline_of(section: Section) -> Array:
+    """Outline (k, 2) of a section; a circle of the same area for a kind of the user's own."""
+    if isinstance(section, Rectangle):
+        return rectangle(section.height, section.width)
+    if isinstance(section, Tube):
+        return circle(section.outer / 2)
+    if isinstance(section, WireRope):
+        return circle(section.diameter / 2)
+    if isinstance(section, IBeam):
+        h, b, w = section.height / 2, section.width / 2, section.web / 2
+        f = h - section.flange
+        half = [(h, b), (f, b), (f, w), (-f, w), (-f, b), (-h, b)]
+        return np.array(half + [(y, -z) for y, z in reversed(half)])
+    return circle(float(np.sqrt(section.A / np.pi)))
+
+
+def section_outline(instance: Instance) -> Array | None:
+    """Outline of an element's section, where it has one."""
+    return outline_of(instance.profile.section) if isinstance(instance.profile, Profile) else None
+
+
+def cubic(xi: Array, ends: tuple[Array, Array], slopes: tuple[Array, Array]) -> Array:
+    """Points (k, 3) of the cubic through two ends with given slopes d/dxi, at xi (k, 1) from 0 to 1."""
+    line = (1 - 3 * xi**2 + 2 * xi**3) * ends[0] + (3 * xi**2 - 2 * xi**3) * ends[1]
+    return np.asarray(line + (xi - 2 * xi**2 + xi**3) * slopes[0] + (xi**3 - xi**2) * slopes[1])
+
+
+def resultant(state: State, instance: Instance, points: Sequence[str]) -> Array:
+    """Force (3,) of an element on some of its points, taken together [N]."""
+    s = state.structure
+    rows = [s.index[z] for z in (*instance.deformations, *instance.slips)]
+    f = -(state.J[rows].T @ state.stress[rows])
+    total = np.sum([f[s.places(n)] for n in points], axis=0)
+    return np.append(total, 0.0)[:3]

@@ -1,0 +1,142 @@
+"""A SPACAR file as readable flexel Python.
+
+Imports the reading and its calls.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from flexel.errors import ModelError
+from flexel.spacar.reading import Spacar, read_spacar
+from flexel.spacar.statements import Call, literal
+
+WIDTH = 110
+SECTIONS = {
+    "point": "nodes: positions p, orientations o",
+    "frame": "nodes: positions p, orientations o",
+    "angle": "nodes: positions p, orientations o",
+    "fix": "nodes: positions p, orientations o",
+    "point_mass": "masses of nodes",
+    "rotary_inertia": "masses of nodes",
+    "load": "loads",
+    "prescribe": "prescribed motions",
+    "independent": "freedoms",
+    "kinematic": "freedoms",
+    "initial": "initial values",
+    "angular_velocity": "inputs of the linear model",
+}
+
+
+def convert_spacar(path: str | Path, target: str | Path, dialect: str | None = None) -> Path:
+    """Write the Python program that a SPACAR file corresponds to.
+
+    Parameters
+    ----------
+    path, target : str or Path
+        The .dat file, and the .py file to be written; an existing one is not overwritten.
+    dialect : "delft" or "twente", optional
+
+    Returns
+    -------
+    Path
+        The target.
+
+    Raises
+    ------
+    ModelError
+        A file that cannot be read as SPACAR's, a target that exists.
+    """
+    target = Path(target)
+    if target.exists():
+        raise ModelError(f"{target}: exists already; remove it, or give another name")
+    target.write_text(python_source(read_spacar(path, dialect)), encoding="utf-8")
+    return target
+
+
+def python_source(file: Spacar) -> str:
+    """The program: the model, then what `flexel run` does with it."""
+    lines = [
+        f'"""{file.path.name}, a SPACAR input file of the {file.dialect} dialect, as a flexel model.',
+        "",
+        "Names and signs of deformations are flexel's; `flexel run` on the file itself reports them in SPACAR's.",
+        '"""',
+        "",
+        "import flexel as fx",
+        "",
+        f"m = fx.Model({f'gravity={literal(file.gravity)}' if any(file.gravity) else ''})",
+    ]
+    section = ""
+    for call in file.calls:
+        title = SECTIONS.get(call.method, "elements and their laws")
+        if title != section:
+            lines += ["", f"# {title}"]
+            section = title
+        lines += _wrapped(call)
+    if file.load_steps:
+        lines += [
+            "",
+            "# with the load steps of the file, t from 0 to 1:",
+            *(f"# {call}" for call in file.load_steps),
+        ]
+    if file.duration is not None:
+        step = f', "max_step": {file.max_step!r}' if file.max_step else ""
+        options = f'{{"duration": {file.duration!r}, "samples": {file.steps + 1}{step}}}'
+        lines += ["", f"simulate = {options}"]
+    lines += ["", 'if __name__ == "__main__":']
+    lines += [f"    {line}" if line else "" for line in _analysis(file)]
+    return "\n".join(lines) + "\n"
+
+
+def _wrapped(call: Call) -> Sequence[str]:
+    """A call on one line, or its arguments below it where it is long."""
+    text = str(call)
+    if len(text) <= WIDTH:
+        return [text]
+    options = [f"{key}={literal(value)}" for key, value in call.options.items()]
+    return [f"m.{call.method}(", *_filled([*map(literal, call.arguments), *options]), ")"]
+
+
+def _filled(parts: Sequence[str]) -> list[str]:
+    """Indented lines of parts with commas, as many on a line as there is room for."""
+    lines = [""]
+    for part in parts:
+        if lines[-1] and len(lines[-1]) + len(part) + 6 > WIDTH:
+            lines.append("")
+        lines[-1] += (" " if lines[-1] else "") + part + ","
+    return [f"    {line}" for line in lines]
+
+
+def _analysis(file: Spacar) -> list[str]:
+    """What the program does when it is run."""
+    start = repr(float(file.start)) if file.start else ""
+    lines = [f"system = m.build({start})"]
+    if file.duration is not None:
+        lines += ["state = system.simulate(**simulate)[-1]"]
+    else:
+        lines += ["state = system.equilibrium()"]
+    names = [
+        *file.coordinates.values(),
+        *(name for name, _ in file.deformations.values() if name not in file.slips),
+    ]
+    lines += [
+        "names = (",
+        *_filled([literal(name) for name in names]),
+        ")",
+        "for name in names:",
+        '    print(f"{name:<24} {state[name]: .12e}")',
+    ]
+    if file.linearized:
+        lines += [
+            "lin = system.linearize()",
+            *(f'print("lin.{z}", lin.{z}.tolist())' for z in ("M", "C", "K")),
+        ]
+    if file.inputs or file.outputs:
+        for what, terminals in (("inputs", file.inputs), ("outputs", file.outputs)):
+            lines.append(f"{what} = {literal([z.name for z in terminals])}")
+            flipped = [z for z in terminals if z.factor != 1.0]
+            lines += [f"# {z.name}: the {what[:-1]} of the file is {z.factor!r} times this" for z in flipped]
+        lines.append("A, B, C, D = lin.state_space(inputs, outputs)")
+        lines += [f'print("{z}", {z}.tolist())' for z in "ABCD"]
+    return lines

@@ -1,0 +1,292 @@
+"""Elements of the sheet as calls of `Model`: geometry, mass, stiffness and damping of each type.
+
+Imports numpy, the sheet and the stiffness of beams.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+
+from flexel.beams import bending_block
+from flexel.spacar.sheet import ElementEntry, NodeEntry, quantity
+from flexel.spacar.statements import Call
+from flexel.structure import Array
+
+# stiffnesses that make modes flexible together, and these modes, of beams in space and in the plane
+SPATIAL_GROUPS = {"EA": {1}, "GJ": {2}, "EIy": {3, 4}, "EIz": {5, 6}}
+PLANAR_GROUPS = {"EA": {1}, "EIz": {2, 3}}
+
+
+def element_calls(entry: ElementEntry, dialect: str) -> list[Call]:
+    """Calls that make an element with its mass, its roles and its laws; none for an automatic norm."""
+    keyword = entry.line.keyword
+    for given in entry.lines:
+        if given not in USES.get(keyword, ()):
+            allowed = ", ".join(USES.get(keyword, ())) or "none of these"
+            raise entry.lines[given].error(f"a {keyword} takes {allowed}; take the line out")
+    if keyword == "L2MIN1":
+        return []
+    return MAKERS[keyword](entry, dialect)
+
+
+def length(entry: ElementEntry) -> float:
+    """Distance between the first and the last position node as drawn."""
+    points = [node for node in entry.nodes if node.kind.endswith("point")]
+    return float(np.linalg.norm(points[-1].x - points[0].x))
+
+
+# -- stiffness and damping -----------------------------------------------------------------------
+
+
+def coefficients(entry: ElementEntry, keyword: str) -> Array:
+    """Matrix of all modes of the element that a line ESTIFF or EDAMPP gives, for SPACAR's deformations."""
+    given, kind = entry.values(keyword), entry.kind
+    if len(given) > len(kind.stiffness):
+        raise entry.lines[keyword].error(
+            f"{len(given)} values given; a {entry.line.keyword} has {', '.join(kind.stiffness)}"
+        )
+    if any(value < 0 for value in given):
+        raise entry.lines[keyword].error("a value is negative; give zero or positive ones")
+    K = np.zeros((len(kind.modes),) * 2)
+    if entry.line.keyword not in BEAMS:
+        along = entry.line.keyword in ("TRUSS", "PLTRUSS", "PLBELT")
+        for i, value in enumerate(given):
+            K[i, i] = value / tangent_length(entry) if along else value
+        return K
+    l0 = length(entry)
+    values = dict(zip(kind.stiffness, given, strict=False))
+    K[0, 0] = values.get("EA", 0.0) / l0
+    if "EI" in kind.stiffness:
+        K[1:, 1:] = bending_block(values.get("EI", 0.0), 0.0, l0)
+        return K
+    K[1, 1] = values.get("GJ", 0.0) / l0**3
+    K[2:4, 2:4] = bending_block(values.get("EIy", 0.0), 12 * values.get("EIy/GAk", 0.0) / l0**2, l0)
+    K[4:, 4:] = bending_block(values.get("EIz", 0.0), 12 * values.get("EIz/GAk", 0.0) / l0**2, l0)
+    return K
+
+
+def tangent_length(entry: ElementEntry) -> float:
+    """Length of a bar without strain, or of the straight part of a belt."""
+    if entry.line.keyword == "PLBELT":
+        a, b = entry.numbers
+        return float(np.sqrt(max(length(entry) ** 2 - (a - b) ** 2, 0.0))) or length(entry)
+    return entry.values("LENGTH0")[0] if "LENGTH0" in entry.lines else length(entry)
+
+
+def law_calls(entry: ElementEntry) -> list[Call]:
+    """The linear law of the modes that are not rigid, and the release of those without one.
+
+    Angles of hinges and bearings need no release.
+    """
+    S, D = coefficients(entry, "ESTIFF"), coefficients(entry, "EDAMPP")
+    used = [i for i in sorted(entry.free) if i not in entry.kind.slips and (S[i - 1].any() or D[i - 1].any())]
+    calls = []
+    if used:
+        names, factors = zip(*(quantity(entry, i) for i in used), strict=True)
+        grid = np.ix_([i - 1 for i in used], [i - 1 for i in used])
+        ours = np.outer(factors, factors)
+        line = entry.lines.get("ESTIFF") or entry.lines["EDAMPP"]
+        rows = {"D": _rows(D[grid] * ours)} if np.any(D[grid]) else {}
+        calls.append(Call("linear_law", (list(names), _rows(S[grid] * ours)), rows, line))
+    others = [
+        name
+        for i in sorted(entry.free)
+        if i not in used and not (name := quantity(entry, i)[0]).endswith(".angle")
+    ]
+    if others:
+        calls.append(Call("release", tuple(others), {}, entry.line))
+    return calls
+
+
+def _rows(A: Array) -> list[list[float]]:
+    return [[float(z) for z in row] for row in A]
+
+
+# -- types ---------------------------------------------------------------------------------------
+
+
+def _direction(entry: ElementEntry) -> dict[str, Any]:
+    return {"direction": entry.numbers} if entry.numbers else {}
+
+
+def _axis(entry: ElementEntry) -> tuple[float, ...]:
+    if not entry.numbers:
+        raise entry.line.error("its axis is missing; give x y z behind the nodes, or a line DIR")
+    return entry.numbers
+
+
+def _beam(entry: ElementEntry, dialect: str) -> list[Call]:
+    """A beam, by its stiffnesses where whole groups of modes deform, else rigid with a law of its own."""
+    planar = entry.line.keyword.startswith("PL")
+    second = entry.line.keyword.endswith("NL") or (dialect == "twente" and entry.line.keyword == "BEAM")
+    options: dict[str, Any] = {} if planar else _direction(entry)
+    options |= _mass(entry, planar) | ({} if second else {"second_order": False})
+    stiffness = _whole_groups(entry, PLANAR_GROUPS if planar else SPATIAL_GROUPS)
+    if stiffness is None:
+        rigid = Call("beam", (entry.name, *entry.ends), {"rigid": True} | options, entry.line)
+        return [rigid, *law_calls(entry)]
+    return [Call("beam", (entry.name, *entry.ends), stiffness | options, entry.line)]
+
+
+def _whole_groups(entry: ElementEntry, groups: dict[str, set[int]]) -> dict[str, float] | None:
+    """Stiffnesses and damping as `Model.beam` takes them; None where that cannot say it."""
+    given = dict(zip(entry.kind.stiffness, entry.values("ESTIFF"), strict=False))
+    if "EI" in given:
+        given["EIz"] = given.pop("EI")
+    chosen = {
+        key: given[key] for key, modes in groups.items() if modes & entry.free and given.get(key, 0.0) > 0
+    }
+    if not chosen or set().union(*(groups[key] for key in chosen)) != entry.free:
+        return None
+    for bending, key, shear in (("EIy", "EIy/GAk", "GAz"), ("EIz", "EIz/GAk", "GAy")):
+        if bending in chosen and given.get(key, 0.0) > 0:
+            chosen[shear] = given[bending] / given[key]
+    S, D = coefficients(entry, "ESTIFF"), coefficients(entry, "EDAMPP")
+    grid = np.ix_([i - 1 for i in sorted(entry.free)], [i - 1 for i in sorted(entry.free)])
+    ratio = float(D[grid][0, 0] / S[grid][0, 0])
+    if np.max(np.abs(D[grid] - ratio * S[grid])) > 1e-12 * np.max(np.abs(D[grid]), initial=0.0):
+        return None
+    return chosen | ({"damping": ratio} if ratio else {})
+
+
+def _mass(entry: ElementEntry, planar: bool) -> dict[str, Any]:
+    values = entry.values("EMASS")
+    if not values:
+        return {}
+    line = entry.lines["EMASS"]
+    if len(values) > 4 and values[4]:
+        raise line.error(
+            "a product of inertia of the section is not supported; turn the section to its principal axes"
+        )
+    options: dict[str, Any] = {"mass_per_length": values[0]}
+    if any(values[1:4]):
+        inertia = (*values[1:4], 0.0, 0.0)[:3]
+        if planar:
+            raise line.error("a planar element takes rhoA alone; take the inertias out")
+        options["inertia_per_length"] = inertia
+    return options
+
+
+def _rigid_beam(entry: ElementEntry, dialect: str) -> list[Call]:
+    options = _direction(entry) | _mass(entry, planar=False)
+    return [Call("beam", (entry.name, *entry.ends), {"rigid": True} | options, entry.line), *law_calls(entry)]
+
+
+def _truss(entry: ElementEntry, dialect: str) -> list[Call]:
+    options = _mass(entry, planar=True)
+    if "LENGTH0" not in entry.lines:
+        return [Call("truss", (entry.name, *entry.ends), options, entry.line), *law_calls(entry)]
+    l0 = entry.values("LENGTH0")[0]
+    if l0 <= 0:
+        raise entry.lines["LENGTH0"].error(f"the length {l0:g} is not positive; correct it")
+    values = {"l0": [l0], "rhoA": [options.get("mass_per_length", 0.0)]}
+    kind = "planar_truss" if entry.line.keyword == "PLTRUSS" else "truss"
+    return [
+        Call("add", (entry.name, kind, list(entry.ends), values), {}, entry.lines["LENGTH0"]),
+        *law_calls(entry),
+    ]
+
+
+def _hinge(entry: ElementEntry, dialect: str) -> list[Call]:
+    options = {} if entry.line.keyword == "PLHINGE" else {"axis": _axis(entry)}
+    rigid = [quantity(entry, 1)[0]] if 1 not in entry.free else []
+    held = [Call("rigid", tuple(rigid), {}, entry.line)] if rigid else []  # the angle is free by default here
+    return [Call("hinge", (entry.name, *entry.ends), options, entry.line), *held, *law_calls(entry)]
+
+
+def _bearing(entry: ElementEntry, dialect: str) -> list[Call]:
+    planar = entry.line.keyword == "PLBEAR"
+    angle = 3 if planar else 4
+    held = [] if angle in entry.free else [Call("rigid", (quantity(entry, angle)[0],), {}, entry.line)]
+    options = {} if planar else {"axis": _axis(entry)}
+    return [Call("bearing", (entry.name, *entry.ends), options, entry.line), *held, *law_calls(entry)]
+
+
+def _body_point(entry: ElementEntry, dialect: str) -> list[Call]:
+    options = {"body_axes": True} if entry.free else {}
+    return [Call("fixed_point", (entry.name, *entry.ends), options, entry.line), *law_calls(entry)]
+
+
+def _wheel(entry: ElementEntry, dialect: str) -> list[Call]:
+    hub, _, contact = entry.nodes
+    axle = _axis(entry)
+    radius, height = float(np.linalg.norm(contact.x - hub.x)), float(hub.x[2] - contact.x[2])
+    if not height:
+        raise entry.line.error("hub and contact point are equally high as drawn; correct their coordinates")
+    z = float(np.sign(height))  # up, where z points down as well
+    options = {
+        "radius": radius,
+        "axle": axle,
+        "normal": (0.0, 0.0, z),
+        "height": z * float(contact.x[2]) + 0.0,
+    }
+    return [Call("wheel", (entry.name, *entry.ends), options, entry.line), *law_calls(entry)]
+
+
+def _planar_wheel(entry: ElementEntry, dialect: str) -> list[Call]:
+    radius, x, y = entry.numbers
+    options = {"radius": radius, "direction": (x, y)}
+    return [Call("planar_wheel", (entry.name, *entry.ends), options, entry.line), *law_calls(entry)]
+
+
+def _belt(entry: ElementEntry, dialect: str) -> list[Call]:
+    options = dict(zip(("radius_p", "radius_q"), entry.numbers, strict=True))
+    return [Call("belt", (entry.name, *entry.ends), options, entry.line), *law_calls(entry)]
+
+
+def _gear(entry: ElementEntry, dialect: str) -> list[Call]:
+    options = dict(zip(("radius_p", "radius_q"), entry.numbers, strict=True))
+    return [Call("gears", (entry.name, *entry.ends), options, entry.line), *law_calls(entry)]
+
+
+def _surface(entry: ElementEntry, dialect: str) -> list[Call]:
+    xx, yy, zz, xy, yz, xz, *rest = entry.numbers
+    options = {"quadratic": (xx, yy, zz, xy, xz, yz), "linear": tuple(rest[:3]), "constant": rest[3]}
+    return [Call("surface", (entry.name, *entry.ends), options, entry.line), *law_calls(entry)]
+
+
+BEAMS = ("BEAM", "BEAMNL", "PLBEAM", "PLBEAMNL")
+MAKERS: dict[str, Callable[[ElementEntry, str], list[Call]]] = {
+    **dict.fromkeys(BEAMS, _beam),
+    "RBEAM": _rigid_beam,
+    "TRUSS": _truss,
+    "PLTRUSS": _truss,
+    "HINGE": _hinge,
+    "PLHINGE": _hinge,
+    "BEARING": _bearing,
+    "PLBEAR": _bearing,
+    "PINBODY": _body_point,
+    "PLPINBOD": _body_point,
+    "WHEEL": _wheel,
+    "PLWHEEL": _planar_wheel,
+    "PLBELT": _belt,
+    "GEAR": _gear,
+    "SURFACE": _surface,
+}
+_LAW = ("ESTIFF", "EDAMPP")
+USES: dict[str, Sequence[str]] = {
+    **dict.fromkeys(BEAMS, ("EMASS", *_LAW)),
+    "RBEAM": ("EMASS",),
+    "TRUSS": ("EMASS", "LENGTH0", *_LAW),
+    "PLTRUSS": ("EMASS", "LENGTH0", *_LAW),
+    **dict.fromkeys(("HINGE", "PLHINGE", "BEARING", "PLBEAR", "PLBELT", "GEAR"), _LAW),
+}
+
+
+def node_calls(nodes: Sequence[NodeEntry]) -> list[Call]:
+    """Calls that make the nodes and fix them, wholly or in part."""
+    methods = {"point": "point", "planar_point": "point", "frame": "frame", "planar_angle": "angle"}
+    calls = []
+    for node in nodes:
+        x = tuple(float(z) for z in node.x)
+        whole = len(node.fixed) == len(x)
+        options = {"fixed": True} if whole else {}
+        calls.append(Call(methods[node.kind], (node.name, x if len(x) > 1 else x[0]), options))
+        if node.fixed and not whole:
+            calls.append(
+                Call("fix", tuple(f"{node.name}.{node.components[i - 1]}" for i in sorted(node.fixed)))
+            )
+    return calls

@@ -1,0 +1,242 @@
+"""Tables of the input language: keywords, how they are written, and the elements with their modes.
+
+Sources: manual SPACAR95 (Schwab and Meijaard 2000); Meijaard, Papadopoulos, Ruina and Schwab (2007), Proc. R. Soc. A
+463:1955, electronic supplement; UT SPACAR.  Imports dataclasses only.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Usage:
+    """How a keyword is written: the form, the least and the largest count of numbers, or any text."""
+
+    form: str
+    least: int
+    most: int
+    text: bool = False
+
+
+@dataclass(frozen=True)
+class Mode:
+    """A deformation of a SPACAR element: our name, and the factor by which theirs is larger than ours.
+
+    `scale` names a length of the element that enters the factor too: "radius" of a wheel's rim (slips are not
+    normalized), "radii", the sum of those of two gears.
+    """
+
+    name: str
+    factor: float = 1.0
+    scale: str = ""
+
+
+@dataclass(frozen=True)
+class ElementType:
+    """An element of the input language.
+
+    Attributes
+    ----------
+    nodes : tuple of str
+        Kinds of its nodes.
+    numbers : tuple of str
+        What follows the nodes; an optional direction has its names in brackets.
+    modes : tuple of Mode
+        Its deformations in SPACAR's order.
+    slips : tuple of int
+        Which of the modes are slips.
+    stiffness : tuple of str
+        What ESTIFF and EDAMPP give.
+    assumed : str
+        What the published descriptions leave open and how it is read; told to the user where it matters.
+    """
+
+    nodes: tuple[str, ...]
+    modes: tuple[Mode, ...]
+    numbers: tuple[str, ...] = ()
+    optional: int = 0
+    slips: tuple[int, ...] = ()
+    stiffness: tuple[str, ...] = ()
+    assumed: str = ""
+
+
+P, F, XY, B = "point", "frame", "planar_point", "planar_angle"
+AXIS = ("x", "y", "z")
+BENDS = tuple(Mode(name) for name in ("elongation", "torsion", "bend1", "bend2", "bend3", "bend4"))
+PLANAR_BENDS = (
+    Mode("elongation"),
+    Mode("bend1", -1.0),
+    Mode("bend2", -1.0),
+)  # the spatial beam's sign is opposite
+HINGE = (Mode("angle"), Mode("bend2", -1.0), Mode("bend1"))
+BODY_POINT = (Mode("along"), Mode("across1"), Mode("across2"))
+_BEAM = ("EA", "GJ", "EIy", "EIz")
+
+ELEMENTS: dict[str, ElementType] = {
+    "BEAM": ElementType((P, F, P, F), BENDS, AXIS, 3, stiffness=(*_BEAM, "EIy/GAk", "EIz/GAk")),
+    "BEAMNL": ElementType((P, F, P, F), BENDS, AXIS, 3, stiffness=_BEAM),
+    "RBEAM": ElementType((P, F, P), BODY_POINT, AXIS, 3),
+    "TRUSS": ElementType((P, P), (Mode("elongation"),), stiffness=("EA",)),
+    "HINGE": ElementType((F, F), HINGE, AXIS, 3, stiffness=("S1", "S2", "S3")),
+    "BEARING": ElementType(
+        (P, F, P, F),
+        (Mode("axial"), Mode("radial1"), Mode("radial2"), *HINGE),
+        AXIS,
+        3,
+        stiffness=("S1", "S2", "S3", "S4", "S5", "S6"),
+        assumed="modes 1 to 3 are read as the displacements along and across the axis, 4 to 6 as those of a HINGE",
+    ),
+    "SURFACE": ElementType(
+        (P,),
+        (Mode("height"),),
+        tuple(f"c{i}" for i in range(1, 11)),
+        assumed="c1 ... c10 are read as the factors of x², y², z², xy, yz, xz, x, y, z and 1",
+    ),
+    "L2MIN1": ElementType((F,), (Mode("norm"),)),
+    "WHEEL": ElementType(
+        (P, F, P),
+        (
+            Mode("radius"),
+            Mode("plane"),
+            Mode("surface"),
+            Mode("longitudinal", scale="radius"),
+            Mode("lateral", scale="radius"),
+        ),
+        AXIS,
+        slips=(4, 5),
+    ),
+    "PINBODY": ElementType((P, F, P), BODY_POINT),
+    "PLBEAM": ElementType((XY, B, XY, B), PLANAR_BENDS, stiffness=("EA", "EI")),
+    "PLBEAMNL": ElementType((XY, B, XY, B), PLANAR_BENDS, stiffness=("EA", "EI")),
+    "PLHINGE": ElementType((B, B), (Mode("angle"),), stiffness=("St",)),
+    "PLTRUSS": ElementType((XY, XY), (Mode("elongation"),), stiffness=("EA",)),
+    "PLBELT": ElementType((XY, B, XY, B), (Mode("elongation"),), ("r1", "r2"), stiffness=("EA",)),
+    "PLBEAR": ElementType(
+        (XY, B, XY, B), (Mode("along"), Mode("across"), Mode("angle")), stiffness=("Sx", "Sy", "St")
+    ),
+    "PLPINBOD": ElementType((XY, B, XY), (Mode("along"), Mode("across"))),
+    "PLWHEEL": ElementType(
+        (XY, B, B),
+        (Mode("longitudinal"), Mode("lateral")),
+        ("r", "x", "y"),
+        slips=(1, 2),
+        assumed="o1 is read as the heading and o2 as the turn about the axle; modes 1 and 2 are the slips along and "
+        "across the direction (x, y)",
+    ),
+    "GEAR": ElementType(
+        (XY, B, XY, B),
+        (Mode("mesh", scale="radii"),),
+        ("r1", "r2"),
+        stiffness=("S",),
+        assumed="it is read as the planar pair `GEAR e p1 o1 p2 o2 r1 r2` of pitch radii r1, r2, internal gears "
+        "negative",
+    ),
+}
+
+_FORMS: dict[str, tuple[str, int, int]] = {
+    # nodes
+    "X": ("n x ...", 2, 5),
+    "XY": ("n x y", 3, 3),
+    "BETA": ("n beta", 2, 2),
+    "XYZ": ("n x y z", 4, 4),
+    "LAMBDA": ("n lambda0 lambda1 lambda2 lambda3", 5, 5),
+    # roles
+    "FIX": ("n [i ...]", 1, 5),
+    "INPUTX": ("n i [x0 v0 a0]", 2, 5),
+    "DYNX": ("n i", 2, 6),
+    "KINX": ("n i", 2, 6),
+    "RLSE": ("e i ...", 2, 7),
+    "INPUTE": ("e i [e0 v0 a0]", 2, 5),
+    "DYNE": ("e i ...", 2, 7),
+    "KINE": ("e i ...", 2, 7),
+    "LINE": ("e i ...", 2, 7),
+    "ENHC": ("e1 i1 e2 i2", 4, 4),
+    # initial values
+    "XD": ("n i v", 3, 3),
+    "XDD": ("n i a", 3, 3),
+    "E": ("e i value", 3, 3),
+    "ED": ("e i rate", 3, 3),
+    "EDD": ("e i acceleration", 3, 3),
+    "STARTDE": ("e i value rate", 3, 4),
+    "TIME": ("t", 1, 1),
+    "DIR": ("e x y z", 4, 4),
+    "LENGTH0": ("e l0", 2, 2),
+    # dynamics
+    "MASS": ("n m | n Izz | n Ixx Ixy Ixz Iyy Iyz Izz", 2, 7),
+    "EMASS": ("e rhoA [Jxx Jyy Jzz Jyz]", 2, 6),
+    "ESTIFF": ("e ...", 2, 7),
+    "EDAMPP": ("e ...", 2, 7),
+    "FORCE": ("n ...", 2, 5),
+    "DELXF": ("n ...", 2, 5),
+    "TORQUEL": ("n T ...", 2, 4),
+    "GRAVITY": ("gx gy gz", 2, 3),
+    "DELINPX": ("n i change", 3, 3),
+    "DELINPE": ("e i change", 3, 3),
+    # inputs and outputs of the linear model
+    "INPUTF": ("k n i", 3, 3),
+    "INPUTS": ("k e i", 3, 3),
+    "OUTX": ("k n i", 3, 3),
+    "OUTXP": ("k n i", 3, 3),
+    "OUTE": ("k e i", 3, 3),
+    "OUTEP": ("k e i", 3, 3),
+    # settings
+    "TIMESTEP": ("n T (Delft) or T n (Twente)", 2, 2),
+    "HMAX": ("h", 1, 1),
+    "ITERSTEP": ("n [...]", 1, 4),
+    "MAXITERAT": ("n", 1, 1),
+    "EPSKIN": ("eps", 1, 1),
+    "EPSINT": ("eps", 1, 1),
+    "EPSIND": ("eps", 1, 1),
+    "ERROR": ("abs rel", 1, 2),
+    "FORCEMODE": ("0|1|2", 1, 1),
+    "ANIMATE": ("", 0, 9),
+    "MATASC": ("", 0, 9),
+    "OUTLEVEL": ("...", 0, 9),
+}
+
+KEYWORDS: dict[str, Usage] = {key: Usage(*form) for key, form in _FORMS.items()}
+KEYWORDS["JOBID"] = Usage("text", 0, 99, text=True)
+for _key, _type in ELEMENTS.items():
+    _ends = [f"n{_i}" for _i in range(1, len(_type.nodes) + 1)]
+    _most = 1 + len(_ends) + len(_type.numbers)
+    KEYWORDS[_key] = Usage(" ".join(("e", *_ends, *_type.numbers)), _most - _type.optional, _most)
+_BY_FIRST_LETTERS = {"MAXITERAT", "FORCEMODE"}  # longer than the eight characters that count
+
+SYNONYMS = {"XM": "MASS", "EM": "EMASS", "XF": "FORCE", "EDAMP": "EDAMPP", "PLPINBODY": "PLPINBOD"}
+SYNONYMS |= {key[:8]: key for key in _BY_FIRST_LETTERS}
+
+# keywords by which a file shows its dialect
+DELFT_ONLY = frozenset(
+    "MASS EMASS FORCE EDAMPP ENHC LINE EPSKIN EPSINT EPSIND HMAX TORQUEL LENGTH0 EOF".split()
+)
+TWENTE_ONLY = frozenset(
+    "XM EM XF EDAMP KINX KINE RBEAM GRAVITY DELXF DELINPX DELINPE STARTDE ITERSTEP OUTLEVEL INPUTF INPUTS OUTX "
+    "OUTXP OUTE OUTEP VISUALIZATION".split()
+)
+
+UNSUPPORTED = {
+    "BEAMW": "warping of sections is not modelled; use BEAM, with a larger GIp for restrained warping",
+    "TUBE": "use a BEAM, or a TRUSS whose elongation is an input for a telescope",
+    "PLTUBE": "use a PLBEAM, or a PLTRUSS whose elongation is an input for a telescope",
+    "SCREW": "couple rotation and travel in Python: flexel convert, then an element of your own",
+    "LGEOMY": "give the geometry by the coordinates of the nodes",
+    "RESTART": "in Python, motion[-1] is a state to start from: system.simulate(T, start=motion[-1])",
+    "USERSIG": "files are never executed; convert the file and attach the stress with m.law(...)",
+    "USERINP": "files are never executed; convert the file and give the motion with m.prescribe(...)",
+}
+
+# settings that change nothing here, and why
+WITHOUT_EFFECT = {
+    "MAXITERAT": "iterations stop at rounding, or with an error",
+    "EPSKIN": "positions are iterated to rounding",
+    "EPSINT": "motions are integrated with tolerances 1e-9 or smaller",
+    "EPSIND": "motions are integrated with tolerances 1e-9 or smaller",
+    "ERROR": "motions are integrated with tolerances 1e-9 or smaller",
+    "FORCEMODE": "all stresses and reactions are found always",
+    "ANIMATE": "pictures are made on demand, motion.animate(...)",
+    "MATASC": "matrices are written with --out",
+    "OUTLEVEL": "everything is kept; print what is wanted",
+    "JOBID": "results carry the name of the file",
+    "VISUALIZATION": "colours and sections of the picture are not read",
+}

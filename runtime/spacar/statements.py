@@ -1,0 +1,68 @@
+"""The model of a file as a list of calls of `Model`: run here, or printed as Python by the converter.
+
+One list serves both, so that a converted file cannot differ from the one that was read.
+Imports the model.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from flexel.errors import ModelError
+from flexel.functions import Polynomial
+from flexel.model import Model
+from flexel.spacar.lexer import Line
+
+
+@dataclass(frozen=True)
+class Call:
+    """One method of `Model` with its arguments: numbers, texts, tuples, mappings and polynomials.
+
+    Attributes
+    ----------
+    line : Line
+        Where it comes from.
+    """
+
+    method: str
+    arguments: tuple[Any, ...]
+    options: dict[str, Any] = field(default_factory=dict)
+    line: Line | None = None
+
+    def apply(self, model: Model) -> None:
+        """Call the method; an error tells the line of the file."""
+        try:
+            getattr(model, self.method)(*self.arguments, **self.options)
+        except ModelError as error:
+            if self.line is None:
+                raise
+            raise self.line.error(str(error)) from error
+
+    def __str__(self) -> str:
+        options = [f"{key}={literal(value)}" for key, value in self.options.items()]
+        return f"m.{self.method}({', '.join([*map(literal, self.arguments), *options])})"
+
+
+def literal(value: Any) -> str:
+    """Python source of an argument."""
+    if isinstance(value, Polynomial):
+        return f"fx.Polynomial({literal(tuple(value.coefficients))})"
+    if isinstance(value, str):
+        return '"' + value.replace("\\", "\\\\").replace('"', '\\"') + '"'
+    if isinstance(value, tuple):
+        return f"({', '.join(map(literal, value))}{',' if len(value) == 1 else ''})"
+    if isinstance(value, list):
+        return f"[{', '.join(map(literal, value))}]"
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{literal(k)}: {literal(v)}" for k, v in value.items()) + "}"
+    return repr(float(value)) if isinstance(value, float) else repr(value)
+
+
+def build_model(gravity: Sequence[float], calls: Sequence[Call]) -> Model:
+    """The model that the calls declare."""
+    model = Model(gravity=tuple(gravity))
+    for call in calls:
+        call.apply(model)
+    return model

@@ -1,0 +1,66 @@
+// The scene's packed numbers, and what they are at any time: between two frames, or in a mode of vibration.
+
+const scene = JSON.parse(document.getElementById("scene").textContent);
+
+/** Little-endian Float32 numbers from base64. */
+function floats(text) {
+  const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+  return new Float32Array(bytes.buffer);
+}
+
+/** Numbers over the frames, `width` of them in each; a single frame if they never change. */
+class Track {
+  constructor(text, width, modes) {
+    this.all = floats(text);
+    this.width = width;
+    this.moving = this.all.length > width;
+    this.modes = modes ? floats(modes) : null; // real and imaginary parts of each mode, unit amplitude
+    this.now = new Float32Array(width);
+  }
+
+  /** Numbers at an instant; poses have their quaternion in places 3 to 6. */
+  at(instant, pose = false) {
+    const { all, width, now } = this, a = this.moving ? instant.frame * width : 0;
+    if (this.moving && instant.fraction > 0) {
+      const b = a + width, f = instant.fraction;
+      let sign = 1;
+      if (pose) {
+        let dot = 0;
+        for (let i = 3; i < 7; i++) dot += all[a + i] * all[b + i];
+        sign = dot < 0 ? -1 : 1;
+      }
+      for (let i = 0; i < width; i++) now[i] = (1 - f) * all[a + i] + f * (pose && i > 2 ? sign : 1) * all[b + i];
+    } else {
+      for (let i = 0; i < width; i++) now[i] = all[a + i];
+    }
+    if (this.modes && instant.mode >= 0) {
+      const re = 2 * width * instant.mode, im = re + width;
+      const c = instant.amplitude * Math.cos(instant.phase), s = instant.amplitude * Math.sin(instant.phase);
+      for (let i = 0; i < width; i++) now[i] += c * this.modes[re + i] - s * this.modes[im + i];
+    }
+    if (pose) {
+      const n = Math.hypot(now[3], now[4], now[5], now[6]);
+      for (let i = 3; i < 7; i++) now[i] /= n;
+    }
+    return now;
+  }
+}
+
+/** Frame and fraction of a time. */
+function locate(t) {
+  const times = scene.times;
+  let low = 0, high = times.length - 1;
+  if (high < 1 || t <= times[0]) return { frame: 0, fraction: 0 };
+  if (t >= times[high]) return { frame: high, fraction: 0 };
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (times[middle] <= t) low = middle;
+    else high = middle;
+  }
+  return { frame: low, fraction: (t - times[low]) / (times[high] - times[low]) };
+}
+
+/** A number as text, short. */
+function short(x) {
+  return x !== 0 && (Math.abs(x) < 1e-3 || Math.abs(x) >= 1e5) ? x.toExponential(2) : String(+x.toPrecision(3));
+}

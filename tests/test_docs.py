@@ -1,0 +1,43 @@
+"""The documentation builds without a warning, and its programs run."""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+DOCS = Path(__file__).resolve().parents[1] / "docs"
+
+
+def programs(page: str) -> list[str]:
+    return re.findall(r"```python\n(.*?)```", (DOCS / page).read_text(encoding="utf-8"), re.DOTALL)
+
+
+def test_the_programs_of_the_first_five_minutes_run(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    pytest.importorskip("matplotlib", reason="the page draws with matplotlib: pip install 'flexel[plot]'")
+    monkeypatch.chdir(tmp_path)
+    names: dict[str, object] = {}
+    blocks = programs("start.md")
+    for block in blocks:
+        exec(block, names)
+    assert len(blocks) == 4
+    assert (tmp_path / "fourbar.png").stat().st_size > 5_000
+    printed = capsys.readouterr().out
+    shown = re.search(r"```text\n(.*?)```", (DOCS / "start.md").read_text(encoding="utf-8"), re.DOTALL)
+    assert shown is not None and shown[1].strip() in printed
+
+
+@pytest.mark.slow
+def test_the_pages_build_without_a_warning(tmp_path: Path) -> None:
+    for package in ("sphinx", "myst_parser"):
+        pytest.importorskip(package, reason="the documentation needs pip install 'flexel[docs]'")
+    command = [sys.executable, "-m", "sphinx", "-W", "--keep-going", "-q", "-d", str(tmp_path / "trees")]
+    answer = subprocess.run(
+        [*command, str(DOCS), str(tmp_path / "html")], capture_output=True, text=True, check=False
+    )
+    assert answer.returncode == 0, answer.stderr
+    page = (tmp_path / "html" / "_generated" / "elements" / "wheel.html").read_text(encoding="utf-8")
+    assert "longitudinal" in page and "against the definition" in page
