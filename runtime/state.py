@@ -6,16 +6,13 @@ Imports numpy and the structure.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 import numpy as np
 
 from flexel.errors import ModelError
 from flexel.roles import Roles
 from flexel.structure import Array, Structure
-
-if TYPE_CHECKING:
-    from flexel.evaluate import Evaluation
 
 
 @dataclass(frozen=True)
@@ -30,6 +27,17 @@ class Energy:
     def total(self) -> float:
         """Sum of the three."""
         return self.kinetic + self.potential + self.strain
+
+
+class Geometry(Protocol):
+    """What gives a state its names and its J when it is asked for: the evaluation of a model, or a file."""
+
+    @property
+    def structure(self) -> Structure:
+        """Names and index maps of the model."""
+
+    def position(self, x: Array) -> tuple[Array, Array]:
+        """Deformations as principal values (m,), and J (m + k + n, n)."""
 
 
 @dataclass(frozen=True)
@@ -70,7 +78,7 @@ class State:
     stress: Array
     reactions: Array
     roles: Roles = field(repr=False)
-    evaluation: Evaluation = field(repr=False)
+    evaluation: Geometry = field(repr=False)
     energy: Energy
     drift: float
     z: Array
