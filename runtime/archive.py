@@ -8,7 +8,7 @@ Imports numpy and the runtime rooms of records, states and structures.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -28,7 +28,6 @@ if TYPE_CHECKING:
 
 ENERGIES = ("kinetic", "potential", "strain")
 ROLES = ("rigid", "prescribed", "zero", "dynamic", "kinematic")
-_LATER = np.zeros((0, 0))
 TABLES = ("value", "rate", "acceleration", "force")
 
 
@@ -48,44 +47,9 @@ class Geometry:
             )
         return Evaluation(replace(self.structure, laws=()))
 
-    def jacobian(self, x: Array) -> Array:
-        """J (m + k + n, n) at coordinates x (n,)."""
-        return self._evaluation.position(x)[1]
-
-
-@dataclass(frozen=True, kw_only=True)
-class SavedState(State):
-    """A state from a file: everything by name, but no model behind it.  `System.restore` gives it one again.
-
-    Attributes
-    ----------
-    rates : ndarray (m + k + n,)
-        Of all quantities.
-    geometry : Geometry
-        Gives J, which is in no file, when it is asked for.
-    """
-
-    rates: Array = field(repr=False)
-    geometry: Geometry = field(repr=False)
-
-    def __post_init__(self) -> None:
-        object.__delattr__(self, "J")
-
-    @cached_property  # type: ignore[misc]  # what a file does not hold is found when it is asked for
-    def J(self) -> Array:  # noqa: N802
-        """De, V and the identity, stacked (m + k + n, n)."""
-        return self.geometry.jacobian(self.x)
-
-    @property
-    def qd(self) -> Array:
-        """Rates of the dynamic freedoms (nd,)."""
-        return np.asarray(self.rates[self.roles.dynamic])
-
-    def rate(self, name: str) -> float:
-        """Rate of a coordinate, a deformation or a law's internal state, or a slip itself."""
-        if name in self.structure.internal:
-            return super().rate(name)
-        return float(self.rates[self.structure.find(name)])
+    def position(self, x: Array) -> tuple[Array, Array]:
+        """Deformations e (m,) and J (m + k + n, n) at coordinates x (n,)."""
+        return self._evaluation.position(x)
 
 
 # -- motions --------------------------------------------------------------------------------------
@@ -142,7 +106,7 @@ def _packed(states: Sequence[State], dim: str, choices: _Choices) -> dict[str, V
     m, k = states[0].structure.m, states[0].structure.k
     tables = {
         "value": [z.values for z in states],
-        "rate": [_rates(z) for z in states],
+        "rate": [z.rates for z in states],
         "acceleration": [np.concatenate([z.Phi_v[: m + k], z.a]) for z in states],
         "force": [np.concatenate([z.stress, z.reactions]) for z in states],
     }
@@ -162,15 +126,6 @@ def _packed(states: Sequence[State], dim: str, choices: _Choices) -> dict[str, V
     numbers = np.array([choices.number(z) for z in states])
     found["choice"] = Variable((dim,), numbers, "", "which choice of freedoms the state is described by")
     return found
-
-
-def _rates(state: State) -> Array:
-    if isinstance(state, SavedState):
-        return state.rates
-    first = state.structure.m + state.structure.k
-    return np.array(
-        [*(row @ state.v for row in state.J[:first]), *state.v]
-    )  # as `State.rate`, to the last digit
 
 
 def motion_of(record: Record) -> Motion:
@@ -205,25 +160,23 @@ def _unpacked(structure: Structure, roles: Sequence[Roles], arrays: Mapping[str,
     none = np.zeros((len(arrays["time"]), 0))
     z, zd = (arrays.get(name, none) for name in ("internal", "internal_rate"))
     return [
-        SavedState(
+        State(
             t=float(t),
             x=value[i, first:],
             v=rate[i, first:],
             a=acceleration[i, first:],
             e=value[i, :m],
-            J=_LATER,
-            geometry=geometry,
+            rates=rate[i],
+            evaluation=geometry,
             stress=force[i, :first],
             reactions=force[i, first:],
             roles=roles[int(arrays["choice"][i])],
-            structure=structure,
             energy=Energy(*map(float, arrays["energy"][i])),
             drift=float(arrays["drift"][i]),
             z=z[i],
             zd=zd[i],
             dissipated=float(arrays["dissipated"][i]),
             Phi_v=acceleration[i],
-            rates=rate[i],
         )
         for i, t in enumerate(arrays["time"])
     ]

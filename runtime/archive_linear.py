@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from flexel.archive import ROLES, roles_from, roles_in_names
+from flexel.archive import ROLES, Geometry, roles_from, roles_in_names
 from flexel.description import described, structure_of
 from flexel.record import Record, Variable, require
 from flexel.state import Energy, State
@@ -111,7 +111,7 @@ def _part(arrays: Mapping[str, Any], part: str) -> dict[str, Any]:
 def _state(structure: Structure, header: Mapping[str, Any], arrays: Mapping[str, Any]) -> State:
     energy = Energy(*header["energy"])
     roles = roles_from(structure, {key: header["roles"][key] for key in ROLES})
-    return State(**arrays, **header["state"], energy=energy, roles=roles, structure=structure)
+    return State(**arrays, **header["state"], energy=energy, roles=roles, evaluation=Geometry(structure))
 
 
 # -- methods of Linearization ---------------------------------------------------------------------

@@ -6,16 +6,13 @@ Imports numpy and the structure.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 import numpy as np
 
 from flexel.errors import ModelError
 from flexel.roles import Roles
 from flexel.structure import Array, Structure
-
-if TYPE_CHECKING:
-    from flexel.evaluate import Evaluation
 
 
 @dataclass(frozen=True)
@@ -30,6 +27,17 @@ class Energy:
     def total(self) -> float:
         """Sum of the three."""
         return self.kinetic + self.potential + self.strain
+
+
+class Shape(Protocol):
+    """What a state needs of its model: the names, and the deformations with their derivatives at coordinates x."""
+
+    @property
+    def structure(self) -> Structure:
+        """Names and index maps."""
+
+    def position(self, x: Array) -> tuple[Array, Array]:
+        """Deformations e (m,) as principal values, and J (m + k + n, n)."""
 
 
 @dataclass(frozen=True)
@@ -70,7 +78,7 @@ class State:
     stress: Array
     reactions: Array
     roles: Roles = field(repr=False)
-    evaluation: Evaluation = field(repr=False)
+    evaluation: Shape = field(repr=False)
     energy: Energy
     drift: float
     z: Array
