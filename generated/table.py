@@ -3195,7 +3195,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_1
     "linear_1": LawSpec(
         name="linear_1",
-        digest="79e55ae86648085c",
+        digest="610e2ab0ed6696e6",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=1,
         slips=0,
@@ -3229,7 +3229,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_2
     "linear_2": LawSpec(
         name="linear_2",
-        digest="79e55ae86648085c",
+        digest="610e2ab0ed6696e6",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=2,
         slips=0,
@@ -3263,7 +3263,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_3
     "linear_3": LawSpec(
         name="linear_3",
-        digest="79e55ae86648085c",
+        digest="610e2ab0ed6696e6",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=3,
         slips=0,
@@ -3297,7 +3297,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_4
     "linear_4": LawSpec(
         name="linear_4",
-        digest="79e55ae86648085c",
+        digest="610e2ab0ed6696e6",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=4,
         slips=0,
@@ -3331,7 +3331,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_5
     "linear_5": LawSpec(
         name="linear_5",
-        digest="79e55ae86648085c",
+        digest="610e2ab0ed6696e6",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=5,
         slips=0,
@@ -3365,7 +3365,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_6
     "linear_6": LawSpec(
         name="linear_6",
-        digest="79e55ae86648085c",
+        digest="610e2ab0ed6696e6",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=6,
         slips=0,
@@ -3399,7 +3399,7 @@ LAWS: dict[str, LawSpec] = {
     # law diagonal_7
     "diagonal_7": LawSpec(
         name="diagonal_7",
-        digest="79e55ae86648085c",
+        digest="610e2ab0ed6696e6",
         doc="sigma_i = preload_i + S_i e_i + D_i ed_i\nenergy = sum of preload_i e_i + S_i e_i^2/2",
         deformations=7,
         slips=0,
@@ -3433,7 +3433,7 @@ LAWS: dict[str, LawSpec] = {
     # law diagonal_13
     "diagonal_13": LawSpec(
         name="diagonal_13",
-        digest="79e55ae86648085c",
+        digest="610e2ab0ed6696e6",
         doc="sigma_i = preload_i + S_i e_i + D_i ed_i\nenergy = sum of preload_i e_i + S_i e_i^2/2",
         deformations=13,
         slips=0,
@@ -3467,7 +3467,7 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_1
     "viscous_1": LawSpec(
         name="viscous_1",
-        digest="79e55ae86648085c",
+        digest="610e2ab0ed6696e6",
         doc="tau = C s",
         deformations=0,
         slips=1,
@@ -3499,7 +3499,7 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_2
     "viscous_2": LawSpec(
         name="viscous_2",
-        digest="79e55ae86648085c",
+        digest="610e2ab0ed6696e6",
         doc="tau = C s",
         deformations=0,
         slips=2,
@@ -3531,7 +3531,7 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_3
     "viscous_3": LawSpec(
         name="viscous_3",
-        digest="79e55ae86648085c",
+        digest="610e2ab0ed6696e6",
         doc="tau = C s",
         deformations=0,
         slips=3,
@@ -3563,7 +3563,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz
     "hertz": LawSpec(
         name="hertz",
-        digest="79e55ae86648085c",
+        digest="610e2ab0ed6696e6",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1)",
         deformations=1,
         slips=0,
@@ -3597,7 +3597,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz_coulomb_1
     "hertz_coulomb_1": LawSpec(
         name="hertz_coulomb_1",
-        digest="79e55ae86648085c",
+        digest="610e2ab0ed6696e6",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1)\ntau = friction N s/sqrt(s.s + slip_speed^2)",
         deformations=1,
         slips=1,
@@ -3633,7 +3633,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz_coulomb_2
     "hertz_coulomb_2": LawSpec(
         name="hertz_coulomb_2",
-        digest="79e55ae86648085c",
+        digest="610e2ab0ed6696e6",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1)\ntau = friction N s/sqrt(s.s + slip_speed^2)",
         deformations=1,
         slips=2,
@@ -3669,7 +3669,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz_bristle_1
     "hertz_bristle_1": LawSpec(
         name="hertz_bristle_1",
-        digest="79e55ae86648085c",
+        digest="610e2ab0ed6696e6",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1) + stiffness d^exponent bristle_stiffness z.z/2\ndz/dt = s - bristle_stiffness |s| z/friction in contact, -release z when open\ntau = N (bristle_stiffness z + bristle_damping dz/dt)",
         deformations=1,
         slips=1,
@@ -3702,14 +3702,14 @@ LAWS: dict[str, LawSpec] = {
                 (
                     OutputSpec("J", (3, 4), (0, 1, 4, 5, 6, 7, 10, 11)),
                 ),
-                59,
+                61,
             ),
         },
     ),
     # law hertz_bristle_2
     "hertz_bristle_2": LawSpec(
         name="hertz_bristle_2",
-        digest="79e55ae86648085c",
+        digest="610e2ab0ed6696e6",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1) + stiffness d^exponent bristle_stiffness z.z/2\ndz/dt = s - bristle_stiffness |s| z/friction in contact, -release z when open\ntau = N (bristle_stiffness z + bristle_damping dz/dt)",
         deformations=1,
         slips=2,
@@ -3743,14 +3743,14 @@ LAWS: dict[str, LawSpec] = {
                 (
                     OutputSpec("J", (5, 6), (0, 1, 6, 7, 8, 9, 10, 12, 13, 14, 15, 17, 20, 21, 22, 26, 27, 29)),
                 ),
-                88,
+                94,
             ),
         },
     ),
     # law journal
     "journal": LawSpec(
         name="journal",
-        digest="79e55ae86648085c",
+        digest="610e2ab0ed6696e6",
         doc="N_i = stiffness e_i + damping ed_i in two directions (i = 0, 1), N = |(N_0, N_1)|\ntorque = friction_radius N w/sqrt(w^2 + slip_speed^2) on the angle e_2, w = ed_2",
         deformations=3,
         slips=0,
@@ -3771,14 +3771,14 @@ LAWS: dict[str, LawSpec] = {
                     OutputSpec("U", (1,), (0,)),
                     OutputSpec("P", (1,), (0,)),
                 ),
-                35,
+                36,
             ),
             "tangent": KernelSpec(
                 ("e", "ed", "s", "z", "t", "p"),
                 (
                     OutputSpec("J", (3, 6), (0, 3, 7, 10, 12, 13, 15, 16, 17)),
                 ),
-                37,
+                39,
             ),
         },
     ),

@@ -306,7 +306,10 @@ class Matrix:
         DynamicsError
         """
         if self.factors.regular:
-            return self.factors.solve(rhs)
+            x = self.factors.solve(rhs)
+            return x + self.factors.solve(
+                rhs - self.sparse @ x
+            )  # borders and bands cost digits, which this gives back
         nf, first, names = self.structure.nf, self.structure.m + self.structure.k, ["unknown"]
         if self.pattern.size <= LARGEST_NULL_SPACE:
             right, _ = null_space(self.sparse.toarray(), self.pattern.size)
