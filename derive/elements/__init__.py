@@ -15,7 +15,8 @@ from flexel.derive.elements.planar_hinge import PLANAR_HINGE
 from flexel.derive.elements.rotation_slips import BODY_ROTATION, ROTATION
 from flexel.derive.elements.span_slips import BAR_SPAN, BEAM_SPAN, PLANAR_BAR_SPAN, PLANAR_BEAM_SPAN
 from flexel.derive.elements.truss import PLANAR_TRUSS, TRUSS
-from flexel.derive.elements.wheel import WHEEL
+from flexel.derive.elements.tyre import AXLE_SLIP, TYRE, TYRE_ON_ROAD
+from flexel.derive.elements.wheel import TOROIDAL_WHEEL, WHEEL
 
 ELEMENTS: tuple[Element, ...] = (
     POINT_MASS,
@@ -28,6 +29,10 @@ ELEMENTS: tuple[Element, ...] = (
     BEAM,
     BEAM_FIRST_ORDER,
     WHEEL,
+    TOROIDAL_WHEEL,
+    TYRE,
+    TYRE_ON_ROAD,
+    AXLE_SLIP,
     ROTATION,
     BODY_ROTATION,
     BODY_VELOCITY,
