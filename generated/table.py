@@ -708,6 +708,296 @@ ELEMENTS: dict[str, ElementSpec] = {
             ),
         },
     ),
+    # element toroidal_wheel
+    "toroidal_wheel": ElementSpec(
+        name="toroidal_wheel",
+        digest="6f74f687ed26ffab",
+        doc="w hub, c contact point, d = xc + crown n - xw from the hub to the centre of the tube above the contact,\na = R(lambda) axle, n = normal, ra = d x a, rim = R - crown\nradius = (d.d - rim^2)/(2 rim),  plane = a.d,  surface = n.xc - height,  lowest = n.ra\nomega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x (xc - xw), the material point in contact\nlongitudinal = ra.vc/|ra|,  lateral = (n x ra).vc/|n x ra|,  spin = omega.n",
+        source="Schwab and Meijaard 1999, ASME DETC99/VIB-8223 (wheel element); the crown lifts the contact off the rim's circle",
+        nodes=(
+            NodeSpec("w", "point"),
+            NodeSpec("r", "frame"),
+            NodeSpec("c", "point"),
+        ),
+        parameters=(
+            ParameterSpec("radius", 1, "m", "radius of the rim"),
+            ParameterSpec("crown", 1, "m", "radius of the cross section of the tyre, a circle"),
+            ParameterSpec("axle", 3, "1", "unit vector along the axle in body axes"),
+            ParameterSpec("normal", 3, "1", "unit normal of the road"),
+            ParameterSpec("height", 1, "m", "distance of the road from the origin along its normal"),
+        ),
+        deformations=(
+            DeformationSpec("radius", "m", False, False),
+            DeformationSpec("plane", "m", False, False),
+            DeformationSpec("surface", "m", False, False),
+            DeformationSpec("lowest", "m", False, False),
+        ),
+        slips=(
+            SlipSpec("longitudinal", "m/s", False),
+            SlipSpec("lateral", "m/s", False),
+            SlipSpec("spin", "rad/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (4,), (0, 1, 2, 3)),
+                    OutputSpec("De", (4, 10), (0, 1, 2, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39)),
+                    OutputSpec("V", (3, 10), (0, 1, 2, 3, 4, 5, 6, 10, 11, 12, 13, 14, 15, 16, 23, 24, 25, 26)),
+                ),
+                326,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (4,), (0, 1, 2, 3)),
+                    OutputSpec("s", (3,), (0, 1, 2)),
+                ),
+                238,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (4,), (0, 1, 3)),
+                    OutputSpec("gs", (3,), (0, 1, 2)),
+                ),
+                392,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Phi_x", (7, 10), (0, 1, 2, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 63, 64, 65, 66)),
+                    OutputSpec("Psi_x", (7, 10), (0, 1, 2, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 63, 64, 65, 66)),
+                    OutputSpec("Psi_v", (7, 10), (0, 1, 2, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59)),
+                ),
+                1868,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (10, 10), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 73, 74, 75, 76, 77, 81, 83, 84, 85, 86, 88, 92, 93, 94, 95, 96, 99)),
+                ),
+                814,
+            ),
+        },
+    ),
+    # element tyre
+    "tyre": ElementSpec(
+        name="tyre",
+        digest="1d428b66eb30579a",
+        doc="w wheel centre, a = R(lambda) axle, n = normal of the road below w, h = distance of w from the tangent plane there\nan = |a x n|,  ex = a x n/an forward,  ey = n x ex sideways,  r = -h (n - (a.n) a)/an^2, centre to contact point\ndeflection = R - h/an, in the plane of the wheel;  drop = R - h;  camber = atan2(a.n, an)\nomega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x r, the material point in contact\nforward = ex.xdot_w,  sideways = ey.xdot_w,  rolling = omega.a,\nlongitudinal = ex.vc,  lateral = ey.vc,  spin = omega.n",
+        source="Frik, Leister, Schwartz 1993, Vehicle System Dynamics 22 suppl. (frames and slip angle of the wheel)",
+        nodes=(
+            NodeSpec("w", "point"),
+            NodeSpec("r", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("radius", 1, "m", "radius of the unloaded tyre"),
+            ParameterSpec("axle", 3, "1", "unit vector along the axle in body axes"),
+            ParameterSpec("normal", 3, "1", "unit normal of the road"),
+            ParameterSpec("height", 1, "m", "distance of the road from the origin along its normal"),
+        ),
+        deformations=(
+            DeformationSpec("deflection", "m", False, True),
+            DeformationSpec("drop", "m", False, True),
+            DeformationSpec("camber", "rad", False, True),
+        ),
+        slips=(
+            SlipSpec("forward", "m/s", True),
+            SlipSpec("sideways", "m/s", True),
+            SlipSpec("rolling", "rad/s", True),
+            SlipSpec("longitudinal", "m/s", True),
+            SlipSpec("lateral", "m/s", True),
+            SlipSpec("spin", "rad/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (3,), (0, 1, 2)),
+                    OutputSpec("De", (3, 7), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 17, 18, 19, 20)),
+                    OutputSpec("V", (6, 7), (0, 1, 2, 7, 8, 9, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 38, 39, 40, 41)),
+                ),
+                325,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (3,), (0, 1, 2)),
+                    OutputSpec("s", (6,), tuple(range(6))),
+                ),
+                244,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (3,), (0, 2)),
+                    OutputSpec("gs", (6,), tuple(range(6))),
+                ),
+                443,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Phi_x", (9, 7), (0, 1, 2, 3, 4, 5, 6, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 59, 60, 61, 62)),
+                    OutputSpec("Psi_x", (9, 7), (0, 1, 2, 3, 4, 5, 6, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 59, 60, 61, 62)),
+                    OutputSpec("Psi_v", (9, 7), (0, 1, 2, 3, 4, 5, 6, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55)),
+                ),
+                3303,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (7, 7), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48)),
+                ),
+                1217,
+            ),
+        },
+    ),
+    # element tyre_on_road
+    "tyre_on_road": ElementSpec(
+        name="tyre_on_road",
+        digest="996f7240dbd074d8",
+        doc="road: z = height + amplitude (1 - cos(2 pi s/wavelength))/2 with s = heading.(x, y) - start between 0 and\nwaves wavelength, z = height elsewhere (C1 at the ends, smooth between);  z up\nw wheel centre, a = R(lambda) axle, n = normal of the road below w, h = distance of w from the tangent plane there\nan = |a x n|,  ex = a x n/an forward,  ey = n x ex sideways,  r = -h (n - (a.n) a)/an^2, centre to contact point\ndeflection = R - h/an, in the plane of the wheel;  drop = R - (w_z - z), measured vertically;  camber = atan2(a.n, an)\nomega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x r, the material point in contact\nforward = ex.xdot_w,  sideways = ey.xdot_w,  rolling = omega.a,\nlongitudinal = ex.vc,  lateral = ey.vc,  spin = omega.n\ngrade = slope of the road along ex, rise for horizontal length times |horizontal part of ex|",
+        source="Frik, Leister, Schwartz 1993, Vehicle System Dynamics 22 suppl. (frames and slip angle of the wheel)",
+        nodes=(
+            NodeSpec("w", "point"),
+            NodeSpec("r", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("radius", 1, "m", "radius of the unloaded tyre"),
+            ParameterSpec("axle", 3, "1", "unit vector along the axle in body axes"),
+            ParameterSpec("height", 1, "m", "distance of the road from the origin along its normal"),
+            ParameterSpec("amplitude", 1, "m", "height of the waves of the road, trough to crest"),
+            ParameterSpec("wavelength", 1, "m", "length of one wave"),
+            ParameterSpec("start", 1, "m", "where the first wave begins, along the heading of the waves"),
+            ParameterSpec("waves", 1, "1", "how many waves there are; flat before and behind"),
+            ParameterSpec("heading", 2, "1", "horizontal unit vector along which the road rises"),
+        ),
+        deformations=(
+            DeformationSpec("deflection", "m", False, True),
+            DeformationSpec("drop", "m", False, True),
+            DeformationSpec("camber", "rad", False, True),
+            DeformationSpec("grade", "1", False, True),
+        ),
+        slips=(
+            SlipSpec("forward", "m/s", True),
+            SlipSpec("sideways", "m/s", True),
+            SlipSpec("rolling", "rad/s", True),
+            SlipSpec("longitudinal", "m/s", True),
+            SlipSpec("lateral", "m/s", True),
+            SlipSpec("spin", "rad/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (4,), (0, 1, 2, 3)),
+                    OutputSpec("De", (4, 7), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 14, 15, 17, 18, 19, 20, 21, 22, 24, 25, 26, 27)),
+                    OutputSpec("V", (6, 7), (0, 1, 2, 7, 8, 9, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 38, 39, 40, 41)),
+                ),
+                526,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (4,), (0, 1, 2, 3)),
+                    OutputSpec("s", (6,), tuple(range(6))),
+                ),
+                355,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (4,), (0, 1, 2, 3)),
+                    OutputSpec("gs", (6,), tuple(range(6))),
+                ),
+                683,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Phi_x", (10, 7), (0, 1, 2, 3, 4, 5, 6, 7, 8, 14, 15, 17, 18, 19, 20, 21, 22, 24, 25, 26, 27, 28, 29, 31, 32, 33, 34, 35, 36, 38, 39, 40, 41, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 66, 67, 68, 69)),
+                    OutputSpec("Psi_x", (10, 7), (0, 1, 2, 3, 4, 5, 6, 7, 8, 14, 15, 17, 18, 19, 20, 21, 22, 24, 25, 26, 27, 28, 29, 31, 32, 33, 34, 35, 36, 38, 39, 40, 41, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 66, 67, 68, 69)),
+                    OutputSpec("Psi_v", (10, 7), (0, 1, 2, 3, 4, 5, 6, 7, 8, 14, 15, 17, 18, 19, 20, 21, 22, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 66, 67, 68, 69)),
+                ),
+                6302,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (7, 7), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48)),
+                ),
+                1958,
+            ),
+        },
+    ),
+    # element axle_slip
+    "axle_slip": ElementSpec(
+        name="axle_slip",
+        digest="629831f4eff23136",
+        doc="lateral = mean of ey.vc of the two wheels, each as in the element tyre; zero: an axle that rolls without\nslipping sideways in the mean",
+        source="Schwab, talk on SPACAR (zero lateral slip of the road vehicle)",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("rp", "frame"),
+            NodeSpec("q", "point"),
+            NodeSpec("rq", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("axle_p", 3, "1", "unit vector along the axle of p in its body axes"),
+            ParameterSpec("axle_q", 3, "1", "unit vector along the axle of q in its body axes"),
+            ParameterSpec("normal", 3, "1", "unit normal of the road"),
+            ParameterSpec("height", 1, "m", "distance of the road from the origin along its normal"),
+        ),
+        deformations=(),
+        slips=(
+            SlipSpec("lateral", "m/s", False),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (0,), ()),
+                    OutputSpec("De", (0, 14), ()),
+                    OutputSpec("V", (1, 14), tuple(range(14))),
+                ),
+                252,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (0,), ()),
+                    OutputSpec("s", (1,), (0,)),
+                ),
+                270,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (0,), ()),
+                    OutputSpec("gs", (1,), (0,)),
+                ),
+                603,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Phi_x", (1, 14), tuple(range(14))),
+                    OutputSpec("Psi_x", (1, 14), tuple(range(14))),
+                    OutputSpec("Psi_v", (1, 14), tuple(range(14))),
+                ),
+                1858,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (14, 14), (3, 4, 5, 6, 17, 18, 19, 20, 31, 32, 33, 34, 42, 43, 44, 45, 46, 47, 48, 56, 57, 58, 59, 60, 61, 62, 70, 71, 72, 73, 74, 75, 76, 84, 85, 86, 87, 88, 89, 90, 108, 109, 110, 111, 122, 123, 124, 125, 136, 137, 138, 139, 147, 148, 149, 150, 151, 152, 153, 161, 162, 163, 164, 165, 166, 167, 175, 176, 177, 178, 179, 180, 181, 189, 190, 191, 192, 193, 194, 195)),
+                ),
+                1228,
+            ),
+        },
+    ),
     # element rotation
     "rotation": ElementSpec(
         name="rotation",
