@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from flexel.state import State
     from flexel.stress import beam_stress, largest_stress, section_forces
     from flexel.system import System
+    from flexel.wheels import Waves
 
 __version__ = "0.1.0"
 
@@ -58,6 +59,7 @@ __all__ = [
     "System",
     "Table",
     "Tube",
+    "Waves",
     "beam_stress",
     "body_compliance",
     "constraint_report",
@@ -90,6 +92,7 @@ _HOMES = {
     "System": "flexel.system",
     "Table": "flexel.functions",
     "Tube": "flexel.sections",
+    "Waves": "flexel.wheels",
     "beam_stress": "flexel.stress",
     "body_compliance": "flexel.compliance",
     "constraint_report": "flexel.constraints",

@@ -71,7 +71,7 @@ def roads(state: State) -> list[tuple[Array, float]]:
     """Unit normal and height of every plane on which a wheel rolls, each once."""
     found: dict[tuple[float, ...], tuple[Array, float]] = {}
     for instance in state.structure.instances:
-        if instance.spec.name == "wheel":
+        if "normal" in instance.parameters:
             normal, height = instance.parameters["normal"], float(instance.parameters["height"][0])
             found[(*normal.tolist(), height)] = (np.asarray(normal, dtype=float), height)
     return list(found.values())
@@ -128,7 +128,7 @@ def _beam(state: State, instance: Instance) -> Iterator[Shape]:
 
 def _wheel(state: State, instance: Instance) -> Iterator[Shape]:
     """Rim, spokes, axle, and one spoke of its own style (the valve) that shows the turning."""
-    hub, frame, _ = instance.nodes
+    hub, frame = instance.nodes[:2]
     centre, R = _place(state, hub), matrix(state.position(frame))
     radius, axle = float(instance.parameters["radius"][0]), instance.parameters["axle"]
     first = np.cross(axle, np.eye(3)[int(np.argmin(np.abs(axle)))])
@@ -174,6 +174,9 @@ PAINTERS: dict[str, Callable[[State, Instance], Iterator[Shape]]] = {
     "beam": _beam,
     "planar_beam": _beam,
     "wheel": _wheel,
+    "toroidal_wheel": _wheel,
+    "tyre": _wheel,
+    "tyre_on_road": _wheel,
     "body": _body,
     "planar_body": _body,
     "point_mass": _mass,

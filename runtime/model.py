@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from flexel import beams, bodies, joints, loads, springs
+from flexel import beams, bodies, joints, loads, springs, wheels
 from flexel.build import build
 from flexel.errors import ModelError
 from flexel.functions import TimeFunction, as_function
@@ -176,7 +176,9 @@ class Model:
     hinge = joints.hinge
     bearing = joints.bearing
     fixed_point = joints.fixed_point
-    wheel = joints.wheel
+    wheel = wheels.wheel
+    tyre = wheels.tyre
+    axle_slip = wheels.axle_slip
     beam = beams.beam
 
     linear_law = springs.linear_law
