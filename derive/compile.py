@@ -87,13 +87,15 @@ def compile_element(element: Element) -> CompiledElement:
 
 def compile_law(law: Law) -> CompiledLaw:
     """Derive and compile a law; errors as in `compile_element`."""
-    from flexel.generated.spec import LawSpec
+    from flexel.generated.spec import InternalSpec, LawSpec
 
     derived = derive_law(law)
     source = laws_source([law], [derived], _SYMBOL)
     path = _shared_object(law.name, source)
     parameters, kernels = _parameters(law.parameters), _kernels(derived.kernels)
-    spec = LawSpec(law.name, digest_of(source), law.doc, len(law.e), len(law.s), parameters, kernels)
+    states = tuple(InternalSpec(z.name, z.unit) for z in law.states)
+    sizes = len(law.e), len(law.s)
+    spec = LawSpec(law.name, digest_of(source), law.doc, *sizes, states, parameters, kernels)
     return CompiledLaw(spec, _address(path), path)
 
 

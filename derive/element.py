@@ -264,8 +264,25 @@ class Element:
 
 
 @dataclass(frozen=True)
+class Internal:
+    """Internal state z of a law (a bristle's deflection, a lagging slip), with its rate."""
+
+    name: str
+    unit: str
+    rate: Expr
+
+    @property
+    def symbol(self) -> Symbol:
+        """The symbol that stands for its value."""
+        return symbol(self.name)
+
+
+TIME = symbol("t")
+
+
+@dataclass(frozen=True)
 class Law:
-    """Constitutive law: (sigma, tau) and the stored energy as functions of (e, ed, s) and parameters.
+    """Constitutive law: (sigma, tau, dz/dt) and the stored energy as functions of (e, ed, s, z, t) and parameters.
 
     Parameters
     ----------
@@ -278,8 +295,22 @@ class Law:
     sigma : tuple of Expr, (m,)
     tau : tuple of Expr, (k,)
     energy : Expr
-        Stored energy U(e) [J]; zero if the law stores none.
+        Stored energy U(e, z) [J]; zero if the law stores none.
     source : str
+    states : tuple of Internal, (nz,)
+        Internal states with their rates.
+    let : tuple of (Symbol, Expr)
+        Named intermediates, each in terms of the arguments, parameters and earlier ones.
+
+    Raises
+    ------
+    ValueError
+        A name is used twice or is not a name in C, a unit or a stress is missing, an expression is not scalar or
+        contains an unknown symbol, the energy depends on rates.
+
+    Notes
+    -----
+    The time is the symbol `TIME`.
     """
 
     name: str
@@ -292,24 +323,47 @@ class Law:
     tau: tuple[Expr, ...]
     energy: Expr = sp.S.Zero
     source: str = ""
+    states: tuple[Internal, ...] = ()
+    let: tuple[tuple[Symbol, Expr], ...] = ()
 
     def __post_init__(self) -> None:
         owner = f"law '{self.name}'"
         check_name(owner, self.name)
-        symbols = [*self.e, *self.ed, *self.s, *self.parameter_symbols]
-        for s in symbols:
+        symbols = [*self.e, *self.ed, *self.s, *self.z, TIME, *self.parameter_symbols]
+        for s in (*symbols, *(s for s, _ in self.let)):
             check_name(owner, s.name)
-        check_unique(owner, [s.name for s in symbols])
+        check_unique(owner, [s.name for s in (*symbols, *(s for s, _ in self.let))])
         check_unique(owner, [p.name for p in self.parameters])
         if not len(self.e) == len(self.ed) == len(self.sigma) or len(self.s) != len(self.tau):
             raise ValueError(f"{owner}: give a stress for each deformation (with its rate) and slip")
-        for what, expr in (
-            *((f"stress {i + 1}", expr) for i, expr in enumerate((*self.sigma, *self.tau))),
-            ("the energy", self.energy),
-        ):
+        self._check_expressions(owner, symbols)
+
+    def _check_expressions(self, owner: str, symbols: list[Symbol]) -> None:
+        def check(what: str, expr: object) -> None:
             if not isinstance(expr, Expr):
                 raise ValueError(f"{owner}: {what} is not a scalar expression but {type(expr).__name__}")
-            check_symbols(owner, what, expr, symbols)
+            check_symbols(owner, what, expr, known)
+
+        known, on_rates = set(symbols), {*self.ed, *self.s, TIME}
+        for s, expr in self.let:
+            check(f"let '{s}'", expr)
+            known.add(s)
+            if expr.free_symbols & on_rates:
+                on_rates.add(s)
+        for i, expr in enumerate((*self.sigma, *self.tau)):
+            check(f"stress {i + 1}", expr)
+        for state in self.states:
+            check(f"the rate of '{state.name}'", state.rate)
+            if not state.unit:
+                raise ValueError(f"{owner}: '{state.name}' has no unit; give an SI unit, or '1'")
+        check("the energy", self.energy)
+        if self.energy.free_symbols & on_rates:
+            raise ValueError(f"{owner}: the energy depends on rates, slips or the time; it is one of (e, z)")
+
+    @property
+    def z(self) -> tuple[Symbol, ...]:
+        """Internal states (nz,)."""
+        return tuple(state.symbol for state in self.states)
 
     @property
     def parameter_symbols(self) -> tuple[Symbol, ...]:

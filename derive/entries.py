@@ -64,6 +64,7 @@ def table_entry(declared: Element | Law, derived: Derived, digest: str) -> str:
         head += [
             f"        deformations={len(d.e)},",
             f"        slips={len(d.s)},",
+            *_group("states", [_call("InternalSpec", z.name, z.unit) for z in d.states]),
             *_group("parameters", parameters),
         ]
     lines = [f"    {_literal(d.name)}: {kind}(", *head, *_kernels(derived.kernels.values()), "    ),"]

@@ -1,7 +1,7 @@
 """Which kernels an element or a law has, and the rows of their outputs.
 
 Here the contract of ``generated/kernels.h`` is filled in: from D, V, T and U of an element, lowered to one program,
-to the outputs of its seven kernels. Second and third derivatives are always contracted with rates, accelerations
+to the outputs of its eight kernels. Second and third derivatives are always contracted with rates, accelerations
 or stresses. May import the rooms of the program and the declarations of elements and laws.
 """
 
@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from flexel.derive.differentiate import forward, gradient
-from flexel.derive.element import Element, Law
+from flexel.derive.element import TIME, Element, Law
 from flexel.derive.factor import factored
 from flexel.derive.layers import (
     Matrix,
@@ -159,19 +159,15 @@ def _kinematic_kernels(b: _Builder, rows: _Lowered) -> None:
 
     De_a = forward(p, rows.e, dict(zip(x, rows.a, strict=True)))
     V_a = forward(p, rows.s, dict(zip(v, rows.a, strict=True)))
+    ed_x, s_x = jacobian(p, ed, x), jacobian(p, rows.s, x)
+    b.kernel("rates", "xvp", {"Phi_x": ((m + k, n), flat(ed_x + s_x))})
     Psi_e = [p.add(*pair) for pair in zip(g, De_a, strict=True)]
     Psi_s = [p.add(*pair) for pair in zip(gs, V_a, strict=True)]
-    ed_x, s_x = jacobian(p, ed, x), jacobian(p, rows.s, x)
     twice = [[p.add(entry, entry) for entry in row] for row in ed_x]  # d(D2e(v,v))/dv = 2 D2e(v,.)
     Psi_x = jacobian(p, Psi_e, x) + jacobian(p, Psi_s, x)
     Psi_v = twice + jacobian(p, Psi_s, v)
     shape = (m + k, n)
-    outputs = {
-        "Phi_x": (shape, flat(ed_x + s_x)),
-        "Psi_x": (shape, flat(Psi_x)),
-        "Psi_v": (shape, flat(Psi_v)),
-    }
-    b.kernel("kinematics", "xvap", outputs)
+    b.kernel("kinematics", "xvap", {"Psi_x": (shape, flat(Psi_x)), "Psi_v": (shape, flat(Psi_v))})
 
     K = hessian(p, _weighted(p, rows.sigma, rows.e), x)
     if k:
@@ -226,17 +222,33 @@ def derive_element(element: Element) -> Derived:
 
 
 def derive_law(law: Law) -> Derived:
-    """Kernels of a law: ``law`` and ``tangent``."""
+    """Kernels of a law: ``law`` and ``tangent``.
+
+    What the stresses do and the law does not store, sigma.ed + tau.s - dU/dt, is the dissipated power P.
+    """
     b = _Builder()
     p = b.program
-    e, ed, s = (b.array(name, _names(part)) for name, part in (("e", law.e), ("ed", law.ed), ("s", law.s)))
-    parameters = b.array("p", _names(law.parameter_symbols))
-    symbols = (*law.e, *law.ed, *law.s, *law.parameter_symbols)
-    lowering = Lowering(p, dict(zip(symbols, e + ed + s + parameters, strict=True)))
+    parts = {"e": law.e, "ed": law.ed, "s": law.s, "z": law.z, "t": (TIME,), "p": law.parameter_symbols}
+    rows = {name: b.array(name, _names(symbols)) for name, symbols in parts.items()}
+    known = {z: row for name, symbols in parts.items() for z, row in zip(symbols, rows[name], strict=True)}
+    lowering = Lowering(p, known)
+    for name, expr in law.let:
+        lowering.let(name, expr)
     sigma, tau = [lowering.lower(expr) for expr in law.sigma], [lowering.lower(expr) for expr in law.tau]
-    energy = lowering.lower(law.energy)
-    m, k, inputs = len(e), len(s), ("e", "ed", "s", "p")
-    b.kernel("law", inputs, {"sigma": ((m,), sigma), "tau": ((k,), tau), "U": ((1,), [energy])})
-    J = jacobian(p, sigma + tau, e + ed + s)
-    b.kernel("tangent", inputs, {"J": ((m + k, 2 * m + k), flat(J))})
+    zd, U = [lowering.lower(state.rate) for state in law.states], lowering.lower(law.energy)
+    e, ed, s, z = (rows[name] for name in ("e", "ed", "s", "z"))
+    work = p.add(_weighted(p, sigma, ed), _weighted(p, tau, s))
+    (stored,) = forward(p, [U], dict(zip(e + z, ed + zd, strict=True)))
+    P = p.add(work, p.neg(stored))
+    m, k, nz, inputs = len(e), len(s), len(z), tuple(parts)
+    outputs = {
+        "sigma": ((m,), sigma),
+        "tau": ((k,), tau),
+        "zd": ((nz,), zd),
+        "U": ((1,), [U]),
+        "P": ((1,), [P]),
+    }
+    b.kernel("law", inputs, outputs)
+    J = jacobian(p, sigma + tau + zd, e + ed + s + z)
+    b.kernel("tangent", inputs, {"J": ((m + k + nz, 2 * m + k + nz), flat(J))})
     return b.derived()

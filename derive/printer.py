@@ -18,7 +18,9 @@ _INLINE = 56  # longest expression, in characters, that is written inside anothe
 _SUM, _PRODUCT, _SIGN, _ATOM = 1, 2, 3, 4  # how tightly an expression binds
 _VECTORIZED = frozenset({"sqrt", "abs", "min", "max"})
 _ARITHMETIC = frozenset({"add", "sub", "neg", "mul", "inv", "select"})
-_ARRAYS = frozenset("x v a p e ed s sigma tau De V g gs M h f U Phi_x Psi_x Psi_v K R_x R_v J".split())
+_ARRAYS = frozenset(
+    "x v a p e ed s z t sigma tau De V g gs M h f U P zd Phi_x Psi_x Psi_v K R_x R_v J".split()
+)
 _TAKEN = frozenset("in out j b real size_t sizeof int double const for pow exp log main".split())
 
 

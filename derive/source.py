@@ -89,6 +89,10 @@ def _context(declared: Element | Law, derived: Derived, symbol: str) -> dict[str
     }
 
 
+def _states(law: Law) -> list[str]:
+    return [_comment(f"{z.name} [{z.unit}]") for z in law.states]
+
+
 def element_source(element: Element, derived: Derived, symbol: str = "") -> str:
     """C of an element; the table of its kernels is the global ``flexel_<symbol>``, by default its name."""
     modes = [
@@ -112,7 +116,7 @@ def element_source(element: Element, derived: Derived, symbol: str = "") -> str:
 def laws_source(laws: Sequence[Law], derived: Sequence[Derived], symbol: str = "") -> str:
     """C of laws; their tables are the globals ``flexel_law_<name>``, or ``flexel_<symbol>`` for a single one."""
     contexts = [
-        {**_context(law, d, symbol or f"law_{law.name}"), "m": len(law.e), "k": len(law.s)}
+        {**_context(law, d, symbol or f"law_{law.name}"), "m": len(law.e), "k": len(law.s), "z": _states(law)}
         for law, d in zip(laws, derived, strict=True)
     ]
     return _stamped(render("laws.c.jinja", laws=contexts, digest=_DIGEST))

@@ -63,9 +63,18 @@ static void bar_span_acceleration(size_t nblocks, const real *const *in, real *c
     (void)nblocks, (void)in, (void)out; /* every entry is zero */
 }
 
+/* rates: 0 operations.
+ * in:  x (6), v (6), p (1)
+ * out: Phi_x (3,6), 0 of 18 entries */
+FLEXEL_CLONES
+static void bar_span_rates(size_t nblocks, const real *const *in, real *const *out)
+{
+    (void)nblocks, (void)in, (void)out; /* every entry is zero */
+}
+
 /* kinematics: 0 operations.
  * in:  x (6), v (6), a (6), p (1)
- * out: Phi_x (3,6), 0 of 18 entries, Psi_x (3,6), 0 of 18 entries, Psi_v (3,6), 0 of 18 entries */
+ * out: Psi_x (3,6), 0 of 18 entries, Psi_v (3,6), 0 of 18 entries */
 FLEXEL_CLONES
 static void bar_span_kinematics(size_t nblocks, const real *const *in, real *const *out)
 {
@@ -83,7 +92,7 @@ static void bar_span_stiffness(size_t nblocks, const real *const *in, real *cons
 
 const flexel_element flexel_bar_span = {
     .name = "bar_span",
-    .digest = "3fe5eb028bf501f6",
+    .digest = "a86c5d8cd144bdfb",
     .n = 6,
     .m = 0,
     .k = 3,
@@ -91,6 +100,7 @@ const flexel_element flexel_bar_span = {
     .position = bar_span_position,
     .velocity = bar_span_velocity,
     .acceleration = bar_span_acceleration,
+    .rates = bar_span_rates,
     .kinematics = bar_span_kinematics,
     .stiffness = bar_span_stiffness,
 };

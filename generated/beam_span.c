@@ -243,19 +243,16 @@ static void beam_span_acceleration(size_t nblocks, const real *const *in, real *
     }
 }
 
-/* kinematics: 398 operations.
- * in:  x (14), v (14), a (14), p (9)
- * out: Phi_x (3,14), 24 of 42 entries, Psi_x (3,14), 24 of 42 entries, Psi_v (3,14), 24 of 42 entries */
+/* rates: 172 operations.
+ * in:  x (14), v (14), p (9)
+ * out: Phi_x (3,14), 24 of 42 entries */
 FLEXEL_CLONES
-static void beam_span_kinematics(size_t nblocks, const real *const *in, real *const *out)
+static void beam_span_rates(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict v = in[1] + b * (14 * 8);
-        const real *restrict a = in[2] + b * (14 * 8);
-        const real *restrict p = in[3] + b * (9 * 8);
+        const real *restrict p = in[2] + b * (9 * 8);
         real *restrict Phi_x = out[0] + b * (24 * 8);
-        real *restrict Psi_x = out[1] + b * (24 * 8);
-        real *restrict Psi_v = out[2] + b * (24 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real rp_vl0 = v[3 * 8 + j];
@@ -272,41 +269,27 @@ static void beam_span_kinematics(size_t nblocks, const real *const *in, real *co
             const real t2 = t0 * t1;
             const real t3 = rp_vl0 * tp_1 + rp_vl2 * tp_3 + rp_vl1 * tp_0 - rp_vl3 * tp_2;
             const real t4 = t1 * t3;
-            const real t5 = tp_0 * t2 + tp_1 * t4;
-            const real t6 = 0.16666666666666666 * t5;
-            const real t7 = rp_vl0 * tp_3 + rp_vl3 * tp_0 + rp_vl1 * tp_2 - rp_vl2 * tp_1;
-            const real t8 = t1 * t7;
-            const real t9 = tp_3 * t8;
-            const real t10 = 0.16666666666666666 * t9;
-            const real t11 = rp_vl0 * tp_2 + rp_vl3 * tp_1 + rp_vl2 * tp_0 - rp_vl1 * tp_3;
-            const real t12 = t1 * t11;
-            const real t13 = tp_2 * t12;
-            const real t14 = 0.16666666666666666 * t13;
-            Phi_x[0 * 8 + j] = t6 - t10 - t14;
-            const real t15 = tp_3 * t12;
-            const real t16 = tp_0 * t4;
-            const real t17 = 0.16666666666666666 * (t15 + t16);
-            const real t18 = tp_2 * t8;
-            const real t19 = 0.16666666666666666 * t18;
-            const real t20 = tp_1 * t2;
-            const real t21 = 0.16666666666666666 * t20;
-            Phi_x[1 * 8 + j] = t17 - t19 - t21;
-            const real t22 = tp_1 * t8;
-            const real t23 = 0.16666666666666666 * t22;
-            const real t24 = tp_3 * t4;
-            const real t25 = 0.16666666666666666 * t24;
-            const real t26 = tp_0 * t12;
-            const real t27 = 0.16666666666666666 * t26;
-            const real t28 = tp_2 * t2;
-            const real t29 = 0.16666666666666666 * t28;
-            Phi_x[2 * 8 + j] = t23 + t25 - t27 - t29;
-            const real t30 = tp_3 * t2;
-            const real t31 = tp_2 * t4;
-            const real t32 = tp_0 * t8;
-            const real t33 = tp_1 * t12;
-            const real t34 = 0.16666666666666666 * t30 + 0.16666666666666666 * t31 + 0.16666666666666666 * (t32 + t33);
-            Phi_x[8 * 8 + j] = Phi_x[17 * 8 + j] = t34;
-            Phi_x[3 * 8 + j] = -t34;
+            const real t5 = 0.16666666666666666 * (tp_0 * t2 + tp_1 * t4);
+            const real t6 = rp_vl0 * tp_3 + rp_vl3 * tp_0 + rp_vl1 * tp_2 - rp_vl2 * tp_1;
+            const real t7 = t1 * t6;
+            const real t8 = 0.16666666666666666 * (tp_3 * t7);
+            const real t9 = rp_vl0 * tp_2 + rp_vl3 * tp_1 + rp_vl2 * tp_0 - rp_vl1 * tp_3;
+            const real t10 = t1 * t9;
+            const real t11 = 0.16666666666666666 * (tp_2 * t10);
+            Phi_x[0 * 8 + j] = t5 - t8 - t11;
+            const real t12 = 0.16666666666666666 * (tp_3 * t10 + tp_0 * t4);
+            const real t13 = 0.16666666666666666 * (tp_2 * t7);
+            const real t14 = 0.16666666666666666 * (tp_1 * t2);
+            Phi_x[1 * 8 + j] = t12 - t13 - t14;
+            const real t15 = 0.16666666666666666 * (tp_1 * t7);
+            const real t16 = 0.16666666666666666 * (tp_3 * t4);
+            const real t17 = 0.16666666666666666 * (tp_0 * t10);
+            const real t18 = 0.16666666666666666 * (tp_2 * t2);
+            Phi_x[2 * 8 + j] = t15 + t16 - t17 - t18;
+            const real t19 = 0.16666666666666666 * (tp_3 * t2) + 0.16666666666666666 * (tp_2 * t4);
+            const real t20 = t19 + 0.16666666666666666 * (tp_0 * t7 + tp_1 * t10);
+            Phi_x[8 * 8 + j] = Phi_x[17 * 8 + j] = t20;
+            Phi_x[3 * 8 + j] = -t20;
             const real rq_vl1 = v[11 * 8 + j];
             const real tq_2 = p[7 * 8 + j];
             const real rq_vl0 = v[10 * 8 + j];
@@ -315,163 +298,202 @@ static void beam_span_kinematics(size_t nblocks, const real *const *in, real *co
             const real tq_0 = p[5 * 8 + j];
             const real rq_vl2 = v[12 * 8 + j];
             const real tq_1 = p[6 * 8 + j];
-            const real t35 = rq_vl0 * tq_3 + rq_vl3 * tq_0 + rq_vl1 * tq_2 - rq_vl2 * tq_1;
-            const real t36 = t1 * t35;
-            const real t37 = tq_3 * t36;
-            const real t38 = 0.16666666666666666 * t37;
-            const real t39 = rq_vl0 * tq_2 + rq_vl3 * tq_1 + rq_vl2 * tq_0 - rq_vl1 * tq_3;
-            const real t40 = t1 * t39;
-            const real t41 = tq_2 * t40;
-            const real t42 = 0.16666666666666666 * t41;
-            const real t43 = t38 + t42;
-            const real t44 = rq_vl0 * tq_1 + rq_vl2 * tq_3 + rq_vl1 * tq_0 - rq_vl3 * tq_2;
-            const real t45 = t1 * t44;
-            const real t46 = tq_1 * t45;
-            const real t47 = 0.16666666666666666 * t46;
-            const real t48 = rq_vl0 * tq_0 - rq_vl1 * tq_1 - rq_vl2 * tq_2 - rq_vl3 * tq_3;
-            const real t49 = t48 * t1;
-            const real t50 = tq_0 * t49;
-            const real t51 = 0.16666666666666666 * t50;
-            Phi_x[4 * 8 + j] = t43 - t47 - t51;
-            const real t52 = tq_1 * t49;
-            const real t53 = tq_2 * t36;
-            const real t54 = 0.16666666666666666 * (t52 + t53);
-            const real t55 = tq_3 * t40;
-            const real t56 = 0.16666666666666666 * t55;
-            const real t57 = tq_0 * t45;
-            const real t58 = 0.16666666666666666 * t57;
-            Phi_x[5 * 8 + j] = t54 - t56 - t58;
-            const real t59 = tq_2 * t49;
-            const real t60 = 0.16666666666666666 * t59;
-            const real t61 = tq_0 * t40;
-            const real t62 = 0.16666666666666666 * t61;
-            const real t63 = tq_1 * t36;
-            const real t64 = 0.16666666666666666 * t63;
-            const real t65 = tq_3 * t45;
-            const real t66 = 0.16666666666666666 * t65;
-            Phi_x[6 * 8 + j] = t60 + t62 - t64 - t66;
-            const real t67 = tq_3 * t49;
-            const real t68 = tq_2 * t45;
-            const real t69 = tq_0 * t36;
-            const real t70 = tq_1 * t40;
-            const real t71 = 0.16666666666666666 * t67 + 0.16666666666666666 * t68 + 0.16666666666666666 * (t69 + t70);
-            Phi_x[7 * 8 + j] = t71;
-            const real t72 = t29 - t25;
-            Phi_x[9 * 8 + j] = t27 + t72 - t23;
-            Phi_x[10 * 8 + j] = Phi_x[19 * 8 + j] = t17 - t21 - t19;
-            Phi_x[11 * 8 + j] = t6 - t14 - t10;
-            Phi_x[12 * 8 + j] = Phi_x[21 * 8 + j] = -t71;
-            const real t73 = t66 - t60;
-            Phi_x[13 * 8 + j] = t64 + t73 - t62;
-            Phi_x[14 * 8 + j] = Phi_x[23 * 8 + j] = t54 - t58 - t56;
-            const real t74 = t51 + t47;
-            Phi_x[15 * 8 + j] = t43 - t74;
-            Phi_x[16 * 8 + j] = t23 - t72 - t27;
-            Phi_x[18 * 8 + j] = t10 + t14 - t6;
-            Phi_x[20 * 8 + j] = t62 - t64 - t73;
-            Phi_x[22 * 8 + j] = t74 - t38 - t42;
+            const real t21 = rq_vl0 * tq_3 + rq_vl3 * tq_0 + rq_vl1 * tq_2 - rq_vl2 * tq_1;
+            const real t22 = t1 * t21;
+            const real t23 = 0.16666666666666666 * (tq_3 * t22);
+            const real t24 = rq_vl0 * tq_2 + rq_vl3 * tq_1 + rq_vl2 * tq_0 - rq_vl1 * tq_3;
+            const real t25 = t1 * t24;
+            const real t26 = 0.16666666666666666 * (tq_2 * t25);
+            const real t27 = t23 + t26;
+            const real t28 = rq_vl0 * tq_1 + rq_vl2 * tq_3 + rq_vl1 * tq_0 - rq_vl3 * tq_2;
+            const real t29 = t1 * t28;
+            const real t30 = 0.16666666666666666 * (tq_1 * t29);
+            const real t31 = rq_vl0 * tq_0 - rq_vl1 * tq_1 - rq_vl2 * tq_2 - rq_vl3 * tq_3;
+            const real t32 = t31 * t1;
+            const real t33 = 0.16666666666666666 * (tq_0 * t32);
+            Phi_x[4 * 8 + j] = t27 - t30 - t33;
+            const real t34 = 0.16666666666666666 * (tq_1 * t32 + tq_2 * t22);
+            const real t35 = 0.16666666666666666 * (tq_3 * t25);
+            const real t36 = 0.16666666666666666 * (tq_0 * t29);
+            Phi_x[5 * 8 + j] = t34 - t35 - t36;
+            const real t37 = 0.16666666666666666 * (tq_2 * t32);
+            const real t38 = 0.16666666666666666 * (tq_0 * t25);
+            const real t39 = 0.16666666666666666 * (tq_1 * t22);
+            const real t40 = 0.16666666666666666 * (tq_3 * t29);
+            Phi_x[6 * 8 + j] = t37 + t38 - t39 - t40;
+            const real t41 = 0.16666666666666666 * (tq_3 * t32) + 0.16666666666666666 * (tq_2 * t29);
+            const real t42 = t41 + 0.16666666666666666 * (tq_0 * t22 + tq_1 * t25);
+            Phi_x[7 * 8 + j] = t42;
+            const real t43 = t18 - t16;
+            Phi_x[9 * 8 + j] = t17 + t43 - t15;
+            Phi_x[10 * 8 + j] = Phi_x[19 * 8 + j] = t12 - t14 - t13;
+            Phi_x[11 * 8 + j] = t5 - t11 - t8;
+            Phi_x[12 * 8 + j] = Phi_x[21 * 8 + j] = -t42;
+            const real t44 = t40 - t37;
+            Phi_x[13 * 8 + j] = t39 + t44 - t38;
+            Phi_x[14 * 8 + j] = Phi_x[23 * 8 + j] = t34 - t36 - t35;
+            const real t45 = t33 + t30;
+            Phi_x[15 * 8 + j] = t27 - t45;
+            Phi_x[16 * 8 + j] = t15 - t43 - t17;
+            Phi_x[18 * 8 + j] = t8 + t11 - t5;
+            Phi_x[20 * 8 + j] = t38 - t39 - t44;
+            Phi_x[22 * 8 + j] = t45 - t23 - t26;
+        }
+    }
+}
+
+/* kinematics: 324 operations.
+ * in:  x (14), v (14), a (14), p (9)
+ * out: Psi_x (3,14), 24 of 42 entries, Psi_v (3,14), 24 of 42 entries */
+FLEXEL_CLONES
+static void beam_span_kinematics(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict v = in[1] + b * (14 * 8);
+        const real *restrict a = in[2] + b * (14 * 8);
+        const real *restrict p = in[3] + b * (9 * 8);
+        real *restrict Psi_x = out[0] + b * (24 * 8);
+        real *restrict Psi_v = out[1] + b * (24 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real l0 = p[0 * 8 + j];
+            const real t0 = l0 * l0;
+            const real tp_0 = p[1 * 8 + j];
             const real rp_al0 = a[3 * 8 + j];
+            const real tp_1 = p[2 * 8 + j];
             const real rp_al1 = a[4 * 8 + j];
+            const real tp_2 = p[3 * 8 + j];
             const real rp_al2 = a[5 * 8 + j];
+            const real tp_3 = p[4 * 8 + j];
             const real rp_al3 = a[6 * 8 + j];
-            const real t75 = tp_0 * rp_al0 - tp_1 * rp_al1 - tp_2 * rp_al2 - tp_3 * rp_al3;
-            const real t76 = t1 * t75;
-            const real t77 = tp_1 * rp_al0 + tp_3 * rp_al2 + tp_0 * rp_al1 - tp_2 * rp_al3;
-            const real t78 = t1 * t77;
-            const real t79 = 0.16666666666666666 * (tp_0 * t76 + tp_1 * t78);
-            const real t80 = tp_3 * rp_al0 + tp_0 * rp_al3 + tp_2 * rp_al1 - tp_1 * rp_al2;
-            const real t81 = t1 * t80;
-            const real t82 = 0.16666666666666666 * (tp_3 * t81);
-            const real t83 = tp_2 * rp_al0 + tp_1 * rp_al3 + tp_0 * rp_al2 - tp_3 * rp_al1;
-            const real t84 = t1 * t83;
-            const real t85 = 0.16666666666666666 * (tp_2 * t84);
-            Psi_x[0 * 8 + j] = t79 - t82 - t85;
-            const real t86 = 0.16666666666666666 * (tp_3 * t84 + tp_0 * t78);
-            const real t87 = 0.16666666666666666 * (tp_2 * t81);
-            const real t88 = 0.16666666666666666 * (tp_1 * t76);
-            Psi_x[1 * 8 + j] = t86 - t87 - t88;
-            const real t89 = 0.16666666666666666 * (tp_1 * t81);
-            const real t90 = 0.16666666666666666 * (tp_3 * t78);
-            const real t91 = 0.16666666666666666 * (tp_0 * t84);
-            const real t92 = 0.16666666666666666 * (tp_2 * t76);
-            Psi_x[2 * 8 + j] = t89 + t90 - t91 - t92;
-            const real t93 = 0.16666666666666666 * (tp_3 * t76) + 0.16666666666666666 * (tp_2 * t78);
-            const real t94 = t93 + 0.16666666666666666 * (tp_0 * t81 + tp_1 * t84);
-            Psi_x[8 * 8 + j] = Psi_x[17 * 8 + j] = t94;
-            Psi_x[3 * 8 + j] = -t94;
+            const real t1 = tp_0 * rp_al0 - tp_1 * rp_al1 - tp_2 * rp_al2 - tp_3 * rp_al3;
+            const real t2 = t0 * t1;
+            const real t3 = tp_1 * rp_al0 + tp_3 * rp_al2 + tp_0 * rp_al1 - tp_2 * rp_al3;
+            const real t4 = t0 * t3;
+            const real t5 = 0.16666666666666666 * (tp_0 * t2 + tp_1 * t4);
+            const real t6 = tp_3 * rp_al0 + tp_0 * rp_al3 + tp_2 * rp_al1 - tp_1 * rp_al2;
+            const real t7 = t0 * t6;
+            const real t8 = 0.16666666666666666 * (tp_3 * t7);
+            const real t9 = tp_2 * rp_al0 + tp_1 * rp_al3 + tp_0 * rp_al2 - tp_3 * rp_al1;
+            const real t10 = t0 * t9;
+            const real t11 = 0.16666666666666666 * (tp_2 * t10);
+            Psi_x[0 * 8 + j] = t5 - t8 - t11;
+            const real t12 = 0.16666666666666666 * (tp_3 * t10 + tp_0 * t4);
+            const real t13 = 0.16666666666666666 * (tp_2 * t7);
+            const real t14 = 0.16666666666666666 * (tp_1 * t2);
+            Psi_x[1 * 8 + j] = t12 - t13 - t14;
+            const real t15 = 0.16666666666666666 * (tp_1 * t7);
+            const real t16 = 0.16666666666666666 * (tp_3 * t4);
+            const real t17 = 0.16666666666666666 * (tp_0 * t10);
+            const real t18 = 0.16666666666666666 * (tp_2 * t2);
+            Psi_x[2 * 8 + j] = t15 + t16 - t17 - t18;
+            const real t19 = 0.16666666666666666 * (tp_3 * t2) + 0.16666666666666666 * (tp_2 * t4);
+            const real t20 = t19 + 0.16666666666666666 * (tp_0 * t7 + tp_1 * t10);
+            Psi_x[8 * 8 + j] = Psi_x[17 * 8 + j] = t20;
+            Psi_x[3 * 8 + j] = -t20;
+            const real tq_2 = p[7 * 8 + j];
             const real rq_al1 = a[11 * 8 + j];
+            const real tq_3 = p[8 * 8 + j];
             const real rq_al0 = a[10 * 8 + j];
+            const real tq_0 = p[5 * 8 + j];
             const real rq_al3 = a[13 * 8 + j];
+            const real tq_1 = p[6 * 8 + j];
             const real rq_al2 = a[12 * 8 + j];
-            const real t95 = tq_3 * rq_al0 + tq_0 * rq_al3 + tq_2 * rq_al1 - tq_1 * rq_al2;
-            const real t96 = t1 * t95;
-            const real t97 = 0.16666666666666666 * (tq_3 * t96);
-            const real t98 = tq_2 * rq_al0 + tq_1 * rq_al3 + tq_0 * rq_al2 - tq_3 * rq_al1;
-            const real t99 = t1 * t98;
-            const real t100 = 0.16666666666666666 * (tq_2 * t99);
-            const real t101 = t97 + t100;
-            const real t102 = tq_1 * rq_al0 + tq_3 * rq_al2 + tq_0 * rq_al1 - tq_2 * rq_al3;
-            const real t103 = t1 * t102;
-            const real t104 = 0.16666666666666666 * (tq_1 * t103);
-            const real t105 = tq_0 * rq_al0 - tq_1 * rq_al1 - tq_2 * rq_al2 - tq_3 * rq_al3;
-            const real t106 = t1 * t105;
-            const real t107 = 0.16666666666666666 * (tq_0 * t106);
-            Psi_x[4 * 8 + j] = t101 - t104 - t107;
-            const real t108 = 0.16666666666666666 * (tq_1 * t106 + tq_2 * t96);
-            const real t109 = 0.16666666666666666 * (tq_3 * t99);
-            const real t110 = 0.16666666666666666 * (tq_0 * t103);
-            Psi_x[5 * 8 + j] = t108 - t109 - t110;
-            const real t111 = 0.16666666666666666 * (tq_2 * t106);
-            const real t112 = 0.16666666666666666 * (tq_0 * t99);
-            const real t113 = 0.16666666666666666 * (tq_1 * t96);
-            const real t114 = 0.16666666666666666 * (tq_3 * t103);
-            Psi_x[6 * 8 + j] = t111 + t112 - t113 - t114;
-            const real t115 = 0.16666666666666666 * (tq_3 * t106) + 0.16666666666666666 * (tq_2 * t103);
-            const real t116 = t115 + 0.16666666666666666 * (tq_0 * t96 + tq_1 * t99);
-            Psi_x[7 * 8 + j] = t116;
-            const real t117 = t92 - t90;
-            Psi_x[9 * 8 + j] = t91 + t117 - t89;
-            Psi_x[10 * 8 + j] = Psi_x[19 * 8 + j] = t86 - t88 - t87;
-            Psi_x[11 * 8 + j] = t79 - t85 - t82;
-            Psi_x[12 * 8 + j] = Psi_x[21 * 8 + j] = -t116;
-            const real t118 = t114 - t111;
-            Psi_x[13 * 8 + j] = t113 + t118 - t112;
-            Psi_x[14 * 8 + j] = Psi_x[23 * 8 + j] = t108 - t110 - t109;
-            const real t119 = t107 + t104;
-            Psi_x[15 * 8 + j] = t101 - t119;
-            Psi_x[16 * 8 + j] = t89 - t117 - t91;
-            Psi_x[18 * 8 + j] = t82 + t85 - t79;
-            Psi_x[20 * 8 + j] = t112 - t113 - t118;
-            Psi_x[22 * 8 + j] = t119 - t97 - t100;
-            const real t120 = 0.3333333333333333 * t5;
-            const real t121 = 0.3333333333333333 * t9;
-            const real t122 = 0.3333333333333333 * t13;
-            Psi_v[0 * 8 + j] = t120 - t121 - t122;
-            Psi_v[1 * 8 + j] = Psi_v[10 * 8 + j] = Psi_v[19 * 8 + j] = 0.3333333333333333 * (t16 - t20 + t15 - t18);
-            const real t123 = 0.3333333333333333 * t22;
-            const real t124 = 0.3333333333333333 * (t28 - t24);
-            const real t125 = 0.3333333333333333 * t26;
-            Psi_v[2 * 8 + j] = Psi_v[16 * 8 + j] = t123 - t124 - t125;
-            const real t126 = 0.3333333333333333 * t32 + 0.3333333333333333 * t33 + 0.3333333333333333 * (t30 + t31);
-            Psi_v[8 * 8 + j] = Psi_v[17 * 8 + j] = t126;
-            Psi_v[3 * 8 + j] = -t126;
-            const real t127 = 0.3333333333333333 * t37;
-            const real t128 = 0.3333333333333333 * t41;
-            const real t129 = 0.3333333333333333 * (t50 + t46);
-            Psi_v[4 * 8 + j] = Psi_v[15 * 8 + j] = t127 + t128 - t129;
-            Psi_v[5 * 8 + j] = Psi_v[14 * 8 + j] = Psi_v[23 * 8 + j] = 0.3333333333333333 * (t52 - t57 + t53 - t55);
-            const real t130 = 0.3333333333333333 * t61;
-            const real t131 = 0.3333333333333333 * (t65 - t59);
-            const real t132 = 0.3333333333333333 * t63;
-            Psi_v[6 * 8 + j] = Psi_v[20 * 8 + j] = t130 - t131 - t132;
-            const real t133 = 0.3333333333333333 * t69 + 0.3333333333333333 * t70 + 0.3333333333333333 * (t67 + t68);
-            Psi_v[7 * 8 + j] = t133;
-            Psi_v[9 * 8 + j] = t125 + t124 - t123;
-            Psi_v[11 * 8 + j] = t120 - t122 - t121;
-            Psi_v[12 * 8 + j] = Psi_v[21 * 8 + j] = -t133;
-            Psi_v[13 * 8 + j] = t132 + t131 - t130;
-            Psi_v[18 * 8 + j] = t121 + t122 - t120;
-            Psi_v[22 * 8 + j] = t129 - t127 - t128;
+            const real t21 = tq_3 * rq_al0 + tq_0 * rq_al3 + tq_2 * rq_al1 - tq_1 * rq_al2;
+            const real t22 = t0 * t21;
+            const real t23 = 0.16666666666666666 * (tq_3 * t22);
+            const real t24 = tq_2 * rq_al0 + tq_1 * rq_al3 + tq_0 * rq_al2 - tq_3 * rq_al1;
+            const real t25 = t0 * t24;
+            const real t26 = 0.16666666666666666 * (tq_2 * t25);
+            const real t27 = t23 + t26;
+            const real t28 = tq_1 * rq_al0 + tq_3 * rq_al2 + tq_0 * rq_al1 - tq_2 * rq_al3;
+            const real t29 = t0 * t28;
+            const real t30 = 0.16666666666666666 * (tq_1 * t29);
+            const real t31 = tq_0 * rq_al0 - tq_1 * rq_al1 - tq_2 * rq_al2 - tq_3 * rq_al3;
+            const real t32 = t0 * t31;
+            const real t33 = 0.16666666666666666 * (tq_0 * t32);
+            Psi_x[4 * 8 + j] = t27 - t30 - t33;
+            const real t34 = 0.16666666666666666 * (tq_1 * t32 + tq_2 * t22);
+            const real t35 = 0.16666666666666666 * (tq_3 * t25);
+            const real t36 = 0.16666666666666666 * (tq_0 * t29);
+            Psi_x[5 * 8 + j] = t34 - t35 - t36;
+            const real t37 = 0.16666666666666666 * (tq_2 * t32);
+            const real t38 = 0.16666666666666666 * (tq_0 * t25);
+            const real t39 = 0.16666666666666666 * (tq_1 * t22);
+            const real t40 = 0.16666666666666666 * (tq_3 * t29);
+            Psi_x[6 * 8 + j] = t37 + t38 - t39 - t40;
+            const real t41 = 0.16666666666666666 * (tq_3 * t32) + 0.16666666666666666 * (tq_2 * t29);
+            const real t42 = t41 + 0.16666666666666666 * (tq_0 * t22 + tq_1 * t25);
+            Psi_x[7 * 8 + j] = t42;
+            const real t43 = t18 - t16;
+            Psi_x[9 * 8 + j] = t17 + t43 - t15;
+            Psi_x[10 * 8 + j] = Psi_x[19 * 8 + j] = t12 - t14 - t13;
+            Psi_x[11 * 8 + j] = t5 - t11 - t8;
+            Psi_x[12 * 8 + j] = Psi_x[21 * 8 + j] = -t42;
+            const real t44 = t40 - t37;
+            Psi_x[13 * 8 + j] = t39 + t44 - t38;
+            Psi_x[14 * 8 + j] = Psi_x[23 * 8 + j] = t34 - t36 - t35;
+            const real t45 = t33 + t30;
+            Psi_x[15 * 8 + j] = t27 - t45;
+            Psi_x[16 * 8 + j] = t15 - t43 - t17;
+            Psi_x[18 * 8 + j] = t8 + t11 - t5;
+            Psi_x[20 * 8 + j] = t38 - t39 - t44;
+            Psi_x[22 * 8 + j] = t45 - t23 - t26;
+            const real rp_vl0 = v[3 * 8 + j];
+            const real rp_vl1 = v[4 * 8 + j];
+            const real rp_vl2 = v[5 * 8 + j];
+            const real rp_vl3 = v[6 * 8 + j];
+            const real t46 = rp_vl0 * tp_0 - rp_vl1 * tp_1 - rp_vl2 * tp_2 - rp_vl3 * tp_3;
+            const real t47 = t46 * t0;
+            const real t48 = rp_vl0 * tp_1 + rp_vl2 * tp_3 + rp_vl1 * tp_0 - rp_vl3 * tp_2;
+            const real t49 = t0 * t48;
+            const real t50 = 0.3333333333333333 * (tp_0 * t47 + tp_1 * t49);
+            const real t51 = rp_vl0 * tp_3 + rp_vl3 * tp_0 + rp_vl1 * tp_2 - rp_vl2 * tp_1;
+            const real t52 = t0 * t51;
+            const real t53 = 0.3333333333333333 * (tp_3 * t52);
+            const real t54 = rp_vl0 * tp_2 + rp_vl3 * tp_1 + rp_vl2 * tp_0 - rp_vl1 * tp_3;
+            const real t55 = t0 * t54;
+            const real t56 = 0.3333333333333333 * (tp_2 * t55);
+            Psi_v[0 * 8 + j] = t50 - t53 - t56;
+            Psi_v[1 * 8 + j] = Psi_v[10 * 8 + j] = Psi_v[19 * 8 + j] = 0.3333333333333333 * (tp_0 * t49 - tp_1 * t47 + tp_3 * t55 - tp_2 * t52);
+            const real t57 = 0.3333333333333333 * (tp_1 * t52);
+            const real t58 = 0.3333333333333333 * (tp_2 * t47 - tp_3 * t49);
+            const real t59 = 0.3333333333333333 * (tp_0 * t55);
+            Psi_v[2 * 8 + j] = Psi_v[16 * 8 + j] = t57 - t58 - t59;
+            const real t60 = 0.3333333333333333 * (tp_0 * t52) + 0.3333333333333333 * (tp_1 * t55);
+            const real t61 = t60 + 0.3333333333333333 * (tp_3 * t47 + tp_2 * t49);
+            Psi_v[8 * 8 + j] = Psi_v[17 * 8 + j] = t61;
+            Psi_v[3 * 8 + j] = -t61;
+            const real rq_vl1 = v[11 * 8 + j];
+            const real rq_vl0 = v[10 * 8 + j];
+            const real rq_vl3 = v[13 * 8 + j];
+            const real rq_vl2 = v[12 * 8 + j];
+            const real t62 = rq_vl0 * tq_3 + rq_vl3 * tq_0 + rq_vl1 * tq_2 - rq_vl2 * tq_1;
+            const real t63 = t0 * t62;
+            const real t64 = 0.3333333333333333 * (tq_3 * t63);
+            const real t65 = rq_vl0 * tq_2 + rq_vl3 * tq_1 + rq_vl2 * tq_0 - rq_vl1 * tq_3;
+            const real t66 = t0 * t65;
+            const real t67 = 0.3333333333333333 * (tq_2 * t66);
+            const real t68 = rq_vl0 * tq_0 - rq_vl1 * tq_1 - rq_vl2 * tq_2 - rq_vl3 * tq_3;
+            const real t69 = t68 * t0;
+            const real t70 = rq_vl0 * tq_1 + rq_vl2 * tq_3 + rq_vl1 * tq_0 - rq_vl3 * tq_2;
+            const real t71 = t0 * t70;
+            const real t72 = 0.3333333333333333 * (tq_0 * t69 + tq_1 * t71);
+            Psi_v[4 * 8 + j] = Psi_v[15 * 8 + j] = t64 + t67 - t72;
+            Psi_v[5 * 8 + j] = Psi_v[14 * 8 + j] = Psi_v[23 * 8 + j] = 0.3333333333333333 * (tq_1 * t69 - tq_0 * t71 + tq_2 * t63 - tq_3 * t66);
+            const real t73 = 0.3333333333333333 * (tq_0 * t66);
+            const real t74 = 0.3333333333333333 * (tq_3 * t71 - tq_2 * t69);
+            const real t75 = 0.3333333333333333 * (tq_1 * t63);
+            Psi_v[6 * 8 + j] = Psi_v[20 * 8 + j] = t73 - t74 - t75;
+            const real t76 = 0.3333333333333333 * (tq_0 * t63) + 0.3333333333333333 * (tq_1 * t66);
+            const real t77 = t76 + 0.3333333333333333 * (tq_3 * t69 + tq_2 * t71);
+            Psi_v[7 * 8 + j] = t77;
+            Psi_v[9 * 8 + j] = t59 + t58 - t57;
+            Psi_v[11 * 8 + j] = t50 - t56 - t53;
+            Psi_v[12 * 8 + j] = Psi_v[21 * 8 + j] = -t77;
+            Psi_v[13 * 8 + j] = t75 + t74 - t73;
+            Psi_v[18 * 8 + j] = t53 + t56 - t50;
+            Psi_v[22 * 8 + j] = t72 - t64 - t67;
         }
     }
 }
@@ -614,7 +636,7 @@ static void beam_span_stiffness(size_t nblocks, const real *const *in, real *con
 
 const flexel_element flexel_beam_span = {
     .name = "beam_span",
-    .digest = "10150c5a84d3bc2e",
+    .digest = "4e10cdff35b6c03c",
     .n = 14,
     .m = 0,
     .k = 3,
@@ -622,6 +644,7 @@ const flexel_element flexel_beam_span = {
     .position = beam_span_position,
     .velocity = beam_span_velocity,
     .acceleration = beam_span_acceleration,
+    .rates = beam_span_rates,
     .kinematics = beam_span_kinematics,
     .stiffness = beam_span_stiffness,
 };

@@ -154,9 +154,70 @@ static void body_rotation_acceleration(size_t nblocks, const real *const *in, re
     }
 }
 
-/* kinematics: 247 operations.
+/* rates: 94 operations.
+ * in:  x (4), v (4), p (4)
+ * out: Phi_x (3,4) */
+FLEXEL_CLONES
+static void body_rotation_rates(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict v = in[1] + b * (4 * 8);
+        const real *restrict p = in[2] + b * (4 * 8);
+        real *restrict Phi_x = out[0] + b * (12 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real r_vl2 = v[2 * 8 + j];
+            const real t_0 = p[0 * 8 + j];
+            const real r_vl0 = v[0 * 8 + j];
+            const real t_2 = p[2 * 8 + j];
+            const real r_vl3 = v[3 * 8 + j];
+            const real t_1 = p[1 * 8 + j];
+            const real r_vl1 = v[1 * 8 + j];
+            const real t_3 = p[3 * 8 + j];
+            const real t0 = r_vl0 * t_2 + r_vl3 * t_1 + r_vl2 * t_0 - r_vl1 * t_3;
+            const real t1 = 2.0 * t_3 * t0;
+            const real t2 = r_vl0 * t_1 + r_vl2 * t_3 + r_vl1 * t_0 - r_vl3 * t_2;
+            const real t3 = 2.0 * t_0 * t2;
+            const real t4 = r_vl0 * t_3 + r_vl3 * t_0 + r_vl1 * t_2 - r_vl2 * t_1;
+            const real t5 = 2.0 * t_2 * t4;
+            const real t6 = r_vl0 * t_0 - r_vl1 * t_1 - r_vl2 * t_2 - r_vl3 * t_3;
+            const real t7 = 2.0 * t_1 * t6;
+            Phi_x[0 * 8 + j] = t1 + t3 - t5 - t7;
+            const real t8 = 2.0 * t_2 * t0;
+            const real t9 = 2.0 * t_3 * t4;
+            const real t10 = 2.0 * t_0 * t6;
+            const real t11 = 2.0 * t_1 * t2;
+            Phi_x[1 * 8 + j] = t8 + t9 - t10 - t11;
+            const real t12 = 2.0 * t_2 * t2;
+            const real t13 = 2.0 * t_3 * t6;
+            const real t14 = 2.0 * t_1 * t0;
+            const real t15 = 2.0 * t_0 * t4;
+            Phi_x[2 * 8 + j] = -(t14 + t15 + t13 + t12);
+            const real t16 = 2.0 * t_2 * t6;
+            const real t17 = 2.0 * t_0 * t0;
+            const real t18 = 2.0 * t_1 * t4;
+            const real t19 = 2.0 * t_3 * t2;
+            Phi_x[3 * 8 + j] = t16 + t17 - t18 - t19;
+            const real t20 = t17 + t18;
+            const real t21 = t16 + t19;
+            Phi_x[4 * 8 + j] = t20 - t21;
+            const real t22 = t13 - t12;
+            Phi_x[5 * 8 + j] = t15 + t22 - t14;
+            const real t23 = t11 - t10;
+            Phi_x[6 * 8 + j] = t9 + t23 - t8;
+            const real t24 = t7 + t3;
+            Phi_x[7 * 8 + j] = -(t1 + t5 + t24);
+            Phi_x[8 * 8 + j] = t15 - t14 - t22;
+            Phi_x[9 * 8 + j] = -(t21 + t20);
+            Phi_x[10 * 8 + j] = t24 - t1 - t5;
+            Phi_x[11 * 8 + j] = t8 + t23 - t9;
+        }
+    }
+}
+
+/* kinematics: 173 operations.
  * in:  x (4), v (4), a (4), p (4)
- * out: Phi_x (3,4), Psi_x (3,4), Psi_v (3,4) */
+ * out: Psi_x (3,4), Psi_v (3,4) */
 FLEXEL_CLONES
 static void body_rotation_kinematics(size_t nblocks, const real *const *in, real *const *out)
 {
@@ -164,134 +225,97 @@ static void body_rotation_kinematics(size_t nblocks, const real *const *in, real
         const real *restrict v = in[1] + b * (4 * 8);
         const real *restrict a = in[2] + b * (4 * 8);
         const real *restrict p = in[3] + b * (4 * 8);
-        real *restrict Phi_x = out[0] + b * (12 * 8);
-        real *restrict Psi_x = out[1] + b * (12 * 8);
-        real *restrict Psi_v = out[2] + b * (12 * 8);
+        real *restrict Psi_x = out[0] + b * (12 * 8);
+        real *restrict Psi_v = out[1] + b * (12 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
-            const real r_vl3 = v[3 * 8 + j];
             const real t_1 = p[1 * 8 + j];
-            const real t0 = r_vl3 * t_1;
-            const real r_vl0 = v[0 * 8 + j];
-            const real t_2 = p[2 * 8 + j];
-            const real t1 = r_vl0 * t_2;
-            const real r_vl2 = v[2 * 8 + j];
-            const real t_0 = p[0 * 8 + j];
-            const real t2 = r_vl2 * t_0;
-            const real r_vl1 = v[1 * 8 + j];
-            const real t_3 = p[3 * 8 + j];
-            const real t3 = r_vl1 * t_3;
-            const real t4 = t1 + t2 + t0 - t3;
-            const real t5 = 2.0 * t_3 * t4;
-            const real t6 = r_vl3 * t_0;
-            const real t7 = r_vl0 * t_3;
-            const real t8 = r_vl1 * t_2;
-            const real t9 = r_vl2 * t_1;
-            const real t10 = t7 + t8 + t6 - t9;
-            const real t11 = 2.0 * t_2 * t10;
-            const real t12 = r_vl0 * t_0 - r_vl1 * t_1 - r_vl2 * t_2 - r_vl3 * t_3;
-            const real t13 = 2.0 * t_1 * t12;
-            const real t14 = r_vl2 * t_3;
-            const real t15 = r_vl0 * t_1;
-            const real t16 = r_vl1 * t_0;
-            const real t17 = r_vl3 * t_2;
-            const real t18 = t15 + t16 + t14 - t17;
-            const real t19 = 2.0 * t_0 * t18;
-            Phi_x[0 * 8 + j] = t5 - t11 - t13 + t19;
-            const real t20 = 2.0 * t_2 * t4;
-            const real t21 = 2.0 * t_3 * t10;
-            const real t22 = 2.0 * t_0 * t12;
-            const real t23 = 2.0 * t_1 * t18;
-            Phi_x[1 * 8 + j] = t20 + t21 - t22 - t23;
-            const real t24 = 2.0 * t_1 * t4;
-            const real t25 = 2.0 * t_0 * t10;
-            const real t26 = 2.0 * t_3 * t12;
-            const real t27 = 2.0 * t_2 * t18;
-            Phi_x[2 * 8 + j] = -(t24 + t25 + t26 + t27);
-            const real t28 = 2.0 * t_0 * t4;
-            const real t29 = 2.0 * t_1 * t10;
-            const real t30 = 2.0 * t_2 * t12;
-            const real t31 = 2.0 * t_3 * t18;
-            Phi_x[3 * 8 + j] = t28 - t29 + t30 - t31;
-            const real t32 = t30 + t31;
-            Phi_x[4 * 8 + j] = t29 - t32 + t28;
-            const real t33 = t26 - t27;
-            Phi_x[5 * 8 + j] = t25 + t33 - t24;
-            const real t34 = t23 - t22;
-            Phi_x[6 * 8 + j] = t21 + t34 - t20;
-            const real t35 = t13 + t19;
-            Phi_x[7 * 8 + j] = -(t11 + t35 + t5);
-            Phi_x[8 * 8 + j] = t25 - (t24 + t33);
-            Phi_x[9 * 8 + j] = -(t28 + t32 + t29);
-            Phi_x[10 * 8 + j] = t35 - t5 - t11;
-            Phi_x[11 * 8 + j] = t20 + t34 - t21;
             const real r_al3 = a[3 * 8 + j];
+            const real t_2 = p[2 * 8 + j];
             const real r_al0 = a[0 * 8 + j];
+            const real t_0 = p[0 * 8 + j];
             const real r_al2 = a[2 * 8 + j];
+            const real t_3 = p[3 * 8 + j];
             const real r_al1 = a[1 * 8 + j];
-            const real t36 = t_2 * r_al0 + t_0 * r_al2 + t_1 * r_al3 - t_3 * r_al1;
-            const real t37 = 2.0 * t_3 * t36;
-            const real t38 = t_3 * r_al0 + t_2 * r_al1 + t_0 * r_al3 - t_1 * r_al2;
-            const real t39 = 2.0 * t_2 * t38;
-            const real t40 = t_0 * r_al0 - t_1 * r_al1 - t_2 * r_al2 - t_3 * r_al3;
-            const real t41 = 2.0 * t_1 * t40;
-            const real t42 = t_1 * r_al0 + t_0 * r_al1 + t_3 * r_al2 - t_2 * r_al3;
-            const real t43 = 2.0 * t_0 * t42;
-            Psi_x[0 * 8 + j] = t37 - t39 - t41 + t43;
-            const real t44 = 2.0 * t_2 * t36;
-            const real t45 = 2.0 * t_3 * t38;
-            const real t46 = 2.0 * t_0 * t40;
-            const real t47 = 2.0 * t_1 * t42;
-            Psi_x[1 * 8 + j] = t44 + t45 - t46 - t47;
-            const real t48 = 2.0 * t_1 * t36;
-            const real t49 = 2.0 * t_0 * t38;
-            const real t50 = 2.0 * t_3 * t40;
-            const real t51 = 2.0 * t_2 * t42;
-            Psi_x[2 * 8 + j] = -(t48 + t49 + t50 + t51);
-            const real t52 = 2.0 * t_0 * t36;
-            const real t53 = 2.0 * t_1 * t38;
-            const real t54 = 2.0 * t_2 * t40;
-            const real t55 = 2.0 * t_3 * t42;
-            Psi_x[3 * 8 + j] = t52 - t53 + t54 - t55;
-            const real t56 = t54 + t55;
-            Psi_x[4 * 8 + j] = t53 - t56 + t52;
-            const real t57 = t50 - t51;
-            Psi_x[5 * 8 + j] = t49 + t57 - t48;
-            const real t58 = t47 - t46;
-            Psi_x[6 * 8 + j] = t45 + t58 - t44;
-            const real t59 = t41 + t43;
-            Psi_x[7 * 8 + j] = -(t39 + t59 + t37);
-            Psi_x[8 * 8 + j] = t49 - (t48 + t57);
-            Psi_x[9 * 8 + j] = -(t52 + t56 + t53);
-            Psi_x[10 * 8 + j] = t59 - t37 - t39;
-            Psi_x[11 * 8 + j] = t44 + t58 - t45;
-            const real t60 = 2.0 * t4 + 2.0 * (t3 - t1 - t2 - t0);
-            const real t61 = t_3 * t60;
-            const real t62 = 2.0 * t10 + 2.0 * (t9 - t7 - t8 - t6);
-            const real t63 = t_2 * t62;
-            const real t64 = 2.0 * t18 + 2.0 * (t17 - t15 - t16 - t14);
-            const real t65 = t_0 * t64;
-            Psi_v[0 * 8 + j] = t61 - t63 + t65;
-            const real t66 = t_3 * t62;
-            const real t67 = t_2 * t60;
-            const real t68 = t_1 * t64;
-            Psi_v[1 * 8 + j] = t66 + t67 - t68;
-            const real t69 = t_0 * t62;
-            const real t70 = t_1 * t60;
-            const real t71 = t_2 * t64;
-            Psi_v[2 * 8 + j] = -(t69 + t70 + t71);
-            const real t72 = t_0 * t60;
-            const real t73 = t_1 * t62;
-            const real t74 = t_3 * t64;
-            Psi_v[3 * 8 + j] = t72 - t73 - t74;
-            Psi_v[4 * 8 + j] = t72 - t74 + t73;
-            Psi_v[5 * 8 + j] = t69 - (t70 + t71);
-            Psi_v[6 * 8 + j] = t68 - t67 + t66;
-            Psi_v[7 * 8 + j] = -(t61 + t65 + t63);
-            Psi_v[8 * 8 + j] = t69 + t71 - t70;
-            Psi_v[9 * 8 + j] = -(t73 + t74 + t72);
-            Psi_v[10 * 8 + j] = t65 - t63 - t61;
-            Psi_v[11 * 8 + j] = t68 - t66 + t67;
+            const real t0 = t_2 * r_al0 + t_0 * r_al2 + t_1 * r_al3 - t_3 * r_al1;
+            const real t1 = 2.0 * t_3 * t0;
+            const real t2 = t_3 * r_al0 + t_2 * r_al1 + t_0 * r_al3 - t_1 * r_al2;
+            const real t3 = 2.0 * t_2 * t2;
+            const real t4 = t_0 * r_al0 - t_1 * r_al1 - t_2 * r_al2 - t_3 * r_al3;
+            const real t5 = 2.0 * t_1 * t4;
+            const real t6 = t_1 * r_al0 + t_0 * r_al1 + t_3 * r_al2 - t_2 * r_al3;
+            const real t7 = 2.0 * t_0 * t6;
+            Psi_x[0 * 8 + j] = t1 - t3 - t5 + t7;
+            const real t8 = 2.0 * t_2 * t0;
+            const real t9 = 2.0 * t_3 * t2;
+            const real t10 = 2.0 * t_0 * t4;
+            const real t11 = 2.0 * t_1 * t6;
+            Psi_x[1 * 8 + j] = t8 + t9 - t10 - t11;
+            const real t12 = 2.0 * t_1 * t0;
+            const real t13 = 2.0 * t_0 * t2;
+            const real t14 = 2.0 * t_3 * t4;
+            const real t15 = 2.0 * t_2 * t6;
+            Psi_x[2 * 8 + j] = -(t12 + t13 + t14 + t15);
+            const real t16 = 2.0 * t_0 * t0;
+            const real t17 = 2.0 * t_1 * t2;
+            const real t18 = 2.0 * t_2 * t4;
+            const real t19 = 2.0 * t_3 * t6;
+            Psi_x[3 * 8 + j] = t16 - t17 + t18 - t19;
+            const real t20 = t18 + t19;
+            Psi_x[4 * 8 + j] = t17 - t20 + t16;
+            const real t21 = t14 - t15;
+            Psi_x[5 * 8 + j] = t13 + t21 - t12;
+            const real t22 = t11 - t10;
+            Psi_x[6 * 8 + j] = t9 + t22 - t8;
+            const real t23 = t5 + t7;
+            Psi_x[7 * 8 + j] = -(t3 + t23 + t1);
+            Psi_x[8 * 8 + j] = t13 - (t12 + t21);
+            Psi_x[9 * 8 + j] = -(t16 + t20 + t17);
+            Psi_x[10 * 8 + j] = t23 - t1 - t3;
+            Psi_x[11 * 8 + j] = t8 + t22 - t9;
+            const real r_vl3 = v[3 * 8 + j];
+            const real t24 = r_vl3 * t_1;
+            const real r_vl0 = v[0 * 8 + j];
+            const real t25 = r_vl0 * t_2;
+            const real r_vl2 = v[2 * 8 + j];
+            const real t26 = r_vl2 * t_0;
+            const real r_vl1 = v[1 * 8 + j];
+            const real t27 = r_vl1 * t_3;
+            const real t28 = 2.0 * (t25 + t26 + t24 - t27) + 2.0 * (t27 - t25 - t26 - t24);
+            const real t29 = t_3 * t28;
+            const real t30 = r_vl3 * t_0;
+            const real t31 = r_vl0 * t_3;
+            const real t32 = r_vl1 * t_2;
+            const real t33 = r_vl2 * t_1;
+            const real t34 = 2.0 * (t31 + t32 + t30 - t33) + 2.0 * (t33 - t31 - t32 - t30);
+            const real t35 = t_2 * t34;
+            const real t36 = r_vl2 * t_3;
+            const real t37 = r_vl0 * t_1;
+            const real t38 = r_vl1 * t_0;
+            const real t39 = r_vl3 * t_2;
+            const real t40 = 2.0 * (t37 + t38 + t36 - t39) + 2.0 * (t39 - t37 - t38 - t36);
+            const real t41 = t_0 * t40;
+            Psi_v[0 * 8 + j] = t29 - t35 + t41;
+            const real t42 = t_3 * t34;
+            const real t43 = t_2 * t28;
+            const real t44 = t_1 * t40;
+            Psi_v[1 * 8 + j] = t42 + t43 - t44;
+            const real t45 = t_0 * t34;
+            const real t46 = t_1 * t28;
+            const real t47 = t_2 * t40;
+            Psi_v[2 * 8 + j] = -(t45 + t46 + t47);
+            const real t48 = t_0 * t28;
+            const real t49 = t_1 * t34;
+            const real t50 = t_3 * t40;
+            Psi_v[3 * 8 + j] = t48 - t49 - t50;
+            Psi_v[4 * 8 + j] = t48 - t50 + t49;
+            Psi_v[5 * 8 + j] = t45 - (t46 + t47);
+            Psi_v[6 * 8 + j] = t44 - t43 + t42;
+            Psi_v[7 * 8 + j] = -(t29 + t41 + t35);
+            Psi_v[8 * 8 + j] = t45 + t47 - t46;
+            Psi_v[9 * 8 + j] = -(t49 + t50 + t48);
+            Psi_v[10 * 8 + j] = t41 - t35 - t29;
+            Psi_v[11 * 8 + j] = t44 - t42 + t43;
         }
     }
 }
@@ -361,7 +385,7 @@ static void body_rotation_stiffness(size_t nblocks, const real *const *in, real 
 
 const flexel_element flexel_body_rotation = {
     .name = "body_rotation",
-    .digest = "d8d0a32f89083ce7",
+    .digest = "e8ddafe8d118b8f6",
     .n = 4,
     .m = 0,
     .k = 3,
@@ -369,6 +393,7 @@ const flexel_element flexel_body_rotation = {
     .position = body_rotation_position,
     .velocity = body_rotation_velocity,
     .acceleration = body_rotation_acceleration,
+    .rates = body_rotation_rates,
     .kinematics = body_rotation_kinematics,
     .stiffness = body_rotation_stiffness,
 };

@@ -58,11 +58,11 @@ typedef void (*flexel_kernel)(size_t nblocks, const double *const *in, double *c
 typedef struct {
     const char *name, *digest;
     int n, m, k, np;
-    flexel_kernel position, velocity, acceleration, inertia, kinematics, stiffness, tangent;
+    flexel_kernel position, velocity, acceleration, inertia, rates, kinematics, stiffness, tangent;
 } flexel_element;
 typedef struct {
     const char *name, *digest;
-    int m, k, np;
+    int m, k, nz, np;
     flexel_kernel law, tangent;
 } flexel_law;
 typedef struct {

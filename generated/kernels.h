@@ -23,7 +23,8 @@
  *   acceleration  x v p             g (m) = D2e(v,v), gs (k) = (ds/dx) v
  *   inertia       x v p             M (n,n), h (n), f (n), U (1): kinetic energy v'M v/2, h = (dM/dt) v - d(v'M v)/dx/2,
  *                                   potential U of the body forces, f = -dU/dx
- *   kinematics    x v a p           Phi_x (m+k,n), Psi_x (m+k,n), Psi_v (m+k,n): derivatives by x and v of Phi = [De v; s] and
+ *   rates         x v p             Phi_x (m+k,n) = dPhi/dx of Phi = [De v; s]
+ *   kinematics    x v a p           Psi_x (m+k,n), Psi_v (m+k,n): derivatives by x and v of
  *                                   Psi = dPhi/dt = [D2e(v,v) + De a; (ds/dx) v + V a]
  *   stiffness     x sigma tau p     K (n,n) = d(De'sigma + V'tau)/dx at fixed sigma and tau
  *   tangent       x v a p           R_x (n,n), R_v (n,n): derivatives of M a + h - f
@@ -33,8 +34,9 @@
  *
  * Laws
  *
- *   law           e ed s p          sigma (m), tau (k), U (1) stored energy
- *   tangent       e ed s p          J (m+k, 2m+k) = d(sigma,tau)/d(e,ed,s)
+ *   law           e ed s z t p      sigma (m), tau (k), zd (nz) rates of the internal states z (nz), U (1) stored energy,
+ *                                   P (1) dissipated power sigma.ed + tau.s - dU/dt; t (1) is the time
+ *   tangent       e ed s z t p      J (m+k+nz, 2m+k+nz) = d(sigma,tau,zd)/d(e,ed,s,z)
  *
  * Everything is written for a type `real`, double by default. Compiled with -Dreal="double complex" the same kernels take
  * complex arguments (for complex-step differentiation); functions that are not analytic (atan2, abs, min, max,
@@ -123,12 +125,12 @@ typedef void (*flexel_kernel)(size_t nblocks, const real *const *in, real *const
 typedef struct {
     const char *name, *digest;
     int n, m, k, np;
-    flexel_kernel position, velocity, acceleration, inertia, kinematics, stiffness, tangent;
+    flexel_kernel position, velocity, acceleration, inertia, rates, kinematics, stiffness, tangent;
 } flexel_element;
 
 typedef struct {
     const char *name, *digest;
-    int m, k, np;
+    int m, k, nz, np;
     flexel_kernel law, tangent;
 } flexel_law;
 

@@ -82,18 +82,15 @@ static void norm_acceleration(size_t nblocks, const real *const *in, real *const
     }
 }
 
-/* kinematics: 12 operations.
- * in:  x (4), v (4), a (4), p (0)
- * out: Phi_x (1,4), Psi_x (1,4), Psi_v (1,4) */
+/* rates: 4 operations.
+ * in:  x (4), v (4), p (0)
+ * out: Phi_x (1,4) */
 FLEXEL_CLONES
-static void norm_kinematics(size_t nblocks, const real *const *in, real *const *out)
+static void norm_rates(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict v = in[1] + b * (4 * 8);
-        const real *restrict a = in[2] + b * (4 * 8);
         real *restrict Phi_x = out[0] + b * (4 * 8);
-        real *restrict Psi_x = out[1] + b * (4 * 8);
-        real *restrict Psi_v = out[2] + b * (4 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real r_vl0 = v[0 * 8 + j];
@@ -104,6 +101,23 @@ static void norm_kinematics(size_t nblocks, const real *const *in, real *const *
             Phi_x[2 * 8 + j] = 2.0 * r_vl2;
             const real r_vl3 = v[3 * 8 + j];
             Phi_x[3 * 8 + j] = 2.0 * r_vl3;
+        }
+    }
+}
+
+/* kinematics: 8 operations.
+ * in:  x (4), v (4), a (4), p (0)
+ * out: Psi_x (1,4), Psi_v (1,4) */
+FLEXEL_CLONES
+static void norm_kinematics(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict v = in[1] + b * (4 * 8);
+        const real *restrict a = in[2] + b * (4 * 8);
+        real *restrict Psi_x = out[0] + b * (4 * 8);
+        real *restrict Psi_v = out[1] + b * (4 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
             const real r_al0 = a[0 * 8 + j];
             Psi_x[0 * 8 + j] = 2.0 * r_al0;
             const real r_al1 = a[1 * 8 + j];
@@ -112,9 +126,13 @@ static void norm_kinematics(size_t nblocks, const real *const *in, real *const *
             Psi_x[2 * 8 + j] = 2.0 * r_al2;
             const real r_al3 = a[3 * 8 + j];
             Psi_x[3 * 8 + j] = 2.0 * r_al3;
+            const real r_vl0 = v[0 * 8 + j];
             Psi_v[0 * 8 + j] = 4.0 * r_vl0;
+            const real r_vl1 = v[1 * 8 + j];
             Psi_v[1 * 8 + j] = 4.0 * r_vl1;
+            const real r_vl2 = v[2 * 8 + j];
             Psi_v[2 * 8 + j] = 4.0 * r_vl2;
+            const real r_vl3 = v[3 * 8 + j];
             Psi_v[3 * 8 + j] = 4.0 * r_vl3;
         }
     }
@@ -139,7 +157,7 @@ static void norm_stiffness(size_t nblocks, const real *const *in, real *const *o
 
 const flexel_element flexel_norm = {
     .name = "norm",
-    .digest = "7d85543497befd61",
+    .digest = "3c8b6eaec716cd66",
     .n = 4,
     .m = 1,
     .k = 0,
@@ -147,6 +165,7 @@ const flexel_element flexel_norm = {
     .position = norm_position,
     .velocity = norm_velocity,
     .acceleration = norm_acceleration,
+    .rates = norm_rates,
     .kinematics = norm_kinematics,
     .stiffness = norm_stiffness,
 };

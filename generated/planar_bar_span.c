@@ -60,9 +60,18 @@ static void planar_bar_span_acceleration(size_t nblocks, const real *const *in, 
     (void)nblocks, (void)in, (void)out; /* every entry is zero */
 }
 
+/* rates: 0 operations.
+ * in:  x (4), v (4), p (1)
+ * out: Phi_x (2,4), 0 of 8 entries */
+FLEXEL_CLONES
+static void planar_bar_span_rates(size_t nblocks, const real *const *in, real *const *out)
+{
+    (void)nblocks, (void)in, (void)out; /* every entry is zero */
+}
+
 /* kinematics: 0 operations.
  * in:  x (4), v (4), a (4), p (1)
- * out: Phi_x (2,4), 0 of 8 entries, Psi_x (2,4), 0 of 8 entries, Psi_v (2,4), 0 of 8 entries */
+ * out: Psi_x (2,4), 0 of 8 entries, Psi_v (2,4), 0 of 8 entries */
 FLEXEL_CLONES
 static void planar_bar_span_kinematics(size_t nblocks, const real *const *in, real *const *out)
 {
@@ -80,7 +89,7 @@ static void planar_bar_span_stiffness(size_t nblocks, const real *const *in, rea
 
 const flexel_element flexel_planar_bar_span = {
     .name = "planar_bar_span",
-    .digest = "c9b50032dd451681",
+    .digest = "54fd3e8820f139ba",
     .n = 4,
     .m = 0,
     .k = 2,
@@ -88,6 +97,7 @@ const flexel_element flexel_planar_bar_span = {
     .position = planar_bar_span_position,
     .velocity = planar_bar_span_velocity,
     .acceleration = planar_bar_span_acceleration,
+    .rates = planar_bar_span_rates,
     .kinematics = planar_bar_span_kinematics,
     .stiffness = planar_bar_span_stiffness,
 };

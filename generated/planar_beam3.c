@@ -158,21 +158,18 @@ static void planar_beam3_acceleration(size_t nblocks, const real *const *in, rea
     }
 }
 
-/* kinematics: 67 operations.
- * in:  x (5), v (5), a (5), p (8)
- * out: Phi_x (2,5), Psi_x (2,5), Psi_v (2,5) */
+/* rates: 26 operations.
+ * in:  x (5), v (5), p (8)
+ * out: Phi_x (2,5) */
 FLEXEL_CLONES
-static void planar_beam3_kinematics(size_t nblocks, const real *const *in, real *const *out)
+static void planar_beam3_rates(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict x = in[0] + b * (5 * 8);
         const real *restrict v = in[1] + b * (5 * 8);
-        const real *restrict a = in[2] + b * (5 * 8);
-        const real *restrict p = in[3] + b * (8 * 8);
+        const real *restrict p = in[2] + b * (8 * 8);
         real *restrict Phi_x = out[0] + b * (10 * 8);
-        real *restrict Psi_x = out[1] + b * (10 * 8);
-        real *restrict Psi_v = out[2] + b * (10 * 8);
-        real t0[8], sin_p[8], cos_p[8], t3[8], d_y[8], d_x[8], t4[8], t9[8], t11[8];
+        real t0[8], sin_p[8], cos_p[8], t3[8], d_y[8], d_x[8], t4[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real rp_angle = x[2 * 8 + j];
@@ -190,12 +187,6 @@ static void planar_beam3_kinematics(size_t nblocks, const real *const *in, real 
             const real q_vx = v[3 * 8 + j];
             const real p_vx = v[0 * 8 + j];
             t4[j] = q_vx - p_vx;
-            const real q_ay = a[4 * 8 + j];
-            const real p_ay = a[1 * 8 + j];
-            t9[j] = q_ay - p_ay;
-            const real q_ax = a[3 * 8 + j];
-            const real p_ax = a[0 * 8 + j];
-            t11[j] = q_ax - p_ax;
         }
         for (size_t j = 0; j < 8; j++) {
             sin_p[j] = real_sin(t0[j]);
@@ -209,30 +200,82 @@ static void planar_beam3_kinematics(size_t nblocks, const real *const *in, real 
             const real t2 = rp_vangle * cos_p[j];
             Phi_x[4 * 8 + j] = Phi_x[5 * 8 + j] = t2;
             Phi_x[1 * 8 + j] = Phi_x[8 * 8 + j] = -t2;
-            const real t5 = cos_p[j] * t3[j] - d_y[j] * t1 - d_x[j] * t2 - sin_p[j] * t4[j];
-            Phi_x[2 * 8 + j] = t5;
+            Phi_x[2 * 8 + j] = cos_p[j] * t3[j] - d_y[j] * t1 - (d_x[j] * t2 + sin_p[j] * t4[j]);
             Phi_x[3 * 8 + j] = Phi_x[9 * 8 + j] = -t1;
-            const real t6 = cos_p[j] * t4[j] + sin_p[j] * t3[j] + d_y[j] * t2 - d_x[j] * t1;
-            Phi_x[7 * 8 + j] = -t6;
+            const real t5 = cos_p[j] * t4[j] - d_x[j] * t1 + (d_y[j] * t2 + sin_p[j] * t3[j]);
+            Phi_x[7 * 8 + j] = -t5;
+        }
+    }
+}
+
+/* kinematics: 64 operations.
+ * in:  x (5), v (5), a (5), p (8)
+ * out: Psi_x (2,5), Psi_v (2,5) */
+FLEXEL_CLONES
+static void planar_beam3_kinematics(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (5 * 8);
+        const real *restrict v = in[1] + b * (5 * 8);
+        const real *restrict a = in[2] + b * (5 * 8);
+        const real *restrict p = in[3] + b * (8 * 8);
+        real *restrict Psi_x = out[0] + b * (10 * 8);
+        real *restrict Psi_v = out[1] + b * (10 * 8);
+        real t0[8], cos_p[8], sin_p[8], t5[8], t6[8], t7[8], d_x[8], d_y[8], t9[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real rp_angle = x[2 * 8 + j];
+            const real alpha0 = p[0 * 8 + j];
+            t0[j] = rp_angle + alpha0;
+            const real q_ay = a[4 * 8 + j];
+            const real p_ay = a[1 * 8 + j];
+            t5[j] = q_ay - p_ay;
+            const real q_vy = v[4 * 8 + j];
+            const real p_vy = v[1 * 8 + j];
+            t6[j] = q_vy - p_vy;
+            const real q_vx = v[3 * 8 + j];
+            const real p_vx = v[0 * 8 + j];
+            t7[j] = q_vx - p_vx;
+            const real q_x = x[3 * 8 + j];
+            const real p_x = x[0 * 8 + j];
+            d_x[j] = q_x - p_x;
+            const real q_y = x[4 * 8 + j];
+            const real p_y = x[1 * 8 + j];
+            d_y[j] = q_y - p_y;
+            const real q_ax = a[3 * 8 + j];
+            const real p_ax = a[0 * 8 + j];
+            t9[j] = q_ax - p_ax;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            cos_p[j] = real_cos(t0[j]);
+            sin_p[j] = real_sin(t0[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real rp_vangle = v[2 * 8 + j];
+            const real t1 = rp_vangle * cos_p[j];
             const real rp_aangle = a[2 * 8 + j];
-            const real t7 = rp_vangle * t2 + sin_p[j] * rp_aangle;
-            Psi_x[0 * 8 + j] = Psi_x[6 * 8 + j] = t7;
-            const real t8 = cos_p[j] * rp_aangle - rp_vangle * t1;
-            Psi_x[4 * 8 + j] = Psi_x[5 * 8 + j] = t8;
-            Psi_x[1 * 8 + j] = Psi_x[8 * 8 + j] = -t8;
-            const real t10 = cos_p[j] * t9[j] - 2.0 * (t1 * t3[j] + t2 * t4[j]) - d_x[j] * t8;
-            Psi_x[2 * 8 + j] = t10 - d_y[j] * t7 - sin_p[j] * t11[j];
-            Psi_x[3 * 8 + j] = Psi_x[9 * 8 + j] = -t7;
-            const real t12 = d_x[j] * t7 - 2.0 * (t2 * t3[j] - t1 * t4[j]) - d_y[j] * t8;
-            Psi_x[7 * 8 + j] = t12 - cos_p[j] * t11[j] - sin_p[j] * t9[j];
-            const real t13 = 2.0 * t1;
-            Psi_v[0 * 8 + j] = Psi_v[6 * 8 + j] = t13;
-            const real t14 = 2.0 * t2;
-            Psi_v[4 * 8 + j] = Psi_v[5 * 8 + j] = t14;
-            Psi_v[1 * 8 + j] = Psi_v[8 * 8 + j] = -t14;
-            Psi_v[2 * 8 + j] = 2.0 * t5;
-            Psi_v[3 * 8 + j] = Psi_v[9 * 8 + j] = -t13;
-            Psi_v[7 * 8 + j] = -(2.0 * t6);
+            const real t2 = rp_vangle * t1 + sin_p[j] * rp_aangle;
+            Psi_x[0 * 8 + j] = Psi_x[6 * 8 + j] = t2;
+            const real t3 = rp_vangle * sin_p[j];
+            const real t4 = cos_p[j] * rp_aangle - rp_vangle * t3;
+            Psi_x[4 * 8 + j] = Psi_x[5 * 8 + j] = t4;
+            Psi_x[1 * 8 + j] = Psi_x[8 * 8 + j] = -t4;
+            const real t8 = cos_p[j] * t5[j] - 2.0 * (t3 * t6[j] + t1 * t7[j]) - d_x[j] * t4;
+            Psi_x[2 * 8 + j] = t8 - d_y[j] * t2 - sin_p[j] * t9[j];
+            Psi_x[3 * 8 + j] = Psi_x[9 * 8 + j] = -t2;
+            const real t10 = d_x[j] * t2 - 2.0 * (t1 * t6[j] - t3 * t7[j]) - d_y[j] * t4;
+            Psi_x[7 * 8 + j] = t10 - cos_p[j] * t9[j] - sin_p[j] * t5[j];
+            const real t11 = 2.0 * t3;
+            Psi_v[0 * 8 + j] = Psi_v[6 * 8 + j] = t11;
+            const real t12 = 2.0 * t1;
+            Psi_v[4 * 8 + j] = Psi_v[5 * 8 + j] = t12;
+            Psi_v[1 * 8 + j] = Psi_v[8 * 8 + j] = -t12;
+            const real t13 = cos_p[j] * t6[j] - d_y[j] * t3 - d_x[j] * t1 - sin_p[j] * t7[j];
+            Psi_v[2 * 8 + j] = 2.0 * t13;
+            Psi_v[3 * 8 + j] = Psi_v[9 * 8 + j] = -t11;
+            const real t14 = cos_p[j] * t7[j] + sin_p[j] * t6[j] + d_y[j] * t1 - d_x[j] * t3;
+            Psi_v[7 * 8 + j] = -(2.0 * t14);
         }
     }
 }
@@ -330,7 +373,7 @@ static void planar_beam3_tangent(size_t nblocks, const real *const *in, real *co
 
 const flexel_element flexel_planar_beam3 = {
     .name = "planar_beam3",
-    .digest = "2b16067a688e31cf",
+    .digest = "408e6bce41b88145",
     .n = 5,
     .m = 2,
     .k = 0,
@@ -338,6 +381,7 @@ const flexel_element flexel_planar_beam3 = {
     .position = planar_beam3_position,
     .velocity = planar_beam3_velocity,
     .acceleration = planar_beam3_acceleration,
+    .rates = planar_beam3_rates,
     .kinematics = planar_beam3_kinematics,
     .stiffness = planar_beam3_stiffness,
     .inertia = planar_beam3_inertia,

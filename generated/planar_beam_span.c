@@ -140,21 +140,18 @@ static void planar_beam_span_acceleration(size_t nblocks, const real *const *in,
     }
 }
 
-/* kinematics: 50 operations.
- * in:  x (6), v (6), a (6), p (3)
- * out: Phi_x (2,6), 4 of 12 entries, Psi_x (2,6), 4 of 12 entries, Psi_v (2,6), 4 of 12 entries */
+/* rates: 21 operations.
+ * in:  x (6), v (6), p (3)
+ * out: Phi_x (2,6), 4 of 12 entries */
 FLEXEL_CLONES
-static void planar_beam_span_kinematics(size_t nblocks, const real *const *in, real *const *out)
+static void planar_beam_span_rates(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict x = in[0] + b * (6 * 8);
         const real *restrict v = in[1] + b * (6 * 8);
-        const real *restrict a = in[2] + b * (6 * 8);
-        const real *restrict p = in[3] + b * (3 * 8);
+        const real *restrict p = in[2] + b * (3 * 8);
         real *restrict Phi_x = out[0] + b * (4 * 8);
-        real *restrict Psi_x = out[1] + b * (4 * 8);
-        real *restrict Psi_v = out[2] + b * (4 * 8);
-        real t0[8], cos_p[8], t1[8], t3[8], cos_q[8], sin_p[8], sin_q[8], t7[8], t8[8], t9[8], t10[8];
+        real t0[8], cos_p[8], t1[8], t2[8], cos_q[8], sin_p[8], sin_q[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real rp_angle = x[2 * 8 + j];
@@ -164,43 +161,78 @@ static void planar_beam_span_kinematics(size_t nblocks, const real *const *in, r
             t1[j] = l0 * l0;
             const real rq_angle = x[5 * 8 + j];
             const real alphaq0 = p[2 * 8 + j];
-            t3[j] = rq_angle + alphaq0;
-            const real rp_vangle = v[2 * 8 + j];
-            t7[j] = rp_vangle * rp_vangle * t1[j];
-            const real rp_aangle = a[2 * 8 + j];
-            t8[j] = rp_aangle * t1[j];
-            const real rq_aangle = a[5 * 8 + j];
-            t9[j] = rq_aangle * t1[j];
-            const real rq_vangle = v[5 * 8 + j];
-            t10[j] = rq_vangle * rq_vangle * t1[j];
+            t2[j] = rq_angle + alphaq0;
         }
         for (size_t j = 0; j < 8; j++) {
             cos_p[j] = real_cos(t0[j]);
-            cos_q[j] = real_cos(t3[j]);
+            cos_q[j] = real_cos(t2[j]);
             sin_p[j] = real_sin(t0[j]);
-            sin_q[j] = real_sin(t3[j]);
+            sin_q[j] = real_sin(t2[j]);
         }
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real rp_vangle = v[2 * 8 + j];
-            const real t2 = rp_vangle * cos_p[j] * t1[j];
-            Phi_x[0 * 8 + j] = -(0.08333333333333333 * t2);
+            Phi_x[0 * 8 + j] = -(0.08333333333333333 * (rp_vangle * cos_p[j] * t1[j]));
             const real rq_vangle = v[5 * 8 + j];
-            const real t4 = rq_vangle * cos_q[j] * t1[j];
-            Phi_x[1 * 8 + j] = 0.08333333333333333 * t4;
-            const real t5 = rp_vangle * sin_p[j] * t1[j];
-            Phi_x[2 * 8 + j] = -(0.08333333333333333 * t5);
-            const real t6 = rq_vangle * sin_q[j] * t1[j];
-            Phi_x[3 * 8 + j] = 0.08333333333333333 * t6;
-            Psi_x[0 * 8 + j] = 0.08333333333333333 * (sin_p[j] * t7[j] - cos_p[j] * t8[j]);
-            Psi_x[1 * 8 + j] = 0.08333333333333333 * (cos_q[j] * t9[j] - sin_q[j] * t10[j]);
-            const real t11 = 0.08333333333333333 * (sin_p[j] * t8[j] + cos_p[j] * t7[j]);
-            Psi_x[2 * 8 + j] = -t11;
-            Psi_x[3 * 8 + j] = 0.08333333333333333 * (sin_q[j] * t9[j] + cos_q[j] * t10[j]);
-            Psi_v[0 * 8 + j] = -(0.16666666666666666 * t2);
-            Psi_v[1 * 8 + j] = 0.16666666666666666 * t4;
-            Psi_v[2 * 8 + j] = -(0.16666666666666666 * t5);
-            Psi_v[3 * 8 + j] = 0.16666666666666666 * t6;
+            Phi_x[1 * 8 + j] = 0.08333333333333333 * (rq_vangle * cos_q[j] * t1[j]);
+            Phi_x[2 * 8 + j] = -(0.08333333333333333 * (rp_vangle * sin_p[j] * t1[j]));
+            Phi_x[3 * 8 + j] = 0.08333333333333333 * (rq_vangle * sin_q[j] * t1[j]);
+        }
+    }
+}
+
+/* kinematics: 44 operations.
+ * in:  x (6), v (6), a (6), p (3)
+ * out: Psi_x (2,6), 4 of 12 entries, Psi_v (2,6), 4 of 12 entries */
+FLEXEL_CLONES
+static void planar_beam_span_kinematics(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (6 * 8);
+        const real *restrict v = in[1] + b * (6 * 8);
+        const real *restrict a = in[2] + b * (6 * 8);
+        const real *restrict p = in[3] + b * (3 * 8);
+        real *restrict Psi_x = out[0] + b * (4 * 8);
+        real *restrict Psi_v = out[1] + b * (4 * 8);
+        real t0[8], sin_p[8], t1[8], t2[8], cos_p[8], t3[8], t4[8], cos_q[8], t5[8], sin_q[8], t6[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real rp_angle = x[2 * 8 + j];
+            const real alpha0 = p[1 * 8 + j];
+            t0[j] = rp_angle + alpha0;
+            const real l0 = p[0 * 8 + j];
+            t1[j] = l0 * l0;
+            const real rp_vangle = v[2 * 8 + j];
+            t2[j] = rp_vangle * rp_vangle * t1[j];
+            const real rp_aangle = a[2 * 8 + j];
+            t3[j] = rp_aangle * t1[j];
+            const real rq_angle = x[5 * 8 + j];
+            const real alphaq0 = p[2 * 8 + j];
+            t4[j] = rq_angle + alphaq0;
+            const real rq_aangle = a[5 * 8 + j];
+            t5[j] = rq_aangle * t1[j];
+            const real rq_vangle = v[5 * 8 + j];
+            t6[j] = rq_vangle * rq_vangle * t1[j];
+        }
+        for (size_t j = 0; j < 8; j++) {
+            sin_p[j] = real_sin(t0[j]);
+            cos_p[j] = real_cos(t0[j]);
+            cos_q[j] = real_cos(t4[j]);
+            sin_q[j] = real_sin(t4[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            Psi_x[0 * 8 + j] = 0.08333333333333333 * (sin_p[j] * t2[j] - cos_p[j] * t3[j]);
+            Psi_x[1 * 8 + j] = 0.08333333333333333 * (cos_q[j] * t5[j] - sin_q[j] * t6[j]);
+            const real t7 = 0.08333333333333333 * (sin_p[j] * t3[j] + cos_p[j] * t2[j]);
+            Psi_x[2 * 8 + j] = -t7;
+            Psi_x[3 * 8 + j] = 0.08333333333333333 * (sin_q[j] * t5[j] + cos_q[j] * t6[j]);
+            const real rp_vangle = v[2 * 8 + j];
+            Psi_v[0 * 8 + j] = -(0.16666666666666666 * (rp_vangle * cos_p[j] * t1[j]));
+            const real rq_vangle = v[5 * 8 + j];
+            Psi_v[1 * 8 + j] = 0.16666666666666666 * (rq_vangle * cos_q[j] * t1[j]);
+            Psi_v[2 * 8 + j] = -(0.16666666666666666 * (rp_vangle * sin_p[j] * t1[j]));
+            Psi_v[3 * 8 + j] = 0.16666666666666666 * (rq_vangle * sin_q[j] * t1[j]);
         }
     }
 }
@@ -249,7 +281,7 @@ static void planar_beam_span_stiffness(size_t nblocks, const real *const *in, re
 
 const flexel_element flexel_planar_beam_span = {
     .name = "planar_beam_span",
-    .digest = "dc9d7017d466ca00",
+    .digest = "2b3f5c8c0e27ce9f",
     .n = 6,
     .m = 0,
     .k = 2,
@@ -257,6 +289,7 @@ const flexel_element flexel_planar_beam_span = {
     .position = planar_beam_span_position,
     .velocity = planar_beam_span_velocity,
     .acceleration = planar_beam_span_acceleration,
+    .rates = planar_beam_span_rates,
     .kinematics = planar_beam_span_kinematics,
     .stiffness = planar_beam_span_stiffness,
 };

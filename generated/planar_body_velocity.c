@@ -88,19 +88,16 @@ static void planar_body_velocity_acceleration(size_t nblocks, const real *const 
     }
 }
 
-/* kinematics: 28 operations.
- * in:  x (3), v (3), a (3), p (0)
- * out: Phi_x (2,3), 2 of 6 entries, Psi_x (2,3), 2 of 6 entries, Psi_v (2,3) */
+/* rates: 9 operations.
+ * in:  x (3), v (3), p (0)
+ * out: Phi_x (2,3), 2 of 6 entries */
 FLEXEL_CLONES
-static void planar_body_velocity_kinematics(size_t nblocks, const real *const *in, real *const *out)
+static void planar_body_velocity_rates(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict x = in[0] + b * (3 * 8);
         const real *restrict v = in[1] + b * (3 * 8);
-        const real *restrict a = in[2] + b * (3 * 8);
         real *restrict Phi_x = out[0] + b * (2 * 8);
-        real *restrict Psi_x = out[1] + b * (2 * 8);
-        real *restrict Psi_v = out[2] + b * (6 * 8);
         real t0[8], t1[8];
         for (size_t j = 0; j < 8; j++) {
             const real r_angle = x[2 * 8 + j];
@@ -111,18 +108,46 @@ static void planar_body_velocity_kinematics(size_t nblocks, const real *const *i
         for (size_t j = 0; j < 8; j++) {
             const real p_vy = v[1 * 8 + j];
             const real p_vx = v[0 * 8 + j];
-            Phi_x[0 * 8 + j] = Psi_v[2 * 8 + j] = p_vy * t0[j] - p_vx * t1[j];
-            Phi_x[1 * 8 + j] = Psi_v[5 * 8 + j] = -(p_vx * t0[j] + p_vy * t1[j]);
+            Phi_x[0 * 8 + j] = p_vy * t0[j] - p_vx * t1[j];
+            Phi_x[1 * 8 + j] = -(p_vx * t0[j] + p_vy * t1[j]);
+        }
+    }
+}
+
+/* kinematics: 28 operations.
+ * in:  x (3), v (3), a (3), p (0)
+ * out: Psi_x (2,3), 2 of 6 entries, Psi_v (2,3) */
+FLEXEL_CLONES
+static void planar_body_velocity_kinematics(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (3 * 8);
+        const real *restrict v = in[1] + b * (3 * 8);
+        const real *restrict a = in[2] + b * (3 * 8);
+        real *restrict Psi_x = out[0] + b * (2 * 8);
+        real *restrict Psi_v = out[1] + b * (6 * 8);
+        real t0[8], t1[8];
+        for (size_t j = 0; j < 8; j++) {
+            const real r_angle = x[2 * 8 + j];
+            t0[j] = real_cos(r_angle);
+            t1[j] = real_sin(r_angle);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
             const real p_ay = a[1 * 8 + j];
             const real p_ax = a[0 * 8 + j];
             const real r_vangle = v[2 * 8 + j];
             const real t2 = r_vangle * t0[j];
             Psi_v[1 * 8 + j] = t2;
+            const real p_vx = v[0 * 8 + j];
             const real t3 = r_vangle * t1[j];
+            const real p_vy = v[1 * 8 + j];
             Psi_x[0 * 8 + j] = t0[j] * p_ay - t1[j] * p_ax - (p_vx * t2 + p_vy * t3);
             Psi_x[1 * 8 + j] = -(p_vy * t2 - p_vx * t3 + (t0[j] * p_ax + t1[j] * p_ay));
             Psi_v[0 * 8 + j] = Psi_v[4 * 8 + j] = -t3;
+            Psi_v[2 * 8 + j] = p_vy * t0[j] - p_vx * t1[j];
             Psi_v[3 * 8 + j] = -t2;
+            Psi_v[5 * 8 + j] = -(p_vx * t0[j] + p_vy * t1[j]);
         }
     }
 }
@@ -155,7 +180,7 @@ static void planar_body_velocity_stiffness(size_t nblocks, const real *const *in
 
 const flexel_element flexel_planar_body_velocity = {
     .name = "planar_body_velocity",
-    .digest = "b8ba437990d280db",
+    .digest = "f28d34cdc337f22d",
     .n = 3,
     .m = 0,
     .k = 2,
@@ -163,6 +188,7 @@ const flexel_element flexel_planar_body_velocity = {
     .position = planar_body_velocity_position,
     .velocity = planar_body_velocity_velocity,
     .acceleration = planar_body_velocity_acceleration,
+    .rates = planar_body_velocity_rates,
     .kinematics = planar_body_velocity_kinematics,
     .stiffness = planar_body_velocity_stiffness,
 };

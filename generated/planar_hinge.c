@@ -61,9 +61,18 @@ static void planar_hinge_acceleration(size_t nblocks, const real *const *in, rea
     (void)nblocks, (void)in, (void)out; /* every entry is zero */
 }
 
+/* rates: 0 operations.
+ * in:  x (2), v (2), p (1)
+ * out: Phi_x (1,2), 0 of 2 entries */
+FLEXEL_CLONES
+static void planar_hinge_rates(size_t nblocks, const real *const *in, real *const *out)
+{
+    (void)nblocks, (void)in, (void)out; /* every entry is zero */
+}
+
 /* kinematics: 0 operations.
  * in:  x (2), v (2), a (2), p (1)
- * out: Phi_x (1,2), 0 of 2 entries, Psi_x (1,2), 0 of 2 entries, Psi_v (1,2), 0 of 2 entries */
+ * out: Psi_x (1,2), 0 of 2 entries, Psi_v (1,2), 0 of 2 entries */
 FLEXEL_CLONES
 static void planar_hinge_kinematics(size_t nblocks, const real *const *in, real *const *out)
 {
@@ -81,7 +90,7 @@ static void planar_hinge_stiffness(size_t nblocks, const real *const *in, real *
 
 const flexel_element flexel_planar_hinge = {
     .name = "planar_hinge",
-    .digest = "6052f4512148ac68",
+    .digest = "6ba42158e941d963",
     .n = 2,
     .m = 1,
     .k = 0,
@@ -89,6 +98,7 @@ const flexel_element flexel_planar_hinge = {
     .position = planar_hinge_position,
     .velocity = planar_hinge_velocity,
     .acceleration = planar_hinge_acceleration,
+    .rates = planar_hinge_rates,
     .kinematics = planar_hinge_kinematics,
     .stiffness = planar_hinge_stiffness,
 };

@@ -108,19 +108,16 @@ static void planar_truss_acceleration(size_t nblocks, const real *const *in, rea
     }
 }
 
-/* kinematics: 63 operations.
- * in:  x (4), v (4), a (4), p (4)
- * out: Phi_x (1,4), Psi_x (1,4), Psi_v (1,4) */
+/* rates: 23 operations.
+ * in:  x (4), v (4), p (4)
+ * out: Phi_x (1,4) */
 FLEXEL_CLONES
-static void planar_truss_kinematics(size_t nblocks, const real *const *in, real *const *out)
+static void planar_truss_rates(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict x = in[0] + b * (4 * 8);
         const real *restrict v = in[1] + b * (4 * 8);
-        const real *restrict a = in[2] + b * (4 * 8);
         real *restrict Phi_x = out[0] + b * (4 * 8);
-        real *restrict Psi_x = out[1] + b * (4 * 8);
-        real *restrict Psi_v = out[2] + b * (4 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real q_x = x[2 * 8 + j];
@@ -137,37 +134,70 @@ static void planar_truss_kinematics(size_t nblocks, const real *const *in, real 
             const real q_vy = v[3 * 8 + j];
             const real p_vy = v[1 * 8 + j];
             const real t2 = q_vy - p_vy;
-            const real t3 = d_x * t1 + d_y * t2;
-            const real t4 = t0 * t0;
-            const real t5 = t0 * t4;
-            const real t6 = t3 * t5;
-            const real t7 = t0 * t1 - d_x * t6;
-            Phi_x[2 * 8 + j] = t7;
-            Phi_x[0 * 8 + j] = -t7;
-            const real t8 = t0 * t2 - d_y * t6;
-            Phi_x[3 * 8 + j] = t8;
-            Phi_x[1 * 8 + j] = -t8;
+            const real t3 = t0 * (d_x * t1 + d_y * t2) * t0 * t0;
+            const real t4 = t0 * t1 - d_x * t3;
+            Phi_x[2 * 8 + j] = t4;
+            Phi_x[0 * 8 + j] = -t4;
+            const real t5 = t0 * t2 - d_y * t3;
+            Phi_x[3 * 8 + j] = t5;
+            Phi_x[1 * 8 + j] = -t5;
+        }
+    }
+}
+
+/* kinematics: 61 operations.
+ * in:  x (4), v (4), a (4), p (4)
+ * out: Psi_x (1,4), Psi_v (1,4) */
+FLEXEL_CLONES
+static void planar_truss_kinematics(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (4 * 8);
+        const real *restrict v = in[1] + b * (4 * 8);
+        const real *restrict a = in[2] + b * (4 * 8);
+        real *restrict Psi_x = out[0] + b * (4 * 8);
+        real *restrict Psi_v = out[1] + b * (4 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real q_x = x[2 * 8 + j];
+            const real p_x = x[0 * 8 + j];
+            const real d_x = q_x - p_x;
+            const real q_y = x[3 * 8 + j];
+            const real p_y = x[1 * 8 + j];
+            const real d_y = q_y - p_y;
+            const real l = real_sqrt(d_x * d_x + d_y * d_y);
+            const real t0 = 1.0 / l;
             const real q_ax = a[2 * 8 + j];
             const real p_ax = a[0 * 8 + j];
-            const real t9 = q_ax - p_ax;
+            const real t1 = q_ax - p_ax;
+            const real t2 = t0 * t0;
+            const real t3 = t0 * t2;
+            const real q_vx = v[2 * 8 + j];
+            const real p_vx = v[0 * 8 + j];
+            const real t4 = q_vx - p_vx;
+            const real q_vy = v[3 * 8 + j];
+            const real p_vy = v[1 * 8 + j];
+            const real t5 = q_vy - p_vy;
             const real q_ay = a[3 * 8 + j];
             const real p_ay = a[1 * 8 + j];
-            const real t10 = q_ay - p_ay;
-            const real t11 = t0 * t3;
-            const real t12 = 2.0 * (t1 * t1 + t2 * t2 + (d_x * t9 + d_y * t10)) - t3 * (2.0 * t4 * t3 + 4.0 * t0 * t11);
-            const real t13 = t6 + t4 * t11;
-            const real t14 = t0 * t9 - 0.5 * d_x * t5 * t12 - t1 * t13;
-            Psi_x[2 * 8 + j] = t14;
-            Psi_x[0 * 8 + j] = -t14;
-            const real t15 = t0 * t10 - 0.5 * d_y * t5 * t12 - t2 * t13;
-            Psi_x[3 * 8 + j] = t15;
-            Psi_x[1 * 8 + j] = -t15;
-            const real t16 = 2.0 * t7;
-            Psi_v[2 * 8 + j] = t16;
-            Psi_v[0 * 8 + j] = -t16;
-            const real t17 = 2.0 * t8;
-            Psi_v[3 * 8 + j] = t17;
-            Psi_v[1 * 8 + j] = -t17;
+            const real t6 = q_ay - p_ay;
+            const real t7 = d_x * t4 + d_y * t5;
+            const real t8 = t0 * t7;
+            const real t9 = 2.0 * (t4 * t4 + t5 * t5 + (d_x * t1 + d_y * t6)) - t7 * (2.0 * t2 * t7 + 4.0 * t0 * t8);
+            const real t10 = t7 * t3;
+            const real t11 = t10 + t2 * t8;
+            const real t12 = t0 * t1 - 0.5 * d_x * t3 * t9 - t4 * t11;
+            Psi_x[2 * 8 + j] = t12;
+            Psi_x[0 * 8 + j] = -t12;
+            const real t13 = t0 * t6 - 0.5 * d_y * t3 * t9 - t5 * t11;
+            Psi_x[3 * 8 + j] = t13;
+            Psi_x[1 * 8 + j] = -t13;
+            const real t14 = 2.0 * (t0 * t4 - d_x * t10);
+            Psi_v[2 * 8 + j] = t14;
+            Psi_v[0 * 8 + j] = -t14;
+            const real t15 = 2.0 * (t0 * t5 - d_y * t10);
+            Psi_v[3 * 8 + j] = t15;
+            Psi_v[1 * 8 + j] = -t15;
         }
     }
 }
@@ -254,7 +284,7 @@ static void planar_truss_tangent(size_t nblocks, const real *const *in, real *co
 
 const flexel_element flexel_planar_truss = {
     .name = "planar_truss",
-    .digest = "3d9899e12000162a",
+    .digest = "82d68f1d0a51ef46",
     .n = 4,
     .m = 1,
     .k = 0,
@@ -262,6 +292,7 @@ const flexel_element flexel_planar_truss = {
     .position = planar_truss_position,
     .velocity = planar_truss_velocity,
     .acceleration = planar_truss_acceleration,
+    .rates = planar_truss_rates,
     .kinematics = planar_truss_kinematics,
     .stiffness = planar_truss_stiffness,
     .inertia = planar_truss_inertia,

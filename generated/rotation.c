@@ -97,17 +97,15 @@ static void rotation_acceleration(size_t nblocks, const real *const *in, real *c
     }
 }
 
-/* kinematics: 16 operations.
- * in:  x (4), v (4), a (4), p (0)
- * out: Phi_x (3,4), Psi_x (3,4), Psi_v (3,4), 0 of 12 entries */
+/* rates: 8 operations.
+ * in:  x (4), v (4), p (0)
+ * out: Phi_x (3,4) */
 FLEXEL_CLONES
-static void rotation_kinematics(size_t nblocks, const real *const *in, real *const *out)
+static void rotation_rates(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict v = in[1] + b * (4 * 8);
-        const real *restrict a = in[2] + b * (4 * 8);
         real *restrict Phi_x = out[0] + b * (12 * 8);
-        real *restrict Psi_x = out[1] + b * (12 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real r_vl1 = v[1 * 8 + j];
@@ -124,20 +122,35 @@ static void rotation_kinematics(size_t nblocks, const real *const *in, real *con
             Phi_x[3 * 8 + j] = -t2;
             Phi_x[5 * 8 + j] = -t1;
             Phi_x[10 * 8 + j] = -t0;
+        }
+    }
+}
+
+/* kinematics: 8 operations.
+ * in:  x (4), v (4), a (4), p (0)
+ * out: Psi_x (3,4), Psi_v (3,4), 0 of 12 entries */
+FLEXEL_CLONES
+static void rotation_kinematics(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict a = in[2] + b * (4 * 8);
+        real *restrict Psi_x = out[0] + b * (12 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
             const real r_al1 = a[1 * 8 + j];
-            const real t3 = 2.0 * r_al1;
-            Psi_x[0 * 8 + j] = Psi_x[7 * 8 + j] = t3;
+            const real t0 = 2.0 * r_al1;
+            Psi_x[0 * 8 + j] = Psi_x[7 * 8 + j] = t0;
             const real r_al0 = a[0 * 8 + j];
             Psi_x[1 * 8 + j] = Psi_x[6 * 8 + j] = Psi_x[11 * 8 + j] = -(2.0 * r_al0);
             const real r_al3 = a[3 * 8 + j];
-            const real t4 = 2.0 * r_al3;
-            Psi_x[2 * 8 + j] = Psi_x[8 * 8 + j] = t4;
+            const real t1 = 2.0 * r_al3;
+            Psi_x[2 * 8 + j] = Psi_x[8 * 8 + j] = t1;
             const real r_al2 = a[2 * 8 + j];
-            const real t5 = 2.0 * r_al2;
-            Psi_x[4 * 8 + j] = Psi_x[9 * 8 + j] = t5;
-            Psi_x[3 * 8 + j] = -t5;
-            Psi_x[5 * 8 + j] = -t4;
-            Psi_x[10 * 8 + j] = -t3;
+            const real t2 = 2.0 * r_al2;
+            Psi_x[4 * 8 + j] = Psi_x[9 * 8 + j] = t2;
+            Psi_x[3 * 8 + j] = -t2;
+            Psi_x[5 * 8 + j] = -t1;
+            Psi_x[10 * 8 + j] = -t0;
         }
     }
 }
@@ -171,7 +184,7 @@ static void rotation_stiffness(size_t nblocks, const real *const *in, real *cons
 
 const flexel_element flexel_rotation = {
     .name = "rotation",
-    .digest = "1e370b1b675ba195",
+    .digest = "90e9bc3b757317e8",
     .n = 4,
     .m = 0,
     .k = 3,
@@ -179,6 +192,7 @@ const flexel_element flexel_rotation = {
     .position = rotation_position,
     .velocity = rotation_velocity,
     .acceleration = rotation_acceleration,
+    .rates = rotation_rates,
     .kinematics = rotation_kinematics,
     .stiffness = rotation_stiffness,
 };

@@ -77,13 +77,22 @@ class ElementSpec:
 
 
 @dataclass(frozen=True)
+class InternalSpec:
+    """Internal state of a law."""
+
+    name: str
+    unit: str
+
+
+@dataclass(frozen=True)
 class LawSpec:
-    """Law of so many deformations and slips; kernels are "law" and "tangent"."""
+    """Law of so many deformations and slips, with its internal states; kernels are "law" and "tangent"."""
 
     name: str
     digest: str
     doc: str
     deformations: int
     slips: int
+    states: tuple[InternalSpec, ...]
     parameters: tuple[ParameterSpec, ...]
     kernels: dict[str, KernelSpec]

@@ -6,6 +6,7 @@ Written by `flexel derive`; do not edit.
 from flexel.generated.spec import (
     DeformationSpec,
     ElementSpec,
+    InternalSpec,
     KernelSpec,
     LawSpec,
     NodeSpec,
@@ -93,7 +94,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element norm
     "norm": ElementSpec(
         name="norm",
-        digest="7d85543497befd61",
+        digest="3c8b6eaec716cd66",
         doc="norm = lambda.lambda - 1",
         source="Schwab and Meijaard 2006, DETC2006-99307",
         nodes=(
@@ -130,14 +131,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 8,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (1, 4), (0, 1, 2, 3)),
+                ),
+                4,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (1, 4), (0, 1, 2, 3)),
                     OutputSpec("Psi_x", (1, 4), (0, 1, 2, 3)),
                     OutputSpec("Psi_v", (1, 4), (0, 1, 2, 3)),
                 ),
-                12,
+                8,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -151,7 +158,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element truss
     "truss": ElementSpec(
         name="truss",
-        digest="d3e5d85da45de0db",
+        digest="7c3720beb3f5cb02",
         doc="elongation = |xq - xp| - l0\nT = rhoA l0/6 (vp.vp + vp.vq + vq.vq), uniform bar\nU = -rhoA l0 gravity.(xp + xq)/2",
         source="van der Werff and Jonker 1984, NATO ASI F9, p. 381",
         nodes=(
@@ -193,14 +200,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 28,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (1, 6), tuple(range(6))),
+                ),
+                33,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (1, 6), tuple(range(6))),
                     OutputSpec("Psi_x", (1, 6), tuple(range(6))),
                     OutputSpec("Psi_v", (1, 6), tuple(range(6))),
                 ),
-                88,
+                85,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -232,7 +245,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element hinge
     "hinge": ElementSpec(
         name="hinge",
-        digest="36b57df45efb877e",
+        digest="dadc382dc2a6c903",
         doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nc = conj(u_p) o u_q\nangle = 2 atan2(c1, c0), period 2 pi\nbend1 = ez_p.ex_q,  bend2 = -ey_p.ex_q",
         source="van der Werff and Jonker 1984; SPACAR95 manual (Schwab and Meijaard 2000), HINGE",
         nodes=(
@@ -275,10 +288,16 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 371,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 8), tuple(range(24))),
+                ),
+                654,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (3, 8), tuple(range(24))),
                     OutputSpec("Psi_x", (3, 8), tuple(range(24))),
                     OutputSpec("Psi_v", (3, 8), tuple(range(24))),
                 ),
@@ -296,7 +315,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element bearing
     "bearing": ElementSpec(
         name="bearing",
-        digest="14a47077b7749713",
+        digest="130427e0d17764ae",
         doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nc = conj(u_p) o u_q\nangle = 2 atan2(c1, c0), period 2 pi\nbend1 = ez_p.ex_q,  bend2 = -ey_p.ex_q\nd = xq - xp\n(axial, radial1, radial2) = R(u_p)' d - d0",
         source="SPACAR95 manual (Schwab and Meijaard 2000), BEARING",
         nodes=(
@@ -345,14 +364,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 430,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (6, 14), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79)),
+                ),
+                788,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (6, 14), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79)),
                     OutputSpec("Psi_x", (6, 14), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79)),
                     OutputSpec("Psi_v", (6, 14), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79)),
                 ),
-                1830,
+                1814,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -366,7 +391,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element beam3
     "beam3": ElementSpec(
         name="beam3",
-        digest="3963d68a37a93ea5",
+        digest="e7b0b0ad07f4d7f0",
         doc="triad ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp; d = xq - xp\n(along, across1, across2) = R(u_p)' d - d0\nw_p = angular velocity of the triad, in its own axes\nT = rhoA l0/6 (vp.vp + vp.vq + vq.vq) + l0/2 sum rhoJ_i w_i^2, uniform bar\nU = -rhoA l0 gravity.(xp + xq)/2",
         source="Meijaard, Papadopoulos, Ruina and Schwab 2007, supplement, PINBODY; UT SPACAR, RBEAM",
         nodes=(
@@ -414,14 +439,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 183,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 10), tuple(range(30))),
+                ),
+                225,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (3, 10), tuple(range(30))),
                     OutputSpec("Psi_x", (3, 10), tuple(range(30))),
                     OutputSpec("Psi_v", (3, 10), tuple(range(30))),
                 ),
-                510,
+                494,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -453,7 +484,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element beam
     "beam": ElementSpec(
         name="beam",
-        digest="9a749c33f10ee5b1",
+        digest="d04fce21896d1200",
         doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nd = xq - xp, l = |d|, el = d/l\nb1 = l - l0                 b2 = l0 (ez_p.ey_q - ey_p.ez_q)/2\nb3 = -l0 ez_p.el            b4 = l0 ez_q.el\nb5 = l0 ey_p.el             b6 = -l0 ey_q.el\nelongation = b1 + (2 b3^2 + b3 b4 + 2 b4^2 + 2 b5^2 + b5 b6 + 2 b6^2)/(30 l0)\ntorsion = b2 + (b4 b5 - b3 b6)/l0\nbend1, bend2 = b3 + k, b4 - k with k = b2 (b5 + b6)/(6 l0)\nbend3, bend4 = b5 - h, b6 + h with h = b2 (b3 + b4)/(6 l0)\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_y, phi_z) cubic shapes, torsion linear; w_p, w_q angular velocities in the triads\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
         source="Meijaard 1996, Nonlinear Dyn. 9; Jonker and Meijaard 2013, Int. J. Non-Linear Mech. 53; Przemieniecki 1968 (mass with rotary inertia)",
         nodes=(
@@ -507,14 +538,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 659,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (6, 14), tuple(range(84))),
+                ),
+                1891,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (6, 14), tuple(range(84))),
                     OutputSpec("Psi_x", (6, 14), tuple(range(84))),
                     OutputSpec("Psi_v", (6, 14), tuple(range(84))),
                 ),
-                4974,
+                4947,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -546,7 +583,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element beam_first_order
     "beam_first_order": ElementSpec(
         name="beam_first_order",
-        digest="d385681c75909caa",
+        digest="dae5a50ddfb004c8",
         doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nd = xq - xp, l = |d|, el = d/l\nb1 = l - l0                 b2 = l0 (ez_p.ey_q - ey_p.ez_q)/2\nb3 = -l0 ez_p.el            b4 = l0 ez_q.el\nb5 = l0 ey_p.el             b6 = -l0 ey_q.el\nelongation, torsion, bend1, bend2, bend3, bend4 = b1, b2, b3, b4, b5, b6\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_y, phi_z) cubic shapes, torsion linear; w_p, w_q angular velocities in the triads\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
         source="Meijaard 1996, Nonlinear Dyn. 9; Jonker and Meijaard 2013, Int. J. Non-Linear Mech. 53; Przemieniecki 1968 (mass with rotary inertia)",
         nodes=(
@@ -600,14 +637,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 493,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (6, 14), (0, 1, 2, 7, 8, 9, 17, 18, 19, 20, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 42, 43, 44, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 70, 71, 72, 77, 78, 79, 80, 81, 82, 83)),
+                ),
+                903,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (6, 14), (0, 1, 2, 7, 8, 9, 17, 18, 19, 20, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 42, 43, 44, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 70, 71, 72, 77, 78, 79, 80, 81, 82, 83)),
                     OutputSpec("Psi_x", (6, 14), (0, 1, 2, 7, 8, 9, 17, 18, 19, 20, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 42, 43, 44, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 70, 71, 72, 77, 78, 79, 80, 81, 82, 83)),
                     OutputSpec("Psi_v", (6, 14), (0, 1, 2, 7, 8, 9, 17, 18, 19, 20, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 42, 43, 44, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 70, 71, 72, 77, 78, 79, 80, 81, 82, 83)),
                 ),
-                2358,
+                2333,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -639,7 +682,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element wheel
     "wheel": ElementSpec(
         name="wheel",
-        digest="72f1a6fa62b48db3",
+        digest="a09215249236d753",
         doc="w hub, c contact point, d = xc - xw, a = R(lambda) axle, n = normal, ra = d x a\nradius = (d.d - R^2)/(2 R),  plane = a.d,  surface = n.xc - height,  lowest = n.ra\nomega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x d, the material point in contact\nlongitudinal = ra.vc/|ra|,  lateral = (n x ra).vc/|n x ra|,  spin = omega.n",
         source="Meijaard, Papadopoulos, Ruina and Schwab 2007, Proc. R. Soc. A 463:1955, supplement, WHEEL",
         nodes=(
@@ -690,14 +733,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 385,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (7, 10), (0, 1, 2, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 63, 64, 65, 66)),
+                ),
+                619,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (7, 10), (0, 1, 2, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 63, 64, 65, 66)),
                     OutputSpec("Psi_x", (7, 10), (0, 1, 2, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 63, 64, 65, 66)),
                     OutputSpec("Psi_v", (7, 10), (0, 1, 2, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59)),
                 ),
-                1861,
+                1565,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -1001,7 +1050,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element rotation
     "rotation": ElementSpec(
         name="rotation",
-        digest="1e370b1b675ba195",
+        digest="90e9bc3b757317e8",
         doc="(wx, wy, wz) = 2 (lambdadot o conj(lambda)), angular velocity in global axes",
         source="Schwab and Meijaard 2006, DETC2006-99307",
         nodes=(
@@ -1040,14 +1089,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 18,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 4), tuple(range(12))),
+                ),
+                8,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (3, 4), tuple(range(12))),
                     OutputSpec("Psi_x", (3, 4), tuple(range(12))),
                     OutputSpec("Psi_v", (3, 4), ()),
                 ),
-                16,
+                8,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -1061,7 +1116,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element body_rotation
     "body_rotation": ElementSpec(
         name="body_rotation",
-        digest="d8d0a32f89083ce7",
+        digest="e8ddafe8d118b8f6",
         doc="u = lambda o t\n(wx, wy, wz) = 2 (conj(u) o udot), angular velocity in the axes of R(u)",
         source="Schwab and Meijaard 2006, DETC2006-99307",
         nodes=(
@@ -1102,14 +1157,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 58,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 4), tuple(range(12))),
+                ),
+                94,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (3, 4), tuple(range(12))),
                     OutputSpec("Psi_x", (3, 4), tuple(range(12))),
                     OutputSpec("Psi_v", (3, 4), tuple(range(12))),
                 ),
-                247,
+                173,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -1123,7 +1184,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element body_velocity
     "body_velocity": ElementSpec(
         name="body_velocity",
-        digest="86710256fe764578",
+        digest="a79d16accc4bfcef",
         doc="(vx, vy, vz) = R(lambda)' xdot_p, velocity of the point in the axes of the frame",
         source="textbook mechanics",
         nodes=(
@@ -1163,10 +1224,16 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 59,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 7), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20)),
+                ),
+                27,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (3, 7), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20)),
                     OutputSpec("Psi_x", (3, 7), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20)),
                     OutputSpec("Psi_v", (3, 7), tuple(range(21))),
                 ),
@@ -1184,7 +1251,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element bar_span
     "bar_span": ElementSpec(
         name="bar_span",
-        digest="3fe5eb028bf501f6",
+        digest="a86c5d8cd144bdfb",
         doc="(x, y, z) = l0 (vp + vq)/2, rate of the integral of position over a straight bar",
         source="textbook mechanics (consistent nodal forces)",
         nodes=(
@@ -1226,10 +1293,16 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 0,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 6), ()),
+                ),
+                0,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (3, 6), ()),
                     OutputSpec("Psi_x", (3, 6), ()),
                     OutputSpec("Psi_v", (3, 6), ()),
                 ),
@@ -1247,7 +1320,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element beam_span
     "beam_span": ElementSpec(
         name="beam_span",
-        digest="10150c5a84d3bc2e",
+        digest="4e10cdff35b6c03c",
         doc="(x, y, z) = l0 ((vp + vq)/2 + l0 (exdot_p - exdot_q)/12), rate of the integral of position over the\nbeam's cubic Hermite interpolation; ex: first columns of R(lambda_p o tp), R(lambda_q o tq)",
         source="textbook mechanics (consistent nodal forces)",
         nodes=(
@@ -1293,14 +1366,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 96,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 14), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41)),
+                ),
+                172,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (3, 14), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41)),
                     OutputSpec("Psi_x", (3, 14), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41)),
                     OutputSpec("Psi_v", (3, 14), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41)),
                 ),
-                398,
+                324,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -1389,7 +1468,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_truss
     "planar_truss": ElementSpec(
         name="planar_truss",
-        digest="3d9899e12000162a",
+        digest="82d68f1d0a51ef46",
         doc="elongation = |xq - xp| - l0\nT = rhoA l0/6 (vp.vp + vp.vq + vq.vq), uniform bar\nU = -rhoA l0 gravity.(xp + xq)/2",
         source="van der Werff and Jonker 1984, NATO ASI F9, p. 381",
         nodes=(
@@ -1431,14 +1510,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 20,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (1, 4), (0, 1, 2, 3)),
+                ),
+                23,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (1, 4), (0, 1, 2, 3)),
                     OutputSpec("Psi_x", (1, 4), (0, 1, 2, 3)),
                     OutputSpec("Psi_v", (1, 4), (0, 1, 2, 3)),
                 ),
-                63,
+                61,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -1470,7 +1555,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_hinge
     "planar_hinge": ElementSpec(
         name="planar_hinge",
-        digest="6052f4512148ac68",
+        digest="6ba42158e941d963",
         doc="angle = angle_q - angle_p - offset0 (counts turns)",
         source="SPACAR95 manual (Schwab and Meijaard 2000), PLHINGE",
         nodes=(
@@ -1510,10 +1595,16 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 0,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (1, 2), ()),
+                ),
+                0,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (1, 2), ()),
                     OutputSpec("Psi_x", (1, 2), ()),
                     OutputSpec("Psi_v", (1, 2), ()),
                 ),
@@ -1531,7 +1622,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_beam
     "planar_beam": ElementSpec(
         name="planar_beam",
-        digest="4d9fa97e8dfefd97",
+        digest="362e2945d153049e",
         doc="ex, ey: directions of the element at p (angle_p + alpha0) and q (angle_q + alphaq0)\nd = xq - xp, l = |d|, el = d/l;  b1 = l - l0,  b5 = l0 ey_p.el,  b6 = -l0 ey_q.el\nelongation = b1 + (2 b5^2 + b5 b6 + 2 b6^2)/(30 l0),  bend1 = b5,  bend2 = b6\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_z) cubic shapes\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
         source="SPACAR95 manual (Schwab and Meijaard 2000), PLBEAM, PLBEAMNL; signs of the spatial beam's b5, b6; Meijaard 1996, Nonlinear Dyn. 9",
         nodes=(
@@ -1581,14 +1672,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 127,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 6), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 13, 15, 16, 17)),
+                ),
+                214,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (3, 6), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 13, 15, 16, 17)),
                     OutputSpec("Psi_x", (3, 6), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 13, 15, 16, 17)),
                     OutputSpec("Psi_v", (3, 6), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 12, 13, 15, 16, 17)),
                 ),
-                654,
+                643,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -1620,7 +1717,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_beam_first_order
     "planar_beam_first_order": ElementSpec(
         name="planar_beam_first_order",
-        digest="806e05380f6c77f1",
+        digest="2c6ce5fe0749f4e7",
         doc="ex, ey: directions of the element at p (angle_p + alpha0) and q (angle_q + alphaq0)\nd = xq - xp, l = |d|, el = d/l;  b1 = l - l0,  b5 = l0 ey_p.el,  b6 = -l0 ey_q.el\nelongation = b1,  bend1 = b5,  bend2 = b6\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_z) cubic shapes\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
         source="SPACAR95 manual (Schwab and Meijaard 2000), PLBEAM, PLBEAMNL; signs of the spatial beam's b5, b6; Meijaard 1996, Nonlinear Dyn. 9",
         nodes=(
@@ -1670,14 +1767,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 84,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 6), (0, 1, 3, 4, 6, 7, 8, 9, 10, 12, 13, 15, 16, 17)),
+                ),
+                130,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (3, 6), (0, 1, 3, 4, 6, 7, 8, 9, 10, 12, 13, 15, 16, 17)),
                     OutputSpec("Psi_x", (3, 6), (0, 1, 3, 4, 6, 7, 8, 9, 10, 12, 13, 15, 16, 17)),
                     OutputSpec("Psi_v", (3, 6), (0, 1, 3, 4, 6, 7, 8, 9, 10, 12, 13, 15, 16, 17)),
                 ),
-                455,
+                448,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -1709,7 +1812,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_beam3
     "planar_beam3": ElementSpec(
         name="planar_beam3",
-        digest="2b16067a688e31cf",
+        digest="408e6bce41b88145",
         doc="ex, ey: directions of the element (angle_p + alpha0); d = xq - xp\nalong = ex.d - d0_x,  across = ey.d - d0_y\nT = rhoA l0/6 (vp.vp + vp.vq + vq.vq) + l0/2 rhoJ angledot^2, uniform bar\nU = -rhoA l0 gravity.(xp + xq)/2",
         source="planar counterpart of beam3",
         nodes=(
@@ -1756,14 +1859,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 27,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (2, 5), tuple(range(10))),
+                ),
+                26,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (2, 5), tuple(range(10))),
                     OutputSpec("Psi_x", (2, 5), tuple(range(10))),
                     OutputSpec("Psi_v", (2, 5), tuple(range(10))),
                 ),
-                67,
+                64,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -1795,7 +1904,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_body_velocity
     "planar_body_velocity": ElementSpec(
         name="planar_body_velocity",
-        digest="b8ba437990d280db",
+        digest="f28d34cdc337f22d",
         doc="(vx, vy) = R(angle)' xdot_p, velocity of the point in the axes of the angle node",
         source="textbook mechanics",
         nodes=(
@@ -1834,10 +1943,16 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 11,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (2, 3), (2, 5)),
+                ),
+                9,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (2, 3), (2, 5)),
                     OutputSpec("Psi_x", (2, 3), (2, 5)),
                     OutputSpec("Psi_v", (2, 3), tuple(range(6))),
                 ),
@@ -1855,7 +1970,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_bar_span
     "planar_bar_span": ElementSpec(
         name="planar_bar_span",
-        digest="c9b50032dd451681",
+        digest="54fd3e8820f139ba",
         doc="(x, y, z) = l0 (vp + vq)/2, rate of the integral of position over a straight bar",
         source="textbook mechanics (consistent nodal forces)",
         nodes=(
@@ -1896,10 +2011,16 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 0,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (2, 4), ()),
+                ),
+                0,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (2, 4), ()),
                     OutputSpec("Psi_x", (2, 4), ()),
                     OutputSpec("Psi_v", (2, 4), ()),
                 ),
@@ -1917,7 +2038,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_beam_span
     "planar_beam_span": ElementSpec(
         name="planar_beam_span",
-        digest="dc9d7017d466ca00",
+        digest="2b3f5c8c0e27ce9f",
         doc="(x, y) = l0 ((vp + vq)/2 + l0 (exdot_p - exdot_q)/12), rate of the integral of position over the\nbeam's cubic Hermite interpolation; ex: directions of the element at p and q",
         source="textbook mechanics (consistent nodal forces)",
         nodes=(
@@ -1962,14 +2083,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 19,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (2, 6), (2, 5, 8, 11)),
+                ),
+                21,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (2, 6), (2, 5, 8, 11)),
                     OutputSpec("Psi_x", (2, 6), (2, 5, 8, 11)),
                     OutputSpec("Psi_v", (2, 6), (2, 5, 8, 11)),
                 ),
-                50,
+                44,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -1987,10 +2114,11 @@ LAWS: dict[str, LawSpec] = {
     # law linear_1
     "linear_1": LawSpec(
         name="linear_1",
-        digest="aa41d588a1df124f",
+        digest="cc2db1142740f860",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=1,
         slips=0,
+        states=(),
         parameters=(
             ParameterSpec("preload", 1, "N or N m", "stress at zero deformation"),
             ParameterSpec("S", 1, "N/m or N m", "stiffness, upper triangle, row by row"),
@@ -1998,16 +2126,18 @@ LAWS: dict[str, LawSpec] = {
         ),
         kernels={
             "law": KernelSpec(
-                ("e", "ed", "s", "p"),
+                ("e", "ed", "s", "z", "t", "p"),
                 (
                     OutputSpec("sigma", (1,), (0,)),
                     OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (0,), ()),
                     OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
                 ),
-                7,
+                10,
             ),
             "tangent": KernelSpec(
-                ("e", "ed", "s", "p"),
+                ("e", "ed", "s", "z", "t", "p"),
                 (
                     OutputSpec("J", (1, 2), (0, 1)),
                 ),
@@ -2018,10 +2148,11 @@ LAWS: dict[str, LawSpec] = {
     # law linear_2
     "linear_2": LawSpec(
         name="linear_2",
-        digest="aa41d588a1df124f",
+        digest="cc2db1142740f860",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=2,
         slips=0,
+        states=(),
         parameters=(
             ParameterSpec("preload", 2, "N or N m", "stress at zero deformation"),
             ParameterSpec("S", 3, "N/m or N m", "stiffness, upper triangle, row by row"),
@@ -2029,16 +2160,18 @@ LAWS: dict[str, LawSpec] = {
         ),
         kernels={
             "law": KernelSpec(
-                ("e", "ed", "s", "p"),
+                ("e", "ed", "s", "z", "t", "p"),
                 (
                     OutputSpec("sigma", (2,), (0, 1)),
                     OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (0,), ()),
                     OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
                 ),
-                23,
+                39,
             ),
             "tangent": KernelSpec(
-                ("e", "ed", "s", "p"),
+                ("e", "ed", "s", "z", "t", "p"),
                 (
                     OutputSpec("J", (2, 4), tuple(range(8))),
                 ),
@@ -2049,10 +2182,11 @@ LAWS: dict[str, LawSpec] = {
     # law linear_3
     "linear_3": LawSpec(
         name="linear_3",
-        digest="aa41d588a1df124f",
+        digest="cc2db1142740f860",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=3,
         slips=0,
+        states=(),
         parameters=(
             ParameterSpec("preload", 3, "N or N m", "stress at zero deformation"),
             ParameterSpec("S", 6, "N/m or N m", "stiffness, upper triangle, row by row"),
@@ -2060,16 +2194,18 @@ LAWS: dict[str, LawSpec] = {
         ),
         kernels={
             "law": KernelSpec(
-                ("e", "ed", "s", "p"),
+                ("e", "ed", "s", "z", "t", "p"),
                 (
                     OutputSpec("sigma", (3,), (0, 1, 2)),
                     OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (0,), ()),
                     OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
                 ),
-                47,
+                77,
             ),
             "tangent": KernelSpec(
-                ("e", "ed", "s", "p"),
+                ("e", "ed", "s", "z", "t", "p"),
                 (
                     OutputSpec("J", (3, 6), tuple(range(18))),
                 ),
@@ -2080,10 +2216,11 @@ LAWS: dict[str, LawSpec] = {
     # law linear_4
     "linear_4": LawSpec(
         name="linear_4",
-        digest="aa41d588a1df124f",
+        digest="cc2db1142740f860",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=4,
         slips=0,
+        states=(),
         parameters=(
             ParameterSpec("preload", 4, "N or N m", "stress at zero deformation"),
             ParameterSpec("S", 10, "N/m or N m", "stiffness, upper triangle, row by row"),
@@ -2091,16 +2228,18 @@ LAWS: dict[str, LawSpec] = {
         ),
         kernels={
             "law": KernelSpec(
-                ("e", "ed", "s", "p"),
+                ("e", "ed", "s", "z", "t", "p"),
                 (
                     OutputSpec("sigma", (4,), (0, 1, 2, 3)),
                     OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (0,), ()),
                     OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
                 ),
-                79,
+                127,
             ),
             "tangent": KernelSpec(
-                ("e", "ed", "s", "p"),
+                ("e", "ed", "s", "z", "t", "p"),
                 (
                     OutputSpec("J", (4, 8), tuple(range(32))),
                 ),
@@ -2111,10 +2250,11 @@ LAWS: dict[str, LawSpec] = {
     # law linear_5
     "linear_5": LawSpec(
         name="linear_5",
-        digest="aa41d588a1df124f",
+        digest="cc2db1142740f860",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=5,
         slips=0,
+        states=(),
         parameters=(
             ParameterSpec("preload", 5, "N or N m", "stress at zero deformation"),
             ParameterSpec("S", 15, "N/m or N m", "stiffness, upper triangle, row by row"),
@@ -2122,16 +2262,18 @@ LAWS: dict[str, LawSpec] = {
         ),
         kernels={
             "law": KernelSpec(
-                ("e", "ed", "s", "p"),
+                ("e", "ed", "s", "z", "t", "p"),
                 (
                     OutputSpec("sigma", (5,), tuple(range(5))),
                     OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (0,), ()),
                     OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
                 ),
-                119,
+                189,
             ),
             "tangent": KernelSpec(
-                ("e", "ed", "s", "p"),
+                ("e", "ed", "s", "z", "t", "p"),
                 (
                     OutputSpec("J", (5, 10), tuple(range(50))),
                 ),
@@ -2142,10 +2284,11 @@ LAWS: dict[str, LawSpec] = {
     # law linear_6
     "linear_6": LawSpec(
         name="linear_6",
-        digest="aa41d588a1df124f",
+        digest="cc2db1142740f860",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=6,
         slips=0,
+        states=(),
         parameters=(
             ParameterSpec("preload", 6, "N or N m", "stress at zero deformation"),
             ParameterSpec("S", 21, "N/m or N m", "stiffness, upper triangle, row by row"),
@@ -2153,16 +2296,18 @@ LAWS: dict[str, LawSpec] = {
         ),
         kernels={
             "law": KernelSpec(
-                ("e", "ed", "s", "p"),
+                ("e", "ed", "s", "z", "t", "p"),
                 (
                     OutputSpec("sigma", (6,), tuple(range(6))),
                     OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (0,), ()),
                     OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
                 ),
-                167,
+                263,
             ),
             "tangent": KernelSpec(
-                ("e", "ed", "s", "p"),
+                ("e", "ed", "s", "z", "t", "p"),
                 (
                     OutputSpec("J", (6, 12), tuple(range(72))),
                 ),
@@ -2173,25 +2318,28 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_1
     "viscous_1": LawSpec(
         name="viscous_1",
-        digest="aa41d588a1df124f",
+        digest="cc2db1142740f860",
         doc="tau = C s",
         deformations=0,
         slips=1,
+        states=(),
         parameters=(
             ParameterSpec("C", 1, "N s/m or N m s", "viscosity, upper triangle, row by row"),
         ),
         kernels={
             "law": KernelSpec(
-                ("e", "ed", "s", "p"),
+                ("e", "ed", "s", "z", "t", "p"),
                 (
                     OutputSpec("sigma", (0,), ()),
                     OutputSpec("tau", (1,), (0,)),
+                    OutputSpec("zd", (0,), ()),
                     OutputSpec("U", (1,), ()),
+                    OutputSpec("P", (1,), (0,)),
                 ),
-                1,
+                2,
             ),
             "tangent": KernelSpec(
-                ("e", "ed", "s", "p"),
+                ("e", "ed", "s", "z", "t", "p"),
                 (
                     OutputSpec("J", (1, 1), (0,)),
                 ),
@@ -2202,25 +2350,28 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_2
     "viscous_2": LawSpec(
         name="viscous_2",
-        digest="aa41d588a1df124f",
+        digest="cc2db1142740f860",
         doc="tau = C s",
         deformations=0,
         slips=2,
+        states=(),
         parameters=(
             ParameterSpec("C", 3, "N s/m or N m s", "viscosity, upper triangle, row by row"),
         ),
         kernels={
             "law": KernelSpec(
-                ("e", "ed", "s", "p"),
+                ("e", "ed", "s", "z", "t", "p"),
                 (
                     OutputSpec("sigma", (0,), ()),
                     OutputSpec("tau", (2,), (0, 1)),
+                    OutputSpec("zd", (0,), ()),
                     OutputSpec("U", (1,), ()),
+                    OutputSpec("P", (1,), (0,)),
                 ),
-                6,
+                9,
             ),
             "tangent": KernelSpec(
-                ("e", "ed", "s", "p"),
+                ("e", "ed", "s", "z", "t", "p"),
                 (
                     OutputSpec("J", (2, 2), (0, 1, 2, 3)),
                 ),
@@ -2231,25 +2382,28 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_3
     "viscous_3": LawSpec(
         name="viscous_3",
-        digest="aa41d588a1df124f",
+        digest="cc2db1142740f860",
         doc="tau = C s",
         deformations=0,
         slips=3,
+        states=(),
         parameters=(
             ParameterSpec("C", 6, "N s/m or N m s", "viscosity, upper triangle, row by row"),
         ),
         kernels={
             "law": KernelSpec(
-                ("e", "ed", "s", "p"),
+                ("e", "ed", "s", "z", "t", "p"),
                 (
                     OutputSpec("sigma", (0,), ()),
                     OutputSpec("tau", (3,), (0, 1, 2)),
+                    OutputSpec("zd", (0,), ()),
                     OutputSpec("U", (1,), ()),
+                    OutputSpec("P", (1,), (0,)),
                 ),
-                15,
+                20,
             ),
             "tangent": KernelSpec(
-                ("e", "ed", "s", "p"),
+                ("e", "ed", "s", "z", "t", "p"),
                 (
                     OutputSpec("J", (3, 3), tuple(range(9))),
                 ),

@@ -126,9 +126,55 @@ static void truss_acceleration(size_t nblocks, const real *const *in, real *cons
     }
 }
 
-/* kinematics: 88 operations.
+/* rates: 33 operations.
+ * in:  x (6), v (6), p (5)
+ * out: Phi_x (1,6) */
+FLEXEL_CLONES
+static void truss_rates(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (6 * 8);
+        const real *restrict v = in[1] + b * (6 * 8);
+        real *restrict Phi_x = out[0] + b * (6 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real q_vx = v[3 * 8 + j];
+            const real p_vx = v[0 * 8 + j];
+            const real t0 = q_vx - p_vx;
+            const real q_y = x[4 * 8 + j];
+            const real p_y = x[1 * 8 + j];
+            const real d_y = q_y - p_y;
+            const real q_x = x[3 * 8 + j];
+            const real p_x = x[0 * 8 + j];
+            const real d_x = q_x - p_x;
+            const real q_z = x[5 * 8 + j];
+            const real p_z = x[2 * 8 + j];
+            const real d_z = q_z - p_z;
+            const real l = real_sqrt(d_x * d_x + d_z * d_z + d_y * d_y);
+            const real t1 = 1.0 / l;
+            const real q_vy = v[4 * 8 + j];
+            const real p_vy = v[1 * 8 + j];
+            const real t2 = q_vy - p_vy;
+            const real q_vz = v[5 * 8 + j];
+            const real p_vz = v[2 * 8 + j];
+            const real t3 = q_vz - p_vz;
+            const real t4 = t1 * (d_x * t0 + d_z * t3 + d_y * t2) * t1 * t1;
+            const real t5 = t0 * t1 - d_x * t4;
+            Phi_x[3 * 8 + j] = t5;
+            Phi_x[0 * 8 + j] = -t5;
+            const real t6 = t2 * t1 - d_y * t4;
+            Phi_x[4 * 8 + j] = t6;
+            Phi_x[1 * 8 + j] = -t6;
+            const real t7 = t3 * t1 - d_z * t4;
+            Phi_x[5 * 8 + j] = t7;
+            Phi_x[2 * 8 + j] = -t7;
+        }
+    }
+}
+
+/* kinematics: 85 operations.
  * in:  x (6), v (6), a (6), p (5)
- * out: Phi_x (1,6), Psi_x (1,6), Psi_v (1,6) */
+ * out: Psi_x (1,6), Psi_v (1,6) */
 FLEXEL_CLONES
 static void truss_kinematics(size_t nblocks, const real *const *in, real *const *out)
 {
@@ -136,9 +182,8 @@ static void truss_kinematics(size_t nblocks, const real *const *in, real *const 
         const real *restrict x = in[0] + b * (6 * 8);
         const real *restrict v = in[1] + b * (6 * 8);
         const real *restrict a = in[2] + b * (6 * 8);
-        real *restrict Phi_x = out[0] + b * (6 * 8);
-        real *restrict Psi_x = out[1] + b * (6 * 8);
-        real *restrict Psi_v = out[2] + b * (6 * 8);
+        real *restrict Psi_x = out[0] + b * (6 * 8);
+        real *restrict Psi_v = out[1] + b * (6 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real q_z = x[5 * 8 + j];
@@ -152,59 +197,50 @@ static void truss_kinematics(size_t nblocks, const real *const *in, real *const 
             const real d_y = q_y - p_y;
             const real l = real_sqrt(d_x * d_x + d_y * d_y + d_z * d_z);
             const real t0 = 1.0 / l;
-            const real q_vx = v[3 * 8 + j];
-            const real p_vx = v[0 * 8 + j];
-            const real t1 = q_vx - p_vx;
-            const real q_vz = v[5 * 8 + j];
-            const real p_vz = v[2 * 8 + j];
-            const real t2 = q_vz - p_vz;
-            const real q_vy = v[4 * 8 + j];
-            const real p_vy = v[1 * 8 + j];
-            const real t3 = q_vy - p_vy;
-            const real t4 = d_x * t1 + d_y * t3 + d_z * t2;
-            const real t5 = t0 * t0;
-            const real t6 = t0 * t5;
-            const real t7 = t4 * t6;
-            const real t8 = t0 * t1 - d_x * t7;
-            Phi_x[3 * 8 + j] = t8;
-            Phi_x[0 * 8 + j] = -t8;
-            const real t9 = t0 * t3 - d_y * t7;
-            Phi_x[4 * 8 + j] = t9;
-            Phi_x[1 * 8 + j] = -t9;
-            const real t10 = t0 * t2 - d_z * t7;
-            Phi_x[5 * 8 + j] = t10;
-            Phi_x[2 * 8 + j] = -t10;
             const real q_ax = a[3 * 8 + j];
             const real p_ax = a[0 * 8 + j];
-            const real t11 = q_ax - p_ax;
-            const real t12 = t0 * t4;
-            const real t13 = t7 + t5 * t12;
+            const real t1 = q_ax - p_ax;
+            const real q_vx = v[3 * 8 + j];
+            const real p_vx = v[0 * 8 + j];
+            const real t2 = q_vx - p_vx;
+            const real q_vz = v[5 * 8 + j];
+            const real p_vz = v[2 * 8 + j];
+            const real t3 = q_vz - p_vz;
+            const real q_vy = v[4 * 8 + j];
+            const real p_vy = v[1 * 8 + j];
+            const real t4 = q_vy - p_vy;
+            const real t5 = d_x * t2 + d_y * t4 + d_z * t3;
+            const real t6 = t0 * t0;
+            const real t7 = t0 * t6;
+            const real t8 = t5 * t7;
+            const real t9 = t0 * t5;
+            const real t10 = t8 + t6 * t9;
             const real q_az = a[5 * 8 + j];
             const real p_az = a[2 * 8 + j];
-            const real t14 = q_az - p_az;
+            const real t11 = q_az - p_az;
             const real q_ay = a[4 * 8 + j];
             const real p_ay = a[1 * 8 + j];
-            const real t15 = q_ay - p_ay;
-            const real t16 = t1 * t1 + t3 * t3 + t2 * t2 + (d_x * t11 + d_y * t15 + d_z * t14);
-            const real t17 = 2.0 * t16 - t4 * (2.0 * t5 * t4 + 4.0 * t0 * t12);
-            const real t18 = t0 * t11 - t1 * t13 - 0.5 * d_x * t17 * t6;
-            Psi_x[3 * 8 + j] = t18;
-            Psi_x[0 * 8 + j] = -t18;
-            const real t19 = t0 * t15 - t3 * t13 - 0.5 * d_y * t17 * t6;
-            Psi_x[4 * 8 + j] = t19;
-            Psi_x[1 * 8 + j] = -t19;
-            const real t20 = t0 * t14 - t2 * t13 - 0.5 * d_z * t17 * t6;
-            Psi_x[5 * 8 + j] = t20;
-            Psi_x[2 * 8 + j] = -t20;
-            const real t21 = 2.0 * t8;
-            Psi_v[3 * 8 + j] = t21;
-            Psi_v[0 * 8 + j] = -t21;
-            const real t22 = 2.0 * t9;
-            Psi_v[4 * 8 + j] = t22;
-            Psi_v[1 * 8 + j] = -t22;
-            const real t23 = 2.0 * t10;
-            Psi_v[5 * 8 + j] = t23;
-            Psi_v[2 * 8 + j] = -t23;
+            const real t12 = q_ay - p_ay;
+            const real t13 = t2 * t2 + t4 * t4 + t3 * t3 + (d_x * t1 + d_y * t12 + d_z * t11);
+            const real t14 = 2.0 * t13 - t5 * (2.0 * t6 * t5 + 4.0 * t0 * t9);
+            const real t15 = t0 * t1 - t2 * t10 - 0.5 * d_x * t14 * t7;
+            Psi_x[3 * 8 + j] = t15;
+            Psi_x[0 * 8 + j] = -t15;
+            const real t16 = t0 * t12 - t4 * t10 - 0.5 * d_y * t14 * t7;
+            Psi_x[4 * 8 + j] = t16;
+            Psi_x[1 * 8 + j] = -t16;
+            const real t17 = t0 * t11 - t3 * t10 - 0.5 * d_z * t14 * t7;
+            Psi_x[5 * 8 + j] = t17;
+            Psi_x[2 * 8 + j] = -t17;
+            const real t18 = 2.0 * (t0 * t2 - d_x * t8);
+            Psi_v[3 * 8 + j] = t18;
+            Psi_v[0 * 8 + j] = -t18;
+            const real t19 = 2.0 * (t0 * t4 - d_y * t8);
+            Psi_v[4 * 8 + j] = t19;
+            Psi_v[1 * 8 + j] = -t19;
+            const real t20 = 2.0 * (t0 * t3 - d_z * t8);
+            Psi_v[5 * 8 + j] = t20;
+            Psi_v[2 * 8 + j] = -t20;
         }
     }
 }
@@ -308,7 +344,7 @@ static void truss_tangent(size_t nblocks, const real *const *in, real *const *ou
 
 const flexel_element flexel_truss = {
     .name = "truss",
-    .digest = "d3e5d85da45de0db",
+    .digest = "7c3720beb3f5cb02",
     .n = 6,
     .m = 1,
     .k = 0,
@@ -316,6 +352,7 @@ const flexel_element flexel_truss = {
     .position = truss_position,
     .velocity = truss_velocity,
     .acceleration = truss_acceleration,
+    .rates = truss_rates,
     .kinematics = truss_kinematics,
     .stiffness = truss_stiffness,
     .inertia = truss_inertia,

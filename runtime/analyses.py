@@ -83,7 +83,7 @@ def simulate(
     chosen = self.roles
     if start.roles is not chosen:
         if self.condition(start) > 1e-3 * self.condition(start, start.roles):
-            start = self.state(start.t, start.x, start.v, start.e)
+            start = self.state(start.t, start.x, start.v, start.e, start.z)
         else:  # the motion has led to where the chosen freedoms are of no use
             self.use(start.roles)
     try:

@@ -75,11 +75,12 @@ class Saddle:
         self.first = self.structure.m + self.structure.k
         self.x_scale = self.scales[self.first : self.first + self.structure.nf]
         self.rest = np.zeros(self.structure.n)
+        self.z = self.structure.z0  # internal states of laws, held
 
     def multipliers(self, state: State) -> Array:
         """Multipliers of the constraints at a state: stresses less those of laws and loads."""
         c = Configuration(state.t, state.x, state.e, state.J)
-        given = forces(self.system.kinematics, self.system.loads, c, state.v, state.e)
+        given = forces(self.system.kinematics, self.system.loads, c, state.v, state.e, state.z)
         return np.concatenate([state.stress - given.stress, -state.reactions])[self.force_rows]
 
     def balance(self, t: float, x: Array, v: Array, a: Array, mu: Array, e_near: Array) -> Balance:
@@ -88,7 +89,7 @@ class Saddle:
         principal, J = kinematics.evaluation.position(x)
         e = unwrap(s, principal, e_near)
         c = Configuration(t, x, principal, J)
-        given = forces(kinematics, self.system.loads, c, v, e)
+        given = forces(kinematics, self.system.loads, c, v, e, self.z)
         multiplier = np.zeros(len(s.names))
         multiplier[self.force_rows] = mu
         inertia = given.M[: s.nf] @ a
@@ -110,7 +111,7 @@ class Saddle:
         """Derivatives at a balance, the multipliers' stresses included."""
         c = b.configuration
         stress = b.forces.stress + b.multiplier[: self.first]
-        return self.system.evaluation.tangents(c.x, b.v, b.a, c.J, b.e, stress)
+        return self.system.evaluation.tangents(c.x, b.v, b.a, c.J, b.e, stress, self.z, c.t)
 
     def load_rate(self, b: Balance) -> tuple[Array, Array]:
         """Derivatives of r (nf,) and of the gap (nh,) with respect to the time at fixed x and mu."""
@@ -133,8 +134,9 @@ class Saddle:
 
     def state(self, b: Balance) -> State:
         """The complete state at a balance."""
+        kinematics, loads = self.system.kinematics, self.system.loads
         return with_multipliers(
-            self.system.kinematics, self.system.loads, b.configuration, b.v, b.a, b.e, b.forces, b.multiplier
+            kinematics, loads, b.configuration, b.v, b.a, b.e, self.z, b.forces, b.multiplier
         )
 
     def solve(self, matrix: Array, rhs: Array) -> Array:

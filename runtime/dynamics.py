@@ -36,6 +36,10 @@ class Forces:
         Given stresses: of laws and of loads.
     potential, strain : float
         Of body forces and of laws [J].
+    zd : ndarray (nz,)
+        Rates of the laws' internal states.
+    dissipated : float
+        Power that the laws lose [W].
     """
 
     M: Array
@@ -43,21 +47,23 @@ class Forces:
     stress: Array
     potential: float
     strain: float
+    zd: Array
+    dissipated: float
 
 
-def forces(kinematics: Kinematics, loads: Loads, c: Configuration, v: Array, e: Array) -> Forces:
-    """Mass matrix, given forces and potentials at (x, v); `e` holds the deformations with their turns."""
+def forces(kinematics: Kinematics, loads: Loads, c: Configuration, v: Array, e: Array, z: Array) -> Forces:
+    """Mass matrix, given forces and potentials at (x, v, z); `e` holds the deformations with their turns."""
     s = kinematics.structure
     evaluation = kinematics.evaluation
     M, h, f, U = evaluation.inertia(c.x, v)
     rates = c.J[: s.m + s.k] @ v
-    law, strain = evaluation.stresses(e, rates[: s.m], rates[s.m :])
+    law = evaluation.constitutive(e, rates[: s.m], rates[s.m :], z, c.t)
     nodal, applied = loads.at(c.t)
-    stress = law + applied
+    stress = law.stress + applied
     F = f - h + nodal
     if loads.any or s.laws:
         F = F - stress @ c.J[: s.m + s.k]
-    return Forces(M, F, stress, U, strain)
+    return Forces(M, F, stress, U, law.stored, law.zd, law.dissipated)
 
 
 @dataclass(frozen=True)
@@ -113,7 +119,13 @@ def solve_mass(kinematics: Kinematics, Mr: Array, rhs: Array) -> Array:
 
 
 def complete(
-    kinematics: Kinematics, loads: Loads, c: Configuration, v: Array, e: Array, qdd: Array | None = None
+    kinematics: Kinematics,
+    loads: Loads,
+    c: Configuration,
+    v: Array,
+    e: Array,
+    z: Array,
+    qdd: Array | None = None,
 ) -> State:
     """The complete state at a configuration with velocities: accelerations, stresses, reactions, energy.
 
@@ -122,7 +134,7 @@ def complete(
     """
     s, roles = kinematics.structure, kinematics.roles
     B = kinematics.velocity_matrix(c)
-    given = forces(kinematics, loads, c, v, e)
+    given = forces(kinematics, loads, c, v, e, z)
     if qdd is None:
         a = accelerations(kinematics, c, B, v, given).a
     else:
@@ -136,7 +148,7 @@ def complete(
         mu[s.nf - roles.nd :] = 0.0
     multiplier = np.zeros(len(s.names))
     multiplier[roles.velocity_rows] = mu
-    return with_multipliers(kinematics, loads, c, v, a, e, given, multiplier)
+    return with_multipliers(kinematics, loads, c, v, a, e, z, given, multiplier)
 
 
 def with_multipliers(
@@ -146,6 +158,7 @@ def with_multipliers(
     v: Array,
     a: Array,
     e: Array,
+    z: Array,
     given: Forces,
     multiplier: Array,
 ) -> State:
@@ -176,5 +189,8 @@ def with_multipliers(
         structure=s,
         energy=Energy(float(v @ given.M @ v) / 2, potential, given.strain),
         drift=float(np.max(np.abs(held), initial=0.0)),
+        z=z,
+        zd=given.zd,
+        dissipated=given.dissipated,
         Phi_v=kinematics.evaluation.convective(c.x, v) + c.J @ a,
     )

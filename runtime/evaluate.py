@@ -28,8 +28,10 @@ class Tangents:
         Derivatives of the rates and of the accelerations of all quantities.
     r_x, r_v : ndarray (n, n)
         Derivatives of r = M a + h - f + De' sigma + V' tau.
-    stress_e, stress_ed : ndarray (m + k, m), stress_s : ndarray (m + k, k)
-        Derivatives of the laws' stresses (sigma, tau) with respect to e, its rate and s.
+    stress_e, stress_ed : ndarray (m + k, m), stress_s : ndarray (m + k, k), stress_z : ndarray (m + k, nz)
+        Derivatives of the laws' stresses (sigma, tau) with respect to e, its rate, s and z.
+    zd_x, zd_v : ndarray (nz, n), zd_z : ndarray (nz, nz)
+        Derivatives of the rates of the laws' internal states with respect to x, v and z.
     """
 
     Phi_x: Array
@@ -40,6 +42,20 @@ class Tangents:
     stress_e: Array
     stress_ed: Array
     stress_s: Array
+    stress_z: Array
+    zd_x: Array
+    zd_v: Array
+    zd_z: Array
+
+
+@dataclass(frozen=True)
+class Constitutive:
+    """What the laws give at (e, ed, s, z, t): stresses (m + k,), rates of z (nz,), energy [J], lost power [W]."""
+
+    stress: Array
+    zd: Array
+    stored: float
+    dissipated: float
 
 
 class Evaluation:
@@ -52,10 +68,11 @@ class Evaluation:
         self._damped = any(z.mass_damping for z in structure.instances)
         elements = _element_batches(structure)
         laws = _law_batches(structure)
-        place = _Places(m, k, n)
+        place = _Places(m, k, n, structure.nz)
         self._position = Stage(elements, "position", place.element)
         self._acceleration = Stage(elements, "acceleration", place.element)
         self._inertia = Stage(elements, "inertia", place.element)
+        self._rates = Stage(elements, "rates", place.element)
         self._kinematics = Stage(elements, "kinematics", place.element)
         self._stiffness = Stage(elements, "stiffness", place.element)
         self._tangent = Stage(elements, "tangent", place.element)
@@ -89,13 +106,14 @@ class Evaluation:
             h = h + stage.sum("damped M", (n, n)) @ v
         return stage.sum("M", (n, n)), h, stage.sum("f", (n,)), U
 
-    def stresses(self, e: Array, ed: Array, s: Array) -> tuple[Array, float]:
-        """Stresses (sigma, tau) of the laws (m + k,) and their stored energy [J]; e unwrapped."""
-        size = self.structure.m + self.structure.k
+    def constitutive(self, e: Array, ed: Array, s: Array, z: Array, t: float) -> Constitutive:
+        """What the laws give at deformations (with their turns), rates, slips, internal states and time."""
+        size, nz, law = self.structure.m + self.structure.k, self.structure.nz, self._law
         if not self.structure.laws:
-            return np.zeros(size), 0.0
-        self._law.run(e=e, ed=ed, s=s)
-        return self._law.sum("stress", (size,)), float(self._law.sum("U", (1,))[0])
+            return Constitutive(np.zeros(size), np.zeros(0), 0.0, 0.0)
+        law.run(e=e, ed=ed, s=s, z=z, t=np.array([t]))
+        stored, dissipated = float(law.sum("U", (1,))[0]), float(law.sum("P", (1,))[0])
+        return Constitutive(law.sum("stress", (size,)), law.put("zd", np.zeros(nz)), stored, dissipated)
 
     def stress_stiffness(self, x: Array, stress: Array) -> Array:
         """Derivative (n, n) of De' sigma + V' tau by x at given stresses (m + k,)."""
@@ -103,14 +121,16 @@ class Evaluation:
         self._stiffness.run(x=x, sigma=stress[:m], tau=stress[m:])
         return self._stiffness.sum("K", (n, n))
 
-    def tangents(self, x: Array, v: Array, a: Array, J: Array, e: Array, stress: Array) -> Tangents:
+    def tangents(
+        self, x: Array, v: Array, a: Array, J: Array, e: Array, stress: Array, z: Array, t: float
+    ) -> Tangents:
         """All derivatives at a state; `stress` (m + k,) includes those of rigid deformations."""
         m, k, n = self.structure.m, self.structure.k, self.structure.n
         shape = (self._rows, n)
+        self._rates.run(x=x, v=v)
         self._kinematics.run(x=x, v=v, a=a)
-        Phi_x, Psi_x, Psi_v = (
-            self._kinematics.put(name, np.zeros(shape)) for name in ("Phi_x", "Psi_x", "Psi_v")
-        )
+        Phi_x = self._rates.put("Phi_x", np.zeros(shape))
+        Psi_x, Psi_v = (self._kinematics.put(name, np.zeros(shape)) for name in ("Psi_x", "Psi_v"))
         self._tangent.run(x=x, v=v, a=a)
         r_x = self.stress_stiffness(x, stress) + self._tangent.sum("R_x", (n, n))
         r_v = self._tangent.sum("R_v", (n, n))
@@ -118,12 +138,21 @@ class Evaluation:
             self._inertia.run(x=x, v=v)
             r_v += self._inertia.sum("damped M", (n, n))
         S = J[: m + k]
-        self._law_tangent.run(e=e, ed=J[:m] @ v, s=J[m : m + k] @ v)
-        L = self._law_tangent.sum("J", (m + k, 2 * m + k))
-        Se, Sd, Ss = L[:, :m], L[:, m : 2 * m], L[:, 2 * m :]
-        r_x += S.T @ (Se @ J[:m] + Sd @ Phi_x[:m] + Ss @ Phi_x[m : m + k])
-        r_v += S.T @ (Sd @ J[:m] + Ss @ J[m : m + k])
-        return Tangents(Phi_x, Psi_x, Psi_v, r_x, r_v, Se, Sd, Ss)
+        L = self._law_derivatives(e, J[:m] @ v, J[m : m + k] @ v, z, t)
+        Le, Ld, Ls, Lz = np.split(L, [m, 2 * m, 2 * m + k], axis=1)
+        by_x = Le @ J[:m] + Ld @ Phi_x[:m] + Ls @ Phi_x[m : m + k]
+        by_v = Ld @ J[:m] + Ls @ J[m : m + k]
+        r_x += S.T @ by_x[: m + k]
+        r_v += S.T @ by_v[: m + k]
+        Se, Sd, Ss, Sz = (part[: m + k] for part in (Le, Ld, Ls, Lz))
+        lags = by_x[m + k :], by_v[m + k :], Lz[m + k :]
+        return Tangents(Phi_x, Psi_x, Psi_v, r_x, r_v, Se, Sd, Ss, Sz, *lags)
+
+    def _law_derivatives(self, e: Array, ed: Array, s: Array, z: Array, t: float) -> Array:
+        """Derivatives (m + k + nz, 2 m + k + nz) of (sigma, tau, dz/dt) of all laws by (e, ed, s, z)."""
+        m, k, nz = self.structure.m, self.structure.k, self.structure.nz
+        self._law_tangent.run(e=e, ed=ed, s=s, z=z, t=np.array([t]))
+        return self._law_tangent.sum("J", (m + k + nz, 2 * m + k + nz))
 
 
 @dataclass(frozen=True)
@@ -133,6 +162,7 @@ class _Places:
     m: int
     k: int
     n: int
+    nz: int
 
     def element(self, batch: Batch, name: str) -> Place:
         d, s, x = batch.inputs["sigma"], batch.inputs["tau"] + self.m, batch.inputs["x"]
@@ -153,15 +183,18 @@ class _Places:
         return Place(array, (rows, n), _outer(lines, x, n), False)
 
     def law(self, batch: Batch, name: str) -> Place:
-        d, s = batch.inputs["e"], batch.inputs["s"]
+        d, s, z = (batch.inputs[letter] for letter in ("e", "s", "z"))
         rows, width = self.m + self.k, 2 * self.m + self.k
         if name in ("sigma", "tau"):
             return Place("stress", (rows,), d if name == "sigma" else s + self.m, True)
-        if name == "U":
-            return Place("U", (1,), np.zeros((batch.size, 1), dtype=np.intp), True)
-        lines = np.concatenate([d, s + self.m], axis=1)
-        columns = np.concatenate([d, d + self.m, s + 2 * self.m], axis=1)
-        return Place(name, (rows, width), _outer(lines, columns, width), True)
+        if name == "zd":
+            return Place("zd", (self.nz,), z, False)
+        if name in ("U", "P"):
+            return Place(name, (1,), np.zeros((batch.size, 1), dtype=np.intp), True)
+        lines = np.concatenate([d, s + self.m, z + rows], axis=1)
+        columns = np.concatenate([d, d + self.m, s + 2 * self.m, z + width], axis=1)
+        width += self.nz
+        return Place(name, (rows + self.nz, width), _outer(lines, columns, width), True)
 
 
 def _outer(lines: Index, columns: Index, width: int) -> Index:
@@ -194,9 +227,11 @@ def _law_batches(structure: Structure) -> list[Batch]:
     for members in groups.values():
         e = _indices([[structure.index[z] for z in i.deformations] for i in members])
         s = _indices([[structure.index[z] - structure.m for z in i.slips] for i in members])
+        z = _indices([[structure.internal[z] for z in i.states] for i in members])
+        inputs = {"e": e, "ed": e, "s": s, "z": z, "t": np.zeros((len(members), 1), dtype=np.intp)}
         spec = members[0].spec
         struct = kernel_struct(spec, members[0].kernels)
-        batches.append(Batch(spec, struct, {"e": e, "ed": e, "s": s}, np.array([i.p for i in members])))
+        batches.append(Batch(spec, struct, inputs, np.array([i.p for i in members])))
     return batches
 
 

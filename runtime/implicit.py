@@ -74,6 +74,11 @@ class GeneralizedAlpha(Saddle):
 
     def __init__(self, system: System, start: State, radius: float, tolerance: float) -> None:
         super().__init__(system)
+        if system.structure.nz:
+            raise ModelError(
+                f"simulate_stiff: internal states of laws ({', '.join(system.structure.internal)}) are not taken "
+                "along; use simulate(…, method='Radau')"
+            )
         self.scheme = Scheme.with_radius(radius)
         self.tolerance = tolerance
         self.start = start

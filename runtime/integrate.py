@@ -56,7 +56,7 @@ class Event:
 
 @dataclass(frozen=True)
 class Segment:
-    """A step of the integration: its choice of freedoms, its dense output y(t) = (q, q_d') and its ends."""
+    """A step of the integration: its choice of freedoms, its dense output y(t) = (q, q_d', z) and its ends."""
 
     t0: float
     t1: float
@@ -194,7 +194,7 @@ class Integrator:
     def _segment(self, bar: Any) -> str | None:
         """Integrate with one choice of freedoms; returns the name of a terminal event, if one occurred."""
         system, roles = self.system, self.system.roles
-        y0 = np.concatenate([self.state.q, self.state.qd])
+        y0 = np.concatenate([self.state.q, self.state.qd, self.state.z])
         system.warm(self.state)
         options = self.options | {"max_step": self._longest()}
         if self._first_step:

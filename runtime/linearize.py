@@ -1,7 +1,8 @@
 """Analytic linearization about any state, holonomic or not; nothing is differenced.
 
-Letters as in the formulation: G = dx/dq, H = dv/dq_d', N = dv/dq, A_q, A_v; M̄ δq_d'' + C̄ δq_d' + K̄ δq = F̄ δu and
-δq_k' = 𝒜 δq_d' + ℬ δq.  Source: Schwab and Meijaard (2003), "Dynamics of flexible multibody systems with
+Letters as in the formulation: G = dx/dq, H = dv/dq_d', N = dv/dq, A_q, A_v; M̄ δq_d'' + C̄ δq_d' + K̄ δq + Z δz = F̄ δu,
+δq_k' = 𝒜 δq_d' + ℬ δq, and for internal states of laws δz' = Z_v δq_d' + Z_q δq + Z_z δz.
+Source: Schwab and Meijaard (2003), "Dynamics of flexible multibody systems with
 non-holonomic constraints: a finite element approach"; Meijaard (1991).
 Imports numpy, scipy.linalg and the dynamics.
 """
@@ -75,9 +76,9 @@ class Mode:
     eigenvalue : complex
         [1/s]
     shape : dict of str to complex
-        Amplitude of each freedom, the largest one 1.
+        Amplitude of each freedom and internal state of a law, the largest one 1.
     participation : dict of str to float
-        Share of each freedom (dynamic ones with their rates) in the mode, from left and right vectors; sums to 1.
+        Share of each of them (dynamic freedoms with their rates) in the mode, from left and right vectors; sums to 1.
     """
 
     eigenvalue: complex
@@ -141,8 +142,12 @@ class Linearization:
         Columns for dynamic, then kinematic freedoms.
     A_k : ndarray (nk, nd), B_k : ndarray (nk, nq)
         𝒜 and ℬ of δq_k' = 𝒜 δq_d' + ℬ δq.
-    dynamic, kinematic, prescribed : tuple of str
-        Names of the freedoms and of the prescribed motions.
+    Z : ndarray (nd, nz)
+        Generalized forces of the laws' internal states: M δq_d'' + C δq_d' + K δq + Z δz = F δu.
+    Z_v, Z_q, Z_z : ndarray (nz, nd), (nz, nq), (nz, nz)
+        δz' = Z_v δq_d' + Z_q δq + Z_z δz.
+    dynamic, kinematic, prescribed, internal : tuple of str
+        Names of the freedoms, of the prescribed motions and of the laws' internal states.
     state : State
         Where it was linearized.
     """
@@ -157,9 +162,16 @@ class Linearization:
     K_u: Array = field(repr=False)
     A_ku: Array = field(repr=False)
     B_ku: Array = field(repr=False)
+    Z: Array = field(repr=False)
+    Z_v: Array = field(repr=False)
+    Z_q: Array = field(repr=False)
+    Z_z: Array = field(repr=False)
+    Z_vu: Array = field(repr=False)
+    Z_qu: Array = field(repr=False)
     dynamic: tuple[str, ...]
     kinematic: tuple[str, ...]
     prescribed: tuple[str, ...]
+    internal: tuple[str, ...]
     state: State = field(repr=False)
     transfer: Transfer = field(repr=False)
     tangents: Tangents = field(repr=False)
@@ -172,16 +184,17 @@ class Linearization:
 
     @property
     def states(self) -> tuple[str, ...]:
-        """Names of the states (q_d', q_d, q_k)."""
-        return tuple(f"{z}'" for z in self.dynamic) + self.freedoms
+        """Names of the states (q_d', q_d, q_k, z)."""
+        return tuple(f"{z}'" for z in self.dynamic) + self.freedoms + self.internal
 
     @property
     def state_matrix(self) -> Array:
-        """Matrix of the first-order equations for (δq_d', δq_d, δq_k), (2 nd + nk) square."""
-        nd, nk = len(self.dynamic), len(self.kinematic)
-        top = -np.linalg.solve(self.M, np.hstack([self.C, self.K])) if nd else np.zeros((0, nk))
-        middle = np.hstack([np.eye(nd), np.zeros((nd, nd + nk))])
-        return np.vstack([top, middle, np.hstack([self.A_k, self.B_k])])
+        """Matrix of the first-order equations for (δq_d', δq_d, δq_k, δz), (2 nd + nk + nz) square."""
+        nd, nk, nz = len(self.dynamic), len(self.kinematic), len(self.internal)
+        top = -np.linalg.solve(self.M, np.hstack([self.C, self.K, self.Z])) if nd else np.zeros((0, nk + nz))
+        middle = np.hstack([np.eye(nd), np.zeros((nd, nd + nk + nz))])
+        rolling = np.hstack([self.A_k, self.B_k, np.zeros((nk, nz))])
+        return np.vstack([top, middle, rolling, np.hstack([self.Z_v, self.Z_q, self.Z_z])])
 
     def eigenvalues(self) -> ComplexArray:
         """All eigenvalues [1/s] of the state matrix, sorted by real, then imaginary part.
@@ -202,12 +215,13 @@ class Linearization:
     def _mode(self, value: complex, left: ComplexArray, right: ComplexArray) -> Mode:
         nd = len(self.dynamic)
         displacement = right[nd:]
+        names = self.freedoms + self.internal
         pivot = displacement[int(np.argmax(np.abs(displacement)))]
         share = np.abs(left.conj() * right)
         share = np.concatenate([share[:nd] + share[nd : 2 * nd], share[2 * nd :]])
         total = float(share.sum()) or 1.0
-        shape = {n: complex(z / pivot) for n, z in zip(self.freedoms, displacement, strict=True)}
-        return Mode(value, shape, {n: float(z / total) for n, z in zip(self.freedoms, share, strict=True)})
+        shape = {n: complex(z / pivot) for n, z in zip(names, displacement, strict=True)}
+        return Mode(value, shape, {n: float(z / total) for n, z in zip(names, share, strict=True)})
 
     def reduced(self, names: Sequence[str], tolerance: float = 1e-9) -> Reduced:
         """Second-order equations of the named dynamic freedoms, after a check that they are decoupled.
@@ -225,11 +239,12 @@ class Linearization:
                     f"reduced: '{name}' is not a dynamic freedom; name some of {self.dynamic}"
                 )
         i = [self.dynamic.index(name) for name in names]
-        for matrix, label in ((self.M, "M"), (self.C, "C"), (self.K, "K")):
+        for matrix, label in ((self.M, "M"), (self.C, "C"), (self.K, "K"), (self.Z, "Z")):
             block = matrix[i]
-            columns = self.freedoms[: matrix.shape[1]]
+            columns = self.internal if label == "Z" else self.freedoms[: matrix.shape[1]]
             for j, name in enumerate(columns):
-                if name not in names and np.max(np.abs(block[:, j])) > tolerance * np.max(np.abs(block)):
+                largest = float(np.max(np.abs(self.K[i] if label == "Z" else block)))
+                if name not in names and np.max(np.abs(block[:, j])) > tolerance * largest:
                     raise LinearizationError(
                         f"{tuple(names)} are not decoupled: '{name}' enters through {label} "
                         f"({np.max(np.abs(block[:, j])):.3g}); include it, or use the full state matrix"
@@ -275,7 +290,10 @@ def linearize(kinematics: Kinematics, state: State) -> Linearization:
     own_state(structure, state, "linearize")
     nf, nd, nq = structure.nf, roles.nd, roles.nq
     c = Configuration(state.t, state.x, state.e, state.J)
-    T = kinematics.evaluation.tangents(state.x, state.v, state.a, state.J, state.e, state.stress)
+    m, k, nz = structure.m, structure.k, structure.nz
+    T = kinematics.evaluation.tangents(
+        state.x, state.v, state.a, state.J, state.e, state.stress, state.z, state.t
+    )
     X = transfer_functions(kinematics, c, T)
     mass, *_ = kinematics.evaluation.inertia(state.x, state.v)
     M, r_x, r_v = mass[:nf, :nf], T.r_x[:nf, :nf], T.r_v[:nf, :nf]
@@ -285,6 +303,8 @@ def linearize(kinematics: Kinematics, state: State) -> Linearization:
     Kbar = H.T @ (r_x @ X.G + r_v @ X.N + M @ X.A_q)
     Jk, Phik = state.J[roles.kinematic, :nf], T.Phi_x[roles.kinematic, :nf]
     A_k, B_k = Jk @ X.H, Phik @ X.G + Jk @ X.N
+    Z_v, Z_q = T.zd_v[:, :nf] @ X.H, T.zd_x[:, :nf] @ X.G + T.zd_v[:, :nf] @ X.N
+    Z = H.T @ (state.J[: m + k, :nf].T @ T.stress_z) if nz else np.zeros((nd, 0))
     if nd:
         solve_mass(kinematics, Mbar[:, :nd], np.zeros(nd))
     names = structure.names
@@ -299,9 +319,16 @@ def linearize(kinematics: Kinematics, state: State) -> Linearization:
         K_u=Kbar[:, nq:],
         A_ku=A_k[:, nd:],
         B_ku=B_k[:, nq:],
+        Z=Z,
+        Z_v=Z_v[:, :nd],
+        Z_q=Z_q[:, :nq],
+        Z_z=T.zd_z,
+        Z_vu=Z_v[:, nd:],
+        Z_qu=Z_q[:, nq:],
         dynamic=tuple(names[i] for i in roles.dynamic),
         kinematic=tuple(names[i] for i in roles.kinematic),
         prescribed=tuple(names[i] for i in roles.prescribed),
+        internal=tuple(structure.internal),
         state=state,
         transfer=X,
         tangents=T,

@@ -186,6 +186,7 @@ class Model:
     viscous = springs.viscous
     mass_damping = springs.mass_damping
     law = springs.law
+    attach = springs.attach
 
     # -- roles -----------------------------------------------------------------------------------
 

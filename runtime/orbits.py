@@ -31,13 +31,13 @@ def driven_state(system: System, t: float, q: Array, qd: Array, qdd: Array, near
     c = kinematics.position(t, q, near.x)
     v = kinematics.velocity(c, kinematics.velocity_matrix(c), qd)
     e = with_freedoms(structure, unwrap(structure, c.e, near.e), q, system.roles)
-    return dynamics.complete(kinematics, system.loads, c, v, e, qdd)
+    return dynamics.complete(kinematics, system.loads, c, v, e, near.z, qdd)
 
 
 def lacking_force(system: System, state: State, lin: Linearization) -> Array:
     """Generalized forces (nd,) that a driven motion lacks: H' (f - h - De' sigma - V' tau - M a) of what is given."""
     c = Configuration(state.t, state.x, state.e, state.J)
-    given = dynamics.forces(system.kinematics, system.loads, c, state.v, state.e)
+    given = dynamics.forces(system.kinematics, system.loads, c, state.v, state.e, state.z)
     F = given.F - given.M @ state.a
     return np.asarray(lin.transfer.H[:, : system.roles.nd].T @ F[: system.structure.nf])
 
@@ -121,6 +121,11 @@ def orbit(
         raise LinearizationError(
             f"periodic motion of a non-holonomic system with kinematic coordinates {system.kinematic} is not "
             "available; prescribe them or leave the rolling condition out"
+        )
+    if system.structure.nz:
+        raise LinearizationError(
+            f"periodic motion with internal states of laws ({', '.join(system.structure.internal)}) is not available; "
+            "integrate the motion until it repeats, or take laws without them"
         )
     if not (0 < period < np.inf) or samples < 1:
         raise LinearizationError(

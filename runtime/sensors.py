@@ -24,6 +24,7 @@ class Variations:
     v: Array
     a: Array
     load: Array  # generalized forces on the coordinates
+    z: Array  # internal states (nz,) of laws
     applied: Array  # stresses (m + k,) of the loads on deformations and slips
     states: int
 
@@ -37,16 +38,18 @@ def state_space(
     driven = [lin.prescribed.index(z) for z in inputs if z in lin.prescribed]
     place = {z: i for i, z in enumerate(inputs)}
     nd, nq, nu = len(lin.dynamic), len(lin.freedoms), len(driven)
-    ns, ni = nd + nq + 2 * nu, len(inputs)
-    z = np.eye(ns + ni)
-    qd, q, ud, u = z[:nd], z[nd : nd + nq], z[nd + nq : nd + nq + nu], z[nd + nq + nu : ns]
-    udd = z[[ns + place[lin.prescribed[i]] for i in driven]]
-    f = z[[ns + place[name] for name in loads]]
-    forces = lin.input_matrix(loads) @ f
+    nz = len(lin.internal)
+    ns, ni = nd + nq + nz + 2 * nu, len(inputs)
+    unit = np.eye(ns + ni)
+    qd, q, z, ud, u = np.split(unit[:ns], np.cumsum([nd, nq, nz, nu]))
+    udd = unit[[ns + place[lin.prescribed[i]] for i in driven]]
+    f = unit[[ns + place[name] for name in loads]]
+    forces = lin.input_matrix(loads) @ f - lin.Z @ z
     rhs = lin.C @ qd + lin.K @ q + lin.M_u[:, driven] @ udd + lin.C_u[:, driven] @ ud + lin.K_u[:, driven] @ u
     qdd = np.linalg.solve(lin.M, forces - rhs) if nd else np.zeros((0, ns + ni))
     qkd = lin.A_k @ qd + lin.B_k @ q + lin.A_ku[:, driven] @ ud + lin.B_ku[:, driven] @ u
-    rates = np.vstack([qdd, qd, qkd, udd, ud])
+    zd = lin.Z_v @ qd + lin.Z_q @ q + lin.Z_z @ z + lin.Z_vu[:, driven] @ ud + lin.Z_qu[:, driven] @ u
+    rates = np.vstack([qdd, qd, qkd, zd, udd, ud])
     X = lin.transfer
     cq, cu, hu = slice(0, nq), [nq + i for i in driven], [nd + i for i in driven]
     structure = lin.state.structure
@@ -63,6 +66,7 @@ def state_space(
         + X.H[:, :nd] @ qdd
         + X.H[:, hu] @ udd,
         load=lin.state.J[rows].T @ f,
+        z=z,
         applied=applied[: structure.m + structure.k],
         states=ns,
     )
@@ -74,6 +78,8 @@ def _output(lin: Linearization, d: Variations, name: str) -> Array:
     """Row of the output matrix for one named quantity."""
     structure, T, J = lin.state.structure, lin.tangents, lin.state.J
     nf = structure.nf
+    if name in structure.internal:
+        return np.asarray(d.z[structure.internal[name]])
     if name.startswith("force:"):
         return _force(lin, d, structure.find(name.removeprefix("force:")))
     i = structure.find(name.rstrip("'"))
@@ -95,7 +101,9 @@ def _force(lin: Linearization, d: Variations, i: int) -> Array:
     structure, roles, J = state.structure, state.roles, state.J
     nf, m, k = structure.nf, structure.m, structure.k
     M = lin.mass
+    internal = T.stress_z @ d.z
     unbalance = T.r_x[:, :nf] @ d.x + T.r_v[:, :nf] @ d.v + M[:, :nf] @ d.a - d.load
+    unbalance = unbalance + J[: m + k].T @ internal
     rows = roles.velocity_rows
     multipliers = np.zeros((len(structure.names), unbalance.shape[1]))
     multipliers[rows] = -np.linalg.solve(J[rows, :nf].T, unbalance[:nf])
@@ -104,7 +112,7 @@ def _force(lin: Linearization, d: Variations, i: int) -> Array:
     if i < first:
         ed = T.Phi_x[: m + k, :nf] @ d.x + J[: m + k, :nf] @ d.v
         law = T.stress_e[i] @ (J[:m, :nf] @ d.x) + T.stress_ed[i] @ ed[:m] + T.stress_s[i] @ ed[m:]
-        return np.asarray(law + d.applied[i] + multipliers[i])
+        return np.asarray(law + internal[i] + d.applied[i] + multipliers[i])
     if i - first < nf:
         return np.asarray(-multipliers[i])
     return np.asarray((unbalance + J[:first].T @ multipliers[:first])[i - first])

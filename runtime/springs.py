@@ -5,7 +5,7 @@ Imports numpy, the errors, the table of laws and the checked inputs.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -13,8 +13,9 @@ import numpy as np
 
 from flexel.checks import not_negative
 from flexel.errors import ModelError
+from flexel.generated.spec import LawSpec
 from flexel.generated.table import ELEMENTS, LAWS
-from flexel.inputs import array, names, number, quantities
+from flexel.inputs import array, names, number, numbers, quantities
 from flexel.laws import formula_law
 from flexel.structure import COMPONENTS, Array, Instance, LawInstance, Node, unknown
 
@@ -176,6 +177,67 @@ def viscous(self: Model, name: str, damping: float) -> None:
     quantities([name], "viscous")
     values = {"C": np.array([not_negative(damping, f"damper on '{name}'", "damping")])}
     self.laws.append(LawInstance(name, LAWS["viscous_1"], (), (name,), values))
+
+
+def attach(
+    self: Model,
+    law: Any,
+    on: Sequence[str],
+    *,
+    name: str | None = None,
+    initial: Mapping[str, float] | None = None,
+    **parameters: Any,
+) -> None:
+    """Attach a law of several deformations and slips together, built in or compiled; they become free.
+
+    Parameters
+    ----------
+    law : str or compiled law
+        Name in the table of laws, or what `flexel.derive.compile.compile_law` gives.
+    on : sequence of str
+        As many deformations as the law has, then as many slips, in the law's order.
+    name : str, optional
+        What its internal states are called by, ``name.state``; the names in `on`, joined, by default.
+    initial : mapping of str to float, optional
+        Initial values of internal states; zero by default.
+    **parameters
+        Value of each of the law's parameters.
+
+    Raises
+    ------
+    ModelError
+        An unknown law, parameter or state; a number of names or values that does not fit.
+
+    Examples
+    --------
+    >>> m.attach("viscous_2", ["tyre.longitudinal", "tyre.lateral"], C=[900, 0, 700])  # doctest: +SKIP
+    """
+    on = names(on, "attach")
+    quantities(on, "attach")
+    spec: LawSpec | None = law.spec if hasattr(law, "spec") else LAWS.get(law)
+    if spec is None:
+        raise ModelError(f"attach: {unknown(str(law), LAWS, 'law')}")
+    owner = f"law '{spec.name}' on {', '.join(repr(z) for z in on)}"
+    m, k = spec.deformations, spec.slips
+    if len(on) != m + k or len(set(on)) < len(on):
+        raise ModelError(f"{owner}: {len(on)} names; give {m} deformations, then {k} slips, each once")
+    sizes = {z.name: z.size for z in spec.parameters}
+    for wrong in [z for z in parameters if z not in sizes]:
+        raise ModelError(f"{owner}: {unknown(wrong, sizes, 'parameter')}")
+    if missing := [f"{z.name} [{z.unit}] ({z.doc})" for z in spec.parameters if z.name not in parameters]:
+        raise ModelError(f"{owner}: parameters are missing: {', '.join(missing)}")
+    values = {z: np.atleast_1d(array(value, owner, f"parameter {z}")) for z, value in parameters.items()}
+    start = numbers(initial or {}, owner, "initial value")
+    states = [z.name for z in spec.states]
+    for wrong in [z for z in start if z not in states]:
+        raise ModelError(f"{owner}: {unknown(wrong, states, 'internal state')}")
+    z0 = tuple(start.get(z, 0.0) for z in states)
+    address = getattr(law, "address", None)
+    label = " ".join(on) if name is None else name
+    instance = LawInstance(label, spec, tuple(on[:m]), tuple(on[m:]), values, address, z0)
+    if states and any(z.name == label and z.spec.states for z in self.laws):
+        raise ModelError(f"{owner}: there is a law '{label}' with internal states already; give another name")
+    self.laws.append(instance)
 
 
 def law(self: Model, name: str, stress: Callable[..., Any], energy: Callable[..., Any] | None = None) -> None:

@@ -58,7 +58,9 @@ def buckling(system: System, state: State, increment: Mapping[str, float], count
     rhs = np.concatenate([(load @ J)[: s.nf], np.zeros(problem.hold_rows.size)])
     change = problem.solve(q.matrix, rhs)
     first = s.m + s.k
-    T = evaluation.tangents(state.x, problem.rest, problem.rest, J, state.e, np.zeros(first))
+    T = evaluation.tangents(
+        state.x, problem.rest, problem.rest, J, state.e, np.zeros(first), state.z, state.t
+    )
     stress = T.stress_e @ (J[: s.m, : s.nf] @ change[: s.nf]) - load[:first]
     inner = problem.force_rows < first
     np.add.at(stress, problem.force_rows[inner], change[s.nf :][inner])

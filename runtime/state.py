@@ -51,6 +51,10 @@ class State:
     energy : Energy
     drift : float
         Largest violation of the constraints, relative to their natural scales.
+    z, zd : ndarray (nz,)
+        Internal states of laws and their rates.
+    dissipated : float
+        Power that the laws take from the motion and do not store [W]; negative where one feeds it.
     """
 
     t: float
@@ -65,6 +69,9 @@ class State:
     structure: Structure = field(repr=False)
     energy: Energy
     drift: float
+    z: Array
+    zd: Array
+    dissipated: float
     Phi_v: Array = field(repr=False)  # accelerations of all quantities (m + k + n,)
 
     @property
@@ -83,14 +90,18 @@ class State:
         return np.asarray(self.J[self.roles.dynamic] @ self.v)
 
     def __getitem__(self, name: str) -> float:
-        """Value of a coordinate or deformation (a slip has none: see `rate`)."""
+        """Value of a coordinate, a deformation or a law's internal state (a slip has none: see `rate`)."""
+        if name in self.structure.internal:
+            return float(self.z[self.structure.internal[name]])
         i = self.structure.find(name)
         if self.structure.m <= i < self.structure.m + self.structure.k:
             raise ModelError(f"slip '{name}' has no value, only a rate; use rate('{name}')")
         return float(self.values[i])
 
     def rate(self, name: str) -> float:
-        """Rate of a coordinate or deformation, or a slip itself."""
+        """Rate of a coordinate, a deformation or a law's internal state, or a slip itself."""
+        if name in self.structure.internal:
+            return float(self.zd[self.structure.internal[name]])
         return float(self.J[self.structure.find(name)] @ self.v)
 
     def acceleration(self, name: str) -> float:

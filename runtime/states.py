@@ -52,14 +52,15 @@ def with_turns(kinematics: Kinematics, c: Configuration, q: Array, reference: Ar
 def state_from(
     system: System, t: float, y: Array, roles: Roles, previous: State, guess: Array | None = None
 ) -> State:
-    """Complete state from y = (q, q_d') in the coordinates `roles`; see `System.state_from`."""
+    """Complete state from y = (q, q_d', z) in the coordinates `roles`; see `System.state_from`."""
     kinematics, nq, m = system.kinematics_of(roles), roles.nq, system.structure.m
+    qd, z = np.split(y[nq:], [roles.nd])
     if guess is None:
         guess = previous.x + (t - previous.t) * previous.v if nq == 0 else previous.x
     c = kinematics.position(t, y[:nq], guess)
-    v = kinematics.velocity(c, kinematics.velocity_matrix(c), y[nq:])
+    v = kinematics.velocity(c, kinematics.velocity_matrix(c), qd)
     predicted = previous.e + (t - previous.t) * (previous.J[:m] @ previous.v + c.J[:m] @ v) / 2
-    return dynamics.complete(kinematics, system.loads, c, v, with_turns(kinematics, c, y[:nq], predicted))
+    return dynamics.complete(kinematics, system.loads, c, v, with_turns(kinematics, c, y[:nq], predicted), z)
 
 
 @dataclass(frozen=True)
@@ -79,19 +80,20 @@ class End:
 
 
 def state_between(system: System, t: float, y: Array, roles: Roles, first: End, last: End) -> State:
-    """Complete state inside a step, from y = (q, q_d') and the two ends of the step.
+    """Complete state inside a step, from y = (q, q_d', z) and the two ends of the step.
 
     Positions of a mechanism have branches and its angles turns; the cubic through both ends tells which are meant.
     """
     kinematics, nq = system.kinematics_of(roles), roles.nq
+    qd, z = np.split(y[nq:], [roles.nd])
     h = last.t - first.t
-    z = (t - first.t) / h
-    a, b = z * z * (3 - 2 * z), h * z * (1 - z)
-    guess = (1 - a) * first.x + a * last.x + b * ((1 - z) * first.v - z * last.v)
+    part = (t - first.t) / h
+    a, b = part * part * (3 - 2 * part), h * part * (1 - part)
+    guess = (1 - a) * first.x + a * last.x + b * ((1 - part) * first.v - part * last.v)
     c = kinematics.position(t, y[:nq], guess)
-    v = kinematics.velocity(c, kinematics.velocity_matrix(c), y[nq:])
-    predicted = (1 - a) * first.e + a * last.e + b * ((1 - z) * first.ed - z * last.ed)
-    return dynamics.complete(kinematics, system.loads, c, v, with_turns(kinematics, c, y[:nq], predicted))
+    v = kinematics.velocity(c, kinematics.velocity_matrix(c), qd)
+    predicted = (1 - a) * first.e + a * last.e + b * ((1 - part) * first.ed - part * last.ed)
+    return dynamics.complete(kinematics, system.loads, c, v, with_turns(kinematics, c, y[:nq], predicted), z)
 
 
 def state_at(
@@ -106,8 +108,11 @@ def state_at(
     own_state(structure, start, "state_at")
     wanted = numbers(values, "state_at", "value")
     time = start.t if t is None else number(t, "state_at", "time t")
-    q = np.array(start.values[roles.freedoms])
+    q, z = np.array(start.values[roles.freedoms]), start.z.copy()
     for name, value in wanted.items():
+        if name in structure.internal:
+            z[structure.internal[name]] = value
+            continue
         i = structure.find(name, "state_at")
         if i not in roles.freedoms:
             raise ModelError(
@@ -118,7 +123,7 @@ def state_at(
     e = with_freedoms(structure, unwrap(structure, c.e, start.e), q, roles)
     qd = start.J[roles.dynamic] @ start.v if rates is None else consistent_rates(system, c, rates)
     v = kinematics.velocity(c, kinematics.velocity_matrix(c), qd)
-    return dynamics.complete(kinematics, system.loads, c, v, e)
+    return dynamics.complete(kinematics, system.loads, c, v, e, z)
 
 
 def consistent_rates(system: System, c: Configuration, rates: Mapping[str, float]) -> Array:

@@ -32,11 +32,12 @@ MAX_STEPS = 500
 
 
 class Rest(Saddle):
-    """The equations of equilibrium of a system, kinematic coordinates held."""
+    """The equations of equilibrium of a system; kinematic coordinates and internal states of laws are held."""
 
     def __init__(self, system: System, start: State) -> None:
         own_state(system.structure, start, "equilibrium")
         super().__init__(system)
+        self.z = start.z
         self.held = start.values[self.roles.kinematic]
         self.hold_rows = np.concatenate([self.roles.holonomic, self.roles.kinematic])
 

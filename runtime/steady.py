@@ -30,7 +30,7 @@ def steady_motion(
     unknown: Sequence[str] | None,
     unknown_rates: Sequence[str],
 ) -> State:
-    """State near `start` with q_d'' = 0; see `System.steady`."""
+    """State near `start` with q_d'' = 0 and internal states of laws at rest; see `System.steady`."""
     freedoms = [system.structure.names[i] for i in system.roles.freedoms]
     nd = system.roles.nd
     named = freedoms if unknown is None else names(unknown, "steady")
@@ -44,11 +44,16 @@ def steady_motion(
         unbalance = -lin.M @ qdd
         scale = _force_scale(system, state, lin.transfer.H[:, :nd])
         error = float(np.max(np.abs(unbalance), initial=0.0)) / scale
+        L = np.hstack([lin.Z_q[:, columns], lin.Z_v[:, speeds], lin.Z_z])
+        error = max(
+            error,
+            float(np.max(np.abs(state.zd), initial=0.0)) / max(float(np.max(np.abs(L), initial=0.0)), 1.0),
+        )
         if error < TOLERANCE or (error < 1e-10 and error > 0.5 * best):
             return state
         best = min(best, error)
-        A = np.hstack([lin.K[:, columns], lin.C[:, speeds]])
-        step = np.linalg.lstsq(A, -unbalance, rcond=1e-10)[0]
+        A = np.vstack([np.hstack([lin.K[:, columns], lin.C[:, speeds], lin.Z]) / scale, L])
+        step = np.linalg.lstsq(A, -np.concatenate([unbalance / scale, state.zd]), rcond=1e-10)[0]
         step *= min(1.0, 0.3 / max(float(np.max(np.abs(step[: len(columns)]), initial=0.0)), 1e-300))
         state = _moved(system, state, (columns, speeds), step)
     raise PositionError(
@@ -65,8 +70,10 @@ def _moved(system: System, state: State, places: tuple[list[int], list[int]], st
     for shorter in range(HALVINGS + 1):
         part = step / 2**shorter
         values = {names[j]: float(state.q[j] + d) for j, d in zip(columns, part, strict=False)}
+        lags = part[len(columns) + len(speeds) :]
+        values |= {name: float(state.z[i] + lags[i]) for name, i in system.structure.internal.items()}
         qd = state.qd.copy()
-        qd[speeds] += part[len(columns) :]
+        qd[speeds] += part[len(columns) :][: len(speeds)]
         try:
             return system.state_at(values, dict(zip(names[:nd], qd, strict=True)), start=state)
         except PositionError:

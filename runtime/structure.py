@@ -75,7 +75,7 @@ class Instance:
 
 @dataclass(frozen=True)
 class LawInstance:
-    """A law attached to named deformations and slips."""
+    """A law attached to named deformations and slips, with the initial values of its internal states."""
 
     name: str
     spec: LawSpec
@@ -83,11 +83,17 @@ class LawInstance:
     slips: tuple[str, ...]
     parameters: Mapping[str, Array]
     kernels: object = None
+    z0: tuple[float, ...] = ()
 
     @property
     def p(self) -> Array:
         """Parameters flattened in the order that the kernels expect."""
         return flatten(self.parameters, self.spec.parameters, f"law '{self.name}'")
+
+    @property
+    def states(self) -> tuple[str, ...]:
+        """Full names of the internal states, ``law.state``."""
+        return tuple(f"{self.name}.{z.name}" for z in self.spec.states)
 
 
 def flatten(values: Mapping[str, Array], specs: Iterable[object], owner: str) -> Array:
@@ -116,6 +122,11 @@ class Structure:
         Names of the quantities in the stacked order.
     angle : ndarray of bool (m + k + n)
         Quantities that repeat after 2 pi.
+    internal : mapping of str to int
+        Names of the laws' internal states z, with their indices in z (nz,); they are no quantities.
+    internal_units : tuple of str (nz)
+    z0 : ndarray (nz,)
+        Their initial values.
     """
 
     nodes: tuple[Node, ...]
@@ -130,6 +141,14 @@ class Structure:
     m: int
     k: int
     index: Mapping[str, int] = field(repr=False)
+    internal: Mapping[str, int] = field(repr=False)
+    internal_units: tuple[str, ...] = field(repr=False)
+    z0: Array = field(repr=False)
+
+    @property
+    def nz(self) -> int:
+        """Number of internal states of laws."""
+        return self.z0.size
 
     @property
     def n(self) -> int:
@@ -184,6 +203,7 @@ def assemble_structure(
     kinds = [node.kind for node in nodes for _ in node.coordinates]
     units = [d.unit for d in specs] + [s.unit for z in instances for s in z.spec.slips]
     units += [{"frame": "-", "planar_angle": "rad"}.get(kinds[i], "m") for i in order]
+    internal = [z for law in laws for z in law.states]
     return Structure(
         nodes=nodes,
         instances=instances,
@@ -197,4 +217,7 @@ def assemble_structure(
         m=len(deformations),
         k=len(slips),
         index={name: i for i, name in enumerate(names)},
+        internal={name: i for i, name in enumerate(internal)},
+        internal_units=tuple(z.unit for law in laws for z in law.spec.states),
+        z0=np.array([z for law in laws for z in law.z0], dtype=float),
     )

@@ -68,15 +68,15 @@ class System:
             If a freedom has no inertia; `rest` needs none.
         """
         c, v = self._start
-        return dynamics.complete(self.kinematics, self.loads, c, v, c.e)
+        return dynamics.complete(self.kinematics, self.loads, c, v, c.e, self.structure.z0)
 
     @cached_property
     def rest(self) -> State:
         """The initial configuration without motion and constraint forces: where statics starts."""
-        c, still = self._start[0], np.zeros(self.structure.n)
-        given = dynamics.forces(self.kinematics, self.loads, c, still, c.e)
+        c, still, z = self._start[0], np.zeros(self.structure.n), self.structure.z0
+        given = dynamics.forces(self.kinematics, self.loads, c, still, c.e, z)
         none = np.zeros(len(self.structure.names))
-        return dynamics.with_multipliers(self.kinematics, self.loads, c, still, still, c.e, given, none)
+        return dynamics.with_multipliers(self.kinematics, self.loads, c, still, still, c.e, z, given, none)
 
     def use(self, roles: Roles) -> None:
         """Describe the motion by the freedoms in `roles`, which must be right; see `use_freedoms`."""
@@ -139,20 +139,21 @@ class System:
         return self._last.x
 
     def rhs(self, t: float, y: Array) -> Array:
-        """Rates of y = (q_d, q_k, q_d') (nq + nd,) at time t [s]."""
+        """Rates of y = (q_d, q_k, q_d', z) (nq + nd + nz,) at time t [s]."""
         kinematics, nq = self.kinematics, self.roles.nq
+        qd, z = y[nq : nq + self.roles.nd], y[nq + self.roles.nd :]
         last = self._last
         c = kinematics.position(t, y[:nq], last.x)
         B = kinematics.velocity_matrix(c)
-        v = kinematics.velocity(c, B, y[nq:])
+        v = kinematics.velocity(c, B, qd)
         e, ed = c.e, last.ed
         if self._wound:
             ed = c.J[: self.structure.m] @ v
             e = states.with_turns(kinematics, c, y[:nq], last.e + (t - last.t) * (last.ed + ed) / 2)
         self._last = states.End(t, c.x, v, e, ed)
-        F = dynamics.forces(kinematics, self.loads, c, v, e)
+        F = dynamics.forces(kinematics, self.loads, c, v, e, z)
         motion = dynamics.accelerations(kinematics, c, B, v, F)
-        return np.concatenate([y[nq:], c.J[self.roles.kinematic] @ v, motion.qdd])
+        return np.concatenate([qd, c.J[self.roles.kinematic] @ v, motion.qdd, F.zd])
 
     def residual(self, t: float, q: Array, qd: Array, qdd: Array, guess: State) -> Array:
         """Unbalanced generalized forces H'(M a + h - f + De' sigma + V' tau) (nd,); zero in a true motion."""
@@ -160,7 +161,9 @@ class System:
         c = kinematics.position(t, q, guess.x)
         B = kinematics.velocity_matrix(c)
         v = kinematics.velocity(c, B, qd)
-        F = dynamics.forces(kinematics, self.loads, c, v, states.unwrap(self.structure, c.e, guess.e))
+        F = dynamics.forces(
+            kinematics, self.loads, c, v, states.unwrap(self.structure, c.e, guess.e), guess.z
+        )
         H, g = dynamics.unit_solutions(kinematics, B), B.solve(kinematics.convective(c, v))
         return np.asarray(H.T @ (F.M[:nf, :nf] @ (H @ qdd + g) - F.F[:nf]))
 
@@ -178,15 +181,19 @@ class System:
 
     # -- states ----------------------------------------------------------------------------------
 
-    def state(self, t: float, x: Array, v: Array, e: Array | None = None) -> State:
-        """Complete state from coordinates and rates that satisfy the constraints; e counts the turns."""
+    def state(self, t: float, x: Array, v: Array, e: Array | None = None, z: Array | None = None) -> State:
+        """Complete state from coordinates and rates that satisfy the constraints; e counts the turns.
+
+        Internal states z (nz,) of laws have their initial values by default.
+        """
         principal, J = self.evaluation.position(x)
         e = principal if e is None else states.unwrap(self.structure, principal, e)
         c = Configuration(t, x, e, J)
         if not np.any(v) and self.roles.motions:
             B = self.kinematics.velocity_matrix(c)
             v = self.kinematics.velocity(c, B, np.zeros(self.roles.nd))
-        return dynamics.complete(self.kinematics, self.loads, c, v, e)
+        z = self.structure.z0 if z is None else z
+        return dynamics.complete(self.kinematics, self.loads, c, v, e, z)
 
     def state_at(
         self,
@@ -200,7 +207,7 @@ class System:
         Parameters
         ----------
         values : mapping of name to value
-            Values of freedoms (dynamic or kinematic).
+            Values of freedoms (dynamic or kinematic) and of laws' internal states.
         rates : mapping of name to rate
             Rates of any quantities; together they must be possible.
         t : float, optional
@@ -215,7 +222,7 @@ class System:
         return states.state_at(self, values or {}, rates, t, start or self.initial)
 
     def state_from(self, t: float, y: Array, roles: Roles, previous: State) -> State:
-        """Complete state from y = (q, q_d') in the coordinates `roles`, turns counted from an earlier state."""
+        """Complete state from y = (q, q_d', z) in the coordinates `roles`, turns counted from an earlier state."""
         return states.state_from(self, t, y, roles, previous)
 
     # -- choice of coordinates -------------------------------------------------------------------
@@ -238,7 +245,7 @@ class System:
         if self.condition(state, roles) < needed:
             return None
         self.use(roles)
-        return self.state(state.t, state.x, state.v, state.e)
+        return self.state(state.t, state.x, state.v, state.e, state.z)
 
     def use_freedoms(self, dynamic: Sequence[str], kinematic: Sequence[str] | None = None) -> None:
         """Describe the motion from now on by the named freedoms; checked at the initial state."""

@@ -29,7 +29,7 @@ CHOSEN = (
     23,
     32,
 )  # elements of the batch compared with the definition: two anywhere, two near zero deformation
-KINEMATIC = ("position", "velocity", "acceleration", "kinematics", "stiffness")
+KINEMATIC = ("position", "velocity", "acceleration", "rates", "kinematics", "stiffness")
 DYNAMIC = ("inertia", "tangent")
 
 
@@ -142,7 +142,7 @@ def _scale(element: Element, p: Array) -> Array:
 def law_rows(law: Law, compiled: Compiled) -> list[Row]:
     """Verify both kernels of a law."""
     name = f"law {law.name}"
-    sizes = {"m": len(law.e), "k": len(law.s), "np": len(law.parameter_symbols)}
+    sizes = {"m": len(law.e), "k": len(law.s), "nz": len(law.z), "np": len(law.parameter_symbols)}
     if wrong := _mismatch(compiled, sizes):
         return wrong
     kernels = ("law", "tangent")

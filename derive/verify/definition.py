@@ -14,7 +14,7 @@ from typing import Any
 import mpmath
 import sympy as sp
 
-from flexel.derive.element import Element, Law
+from flexel.derive.element import TIME, Element, Law
 
 DIGITS = 60
 CONTEXT = Context(prec=DIGITS)
@@ -109,18 +109,23 @@ class Definition:
 
 
 class LawDefinition:
-    """Stresses and stored energy of a law, as functions of columns of decimal numbers."""
+    """Stresses, rates of internal states and stored energy of a law, as functions of columns of decimal numbers.
+
+    The attributes `p` (np,) and `t` (1,) hold the parameters and the time that they use.
+    """
 
     def __init__(self, law: Law) -> None:
-        arguments = [*law.e, *law.ed, *law.s, *law.parameter_symbols]
-        self._stresses = _compile(arguments, [sp.sympify(expr) for expr in (*law.sigma, *law.tau)], ())
-        self._energy = _compile(arguments, [sp.sympify(law.energy)], ())
+        arguments = [*law.e, *law.ed, *law.s, *law.z, TIME, *law.parameter_symbols]
+        answers = (*law.sigma, *law.tau, *(state.rate for state in law.states))
+        self._answers = _compile(arguments, [sp.sympify(expr) for expr in answers], law.let)
+        self._energy = _compile(arguments, [sp.sympify(law.energy)], law.let)
         self.p: Vector = []
+        self.t: Vector = []
 
-    def stresses(self, inputs: Vector) -> Vector:
-        """(sigma, tau), (m + k,), of (e, ed, s)."""
-        return self._stresses(*inputs, *self.p)
+    def answers(self, inputs: Vector) -> Vector:
+        """(sigma, tau, dz/dt), (m + k + nz,), of (e, ed, s, z)."""
+        return self._answers(*inputs, *self.t, *self.p)
 
     def energy(self, inputs: Vector) -> Decimal:
-        """Stored energy of (e, ed, s)."""
-        return self._energy(*inputs, *self.p)[0]
+        """Stored energy of (e, ed, s, z)."""
+        return self._energy(*inputs, *self.t, *self.p)[0]

@@ -100,6 +100,7 @@ class Differences:
             "velocity": self._velocity,
             "acceleration": self._acceleration,
             "inertia": self._inertia,
+            "rates": self._rates,
             "kinematics": self._kinematics,
             "stiffness": self._stiffness,
             "tangent": self._tangent,
@@ -139,9 +140,11 @@ class Differences:
         )
         return Psi
 
+    def _rates(self) -> dict[str, Array]:
+        return {"Phi_x": jacobian(self._mode_rates, self.data, "x")}
+
     def _kinematics(self) -> dict[str, Array]:
         return {
-            "Phi_x": jacobian(self._mode_rates, self.data, "x"),
             "Psi_x": jacobian(self._mode_accelerations, self.data, "x"),
             "Psi_v": jacobian(self._mode_accelerations, self.data, "v"),
         }
@@ -178,12 +181,16 @@ class Differences:
 
 
 def law_differences(compiled: Compiled, kernel: str, data: Data) -> dict[str, Array]:
-    """The tangent of a law from its stresses."""
+    """The tangent of a law from its stresses and rates of z, and the dissipated power from its stored energy."""
+    law = compiled("law", data)
+    if kernel == "law":
+        motion = {"e": data["ed"], "z": law["zd"]}
+        stored = along(lambda data: compiled("law", data)["U"], data, motion)
+        work = np.einsum("bi,bi->b", law["sigma"], data["ed"]) + np.einsum("bi,bi->b", law["tau"], data["s"])
+        return {"P": work[:, None] - stored}
 
-    def stresses(data: Data) -> Array:
+    def answers(data: Data) -> Array:
         law = compiled("law", data)
-        return np.hstack([law["sigma"], law["tau"]])
+        return np.hstack([law["sigma"], law["tau"], law["zd"]])
 
-    if kernel != "tangent":
-        return {}
-    return {"J": np.concatenate([jacobian(stresses, data, name) for name in ("e", "ed", "s")], axis=-1)}
+    return {"J": np.concatenate([jacobian(answers, data, name) for name in ("e", "ed", "s", "z")], axis=-1)}

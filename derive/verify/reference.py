@@ -81,6 +81,7 @@ class Reference:
             "velocity": self._velocity,
             "acceleration": self._acceleration,
             "inertia": self._inertia,
+            "rates": self._rates,
             "kinematics": self._kinematics,
             "stiffness": self._stiffness,
             "tangent": self._tangent,
@@ -115,10 +116,13 @@ class Reference:
         s = _central(lambda t: d.s(_moved(x, t, v), _moved(v, t, a)))
         return [*e, *s]
 
+    def _rates(self) -> dict[str, Array]:
+        v, rows = self.v, self.d.m + self.d.k
+        return {"Phi_x": _columns(lambda y: self._mode_rates(y, v), self.x, rows, self.every)}
+
     def _kinematics(self) -> dict[str, Array]:
         x, v, a, rows = self.x, self.v, self.a, self.d.m + self.d.k
         return {
-            "Phi_x": _columns(lambda y: self._mode_rates(y, v), x, rows, self.every),
             "Psi_x": _columns(lambda y: self._mode_accelerations(y, v, a), x, rows, self.every),
             "Psi_v": _columns(lambda w: self._mode_accelerations(x, w, a), v, rows, self.every),
         }
@@ -176,12 +180,20 @@ class Reference:
 
 
 def law_outputs(definition: LawDefinition, kernel: str, data: Mapping[str, Array]) -> dict[str, Array]:
-    """Outputs of a kernel of a law at one state; `data` has its inputs e, ed, s, p."""
-    inputs = many_digits(np.concatenate([data["e"], data["ed"], data["s"]]))
-    m, stresses = len(data["e"]), len(data["e"]) + len(data["s"])
-    definition.p = many_digits(data["p"])
+    """Outputs of a kernel of a law at one state; `data` has its inputs e, ed, s, z, t, p."""
+    e, ed, s, z = (many_digits(data[name]) for name in ("e", "ed", "s", "z"))
+    definition.p, definition.t = many_digits(data["p"]), many_digits(data["t"])
+    m, k, nz = len(e), len(s), len(z)
+    inputs = [*e, *ed, *s, *z]
     with localcontext(CONTEXT):
         if kernel == "tangent":
-            return {"J": _columns(definition.stresses, inputs, stresses, range(len(inputs)))}
-        values = _array(definition.stresses(inputs))
-        return {"sigma": values[:m], "tau": values[m:], "U": _array([definition.energy(inputs)])}
+            return {"J": _columns(definition.answers, inputs, m + k + nz, range(len(inputs)))}
+        answers = definition.answers(inputs)
+        sigma, tau, zd = answers[:m], answers[m : m + k], answers[m + k :]
+
+        def stored(h: Decimal) -> Vector:
+            return [definition.energy([*_moved(e, h, ed), *ed, *s, *_moved(z, h, zd)])]
+
+        P = _dot(sigma, ed) + _dot(tau, s) - _central(stored)[0]
+        values = {"sigma": sigma, "tau": tau, "zd": zd, "U": [definition.energy(inputs)], "P": [P]}
+        return {name: _array(value) for name, value in values.items()}

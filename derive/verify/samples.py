@@ -86,12 +86,13 @@ def law_samples(law: Law, count: int) -> dict[str, Array]:
     """Inputs of the kernels of a law, each (count, rows)."""
     rng = _generator(law.name)
     m, k = len(law.e), len(law.s)
-    return {
+    arrays = {
         "e": rng.normal(size=(count, m)),
         "ed": rng.normal(size=(count, m)),
         "s": rng.normal(size=(count, k)),
         "p": _parameters(rng, count, law.parameters),
     }
+    return arrays | {"z": rng.normal(size=(count, len(law.z))), "t": rng.normal(size=(count, 1))}
 
 
 def lanes(data: Mapping[str, Array], chosen: slice) -> dict[str, Array]:

@@ -28,6 +28,7 @@ class Struct(ctypes.Structure):
         ("digest", ctypes.c_char_p),
         ("m", ctypes.c_int),
         ("k", ctypes.c_int),
+        ("nz", ctypes.c_int),
         ("np", ctypes.c_int),
         ("law", _KERNEL),
         ("tangent", _KERNEL),
@@ -89,9 +90,12 @@ def test_a_compiled_law_computes_stress_and_tangent() -> None:
     assert (law.name, law.m, law.k, law.np) == (b"hardening", 1, 0, 1)
     assert list(compiled.spec.kernels) == ["law", "tangent"]
     for e, expected in ((0.5, 3 * 0.125), (-0.5, 0.0)):
-        sigma, _, _ = call(law.law, [e, 0.3, None, 3.0], [1, 0, 0])
+        sigma, _, _, _, P = call(law.law, [e, 0.3, None, None, 0.0, 3.0], [1, 0, 0, 0, 1])
         assert sigma == pytest.approx([expected + math.sin(0.3)], rel=1e-15)
-        (J,) = call(law.tangent, [e, 0.3, None, 3.0], [2])
+        assert P == pytest.approx(
+            [sigma[0] * 0.3], rel=1e-15
+        )  # no stored energy was stated: all of it is lost
+        (J,) = call(law.tangent, [e, 0.3, None, None, 0.0, 3.0], [2])
         assert J == pytest.approx([9 * 0.25 if e > 0 else 0.0, math.cos(0.3)], rel=1e-15)
 
 

@@ -1,7 +1,6 @@
-"""The table of laws: constitutive functions without geometry.
+"""Linear laws: visco-elastic ones of deformations, viscous ones of slips.
 
-This room may import sympy and ``flexel.derive.element``. A law is attached by the runtime to any list of
-deformations and slips, so it has its own small numbers m of deformations and k of slips.
+This room may import sympy and ``flexel.derive.element``.
 """
 
 import sympy as sp
@@ -64,4 +63,4 @@ def _viscous(k: int) -> Law:
     )
 
 
-LAWS: tuple[Law, ...] = (*(_linear(m) for m in range(1, 7)), *(_viscous(k) for k in range(1, 4)))
+LINEAR: tuple[Law, ...] = (*(_linear(m) for m in range(1, 7)), *(_viscous(k) for k in range(1, 4)))
