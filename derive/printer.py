@@ -70,6 +70,7 @@ class _Printer:
             for array in kernel.inputs
             for i, row in enumerate(derived.inputs[array])
         }
+        self.reads = self._reads()
         self.level = self._levels()
         self.across = self._across()
         self.names = self._names()
@@ -78,12 +79,22 @@ class _Printer:
         self.temporaries = 0
         self.arrays: list[str] = []
 
+    def _reads(self) -> dict[int, tuple[int, ...]]:
+        """Rows that the statement of a row reads: its arguments, and for conditions, written in place, theirs."""
+        reads: dict[int, tuple[int, ...]] = {}
+        for row in self.order:
+            found: list[int] = []
+            for arg in self.program.rows[row].args:
+                found.extend(reads[arg] if self.program.rows[arg].op in CONDITIONS else (arg,))
+            reads[row] = tuple(dict.fromkeys(found))
+        return reads
+
     def _levels(self) -> dict[int, int]:
         """Number of the loop of every row: even ones are vectorized, odd ones hold calls."""
         level: dict[int, int] = {}
         for row in self.order:
-            op, args, _ = self.program.rows[row]
-            needed = max((level[arg] for arg in args), default=0)
+            op = self.program.rows[row].op
+            needed = max((level[arg] for arg in self.reads[row]), default=0)
             call = op not in _ARITHMETIC | _VECTORIZED | CONDITIONS | LEAVES
             level[row] = needed if op in LEAVES or needed % 2 == call else needed + 1
         return level
@@ -93,7 +104,8 @@ class _Printer:
         return {
             arg
             for row in self.order
-            for arg in self.program.rows[row].args
+            if self.program.rows[row].op not in CONDITIONS
+            for arg in self.reads[row]
             if self.level[arg] != self.level[row] and self.program.rows[arg].op not in LEAVES
         }
 
@@ -110,7 +122,10 @@ class _Printer:
         loaded: set[tuple[int, int]] = set()
         for row in self.order:
             loop = loops[self.level[row]]
-            for arg in (*self.program.rows[row].args, *([row] if row in self.stores else [])):
+            if self.program.rows[row].op in CONDITIONS:
+                self._row(row, loop)
+                continue
+            for arg in (*self.reads[row], *([row] if row in self.stores else [])):
                 if self.program.rows[arg].op == "input" and (self.level[row], arg) not in loaded:
                     loaded.add((self.level[row], arg))
                     loop.lines.append(f"const real {self.names[arg]} = {self.loads[arg]};")

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from flexel.compliance import Compliance, body_compliance
     from flexel.constraints import constraint_report
+    from flexel.curves import Curve
     from flexel.errors import (
         ConstraintError,
         DynamicsError,
@@ -39,6 +40,7 @@ __all__ = [
     "Circle",
     "Compliance",
     "ConstraintError",
+    "Curve",
     "DynamicsError",
     "Event",
     "FlexelError",
@@ -72,6 +74,7 @@ _HOMES = {
     "Circle": "flexel.sections",
     "Compliance": "flexel.compliance",
     "ConstraintError": "flexel.errors",
+    "Curve": "flexel.curves",
     "DynamicsError": "flexel.errors",
     "Event": "flexel.integrate",
     "FlexelError": "flexel.errors",

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from flexel import beams, bodies, joints, loads, springs, wheels
+from flexel import beams, bodies, curves, joints, loads, springs, wheels
 from flexel.build import build
 from flexel.errors import ModelError
 from flexel.functions import TimeFunction, as_function
@@ -187,6 +187,9 @@ class Model:
     mass_damping = springs.mass_damping
     law = springs.law
     attach = springs.attach
+    spring_curve = curves.spring_curve
+    damper_curve = curves.damper_curve
+    stop = curves.stop
 
     # -- roles -----------------------------------------------------------------------------------
 

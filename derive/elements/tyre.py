@@ -26,7 +26,7 @@ ROLL_AXLES = (
 )
 
 _DOC = (
-    "w wheel centre, a = R(lambda) axle, n = normal of the road below w, h = distance of w from the tangent plane there\n"
+    "w wheel centre, a = R(lambda) axle, n = normal of the road below w, h = distance of w from the tangent plane\n"
     "an = |a x n|,  ex = a x n/an forward,  ey = n x ex sideways,  r = -h (n - (a.n) a)/an^2, centre to contact point\n"
     "deflection = R - h/an, in the plane of the wheel;  drop = R - {distance};  camber = atan2(a.n, an)\n"
     "omega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x r, the material point in contact\n"

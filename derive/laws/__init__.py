@@ -6,5 +6,7 @@ slips, so it has its own small numbers m of deformations, k of slips and nz of i
 
 from flexel.derive.element import Law
 from flexel.derive.laws.linear import LINEAR
+from flexel.derive.laws.suspension import CURVES
+from flexel.derive.laws.tyre import TYRES
 
-LAWS: tuple[Law, ...] = LINEAR
+LAWS: tuple[Law, ...] = (*LINEAR, *CURVES, *TYRES)
