@@ -50,6 +50,13 @@ LAWS = (
     "viscous_1",
     "viscous_2",
     "viscous_3",
+    "spring_curve",
+    "damper_curve",
+    "stop",
+    "vertical_tyre",
+    "linear_tyre",
+    "calspan_tyre",
+    "magic_formula",
 )
 SOURCES = [os.path.join(FOLDER, f"{name}.c") for name in (*ELEMENTS, "laws", "system")]
 

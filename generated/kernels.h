@@ -184,5 +184,12 @@ extern const flexel_law flexel_law_linear_6;
 extern const flexel_law flexel_law_viscous_1;
 extern const flexel_law flexel_law_viscous_2;
 extern const flexel_law flexel_law_viscous_3;
+extern const flexel_law flexel_law_spring_curve;
+extern const flexel_law flexel_law_damper_curve;
+extern const flexel_law flexel_law_stop;
+extern const flexel_law flexel_law_vertical_tyre;
+extern const flexel_law flexel_law_linear_tyre;
+extern const flexel_law flexel_law_calspan_tyre;
+extern const flexel_law flexel_law_magic_formula;
 
 #endif

@@ -760,7 +760,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element toroidal_wheel
     "toroidal_wheel": ElementSpec(
         name="toroidal_wheel",
-        digest="6f74f687ed26ffab",
+        digest="719a02075867f239",
         doc="w hub, c contact point, d = xc + crown n - xw from the hub to the centre of the tube above the contact,\na = R(lambda) axle, n = normal, ra = d x a, rim = R - crown\nradius = (d.d - rim^2)/(2 rim),  plane = a.d,  surface = n.xc - height,  lowest = n.ra\nomega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x (xc - xw), the material point in contact\nlongitudinal = ra.vc/|ra|,  lateral = (n x ra).vc/|n x ra|,  spin = omega.n",
         source="Schwab and Meijaard 1999, ASME DETC99/VIB-8223 (wheel element); the crown lifts the contact off the rim's circle",
         nodes=(
@@ -812,14 +812,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 392,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (7, 10), (0, 1, 2, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 63, 64, 65, 66)),
+                ),
+                626,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (7, 10), (0, 1, 2, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 63, 64, 65, 66)),
                     OutputSpec("Psi_x", (7, 10), (0, 1, 2, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 63, 64, 65, 66)),
                     OutputSpec("Psi_v", (7, 10), (0, 1, 2, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59)),
                 ),
-                1868,
+                1572,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -833,8 +839,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element tyre
     "tyre": ElementSpec(
         name="tyre",
-        digest="1d428b66eb30579a",
-        doc="w wheel centre, a = R(lambda) axle, n = normal of the road below w, h = distance of w from the tangent plane there\nan = |a x n|,  ex = a x n/an forward,  ey = n x ex sideways,  r = -h (n - (a.n) a)/an^2, centre to contact point\ndeflection = R - h/an, in the plane of the wheel;  drop = R - h;  camber = atan2(a.n, an)\nomega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x r, the material point in contact\nforward = ex.xdot_w,  sideways = ey.xdot_w,  rolling = omega.a,\nlongitudinal = ex.vc,  lateral = ey.vc,  spin = omega.n",
+        digest="e6cec4fd3a464f76",
+        doc="w wheel centre, a = R(lambda) axle, n = normal of the road below w, h = distance of w from the tangent plane\nan = |a x n|,  ex = a x n/an forward,  ey = n x ex sideways,  r = -h (n - (a.n) a)/an^2, centre to contact point\ndeflection = R - h/an, in the plane of the wheel;  drop = R - h;  camber = atan2(a.n, an)\nomega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x r, the material point in contact\nforward = ex.xdot_w,  sideways = ey.xdot_w,  rolling = omega.a,\nlongitudinal = ex.vc,  lateral = ey.vc,  spin = omega.n",
         source="Frik, Leister, Schwartz 1993, Vehicle System Dynamics 22 suppl. (frames and slip angle of the wheel)",
         nodes=(
             NodeSpec("w", "point"),
@@ -885,14 +891,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 443,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (9, 7), (0, 1, 2, 3, 4, 5, 6, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 59, 60, 61, 62)),
+                ),
+                1082,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (9, 7), (0, 1, 2, 3, 4, 5, 6, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 59, 60, 61, 62)),
                     OutputSpec("Psi_x", (9, 7), (0, 1, 2, 3, 4, 5, 6, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 59, 60, 61, 62)),
                     OutputSpec("Psi_v", (9, 7), (0, 1, 2, 3, 4, 5, 6, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55)),
                 ),
-                3303,
+                2788,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -906,8 +918,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element tyre_on_road
     "tyre_on_road": ElementSpec(
         name="tyre_on_road",
-        digest="996f7240dbd074d8",
-        doc="road: z = height + amplitude (1 - cos(2 pi s/wavelength))/2 with s = heading.(x, y) - start between 0 and\nwaves wavelength, z = height elsewhere (C1 at the ends, smooth between);  z up\nw wheel centre, a = R(lambda) axle, n = normal of the road below w, h = distance of w from the tangent plane there\nan = |a x n|,  ex = a x n/an forward,  ey = n x ex sideways,  r = -h (n - (a.n) a)/an^2, centre to contact point\ndeflection = R - h/an, in the plane of the wheel;  drop = R - (w_z - z), measured vertically;  camber = atan2(a.n, an)\nomega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x r, the material point in contact\nforward = ex.xdot_w,  sideways = ey.xdot_w,  rolling = omega.a,\nlongitudinal = ex.vc,  lateral = ey.vc,  spin = omega.n\ngrade = slope of the road along ex, rise for horizontal length times |horizontal part of ex|",
+        digest="ef1a90a9f47ec39d",
+        doc="road: z = height + amplitude (1 - cos(2 pi s/wavelength))/2 with s = heading.(x, y) - start between 0 and\nwaves wavelength, z = height elsewhere (C1 at the ends, smooth between);  z up\nw wheel centre, a = R(lambda) axle, n = normal of the road below w, h = distance of w from the tangent plane\nan = |a x n|,  ex = a x n/an forward,  ey = n x ex sideways,  r = -h (n - (a.n) a)/an^2, centre to contact point\ndeflection = R - h/an, in the plane of the wheel;  drop = R - (w_z - z), measured vertically;  camber = atan2(a.n, an)\nomega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x r, the material point in contact\nforward = ex.xdot_w,  sideways = ey.xdot_w,  rolling = omega.a,\nlongitudinal = ex.vc,  lateral = ey.vc,  spin = omega.n\ngrade = slope of the road along ex, rise for horizontal length times |horizontal part of ex|",
         source="Frik, Leister, Schwartz 1993, Vehicle System Dynamics 22 suppl. (frames and slip angle of the wheel)",
         nodes=(
             NodeSpec("w", "point"),
@@ -963,14 +975,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 683,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (10, 7), (0, 1, 2, 3, 4, 5, 6, 7, 8, 14, 15, 17, 18, 19, 20, 21, 22, 24, 25, 26, 27, 28, 29, 31, 32, 33, 34, 35, 36, 38, 39, 40, 41, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 66, 67, 68, 69)),
+                ),
+                1746,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (10, 7), (0, 1, 2, 3, 4, 5, 6, 7, 8, 14, 15, 17, 18, 19, 20, 21, 22, 24, 25, 26, 27, 28, 29, 31, 32, 33, 34, 35, 36, 38, 39, 40, 41, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 66, 67, 68, 69)),
                     OutputSpec("Psi_x", (10, 7), (0, 1, 2, 3, 4, 5, 6, 7, 8, 14, 15, 17, 18, 19, 20, 21, 22, 24, 25, 26, 27, 28, 29, 31, 32, 33, 34, 35, 36, 38, 39, 40, 41, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 66, 67, 68, 69)),
                     OutputSpec("Psi_v", (10, 7), (0, 1, 2, 3, 4, 5, 6, 7, 8, 14, 15, 17, 18, 19, 20, 21, 22, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 66, 67, 68, 69)),
                 ),
-                6302,
+                5539,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -984,7 +1002,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element axle_slip
     "axle_slip": ElementSpec(
         name="axle_slip",
-        digest="629831f4eff23136",
+        digest="491f09bc558813a8",
         doc="lateral = mean of ey.vc of the two wheels, each as in the element tyre; zero: an axle that rolls without\nslipping sideways in the mean",
         source="Schwab, talk on SPACAR (zero lateral slip of the road vehicle)",
         nodes=(
@@ -1029,14 +1047,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 603,
             ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (1, 14), tuple(range(14))),
+                ),
+                624,
+            ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Phi_x", (1, 14), tuple(range(14))),
                     OutputSpec("Psi_x", (1, 14), tuple(range(14))),
                     OutputSpec("Psi_v", (1, 14), tuple(range(14))),
                 ),
-                1858,
+                1624,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
@@ -2114,7 +2138,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_1
     "linear_1": LawSpec(
         name="linear_1",
-        digest="cc2db1142740f860",
+        digest="29578cc1b82a4069",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=1,
         slips=0,
@@ -2148,7 +2172,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_2
     "linear_2": LawSpec(
         name="linear_2",
-        digest="cc2db1142740f860",
+        digest="29578cc1b82a4069",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=2,
         slips=0,
@@ -2182,7 +2206,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_3
     "linear_3": LawSpec(
         name="linear_3",
-        digest="cc2db1142740f860",
+        digest="29578cc1b82a4069",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=3,
         slips=0,
@@ -2216,7 +2240,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_4
     "linear_4": LawSpec(
         name="linear_4",
-        digest="cc2db1142740f860",
+        digest="29578cc1b82a4069",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=4,
         slips=0,
@@ -2250,7 +2274,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_5
     "linear_5": LawSpec(
         name="linear_5",
-        digest="cc2db1142740f860",
+        digest="29578cc1b82a4069",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=5,
         slips=0,
@@ -2284,7 +2308,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_6
     "linear_6": LawSpec(
         name="linear_6",
-        digest="cc2db1142740f860",
+        digest="29578cc1b82a4069",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=6,
         slips=0,
@@ -2318,7 +2342,7 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_1
     "viscous_1": LawSpec(
         name="viscous_1",
-        digest="cc2db1142740f860",
+        digest="29578cc1b82a4069",
         doc="tau = C s",
         deformations=0,
         slips=1,
@@ -2350,7 +2374,7 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_2
     "viscous_2": LawSpec(
         name="viscous_2",
-        digest="cc2db1142740f860",
+        digest="29578cc1b82a4069",
         doc="tau = C s",
         deformations=0,
         slips=2,
@@ -2382,7 +2406,7 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_3
     "viscous_3": LawSpec(
         name="viscous_3",
-        digest="cc2db1142740f860",
+        digest="29578cc1b82a4069",
         doc="tau = C s",
         deformations=0,
         slips=3,
@@ -2408,6 +2432,262 @@ LAWS: dict[str, LawSpec] = {
                     OutputSpec("J", (3, 3), tuple(range(9))),
                 ),
                 0,
+            ),
+        },
+    ),
+    # law spring_curve
+    "spring_curve": LawSpec(
+        name="spring_curve",
+        digest="29578cc1b82a4069",
+        doc="y = x - origin, sum of c_i y^i in the piece in which x lies (x < next break), end pieces beyond\nsigma = that sum with x = e;  energy = its integral",
+        deformations=1,
+        slips=0,
+        states=(),
+        parameters=(
+            ParameterSpec("breaks", 15, "m or m/s", "where the next piece begins; rising, unused ones very large"),
+            ParameterSpec("origins", 16, "m or m/s", "from where the powers of each piece are counted"),
+            ParameterSpec("coefficients", 80, "N, N/m, ...", "of each piece, rising powers"),
+            ParameterSpec("stored", 16, "J", "energy at the origin of each piece"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (1,), (0,)),
+                    OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (0,), ()),
+                    OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                152,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (1, 2), (0,)),
+                ),
+                101,
+            ),
+        },
+    ),
+    # law damper_curve
+    "damper_curve": LawSpec(
+        name="damper_curve",
+        digest="29578cc1b82a4069",
+        doc="y = x - origin, sum of c_i y^i in the piece in which x lies (x < next break), end pieces beyond\nsigma = that sum with x = the rate of e",
+        deformations=1,
+        slips=0,
+        states=(),
+        parameters=(
+            ParameterSpec("breaks", 15, "m or m/s", "where the next piece begins; rising, unused ones very large"),
+            ParameterSpec("origins", 16, "m or m/s", "from where the powers of each piece are counted"),
+            ParameterSpec("coefficients", 80, "N, N/m, ...", "of each piece, rising powers"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (1,), (0,)),
+                    OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (0,), ()),
+                    OutputSpec("U", (1,), ()),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                115,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (1, 2), (1,)),
+                ),
+                101,
+            ),
+        },
+    ),
+    # law stop
+    "stop": LawSpec(
+        name="stop",
+        digest="29578cc1b82a4069",
+        doc="depth = max(0, e - gap);  sigma = stiffness depth max(0, 1 + damping edot), never pulling",
+        deformations=1,
+        slips=0,
+        states=(),
+        parameters=(
+            ParameterSpec("gap", 1, "m or rad", "deformation at which it is touched"),
+            ParameterSpec("stiffness", 1, "N/m or N m/rad", "stiffness once touched"),
+            ParameterSpec("damping", 1, "s/m or s/rad", "loss relative to the elastic force, for unit rate"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (1,), (0,)),
+                    OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (0,), ()),
+                    OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                14,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (1, 2), (0, 1)),
+                ),
+                14,
+            ),
+        },
+    ),
+    # law vertical_tyre
+    "vertical_tyre": LawSpec(
+        name="vertical_tyre",
+        digest="29578cc1b82a4069",
+        doc="sigma = Fz\nFz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0",
+        deformations=1,
+        slips=0,
+        states=(),
+        parameters=(
+            ParameterSpec("stiffness", 1, "N/m", "vertical stiffness"),
+            ParameterSpec("damping", 1, "N s/m", "vertical damping while the tyre is pressed"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (1,), (0,)),
+                    OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (0,), ()),
+                    OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                13,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (1, 2), (0, 1)),
+                ),
+                9,
+            ),
+        },
+    ),
+    # law linear_tyre
+    "linear_tyre": LawSpec(
+        name="linear_tyre",
+        digest="29578cc1b82a4069",
+        doc="Fz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0\nslip angle alpha = atan(sideways/max(|forward|, standstill)), of the wheel's centre\ntau(lateral) = -fade Fy, tau(spin) = -fade Mz;  fade = 3 u^2 - 2 u^3, u = min(1, |forward|/standstill)\nFy = -cornering alpha - camber_stiffness camber while pressed, whatever the load;  Mz = -trail Fy",
+        deformations=2,
+        slips=4,
+        states=(),
+        parameters=(
+            ParameterSpec("stiffness", 1, "N/m", "vertical stiffness"),
+            ParameterSpec("damping", 1, "N s/m", "vertical damping while the tyre is pressed"),
+            ParameterSpec("cornering", 1, "N/rad", "cornering stiffness"),
+            ParameterSpec("camber_stiffness", 1, "N/rad", "camber stiffness"),
+            ParameterSpec("trail", 1, "m", "pneumatic trail"),
+            ParameterSpec("standstill", 1, "m/s", "forward speed below which side forces fade out"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (2,), (0,)),
+                    OutputSpec("tau", (4,), (2, 3)),
+                    OutputSpec("zd", (0,), ()),
+                    OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                37,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (6, 8), (0, 2, 33, 36, 37, 41, 44, 45)),
+                ),
+                65,
+            ),
+        },
+    ),
+    # law calspan_tyre
+    "calspan_tyre": LawSpec(
+        name="calspan_tyre",
+        digest="29578cc1b82a4069",
+        doc="Fz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0\nslip angle alpha = atan(sideways/max(|forward|, standstill)), of the wheel's centre\ntau(lateral) = -fade Fy, tau(spin) = -fade Mz;  fade = 3 u^2 - 2 u^3, u = min(1, |forward|/standstill)\nF = min(Fz, A2): beyond the load A2 the data end, friction and stiffnesses keep their values there\nmu = SN (B1 F + B3 + B4 F^2),  C_alpha = A0 + A1 F (1 - F/A2),  C_gamma = A3 F (1 - F/A4)\nslip = -(C_alpha alpha + C_gamma camber)/(mu Fz), at most 3\nFy = mu Fz (slip - slip |slip|/3 + slip^3/27),  Mz = (AF1 Fz + AF2 |Fy|) Fy,  Fx = 0",
+        deformations=2,
+        slips=4,
+        states=(),
+        parameters=(
+            ParameterSpec("stiffness", 1, "N/m", "vertical stiffness"),
+            ParameterSpec("damping", 1, "N s/m", "vertical damping while the tyre is pressed"),
+            ParameterSpec("A", 5, "N/rad, 1/rad, N, 1/rad, N", "A0 ... A4: cornering and camber stiffness over the load"),
+            ParameterSpec("B", 3, "1/N, 1, 1/N^2", "B1, B3, B4: friction over the load"),
+            ParameterSpec("SN", 1, "1", "skid number of the road relative to that of the test"),
+            ParameterSpec("AF", 2, "m/N", "AF1, AF2: aligning moment"),
+            ParameterSpec("standstill", 1, "m/s", "forward speed below which side forces fade out"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (2,), (0,)),
+                    OutputSpec("tau", (4,), (2, 3)),
+                    OutputSpec("zd", (0,), ()),
+                    OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                75,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (6, 8), (0, 2, 32, 33, 34, 36, 37, 40, 41, 42, 44, 45)),
+                ),
+                179,
+            ),
+        },
+    ),
+    # law magic_formula
+    "magic_formula": LawSpec(
+        name="magic_formula",
+        digest="29578cc1b82a4069",
+        doc="Fz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0\nlx kappadot = Re rolling - forward - |forward| kappa\nly (tan alpha)dot = sideways - |forward| tan alpha\nmu = mu0 + mu1 min(1, Fz/Fz0 - 1),  Kx = kx Fz,  Ky = c1 Fz0 sin(2 atan(Fz/(c2 Fz0))),  Kg = kg Fz\nx = Kx kappa/(mu Fz),  y = (Ky tan alpha + Kg camber)/(mu Fz),  slip = |(x, y)|,  b = slip/C\n(Fx, Fy) = mu Fz sin(C atan(b - E (b - atan b))) (x, -y)/slip, combined slip by similarity\nMz = -t0 Fz/Fz0 cos(atan(B tan alpha)) Fy;  tau(longitudinal, lateral, spin) = -(Fx, Fy, Mz)",
+        deformations=2,
+        slips=6,
+        states=(
+            InternalSpec("kappa", "1"),
+            InternalSpec("tan_alpha", "1"),
+        ),
+        parameters=(
+            ParameterSpec("stiffness", 1, "N/m", "vertical stiffness"),
+            ParameterSpec("damping", 1, "N s/m", "vertical damping while the tyre is pressed"),
+            ParameterSpec("load0", 1, "N", "nominal load Fz0"),
+            ParameterSpec("rolling_radius", 1, "m", "effective radius of free rolling"),
+            ParameterSpec("friction", 2, "1", "mu at the nominal load, and its change for one more nominal load"),
+            ParameterSpec("slip_stiffness", 1, "1", "longitudinal stiffness Kx relative to the load"),
+            ParameterSpec("cornering", 2, "1", "largest cornering stiffness over load0, and the load of it over load0"),
+            ParameterSpec("camber_stiffness", 1, "1/rad", "camber stiffness relative to the load"),
+            ParameterSpec("shape", 2, "1", "C and E of the sine of the Magic Formula"),
+            ParameterSpec("trail", 2, "m, 1", "pneumatic trail at the nominal load, and how it falls with the slip (B)"),
+            ParameterSpec("relaxation", 2, "m", "relaxation lengths, longitudinal and lateral"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (2,), (0,)),
+                    OutputSpec("tau", (6,), (3, 4, 5)),
+                    OutputSpec("zd", (2,), (0, 1)),
+                    OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                86,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (10, 12), (0, 2, 60, 61, 62, 70, 71, 72, 73, 74, 82, 83, 84, 85, 86, 94, 95, 100, 102, 106, 112, 113, 119)),
+                ),
+                205,
             ),
         },
     ),
