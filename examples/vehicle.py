@@ -37,7 +37,7 @@ def vehicle(
     tyres: str = "calspan",
     rack: Any = None,
     roads: Mapping[str, fx.Waves] | None = None,
-    deflection: str = "drop",
+    deflection: str = "deflection",
     spinning: bool = True,
     thrust: float = 0.0,
     driven: bool = False,
@@ -55,8 +55,8 @@ def vehicle(
     roads : mapping of corner to Waves, optional
         The plane z = 0 by default.
     deflection : str
-        What the tyres' springs act on: ``drop``, of the height of the centre, as in the benchmark; or ``deflection``,
-        in the plane of the wheel.
+        What the tyres' springs act on: ``deflection``, in the plane of the wheel, so that a leaning wheel carries its
+        load beside its centre; or ``drop``, of the height of the centre, so that it carries it straight below.
     spinning : bool
         False locks all wheels.
     thrust : float

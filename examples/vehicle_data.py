@@ -47,19 +47,20 @@ UNIT_SPRING = (-4.0092e6, 2.8397e7, -6.7061e7, 5.2796e7)  # tension over the len
 UNIT_DAMPER = ((-416.42, 1844.3), (0.0, 9945.627, 33955.72, -59832.25, -395651.0), (1919.1638, 1634.727))
 UNIT_DAMPER_BREAKS = (-0.2, 0.21)
 
-CALSPAN = {
+CALSPAN: dict[str, float | tuple[float, ...]] = {
     "A": (2625.0, 14.47, 12930.0, 2.29, 18175.0),
     "B": (-0.464e-4, 1.216, 2.18e-11),
     "SN": 1.0274,
     "AF": (-0.171e-4, 0.171e-4),
 }
+LARGEST_LOAD = 12930.0  # A2: where the data of the CALSPAN tyre end [N]
 LINEAR = {
     "front": {"cornering": 41641.0, "camber_stiffness": 6925.0, "trail": 0.06553},
     "rear": {"cornering": 40162.0, "camber_stiffness": 6600.0, "trail": 0.06142},
 }
 STANDSTILL = 0.1  # m/s
 
-BUMP = {"amplitude": 0.2, "wavelength": 5.0, "start": 0.97}
+BUMP_HEIGHT, BUMP = 0.2, (5.0, 0.97)  # crest; wavelength and where it begins
 RAMP_RATE, RAMP_SECONDS = 0.004, 0.5  # of the rack
 ROUNDED = 0.01  # s: the corners of the ramp, so that the rack has an acceleration
 
@@ -93,7 +94,9 @@ STEER_PEAKS: dict[int, dict[str, float]] = {
     20: {"yaw_rate": -0.09166, "lateral_acceleration": -1.741},
     30: {"yaw_rate": -0.10303, "lateral_acceleration": -2.675},
 }
-STEER_LOADS: dict[int, tuple[float, float, float, float]] = {  # front right, front left, rear right, rear left
+STEER_LOADS: dict[
+    int, tuple[float, float, float, float]
+] = {  # front right, front left, rear right, rear left
     10: (3615.0, 4050.0, 3359.0, 3822.0),
     20: (3242.0, 4426.0, 2960.0, 4219.0),
     30: (2957.0, 4713.0, 2659.0, 4517.0),
@@ -110,7 +113,12 @@ IN_PHASE: dict[int, dict[str, tuple[float, float]]] = {
         "tyre_front": (1300.0, 6202.0),
         "tyre_rear": (1360.0, 5664.0),
     },
-    10: {"z": (-0.084, 0.307), "pitch": (-8.3, 8.3), "tyre_front": (0.0, 33500.0), "tyre_rear": (0.0, 24000.0)},
+    10: {
+        "z": (-0.084, 0.307),
+        "pitch": (-8.3, 8.3),
+        "tyre_front": (0.0, 33500.0),
+        "tyre_rear": (0.0, 24000.0),
+    },
 }
 ANTIPHASE: dict[int, dict[str, tuple[float, float]]] = {
     5: {"roll": (-2.2, 18.2), "yaw": (-0.86, 1.43)},

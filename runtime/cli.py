@@ -26,6 +26,7 @@ CASES = {
     "cardan": "flexel.examples.cardan",
     "slider-crank": "flexel.examples.slider_crank",
     "flexures": "flexel.examples.flexures",
+    "vehicle": "flexel.examples.vehicle",
 }
 
 PASSED_ON = {"ignore_unknown_options": True, "help_option_names": []}

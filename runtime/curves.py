@@ -75,7 +75,9 @@ class Curve:
         largest = max((abs(z) for side in sides for z in side), default=0.0)
         for (left, right), b in zip(sides, breaks, strict=True):
             if abs(left - right) > CONTINUOUS * largest:
-                raise ModelError(f"curve: it jumps from {left:g} to {right:g} at {b:g}; correct a coefficient there")
+                raise ModelError(
+                    f"curve: it jumps from {left:g} to {right:g} at {b:g}; correct a coefficient there"
+                )
 
     def _joints(self) -> list[tuple[tuple[Sequence[float], Sequence[float]], float]]:
         """Pairs of neighbouring pieces with the break between them."""
@@ -188,7 +190,9 @@ def damper_curve(self: Model, name: str, curve: Curve) -> None:
     """
     values = _checked(curve, f"damper curve on '{name}'").parameters(0.0)
     if curve(0.0):
-        raise ModelError(f"damper curve on '{name}': it gives {curve(0.0):g} at rest; a damper gives nothing there")
+        raise ModelError(
+            f"damper curve on '{name}': it gives {curve(0.0):g} at rest; a damper gives nothing there"
+        )
     del values["stored"]
     self.attach("damper_curve", [name], **values)
 
@@ -217,5 +221,7 @@ def stop(self: Model, name: str, gap: float, stiffness: float, damping: float = 
 
 def _checked(curve: object, owner: str) -> Curve:
     if not isinstance(curve, Curve):
-        raise ModelError(f"{owner}: {curve!r} is no curve; give fx.Curve(pieces, breaks) or fx.Curve.through(x, y)")
+        raise ModelError(
+            f"{owner}: {curve!r} is no curve; give fx.Curve(pieces, breaks) or fx.Curve.through(x, y)"
+        )
     return curve

@@ -109,14 +109,10 @@ def wheel(
             f"{owner}: contact point and hub coincide at {tuple(xw.tolist())}; put the contact on the road"
         )
     values = _rim(owner, rw, radius, axle, normal) | _plane(owner, normal, height)
-    rho = not_negative(crown, owner, "crown")
-    if rho:
-        if rho >= values["radius"][0]:
-            raise ModelError(
-                f"{owner}: crown {rho:g} m reaches to the axle; give less than the radius {radius:g} m"
-            )
-        values["crown"] = np.array([rho])
-    self.add(name, "toroidal_wheel" if rho else "wheel", nodes, values)
+    rounded = _crown(owner, crown, radius)
+    if rounded["crown"][0]:
+        values |= rounded
+    self.add(name, "toroidal_wheel" if "crown" in values else "wheel", nodes, values)
 
 
 def tyre(
@@ -129,6 +125,7 @@ def tyre(
     axle: Vector,
     normal: Vector = UP,
     height: float = 0.0,
+    crown: float = 0.0,
     road: Waves | None = None,
 ) -> None:
     """Put a compliant tyre on a wheel; everything of it is free until laws act on it.
@@ -143,6 +140,8 @@ def tyre(
         Direction of the axle in global axes as drawn; with the road's normal up, the wheel's left.
     normal, height : sequence of float (3,), float
         The plane road normal·x = height.
+    crown : float
+        Radius of the tyre's cross section [m]; zero makes a thin disc.
     road : Waves, optional
         A road with waves instead of the plane.
 
@@ -166,6 +165,7 @@ def tyre(
             f"{owner}: a plane and waves are both given; the waves have a height of their own, z is up"
         )
     values = _rim(owner, nodes[1].x0, radius, axle, normal)
+    values |= _crown(owner, crown, radius)
     values |= _plane(owner, normal, height) if road is None else road.parameters(owner)
     self.add(name, "tyre" if road is None else "tyre_on_road", nodes, values)
 
@@ -209,6 +209,13 @@ def _rim(owner: str, frame: Array, radius: float, axle: Vector, normal: Vector) 
             f"{owner}: its axle {tuple(a.tolist())} is normal to the road, so that no point is lowest; tilt it"
         )
     return {"radius": np.array([positive(radius, owner, "radius")]), "axle": matrix(frame).T @ a}
+
+
+def _crown(owner: str, crown: float, radius: float) -> dict[str, Array]:
+    rho = not_negative(crown, owner, "crown")
+    if rho >= radius:
+        raise ModelError(f"{owner}: crown {rho:g} m reaches to the axle; give less than the radius {radius:g} m")
+    return {"crown": np.array([rho])}
 
 
 def _plane(owner: str, normal: Vector, height: float) -> dict[str, Array]:

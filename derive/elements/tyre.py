@@ -11,7 +11,7 @@ import sympy as sp
 from sympy import Expr, Matrix, Piecewise, Rational, cos, pi, sin, sqrt
 
 from flexel.derive.element import Deformation, Element, Frame, Let, Node, Parameter, Point, Slip
-from flexel.derive.elements.wheel import AXLE, HEIGHT, NORMAL
+from flexel.derive.elements.wheel import AXLE, CROWN, HEIGHT, NORMAL
 from flexel.derive.rotation import angular_velocity, combination, cross, dot, norm, triad
 
 RADIUS = Parameter("radius", 1, "m", "radius of the unloaded tyre")
@@ -27,8 +27,9 @@ ROLL_AXLES = (
 
 _DOC = (
     "w wheel centre, a = R(lambda) axle, n = normal of the road below w, h = distance of w from the tangent plane\n"
-    "an = |a x n|,  ex = a x n/an forward,  ey = n x ex sideways,  r = -h (n - (a.n) a)/an^2, centre to contact point\n"
-    "deflection = R - h/an, in the plane of the wheel;  drop = R - {distance};  camber = atan2(a.n, an)\n"
+    "an = |a x n|,  ex = a x n/an forward,  ey = n x ex sideways\n"
+    "length = (h - crown)/an in the plane of the wheel, r = -length (n - (a.n) a)/an - crown n, centre to contact point\n"
+    "deflection = R - crown - length;  drop = R - {distance};  camber = atan2(a.n, an)\n"
     "omega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x r, the material point in contact\n"
     "forward = ex.xdot_w,  sideways = ey.xdot_w,  rolling = omega.a,\n"
     "longitudinal = ex.vc,  lateral = ey.vc,  spin = omega.n"
@@ -87,12 +88,13 @@ def _tyre(name: str, road: Road, let: Let, w: Node, frame: Node) -> Element:
     an = let.scalar("an", norm(ahead))
     ex = let.vector("ex", ahead / an)
     ey = let.vector("ey", cross(n, ex))
-    length = let.scalar("length", h / an)
-    r = let.vector("d", -length / an * (n - lean * a))
+    crown = CROWN.symbol
+    length = let.scalar("length", (h - crown) / an)
+    r = let.vector("d", -length / an * (n - lean * a) - crown * n)
     omega = let.vector("omega", angular_velocity(frame.x, frame.v))
     vc = let.vector("vc", w.v + cross(omega, r))
     deformations = [
-        Deformation("deflection", "m", RADIUS.symbol - length, free=True),
+        Deformation("deflection", "m", RADIUS.symbol - crown - length, free=True),
         Deformation("drop", "m", RADIUS.symbol - road.distance, free=True),
         Deformation("camber", "rad", sp.atan2(lean, an), free=True),
     ]
@@ -102,7 +104,7 @@ def _tyre(name: str, road: Road, let: Let, w: Node, frame: Node) -> Element:
     return Element(
         name=name,
         nodes=(w, frame),
-        parameters=(RADIUS, AXLE, *road.parameters),
+        parameters=(RADIUS, CROWN, AXLE, *road.parameters),
         let=let.entries,
         deformations=tuple(deformations),
         slips=(
