@@ -8,6 +8,7 @@ from timing import Row, best
 from flexel.assembly import LANES, blocks
 from flexel.generated._kernels import ffi, lib
 from flexel.generated.table import ELEMENTS
+from flexel.structure import COMPONENTS
 
 ELEMENTS_IN_BATCH = 128  # inputs and outputs stay in the second-level cache
 RUNS = 200  # passes over the batch in one C call
@@ -17,7 +18,7 @@ def calls(element: str, kinds: tuple[str, ...]) -> tuple[Any, list[Any]]:
     """A table of C calls of the given kernels of one element type, at random configurations, and what it points to."""
     spec, rng = ELEMENTS[element], np.random.default_rng(2)
     size = {"x": 0, "v": 0, "a": 0, "sigma": len(spec.deformations), "tau": len(spec.slips)}
-    n = sum({"point": 3, "frame": 4, "planar_point": 2, "planar_angle": 1}[node.kind] for node in spec.nodes)
+    n = sum(len(COMPONENTS[node.kind]) for node in spec.nodes)
     size |= {"x": n, "v": n, "a": n, "p": sum(z.size for z in spec.parameters)}
     values = {key: blocks(rng.uniform(0.5, 1.0, (ELEMENTS_IN_BATCH, k))) for key, k in size.items()}
     keep: list[Any] = [values]

@@ -63,6 +63,16 @@ def PlanarAngle(name: str) -> Node:  # noqa: N802
     return Node(name, "planar_angle", ("angle",))
 
 
+def Slope(name: str) -> Node:  # noqa: N802
+    """Derivative of position by the undeformed arc length of a cable: x, y, z [1]; a unit vector if unstretched."""
+    return Node(name, "slope", ("x", "y", "z"))
+
+
+def PlanarSlope(name: str) -> Node:  # noqa: N802
+    """Derivative of position by the undeformed arc length of a cable in the plane: x, y [1]."""
+    return Node(name, "planar_slope", ("x", "y"))
+
+
 @dataclass(frozen=True)
 class Parameter:
     """Constant of an element or a law.

@@ -8,6 +8,7 @@ from functools import cache
 
 import sympy as sp
 from sympy import Expr, Matrix, Rational, Symbol
+from sympy.integrals.quadrature import gauss_legendre
 
 from flexel.derive.rotation import dot
 
@@ -74,3 +75,32 @@ def hermite_energy(columns: tuple[Matrix, Matrix, Matrix, Matrix]) -> Expr:
 def hermite_mean(xp: Matrix, slope_p: Matrix, xq: Matrix, slope_q: Matrix) -> Matrix:
     """Mean of a cubically interpolated vector; the slopes are multiplied by the length."""
     return (xp + xq) / 2 + (slope_p - slope_q) * Rational(1, 12)
+
+
+def hermite_slopes(d: Matrix, slope_p: Matrix, slope_q: Matrix, l0: Expr, xi: Expr) -> tuple[Matrix, Matrix]:
+    """First and second derivative by arc length of a cubic curve from p to q = p + d, at the fraction xi of l0.
+
+    Parameters
+    ----------
+    d : Matrix
+        Difference of the end positions.
+    slope_p, slope_q : Matrix
+        Derivatives by arc length at the ends.
+    """
+    chord = d / l0
+    first = 6 * xi * (1 - xi) * chord + (1 - xi) * (1 - 3 * xi) * slope_p + xi * (3 * xi - 2) * slope_q
+    second = ((6 - 12 * xi) * chord + (6 * xi - 4) * slope_p + (6 * xi - 2) * slope_q) / l0
+    return first, second
+
+
+def hermite_weights(xi: Expr, l0: Expr) -> tuple[Expr, Expr, Expr, Expr]:
+    """Factors of (r_p, r'_p, r_q, r'_q) in the position at the fraction xi of a cubic curve of length l0."""
+    rest = 1 - xi
+    return rest**2 * (1 + 2 * xi), l0 * xi * rest**2, xi**2 * (3 - 2 * xi), -l0 * xi**2 * rest
+
+
+@cache
+def gauss_points(count: int) -> tuple[Expr, ...]:
+    """Places of Gauss's quadrature on (0, 1), ascending, to 50 digits."""
+    places, _ = gauss_legendre(count, 50)
+    return tuple((1 + place) / 2 for place in places)

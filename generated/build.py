@@ -39,6 +39,18 @@ ELEMENTS = (
     "planar_body_velocity",
     "planar_bar_span",
     "planar_beam_span",
+    "cable",
+    "slope_clamp",
+    "cable_span",
+    "cable_cylinder",
+    "cable_plane",
+    "cable_v_groove",
+    "cable_round_groove",
+    "planar_cable",
+    "planar_slope_clamp",
+    "planar_cable_span",
+    "planar_cable_circle",
+    "planar_cable_line",
 )
 LAWS = (
     "linear_1",
@@ -47,6 +59,8 @@ LAWS = (
     "linear_4",
     "linear_5",
     "linear_6",
+    "diagonal_7",
+    "diagonal_13",
     "viscous_1",
     "viscous_2",
     "viscous_3",
@@ -57,6 +71,11 @@ LAWS = (
     "linear_tyre",
     "calspan_tyre",
     "magic_formula",
+    "hertz",
+    "hertz_coulomb_1",
+    "hertz_coulomb_2",
+    "hertz_bristle_1",
+    "hertz_bristle_2",
 )
 SOURCES = [os.path.join(FOLDER, f"{name}.c") for name in (*ELEMENTS, "laws", "system")]
 

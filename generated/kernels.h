@@ -174,6 +174,18 @@ extern const flexel_element flexel_planar_beam3;
 extern const flexel_element flexel_planar_body_velocity;
 extern const flexel_element flexel_planar_bar_span;
 extern const flexel_element flexel_planar_beam_span;
+extern const flexel_element flexel_cable;
+extern const flexel_element flexel_slope_clamp;
+extern const flexel_element flexel_cable_span;
+extern const flexel_element flexel_cable_cylinder;
+extern const flexel_element flexel_cable_plane;
+extern const flexel_element flexel_cable_v_groove;
+extern const flexel_element flexel_cable_round_groove;
+extern const flexel_element flexel_planar_cable;
+extern const flexel_element flexel_planar_slope_clamp;
+extern const flexel_element flexel_planar_cable_span;
+extern const flexel_element flexel_planar_cable_circle;
+extern const flexel_element flexel_planar_cable_line;
 
 extern const flexel_law flexel_law_linear_1;
 extern const flexel_law flexel_law_linear_2;
@@ -181,6 +193,8 @@ extern const flexel_law flexel_law_linear_3;
 extern const flexel_law flexel_law_linear_4;
 extern const flexel_law flexel_law_linear_5;
 extern const flexel_law flexel_law_linear_6;
+extern const flexel_law flexel_law_diagonal_7;
+extern const flexel_law flexel_law_diagonal_13;
 extern const flexel_law flexel_law_viscous_1;
 extern const flexel_law flexel_law_viscous_2;
 extern const flexel_law flexel_law_viscous_3;
@@ -191,5 +205,10 @@ extern const flexel_law flexel_law_vertical_tyre;
 extern const flexel_law flexel_law_linear_tyre;
 extern const flexel_law flexel_law_calspan_tyre;
 extern const flexel_law flexel_law_magic_formula;
+extern const flexel_law flexel_law_hertz;
+extern const flexel_law flexel_law_hertz_coulomb_1;
+extern const flexel_law flexel_law_hertz_coulomb_2;
+extern const flexel_law flexel_law_hertz_bristle_1;
+extern const flexel_law flexel_law_hertz_bristle_2;
 
 #endif

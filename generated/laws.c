@@ -66,7 +66,7 @@ static void linear_1_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_1 = {
     .name = "linear_1",
-    .digest = "29578cc1b82a4069",
+    .digest = "4a38b1a6b4d9bf95",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -159,7 +159,7 @@ static void linear_2_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_2 = {
     .name = "linear_2",
-    .digest = "29578cc1b82a4069",
+    .digest = "4a38b1a6b4d9bf95",
     .m = 2,
     .k = 0,
     .nz = 0,
@@ -278,7 +278,7 @@ static void linear_3_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_3 = {
     .name = "linear_3",
-    .digest = "29578cc1b82a4069",
+    .digest = "4a38b1a6b4d9bf95",
     .m = 3,
     .k = 0,
     .nz = 0,
@@ -435,7 +435,7 @@ static void linear_4_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_4 = {
     .name = "linear_4",
-    .digest = "29578cc1b82a4069",
+    .digest = "4a38b1a6b4d9bf95",
     .m = 4,
     .k = 0,
     .nz = 0,
@@ -632,7 +632,7 @@ static void linear_5_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_5 = {
     .name = "linear_5",
-    .digest = "29578cc1b82a4069",
+    .digest = "4a38b1a6b4d9bf95",
     .m = 5,
     .k = 0,
     .nz = 0,
@@ -883,13 +883,405 @@ static void linear_6_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_6 = {
     .name = "linear_6",
-    .digest = "29578cc1b82a4069",
+    .digest = "4a38b1a6b4d9bf95",
     .m = 6,
     .k = 0,
     .nz = 0,
     .np = 48,
     .law = linear_6_law,
     .tangent = linear_6_tangent,
+};
+
+/* diagonal_7
+ *
+ * sigma_i = preload_i + S_i e_i + D_i ed_i
+ * energy = sum of preload_i e_i + S_i e_i^2/2
+ *
+ * Source: Kelvin-Voigt model
+ *
+ * 7 deformations, 0 slips
+ * p (21):
+ *   preload (7) [N or N m]: stress at zero deformation
+ *   S (7) [N/m or N m]: stiffness of each deformation
+ *   D (7) [N s/m or N m s]: damping of each deformation */
+
+/* law: 90 operations.
+ * in:  e (7), ed (7), s (0), z (0), t (1), p (21)
+ * out: sigma (7), tau (0), zd (0), U (1), P (1) */
+FLEXEL_CLONES
+static void diagonal_7_law(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (7 * 8);
+        const real *restrict ed = in[1] + b * (7 * 8);
+        const real *restrict p = in[5] + b * (21 * 8);
+        real *restrict sigma = out[0] + b * (7 * 8);
+        real *restrict U = out[3] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real e_0 = e[0 * 8 + j];
+            const real S_0 = p[7 * 8 + j];
+            const real t0 = e_0 * S_0;
+            const real ed_0 = ed[0 * 8 + j];
+            const real D_0 = p[14 * 8 + j];
+            const real preload_0 = p[0 * 8 + j];
+            const real t1 = preload_0 + ed_0 * D_0 + t0;
+            sigma[0 * 8 + j] = t1;
+            const real e_1 = e[1 * 8 + j];
+            const real S_1 = p[8 * 8 + j];
+            const real t2 = e_1 * S_1;
+            const real ed_1 = ed[1 * 8 + j];
+            const real D_1 = p[15 * 8 + j];
+            const real preload_1 = p[1 * 8 + j];
+            const real t3 = preload_1 + ed_1 * D_1 + t2;
+            sigma[1 * 8 + j] = t3;
+            const real e_2 = e[2 * 8 + j];
+            const real S_2 = p[9 * 8 + j];
+            const real t4 = e_2 * S_2;
+            const real ed_2 = ed[2 * 8 + j];
+            const real D_2 = p[16 * 8 + j];
+            const real preload_2 = p[2 * 8 + j];
+            const real t5 = preload_2 + ed_2 * D_2 + t4;
+            sigma[2 * 8 + j] = t5;
+            const real e_3 = e[3 * 8 + j];
+            const real S_3 = p[10 * 8 + j];
+            const real t6 = e_3 * S_3;
+            const real ed_3 = ed[3 * 8 + j];
+            const real D_3 = p[17 * 8 + j];
+            const real preload_3 = p[3 * 8 + j];
+            const real t7 = preload_3 + ed_3 * D_3 + t6;
+            sigma[3 * 8 + j] = t7;
+            const real e_4 = e[4 * 8 + j];
+            const real S_4 = p[11 * 8 + j];
+            const real t8 = e_4 * S_4;
+            const real ed_4 = ed[4 * 8 + j];
+            const real D_4 = p[18 * 8 + j];
+            const real preload_4 = p[4 * 8 + j];
+            const real t9 = preload_4 + ed_4 * D_4 + t8;
+            sigma[4 * 8 + j] = t9;
+            const real e_5 = e[5 * 8 + j];
+            const real S_5 = p[12 * 8 + j];
+            const real t10 = e_5 * S_5;
+            const real ed_5 = ed[5 * 8 + j];
+            const real D_5 = p[19 * 8 + j];
+            const real preload_5 = p[5 * 8 + j];
+            const real t11 = preload_5 + ed_5 * D_5 + t10;
+            sigma[5 * 8 + j] = t11;
+            const real e_6 = e[6 * 8 + j];
+            const real S_6 = p[13 * 8 + j];
+            const real t12 = e_6 * S_6;
+            const real ed_6 = ed[6 * 8 + j];
+            const real D_6 = p[20 * 8 + j];
+            const real preload_6 = p[6 * 8 + j];
+            const real t13 = preload_6 + ed_6 * D_6 + t12;
+            sigma[6 * 8 + j] = t13;
+            const real t14 = preload_6 + 0.5 * t12;
+            const real t15 = preload_5 + 0.5 * t10;
+            const real t16 = preload_4 + 0.5 * t8;
+            const real t17 = preload_3 + 0.5 * t6;
+            const real t18 = preload_2 + 0.5 * t4;
+            const real t19 = preload_0 + 0.5 * t0;
+            const real t20 = preload_1 + 0.5 * t2;
+            const real t21 = e_0 * t19 + e_1 * t20 + e_2 * t18 + e_3 * t17 + e_4 * t16;
+            U[0 * 8 + j] = e_5 * t15 + t21 + e_6 * t14;
+            const real t22 = ed_6 * (t13 - t14) + ed_5 * (t11 - t15) + ed_4 * (t9 - t16);
+            const real t23 = ed_3 * (t7 - t17) + t22 + ed_2 * (t5 - t18) + ed_0 * (t1 - t19);
+            const real t24 = ed_1 * t2 + ed_0 * t0 + ed_2 * t4 + ed_3 * t6 + ed_4 * t8;
+            P[0 * 8 + j] = ed_1 * (t3 - t20) + t23 - 0.5 * (ed_6 * t12 + t24 + ed_5 * t10);
+        }
+    }
+}
+
+/* tangent: 0 operations.
+ * in:  e (7), ed (7), s (0), z (0), t (1), p (21)
+ * out: J (7,14), 14 of 98 entries */
+FLEXEL_CLONES
+static void diagonal_7_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict p = in[5] + b * (21 * 8);
+        real *restrict J = out[0] + b * (14 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real S_0 = p[7 * 8 + j];
+            J[0 * 8 + j] = S_0;
+            const real D_0 = p[14 * 8 + j];
+            J[1 * 8 + j] = D_0;
+            const real S_1 = p[8 * 8 + j];
+            J[2 * 8 + j] = S_1;
+            const real D_1 = p[15 * 8 + j];
+            J[3 * 8 + j] = D_1;
+            const real S_2 = p[9 * 8 + j];
+            J[4 * 8 + j] = S_2;
+            const real D_2 = p[16 * 8 + j];
+            J[5 * 8 + j] = D_2;
+            const real S_3 = p[10 * 8 + j];
+            J[6 * 8 + j] = S_3;
+            const real D_3 = p[17 * 8 + j];
+            J[7 * 8 + j] = D_3;
+            const real S_4 = p[11 * 8 + j];
+            J[8 * 8 + j] = S_4;
+            const real D_4 = p[18 * 8 + j];
+            J[9 * 8 + j] = D_4;
+            const real S_5 = p[12 * 8 + j];
+            J[10 * 8 + j] = S_5;
+            const real D_5 = p[19 * 8 + j];
+            J[11 * 8 + j] = D_5;
+            const real S_6 = p[13 * 8 + j];
+            J[12 * 8 + j] = S_6;
+            const real D_6 = p[20 * 8 + j];
+            J[13 * 8 + j] = D_6;
+        }
+    }
+}
+
+const flexel_law flexel_law_diagonal_7 = {
+    .name = "diagonal_7",
+    .digest = "4a38b1a6b4d9bf95",
+    .m = 7,
+    .k = 0,
+    .nz = 0,
+    .np = 21,
+    .law = diagonal_7_law,
+    .tangent = diagonal_7_tangent,
+};
+
+/* diagonal_13
+ *
+ * sigma_i = preload_i + S_i e_i + D_i ed_i
+ * energy = sum of preload_i e_i + S_i e_i^2/2
+ *
+ * Source: Kelvin-Voigt model
+ *
+ * 13 deformations, 0 slips
+ * p (39):
+ *   preload (13) [N or N m]: stress at zero deformation
+ *   S (13) [N/m or N m]: stiffness of each deformation
+ *   D (13) [N s/m or N m s]: damping of each deformation */
+
+/* law: 168 operations.
+ * in:  e (13), ed (13), s (0), z (0), t (1), p (39)
+ * out: sigma (13), tau (0), zd (0), U (1), P (1) */
+FLEXEL_CLONES
+static void diagonal_13_law(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (13 * 8);
+        const real *restrict ed = in[1] + b * (13 * 8);
+        const real *restrict p = in[5] + b * (39 * 8);
+        real *restrict sigma = out[0] + b * (13 * 8);
+        real *restrict U = out[3] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real e_0 = e[0 * 8 + j];
+            const real S_0 = p[13 * 8 + j];
+            const real t0 = e_0 * S_0;
+            const real ed_0 = ed[0 * 8 + j];
+            const real D_0 = p[26 * 8 + j];
+            const real preload_0 = p[0 * 8 + j];
+            const real t1 = preload_0 + ed_0 * D_0 + t0;
+            sigma[0 * 8 + j] = t1;
+            const real e_1 = e[1 * 8 + j];
+            const real S_1 = p[14 * 8 + j];
+            const real t2 = e_1 * S_1;
+            const real ed_1 = ed[1 * 8 + j];
+            const real D_1 = p[27 * 8 + j];
+            const real preload_1 = p[1 * 8 + j];
+            const real t3 = preload_1 + ed_1 * D_1 + t2;
+            sigma[1 * 8 + j] = t3;
+            const real e_2 = e[2 * 8 + j];
+            const real S_2 = p[15 * 8 + j];
+            const real t4 = e_2 * S_2;
+            const real ed_2 = ed[2 * 8 + j];
+            const real D_2 = p[28 * 8 + j];
+            const real preload_2 = p[2 * 8 + j];
+            const real t5 = preload_2 + ed_2 * D_2 + t4;
+            sigma[2 * 8 + j] = t5;
+            const real e_3 = e[3 * 8 + j];
+            const real S_3 = p[16 * 8 + j];
+            const real t6 = e_3 * S_3;
+            const real ed_3 = ed[3 * 8 + j];
+            const real D_3 = p[29 * 8 + j];
+            const real preload_3 = p[3 * 8 + j];
+            const real t7 = preload_3 + ed_3 * D_3 + t6;
+            sigma[3 * 8 + j] = t7;
+            const real e_4 = e[4 * 8 + j];
+            const real S_4 = p[17 * 8 + j];
+            const real t8 = e_4 * S_4;
+            const real ed_4 = ed[4 * 8 + j];
+            const real D_4 = p[30 * 8 + j];
+            const real preload_4 = p[4 * 8 + j];
+            const real t9 = preload_4 + ed_4 * D_4 + t8;
+            sigma[4 * 8 + j] = t9;
+            const real e_5 = e[5 * 8 + j];
+            const real S_5 = p[18 * 8 + j];
+            const real t10 = e_5 * S_5;
+            const real ed_5 = ed[5 * 8 + j];
+            const real D_5 = p[31 * 8 + j];
+            const real preload_5 = p[5 * 8 + j];
+            const real t11 = preload_5 + ed_5 * D_5 + t10;
+            sigma[5 * 8 + j] = t11;
+            const real e_6 = e[6 * 8 + j];
+            const real S_6 = p[19 * 8 + j];
+            const real t12 = e_6 * S_6;
+            const real ed_6 = ed[6 * 8 + j];
+            const real D_6 = p[32 * 8 + j];
+            const real preload_6 = p[6 * 8 + j];
+            const real t13 = preload_6 + ed_6 * D_6 + t12;
+            sigma[6 * 8 + j] = t13;
+            const real e_7 = e[7 * 8 + j];
+            const real S_7 = p[20 * 8 + j];
+            const real t14 = e_7 * S_7;
+            const real ed_7 = ed[7 * 8 + j];
+            const real D_7 = p[33 * 8 + j];
+            const real preload_7 = p[7 * 8 + j];
+            const real t15 = preload_7 + ed_7 * D_7 + t14;
+            sigma[7 * 8 + j] = t15;
+            const real e_8 = e[8 * 8 + j];
+            const real S_8 = p[21 * 8 + j];
+            const real t16 = e_8 * S_8;
+            const real ed_8 = ed[8 * 8 + j];
+            const real D_8 = p[34 * 8 + j];
+            const real preload_8 = p[8 * 8 + j];
+            const real t17 = preload_8 + ed_8 * D_8 + t16;
+            sigma[8 * 8 + j] = t17;
+            const real e_9 = e[9 * 8 + j];
+            const real S_9 = p[22 * 8 + j];
+            const real t18 = e_9 * S_9;
+            const real ed_9 = ed[9 * 8 + j];
+            const real D_9 = p[35 * 8 + j];
+            const real preload_9 = p[9 * 8 + j];
+            const real t19 = preload_9 + ed_9 * D_9 + t18;
+            sigma[9 * 8 + j] = t19;
+            const real e_10 = e[10 * 8 + j];
+            const real S_10 = p[23 * 8 + j];
+            const real t20 = e_10 * S_10;
+            const real ed_10 = ed[10 * 8 + j];
+            const real D_10 = p[36 * 8 + j];
+            const real preload_10 = p[10 * 8 + j];
+            const real t21 = preload_10 + ed_10 * D_10 + t20;
+            sigma[10 * 8 + j] = t21;
+            const real e_11 = e[11 * 8 + j];
+            const real S_11 = p[24 * 8 + j];
+            const real t22 = e_11 * S_11;
+            const real ed_11 = ed[11 * 8 + j];
+            const real D_11 = p[37 * 8 + j];
+            const real preload_11 = p[11 * 8 + j];
+            const real t23 = preload_11 + ed_11 * D_11 + t22;
+            sigma[11 * 8 + j] = t23;
+            const real e_12 = e[12 * 8 + j];
+            const real S_12 = p[25 * 8 + j];
+            const real t24 = e_12 * S_12;
+            const real ed_12 = ed[12 * 8 + j];
+            const real D_12 = p[38 * 8 + j];
+            const real preload_12 = p[12 * 8 + j];
+            const real t25 = preload_12 + ed_12 * D_12 + t24;
+            sigma[12 * 8 + j] = t25;
+            const real t26 = preload_9 + 0.5 * t18;
+            const real t27 = preload_8 + 0.5 * t16;
+            const real t28 = preload_7 + 0.5 * t14;
+            const real t29 = preload_6 + 0.5 * t12;
+            const real t30 = preload_5 + 0.5 * t10;
+            const real t31 = preload_4 + 0.5 * t8;
+            const real t32 = preload_3 + 0.5 * t6;
+            const real t33 = preload_2 + 0.5 * t4;
+            const real t34 = preload_12 + 0.5 * t24;
+            const real t35 = preload_11 + 0.5 * t22;
+            const real t36 = preload_10 + 0.5 * t20;
+            const real t37 = preload_0 + 0.5 * t0;
+            const real t38 = preload_1 + 0.5 * t2;
+            const real t39 = e_0 * t37 + e_1 * t38 + e_10 * t36 + e_11 * t35 + e_12 * t34;
+            const real t40 = e_2 * t33 + t39 + e_3 * t32 + e_4 * t31 + e_5 * t30 + e_6 * t29;
+            U[0 * 8 + j] = e_7 * t28 + t40 + e_8 * t27 + e_9 * t26;
+            const real t41 = ed_12 * (t25 - t34) + ed_11 * (t23 - t35) + ed_10 * (t21 - t36);
+            const real t42 = ed_9 * (t19 - t26) + t41 + ed_8 * (t17 - t27) + ed_7 * (t15 - t28);
+            const real t43 = ed_6 * (t13 - t29) + t42 + ed_5 * (t11 - t30) + ed_4 * (t9 - t31);
+            const real t44 = ed_3 * (t7 - t32) + t43 + ed_2 * (t5 - t33) + ed_0 * (t1 - t37);
+            const real t45 = ed_1 * t2 + ed_0 * t0 + ed_10 * t20 + ed_11 * t22 + ed_12 * t24;
+            const real t46 = ed_2 * t4 + t45 + ed_3 * t6 + ed_4 * t8 + ed_5 * t10 + ed_6 * t12;
+            P[0 * 8 + j] = ed_1 * (t3 - t38) + t44 - 0.5 * (ed_7 * t14 + t46 + ed_9 * t18 + ed_8 * t16);
+        }
+    }
+}
+
+/* tangent: 0 operations.
+ * in:  e (13), ed (13), s (0), z (0), t (1), p (39)
+ * out: J (13,26), 26 of 338 entries */
+FLEXEL_CLONES
+static void diagonal_13_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict p = in[5] + b * (39 * 8);
+        real *restrict J = out[0] + b * (26 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real S_0 = p[13 * 8 + j];
+            J[0 * 8 + j] = S_0;
+            const real D_0 = p[26 * 8 + j];
+            J[1 * 8 + j] = D_0;
+            const real S_1 = p[14 * 8 + j];
+            J[2 * 8 + j] = S_1;
+            const real D_1 = p[27 * 8 + j];
+            J[3 * 8 + j] = D_1;
+            const real S_2 = p[15 * 8 + j];
+            J[4 * 8 + j] = S_2;
+            const real D_2 = p[28 * 8 + j];
+            J[5 * 8 + j] = D_2;
+            const real S_3 = p[16 * 8 + j];
+            J[6 * 8 + j] = S_3;
+            const real D_3 = p[29 * 8 + j];
+            J[7 * 8 + j] = D_3;
+            const real S_4 = p[17 * 8 + j];
+            J[8 * 8 + j] = S_4;
+            const real D_4 = p[30 * 8 + j];
+            J[9 * 8 + j] = D_4;
+            const real S_5 = p[18 * 8 + j];
+            J[10 * 8 + j] = S_5;
+            const real D_5 = p[31 * 8 + j];
+            J[11 * 8 + j] = D_5;
+            const real S_6 = p[19 * 8 + j];
+            J[12 * 8 + j] = S_6;
+            const real D_6 = p[32 * 8 + j];
+            J[13 * 8 + j] = D_6;
+            const real S_7 = p[20 * 8 + j];
+            J[14 * 8 + j] = S_7;
+            const real D_7 = p[33 * 8 + j];
+            J[15 * 8 + j] = D_7;
+            const real S_8 = p[21 * 8 + j];
+            J[16 * 8 + j] = S_8;
+            const real D_8 = p[34 * 8 + j];
+            J[17 * 8 + j] = D_8;
+            const real S_9 = p[22 * 8 + j];
+            J[18 * 8 + j] = S_9;
+            const real D_9 = p[35 * 8 + j];
+            J[19 * 8 + j] = D_9;
+            const real S_10 = p[23 * 8 + j];
+            J[20 * 8 + j] = S_10;
+            const real D_10 = p[36 * 8 + j];
+            J[21 * 8 + j] = D_10;
+            const real S_11 = p[24 * 8 + j];
+            J[22 * 8 + j] = S_11;
+            const real D_11 = p[37 * 8 + j];
+            J[23 * 8 + j] = D_11;
+            const real S_12 = p[25 * 8 + j];
+            J[24 * 8 + j] = S_12;
+            const real D_12 = p[38 * 8 + j];
+            J[25 * 8 + j] = D_12;
+        }
+    }
+}
+
+const flexel_law flexel_law_diagonal_13 = {
+    .name = "diagonal_13",
+    .digest = "4a38b1a6b4d9bf95",
+    .m = 13,
+    .k = 0,
+    .nz = 0,
+    .np = 39,
+    .law = diagonal_13_law,
+    .tangent = diagonal_13_tangent,
 };
 
 /* viscous_1
@@ -943,7 +1335,7 @@ static void viscous_1_tangent(size_t nblocks, const real *const *in, real *const
 
 const flexel_law flexel_law_viscous_1 = {
     .name = "viscous_1",
-    .digest = "29578cc1b82a4069",
+    .digest = "4a38b1a6b4d9bf95",
     .m = 0,
     .k = 1,
     .nz = 0,
@@ -1012,7 +1404,7 @@ static void viscous_2_tangent(size_t nblocks, const real *const *in, real *const
 
 const flexel_law flexel_law_viscous_2 = {
     .name = "viscous_2",
-    .digest = "29578cc1b82a4069",
+    .digest = "4a38b1a6b4d9bf95",
     .m = 0,
     .k = 2,
     .nz = 0,
@@ -1093,7 +1485,7 @@ static void viscous_3_tangent(size_t nblocks, const real *const *in, real *const
 
 const flexel_law flexel_law_viscous_3 = {
     .name = "viscous_3",
-    .digest = "29578cc1b82a4069",
+    .digest = "4a38b1a6b4d9bf95",
     .m = 0,
     .k = 3,
     .nz = 0,
@@ -1488,7 +1880,7 @@ static void spring_curve_tangent(size_t nblocks, const real *const *in, real *co
 
 const flexel_law flexel_law_spring_curve = {
     .name = "spring_curve",
-    .digest = "29578cc1b82a4069",
+    .digest = "4a38b1a6b4d9bf95",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -1848,7 +2240,7 @@ static void damper_curve_tangent(size_t nblocks, const real *const *in, real *co
 
 const flexel_law flexel_law_damper_curve = {
     .name = "damper_curve",
-    .digest = "29578cc1b82a4069",
+    .digest = "4a38b1a6b4d9bf95",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -1929,7 +2321,7 @@ static void stop_tangent(size_t nblocks, const real *const *in, real *const *out
 
 const flexel_law flexel_law_stop = {
     .name = "stop",
-    .digest = "29578cc1b82a4069",
+    .digest = "4a38b1a6b4d9bf95",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -2005,7 +2397,7 @@ static void vertical_tyre_tangent(size_t nblocks, const real *const *in, real *c
 
 const flexel_law flexel_law_vertical_tyre = {
     .name = "vertical_tyre",
-    .digest = "29578cc1b82a4069",
+    .digest = "4a38b1a6b4d9bf95",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -2165,7 +2557,7 @@ static void linear_tyre_tangent(size_t nblocks, const real *const *in, real *con
 
 const flexel_law flexel_law_linear_tyre = {
     .name = "linear_tyre",
-    .digest = "29578cc1b82a4069",
+    .digest = "4a38b1a6b4d9bf95",
     .m = 2,
     .k = 4,
     .nz = 0,
@@ -2401,7 +2793,7 @@ static void calspan_tyre_tangent(size_t nblocks, const real *const *in, real *co
 
 const flexel_law flexel_law_calspan_tyre = {
     .name = "calspan_tyre",
-    .digest = "29578cc1b82a4069",
+    .digest = "4a38b1a6b4d9bf95",
     .m = 2,
     .k = 4,
     .nz = 0,
@@ -2737,11 +3129,813 @@ static void magic_formula_tangent(size_t nblocks, const real *const *in, real *c
 
 const flexel_law flexel_law_magic_formula = {
     .name = "magic_formula",
-    .digest = "29578cc1b82a4069",
+    .digest = "4a38b1a6b4d9bf95",
     .m = 2,
     .k = 6,
     .nz = 2,
     .np = 16,
     .law = magic_formula_law,
     .tangent = magic_formula_tangent,
+};
+
+/* hertz
+ *
+ * d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N
+ * energy = stiffness d^(exponent + 1)/(exponent + 1)
+ *
+ * Source: Hunt and Crossley 1975, J. Appl. Mech. 42:440; Lankarani and Nikravesh 1990, J. Mech. Des. 112:369
+ *
+ * 1 deformations, 0 slips
+ * p (3):
+ *   stiffness (1) [N/m^exponent]: normal force per penetration^exponent
+ *   exponent (1) [1]: exponent of the penetration, 3/2 for Hertz, at least 1
+ *   dissipation (1) [s/m]: relative growth of the normal force per speed of approach */
+
+/* law: 30 operations.
+ * in:  e (1), ed (1), s (0), z (0), t (1), p (3)
+ * out: sigma (1), tau (0), zd (0), U (1), P (1) */
+FLEXEL_CLONES
+static void hertz_law(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (1 * 8);
+        const real *restrict ed = in[1] + b * (1 * 8);
+        const real *restrict p = in[5] + b * (3 * 8);
+        real *restrict sigma = out[0] + b * (1 * 8);
+        real *restrict U = out[3] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
+        real depth[8], t0[8], t1[8], t2[8], t3[8], t4[8], t5[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real e_0 = e[0 * 8 + j];
+            depth[j] = real_lt(e_0, 0.0) ? -e_0 : 1.0;
+            const real ed_0 = ed[0 * 8 + j];
+            const real dissipation = p[2 * 8 + j];
+            t1[j] = 1.0 - ed_0 * dissipation;
+            const real exponent = p[1 * 8 + j];
+            t2[j] = 1.0 / (1.0 + exponent);
+            t3[j] = real_lt(e_0, 0.0) ? -ed_0 : 0.0;
+            t4[j] = exponent - 1.0;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            const real exponent = p[1 * 8 + j];
+            t0[j] = real_pow(depth[j], exponent);
+            t5[j] = real_pow(depth[j], t4[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real stiffness = p[0 * 8 + j];
+            const real e_0 = e[0 * 8 + j];
+            const real elastic = real_lt(e_0, 0.0) ? stiffness * t0[j] : 0.0;
+            const real N = real_max(0.0, elastic * t1[j]);
+            sigma[0 * 8 + j] = -N;
+            U[0 * 8 + j] = -(e_0 * elastic * t2[j]);
+            const real ed_0 = ed[0 * 8 + j];
+            const real exponent = p[1 * 8 + j];
+            const real t6 = real_lt(e_0, 0.0) ? exponent * t5[j] * t3[j] * stiffness : 0.0;
+            P[0 * 8 + j] = t2[j] * (ed_0 * elastic + e_0 * t6) - ed_0 * N;
+        }
+    }
+}
+
+/* tangent: 22 operations.
+ * in:  e (1), ed (1), s (0), z (0), t (1), p (3)
+ * out: J (1,2) */
+FLEXEL_CLONES
+static void hertz_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (1 * 8);
+        const real *restrict ed = in[1] + b * (1 * 8);
+        const real *restrict p = in[5] + b * (3 * 8);
+        real *restrict J = out[0] + b * (2 * 8);
+        real t0[8], depth[8], t1[8], t2[8], t3[8], t4[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real e_0 = e[0 * 8 + j];
+            t0[j] = real_lt(e_0, 0.0) ? 1.0 : 0.0;
+            depth[j] = real_lt(e_0, 0.0) ? -e_0 : 1.0;
+            const real exponent = p[1 * 8 + j];
+            t1[j] = exponent - 1.0;
+            const real ed_0 = ed[0 * 8 + j];
+            const real dissipation = p[2 * 8 + j];
+            t3[j] = 1.0 - ed_0 * dissipation;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            t2[j] = real_pow(depth[j], t1[j]);
+            const real exponent = p[1 * 8 + j];
+            t4[j] = real_pow(depth[j], exponent);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real exponent = p[1 * 8 + j];
+            const real stiffness = p[0 * 8 + j];
+            const real e_0 = e[0 * 8 + j];
+            const real elastic = real_lt(e_0, 0.0) ? stiffness * t4[j] : 0.0;
+            const real t5 = real_le(elastic * t3[j], 0.0) ? 0.0 : 1.0;
+            J[0 * 8 + j] = exponent * t2[j] * (t3[j] * t5 * t0[j] * stiffness) * t0[j];
+            const real dissipation = p[2 * 8 + j];
+            J[1 * 8 + j] = elastic * t5 * dissipation;
+        }
+    }
+}
+
+const flexel_law flexel_law_hertz = {
+    .name = "hertz",
+    .digest = "4a38b1a6b4d9bf95",
+    .m = 1,
+    .k = 0,
+    .nz = 0,
+    .np = 3,
+    .law = hertz_law,
+    .tangent = hertz_tangent,
+};
+
+/* hertz_coulomb_1
+ *
+ * d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N
+ * energy = stiffness d^(exponent + 1)/(exponent + 1)
+ * tau = friction N s/sqrt(s.s + slip_speed^2)
+ *
+ * Source: Hunt and Crossley 1975, J. Appl. Mech. 42:440; Lankarani and Nikravesh 1990, J. Mech. Des. 112:369; Coulomb's friction, regularized
+ *
+ * 1 deformations, 1 slips
+ * p (5):
+ *   stiffness (1) [N/m^exponent]: normal force per penetration^exponent
+ *   exponent (1) [1]: exponent of the penetration, 3/2 for Hertz, at least 1
+ *   dissipation (1) [s/m]: relative growth of the normal force per speed of approach
+ *   friction (1) [1]: coefficient of friction
+ *   slip_speed (1) [m/s]: speed of sliding at which 71 % of the friction acts */
+
+/* law: 40 operations.
+ * in:  e (1), ed (1), s (1), z (0), t (1), p (5)
+ * out: sigma (1), tau (1), zd (0), U (1), P (1) */
+FLEXEL_CLONES
+static void hertz_coulomb_1_law(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (1 * 8);
+        const real *restrict ed = in[1] + b * (1 * 8);
+        const real *restrict s = in[2] + b * (1 * 8);
+        const real *restrict p = in[5] + b * (5 * 8);
+        real *restrict sigma = out[0] + b * (1 * 8);
+        real *restrict tau = out[1] + b * (1 * 8);
+        real *restrict U = out[3] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
+        real depth[8], t0[8], t1[8], t2[8], t4[8], t5[8], t6[8], t7[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real e_0 = e[0 * 8 + j];
+            depth[j] = real_lt(e_0, 0.0) ? -e_0 : 1.0;
+            const real ed_0 = ed[0 * 8 + j];
+            const real dissipation = p[2 * 8 + j];
+            t1[j] = 1.0 - ed_0 * dissipation;
+            const real s_0 = s[0 * 8 + j];
+            const real slip_speed = p[4 * 8 + j];
+            t2[j] = 1.0 / real_sqrt(s_0 * s_0 + slip_speed * slip_speed);
+            const real exponent = p[1 * 8 + j];
+            t4[j] = 1.0 / (1.0 + exponent);
+            t5[j] = real_lt(e_0, 0.0) ? -ed_0 : 0.0;
+            t6[j] = exponent - 1.0;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            const real exponent = p[1 * 8 + j];
+            t0[j] = real_pow(depth[j], exponent);
+            t7[j] = real_pow(depth[j], t6[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real stiffness = p[0 * 8 + j];
+            const real e_0 = e[0 * 8 + j];
+            const real elastic = real_lt(e_0, 0.0) ? stiffness * t0[j] : 0.0;
+            const real N = real_max(0.0, elastic * t1[j]);
+            sigma[0 * 8 + j] = -N;
+            const real friction = p[3 * 8 + j];
+            const real factor = N * t2[j] * friction;
+            const real s_0 = s[0 * 8 + j];
+            const real t3 = s_0 * factor;
+            tau[0 * 8 + j] = t3;
+            U[0 * 8 + j] = -(e_0 * elastic * t4[j]);
+            const real ed_0 = ed[0 * 8 + j];
+            const real exponent = p[1 * 8 + j];
+            const real t8 = real_lt(e_0, 0.0) ? exponent * t7[j] * t5[j] * stiffness : 0.0;
+            P[0 * 8 + j] = s_0 * t3 - ed_0 * N + t4[j] * (ed_0 * elastic + e_0 * t8);
+        }
+    }
+}
+
+/* tangent: 43 operations.
+ * in:  e (1), ed (1), s (1), z (0), t (1), p (5)
+ * out: J (2,3), 5 of 6 entries */
+FLEXEL_CLONES
+static void hertz_coulomb_1_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (1 * 8);
+        const real *restrict ed = in[1] + b * (1 * 8);
+        const real *restrict s = in[2] + b * (1 * 8);
+        const real *restrict p = in[5] + b * (5 * 8);
+        real *restrict J = out[0] + b * (5 * 8);
+        real depth[8], t0[8], t1[8], t4[8], t5[8], t6[8], t9[8], t10[8], t12[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real e_0 = e[0 * 8 + j];
+            depth[j] = real_lt(e_0, 0.0) ? -e_0 : 1.0;
+            const real ed_0 = ed[0 * 8 + j];
+            const real dissipation = p[2 * 8 + j];
+            t1[j] = 1.0 - ed_0 * dissipation;
+            t4[j] = real_lt(e_0, 0.0) ? 1.0 : 0.0;
+            const real exponent = p[1 * 8 + j];
+            t5[j] = exponent - 1.0;
+            const real s_0 = s[0 * 8 + j];
+            const real friction = p[3 * 8 + j];
+            t9[j] = s_0 * friction;
+            const real slip_speed = p[4 * 8 + j];
+            t10[j] = 1.0 / real_sqrt(s_0 * s_0 + slip_speed * slip_speed);
+            t12[j] = s_0 * t10[j] * (t10[j] * t10[j]);
+        }
+        for (size_t j = 0; j < 8; j++) {
+            const real exponent = p[1 * 8 + j];
+            t0[j] = real_pow(depth[j], exponent);
+            t6[j] = real_pow(depth[j], t5[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real stiffness = p[0 * 8 + j];
+            const real e_0 = e[0 * 8 + j];
+            const real elastic = real_lt(e_0, 0.0) ? stiffness * t0[j] : 0.0;
+            const real t2 = elastic * t1[j];
+            const real t3 = real_le(t2, 0.0) ? 0.0 : 1.0;
+            const real exponent = p[1 * 8 + j];
+            const real t7 = exponent * t6[j] * t4[j] * stiffness * t4[j] * t1[j];
+            J[0 * 8 + j] = t3 * t7;
+            const real dissipation = p[2 * 8 + j];
+            const real t8 = dissipation * elastic;
+            J[1 * 8 + j] = t3 * t8;
+            const real t11 = t10[j] * t3 * t9[j];
+            J[2 * 8 + j] = -(t7 * t11);
+            J[3 * 8 + j] = -(t8 * t11);
+            const real N = real_max(0.0, t2);
+            const real friction = p[3 * 8 + j];
+            const real factor = N * t10[j] * friction;
+            J[4 * 8 + j] = factor - N * t12[j] * t9[j];
+        }
+    }
+}
+
+const flexel_law flexel_law_hertz_coulomb_1 = {
+    .name = "hertz_coulomb_1",
+    .digest = "4a38b1a6b4d9bf95",
+    .m = 1,
+    .k = 1,
+    .nz = 0,
+    .np = 5,
+    .law = hertz_coulomb_1_law,
+    .tangent = hertz_coulomb_1_tangent,
+};
+
+/* hertz_coulomb_2
+ *
+ * d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N
+ * energy = stiffness d^(exponent + 1)/(exponent + 1)
+ * tau = friction N s/sqrt(s.s + slip_speed^2)
+ *
+ * Source: Hunt and Crossley 1975, J. Appl. Mech. 42:440; Lankarani and Nikravesh 1990, J. Mech. Des. 112:369; Coulomb's friction, regularized
+ *
+ * 1 deformations, 2 slips
+ * p (5):
+ *   stiffness (1) [N/m^exponent]: normal force per penetration^exponent
+ *   exponent (1) [1]: exponent of the penetration, 3/2 for Hertz, at least 1
+ *   dissipation (1) [s/m]: relative growth of the normal force per speed of approach
+ *   friction (1) [1]: coefficient of friction
+ *   slip_speed (1) [m/s]: speed of sliding at which 71 % of the friction acts */
+
+/* law: 45 operations.
+ * in:  e (1), ed (1), s (2), z (0), t (1), p (5)
+ * out: sigma (1), tau (2), zd (0), U (1), P (1) */
+FLEXEL_CLONES
+static void hertz_coulomb_2_law(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (1 * 8);
+        const real *restrict ed = in[1] + b * (1 * 8);
+        const real *restrict s = in[2] + b * (2 * 8);
+        const real *restrict p = in[5] + b * (5 * 8);
+        real *restrict sigma = out[0] + b * (1 * 8);
+        real *restrict tau = out[1] + b * (2 * 8);
+        real *restrict U = out[3] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
+        real depth[8], t0[8], t1[8], t3[8], t6[8], t7[8], t8[8], t9[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real e_0 = e[0 * 8 + j];
+            depth[j] = real_lt(e_0, 0.0) ? -e_0 : 1.0;
+            const real ed_0 = ed[0 * 8 + j];
+            const real dissipation = p[2 * 8 + j];
+            t1[j] = 1.0 - ed_0 * dissipation;
+            const real slip_speed = p[4 * 8 + j];
+            const real s_0 = s[0 * 8 + j];
+            const real s_1 = s[1 * 8 + j];
+            const real t2 = real_sqrt(s_0 * s_0 + s_1 * s_1 + slip_speed * slip_speed);
+            t3[j] = 1.0 / t2;
+            const real exponent = p[1 * 8 + j];
+            t6[j] = 1.0 / (1.0 + exponent);
+            t7[j] = real_lt(e_0, 0.0) ? -ed_0 : 0.0;
+            t8[j] = exponent - 1.0;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            const real exponent = p[1 * 8 + j];
+            t0[j] = real_pow(depth[j], exponent);
+            t9[j] = real_pow(depth[j], t8[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real stiffness = p[0 * 8 + j];
+            const real e_0 = e[0 * 8 + j];
+            const real elastic = real_lt(e_0, 0.0) ? stiffness * t0[j] : 0.0;
+            const real N = real_max(0.0, elastic * t1[j]);
+            sigma[0 * 8 + j] = -N;
+            const real friction = p[3 * 8 + j];
+            const real factor = N * t3[j] * friction;
+            const real s_0 = s[0 * 8 + j];
+            const real t4 = s_0 * factor;
+            tau[0 * 8 + j] = t4;
+            const real s_1 = s[1 * 8 + j];
+            const real t5 = s_1 * factor;
+            tau[1 * 8 + j] = t5;
+            U[0 * 8 + j] = -(e_0 * elastic * t6[j]);
+            const real ed_0 = ed[0 * 8 + j];
+            const real exponent = p[1 * 8 + j];
+            const real t10 = real_lt(e_0, 0.0) ? exponent * t9[j] * t7[j] * stiffness : 0.0;
+            P[0 * 8 + j] = s_0 * t4 + s_1 * t5 - ed_0 * N + t6[j] * (ed_0 * elastic + e_0 * t10);
+        }
+    }
+}
+
+/* tangent: 58 operations.
+ * in:  e (1), ed (1), s (2), z (0), t (1), p (5)
+ * out: J (3,4), 10 of 12 entries */
+FLEXEL_CLONES
+static void hertz_coulomb_2_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (1 * 8);
+        const real *restrict ed = in[1] + b * (1 * 8);
+        const real *restrict s = in[2] + b * (2 * 8);
+        const real *restrict p = in[5] + b * (5 * 8);
+        real *restrict J = out[0] + b * (10 * 8);
+        real depth[8], t0[8], t1[8], t4[8], t5[8], t6[8], t9[8], t11[8], t15[8], t19[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real e_0 = e[0 * 8 + j];
+            depth[j] = real_lt(e_0, 0.0) ? -e_0 : 1.0;
+            const real ed_0 = ed[0 * 8 + j];
+            const real dissipation = p[2 * 8 + j];
+            t1[j] = 1.0 - ed_0 * dissipation;
+            t4[j] = real_lt(e_0, 0.0) ? 1.0 : 0.0;
+            const real exponent = p[1 * 8 + j];
+            t5[j] = exponent - 1.0;
+            const real s_0 = s[0 * 8 + j];
+            const real friction = p[3 * 8 + j];
+            t9[j] = s_0 * friction;
+            const real slip_speed = p[4 * 8 + j];
+            const real s_1 = s[1 * 8 + j];
+            const real t10 = real_sqrt(s_0 * s_0 + s_1 * s_1 + slip_speed * slip_speed);
+            t11[j] = 1.0 / t10;
+            t15[j] = t11[j] * t11[j] * t11[j];
+            t19[j] = s_1 * friction;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            const real exponent = p[1 * 8 + j];
+            t0[j] = real_pow(depth[j], exponent);
+            t6[j] = real_pow(depth[j], t5[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real stiffness = p[0 * 8 + j];
+            const real e_0 = e[0 * 8 + j];
+            const real elastic = real_lt(e_0, 0.0) ? stiffness * t0[j] : 0.0;
+            const real t2 = elastic * t1[j];
+            const real t3 = real_le(t2, 0.0) ? 0.0 : 1.0;
+            const real exponent = p[1 * 8 + j];
+            const real t7 = exponent * t6[j] * t4[j] * stiffness * t4[j] * t1[j];
+            J[0 * 8 + j] = t3 * t7;
+            const real dissipation = p[2 * 8 + j];
+            const real t8 = dissipation * elastic;
+            J[1 * 8 + j] = t3 * t8;
+            const real t12 = t11[j] * t3;
+            const real t13 = t7 * t12;
+            J[2 * 8 + j] = -(t9[j] * t13);
+            const real t14 = t8 * t12;
+            J[3 * 8 + j] = -(t9[j] * t14);
+            const real N = real_max(0.0, t2);
+            const real friction = p[3 * 8 + j];
+            const real factor = N * t11[j] * friction;
+            const real t16 = N * t15[j];
+            const real s_0 = s[0 * 8 + j];
+            const real t17 = s_0 * t16;
+            J[4 * 8 + j] = factor - t9[j] * t17;
+            const real s_1 = s[1 * 8 + j];
+            const real t18 = s_1 * t16;
+            J[5 * 8 + j] = -(t9[j] * t18);
+            J[6 * 8 + j] = -(t19[j] * t13);
+            J[7 * 8 + j] = -(t19[j] * t14);
+            J[8 * 8 + j] = -(t19[j] * t17);
+            J[9 * 8 + j] = factor - t19[j] * t18;
+        }
+    }
+}
+
+const flexel_law flexel_law_hertz_coulomb_2 = {
+    .name = "hertz_coulomb_2",
+    .digest = "4a38b1a6b4d9bf95",
+    .m = 1,
+    .k = 2,
+    .nz = 0,
+    .np = 5,
+    .law = hertz_coulomb_2_law,
+    .tangent = hertz_coulomb_2_tangent,
+};
+
+/* hertz_bristle_1
+ *
+ * d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N
+ * energy = stiffness d^(exponent + 1)/(exponent + 1) + stiffness d^exponent bristle_stiffness z.z/2
+ * dz/dt = s - bristle_stiffness |s| z/friction in contact, -release z when open
+ * tau = N (bristle_stiffness z + bristle_damping dz/dt)
+ *
+ * Source: Hunt and Crossley 1975, J. Appl. Mech. 42:440; Lankarani and Nikravesh 1990, J. Mech. Des. 112:369; Dahl 1968; Canudas de Wit et al. 1995, IEEE Trans. Autom. Control 40:419
+ *
+ * 1 deformations, 1 slips, z: z_0 [m]
+ * p (7):
+ *   stiffness (1) [N/m^exponent]: normal force per penetration^exponent
+ *   exponent (1) [1]: exponent of the penetration, 3/2 for Hertz, at least 1
+ *   dissipation (1) [s/m]: relative growth of the normal force per speed of approach
+ *   friction (1) [1]: coefficient of friction
+ *   bristle_stiffness (1) [1/m]: friction per normal force and deflection of the bristles
+ *   bristle_damping (1) [s/m]: friction per normal force and rate of deflection
+ *   release (1) [1/s]: rate at which bristles straighten while the gap is open */
+
+/* law: 60 operations.
+ * in:  e (1), ed (1), s (1), z (1), t (1), p (7)
+ * out: sigma (1), tau (1), zd (1), U (1), P (1) */
+FLEXEL_CLONES
+static void hertz_bristle_1_law(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (1 * 8);
+        const real *restrict ed = in[1] + b * (1 * 8);
+        const real *restrict s = in[2] + b * (1 * 8);
+        const real *restrict z = in[3] + b * (1 * 8);
+        const real *restrict p = in[5] + b * (7 * 8);
+        real *restrict sigma = out[0] + b * (1 * 8);
+        real *restrict tau = out[1] + b * (1 * 8);
+        real *restrict zd = out[2] + b * (1 * 8);
+        real *restrict U = out[3] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
+        real depth[8], t0[8], t1[8], zd_0[8], t2[8], t4[8], t5[8], t6[8], t7[8], t8[8], t9[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real e_0 = e[0 * 8 + j];
+            depth[j] = real_lt(e_0, 0.0) ? -e_0 : 1.0;
+            const real ed_0 = ed[0 * 8 + j];
+            const real dissipation = p[2 * 8 + j];
+            t1[j] = 1.0 - ed_0 * dissipation;
+            const real z_0 = z[0 * 8 + j];
+            const real bristle_stiffness = p[4 * 8 + j];
+            const real friction = p[3 * 8 + j];
+            const real s_0 = s[0 * 8 + j];
+            const real square = s_0 * s_0;
+            const real root = real_lt(0.0, square) ? real_sqrt(square) : 1.0;
+            const real speed = real_lt(0.0, square) ? root : 0.0;
+            const real sliding = 1.0 / friction * (bristle_stiffness * speed);
+            const real release = p[6 * 8 + j];
+            zd_0[j] = real_lt(e_0, 0.0) ? s_0 - z_0 * sliding : -(z_0 * release);
+            zd[0 * 8 + j] = zd_0[j];
+            const real bristle_damping = p[5 * 8 + j];
+            t2[j] = z_0 * bristle_stiffness + bristle_damping * zd_0[j];
+            t4[j] = z_0 * z_0;
+            const real exponent = p[1 * 8 + j];
+            t5[j] = 1.0 / (1.0 + exponent);
+            t6[j] = 0.5 * bristle_stiffness * t4[j] - e_0 * t5[j];
+            t7[j] = exponent - 1.0;
+            const real stiffness = p[0 * 8 + j];
+            t9[j] = stiffness * (real_lt(e_0, 0.0) ? -ed_0 : 0.0) * exponent;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            const real exponent = p[1 * 8 + j];
+            t0[j] = real_pow(depth[j], exponent);
+            t8[j] = real_pow(depth[j], t7[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real stiffness = p[0 * 8 + j];
+            const real e_0 = e[0 * 8 + j];
+            const real elastic = real_lt(e_0, 0.0) ? stiffness * t0[j] : 0.0;
+            const real N = real_max(0.0, elastic * t1[j]);
+            sigma[0 * 8 + j] = -N;
+            const real t3 = N * t2[j];
+            tau[0 * 8 + j] = t3;
+            U[0 * 8 + j] = elastic * t6[j];
+            const real s_0 = s[0 * 8 + j];
+            const real ed_0 = ed[0 * 8 + j];
+            const real t10 = real_lt(e_0, 0.0) ? t8[j] * t9[j] : 0.0;
+            const real t11 = s_0 * t3 + t5[j] * (ed_0 * elastic + e_0 * t10) - ed_0 * N;
+            const real z_0 = z[0 * 8 + j];
+            const real bristle_stiffness = p[4 * 8 + j];
+            const real t12 = bristle_stiffness * (t4[j] * t10 + 2.0 * z_0 * elastic * zd_0[j]);
+            P[0 * 8 + j] = t11 - 0.5 * t12;
+        }
+    }
+}
+
+/* tangent: 59 operations.
+ * in:  e (1), ed (1), s (1), z (1), t (1), p (7)
+ * out: J (3,4), 8 of 12 entries */
+FLEXEL_CLONES
+static void hertz_bristle_1_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (1 * 8);
+        const real *restrict ed = in[1] + b * (1 * 8);
+        const real *restrict s = in[2] + b * (1 * 8);
+        const real *restrict z = in[3] + b * (1 * 8);
+        const real *restrict p = in[5] + b * (7 * 8);
+        real *restrict J = out[0] + b * (8 * 8);
+        real t0[8], depth[8], t1[8], t2[8], t3[8], t5[8], t12[8], t15[8], t17[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real ed_0 = ed[0 * 8 + j];
+            const real dissipation = p[2 * 8 + j];
+            t0[j] = 1.0 - ed_0 * dissipation;
+            const real e_0 = e[0 * 8 + j];
+            depth[j] = real_lt(e_0, 0.0) ? -e_0 : 1.0;
+            const real exponent = p[1 * 8 + j];
+            t1[j] = exponent - 1.0;
+            t3[j] = real_lt(e_0, 0.0) ? -1.0 : 0.0;
+            const real s_0 = s[0 * 8 + j];
+            const real square = s_0 * s_0;
+            const real t10 = real_sqrt(square);
+            const real root = real_lt(0.0, square) ? t10 : 1.0;
+            const real speed = real_lt(0.0, square) ? root : 0.0;
+            const real friction = p[3 * 8 + j];
+            const real bristle_stiffness = p[4 * 8 + j];
+            const real t11 = 1.0 / friction * bristle_stiffness;
+            const real sliding = speed * t11;
+            const real z_0 = z[0 * 8 + j];
+            const real release = p[6 * 8 + j];
+            const real zd_0 = real_lt(e_0, 0.0) ? s_0 - z_0 * sliding : -(z_0 * release);
+            const real bristle_damping = p[5 * 8 + j];
+            t12[j] = bristle_damping * zd_0 + z_0 * bristle_stiffness;
+            const real t13 = real_lt(0.0, square) ? (real_lt(0.0, square) ? 1.0 / t10 * s_0 : 0.0) : 0.0;
+            const real t14 = real_lt(e_0, 0.0) ? 1.0 - t11 * t13 * z_0 : 0.0;
+            J[6 * 8 + j] = t14;
+            t15[j] = bristle_damping * t14;
+            const real t16 = real_lt(e_0, 0.0) ? -sliding : -release;
+            J[7 * 8 + j] = t16;
+            t17[j] = bristle_stiffness + bristle_damping * t16;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            t2[j] = real_pow(depth[j], t1[j]);
+            const real exponent = p[1 * 8 + j];
+            t5[j] = real_pow(depth[j], exponent);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real exponent = p[1 * 8 + j];
+            const real stiffness = p[0 * 8 + j];
+            const real e_0 = e[0 * 8 + j];
+            const real t4 = real_lt(e_0, 0.0) ? exponent * t2[j] * t3[j] * stiffness : 0.0;
+            const real elastic = real_lt(e_0, 0.0) ? stiffness * t5[j] : 0.0;
+            const real t6 = elastic * t0[j];
+            const real t7 = real_le(t6, 0.0) ? 0.0 : 1.0;
+            const real t8 = t0[j] * t4 * t7;
+            J[0 * 8 + j] = -t8;
+            const real dissipation = p[2 * 8 + j];
+            const real t9 = dissipation * elastic * t7;
+            J[1 * 8 + j] = t9;
+            J[2 * 8 + j] = t12[j] * t8;
+            J[3 * 8 + j] = -(t12[j] * t9);
+            const real N = real_max(0.0, t6);
+            J[4 * 8 + j] = N * t15[j];
+            J[5 * 8 + j] = N * t17[j];
+        }
+    }
+}
+
+const flexel_law flexel_law_hertz_bristle_1 = {
+    .name = "hertz_bristle_1",
+    .digest = "4a38b1a6b4d9bf95",
+    .m = 1,
+    .k = 1,
+    .nz = 1,
+    .np = 7,
+    .law = hertz_bristle_1_law,
+    .tangent = hertz_bristle_1_tangent,
+};
+
+/* hertz_bristle_2
+ *
+ * d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N
+ * energy = stiffness d^(exponent + 1)/(exponent + 1) + stiffness d^exponent bristle_stiffness z.z/2
+ * dz/dt = s - bristle_stiffness |s| z/friction in contact, -release z when open
+ * tau = N (bristle_stiffness z + bristle_damping dz/dt)
+ *
+ * Source: Hunt and Crossley 1975, J. Appl. Mech. 42:440; Lankarani and Nikravesh 1990, J. Mech. Des. 112:369; Dahl 1968; Canudas de Wit et al. 1995, IEEE Trans. Autom. Control 40:419
+ *
+ * 1 deformations, 2 slips, z: z_0 [m], z_1 [m]
+ * p (7):
+ *   stiffness (1) [N/m^exponent]: normal force per penetration^exponent
+ *   exponent (1) [1]: exponent of the penetration, 3/2 for Hertz, at least 1
+ *   dissipation (1) [s/m]: relative growth of the normal force per speed of approach
+ *   friction (1) [1]: coefficient of friction
+ *   bristle_stiffness (1) [1/m]: friction per normal force and deflection of the bristles
+ *   bristle_damping (1) [s/m]: friction per normal force and rate of deflection
+ *   release (1) [1/s]: rate at which bristles straighten while the gap is open */
+
+/* law: 77 operations.
+ * in:  e (1), ed (1), s (2), z (2), t (1), p (7)
+ * out: sigma (1), tau (2), zd (2), U (1), P (1) */
+FLEXEL_CLONES
+static void hertz_bristle_2_law(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (1 * 8);
+        const real *restrict ed = in[1] + b * (1 * 8);
+        const real *restrict s = in[2] + b * (2 * 8);
+        const real *restrict z = in[3] + b * (2 * 8);
+        const real *restrict p = in[5] + b * (7 * 8);
+        real *restrict sigma = out[0] + b * (1 * 8);
+        real *restrict tau = out[1] + b * (2 * 8);
+        real *restrict zd = out[2] + b * (2 * 8);
+        real *restrict U = out[3] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
+        real depth[8], t0[8], t1[8], t2[8], t4[8], t6[8], t7[8], t8[8], t9[8], t10[8], t11[8], t14[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real e_0 = e[0 * 8 + j];
+            depth[j] = real_lt(e_0, 0.0) ? -e_0 : 1.0;
+            const real ed_0 = ed[0 * 8 + j];
+            const real dissipation = p[2 * 8 + j];
+            t1[j] = 1.0 - ed_0 * dissipation;
+            const real z_0 = z[0 * 8 + j];
+            const real bristle_stiffness = p[4 * 8 + j];
+            const real friction = p[3 * 8 + j];
+            const real s_0 = s[0 * 8 + j];
+            const real s_1 = s[1 * 8 + j];
+            const real square = s_0 * s_0 + s_1 * s_1;
+            const real root = real_lt(0.0, square) ? real_sqrt(square) : 1.0;
+            const real speed = real_lt(0.0, square) ? root : 0.0;
+            const real sliding = 1.0 / friction * (bristle_stiffness * speed);
+            const real release = p[6 * 8 + j];
+            const real zd_0 = real_lt(e_0, 0.0) ? s_0 - z_0 * sliding : -(z_0 * release);
+            zd[0 * 8 + j] = zd_0;
+            const real bristle_damping = p[5 * 8 + j];
+            t2[j] = z_0 * bristle_stiffness + bristle_damping * zd_0;
+            const real z_1 = z[1 * 8 + j];
+            const real zd_1 = real_lt(e_0, 0.0) ? s_1 - z_1 * sliding : -(z_1 * release);
+            zd[1 * 8 + j] = zd_1;
+            t4[j] = z_1 * bristle_stiffness + bristle_damping * zd_1;
+            t6[j] = z_0 * z_0 + z_1 * z_1;
+            const real exponent = p[1 * 8 + j];
+            t7[j] = 1.0 / (1.0 + exponent);
+            t8[j] = 0.5 * bristle_stiffness * t6[j] - e_0 * t7[j];
+            t9[j] = exponent - 1.0;
+            const real stiffness = p[0 * 8 + j];
+            t11[j] = stiffness * (real_lt(e_0, 0.0) ? -ed_0 : 0.0) * exponent;
+            t14[j] = z_0 * zd_0 + z_1 * zd_1;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            const real exponent = p[1 * 8 + j];
+            t0[j] = real_pow(depth[j], exponent);
+            t10[j] = real_pow(depth[j], t9[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real stiffness = p[0 * 8 + j];
+            const real e_0 = e[0 * 8 + j];
+            const real elastic = real_lt(e_0, 0.0) ? stiffness * t0[j] : 0.0;
+            const real N = real_max(0.0, elastic * t1[j]);
+            sigma[0 * 8 + j] = -N;
+            const real t3 = N * t2[j];
+            tau[0 * 8 + j] = t3;
+            const real t5 = N * t4[j];
+            tau[1 * 8 + j] = t5;
+            U[0 * 8 + j] = elastic * t8[j];
+            const real ed_0 = ed[0 * 8 + j];
+            const real t12 = real_lt(e_0, 0.0) ? t10[j] * t11[j] : 0.0;
+            const real s_0 = s[0 * 8 + j];
+            const real s_1 = s[1 * 8 + j];
+            const real t13 = s_0 * t3 + s_1 * t5 + t7[j] * (ed_0 * elastic + e_0 * t12);
+            const real bristle_stiffness = p[4 * 8 + j];
+            const real t15 = bristle_stiffness * (t6[j] * t12 + 2.0 * elastic * t14[j]);
+            P[0 * 8 + j] = t13 - ed_0 * N - 0.5 * t15;
+        }
+    }
+}
+
+/* tangent: 88 operations.
+ * in:  e (1), ed (1), s (2), z (2), t (1), p (7)
+ * out: J (5,6), 18 of 30 entries */
+FLEXEL_CLONES
+static void hertz_bristle_2_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (1 * 8);
+        const real *restrict ed = in[1] + b * (1 * 8);
+        const real *restrict s = in[2] + b * (2 * 8);
+        const real *restrict z = in[3] + b * (2 * 8);
+        const real *restrict p = in[5] + b * (7 * 8);
+        real *restrict J = out[0] + b * (18 * 8);
+        real depth[8], t0[8], t1[8], t4[8], t5[8], t6[8], t7[8], t13[8], t17[8], t21[8], t23[8], t24[8], t25[8], t26[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real e_0 = e[0 * 8 + j];
+            depth[j] = real_lt(e_0, 0.0) ? -e_0 : 1.0;
+            const real ed_0 = ed[0 * 8 + j];
+            const real dissipation = p[2 * 8 + j];
+            t1[j] = 1.0 - ed_0 * dissipation;
+            t4[j] = real_lt(e_0, 0.0) ? -1.0 : 0.0;
+            const real exponent = p[1 * 8 + j];
+            t5[j] = exponent - 1.0;
+            const real stiffness = p[0 * 8 + j];
+            t7[j] = stiffness * exponent;
+            const real s_0 = s[0 * 8 + j];
+            const real s_1 = s[1 * 8 + j];
+            const real square = s_0 * s_0 + s_1 * s_1;
+            const real t11 = real_sqrt(square);
+            const real root = real_lt(0.0, square) ? t11 : 1.0;
+            const real speed = real_lt(0.0, square) ? root : 0.0;
+            const real friction = p[3 * 8 + j];
+            const real bristle_stiffness = p[4 * 8 + j];
+            const real t12 = 1.0 / friction * bristle_stiffness;
+            const real sliding = speed * t12;
+            const real z_0 = z[0 * 8 + j];
+            const real release = p[6 * 8 + j];
+            const real zd_0 = real_lt(e_0, 0.0) ? s_0 - z_0 * sliding : -(z_0 * release);
+            const real bristle_damping = p[5 * 8 + j];
+            t13[j] = bristle_damping * zd_0 + z_0 * bristle_stiffness;
+            const real t14 = 1.0 / t11;
+            const real t15 = real_lt(0.0, square) ? (real_lt(0.0, square) ? s_0 * t14 : 0.0) : 0.0;
+            const real t16 = t12 * t15;
+            t17[j] = real_lt(e_0, 0.0) ? 1.0 - z_0 * t16 : 0.0;
+            J[12 * 8 + j] = t17[j];
+            const real t19 = real_lt(0.0, square) ? (real_lt(0.0, square) ? s_1 * t14 : 0.0) : 0.0;
+            const real t20 = t12 * t19;
+            t21[j] = real_lt(e_0, 0.0) ? -(z_0 * t20) : 0.0;
+            J[13 * 8 + j] = t21[j];
+            const real t22 = real_lt(e_0, 0.0) ? -sliding : -release;
+            J[14 * 8 + j] = J[17 * 8 + j] = t22;
+            t23[j] = bristle_stiffness + bristle_damping * t22;
+            const real z_1 = z[1 * 8 + j];
+            const real zd_1 = real_lt(e_0, 0.0) ? s_1 - z_1 * sliding : -(z_1 * release);
+            t24[j] = bristle_damping * zd_1 + z_1 * bristle_stiffness;
+            t25[j] = real_lt(e_0, 0.0) ? -(z_1 * t16) : 0.0;
+            J[15 * 8 + j] = t25[j];
+            t26[j] = real_lt(e_0, 0.0) ? 1.0 - z_1 * t20 : 0.0;
+            J[16 * 8 + j] = t26[j];
+        }
+        for (size_t j = 0; j < 8; j++) {
+            const real exponent = p[1 * 8 + j];
+            t0[j] = real_pow(depth[j], exponent);
+            t6[j] = real_pow(depth[j], t5[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real stiffness = p[0 * 8 + j];
+            const real e_0 = e[0 * 8 + j];
+            const real elastic = real_lt(e_0, 0.0) ? stiffness * t0[j] : 0.0;
+            const real t2 = elastic * t1[j];
+            const real t3 = real_le(t2, 0.0) ? 0.0 : 1.0;
+            const real t8 = t1[j] * (real_lt(e_0, 0.0) ? t6[j] * t7[j] * t4[j] : 0.0);
+            const real t9 = t3 * t8;
+            J[0 * 8 + j] = -t9;
+            const real dissipation = p[2 * 8 + j];
+            const real t10 = dissipation * t3 * elastic;
+            J[1 * 8 + j] = t10;
+            J[2 * 8 + j] = t13[j] * t9;
+            J[3 * 8 + j] = -(t13[j] * t10);
+            const real N = real_max(0.0, t2);
+            const real bristle_damping = p[5 * 8 + j];
+            const real t18 = bristle_damping * N;
+            J[4 * 8 + j] = t17[j] * t18;
+            J[5 * 8 + j] = t21[j] * t18;
+            J[6 * 8 + j] = J[11 * 8 + j] = N * t23[j];
+            J[7 * 8 + j] = t24[j] * t9;
+            J[8 * 8 + j] = -(t24[j] * t10);
+            J[9 * 8 + j] = t25[j] * t18;
+            J[10 * 8 + j] = t26[j] * t18;
+        }
+    }
+}
+
+const flexel_law flexel_law_hertz_bristle_2 = {
+    .name = "hertz_bristle_2",
+    .digest = "4a38b1a6b4d9bf95",
+    .m = 1,
+    .k = 2,
+    .nz = 2,
+    .np = 7,
+    .law = hertz_bristle_2_law,
+    .tangent = hertz_bristle_2_tangent,
 };

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class NodeSpec:
-    """Node of an element; kind is "point", "frame", "planar_point" or "planar_angle"."""
+    """Node of an element; kind is "point", "frame", "slope" or "planar_point", "planar_angle", "planar_slope"."""
 
     name: str
     kind: str

@@ -839,8 +839,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element tyre
     "tyre": ElementSpec(
         name="tyre",
-        digest="e6cec4fd3a464f76",
-        doc="w wheel centre, a = R(lambda) axle, n = normal of the road below w, h = distance of w from the tangent plane\nan = |a x n|,  ex = a x n/an forward,  ey = n x ex sideways,  r = -h (n - (a.n) a)/an^2, centre to contact point\ndeflection = R - h/an, in the plane of the wheel;  drop = R - h;  camber = atan2(a.n, an)\nomega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x r, the material point in contact\nforward = ex.xdot_w,  sideways = ey.xdot_w,  rolling = omega.a,\nlongitudinal = ex.vc,  lateral = ey.vc,  spin = omega.n",
+        digest="debfa4078261fd99",
+        doc="w wheel centre, a = R(lambda) axle, n = normal of the road below w, h = distance of w from the tangent plane\nan = |a x n|,  ex = a x n/an forward,  ey = n x ex sideways\nlength = (h - crown)/an in the plane of the wheel\nr = -length (n - (a.n) a)/an - crown n, from the centre to the contact point\ndeflection = R - crown - length;  drop = R - h;  camber = atan2(a.n, an)\nomega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x r, the material point in contact\nforward = ex.xdot_w,  sideways = ey.xdot_w,  rolling = omega.a,\nlongitudinal = ex.vc,  lateral = ey.vc,  spin = omega.n",
         source="Frik, Leister, Schwartz 1993, Vehicle System Dynamics 22 suppl. (frames and slip angle of the wheel)",
         nodes=(
             NodeSpec("w", "point"),
@@ -848,6 +848,7 @@ ELEMENTS: dict[str, ElementSpec] = {
         ),
         parameters=(
             ParameterSpec("radius", 1, "m", "radius of the unloaded tyre"),
+            ParameterSpec("crown", 1, "m", "radius of the cross section of the tyre, a circle"),
             ParameterSpec("axle", 3, "1", "unit vector along the axle in body axes"),
             ParameterSpec("normal", 3, "1", "unit normal of the road"),
             ParameterSpec("height", 1, "m", "distance of the road from the origin along its normal"),
@@ -873,7 +874,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("De", (3, 7), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 17, 18, 19, 20)),
                     OutputSpec("V", (6, 7), (0, 1, 2, 7, 8, 9, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 38, 39, 40, 41)),
                 ),
-                325,
+                333,
             ),
             "velocity": KernelSpec(
                 ("x", "v", "p"),
@@ -881,7 +882,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("ed", (3,), (0, 1, 2)),
                     OutputSpec("s", (6,), tuple(range(6))),
                 ),
-                244,
+                251,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -889,14 +890,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("g", (3,), (0, 2)),
                     OutputSpec("gs", (6,), tuple(range(6))),
                 ),
-                443,
+                450,
             ),
             "rates": KernelSpec(
                 ("x", "v", "p"),
                 (
                     OutputSpec("Phi_x", (9, 7), (0, 1, 2, 3, 4, 5, 6, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 59, 60, 61, 62)),
                 ),
-                1082,
+                1089,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -904,22 +905,22 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("Psi_x", (9, 7), (0, 1, 2, 3, 4, 5, 6, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 59, 60, 61, 62)),
                     OutputSpec("Psi_v", (9, 7), (0, 1, 2, 3, 4, 5, 6, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55)),
                 ),
-                2788,
+                2795,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
                 (
                     OutputSpec("K", (7, 7), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48)),
                 ),
-                1217,
+                1224,
             ),
         },
     ),
     # element tyre_on_road
     "tyre_on_road": ElementSpec(
         name="tyre_on_road",
-        digest="ef1a90a9f47ec39d",
-        doc="road: z = height + amplitude (1 - cos(2 pi s/wavelength))/2 with s = heading.(x, y) - start between 0 and\nwaves wavelength, z = height elsewhere (C1 at the ends, smooth between);  z up\nw wheel centre, a = R(lambda) axle, n = normal of the road below w, h = distance of w from the tangent plane\nan = |a x n|,  ex = a x n/an forward,  ey = n x ex sideways,  r = -h (n - (a.n) a)/an^2, centre to contact point\ndeflection = R - h/an, in the plane of the wheel;  drop = R - (w_z - z), measured vertically;  camber = atan2(a.n, an)\nomega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x r, the material point in contact\nforward = ex.xdot_w,  sideways = ey.xdot_w,  rolling = omega.a,\nlongitudinal = ex.vc,  lateral = ey.vc,  spin = omega.n\ngrade = slope of the road along ex, rise for horizontal length times |horizontal part of ex|",
+        digest="c7cb174c5d088f44",
+        doc="road: z = height + amplitude (1 - cos(2 pi s/wavelength))/2 with s = heading.(x, y) - start between 0 and\nwaves wavelength, z = height elsewhere (C1 at the ends, smooth between);  z up\nw wheel centre, a = R(lambda) axle, n = normal of the road below w, h = distance of w from the tangent plane\nan = |a x n|,  ex = a x n/an forward,  ey = n x ex sideways\nlength = (h - crown)/an in the plane of the wheel\nr = -length (n - (a.n) a)/an - crown n, from the centre to the contact point\ndeflection = R - crown - length;  drop = R - (w_z - z), measured vertically;  camber = atan2(a.n, an)\nomega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x r, the material point in contact\nforward = ex.xdot_w,  sideways = ey.xdot_w,  rolling = omega.a,\nlongitudinal = ex.vc,  lateral = ey.vc,  spin = omega.n\ngrade = slope of the road along ex, rise for horizontal length times |horizontal part of ex|",
         source="Frik, Leister, Schwartz 1993, Vehicle System Dynamics 22 suppl. (frames and slip angle of the wheel)",
         nodes=(
             NodeSpec("w", "point"),
@@ -927,6 +928,7 @@ ELEMENTS: dict[str, ElementSpec] = {
         ),
         parameters=(
             ParameterSpec("radius", 1, "m", "radius of the unloaded tyre"),
+            ParameterSpec("crown", 1, "m", "radius of the cross section of the tyre, a circle"),
             ParameterSpec("axle", 3, "1", "unit vector along the axle in body axes"),
             ParameterSpec("height", 1, "m", "distance of the road from the origin along its normal"),
             ParameterSpec("amplitude", 1, "m", "height of the waves of the road, trough to crest"),
@@ -957,7 +959,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("De", (4, 7), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 14, 15, 17, 18, 19, 20, 21, 22, 24, 25, 26, 27)),
                     OutputSpec("V", (6, 7), (0, 1, 2, 7, 8, 9, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 38, 39, 40, 41)),
                 ),
-                526,
+                536,
             ),
             "velocity": KernelSpec(
                 ("x", "v", "p"),
@@ -965,7 +967,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("ed", (4,), (0, 1, 2, 3)),
                     OutputSpec("s", (6,), tuple(range(6))),
                 ),
-                355,
+                364,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -973,14 +975,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("g", (4,), (0, 1, 2, 3)),
                     OutputSpec("gs", (6,), tuple(range(6))),
                 ),
-                683,
+                701,
             ),
             "rates": KernelSpec(
                 ("x", "v", "p"),
                 (
                     OutputSpec("Phi_x", (10, 7), (0, 1, 2, 3, 4, 5, 6, 7, 8, 14, 15, 17, 18, 19, 20, 21, 22, 24, 25, 26, 27, 28, 29, 31, 32, 33, 34, 35, 36, 38, 39, 40, 41, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 66, 67, 68, 69)),
                 ),
-                1746,
+                1764,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -988,14 +990,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("Psi_x", (10, 7), (0, 1, 2, 3, 4, 5, 6, 7, 8, 14, 15, 17, 18, 19, 20, 21, 22, 24, 25, 26, 27, 28, 29, 31, 32, 33, 34, 35, 36, 38, 39, 40, 41, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 66, 67, 68, 69)),
                     OutputSpec("Psi_v", (10, 7), (0, 1, 2, 3, 4, 5, 6, 7, 8, 14, 15, 17, 18, 19, 20, 21, 22, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 66, 67, 68, 69)),
                 ),
-                5539,
+                5613,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
                 (
                     OutputSpec("K", (7, 7), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48)),
                 ),
-                1958,
+                1976,
             ),
         },
     ),
@@ -2131,6 +2133,953 @@ ELEMENTS: dict[str, ElementSpec] = {
             ),
         },
     ),
+    # element cable
+    "cable": ElementSpec(
+        name="cable",
+        digest="49a5e6dd4fb5947f",
+        doc="r(s): cubic Hermite curve with slopes dp, dq = dr/ds by the undeformed arc length s at the ends\nstrain = (r'.r' - 1)/2 at 4 Gauss points of (0, l0); curvature = (r' x r'')/|r'|^3 at 3 Gauss points\nwork: EA strain and EI curvature, each times its Gauss weight (of sum l0), are the stresses of a rope\nT = rhoA/2 int rdot.rdot ds (constant mass matrix),  U = -rhoA gravity.int r ds",
+        source="Berzeri and Shabana 2000, J. Sound Vib. 235:539; Gerstmayr and Shabana 2006, Nonlinear Dyn. 45:109",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("dp", "slope"),
+            NodeSpec("q", "point"),
+            NodeSpec("dq", "slope"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("rhoA", 1, "kg/m", "mass per length"),
+            ParameterSpec("gravity", 3, "m/s^2", "acceleration of gravity"),
+        ),
+        deformations=(
+            DeformationSpec("strain1", "1", False, True),
+            DeformationSpec("strain2", "1", False, True),
+            DeformationSpec("strain3", "1", False, True),
+            DeformationSpec("strain4", "1", False, True),
+            DeformationSpec("curvature1x", "1/m", False, True),
+            DeformationSpec("curvature1y", "1/m", False, True),
+            DeformationSpec("curvature1z", "1/m", False, True),
+            DeformationSpec("curvature2x", "1/m", False, True),
+            DeformationSpec("curvature2y", "1/m", False, True),
+            DeformationSpec("curvature2z", "1/m", False, True),
+            DeformationSpec("curvature3x", "1/m", False, True),
+            DeformationSpec("curvature3y", "1/m", False, True),
+            DeformationSpec("curvature3z", "1/m", False, True),
+        ),
+        slips=(),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (13,), tuple(range(13))),
+                    OutputSpec("De", (13, 12), tuple(range(156))),
+                    OutputSpec("V", (0, 12), ()),
+                ),
+                640,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (13,), tuple(range(13))),
+                    OutputSpec("s", (0,), ()),
+                ),
+                492,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (13,), tuple(range(13))),
+                    OutputSpec("gs", (0,), ()),
+                ),
+                570,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (13, 12), tuple(range(156))),
+                ),
+                1025,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (13, 12), tuple(range(156))),
+                    OutputSpec("Psi_v", (13, 12), tuple(range(156))),
+                ),
+                2414,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (12, 12), tuple(range(144))),
+                ),
+                1367,
+            ),
+            "inertia": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("M", (12, 12), (0, 3, 6, 9, 13, 16, 19, 22, 26, 29, 32, 35, 36, 39, 42, 45, 49, 52, 55, 58, 62, 65, 68, 71, 72, 75, 78, 81, 85, 88, 91, 94, 98, 101, 104, 107, 108, 111, 114, 117, 121, 124, 127, 130, 134, 137, 140, 143)),
+                    OutputSpec("h", (12,), ()),
+                    OutputSpec("f", (12,), tuple(range(12))),
+                    OutputSpec("U", (1,), (0,)),
+                ),
+                53,
+            ),
+            "tangent": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("R_x", (12, 12), ()),
+                    OutputSpec("R_v", (12, 12), ()),
+                ),
+                0,
+            ),
+        },
+    ),
+    # element slope_clamp
+    "slope_clamp": ElementSpec(
+        name="slope_clamp",
+        digest="ccd55d0ed9dcfc59",
+        doc="triad ex, ey, ez: columns of R(lambda o t);  across_y = ey.d,  across_z = ez.d",
+        source="textbook mechanics",
+        nodes=(
+            NodeSpec("r", "frame"),
+            NodeSpec("d", "slope"),
+        ),
+        parameters=(
+            ParameterSpec("t", 4, "1", "unit quaternion from the body frame to a triad whose first axis is the held direction"),
+        ),
+        deformations=(
+            DeformationSpec("across_y", "1", False, False),
+            DeformationSpec("across_z", "1", False, False),
+        ),
+        slips=(),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (2,), (0, 1)),
+                    OutputSpec("De", (2, 7), tuple(range(14))),
+                    OutputSpec("V", (0, 7), ()),
+                ),
+                133,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (2,), (0, 1)),
+                    OutputSpec("s", (0,), ()),
+                ),
+                136,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (2,), (0, 1)),
+                    OutputSpec("gs", (0,), ()),
+                ),
+                144,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (2, 7), tuple(range(14))),
+                ),
+                189,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (2, 7), tuple(range(14))),
+                    OutputSpec("Psi_v", (2, 7), tuple(range(14))),
+                ),
+                414,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (7, 7), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 35, 36, 37, 38, 42, 43, 44, 45)),
+                ),
+                263,
+            ),
+        },
+    ),
+    # element cable_span
+    "cable_span": ElementSpec(
+        name="cable_span",
+        digest="7e554948f71f970a",
+        doc="l0 ((vp + vq)/2 + l0 (dpdot - dqdot)/12), rate of the integral of position over a cable's cubic curve",
+        source="textbook mechanics (consistent nodal forces)",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("dp", "slope"),
+            NodeSpec("q", "point"),
+            NodeSpec("dq", "slope"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+        ),
+        deformations=(),
+        slips=(
+            SlipSpec("x", "m^2/s", True),
+            SlipSpec("y", "m^2/s", True),
+            SlipSpec("z", "m^2/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (0,), ()),
+                    OutputSpec("De", (0, 12), ()),
+                    OutputSpec("V", (3, 12), (0, 3, 6, 9, 13, 16, 19, 22, 26, 29, 32, 35)),
+                ),
+                4,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (0,), ()),
+                    OutputSpec("s", (3,), (0, 1, 2)),
+                ),
+                21,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (0,), ()),
+                    OutputSpec("gs", (3,), ()),
+                ),
+                0,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 12), ()),
+                ),
+                0,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (3, 12), ()),
+                    OutputSpec("Psi_v", (3, 12), ()),
+                ),
+                0,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (12, 12), ()),
+                ),
+                0,
+            ),
+        },
+    ),
+    # element cable_cylinder
+    "cable_cylinder": ElementSpec(
+        name="cable_cylinder",
+        digest="0cdf624fa3c16aa0",
+        doc="x: point at the fraction xi of the cable's cubic curve; triad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\ndistance = |(yy, yz)| from the axle ex, (ny, nz) = (yy, yz)/distance\ngap = distance - radius - rope_radius,  tangential = ny ydot_z - nz ydot_y,  axial = ydot_x",
+        source="textbook mechanics",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("dp", "slope"),
+            NodeSpec("q", "point"),
+            NodeSpec("dq", "slope"),
+            NodeSpec("c", "point"),
+            NodeSpec("r", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("xi", 1, "1", "place along the element, from 0 at p to 1 at q"),
+            ParameterSpec("t", 4, "1", "unit quaternion from the body frame to the surface's triad ex, ey, ez"),
+            ParameterSpec("offset", 3, "m", "origin of the surface from the node c, on its triad"),
+            ParameterSpec("radius", 1, "m", "radius at which the rope's surface touches, about the axle ex"),
+            ParameterSpec("rope_radius", 1, "m", "outer radius of the rope"),
+        ),
+        deformations=(
+            DeformationSpec("gap", "m", False, True),
+        ),
+        slips=(
+            SlipSpec("tangential", "m/s", True),
+            SlipSpec("axial", "m/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 19), tuple(range(19))),
+                    OutputSpec("V", (2, 19), tuple(range(38))),
+                ),
+                394,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (1,), (0,)),
+                    OutputSpec("s", (2,), (0, 1)),
+                ),
+                268,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (2,), (0, 1)),
+                ),
+                391,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 19), tuple(range(57))),
+                ),
+                764,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (3, 19), tuple(range(57))),
+                    OutputSpec("Psi_v", (3, 19), tuple(range(57))),
+                ),
+                1799,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (19, 19), tuple(range(361))),
+                ),
+                2726,
+            ),
+        },
+    ),
+    # element cable_plane
+    "cable_plane": ElementSpec(
+        name="cable_plane",
+        digest="d8df0a8058654fca",
+        doc="x: point at the fraction xi of the cable's cubic curve; triad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\ngap = yz - rope_radius, the plane is z = 0;  x = ydot_x,  y = ydot_y",
+        source="textbook mechanics",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("dp", "slope"),
+            NodeSpec("q", "point"),
+            NodeSpec("dq", "slope"),
+            NodeSpec("c", "point"),
+            NodeSpec("r", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("xi", 1, "1", "place along the element, from 0 at p to 1 at q"),
+            ParameterSpec("t", 4, "1", "unit quaternion from the body frame to the surface's triad ex, ey, ez"),
+            ParameterSpec("offset", 3, "m", "origin of the surface from the node c, on its triad"),
+            ParameterSpec("rope_radius", 1, "m", "outer radius of the rope"),
+        ),
+        deformations=(
+            DeformationSpec("gap", "m", False, True),
+        ),
+        slips=(
+            SlipSpec("x", "m/s", True),
+            SlipSpec("y", "m/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 19), tuple(range(19))),
+                    OutputSpec("V", (2, 19), tuple(range(38))),
+                ),
+                333,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (1,), (0,)),
+                    OutputSpec("s", (2,), (0, 1)),
+                ),
+                225,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (2,), (0, 1)),
+                ),
+                309,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 19), tuple(range(57))),
+                ),
+                582,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (3, 19), tuple(range(57))),
+                    OutputSpec("Psi_v", (3, 19), tuple(range(57))),
+                ),
+                1237,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (19, 19), (15, 16, 17, 18, 34, 35, 36, 37, 53, 54, 55, 56, 72, 73, 74, 75, 91, 92, 93, 94, 110, 111, 112, 113, 129, 130, 131, 132, 148, 149, 150, 151, 167, 168, 169, 170, 186, 187, 188, 189, 205, 206, 207, 208, 224, 225, 226, 227, 243, 244, 245, 246, 262, 263, 264, 265, 281, 282, 283, 284, 285, 286, 287, 288, 289, 290, 291, 292, 293, 294, 295, 296, 297, 298, 299, 300, 301, 302, 303, 304, 305, 306, 307, 308, 309, 310, 311, 312, 313, 314, 315, 316, 317, 318, 319, 320, 321, 322, 323, 324, 325, 326, 327, 328, 329, 330, 331, 332, 333, 334, 335, 336, 337, 338, 339, 340, 341, 342, 343, 344, 345, 346, 347, 348, 349, 350, 351, 352, 353, 354, 355, 356, 357, 358, 359, 360)),
+                ),
+                1353,
+            ),
+        },
+    ),
+    # element cable_v_groove
+    "cable_v_groove": ElementSpec(
+        name="cable_v_groove",
+        digest="80b8cb8524369dc0",
+        doc="x: point at the fraction xi of the cable's cubic curve; triad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\ndistance = |(yy, yz)| from the axle ex, h = distance - radius - rope_radius; two flanks of half the angle beta\ngap1 = h sin beta - yx cos beta,  gap2 = h sin beta + yx cos beta: both closed at h = 0 in the middle\ntangential as for a cylinder,  across1, across2 = hdot cos beta +- ydot_x sin beta, up the flanks",
+        source="textbook mechanics",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("dp", "slope"),
+            NodeSpec("q", "point"),
+            NodeSpec("dq", "slope"),
+            NodeSpec("c", "point"),
+            NodeSpec("r", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("xi", 1, "1", "place along the element, from 0 at p to 1 at q"),
+            ParameterSpec("t", 4, "1", "unit quaternion from the body frame to the surface's triad ex, ey, ez"),
+            ParameterSpec("offset", 3, "m", "origin of the surface from the node c, on its triad"),
+            ParameterSpec("radius", 1, "m", "radius at which the rope's surface touches, about the axle ex"),
+            ParameterSpec("flank", 2, "1", "sine and cosine of half the opening angle of the flanks"),
+            ParameterSpec("rope_radius", 1, "m", "outer radius of the rope"),
+        ),
+        deformations=(
+            DeformationSpec("gap1", "m", False, True),
+            DeformationSpec("gap2", "m", False, True),
+        ),
+        slips=(
+            SlipSpec("tangential", "m/s", True),
+            SlipSpec("across1", "m/s", True),
+            SlipSpec("across2", "m/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (2,), (0, 1)),
+                    OutputSpec("De", (2, 19), tuple(range(38))),
+                    OutputSpec("V", (3, 19), tuple(range(57))),
+                ),
+                575,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (2,), (0, 1)),
+                    OutputSpec("s", (3,), (0, 1, 2)),
+                ),
+                293,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (2,), (0, 1)),
+                    OutputSpec("gs", (3,), (0, 1, 2)),
+                ),
+                425,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (5, 19), tuple(range(95))),
+                ),
+                1021,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (5, 19), tuple(range(95))),
+                    OutputSpec("Psi_v", (5, 19), tuple(range(95))),
+                ),
+                2957,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (19, 19), tuple(range(361))),
+                ),
+                2801,
+            ),
+        },
+    ),
+    # element cable_round_groove
+    "cable_round_groove": ElementSpec(
+        name="cable_round_groove",
+        digest="3e6954f14ac7ecd0",
+        doc="x: point at the fraction xi of the cable's cubic curve; triad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\nw = (radius + groove_radius - distance from the axle ex, yx), from the centre of the round bottom to the rope\ngap = groove_radius - rope_radius - n.w, n = w/|w| on the bottom, (sin beta, +-cos beta) on the flanks that\ncontinue it;  tangential as for a cylinder,  across = n_0 ydot_x + n_1 distancedot, along the groove's profile",
+        source="textbook mechanics",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("dp", "slope"),
+            NodeSpec("q", "point"),
+            NodeSpec("dq", "slope"),
+            NodeSpec("c", "point"),
+            NodeSpec("r", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("xi", 1, "1", "place along the element, from 0 at p to 1 at q"),
+            ParameterSpec("t", 4, "1", "unit quaternion from the body frame to the surface's triad ex, ey, ez"),
+            ParameterSpec("offset", 3, "m", "origin of the surface from the node c, on its triad"),
+            ParameterSpec("radius", 1, "m", "radius at which the rope's surface touches, about the axle ex"),
+            ParameterSpec("groove_radius", 1, "m", "radius of the groove's round bottom"),
+            ParameterSpec("flank", 2, "1", "sine and cosine of half the opening angle of the flanks"),
+            ParameterSpec("rope_radius", 1, "m", "outer radius of the rope"),
+        ),
+        deformations=(
+            DeformationSpec("gap", "m", False, True),
+        ),
+        slips=(
+            SlipSpec("tangential", "m/s", True),
+            SlipSpec("across", "m/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 19), tuple(range(19))),
+                    OutputSpec("V", (2, 19), tuple(range(38))),
+                ),
+                478,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (1,), (0,)),
+                    OutputSpec("s", (2,), (0, 1)),
+                ),
+                320,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (2,), (0, 1)),
+                ),
+                493,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 19), tuple(range(57))),
+                ),
+                974,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (3, 19), tuple(range(57))),
+                    OutputSpec("Psi_v", (3, 19), tuple(range(57))),
+                ),
+                2381,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (19, 19), tuple(range(361))),
+                ),
+                3268,
+            ),
+        },
+    ),
+    # element planar_cable
+    "planar_cable": ElementSpec(
+        name="planar_cable",
+        digest="2852ed273422cfd2",
+        doc="r(s): cubic Hermite curve with slopes dp, dq = dr/ds by the undeformed arc length s at the ends\nstrain = (r'.r' - 1)/2 at 4 Gauss points of (0, l0); curvature = (r' x r'')/|r'|^3 at 3 Gauss points\nwork: EA strain and EI curvature, each times its Gauss weight (of sum l0), are the stresses of a rope\nT = rhoA/2 int rdot.rdot ds (constant mass matrix),  U = -rhoA gravity.int r ds",
+        source="Berzeri and Shabana 2000, J. Sound Vib. 235:539; Gerstmayr and Shabana 2006, Nonlinear Dyn. 45:109",
+        nodes=(
+            NodeSpec("p", "planar_point"),
+            NodeSpec("dp", "planar_slope"),
+            NodeSpec("q", "planar_point"),
+            NodeSpec("dq", "planar_slope"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("rhoA", 1, "kg/m", "mass per length"),
+            ParameterSpec("gravity", 2, "m/s^2", "acceleration of gravity"),
+        ),
+        deformations=(
+            DeformationSpec("strain1", "1", False, True),
+            DeformationSpec("strain2", "1", False, True),
+            DeformationSpec("strain3", "1", False, True),
+            DeformationSpec("strain4", "1", False, True),
+            DeformationSpec("curvature1", "1/m", False, True),
+            DeformationSpec("curvature2", "1/m", False, True),
+            DeformationSpec("curvature3", "1/m", False, True),
+        ),
+        slips=(),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (7,), tuple(range(7))),
+                    OutputSpec("De", (7, 8), tuple(range(56))),
+                    OutputSpec("V", (0, 8), ()),
+                ),
+                302,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (7,), tuple(range(7))),
+                    OutputSpec("s", (0,), ()),
+                ),
+                286,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (7,), tuple(range(7))),
+                    OutputSpec("gs", (0,), ()),
+                ),
+                354,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (7, 8), tuple(range(56))),
+                ),
+                504,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (7, 8), tuple(range(56))),
+                    OutputSpec("Psi_v", (7, 8), tuple(range(56))),
+                ),
+                1159,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (8, 8), tuple(range(64))),
+                ),
+                688,
+            ),
+            "inertia": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("M", (8, 8), (0, 2, 4, 6, 9, 11, 13, 15, 16, 18, 20, 22, 25, 27, 29, 31, 32, 34, 36, 38, 41, 43, 45, 47, 48, 50, 52, 54, 57, 59, 61, 63)),
+                    OutputSpec("h", (8,), ()),
+                    OutputSpec("f", (8,), tuple(range(8))),
+                    OutputSpec("U", (1,), (0,)),
+                ),
+                40,
+            ),
+            "tangent": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("R_x", (8, 8), ()),
+                    OutputSpec("R_v", (8, 8), ()),
+                ),
+                0,
+            ),
+        },
+    ),
+    # element planar_slope_clamp
+    "planar_slope_clamp": ElementSpec(
+        name="planar_slope_clamp",
+        digest="e0d85b77a082ab2e",
+        doc="ex, ey: directions at angle + alpha0;  across = ey.d",
+        source="planar counterpart of slope_clamp",
+        nodes=(
+            NodeSpec("r", "planar_angle"),
+            NodeSpec("d", "planar_slope"),
+        ),
+        parameters=(
+            ParameterSpec("alpha0", 1, "rad", "initial direction of the element minus the angle of node p"),
+        ),
+        deformations=(
+            DeformationSpec("across", "1", False, False),
+        ),
+        slips=(),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 3), (0, 1, 2)),
+                    OutputSpec("V", (0, 3), ()),
+                ),
+                11,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (1,), (0,)),
+                    OutputSpec("s", (0,), ()),
+                ),
+                11,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (0,), ()),
+                ),
+                15,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (1, 3), (0, 1, 2)),
+                ),
+                14,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (1, 3), (0, 1, 2)),
+                    OutputSpec("Psi_v", (1, 3), (0, 1, 2)),
+                ),
+                40,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (3, 3), (0, 1, 2, 3, 6)),
+                ),
+                12,
+            ),
+        },
+    ),
+    # element planar_cable_span
+    "planar_cable_span": ElementSpec(
+        name="planar_cable_span",
+        digest="0b6db2958d79cc9f",
+        doc="l0 ((vp + vq)/2 + l0 (dpdot - dqdot)/12), rate of the integral of position over a cable's cubic curve",
+        source="textbook mechanics (consistent nodal forces)",
+        nodes=(
+            NodeSpec("p", "planar_point"),
+            NodeSpec("dp", "planar_slope"),
+            NodeSpec("q", "planar_point"),
+            NodeSpec("dq", "planar_slope"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+        ),
+        deformations=(),
+        slips=(
+            SlipSpec("x", "m^2/s", True),
+            SlipSpec("y", "m^2/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (0,), ()),
+                    OutputSpec("De", (0, 8), ()),
+                    OutputSpec("V", (2, 8), (0, 2, 4, 6, 9, 11, 13, 15)),
+                ),
+                4,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (0,), ()),
+                    OutputSpec("s", (2,), (0, 1)),
+                ),
+                14,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (0,), ()),
+                    OutputSpec("gs", (2,), ()),
+                ),
+                0,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (2, 8), ()),
+                ),
+                0,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (2, 8), ()),
+                    OutputSpec("Psi_v", (2, 8), ()),
+                ),
+                0,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (8, 8), ()),
+                ),
+                0,
+            ),
+        },
+    ),
+    # element planar_cable_circle
+    "planar_cable_circle": ElementSpec(
+        name="planar_cable_circle",
+        digest="8d8817f8dc85f856",
+        doc="x: point at the fraction xi of the cable's cubic curve;  ex, ey: directions at angle + alpha0\nw = xdot - xcdot - angledot ez x (x - xc), the velocity seen from the body\na = x - xc - offset_x ex - offset_y ey\ngap = |a| - radius - rope_radius,  tangential = (ax wy - ay wx)/|a|, counterclockwise",
+        source="planar counterpart of contact in space",
+        nodes=(
+            NodeSpec("p", "planar_point"),
+            NodeSpec("dp", "planar_slope"),
+            NodeSpec("q", "planar_point"),
+            NodeSpec("dq", "planar_slope"),
+            NodeSpec("c", "planar_point"),
+            NodeSpec("r", "planar_angle"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("xi", 1, "1", "place along the element, from 0 at p to 1 at q"),
+            ParameterSpec("alpha0", 1, "rad", "initial direction of the element minus the angle of node p"),
+            ParameterSpec("offset", 2, "m", "origin of the circle or line from c, on ex and ey"),
+            ParameterSpec("radius", 1, "m", "radius at which the rope's surface touches, about the axle ex"),
+            ParameterSpec("rope_radius", 1, "m", "outer radius of the rope"),
+        ),
+        deformations=(
+            DeformationSpec("gap", "m", False, True),
+        ),
+        slips=(
+            SlipSpec("tangential", "m/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 11), tuple(range(11))),
+                    OutputSpec("V", (1, 11), tuple(range(11))),
+                ),
+                72,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (1,), (0,)),
+                    OutputSpec("s", (1,), (0,)),
+                ),
+                88,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (1,), (0,)),
+                ),
+                117,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (2, 11), tuple(range(22))),
+                ),
+                164,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (2, 11), tuple(range(22))),
+                    OutputSpec("Psi_v", (2, 11), tuple(range(22))),
+                ),
+                373,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (11, 11), tuple(range(121))),
+                ),
+                391,
+            ),
+        },
+    ),
+    # element planar_cable_line
+    "planar_cable_line": ElementSpec(
+        name="planar_cable_line",
+        digest="ba1dc5a65c6fdea4",
+        doc="x: point at the fraction xi of the cable's cubic curve;  ex, ey: directions at angle + alpha0\nw = xdot - xcdot - angledot ez x (x - xc), the velocity seen from the body\ngap = ey.(x - xc) - offset_y - rope_radius,  tangential = ex.w",
+        source="planar counterpart of contact in space",
+        nodes=(
+            NodeSpec("p", "planar_point"),
+            NodeSpec("dp", "planar_slope"),
+            NodeSpec("q", "planar_point"),
+            NodeSpec("dq", "planar_slope"),
+            NodeSpec("c", "planar_point"),
+            NodeSpec("r", "planar_angle"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("xi", 1, "1", "place along the element, from 0 at p to 1 at q"),
+            ParameterSpec("alpha0", 1, "rad", "initial direction of the element minus the angle of node p"),
+            ParameterSpec("offset", 2, "m", "origin of the circle or line from c, on ex and ey"),
+            ParameterSpec("rope_radius", 1, "m", "outer radius of the rope"),
+        ),
+        deformations=(
+            DeformationSpec("gap", "m", False, True),
+        ),
+        slips=(
+            SlipSpec("tangential", "m/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 11), tuple(range(11))),
+                    OutputSpec("V", (1, 11), tuple(range(11))),
+                ),
+                56,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (1,), (0,)),
+                    OutputSpec("s", (1,), (0,)),
+                ),
+                67,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (1,), (0,)),
+                ),
+                76,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (2, 11), tuple(range(22))),
+                ),
+                83,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (2, 11), tuple(range(22))),
+                    OutputSpec("Psi_v", (2, 11), tuple(range(22))),
+                ),
+                168,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (11, 11), (10, 21, 32, 43, 54, 65, 76, 87, 98, 109, 110, 111, 112, 113, 114, 115, 116, 117, 118, 119, 120)),
+                ),
+                60,
+            ),
+        },
+    ),
     # end
 }
 
@@ -2138,7 +3087,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_1
     "linear_1": LawSpec(
         name="linear_1",
-        digest="29578cc1b82a4069",
+        digest="4a38b1a6b4d9bf95",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=1,
         slips=0,
@@ -2172,7 +3121,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_2
     "linear_2": LawSpec(
         name="linear_2",
-        digest="29578cc1b82a4069",
+        digest="4a38b1a6b4d9bf95",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=2,
         slips=0,
@@ -2206,7 +3155,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_3
     "linear_3": LawSpec(
         name="linear_3",
-        digest="29578cc1b82a4069",
+        digest="4a38b1a6b4d9bf95",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=3,
         slips=0,
@@ -2240,7 +3189,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_4
     "linear_4": LawSpec(
         name="linear_4",
-        digest="29578cc1b82a4069",
+        digest="4a38b1a6b4d9bf95",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=4,
         slips=0,
@@ -2274,7 +3223,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_5
     "linear_5": LawSpec(
         name="linear_5",
-        digest="29578cc1b82a4069",
+        digest="4a38b1a6b4d9bf95",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=5,
         slips=0,
@@ -2308,7 +3257,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_6
     "linear_6": LawSpec(
         name="linear_6",
-        digest="29578cc1b82a4069",
+        digest="4a38b1a6b4d9bf95",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=6,
         slips=0,
@@ -2339,10 +3288,78 @@ LAWS: dict[str, LawSpec] = {
             ),
         },
     ),
+    # law diagonal_7
+    "diagonal_7": LawSpec(
+        name="diagonal_7",
+        digest="4a38b1a6b4d9bf95",
+        doc="sigma_i = preload_i + S_i e_i + D_i ed_i\nenergy = sum of preload_i e_i + S_i e_i^2/2",
+        deformations=7,
+        slips=0,
+        states=(),
+        parameters=(
+            ParameterSpec("preload", 7, "N or N m", "stress at zero deformation"),
+            ParameterSpec("S", 7, "N/m or N m", "stiffness of each deformation"),
+            ParameterSpec("D", 7, "N s/m or N m s", "damping of each deformation"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (7,), tuple(range(7))),
+                    OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (0,), ()),
+                    OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                90,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (7, 14), (0, 7, 15, 22, 30, 37, 45, 52, 60, 67, 75, 82, 90, 97)),
+                ),
+                0,
+            ),
+        },
+    ),
+    # law diagonal_13
+    "diagonal_13": LawSpec(
+        name="diagonal_13",
+        digest="4a38b1a6b4d9bf95",
+        doc="sigma_i = preload_i + S_i e_i + D_i ed_i\nenergy = sum of preload_i e_i + S_i e_i^2/2",
+        deformations=13,
+        slips=0,
+        states=(),
+        parameters=(
+            ParameterSpec("preload", 13, "N or N m", "stress at zero deformation"),
+            ParameterSpec("S", 13, "N/m or N m", "stiffness of each deformation"),
+            ParameterSpec("D", 13, "N s/m or N m s", "damping of each deformation"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (13,), tuple(range(13))),
+                    OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (0,), ()),
+                    OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                168,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (13, 26), (0, 13, 27, 40, 54, 67, 81, 94, 108, 121, 135, 148, 162, 175, 189, 202, 216, 229, 243, 256, 270, 283, 297, 310, 324, 337)),
+                ),
+                0,
+            ),
+        },
+    ),
     # law viscous_1
     "viscous_1": LawSpec(
         name="viscous_1",
-        digest="29578cc1b82a4069",
+        digest="4a38b1a6b4d9bf95",
         doc="tau = C s",
         deformations=0,
         slips=1,
@@ -2374,7 +3391,7 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_2
     "viscous_2": LawSpec(
         name="viscous_2",
-        digest="29578cc1b82a4069",
+        digest="4a38b1a6b4d9bf95",
         doc="tau = C s",
         deformations=0,
         slips=2,
@@ -2406,7 +3423,7 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_3
     "viscous_3": LawSpec(
         name="viscous_3",
-        digest="29578cc1b82a4069",
+        digest="4a38b1a6b4d9bf95",
         doc="tau = C s",
         deformations=0,
         slips=3,
@@ -2438,7 +3455,7 @@ LAWS: dict[str, LawSpec] = {
     # law spring_curve
     "spring_curve": LawSpec(
         name="spring_curve",
-        digest="29578cc1b82a4069",
+        digest="4a38b1a6b4d9bf95",
         doc="y = x - origin, sum of c_i y^i in the piece in which x lies (x < next break), end pieces beyond\nsigma = that sum with x = e;  energy = its integral",
         deformations=1,
         slips=0,
@@ -2473,7 +3490,7 @@ LAWS: dict[str, LawSpec] = {
     # law damper_curve
     "damper_curve": LawSpec(
         name="damper_curve",
-        digest="29578cc1b82a4069",
+        digest="4a38b1a6b4d9bf95",
         doc="y = x - origin, sum of c_i y^i in the piece in which x lies (x < next break), end pieces beyond\nsigma = that sum with x = the rate of e",
         deformations=1,
         slips=0,
@@ -2507,7 +3524,7 @@ LAWS: dict[str, LawSpec] = {
     # law stop
     "stop": LawSpec(
         name="stop",
-        digest="29578cc1b82a4069",
+        digest="4a38b1a6b4d9bf95",
         doc="depth = max(0, e - gap);  sigma = stiffness depth max(0, 1 + damping edot), never pulling",
         deformations=1,
         slips=0,
@@ -2541,7 +3558,7 @@ LAWS: dict[str, LawSpec] = {
     # law vertical_tyre
     "vertical_tyre": LawSpec(
         name="vertical_tyre",
-        digest="29578cc1b82a4069",
+        digest="4a38b1a6b4d9bf95",
         doc="sigma = Fz\nFz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0",
         deformations=1,
         slips=0,
@@ -2574,7 +3591,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_tyre
     "linear_tyre": LawSpec(
         name="linear_tyre",
-        digest="29578cc1b82a4069",
+        digest="4a38b1a6b4d9bf95",
         doc="Fz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0\nslip angle alpha = atan(sideways/max(|forward|, standstill)), of the wheel's centre\ntau(lateral) = -fade Fy, tau(spin) = -fade Mz;  fade = 3 u^2 - 2 u^3, u = min(1, |forward|/standstill)\nFy = -cornering alpha - camber_stiffness camber while pressed, whatever the load;  Mz = -trail Fy",
         deformations=2,
         slips=4,
@@ -2611,7 +3628,7 @@ LAWS: dict[str, LawSpec] = {
     # law calspan_tyre
     "calspan_tyre": LawSpec(
         name="calspan_tyre",
-        digest="29578cc1b82a4069",
+        digest="4a38b1a6b4d9bf95",
         doc="Fz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0\nslip angle alpha = atan(sideways/max(|forward|, standstill)), of the wheel's centre\ntau(lateral) = -fade Fy, tau(spin) = -fade Mz;  fade = 3 u^2 - 2 u^3, u = min(1, |forward|/standstill)\nF = min(Fz, A2): beyond the load A2 the data end, friction and stiffnesses keep their values there\nmu = SN (B1 F + B3 + B4 F^2),  C_alpha = A0 + A1 F (1 - F/A2),  C_gamma = A3 F (1 - F/A4)\nslip = -(C_alpha alpha + C_gamma camber)/(mu Fz), at most 3\nFy = mu Fz (slip - slip |slip|/3 + slip^3/27),  Mz = (AF1 Fz + AF2 |Fy|) Fy,  Fx = 0",
         deformations=2,
         slips=4,
@@ -2649,7 +3666,7 @@ LAWS: dict[str, LawSpec] = {
     # law magic_formula
     "magic_formula": LawSpec(
         name="magic_formula",
-        digest="29578cc1b82a4069",
+        digest="4a38b1a6b4d9bf95",
         doc="Fz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0\nlx kappadot = Re rolling - forward - |forward| kappa\nly (tan alpha)dot = sideways - |forward| tan alpha\nmu = mu0 + mu1 min(1, Fz/Fz0 - 1),  Kx = kx Fz,  Ky = c1 Fz0 sin(2 atan(Fz/(c2 Fz0))),  Kg = kg Fz\nx = Kx kappa/(mu Fz),  y = (Ky tan alpha + Kg camber)/(mu Fz),  slip = |(x, y)|,  b = slip/C\n(Fx, Fy) = mu Fz sin(C atan(b - E (b - atan b))) (x, -y)/slip, combined slip by similarity\nMz = -t0 Fz/Fz0 cos(atan(B tan alpha)) Fy;  tau(longitudinal, lateral, spin) = -(Fx, Fy, Mz)",
         deformations=2,
         slips=6,
@@ -2688,6 +3705,193 @@ LAWS: dict[str, LawSpec] = {
                     OutputSpec("J", (10, 12), (0, 2, 60, 61, 62, 70, 71, 72, 73, 74, 82, 83, 84, 85, 86, 94, 95, 100, 102, 106, 112, 113, 119)),
                 ),
                 205,
+            ),
+        },
+    ),
+    # law hertz
+    "hertz": LawSpec(
+        name="hertz",
+        digest="4a38b1a6b4d9bf95",
+        doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1)",
+        deformations=1,
+        slips=0,
+        states=(),
+        parameters=(
+            ParameterSpec("stiffness", 1, "N/m^exponent", "normal force per penetration^exponent"),
+            ParameterSpec("exponent", 1, "1", "exponent of the penetration, 3/2 for Hertz, at least 1"),
+            ParameterSpec("dissipation", 1, "s/m", "relative growth of the normal force per speed of approach"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (1,), (0,)),
+                    OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (0,), ()),
+                    OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                30,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (1, 2), (0, 1)),
+                ),
+                22,
+            ),
+        },
+    ),
+    # law hertz_coulomb_1
+    "hertz_coulomb_1": LawSpec(
+        name="hertz_coulomb_1",
+        digest="4a38b1a6b4d9bf95",
+        doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1)\ntau = friction N s/sqrt(s.s + slip_speed^2)",
+        deformations=1,
+        slips=1,
+        states=(),
+        parameters=(
+            ParameterSpec("stiffness", 1, "N/m^exponent", "normal force per penetration^exponent"),
+            ParameterSpec("exponent", 1, "1", "exponent of the penetration, 3/2 for Hertz, at least 1"),
+            ParameterSpec("dissipation", 1, "s/m", "relative growth of the normal force per speed of approach"),
+            ParameterSpec("friction", 1, "1", "coefficient of friction"),
+            ParameterSpec("slip_speed", 1, "m/s", "speed of sliding at which 71 % of the friction acts"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (1,), (0,)),
+                    OutputSpec("tau", (1,), (0,)),
+                    OutputSpec("zd", (0,), ()),
+                    OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                40,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (2, 3), (0, 1, 3, 4, 5)),
+                ),
+                43,
+            ),
+        },
+    ),
+    # law hertz_coulomb_2
+    "hertz_coulomb_2": LawSpec(
+        name="hertz_coulomb_2",
+        digest="4a38b1a6b4d9bf95",
+        doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1)\ntau = friction N s/sqrt(s.s + slip_speed^2)",
+        deformations=1,
+        slips=2,
+        states=(),
+        parameters=(
+            ParameterSpec("stiffness", 1, "N/m^exponent", "normal force per penetration^exponent"),
+            ParameterSpec("exponent", 1, "1", "exponent of the penetration, 3/2 for Hertz, at least 1"),
+            ParameterSpec("dissipation", 1, "s/m", "relative growth of the normal force per speed of approach"),
+            ParameterSpec("friction", 1, "1", "coefficient of friction"),
+            ParameterSpec("slip_speed", 1, "m/s", "speed of sliding at which 71 % of the friction acts"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (1,), (0,)),
+                    OutputSpec("tau", (2,), (0, 1)),
+                    OutputSpec("zd", (0,), ()),
+                    OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                45,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (3, 4), (0, 1, 4, 5, 6, 7, 8, 9, 10, 11)),
+                ),
+                58,
+            ),
+        },
+    ),
+    # law hertz_bristle_1
+    "hertz_bristle_1": LawSpec(
+        name="hertz_bristle_1",
+        digest="4a38b1a6b4d9bf95",
+        doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1) + stiffness d^exponent bristle_stiffness z.z/2\ndz/dt = s - bristle_stiffness |s| z/friction in contact, -release z when open\ntau = N (bristle_stiffness z + bristle_damping dz/dt)",
+        deformations=1,
+        slips=1,
+        states=(
+            InternalSpec("z_0", "m"),
+        ),
+        parameters=(
+            ParameterSpec("stiffness", 1, "N/m^exponent", "normal force per penetration^exponent"),
+            ParameterSpec("exponent", 1, "1", "exponent of the penetration, 3/2 for Hertz, at least 1"),
+            ParameterSpec("dissipation", 1, "s/m", "relative growth of the normal force per speed of approach"),
+            ParameterSpec("friction", 1, "1", "coefficient of friction"),
+            ParameterSpec("bristle_stiffness", 1, "1/m", "friction per normal force and deflection of the bristles"),
+            ParameterSpec("bristle_damping", 1, "s/m", "friction per normal force and rate of deflection"),
+            ParameterSpec("release", 1, "1/s", "rate at which bristles straighten while the gap is open"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (1,), (0,)),
+                    OutputSpec("tau", (1,), (0,)),
+                    OutputSpec("zd", (1,), (0,)),
+                    OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                60,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (3, 4), (0, 1, 4, 5, 6, 7, 10, 11)),
+                ),
+                59,
+            ),
+        },
+    ),
+    # law hertz_bristle_2
+    "hertz_bristle_2": LawSpec(
+        name="hertz_bristle_2",
+        digest="4a38b1a6b4d9bf95",
+        doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1) + stiffness d^exponent bristle_stiffness z.z/2\ndz/dt = s - bristle_stiffness |s| z/friction in contact, -release z when open\ntau = N (bristle_stiffness z + bristle_damping dz/dt)",
+        deformations=1,
+        slips=2,
+        states=(
+            InternalSpec("z_0", "m"),
+            InternalSpec("z_1", "m"),
+        ),
+        parameters=(
+            ParameterSpec("stiffness", 1, "N/m^exponent", "normal force per penetration^exponent"),
+            ParameterSpec("exponent", 1, "1", "exponent of the penetration, 3/2 for Hertz, at least 1"),
+            ParameterSpec("dissipation", 1, "s/m", "relative growth of the normal force per speed of approach"),
+            ParameterSpec("friction", 1, "1", "coefficient of friction"),
+            ParameterSpec("bristle_stiffness", 1, "1/m", "friction per normal force and deflection of the bristles"),
+            ParameterSpec("bristle_damping", 1, "s/m", "friction per normal force and rate of deflection"),
+            ParameterSpec("release", 1, "1/s", "rate at which bristles straighten while the gap is open"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (1,), (0,)),
+                    OutputSpec("tau", (2,), (0, 1)),
+                    OutputSpec("zd", (2,), (0, 1)),
+                    OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                77,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (5, 6), (0, 1, 6, 7, 8, 9, 10, 12, 13, 14, 15, 17, 20, 21, 22, 26, 27, 29)),
+                ),
+                88,
             ),
         },
     ),

@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from flexel.stress import beam_stress, largest_stress, section_forces
     from flexel.system import System
     from flexel.wheels import Waves
+    from flexel.wire_rope import WireRope
 
 __version__ = "0.1.0"
 
@@ -62,6 +63,7 @@ __all__ = [
     "Table",
     "Tube",
     "Waves",
+    "WireRope",
     "beam_stress",
     "body_compliance",
     "constraint_report",
@@ -96,6 +98,7 @@ _HOMES = {
     "Table": "flexel.functions",
     "Tube": "flexel.sections",
     "Waves": "flexel.wheels",
+    "WireRope": "flexel.wire_rope",
     "beam_stress": "flexel.stress",
     "body_compliance": "flexel.compliance",
     "constraint_report": "flexel.constraints",

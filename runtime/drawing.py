@@ -120,10 +120,21 @@ def _beam(state: State, instance: Instance) -> Iterator[Shape]:
     else:
         triads = [product(state.position(r), instance.parameters[t]) for r, t in ((rp, "tp"), (rq, "tq"))]
         slopes = [l0 * matrix(t)[:, 0] for t in triads]
+    yield Shape("beam", instance.name, (_cubic(state, p, q, slopes),))
+
+
+def _cable(state: State, instance: Instance) -> Iterator[Shape]:
+    """A cable as the cubic through its end points with its end slopes."""
+    p, dp, q, dq = instance.nodes
+    l0 = float(instance.parameters["l0"][0])
+    yield Shape("beam", instance.name, (_cubic(state, p, q, [l0 * _place(state, d) for d in (dp, dq)]),))
+
+
+def _cubic(state: State, p: str, q: str, slopes: Sequence[Array]) -> Array:
+    """Polyline (17, 3) along the cubic between two points with the given derivatives by the fraction of the length."""
     xi = np.linspace(0, 1, 17)[:, None]
     line = (1 - 3 * xi**2 + 2 * xi**3) * _place(state, p) + (3 * xi**2 - 2 * xi**3) * _place(state, q)
-    line = line + (xi - 2 * xi**2 + xi**3) * slopes[0] + (xi**3 - xi**2) * slopes[1]
-    yield Shape("beam", instance.name, (line,))
+    return np.asarray(line + (xi - 2 * xi**2 + xi**3) * slopes[0] + (xi**3 - xi**2) * slopes[1])
 
 
 def _wheel(state: State, instance: Instance) -> Iterator[Shape]:
@@ -173,6 +184,8 @@ PAINTERS: dict[str, Callable[[State, Instance], Iterator[Shape]]] = {
     "bearing": _bar,
     "beam": _beam,
     "planar_beam": _beam,
+    "cable": _cable,
+    "planar_cable": _cable,
     "wheel": _wheel,
     "toroidal_wheel": _wheel,
     "tyre": _wheel,
@@ -193,6 +206,6 @@ def _sketch(state: State, sketch: Sketch) -> Shape:
 
 
 def _place(state: State, node: str) -> Array:
-    """Place (3,) of a point; planar points lie in z = 0."""
+    """Place (3,) of a point (or direction of a slope); planar points lie in z = 0."""
     x = state.position(node)
     return np.append(x, 0.0) if x.size == 2 else x

@@ -123,16 +123,18 @@ _SPANS = {
     "planar_beam3": "planar_bar_span",
     "planar_beam": "planar_beam_span",
     "planar_beam_first_order": "planar_beam_span",
+    "cable": "cable_span",
+    "planar_cable": "planar_cable_span",
 }
 
 
 def distributed_load(self: Model, beam: str, value: Any) -> None:
-    """Load a beam or truss evenly along its length.
+    """Load a beam, truss or cable evenly along its length.
 
     Parameters
     ----------
     beam : str
-        Name of a beam (flexible or rigid) or truss.
+        Name of a beam (flexible or rigid), truss or cable.
     value : sequence of numbers or functions of time
         Force per undeformed length [N/m] in global axes; the nodal forces and moments are the consistent ones.
 
@@ -146,11 +148,11 @@ def distributed_load(self: Model, beam: str, value: Any) -> None:
         raise ModelError(f"{owner}: {unknown(str(beam), self.instances, 'element')}")
     loaded = self.instances[beam]
     if loaded.spec.name not in _SPANS:
-        raise ModelError(f"{owner}: a {loaded.spec.name} has no span; load a beam or a truss")
+        raise ModelError(f"{owner}: a {loaded.spec.name} has no span; load a beam, truss or cable")
     spec = ELEMENTS[_SPANS[loaded.spec.name]]
     name = f"{beam}.span"
     if name not in self.instances:
-        nodes = loaded.nodes if spec.name.endswith("beam_span") else (loaded.nodes[0], loaded.nodes[-1])
+        nodes = (loaded.nodes[0], loaded.nodes[-1]) if spec.name.endswith("bar_span") else loaded.nodes
         values = {z.name: loaded.parameters[z.name] for z in spec.parameters}
         self.instances[name] = Instance(name, spec, nodes, values)
     axes = [slip.name for slip in spec.slips]

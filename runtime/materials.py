@@ -69,6 +69,8 @@ MATERIALS = {
     "spring steel": Material(E=206e9, rho=7850.0, nu=0.3, strength=1100e6),  # cold-rolled strip, hardened
     "aluminium": Material(E=71.7e9, rho=2810.0, nu=0.33, strength=503e6),  # 7075-T6
     "titanium": Material(E=113.8e9, rho=4430.0, nu=0.342, strength=880e6),  # Ti-6Al-4V, annealed
+    # A stranded rope as a whole, on its metallic area: modulus of a used 6 x 36 rope, mass of the lay and the grease.
+    "wire rope": Material(E=100e9, rho=8900.0, nu=0.3, strength=1770e6),
     "beryllium copper": Material(E=128e9, rho=8250.0, nu=0.3, strength=1100e6),  # C17200, aged
 }
 

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from flexel import beams, bodies, curves, joints, loads, springs, wheels
+from flexel import beams, bodies, cable_lines, cables, curves, joints, loads, springs, wheels
 from flexel.build import build
 from flexel.errors import ModelError
 from flexel.functions import TimeFunction, as_function
@@ -24,7 +24,7 @@ from flexel.structure import COMPONENTS, Array, Instance, LawInstance, Node, unk
 from flexel.system import System
 
 Vector = Sequence[float] | Array
-PLANAR = {"point": "planar_point", "frame": "planar_angle"}
+PLANAR = {"point": "planar_point", "frame": "planar_angle", "slope": "planar_slope"}
 
 
 class Model:
@@ -97,6 +97,8 @@ class Model:
     def angle(self, name: str, value: float = 0.0, fixed: bool = False) -> Node:
         """An orientation node of a planar model, an angle [rad]."""
         return self._node(name, "planar_angle", np.array([number(value, f"angle '{name}'", "value")]), fixed)
+
+    slope = cables.slope
 
     def _node(self, name: str, kind: str, x0: Array, fixed: bool) -> Node:
         self._new_name(name, kind)
@@ -180,6 +182,10 @@ class Model:
     tyre = wheels.tyre
     axle_slip = wheels.axle_slip
     beam = beams.beam
+    cable = cables.cable
+    cable_line = cable_lines.cable_line
+    clamp_slope = cables.clamp_slope
+    anchor = cables.anchor
 
     linear_law = springs.linear_law
     spring = springs.spring

@@ -27,6 +27,8 @@ COMPONENTS: dict[str, tuple[str, ...]] = {
     "frame": ("lambda0", "lambda1", "lambda2", "lambda3"),
     "planar_point": ("x", "y"),
     "planar_angle": ("angle",),
+    "slope": ("x", "y", "z"),
+    "planar_slope": ("x", "y"),
 }
 
 
@@ -202,7 +204,10 @@ def assemble_structure(
     names = (*deformations, *slips, *coordinates)
     kinds = [node.kind for node in nodes for _ in node.coordinates]
     units = [d.unit for d in specs] + [s.unit for z in instances for s in z.spec.slips]
-    units += [{"frame": "-", "planar_angle": "rad"}.get(kinds[i], "m") for i in order]
+    units += [
+        {"frame": "-", "planar_angle": "rad", "slope": "-", "planar_slope": "-"}.get(kinds[i], "m")
+        for i in order
+    ]
     internal = [z for law in laws for z in law.states]
     return Structure(
         nodes=nodes,

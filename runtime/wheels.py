@@ -214,7 +214,9 @@ def _rim(owner: str, frame: Array, radius: float, axle: Vector, normal: Vector) 
 def _crown(owner: str, crown: float, radius: float) -> dict[str, Array]:
     rho = not_negative(crown, owner, "crown")
     if rho >= radius:
-        raise ModelError(f"{owner}: crown {rho:g} m reaches to the axle; give less than the radius {radius:g} m")
+        raise ModelError(
+            f"{owner}: crown {rho:g} m reaches to the axle; give less than the radius {radius:g} m"
+        )
     return {"crown": np.array([rho])}
 
 

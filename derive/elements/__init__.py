@@ -6,14 +6,30 @@ from flexel.derive.elements.beam3 import BEAM3
 from flexel.derive.elements.bearing import BEARING
 from flexel.derive.elements.body import BODY, POINT_MASS
 from flexel.derive.elements.body_velocity import BODY_VELOCITY, PLANAR_BODY_VELOCITY
+from flexel.derive.elements.cable import CABLE, PLANAR_CABLE
 from flexel.derive.elements.hinge import HINGE
 from flexel.derive.elements.norm import NORM
 from flexel.derive.elements.planar_beam import PLANAR_BEAM, PLANAR_BEAM_FIRST_ORDER
 from flexel.derive.elements.planar_beam3 import PLANAR_BEAM3
 from flexel.derive.elements.planar_body import PLANAR_BODY, PLANAR_POINT_MASS
 from flexel.derive.elements.planar_hinge import PLANAR_HINGE
+from flexel.derive.elements.planar_rope_contact import PLANAR_CABLE_CIRCLE, PLANAR_CABLE_LINE
+from flexel.derive.elements.rope_contact import (
+    CABLE_CYLINDER,
+    CABLE_PLANE,
+    CABLE_ROUND_GROOVE,
+    CABLE_V_GROOVE,
+)
 from flexel.derive.elements.rotation_slips import BODY_ROTATION, ROTATION
-from flexel.derive.elements.span_slips import BAR_SPAN, BEAM_SPAN, PLANAR_BAR_SPAN, PLANAR_BEAM_SPAN
+from flexel.derive.elements.slope_clamp import PLANAR_SLOPE_CLAMP, SLOPE_CLAMP
+from flexel.derive.elements.span_slips import (
+    BAR_SPAN,
+    BEAM_SPAN,
+    CABLE_SPAN,
+    PLANAR_BAR_SPAN,
+    PLANAR_BEAM_SPAN,
+    PLANAR_CABLE_SPAN,
+)
 from flexel.derive.elements.truss import PLANAR_TRUSS, TRUSS
 from flexel.derive.elements.tyre import AXLE_SLIP, TYRE, TYRE_ON_ROAD
 from flexel.derive.elements.wheel import TOROIDAL_WHEEL, WHEEL
@@ -48,4 +64,16 @@ ELEMENTS: tuple[Element, ...] = (
     PLANAR_BODY_VELOCITY,
     PLANAR_BAR_SPAN,
     PLANAR_BEAM_SPAN,
+    CABLE,
+    SLOPE_CLAMP,
+    CABLE_SPAN,
+    CABLE_CYLINDER,
+    CABLE_PLANE,
+    CABLE_V_GROOVE,
+    CABLE_ROUND_GROOVE,
+    PLANAR_CABLE,
+    PLANAR_SLOPE_CLAMP,
+    PLANAR_CABLE_SPAN,
+    PLANAR_CABLE_CIRCLE,
+    PLANAR_CABLE_LINE,
 )

@@ -1,4 +1,4 @@
-"""Motion of the whole span of a bar or beam as slips: the rate of the integral of position over the length.
+"""Motion of the whole span of a bar, beam or cable as slips: the rate of the integral of position over the length.
 
 They carry distributed loads: the stress of such a slip is minus the load per length in that direction, so that the
 nodal forces are consistent with the interpolation, may depend on time, and have an exact tangent.
@@ -6,7 +6,18 @@ nodal forces are consistent with the interpolation, may depend on time, and have
 
 from sympy import Matrix
 
-from flexel.derive.element import Element, Frame, Let, Node, PlanarAngle, PlanarPoint, Point, Slip
+from flexel.derive.element import (
+    Element,
+    Frame,
+    Let,
+    Node,
+    PlanarAngle,
+    PlanarPoint,
+    PlanarSlope,
+    Point,
+    Slip,
+    Slope,
+)
 from flexel.derive.elements.parameters import L0, TP, TQ
 from flexel.derive.elements.planar_beam import ALPHA0, ALPHAQ0
 from flexel.derive.elements.triads import named_directions
@@ -49,6 +60,18 @@ def _beam_span() -> Element:
     )
 
 
+def _cable_span(name: str, p: Node, dp: Node, q: Node, dq: Node) -> Element:
+    l0 = L0.symbol
+    return Element(
+        name=name,
+        nodes=(p, dp, q, dq),
+        parameters=(L0,),
+        slips=_slips(l0 * hermite_mean(p.v, l0 * dp.v, q.v, l0 * dq.v)),
+        doc="l0 ((vp + vq)/2 + l0 (dpdot - dqdot)/12), rate of the integral of position over a cable's cubic curve",
+        source=_SOURCE,
+    )
+
+
 def _planar_beam_span() -> Element:
     p, rp, q, rq = PlanarPoint("p"), PlanarAngle("rp"), PlanarPoint("q"), PlanarAngle("rq")
     l0 = L0.symbol
@@ -73,3 +96,7 @@ BAR_SPAN = _bar_span("bar_span", Point("p"), Point("q"))
 PLANAR_BAR_SPAN = _bar_span("planar_bar_span", PlanarPoint("p"), PlanarPoint("q"))
 BEAM_SPAN = _beam_span()
 PLANAR_BEAM_SPAN = _planar_beam_span()
+CABLE_SPAN = _cable_span("cable_span", Point("p"), Slope("dp"), Point("q"), Slope("dq"))
+PLANAR_CABLE_SPAN = _cable_span(
+    "planar_cable_span", PlanarPoint("p"), PlanarSlope("dp"), PlanarPoint("q"), PlanarSlope("dq")
+)

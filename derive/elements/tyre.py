@@ -28,7 +28,8 @@ ROLL_AXLES = (
 _DOC = (
     "w wheel centre, a = R(lambda) axle, n = normal of the road below w, h = distance of w from the tangent plane\n"
     "an = |a x n|,  ex = a x n/an forward,  ey = n x ex sideways\n"
-    "length = (h - crown)/an in the plane of the wheel, r = -length (n - (a.n) a)/an - crown n, centre to contact point\n"
+    "length = (h - crown)/an in the plane of the wheel\n"
+    "r = -length (n - (a.n) a)/an - crown n, from the centre to the contact point\n"
     "deflection = R - crown - length;  drop = R - {distance};  camber = atan2(a.n, an)\n"
     "omega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x r, the material point in contact\n"
     "forward = ex.xdot_w,  sideways = ey.xdot_w,  rolling = omega.a,\n"

@@ -5,8 +5,9 @@ slips, so it has its own small numbers m of deformations, k of slips and nz of i
 """
 
 from flexel.derive.element import Law
+from flexel.derive.laws.contact import CONTACT
 from flexel.derive.laws.linear import LINEAR
 from flexel.derive.laws.suspension import CURVES
 from flexel.derive.laws.tyre import TYRES
 
-LAWS: tuple[Law, ...] = (*LINEAR, *CURVES, *TYRES)
+LAWS: tuple[Law, ...] = (*LINEAR, *CURVES, *TYRES, *CONTACT)

@@ -46,6 +46,29 @@ def _linear(m: int) -> Law:
     )
 
 
+def _diagonal(m: int) -> Law:
+    """Linear visco-elastic law of m deformations that do not act on one another, with preload."""
+    preload = Parameter("preload", m, "N or N m", "stress at zero deformation")
+    stiffness = Parameter("S", m, "N/m or N m", "stiffness of each deformation")
+    damping = Parameter("D", m, "N s/m or N m s", "damping of each deformation")
+    e = tuple(symbol(f"e_{i}") for i in range(m))
+    ed = tuple(symbol(f"ed_{i}") for i in range(m))
+    preloads, S = preload.symbols, stiffness.symbols
+    pairs = list(zip(preloads, S, damping.symbols, e, ed, strict=True))
+    return Law(
+        name=f"diagonal_{m}",
+        doc="sigma_i = preload_i + S_i e_i + D_i ed_i\nenergy = sum of preload_i e_i + S_i e_i^2/2",
+        parameters=(preload, stiffness, damping),
+        e=e,
+        ed=ed,
+        s=(),
+        sigma=tuple(p0 + s * z + d * zd for p0, s, d, z, zd in pairs),
+        tau=(),
+        energy=sp.Add(*(z * (p0 + s * z / 2) for p0, s, _, z, _ in pairs)),
+        source="Kelvin-Voigt model",
+    )
+
+
 def _viscous(k: int) -> Law:
     """Linear viscous law of k slips."""
     viscosity = _triangle("C", k, "N s/m or N m s", "viscosity")
@@ -63,4 +86,8 @@ def _viscous(k: int) -> Law:
     )
 
 
-LINEAR: tuple[Law, ...] = (*(_linear(m) for m in range(1, 7)), *(_viscous(k) for k in range(1, 4)))
+LINEAR: tuple[Law, ...] = (
+    *(_linear(m) for m in range(1, 7)),
+    *(_diagonal(m) for m in (7, 13)),  # planar and spatial cable
+    *(_viscous(k) for k in range(1, 4)),
+)

@@ -1,0 +1,168 @@
+"""Lines of cables: the method of `Model` that lays many elements along a straight line or a curve.
+
+Imports numpy, scipy.interpolate, the errors, the shared checks and the cables.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from scipy.interpolate import CubicSpline
+
+from flexel.checks import positive
+from flexel.errors import ModelError
+from flexel.inputs import array, number
+from flexel.structure import Array, Node
+
+if TYPE_CHECKING:
+    from flexel.model import Model
+
+SAMPLES = 400  # of a given curve, for its arc length
+Path = Sequence[Sequence[float]] | Array | Callable[[float], Any]
+
+
+@dataclass(frozen=True)
+class CableLine:
+    """What `Model.cable_line` made.
+
+    Attributes
+    ----------
+    name : str
+    elements : tuple of str (n,)
+    points, slopes : tuple of Node (n + 1,)
+    s : ndarray (n + 1,)
+        Undeformed arc length of the nodes [m].
+    """
+
+    name: str
+    elements: tuple[str, ...]
+    points: tuple[Node, ...]
+    slopes: tuple[Node, ...]
+    s: Array
+
+
+def cable_line(
+    self: Model,
+    name: str,
+    path: Path,
+    n: int | None = None,
+    *,
+    length: float | None = None,
+    at: Sequence[float] | Array | None = None,
+    start: Node | str | None = None,
+    end: Node | str | None = None,
+    **properties: Any,
+) -> CableLine:
+    """Lay a cable of n elements along a path: elements ``name1`` …, points ``name_p0`` …, slopes ``name_d0`` ….
+
+    Parameters
+    ----------
+    path : sequence of points (3,) or (2,), or callable
+        Two points are a straight line, more a smooth curve through them; a callable gives the place for a parameter
+        from 0 to 1.
+    n : int
+        Number of elements, of equal length.
+    length : float, optional
+        Undeformed length of the whole cable [m], that of the path by default; a longer path is a stretched cable.
+    at : sequence of float, optional
+        Instead of n: undeformed arc length of the nodes over the length, from 0 to 1, such as to refine near a sheave.
+    start, end : node, optional
+        Points to use for the ends instead of new ones, such as those of a body.
+    **properties
+        EA, EI, mass_per_length, section, material, damping, bending_damping of `Model.cable`.
+
+    Returns
+    -------
+    CableLine
+
+    Raises
+    ------
+    ModelError
+        A path without length, places that do not ascend, ends that are not on the path.
+
+    Examples
+    --------
+    >>> rope = m.cable_line("rope", [(0, 0, 0), (0, 0, -10)], 20, EA=1e6, EI=1.0, mass_per_length=1.0)
+    ... # doctest: +SKIP
+    """
+    owner = f"cable line '{name}'"
+    fractions = _fractions(owner, n, at)
+    curve, total = _curve(owner, path)
+    length = total if length is None else positive(length, owner, "length")
+    places, directions = curve(fractions * total), curve(fractions * total, 1)
+    points = [
+        _end(self, owner, start, places[0]),
+        *[None] * (len(fractions) - 2),
+        _end(self, owner, end, places[-1]),
+    ]
+    nodes = [z or self.point(f"{name}_p{i}", x) for i, (z, x) in enumerate(zip(points, places, strict=True))]
+    slopes = [
+        self.slope(f"{name}_d{i}", direction, stretch=total / length)
+        for i, direction in enumerate(directions)
+    ]
+    s = fractions * length
+    elements = []
+    for i in range(len(s) - 1):
+        elements.append(f"{name}{i + 1}")
+        ends = nodes[i], slopes[i], nodes[i + 1], slopes[i + 1]
+        self.cable(elements[-1], *ends, float(s[i + 1] - s[i]), **properties)
+    return CableLine(name, tuple(elements), tuple(nodes), tuple(slopes), s)
+
+
+def _fractions(owner: str, n: int | None, at: Any) -> Array:
+    """Places of the nodes over the length."""
+    if (n is None) == (at is None):
+        raise ModelError(f"{owner}: give either n, the number of elements, or at, the places of the nodes")
+    if at is None:
+        count = number(n, owner, "n")
+        if count < 1 or count != int(count):
+            raise ModelError(f"{owner}: n = {count:g} elements; give a whole number of at least 1")
+        return np.linspace(0, 1, int(count) + 1)
+    fractions = array(at, owner, "at").ravel()
+    if fractions.size < 2 or fractions[0] != 0 or fractions[-1] != 1 or np.any(np.diff(fractions) <= 0):
+        raise ModelError(f"{owner}: at = {fractions.tolist()} does not ascend from 0 to 1; correct it")
+    return fractions
+
+
+def _curve(owner: str, path: Path) -> tuple[Callable[..., Array], float]:
+    """The path as a function of its arc length (with derivatives), and its length."""
+    if callable(path):
+        points = np.array([np.asarray(path(float(u)), dtype=float) for u in np.linspace(0, 1, SAMPLES + 1)])
+    else:
+        points = array(path, owner, "path")
+    if points.ndim != 2 or len(points) < 2 or points.shape[1] not in (2, 3):
+        raise ModelError(
+            f"{owner}: path has shape {points.shape}; give at least two points of 3 (or 2) numbers"
+        )
+    chords = np.linalg.norm(np.diff(points, axis=0), axis=1)
+    if not np.all(chords > 0):
+        raise ModelError(f"{owner}: path has points that coincide; leave one out")
+    if len(points) == 2:
+        direction = (points[1] - points[0]) / chords[0]
+        line = CubicSpline([0, chords[0]], points, bc_type=((1, direction), (1, direction)))
+        return line, float(chords[0])
+    return _by_arc_length(CubicSpline(np.concatenate([[0], np.cumsum(chords)]), points))
+
+
+def _by_arc_length(spline: CubicSpline) -> tuple[CubicSpline, float]:
+    """A spline by its own arc length, sampled anew."""
+    u = np.linspace(spline.x[0], spline.x[-1], 20 * SAMPLES + 1)
+    speed = CubicSpline(u, np.linalg.norm(spline(u, 1), axis=1)).antiderivative()
+    s = speed(u)
+    knots = np.linspace(0, s[-1], SAMPLES + 1)
+    return CubicSpline(knots, spline(CubicSpline(s, u)(knots))), float(s[-1])
+
+
+def _end(self: Model, owner: str, given: Node | str | None, place: Array) -> Node | None:
+    """The node that was given for an end, if it lies there."""
+    if given is None:
+        return None
+    node = self.of_kind(given, ("point", "planar_point"), owner)
+    if node.x0.shape != place.shape or np.linalg.norm(node.x0 - place) > 1e-9 * (1 + np.linalg.norm(place)):
+        raise ModelError(
+            f"{owner}: node '{node.name}' at {node.x0.tolist()} is not where the path ends, {place.tolist()}; move one"
+        )
+    return node

@@ -1,0 +1,242 @@
+"""Cables: the methods of `Model` that make a slope, lay a cable between points, and hold its end at a body.
+
+Imports numpy, the errors, the shared checks, the orientation, the materials, the element table and the state.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from flexel.checks import in_frame, not_negative, positive, span
+from flexel.errors import ModelError
+from flexel.generated.table import LAWS
+from flexel.inputs import array, vector
+from flexel.materials import Material, Profile, profile_of
+from flexel.orientation import triad
+from flexel.state import State
+from flexel.structure import Array, Instance, LawInstance, Node, unknown
+
+if TYPE_CHECKING:
+    from flexel.model import Model
+
+AXIAL, BENDING = (
+    np.polynomial.legendre.leggauss(k) for k in (4, 3)
+)  # places on (-1, 1) and weights of sum 2
+KINDS = ("cable", "planar_cable")
+
+
+def slope(self: Model, name: str, direction: Any, fixed: bool = False, *, stretch: float = 1.0) -> Node:
+    """A slope node: derivative of a cable's position by its undeformed arc length.
+
+    Parameters
+    ----------
+    direction : sequence of float (3,) or (2,)
+        Along the cable, of any length.
+    fixed : bool
+        Hold direction and stretch; `clamp_slope` holds the direction alone.
+    stretch : float
+        Length of the slope as drawn: one where the cable is not stretched.
+
+    Raises
+    ------
+    ModelError
+        Double name, a direction without length.
+    """
+    owner = f"slope '{name}'"
+    d = array(direction, owner, "direction")
+    planar = d.shape == (2,)
+    d = vector(d, owner, "direction", 2 if planar else 3)
+    length = float(np.linalg.norm(d))
+    if length == 0:
+        raise ModelError(f"{owner}: its direction {d.tolist()} has no length; give a vector along the cable")
+    x0 = positive(stretch, owner, "stretch") * d / length
+    return self._node(name, "planar_slope" if planar else "slope", x0, fixed)
+
+
+def cable(
+    self: Model,
+    name: str,
+    p: Node | str,
+    slope_p: Node | str,
+    q: Node | str,
+    slope_q: Node | str,
+    length: float | None = None,
+    *,
+    EA: float | None = None,
+    EI: float | None = None,
+    mass_per_length: float | None = None,
+    section: Any = None,
+    material: Material | str | None = None,
+    damping: float = 0.0,
+    bending_damping: float = 0.0,
+) -> None:
+    """Lay one element of a cable between two points with slopes: it stretches, bends and may sag.
+
+    Parameters
+    ----------
+    length : float, optional
+        Undeformed length [m]; by default that of the cubic curve as drawn.
+    EA, EI : float
+        Stiffness in tension [N] (with Green's strain) and in bending [N m²]; EI may be zero.
+    mass_per_length : float
+        [kg/m]
+    section, material : Section and Material (or its name, such as "wire rope")
+        Give EA, EI and the mass instead of the numbers; EI given beside them wins.
+    damping, bending_damping : float
+        Kelvin–Voigt damping of stretching and of bending: ratio of damping to stiffness [s].  In space the rate of
+        the curvature vector includes its turning, so that bending damping resists the turning of a bent cable
+        about other axes than the normal of its plane, too.
+
+    Raises
+    ------
+    ModelError
+        Points that coincide, a stiffness that is missing or negative.
+
+    See Also
+    --------
+    Model.cable_line : Many elements along a line or curve.
+    """
+    owner = f"cable '{name}'"
+    kinds = ((p, "point"), (slope_p, "slope"), (q, "point"), (slope_q, "slope"))
+    planar, nodes = self.resolve(owner, *kinds)
+    span(nodes[0].x0, nodes[2].x0, owner)
+    l0 = drawn_length(*(z.x0 for z in nodes)) if length is None else positive(length, owner, "length")
+    profile = None
+    if section is not None or material is not None:
+        profile = _profile(owner, section, material, EA, mass_per_length)
+        stiffness = profile.stiffness()
+        EA, mass_per_length = stiffness["EA"], profile.mass()[0]
+        EI = stiffness["EIz"] if EI is None else EI
+    if EA is None or EI is None:
+        raise ModelError(
+            f"{owner}: EA or EI is missing; give both (EI=0 for a chain), or section and material"
+        )
+    mass = np.array(
+        [not_negative(0.0 if mass_per_length is None else mass_per_length, owner, "mass_per_length")]
+    )
+    element = "planar_cable" if planar else "cable"
+    self.add(name, element, nodes, {"l0": np.array([l0]), "rhoA": mass})
+    self.instances[name] = replace(self.instances[name], profile=profile)
+    S = weights(l0, positive(EA, owner, "EA"), not_negative(EI, owner, "EI"), planar)
+    D = S.copy()
+    D[:4] *= not_negative(damping, owner, "damping")
+    D[4:] *= not_negative(bending_damping, owner, "bending_damping")
+    values = {"preload": np.zeros(S.size), "S": S, "D": D}
+    modes = self.instances[name].deformations
+    self.laws.append(LawInstance(name, LAWS[f"diagonal_{S.size}"], modes, (), values))
+
+
+def _profile(owner: str, section: Any, material: Any, EA: float | None, mass: float | None) -> Profile:
+    """Section and material of a cable, given without numbers that they imply."""
+    stated = [key for key, z in (("EA", EA), ("mass_per_length", mass)) if z is not None]
+    if section is None:
+        raise ModelError(
+            f"{owner}: material is given without a section; give section=WireRope(…) or the like"
+        )
+    if stated:
+        raise ModelError(
+            f"{owner}: section and material give {', '.join(stated)} already; drop these, or drop the section"
+        )
+    return profile_of(section, material, owner)
+
+
+def weights(l0: float, EA: float, EI: float, planar: bool) -> Array:
+    """Stiffness (13,) or (7,) of the strains and curvatures of a cable: EA and EI times Gauss weights of sum l0."""
+    bending = EI * BENDING[1] * l0 / 2
+    return np.concatenate([EA * AXIAL[1] * l0 / 2, bending if planar else np.repeat(bending, 3)])
+
+
+def drawn_length(p: Array, slope_p: Array, q: Array, slope_q: Array) -> float:
+    """Length l0 that a cable between drawn ends has if its mean stretch is that of the slopes.
+
+    The cubic curve depends on l0 itself; the fixed point is found by repetition, which converges as long as the
+    slopes point roughly along the chord.
+    """
+    xi = (1 + np.polynomial.legendre.leggauss(8)[0][:, None]) / 2
+    gauss = np.polynomial.legendre.leggauss(8)[1] / 2
+    stretch = (np.linalg.norm(slope_p) + np.linalg.norm(slope_q)) / 2
+    l0 = float(np.linalg.norm(q - p)) / stretch
+    for _ in range(60):
+        rate = 6 * xi * (1 - xi) * (q - p) + l0 * (
+            (1 - xi) * (1 - 3 * xi) * slope_p + xi * (3 * xi - 2) * slope_q
+        )
+        last, l0 = l0, float(gauss @ np.linalg.norm(rate, axis=1)) / stretch
+        if abs(l0 - last) < 1e-15 * l0:
+            break
+    return float(l0)
+
+
+def clamp_slope(self: Model, name: str, frame: Node | str, slope: Node | str) -> None:
+    """Hold the direction of a cable's end in a body, as drawn; its stretch stays free.
+
+    Parameters
+    ----------
+    frame : node
+        Orientation of the body (an angle in a planar model).
+    slope : node
+        Of the cable's end.
+    """
+    owner = f"clamp '{name}'"
+    planar, (r, d) = self.resolve(owner, (frame, "frame"), (slope, "slope"))
+    if planar:
+        alpha0 = np.arctan2(d.x0[1], d.x0[0]) - r.x0
+        self.add(name, "planar_slope_clamp", (r, d), {"alpha0": alpha0})
+        return
+    t = triad(d.x0 / np.linalg.norm(d.x0), None, owner)
+    self.add(name, "slope_clamp", (r, d), {"t": in_frame(r.x0, t)})
+
+
+def anchor(
+    self: Model,
+    name: str,
+    point: Node | str,
+    frame: Node | str,
+    end: Node | str,
+    slope: Node | str | None = None,
+) -> None:
+    """Anchor a cable's end at a body, where it is drawn; with the slope its direction, too (tangent to a drum).
+
+    The point's connection is the rigid link `name`, that of the direction the clamp ``name.direction``.  A cable that
+    ends in a body's own point needs no anchor, and one that ends at a beam or point mass shares its point.
+    """
+    self.beam(name, point, frame, end, rigid=True)
+    if slope is None:
+        return
+    clamp_slope(self, f"{name} direction", frame, slope)
+
+
+def cable_tension(state: State, cable: str) -> tuple[Array, Array]:
+    """Arc length [m] and tension [N] at the Gauss points of a cable, damping included; compression is negative.
+
+    Parameters
+    ----------
+    state : State
+    cable : str
+        Name of an element.
+
+    Returns
+    -------
+    s, T : ndarray (4,)
+        Undeformed arc length from the first end, and the force in the direction of the cable.
+
+    Raises
+    ------
+    ModelError
+        If there is no cable of that name.
+    """
+    instance = find_cable(state, cable)
+    rows = np.array([state.structure.index[z] for z in instance.deformations[:4]])
+    l0 = float(instance.parameters["l0"][0])
+    stretch = np.sqrt(1 + 2 * state.e[rows])
+    return (1 + AXIAL[0]) * l0 / 2, state.stress[rows] * stretch / (AXIAL[1] * l0 / 2)
+
+
+def find_cable(state: State, cable: str) -> Instance:
+    """The cable of that name, or a ModelError with the nearest ones."""
+    known = {z.name: z for z in state.structure.instances if z.spec.name in KINDS}
+    if cable not in known:
+        raise ModelError(unknown(str(cable), known, "cable"))
+    return known[cable]

@@ -1,0 +1,90 @@
+"""Section of a stranded wire rope: metallic area and the bending of wires that slide on one another.
+
+Imports numpy, the shared checks and the sections.
+"""
+
+# ruff: noqa: N802 (the letters of mechanics: A, Iy, Iz, J)
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from flexel.checks import positive
+from flexel.errors import ModelError
+from flexel.sections import SectionForces, StressPoint
+
+
+@dataclass(frozen=True)
+class WireRope:
+    """Round stranded rope; its area is that of the metal.
+
+    Parameters
+    ----------
+    diameter : float
+        Nominal outer diameter [m].
+    fill_factor : float
+        Metallic area over that of the circumscribed circle: 0.586 for 6 x 36 with a steel core, 0.500 with a fibre
+        core (EN 12385-4).
+    wire_diameter : float, optional
+        Of the outer wires [m], 1/20 of the rope's by default.
+
+    Notes
+    -----
+    Bending: wires without friction between them, I = A d²/16 with the wire's diameter d, the lower bound.  A rope that
+    is stretched tightly is up to some ten times stiffer; give EI to `Model.cable` where that matters.
+    """
+
+    diameter: float
+    fill_factor: float = 0.586
+    wire_diameter: float | None = None
+
+    def __post_init__(self) -> None:
+        positive(self.diameter, "WireRope", "diameter")
+        positive(self.fill_factor, "WireRope", "fill_factor")
+        if self.fill_factor > 1:
+            raise ModelError(
+                f"WireRope: fill_factor {self.fill_factor:g} exceeds 1; it is the share of metal, about 0.55"
+            )
+        if not 0 < self.wire <= self.diameter:
+            raise ModelError(
+                f"WireRope: wire_diameter {self.wire:g} is not between 0 and the rope's {self.diameter:g}; correct it"
+            )
+
+    @property
+    def wire(self) -> float:
+        """Diameter of a wire [m]."""
+        return self.diameter / 20 if self.wire_diameter is None else self.wire_diameter
+
+    @property
+    def A(self) -> float:
+        """Metallic area [m²]."""
+        return self.fill_factor * np.pi * self.diameter**2 / 4
+
+    @property
+    def Iy(self) -> float:
+        """Second moment of area of all wires, each about itself [m⁴]."""
+        return self.A * self.wire**2 / 16
+
+    @property
+    def Iz(self) -> float:
+        """As `Iy`."""
+        return self.Iy
+
+    @property
+    def J(self) -> float:
+        """Polar second moment of all wires, each about itself [m⁴]."""
+        return 2 * self.Iy
+
+    def shear_factors(self, nu: float) -> tuple[float, float]:
+        """Shear factors of round wires (Cowper 1966)."""
+        k = 6 * (1 + nu) / (7 + 6 * nu)
+        return k, k
+
+    def stresses(self, f: SectionForces) -> list[StressPoint]:
+        """Stresses in a wire: tension, bending of the wire about itself, torsion and transverse shear."""
+        c = self.wire / 2
+        normal = abs(f.N) / self.A + float(np.hypot(f.My, f.Mz)) * c / self.Iy
+        shear = abs(f.T) * c / self.J + 4 * float(np.hypot(f.Vy, f.Vz)) / (3 * self.A)
+        return [StressPoint("outer fibre of a wire", normal, shear)]
