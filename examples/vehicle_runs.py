@@ -14,6 +14,7 @@ import numpy as np
 
 import flexel as fx
 from flexel.examples import vehicle_data as data
+from flexel.examples.differences import state_matrix
 from flexel.examples.vehicle import BODY, SUSPENSION, vehicle
 from flexel.linearize import Linearization, Mode, sort_eigenvalues
 from flexel.orientation import matrix
@@ -23,7 +24,6 @@ SPEEDS = (10, 20, 30)  # of the steering manoeuvres [m/s]
 BUMP_SPEEDS = (5, 10)
 LOCI = tuple(float(v) for v in np.linspace(5, 40, 36))
 METHOD, RTOL = "LSODA", 1e-6
-STEP = 2e-4  # of the differences that confirm the linearization
 HEAVE = ("chassis.z", "pitch.angle", "roll.angle", *SUSPENSION)
 
 
@@ -159,26 +159,6 @@ def lifted(motion: fx.Motion) -> list[str]:
 # -- linear equations -----------------------------------------------------------------------------
 
 
-def differenced(system: fx.System, state: fx.State) -> Array:
-    """State matrix from differences of the nonlinear equations of motion, in the order of `Linearization.states`."""
-    nd, nq = len(system.dynamic), system.roles.nq
-    y0 = np.concatenate([state.q, state.qd])
-    columns = []
-    for i in range(y0.size):
-        h = np.zeros(y0.size)
-        h[i] = STEP
-        slope = np.zeros(y0.size)
-        for k, weight in ((1, 45.0), (2, -9.0), (3, 1.0)):
-            system.warm(state)
-            ahead = system.rhs(state.t, y0 + k * h)
-            system.warm(state)
-            slope += weight * (ahead - system.rhs(state.t, y0 - k * h)) / (60 * STEP)
-        columns.append(slope)
-    A = np.array(columns).T
-    order = np.concatenate([np.arange(nq, nq + nd), np.arange(nq)])  # (q_d', q_d, q_k) from (q_d, q_k, q_d')
-    return A[np.ix_(order, order)]
-
-
 def mode_name(mode: Mode) -> str:
     """What moves in a mode: wheels hopping in one of four patterns, or the body in one of its freedoms."""
     share = sum(mode.participation.get(z, 0.0) for z in SUSPENSION)
@@ -303,7 +283,7 @@ def analyse() -> Results:
         equilibrium=at_rest(still),
         in_plane=at_rest(inclined),
         linear=lin,
-        differenced=differenced(system, lin.state),
+        differenced=state_matrix(system, lin.state),
         no_side_force=linear(20.0, "vertical")[1],
         loci=np.array([sort_eigenvalues(linear(v)[1].eigenvalues()) for v in LOCI]),
         steering=steering,

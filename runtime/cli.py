@@ -27,6 +27,7 @@ CASES = {
     "slider-crank": "flexel.examples.slider_crank",
     "flexures": "flexel.examples.flexures",
     "vehicle": "flexel.examples.vehicle",
+    "motorcycle": "flexel.examples.motorcycle",
 }
 
 PASSED_ON = {"ignore_unknown_options": True, "help_option_names": []}
