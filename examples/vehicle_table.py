@@ -28,6 +28,7 @@ DEGREES = {"roll", "pitch", "yaw", "side_slip"}
 UNITS = {"yaw_rate": "rad/s", "lateral_acceleration": "m/s2", "z": "m", "speed": "m/s"} | dict.fromkeys(
     DEGREES, "deg"
 )
+BUMP_TOLERANCE = 0.1  # the other run is coarse, and takes another force on a slope: see docs/vehicle.md
 IN_PLANE = "tyre springs in the planes of the wheels: a second reading of the data"
 
 
@@ -78,7 +79,7 @@ def statics(results: Results) -> list[Quantity]:
         for z, value in data.NOMINAL.items()
     ]
     rows += [
-        Quantity(f"level_{z}", value, data.NOMINAL[z], 1e-5, "N", data.LEVER)
+        Quantity(f"level_{z}", value, data.NOMINAL[z], 1.4e-5, "N", data.LEVER)
         for z, value in lever_rule().items()
     ]
     found = suspension_forces(results.equilibrium) | height(results.equilibrium)
@@ -125,12 +126,13 @@ def linear(results: Results) -> list[Quantity]:
     }
     indicative = "; toe and camber change differ there"
     return [
-        Quantity("eigenvalues_20", sort_eigenvalues(lin.eigenvalues()), unit="1/s", source="10 freedoms", more={"modes": modes}),
+        Quantity("eigenvalues_20", sort_eigenvalues(lin.eigenvalues()), unit="1/s", source="10 freedoms",
+                 more={"modes": modes}),
         Quantity("eigenvalues_20_symmetric", symmetric(lin), list(data.SYMMETRIC), 1e-3, "1/s",
                  data.INDICATIVE + indicative),
         Quantity("eigenvalues_20_no_side_force", symmetric(results.no_side_force),
                  list(data.SYMMETRIC_NO_SIDE_FORCE), 2e-2, "1/s", data.INDICATIVE + indicative),
-        Quantity("linearization_error", difference, 0.0, 1e-8, "", "differences of the nonlinear equations, sixth order"),
+        Quantity("linearization_error", difference, 0.0, 1e-8, "", "sixth-order differences of the nonlinear equations"),
         Quantity("root_loci_rightmost", results.loci.real.max(axis=1), unit="1/s", source="5 ... 40 m/s"),
     ]  # fmt: skip
 
@@ -139,24 +141,19 @@ def steering(results: Results) -> list[Quantity]:
     """The ramp-to-step manoeuvre at its end and its peaks, both models."""
     rows = []
     for (v, tyres), motion in results.steering.items():
-        end, suffix = motion[-1], "" if tyres == "calspan" else "_zero_slip"
-        expected: Mapping[str, float] = data.STEER_ENDS[v] if tyres == "calspan" else {}
+        compared = tyres == "calspan"
+        end, suffix = motion[-1], "" if compared else "_zero_slip"
+        source = data.RERUN if compared else "no lateral slip in the mean of each axle"
+        expected: Mapping[str, float] = data.STEER_ENDS[v] if compared else {}
         for signal in ("yaw_rate", "lateral_acceleration", "roll", "side_slip", "speed"):
-            row = Quantity(f"{signal}_5s_{v}{suffix}", SIGNALS[signal](end), expected.get(signal),
-                           2e-3, UNITS[signal], data.RERUN if signal in expected else "CALSPAN" if not suffix else tyres)  # fmt: skip
-            rows.append(row)
+            name, reference = f"{signal}_5s_{v}{suffix}", expected.get(signal)
+            rows.append(Quantity(name, SIGNALS[signal](end), reference, 2e-3, UNITS[signal], source))
         for signal, value in data.STEER_PEAKS[v].items():
-            reference = value if tyres == "calspan" else None
+            name, reference = f"{signal}_peak_{v}{suffix}", value if compared else None
             largest = -float(np.abs(history(motion, signal)).max())
-            rows.append(
-                Quantity(f"{signal}_peak_{v}{suffix}", largest, reference, 5e-3, UNITS[signal], data.RERUN)
-            )
-        if tyres == "calspan":
-            rows.append(
-                Quantity(f"tyre_loads_5s_{v}", loads(end), data.STEER_LOADS[v], 2e-3, "N", data.RERUN)
-            )
-        else:
-            rows.append(Quantity(f"tyre_loads_5s_{v}{suffix}", loads(end), unit="N", source=tyres))
+            rows.append(Quantity(name, largest, reference, 5e-3, UNITS[signal], source))
+        forces = data.STEER_LOADS[v] if compared else None
+        rows.append(Quantity(f"tyre_loads_5s_{v}{suffix}", loads(end), forces, 2e-3, "N", source))
     return rows
 
 
@@ -186,7 +183,7 @@ def bumps(results: Results) -> list[Quantity]:
                 values = history(motion, signal)
             found = (float(values.min()), float(values.max()))
             unit = "N" if signal.startswith("tyre") else UNITS[signal]
-            rows.append(Quantity(f"{name}_{signal}", found, extremes, 0.05, unit, data.RERUN))
+            rows.append(Quantity(f"{name}_{signal}", found, extremes, BUMP_TOLERANCE, unit, data.RERUN))
         notes = {"lifted": lifted(motion), "outside_range": outside_range(motion)}
         said = (
             "; ".join(f"{key}: {', '.join(z)}" for key, z in notes.items() if z) or "all wheels on the road"
@@ -200,5 +197,5 @@ def speed_and_energy(results: Results) -> list[Quantity]:
     return [
         Quantity("energy_gap", results.energy, 0.0, 1e-6, "",
                  "half a second over the bump: gained + dissipated - driven, relative to what went round"),
-        *(Quantity(f"seconds_{z}", t, unit="s", source="wall clock") for z, t in results.seconds.items()),
+        *(Quantity(f"seconds_{z}", t, unit="s", source="processor time") for z, t in results.seconds.items()),
     ]  # fmt: skip

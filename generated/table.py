@@ -839,8 +839,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element tyre
     "tyre": ElementSpec(
         name="tyre",
-        digest="debfa4078261fd99",
-        doc="w wheel centre, a = R(lambda) axle, n = normal of the road below w, h = distance of w from the tangent plane\nan = |a x n|,  ex = a x n/an forward,  ey = n x ex sideways\nlength = (h - crown)/an in the plane of the wheel\nr = -length (n - (a.n) a)/an - crown n, from the centre to the contact point\ndeflection = R - crown - length;  drop = R - h;  camber = atan2(a.n, an)\nomega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x r, the material point in contact\nforward = ex.xdot_w,  sideways = ey.xdot_w,  rolling = omega.a,\nlongitudinal = ex.vc,  lateral = ey.vc,  spin = omega.n",
+        digest="e61199d22fd11528",
+        doc="w wheel centre, a = R(lambda) axle, n = normal of the road below w, h = distance of w from the tangent plane\nan = |a x n|,  ex = a x n/an forward,  ey = n x ex sideways\nlength = (h - crown)/an in the plane of the wheel\nr = -length (n - (a.n) a)/an - crown n, from the centre to the contact point\ndeflection = R - crown - (h - crown)/an;  drop = R - h;  camber = atan2(a.n, an)\nomega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x r, the material point in contact\nforward = ex.xdot_w,  sideways = ey.xdot_w,  rolling = omega.a,\nlongitudinal = ex.vc,  lateral = ey.vc,  spin = omega.n",
         source="Frik, Leister, Schwartz 1993, Vehicle System Dynamics 22 suppl. (frames and slip angle of the wheel)",
         nodes=(
             NodeSpec("w", "point"),
@@ -874,7 +874,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("De", (3, 7), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 17, 18, 19, 20)),
                     OutputSpec("V", (6, 7), (0, 1, 2, 7, 8, 9, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 38, 39, 40, 41)),
                 ),
-                333,
+                337,
             ),
             "velocity": KernelSpec(
                 ("x", "v", "p"),
@@ -882,7 +882,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("ed", (3,), (0, 1, 2)),
                     OutputSpec("s", (6,), tuple(range(6))),
                 ),
-                251,
+                254,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -890,14 +890,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("g", (3,), (0, 2)),
                     OutputSpec("gs", (6,), tuple(range(6))),
                 ),
-                450,
+                452,
             ),
             "rates": KernelSpec(
                 ("x", "v", "p"),
                 (
                     OutputSpec("Phi_x", (9, 7), (0, 1, 2, 3, 4, 5, 6, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 59, 60, 61, 62)),
                 ),
-                1089,
+                1091,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -905,22 +905,22 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("Psi_x", (9, 7), (0, 1, 2, 3, 4, 5, 6, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 59, 60, 61, 62)),
                     OutputSpec("Psi_v", (9, 7), (0, 1, 2, 3, 4, 5, 6, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55)),
                 ),
-                2795,
+                2798,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
                 (
                     OutputSpec("K", (7, 7), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48)),
                 ),
-                1224,
+                1226,
             ),
         },
     ),
     # element tyre_on_road
     "tyre_on_road": ElementSpec(
         name="tyre_on_road",
-        digest="c7cb174c5d088f44",
-        doc="road: z = height + amplitude (1 - cos(2 pi s/wavelength))/2 with s = heading.(x, y) - start between 0 and\nwaves wavelength, z = height elsewhere (C1 at the ends, smooth between);  z up\nw wheel centre, a = R(lambda) axle, n = normal of the road below w, h = distance of w from the tangent plane\nan = |a x n|,  ex = a x n/an forward,  ey = n x ex sideways\nlength = (h - crown)/an in the plane of the wheel\nr = -length (n - (a.n) a)/an - crown n, from the centre to the contact point\ndeflection = R - crown - length;  drop = R - (w_z - z), measured vertically;  camber = atan2(a.n, an)\nomega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x r, the material point in contact\nforward = ex.xdot_w,  sideways = ey.xdot_w,  rolling = omega.a,\nlongitudinal = ex.vc,  lateral = ey.vc,  spin = omega.n\ngrade = slope of the road along ex, rise for horizontal length times |horizontal part of ex|",
+        digest="dfe009c5651e32a6",
+        doc="road: z = height + amplitude (1 - cos(2 pi s/wavelength))/2 with s = heading.(x, y) - start between 0 and\nwaves wavelength, z = height elsewhere (C1 at the ends, smooth between);  z up\nthe springs count the vertical distance, so that their force is normal to the road\nw wheel centre, a = R(lambda) axle, n = normal of the road below w, h = distance of w from the tangent plane\nan = |a x n|,  ex = a x n/an forward,  ey = n x ex sideways\nlength = (h - crown)/an in the plane of the wheel\nr = -length (n - (a.n) a)/an - crown n, from the centre to the contact point\ndeflection = R - crown - ((w_z - z) - crown)/an;  drop = R - (w_z - z);  camber = atan2(a.n, an)\nomega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x r, the material point in contact\nforward = ex.xdot_w,  sideways = ey.xdot_w,  rolling = omega.a,\nlongitudinal = ex.vc,  lateral = ey.vc,  spin = omega.n\ngrade = slope of the road along ex, rise for horizontal length times |horizontal part of ex|",
         source="Frik, Leister, Schwartz 1993, Vehicle System Dynamics 22 suppl. (frames and slip angle of the wheel)",
         nodes=(
             NodeSpec("w", "point"),
@@ -959,7 +959,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("De", (4, 7), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 14, 15, 17, 18, 19, 20, 21, 22, 24, 25, 26, 27)),
                     OutputSpec("V", (6, 7), (0, 1, 2, 7, 8, 9, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 38, 39, 40, 41)),
                 ),
-                536,
+                533,
             ),
             "velocity": KernelSpec(
                 ("x", "v", "p"),
@@ -967,7 +967,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("ed", (4,), (0, 1, 2, 3)),
                     OutputSpec("s", (6,), tuple(range(6))),
                 ),
-                364,
+                361,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -975,14 +975,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("g", (4,), (0, 1, 2, 3)),
                     OutputSpec("gs", (6,), tuple(range(6))),
                 ),
-                701,
+                696,
             ),
             "rates": KernelSpec(
                 ("x", "v", "p"),
                 (
                     OutputSpec("Phi_x", (10, 7), (0, 1, 2, 3, 4, 5, 6, 7, 8, 14, 15, 17, 18, 19, 20, 21, 22, 24, 25, 26, 27, 28, 29, 31, 32, 33, 34, 35, 36, 38, 39, 40, 41, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 66, 67, 68, 69)),
                 ),
-                1764,
+                1727,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -990,14 +990,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("Psi_x", (10, 7), (0, 1, 2, 3, 4, 5, 6, 7, 8, 14, 15, 17, 18, 19, 20, 21, 22, 24, 25, 26, 27, 28, 29, 31, 32, 33, 34, 35, 36, 38, 39, 40, 41, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 66, 67, 68, 69)),
                     OutputSpec("Psi_v", (10, 7), (0, 1, 2, 3, 4, 5, 6, 7, 8, 14, 15, 17, 18, 19, 20, 21, 22, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 66, 67, 68, 69)),
                 ),
-                5613,
+                5527,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
                 (
                     OutputSpec("K", (7, 7), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48)),
                 ),
-                1976,
+                1857,
             ),
         },
     ),

@@ -30,7 +30,7 @@ _DOC = (
     "an = |a x n|,  ex = a x n/an forward,  ey = n x ex sideways\n"
     "length = (h - crown)/an in the plane of the wheel\n"
     "r = -length (n - (a.n) a)/an - crown n, from the centre to the contact point\n"
-    "deflection = R - crown - length;  drop = R - {distance};  camber = atan2(a.n, an)\n"
+    "deflection = R - crown - ({distance} - crown)/an;  drop = R - {distance};  camber = atan2(a.n, an)\n"
     "omega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x r, the material point in contact\n"
     "forward = ex.xdot_w,  sideways = ey.xdot_w,  rolling = omega.a,\n"
     "longitudinal = ex.vc,  lateral = ey.vc,  spin = omega.n"
@@ -73,7 +73,8 @@ def _waves(let: Let, w: Node) -> Road:
     doc = (
         "road: z = height + amplitude (1 - cos(2 pi s/wavelength))/2 with s = heading.(x, y) - start between 0 and\n"
         "waves wavelength, z = height elsewhere (C1 at the ends, smooth between);  z up\n"
-        + _DOC.format(distance="(w_z - z), measured vertically")
+        "the springs count the vertical distance, so that their force is normal to the road\n"
+        + _DOC.format(distance="(w_z - z)")
         + "\ngrade = slope of the road along ex, rise for horizontal length times |horizontal part of ex|"
     )
     parameters = (HEIGHT, AMPLITUDE, WAVELENGTH, START, WAVES, HEADING)
@@ -95,7 +96,7 @@ def _tyre(name: str, road: Road, let: Let, w: Node, frame: Node) -> Element:
     omega = let.vector("omega", angular_velocity(frame.x, frame.v))
     vc = let.vector("vc", w.v + cross(omega, r))
     deformations = [
-        Deformation("deflection", "m", RADIUS.symbol - crown - length, free=True),
+        Deformation("deflection", "m", RADIUS.symbol - crown - (road.distance - crown) / an, free=True),
         Deformation("drop", "m", RADIUS.symbol - road.distance, free=True),
         Deformation("camber", "rad", sp.atan2(lean, an), free=True),
     ]
