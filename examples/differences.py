@@ -29,9 +29,9 @@ def state_matrix(system: fx.System, state: fx.State, step: float = STEP) -> Arra
                 total += side * weight * system.rhs(state.t, y)
         return total / (60 * step)
 
-    A = np.array([slope(i) for i in range(y0.size)]).T
+    A: Array = np.array([slope(i) for i in range(y0.size)]).T
     order = np.concatenate([np.arange(nq, nq + nd), np.arange(nq), np.arange(nq + nd, y0.size)])
-    return A[np.ix_(order, order)]
+    return np.asarray(A[np.ix_(order, order)])
 
 
 def mismatch(system: fx.System, state: fx.State) -> float:

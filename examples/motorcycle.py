@@ -9,6 +9,7 @@ Imports numpy and flexel.
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -25,17 +26,17 @@ WHEELBASE, RAKE, TRAIL, HEAD_HEIGHT = 1.45, 0.47, 0.11, 0.9
 RADIUS, CROWN = {"rear": 0.31, "front": 0.30}, {"rear": 0.09, "front": 0.06}
 SINK = 0.007  # of the hubs as drawn, so that the tyres are pressed
 PIVOT = (0.50, 0.0, 0.42)  # of the swinging arm
-FRAME = {"mass": 240.0, "inertia": (28.0, 40.0, 24.0, 0.0, 2.0, 0.0)}  # with rider
+FRAME: dict[str, Any] = {"mass": 240.0, "inertia": (28.0, 40.0, 24.0, 0.0, 2.0, 0.0)}  # with rider
 FRAME_CENTRE = (0.62, 0.0, 0.62)
-FORK = {"mass": 12.0, "inertia": (0.9, 0.8, 0.25)}
+FORK: dict[str, Any] = {"mass": 12.0, "inertia": (0.9, 0.8, 0.25)}
 FORK_CENTRE = (1.26, 0.0, 0.66)
-WHEELS = {
+WHEELS: dict[str, dict[str, Any]] = {
     "rear": {"mass": 18.0, "inertia": (0.55, 0.95, 0.55)},
     "front": {"mass": 14.0, "inertia": (0.35, 0.62, 0.35)},
 }
 FORK_SPRING, SWING_SPRING = (9000.0, 550.0, 1000.0), (9000.0, 700.0, 690.0)  # stiffness, damping, preload
 STEERING_DAMPER = 12.0
-TYRES: dict[str, dict[str, float | tuple[float, ...]]] = {
+TYRES: dict[str, dict[str, Any]] = {
     axle: {
         "stiffness": 180e3, "damping": 250.0, "load0": load, "rolling_radius": RADIUS[axle] - 0.004,
         "friction": (1.2, -0.1), "slip_stiffness": 15.0, "cornering": (stiffness, 2.0), "camber_stiffness": 0.8,
@@ -87,7 +88,7 @@ def motorcycle(speed: float = 0.0, crown: float = 1.0) -> fx.System:
     m.independent("frame.x", *LATERAL, *PLANE, "rear spin.angle", "front spin.angle")
     m.initial("frame.x", rate=speed)
     for axle in RADIUS:
-        m.initial(f"{axle} spin.angle", rate=speed / float(TYRES[axle]["rolling_radius"]))  # type: ignore[arg-type]
+        m.initial(f"{axle} spin.angle", rate=speed / TYRES[axle]["rolling_radius"])
     return m.build()
 
 
@@ -102,7 +103,7 @@ def telescope(m: fx.Model, name: str, p: str, frame: str, q: str, axis: Array) -
 def straight(system: fx.System, speed: float) -> fx.State:
     """Steady straight running: springs and tyres take the weight, the wheels roll without slip."""
     rates = dict.fromkeys(system.dynamic, 0.0) | {"frame.x": speed}
-    rates |= {f"{axle} spin.angle": speed / float(z["rolling_radius"]) for axle, z in TYRES.items()}  # type: ignore[arg-type]
+    rates |= {f"{axle} spin.angle": speed / z["rolling_radius"] for axle, z in TYRES.items()}
     return system.steady(system.state_at(rates=rates), unknown=PLANE)
 
 

@@ -162,7 +162,7 @@ def length(m: fx.Model, p: str, q: str) -> float:
 def tyre_forces(m: fx.Model, axle: str, side: str, tyres: str, deflection: str) -> None:
     """The law of a tyre: its spring, and side forces where there are any."""
     tyre = f"{axle} {side} tyre"
-    spring = {"stiffness": data.TYRE_STIFFNESS, "damping": 0.0}
+    spring: dict[str, Any] = {"stiffness": data.TYRE_STIFFNESS, "damping": 0.0}
     if tyres in ("zero slip", "vertical"):
         m.attach("vertical_tyre", [f"{tyre}.{deflection}"], **spring)
         return

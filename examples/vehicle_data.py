@@ -6,6 +6,8 @@ centre of the chassis. Corners are named by what they physically are: y < 0 is r
 
 from __future__ import annotations
 
+from typing import Any
+
 TALK = "Schwab, talk on SPACAR: 85 elements, 239 deformations, 70 nodes, 226 coordinates, 10 freedoms"
 TALK_COUNTS = {"elements": 85, "deformations": 239, "nodes": 70, "coordinates": 226, "freedoms": 10}
 PAPER = "Frik, Leister, Schwartz (1993) VSD 22 suppl. 215-253, as quoted in ovankerm/IAVSD_ILTIS"
@@ -34,10 +36,10 @@ POINTS = {
     "hub": (0.0, 0.615, 0.356),
 }
 
-CHASSIS = {"mass": 1260.0, "inertia": (130.0, 1620.0, 1670.0)}
-ARM = {"mass": 6.0, "inertia": (0.052099, 0.023235, 0.068864)}
+CHASSIS: dict[str, Any] = {"mass": 1260.0, "inertia": (130.0, 1620.0, 1670.0)}
+ARM: dict[str, Any] = {"mass": 6.0, "inertia": (0.052099, 0.023235, 0.068864)}
 ARM_CENTRE = 0.16073  # from the lower ball along the arm
-WHEEL = {"mass": 57.35, "inertia": (1.2402, 1.908, 1.2402)}
+WHEEL: dict[str, Any] = {"mass": 57.35, "inertia": (1.2402, 1.908, 1.2402)}
 
 RADIUS = {"front": 0.364325, "rear": 0.363812}  # of the unloaded tyre
 TYRE_STIFFNESS = 460000.0
@@ -47,14 +49,14 @@ UNIT_SPRING = (-4.0092e6, 2.8397e7, -6.7061e7, 5.2796e7)  # tension over the len
 UNIT_DAMPER = ((-416.42, 1844.3), (0.0, 9945.627, 33955.72, -59832.25, -395651.0), (1919.1638, 1634.727))
 UNIT_DAMPER_BREAKS = (-0.2, 0.21)
 
-CALSPAN: dict[str, float | tuple[float, ...]] = {
+CALSPAN: dict[str, Any] = {
     "A": (2625.0, 14.47, 12930.0, 2.29, 18175.0),
     "B": (-0.464e-4, 1.216, 2.18e-11),
     "SN": 1.0274,
     "AF": (-0.171e-4, 0.171e-4),
 }
 LARGEST_LOAD = 12930.0  # A2: where the data of the CALSPAN tyre end [N]
-LINEAR = {
+LINEAR: dict[str, dict[str, Any]] = {
     "front": {"cornering": 41641.0, "camber_stiffness": 6925.0, "trail": 0.06553},
     "rear": {"cornering": 40162.0, "camber_stiffness": 6600.0, "trail": 0.06142},
 }

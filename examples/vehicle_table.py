@@ -132,7 +132,7 @@ def linear(results: Results) -> list[Quantity]:
                  data.INDICATIVE + indicative),
         Quantity("eigenvalues_20_no_side_force", symmetric(results.no_side_force),
                  list(data.SYMMETRIC_NO_SIDE_FORCE), 2e-2, "1/s", data.INDICATIVE + indicative),
-        Quantity("linearization_error", difference, 0.0, 1e-8, "", "sixth-order differences of the nonlinear equations"),
+        Quantity("linearization_error", difference, 0.0, 1e-8, "", "differences of the nonlinear equations"),
         Quantity("root_loci_rightmost", results.loci.real.max(axis=1), unit="1/s", source="5 ... 40 m/s"),
     ]  # fmt: skip
 

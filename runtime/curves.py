@@ -103,8 +103,8 @@ class Curve:
             raise ModelError(f"curve: places {places.tolist()} do not rise; sort them")
         p = PchipInterpolator(places, values)
         slopes = p.derivative()(places)
-        local = [(places[0], [values[0], slopes[0]])]
-        local += [(places[i], p.c[::-1, i]) for i in range(places.size - 1)]
+        local: list[tuple[float, Sequence[float]]] = [(places[0], [values[0], slopes[0]])]
+        local += [(places[i], p.c[::-1, i].tolist()) for i in range(places.size - 1)]
         local.append((places[-1], [values[-1], slopes[-1]]))
         return Curve([_about_zero(c, o) for o, c in local], places.tolist())
 
@@ -177,7 +177,8 @@ def spring_curve(self: Model, name: str, curve: Curve, at: float = 0.0) -> None:
         The curve's variable where the deformation is zero, such as the length of a strut as drawn.
     """
     owner = f"spring curve on '{name}'"
-    self.attach("spring_curve", [name], **_checked(curve, owner).parameters(number(at, owner, "at")))
+    values: dict[str, Any] = {**_checked(curve, owner).parameters(number(at, owner, "at"))}
+    self.attach("spring_curve", [name], **values)
 
 
 def damper_curve(self: Model, name: str, curve: Curve) -> None:
@@ -188,7 +189,7 @@ def damper_curve(self: Model, name: str, curve: Curve) -> None:
     ModelError
         If the force at rest is not zero.
     """
-    values = _checked(curve, f"damper curve on '{name}'").parameters(0.0)
+    values: dict[str, Any] = {**_checked(curve, f"damper curve on '{name}'").parameters(0.0)}
     if curve(0.0):
         raise ModelError(
             f"damper curve on '{name}': it gives {curve(0.0):g} at rest; a damper gives nothing there"
