@@ -110,8 +110,8 @@ def straight(system: fx.System, speed: float) -> fx.State:
 def lateral_modes(lin: Linearization) -> dict[str, Mode]:
     """Weave, wobble and capsize among the modes that lean, steer and yaw.
 
-    Wobble is the oscillation in which the steering takes the largest part, weave the slowest other one, capsize the
-    slowest that does not oscillate.
+    Wobble is the fastest oscillation, weave the least damped of the clearly slower ones, capsize the least stable
+    motion that does not oscillate.
     """
     modes = [
         z for z in lin.modes() if sum(z.participation[name] for name in LATERAL) > 0.5 and z.frequency > 1e-3
@@ -124,7 +124,7 @@ def lateral_modes(lin: Linearization) -> dict[str, Mode]:
         found["weave"] = max(slower, key=lambda z: z.eigenvalue.real)
     creeping = [z for z in modes if abs(z.eigenvalue.imag) < 1e-6]
     if creeping:
-        found["capsize"] = min(creeping, key=lambda z: abs(z.eigenvalue))
+        found["capsize"] = max(creeping, key=lambda z: z.eigenvalue.real)
     return found
 
 

@@ -57,7 +57,7 @@ def loci(results: Results, path: Path) -> None:
         results.loci,
         path,
         label="speed [m/s]",
-        limits=(-60.0, 3.0),
+        limits=(-40.0, 1.0),
         title="Eigenvalues of steady straight running, CALSPAN tyres",
     )
 

@@ -159,6 +159,12 @@ def lifted(motion: fx.Motion) -> list[str]:
 # -- linear equations -----------------------------------------------------------------------------
 
 
+def moving(lin: Linearization) -> Array:
+    """Eigenvalues without the four smallest: place and heading on the road, and the speed, which nothing restores."""
+    w = np.asarray(lin.eigenvalues())
+    return np.asarray(sort_eigenvalues(w[np.argsort(np.abs(w))[4:]]))
+
+
 def mode_name(mode: Mode) -> str:
     """What moves in a mode: wheels hopping in one of four patterns, or the body in one of its freedoms."""
     share = sum(mode.participation.get(z, 0.0) for z in SUSPENSION)
@@ -285,7 +291,7 @@ def analyse() -> Results:
         linear=lin,
         differenced=state_matrix(system, lin.state),
         no_side_force=linear(20.0, "vertical")[1],
-        loci=np.array([sort_eigenvalues(linear(v)[1].eigenvalues()) for v in LOCI]),
+        loci=np.array([moving(linear(v)[1]) for v in LOCI]),
         steering=steering,
         sines={mm: sine_steer(mm) for mm in data.SINE_STEER},
         bumps={(v, mirrored): bump(float(v), mirrored) for v in BUMP_SPEEDS for mirrored in (False, True)},
