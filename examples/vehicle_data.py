@@ -11,7 +11,6 @@ from typing import Any
 TALK = "Schwab, talk on SPACAR: 85 elements, 239 deformations, 70 nodes, 226 coordinates, 10 freedoms"
 TALK_COUNTS = {"elements": 85, "deformations": 239, "nodes": 70, "coordinates": 226, "freedoms": 10}
 PAPER = "Frik, Leister, Schwartz (1993) VSD 22 suppl. 215-253, as quoted in ovankerm/IAVSD_ILTIS"
-OTHER = "another program's run (Robotran, ovankerm/IAVSD_ILTIS 18c4286)"
 RERUN = "another program's run, not published (Robotran, ovankerm/IAVSD_ILTIS 81cd42c)"
 RECOMPUTED = "stationary energy, recomputed by an independent script; agrees with Robotran's printed digits"
 LEVER = "lever rule of the level vehicle (as the published loads are)"
@@ -67,8 +66,6 @@ RAMP_RATE, RAMP_SECONDS = 0.004, 0.5  # of the rack
 ROUNDED = 0.01  # s: the corners of the ramp, so that the rack has an acceleration
 
 NOMINAL = {"leaf": -2728.9, "unit": -128.0, "tyre_front": 3829.6, "tyre_rear": 3593.6}
-NOMINAL_OTHER = {"leaf": -2728.86, "unit": -128.03, "tyre_front": 3829.50, "tyre_rear": 3593.52}
-LEVEL = {"tyre_front": 3829.5815, "tyre_rear": 3593.6455}
 EQUILIBRIUM = {
     "drop": (-7.08335795371251e-3, "m"),
     "pitch": (2.557498e-3, "rad"),

@@ -75,11 +75,6 @@ def start(system: fx.System, speed: float, deflection: str = "deflection") -> fx
     return system.state_at({z: rest[z] for z in HEAVE}, rates(system, speed))
 
 
-def axle_force(state: fx.State, axle: str, part: str) -> float:
-    """Force of a part at the right wheel of an axle; in the symmetric states, of either."""
-    return state.force(f"{axle} right {part}")
-
-
 def angles(state: fx.State) -> tuple[float, float, float]:
     """Pitch, roll and yaw [rad] of the chassis in the benchmark's order, R = Ry Rx Rz."""
     R = matrix(state.position("body"))
@@ -194,7 +189,13 @@ def steer(speed: float, tyres: str = "calspan", seconds: float = 5.0, rtol: floa
     """Ramp-to-step steering to 2 mm of the rack."""
     system = vehicle(speed, tyres=tyres, rack=rounded_ramp())
     return system.simulate(
-        seconds, start=start(system, speed), samples=126, method=METHOD, rtol=rtol, atol=rtol / 100
+        seconds,
+        start=start(system, speed),
+        samples=126,
+        method=METHOD,
+        rechoose=False,
+        rtol=rtol,
+        atol=rtol / 100,
     )
 
 
@@ -202,7 +203,13 @@ def sine_steer(millimetres: float, speed: float = 20.0, seconds: float = 3.0) ->
     """Sine steering at 1 Hz."""
     system = vehicle(speed, rack=fx.Harmonic(millimetres / 1000, 2 * np.pi))
     return system.simulate(
-        seconds, start=start(system, speed), samples=151, method=METHOD, rtol=RTOL, atol=RTOL / 100
+        seconds,
+        start=start(system, speed),
+        samples=151,
+        method=METHOD,
+        rechoose=False,
+        rtol=RTOL,
+        atol=RTOL / 100,
     )
 
 
@@ -222,7 +229,9 @@ def bump(
     system = vehicle(speed, roads=roads, deflection=deflection)
     grid = np.linspace(0, seconds, round(100 * seconds) + 1) if times is None else times
     begin = start(system, speed, deflection)
-    return system.simulate(seconds, start=begin, times=grid, method="RK45", rtol=rtol, atol=rtol / 100)
+    return system.simulate(
+        seconds, start=begin, times=grid, method=METHOD, rechoose=False, rtol=rtol, atol=rtol / 100
+    )
 
 
 def energy_gap(run: Callable[[Array], fx.Motion], seconds: float, panels: int) -> float:
