@@ -21,6 +21,8 @@ CASES = {
     "cardan": "flexel.examples.cardan",
     "slider-crank": "flexel.examples.slider_crank",
     "flexures": "flexel.examples.flexures",
+    "vehicle": "flexel.examples.vehicle",
+    "motorcycle": "flexel.examples.motorcycle",
 }
 
 
