@@ -201,7 +201,7 @@ class Saddle:
     def _row_sizes(self, J: Array) -> Array:
         """Largest entry of the row of each quantity in J."""
         local = self.local
-        sizes = np.zeros(local.lines.size)
+        sizes = np.zeros(local.line_of.size)
         if J.size:
             sizes[local.lines] = np.maximum.reduceat(np.abs(J), local.starts_J[:-1])
         return sizes
