@@ -42,11 +42,17 @@ def motion(results: Results, path: Path) -> None:
 
 
 def along_the_rope(results: Results, path: Path) -> None:
-    """Tension along the rope at rest, while the load is accelerated, and at constant speed."""
+    """Tension along the rope at rest, while the load is accelerated, and at constant speed.
+
+    Lines join the means of the elements, dots are their Gauss points.
+    """
     m, rope = results.motion, results.model.rope
     with figure(1, 1, (8.0, 4.5)) as (drawn, axes):
         for t, colour in zip(TIMES, COLOURS, strict=False):
-            s, T = rope.tension(m[int(np.argmin(np.abs(m.t - t)))])
+            state = m[int(np.argmin(np.abs(m.t - t)))]
+            s, T = rope.tension(state)
+            axes.plot(s, T / 1e3, ".", color=colour, markersize=2, alpha=0.5)
+            s, T = rope.tension(state, mean=True)
             axes.plot(s, T / 1e3, color=colour, label=f"t = {t:g} s")
         axes.set_xlabel("length along the rope from its anchor on the drum [m]")
         axes.set_ylabel("tension [kN]")

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from flexel.system import System
 
 MAX_ITERATIONS = 20
+PATIENCE = 8  # iterations within which the error must have come down to a tenth
 CONVERGED, STALLED = 1e-11, 1e-8  # relative errors: good at once, and where rounding lets it go no further
 FORCES = 1e-2  # weight of the forces' relative unbalance beside the violation of conditions
 ROUGH = 0.1  # relative error of a prediction beyond which another is tried
@@ -181,15 +182,17 @@ class Stepper(Saddle):
             self._matrix = None
         p, b = self._start_of(p, old, h)
         error = self._relative(b, h)
-        last = np.inf
-        for _ in range(MAX_ITERATIONS):
+        first, last = error, np.inf
+        for i in range(MAX_ITERATIONS):
             if error < CONVERGED or (error < STALLED and error > 0.5 * last):
                 return self._finished(old, p, b), b
+            if not np.isfinite(error) or (i >= PATIENCE and error > 0.1 * first):
+                return None
             fresh = self._matrix is None or self.full or error > SLOW * last
             if fresh:
                 self._matrix = self._tangent(b, rate, acceleration, scaling)
                 self._matrix_step = h
-            if self._matrix is None or not self._matrix.factors.regular or not np.isfinite(error):
+            if self._matrix is None or not self._matrix.factors.regular:
                 return None
             slip = b.w[self.roles.zero]
             step = self._matrix.factors.solve(np.concatenate([scaling * b.r, b.gap, slip / rate]))

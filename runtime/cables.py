@@ -5,6 +5,7 @@ Imports numpy, the errors, the shared checks, the orientation, the materials, th
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -17,14 +18,13 @@ from flexel.inputs import array, vector
 from flexel.materials import Material, Profile, profile_of
 from flexel.orientation import triad
 from flexel.state import State
-from flexel.structure import Array, Instance, LawInstance, Node, unknown
+from flexel.structure import Array, Index, Instance, LawInstance, Node, unknown
 
 if TYPE_CHECKING:
     from flexel.model import Model
 
-AXIAL, BENDING = (
-    np.polynomial.legendre.leggauss(k) for k in (4, 3)
-)  # places on (-1, 1) and weights of sum 2
+# Places on (-1, 1) and weights of sum 2.
+AXIAL, BENDING = (np.polynomial.legendre.leggauss(k) for k in (4, 3))
 KINDS = ("cable", "planar_cable")
 
 
@@ -227,16 +227,31 @@ def cable_tension(state: State, cable: str) -> tuple[Array, Array]:
     ModelError
         If there is no cable of that name.
     """
-    instance = find_cable(state, cable)
-    rows = np.array([state.structure.index[z] for z in instance.deformations[:4]])
-    l0 = float(instance.parameters["l0"][0])
+    rows, l0 = axial_rows(state, [cable])
+    return (1 + AXIAL[0]) * l0[0] / 2, gauss_tension(state, rows, l0)[0]
+
+
+def axial_rows(state: State, cables: Sequence[str]) -> tuple[Index, Array]:
+    """Quantities (cables, 4) of the axial strains of some cables, and their undeformed lengths (cables,) [m]."""
+    known = _cables(state)
+    found = [known[z] if z in known else find_cable(state, z) for z in cables]
+    rows = [[state.structure.index[name] for name in z.deformations[:4]] for z in found]
+    return np.array(rows), np.array([float(z.parameters["l0"][0]) for z in found])
+
+
+def gauss_tension(state: State, rows: Index, l0: Array) -> Array:
+    """Tension (cables, 4) [N] at the Gauss points of the cables that `axial_rows` found."""
     stretch = np.sqrt(1 + 2 * state.e[rows])
-    return (1 + AXIAL[0]) * l0 / 2, state.stress[rows] * stretch / (AXIAL[1] * l0 / 2)
+    return np.asarray(state.stress[rows] * stretch / (AXIAL[1] * l0[:, None] / 2))
+
+
+def _cables(state: State) -> dict[str, Instance]:
+    return {z.name: z for z in state.structure.instances if z.spec.name in KINDS}
 
 
 def find_cable(state: State, cable: str) -> Instance:
     """The cable of that name, or a ModelError with the nearest ones."""
-    known = {z.name: z for z in state.structure.instances if z.spec.name in KINDS}
+    known = _cables(state)
     if cable not in known:
         raise ModelError(unknown(str(cable), known, "cable"))
     return known[cable]

@@ -8,13 +8,15 @@ Imports numpy and the runtime rooms of orientation, painters, shape, state and s
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from flexel.orientation import conjugate, matrix, product
-from flexel.painters import PAINTERS, WHEELS, bar
+from flexel.painters import CONTACTS, PAINTERS, WHEELS, bar
+from flexel.rope_painters import sheaves
 from flexel.shape import Shape, Sketch, place
-from flexel.state import State
+from flexel.state import Geometry, State
 from flexel.structure import Array, Instance
 
 __all__ = ["Shape", "Sketch", "planar", "roads", "shapes", "upward"]
@@ -26,10 +28,11 @@ def shapes(state: State, sketches: Sequence[Sketch] = ()) -> list[Shape]:
     # a body that has a sketch or is a wheel needs no box
     outlined = {sketch.frame for sketch in sketches} | {z.nodes[1] for z in shown if z.spec.name in WHEELS}
     found: list[Shape] = []
+    state = replace(state, evaluation=_Geometry(state.evaluation))
     for instance in shown:
         boxed = outlined.isdisjoint(instance.nodes)
         found += [z for z in _element(state, instance) if boxed or z.style != "box"]
-    found = _once(found)
+    found += sheaves(state, (z for z in shown if z.spec.name in CONTACTS))
     found += [_sketch(state, sketch) for sketch in sketches]
     for node in state.structure.nodes:
         if node.kind.endswith("point") and "." not in node.name:
@@ -38,18 +41,19 @@ def shapes(state: State, sketches: Sequence[Sketch] = ()) -> list[Shape]:
     return found
 
 
-def _once(found: list[Shape]) -> list[Shape]:
-    """Each sheave only once, with its marks, however many contacts it has."""
-    seen: set[tuple[str, str]] = set()
-    kept = []
-    sheaves = {z.name for z in found if z.style == "sheave"}
-    for shape in found:
-        if shape.name in sheaves and shape.style in ("sheave", "valve", "spoke"):
-            if (shape.style, shape.name) in seen:
-                continue
-            seen.add((shape.style, shape.name))
-        kept.append(shape)
-    return kept
+class _Geometry:
+    """The geometry of the one state of a picture: evaluated once, however many parts ask for it."""
+
+    def __init__(self, geometry: Geometry) -> None:
+        self.structure = geometry.structure
+        self._geometry = geometry
+        self._found: tuple[Array, Array] | None = None
+
+    def position(self, x: Array) -> tuple[Array, Array]:
+        """Deformations and J, as `flexel.state.Geometry` says."""
+        if self._found is None:
+            self._found = self._geometry.position(x)
+        return self._found
 
 
 def roads(state: State) -> list[tuple[Array, float]]:

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 SHORTEST = 1e-10  # of the duration
 DEEP = 0.1  # of a new contact's penetration: a larger local error halves the step
 STEADY = 1.3  # growth of the step below which it stays as it is: every change disturbs the multipliers
+MOST_FALSE = 256  # parts of a step in which a solution with energy from nowhere is refused
 MOST_HALVINGS = 4  # on account of new contacts
 
 
@@ -148,7 +149,7 @@ class GeneralizedAlpha(Run):
         step = asked = gap / parts
         while True:
             found = self.stepper.solve(old, step)
-            error = np.inf if found is None else self._error(old, *found, step)
+            error = np.inf if found is None else self._error(old, *found, step, asked)
             if found is not None and error <= 1.0:
                 break
             self._rejected += 1
@@ -166,9 +167,11 @@ class GeneralizedAlpha(Run):
         self.accept(point, balance)
         return True
 
-    def _error(self, old: Point, new: Point, b: Balance, h: float) -> float:
-        """Local error over the tolerance; infinite where a contact has begun too deeply for this step."""
+    def _error(self, old: Point, new: Point, b: Balance, h: float, asked: float) -> float:
+        """Local error over the tolerance; infinite for a false solution, and where a contact has begun too deeply."""
         stepper = self.stepper
+        if h > asked / MOST_FALSE and self.ledger.conjured(b, h):
+            return np.inf
         error = stepper.error_of(old, new, h)
         if self._halvings < MOST_HALVINGS:
             begun = self.ledger.new_penetration(b)

@@ -34,6 +34,8 @@ class Ledger:
             self._gap[numbers] = quantities
         self._touching = np.zeros(0, dtype=bool)
         self._power = np.zeros(2)
+        self._energy = np.zeros(2)
+        self._largest = 0.0
         self._sums = np.zeros(2)
         self._stored = 0.0
         self.kept: dict[str, list[float]] = {"contact": [], "dissipated": [], "work": []}
@@ -57,16 +59,42 @@ class Ledger:
             self.kept[name].append(float(value))
 
     def new_penetration(self, b: Balance) -> float:
-        """Deepest penetration of the contacts that have begun in the step that ends in a balance; 0 if none has."""
+        """Deepest penetration of the contacts that have begun in the step that ends in a balance; 0 if none has.
+
+        Nor is it an impact if others that were closed before are deeper: a rope runs onto its sheave like that.
+        """
         if not self._contact.any():
             return 0.0
-        begun = self._contact & (b.laws.stored > 0) & ~self._touching
-        return float(np.abs(b.e[self._gap[begun]]).max(initial=0.0))
+        closed = self._contact & (b.laws.stored > 0)
+        depth = np.abs(b.e[self._gap])
+        begun = float(depth[closed & ~self._touching].max(initial=0.0))
+        return begun if begun > depth[closed & self._touching].max(initial=0.0) else 0.0
+
+    def conjured(self, b: Balance, h: float) -> bool:
+        """Whether most of the energy at the end of a step has come from nowhere.
+
+        Newton's method has then found another solution of a long step than the one that goes on from its beginning: a
+        rope that has sprung off its sheave, for instance.
+        """
+        before, after = self._energy, self._energies(b)
+        lost, work = h / 2 * (self._power + np.array([self._losses(b), self._drives(b)]))
+        made = after.sum() - before.sum() - work + min(lost, 0.0)
+        return bool(made > 0.5 * after[0] + 0.01 * self._largest)
 
     def _enter(self, b: Balance) -> None:
         self._power = np.array([self._losses(b), self._drives(b)])
+        self._energy = self._energies(b)
+        self._largest = max(self._largest, float(self._energy[0]))
         self._touching = b.laws.stored > 0
         self._stored = float(b.laws.stored[self._contact].sum())
+
+    def _energies(self, b: Balance) -> Array:
+        """Kinetic and strain energy together, and potential energy [J]."""
+        saddle = self._saddle
+        kinetic = float(b.v @ saddle.local.momentum(b.inertia.M, b.v)) / 2
+        values = saddle.system.kinematics.values(b.e, b.x)
+        potential = b.inertia.potential + saddle.system.loads.potential(b.t, values)
+        return np.array([kinetic + float(b.laws.stored.sum()), potential])
 
     def _losses(self, b: Balance) -> float:
         """Power lost in laws and by mass-proportional damping [W]."""

@@ -200,6 +200,10 @@ def _bending(state: State, instance: Instance) -> dict[str, Array]:
     return found
 
 
+CONTACTS = (
+    *("cable_cylinder", "cable_plane", "cable_v_groove", "cable_round_groove"),
+    *("planar_cable_circle", "planar_cable_line"),
+)
 WHEELS = ("wheel", "toroidal_wheel", "tyre", "tyre_on_road")
 PAINTERS: dict[str, Callable[[State, Instance], Iterator[Shape]]] = {
     "truss": bar,
@@ -215,8 +219,7 @@ PAINTERS: dict[str, Callable[[State, Instance], Iterator[Shape]]] = {
     "planar_cable": rope,
     **dict.fromkeys(("wheel", "toroidal_wheel"), wheel),
     **dict.fromkeys(("tyre", "tyre_on_road"), tyre),
-    **dict.fromkeys(("cable_cylinder", "cable_plane", "cable_v_groove", "cable_round_groove"), contact),
-    **dict.fromkeys(("planar_cable_circle", "planar_cable_line"), contact),
+    **dict.fromkeys(CONTACTS, contact),
     "body": body,
     "planar_body": body,
     "point_mass": mass,

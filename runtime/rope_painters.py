@@ -5,7 +5,7 @@ Imports numpy and the runtime rooms of cables, orientation, shape, state and str
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 import numpy as np
 
@@ -48,19 +48,25 @@ def _stretch(state: State, instance: Instance) -> dict[str, Array]:
 
 
 def contact(state: State, instance: Instance) -> Iterator[Shape]:
-    """The force on a rope at a point of contact, and the sheave or drum with a spoke that shows its turning.
-
-    All contacts of one sheave draw it; `flexel.drawing.shapes` keeps the first.
-    """
+    """The force on a rope at a point of contact."""
     place_of_contact = _curve(state, instance, instance.parameters["xi"][:, None])
     force = resultant(state, instance, instance.nodes[:3:2])
     yield Shape("force", instance.name, (place_of_contact,), force=force)
-    if "radius" in instance.parameters:
-        yield from _sheave(state, instance)
+
+
+def sheaves(state: State, contacts: Iterable[Instance]) -> Iterator[Shape]:
+    """Sheaves and drums that the contacts are with, each once, however many contacts it has."""
+    seen: set[tuple[str, float]] = set()
+    for instance in contacts:
+        if "radius" in instance.parameters:
+            key = instance.nodes[4], float(instance.parameters["radius"][0])
+            if key not in seen:
+                seen.add(key)
+                yield from _sheave(state, instance)
 
 
 def _sheave(state: State, instance: Instance) -> Iterator[Shape]:
-    """A cylinder about the axle, as wide as some rope diameters, and a mark on its face."""
+    """A cylinder about the axle, as wide as some rope diameters, and a spoke that shows its turning."""
     z = instance.parameters
     body, frame = instance.nodes[4:6]
     radius, half = float(z["radius"][0]), WIDTH / 2 * float(z["rope_radius"][0])

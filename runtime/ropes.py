@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from flexel.cable_lines import CableLine
-from flexel.cables import cable_tension
+from flexel.cables import AXIAL, axial_rows, gauss_tension
 from flexel.checks import not_negative, positive
 from flexel.contacts import Contact, ContactPoint
 from flexel.errors import ModelError
@@ -47,16 +47,26 @@ class Rope(CableLine):
     tension0: float
     contacts: dict[str, list[ContactPoint]]
 
-    def tension(self, states: State | Sequence[State]) -> tuple[Array, Array]:
-        """Undeformed arc length s (ns,) [m] and tension (ns,) or (nt, ns) [N] at the Gauss points of all elements."""
+    def tension(self, states: State | Sequence[State], mean: bool = False) -> tuple[Array, Array]:
+        """Undeformed arc length s (ns,) [m] and tension (ns,) or (nt, ns) [N] along the rope.
+
+        Parameters
+        ----------
+        states : State or sequence of State
+        mean : bool
+            The mean of each element at its middle; the tension at all Gauss points by default.  Where a rope runs
+            onto a sheave, its curvature jumps within an element; a cubic cannot follow that, and is strained
+            unevenly about its mean.
+        """
         listed = [states] if isinstance(states, State) else states
-        s: Array = np.zeros(0)
-        rows = []
-        for state in listed:
-            parts = [cable_tension(state, z) for z in self.elements]
-            s = np.concatenate([start + place for start, (place, _) in zip(self.s[:-1], parts, strict=True)])
-            rows.append(np.concatenate([force for _, force in parts]))
-        return s, rows[0] if isinstance(states, State) else np.array(rows)
+        rows, l0 = axial_rows(listed[0], self.elements)
+        T = np.array([gauss_tension(state, rows, l0) for state in listed])
+        places, shares = (1 + AXIAL[0]) / 2, AXIAL[1] / 2
+        if mean:
+            s, T = self.s[:-1] + l0 / 2, T @ shares
+        else:
+            s, T = (self.s[:-1, None] + l0[:, None] * places).ravel(), T.reshape(len(listed), -1)
+        return s, T[0] if isinstance(states, State) else T
 
     def contact_force(self, states: State | Sequence[State], surface: str) -> tuple[Array, Array]:
         """Undeformed arc length s (np,) [m] and normal force (np,) or (nt, np) [N] of the points over one surface."""

@@ -154,6 +154,9 @@ def resultant(state: State, instance: Instance, points: Sequence[str]) -> Array:
     """Force (3,) of an element on some of its points, taken together [N]."""
     s = state.structure
     rows = [s.index[z] for z in (*instance.deformations, *instance.slips)]
-    f = -(state.J[rows].T @ state.stress[rows])
+    stress = state.stress[rows]
+    if not stress.any():  # an open contact
+        return np.zeros(3)
+    f = -(state.J[rows].T @ stress)
     total = np.sum([f[s.places(n)] for n in points], axis=0)
     return np.append(total, 0.0)[:3]

@@ -49,7 +49,7 @@ def scene_data(
     Parameters
     ----------
     frames : int
-        Equally spaced in time; a motion without dense output gives its stored states instead.
+        Equally spaced in time; of a motion without dense output, so many of its stored states.
     between : (start, end), optional
         Times [s] of the part to be shown; all by default.
     view : View, optional
@@ -82,7 +82,7 @@ def scene_data(
     speed = _speed(times[-1] - times[0]) if slower is None else 1 / slower
     found = common(states[0], table, view, title, caption) | {"times": times, "speed": speed}
     found["digits"] = int(np.clip(2 - np.floor(np.log10(max(times[-1] - times[0], 1e-6))), 0, 6))
-    found["shapes"] = [part(column) for column in zip(*table, strict=True)]
+    found["shapes"] = [part(column) for column in zip(*table, strict=True) if _acts(column)]
     return found
 
 
@@ -96,7 +96,13 @@ def _sampled(motion: Motion, frames: int, between: tuple[float, float] | None) -
     kept = [state for state in motion if start <= state.t <= end]
     if not kept:
         raise ModelError(f"view: the motion has no states from {start:g} to {end:g} s; change between=")
-    return kept
+    shown = np.unique(np.round(np.linspace(0, len(kept) - 1, min(frames, len(kept)))).astype(int))
+    return [kept[i] for i in shown]
+
+
+def _acts(column: Sequence[Shape]) -> bool:
+    """Whether a shape is to be seen at all: contacts that never close are not."""
+    return column[0].style != "force" or any(np.any(z.force) for z in column)
 
 
 def _speed(duration: float) -> float:
