@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from scipy.sparse import coo_array, csr_array, eye_array, vstack
+from scipy.sparse import coo_array, csc_array, csr_array, eye_array, vstack
 
 from flexel.assembly import Batch, Place, Stage, summed
 from flexel.locallaws import LocalLaws
@@ -122,8 +122,9 @@ class Local:
         starts_M = _starts((g.places.size, g.shape[2]) for g in moving)
         shape = self.lines.size, n
         self._J: Any = csr_array((np.zeros(self.columns_J.size), self.columns_J, self.starts_J), shape=shape)
-        self._lined = [g for g in self.groups if g.lines.size]
-        self._places_J = _joined(g.places for g in self._lined)
+        self._J_transposed: Any = csc_array(
+            (np.zeros(self.columns_J.size), self.columns_J, self.starts_J), shape=shape[::-1]
+        )
         columns = self.columns_K[: self.size_M]
         self._M: Any = csr_array((np.zeros(self.size_M), columns, starts_M), shape=(self._places_M.size, n))
         self._shares = _joined(
@@ -196,15 +197,15 @@ class Local:
 
     def rates(self, J: Array, v: Array) -> Array:
         """Rates of the deformations and slips (m + k,)."""
+        self._J.data = J
         w = np.zeros(self.line_of.size)
-        for g in self._lined:
-            w[g.lines] = (g.J(J) @ v[g.places][:, :, None])[:, :, 0]
+        w[self.lines] = self._J @ v
         return w
 
     def pull(self, J: Array, stress: Array) -> Array:
         """Nodal forces J' stress (n,) of stresses (m + k,)."""
-        forces = [(stress[g.lines][:, None, :] @ g.J(J)).ravel() for g in self._lined]
-        return summed(self._places_J, np.concatenate(forces or [np.zeros(0)]), self.structure.n)
+        self._J_transposed.data = J
+        return np.asarray(self._J_transposed @ stress[self.lines])
 
     def convective(self, x: Array, v: Array) -> Array:
         """Convective accelerations [D²e(v,v); s_x v] (m + k,)."""
