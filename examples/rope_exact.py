@@ -1,0 +1,133 @@
+"""Closed forms and small reference solutions of the rope problems.
+
+Imports numpy and scipy.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from scipy.integrate import quad, solve_ivp
+from scipy.optimize import fsolve
+from scipy.special import jn_zeros
+
+from flexel.structure import Array
+
+G = 9.81
+CONTACT_TIME = 2.94327518432470466  # of Hertz: duration of contact over largest approach per speed
+
+
+@dataclass(frozen=True)
+class Catenary:
+    """An elastic cable between supports (0, 0) and (l, h), with the forces at its first end.
+
+    Attributes
+    ----------
+    l, h : float
+        Span and height of the second support over the first [m].
+    L0 : float
+        Undeformed length [m].
+    w : float
+        Weight per undeformed length [N/m].
+    EA : float
+        [N]
+    H, V : float
+        Horizontal and vertical force at the first support, for a strain that is the relative elongation [N].
+    """
+
+    l: float
+    h: float
+    L0: float
+    w: float
+    EA: float
+    H: float
+    V: float
+
+    def __call__(self, u: float) -> tuple[float, float]:
+        """Place of the closed form at the undeformed arc length u L0 (Irvine 1981)."""
+        s = u * self.L0
+        H, V, w = self.H, self.V, self.w
+        x = H * s / self.EA + H / w * (np.arcsinh(V / H) - np.arcsinh((V - w * s) / H))
+        y = w * s / self.EA * (V / w - s / 2) + (np.hypot(H, V) - np.hypot(H, V - w * s)) / w
+        return float(x), -float(y)
+
+    def greens(self) -> Array:
+        """Horizontal force and tensions at both ends (3,) for Green's strain, T = EA λ (λ² - 1)/2.
+
+        By quadrature and root finding; it differs from the closed form by 3/2 of the strain.
+        """
+
+        def stretch(T: float) -> float:
+            return float(max(np.roots([0.5, 0, -0.5, -T / self.EA]).real))
+
+        def miss(unknown: Any) -> list[float]:
+            H, V = unknown
+
+            def slope(s: float, force: Callable[[float], float]) -> float:
+                T = float(np.hypot(H, V - self.w * s))
+                return stretch(T) * force(s) / T
+
+            x = quad(lambda s: slope(s, lambda s: H), 0, self.L0, epsabs=1e-13, epsrel=1e-13)[0]
+            y = quad(lambda s: slope(s, lambda s: self.w * s - V), 0, self.L0, epsabs=1e-13, epsrel=1e-13)[0]
+            return [x - self.l, y - self.h]
+
+        H, V = fsolve(miss, [self.H, self.V], xtol=1e-14)
+        return np.array([H, np.hypot(H, V), np.hypot(H, V - self.w * self.L0)])
+
+
+# sag of a tenth of the span, supports at different heights
+CATENARY = Catenary(10.0, 3.0, 12.0, 19.62, 1e5, 101.2854789775084, 78.41315172609652)
+
+
+def chain_frequencies(length: float, count: int) -> Array:
+    """Frequencies (count,) [rad/s] of a chain that hangs from one end: zeros of the Bessel function J0."""
+    return np.asarray(jn_zeros(0, count) / 2 * np.sqrt(G / length))
+
+
+def atwood_fall(
+    t: Array, m1: float, m2: float, rope: float, length: float, inertia: float, radius: float
+) -> Array:
+    """Fall (nt,) [m] of the mass m1 of Atwood's machine from rest, with a rope of a mass per length, level at first.
+
+    (m1 + m2 + rope length + inertia/radius²) x'' = (m1 - m2) g + 2 rope g x
+    """
+    rate = np.sqrt(2 * rope * G / (m1 + m2 + rope * length + inertia / radius**2))
+    return np.asarray((m1 - m2) / rope * np.sinh(rate * t / 2) ** 2)  # cosh - 1, without cancellation
+
+
+def hertz(stiffness: float, mass: float, speed: float) -> tuple[float, float]:
+    """Largest approach [m] and duration [s] of the impact of a mass on a spring of exponent 3/2."""
+    approach = (5 * mass * speed**2 / (4 * stiffness)) ** 0.4
+    return float(approach), CONTACT_TIME * approach / speed
+
+
+def reduced_hoist(
+    times: Array,
+    mass: float,
+    EA: float,
+    length: float,
+    radius: float,
+    damping: float,
+    angle: Callable[..., float],
+) -> tuple[Array, Array]:
+    """Depth x (nt,) [m] and tension (nt,) [N] of a load that is released on a rope that a drum winds up.
+
+    The rope is massless and straight; its free undeformed length is l0 = length - radius angle(t), its strain
+    x/l0 - 1, and its tension EA (strain + damping strain').
+    """
+
+    def pull(t: float, x: float, v: float) -> float:
+        free, rate = length - radius * angle(t), -radius * angle(t, 1)
+        return max(EA * (x / free - 1 + damping * (v / free - x * rate / free**2)), 0.0)
+
+    def rates(t: float, y: Array) -> list[float]:
+        return [y[1], G - pull(t, y[0], y[1]) / mass]
+
+    found = solve_ivp(
+        rates, (0, times[-1]), [length, 0.0], t_eval=times, rtol=1e-10, atol=1e-12, max_step=1e-2
+    )
+    x, v = found.y
+    return x, np.array([pull(*z) for z in zip(times, x, v, strict=True)])
