@@ -77,4 +77,4 @@ def test_impact_has_hertzs_approach_and_duration(benchmark: dict[str, Any]) -> N
 
 
 def test_impact_without_dissipation_gives_the_speed_back() -> None:
-    assert sheaves.impact(200)[2][-1] == pytest.approx(1.0, abs=1e-6)
+    assert sheaves.impact(400)[2][-1] == pytest.approx(1.0, abs=1e-6)
