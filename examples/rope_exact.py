@@ -104,6 +104,11 @@ def hertz(stiffness: float, mass: float, speed: float) -> tuple[float, float]:
     return float(approach), CONTACT_TIME * approach / speed
 
 
+def sliding_fall(t: Array, ahead: float, length: float) -> Array:
+    """Fall (nt,) [m] of the lower end of a rope over a smooth edge, which hangs lower by twice `ahead` at first."""
+    return np.asarray(2 * ahead * np.sinh(np.sqrt(G / (2 * length)) * t) ** 2)
+
+
 def reduced_hoist(
     times: Array,
     mass: float,
@@ -111,23 +116,24 @@ def reduced_hoist(
     length: float,
     radius: float,
     damping: float,
-    angle: Callable[..., float],
+    speed: Callable[[float], float],
+    stretched: bool,
 ) -> tuple[Array, Array]:
-    """Depth x (nt,) [m] and tension (nt,) [N] of a load that is released on a rope that a drum winds up.
+    """Depth (nt,) [m] and tension (nt,) [N] of a load that is released on a rope that a drum winds up.
 
-    The rope is massless and straight; its free undeformed length is l0 = length - radius angle(t), its strain
-    x/l0 - 1, and its tension EA (strain + damping strain').
+    The rope is massless and straight; its tension is EA (strain + damping strain') with the strain x/l - 1 of its free
+    undeformed length l.  The drum takes up an undeformed length of radius times angle, or, `stretched`, the rope as it
+    arrives, of which less is undeformed.
     """
 
-    def pull(t: float, x: float, v: float) -> float:
-        free, rate = length - radius * angle(t), -radius * angle(t, 1)
-        return max(EA * (x / free - 1 + damping * (v / free - x * rate / free**2)), 0.0)
+    def pull(t: float, x: float, v: float, free: float) -> tuple[float, float]:
+        taken = -radius * speed(t) * (free / x if stretched else 1.0)
+        return max(EA * (x / free - 1 + damping * (v / free - x * taken / free**2)), 0.0), taken
 
     def rates(t: float, y: Array) -> list[float]:
-        return [y[1], G - pull(t, y[0], y[1]) / mass]
+        force, taken = pull(t, *y)
+        return [y[1], G - force / mass, taken]
 
-    found = solve_ivp(
-        rates, (0, times[-1]), [length, 0.0], t_eval=times, rtol=1e-10, atol=1e-12, max_step=1e-2
-    )
-    x, v = found.y
-    return x, np.array([pull(*z) for z in zip(times, x, v, strict=True)])
+    start = [length, 0.0, length]
+    found = solve_ivp(rates, (0, times[-1]), start, t_eval=times, rtol=1e-10, atol=1e-12, max_step=1e-2).y
+    return found[0], np.array([pull(t, *y)[0] for t, y in zip(times, found.T, strict=True)])

@@ -63,7 +63,7 @@ def capstan() -> list[Quantity]:
 def atwood_motion(n: int, mass: float, duration: float = 0.3) -> tuple[fx.Motion, Rope]:
     """Atwood's machine from rest with a rope of a mass per length."""
     system, rope = models.atwood(n, mass=mass, **ATWOOD)
-    return system.simulate_stiff(duration, samples=31, tolerance=1e-5, progress=False), rope
+    return system.simulate_stiff(duration, samples=31, step=2e-3, progress=False), rope
 
 
 def atwood_error(n: int, mass: float) -> float:
@@ -80,7 +80,7 @@ def atwood() -> list[Quantity]:
     return [
         over_meshes("atwood_error", lambda n: atwood_error(n, 1.0), meshes, 2e-3,
                     "fall with a heavy rope, cosh law; sheave with inertia"),
-        over_meshes("atwood_light_rope_error", lambda n: atwood_error(n, 0.01), meshes, 2e-3,
+        over_meshes("atwood_light_rope_error", lambda n: atwood_error(n, 0.01), meshes[1:], 2e-3,
                     "(m1 - m2) g/(m1 + m2 + I/R²)"),
     ]  # fmt: skip
 

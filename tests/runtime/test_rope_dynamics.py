@@ -40,7 +40,9 @@ def test_sudden_load_on_a_light_rope_has_the_factor_of_the_oscillator() -> None:
         assert waves.oscillator_factor(zeta) == pytest.approx(factor, rel=1e-12)
         assert waves.light_rope_factor(zeta) == pytest.approx(factor, rel=1e-3)
     period = 2 * np.pi * np.sqrt(1.0 / 1e4)
-    assert waves.sudden_load(1.0, 1e-6, 1, 0.7 * period, period / 200)[0].max() == pytest.approx(2.0, rel=1e-3)
+    assert waves.sudden_load(1.0, 1e-6, 1, 0.7 * period, period / 200)[0].max() == pytest.approx(
+        2.0, rel=1e-3
+    )
 
 
 def test_sudden_load_on_a_rope_with_mass() -> None:
