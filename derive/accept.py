@@ -107,7 +107,7 @@ def _check_finite(declared: Element | Law, compiled: Compiled, ranges: Ranges) -
     if isinstance(declared, Law):
         data = law_samples(declared, BATCH, ranges)
     else:
-        data = element_samples(declared, compiled, BATCH, ranges)
+        data = element_samples(declared, compiled, BATCH, ranges, redraw=False)
     for kernel in compiled.spec.kernels:
         for name, values in compiled(kernel, data).items():
             if not np.isfinite(values).all():

@@ -98,7 +98,7 @@ def bent_column(n: int, load: float, second_order: bool = True) -> fx.System:
     """A cantilever column that an end load bends; a push from the side while t < 1 chooses the side."""
     m = planar(n, EIz=1.0, second_order=second_order)
     m.load(f"P{n}.x", lambda t: -load * t)
-    m.load(f"P{n}.y", lambda t: 0.5 * t * (1 - t))
+    m.load(f"P{n}.y", lambda t: 3 * t * (1 - t))
     return m.build()
 
 

@@ -66,7 +66,7 @@ static void linear_1_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_1 = {
     .name = "linear_1",
-    .digest = "79e55ae86648085c",
+    .digest = "7bba1517f36494fa",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -159,7 +159,7 @@ static void linear_2_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_2 = {
     .name = "linear_2",
-    .digest = "79e55ae86648085c",
+    .digest = "7bba1517f36494fa",
     .m = 2,
     .k = 0,
     .nz = 0,
@@ -278,7 +278,7 @@ static void linear_3_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_3 = {
     .name = "linear_3",
-    .digest = "79e55ae86648085c",
+    .digest = "7bba1517f36494fa",
     .m = 3,
     .k = 0,
     .nz = 0,
@@ -435,7 +435,7 @@ static void linear_4_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_4 = {
     .name = "linear_4",
-    .digest = "79e55ae86648085c",
+    .digest = "7bba1517f36494fa",
     .m = 4,
     .k = 0,
     .nz = 0,
@@ -632,7 +632,7 @@ static void linear_5_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_5 = {
     .name = "linear_5",
-    .digest = "79e55ae86648085c",
+    .digest = "7bba1517f36494fa",
     .m = 5,
     .k = 0,
     .nz = 0,
@@ -883,7 +883,7 @@ static void linear_6_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_6 = {
     .name = "linear_6",
-    .digest = "79e55ae86648085c",
+    .digest = "7bba1517f36494fa",
     .m = 6,
     .k = 0,
     .nz = 0,
@@ -1038,7 +1038,7 @@ static void diagonal_7_tangent(size_t nblocks, const real *const *in, real *cons
 
 const flexel_law flexel_law_diagonal_7 = {
     .name = "diagonal_7",
-    .digest = "79e55ae86648085c",
+    .digest = "7bba1517f36494fa",
     .m = 7,
     .k = 0,
     .nz = 0,
@@ -1275,7 +1275,7 @@ static void diagonal_13_tangent(size_t nblocks, const real *const *in, real *con
 
 const flexel_law flexel_law_diagonal_13 = {
     .name = "diagonal_13",
-    .digest = "79e55ae86648085c",
+    .digest = "7bba1517f36494fa",
     .m = 13,
     .k = 0,
     .nz = 0,
@@ -1335,7 +1335,7 @@ static void viscous_1_tangent(size_t nblocks, const real *const *in, real *const
 
 const flexel_law flexel_law_viscous_1 = {
     .name = "viscous_1",
-    .digest = "79e55ae86648085c",
+    .digest = "7bba1517f36494fa",
     .m = 0,
     .k = 1,
     .nz = 0,
@@ -1404,7 +1404,7 @@ static void viscous_2_tangent(size_t nblocks, const real *const *in, real *const
 
 const flexel_law flexel_law_viscous_2 = {
     .name = "viscous_2",
-    .digest = "79e55ae86648085c",
+    .digest = "7bba1517f36494fa",
     .m = 0,
     .k = 2,
     .nz = 0,
@@ -1485,13 +1485,1657 @@ static void viscous_3_tangent(size_t nblocks, const real *const *in, real *const
 
 const flexel_law flexel_law_viscous_3 = {
     .name = "viscous_3",
-    .digest = "79e55ae86648085c",
+    .digest = "7bba1517f36494fa",
     .m = 0,
     .k = 3,
     .nz = 0,
     .np = 6,
     .law = viscous_3_law,
     .tangent = viscous_3_tangent,
+};
+
+/* spring_curve
+ *
+ * y = x - origin, sum of c_i y^i in the piece in which x lies (x < next break), end pieces beyond
+ * sigma = that sum with x = e;  energy = its integral
+ *
+ * Source: piecewise polynomial
+ *
+ * 1 deformations, 0 slips
+ * p (127):
+ *   breaks (15) [m or m/s]: where the next piece begins; rising, unused ones very large
+ *   origins (16) [m or m/s]: from where the powers of each piece are counted
+ *   coefficients (80) [N, N/m, ...]: of each piece, rising powers
+ *   stored (16) [J]: energy at the origin of each piece */
+
+/* law: 152 operations.
+ * in:  e (1), ed (1), s (0), z (0), t (1), p (127)
+ * out: sigma (1), tau (0), zd (0), U (1), P (1) */
+FLEXEL_CLONES
+static void spring_curve_law(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (1 * 8);
+        const real *restrict ed = in[1] + b * (1 * 8);
+        const real *restrict p = in[5] + b * (127 * 8);
+        real *restrict sigma = out[0] + b * (1 * 8);
+        real *restrict U = out[3] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real e_ = e[0 * 8 + j];
+            const real breaks_14 = p[14 * 8 + j];
+            const real coefficients_70 = p[101 * 8 + j];
+            const real coefficients_75 = p[106 * 8 + j];
+            const real t0 = real_lt(e_, breaks_14) ? coefficients_70 : coefficients_75;
+            const real breaks_13 = p[13 * 8 + j];
+            const real coefficients_65 = p[96 * 8 + j];
+            const real breaks_12 = p[12 * 8 + j];
+            const real coefficients_60 = p[91 * 8 + j];
+            const real t1 = real_lt(e_, breaks_12) ? coefficients_60 : (real_lt(e_, breaks_13) ? coefficients_65 : t0);
+            const real breaks_11 = p[11 * 8 + j];
+            const real coefficients_55 = p[86 * 8 + j];
+            const real breaks_10 = p[10 * 8 + j];
+            const real coefficients_50 = p[81 * 8 + j];
+            const real t2 = real_lt(e_, breaks_10) ? coefficients_50 : (real_lt(e_, breaks_11) ? coefficients_55 : t1);
+            const real breaks_9 = p[9 * 8 + j];
+            const real coefficients_45 = p[76 * 8 + j];
+            const real breaks_8 = p[8 * 8 + j];
+            const real coefficients_40 = p[71 * 8 + j];
+            const real t3 = real_lt(e_, breaks_8) ? coefficients_40 : (real_lt(e_, breaks_9) ? coefficients_45 : t2);
+            const real breaks_7 = p[7 * 8 + j];
+            const real coefficients_35 = p[66 * 8 + j];
+            const real breaks_6 = p[6 * 8 + j];
+            const real coefficients_30 = p[61 * 8 + j];
+            const real t4 = real_lt(e_, breaks_6) ? coefficients_30 : (real_lt(e_, breaks_7) ? coefficients_35 : t3);
+            const real breaks_5 = p[5 * 8 + j];
+            const real coefficients_25 = p[56 * 8 + j];
+            const real breaks_4 = p[4 * 8 + j];
+            const real coefficients_20 = p[51 * 8 + j];
+            const real t5 = real_lt(e_, breaks_4) ? coefficients_20 : (real_lt(e_, breaks_5) ? coefficients_25 : t4);
+            const real breaks_3 = p[3 * 8 + j];
+            const real coefficients_15 = p[46 * 8 + j];
+            const real breaks_2 = p[2 * 8 + j];
+            const real coefficients_10 = p[41 * 8 + j];
+            const real t6 = real_lt(e_, breaks_2) ? coefficients_10 : (real_lt(e_, breaks_3) ? coefficients_15 : t5);
+            const real breaks_1 = p[1 * 8 + j];
+            const real coefficients_5 = p[36 * 8 + j];
+            const real breaks_0 = p[0 * 8 + j];
+            const real coefficients_0 = p[31 * 8 + j];
+            const real c0 = real_lt(e_, breaks_0) ? coefficients_0 : (real_lt(e_, breaks_1) ? coefficients_5 : t6);
+            const real origins_14 = p[29 * 8 + j];
+            const real origins_15 = p[30 * 8 + j];
+            const real origins_13 = p[28 * 8 + j];
+            const real t7 = real_lt(e_, breaks_13) ? origins_13 : (real_lt(e_, breaks_14) ? origins_14 : origins_15);
+            const real origins_12 = p[27 * 8 + j];
+            const real origins_11 = p[26 * 8 + j];
+            const real t8 = real_lt(e_, breaks_11) ? origins_11 : (real_lt(e_, breaks_12) ? origins_12 : t7);
+            const real origins_10 = p[25 * 8 + j];
+            const real origins_9 = p[24 * 8 + j];
+            const real t9 = real_lt(e_, breaks_9) ? origins_9 : (real_lt(e_, breaks_10) ? origins_10 : t8);
+            const real origins_8 = p[23 * 8 + j];
+            const real origins_7 = p[22 * 8 + j];
+            const real t10 = real_lt(e_, breaks_7) ? origins_7 : (real_lt(e_, breaks_8) ? origins_8 : t9);
+            const real origins_6 = p[21 * 8 + j];
+            const real origins_5 = p[20 * 8 + j];
+            const real t11 = real_lt(e_, breaks_5) ? origins_5 : (real_lt(e_, breaks_6) ? origins_6 : t10);
+            const real origins_4 = p[19 * 8 + j];
+            const real origins_3 = p[18 * 8 + j];
+            const real t12 = real_lt(e_, breaks_3) ? origins_3 : (real_lt(e_, breaks_4) ? origins_4 : t11);
+            const real origins_2 = p[17 * 8 + j];
+            const real origins_1 = p[16 * 8 + j];
+            const real t13 = real_lt(e_, breaks_1) ? origins_1 : (real_lt(e_, breaks_2) ? origins_2 : t12);
+            const real origins_0 = p[15 * 8 + j];
+            const real y = e_ - (real_lt(e_, breaks_0) ? origins_0 : t13);
+            const real coefficients_71 = p[102 * 8 + j];
+            const real coefficients_76 = p[107 * 8 + j];
+            const real t14 = real_lt(e_, breaks_14) ? coefficients_71 : coefficients_76;
+            const real coefficients_66 = p[97 * 8 + j];
+            const real coefficients_61 = p[92 * 8 + j];
+            const real t15 = real_lt(e_, breaks_12) ? coefficients_61 : (real_lt(e_, breaks_13) ? coefficients_66 : t14);
+            const real coefficients_56 = p[87 * 8 + j];
+            const real coefficients_51 = p[82 * 8 + j];
+            const real t16 = real_lt(e_, breaks_10) ? coefficients_51 : (real_lt(e_, breaks_11) ? coefficients_56 : t15);
+            const real coefficients_46 = p[77 * 8 + j];
+            const real coefficients_41 = p[72 * 8 + j];
+            const real t17 = real_lt(e_, breaks_8) ? coefficients_41 : (real_lt(e_, breaks_9) ? coefficients_46 : t16);
+            const real coefficients_36 = p[67 * 8 + j];
+            const real coefficients_31 = p[62 * 8 + j];
+            const real t18 = real_lt(e_, breaks_6) ? coefficients_31 : (real_lt(e_, breaks_7) ? coefficients_36 : t17);
+            const real coefficients_26 = p[57 * 8 + j];
+            const real coefficients_21 = p[52 * 8 + j];
+            const real t19 = real_lt(e_, breaks_4) ? coefficients_21 : (real_lt(e_, breaks_5) ? coefficients_26 : t18);
+            const real coefficients_16 = p[47 * 8 + j];
+            const real coefficients_11 = p[42 * 8 + j];
+            const real t20 = real_lt(e_, breaks_2) ? coefficients_11 : (real_lt(e_, breaks_3) ? coefficients_16 : t19);
+            const real coefficients_6 = p[37 * 8 + j];
+            const real coefficients_1 = p[32 * 8 + j];
+            const real c1 = real_lt(e_, breaks_0) ? coefficients_1 : (real_lt(e_, breaks_1) ? coefficients_6 : t20);
+            const real coefficients_72 = p[103 * 8 + j];
+            const real coefficients_77 = p[108 * 8 + j];
+            const real t21 = real_lt(e_, breaks_14) ? coefficients_72 : coefficients_77;
+            const real coefficients_67 = p[98 * 8 + j];
+            const real coefficients_62 = p[93 * 8 + j];
+            const real t22 = real_lt(e_, breaks_12) ? coefficients_62 : (real_lt(e_, breaks_13) ? coefficients_67 : t21);
+            const real coefficients_57 = p[88 * 8 + j];
+            const real coefficients_52 = p[83 * 8 + j];
+            const real t23 = real_lt(e_, breaks_10) ? coefficients_52 : (real_lt(e_, breaks_11) ? coefficients_57 : t22);
+            const real coefficients_47 = p[78 * 8 + j];
+            const real coefficients_42 = p[73 * 8 + j];
+            const real t24 = real_lt(e_, breaks_8) ? coefficients_42 : (real_lt(e_, breaks_9) ? coefficients_47 : t23);
+            const real coefficients_37 = p[68 * 8 + j];
+            const real coefficients_32 = p[63 * 8 + j];
+            const real t25 = real_lt(e_, breaks_6) ? coefficients_32 : (real_lt(e_, breaks_7) ? coefficients_37 : t24);
+            const real coefficients_27 = p[58 * 8 + j];
+            const real coefficients_22 = p[53 * 8 + j];
+            const real t26 = real_lt(e_, breaks_4) ? coefficients_22 : (real_lt(e_, breaks_5) ? coefficients_27 : t25);
+            const real coefficients_17 = p[48 * 8 + j];
+            const real coefficients_12 = p[43 * 8 + j];
+            const real t27 = real_lt(e_, breaks_2) ? coefficients_12 : (real_lt(e_, breaks_3) ? coefficients_17 : t26);
+            const real coefficients_7 = p[38 * 8 + j];
+            const real coefficients_2 = p[33 * 8 + j];
+            const real c2 = real_lt(e_, breaks_0) ? coefficients_2 : (real_lt(e_, breaks_1) ? coefficients_7 : t27);
+            const real coefficients_73 = p[104 * 8 + j];
+            const real coefficients_78 = p[109 * 8 + j];
+            const real t28 = real_lt(e_, breaks_14) ? coefficients_73 : coefficients_78;
+            const real coefficients_68 = p[99 * 8 + j];
+            const real coefficients_63 = p[94 * 8 + j];
+            const real t29 = real_lt(e_, breaks_12) ? coefficients_63 : (real_lt(e_, breaks_13) ? coefficients_68 : t28);
+            const real coefficients_58 = p[89 * 8 + j];
+            const real coefficients_53 = p[84 * 8 + j];
+            const real t30 = real_lt(e_, breaks_10) ? coefficients_53 : (real_lt(e_, breaks_11) ? coefficients_58 : t29);
+            const real coefficients_48 = p[79 * 8 + j];
+            const real coefficients_43 = p[74 * 8 + j];
+            const real t31 = real_lt(e_, breaks_8) ? coefficients_43 : (real_lt(e_, breaks_9) ? coefficients_48 : t30);
+            const real coefficients_38 = p[69 * 8 + j];
+            const real coefficients_33 = p[64 * 8 + j];
+            const real t32 = real_lt(e_, breaks_6) ? coefficients_33 : (real_lt(e_, breaks_7) ? coefficients_38 : t31);
+            const real coefficients_28 = p[59 * 8 + j];
+            const real coefficients_23 = p[54 * 8 + j];
+            const real t33 = real_lt(e_, breaks_4) ? coefficients_23 : (real_lt(e_, breaks_5) ? coefficients_28 : t32);
+            const real coefficients_18 = p[49 * 8 + j];
+            const real coefficients_13 = p[44 * 8 + j];
+            const real t34 = real_lt(e_, breaks_2) ? coefficients_13 : (real_lt(e_, breaks_3) ? coefficients_18 : t33);
+            const real coefficients_8 = p[39 * 8 + j];
+            const real coefficients_3 = p[34 * 8 + j];
+            const real c3 = real_lt(e_, breaks_0) ? coefficients_3 : (real_lt(e_, breaks_1) ? coefficients_8 : t34);
+            const real coefficients_74 = p[105 * 8 + j];
+            const real coefficients_79 = p[110 * 8 + j];
+            const real t35 = real_lt(e_, breaks_14) ? coefficients_74 : coefficients_79;
+            const real coefficients_69 = p[100 * 8 + j];
+            const real coefficients_64 = p[95 * 8 + j];
+            const real t36 = real_lt(e_, breaks_12) ? coefficients_64 : (real_lt(e_, breaks_13) ? coefficients_69 : t35);
+            const real coefficients_59 = p[90 * 8 + j];
+            const real coefficients_54 = p[85 * 8 + j];
+            const real t37 = real_lt(e_, breaks_10) ? coefficients_54 : (real_lt(e_, breaks_11) ? coefficients_59 : t36);
+            const real coefficients_49 = p[80 * 8 + j];
+            const real coefficients_44 = p[75 * 8 + j];
+            const real t38 = real_lt(e_, breaks_8) ? coefficients_44 : (real_lt(e_, breaks_9) ? coefficients_49 : t37);
+            const real coefficients_39 = p[70 * 8 + j];
+            const real coefficients_34 = p[65 * 8 + j];
+            const real t39 = real_lt(e_, breaks_6) ? coefficients_34 : (real_lt(e_, breaks_7) ? coefficients_39 : t38);
+            const real coefficients_29 = p[60 * 8 + j];
+            const real coefficients_24 = p[55 * 8 + j];
+            const real t40 = real_lt(e_, breaks_4) ? coefficients_24 : (real_lt(e_, breaks_5) ? coefficients_29 : t39);
+            const real coefficients_19 = p[50 * 8 + j];
+            const real coefficients_14 = p[45 * 8 + j];
+            const real t41 = real_lt(e_, breaks_2) ? coefficients_14 : (real_lt(e_, breaks_3) ? coefficients_19 : t40);
+            const real coefficients_9 = p[40 * 8 + j];
+            const real coefficients_4 = p[35 * 8 + j];
+            const real c4 = real_lt(e_, breaks_0) ? coefficients_4 : (real_lt(e_, breaks_1) ? coefficients_9 : t41);
+            const real t42 = y * c4;
+            const real t43 = c0 + y * (c1 + y * (c2 + y * (c3 + t42)));
+            sigma[0 * 8 + j] = t43;
+            const real stored_14 = p[125 * 8 + j];
+            const real stored_15 = p[126 * 8 + j];
+            const real stored_13 = p[124 * 8 + j];
+            const real t44 = real_lt(e_, breaks_13) ? stored_13 : (real_lt(e_, breaks_14) ? stored_14 : stored_15);
+            const real stored_12 = p[123 * 8 + j];
+            const real stored_11 = p[122 * 8 + j];
+            const real t45 = real_lt(e_, breaks_11) ? stored_11 : (real_lt(e_, breaks_12) ? stored_12 : t44);
+            const real stored_10 = p[121 * 8 + j];
+            const real stored_9 = p[120 * 8 + j];
+            const real t46 = real_lt(e_, breaks_9) ? stored_9 : (real_lt(e_, breaks_10) ? stored_10 : t45);
+            const real stored_8 = p[119 * 8 + j];
+            const real stored_7 = p[118 * 8 + j];
+            const real t47 = real_lt(e_, breaks_7) ? stored_7 : (real_lt(e_, breaks_8) ? stored_8 : t46);
+            const real stored_6 = p[117 * 8 + j];
+            const real stored_5 = p[116 * 8 + j];
+            const real t48 = real_lt(e_, breaks_5) ? stored_5 : (real_lt(e_, breaks_6) ? stored_6 : t47);
+            const real stored_4 = p[115 * 8 + j];
+            const real stored_3 = p[114 * 8 + j];
+            const real t49 = real_lt(e_, breaks_3) ? stored_3 : (real_lt(e_, breaks_4) ? stored_4 : t48);
+            const real stored_2 = p[113 * 8 + j];
+            const real stored_1 = p[112 * 8 + j];
+            const real t50 = real_lt(e_, breaks_1) ? stored_1 : (real_lt(e_, breaks_2) ? stored_2 : t49);
+            const real stored_0 = p[111 * 8 + j];
+            const real U0 = real_lt(e_, breaks_0) ? stored_0 : t50;
+            const real t51 = 0.2 * t42;
+            const real t52 = 0.25 * c3 + t51;
+            const real t53 = 0.3333333333333333 * c2 + y * t52;
+            const real t54 = 0.5 * c1 + y * t53;
+            const real t55 = c0 + y * t54;
+            U[0 * 8 + j] = U0 + y * t55;
+            const real ed_ = ed[0 * 8 + j];
+            P[0 * 8 + j] = ed_ * (t43 - t55) - ed_ * (t54 + y * (t53 + y * (t51 + t52))) * y;
+        }
+    }
+}
+
+/* tangent: 101 operations.
+ * in:  e (1), ed (1), s (0), z (0), t (1), p (127)
+ * out: J (1,2), 1 of 2 entries */
+FLEXEL_CLONES
+static void spring_curve_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (1 * 8);
+        const real *restrict p = in[5] + b * (127 * 8);
+        real *restrict J = out[0] + b * (1 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real e_ = e[0 * 8 + j];
+            const real breaks_14 = p[14 * 8 + j];
+            const real coefficients_71 = p[102 * 8 + j];
+            const real coefficients_76 = p[107 * 8 + j];
+            const real t0 = real_lt(e_, breaks_14) ? coefficients_71 : coefficients_76;
+            const real breaks_13 = p[13 * 8 + j];
+            const real coefficients_66 = p[97 * 8 + j];
+            const real breaks_12 = p[12 * 8 + j];
+            const real coefficients_61 = p[92 * 8 + j];
+            const real t1 = real_lt(e_, breaks_12) ? coefficients_61 : (real_lt(e_, breaks_13) ? coefficients_66 : t0);
+            const real breaks_11 = p[11 * 8 + j];
+            const real coefficients_56 = p[87 * 8 + j];
+            const real breaks_10 = p[10 * 8 + j];
+            const real coefficients_51 = p[82 * 8 + j];
+            const real t2 = real_lt(e_, breaks_10) ? coefficients_51 : (real_lt(e_, breaks_11) ? coefficients_56 : t1);
+            const real breaks_9 = p[9 * 8 + j];
+            const real coefficients_46 = p[77 * 8 + j];
+            const real breaks_8 = p[8 * 8 + j];
+            const real coefficients_41 = p[72 * 8 + j];
+            const real t3 = real_lt(e_, breaks_8) ? coefficients_41 : (real_lt(e_, breaks_9) ? coefficients_46 : t2);
+            const real breaks_7 = p[7 * 8 + j];
+            const real coefficients_36 = p[67 * 8 + j];
+            const real breaks_6 = p[6 * 8 + j];
+            const real coefficients_31 = p[62 * 8 + j];
+            const real t4 = real_lt(e_, breaks_6) ? coefficients_31 : (real_lt(e_, breaks_7) ? coefficients_36 : t3);
+            const real breaks_5 = p[5 * 8 + j];
+            const real coefficients_26 = p[57 * 8 + j];
+            const real breaks_4 = p[4 * 8 + j];
+            const real coefficients_21 = p[52 * 8 + j];
+            const real t5 = real_lt(e_, breaks_4) ? coefficients_21 : (real_lt(e_, breaks_5) ? coefficients_26 : t4);
+            const real breaks_3 = p[3 * 8 + j];
+            const real coefficients_16 = p[47 * 8 + j];
+            const real breaks_2 = p[2 * 8 + j];
+            const real coefficients_11 = p[42 * 8 + j];
+            const real t6 = real_lt(e_, breaks_2) ? coefficients_11 : (real_lt(e_, breaks_3) ? coefficients_16 : t5);
+            const real breaks_1 = p[1 * 8 + j];
+            const real coefficients_6 = p[37 * 8 + j];
+            const real breaks_0 = p[0 * 8 + j];
+            const real coefficients_1 = p[32 * 8 + j];
+            const real c1 = real_lt(e_, breaks_0) ? coefficients_1 : (real_lt(e_, breaks_1) ? coefficients_6 : t6);
+            const real origins_14 = p[29 * 8 + j];
+            const real origins_15 = p[30 * 8 + j];
+            const real origins_13 = p[28 * 8 + j];
+            const real t7 = real_lt(e_, breaks_13) ? origins_13 : (real_lt(e_, breaks_14) ? origins_14 : origins_15);
+            const real origins_12 = p[27 * 8 + j];
+            const real origins_11 = p[26 * 8 + j];
+            const real t8 = real_lt(e_, breaks_11) ? origins_11 : (real_lt(e_, breaks_12) ? origins_12 : t7);
+            const real origins_10 = p[25 * 8 + j];
+            const real origins_9 = p[24 * 8 + j];
+            const real t9 = real_lt(e_, breaks_9) ? origins_9 : (real_lt(e_, breaks_10) ? origins_10 : t8);
+            const real origins_8 = p[23 * 8 + j];
+            const real origins_7 = p[22 * 8 + j];
+            const real t10 = real_lt(e_, breaks_7) ? origins_7 : (real_lt(e_, breaks_8) ? origins_8 : t9);
+            const real origins_6 = p[21 * 8 + j];
+            const real origins_5 = p[20 * 8 + j];
+            const real t11 = real_lt(e_, breaks_5) ? origins_5 : (real_lt(e_, breaks_6) ? origins_6 : t10);
+            const real origins_4 = p[19 * 8 + j];
+            const real origins_3 = p[18 * 8 + j];
+            const real t12 = real_lt(e_, breaks_3) ? origins_3 : (real_lt(e_, breaks_4) ? origins_4 : t11);
+            const real origins_2 = p[17 * 8 + j];
+            const real origins_1 = p[16 * 8 + j];
+            const real t13 = real_lt(e_, breaks_1) ? origins_1 : (real_lt(e_, breaks_2) ? origins_2 : t12);
+            const real origins_0 = p[15 * 8 + j];
+            const real y = e_ - (real_lt(e_, breaks_0) ? origins_0 : t13);
+            const real coefficients_72 = p[103 * 8 + j];
+            const real coefficients_77 = p[108 * 8 + j];
+            const real t14 = real_lt(e_, breaks_14) ? coefficients_72 : coefficients_77;
+            const real coefficients_67 = p[98 * 8 + j];
+            const real coefficients_62 = p[93 * 8 + j];
+            const real t15 = real_lt(e_, breaks_12) ? coefficients_62 : (real_lt(e_, breaks_13) ? coefficients_67 : t14);
+            const real coefficients_57 = p[88 * 8 + j];
+            const real coefficients_52 = p[83 * 8 + j];
+            const real t16 = real_lt(e_, breaks_10) ? coefficients_52 : (real_lt(e_, breaks_11) ? coefficients_57 : t15);
+            const real coefficients_47 = p[78 * 8 + j];
+            const real coefficients_42 = p[73 * 8 + j];
+            const real t17 = real_lt(e_, breaks_8) ? coefficients_42 : (real_lt(e_, breaks_9) ? coefficients_47 : t16);
+            const real coefficients_37 = p[68 * 8 + j];
+            const real coefficients_32 = p[63 * 8 + j];
+            const real t18 = real_lt(e_, breaks_6) ? coefficients_32 : (real_lt(e_, breaks_7) ? coefficients_37 : t17);
+            const real coefficients_27 = p[58 * 8 + j];
+            const real coefficients_22 = p[53 * 8 + j];
+            const real t19 = real_lt(e_, breaks_4) ? coefficients_22 : (real_lt(e_, breaks_5) ? coefficients_27 : t18);
+            const real coefficients_17 = p[48 * 8 + j];
+            const real coefficients_12 = p[43 * 8 + j];
+            const real t20 = real_lt(e_, breaks_2) ? coefficients_12 : (real_lt(e_, breaks_3) ? coefficients_17 : t19);
+            const real coefficients_7 = p[38 * 8 + j];
+            const real coefficients_2 = p[33 * 8 + j];
+            const real c2 = real_lt(e_, breaks_0) ? coefficients_2 : (real_lt(e_, breaks_1) ? coefficients_7 : t20);
+            const real coefficients_73 = p[104 * 8 + j];
+            const real coefficients_78 = p[109 * 8 + j];
+            const real t21 = real_lt(e_, breaks_14) ? coefficients_73 : coefficients_78;
+            const real coefficients_68 = p[99 * 8 + j];
+            const real coefficients_63 = p[94 * 8 + j];
+            const real t22 = real_lt(e_, breaks_12) ? coefficients_63 : (real_lt(e_, breaks_13) ? coefficients_68 : t21);
+            const real coefficients_58 = p[89 * 8 + j];
+            const real coefficients_53 = p[84 * 8 + j];
+            const real t23 = real_lt(e_, breaks_10) ? coefficients_53 : (real_lt(e_, breaks_11) ? coefficients_58 : t22);
+            const real coefficients_48 = p[79 * 8 + j];
+            const real coefficients_43 = p[74 * 8 + j];
+            const real t24 = real_lt(e_, breaks_8) ? coefficients_43 : (real_lt(e_, breaks_9) ? coefficients_48 : t23);
+            const real coefficients_38 = p[69 * 8 + j];
+            const real coefficients_33 = p[64 * 8 + j];
+            const real t25 = real_lt(e_, breaks_6) ? coefficients_33 : (real_lt(e_, breaks_7) ? coefficients_38 : t24);
+            const real coefficients_28 = p[59 * 8 + j];
+            const real coefficients_23 = p[54 * 8 + j];
+            const real t26 = real_lt(e_, breaks_4) ? coefficients_23 : (real_lt(e_, breaks_5) ? coefficients_28 : t25);
+            const real coefficients_18 = p[49 * 8 + j];
+            const real coefficients_13 = p[44 * 8 + j];
+            const real t27 = real_lt(e_, breaks_2) ? coefficients_13 : (real_lt(e_, breaks_3) ? coefficients_18 : t26);
+            const real coefficients_8 = p[39 * 8 + j];
+            const real coefficients_3 = p[34 * 8 + j];
+            const real c3 = real_lt(e_, breaks_0) ? coefficients_3 : (real_lt(e_, breaks_1) ? coefficients_8 : t27);
+            const real coefficients_74 = p[105 * 8 + j];
+            const real coefficients_79 = p[110 * 8 + j];
+            const real t28 = real_lt(e_, breaks_14) ? coefficients_74 : coefficients_79;
+            const real coefficients_69 = p[100 * 8 + j];
+            const real coefficients_64 = p[95 * 8 + j];
+            const real t29 = real_lt(e_, breaks_12) ? coefficients_64 : (real_lt(e_, breaks_13) ? coefficients_69 : t28);
+            const real coefficients_59 = p[90 * 8 + j];
+            const real coefficients_54 = p[85 * 8 + j];
+            const real t30 = real_lt(e_, breaks_10) ? coefficients_54 : (real_lt(e_, breaks_11) ? coefficients_59 : t29);
+            const real coefficients_49 = p[80 * 8 + j];
+            const real coefficients_44 = p[75 * 8 + j];
+            const real t31 = real_lt(e_, breaks_8) ? coefficients_44 : (real_lt(e_, breaks_9) ? coefficients_49 : t30);
+            const real coefficients_39 = p[70 * 8 + j];
+            const real coefficients_34 = p[65 * 8 + j];
+            const real t32 = real_lt(e_, breaks_6) ? coefficients_34 : (real_lt(e_, breaks_7) ? coefficients_39 : t31);
+            const real coefficients_29 = p[60 * 8 + j];
+            const real coefficients_24 = p[55 * 8 + j];
+            const real t33 = real_lt(e_, breaks_4) ? coefficients_24 : (real_lt(e_, breaks_5) ? coefficients_29 : t32);
+            const real coefficients_19 = p[50 * 8 + j];
+            const real coefficients_14 = p[45 * 8 + j];
+            const real t34 = real_lt(e_, breaks_2) ? coefficients_14 : (real_lt(e_, breaks_3) ? coefficients_19 : t33);
+            const real coefficients_9 = p[40 * 8 + j];
+            const real coefficients_4 = p[35 * 8 + j];
+            const real c4 = real_lt(e_, breaks_0) ? coefficients_4 : (real_lt(e_, breaks_1) ? coefficients_9 : t34);
+            const real t35 = y * c4;
+            const real t36 = c3 + t35;
+            const real t37 = c2 + y * t36;
+            J[0 * 8 + j] = c1 + y * (t37 + y * (t35 + t36) + t37);
+        }
+    }
+}
+
+const flexel_law flexel_law_spring_curve = {
+    .name = "spring_curve",
+    .digest = "7bba1517f36494fa",
+    .m = 1,
+    .k = 0,
+    .nz = 0,
+    .np = 127,
+    .law = spring_curve_law,
+    .tangent = spring_curve_tangent,
+};
+
+/* damper_curve
+ *
+ * y = x - origin, sum of c_i y^i in the piece in which x lies (x < next break), end pieces beyond
+ * sigma = that sum with x = the rate of e
+ *
+ * Source: piecewise polynomial
+ *
+ * 1 deformations, 0 slips
+ * p (111):
+ *   breaks (15) [m or m/s]: where the next piece begins; rising, unused ones very large
+ *   origins (16) [m or m/s]: from where the powers of each piece are counted
+ *   coefficients (80) [N, N/m, ...]: of each piece, rising powers */
+
+/* law: 115 operations.
+ * in:  e (1), ed (1), s (0), z (0), t (1), p (111)
+ * out: sigma (1), tau (0), zd (0), U (1), 0 of 1 entries, P (1) */
+FLEXEL_CLONES
+static void damper_curve_law(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict ed = in[1] + b * (1 * 8);
+        const real *restrict p = in[5] + b * (111 * 8);
+        real *restrict sigma = out[0] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real ed_ = ed[0 * 8 + j];
+            const real breaks_14 = p[14 * 8 + j];
+            const real coefficients_70 = p[101 * 8 + j];
+            const real coefficients_75 = p[106 * 8 + j];
+            const real t0 = real_lt(ed_, breaks_14) ? coefficients_70 : coefficients_75;
+            const real breaks_13 = p[13 * 8 + j];
+            const real coefficients_65 = p[96 * 8 + j];
+            const real breaks_12 = p[12 * 8 + j];
+            const real coefficients_60 = p[91 * 8 + j];
+            const real t1 = real_lt(ed_, breaks_12) ? coefficients_60 : (real_lt(ed_, breaks_13) ? coefficients_65 : t0);
+            const real breaks_11 = p[11 * 8 + j];
+            const real coefficients_55 = p[86 * 8 + j];
+            const real breaks_10 = p[10 * 8 + j];
+            const real coefficients_50 = p[81 * 8 + j];
+            const real t2 = real_lt(ed_, breaks_10) ? coefficients_50 : (real_lt(ed_, breaks_11) ? coefficients_55 : t1);
+            const real breaks_9 = p[9 * 8 + j];
+            const real coefficients_45 = p[76 * 8 + j];
+            const real breaks_8 = p[8 * 8 + j];
+            const real coefficients_40 = p[71 * 8 + j];
+            const real t3 = real_lt(ed_, breaks_8) ? coefficients_40 : (real_lt(ed_, breaks_9) ? coefficients_45 : t2);
+            const real breaks_7 = p[7 * 8 + j];
+            const real coefficients_35 = p[66 * 8 + j];
+            const real breaks_6 = p[6 * 8 + j];
+            const real coefficients_30 = p[61 * 8 + j];
+            const real t4 = real_lt(ed_, breaks_6) ? coefficients_30 : (real_lt(ed_, breaks_7) ? coefficients_35 : t3);
+            const real breaks_5 = p[5 * 8 + j];
+            const real coefficients_25 = p[56 * 8 + j];
+            const real breaks_4 = p[4 * 8 + j];
+            const real coefficients_20 = p[51 * 8 + j];
+            const real t5 = real_lt(ed_, breaks_4) ? coefficients_20 : (real_lt(ed_, breaks_5) ? coefficients_25 : t4);
+            const real breaks_3 = p[3 * 8 + j];
+            const real coefficients_15 = p[46 * 8 + j];
+            const real breaks_2 = p[2 * 8 + j];
+            const real coefficients_10 = p[41 * 8 + j];
+            const real t6 = real_lt(ed_, breaks_2) ? coefficients_10 : (real_lt(ed_, breaks_3) ? coefficients_15 : t5);
+            const real breaks_1 = p[1 * 8 + j];
+            const real coefficients_5 = p[36 * 8 + j];
+            const real breaks_0 = p[0 * 8 + j];
+            const real coefficients_0 = p[31 * 8 + j];
+            const real c0 = real_lt(ed_, breaks_0) ? coefficients_0 : (real_lt(ed_, breaks_1) ? coefficients_5 : t6);
+            const real origins_14 = p[29 * 8 + j];
+            const real origins_15 = p[30 * 8 + j];
+            const real origins_13 = p[28 * 8 + j];
+            const real t7 = real_lt(ed_, breaks_13) ? origins_13 : (real_lt(ed_, breaks_14) ? origins_14 : origins_15);
+            const real origins_12 = p[27 * 8 + j];
+            const real origins_11 = p[26 * 8 + j];
+            const real t8 = real_lt(ed_, breaks_11) ? origins_11 : (real_lt(ed_, breaks_12) ? origins_12 : t7);
+            const real origins_10 = p[25 * 8 + j];
+            const real origins_9 = p[24 * 8 + j];
+            const real t9 = real_lt(ed_, breaks_9) ? origins_9 : (real_lt(ed_, breaks_10) ? origins_10 : t8);
+            const real origins_8 = p[23 * 8 + j];
+            const real origins_7 = p[22 * 8 + j];
+            const real t10 = real_lt(ed_, breaks_7) ? origins_7 : (real_lt(ed_, breaks_8) ? origins_8 : t9);
+            const real origins_6 = p[21 * 8 + j];
+            const real origins_5 = p[20 * 8 + j];
+            const real t11 = real_lt(ed_, breaks_5) ? origins_5 : (real_lt(ed_, breaks_6) ? origins_6 : t10);
+            const real origins_4 = p[19 * 8 + j];
+            const real origins_3 = p[18 * 8 + j];
+            const real t12 = real_lt(ed_, breaks_3) ? origins_3 : (real_lt(ed_, breaks_4) ? origins_4 : t11);
+            const real origins_2 = p[17 * 8 + j];
+            const real origins_1 = p[16 * 8 + j];
+            const real t13 = real_lt(ed_, breaks_1) ? origins_1 : (real_lt(ed_, breaks_2) ? origins_2 : t12);
+            const real origins_0 = p[15 * 8 + j];
+            const real y = ed_ - (real_lt(ed_, breaks_0) ? origins_0 : t13);
+            const real coefficients_71 = p[102 * 8 + j];
+            const real coefficients_76 = p[107 * 8 + j];
+            const real t14 = real_lt(ed_, breaks_14) ? coefficients_71 : coefficients_76;
+            const real coefficients_66 = p[97 * 8 + j];
+            const real coefficients_61 = p[92 * 8 + j];
+            const real t15 = real_lt(ed_, breaks_12) ? coefficients_61 : (real_lt(ed_, breaks_13) ? coefficients_66 : t14);
+            const real coefficients_56 = p[87 * 8 + j];
+            const real coefficients_51 = p[82 * 8 + j];
+            const real t16 = real_lt(ed_, breaks_10) ? coefficients_51 : (real_lt(ed_, breaks_11) ? coefficients_56 : t15);
+            const real coefficients_46 = p[77 * 8 + j];
+            const real coefficients_41 = p[72 * 8 + j];
+            const real t17 = real_lt(ed_, breaks_8) ? coefficients_41 : (real_lt(ed_, breaks_9) ? coefficients_46 : t16);
+            const real coefficients_36 = p[67 * 8 + j];
+            const real coefficients_31 = p[62 * 8 + j];
+            const real t18 = real_lt(ed_, breaks_6) ? coefficients_31 : (real_lt(ed_, breaks_7) ? coefficients_36 : t17);
+            const real coefficients_26 = p[57 * 8 + j];
+            const real coefficients_21 = p[52 * 8 + j];
+            const real t19 = real_lt(ed_, breaks_4) ? coefficients_21 : (real_lt(ed_, breaks_5) ? coefficients_26 : t18);
+            const real coefficients_16 = p[47 * 8 + j];
+            const real coefficients_11 = p[42 * 8 + j];
+            const real t20 = real_lt(ed_, breaks_2) ? coefficients_11 : (real_lt(ed_, breaks_3) ? coefficients_16 : t19);
+            const real coefficients_6 = p[37 * 8 + j];
+            const real coefficients_1 = p[32 * 8 + j];
+            const real c1 = real_lt(ed_, breaks_0) ? coefficients_1 : (real_lt(ed_, breaks_1) ? coefficients_6 : t20);
+            const real coefficients_72 = p[103 * 8 + j];
+            const real coefficients_77 = p[108 * 8 + j];
+            const real t21 = real_lt(ed_, breaks_14) ? coefficients_72 : coefficients_77;
+            const real coefficients_67 = p[98 * 8 + j];
+            const real coefficients_62 = p[93 * 8 + j];
+            const real t22 = real_lt(ed_, breaks_12) ? coefficients_62 : (real_lt(ed_, breaks_13) ? coefficients_67 : t21);
+            const real coefficients_57 = p[88 * 8 + j];
+            const real coefficients_52 = p[83 * 8 + j];
+            const real t23 = real_lt(ed_, breaks_10) ? coefficients_52 : (real_lt(ed_, breaks_11) ? coefficients_57 : t22);
+            const real coefficients_47 = p[78 * 8 + j];
+            const real coefficients_42 = p[73 * 8 + j];
+            const real t24 = real_lt(ed_, breaks_8) ? coefficients_42 : (real_lt(ed_, breaks_9) ? coefficients_47 : t23);
+            const real coefficients_37 = p[68 * 8 + j];
+            const real coefficients_32 = p[63 * 8 + j];
+            const real t25 = real_lt(ed_, breaks_6) ? coefficients_32 : (real_lt(ed_, breaks_7) ? coefficients_37 : t24);
+            const real coefficients_27 = p[58 * 8 + j];
+            const real coefficients_22 = p[53 * 8 + j];
+            const real t26 = real_lt(ed_, breaks_4) ? coefficients_22 : (real_lt(ed_, breaks_5) ? coefficients_27 : t25);
+            const real coefficients_17 = p[48 * 8 + j];
+            const real coefficients_12 = p[43 * 8 + j];
+            const real t27 = real_lt(ed_, breaks_2) ? coefficients_12 : (real_lt(ed_, breaks_3) ? coefficients_17 : t26);
+            const real coefficients_7 = p[38 * 8 + j];
+            const real coefficients_2 = p[33 * 8 + j];
+            const real c2 = real_lt(ed_, breaks_0) ? coefficients_2 : (real_lt(ed_, breaks_1) ? coefficients_7 : t27);
+            const real coefficients_73 = p[104 * 8 + j];
+            const real coefficients_78 = p[109 * 8 + j];
+            const real t28 = real_lt(ed_, breaks_14) ? coefficients_73 : coefficients_78;
+            const real coefficients_68 = p[99 * 8 + j];
+            const real coefficients_63 = p[94 * 8 + j];
+            const real t29 = real_lt(ed_, breaks_12) ? coefficients_63 : (real_lt(ed_, breaks_13) ? coefficients_68 : t28);
+            const real coefficients_58 = p[89 * 8 + j];
+            const real coefficients_53 = p[84 * 8 + j];
+            const real t30 = real_lt(ed_, breaks_10) ? coefficients_53 : (real_lt(ed_, breaks_11) ? coefficients_58 : t29);
+            const real coefficients_48 = p[79 * 8 + j];
+            const real coefficients_43 = p[74 * 8 + j];
+            const real t31 = real_lt(ed_, breaks_8) ? coefficients_43 : (real_lt(ed_, breaks_9) ? coefficients_48 : t30);
+            const real coefficients_38 = p[69 * 8 + j];
+            const real coefficients_33 = p[64 * 8 + j];
+            const real t32 = real_lt(ed_, breaks_6) ? coefficients_33 : (real_lt(ed_, breaks_7) ? coefficients_38 : t31);
+            const real coefficients_28 = p[59 * 8 + j];
+            const real coefficients_23 = p[54 * 8 + j];
+            const real t33 = real_lt(ed_, breaks_4) ? coefficients_23 : (real_lt(ed_, breaks_5) ? coefficients_28 : t32);
+            const real coefficients_18 = p[49 * 8 + j];
+            const real coefficients_13 = p[44 * 8 + j];
+            const real t34 = real_lt(ed_, breaks_2) ? coefficients_13 : (real_lt(ed_, breaks_3) ? coefficients_18 : t33);
+            const real coefficients_8 = p[39 * 8 + j];
+            const real coefficients_3 = p[34 * 8 + j];
+            const real c3 = real_lt(ed_, breaks_0) ? coefficients_3 : (real_lt(ed_, breaks_1) ? coefficients_8 : t34);
+            const real coefficients_74 = p[105 * 8 + j];
+            const real coefficients_79 = p[110 * 8 + j];
+            const real t35 = real_lt(ed_, breaks_14) ? coefficients_74 : coefficients_79;
+            const real coefficients_69 = p[100 * 8 + j];
+            const real coefficients_64 = p[95 * 8 + j];
+            const real t36 = real_lt(ed_, breaks_12) ? coefficients_64 : (real_lt(ed_, breaks_13) ? coefficients_69 : t35);
+            const real coefficients_59 = p[90 * 8 + j];
+            const real coefficients_54 = p[85 * 8 + j];
+            const real t37 = real_lt(ed_, breaks_10) ? coefficients_54 : (real_lt(ed_, breaks_11) ? coefficients_59 : t36);
+            const real coefficients_49 = p[80 * 8 + j];
+            const real coefficients_44 = p[75 * 8 + j];
+            const real t38 = real_lt(ed_, breaks_8) ? coefficients_44 : (real_lt(ed_, breaks_9) ? coefficients_49 : t37);
+            const real coefficients_39 = p[70 * 8 + j];
+            const real coefficients_34 = p[65 * 8 + j];
+            const real t39 = real_lt(ed_, breaks_6) ? coefficients_34 : (real_lt(ed_, breaks_7) ? coefficients_39 : t38);
+            const real coefficients_29 = p[60 * 8 + j];
+            const real coefficients_24 = p[55 * 8 + j];
+            const real t40 = real_lt(ed_, breaks_4) ? coefficients_24 : (real_lt(ed_, breaks_5) ? coefficients_29 : t39);
+            const real coefficients_19 = p[50 * 8 + j];
+            const real coefficients_14 = p[45 * 8 + j];
+            const real t41 = real_lt(ed_, breaks_2) ? coefficients_14 : (real_lt(ed_, breaks_3) ? coefficients_19 : t40);
+            const real coefficients_9 = p[40 * 8 + j];
+            const real coefficients_4 = p[35 * 8 + j];
+            const real c4 = real_lt(ed_, breaks_0) ? coefficients_4 : (real_lt(ed_, breaks_1) ? coefficients_9 : t41);
+            const real t42 = c0 + y * (c1 + y * (c2 + y * (c3 + y * c4)));
+            sigma[0 * 8 + j] = t42;
+            P[0 * 8 + j] = ed_ * t42;
+        }
+    }
+}
+
+/* tangent: 101 operations.
+ * in:  e (1), ed (1), s (0), z (0), t (1), p (111)
+ * out: J (1,2), 1 of 2 entries */
+FLEXEL_CLONES
+static void damper_curve_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict ed = in[1] + b * (1 * 8);
+        const real *restrict p = in[5] + b * (111 * 8);
+        real *restrict J = out[0] + b * (1 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real ed_ = ed[0 * 8 + j];
+            const real breaks_14 = p[14 * 8 + j];
+            const real coefficients_71 = p[102 * 8 + j];
+            const real coefficients_76 = p[107 * 8 + j];
+            const real t0 = real_lt(ed_, breaks_14) ? coefficients_71 : coefficients_76;
+            const real breaks_13 = p[13 * 8 + j];
+            const real coefficients_66 = p[97 * 8 + j];
+            const real breaks_12 = p[12 * 8 + j];
+            const real coefficients_61 = p[92 * 8 + j];
+            const real t1 = real_lt(ed_, breaks_12) ? coefficients_61 : (real_lt(ed_, breaks_13) ? coefficients_66 : t0);
+            const real breaks_11 = p[11 * 8 + j];
+            const real coefficients_56 = p[87 * 8 + j];
+            const real breaks_10 = p[10 * 8 + j];
+            const real coefficients_51 = p[82 * 8 + j];
+            const real t2 = real_lt(ed_, breaks_10) ? coefficients_51 : (real_lt(ed_, breaks_11) ? coefficients_56 : t1);
+            const real breaks_9 = p[9 * 8 + j];
+            const real coefficients_46 = p[77 * 8 + j];
+            const real breaks_8 = p[8 * 8 + j];
+            const real coefficients_41 = p[72 * 8 + j];
+            const real t3 = real_lt(ed_, breaks_8) ? coefficients_41 : (real_lt(ed_, breaks_9) ? coefficients_46 : t2);
+            const real breaks_7 = p[7 * 8 + j];
+            const real coefficients_36 = p[67 * 8 + j];
+            const real breaks_6 = p[6 * 8 + j];
+            const real coefficients_31 = p[62 * 8 + j];
+            const real t4 = real_lt(ed_, breaks_6) ? coefficients_31 : (real_lt(ed_, breaks_7) ? coefficients_36 : t3);
+            const real breaks_5 = p[5 * 8 + j];
+            const real coefficients_26 = p[57 * 8 + j];
+            const real breaks_4 = p[4 * 8 + j];
+            const real coefficients_21 = p[52 * 8 + j];
+            const real t5 = real_lt(ed_, breaks_4) ? coefficients_21 : (real_lt(ed_, breaks_5) ? coefficients_26 : t4);
+            const real breaks_3 = p[3 * 8 + j];
+            const real coefficients_16 = p[47 * 8 + j];
+            const real breaks_2 = p[2 * 8 + j];
+            const real coefficients_11 = p[42 * 8 + j];
+            const real t6 = real_lt(ed_, breaks_2) ? coefficients_11 : (real_lt(ed_, breaks_3) ? coefficients_16 : t5);
+            const real breaks_1 = p[1 * 8 + j];
+            const real coefficients_6 = p[37 * 8 + j];
+            const real breaks_0 = p[0 * 8 + j];
+            const real coefficients_1 = p[32 * 8 + j];
+            const real c1 = real_lt(ed_, breaks_0) ? coefficients_1 : (real_lt(ed_, breaks_1) ? coefficients_6 : t6);
+            const real origins_14 = p[29 * 8 + j];
+            const real origins_15 = p[30 * 8 + j];
+            const real origins_13 = p[28 * 8 + j];
+            const real t7 = real_lt(ed_, breaks_13) ? origins_13 : (real_lt(ed_, breaks_14) ? origins_14 : origins_15);
+            const real origins_12 = p[27 * 8 + j];
+            const real origins_11 = p[26 * 8 + j];
+            const real t8 = real_lt(ed_, breaks_11) ? origins_11 : (real_lt(ed_, breaks_12) ? origins_12 : t7);
+            const real origins_10 = p[25 * 8 + j];
+            const real origins_9 = p[24 * 8 + j];
+            const real t9 = real_lt(ed_, breaks_9) ? origins_9 : (real_lt(ed_, breaks_10) ? origins_10 : t8);
+            const real origins_8 = p[23 * 8 + j];
+            const real origins_7 = p[22 * 8 + j];
+            const real t10 = real_lt(ed_, breaks_7) ? origins_7 : (real_lt(ed_, breaks_8) ? origins_8 : t9);
+            const real origins_6 = p[21 * 8 + j];
+            const real origins_5 = p[20 * 8 + j];
+            const real t11 = real_lt(ed_, breaks_5) ? origins_5 : (real_lt(ed_, breaks_6) ? origins_6 : t10);
+            const real origins_4 = p[19 * 8 + j];
+            const real origins_3 = p[18 * 8 + j];
+            const real t12 = real_lt(ed_, breaks_3) ? origins_3 : (real_lt(ed_, breaks_4) ? origins_4 : t11);
+            const real origins_2 = p[17 * 8 + j];
+            const real origins_1 = p[16 * 8 + j];
+            const real t13 = real_lt(ed_, breaks_1) ? origins_1 : (real_lt(ed_, breaks_2) ? origins_2 : t12);
+            const real origins_0 = p[15 * 8 + j];
+            const real y = ed_ - (real_lt(ed_, breaks_0) ? origins_0 : t13);
+            const real coefficients_72 = p[103 * 8 + j];
+            const real coefficients_77 = p[108 * 8 + j];
+            const real t14 = real_lt(ed_, breaks_14) ? coefficients_72 : coefficients_77;
+            const real coefficients_67 = p[98 * 8 + j];
+            const real coefficients_62 = p[93 * 8 + j];
+            const real t15 = real_lt(ed_, breaks_12) ? coefficients_62 : (real_lt(ed_, breaks_13) ? coefficients_67 : t14);
+            const real coefficients_57 = p[88 * 8 + j];
+            const real coefficients_52 = p[83 * 8 + j];
+            const real t16 = real_lt(ed_, breaks_10) ? coefficients_52 : (real_lt(ed_, breaks_11) ? coefficients_57 : t15);
+            const real coefficients_47 = p[78 * 8 + j];
+            const real coefficients_42 = p[73 * 8 + j];
+            const real t17 = real_lt(ed_, breaks_8) ? coefficients_42 : (real_lt(ed_, breaks_9) ? coefficients_47 : t16);
+            const real coefficients_37 = p[68 * 8 + j];
+            const real coefficients_32 = p[63 * 8 + j];
+            const real t18 = real_lt(ed_, breaks_6) ? coefficients_32 : (real_lt(ed_, breaks_7) ? coefficients_37 : t17);
+            const real coefficients_27 = p[58 * 8 + j];
+            const real coefficients_22 = p[53 * 8 + j];
+            const real t19 = real_lt(ed_, breaks_4) ? coefficients_22 : (real_lt(ed_, breaks_5) ? coefficients_27 : t18);
+            const real coefficients_17 = p[48 * 8 + j];
+            const real coefficients_12 = p[43 * 8 + j];
+            const real t20 = real_lt(ed_, breaks_2) ? coefficients_12 : (real_lt(ed_, breaks_3) ? coefficients_17 : t19);
+            const real coefficients_7 = p[38 * 8 + j];
+            const real coefficients_2 = p[33 * 8 + j];
+            const real c2 = real_lt(ed_, breaks_0) ? coefficients_2 : (real_lt(ed_, breaks_1) ? coefficients_7 : t20);
+            const real coefficients_73 = p[104 * 8 + j];
+            const real coefficients_78 = p[109 * 8 + j];
+            const real t21 = real_lt(ed_, breaks_14) ? coefficients_73 : coefficients_78;
+            const real coefficients_68 = p[99 * 8 + j];
+            const real coefficients_63 = p[94 * 8 + j];
+            const real t22 = real_lt(ed_, breaks_12) ? coefficients_63 : (real_lt(ed_, breaks_13) ? coefficients_68 : t21);
+            const real coefficients_58 = p[89 * 8 + j];
+            const real coefficients_53 = p[84 * 8 + j];
+            const real t23 = real_lt(ed_, breaks_10) ? coefficients_53 : (real_lt(ed_, breaks_11) ? coefficients_58 : t22);
+            const real coefficients_48 = p[79 * 8 + j];
+            const real coefficients_43 = p[74 * 8 + j];
+            const real t24 = real_lt(ed_, breaks_8) ? coefficients_43 : (real_lt(ed_, breaks_9) ? coefficients_48 : t23);
+            const real coefficients_38 = p[69 * 8 + j];
+            const real coefficients_33 = p[64 * 8 + j];
+            const real t25 = real_lt(ed_, breaks_6) ? coefficients_33 : (real_lt(ed_, breaks_7) ? coefficients_38 : t24);
+            const real coefficients_28 = p[59 * 8 + j];
+            const real coefficients_23 = p[54 * 8 + j];
+            const real t26 = real_lt(ed_, breaks_4) ? coefficients_23 : (real_lt(ed_, breaks_5) ? coefficients_28 : t25);
+            const real coefficients_18 = p[49 * 8 + j];
+            const real coefficients_13 = p[44 * 8 + j];
+            const real t27 = real_lt(ed_, breaks_2) ? coefficients_13 : (real_lt(ed_, breaks_3) ? coefficients_18 : t26);
+            const real coefficients_8 = p[39 * 8 + j];
+            const real coefficients_3 = p[34 * 8 + j];
+            const real c3 = real_lt(ed_, breaks_0) ? coefficients_3 : (real_lt(ed_, breaks_1) ? coefficients_8 : t27);
+            const real coefficients_74 = p[105 * 8 + j];
+            const real coefficients_79 = p[110 * 8 + j];
+            const real t28 = real_lt(ed_, breaks_14) ? coefficients_74 : coefficients_79;
+            const real coefficients_69 = p[100 * 8 + j];
+            const real coefficients_64 = p[95 * 8 + j];
+            const real t29 = real_lt(ed_, breaks_12) ? coefficients_64 : (real_lt(ed_, breaks_13) ? coefficients_69 : t28);
+            const real coefficients_59 = p[90 * 8 + j];
+            const real coefficients_54 = p[85 * 8 + j];
+            const real t30 = real_lt(ed_, breaks_10) ? coefficients_54 : (real_lt(ed_, breaks_11) ? coefficients_59 : t29);
+            const real coefficients_49 = p[80 * 8 + j];
+            const real coefficients_44 = p[75 * 8 + j];
+            const real t31 = real_lt(ed_, breaks_8) ? coefficients_44 : (real_lt(ed_, breaks_9) ? coefficients_49 : t30);
+            const real coefficients_39 = p[70 * 8 + j];
+            const real coefficients_34 = p[65 * 8 + j];
+            const real t32 = real_lt(ed_, breaks_6) ? coefficients_34 : (real_lt(ed_, breaks_7) ? coefficients_39 : t31);
+            const real coefficients_29 = p[60 * 8 + j];
+            const real coefficients_24 = p[55 * 8 + j];
+            const real t33 = real_lt(ed_, breaks_4) ? coefficients_24 : (real_lt(ed_, breaks_5) ? coefficients_29 : t32);
+            const real coefficients_19 = p[50 * 8 + j];
+            const real coefficients_14 = p[45 * 8 + j];
+            const real t34 = real_lt(ed_, breaks_2) ? coefficients_14 : (real_lt(ed_, breaks_3) ? coefficients_19 : t33);
+            const real coefficients_9 = p[40 * 8 + j];
+            const real coefficients_4 = p[35 * 8 + j];
+            const real c4 = real_lt(ed_, breaks_0) ? coefficients_4 : (real_lt(ed_, breaks_1) ? coefficients_9 : t34);
+            const real t35 = y * c4;
+            const real t36 = c3 + t35;
+            const real t37 = c2 + y * t36;
+            J[0 * 8 + j] = c1 + y * (t37 + y * (t35 + t36) + t37);
+        }
+    }
+}
+
+const flexel_law flexel_law_damper_curve = {
+    .name = "damper_curve",
+    .digest = "7bba1517f36494fa",
+    .m = 1,
+    .k = 0,
+    .nz = 0,
+    .np = 111,
+    .law = damper_curve_law,
+    .tangent = damper_curve_tangent,
+};
+
+/* stop
+ *
+ * depth = max(0, e - gap);  sigma = stiffness depth max(0, 1 + damping edot), never pulling
+ *
+ * Source: Hunt and Crossley 1975, J. Appl. Mech. 42:440, exponent one
+ *
+ * 1 deformations, 0 slips
+ * p (3):
+ *   gap (1) [m or rad]: deformation at which it is touched
+ *   stiffness (1) [N/m or N m/rad]: stiffness once touched
+ *   damping (1) [s/m or s/rad]: loss relative to the elastic force, for unit rate */
+
+/* law: 14 operations.
+ * in:  e (1), ed (1), s (0), z (0), t (1), p (3)
+ * out: sigma (1), tau (0), zd (0), U (1), P (1) */
+FLEXEL_CLONES
+static void stop_law(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (1 * 8);
+        const real *restrict ed = in[1] + b * (1 * 8);
+        const real *restrict p = in[5] + b * (3 * 8);
+        real *restrict sigma = out[0] + b * (1 * 8);
+        real *restrict U = out[3] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real ed_ = ed[0 * 8 + j];
+            const real damping = p[2 * 8 + j];
+            const real e_ = e[0 * 8 + j];
+            const real gap = p[0 * 8 + j];
+            const real t0 = e_ - gap;
+            const real t1 = real_max(0.0, t0);
+            const real stiffness = p[1 * 8 + j];
+            const real t2 = stiffness * t1;
+            const real t3 = real_max(0.0, 1.0 + ed_ * damping) * t2;
+            sigma[0 * 8 + j] = t3;
+            U[0 * 8 + j] = 0.5 * t1 * t2;
+            P[0 * 8 + j] = ed_ * (t3 - (real_le(t0, 0.0) ? 0.0 : 1.0) * t2);
+        }
+    }
+}
+
+/* tangent: 14 operations.
+ * in:  e (1), ed (1), s (0), z (0), t (1), p (3)
+ * out: J (1,2) */
+FLEXEL_CLONES
+static void stop_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (1 * 8);
+        const real *restrict ed = in[1] + b * (1 * 8);
+        const real *restrict p = in[5] + b * (3 * 8);
+        real *restrict J = out[0] + b * (2 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real e_ = e[0 * 8 + j];
+            const real gap = p[0 * 8 + j];
+            const real t0 = e_ - gap;
+            const real ed_ = ed[0 * 8 + j];
+            const real damping = p[2 * 8 + j];
+            const real t1 = 1.0 + ed_ * damping;
+            const real stiffness = p[1 * 8 + j];
+            J[0 * 8 + j] = stiffness * real_max(0.0, t1) * (real_le(t0, 0.0) ? 0.0 : 1.0);
+            const real t2 = stiffness * real_max(0.0, t0) * (real_le(t1, 0.0) ? 0.0 : 1.0);
+            J[1 * 8 + j] = damping * t2;
+        }
+    }
+}
+
+const flexel_law flexel_law_stop = {
+    .name = "stop",
+    .digest = "7bba1517f36494fa",
+    .m = 1,
+    .k = 0,
+    .nz = 0,
+    .np = 3,
+    .law = stop_law,
+    .tangent = stop_tangent,
+};
+
+/* vertical_tyre
+ *
+ * sigma = Fz
+ * Fz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0
+ *
+ * Source: point-contact tyre with lift-off
+ *
+ * 1 deformations, 0 slips
+ * p (2):
+ *   stiffness (1) [N/m]: vertical stiffness
+ *   damping (1) [N s/m]: vertical damping while the tyre is pressed */
+
+/* law: 13 operations.
+ * in:  e (1), ed (1), s (0), z (0), t (1), p (2)
+ * out: sigma (1), tau (0), zd (0), U (1), P (1) */
+FLEXEL_CLONES
+static void vertical_tyre_law(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (1 * 8);
+        const real *restrict ed = in[1] + b * (1 * 8);
+        const real *restrict p = in[5] + b * (2 * 8);
+        real *restrict sigma = out[0] + b * (1 * 8);
+        real *restrict U = out[3] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real deflection_rate = ed[0 * 8 + j];
+            const real damping = p[1 * 8 + j];
+            const real deflection = e[0 * 8 + j];
+            const real stiffness = p[0 * 8 + j];
+            const real t0 = deflection * stiffness;
+            const real Fz = real_lt(0.0, deflection) ? real_max(0.0, deflection_rate * damping + t0) : 0.0;
+            sigma[0 * 8 + j] = Fz;
+            U[0 * 8 + j] = real_lt(0.0, deflection) ? 0.5 * deflection * t0 : 0.0;
+            P[0 * 8 + j] = deflection_rate * Fz - (real_lt(0.0, deflection) ? deflection_rate * t0 : 0.0);
+        }
+    }
+}
+
+/* tangent: 9 operations.
+ * in:  e (1), ed (1), s (0), z (0), t (1), p (2)
+ * out: J (1,2) */
+FLEXEL_CLONES
+static void vertical_tyre_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (1 * 8);
+        const real *restrict ed = in[1] + b * (1 * 8);
+        const real *restrict p = in[5] + b * (2 * 8);
+        real *restrict J = out[0] + b * (2 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real deflection_rate = ed[0 * 8 + j];
+            const real damping = p[1 * 8 + j];
+            const real deflection = e[0 * 8 + j];
+            const real stiffness = p[0 * 8 + j];
+            const real t0 = real_le(deflection_rate * damping + deflection * stiffness, 0.0) ? 0.0 : 1.0;
+            const real t1 = real_lt(0.0, deflection) ? t0 : 0.0;
+            J[0 * 8 + j] = stiffness * t1;
+            J[1 * 8 + j] = damping * t1;
+        }
+    }
+}
+
+const flexel_law flexel_law_vertical_tyre = {
+    .name = "vertical_tyre",
+    .digest = "7bba1517f36494fa",
+    .m = 1,
+    .k = 0,
+    .nz = 0,
+    .np = 2,
+    .law = vertical_tyre_law,
+    .tangent = vertical_tyre_tangent,
+};
+
+/* linear_tyre
+ *
+ * Fz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0
+ * slip angle alpha = atan(sideways/max(|forward|, standstill)), of the wheel's centre
+ * tau(lateral) = -fade Fy, tau(spin) = -fade Mz;  fade = 3 u^2 - 2 u^3, u = min(1, |forward|/standstill)
+ * Fy = -cornering alpha - camber_stiffness camber while pressed, whatever the load;  Mz = -trail Fy
+ *
+ * Source: Frik, Leister, Schwartz 1993, Vehicle System Dynamics 22 suppl., linear tyre
+ *
+ * 2 deformations, 4 slips
+ * p (6):
+ *   stiffness (1) [N/m]: vertical stiffness
+ *   damping (1) [N s/m]: vertical damping while the tyre is pressed
+ *   cornering (1) [N/rad]: cornering stiffness
+ *   camber_stiffness (1) [N/rad]: camber stiffness
+ *   trail (1) [m]: pneumatic trail
+ *   standstill (1) [m/s]: forward speed below which side forces fade out */
+
+/* law: 37 operations.
+ * in:  e (2), ed (2), s (4), z (0), t (1), p (6)
+ * out: sigma (2), 1 of 2 entries, tau (4), 2 of 4 entries, zd (0), U (1), P (1) */
+FLEXEL_CLONES
+static void linear_tyre_law(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (2 * 8);
+        const real *restrict ed = in[1] + b * (2 * 8);
+        const real *restrict s = in[2] + b * (4 * 8);
+        const real *restrict p = in[5] + b * (6 * 8);
+        real *restrict sigma = out[0] + b * (1 * 8);
+        real *restrict tau = out[1] + b * (2 * 8);
+        real *restrict U = out[3] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
+        real fade[8], t1[8], tan_alpha[8], t2[8], t5[8], t6[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real deflection_rate = ed[0 * 8 + j];
+            const real damping = p[1 * 8 + j];
+            const real deflection = e[0 * 8 + j];
+            const real stiffness = p[0 * 8 + j];
+            const real t0 = deflection * stiffness;
+            const real Fz = real_lt(0.0, deflection) ? real_max(0.0, deflection_rate * damping + t0) : 0.0;
+            sigma[0 * 8 + j] = Fz;
+            const real forward = s[0 * 8 + j];
+            const real speed = real_abs(forward);
+            const real standstill = p[5 * 8 + j];
+            const real u = real_min(1.0, 1.0 / standstill * speed);
+            fade[j] = u * u * (3.0 - 2.0 * u);
+            const real camber = e[1 * 8 + j];
+            const real camber_stiffness = p[3 * 8 + j];
+            t1[j] = camber * camber_stiffness;
+            const real sideways = s[1 * 8 + j];
+            tan_alpha[j] = 1.0 / real_max(standstill, speed) * sideways;
+            U[0 * 8 + j] = real_lt(0.0, deflection) ? 0.5 * deflection * t0 : 0.0;
+            t5[j] = deflection_rate * Fz;
+            t6[j] = real_lt(0.0, deflection) ? deflection_rate * t0 : 0.0;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            t2[j] = real_atan(tan_alpha[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real cornering = p[2 * 8 + j];
+            const real deflection = e[0 * 8 + j];
+            const real Fy = real_lt(0.0, deflection) ? -(t1[j] + cornering * t2[j]) : 0.0;
+            const real t3 = fade[j] * Fy;
+            tau[0 * 8 + j] = -t3;
+            const real trail = p[4 * 8 + j];
+            const real t4 = trail * t3;
+            tau[1 * 8 + j] = t4;
+            const real spin = s[3 * 8 + j];
+            const real lateral = s[2 * 8 + j];
+            P[0 * 8 + j] = t5[j] + spin * t4 - lateral * t3 - t6[j];
+        }
+    }
+}
+
+/* tangent: 65 operations.
+ * in:  e (2), ed (2), s (4), z (0), t (1), p (6)
+ * out: J (6,8), 8 of 48 entries */
+FLEXEL_CLONES
+static void linear_tyre_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (2 * 8);
+        const real *restrict ed = in[1] + b * (2 * 8);
+        const real *restrict s = in[2] + b * (4 * 8);
+        const real *restrict p = in[5] + b * (6 * 8);
+        real *restrict J = out[0] + b * (8 * 8);
+        real t8[8], tan_alpha[8], t10[8], t12[8], t17[8], t20[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real deflection_rate = ed[0 * 8 + j];
+            const real damping = p[1 * 8 + j];
+            const real deflection = e[0 * 8 + j];
+            const real stiffness = p[0 * 8 + j];
+            const real t0 = real_le(deflection_rate * damping + deflection * stiffness, 0.0) ? 0.0 : 1.0;
+            const real t1 = real_lt(0.0, deflection) ? 1.0 : 0.0;
+            const real t2 = t0 * t1;
+            J[0 * 8 + j] = stiffness * t2;
+            J[1 * 8 + j] = damping * t2;
+            const real forward = s[0 * 8 + j];
+            const real speed = real_abs(forward);
+            const real standstill = p[5 * 8 + j];
+            const real t3 = 1.0 / standstill;
+            const real t4 = speed * t3;
+            const real u = real_min(1.0, t4);
+            const real t5 = u * u;
+            const real t6 = 3.0 - 2.0 * u;
+            const real fade = t5 * t6;
+            const real t7 = fade * t1;
+            const real camber_stiffness = p[3 * 8 + j];
+            J[2 * 8 + j] = camber_stiffness * t7;
+            const real camber = e[1 * 8 + j];
+            t8[j] = camber * camber_stiffness;
+            const real t9 = 1.0 / real_max(standstill, speed);
+            const real sideways = s[1 * 8 + j];
+            tan_alpha[j] = sideways * t9;
+            const real t11 = real_lt(forward, 0.0) ? -1.0 : 1.0;
+            t12[j] = t3 * t11 * (real_le(1.0, t4) ? 0.0 : 1.0) * (u * t6 - t5);
+            const real cornering = p[2 * 8 + j];
+            const real t14 = 1.0 / (1.0 + tan_alpha[j] * tan_alpha[j]) * cornering;
+            const real t15 = t11 * t14 * sideways * (real_le(speed, standstill) ? 0.0 : 1.0);
+            const real t16 = t9 * t15 * t9;
+            t17[j] = t7 * t16;
+            const real t18 = t9 * t14;
+            J[4 * 8 + j] = t7 * t18;
+            const real trail = p[4 * 8 + j];
+            const real t19 = trail * t7;
+            J[5 * 8 + j] = -(camber_stiffness * t19);
+            t20[j] = t19 * t16;
+            J[7 * 8 + j] = -(t18 * t19);
+        }
+        for (size_t j = 0; j < 8; j++) {
+            t10[j] = real_atan(tan_alpha[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real cornering = p[2 * 8 + j];
+            const real deflection = e[0 * 8 + j];
+            const real Fy = real_lt(0.0, deflection) ? -(t8[j] + cornering * t10[j]) : 0.0;
+            const real t13 = Fy * t12[j];
+            J[3 * 8 + j] = -(2.0 * t13 + t17[j]);
+            const real trail = p[4 * 8 + j];
+            J[6 * 8 + j] = 2.0 * trail * t13 + t20[j];
+        }
+    }
+}
+
+const flexel_law flexel_law_linear_tyre = {
+    .name = "linear_tyre",
+    .digest = "7bba1517f36494fa",
+    .m = 2,
+    .k = 4,
+    .nz = 0,
+    .np = 6,
+    .law = linear_tyre_law,
+    .tangent = linear_tyre_tangent,
+};
+
+/* calspan_tyre
+ *
+ * Fz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0
+ * slip angle alpha = atan(sideways/max(|forward|, standstill)), of the wheel's centre
+ * tau(lateral) = -fade Fy, tau(spin) = -fade Mz;  fade = 3 u^2 - 2 u^3, u = min(1, |forward|/standstill)
+ * F = min(Fz, A2): beyond the load A2 the data end, friction and stiffnesses keep their values there
+ * mu = SN (B1 F + B3 + B4 F^2),  C_alpha = A0 + A1 F (1 - F/A2),  C_gamma = A3 F (1 - F/A4)
+ * slip = -(C_alpha alpha + C_gamma camber)/(mu Fz), at most 3
+ * Fy = mu Fz (slip - slip |slip|/3 + slip^3/27),  Mz = (AF1 Fz + AF2 |Fy|) Fy,  Fx = 0
+ *
+ * Source: CALSPAN tyre as in Frik, Leister, Schwartz 1993, Vehicle System Dynamics 22 suppl.
+ *
+ * 2 deformations, 4 slips
+ * p (14):
+ *   stiffness (1) [N/m]: vertical stiffness
+ *   damping (1) [N s/m]: vertical damping while the tyre is pressed
+ *   A (5) [N/rad, 1/rad, N, 1/rad, N]: A0 ... A4: cornering and camber stiffness over the load
+ *   B (3) [1/N, 1, 1/N^2]: B1, B3, B4: friction over the load
+ *   SN (1) [1]: skid number of the road relative to that of the test
+ *   AF (2) [m/N]: AF1, AF2: aligning moment
+ *   standstill (1) [m/s]: forward speed below which side forces fade out */
+
+/* law: 75 operations.
+ * in:  e (2), ed (2), s (4), z (0), t (1), p (14)
+ * out: sigma (2), 1 of 2 entries, tau (4), 2 of 4 entries, zd (0), U (1), P (1) */
+FLEXEL_CLONES
+static void calspan_tyre_law(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (2 * 8);
+        const real *restrict ed = in[1] + b * (2 * 8);
+        const real *restrict s = in[2] + b * (4 * 8);
+        const real *restrict p = in[5] + b * (14 * 8);
+        real *restrict sigma = out[0] + b * (1 * 8);
+        real *restrict tau = out[1] + b * (2 * 8);
+        real *restrict U = out[3] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
+        real Fz[8], fade[8], mu[8], tan_alpha[8], t1[8], C_alpha[8], t2[8], t3[8], t6[8], t8[8], t9[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real deflection_rate = ed[0 * 8 + j];
+            const real damping = p[1 * 8 + j];
+            const real deflection = e[0 * 8 + j];
+            const real stiffness = p[0 * 8 + j];
+            const real t0 = deflection * stiffness;
+            Fz[j] = real_lt(0.0, deflection) ? real_max(0.0, deflection_rate * damping + t0) : 0.0;
+            sigma[0 * 8 + j] = Fz[j];
+            const real forward = s[0 * 8 + j];
+            const real speed = real_abs(forward);
+            const real standstill = p[13 * 8 + j];
+            const real u = real_min(1.0, 1.0 / standstill * speed);
+            fade[j] = u * u * (3.0 - 2.0 * u);
+            const real A_2 = p[4 * 8 + j];
+            const real within = real_min(A_2, Fz[j]);
+            const real B_4 = p[9 * 8 + j];
+            const real B_1 = p[7 * 8 + j];
+            const real B_3 = p[8 * 8 + j];
+            const real SN = p[10 * 8 + j];
+            mu[j] = SN * (B_3 + within * (B_1 + B_4 * within));
+            const real sideways = s[1 * 8 + j];
+            tan_alpha[j] = 1.0 / real_max(standstill, speed) * sideways;
+            const real A_1 = p[3 * 8 + j];
+            const real A_0 = p[2 * 8 + j];
+            C_alpha[j] = A_0 + A_1 * within * (1.0 - 1.0 / A_2 * within);
+            const real A_4 = p[6 * 8 + j];
+            const real A_3 = p[5 * 8 + j];
+            const real C_gamma = A_3 * within * (1.0 - 1.0 / A_4 * within);
+            const real camber = e[1 * 8 + j];
+            t2[j] = camber * C_gamma;
+            t3[j] = 1.0 / real_max(Fz[j], 0.001) * (1.0 / mu[j]);
+            const real AF_1 = p[11 * 8 + j];
+            t6[j] = AF_1 * Fz[j];
+            U[0 * 8 + j] = real_lt(0.0, deflection) ? 0.5 * deflection * t0 : 0.0;
+            t8[j] = deflection_rate * Fz[j];
+            t9[j] = real_lt(0.0, deflection) ? deflection_rate * t0 : 0.0;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            t1[j] = real_atan(tan_alpha[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real slip = real_max(-3.0, real_min(3.0, -((t1[j] * C_alpha[j] + t2[j]) * t3[j])));
+            const real t4 = 1.0 + 0.037037037037037035 * (slip * slip) - 0.3333333333333333 * real_abs(slip);
+            const real Fy = slip * t4 * Fz[j] * mu[j];
+            const real t5 = fade[j] * Fy;
+            tau[0 * 8 + j] = -t5;
+            const real AF_2 = p[12 * 8 + j];
+            const real Mz = Fy * (t6[j] + AF_2 * real_abs(Fy));
+            const real t7 = fade[j] * Mz;
+            tau[1 * 8 + j] = -t7;
+            const real lateral = s[2 * 8 + j];
+            const real spin = s[3 * 8 + j];
+            P[0 * 8 + j] = t8[j] - lateral * t5 - spin * t7 - t9[j];
+        }
+    }
+}
+
+/* tangent: 179 operations.
+ * in:  e (2), ed (2), s (4), z (0), t (1), p (14)
+ * out: J (6,8), 12 of 48 entries */
+FLEXEL_CLONES
+static void calspan_tyre_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (2 * 8);
+        const real *restrict ed = in[1] + b * (2 * 8);
+        const real *restrict s = in[2] + b * (4 * 8);
+        const real *restrict p = in[5] + b * (14 * 8);
+        real *restrict J = out[0] + b * (12 * 8);
+        real t1[8], fade[8], t8[8], t9[8], t10[8], t11[8], t12[8], tan_alpha[8], t13[8], C_alpha[8], C_gamma[8], t18[8], t28[8], t32[8], t34[8], t35[8], t36[8], t37[8], t43[8], t44[8], t45[8], t46[8], t50[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real deflection_rate = ed[0 * 8 + j];
+            const real damping = p[1 * 8 + j];
+            const real deflection = e[0 * 8 + j];
+            const real stiffness = p[0 * 8 + j];
+            const real t0 = deflection_rate * damping + deflection * stiffness;
+            t1[j] = (real_le(t0, 0.0) ? 0.0 : 1.0) * (real_lt(0.0, deflection) ? 1.0 : 0.0);
+            J[0 * 8 + j] = stiffness * t1[j];
+            J[1 * 8 + j] = damping * t1[j];
+            const real forward = s[0 * 8 + j];
+            const real speed = real_abs(forward);
+            const real standstill = p[13 * 8 + j];
+            const real t2 = 1.0 / standstill;
+            const real t3 = speed * t2;
+            const real u = real_min(1.0, t3);
+            const real t4 = u * u;
+            const real t5 = 3.0 - 2.0 * u;
+            fade[j] = t4 * t5;
+            const real Fz = real_lt(0.0, deflection) ? real_max(0.0, t0) : 0.0;
+            const real A_2 = p[4 * 8 + j];
+            const real within = real_min(A_2, Fz);
+            const real B_4 = p[9 * 8 + j];
+            const real t6 = B_4 * within;
+            const real B_1 = p[7 * 8 + j];
+            const real B_3 = p[8 * 8 + j];
+            const real SN = p[10 * 8 + j];
+            const real mu = SN * (B_3 + within * (B_1 + t6));
+            const real t7 = SN * (B_1 + 2.0 * t6);
+            t8[j] = (real_le(A_2, Fz) ? 0.0 : 1.0) * t1[j];
+            t9[j] = mu * t1[j] + Fz * t7 * t8[j];
+            t10[j] = 1.0 / real_max(Fz, 0.001);
+            t11[j] = 1.0 / mu;
+            t12[j] = 1.0 / real_max(standstill, speed);
+            const real sideways = s[1 * 8 + j];
+            tan_alpha[j] = sideways * t12[j];
+            const real t14 = 1.0 / A_2 * within;
+            const real t15 = 1.0 - t14;
+            const real A_1 = p[3 * 8 + j];
+            const real A_0 = p[2 * 8 + j];
+            C_alpha[j] = A_0 + A_1 * t15 * within;
+            const real A_4 = p[6 * 8 + j];
+            const real t16 = 1.0 / A_4 * within;
+            const real t17 = 1.0 - t16;
+            const real A_3 = p[5 * 8 + j];
+            C_gamma[j] = A_3 * t17 * within;
+            const real camber = e[1 * 8 + j];
+            t18[j] = camber * C_gamma[j];
+            t28[j] = Fz * mu;
+            t32[j] = real_le(0.001, Fz) ? 1.0 : 0.0;
+            t34[j] = t11[j] * t7 * t11[j];
+            t35[j] = t15 - t14;
+            t36[j] = camber * A_3 * (t17 - t16);
+            t37[j] = t10[j] * t11[j];
+            t43[j] = real_lt(forward, 0.0) ? -1.0 : 1.0;
+            t44[j] = t2 * t43[j] * (real_le(1.0, t3) ? 0.0 : 1.0) * (u * t5 - t4);
+            t45[j] = 1.0 / (1.0 + tan_alpha[j] * tan_alpha[j]) * C_alpha[j];
+            t46[j] = real_le(speed, standstill) ? 0.0 : 1.0;
+            const real AF_1 = p[11 * 8 + j];
+            t50[j] = AF_1 * Fz;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            t13[j] = real_atan(tan_alpha[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real t19 = t13[j] * C_alpha[j] + t18[j];
+            const real t20 = t11[j] * t19;
+            const real t21 = -(t10[j] * t20);
+            const real t22 = real_min(3.0, t21);
+            const real slip = real_max(-3.0, t22);
+            const real t23 = slip * slip;
+            const real t24 = real_abs(slip);
+            const real t25 = 1.0 + 0.037037037037037035 * t23 - 0.3333333333333333 * t24;
+            const real t26 = slip * t25;
+            const real t27 = t9[j] * t26;
+            const real t29 = 0.3333333333333333 * (t24 + slip * (real_lt(slip, 0.0) ? -1.0 : 1.0));
+            const real t30 = t28[j] * (1.0 + 0.1111111111111111 * t23 - t29);
+            const real t31 = fade[j] * t30;
+            const real t33 = (real_le(3.0, t21) ? 0.0 : 1.0) * (real_le(t22, -3.0) ? 0.0 : 1.0);
+            const real A_1 = p[3 * 8 + j];
+            const real t38 = t37[j] * t33;
+            const real t39 = t19 * t34[j] * t10[j] * t33 - (A_1 * t13[j] * t35[j] + t36[j]) * t38;
+            const real t40 = t10[j] * t33 * t10[j] * t32[j] * t1[j] * t20 + t8[j] * t39;
+            const real t41 = fade[j] * t27 + t31 * t40;
+            const real stiffness = p[0 * 8 + j];
+            J[2 * 8 + j] = -(stiffness * t41);
+            const real t42 = C_gamma[j] * t38;
+            J[3 * 8 + j] = t42 * t31;
+            const real damping = p[1 * 8 + j];
+            J[4 * 8 + j] = -(damping * t41);
+            const real Fy = t28[j] * t26;
+            const real t47 = t12[j] * t38;
+            const real sideways = s[1 * 8 + j];
+            const real t48 = t12[j] * t47 * t46[j] * sideways * t43[j] * t45[j];
+            J[5 * 8 + j] = -(2.0 * t44[j] * Fy + t48 * t31);
+            const real t49 = t45[j] * t47;
+            J[6 * 8 + j] = t49 * t31;
+            const real AF_2 = p[12 * 8 + j];
+            const real t51 = t50[j] + AF_2 * real_abs(Fy);
+            const real t52 = fade[j] * Fy;
+            const real t53 = fade[j] * t51 + AF_2 * (real_lt(Fy, 0.0) ? -1.0 : 1.0) * t52;
+            const real t54 = t30 * t53;
+            const real AF_1 = p[11 * 8 + j];
+            const real t55 = t54 * t40 + AF_1 * t52 * t1[j] + t53 * t27;
+            J[7 * 8 + j] = -(stiffness * t55);
+            J[8 * 8 + j] = t42 * t54;
+            J[9 * 8 + j] = -(damping * t55);
+            const real Mz = Fy * t51;
+            J[10 * 8 + j] = -(2.0 * t44[j] * Mz + t48 * t54);
+            J[11 * 8 + j] = t49 * t54;
+        }
+    }
+}
+
+const flexel_law flexel_law_calspan_tyre = {
+    .name = "calspan_tyre",
+    .digest = "7bba1517f36494fa",
+    .m = 2,
+    .k = 4,
+    .nz = 0,
+    .np = 14,
+    .law = calspan_tyre_law,
+    .tangent = calspan_tyre_tangent,
+};
+
+/* magic_formula
+ *
+ * Fz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0
+ * lx kappadot = Re rolling - forward - |forward| kappa
+ * ly (tan alpha)dot = sideways - |forward| tan alpha
+ * mu = mu0 + mu1 min(1, Fz/Fz0 - 1),  Kx = kx Fz,  Ky = c1 Fz0 sin(2 atan(Fz/(c2 Fz0))),  Kg = kg Fz
+ * x = Kx kappa/(mu Fz),  y = (Ky tan alpha + Kg camber)/(mu Fz),  slip = |(x, y)|,  b = slip/C
+ * (Fx, Fy) = mu Fz sin(C atan(b - E (b - atan b))) (x, -y)/slip, combined slip by similarity
+ * Mz = -t0 Fz/Fz0 cos(atan(B tan alpha)) Fy;  tau(longitudinal, lateral, spin) = -(Fx, Fy, Mz)
+ *
+ * Source: Pacejka, Tyre and Vehicle Dynamics, similarity method and single contact point transient model
+ *
+ * 2 deformations, 6 slips, z: kappa [1], tan_alpha [1]
+ * p (16):
+ *   stiffness (1) [N/m]: vertical stiffness
+ *   damping (1) [N s/m]: vertical damping while the tyre is pressed
+ *   load0 (1) [N]: nominal load Fz0
+ *   rolling_radius (1) [m]: effective radius of free rolling
+ *   friction (2) [1]: mu at the nominal load, and its change for one more nominal load
+ *   slip_stiffness (1) [1]: longitudinal stiffness Kx relative to the load
+ *   cornering (2) [1]: largest cornering stiffness over load0, and the load of it over load0
+ *   camber_stiffness (1) [1/rad]: camber stiffness relative to the load
+ *   shape (2) [1]: C and E of the sine of the Magic Formula
+ *   trail (2) [m, 1]: pneumatic trail at the nominal load, and how it falls with the slip (B)
+ *   relaxation (2) [m]: relaxation lengths, longitudinal and lateral */
+
+/* law: 86 operations.
+ * in:  e (2), ed (2), s (6), z (2), t (1), p (16)
+ * out: sigma (2), 1 of 2 entries, tau (6), 3 of 6 entries, zd (2), U (1), P (1) */
+FLEXEL_CLONES
+static void magic_formula_law(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (2 * 8);
+        const real *restrict ed = in[1] + b * (2 * 8);
+        const real *restrict s = in[2] + b * (6 * 8);
+        const real *restrict z = in[3] + b * (2 * 8);
+        const real *restrict p = in[5] + b * (16 * 8);
+        real *restrict sigma = out[0] + b * (1 * 8);
+        real *restrict tau = out[1] + b * (3 * 8);
+        real *restrict zd = out[2] + b * (2 * 8);
+        real *restrict U = out[3] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
+        real Fz[8], mu[8], t3[8], slip_x[8], t4[8], t5[8], t6[8], t7[8], t8[8], t9[8], slip_y[8], t10[8], t11[8], b_[8], t12[8], t13[8], t14[8], t15[8], t16[8], t19[8], t21[8], t22[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real deflection_rate = ed[0 * 8 + j];
+            const real damping = p[1 * 8 + j];
+            const real deflection = e[0 * 8 + j];
+            const real stiffness = p[0 * 8 + j];
+            const real t0 = deflection * stiffness;
+            Fz[j] = real_lt(0.0, deflection) ? real_max(0.0, deflection_rate * damping + t0) : 0.0;
+            sigma[0 * 8 + j] = Fz[j];
+            const real load0 = p[2 * 8 + j];
+            const real t1 = 1.0 / load0;
+            const real t2 = Fz[j] * t1;
+            const real excess = real_min(1.0, t2 - 1.0);
+            const real friction_1 = p[5 * 8 + j];
+            const real friction_0 = p[4 * 8 + j];
+            mu[j] = friction_0 + friction_1 * excess;
+            const real limit = mu[j] * real_max(Fz[j], 0.001);
+            t3[j] = 1.0 / limit;
+            const real slip_stiffness = p[6 * 8 + j];
+            const real kappa = z[0 * 8 + j];
+            slip_x[j] = slip_stiffness * t3[j] * kappa * Fz[j];
+            t4[j] = slip_x[j] * slip_x[j];
+            const real cornering_1 = p[8 * 8 + j];
+            t5[j] = 1.0 / cornering_1 * t2;
+            const real camber = e[1 * 8 + j];
+            const real camber_stiffness = p[9 * 8 + j];
+            t9[j] = camber * camber_stiffness * Fz[j];
+            const real shape_0 = p[10 * 8 + j];
+            t11[j] = 1.0 / shape_0;
+            const real trail_0 = p[12 * 8 + j];
+            const real tan_alpha = z[1 * 8 + j];
+            const real trail_1 = p[13 * 8 + j];
+            const real t18 = real_sqrt(1.0 + tan_alpha * tan_alpha * trail_1 * trail_1);
+            t19[j] = trail_0 * t1 * (1.0 / t18) * Fz[j];
+            const real relaxation_0 = p[14 * 8 + j];
+            const real rolling = s[2 * 8 + j];
+            const real rolling_radius = p[3 * 8 + j];
+            const real forward = s[0 * 8 + j];
+            const real speed = real_abs(forward);
+            zd[0 * 8 + j] = 1.0 / relaxation_0 * (rolling * rolling_radius - forward - kappa * speed);
+            const real relaxation_1 = p[15 * 8 + j];
+            const real sideways = s[1 * 8 + j];
+            zd[1 * 8 + j] = 1.0 / relaxation_1 * (sideways - tan_alpha * speed);
+            U[0 * 8 + j] = real_lt(0.0, deflection) ? 0.5 * deflection * t0 : 0.0;
+            t21[j] = deflection_rate * Fz[j];
+            t22[j] = real_lt(0.0, deflection) ? deflection_rate * t0 : 0.0;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            t6[j] = real_atan(t5[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            t7[j] = 2.0 * t6[j];
+        }
+        for (size_t j = 0; j < 8; j++) {
+            t8[j] = real_sin(t7[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real load0 = p[2 * 8 + j];
+            const real cornering_0 = p[7 * 8 + j];
+            const real Ky = load0 * t8[j] * cornering_0;
+            const real tan_alpha = z[1 * 8 + j];
+            slip_y[j] = t3[j] * (tan_alpha * Ky + t9[j]);
+            const real slip = real_sqrt(1e-16 + slip_y[j] * slip_y[j] + t4[j]);
+            t10[j] = 1.0 / slip;
+            b_[j] = t11[j] * slip;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            t12[j] = real_atan(b_[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real shape_1 = p[11 * 8 + j];
+            t13[j] = b_[j] - shape_1 * (b_[j] - t12[j]);
+        }
+        for (size_t j = 0; j < 8; j++) {
+            t14[j] = real_atan(t13[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real shape_0 = p[10 * 8 + j];
+            t15[j] = shape_0 * t14[j];
+        }
+        for (size_t j = 0; j < 8; j++) {
+            t16[j] = real_sin(t15[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real share = t10[j] * t16[j] * Fz[j] * mu[j];
+            const real Fx = slip_x[j] * share;
+            tau[0 * 8 + j] = -Fx;
+            const real t17 = slip_y[j] * share;
+            tau[1 * 8 + j] = t17;
+            const real t20 = t17 * t19[j];
+            tau[2 * 8 + j] = -t20;
+            const real lateral = s[4 * 8 + j];
+            const real longitudinal = s[3 * 8 + j];
+            const real spin = s[5 * 8 + j];
+            P[0 * 8 + j] = t21[j] + lateral * t17 - longitudinal * Fx - spin * t20 - t22[j];
+        }
+    }
+}
+
+/* tangent: 205 operations.
+ * in:  e (2), ed (2), s (6), z (2), t (1), p (16)
+ * out: J (10,12), 23 of 120 entries */
+FLEXEL_CLONES
+static void magic_formula_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (2 * 8);
+        const real *restrict ed = in[1] + b * (2 * 8);
+        const real *restrict s = in[2] + b * (6 * 8);
+        const real *restrict z = in[3] + b * (2 * 8);
+        const real *restrict p = in[5] + b * (16 * 8);
+        real *restrict J = out[0] + b * (23 * 8);
+        real t1[8], t2[8], Fz[8], t6[8], slip_x[8], t8[8], t10[8], t11[8], t12[8], t13[8], t14[8], t15[8], t16[8], slip_y[8], b_[8], t18[8], t19[8], t20[8], t21[8], t22[8], t23[8], t24[8], t25[8], t28[8], t29[8], t30[8], t31[8], t33[8], t34[8], t35[8], t37[8], t38[8], t40[8], t42[8], t43[8], t45[8], t48[8], t50[8], t52[8], t57[8], t59[8], t61[8], t63[8], t65[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real deflection_rate = ed[0 * 8 + j];
+            const real damping = p[1 * 8 + j];
+            const real deflection = e[0 * 8 + j];
+            const real stiffness = p[0 * 8 + j];
+            const real t0 = deflection_rate * damping + deflection * stiffness;
+            t1[j] = (real_le(t0, 0.0) ? 0.0 : 1.0) * (real_lt(0.0, deflection) ? 1.0 : 0.0);
+            J[0 * 8 + j] = stiffness * t1[j];
+            J[1 * 8 + j] = damping * t1[j];
+            const real shape_0 = p[10 * 8 + j];
+            t2[j] = 1.0 / shape_0;
+            Fz[j] = real_lt(0.0, deflection) ? real_max(0.0, t0) : 0.0;
+            const real load0 = p[2 * 8 + j];
+            const real t3 = 1.0 / load0;
+            const real t4 = Fz[j] * t3 - 1.0;
+            const real excess = real_min(1.0, t4);
+            const real friction_1 = p[5 * 8 + j];
+            const real friction_0 = p[4 * 8 + j];
+            const real mu = friction_0 + friction_1 * excess;
+            const real t5 = real_max(Fz[j], 0.001);
+            const real limit = mu * t5;
+            t6[j] = 1.0 / limit;
+            const real kappa = z[0 * 8 + j];
+            const real t7 = kappa * Fz[j];
+            const real slip_stiffness = p[6 * 8 + j];
+            slip_x[j] = slip_stiffness * t7 * t6[j];
+            t8[j] = 1e-16 + slip_x[j] * slip_x[j];
+            const real cornering_1 = p[8 * 8 + j];
+            const real t9 = 1.0 / cornering_1 * t3;
+            t10[j] = Fz[j] * t9;
+            const real cornering_0 = p[7 * 8 + j];
+            t14[j] = load0 * cornering_0;
+            const real camber = e[1 * 8 + j];
+            const real camber_stiffness = p[9 * 8 + j];
+            t15[j] = camber * camber_stiffness;
+            t16[j] = Fz[j] * t15[j];
+            t23[j] = Fz[j] * mu;
+            const real t27 = friction_1 * (real_le(1.0, t4) ? 0.0 : 1.0) * t3;
+            t28[j] = t6[j] * t6[j] * (mu * (real_le(0.001, Fz[j]) ? 1.0 : 0.0) + t5 * t27);
+            t29[j] = kappa * t6[j] - t7 * t28[j];
+            t30[j] = t1[j] * t29[j];
+            t31[j] = mu + Fz[j] * t27;
+            t37[j] = slip_stiffness * slip_x[j];
+            t43[j] = 1.0 / (1.0 + t10[j] * t10[j]) * t9;
+            t48[j] = camber_stiffness * Fz[j] * t6[j];
+            t50[j] = Fz[j] * t6[j];
+            const real tan_alpha = z[1 * 8 + j];
+            const real trail_1 = p[13 * 8 + j];
+            const real t55 = trail_1 * trail_1;
+            const real t56 = 1.0 / real_sqrt(1.0 + tan_alpha * tan_alpha * t55);
+            const real trail_0 = p[12 * 8 + j];
+            t57[j] = trail_0 * t3;
+            const real t58 = t56 * t57[j];
+            t59[j] = Fz[j] * t58;
+            t63[j] = t1[j] * t58;
+            t65[j] = t56 * t56 * t55 * tan_alpha * t56;
+            const real relaxation_0 = p[14 * 8 + j];
+            const real t66 = 1.0 / relaxation_0;
+            const real forward = s[0 * 8 + j];
+            const real t67 = real_lt(forward, 0.0) ? -1.0 : 1.0;
+            J[17 * 8 + j] = -(t66 * (1.0 + kappa * t67));
+            const real rolling_radius = p[3 * 8 + j];
+            J[18 * 8 + j] = rolling_radius * t66;
+            const real speed = real_abs(forward);
+            J[19 * 8 + j] = -(speed * t66);
+            const real relaxation_1 = p[15 * 8 + j];
+            const real t68 = 1.0 / relaxation_1;
+            J[21 * 8 + j] = t68;
+            J[20 * 8 + j] = -(tan_alpha * t68 * t67);
+            J[22 * 8 + j] = -(speed * t68);
+        }
+        for (size_t j = 0; j < 8; j++) {
+            t11[j] = real_atan(t10[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            t12[j] = 2.0 * t11[j];
+        }
+        for (size_t j = 0; j < 8; j++) {
+            t13[j] = real_sin(t12[j]);
+            t42[j] = real_cos(t12[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real Ky = t13[j] * t14[j];
+            const real tan_alpha = z[1 * 8 + j];
+            const real t17 = tan_alpha * Ky + t16[j];
+            slip_y[j] = t6[j] * t17;
+            const real slip = real_sqrt(t8[j] + slip_y[j] * slip_y[j]);
+            b_[j] = t2[j] * slip;
+            t24[j] = 1.0 / slip;
+            t25[j] = t23[j] * t24[j];
+            const real shape_1 = p[11 * 8 + j];
+            t33[j] = 1.0 - shape_1 * (1.0 - 1.0 / (1.0 + b_[j] * b_[j]));
+            t38[j] = t24[j] * t37[j];
+            t40[j] = slip_y[j] * t24[j];
+            const real t44 = t6[j] * (t15[j] + 2.0 * t42[j] * t43[j] * tan_alpha * t14[j]);
+            t45[j] = t1[j] * (t44 - t17 * t28[j]);
+            t52[j] = Ky * t6[j];
+            t61[j] = t59[j] * slip_y[j];
+        }
+        for (size_t j = 0; j < 8; j++) {
+            t18[j] = real_atan(b_[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real shape_1 = p[11 * 8 + j];
+            t19[j] = b_[j] - shape_1 * (b_[j] - t18[j]);
+            t34[j] = 1.0 / (1.0 + t19[j] * t19[j]);
+        }
+        for (size_t j = 0; j < 8; j++) {
+            t20[j] = real_atan(t19[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real shape_0 = p[10 * 8 + j];
+            t21[j] = shape_0 * t20[j];
+        }
+        for (size_t j = 0; j < 8; j++) {
+            t22[j] = real_sin(t21[j]);
+            t35[j] = real_cos(t21[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real share = t22[j] * t25[j];
+            const real slip_stiffness = p[6 * 8 + j];
+            const real t26 = slip_stiffness * share;
+            const real t32 = t24[j] * t22[j];
+            const real shape_0 = p[10 * 8 + j];
+            const real t36 = t25[j] * (t2[j] * t35[j] * shape_0 * t34[j] * t33[j] - t32);
+            const real t39 = t36 * t38[j];
+            const real t41 = t36 * t40[j];
+            const real t46 = t1[j] * (t31[j] * t32 + t29[j] * t39) + t41 * t45[j];
+            const real t47 = t26 * t30[j] + slip_x[j] * t46;
+            const real stiffness = p[0 * 8 + j];
+            J[2 * 8 + j] = -(stiffness * t47);
+            const real t49 = t48[j] * t41;
+            J[3 * 8 + j] = -(slip_x[j] * t49);
+            const real damping = p[1 * 8 + j];
+            J[4 * 8 + j] = -(damping * t47);
+            const real t51 = t50[j] * t39;
+            J[5 * 8 + j] = -(t50[j] * t26 + slip_x[j] * t51);
+            const real t53 = t52[j] * t41;
+            J[6 * 8 + j] = -(slip_x[j] * t53);
+            const real t54 = share * t45[j] + slip_y[j] * t46;
+            J[7 * 8 + j] = stiffness * t54;
+            J[8 * 8 + j] = t48[j] * share + slip_y[j] * t49;
+            J[9 * 8 + j] = damping * t54;
+            J[10 * 8 + j] = slip_y[j] * t51;
+            J[11 * 8 + j] = t52[j] * share + slip_y[j] * t53;
+            const real t60 = t59[j] * share;
+            const real t62 = slip_y[j] * share;
+            const real t64 = t61[j] * t46 + t62 * t63[j] + t60 * t45[j];
+            J[12 * 8 + j] = -(stiffness * t64);
+            J[13 * 8 + j] = -(t48[j] * t60 + t61[j] * t49);
+            J[14 * 8 + j] = -(damping * t64);
+            J[15 * 8 + j] = -(t61[j] * t51);
+            J[16 * 8 + j] = t62 * t65[j] * Fz[j] * t57[j] - t52[j] * t60 - t61[j] * t53;
+        }
+    }
+}
+
+const flexel_law flexel_law_magic_formula = {
+    .name = "magic_formula",
+    .digest = "7bba1517f36494fa",
+    .m = 2,
+    .k = 6,
+    .nz = 2,
+    .np = 16,
+    .law = magic_formula_law,
+    .tangent = magic_formula_tangent,
 };
 
 /* hertz
@@ -1598,7 +3242,7 @@ static void hertz_tangent(size_t nblocks, const real *const *in, real *const *ou
 
 const flexel_law flexel_law_hertz = {
     .name = "hertz",
-    .digest = "79e55ae86648085c",
+    .digest = "7bba1517f36494fa",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -1741,7 +3385,7 @@ static void hertz_coulomb_1_tangent(size_t nblocks, const real *const *in, real 
 
 const flexel_law flexel_law_hertz_coulomb_1 = {
     .name = "hertz_coulomb_1",
-    .digest = "79e55ae86648085c",
+    .digest = "7bba1517f36494fa",
     .m = 1,
     .k = 1,
     .nz = 0,
@@ -1904,7 +3548,7 @@ static void hertz_coulomb_2_tangent(size_t nblocks, const real *const *in, real 
 
 const flexel_law flexel_law_hertz_coulomb_2 = {
     .name = "hertz_coulomb_2",
-    .digest = "79e55ae86648085c",
+    .digest = "7bba1517f36494fa",
     .m = 1,
     .k = 2,
     .nz = 0,
@@ -1962,8 +3606,8 @@ static void hertz_bristle_1_law(size_t nblocks, const real *const *in, real *con
             const real friction = p[3 * 8 + j];
             const real s_0 = s[0 * 8 + j];
             const real square = s_0 * s_0;
-            const real root = real_lt(0.0, square) ? real_sqrt(square) : 1.0;
-            const real speed = real_lt(0.0, square) ? root : 0.0;
+            const real safe = real_lt(0.0, square) ? square : 1.0;
+            const real speed = real_lt(0.0, square) ? real_sqrt(safe) : 0.0;
             const real sliding = 1.0 / friction * (bristle_stiffness * speed);
             const real release = p[6 * 8 + j];
             zd_0[j] = real_lt(e_0, 0.0) ? s_0 - z_0 * sliding : -(z_0 * release);
@@ -2005,7 +3649,7 @@ static void hertz_bristle_1_law(size_t nblocks, const real *const *in, real *con
     }
 }
 
-/* tangent: 59 operations.
+/* tangent: 61 operations.
  * in:  e (1), ed (1), s (1), z (1), t (1), p (7)
  * out: J (3,4), 8 of 12 entries */
 FLEXEL_CLONES
@@ -2031,9 +3675,9 @@ static void hertz_bristle_1_tangent(size_t nblocks, const real *const *in, real 
             t3[j] = real_lt(e_0, 0.0) ? -1.0 : 0.0;
             const real s_0 = s[0 * 8 + j];
             const real square = s_0 * s_0;
-            const real t10 = real_sqrt(square);
-            const real root = real_lt(0.0, square) ? t10 : 1.0;
-            const real speed = real_lt(0.0, square) ? root : 0.0;
+            const real safe = real_lt(0.0, square) ? square : 1.0;
+            const real t10 = real_sqrt(safe);
+            const real speed = real_lt(0.0, square) ? t10 : 0.0;
             const real friction = p[3 * 8 + j];
             const real bristle_stiffness = p[4 * 8 + j];
             const real t11 = 1.0 / friction * bristle_stiffness;
@@ -2043,8 +3687,8 @@ static void hertz_bristle_1_tangent(size_t nblocks, const real *const *in, real 
             const real zd_0 = real_lt(e_0, 0.0) ? s_0 - z_0 * sliding : -(z_0 * release);
             const real bristle_damping = p[5 * 8 + j];
             t12[j] = bristle_damping * zd_0 + z_0 * bristle_stiffness;
-            const real t13 = real_lt(0.0, square) ? (real_lt(0.0, square) ? 1.0 / t10 * s_0 : 0.0) : 0.0;
-            const real t14 = real_lt(e_0, 0.0) ? 1.0 - t11 * t13 * z_0 : 0.0;
+            const real t13 = 0.5 * 1.0 / t10 * (real_lt(0.0, square) ? 2.0 * s_0 : 0.0);
+            const real t14 = real_lt(e_0, 0.0) ? 1.0 - t11 * (real_lt(0.0, square) ? t13 : 0.0) * z_0 : 0.0;
             J[6 * 8 + j] = t14;
             t15[j] = bristle_damping * t14;
             const real t16 = real_lt(e_0, 0.0) ? -sliding : -release;
@@ -2081,7 +3725,7 @@ static void hertz_bristle_1_tangent(size_t nblocks, const real *const *in, real 
 
 const flexel_law flexel_law_hertz_bristle_1 = {
     .name = "hertz_bristle_1",
-    .digest = "79e55ae86648085c",
+    .digest = "7bba1517f36494fa",
     .m = 1,
     .k = 1,
     .nz = 1,
@@ -2140,8 +3784,8 @@ static void hertz_bristle_2_law(size_t nblocks, const real *const *in, real *con
             const real s_0 = s[0 * 8 + j];
             const real s_1 = s[1 * 8 + j];
             const real square = s_0 * s_0 + s_1 * s_1;
-            const real root = real_lt(0.0, square) ? real_sqrt(square) : 1.0;
-            const real speed = real_lt(0.0, square) ? root : 0.0;
+            const real safe = real_lt(0.0, square) ? square : 1.0;
+            const real speed = real_lt(0.0, square) ? real_sqrt(safe) : 0.0;
             const real sliding = 1.0 / friction * (bristle_stiffness * speed);
             const real release = p[6 * 8 + j];
             const real zd_0 = real_lt(e_0, 0.0) ? s_0 - z_0 * sliding : -(z_0 * release);
@@ -2190,7 +3834,7 @@ static void hertz_bristle_2_law(size_t nblocks, const real *const *in, real *con
     }
 }
 
-/* tangent: 88 operations.
+/* tangent: 94 operations.
  * in:  e (1), ed (1), s (2), z (2), t (1), p (7)
  * out: J (5,6), 18 of 30 entries */
 FLEXEL_CLONES
@@ -2203,7 +3847,7 @@ static void hertz_bristle_2_tangent(size_t nblocks, const real *const *in, real 
         const real *restrict z = in[3] + b * (2 * 8);
         const real *restrict p = in[5] + b * (7 * 8);
         real *restrict J = out[0] + b * (18 * 8);
-        real depth[8], t0[8], t1[8], t4[8], t5[8], t6[8], t7[8], t13[8], t17[8], t21[8], t23[8], t24[8], t25[8], t26[8];
+        real depth[8], t0[8], t1[8], t4[8], t5[8], t6[8], t11[8], t16[8], t17[8], t19[8], t20[8], t21[8], t22[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real e_0 = e[0 * 8 + j];
@@ -2211,45 +3855,39 @@ static void hertz_bristle_2_tangent(size_t nblocks, const real *const *in, real 
             const real ed_0 = ed[0 * 8 + j];
             const real dissipation = p[2 * 8 + j];
             t1[j] = 1.0 - ed_0 * dissipation;
-            t4[j] = real_lt(e_0, 0.0) ? -1.0 : 0.0;
+            t4[j] = real_lt(e_0, 0.0) ? 1.0 : 0.0;
             const real exponent = p[1 * 8 + j];
             t5[j] = exponent - 1.0;
-            const real stiffness = p[0 * 8 + j];
-            t7[j] = stiffness * exponent;
             const real s_0 = s[0 * 8 + j];
             const real s_1 = s[1 * 8 + j];
             const real square = s_0 * s_0 + s_1 * s_1;
-            const real t11 = real_sqrt(square);
-            const real root = real_lt(0.0, square) ? t11 : 1.0;
-            const real speed = real_lt(0.0, square) ? root : 0.0;
+            const real safe = real_lt(0.0, square) ? square : 1.0;
+            const real t9 = real_sqrt(safe);
+            const real speed = real_lt(0.0, square) ? t9 : 0.0;
             const real friction = p[3 * 8 + j];
             const real bristle_stiffness = p[4 * 8 + j];
-            const real t12 = 1.0 / friction * bristle_stiffness;
-            const real sliding = speed * t12;
+            const real t10 = 1.0 / friction * bristle_stiffness;
+            const real sliding = speed * t10;
             const real z_0 = z[0 * 8 + j];
             const real release = p[6 * 8 + j];
             const real zd_0 = real_lt(e_0, 0.0) ? s_0 - z_0 * sliding : -(z_0 * release);
             const real bristle_damping = p[5 * 8 + j];
-            t13[j] = bristle_damping * zd_0 + z_0 * bristle_stiffness;
-            const real t14 = 1.0 / t11;
-            const real t15 = real_lt(0.0, square) ? (real_lt(0.0, square) ? s_0 * t14 : 0.0) : 0.0;
-            const real t16 = t12 * t15;
-            t17[j] = real_lt(e_0, 0.0) ? 1.0 - z_0 * t16 : 0.0;
-            J[12 * 8 + j] = t17[j];
-            const real t19 = real_lt(0.0, square) ? (real_lt(0.0, square) ? s_1 * t14 : 0.0) : 0.0;
-            const real t20 = t12 * t19;
-            t21[j] = real_lt(e_0, 0.0) ? -(z_0 * t20) : 0.0;
-            J[13 * 8 + j] = t21[j];
-            const real t22 = real_lt(e_0, 0.0) ? -sliding : -release;
-            J[14 * 8 + j] = J[17 * 8 + j] = t22;
-            t23[j] = bristle_stiffness + bristle_damping * t22;
+            t11[j] = bristle_damping * zd_0 + z_0 * bristle_stiffness;
+            const real t14 = real_lt(0.0, square) ? 1.0 : 0.0;
+            const real t15 = 1.0 / t9 * t14 * t14 * t10;
+            t16[j] = s_0 * t15;
+            t17[j] = z_0 * t4[j];
+            t19[j] = s_1 * t15;
+            t20[j] = release * (real_lt(e_0, 0.0) ? 0.0 : 1.0) + sliding * t4[j];
             const real z_1 = z[1 * 8 + j];
             const real zd_1 = real_lt(e_0, 0.0) ? s_1 - z_1 * sliding : -(z_1 * release);
-            t24[j] = bristle_damping * zd_1 + z_1 * bristle_stiffness;
-            t25[j] = real_lt(e_0, 0.0) ? -(z_1 * t16) : 0.0;
-            J[15 * 8 + j] = t25[j];
-            t26[j] = real_lt(e_0, 0.0) ? 1.0 - z_1 * t20 : 0.0;
-            J[16 * 8 + j] = t26[j];
+            t21[j] = bristle_damping * zd_1 + z_1 * bristle_stiffness;
+            t22[j] = z_1 * t4[j];
+            J[12 * 8 + j] = t4[j] - t17[j] * t16[j];
+            J[13 * 8 + j] = -(t17[j] * t19[j]);
+            J[14 * 8 + j] = J[17 * 8 + j] = -t20[j];
+            J[15 * 8 + j] = -(t22[j] * t16[j]);
+            J[16 * 8 + j] = t4[j] - t22[j] * t19[j];
         }
         for (size_t j = 0; j < 8; j++) {
             const real exponent = p[1 * 8 + j];
@@ -2263,31 +3901,35 @@ static void hertz_bristle_2_tangent(size_t nblocks, const real *const *in, real 
             const real elastic = real_lt(e_0, 0.0) ? stiffness * t0[j] : 0.0;
             const real t2 = elastic * t1[j];
             const real t3 = real_le(t2, 0.0) ? 0.0 : 1.0;
-            const real t8 = t1[j] * (real_lt(e_0, 0.0) ? t6[j] * t7[j] * t4[j] : 0.0);
-            const real t9 = t3 * t8;
-            J[0 * 8 + j] = -t9;
+            const real exponent = p[1 * 8 + j];
+            const real t7 = exponent * t6[j] * t4[j] * stiffness * t4[j] * t1[j] * t3;
+            J[0 * 8 + j] = t7;
             const real dissipation = p[2 * 8 + j];
-            const real t10 = dissipation * t3 * elastic;
-            J[1 * 8 + j] = t10;
-            J[2 * 8 + j] = t13[j] * t9;
-            J[3 * 8 + j] = -(t13[j] * t10);
+            const real t8 = dissipation * elastic * t3;
+            J[1 * 8 + j] = t8;
+            J[2 * 8 + j] = -(t11[j] * t7);
+            J[3 * 8 + j] = -(t11[j] * t8);
             const real N = real_max(0.0, t2);
             const real bristle_damping = p[5 * 8 + j];
-            const real t18 = bristle_damping * N;
-            J[4 * 8 + j] = t17[j] * t18;
-            J[5 * 8 + j] = t21[j] * t18;
-            J[6 * 8 + j] = J[11 * 8 + j] = N * t23[j];
-            J[7 * 8 + j] = t24[j] * t9;
-            J[8 * 8 + j] = -(t24[j] * t10);
-            J[9 * 8 + j] = t25[j] * t18;
-            J[10 * 8 + j] = t26[j] * t18;
+            const real t12 = bristle_damping * N;
+            const real t13 = t4[j] * t12;
+            const real t18 = t12 * t17[j];
+            J[4 * 8 + j] = t13 - t16[j] * t18;
+            J[5 * 8 + j] = -(t19[j] * t18);
+            const real bristle_stiffness = p[4 * 8 + j];
+            J[6 * 8 + j] = J[11 * 8 + j] = bristle_stiffness * N - t12 * t20[j];
+            J[7 * 8 + j] = -(t21[j] * t7);
+            J[8 * 8 + j] = -(t21[j] * t8);
+            const real t23 = t12 * t22[j];
+            J[9 * 8 + j] = -(t16[j] * t23);
+            J[10 * 8 + j] = t13 - t19[j] * t23;
         }
     }
 }
 
 const flexel_law flexel_law_hertz_bristle_2 = {
     .name = "hertz_bristle_2",
-    .digest = "79e55ae86648085c",
+    .digest = "7bba1517f36494fa",
     .m = 1,
     .k = 2,
     .nz = 2,
@@ -2310,7 +3952,7 @@ const flexel_law flexel_law_hertz_bristle_2 = {
  *   friction_radius (1) [m]: coefficient of friction times the radius of the journal
  *   slip_speed (1) [rad/s]: speed of turning at which 71 % of the friction acts */
 
-/* law: 35 operations.
+/* law: 36 operations.
  * in:  e (3), ed (3), s (0), z (0), t (1), p (4)
  * out: sigma (3), tau (0), zd (0), U (1), P (1) */
 FLEXEL_CLONES
@@ -2336,7 +3978,8 @@ static void journal_law(size_t nblocks, const real *const *in, real *const *out)
             const real N2 = ed_1 * damping + e_1 * stiffness;
             sigma[1 * 8 + j] = N2;
             const real square = N1 * N1 + N2 * N2;
-            const real N = real_lt(0.0, square) ? real_sqrt(square) : 0.0;
+            const real safe = real_lt(0.0, square) ? square : 1.0;
+            const real N = real_lt(0.0, square) ? real_sqrt(safe) : 0.0;
             const real ed_2 = ed[2 * 8 + j];
             const real slip_speed = p[3 * 8 + j];
             const real friction_radius = p[2 * 8 + j];
@@ -2349,7 +3992,7 @@ static void journal_law(size_t nblocks, const real *const *in, real *const *out)
     }
 }
 
-/* tangent: 37 operations.
+/* tangent: 39 operations.
  * in:  e (3), ed (3), s (0), z (0), t (1), p (4)
  * out: J (3,6), 9 of 18 entries */
 FLEXEL_CLONES
@@ -2373,28 +4016,30 @@ static void journal_tangent(size_t nblocks, const real *const *in, real *const *
             const real e_1 = e[1 * 8 + j];
             const real N2 = ed_1 * damping + e_1 * stiffness;
             const real square = N1 * N1 + N2 * N2;
-            const real t0 = real_sqrt(square);
+            const real t0 = real_lt(0.0, square) ? 1.0 : 0.0;
+            const real safe = real_lt(0.0, square) ? square : 1.0;
+            const real t1 = real_sqrt(safe);
             const real ed_2 = ed[2 * 8 + j];
-            const real t1 = 1.0 / t0 * ed_2 * (real_lt(0.0, square) ? 1.0 : 0.0);
+            const real t2 = 1.0 / t1 * (ed_2 * t0) * t0;
             const real slip_speed = p[3 * 8 + j];
-            const real t2 = 1.0 / real_sqrt(ed_2 * ed_2 + slip_speed * slip_speed);
+            const real t3 = 1.0 / real_sqrt(ed_2 * ed_2 + slip_speed * slip_speed);
             const real friction_radius = p[2 * 8 + j];
-            const real t3 = friction_radius * t2;
-            const real t4 = N1 * t3 * t1;
-            J[4 * 8 + j] = stiffness * t4;
-            const real t5 = N2 * t3 * t1;
-            J[5 * 8 + j] = stiffness * t5;
-            J[6 * 8 + j] = damping * t4;
-            J[7 * 8 + j] = damping * t5;
-            const real N = real_lt(0.0, square) ? t0 : 0.0;
-            J[8 * 8 + j] = N * (t3 - ed_2 * friction_radius * ed_2 * t2 * t2 * t2);
+            const real t4 = friction_radius * t3;
+            const real t5 = N1 * t4 * t2;
+            J[4 * 8 + j] = stiffness * t5;
+            const real t6 = N2 * t4 * t2;
+            J[5 * 8 + j] = stiffness * t6;
+            J[6 * 8 + j] = damping * t5;
+            J[7 * 8 + j] = damping * t6;
+            const real N = real_lt(0.0, square) ? t1 : 0.0;
+            J[8 * 8 + j] = N * (t4 - ed_2 * friction_radius * ed_2 * t3 * t3 * t3);
         }
     }
 }
 
 const flexel_law flexel_law_journal = {
     .name = "journal",
-    .digest = "79e55ae86648085c",
+    .digest = "7bba1517f36494fa",
     .m = 3,
     .k = 0,
     .nz = 0,

@@ -860,6 +860,322 @@ ELEMENTS: dict[str, ElementSpec] = {
             ),
         },
     ),
+    # element toroidal_wheel
+    "toroidal_wheel": ElementSpec(
+        name="toroidal_wheel",
+        digest="719a02075867f239",
+        doc="w hub, c contact point, d = xc + crown n - xw from the hub to the centre of the tube above the contact,\na = R(lambda) axle, n = normal, ra = d x a, rim = R - crown\nradius = (d.d - rim^2)/(2 rim),  plane = a.d,  surface = n.xc - height,  lowest = n.ra\nomega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x (xc - xw), the material point in contact\nlongitudinal = ra.vc/|ra|,  lateral = (n x ra).vc/|n x ra|,  spin = omega.n",
+        source="Schwab and Meijaard 1999, ASME DETC99/VIB-8223 (wheel element); the crown lifts the contact off the rim's circle",
+        nodes=(
+            NodeSpec("w", "point"),
+            NodeSpec("r", "frame"),
+            NodeSpec("c", "point"),
+        ),
+        parameters=(
+            ParameterSpec("radius", 1, "m", "radius of the rim"),
+            ParameterSpec("crown", 1, "m", "radius of the cross section of the tyre, a circle"),
+            ParameterSpec("axle", 3, "1", "unit vector along the axle in body axes"),
+            ParameterSpec("normal", 3, "1", "unit normal of the road"),
+            ParameterSpec("height", 1, "m", "distance of the road from the origin along its normal"),
+        ),
+        deformations=(
+            DeformationSpec("radius", "m", False, False),
+            DeformationSpec("plane", "m", False, False),
+            DeformationSpec("surface", "m", False, False),
+            DeformationSpec("lowest", "m", False, False),
+        ),
+        slips=(
+            SlipSpec("longitudinal", "m/s", False),
+            SlipSpec("lateral", "m/s", False),
+            SlipSpec("spin", "rad/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (4,), (0, 1, 2, 3)),
+                    OutputSpec("De", (4, 10), (0, 1, 2, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39)),
+                    OutputSpec("V", (3, 10), (0, 1, 2, 3, 4, 5, 6, 10, 11, 12, 13, 14, 15, 16, 23, 24, 25, 26)),
+                ),
+                326,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (4,), (0, 1, 2, 3)),
+                    OutputSpec("s", (3,), (0, 1, 2)),
+                ),
+                238,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (4,), (0, 1, 3)),
+                    OutputSpec("gs", (3,), (0, 1, 2)),
+                ),
+                392,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (7, 10), (0, 1, 2, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 63, 64, 65, 66)),
+                ),
+                626,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (7, 10), (0, 1, 2, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 63, 64, 65, 66)),
+                    OutputSpec("Psi_v", (7, 10), (0, 1, 2, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59)),
+                ),
+                1572,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (10, 10), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 73, 74, 75, 76, 77, 81, 83, 84, 85, 86, 88, 92, 93, 94, 95, 96, 99)),
+                ),
+                814,
+            ),
+        },
+    ),
+    # element tyre
+    "tyre": ElementSpec(
+        name="tyre",
+        digest="e61199d22fd11528",
+        doc="w wheel centre, a = R(lambda) axle, n = normal of the road below w, h = distance of w from the tangent plane\nan = |a x n|,  ex = a x n/an forward,  ey = n x ex sideways\nlength = (h - crown)/an in the plane of the wheel\nr = -length (n - (a.n) a)/an - crown n, from the centre to the contact point\ndeflection = R - crown - (h - crown)/an;  drop = R - h;  camber = atan2(a.n, an)\nomega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x r, the material point in contact\nforward = ex.xdot_w,  sideways = ey.xdot_w,  rolling = omega.a,\nlongitudinal = ex.vc,  lateral = ey.vc,  spin = omega.n",
+        source="Frik, Leister, Schwartz 1993, Vehicle System Dynamics 22 suppl. (frames and slip angle of the wheel)",
+        nodes=(
+            NodeSpec("w", "point"),
+            NodeSpec("r", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("radius", 1, "m", "radius of the unloaded tyre"),
+            ParameterSpec("crown", 1, "m", "radius of the cross section of the tyre, a circle"),
+            ParameterSpec("axle", 3, "1", "unit vector along the axle in body axes"),
+            ParameterSpec("normal", 3, "1", "unit normal of the road"),
+            ParameterSpec("height", 1, "m", "distance of the road from the origin along its normal"),
+        ),
+        deformations=(
+            DeformationSpec("deflection", "m", False, True),
+            DeformationSpec("drop", "m", False, True),
+            DeformationSpec("camber", "rad", False, True),
+        ),
+        slips=(
+            SlipSpec("forward", "m/s", True),
+            SlipSpec("sideways", "m/s", True),
+            SlipSpec("rolling", "rad/s", True),
+            SlipSpec("longitudinal", "m/s", True),
+            SlipSpec("lateral", "m/s", True),
+            SlipSpec("spin", "rad/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (3,), (0, 1, 2)),
+                    OutputSpec("De", (3, 7), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 17, 18, 19, 20)),
+                    OutputSpec("V", (6, 7), (0, 1, 2, 7, 8, 9, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 38, 39, 40, 41)),
+                ),
+                337,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (3,), (0, 1, 2)),
+                    OutputSpec("s", (6,), tuple(range(6))),
+                ),
+                254,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (3,), (0, 2)),
+                    OutputSpec("gs", (6,), tuple(range(6))),
+                ),
+                452,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (9, 7), (0, 1, 2, 3, 4, 5, 6, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 59, 60, 61, 62)),
+                ),
+                1091,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (9, 7), (0, 1, 2, 3, 4, 5, 6, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 59, 60, 61, 62)),
+                    OutputSpec("Psi_v", (9, 7), (0, 1, 2, 3, 4, 5, 6, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55)),
+                ),
+                2798,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (7, 7), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48)),
+                ),
+                1226,
+            ),
+        },
+    ),
+    # element tyre_on_road
+    "tyre_on_road": ElementSpec(
+        name="tyre_on_road",
+        digest="dfe009c5651e32a6",
+        doc="road: z = height + amplitude (1 - cos(2 pi s/wavelength))/2 with s = heading.(x, y) - start between 0 and\nwaves wavelength, z = height elsewhere (C1 at the ends, smooth between);  z up\nthe springs count the vertical distance, so that their force is normal to the road\nw wheel centre, a = R(lambda) axle, n = normal of the road below w, h = distance of w from the tangent plane\nan = |a x n|,  ex = a x n/an forward,  ey = n x ex sideways\nlength = (h - crown)/an in the plane of the wheel\nr = -length (n - (a.n) a)/an - crown n, from the centre to the contact point\ndeflection = R - crown - ((w_z - z) - crown)/an;  drop = R - (w_z - z);  camber = atan2(a.n, an)\nomega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x r, the material point in contact\nforward = ex.xdot_w,  sideways = ey.xdot_w,  rolling = omega.a,\nlongitudinal = ex.vc,  lateral = ey.vc,  spin = omega.n\ngrade = slope of the road along ex, rise for horizontal length times |horizontal part of ex|",
+        source="Frik, Leister, Schwartz 1993, Vehicle System Dynamics 22 suppl. (frames and slip angle of the wheel)",
+        nodes=(
+            NodeSpec("w", "point"),
+            NodeSpec("r", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("radius", 1, "m", "radius of the unloaded tyre"),
+            ParameterSpec("crown", 1, "m", "radius of the cross section of the tyre, a circle"),
+            ParameterSpec("axle", 3, "1", "unit vector along the axle in body axes"),
+            ParameterSpec("height", 1, "m", "distance of the road from the origin along its normal"),
+            ParameterSpec("amplitude", 1, "m", "height of the waves of the road, trough to crest"),
+            ParameterSpec("wavelength", 1, "m", "length of one wave"),
+            ParameterSpec("start", 1, "m", "where the first wave begins, along the heading of the waves"),
+            ParameterSpec("waves", 1, "1", "how many waves there are; flat before and behind"),
+            ParameterSpec("heading", 2, "1", "horizontal unit vector along which the road rises"),
+        ),
+        deformations=(
+            DeformationSpec("deflection", "m", False, True),
+            DeformationSpec("drop", "m", False, True),
+            DeformationSpec("camber", "rad", False, True),
+            DeformationSpec("grade", "1", False, True),
+        ),
+        slips=(
+            SlipSpec("forward", "m/s", True),
+            SlipSpec("sideways", "m/s", True),
+            SlipSpec("rolling", "rad/s", True),
+            SlipSpec("longitudinal", "m/s", True),
+            SlipSpec("lateral", "m/s", True),
+            SlipSpec("spin", "rad/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (4,), (0, 1, 2, 3)),
+                    OutputSpec("De", (4, 7), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 14, 15, 17, 18, 19, 20, 21, 22, 24, 25, 26, 27)),
+                    OutputSpec("V", (6, 7), (0, 1, 2, 7, 8, 9, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 38, 39, 40, 41)),
+                ),
+                533,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (4,), (0, 1, 2, 3)),
+                    OutputSpec("s", (6,), tuple(range(6))),
+                ),
+                361,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (4,), (0, 1, 2, 3)),
+                    OutputSpec("gs", (6,), tuple(range(6))),
+                ),
+                696,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (10, 7), (0, 1, 2, 3, 4, 5, 6, 7, 8, 14, 15, 17, 18, 19, 20, 21, 22, 24, 25, 26, 27, 28, 29, 31, 32, 33, 34, 35, 36, 38, 39, 40, 41, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 66, 67, 68, 69)),
+                ),
+                1727,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (10, 7), (0, 1, 2, 3, 4, 5, 6, 7, 8, 14, 15, 17, 18, 19, 20, 21, 22, 24, 25, 26, 27, 28, 29, 31, 32, 33, 34, 35, 36, 38, 39, 40, 41, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 66, 67, 68, 69)),
+                    OutputSpec("Psi_v", (10, 7), (0, 1, 2, 3, 4, 5, 6, 7, 8, 14, 15, 17, 18, 19, 20, 21, 22, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 66, 67, 68, 69)),
+                ),
+                5527,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (7, 7), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48)),
+                ),
+                1857,
+            ),
+        },
+    ),
+    # element axle_slip
+    "axle_slip": ElementSpec(
+        name="axle_slip",
+        digest="491f09bc558813a8",
+        doc="lateral = mean of ey.vc of the two wheels, each as in the element tyre; zero: an axle that rolls without\nslipping sideways in the mean",
+        source="Schwab, talk on SPACAR (zero lateral slip of the road vehicle)",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("rp", "frame"),
+            NodeSpec("q", "point"),
+            NodeSpec("rq", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("axle_p", 3, "1", "unit vector along the axle of p in its body axes"),
+            ParameterSpec("axle_q", 3, "1", "unit vector along the axle of q in its body axes"),
+            ParameterSpec("normal", 3, "1", "unit normal of the road"),
+            ParameterSpec("height", 1, "m", "distance of the road from the origin along its normal"),
+        ),
+        deformations=(),
+        slips=(
+            SlipSpec("lateral", "m/s", False),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (0,), ()),
+                    OutputSpec("De", (0, 14), ()),
+                    OutputSpec("V", (1, 14), tuple(range(14))),
+                ),
+                252,
+            ),
+            "velocity": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("ed", (0,), ()),
+                    OutputSpec("s", (1,), (0,)),
+                ),
+                270,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (0,), ()),
+                    OutputSpec("gs", (1,), (0,)),
+                ),
+                603,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (1, 14), tuple(range(14))),
+                ),
+                624,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (1, 14), tuple(range(14))),
+                    OutputSpec("Psi_v", (1, 14), tuple(range(14))),
+                ),
+                1624,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (14, 14), (3, 4, 5, 6, 17, 18, 19, 20, 31, 32, 33, 34, 42, 43, 44, 45, 46, 47, 48, 56, 57, 58, 59, 60, 61, 62, 70, 71, 72, 73, 74, 75, 76, 84, 85, 86, 87, 88, 89, 90, 108, 109, 110, 111, 122, 123, 124, 125, 136, 137, 138, 139, 147, 148, 149, 150, 151, 152, 153, 161, 162, 163, 164, 165, 166, 167, 175, 176, 177, 178, 179, 180, 181, 189, 190, 191, 192, 193, 194, 195)),
+                ),
+                1228,
+            ),
+        },
+    ),
     # element rotation
     "rotation": ElementSpec(
         name="rotation",
@@ -3195,7 +3511,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_1
     "linear_1": LawSpec(
         name="linear_1",
-        digest="79e55ae86648085c",
+        digest="7bba1517f36494fa",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=1,
         slips=0,
@@ -3229,7 +3545,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_2
     "linear_2": LawSpec(
         name="linear_2",
-        digest="79e55ae86648085c",
+        digest="7bba1517f36494fa",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=2,
         slips=0,
@@ -3263,7 +3579,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_3
     "linear_3": LawSpec(
         name="linear_3",
-        digest="79e55ae86648085c",
+        digest="7bba1517f36494fa",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=3,
         slips=0,
@@ -3297,7 +3613,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_4
     "linear_4": LawSpec(
         name="linear_4",
-        digest="79e55ae86648085c",
+        digest="7bba1517f36494fa",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=4,
         slips=0,
@@ -3331,7 +3647,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_5
     "linear_5": LawSpec(
         name="linear_5",
-        digest="79e55ae86648085c",
+        digest="7bba1517f36494fa",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=5,
         slips=0,
@@ -3365,7 +3681,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_6
     "linear_6": LawSpec(
         name="linear_6",
-        digest="79e55ae86648085c",
+        digest="7bba1517f36494fa",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=6,
         slips=0,
@@ -3399,7 +3715,7 @@ LAWS: dict[str, LawSpec] = {
     # law diagonal_7
     "diagonal_7": LawSpec(
         name="diagonal_7",
-        digest="79e55ae86648085c",
+        digest="7bba1517f36494fa",
         doc="sigma_i = preload_i + S_i e_i + D_i ed_i\nenergy = sum of preload_i e_i + S_i e_i^2/2",
         deformations=7,
         slips=0,
@@ -3433,7 +3749,7 @@ LAWS: dict[str, LawSpec] = {
     # law diagonal_13
     "diagonal_13": LawSpec(
         name="diagonal_13",
-        digest="79e55ae86648085c",
+        digest="7bba1517f36494fa",
         doc="sigma_i = preload_i + S_i e_i + D_i ed_i\nenergy = sum of preload_i e_i + S_i e_i^2/2",
         deformations=13,
         slips=0,
@@ -3467,7 +3783,7 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_1
     "viscous_1": LawSpec(
         name="viscous_1",
-        digest="79e55ae86648085c",
+        digest="7bba1517f36494fa",
         doc="tau = C s",
         deformations=0,
         slips=1,
@@ -3499,7 +3815,7 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_2
     "viscous_2": LawSpec(
         name="viscous_2",
-        digest="79e55ae86648085c",
+        digest="7bba1517f36494fa",
         doc="tau = C s",
         deformations=0,
         slips=2,
@@ -3531,7 +3847,7 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_3
     "viscous_3": LawSpec(
         name="viscous_3",
-        digest="79e55ae86648085c",
+        digest="7bba1517f36494fa",
         doc="tau = C s",
         deformations=0,
         slips=3,
@@ -3560,10 +3876,266 @@ LAWS: dict[str, LawSpec] = {
             ),
         },
     ),
+    # law spring_curve
+    "spring_curve": LawSpec(
+        name="spring_curve",
+        digest="7bba1517f36494fa",
+        doc="y = x - origin, sum of c_i y^i in the piece in which x lies (x < next break), end pieces beyond\nsigma = that sum with x = e;  energy = its integral",
+        deformations=1,
+        slips=0,
+        states=(),
+        parameters=(
+            ParameterSpec("breaks", 15, "m or m/s", "where the next piece begins; rising, unused ones very large"),
+            ParameterSpec("origins", 16, "m or m/s", "from where the powers of each piece are counted"),
+            ParameterSpec("coefficients", 80, "N, N/m, ...", "of each piece, rising powers"),
+            ParameterSpec("stored", 16, "J", "energy at the origin of each piece"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (1,), (0,)),
+                    OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (0,), ()),
+                    OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                152,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (1, 2), (0,)),
+                ),
+                101,
+            ),
+        },
+    ),
+    # law damper_curve
+    "damper_curve": LawSpec(
+        name="damper_curve",
+        digest="7bba1517f36494fa",
+        doc="y = x - origin, sum of c_i y^i in the piece in which x lies (x < next break), end pieces beyond\nsigma = that sum with x = the rate of e",
+        deformations=1,
+        slips=0,
+        states=(),
+        parameters=(
+            ParameterSpec("breaks", 15, "m or m/s", "where the next piece begins; rising, unused ones very large"),
+            ParameterSpec("origins", 16, "m or m/s", "from where the powers of each piece are counted"),
+            ParameterSpec("coefficients", 80, "N, N/m, ...", "of each piece, rising powers"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (1,), (0,)),
+                    OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (0,), ()),
+                    OutputSpec("U", (1,), ()),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                115,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (1, 2), (1,)),
+                ),
+                101,
+            ),
+        },
+    ),
+    # law stop
+    "stop": LawSpec(
+        name="stop",
+        digest="7bba1517f36494fa",
+        doc="depth = max(0, e - gap);  sigma = stiffness depth max(0, 1 + damping edot), never pulling",
+        deformations=1,
+        slips=0,
+        states=(),
+        parameters=(
+            ParameterSpec("gap", 1, "m or rad", "deformation at which it is touched"),
+            ParameterSpec("stiffness", 1, "N/m or N m/rad", "stiffness once touched"),
+            ParameterSpec("damping", 1, "s/m or s/rad", "loss relative to the elastic force, for unit rate"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (1,), (0,)),
+                    OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (0,), ()),
+                    OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                14,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (1, 2), (0, 1)),
+                ),
+                14,
+            ),
+        },
+    ),
+    # law vertical_tyre
+    "vertical_tyre": LawSpec(
+        name="vertical_tyre",
+        digest="7bba1517f36494fa",
+        doc="sigma = Fz\nFz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0",
+        deformations=1,
+        slips=0,
+        states=(),
+        parameters=(
+            ParameterSpec("stiffness", 1, "N/m", "vertical stiffness"),
+            ParameterSpec("damping", 1, "N s/m", "vertical damping while the tyre is pressed"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (1,), (0,)),
+                    OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (0,), ()),
+                    OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                13,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (1, 2), (0, 1)),
+                ),
+                9,
+            ),
+        },
+    ),
+    # law linear_tyre
+    "linear_tyre": LawSpec(
+        name="linear_tyre",
+        digest="7bba1517f36494fa",
+        doc="Fz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0\nslip angle alpha = atan(sideways/max(|forward|, standstill)), of the wheel's centre\ntau(lateral) = -fade Fy, tau(spin) = -fade Mz;  fade = 3 u^2 - 2 u^3, u = min(1, |forward|/standstill)\nFy = -cornering alpha - camber_stiffness camber while pressed, whatever the load;  Mz = -trail Fy",
+        deformations=2,
+        slips=4,
+        states=(),
+        parameters=(
+            ParameterSpec("stiffness", 1, "N/m", "vertical stiffness"),
+            ParameterSpec("damping", 1, "N s/m", "vertical damping while the tyre is pressed"),
+            ParameterSpec("cornering", 1, "N/rad", "cornering stiffness"),
+            ParameterSpec("camber_stiffness", 1, "N/rad", "camber stiffness"),
+            ParameterSpec("trail", 1, "m", "pneumatic trail"),
+            ParameterSpec("standstill", 1, "m/s", "forward speed below which side forces fade out"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (2,), (0,)),
+                    OutputSpec("tau", (4,), (2, 3)),
+                    OutputSpec("zd", (0,), ()),
+                    OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                37,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (6, 8), (0, 2, 33, 36, 37, 41, 44, 45)),
+                ),
+                65,
+            ),
+        },
+    ),
+    # law calspan_tyre
+    "calspan_tyre": LawSpec(
+        name="calspan_tyre",
+        digest="7bba1517f36494fa",
+        doc="Fz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0\nslip angle alpha = atan(sideways/max(|forward|, standstill)), of the wheel's centre\ntau(lateral) = -fade Fy, tau(spin) = -fade Mz;  fade = 3 u^2 - 2 u^3, u = min(1, |forward|/standstill)\nF = min(Fz, A2): beyond the load A2 the data end, friction and stiffnesses keep their values there\nmu = SN (B1 F + B3 + B4 F^2),  C_alpha = A0 + A1 F (1 - F/A2),  C_gamma = A3 F (1 - F/A4)\nslip = -(C_alpha alpha + C_gamma camber)/(mu Fz), at most 3\nFy = mu Fz (slip - slip |slip|/3 + slip^3/27),  Mz = (AF1 Fz + AF2 |Fy|) Fy,  Fx = 0",
+        deformations=2,
+        slips=4,
+        states=(),
+        parameters=(
+            ParameterSpec("stiffness", 1, "N/m", "vertical stiffness"),
+            ParameterSpec("damping", 1, "N s/m", "vertical damping while the tyre is pressed"),
+            ParameterSpec("A", 5, "N/rad, 1/rad, N, 1/rad, N", "A0 ... A4: cornering and camber stiffness over the load"),
+            ParameterSpec("B", 3, "1/N, 1, 1/N^2", "B1, B3, B4: friction over the load"),
+            ParameterSpec("SN", 1, "1", "skid number of the road relative to that of the test"),
+            ParameterSpec("AF", 2, "m/N", "AF1, AF2: aligning moment"),
+            ParameterSpec("standstill", 1, "m/s", "forward speed below which side forces fade out"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (2,), (0,)),
+                    OutputSpec("tau", (4,), (2, 3)),
+                    OutputSpec("zd", (0,), ()),
+                    OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                75,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (6, 8), (0, 2, 32, 33, 34, 36, 37, 40, 41, 42, 44, 45)),
+                ),
+                179,
+            ),
+        },
+    ),
+    # law magic_formula
+    "magic_formula": LawSpec(
+        name="magic_formula",
+        digest="7bba1517f36494fa",
+        doc="Fz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0\nlx kappadot = Re rolling - forward - |forward| kappa\nly (tan alpha)dot = sideways - |forward| tan alpha\nmu = mu0 + mu1 min(1, Fz/Fz0 - 1),  Kx = kx Fz,  Ky = c1 Fz0 sin(2 atan(Fz/(c2 Fz0))),  Kg = kg Fz\nx = Kx kappa/(mu Fz),  y = (Ky tan alpha + Kg camber)/(mu Fz),  slip = |(x, y)|,  b = slip/C\n(Fx, Fy) = mu Fz sin(C atan(b - E (b - atan b))) (x, -y)/slip, combined slip by similarity\nMz = -t0 Fz/Fz0 cos(atan(B tan alpha)) Fy;  tau(longitudinal, lateral, spin) = -(Fx, Fy, Mz)",
+        deformations=2,
+        slips=6,
+        states=(
+            InternalSpec("kappa", "1"),
+            InternalSpec("tan_alpha", "1"),
+        ),
+        parameters=(
+            ParameterSpec("stiffness", 1, "N/m", "vertical stiffness"),
+            ParameterSpec("damping", 1, "N s/m", "vertical damping while the tyre is pressed"),
+            ParameterSpec("load0", 1, "N", "nominal load Fz0"),
+            ParameterSpec("rolling_radius", 1, "m", "effective radius of free rolling"),
+            ParameterSpec("friction", 2, "1", "mu at the nominal load, and its change for one more nominal load"),
+            ParameterSpec("slip_stiffness", 1, "1", "longitudinal stiffness Kx relative to the load"),
+            ParameterSpec("cornering", 2, "1", "largest cornering stiffness over load0, and the load of it over load0"),
+            ParameterSpec("camber_stiffness", 1, "1/rad", "camber stiffness relative to the load"),
+            ParameterSpec("shape", 2, "1", "C and E of the sine of the Magic Formula"),
+            ParameterSpec("trail", 2, "m, 1", "pneumatic trail at the nominal load, and how it falls with the slip (B)"),
+            ParameterSpec("relaxation", 2, "m", "relaxation lengths, longitudinal and lateral"),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (2,), (0,)),
+                    OutputSpec("tau", (6,), (3, 4, 5)),
+                    OutputSpec("zd", (2,), (0, 1)),
+                    OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                86,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (10, 12), (0, 2, 60, 61, 62, 70, 71, 72, 73, 74, 82, 83, 84, 85, 86, 94, 95, 100, 102, 106, 112, 113, 119)),
+                ),
+                205,
+            ),
+        },
+    ),
     # law hertz
     "hertz": LawSpec(
         name="hertz",
-        digest="79e55ae86648085c",
+        digest="7bba1517f36494fa",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1)",
         deformations=1,
         slips=0,
@@ -3597,7 +4169,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz_coulomb_1
     "hertz_coulomb_1": LawSpec(
         name="hertz_coulomb_1",
-        digest="79e55ae86648085c",
+        digest="7bba1517f36494fa",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1)\ntau = friction N s/sqrt(s.s + slip_speed^2)",
         deformations=1,
         slips=1,
@@ -3633,7 +4205,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz_coulomb_2
     "hertz_coulomb_2": LawSpec(
         name="hertz_coulomb_2",
-        digest="79e55ae86648085c",
+        digest="7bba1517f36494fa",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1)\ntau = friction N s/sqrt(s.s + slip_speed^2)",
         deformations=1,
         slips=2,
@@ -3669,7 +4241,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz_bristle_1
     "hertz_bristle_1": LawSpec(
         name="hertz_bristle_1",
-        digest="79e55ae86648085c",
+        digest="7bba1517f36494fa",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1) + stiffness d^exponent bristle_stiffness z.z/2\ndz/dt = s - bristle_stiffness |s| z/friction in contact, -release z when open\ntau = N (bristle_stiffness z + bristle_damping dz/dt)",
         deformations=1,
         slips=1,
@@ -3702,14 +4274,14 @@ LAWS: dict[str, LawSpec] = {
                 (
                     OutputSpec("J", (3, 4), (0, 1, 4, 5, 6, 7, 10, 11)),
                 ),
-                59,
+                61,
             ),
         },
     ),
     # law hertz_bristle_2
     "hertz_bristle_2": LawSpec(
         name="hertz_bristle_2",
-        digest="79e55ae86648085c",
+        digest="7bba1517f36494fa",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1) + stiffness d^exponent bristle_stiffness z.z/2\ndz/dt = s - bristle_stiffness |s| z/friction in contact, -release z when open\ntau = N (bristle_stiffness z + bristle_damping dz/dt)",
         deformations=1,
         slips=2,
@@ -3743,14 +4315,14 @@ LAWS: dict[str, LawSpec] = {
                 (
                     OutputSpec("J", (5, 6), (0, 1, 6, 7, 8, 9, 10, 12, 13, 14, 15, 17, 20, 21, 22, 26, 27, 29)),
                 ),
-                88,
+                94,
             ),
         },
     ),
     # law journal
     "journal": LawSpec(
         name="journal",
-        digest="79e55ae86648085c",
+        digest="7bba1517f36494fa",
         doc="N_i = stiffness e_i + damping ed_i in two directions (i = 0, 1), N = |(N_0, N_1)|\ntorque = friction_radius N w/sqrt(w^2 + slip_speed^2) on the angle e_2, w = ed_2",
         deformations=3,
         slips=0,
@@ -3771,14 +4343,14 @@ LAWS: dict[str, LawSpec] = {
                     OutputSpec("U", (1,), (0,)),
                     OutputSpec("P", (1,), (0,)),
                 ),
-                35,
+                36,
             ),
             "tangent": KernelSpec(
                 ("e", "ed", "s", "z", "t", "p"),
                 (
                     OutputSpec("J", (3, 6), (0, 3, 7, 10, 12, 13, 15, 16, 17)),
                 ),
-                37,
+                39,
             ),
         },
     ),

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from flexel.compliance import Compliance, body_compliance
     from flexel.constraints import constraint_report
     from flexel.contacts import Contact
+    from flexel.curves import Curve
     from flexel.errors import (
         CompilerError,
         ConstraintError,
@@ -40,6 +41,7 @@ if TYPE_CHECKING:
     from flexel.surfaces import RoundGroove, VGroove
     from flexel.system import System
     from flexel.user import compile_element, compile_law
+    from flexel.wheels import Waves
     from flexel.wire_rope import WireRope
 
 __version__ = "0.1.0"
@@ -50,6 +52,7 @@ __all__ = [
     "Compliance",
     "ConstraintError",
     "Contact",
+    "Curve",
     "DynamicsError",
     "ElementError",
     "Event",
@@ -75,6 +78,7 @@ __all__ = [
     "Table",
     "Tube",
     "VGroove",
+    "Waves",
     "WireRope",
     "beam_stress",
     "body_compliance",
@@ -96,6 +100,7 @@ _HOMES = {
     "Compliance": "flexel.compliance",
     "ConstraintError": "flexel.errors",
     "Contact": "flexel.contacts",
+    "Curve": "flexel.curves",
     "DynamicsError": "flexel.errors",
     "ElementError": "flexel.errors",
     "Event": "flexel.integrate",
@@ -121,6 +126,7 @@ _HOMES = {
     "Table": "flexel.functions",
     "Tube": "flexel.sections",
     "VGroove": "flexel.surfaces",
+    "Waves": "flexel.wheels",
     "WireRope": "flexel.wire_rope",
     "beam_stress": "flexel.stress",
     "body_compliance": "flexel.compliance",

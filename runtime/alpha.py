@@ -18,7 +18,9 @@ import numpy as np
 
 from flexel.balance import Balance, Matrix, Saddle, SaddlePattern
 from flexel.errors import ModelError
+from flexel.local import Local
 from flexel.locallaws import ImplicitStep
+from flexel.near import ALARM, NearContacts
 from flexel.state import State
 from flexel.structure import Array
 
@@ -112,13 +114,21 @@ class Stepper(Saddle):
             raise ModelError(f"simulate_stiff: newton {newton!r} is unknown; choose full or modified")
         self.full = newton == "full"
         self.scheme = Scheme.with_radius(radius, bool(self.force_rows.size))
-        self.pattern = SaddlePattern(self.local, self.force_rows, self.force_rows, kind)
+        self._kind = kind
         self.evaluations = self.factorizations = self.iterations = 0
-        self._rolling = np.zeros(self.local.columns_J.size, dtype=bool)
-        for line in self.local.line_of[self.roles.zero]:
-            self._rolling[self.local.starts_J[line] : self.local.starts_J[line + 1]] = True
-        self._matrix: Matrix | None = None
         self._matrix_step = self._stiffness = 0.0
+        self._near = NearContacts(system.evaluation)
+        self._chosen = not self._near.worthwhile
+        self._use(self.local)
+
+    def _use(self, local: Local) -> None:
+        """Evaluate with all elements, or with all but contacts that are far."""
+        self.local = local
+        self.pattern = SaddlePattern(local, self.force_rows, self.force_rows, self._kind)
+        self._rolling = np.zeros(local.columns_J.size, dtype=bool)
+        for line in local.line_of[self.roles.zero]:
+            self._rolling[local.starts_J[line] : local.starts_J[line + 1]] = True
+        self._matrix: Matrix | None = None
 
     def _predict(self, p: Point, h: float) -> Point:
         z, n = self.scheme, self.structure.nf
@@ -140,6 +150,29 @@ class Stepper(Saddle):
 
     def solve(self, old: Point, h: float) -> tuple[Point, Balance] | None:
         """One step by Newton's method; None if it does not converge."""
+        if not self._chosen:
+            self._use(self._near.choose(old.x))
+            self._chosen = True
+        found = self._solve(old, h)
+        if found is None or not self._near.worthwhile:
+            return found
+        gap = self._near.smallest(found[0].x)
+        if gap > ALARM:
+            return found
+        self._use(self._near.choose(found[0].x))
+        return found if gap > 0 else self._solve(old, h)  # one that was left out has closed within the step
+
+    def state(self, b: Balance) -> State:
+        """The complete state at a balance, contacts that were left out included."""
+        own = self.local
+        self.local, self.z, self.step = self.system.local, b.laws.z, None
+        try:
+            whole = self.balance(b.t, b.x, b.v, b.a, b.multiplier[self.force_rows], b.e)
+            return super().state(whole)
+        finally:
+            self.local = own
+
+    def _solve(self, old: Point, h: float) -> tuple[Point, Balance] | None:
         p = self._predict(old, h)
         self.step, self.z = self._lag(old, h), old.z
         rate, acceleration = self.scheme.rates(h)

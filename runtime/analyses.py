@@ -199,7 +199,9 @@ def _follow(self: System, start: State, grid: Array) -> Integration:
     return Integration(found, [], segments, {"steps": len(segments), "evaluations": 0, "rechoices": 0}, "")
 
 
-def equilibrium(self: System, t: float | None = None, start: State | None = None) -> State:
+def equilibrium(
+    self: System, t: float | None = None, start: State | None = None, *, hold: Sequence[str] = ()
+) -> State:
     """State of rest in which all forces balance, kinematic coordinates held.
 
     Newton's method on the analytic tangent; where it fails, the forces that are out of balance at the start
@@ -211,15 +213,20 @@ def equilibrium(self: System, t: float | None = None, start: State | None = None
         Time [s] at which loads and prescribed motions are taken; that of `start` by default.
     start : State, optional
         Where to look from; the initial configuration by default.
+    hold : sequence of str
+        Coordinates and deformations that are held at their values in `start` by whatever force it takes
+        (``state.force(name)``), such as sheaves that nothing else keeps from turning.
 
     Raises
     ------
+    ModelError
+        If a name to be held is unknown, or is held, prescribed or fixed already.
     PositionError
         If none is found; says how far the loads could be taken on.
     DynamicsError
         If nothing resists a motion; names it.
     """
-    return statics.equilibrium(self, t, start or self.rest)
+    return statics.equilibrium(self, t, start or self.rest, hold)
 
 
 def static_path(self: System, t_end: float, start: State | None = None) -> Motion:

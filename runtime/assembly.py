@@ -38,6 +38,8 @@ class Batch:
         Parameters.
     weight : ndarray (elements,), optional
         Mass-proportional damping of the elements [1/s].
+    members : ndarray of int (elements,), optional
+        Of a part of a batch: the numbers of its elements in the whole one, which has `whole` elements.
     """
 
     spec: ElementSpec | LawSpec
@@ -45,6 +47,13 @@ class Batch:
     inputs: dict[str, Index]
     p: Array
     weight: Array | None = None
+    members: Index | None = None
+    whole: int = 0
+
+    @property
+    def numbers(self) -> Index:
+        """Numbers (elements,) of the elements in the whole batch."""
+        return np.arange(self.size) if self.members is None else self.members
 
     @property
     def size(self) -> int:

@@ -201,7 +201,7 @@ class Saddle:
     def _row_sizes(self, J: Array) -> Array:
         """Largest entry of the row of each quantity in J."""
         local = self.local
-        sizes = np.zeros(local.lines.size)
+        sizes = np.zeros(local.line_of.size)
         if J.size:
             sizes[local.lines] = np.maximum.reduceat(np.abs(J), local.starts_J[:-1])
         return sizes
@@ -306,7 +306,10 @@ class Matrix:
         DynamicsError
         """
         if self.factors.regular:
-            return self.factors.solve(rhs)
+            x = self.factors.solve(rhs)
+            return x + self.factors.solve(
+                rhs - self.sparse @ x
+            )  # borders and bands cost digits, which this gives back
         nf, first, names = self.structure.nf, self.structure.m + self.structure.k, ["unknown"]
         if self.pattern.size <= LARGEST_NULL_SPACE:
             right, _ = null_space(self.sparse.toarray(), self.pattern.size)

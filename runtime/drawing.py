@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from flexel.orientation import conjugate, matrix, product
-from flexel.painters import PAINTERS, bar
+from flexel.painters import PAINTERS, WHEELS, bar
 from flexel.shape import Shape, Sketch, place
 from flexel.state import State
 from flexel.structure import Array, Instance
@@ -24,7 +24,7 @@ def shapes(state: State, sketches: Sequence[Sketch] = ()) -> list[Shape]:
     """All parts of the model at a state, elements in their order, then sketches, then the nodes."""
     shown = [z for z in state.structure.instances if "." not in z.name]  # the others only measure
     # a body that has a sketch or is a wheel needs no box
-    outlined = {sketch.frame for sketch in sketches} | {z.nodes[1] for z in shown if z.spec.name == "wheel"}
+    outlined = {sketch.frame for sketch in sketches} | {z.nodes[1] for z in shown if z.spec.name in WHEELS}
     found: list[Shape] = []
     for instance in shown:
         boxed = outlined.isdisjoint(instance.nodes)
@@ -56,7 +56,7 @@ def roads(state: State) -> list[tuple[Array, float]]:
     """Unit normal and height of every plane on which a wheel rolls, each once."""
     found: dict[tuple[float, ...], tuple[Array, float]] = {}
     for instance in state.structure.instances:
-        if instance.spec.name == "wheel":
+        if instance.spec.name in WHEELS and "normal" in instance.parameters:
             normal, height = instance.parameters["normal"], float(instance.parameters["height"][0])
             found[(*normal.tolist(), height)] = (np.asarray(normal, dtype=float), height)
     return list(found.values())

@@ -137,7 +137,7 @@ class Evaluation:
         size, nz, law = self.structure.m + self.structure.k, self.structure.nz, self._law
         if not self.structure.laws:
             return Constitutive(np.zeros(size), np.zeros(0), 0.0, 0.0)
-        law.run(e=e, ed=ed, s=s, z=z, t=np.array([t]))
+        law.run(e=e, ed=ed, s=s, z=z, t=np.array([t], dtype=float))
         stored, dissipated = float(law.sum("U", (1,))[0]), float(law.sum("P", (1,))[0])
         return Constitutive(law.sum("stress", (size,)), law.put("zd", np.zeros(nz)), stored, dissipated)
 
@@ -177,7 +177,7 @@ class Evaluation:
     def _law_derivatives(self, e: Array, ed: Array, s: Array, z: Array, t: float) -> Array:
         """Derivatives (m + k + nz, 2 m + k + nz) of (sigma, tau, dz/dt) of all laws by (e, ed, s, z)."""
         m, k, nz = self.structure.m, self.structure.k, self.structure.nz
-        self._law_tangent.run(e=e, ed=ed, s=s, z=z, t=np.array([t]))
+        self._law_tangent.run(e=e, ed=ed, s=s, z=z, t=np.array([t], dtype=float))
         return self._law_tangent.sum("J", (m + k + nz, 2 * m + k + nz))
 
 

@@ -255,8 +255,10 @@ class Polynomial:
 
     def rates(self, t: float) -> tuple[float, float, float]:
         """Value, first and second rate at time t [s]."""
-        p = np.polynomial.Polynomial(np.asarray(self.coefficients, dtype=float))
-        return float(p(t)), float(p.deriv(1)(t)), float(p.deriv(2)(t))
+        u = v = a = 0.0
+        for c in reversed(self.coefficients):  # Horner's scheme for the value and its derivatives together
+            u, v, a = u * t + c, v * t + u, a * t + 2 * v
+        return float(u), float(v), float(a)
 
 
 @dataclass(frozen=True)

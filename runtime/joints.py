@@ -1,4 +1,4 @@
-"""Joints and connections: the methods of `Model` for trusses, hinges, bearings, body points and wheels.
+"""Joints and connections: the methods of `Model` for trusses, hinges, bearings and body points.
 
 Imports numpy, the errors, the orientation and the shared checks.
 """
@@ -12,7 +12,7 @@ import numpy as np
 
 from flexel.checks import in_frame, not_negative, positive, span
 from flexel.errors import ModelError
-from flexel.inputs import array, number
+from flexel.inputs import array
 from flexel.orientation import matrix, triad, unit
 from flexel.structure import Array, Node
 
@@ -168,54 +168,3 @@ def fixed_point(
         still = np.array([1.0, 0.0, 0.0, 0.0])
         values = {"tp": still, "d0": matrix(r).T @ d, "l0": zero, "rhoA": zero, "rhoJ": np.zeros(3)}
     self.add(name, "planar_beam3" if planar else "beam3", nodes, values)
-
-
-def wheel(
-    self: Model,
-    name: str,
-    hub: Node | str,
-    frame: Node | str,
-    contact: Node | str,
-    *,
-    radius: float,
-    axle: Vector,
-    normal: Vector = (0.0, 0.0, 1.0),
-    height: float = 0.0,
-) -> None:
-    """Roll a knife-edge wheel without slip on the plane normal·x = height.
-
-    Parameters
-    ----------
-    axle : sequence of float (3,)
-        Direction of the axle in global axes as drawn.
-    normal : sequence of float (3,)
-        Normal of the road, pointing up.
-
-    Raises
-    ------
-    ModelError
-        If the axle is normal to the road: the wheel lies flat and has no lowest point.
-
-    Notes
-    -----
-    The slips ``longitudinal`` and ``lateral`` are zero (pure rolling); ``m.release("rear.lateral")`` frees one.
-    """
-    owner = f"wheel '{name}'"
-    nodes = [self.of_kind(n, (k,), owner) for n, k in ((hub, "point"), (frame, "frame"), (contact, "point"))]
-    xw, rw, xc = (n.x0 for n in nodes)
-    a, n = unit(axle, owner, "axle"), unit(normal, owner, "road normal")
-    if np.linalg.norm(np.cross(a, n)) < 1e-6:
-        raise ModelError(
-            f"{owner}: its axle {tuple(a.tolist())} is normal to the road, so that no point is lowest; tilt it"
-        )
-    if np.linalg.norm(xc - xw) < 1e-12:
-        raise ModelError(
-            f"{owner}: contact point and hub coincide at {tuple(xw.tolist())}; put the contact on the road"
-        )
-    values = {
-        "radius": np.array([positive(radius, owner, "radius")]),
-        "axle": matrix(rw).T @ a,
-        "normal": n,
-        "height": np.array([number(height, owner, "road height")]),
-    }
-    self.add(name, "wheel", nodes, values)

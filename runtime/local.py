@@ -140,7 +140,7 @@ class Local:
         self._inertia = Stage(moving, "inertia", self._place)
         self._tangent = Stage(moving, "tangent", self._place)
         self._stiffness = Stage(batches, "stiffness", self._place)
-        lawful = np.zeros(self.lines.size, dtype=bool)
+        lawful = np.zeros(self.line_of.size, dtype=bool)
         lawful[self.laws.lines] = True
         damped = [g.batch for g in self.groups if lawful[g.lines].any() or g.batch.inputs["tau"].size]
         self._rates = Stage(damped, "rates", self._place)
@@ -196,7 +196,7 @@ class Local:
 
     def rates(self, J: Array, v: Array) -> Array:
         """Rates of the deformations and slips (m + k,)."""
-        w = np.empty(self.lines.size)
+        w = np.zeros(self.line_of.size)
         for g in self._lined:
             w[g.lines] = (g.J(J) @ v[g.places][:, :, None])[:, :, 0]
         return w
@@ -209,7 +209,7 @@ class Local:
     def convective(self, x: Array, v: Array) -> Array:
         """Convective accelerations [D²e(v,v); s_x v] (m + k,)."""
         self._acceleration.run(x=x, v=v)
-        return self._acceleration.flat("g", self.lines.size)
+        return self._acceleration.flat("g", self.line_of.size)
 
     def inertia(self, x: Array, v: Array) -> Inertia:
         """Inertia at (x, v); mass-proportional damping counts with h."""

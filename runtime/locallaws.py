@@ -67,7 +67,7 @@ class LocalLaws:
         self._lines = {
             id(b): np.concatenate([b.inputs["e"], b.inputs["s"] + structure.m], axis=1) for b in laws
         }
-        starts = np.cumsum([0, *(b.size for b in laws)])
+        starts = np.cumsum([0, *(b.whole or b.size for b in laws)])
         self.count = int(starts[-1])
         self._first = {id(b): int(z) for b, z in zip(laws, starts[:-1], strict=True)}
         codes = [self._pair_codes(b)[:, _coupled(b)].ravel() for b in laws]
@@ -89,7 +89,7 @@ class LocalLaws:
 
     def instances(self) -> list[tuple[Index, Index]]:
         """For each batch of laws, the numbers of the laws and the quantity that each of them first acts on."""
-        return [(self._first[id(b)] + np.arange(b.size), self._lines[id(b)][:, 0]) for b in self._batches]
+        return [(self._first[id(b)] + b.numbers, self._lines[id(b)][:, 0]) for b in self._batches]
 
     def _place(self, batch: Batch, name: str) -> Place:
         """Where an output of a law goes."""
@@ -100,7 +100,7 @@ class LocalLaws:
         if name == "zd":
             return Place("zd", (self.structure.nz,), z, False)
         if name in ("U", "P"):
-            one = self._first[id(batch)] + np.arange(batch.size)[:, None]
+            one = self._first[id(batch)] + batch.numbers[:, None]
             return Place(name, (self.count,), one, False)
         if z.shape[1]:
             size = _rows(batch) * _columns(batch)

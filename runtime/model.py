@@ -21,6 +21,7 @@ from flexel import (
     cables,
     contacts,
     couplings,
+    curves,
     feedback,
     joints,
     loads,
@@ -28,6 +29,7 @@ from flexel import (
     springs,
     surfaces,
     user,
+    wheels,
 )
 from flexel.build import build
 from flexel.errors import ModelError
@@ -208,7 +210,9 @@ class Model:
     hinge = joints.hinge
     bearing = joints.bearing
     fixed_point = joints.fixed_point
-    wheel = joints.wheel
+    wheel = wheels.wheel
+    tyre = wheels.tyre
+    axle_slip = wheels.axle_slip
     beam = beams.beam
     cable = cables.cable
     cable_line = cable_lines.cable_line
@@ -232,6 +236,9 @@ class Model:
     law = springs.law
     feedback = feedback.feedback
     attach = springs.attach
+    spring_curve = curves.spring_curve
+    damper_curve = curves.damper_curve
+    stop = curves.stop
 
     # -- roles -----------------------------------------------------------------------------------
 

@@ -75,8 +75,16 @@ def beam(state: State, instance: Instance) -> Iterator[Shape]:
 
 
 def wheel(state: State, instance: Instance) -> Iterator[Shape]:
-    """Rim, spokes, axle, one spoke of its own style (the valve) that shows the turning, and the road's force."""
-    hub, frame, contact = instance.nodes
+    """A wheel with the road's force on it."""
+    hub, _, contact = instance.nodes
+    yield from tyre(state, instance)
+    force = resultant(state, instance, (hub, contact))
+    yield Shape("force", instance.name, (place(state, contact)[None],), force=force)
+
+
+def tyre(state: State, instance: Instance) -> Iterator[Shape]:
+    """Rim, spokes, axle, and one spoke of its own style (the valve) that shows the turning."""
+    hub, frame = instance.nodes[:2]
     centre, R = place(state, hub), axes_of(state, frame)
     radius, axle = float(instance.parameters["radius"][0]), instance.parameters["axle"]
     first = np.cross(axle, np.eye(3)[int(np.argmin(np.abs(axle)))])
@@ -93,9 +101,6 @@ def wheel(state: State, instance: Instance) -> Iterator[Shape]:
     yield Shape("valve", name, (np.array([centre, tips[0]]),), pose)
     half = 0.15 * radius * (R @ axle)
     yield Shape("axle", name, (np.array([centre - half, centre + half]),), pose)
-    yield Shape(
-        "force", name, (place(state, contact)[None],), force=resultant(state, instance, (hub, contact))
-    )
 
 
 def body(state: State, instance: Instance) -> Iterator[Shape]:
@@ -169,7 +174,7 @@ def _points(structure: Structure, frame: str) -> list[str]:
         frames = [n for n in instance.nodes if n not in ends]
         if len(frames) == len(ends):  # each end has its own
             ends = [ends[frames.index(frame)]]
-        elif instance.spec.name == "wheel":
+        elif instance.spec.name in WHEELS:
             ends = ends[:1]
         found += [z for z in ends if "." not in z]
     return found
@@ -195,6 +200,7 @@ def _bending(state: State, instance: Instance) -> dict[str, Array]:
     return found
 
 
+WHEELS = ("wheel", "toroidal_wheel", "tyre", "tyre_on_road")
 PAINTERS: dict[str, Callable[[State, Instance], Iterator[Shape]]] = {
     "truss": bar,
     "planar_truss": bar,
@@ -207,7 +213,8 @@ PAINTERS: dict[str, Callable[[State, Instance], Iterator[Shape]]] = {
     "planar_beam": beam,
     "cable": rope,
     "planar_cable": rope,
-    "wheel": wheel,
+    **dict.fromkeys(("wheel", "toroidal_wheel"), wheel),
+    **dict.fromkeys(("tyre", "tyre_on_road"), tyre),
     **dict.fromkeys(("cable_cylinder", "cable_plane", "cable_v_groove", "cable_round_groove"), contact),
     **dict.fromkeys(("planar_cable_circle", "planar_cable_line"), contact),
     "body": body,

@@ -5,7 +5,7 @@ Imports numpy, the dynamics, the files and what makes results of records.
 
 from __future__ import annotations
 
-from dataclasses import fields
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -91,11 +91,9 @@ def restore(
     if not all(np.array_equal(a, b) for a, b in zip(rows, (roles.dynamic, roles.kinematic), strict=True)):
         _check_freedoms(self, rows)
         roles = roles.with_freedoms(*rows)
-    _, J = self.evaluation.position(state.x)
     if as_saved:
-        own = {field.name: getattr(state, field.name) for field in fields(State)}
-        return State(**own | {"J": J, "roles": roles, "structure": self.structure})
-    c = Configuration(state.t, state.x, state.e, J)
+        return replace(state, roles=roles, evaluation=self.evaluation)
+    c = Configuration(state.t, state.x, state.e, self.evaluation.position(state.x)[1])
     return dynamics.complete(self.kinematics_of(roles), self.loads, c, state.v, state.e, state.z)
 
 

@@ -10,6 +10,7 @@ Imports numpy, scipy.sparse and the balance.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -20,7 +21,7 @@ from scipy.sparse.linalg import lsmr
 from flexel.balance import Balance, Matrix, Saddle, SaddlePattern
 from flexel.diagnose import quoted
 from flexel.errors import ModelError, PositionError
-from flexel.inputs import number
+from flexel.inputs import names, number
 from flexel.state import State, own_state
 from flexel.structure import Array, Index
 
@@ -108,9 +109,9 @@ class Equations:
     stiffness: float
 
 
-def equilibrium(system: System, t: float | None, start: State) -> State:
+def equilibrium(system: System, t: float | None, start: State, hold: Sequence[str] = ()) -> State:
     """State of rest in which all forces balance; see `System.equilibrium`."""
-    problem = Rest(system, start)
+    problem = Rest(system, start, _held(system, hold))
     t = start.t if t is None else number(t, "equilibrium", "time t")
     mu = problem.holding_forces(t, start)
     direct = _newton(problem, t, start.x, mu, start.e)
@@ -120,6 +121,23 @@ def equilibrium(system: System, t: float | None, start: State) -> State:
     if message:
         raise PositionError(f"no equilibrium found at t = {t:g} s: {message}")
     return states[-1]
+
+
+def _held(system: System, hold: Sequence[str]) -> Index:
+    """Quantities to be held, none of them twice."""
+    structure, roles, first = system.structure, system.roles, system.structure.m + system.structure.k
+    found = [structure.find(name, "equilibrium: hold") for name in names(hold, "equilibrium: hold")]
+    for name, i in zip(hold, found, strict=True):
+        if (
+            structure.m <= i < first
+            or i >= first + structure.nf
+            or i in roles.holonomic
+            or i in roles.kinematic
+        ):
+            raise ModelError(
+                f"equilibrium: '{name}' cannot be held: it is a slip, or fixed, rigid, prescribed or held; drop it"
+            )
+    return np.array(found, dtype=np.intp)
 
 
 def static_path(system: System, t_end: float, start: State) -> tuple[list[State], str]:

@@ -37,7 +37,8 @@ from flexel.derive.elements.span_slips import (
 )
 from flexel.derive.elements.surface import SURFACE
 from flexel.derive.elements.truss import PLANAR_TRUSS, TRUSS
-from flexel.derive.elements.wheel import WHEEL
+from flexel.derive.elements.tyre import AXLE_SLIP, TYRE, TYRE_ON_ROAD
+from flexel.derive.elements.wheel import TOROIDAL_WHEEL, WHEEL
 
 ELEMENTS: tuple[Element, ...] = (
     POINT_MASS,
@@ -52,6 +53,10 @@ ELEMENTS: tuple[Element, ...] = (
     BEAM_FIRST_ORDER,
     WHEEL,
     SURFACE,
+    TOROIDAL_WHEEL,
+    TYRE,
+    TYRE_ON_ROAD,
+    AXLE_SLIP,
     ROTATION,
     BODY_ROTATION,
     BODY_VELOCITY,

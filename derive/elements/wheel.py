@@ -1,4 +1,4 @@
-"""Rigid knife-edge wheel rolling on a plane."""
+"""Rigid wheel rolling on a plane: a knife edge, or with a round crown."""
 
 from sympy import Expr, Matrix
 
@@ -9,14 +9,15 @@ RADIUS = Parameter("radius", 1, "m", "radius of the rim")
 AXLE = Parameter("axle", 3, "1", "unit vector along the axle in body axes", ("x", "y", "z"))
 NORMAL = Parameter("normal", 3, "1", "unit normal of the road", ("x", "y", "z"))
 HEIGHT = Parameter("height", 1, "m", "distance of the road from the origin along its normal")
+CROWN = Parameter("crown", 1, "m", "radius of the cross section of the tyre, a circle")
 
 
-def _slips(let: Let, wheel: tuple[Matrix, Matrix, Matrix], r: Matrix, ra: Matrix) -> tuple[Slip, ...]:
-    """Slips from the velocity of the hub, the Euler parameters and their rates, r and r x a."""
+def _slips(let: Let, wheel: tuple[Matrix, Matrix, Matrix], arm: Matrix, ra: Matrix) -> tuple[Slip, ...]:
+    """Slips from the velocity of the hub, the Euler parameters and their rates, the arm to the contact, and r x a."""
     hub_v, lam, lam_v = wheel
     n = NORMAL.vector
     omega = let.vector("omega", angular_velocity(lam, lam_v))
-    vc = let.vector("vc", hub_v + cross(omega, r))
+    vc = let.vector("vc", hub_v + cross(omega, arm))
     across = let.vector("across", cross(n, ra))
 
     def along(direction: Matrix, name: str) -> Expr:
@@ -29,34 +30,51 @@ def _slips(let: Let, wheel: tuple[Matrix, Matrix, Matrix], r: Matrix, ra: Matrix
     )
 
 
-def _wheel() -> Element:
+def _rolling(name: str, crown: Parameter | None, doc: str, source: str) -> Element:
+    """A wheel whose contact point lies below its rim, or below the centre of the tube of its tyre."""
     w, frame, c = Point("w"), Frame("r"), Point("c")
-    radius, n = RADIUS.symbol, NORMAL.vector
-    let = Let()
+    n, let = NORMAL.vector, Let()
     a = let.vector("a", combination(triad(frame.x), AXLE.vector))
-    r = let.vector("d", c.x - w.x)
+    arm = let.vector("arm" if crown else "d", c.x - w.x)
+    r = let.vector("d", arm + crown.symbol * n) if crown else arm
+    rim = let.scalar("rim", RADIUS.symbol - crown.symbol) if crown else RADIUS.symbol
     ra = let.vector("ra", cross(r, a))
-    slips = _slips(let, (w.v, frame.x, frame.v), r, ra)
+    slips = _slips(let, (w.v, frame.x, frame.v), arm, ra)
     return Element(
-        name="wheel",
+        name=name,
         nodes=(w, frame, c),
-        parameters=(RADIUS, AXLE, NORMAL, HEIGHT),
+        parameters=(RADIUS, *([crown] if crown else []), AXLE, NORMAL, HEIGHT),
         let=let.entries,
         deformations=(
-            Deformation("radius", "m", (dot(r, r) - radius**2) / (2 * radius)),
+            Deformation("radius", "m", (dot(r, r) - rim**2) / (2 * rim)),
             Deformation("plane", "m", dot(a, r)),
             Deformation("surface", "m", dot(n, c.x) - HEIGHT.symbol),
             Deformation("lowest", "m", dot(n, ra)),
         ),
         slips=slips,
-        doc=(
-            "w hub, c contact point, d = xc - xw, a = R(lambda) axle, n = normal, ra = d x a\n"
-            "radius = (d.d - R^2)/(2 R),  plane = a.d,  surface = n.xc - height,  lowest = n.ra\n"
-            "omega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x d, the material point in contact\n"
-            "longitudinal = ra.vc/|ra|,  lateral = (n x ra).vc/|n x ra|,  spin = omega.n"
-        ),
-        source="Meijaard, Papadopoulos, Ruina and Schwab 2007, Proc. R. Soc. A 463:1955, supplement, WHEEL",
+        doc=doc,
+        source=source,
     )
 
 
-WHEEL = _wheel()
+_SLIPS = "longitudinal = ra.vc/|ra|,  lateral = (n x ra).vc/|n x ra|,  spin = omega.n"
+
+WHEEL = _rolling(
+    "wheel",
+    None,
+    "w hub, c contact point, d = xc - xw, a = R(lambda) axle, n = normal, ra = d x a\n"
+    "radius = (d.d - R^2)/(2 R),  plane = a.d,  surface = n.xc - height,  lowest = n.ra\n"
+    "omega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x d, the material point in contact\n"
+    + _SLIPS,
+    "Meijaard, Papadopoulos, Ruina and Schwab 2007, Proc. R. Soc. A 463:1955, supplement, WHEEL",
+)
+TOROIDAL_WHEEL = _rolling(
+    "toroidal_wheel",
+    CROWN,
+    "w hub, c contact point, d = xc + crown n - xw from the hub to the centre of the tube above the contact,\n"
+    "a = R(lambda) axle, n = normal, ra = d x a, rim = R - crown\n"
+    "radius = (d.d - rim^2)/(2 rim),  plane = a.d,  surface = n.xc - height,  lowest = n.ra\n"
+    "omega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x (xc - xw), the material point in contact\n"
+    + _SLIPS,
+    "Schwab and Meijaard 1999, ASME DETC99/VIB-8223 (wheel element); the crown lifts the contact off the rim's circle",
+)

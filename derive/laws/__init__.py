@@ -8,5 +8,7 @@ from flexel.derive.element import Law
 from flexel.derive.laws.contact import CONTACT
 from flexel.derive.laws.journal import JOURNAL
 from flexel.derive.laws.linear import LINEAR
+from flexel.derive.laws.suspension import CURVES
+from flexel.derive.laws.tyre import TYRES
 
-LAWS: tuple[Law, ...] = (*LINEAR, *CONTACT, *JOURNAL)
+LAWS: tuple[Law, ...] = (*LINEAR, *CURVES, *TYRES, *CONTACT, *JOURNAL)

@@ -112,8 +112,8 @@ def _bristle(k: int) -> Law:
     stiffness, let = BRISTLES.symbol, c.let
     square = let.scalar("square", _square(s))
     moving = square > 0  # the root has no derivative at zero; the speed there is zero with its derivative
-    root = let.scalar("root", sp.sqrt(sp.Piecewise((square, moving), (1, True))))
-    speed = let.scalar("speed", sp.Piecewise((root, moving), (0, True)))
+    safe = let.scalar("safe", sp.Piecewise((square, moving), (1, True)))  # SymPy takes roots of pieces apart
+    speed = let.scalar("speed", sp.Piecewise((sp.sqrt(safe), moving), (0, True)))
     sliding = let.scalar("sliding", stiffness * speed / FRICTION.symbol)
     closed = c.e < 0
     rates = [

@@ -19,9 +19,12 @@ def _journal() -> Law:
     let = Let()
     forces = [let.scalar(f"N{i + 1}", k * e[i] + d * ed[i]) for i in range(2)]
     square = let.scalar("square", forces[0] ** 2 + forces[1] ** 2)
-    loaded = square > 0  # the root has no derivative at zero
-    load = sp.Piecewise((sp.sqrt(sp.Piecewise((square, loaded), (1, True))), loaded), (0, True))
-    torque = arm * let.scalar("N", load) * ed[2] / sp.sqrt(ed[2] ** 2 + speed**2)
+    loaded = (
+        square > 0
+    )  # the root has no derivative at zero; named, because SymPy takes roots of pieces apart
+    safe = let.scalar("safe", sp.Piecewise((square, loaded), (1, True)))
+    N = let.scalar("N", sp.Piecewise((sp.sqrt(safe), loaded), (0, True)))
+    torque = arm * N * ed[2] / sp.sqrt(ed[2] ** 2 + speed**2)
     return Law(
         name="journal",
         doc=(

@@ -113,11 +113,12 @@ def check_ranges(declared: Element | Law, ranges: Ranges) -> None:
 
 
 def element_samples(
-    element: Element, compiled: Compiled, count: int, ranges: Ranges = NOTHING
+    element: Element, compiled: Compiled, count: int, ranges: Ranges = NOTHING, redraw: bool = True
 ) -> dict[str, Array]:
     """Inputs of all kernels of an element, each (count, rows), every second near zero deformation.
 
-    `ranges` limits coordinates and parameters by name, in place of those that follow from their kinds.
+    `ranges` limits coordinates and parameters by name, in place of those that follow from their kinds.  Coordinates
+    at which the element has no real deformation are drawn anew, unless `redraw` says not.
     """
     rng = _generator(element.name)
     p = _parameters(rng, count, element.parameters)
@@ -128,7 +129,7 @@ def element_samples(
         x = _within(rng, x, low, high)
     n, m, k = x.shape[1], len(element.deformations), len(element.slips)
     if m and compiled.has("position"):
-        x = _inside(rng, element, compiled, x, p)
+        x = _inside(rng, element, compiled, x, p) if redraw else x
         near = slice(1, None, 2)
         relaxed = _relaxed(compiled, x[near], p[near]) + NEAR * rng.normal(size=x[near].shape)
         inside = np.isfinite(relaxed) & ~(relaxed < low) & ~(relaxed > high)  # no limit is not-a-number

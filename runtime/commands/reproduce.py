@@ -22,6 +22,9 @@ CASES = {
     "slider-crank": "flexel.examples.slider_crank",
     "flexures": "flexel.examples.flexures",
     "rope": "flexel.examples.rope",
+    "hoist": "flexel.examples.hoist",
+    "vehicle": "flexel.examples.vehicle",
+    "motorcycle": "flexel.examples.motorcycle",
 }
 
 

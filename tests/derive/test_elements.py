@@ -214,6 +214,10 @@ def is_planar(element: Element) -> bool:
 
 def symmetry(element: Element, values: dict[str, Any], rng: random.Random) -> Motion:
     """Return a rigid motion that the element cannot notice: any, or for a wheel one that keeps the road."""
+    if "heading" in values:  # waves: only along their crests
+        across = [-values["heading"][1], values["heading"][0], 0]
+        shift, velocity = ([mpf(rng.uniform(-1, 1)) * z for z in across] for _ in range(2))
+        return Motion(Z, mpf(0), shift, [0, 0, 0], velocity)
     axis, omega = unit(column(rng, 3)), column(rng, 3)
     shift, velocity = column(rng, 3), column(rng, 3)
     if element.name == "surface":

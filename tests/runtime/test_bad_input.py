@@ -168,9 +168,6 @@ ELEMENTS = {
     "spatial with planar": draw(
         lambda m: m.truss("t", "O", m.point("P", (0, 1))), "truss 't'", "'P'", "needs a point"
     ),
-    "planar bearing": flat(
-        lambda m: m.bearing("b", "O", "R0", "A", "R1", axis=(0, 0, 1)), "bearing 'b'", "needs a point"
-    ),
     "hinge without axis": draw(lambda m: m.hinge("h", "R0", "R1"), "hinge 'h'", "give axis="),
     "hinge about nothing": draw(
         lambda m: m.hinge("h", "R0", "R1", axis=(0, 0, 0)), "hinge 'h'", "no length", "give a direction"

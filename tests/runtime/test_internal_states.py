@@ -29,7 +29,19 @@ def maxwell(cubic: float = 0.0, driven: float = 0.0) -> CompiledLaw:
     state = Internal("creep", "m", d / lag.symbol + cubic * ed * z)
     U = k.symbol * (d**2 / 2 + cubic * d**4 / 4)
     return compile_law(
-        Law("maxwell", "", (k, lag), (e,), (ed,), (), (sigma,), (), U, "Maxwell", states=(state,))
+        Law(
+            "maxwell",
+            "in series",
+            (k, lag),
+            (e,),
+            (ed,),
+            (),
+            (sigma,),
+            (),
+            U,
+            "Maxwell",
+            states=(state,),
+        )
     )
 
 

@@ -174,7 +174,19 @@ def test_internal_states_of_laws_go_on(tmp_path: Path, monkeypatch: pytest.Monke
     e, z, k = symbol("e"), symbol("creep"), Parameter("k", 1, "N/m", "stiffness")
     states = (Internal("creep", "m", (e - z) / 0.3),)
     spring = k.symbol * (e - z)
-    law = compile_law(Law("maxwell", "", (k,), (e,), (symbol("ed"),), (), (spring,), (), states=states))
+    law = compile_law(
+        Law(
+            "maxwell",
+            "in series",
+            (k,),
+            (e,),
+            (symbol("ed"),),
+            (),
+            (spring,),
+            (),
+            states=states,
+        )
+    )
 
     def oscillator() -> fx.System:
         m = fx.Model()

@@ -1,0 +1,188 @@
+"""A motorcycle from the parts of the road vehicle and the bicycle: nothing in them is specific to one vehicle.
+
+Rear frame with rider, swinging arm, telescopic fork on an inclined steering axis, two wheels with compliant toroidal
+tyres (crown radius, Magic Formula with relaxation). The data are those of no real machine, but of usual size. Weave,
+wobble and capsize are followed over the speed. x forward, y left, z up, origin on the road below the rear hub.
+Imports numpy and flexel.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import flexel as fx
+from flexel.checks import in_frame
+from flexel.examples.differences import mismatch
+from flexel.linearize import Linearization, Mode
+from flexel.orientation import matrix, triad
+from flexel.report import Quantity, Report
+from flexel.structure import Array
+
+GRAVITY = 9.81
+WHEELBASE, RAKE, TRAIL, HEAD_HEIGHT = 1.45, 0.47, 0.11, 0.9
+RADIUS, CROWN = {"rear": 0.31, "front": 0.30}, {"rear": 0.09, "front": 0.06}
+SINK = 0.007  # of the hubs as drawn, so that the tyres are pressed
+PIVOT = (0.50, 0.0, 0.42)  # of the swinging arm
+FRAME: dict[str, Any] = {"mass": 240.0, "inertia": (28.0, 40.0, 24.0, 0.0, 2.0, 0.0)}  # with rider
+FRAME_CENTRE = (0.62, 0.0, 0.62)
+FORK: dict[str, Any] = {"mass": 12.0, "inertia": (0.9, 0.8, 0.25)}
+FORK_CENTRE = (1.26, 0.0, 0.66)
+WHEELS: dict[str, dict[str, Any]] = {
+    "rear": {"mass": 18.0, "inertia": (0.55, 0.95, 0.55)},
+    "front": {"mass": 14.0, "inertia": (0.35, 0.62, 0.35)},
+}
+FORK_SPRING, SWING_SPRING = (9000.0, 550.0, 1000.0), (9000.0, 700.0, 690.0)  # stiffness, damping, preload
+STEERING_DAMPER = 12.0
+TYRES: dict[str, dict[str, Any]] = {
+    axle: {
+        "stiffness": 180e3, "damping": 250.0, "load0": load, "rolling_radius": RADIUS[axle] - 0.004,
+        "friction": (1.2, -0.1), "slip_stiffness": 15.0, "cornering": (stiffness, 2.0), "camber_stiffness": 0.8,
+        "shape": (1.5, -0.5), "trail": (0.02, 5.0), "relaxation": (0.12, 0.22),
+    }
+    for axle, load, stiffness in (("rear", 1500.0, 12.0), ("front", 1300.0, 11.0))
+}  # fmt: skip
+SPEEDS = tuple(float(v) for v in np.arange(5.0, 60.1, 2.5))
+LATERAL = ("lean.angle", "steer.angle", "yaw.angle", "frame.y")
+PLANE = ("frame.z", "pitch.angle", "fork.along", "swing.angle")
+
+
+def motorcycle(speed: float = 0.0, crown: float = 1.0) -> fx.System:
+    """The motorcycle upright; `crown` scales the radii of the tyres' cross sections (0: thin discs)."""
+    m = fx.Model(gravity=(0, 0, -GRAVITY))
+    axis = np.array([np.sin(RAKE), 0.0, -np.cos(RAKE)])  # of steering, downwards
+    head = np.array([WHEELBASE + TRAIL - HEAD_HEIGHT * np.tan(RAKE), 0.0, HEAD_HEIGHT])
+    m.frame("road", fixed=True)
+    for name in ("yawed", "leaned", "body", "front body", "arm", "rear wheel", "front wheel"):
+        m.frame(name)
+    m.point("frame", FRAME_CENTRE)
+    m.point("head", head)
+    m.point("pivot", PIVOT)
+    m.point("rear hub", (0, 0, RADIUS["rear"] - SINK))
+    m.point("front hub", (WHEELBASE, 0, RADIUS["front"] - SINK))
+    m.hinge("yaw", "road", "yawed", axis=(0, 0, 1))
+    m.hinge("lean", "yawed", "leaned", axis=(1, 0, 0))
+    m.hinge("pitch", "leaned", "body", axis=(0, 1, 0))
+    m.hinge("steer", "body", "front body", axis=axis)
+    m.hinge("swing", "body", "arm", axis=(0, 1, 0))
+    m.fixed_point("steering head", "frame", "body", "head")
+    m.fixed_point("swing pivot", "frame", "body", "pivot")
+    m.fixed_point("swinging arm", "pivot", "arm", "rear hub")
+    telescope(m, "fork", "head", "front body", "front hub", axis)
+    for axle, frame in (("rear", "arm"), ("front", "front body")):
+        hub, wheel = f"{axle} hub", f"{axle} wheel"
+        m.hinge(f"{axle} spin", frame, wheel, axis=(0, 1, 0))
+        m.body(f"{axle} wheel body", hub, wheel, **WHEELS[axle])
+        m.tyre(f"{axle} tyre", hub, wheel, radius=RADIUS[axle], axle=(0, 1, 0), crown=crown * CROWN[axle])
+        parts = ("deflection", "camber", "forward", "sideways", "rolling", "longitudinal", "lateral", "spin")
+        m.attach("magic_formula", [f"{axle} tyre.{z}" for z in parts], name=axle, **TYRES[axle])
+    m.body("rear frame", "frame", "body", **FRAME)
+    m.body("front frame", "head", "front body", offset=np.array(FORK_CENTRE) - head, **FORK)
+    k, c, preload = FORK_SPRING
+    m.spring("fork.along", k, c, preload=-preload)
+    k, c, preload = SWING_SPRING
+    m.spring("swing.angle", k, c, preload=preload)
+    m.spring("steer.angle", 0.0, STEERING_DAMPER)
+    m.independent("frame.x", *LATERAL, *PLANE, "rear spin.angle", "front spin.angle")
+    m.initial("frame.x", rate=speed)
+    for axle in RADIUS:
+        m.initial(f"{axle} spin.angle", rate=speed / TYRES[axle]["rolling_radius"])
+    return m.build()
+
+
+def telescope(m: fx.Model, name: str, p: str, frame: str, q: str, axis: Array) -> None:
+    """A sliding joint: the point q moves in the body (p, frame) along an axis only; the stroke is ``along``."""
+    t = triad(axis, None, name)
+    d0 = matrix(t).T @ (m.nodes[q].x0 - m.nodes[p].x0)
+    values = {"tp": in_frame(m.nodes[frame].x0, t), "d0": d0, "l0": np.linalg.norm(d0)}
+    m.add(name, "beam3", [p, frame, q], values | {"rhoA": 0.0, "rhoJ": np.zeros(3)})
+
+
+def straight(system: fx.System, speed: float) -> fx.State:
+    """Steady straight running: springs and tyres take the weight, the wheels roll without slip."""
+    rates = dict.fromkeys(system.dynamic, 0.0) | {"frame.x": speed}
+    rates |= {f"{axle} spin.angle": speed / z["rolling_radius"] for axle, z in TYRES.items()}
+    return system.steady(system.state_at(rates=rates), unknown=PLANE)
+
+
+def lateral_modes(lin: Linearization) -> dict[str, Mode]:
+    """Weave, wobble and capsize among the modes that lean, steer and yaw.
+
+    Wobble is the fastest oscillation, weave the least damped of the clearly slower ones, capsize the least stable
+    motion that does not oscillate.
+    """
+    modes = [
+        z for z in lin.modes() if sum(z.participation[name] for name in LATERAL) > 0.5 and z.frequency > 1e-3
+    ]
+    swinging = [z for z in modes if z.eigenvalue.imag > 1.0]
+    wobble = max(swinging, key=lambda z: z.eigenvalue.imag)
+    found = {"wobble": wobble}
+    slower = [z for z in swinging if z.eigenvalue.imag < 0.7 * wobble.eigenvalue.imag]
+    if slower:
+        found["weave"] = max(slower, key=lambda z: z.eigenvalue.real)
+    creeping = [z for z in modes if abs(z.eigenvalue.imag) < 1e-6]
+    if creeping:
+        found["capsize"] = max(creeping, key=lambda z: z.eigenvalue.real)
+    return found
+
+
+def loci(speeds: tuple[float, ...] = SPEEDS, crown: float = 1.0) -> list[dict[str, Mode]]:
+    """Lateral modes at each speed, linearized anew about steady running."""
+    system = motorcycle(crown=crown)
+    return [lateral_modes(system.linearize(straight(system, v))) for v in speeds]
+
+
+def reproduce(out: Path | None = None) -> Report:
+    """Modes over the speed with toroidal and with thin tyres, and the linearization's confirmation."""
+    system = motorcycle()
+    found = {"toroidal": loci(), "thin": loci(crown=0.0)}
+    state = straight(system, 30.0)
+    rows = [
+        Quantity(
+            "freedoms",
+            system.counts["freedoms"],
+            11,
+            0,
+            "",
+            "six of the frame, steering, fork, swinging arm, spins",
+        ),
+        Quantity(
+            "linearization_error",
+            mismatch(system, state),
+            0.0,
+            1e-8,
+            "",
+            "differences of the nonlinear equations",
+        ),
+    ]
+    for tyres, modes in found.items():
+        for name in ("weave", "wobble", "capsize"):
+            table = [[v, z[name].eigenvalue.real, z[name].eigenvalue.imag]
+                     for v, z in zip(SPEEDS, modes, strict=True) if name in z]  # fmt: skip
+            rows.append(Quantity(f"{name}_{tyres}", table, source="rows of speed, real, imaginary part"))
+    files = [] if out is None else [picture(found, out)]
+    return Report("motorcycle", rows, files)
+
+
+def picture(found: dict[str, list[dict[str, Mode]]], out: Path) -> Path:
+    """Real and imaginary parts of the lateral modes over the speed."""
+    from flexel.figures import COLOURS, figure, save
+
+    out.mkdir(parents=True, exist_ok=True)
+    path = out / "motorcycle_modes.png"
+    with figure(2, size=(8.0, 6.4), sharex=True) as (drawn, axes):
+        for style, (tyres, modes) in zip(("-", "--"), found.items(), strict=True):
+            for colour, name in zip(COLOURS, ("weave", "wobble", "capsize"), strict=False):
+                points = np.array([[v, z[name].eigenvalue.real, z[name].eigenvalue.imag]
+                                   for v, z in zip(SPEEDS, modes, strict=True) if name in z])  # fmt: skip
+                axes[0].plot(points[:, 0], points[:, 1], style, color=colour, label=f"{name}, {tyres} tyres")
+                axes[1].plot(points[:, 0], points[:, 2] / (2 * np.pi), style, color=colour)
+        axes[0].axhline(0, color="#222222", lw=0.6)
+        axes[0].set_ylabel("real part [1/s]")
+        axes[1].set_ylabel("frequency [Hz]")
+        axes[1].set_xlabel("speed [m/s]")
+        axes[0].legend(fontsize=8)
+        save(drawn, path)
+    return path

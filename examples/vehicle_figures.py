@@ -1,0 +1,124 @@
+"""Pictures of the road vehicle: model, root loci, steering with CALSPAN tyres and without lateral slip, sines, bumps.
+
+Imports numpy and flexel; matplotlib is imported by `flexel.plot` when a picture is drawn.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+
+from flexel.examples import vehicle_data as data
+from flexel.examples.vehicle_runs import LOCI, Results, history, load_histories
+from flexel.figures import COLOURS, figure, save
+from flexel.plot import View, animate, draw, root_loci
+from flexel.scene import canvas
+
+LABELS = {
+    "lateral_acceleration": "lateral acceleration [m/s²]",
+    "yaw_rate": "yaw rate [rad/s]",
+    "roll": "roll [deg]",
+    "side_slip": "side-slip angle [deg]",
+}
+
+
+def pictures(results: Results, out: Path) -> list[Path]:
+    """Write all figures and the animation into a folder; returns what was written."""
+    out.mkdir(parents=True, exist_ok=True)
+    names: dict[str, Callable[[Results, Path], None]] = {
+        "model.png": model,
+        "root_loci.png": loci,
+        "steer_30.png": steering,
+        "sine_steer.png": sines,
+        "bumps.png": bumps,
+        "bump_antiphase_5.html": animation,
+    }
+    for name, make in names.items():
+        make(results, out / name)
+    return [out / name for name in names]
+
+
+def model(results: Results, path: Path) -> None:
+    """The mechanism in static equilibrium."""
+    view = View(elevation=16, azimuth=-62, span=3.0)
+    with canvas(results.equilibrium, (7.6, 5.2)) as (drawn, axes):
+        draw(results.equilibrium, axes, view)
+        note = "Four corners by one function: arm, leaf end as upper link, upright, tie rod, unit, tyre."
+        drawn.text(0.02, 0.03, note, fontsize=9)
+        save(drawn, path)
+
+
+def loci(results: Results, path: Path) -> None:
+    """Eigenvalues of straight running over the speed."""
+    root_loci(
+        np.array(LOCI),
+        results.loci,
+        path,
+        label="speed [m/s]",
+        limits=(-40.0, 1.0),
+        title="Eigenvalues of steady straight running, CALSPAN tyres",
+    )
+
+
+def steering(results: Results, path: Path) -> None:
+    """Ramp-to-step steering at 30 m/s with both kinds of tyres, as in the talk."""
+    with figure(3, 2, size=(10.0, 8.0), sharex=True) as (drawn, axes):
+        for colour, tyres in zip(COLOURS, ("calspan", "zero slip"), strict=False):
+            motion = results.steering[30, tyres]
+            for panel, signal in zip(axes.flat, LABELS, strict=False):
+                panel.plot(motion.t, history(motion, signal), color=colour, label=tyres)
+                panel.set_ylabel(LABELS[signal])
+        for panel, tyres in zip(axes[2], ("calspan", "zero slip"), strict=True):
+            motion = results.steering[30, tyres]
+            for corner, load, colour in zip(data.CORNERS, load_histories(motion).T, COLOURS, strict=False):
+                panel.plot(motion.t, load / 1000, color=colour, label=corner)
+            panel.set_ylabel(f"tyre loads, {tyres} [kN]")
+            panel.set_xlabel("time [s]")
+        axes[0, 0].legend()
+        axes[2, 0].legend(fontsize=8)
+        drawn.suptitle("Ramp-to-step steering at 30 m/s: 2 mm of the rack in half a second")
+        drawn.align_ylabels()
+        save(drawn, path)
+
+
+def sines(results: Results, path: Path) -> None:
+    """Yaw rate in sine steering."""
+    with figure(1, size=(8.0, 4.0)) as (drawn, panel):
+        for colour, (mm, motion) in zip(COLOURS, results.sines.items(), strict=False):
+            panel.plot(motion.t, history(motion, "yaw_rate"), color=colour, label=f"{mm} mm")
+        panel.set_xlabel("time [s]")
+        panel.set_ylabel("yaw rate [rad/s]")
+        panel.legend()
+        panel.set_title("Sine steering at 20 m/s, 1 Hz")
+        save(drawn, path)
+
+
+def bumps(results: Results, path: Path) -> None:
+    """Height, angle and tyre loads over the cosine bump, in phase and in anti-phase."""
+    with figure(3, 2, size=(10.0, 8.0), sharex="col") as (drawn, axes):
+        for column, mirrored in enumerate((False, True)):
+            for colour, v in zip(COLOURS, (5, 10), strict=False):
+                motion = results.bumps[v, mirrored]
+                x = motion["chassis.x"]
+                axes[0, column].plot(x, 1000 * history(motion, "z"), color=colour, label=f"{v} m/s")
+                angle = "roll" if mirrored else "pitch"
+                axes[1, column].plot(x, history(motion, angle), color=colour)
+                axes[1, column].set_ylabel(f"{angle} [deg]")
+                loads = load_histories(motion) / 1000
+                axes[2, column].plot(x, loads[:, 1], color=colour)
+                axes[2, column].plot(x, loads[:, 3], "--", color=colour)
+            axes[0, column].set_ylabel("height of chassis [mm]")
+            axes[2, column].set_ylabel("left tyres, front, rear -- [kN]")
+            axes[2, column].set_xlabel("x of the chassis [m]")
+            axes[0, column].set_title("in anti-phase" if mirrored else "in phase")
+        axes[0, 0].legend()
+        drawn.align_ylabels()
+        save(drawn, path)
+
+
+def animation(results: Results, path: Path) -> None:
+    """Over the bump with the left wheels, through the hollow with the right ones, at 5 m/s."""
+    view = View(elevation=14, azimuth=-125, centre="chassis", span=3.4)
+    animate(results.bumps[5, True], path, fps=15, view=view)

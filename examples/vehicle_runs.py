@@ -1,0 +1,309 @@
+"""What is done with the road vehicle: equilibrium, linearization, steering, bumps, and the energy that goes round.
+
+Rotations are reported in the benchmark's order (pitch, roll, yaw from the road, so that they mix when the vehicle has
+turned) and accelerations along its yawed axes. Imports numpy and flexel.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+import flexel as fx
+from flexel.examples import vehicle_data as data
+from flexel.examples.differences import state_matrix
+from flexel.examples.vehicle import BODY, SUSPENSION, vehicle
+from flexel.linearize import Linearization, Mode, sort_eigenvalues
+from flexel.orientation import matrix
+from flexel.structure import Array
+
+SPEEDS = (10, 20, 30)  # of the steering manoeuvres [m/s]
+BUMP_SPEEDS = (5, 10)
+LOCI = tuple(float(v) for v in np.linspace(5, 40, 36))
+METHOD, RTOL = "RK45", 1e-5
+HEAVE = ("chassis.z", "pitch.angle", "roll.angle", *SUSPENSION)
+
+
+def rounded_ramp() -> tuple[Callable[[float], float], Callable[[float], float], Callable[[float], float]]:
+    """The rack of the ramp-to-step manoeuvre, (u, u', u''), its two corners rounded."""
+    T, rate, end = data.ROUNDED, data.RAMP_RATE, data.RAMP_SECONDS
+
+    def corner(t: float) -> tuple[float, float, float]:
+        """Integral of a smooth step of height one and duration T, with its derivatives."""
+        z = min(max(t / T, 0.0), 1.0)
+        return T * (z**3 - z**4 / 2) + max(t - T, 0.0), 3 * z**2 - 2 * z**3, 6 * z * (1 - z) / T
+
+    def part(order: int) -> Callable[[float], float]:
+        return lambda t: float(rate * (corner(t)[order] - corner(t - end)[order]))
+
+    return part(0), part(1), part(2)
+
+
+# -- states ---------------------------------------------------------------------------------------
+
+
+def unknowns(system: fx.System) -> tuple[str, ...]:
+    """Freedoms that a steady straight motion determines."""
+    return tuple(z for z in HEAVE if z in system.dynamic)
+
+
+def rates(system: fx.System, speed: float) -> dict[str, float]:
+    """Rates of the freedoms in straight running."""
+    return {z: speed if z == "chassis.x" else 0.0 for z in system.dynamic}
+
+
+def at_rest(system: fx.System) -> fx.State:
+    """Static equilibrium: heave, pitch, roll and suspension."""
+    return system.steady(unknown=unknowns(system))
+
+
+def straight(speed: float, tyres: str = "calspan") -> tuple[fx.System, fx.State]:
+    """The vehicle running straight at a steady speed [m/s], with the thrust that toe and camber ask for."""
+    driven = vehicle(speed, tyres=tyres, driven=True)
+    towed = at_rest(driven)
+    system = vehicle(speed, tyres=tyres, thrust=towed.force("chassis.x"))
+    found = system.state_at({z: towed[z] for z in HEAVE}, rates(system, speed))
+    return system, system.steady(found, unknown=unknowns(system))
+
+
+def start(system: fx.System, speed: float, deflection: str = "deflection") -> fx.State:
+    """Static equilibrium with a forward speed [m/s]: where the benchmark's manoeuvres begin."""
+    rest = at_rest(vehicle(deflection=deflection))
+    return system.state_at({z: rest[z] for z in HEAVE}, rates(system, speed))
+
+
+def angles(state: fx.State) -> tuple[float, float, float]:
+    """Pitch, roll and yaw [rad] of the chassis in the benchmark's order, R = Ry Rx Rz."""
+    R = matrix(state.position("body"))
+    pitch = float(np.arctan2(R[0, 2], R[2, 2]))
+    return pitch, float(-np.arcsin(R[1, 2])), float(np.arctan2(R[1, 0], R[1, 1]))
+
+
+def yaw_rate(state: fx.State) -> float:
+    """Rate of the benchmark's yaw angle [rad/s]."""
+    R = matrix(state.position("body"))
+    omega = np.array([state.rate(f"body.omega.{z}") for z in ("wx", "wy", "wz")])
+    c, s = R[1, 1], R[1, 0]
+    cd, sd = np.cross(omega, R[:, 1])[1], np.cross(omega, R[:, 0])[1]
+    return float((c * sd - s * cd) / (c * c + s * s))
+
+
+def lateral_acceleration(state: fx.State) -> float:
+    """Acceleration of the chassis' mass centre along the vehicle's yawed y axis [m/s²]."""
+    yaw = angles(state)[2]
+    return float(
+        np.cos(yaw) * state.acceleration("chassis.y") - np.sin(yaw) * state.acceleration("chassis.x")
+    )
+
+
+def side_slip(state: fx.State) -> float:
+    """Angle between the velocity of the mass centre and the vehicle's heading [rad]."""
+    vx, vy, _ = state.velocity("chassis")
+    return float(np.arctan2(vy, vx) - angles(state)[2])
+
+
+def loads(state: fx.State) -> tuple[float, ...]:
+    """Forces of the springs of the four tyres [N], in the order of `data.CORNERS`."""
+    return tuple(
+        sum(state.force(f"{corner} tyre.{z}") for z in ("drop", "deflection")) for corner in data.CORNERS
+    )
+
+
+SIGNALS: Mapping[str, Callable[[fx.State], float]] = {
+    "yaw_rate": yaw_rate,
+    "lateral_acceleration": lateral_acceleration,
+    "roll": lambda z: float(np.degrees(angles(z)[1])),
+    "side_slip": lambda z: float(np.degrees(side_slip(z))),
+    "pitch": lambda z: float(np.degrees(angles(z)[0])),
+    "yaw": lambda z: float(np.degrees(angles(z)[2])),
+    "z": lambda z: z["chassis.z"] - data.HEIGHT,
+    "speed": lambda z: float(np.hypot(*z.velocity("chassis")[:2])),
+}
+
+
+def history(motion: fx.Motion, signal: str) -> Array:
+    """One of `SIGNALS` over the motion (nt,)."""
+    return np.array([SIGNALS[signal](state) for state in motion])
+
+
+def load_histories(motion: fx.Motion) -> Array:
+    """Vertical forces of the tyres (nt, 4)."""
+    return np.array([loads(state) for state in motion])
+
+
+def outside_range(motion: fx.Motion) -> list[str]:
+    """Tyres whose load leaves the range of the CALSPAN data, 0 to A2, by name with the largest load."""
+    largest = load_histories(motion).max(axis=0)
+    limit = data.LARGEST_LOAD
+    return [
+        f"{corner} tyre: {load:.0f} N of {limit:.0f} N"
+        for corner, load in zip(data.CORNERS, largest, strict=True)
+        if load > limit
+    ]
+
+
+def lifted(motion: fx.Motion) -> list[str]:
+    """Wheels that leave the road at a stored time."""
+    least = load_histories(motion).min(axis=0)
+    return [corner for corner, load in zip(data.CORNERS, least, strict=True) if load <= 0]
+
+
+# -- linear equations -----------------------------------------------------------------------------
+
+
+def moving(lin: Linearization) -> Array:
+    """Eigenvalues without the four smallest: place and heading on the road, and the speed, which nothing restores."""
+    w = np.asarray(lin.eigenvalues())
+    return np.asarray(sort_eigenvalues(w[np.argsort(np.abs(w))[4:]]))
+
+
+def mode_name(mode: Mode) -> str:
+    """What moves in a mode: wheels hopping in one of four patterns, or the body in one of its freedoms."""
+    share = sum(mode.participation.get(z, 0.0) for z in SUSPENSION)
+    if share > 0.5:
+        arms = np.array([mode.shape[z] for z in SUSPENSION])
+        patterns = {
+            "hop bounce": (1, 1, 1, 1),
+            "hop pitch": (1, 1, -1, -1),
+            "hop roll": (1, -1, 1, -1),
+            "hop warp": (1, -1, -1, 1),
+        }
+        return max(patterns, key=lambda z: abs(np.dot(patterns[z], arms)))
+    names = dict(zip(BODY, ("surge", "sway", "bounce", "yaw", "pitch", "roll"), strict=True))
+    return names[max((z for z in BODY if z in mode.participation), key=lambda z: mode.participation[z])]
+
+
+def linear(speed: float, tyres: str = "calspan") -> tuple[fx.System, Linearization]:
+    """The vehicle running straight at a speed, linearized."""
+    system, state = straight(speed, tyres)
+    return system, system.linearize(state)
+
+
+# -- manoeuvres -----------------------------------------------------------------------------------
+
+
+def steer(speed: float, tyres: str = "calspan", seconds: float = 5.0, rtol: float = RTOL) -> fx.Motion:
+    """Ramp-to-step steering to 2 mm of the rack."""
+    system = vehicle(speed, tyres=tyres, rack=rounded_ramp())
+    return system.simulate(
+        seconds,
+        start=start(system, speed),
+        samples=126,
+        method=METHOD,
+        rechoose=False,
+        rtol=rtol,
+        atol=rtol / 100,
+    )
+
+
+def sine_steer(millimetres: float, speed: float = 20.0, seconds: float = 3.0) -> fx.Motion:
+    """Sine steering at 1 Hz."""
+    system = vehicle(speed, rack=fx.Harmonic(millimetres / 1000, 2 * np.pi))
+    return system.simulate(
+        seconds,
+        start=start(system, speed),
+        samples=151,
+        method=METHOD,
+        rechoose=False,
+        rtol=RTOL,
+        atol=RTOL / 100,
+    )
+
+
+def bump(
+    speed: float,
+    antiphase: bool = False,
+    seconds: float = 2.5,
+    times: Array | None = None,
+    rtol: float = 1e-5,
+    deflection: str = "deflection",
+) -> fx.Motion:
+    """Over the cosine bump, or with its mirror image, a hollow, under the right wheels."""
+    roads = {
+        corner: fx.Waves(data.BUMP_HEIGHT * (-1 if antiphase and "right" in corner else 1), *data.BUMP)
+        for corner in data.CORNERS
+    }
+    system = vehicle(speed, roads=roads, deflection=deflection)
+    grid = np.linspace(0, seconds, round(100 * seconds) + 1) if times is None else times
+    begin = start(system, speed, deflection)
+    return system.simulate(
+        seconds, start=begin, times=grid, method=METHOD, rechoose=False, rtol=rtol, atol=rtol / 100
+    )
+
+
+def energy_gap(run: Callable[[Array], fx.Motion], seconds: float, panels: int) -> float:
+    """Energy that is unaccounted for at the end of a motion, relative to what was dissipated and driven.
+
+    What the laws dissipate and what drives wheels and rack is integrated by Gauss's rule with five points in each of
+    the panels.
+    """
+    z, w = np.polynomial.legendre.leggauss(5)
+    width = seconds / panels
+    nodes = (np.arange(panels)[:, None] + (z + 1) / 2) * width
+    motion = run(np.append(nodes.ravel(), seconds))
+    inner = [state for state in motion if 0 < state.t < seconds]
+    driven = [z for z in motion.system.structure.names if z.endswith((" spin.angle", " rack.across1"))]
+    power = np.array(
+        [[state.dissipated, sum(-state.force(z) * state.rate(z) for z in driven)] for state in inner]
+    )
+    lost, given = np.tile(w, panels) * width / 2 @ power
+    gained = motion[-1].energy.total - motion[0].energy.total
+    return float(abs(gained + lost - given) / (abs(lost) + abs(given)))
+
+
+# -- everything -----------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Results:
+    """Everything that is computed, for the table and for the pictures."""
+
+    nominal: fx.State
+    equilibrium: fx.State
+    in_plane: fx.State  # equilibrium with the tyres' springs in the planes of the wheels
+    linear: Linearization
+    differenced: Array
+    no_side_force: Linearization
+    loci: Array
+    steering: dict[tuple[int, str], fx.Motion]
+    sines: dict[int, fx.Motion]
+    bumps: dict[tuple[int, bool], fx.Motion]
+    energy: float
+    seconds: dict[str, float] = field(default_factory=dict)
+
+    @property
+    def system(self) -> fx.System:
+        """The vehicle at rest."""
+        return self.steering[30, "calspan"].system
+
+
+def analyse() -> Results:
+    """Run all analyses."""
+    still = vehicle(deflection="drop")
+    system, lin = linear(20.0)
+    began = time.process_time()
+    system.linearize(lin.state)
+    seconds = {"linearization": time.process_time() - began}
+    steering = {}
+    for v in SPEEDS:
+        for tyres in ("calspan", "zero slip"):
+            began = time.process_time()
+            steering[v, tyres] = steer(float(v), tyres)
+            seconds[f"ramp_{v}_{tyres.replace(' ', '_')}"] = time.process_time() - began
+    return Results(
+        nominal=still.rest,
+        equilibrium=at_rest(still),
+        in_plane=at_rest(vehicle()),
+        linear=lin,
+        differenced=state_matrix(system, lin.state),
+        no_side_force=linear(20.0, "vertical")[1],
+        loci=np.array([moving(linear(v)[1]) for v in LOCI]),
+        steering=steering,
+        sines={mm: sine_steer(mm) for mm in data.SINE_STEER},
+        bumps={(v, mirrored): bump(float(v), mirrored) for v in BUMP_SPEEDS for mirrored in (False, True)},
+        energy=energy_gap(lambda times: bump(5.0, seconds=0.5, times=times, rtol=1e-8), 0.5, 30),
+        seconds=seconds,
+    )

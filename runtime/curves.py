@@ -1,0 +1,228 @@
+"""Curves of springs and dampers in polynomial pieces, one-sided stops, and the methods of `Model` that attach them.
+
+Polynomials are re-expanded in exact arithmetic, so that terms of a million newtons that cancel to a hundred lose no
+digits.  Imports numpy, the errors, the generated table's sizes and the checked inputs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from math import comb
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from flexel.checks import not_negative, positive
+from flexel.errors import ModelError
+from flexel.generated.table import LAWS
+from flexel.inputs import array, number
+from flexel.structure import Array
+
+if TYPE_CHECKING:
+    from flexel.model import Model
+
+_SIZES = {z.name: z.size for z in LAWS["spring_curve"].parameters}
+PIECES = _SIZES["origins"]
+TERMS = _SIZES["coefficients"] // PIECES
+NEVER = 1e300  # break that is never reached
+CONTINUOUS = 1e-6  # largest jump at a break, relative to the largest force at the breaks: rounded data pass
+
+
+@dataclass(frozen=True)
+class Curve:
+    """A force as polynomials in pieces; beyond its ends the first and last piece go on.
+
+    Parameters
+    ----------
+    pieces : sequence of sequences of float
+        Coefficients of each piece in rising powers of x, at most `TERMS`.
+    breaks : sequence of float
+        Where the next piece begins, one fewer than pieces.
+
+    Raises
+    ------
+    ModelError
+        Too many pieces or powers, breaks that do not rise, a jump at a break.
+
+    Examples
+    --------
+    A spring of 30 kN/m with a stop of 10 MN/m from 7 cm on:
+
+    >>> import flexel as fx
+    >>> spring = fx.Curve([[0, 3e4], [3e4 * 0.07 - 1e7 * 0.07, 1e7]], breaks=[0.07])
+    >>> round(spring(0.08))
+    102100
+    """
+
+    pieces: Sequence[Sequence[float]]
+    breaks: Sequence[float] = ()
+
+    def __post_init__(self) -> None:
+        breaks = array(self.breaks, "curve", "breaks")
+        if not 1 <= len(self.pieces) <= PIECES or breaks.shape != (len(self.pieces) - 1,):
+            raise ModelError(
+                f"curve: {len(self.pieces)} pieces and {breaks.size} breaks; give 1 to {PIECES} pieces and a break "
+                "between neighbours"
+            )
+        for i, piece in enumerate(self.pieces):
+            if not 1 <= array(piece, "curve", f"piece {i + 1}").size <= TERMS:
+                raise ModelError(f"curve: piece {i + 1} has {len(piece)} coefficients; give 1 to {TERMS}")
+        if np.any(np.diff(breaks) <= 0):
+            raise ModelError(f"curve: breaks {breaks.tolist()} do not rise; sort them")
+        sides = [[_value(piece, Fraction(float(b))) for piece in pair] for pair, b in self._joints()]
+        largest = max((abs(z) for side in sides for z in side), default=0.0)
+        for (left, right), b in zip(sides, breaks, strict=True):
+            if abs(left - right) > CONTINUOUS * largest:
+                raise ModelError(
+                    f"curve: it jumps from {left:g} to {right:g} at {b:g}; correct a coefficient there"
+                )
+
+    def _joints(self) -> list[tuple[tuple[Sequence[float], Sequence[float]], float]]:
+        """Pairs of neighbouring pieces with the break between them."""
+        return list(zip(zip(self.pieces[:-1], self.pieces[1:], strict=True), self.breaks, strict=True))
+
+    @staticmethod
+    def through(x: Any, y: Any) -> Curve:
+        """Curve through a table, with continuous slope and no overshoot; straight beyond both ends.
+
+        Parameters
+        ----------
+        x, y : array_like (n,)
+            Rising places and forces there, 2 to `PIECES` - 1 of them.
+        """
+        from scipy.interpolate import PchipInterpolator
+
+        places, values = array(x, "curve", "places"), array(y, "curve", "forces")
+        if places.ndim != 1 or places.shape != values.shape or not 2 <= places.size < PIECES:
+            raise ModelError(
+                f"curve: {places.size} places and {values.size} forces; give 2 to {PIECES - 1} of both, equally many"
+            )
+        if np.any(np.diff(places) <= 0):
+            raise ModelError(f"curve: places {places.tolist()} do not rise; sort them")
+        p = PchipInterpolator(places, values)
+        slopes = p.derivative()(places)
+        local: list[tuple[float, Sequence[float]]] = [(places[0], [values[0], slopes[0]])]
+        local += [(places[i], p.c[::-1, i].tolist()) for i in range(places.size - 1)]
+        local.append((places[-1], [values[-1], slopes[-1]]))
+        return Curve([_about_zero(c, o) for o, c in local], places.tolist())
+
+    def __call__(self, x: float) -> float:
+        """Force at x."""
+        piece = self.pieces[int(np.searchsorted(np.asarray(self.breaks), x, side="right"))]
+        return _value(piece, Fraction(float(x)))
+
+    def parameters(self, at: float) -> dict[str, Array]:
+        """Parameters of the laws ``spring_curve`` and ``damper_curve`` in y = x - at."""
+        breaks = np.array(self.breaks, dtype=float)
+        origins = np.concatenate([breaks[:1] if breaks.size else [at], breaks])
+        c = np.zeros((PIECES, TERMS))
+        for i, piece in enumerate(self.pieces):
+            terms = _expanded(piece, Fraction(float(origins[i])))
+            c[i, : len(terms)] = [float(z) for z in terms]
+        filled = np.full(PIECES, origins[-1] - at)
+        filled[: origins.size] = origins - at
+        ends = np.full(PIECES - 1, NEVER)
+        ends[: breaks.size] = breaks - at
+        return {
+            "breaks": ends,
+            "origins": filled,
+            "coefficients": c.ravel(),
+            "stored": self._stored(at, origins),
+        }
+
+    def _stored(self, at: float, origins: Array) -> Array:
+        """Energy at the origins of the pieces; zero at x = at."""
+        U = np.zeros(PIECES)
+
+        def gained(i: int, a: float, b: float) -> float:
+            primitive = [Fraction(0), *(Fraction(float(z)) / (k + 1) for k, z in enumerate(self.pieces[i]))]
+            return float(_sum(primitive, Fraction(float(b))) - _sum(primitive, Fraction(float(a))))
+
+        for i in range(1, origins.size):  # the first piece's origin is the first break too
+            U[i] = U[i - 1] + (gained(i - 1, origins[i - 1], origins[i]) if i > 1 else 0.0)
+        home = int(np.searchsorted(np.asarray(self.breaks), at, side="right"))
+        return np.asarray(U - (U[home] + gained(home, origins[home], at)))
+
+
+def _sum(piece: Sequence[Any], x: Fraction) -> Fraction:
+    return sum((Fraction(z) * x**k for k, z in enumerate(piece)), Fraction(0))
+
+
+def _value(piece: Sequence[float], x: Fraction) -> float:
+    """Value of a polynomial without rounding before the end."""
+    return float(_sum([Fraction(float(z)) for z in piece], x))
+
+
+def _expanded(piece: Sequence[Any], origin: Fraction) -> list[Fraction]:
+    """Exact coefficients of a polynomial in powers of x - origin."""
+    exact = [Fraction(z) if isinstance(z, Fraction) else Fraction(float(z)) for z in piece]
+    return [
+        sum((exact[i] * comb(i, k) * origin ** (i - k) for i in range(k, len(exact))), Fraction(0))
+        for k in range(len(exact))
+    ]
+
+
+def _about_zero(piece: Sequence[float], origin: float) -> list[float]:
+    return [float(z) for z in _expanded(piece, -Fraction(float(origin)))]
+
+
+def spring_curve(self: Model, name: str, curve: Curve, at: float = 0.0) -> None:
+    """Attach a spring σ = curve(at + e) to a deformation, which becomes free.
+
+    Parameters
+    ----------
+    at : float
+        The curve's variable where the deformation is zero, such as the length of a strut as drawn.
+    """
+    owner = f"spring curve on '{name}'"
+    values: dict[str, Any] = {**_checked(curve, owner).parameters(number(at, owner, "at"))}
+    self.attach("spring_curve", [name], **values)
+
+
+def damper_curve(self: Model, name: str, curve: Curve) -> None:
+    """Attach a damper σ = curve(ė) to a deformation, which becomes free.
+
+    Raises
+    ------
+    ModelError
+        If the force at rest is not zero.
+    """
+    values: dict[str, Any] = {**_checked(curve, f"damper curve on '{name}'").parameters(0.0)}
+    if curve(0.0):
+        raise ModelError(
+            f"damper curve on '{name}': it gives {curve(0.0):g} at rest; a damper gives nothing there"
+        )
+    del values["stored"]
+    self.attach("damper_curve", [name], **values)
+
+
+def stop(self: Model, name: str, gap: float, stiffness: float, damping: float = 0.0) -> None:
+    """Attach a one-sided stop to a deformation: σ = stiffness (e - gap) (1 + damping ė) beyond the gap, never pulling.
+
+    Parameters
+    ----------
+    gap : float
+        Deformation at which it is touched.
+    stiffness : float
+        [N/m or N m/rad]
+    damping : float
+        Loss relative to the elastic force, for unit rate [s/m or s/rad].
+    """
+    owner = f"stop on '{name}'"
+    self.attach(
+        "stop",
+        [name],
+        gap=number(gap, owner, "gap"),
+        stiffness=positive(stiffness, owner, "stiffness"),
+        damping=not_negative(damping, owner, "damping"),
+    )
+
+
+def _checked(curve: object, owner: str) -> Curve:
+    if not isinstance(curve, Curve):
+        raise ModelError(
+            f"{owner}: {curve!r} is no curve; give fx.Curve(pieces, breaks) or fx.Curve.through(x, y)"
+        )
+    return curve
