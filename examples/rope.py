@@ -1,7 +1,8 @@
 """Ropes beside closed forms: hanging, over drums and sheaves, striking a plane.
 
 `reproduce` gives the relative error of each problem on its finest mesh, with the order of convergence.
-Imports flexel; the problems are in `flexel.examples.rope_hanging`, `rope_waves`, `rope_sheaves` and `rope_hoists`.
+Imports flexel; the problems are in `flexel.examples.rope_hanging`, `rope_waves`, `rope_swings`,
+`rope_sheaves` and `rope_hoists`.
 """
 
 from __future__ import annotations
@@ -11,10 +12,11 @@ from pathlib import Path
 from flexel.examples import rope_hanging as hanging
 from flexel.examples import rope_hoists as hoists
 from flexel.examples import rope_sheaves as sheaves
+from flexel.examples import rope_swings as swings
 from flexel.examples import rope_waves as waves
 from flexel.report import Report
 
 
 def reproduce(out: Path | None = None) -> Report:
     """All problems beside their closed forms; figures in `out`, if given."""
-    return Report("rope", [*hanging.rows(), *waves.rows(), *sheaves.rows(), *hoists.rows()])
+    return Report("rope", [*hanging.rows(), *waves.rows(), *swings.rows(), *sheaves.rows(), *hoists.rows()])

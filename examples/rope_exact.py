@@ -7,12 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
 from scipy.integrate import quad, solve_ivp
-from scipy.optimize import fsolve
-from scipy.special import jn_zeros
+from scipy.optimize import brentq, fsolve
+from scipy.special import jn_zeros, jv, yv
 
 from flexel.structure import Array
 
@@ -54,28 +55,31 @@ class Catenary:
         y = w * s / self.EA * (V / w - s / 2) + (np.hypot(H, V) - np.hypot(H, V - w * s)) / w
         return float(x), -float(y)
 
-    def greens(self) -> Array:
-        """Horizontal force and tensions at both ends (3,) for Green's strain, T = EA λ (λ² - 1)/2.
+    def greens(self) -> tuple[Array, Array]:
+        """Horizontal force and tensions at both ends (3,), and the place (2,) of the middle of the rope.
 
-        By quadrature and root finding; it differs from the closed form by 3/2 of the strain.
+        For Green's strain, T = EA λ (λ² - 1)/2, by quadrature and root finding; it differs from the closed form by 3/2
+        of the strain.
         """
 
         def stretch(T: float) -> float:
             return float(max(np.roots([0.5, 0, -0.5, -T / self.EA]).real))
 
-        def miss(unknown: Any) -> list[float]:
-            H, V = unknown
+        def place(H: float, V: float, length: float) -> Array:
+            def slope(s: float, across: bool) -> float:
+                up = V - self.w * s
+                T = float(np.hypot(H, up))
+                return stretch(T) * (-up if across else H) / T
 
-            def slope(s: float, force: Callable[[float], float]) -> float:
-                T = float(np.hypot(H, V - self.w * s))
-                return stretch(T) * force(s) / T
+            found = [quad(slope, 0, length, z, epsabs=1e-13, epsrel=1e-13)[0] for z in (False, True)]
+            return np.array(found)
 
-            x = quad(lambda s: slope(s, lambda s: H), 0, self.L0, epsabs=1e-13, epsrel=1e-13)[0]
-            y = quad(lambda s: slope(s, lambda s: self.w * s - V), 0, self.L0, epsabs=1e-13, epsrel=1e-13)[0]
-            return [x - self.l, y - self.h]
+        def miss(unknown: Any) -> Array:
+            return place(*unknown, self.L0) - (self.l, self.h)
 
         H, V = fsolve(miss, [self.H, self.V], xtol=1e-14)
-        return np.array([H, np.hypot(H, V), np.hypot(H, V - self.w * self.L0)])
+        forces = np.array([H, np.hypot(H, V), np.hypot(H, V - self.w * self.L0)])
+        return forces, place(H, V, self.L0 / 2)
 
 
 # sag of a tenth of the span, supports at different heights
@@ -85,6 +89,39 @@ CATENARY = Catenary(10.0, 3.0, 12.0, 19.62, 1e5, 101.2854789775084, 78.413151726
 def chain_frequencies(length: float, count: int) -> Array:
     """Frequencies (count,) [rad/s] of a chain that hangs from one end: zeros of the Bessel function J0."""
     return np.asarray(jn_zeros(0, count) / 2 * np.sqrt(G / length))
+
+
+def loaded_chain_frequencies(length: float, share: float, count: int) -> Array:
+    """Frequencies (count,) [rad/s] of a hanging chain with a payload of 1/share of its mass at its end.
+
+    Shapes are A J0(z) + B Y0(z) with z = 2 ω sqrt((y + l)/g) at a height y over the payload and l = length/share; the
+    top is at rest, and the payload swings like the last of the chain: J2(z₀) Y0(z₁) = Y2(z₀) J0(z₁).
+    """
+    l = length / share
+
+    def residual(omega: float) -> float:
+        z = 2 * omega * np.sqrt(np.array([l, l + length]) / G)
+        return float(jv(2, z[0]) * yv(0, z[1]) - yv(2, z[0]) * jv(0, z[1]))
+
+    step = (
+        np.pi / 8 / (2 * (np.sqrt(l + length) - np.sqrt(l)) / np.sqrt(G))
+    )  # far less than between two roots
+    grid = step * np.arange(1, 8 * (count + 2))
+    found = [brentq(residual, a, b, xtol=1e-14) for a, b in pairwise(grid) if residual(a) * residual(b) < 0]
+    return np.array(found[:count])
+
+
+def stretched_frequencies(share: float, count: int) -> Array:
+    """Frequencies (count,) along a rope of a share of its payload's mass, in units of sqrt(k/payload).
+
+    beta tan beta = share, frequency beta/sqrt(share); a third of the rope's mass added to the payload gives nearly the
+    first, 1/sqrt(1 + share/3).
+    """
+    roots = [
+        brentq(lambda z: z * np.sin(z) - share * np.cos(z), k * np.pi, (k + 0.5) * np.pi, xtol=1e-15)
+        for k in range(count)
+    ]
+    return np.array(roots) / np.sqrt(share)
 
 
 def atwood_fall(

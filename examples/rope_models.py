@@ -36,11 +36,13 @@ def hanging_between(
     return m.build()
 
 
-def hanging_chain(n: int, length: float = 2.0) -> fx.System:
-    """A chain that hangs from one end, nearly inextensible."""
+def hanging_chain(n: int, length: float = 2.0, payload: float = 0.0) -> fx.System:
+    """A chain of 1.5 kg/m that hangs from one end, nearly inextensible, with a payload [kg] at the other."""
     m = fx.Model(gravity=(0, -G))
     rope = m.cable_line("rope", [(0, 0), (0, -length)], n, EA=1e8, EI=0.0, mass_per_length=1.5)
     m.fix(rope.points[0])
+    if payload:
+        m.point_mass("payload", rope.points[-1], payload)
     return m.build()
 
 
@@ -62,6 +64,14 @@ def swinging(n: int) -> fx.System:
     end = (np.sin(0.5), -np.cos(0.5))
     rope = m.cable_line("rope", [(0, 0), end], n, EA=500.0, EI=0.05, mass_per_length=0.4)
     m.fix(rope.points[0])
+    return m.build()
+
+
+def falling(n: int, E: float, L: float, A: float, I: float, rho: float) -> fx.System:
+    """A rod that hangs from a pin at one end, released from the horizontal."""
+    m = fx.Model(gravity=(0, -G))
+    rod = m.cable_line("rod", [(0, 0), (L, 0)], n, EA=E * A, EI=E * I, mass_per_length=rho * A)
+    m.fix(rod.points[0])
     return m.build()
 
 
@@ -160,13 +170,13 @@ def winding_hoist(n: int, speed: float) -> tuple[fx.System, RunUp]:
     """A load of 1000 kg that is released on 10 m of unstretched rope; a drum of radius 0.2 m winds it up from 1 s on.
 
     The rope weighs and bends next to nothing, and sticks to the drum.  Its first metre, more than what is wound up in
-    3 s, has n elements, the rest nine.
+    3 s, has n elements, the rest three.
     """
     m, R, L = fx.Model(gravity=(0, -G)), 0.2, 10.0
     turning_wheel(m, radius=R - THIN)
     load = m.point("load", (R, -L))
     m.point_mass("mass", load, 1000.0)
-    at = np.concatenate([np.linspace(0, 1 / L, n + 1), np.linspace(1 / L, 1, 10)[1:]])
+    at = np.concatenate([np.linspace(0, 1 / L, n + 1), np.linspace(1 / L, 1, 4)[1:]])
     rope = m.cable_line(
         "rope", [(R, 0), (R, -L)], at=at, end=load, EA=1e7, EI=1e-3, mass_per_length=0.01,
         damping=0.04 / np.sqrt(1e7 / (L * 1000.0)),

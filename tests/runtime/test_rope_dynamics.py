@@ -1,13 +1,14 @@
-"""Cables in motion: tension waves, suddenly applied loads, the falling flexible pendulum, energy."""
+"""Cables in motion beside the data as published: tension waves, sudden loads, the falling flexible pendulum, energy."""
 
 import json
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 
 import flexel as fx
+from flexel.examples import rope_data, rope_models
+from flexel.examples import rope_swings as swings
 from flexel.examples import rope_waves as waves
 
 FOLDER = Path(__file__).parents[1] / "data"
@@ -15,63 +16,43 @@ DATA = json.loads((FOLDER / "rope_analytic.json").read_text())
 PENDULUM = json.loads((FOLDER / "flexible_pendulum.json").read_text())
 
 
-def test_suddenly_pulled_end_moves_in_a_triangular_wave_and_the_support_sees_0_and_2F() -> None:
-    """The wave runs at c = sqrt(EA/rhoA): first news at the support after L/c, period 4 L/c, amplitude 2 F L/EA."""
-    t, tip, support = waves.pulled(20)
-    assert tip == pytest.approx(1 - abs(1 - np.remainder(t, 1) * 2), abs=0.02)
-    for share, force in ((0.15, 0.0), (0.5, 2.0), (1.0, 0.0), (1.5, 2.0)):
-        assert support[abs(t - share) < 0.1].mean() == pytest.approx(force, abs=0.03)
+def test_tension_pulse_is_reflected_by_a_lighter_rope_with_the_other_sign() -> None:
+    """(Z₂ - Z₁)/(Z₂ + Z₁) = -1/3 of it comes back."""
+    t, T, exact = waves.pulse(20, 0.25)
+    assert exact.min() == pytest.approx(-1 / 3, abs=1e-3)
+    assert abs(T - exact).max() < 2e-3
+    assert T[t > 1.6].min() == pytest.approx(-1 / 3, abs=1e-3)
 
 
-@pytest.mark.parametrize("ratio", [0.25, 4.0])
-def test_tension_pulse_is_reflected_by_another_rope(ratio: float) -> None:
-    """A pulled end sends a wave T = Z v; at a rope of impedance Z₂ the part (Z₂ - Z₁)/(Z₂ + Z₁) comes back."""
-    before, after = waves.reflected(ratio)
-    R = (np.sqrt(ratio) - 1) / (np.sqrt(ratio) + 1)
-    assert before == pytest.approx(1, rel=0.01)
-    assert after == pytest.approx(1 + R, rel=0.02)
-
-
-def test_sudden_load_on_a_light_rope_has_the_factor_of_the_oscillator() -> None:
-    """Factor 1 + exp(-pi zeta/sqrt(1 - zeta²)), two without damping."""
+def test_factors_of_sudden_loads_are_those_of_the_tables() -> None:
     table = {row["zeta"]: row["DLF"] for row in DATA["sudden_load_massless_rope"]["table"]}
     assert tuple(table) == waves.DAMPING_RATIOS
-    for zeta, factor in table.items():
-        assert waves.oscillator_factor(zeta) == pytest.approx(factor, rel=1e-12)
-        assert waves.light_rope_factor(zeta) == pytest.approx(factor, rel=1e-3)
-    period = 2 * np.pi * np.sqrt(1.0 / 1e4)
-    assert waves.sudden_load(1.0, 1e-6, 1, 0.7 * period, period / 200)[0].max() == pytest.approx(
-        2.0, rel=1e-3
-    )
-
-
-def test_sudden_load_on_a_rope_with_mass() -> None:
-    """Largest tension at the top within 40 passages of the wave, from the series of 300 modes."""
+    assert [waves.oscillator_factor(z) for z in table] == pytest.approx(list(table.values()), rel=1e-12)
     rows = DATA["rope_with_mass_and_payload"]["rows"][:3]
     assert [(row["mu"], row["DLF_top_40L_over_c"]) for row in rows] == list(waves.HEAVY)
-    for share, factor in waves.HEAVY:
-        assert waves.heavy_rope_factor(share) == pytest.approx(factor, rel=0.01)
 
 
-def pendulum(case: dict[str, Any], n: int) -> fx.System:
-    data = PENDULUM["data"]
-    m = fx.Model(gravity=(0, -data["g"]))
-    given = {"EA": case["EA"], "EI": case["EI"], "mass_per_length": data["rho"] * data["A"]}
-    rope = m.cable_line("rod", [(0, 0), (data["L"], 0)], n, **given)
-    m.fix(rope.points[0])
-    return m.build()
+def test_force_of_a_light_rope_is_twice_the_sudden_load() -> None:
+    period = 2 * np.pi * np.sqrt(1.0 / 1e4)
+    force, _ = waves.sudden_load(1.0, 1e-6, 1, 0.7 * period, period / 200)
+    assert force.max() == pytest.approx(2.0, rel=1e-3)
 
 
-@pytest.mark.parametrize("case", PENDULUM["cases"][1:], ids=lambda case: f"E{case['E']:g}")
-def test_falling_flexible_pendulum(case: dict[str, Any]) -> None:
-    """Tip history of the planar pendulum of the literature, against a solution by assumed modes."""
-    rows = [row for row in case["reference"] if row["t"] <= 1.0]
-    n = 8
-    motion = waves.steps(pendulum(case, n), rows[-1]["t"], 1e-3)
-    tip = np.array([state.position(f"rod_p{n}") for state in motion])[::50]
-    exact = np.array([row["tip"] for row in rows])
-    length = PENDULUM["data"]["L"]
-    assert np.linalg.norm(tip - exact, axis=1).max() < 0.002 * length
+def test_pendulum_has_the_data_of_the_table() -> None:
+    assert {key: PENDULUM["data"][key] for key in rope_data.PENDULUM} == rope_data.PENDULUM
+    assert PENDULUM["data"]["g"] == rope_models.G
+    table = {
+        case["E"]: [row["tip"] for row in case["reference"] if row["t"] <= 1.0]
+        for case in PENDULUM["cases"][1:]
+    }
+    assert set(table) == set(rope_data.TIPS)
+    for E, tips in table.items():
+        assert rope_data.TIPS[E] == pytest.approx(np.array(tips), abs=1e-6)
+
+
+def test_softer_pendulum_follows_the_assumed_modes_as_closely_as_these_converge() -> None:
+    case = PENDULUM["cases"][2]
+    assert swings.pendulum_error(8, case["E"]) < 2 * case["mode_convergence"]
 
 
 def test_energy_is_kept_without_damping() -> None:

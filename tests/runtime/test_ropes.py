@@ -47,13 +47,22 @@ def test_taut_rope_is_laid_nearly_in_equilibrium(resting: tuple[fx.State, Rope])
 
 
 def test_tension_of_a_smooth_rope_is_uniform(resting: tuple[fx.State, Rope]) -> None:
-    """In the straight parts to rounding, over the sheave as far as the mesh of half a radius allows."""
+    """In the straight parts to rounding; over the sheave the mean of each element.
+
+    Where the rope begins to touch, its curvature jumps within an element, which the cubic cannot follow: there the
+    tension at single Gauss points is off by some per cent, on finer meshes too until an element is as short as the
+    length over which the bending stiffness spreads the jump, sqrt(EI/T).
+    """
     state, rope = resting
     s, tension = rope.tension(state)
     assert s.shape == tension.shape == (4 * 28,)
     assert np.all(np.diff(s) > 0)
     assert tension[[0, -1]] == pytest.approx(tension[0], rel=1e-6)
-    assert tension == pytest.approx(np.full(s.size, tension[0]), rel=0.03)
+    means = tension.reshape(-1, 4) @ np.polynomial.legendre.leggauss(4)[1] / 2
+    assert means == pytest.approx(np.full(28, tension[0]), rel=6e-3)
+    inside = abs(s / rope.s[-1] - 0.5) < 0.35 * np.pi * R / rope.s[-1]
+    assert tension[inside] == pytest.approx(np.full(inside.sum(), tension[0]), rel=1e-2)
+    assert tension == pytest.approx(np.full(s.size, tension[0]), rel=0.05)
 
 
 def test_contact_forces_hold_both_ends(resting: tuple[fx.State, Rope]) -> None:
@@ -75,12 +84,13 @@ def test_wrap_angle_is_that_of_the_path(resting: tuple[fx.State, Rope]) -> None:
 
 
 def test_slip_is_the_speed_of_the_sheave_under_a_rope_that_rests() -> None:
+    """Both are compared at the rope's centre line, where its friction acts too."""
     m, rope = over_a_sheave(turning=2.0)
     state = m.build().initial
     s, slip = rope.slip(state, "S")
     touching = rope.contact_force(state, "S")[1] > 0
     assert touching.sum() > 20
-    assert abs(slip[touching]) == pytest.approx(np.full(touching.sum(), 2.0 * R), rel=2e-3)
+    assert abs(slip[touching]) == pytest.approx(np.full(touching.sum(), 2.0 * (R + THIN)), rel=1e-3)
     assert np.all(slip[~touching] == 0)
     assert s.shape == slip.shape
 

@@ -1,0 +1,28 @@
+"""Rows of the table of rope problems: errors on meshes that double, with the observed order of convergence.
+
+Imports flexel.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from flexel.examples.convergence import order
+from flexel.report import Quantity
+
+
+def over_meshes(
+    name: str,
+    error: Callable[[int], float],
+    meshes: Sequence[int],
+    tolerance: float,
+    source: str,
+    counted: str = "elements",
+) -> Quantity:
+    """The row of a relative error on the finest of some meshes that double, with the observed order.
+
+    `counted` is the name in the JSON of what the meshes count, for instance steps.
+    """
+    errors = [error(n) for n in meshes]
+    more = {counted: meshes[-1], "order": order(errors), "meshes": list(meshes), "errors": errors}
+    return Quantity(name, errors[-1], 0.0, tolerance, "", source, more)
