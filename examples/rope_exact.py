@@ -58,24 +58,24 @@ class Catenary:
     def greens(self) -> tuple[Array, Array]:
         """Horizontal force and tensions at both ends (3,), and the place (2,) of the middle of the rope.
 
-        For Green's strain, T = EA λ (λ² - 1)/2, by quadrature and root finding; it differs from the closed form by 3/2
-        of the strain.
+        For Green's strain, T = EA λ (λ² - 1)/2, which is stiffer by 3/2 of the strain; by quadrature and root finding.
         """
 
         def stretch(T: float) -> float:
             return float(max(np.roots([0.5, 0, -0.5, -T / self.EA]).real))
 
         def place(H: float, V: float, length: float) -> Array:
-            def slope(s: float, across: bool) -> float:
-                up = V - self.w * s
-                T = float(np.hypot(H, up))
-                return stretch(T) * (-up if across else H) / T
+            def slope(s: float, force: Callable[[float], float]) -> float:
+                T = float(np.hypot(H, V - self.w * s))
+                return stretch(T) * force(s) / T
 
-            found = [quad(slope, 0, length, z, epsabs=1e-13, epsrel=1e-13)[0] for z in (False, True)]
-            return np.array(found)
+            x = quad(lambda s: slope(s, lambda s: H), 0, length, epsabs=1e-13, epsrel=1e-13)[0]
+            y = quad(lambda s: slope(s, lambda s: self.w * s - V), 0, length, epsabs=1e-13, epsrel=1e-13)[0]
+            return np.array([x, y])
 
         def miss(unknown: Any) -> Array:
-            return place(*unknown, self.L0) - (self.l, self.h)
+            H, V = unknown
+            return np.asarray(place(H, V, self.L0) - (self.l, self.h))
 
         H, V = fsolve(miss, [self.H, self.V], xtol=1e-14)
         forces = np.array([H, np.hypot(H, V), np.hypot(H, V - self.w * self.L0)])
@@ -104,9 +104,9 @@ def loaded_chain_frequencies(length: float, share: float, count: int) -> Array:
         return float(jv(2, z[0]) * yv(0, z[1]) - yv(2, z[0]) * jv(0, z[1]))
 
     step = (
-        np.pi / 8 / (2 * (np.sqrt(l + length) - np.sqrt(l)) / np.sqrt(G))
-    )  # far less than between two roots
-    grid = step * np.arange(1, 8 * (count + 2))
+        np.pi / 16 * np.sqrt(G) / (np.sqrt(l + length) - np.sqrt(l))
+    )  # an eighth of that between high roots
+    grid = step * np.append(1e-6, np.arange(1, 8 * (count + 2)))
     found = [brentq(residual, a, b, xtol=1e-14) for a, b in pairwise(grid) if residual(a) * residual(b) < 0]
     return np.array(found[:count])
 
@@ -121,7 +121,7 @@ def stretched_frequencies(share: float, count: int) -> Array:
         brentq(lambda z: z * np.sin(z) - share * np.cos(z), k * np.pi, (k + 0.5) * np.pi, xtol=1e-15)
         for k in range(count)
     ]
-    return np.array(roots) / np.sqrt(share)
+    return np.asarray(np.array(roots) / np.sqrt(share))
 
 
 def atwood_fall(

@@ -122,6 +122,7 @@ def test_winding_hoist_lifts_as_with_one_freedom() -> None:
     assert min(orders(rows).values()) > 1.5
 
 
+@pytest.mark.slow
 def test_tackle_has_the_advantage_the_speed_ratio_and_the_efficiency_of_its_falls() -> None:
     rows = hoists.tackle()
     assert failures(rows) == []

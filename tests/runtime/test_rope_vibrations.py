@@ -20,7 +20,7 @@ def test_closed_forms_are_those_of_the_tables() -> None:
     assert chain_frequencies(2.0, 4) == pytest.approx(np.array(chain) * np.sqrt(G / 2.0), rel=1e-12)
     for row in DATA["rope_with_mass_and_payload"]["rows"]:
         exact = np.array(row["beta_1_2_3"]) / np.sqrt(row["mu"])
-        assert stretched_frequencies(row["mu"], 3) == pytest.approx(exact, rel=1e-12)
+        assert stretched_frequencies(row["mu"], 3) == pytest.approx(exact, rel=2e-12)  # of the table
         assert 1 / np.sqrt(1 + row["mu"] / 3) == pytest.approx(row["Rayleigh"], rel=1e-12)
 
 
