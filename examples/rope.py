@@ -19,4 +19,10 @@ from flexel.report import Report
 
 def reproduce(out: Path | None = None) -> Report:
     """All problems beside their closed forms; figures in `out`, if given."""
-    return Report("rope", [*hanging.rows(), *waves.rows(), *swings.rows(), *sheaves.rows(), *hoists.rows()])
+    rows = [*hanging.rows(), *waves.rows(), *swings.rows(), *sheaves.rows(), *hoists.rows()]
+    files: list[Path] = []
+    if out is not None:
+        from flexel.examples.rope_figures import pictures
+
+        files = pictures(rows, out)
+    return Report("rope", rows, files)

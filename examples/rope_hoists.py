@@ -62,9 +62,9 @@ def hoist() -> list[Quantity]:
     free, taut = f"{TAKEN}undeformed rope", f"{TAKEN}the rope as it is stretched"
     return [
         Quantity("winding_hoist_error", depth, 0.0, 2e-3, "", f"depth over the lift, {free}", more),
-        Quantity("winding_hoist_tension_error", tension, 0.0, 0.05, "mg", free, more),
-        over_meshes("winding_hoist_stretched_error", lambda n: hoist_errors(n, True)[0], MESHES, 1e-3, taut),
-        over_meshes("winding_hoist_stretched_tension_error", lambda n: hoist_errors(n, True)[1], MESHES, 0.05, taut),
+        Quantity("winding_hoist_tension_error", tension, 0.0, 0.04, "mg", free, more),
+        over_meshes("winding_hoist_stretched_error", lambda n: hoist_errors(n, True)[0], MESHES, 5e-4, taut),
+        over_meshes("winding_hoist_stretched_tension_error", lambda n: hoist_errors(n, True)[1], MESHES, 0.04, taut),
     ]  # fmt: skip
 
 

@@ -150,9 +150,9 @@ def rows() -> list[Quantity]:
     shares = [z for z, _ in HEAVY]
     lowest = [float(axial_frequencies(z, 4)[0]) for z in shares]
     return [
-        over_meshes("wave_speed_error", lambda n: pulse_errors(n)[1], PULSE, 1e-3, "sqrt(EA/rhoA), of a pulse"),
+        over_meshes("wave_speed_error", lambda n: pulse_errors(n)[1], PULSE, 1e-5, "sqrt(EA/rhoA), of a pulse"),
         over_meshes("wave_pulse_error", lambda n: pulse_errors(n)[0], PULSE, 1e-3, "d'Alembert, over the peak"),
-        over_meshes("wave_reflection_error", lambda n: pulse_errors(n)[2], PULSE, 1e-3, "(Z2 - Z1)/(Z2 + Z1) = 1/3"),
+        over_meshes("wave_reflection_error", lambda n: pulse_errors(n)[2], PULSE, 5e-4, "(Z2 - Z1)/(Z2 + Z1) = 1/3"),
         over_meshes("wave_tip_error", triangle_error, (10, 20, 40), 0.01, "pulled suddenly: triangle of period 4 L/c"),
         Quantity("wave_support_force", forces, (0.0, 2.0, 0.0, 2.0), 0.015, "F", "0 and 2 F in turn", {"elements": 20}),
         over_meshes("sudden_load_error", light_rope_error, (10, 20, 40), 1e-3,
