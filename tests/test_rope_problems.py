@@ -133,3 +133,12 @@ def test_rope_slides_off_an_edge_as_the_closed_form_says() -> None:
     rows = hoists.edge()
     assert failures(rows) == []
     assert orders(rows)["sliding_rope_error"] > 3
+
+
+@pytest.mark.slow
+def test_figures_are_written(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib", reason="pictures need matplotlib: pip install 'flexel[plot]'")
+    from flexel.examples.rope_figures import pictures
+
+    for file in pictures(hanging.rows(), tmp_path):
+        assert file.stat().st_size > 10_000

@@ -126,6 +126,7 @@ def test_bristles_hold_a_rope_that_is_pulled_less_than_the_capstan_allows() -> N
         ({"n": 6}, "cannot follow a sheave of radius 0.1 m; it takes 12 elements at least, 23 for"),
         ({"n": 0}, "n = 0 elements"),
         ({"EA": -1.0}, "EA -1 is not positive"),
+        ({"EI": -1.0}, "EI -1 is negative"),
         ({"EA": None}, "EA or a section is missing"),
         ({"tension": None, "length": 2.0}, "% more than its path, so that it hangs slack"),
         ({"length": 1.0}, "both length and tension"),
