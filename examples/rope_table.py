@@ -17,12 +17,13 @@ def over_meshes(
     meshes: Sequence[int],
     tolerance: float,
     source: str,
-    counted: str = "elements",
+    stepped: int = 0,
 ) -> Quantity:
     """The row of a relative error on the finest of some meshes that double, with the observed order.
 
-    `counted` is the name in the JSON of what the meshes count, for instance steps.
+    Where the meshes count steps, `stepped` is the number of elements that are integrated with them.
     """
     errors = [error(n) for n in meshes]
-    more = {counted: meshes[-1], "order": order(errors), "meshes": list(meshes), "errors": errors}
+    finest = {"elements": stepped, "steps": meshes[-1]} if stepped else {"elements": meshes[-1]}
+    more = {**finest, "order": order(errors), "meshes": list(meshes), "errors": errors}
     return Quantity(name, errors[-1], 0.0, tolerance, "", source, more)

@@ -156,7 +156,7 @@ def rows() -> list[Quantity]:
         over_meshes("wave_tip_error", triangle_error, (10, 20, 40), 0.01, "pulled suddenly: triangle of period 4 L/c"),
         Quantity("wave_support_force", forces, (0.0, 2.0, 0.0, 2.0), 0.015, "F", "0 and 2 F in turn", {"elements": 20}),
         over_meshes("sudden_load_error", light_rope_error, (10, 20, 40), 1e-3,
-                    "1 + exp(-pi zeta/sqrt(1 - zeta²)), zeta 0 to 0.2; steps in a period", "steps"),
+                    "1 + exp(-pi zeta/sqrt(1 - zeta²)), zeta 0 to 0.2; steps in a period", 1),
         Quantity("sudden_load_factor", light_rope_factor(0.0, 40), 2.0, 1e-4, "", "2, undamped", {"elements": 1}),
         Quantity("sudden_load_heavy_rope", heavy, [z for _, z in HEAVY], 0.01, "", SERIES,
                  {"elements": 8, "rope_over_payload": shares}),
