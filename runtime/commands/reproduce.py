@@ -21,6 +21,7 @@ CASES = {
     "cardan": "flexel.examples.cardan",
     "slider-crank": "flexel.examples.slider_crank",
     "flexures": "flexel.examples.flexures",
+    "rope": "flexel.examples.rope",
     "hoist": "flexel.examples.hoist",
     "vehicle": "flexel.examples.vehicle",
     "motorcycle": "flexel.examples.motorcycle",

@@ -1,138 +1,58 @@
-"""Cables in motion: tension waves, suddenly applied loads, the falling flexible pendulum, energy."""
+"""Cables in motion beside the data as published: tension waves, sudden loads, the falling flexible pendulum, energy."""
 
 import json
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
 
 import flexel as fx
-from flexel.cables import cable_tension
+from flexel.examples import rope_data, rope_models
+from flexel.examples import rope_swings as swings
+from flexel.examples import rope_waves as waves
 
 FOLDER = Path(__file__).parents[1] / "data"
 DATA = json.loads((FOLDER / "rope_analytic.json").read_text())
 PENDULUM = json.loads((FOLDER / "flexible_pendulum.json").read_text())
 
 
-def steps(system: fx.System, duration: float, h: float) -> fx.Motion:
-    """Integrate with constant implicit steps: the tolerance is so loose that it never shortens one."""
-    samples = round(duration / h) + 1
-    return system.simulate_stiff(
-        duration, samples=samples, tolerance=1e9, first_step=h, max_step=h, radius=0.9, progress=False
-    )
+def test_tension_pulse_is_reflected_by_a_lighter_rope_with_the_other_sign() -> None:
+    """(Z₂ - Z₁)/(Z₂ + Z₁) = -1/3 of it comes back."""
+    t, T, exact = waves.pulse(20, 0.25)
+    assert exact.min() == pytest.approx(-1 / 3, abs=1e-3)
+    assert abs(T - exact).max() < 2e-3
+    assert T[t > 1.6].min() == pytest.approx(-1 / 3, abs=1e-3)
 
 
-def straight(
-    n: int, L: float, *, payload: float = 0.0, EA: float, mass: float, damping: float = 0.0
-) -> fx.Model:
-    """A cable along x, fixed at its first end, that can move along x only."""
-    m = fx.Model()
-    rope = m.cable_line("rope", [(0, 0), (L, 0)], n, EA=EA, EI=0.0, mass_per_length=mass, damping=damping)
-    m.fix(rope.points[0], *(f"{z.name}.y" for z in (*rope.points[1:], *rope.slopes)))
-    if payload:
-        m.point_mass("payload", rope.points[-1], payload)
-    return m
+def test_factors_of_sudden_loads_are_those_of_the_tables() -> None:
+    table = {row["zeta"]: row["DLF"] for row in DATA["sudden_load_massless_rope"]["table"]}
+    assert tuple(table) == waves.DAMPING_RATIOS
+    assert [waves.oscillator_factor(z) for z in table] == pytest.approx(list(table.values()), rel=1e-12)
+    rows = DATA["rope_with_mass_and_payload"]["rows"][:3]
+    assert [(row["mu"], row["DLF_top_40L_over_c"]) for row in rows] == list(waves.HEAVY)
 
 
-def test_suddenly_pulled_end_moves_in_a_triangular_wave_and_the_support_sees_0_and_2F() -> None:
-    """The wave runs at c = sqrt(EA/rhoA): first news at the support after L/c, period 4 L/c, amplitude 2 F L/EA."""
-    n, L, EA, mass, F = 20, 10.0, 1e6, 1.0, 10.0
-    m = straight(n, L, EA=EA, mass=mass)
-    m.load(f"rope_p{n}.x", F)
-    T = 4 * L / np.sqrt(EA / mass)
-    motion = steps(m.build(), 1.5 * T, T / 400)
-    tip = motion[f"rope_p{n}.x"] - L
-    top = 2 * F * L / EA
-    triangle = top * (1 - abs(1 - np.remainder(motion.t / T, 1) * 2))
-    assert tip == pytest.approx(triangle, abs=0.02 * top)
-    support = np.array([-state.force("rope_p0.x") for state in motion])
-    for share, force in ((0.15, 0.0), (0.5, 2 * F), (1.0, 0.0), (1.5, 2 * F)):
-        window = abs(motion.t / T - share) < 0.1
-        assert support[window].mean() == pytest.approx(force, abs=0.03 * F)
-
-
-def test_tension_pulse_is_reflected_by_a_heavier_rope() -> None:
-    """A pulled end sends a wave T = Z v; at a rope of impedance Z₂ the part (Z₂ - Z₁)/(Z₂ + Z₁) comes back."""
-    L, EA, mass, v = 10.0, 1e6, 1.0, 1e-2
-    n, ratio = 20, 4.0  # the second rope has four times the mass: Z₂ = 2 Z₁, c₂ = c₁/2
-    m = fx.Model()
-    one = m.cable_line("one", [(0, 0), (L, 0)], n, EA=EA, EI=0.0, mass_per_length=mass)
-    two = m.cable_line(
-        "two", [(L, 0), (2 * L, 0)], n, start=one.points[-1], EA=EA, EI=0.0, mass_per_length=4 * mass
-    )
-    nodes = (*one.points, *two.points[1:], *one.slopes, *two.slopes)
-    m.fix(*(f"{z.name}.y" for z in nodes))
-    m.fix(two.points[-1])
-    c = np.sqrt(EA / mass)
-    m.prescribe("one_p0.x", lambda t: -v * t)
-    motion = steps(m.build(), 2 * L / c, L / c / 200)
-    Z1 = np.sqrt(EA * mass)
-    R = (np.sqrt(ratio) - 1) / (np.sqrt(ratio) + 1)
-    probe = np.array(
-        [cable_tension(state, "one10")[1][-1] for state in motion]
-    )  # near the middle of the first rope
-    before = probe[(motion.t * c / L > 0.7) & (motion.t * c / L < 1.2)].mean()
-    after = probe[(motion.t * c / L > 1.65) & (motion.t * c / L < 1.95)].mean()
-    assert before == pytest.approx(Z1 * v, rel=0.01)
-    assert after == pytest.approx(Z1 * v * (1 + R), rel=0.01)
-
-
-def loaded(
-    payload: float, mass: float, n: int, duration: float, h: float, zeta: float = 0.0
-) -> tuple[np.ndarray, np.ndarray]:
-    """Tension at the support and elongation over their static values, after a load is suddenly applied."""
-    L, EA, F = 1.0, 1e4, 1.0
-    omega = np.sqrt(EA / L / payload)
-    m = straight(n, L, payload=payload, EA=EA, mass=mass, damping=2 * zeta / omega)
-    m.load(f"rope_p{n}.x", F)
-    motion = steps(m.build(), duration, h)
-    return np.array([-state.force("rope_p0.x") for state in motion]) / F, (
-        motion[f"rope_p{n}.x"] - L
-    ) * EA / (F * L)
-
-
-@pytest.mark.parametrize(
-    "row", DATA["sudden_load_massless_rope"]["table"], ids=lambda row: f"zeta{row['zeta']}"
-)
-def test_sudden_load_on_a_light_rope_has_the_factor_of_the_oscillator(row: dict[str, Any]) -> None:
-    """Factor 1 + exp(-pi zeta/sqrt(1 - zeta²)), two without damping; the rope has a millionth of the payload."""
+def test_force_of_a_light_rope_is_twice_the_sudden_load() -> None:
     period = 2 * np.pi * np.sqrt(1.0 / 1e4)
-    tension, elongation = loaded(1.0, 1e-6, 1, 0.7 * period, period / 200, row["zeta"])
-    assert elongation.max() == pytest.approx(row["DLF"], rel=1e-3)
-    if row["zeta"] == 0:
-        assert tension.max() == pytest.approx(2.0, rel=1e-3)
+    force, _ = waves.sudden_load(1.0, 1e-6, 1, 0.7 * period, period / 200)
+    assert force.max() == pytest.approx(2.0, rel=1e-3)
 
 
-@pytest.mark.parametrize(
-    "row", DATA["rope_with_mass_and_payload"]["rows"][:3], ids=lambda row: f"mu{row['mu']}"
-)
-def test_sudden_load_on_a_rope_with_mass(row: dict[str, Any]) -> None:
-    """Largest tension at the top within 40 passages of the wave, from the series of 300 modes."""
-    passage = np.sqrt(row["mu"] / 1e4)
-    found = loaded(1.0, row["mu"], 8, 40 * passage, passage / 20)[0].max()
-    assert found == pytest.approx(row["DLF_top_40L_over_c"], rel=0.01)
+def test_pendulum_has_the_data_of_the_table() -> None:
+    assert {key: PENDULUM["data"][key] for key in rope_data.PENDULUM} == rope_data.PENDULUM
+    assert PENDULUM["data"]["g"] == rope_models.G
+    table = {
+        case["E"]: [row["tip"] for row in case["reference"] if row["t"] <= 1.0]
+        for case in PENDULUM["cases"][1:]
+    }
+    assert set(table) == set(rope_data.TIPS)
+    for E, tips in table.items():
+        assert rope_data.TIPS[E] == pytest.approx(np.array(tips), abs=1e-6)
 
 
-def pendulum(case: dict[str, Any], n: int) -> fx.System:
-    data = PENDULUM["data"]
-    m = fx.Model(gravity=(0, -data["g"]))
-    given = {"EA": case["EA"], "EI": case["EI"], "mass_per_length": data["rho"] * data["A"]}
-    rope = m.cable_line("rod", [(0, 0), (data["L"], 0)], n, **given)
-    m.fix(rope.points[0])
-    return m.build()
-
-
-@pytest.mark.parametrize("case", PENDULUM["cases"][1:], ids=lambda case: f"E{case['E']:g}")
-def test_falling_flexible_pendulum(case: dict[str, Any]) -> None:
-    """Tip history of the planar pendulum of the literature, against a solution by assumed modes."""
-    rows = [row for row in case["reference"] if row["t"] <= 1.0]
-    n = 8
-    motion = steps(pendulum(case, n), rows[-1]["t"], 1e-3)
-    tip = np.array([state.position(f"rod_p{n}") for state in motion])[::50]
-    exact = np.array([row["tip"] for row in rows])
-    length = PENDULUM["data"]["L"]
-    assert np.linalg.norm(tip - exact, axis=1).max() < 0.002 * length
+def test_softer_pendulum_follows_the_assumed_modes_as_closely_as_these_converge() -> None:
+    case = PENDULUM["cases"][2]
+    assert swings.pendulum_error(8, case["E"]) < 2 * case["mode_convergence"]
 
 
 def test_energy_is_kept_without_damping() -> None:

@@ -7,29 +7,30 @@ from typing import Any
 import numpy as np
 import pytest
 from scipy.optimize import brentq
-from scipy.special import jn_zeros
 
 import flexel as fx
+from flexel.examples.rope_exact import chain_frequencies, loaded_chain_frequencies, stretched_frequencies
 
 DATA = json.loads((Path(__file__).parents[1] / "data" / "rope_analytic.json").read_text())
 G = 9.81
 
 
-def hanging(n: int, L: float = 2.0) -> list[float]:
-    m = fx.Model(gravity=(0, -G))
-    rope = m.cable_line("rope", [(0, 0), (0, -L)], n, EA=1e8, EI=0.0, mass_per_length=1.5)
-    m.fix(rope.points[0])
-    return [z.frequency for z in m.build().vibrations(count=4)]
+def test_closed_forms_are_those_of_the_tables() -> None:
+    chain = [float(z) for z in DATA["hanging_chain"]["values_over_sqrt_g_L"]]
+    assert chain_frequencies(2.0, 4) == pytest.approx(np.array(chain) * np.sqrt(G / 2.0), rel=1e-12)
+    for row in DATA["rope_with_mass_and_payload"]["rows"]:
+        exact = np.array(row["beta_1_2_3"]) / np.sqrt(row["mu"])
+        assert stretched_frequencies(row["mu"], 3) == pytest.approx(exact, rel=2e-12)  # of the table
+        assert 1 / np.sqrt(1 + row["mu"] / 3) == pytest.approx(row["Rayleigh"], rel=1e-12)
 
 
-def test_hanging_chain_has_the_frequencies_of_bessels_zeros() -> None:
-    exact = jn_zeros(0, 4) / 2 * np.sqrt(G / 2.0)
-    assert exact == pytest.approx(
-        [float(z) * np.sqrt(G / 2.0) for z in DATA["hanging_chain"]["values_over_sqrt_g_L"]], rel=1e-12
-    )
-    errors = [abs(np.array(hanging(n)) / exact - 1) for n in (4, 8, 16)]
-    assert np.all(errors[2] < 1e-4)
-    assert np.all(np.log2(errors[0] / errors[1])[1:] > 3)
+def test_closed_form_of_the_loaded_chain_has_its_limits() -> None:
+    """A heavy payload makes a pendulum and taut strings of the chain, a light one leaves the chain alone."""
+    string = np.arange(1, 4) * np.pi / 2.0 * np.sqrt(G * 2.0 / 1e-6)
+    heavy = loaded_chain_frequencies(2.0, 1e-6, 4)
+    assert heavy[0] == pytest.approx(np.sqrt(G / 2.0), rel=1e-6)
+    assert heavy[1:] == pytest.approx(string, rel=1e-6)
+    assert loaded_chain_frequencies(2.0, 1e4, 3) == pytest.approx(chain_frequencies(2.0, 3), rel=1e-3)
 
 
 def taut(n: int, tension: float, EI: float, L: float = 3.0, mass: float = 0.5) -> np.ndarray:

@@ -1,0 +1,28 @@
+"""Ropes beside closed forms: hanging, over drums and sheaves, striking a plane.
+
+`reproduce` gives the relative error of each problem on its finest mesh, with the order of convergence.
+Imports flexel; the problems are in `flexel.examples.rope_hanging`, `rope_waves`, `rope_swings`,
+`rope_sheaves` and `rope_hoists`.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from flexel.examples import rope_hanging as hanging
+from flexel.examples import rope_hoists as hoists
+from flexel.examples import rope_sheaves as sheaves
+from flexel.examples import rope_swings as swings
+from flexel.examples import rope_waves as waves
+from flexel.report import Report
+
+
+def reproduce(out: Path | None = None) -> Report:
+    """All problems beside their closed forms; figures in `out`, if given."""
+    rows = [*hanging.rows(), *waves.rows(), *swings.rows(), *sheaves.rows(), *hoists.rows()]
+    files: list[Path] = []
+    if out is not None:
+        from flexel.examples.rope_figures import pictures
+
+        files = pictures(rows, out)
+    return Report("rope", rows, files)

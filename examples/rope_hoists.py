@@ -1,0 +1,125 @@
+"""Ropes that lift: a drum that winds up a load, a tackle with friction in its journals; a rope that slides off an edge.
+
+Imports numpy and flexel.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+
+from flexel.cables import cable_tension
+from flexel.examples import rope_exact as exact
+from flexel.examples import rope_models as models
+from flexel.examples.rope_table import over_meshes
+from flexel.report import Quantity
+from flexel.structure import Array
+
+MESHES = (10, 20)  # elements of the metre of rope next to the drum
+SPEED = 2.5  # of the drum in the end [rad/s]
+LIFT = 0.2 * SPEED * 1.5  # of the hoist in 3 s [m]
+ARM = 0.005  # coefficient of friction times radius of the journals of the tackle [m]
+TACKLE = (24, 48)  # elements of the tackle's rope
+ADVANTAGE = "eta (1 - eta^n)/(1 - eta), eta = 1 and 0.905"
+TAKEN = "one freedom; the drum takes up "
+
+
+# -- winding hoist --------------------------------------------------------------------------------
+
+
+@cache
+def wound_up(n: int) -> tuple[Array, Array, Array]:
+    """Times, depth of the load [m] and tension at the load over its weight, 3 s, every 0.05 s."""
+    system, _ = models.winding_hoist(n, SPEED)
+    motion = system.simulate_stiff(3.0, samples=61, step=0.05 / n, progress=False)
+    pulls = [cable_tension(state, f"rope{n + 3}")[1][-1] for state in motion]
+    return motion.t, -motion["load.y"], np.array(pulls) / (1000.0 * models.G)
+
+
+def reduced(times: Array, stretched: bool) -> tuple[Array, Array]:
+    """Depth and tension over the weight of the hoist with one freedom."""
+    speed = models.run_up(SPEED, 1.0, 2.0)[1]
+    x, pull = exact.reduced_hoist(times, 1000.0, 1e7, 10.0, 0.2, 0.04 / np.sqrt(1e3), speed, stretched)
+    return x, pull / (1000.0 * models.G)
+
+
+@cache
+def hoist_errors(n: int, stretched: bool) -> tuple[float, float]:
+    """Largest error of the depth over the lift, and of the tension over the weight."""
+    t, x, pull = wound_up(n)
+    depth, tension = reduced(t, stretched)
+    return float(abs(x - depth).max() / LIFT), float(abs(pull - tension).max())
+
+
+def hoist() -> list[Quantity]:
+    """The winding hoist beside models with one freedom; the order for the one that takes up what the rope does.
+
+    The other, of an undeformed length, differs by the strain of the rope, a thousandth.
+    """
+    depth, tension = hoist_errors(MESHES[-1], False)
+    more = {"elements": MESHES[-1], "step": 0.05 / MESHES[-1]}
+    free, taut = f"{TAKEN}undeformed rope", f"{TAKEN}the rope as it is stretched"
+    return [
+        Quantity("winding_hoist_error", depth, 0.0, 2e-3, "", f"depth over the lift, {free}", more),
+        Quantity("winding_hoist_tension_error", tension, 0.0, 0.04, "mg", free, more),
+        over_meshes("winding_hoist_stretched_error", lambda n: hoist_errors(n, True)[0], MESHES, 5e-4, taut),
+        over_meshes("winding_hoist_stretched_tension_error", lambda n: hoist_errors(n, True)[1], MESHES, 0.04, taut),
+    ]  # fmt: skip
+
+
+# -- block and tackle -----------------------------------------------------------------------------
+
+
+@cache
+def lifted(arm: float, n: int) -> tuple[float, float]:
+    """Speed ratio and mechanical advantage of the tackle, when its end is pulled evenly."""
+    system, rope = models.tackle(n, arm)
+    motion = system.simulate_stiff(0.5, samples=26, step=4e-3, radius=0.5, progress=False)
+    steady = [state for state in motion if state.t > 0.25]
+    weight = (10.0 + 0.1) * models.G  # load and movable sheave
+    pull = float(rope.tension(steady)[1][:, -1].mean())
+    return 0.2 / float(motion["block.y'"][motion.t > 0.25].mean()), weight / pull
+
+
+def efficiency(arm: float) -> float:
+    """Of one sheave that the rope turns around by half: (R - arm)/(R + arm), from the moments about its journal."""
+    return (models.WHEEL - arm) / (models.WHEEL + arm)
+
+
+def tackle() -> list[Quantity]:
+    """Speed ratio, mechanical advantage and efficiency, without and with friction in the journals."""
+    n = TACKLE[-1]
+    eta = efficiency(ARM)
+    given = eta * (1 + eta)  # the rope's end comes off the fixed sheave: eta (1 - eta^falls)/(1 - eta)
+    ideal, real = lifted(0.0, n), lifted(ARM, n)
+    more = {"elements": n, "falls": 2, "sheave_efficiency": eta}
+    return [
+        over_meshes("tackle_speed_ratio_error", lambda n: abs(lifted(0.0, n)[0] / 2 - 1), TACKLE, 1e-3, "2 falls"),
+        over_meshes("tackle_advantage_error", lambda n: abs(lifted(0.0, n)[1] / 2 - 1), TACKLE, 1e-3, "2 falls"),
+        Quantity("tackle_speed_ratio", [ideal[0], real[0]], (2.0, 2.0), 1e-3, "", "without and with friction", more),
+        Quantity("tackle_advantage", [ideal[1], real[1]], (2.0, given), 2e-3, "", ADVANTAGE, more),
+        Quantity("tackle_efficiency", real[1] / real[0], given / 2, 2e-3, "", "advantage over speed ratio", more),
+    ]  # fmt: skip
+
+
+# -- rope over an edge ----------------------------------------------------------------------------
+
+
+def sliding_error(n: int) -> float:
+    """Largest error of the fall over the fall at the end."""
+    ahead, length = 0.1, 1.4
+    system, _ = models.sliding(n, length, ahead)
+    motion = system.simulate_stiff(0.6, samples=31, step=2e-3, radius=0.5, progress=False)
+    given = exact.sliding_fall(motion.t, ahead, length)
+    return float(abs(motion["B.y"][0] - motion["B.y"] - given).max() / given[-1])
+
+
+def edge() -> list[Quantity]:
+    """The rope that slides off."""
+    return [over_meshes("sliding_rope_error", sliding_error, (28, 56), 2e-3, "x0 cosh(sqrt(2 g/L) t)")]
+
+
+def rows() -> list[Quantity]:
+    """Hoist, tackle, sliding rope."""
+    return [*hoist(), *tackle(), *edge()]

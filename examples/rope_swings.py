@@ -1,0 +1,71 @@
+"""Ropes that swing: the falling flexible pendulum of the literature, and the energy of a rope over 10 000 steps.
+
+Imports numpy and flexel.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+
+import flexel as fx
+from flexel.examples import rope_data as data
+from flexel.examples import rope_models as models
+from flexel.examples.convergence import order
+from flexel.examples.rope_table import over_meshes
+from flexel.report import Quantity
+from flexel.structure import Array
+
+SOFT = 0.7e6  # E of the literature [N/m²]
+SOFT_MESHES = (8, 16, 32)
+SOFT_SOURCE = "E = 0.7e6 (Berzeri and Shabana 2000), against half the elements"
+
+
+@cache
+def pendulum(E: float, n: int, step: float = 1e-3) -> fx.Motion:
+    """The pendulum of n elements that falls from the horizontal for 1 s, sampled every 0.05 s."""
+    system = models.falling(n, E, **data.PENDULUM)
+    return system.simulate_stiff(1.0, samples=21, step=step, radius=0.9, progress=False)
+
+
+def tip(E: float, n: int, step: float = 1e-3) -> Array:
+    """History (21, 2) [m] of the pendulum's tip."""
+    motion = pendulum(E, n, step)
+    return np.stack([motion[f"rod_p{n}.x"], motion[f"rod_p{n}.y"]], axis=1)
+
+
+def pendulum_error(n: int, E: float = 0.7e9) -> float:
+    """Largest distance of the tip from the reference, over the pendulum's length."""
+    away = tip(E, n, 8e-3 / n) - data.TIPS[E]
+    return float(np.hypot(*away.T).max() / data.PENDULUM["L"])
+
+
+def soft_change(n: int) -> float:
+    """Largest change of the tip from n/2 to n elements, over the length, with the modulus of the literature."""
+    away = tip(SOFT, n) - tip(SOFT, n // 2)
+    return float(np.hypot(*away.T).max() / data.PENDULUM["L"])
+
+
+def swing_error(count: int, h: float = 5e-4) -> float:
+    """Largest energy that does not add up over the largest kinetic energy, of a rope that falls and swings freely."""
+    motion = models.swinging(2).simulate_stiff(count * h, samples=101, step=h, radius=1.0, progress=False)
+    balance = motion.energy_balance()
+    return float(np.abs(balance["error"]).max() / balance["kinetic"].max())
+
+
+def rows() -> list[Quantity]:
+    """Falling flexible pendulum and energy."""
+    changes = [soft_change(n) for n in SOFT_MESHES[1:]]
+    more = {
+        "elements": SOFT_MESHES[-1],
+        "order": order(changes),
+        "meshes": list(SOFT_MESHES),
+        "changes": changes,
+    }
+    return [
+        over_meshes("pendulum_error", pendulum_error, (4, 8), 1e-3, "E = 0.7e9, assumed modes, themselves to 2e-4"),
+        Quantity("pendulum_soft_change", changes[-1], 0.0, 0.01, "L", SOFT_SOURCE, more),
+        Quantity("swing_energy_error", swing_error(10_000), 0.0, 1e-5, "", "no damping, 10 000 steps, radius 1",
+                 {"elements": 2, "step": 5e-4}),
+    ]  # fmt: skip
