@@ -147,7 +147,14 @@ def capstan(n: int, friction: float, angle: float) -> fx.System:
 
 
 def atwood(
-    n: int, m1: float, m2: float, *, inertia: float, mass: float = 0.01, EA: float = 1e5
+    n: int,
+    m1: float,
+    m2: float,
+    *,
+    inertia: float,
+    mass: float = 0.01,
+    EA: float = 1e5,
+    stiffness: float = 1e9,
 ) -> tuple[fx.System, Rope]:
     """Atwood's machine: masses A and B at the ends of a rope over a turning sheave; 28 elements are half as long as
     the sheave's radius.
@@ -158,7 +165,7 @@ def atwood(
     A, B = m.point("A", (-WHEEL, -fall)), m.point("B", (WHEEL, -fall))
     m.point_mass("m1", A, m1)
     m.point_mass("m2", B, m2)
-    contact = fx.Contact(1e9, friction=0.5, slip_speed=1e-2, dissipation=10.0)
+    contact = fx.Contact(stiffness, friction=0.5, slip_speed=1e-2, dissipation=10.0)
     rope = m.rope(
         "rope", [A, "S", B], n, contact=contact, rope_radius=THIN, tension=(m1 + m2) / 2 * G, EA=EA, EI=1e-5,
         mass_per_length=mass, damping=1e-3,

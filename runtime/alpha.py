@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from flexel.assembly import summed
 from flexel.balance import Balance, Matrix, Saddle, SaddlePattern
 from flexel.errors import ModelError
 from flexel.local import Local
@@ -117,7 +118,8 @@ class Stepper(Saddle):
         self.scheme = Scheme.with_radius(radius, bool(self.force_rows.size))
         self._kind = kind
         self.evaluations = self.factorizations = self.iterations = 0
-        self._matrix_step = self._stiffness = 0.0
+        self._matrix_step = 0.0
+        self._stiffness: Array = np.zeros(self.structure.nf)  # of each row, with what masses add
         self._near = NearContacts(system.evaluation)
         self._chosen = not self._near.worthwhile
         self._use(self.local)
@@ -280,9 +282,9 @@ class Stepper(Saddle):
             held = self._with_slips(b.J, phi, rate)
         stored = self.pattern.assemble(scaling * K, scaling * cross, b.J, held)
         stored += scaling * acceleration * self.pattern.mass
-        self._stiffness = float(np.abs(K).max(initial=0.0))
-        if self.local.masses0.size:
-            self._stiffness += acceleration * float(self.local.masses0.max(initial=0.0))
+        sizes = np.abs(K)
+        sizes[self.local.size_M :] += acceleration * np.abs(self.local.masses0)
+        self._stiffness = summed(self.local.rows_K, sizes, self.structure.n)[: self.structure.nf]
         return Matrix(self.structure, self.pattern.pattern, stored)
 
     def _with_slips(self, J: Array, phi: Array, rate: float) -> Array:

@@ -236,16 +236,18 @@ class Saddle:
             gap[self.roles.rigid.size :] = -self.roles.motion(b.t)[1]
         return (self.local.pull(b.J, applied) - nodal)[: s.nf], gap
 
-    def error(self, b: Balance, r: Array, gap: Array, stiffness: float, scale: float | None = None) -> float:
+    def error(
+        self, b: Balance, r: Array, gap: Array, stiffness: float | Array, scale: float | None = None
+    ) -> float:
         """Largest unbalance relative to the forces that balance, or gap relative to its natural scale.
 
         A stiffness K turns a rounding of x into an unbalance of about 1e-15 K x, below which nothing can go; with
-        its largest entry in the denominator, the tolerance 1e-12 is met there.  Another size of the forces than that
-        of the balance may be given as `scale`.
+        its largest entry, or those of each row, in the denominator, the tolerance 1e-12 is met there.  Another size
+        of the forces than that of the balance may be given as `scale`.
         """
         stiff = stiffness * float(self.x_scale.max(initial=0.0))
-        force = float(np.abs(r).max(initial=0.0)) / ((scale or b.scale) + 1e-3 * stiff + TINY_FORCE)
-        return max(force, float(np.abs(gap).max(initial=0.0)))
+        force = np.abs(r) / ((scale or b.scale) + 1e-3 * stiff + TINY_FORCE)
+        return max(float(force.max(initial=0.0)), float(np.abs(gap).max(initial=0.0)))
 
     def state(self, b: Balance) -> State:
         """The complete state at a balance."""

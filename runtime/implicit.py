@@ -25,8 +25,7 @@ if TYPE_CHECKING:
 SHORTEST = 1e-10  # of the duration
 DEEP = 0.1  # of a new contact's penetration: a larger local error halves the step
 STEADY = 1.3  # growth of the step below which it stays as it is: every change disturbs the multipliers
-MOST_FALSE = 256  # parts of a step in which a solution with energy from nowhere is refused
-MOST_HALVINGS = 4  # on account of new contacts
+MOST_FALSE, MOST_HALVINGS = 8, 4  # on account of solutions with energy from nowhere, and of new contacts
 
 
 @dataclass(frozen=True)
@@ -125,7 +124,7 @@ class GeneralizedAlpha(Run):
         self.stepper = Stepper(system, radius, newton)
         super().__init__(self.stepper, start)
         self.control = control
-        self._steps = self._rejected = self._at_contact = self._halvings = 0
+        self._steps = self._rejected = self._at_contact = self._halvings = self._false = 0
         self._wish = min(control.first, control.longest)
 
     @property
@@ -149,7 +148,7 @@ class GeneralizedAlpha(Run):
         step = asked = gap / parts
         while True:
             found = self.stepper.solve(old, step)
-            error = np.inf if found is None else self._error(old, *found, step, asked)
+            error = np.inf if found is None else self._error(old, *found, step)
             if found is not None and error <= 1.0:
                 break
             self._rejected += 1
@@ -161,16 +160,18 @@ class GeneralizedAlpha(Run):
         growth = min(2.0, 0.9 * max(error, 1e-6) ** (-1 / 3))
         allowed = step * (1.0 if 1.0 < growth < STEADY else growth)
         self._wish = max(allowed, self._wish) if step == asked else allowed
-        self._halvings = max(self._halvings - 1, 0) if step == asked else self._halvings
+        if step == asked:
+            self._halvings, self._false = max(self._halvings - 1, 0), max(self._false - 1, 0)
         if abs(point.t - until) < 1e-6 * step:
             point.t = until
         self.accept(point, balance)
         return True
 
-    def _error(self, old: Point, new: Point, b: Balance, h: float, asked: float) -> float:
+    def _error(self, old: Point, new: Point, b: Balance, h: float) -> float:
         """Local error over the tolerance; infinite for a false solution, and where a contact has begun too deeply."""
         stepper = self.stepper
-        if h > asked / MOST_FALSE and self.ledger.conjured(b, h):
+        if self._false < MOST_FALSE and self.ledger.conjured(b, h):
+            self._false += 1
             return np.inf
         error = stepper.error_of(old, new, h)
         if self._halvings < MOST_HALVINGS:

@@ -74,12 +74,14 @@ class Ledger:
         """Whether most of the energy at the end of a step has come from nowhere.
 
         Newton's method has then found another solution of a long step than the one that goes on from its beginning: a
-        rope that has sprung off its sheave, for instance.
+        rope that has sprung off its sheave, for instance.  Less than what the largest force does over a thousandth of
+        the model's size does not count.
         """
         before, after = self._energy, self._energies(b)
         lost, work = h / 2 * (self._power + np.array([self._losses(b), self._drives(b)]))
         made = after.sum() - before.sum() - work + min(lost, 0.0)
-        return bool(made > 0.5 * after[0] + 0.01 * self._largest)
+        little = 1e-3 * b.scale * float(self._saddle.x_scale.max(initial=0.0))
+        return bool(made > 0.5 * after[0] + 0.01 * self._largest + little)
 
     def _enter(self, b: Balance) -> None:
         self._power = np.array([self._losses(b), self._drives(b)])
