@@ -76,7 +76,7 @@ def motorcycle(speed: float = 0.0, crown: float = 1.0) -> fx.System:
         m.hinge(f"{axle} spin", frame, wheel, axis=(0, 1, 0))
         m.body(f"{axle} wheel body", hub, wheel, **WHEELS[axle])
         m.tyre(f"{axle} tyre", hub, wheel, radius=RADIUS[axle], axle=(0, 1, 0), crown=crown * CROWN[axle])
-        parts = ("deflection", "camber", "forward", "sideways", "rolling", "longitudinal", "lateral", "spin")
+        parts = ("deflection", "camber", "forward", "rolling", "longitudinal", "lateral", "spin")
         m.attach("magic_formula", [f"{axle} tyre.{z}" for z in parts], name=axle, **TYRES[axle])
     m.body("rear frame", "frame", "body", **FRAME)
     m.body("front frame", "head", "front body", offset=np.array(FORK_CENTRE) - head, **FORK)

@@ -28,6 +28,8 @@ MAGIC = {
     "relaxation": (0.2, 0.4),
 }
 PARTS = ("deflection", "camber", "forward", "sideways", "rolling", "longitudinal", "lateral", "spin")
+SIDE = [f"tyre.{z}" for z in PARTS if z not in ("rolling", "longitudinal")]  # of the linear and the CALSPAN law
+MAGIC_ON = [f"tyre.{z}" for z in PARTS if z != "sideways"]
 
 
 def wheel(
@@ -134,8 +136,7 @@ def side_force(
     """Side force and moment of a tyre pressed by a load, at a slip angle and a camber."""
     depth = load / K
     m = wheel(fx.turn((1, 0, 0), camber), z=(R - depth) * np.cos(camber))
-    on = [f"tyre.{z}" for z in PARTS if z not in ("rolling", "longitudinal")]
-    m.attach(law, on, stiffness=K, damping=0.0, **parameters)
+    m.attach(law, SIDE, stiffness=K, damping=0.0, **parameters)
     s = moving(m, (20.0, 20.0 * np.tan(alpha), 0), (0, 0, 0))
     assert s.force("tyre.deflection") == pytest.approx(load, rel=1e-9, abs=1e-6)
     return -s.force("tyre.lateral"), -s.force("tyre.spin")
@@ -168,8 +169,7 @@ def test_a_tyre_off_the_road_has_no_force_and_beyond_its_data_goes_on() -> None:
 
 def test_a_tyre_that_stands_has_no_side_force() -> None:
     m = wheel(fx.turn((1, 0, 0), 0.05), z=0.35)
-    on = [f"tyre.{z}" for z in PARTS if z not in ("rolling", "longitudinal")]
-    m.attach("calspan_tyre", on, stiffness=K, damping=0.0, **CALSPAN)
+    m.attach("calspan_tyre", SIDE, stiffness=K, damping=0.0, **CALSPAN)
     s = m.build().initial
     assert s.force("tyre.deflection") > 0
     assert s.force("tyre.lateral") == 0.0
@@ -191,7 +191,7 @@ def sled(speed: float, spin: float, sideways: float = 0.0) -> fx.Model:
     m.hinge("spin", "still", "wheel", axis=(0, 1, 0))
     m.body("mass", "hub", "wheel", mass=400.0, inertia=(6.0, 10.0, 6.0))
     m.tyre("tyre", "hub", "wheel", radius=R, axle=(0, 1, 0))
-    m.attach("magic_formula", [f"tyre.{z}" for z in PARTS], name="rubber", stiffness=K, damping=0.0, **MAGIC)
+    m.attach("magic_formula", MAGIC_ON, name="rubber", stiffness=K, damping=0.0, **MAGIC)
     m.prescribe("spin.angle", fx.Polynomial((0.0, spin)))
     m.prescribe("hub.y", fx.Polynomial((0.0, sideways)))
     m.initial("hub.x", rate=speed)
@@ -231,7 +231,7 @@ def test_longitudinal_force_takes_from_the_side_force() -> None:
 
 # -- the torus ------------------------------------------------------------------------------------
 
-MASS, RING, SIDE = 2.0, 0.08, 0.05  # inertias about and across the axle
+MASS, RING, CROSS = 2.0, 0.08, 0.05  # inertias about and across the axle
 
 
 def torus(crown: float, lean: float, rates: tuple[float, float, float]) -> fx.System:
@@ -244,7 +244,7 @@ def torus(crown: float, lean: float, rates: tuple[float, float, float]) -> fx.Sy
     m.hinge("lean", yawed, leaned, axis=(1, 0, 0))
     m.hinge("roll", leaned, rolled, axis=(0, 1, 0))
     m.wheel("wheel", "hub", rolled, "contact", radius=0.3, axle=(0, 1, 0), crown=crown)
-    m.body("body", "hub", rolled, mass=MASS, inertia=(SIDE, RING, SIDE))
+    m.body("body", "hub", rolled, mass=MASS, inertia=(CROSS, RING, CROSS))
     m.independent("yaw.angle", "lean.angle", "roll.angle")
     m.kinematic("contact.x", "contact.y")
     m.initial("lean.angle", lean, rate=rates[1])
@@ -265,11 +265,11 @@ def newton_euler(crown: float, a: np.ndarray, omega: np.ndarray) -> tuple[np.nda
     c, cd = arm(a), (arm(a + h * ad) - arm(a - h * ad)) / (2 * h)
     # centre: v = -omega x c, so v' = c x omega' - omega x c';  force F = m (v' + g up);  moment c x F
     given = MASS * (-np.cross(omega, cd) + 9.81 * UP)
-    spin = (RING - SIDE) * (omega @ a)
+    spin = (RING - CROSS) * (omega @ a)
     A = np.zeros((3, 3))
     for i, unit in enumerate(np.eye(3)):
-        A[:, i] = SIDE * unit + (RING - SIDE) * (unit @ a) * a - np.cross(c, MASS * np.cross(c, unit))
-    rhs = np.cross(c, given) - spin * ad - (RING - SIDE) * (omega @ ad) * a
+        A[:, i] = CROSS * unit + (RING - CROSS) * (unit @ a) * a - np.cross(c, MASS * np.cross(c, unit))
+    rhs = np.cross(c, given) - spin * ad - (RING - CROSS) * (omega @ ad) * a
     return ad, np.linalg.solve(A, rhs)
 
 
