@@ -187,7 +187,10 @@ class Stage:
         }
         self._sources = np.concatenate([np.zeros(0, dtype=np.intp), *(z.source for z in tables.values())])
         self._bins = np.concatenate(
-            [np.zeros(0, dtype=np.intp), *(inverse + a for (_, inverse), a in zip(places, ends, strict=False))]
+            [
+                np.zeros(0, dtype=np.intp),
+                *(inverse + a for (_, inverse), a in zip(places, ends, strict=False)),
+            ]
         )
         weights = [np.ones(z.source.size) if z.weight is None else z.weight for z in tables.values()]
         self._weights = np.concatenate(weights) if "damped M" in tables else None

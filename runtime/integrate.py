@@ -248,11 +248,12 @@ class Integrator:
 
     def _trouble(self, roles: Roles) -> str:
         """What may be the matter where the integration cannot go on."""
+        names = self.system.kinematics.names
+        driven = f", check what drives {names(roles.prescribed)}" if roles.prescribed.size else ""
         return (
-            f"freedoms {self.system.kinematics.names(roles.dynamic)}, condition "
-            f"{self.system.condition(self.state, roles):.2g}: the motion is not smooth there, or the position is "
-            "singular (gimbal lock of frames without inertia); give those frames inertia, choose other freedoms, or "
-            f"end the motion before {self.state.t:g} s"
+            f"freedoms {names(roles.dynamic)}, condition {self.system.condition(self.state, roles):.2g}: the motion is "
+            "not smooth there, or the position is singular (gimbal lock of frames without inertia); give those frames "
+            f"inertia, choose other freedoms{driven}, or end the motion before {self.state.t:g} s"
         )
 
     def _longest(self) -> float:

@@ -92,12 +92,12 @@ class Kinematics:
         if self.large or nf < TINY:
             return None
         rows = self.roles.position_rows
-        filled = np.nonzero(self.evaluation.filled[rows][:, :nf])
-        form = BlockForm(*filled, nf)
+        i, j = np.nonzero(self.evaluation.filled[rows][:, :nf])
+        form = BlockForm(i, j, nf)
         if not form.regular or form.operations > nf**3 / 3 / WORTH:
             return None
         source = np.full(form.length, (m + k) * n + 1)  # a zero: beside the diagonal of the unit matrix in J
-        source[form.slots] = rows[filled[0]] * n + filled[1]
+        source[form.slots] = rows[i] * n + j
         return form, source
 
     def _position_matrix(self, J: Any) -> Solvable:
@@ -234,7 +234,9 @@ class Kinematics:
         if self._form is not None:
             P = self._position_matrix(J)
             if P.regular:
-                return ExchangedFactors(P, J[roles.zero][:, :nf], roles.holonomic.size) if roles.zero.size else P
+                return (
+                    ExchangedFactors(P, J[roles.zero][:, :nf], roles.holonomic.size) if roles.zero.size else P
+                )
         return factorize(J[roles.velocity_rows][:, :nf])
 
     def velocity(self, configuration: Configuration, B: Solvable, qd: Array) -> Array:

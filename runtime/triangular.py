@@ -47,7 +47,8 @@ class BlockForm:
         self.regular = size > 0 and bool((partner >= 0).all())
         if not self.regular:
             return
-        count, label = connected_components(pattern[:, partner], directed=True, connection="strong")
+        count, found = connected_components(pattern[:, partner], directed=True, connection="strong")
+        label = np.asarray(found, dtype=np.intp)
         place = _sequence(pattern[:, partner].tocoo(), label, count)
         self.rows = np.argsort(place[label], kind="stable").astype(np.intp)
         self.columns = partner[self.rows]

@@ -2,8 +2,8 @@
 
 They act on the element ``tyre``: a load from its deflection, a side force from the slip and the camber, put on the
 contact point. The benchmark's tyres take the slip of the wheel's centre, the Magic Formula that of the contact point,
-which is another one while the wheel leans over. All forces vanish when the wheel lifts off; side forces fade out below a standstill
-speed, where no slip angle exists. This room may import sympy and ``flexel.derive.element``.
+which is another one while the wheel leans over. All forces vanish when the wheel lifts off; side forces fade out below
+a standstill speed, where no slip angle exists. This room may import sympy and ``flexel.derive.element``.
 """
 
 from sympy import Abs, Expr, Max, Min, Piecewise, Rational, Symbol, atan, cos, sin, sqrt

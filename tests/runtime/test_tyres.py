@@ -28,7 +28,9 @@ MAGIC = {
     "relaxation": (0.2, 0.4),
 }
 PARTS = ("deflection", "camber", "forward", "sideways", "rolling", "longitudinal", "lateral", "spin")
-SIDE = [f"tyre.{z}" for z in PARTS if z not in ("rolling", "longitudinal")]  # of the linear and the CALSPAN law
+SIDE = [
+    f"tyre.{z}" for z in PARTS if z not in ("rolling", "longitudinal")
+]  # of the linear and the CALSPAN law
 MAGIC_ON = [f"tyre.{z}" for z in PARTS if z != "sideways"]
 
 
@@ -218,6 +220,18 @@ def test_a_rolling_wheel_is_not_braked_and_slip_builds_up_over_the_relaxation_le
     motion = sled(20.0, 20.0 / 0.35, side).build().simulate(0.1, rtol=1e-10)
     travelled = motion["hub.x"]
     assert motion["rubber.tan_alpha"] == pytest.approx(0.02 * (1 - np.exp(-travelled / 0.4)), abs=1e-6)
+
+
+@pytest.mark.parametrize("crown", [0.0, 0.08])
+def test_a_wheel_that_leans_over_its_contact_point_does_not_slip(crown: float) -> None:
+    """The centre moves sideways with the lean rate, the contact point does not: there is no slip angle to build up."""
+    rate, speed = 1.3, 20.0
+    m = wheel(crown=crown)
+    m.attach("magic_formula", MAGIC_ON, name="rubber", stiffness=K, damping=0.0, **MAGIC)
+    s = moving(m, (speed, -rate * H, 0), (rate, speed / MAGIC["rolling_radius"], 0))  # type: ignore[operator]
+    assert s.rate("tyre.sideways") == pytest.approx(-rate * H)
+    assert s.rate("tyre.lateral") == pytest.approx(0.0, abs=1e-12)
+    assert s.zd == pytest.approx([0.0, 0.0], abs=1e-9)
 
 
 def test_longitudinal_force_takes_from_the_side_force() -> None:
