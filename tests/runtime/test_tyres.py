@@ -116,6 +116,23 @@ def test_on_a_slope_the_force_on_the_height_is_normal_to_the_road() -> None:
     assert force == pytest.approx(K * (R - H) * np.array([-slope, 0, 1]), rel=1e-11, abs=1e-9)
 
 
+@pytest.mark.parametrize("heading", [0.0, 0.6])
+def test_a_wheel_on_a_sine_road_vibrates_as_a_mass_on_a_spring(heading: float) -> None:
+    """Driven over five waves, m z'' = k (R - z + road) - m g from rest, with the road (1 - cos W t) A/2."""
+    A, wavelength, speed = 0.004, 5.0, 10.0
+    rest = R - 400 * 9.81 / K
+    road = fx.Waves(A, wavelength, count=5, heading=(np.cos(heading), np.sin(heading)))
+    m = wheel(road=road, z=rest)
+    m.attach("vertical_tyre", ["tyre.drop"], stiffness=K, damping=0.0)
+    m.prescribe("hub.x", fx.Polynomial((0.0, speed)))
+    m.fix("wheel", "hub.y")
+    m.independent("hub.z")
+    motion = m.build().simulate(2.0, rtol=1e-10, atol=1e-12)
+    w, W, t = np.sqrt(K / 400), 2 * np.pi * speed * np.cos(heading) / wavelength, motion.t
+    expected = A / 2 * (1 - np.cos(w * t) - w**2 / (w**2 - W**2) * (np.cos(W * t) - np.cos(w * t)))
+    assert motion["hub.z"] - rest == pytest.approx(expected, abs=1e-9)
+
+
 def test_a_wheel_that_bounces_leaves_the_road_and_keeps_its_energy() -> None:
     m = wheel(z=0.45)
     m.fix("wheel", "hub.x", "hub.y")
