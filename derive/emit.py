@@ -101,6 +101,8 @@ def _common(elements: dict[str, str], laws: dict[str, str]) -> dict[str, str]:
     flags = "[" + ", ".join(f'"{flag}"' for flag in FLAGS) + "]"
     return {
         "__init__.py": render("init.py.jinja"),
+        "blocks.c": render("blocks.c.jinja"),
+        "blocks.h": render("blocks.h.jinja"),
         "build.py": render("build.py.jinja", flags=flags, elements=elements, laws=laws),
         "kernels.h": render("kernels.h.jinja", elements=elements, laws=laws),
         "spec.py": render("spec.py.jinja"),

@@ -30,41 +30,47 @@ KICK_SECONDS = 10.0
 HEAD_HEIGHT = 0.9  # where the two beams meet on the steering axis [m]; any other point of the axis would do
 
 
-def bicycle(p: Mapping[str, float] = data.BENCHMARK) -> fx.System:
-    """The bicycle upright at the origin; `p` are the 25 parameters of the benchmark, by their symbols."""
+def bicycle(p: Mapping[str, float] = data.BENCHMARK, crown: float = 0.0) -> fx.System:
+    """The bicycle upright at the origin.
+
+    Parameters
+    ----------
+    p : mapping
+        The 25 parameters of the benchmark, by their symbols.
+    crown : float
+        Radius of the cross sections of both tyres [m]; the benchmark has knife edges, zero.
+    """
     m = fx.Model(gravity=(0, 0, p["g"]))
-    axis = np.array([np.sin(p["lam"]), 0, np.cos(p["lam"])])  # of steering, downwards
-    head = np.array([p["w"] + p["c"], 0, 0]) - axis * HEAD_HEIGHT / axis[2]
-    rear_hub, rear_contact = m.point("rear hub", (0, 0, -p["rR"])), m.point("rear contact", (0, 0, 0))
-    front_hub, front_contact = (
-        m.point("front hub", (p["w"], 0, -p["rF"])),
-        m.point("front contact", (p["w"], 0, 0)),
-    )
-    steering_head = m.point("head", head)
-    ground = m.frame("ground", fixed=True)
-    yawed, leaned, rear_frame = m.frame("yawed"), m.frame("leaned"), m.frame("rear frame")
-    front_frame, rear_wheel, front_wheel = (
-        m.frame("front frame"),
-        m.frame("rear wheel"),
-        m.frame("front wheel"),
-    )
-
-    m.hinge("yaw", ground, yawed, axis=(0, 0, 1))
-    m.hinge("lean", yawed, leaned, axis=(1, 0, 0))
-    m.hinge("pitch", leaned, rear_frame, axis=(0, 1, 0))
-    m.hinge("steer", rear_frame, front_frame, axis=axis)
-    m.hinge("rear spin", rear_frame, rear_wheel, axis=(0, 1, 0))
-    m.hinge("front spin", front_frame, front_wheel, axis=(0, 1, 0))
-    m.beam("frame", rear_hub, rear_frame, steering_head)
-    m.beam("fork", steering_head, front_frame, front_hub)
-    axle, up = (0, 1, 0), (0, 0, -1)
-    m.wheel("rear", rear_hub, rear_wheel, rear_contact, radius=p["rR"], axle=axle, normal=up)
-    m.wheel("front", front_hub, front_wheel, front_contact, radius=p["rF"], axle=axle, normal=up)
-    _bodies(m, p, head)
-
+    mechanism(m, p)
+    m.point("rear contact", (0, 0, 0))
+    m.point("front contact", (p["w"], 0, 0))
+    for wheel, radius in (("rear", p["rR"]), ("front", p["rF"])):
+        nodes = f"{wheel} hub", f"{wheel} wheel", f"{wheel} contact"
+        m.wheel(wheel, *nodes, radius=radius, axle=(0, 1, 0), normal=(0, 0, -1), crown=crown)
     m.independent("lean.angle", "steer.angle", "rear spin.angle")
     m.kinematic("rear contact.x", "rear contact.y", "yaw.angle", "front spin.angle")
     return m.build()
+
+
+def mechanism(m: fx.Model, p: Mapping[str, float]) -> None:
+    """Put frames, hinges, beams and bodies into a model: all but what touches the road."""
+    axis = np.array([np.sin(p["lam"]), 0, np.cos(p["lam"])])  # of steering, downwards
+    head = np.array([p["w"] + p["c"], 0, 0]) - axis * HEAD_HEIGHT / axis[2]
+    m.point("rear hub", (0, 0, -p["rR"]))
+    m.point("front hub", (p["w"], 0, -p["rF"]))
+    m.point("head", head)
+    m.frame("ground", fixed=True)
+    for name in ("yawed", "leaned", "rear frame", "front frame", "rear wheel", "front wheel"):
+        m.frame(name)
+    m.hinge("yaw", "ground", "yawed", axis=(0, 0, 1))
+    m.hinge("lean", "yawed", "leaned", axis=(1, 0, 0))
+    m.hinge("pitch", "leaned", "rear frame", axis=(0, 1, 0))
+    m.hinge("steer", "rear frame", "front frame", axis=axis)
+    m.hinge("rear spin", "rear frame", "rear wheel", axis=(0, 1, 0))
+    m.hinge("front spin", "front frame", "front wheel", axis=(0, 1, 0))
+    m.beam("frame", "rear hub", "rear frame", "head")
+    m.beam("fork", "head", "front frame", "front hub")
+    _bodies(m, p, head)
 
 
 def _bodies(m: fx.Model, p: Mapping[str, float], head: Array) -> None:

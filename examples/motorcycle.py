@@ -8,6 +8,7 @@ Imports numpy and flexel.
 
 from __future__ import annotations
 
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,8 @@ import numpy as np
 
 import flexel as fx
 from flexel.checks import in_frame
+from flexel.examples import bicycle
+from flexel.examples.bicycle_data import BENCHMARK, EIGENVALUES, PAPER
 from flexel.examples.differences import mismatch
 from flexel.linearize import Linearization, Mode
 from flexel.orientation import matrix, triad
@@ -35,7 +38,7 @@ WHEELS: dict[str, dict[str, Any]] = {
     "front": {"mass": 14.0, "inertia": (0.35, 0.62, 0.35)},
 }
 FORK_SPRING, SWING_SPRING = (9000.0, 550.0, 1000.0), (9000.0, 700.0, 690.0)  # stiffness, damping, preload
-STEERING_DAMPER = 12.0
+STEERING_DAMPER = 6.8
 TYRES: dict[str, dict[str, Any]] = {
     axle: {
         "stiffness": 180e3, "damping": 250.0, "load0": load, "rolling_radius": RADIUS[axle] - 0.004,
@@ -45,6 +48,7 @@ TYRES: dict[str, dict[str, Any]] = {
     for axle, load, stiffness in (("rear", 1500.0, 12.0), ("front", 1300.0, 11.0))
 }  # fmt: skip
 SPEEDS = tuple(float(v) for v in np.arange(5.0, 60.1, 2.5))
+PARTS = ("deflection", "camber", "forward", "rolling", "longitudinal", "lateral", "spin")
 LATERAL = ("lean.angle", "steer.angle", "yaw.angle", "frame.y")
 PLANE = ("frame.z", "pitch.angle", "fork.along", "swing.angle")
 
@@ -76,8 +80,7 @@ def motorcycle(speed: float = 0.0, crown: float = 1.0) -> fx.System:
         m.hinge(f"{axle} spin", frame, wheel, axis=(0, 1, 0))
         m.body(f"{axle} wheel body", hub, wheel, **WHEELS[axle])
         m.tyre(f"{axle} tyre", hub, wheel, radius=RADIUS[axle], axle=(0, 1, 0), crown=crown * CROWN[axle])
-        parts = ("deflection", "camber", "forward", "sideways", "rolling", "longitudinal", "lateral", "spin")
-        m.attach("magic_formula", [f"{axle} tyre.{z}" for z in parts], name=axle, **TYRES[axle])
+        m.attach("magic_formula", [f"{axle} tyre.{z}" for z in PARTS], name=axle, **TYRES[axle])
     m.body("rear frame", "frame", "body", **FRAME)
     m.body("front frame", "head", "front body", offset=np.array(FORK_CENTRE) - head, **FORK)
     k, c, preload = FORK_SPRING
@@ -134,36 +137,97 @@ def loci(speeds: tuple[float, ...] = SPEEDS, crown: float = 1.0) -> list[dict[st
     return [lateral_modes(system.linearize(straight(system, v))) for v in speeds]
 
 
+def unstable_range(found: list[dict[str, Mode]], name: str) -> list[float]:
+    """Speeds [m/s] between which a mode grows, read off its real part over `SPEEDS`; empty where it never does."""
+    points = [(v, z[name].eigenvalue.real) for v, z in zip(SPEEDS, found, strict=True) if name in z]
+    growing = [v for v, real in points if real > 0]
+    crossings = [v0 - a * (v1 - v0) / (b - a) for (v0, a), (v1, b) in pairwise(points) if a * b < 0]
+    ends = [v for v in (points[0][0], points[-1][0]) if v in growing]
+    return sorted(crossings + ends)
+
+
 def reproduce(out: Path | None = None) -> Report:
-    """Modes over the speed with toroidal and with thin tyres, and the linearization's confirmation."""
+    """Modes over the speed with toroidal and with thin tyres, what confirms the tyres, and the linearization."""
     system = motorcycle()
     found = {"toroidal": loci(), "thin": loci(crown=0.0)}
-    state = straight(system, 30.0)
+    error = mismatch(system, straight(system, 30.0))
+    counted = "six of the frame, steering, fork, swinging arm, spins"
     rows = [
-        Quantity(
-            "freedoms",
-            system.counts["freedoms"],
-            11,
-            0,
-            "",
-            "six of the frame, steering, fork, swinging arm, spins",
-        ),
-        Quantity(
-            "linearization_error",
-            mismatch(system, state),
-            0.0,
-            1e-8,
-            "",
-            "differences of the nonlinear equations",
-        ),
+        Quantity("freedoms", system.counts["freedoms"], 11, 0, "", counted),
+        Quantity("linearization_error", error, 0.0, 1e-8, "", "differences of the nonlinear equations"),
+        *confirmations(),
     ]
     for tyres, modes in found.items():
         for name in ("weave", "wobble", "capsize"):
             table = [[v, z[name].eigenvalue.real, z[name].eigenvalue.imag]
                      for v, z in zip(SPEEDS, modes, strict=True) if name in z]  # fmt: skip
             rows.append(Quantity(f"{name}_{tyres}", table, source="rows of speed, real, imaginary part"))
+            grows = unstable_range(modes, name)
+            said = f"speeds between which it grows, of {SPEEDS[0]:g} ... {SPEEDS[-1]:g} m/s"
+            if grows:
+                rows.append(Quantity(f"{name}_{tyres}_unstable", grows, unit="m/s", source=said))
+            else:
+                least = max(table, key=lambda z: z[1])[:2]
+                said = (
+                    "dies out at every speed; where it does so slowest [m/s], and its real part there [1/s]"
+                )
+                rows.append(Quantity(f"{name}_{tyres}_least_damped", least, source=said))
     files = [] if out is None else [picture(found, out)]
     return Report("motorcycle", rows, files)
+
+
+# -- confirmations --------------------------------------------------------------------------------
+
+
+def bicycle_on_tyres(speed: float, crown: float, stiffness: float) -> Array:
+    """Eigenvalues of the benchmark's bicycle on Magic Formula tyres that are stiff in every direction."""
+    p = BENCHMARK
+    m = fx.Model(gravity=(0, 0, p["g"]))
+    bicycle.mechanism(m, p)
+    radii = {"rear": p["rR"], "front": p["rF"]}
+    law: dict[str, Any] = {
+        "stiffness": stiffness, "damping": 0.0, "load0": 500.0, "friction": (1.0, 0.0),
+        "slip_stiffness": stiffness / 500, "cornering": (stiffness / 500, 1.0), "camber_stiffness": 0.0,
+        "shape": (1.4, 0.0), "trail": (0.0, 1.0), "relaxation": (1e4 / stiffness, 1e4 / stiffness),
+    }  # fmt: skip
+    for axle, radius in radii.items():
+        tyre: dict[str, Any] = dict(radius=radius, axle=(0, -1, 0), normal=(0, 0, -1), crown=crown)
+        m.tyre(f"{axle} tyre", f"{axle} hub", f"{axle} wheel", **tyre)
+        m.attach(
+            "magic_formula", [f"{axle} tyre.{z}" for z in PARTS], name=axle, rolling_radius=radius, **law
+        )
+    place = ("rear hub.x", "rear hub.y", "rear hub.z", "yaw.angle", "lean.angle", "pitch.angle")
+    m.independent(*place, "steer.angle", "rear spin.angle", "front spin.angle")
+    system = m.build()
+    rates = dict.fromkeys(system.dynamic, 0.0) | {"rear hub.x": speed}
+    rates |= {f"{axle} spin.angle": -speed / radius for axle, radius in radii.items()}
+    pressed = system.state_at({"rear hub.z": 500.0 / stiffness - p["rR"]}, rates)
+    lin = system.linearize(system.steady(pressed, unknown=("rear hub.z", "pitch.angle")))
+    return np.asarray(lin.eigenvalues())
+
+
+def rigid_bicycle(speed: float, crown: float) -> Array:
+    """Lean and steer eigenvalues of the benchmark's bicycle on rigid toroidal wheels."""
+    return np.asarray(bicycle.lean_steer(bicycle.bicycle(crown=crown), speed).eigenvalues())
+
+
+def nearest(found: Array, wanted: Array) -> Array:
+    """The eigenvalue nearest to each of those wanted."""
+    return np.array([found[np.argmin(np.abs(found - z))] for z in wanted])
+
+
+def confirmations() -> list[Quantity]:
+    """Tyres with and without a crown on the benchmark's bicycle, at 5 m/s."""
+    published = np.array(EIGENVALUES[5])
+    rounded = rigid_bicycle(5.0, 0.05)
+    stiff = "stiff Magic Formula tyres, error as one over the stiffness (1e8 N/m)"
+    return [
+        Quantity("bicycle_toroidal_zero_crown", rigid_bicycle(5.0, 1e-10), published, 1e-8, "1/s", PAPER),
+        Quantity("bicycle_on_tyres_zero_crown", nearest(bicycle_on_tyres(5.0, 0.0, 1e8), published),
+                 published, 1e-5, "1/s", f"{PAPER}; {stiff}"),
+        Quantity("bicycle_on_tyres_crown_50mm", nearest(bicycle_on_tyres(5.0, 0.05, 1e8), rounded),
+                 rounded, 1e-5, "1/s", f"rigid toroidal wheels; {stiff}"),
+    ]  # fmt: skip
 
 
 def picture(found: dict[str, list[dict[str, Mode]]], out: Path) -> Path:

@@ -80,6 +80,15 @@ EQUILIBRIUM = {
 }
 SYMMETRIC = (-29.81 + 81.96j, -29.66 + 82.89j, -4.91 + 11.10j, -3.93 + 9.50j)
 SYMMETRIC_NO_SIDE_FORCE = (-29.077 + 82.476j, -28.896 + 83.179j, -4.824 + 11.005j, -3.775 + 9.578j)
+ANOTHER = "another reading without lateral tyre forces, indicative"
+NO_SIDE_FORCE = {
+    "hop warp": -28.73 + 86.13j,
+    "hop pitch": -28.90 + 83.17j,
+    "hop bounce": -29.08 + 82.48j,
+    "hop roll": -27.17 + 70.59j,
+    "bounce": -4.82 + 11.00j,
+    "pitch": -3.78 + 9.58j,
+}
 RACK_STEER = {"front right": -0.8916, "front left": -0.8869}  # degrees about the kingpin for 2 mm
 
 # Ramp to 2 mm: speed -> values at 5 s and peaks (value, time); rotations in the order pitch, roll, yaw from the road.

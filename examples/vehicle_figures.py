@@ -11,7 +11,8 @@ from pathlib import Path
 import numpy as np
 
 from flexel.examples import vehicle_data as data
-from flexel.examples.vehicle_runs import LOCI, Results, history, load_histories
+from flexel.examples.vehicle_runs import LOCI, Results
+from flexel.examples.vehicle_signals import history, load_histories
 from flexel.figures import COLOURS, figure, save
 from flexel.plot import View, animate, draw, root_loci
 from flexel.scene import canvas

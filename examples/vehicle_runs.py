@@ -1,13 +1,12 @@
 """What is done with the road vehicle: equilibrium, linearization, steering, bumps, and the energy that goes round.
 
-Rotations are reported in the benchmark's order (pitch, roll, yaw from the road, so that they mix when the vehicle has
-turned) and accelerations along its yawed axes. Imports numpy and flexel.
+What is read off the motions is in `flexel.examples.vehicle_signals`. Imports numpy and flexel.
 """
 
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -17,7 +16,6 @@ from flexel.examples import vehicle_data as data
 from flexel.examples.differences import state_matrix
 from flexel.examples.vehicle import BODY, SUSPENSION, vehicle
 from flexel.linearize import Linearization, Mode, sort_eigenvalues
-from flexel.orientation import matrix
 from flexel.structure import Array
 
 SPEEDS = (10, 20, 30)  # of the steering manoeuvres [m/s]
@@ -73,82 +71,6 @@ def start(system: fx.System, speed: float, deflection: str = "deflection") -> fx
     """Static equilibrium with a forward speed [m/s]: where the benchmark's manoeuvres begin."""
     rest = at_rest(vehicle(deflection=deflection))
     return system.state_at({z: rest[z] for z in HEAVE}, rates(system, speed))
-
-
-def angles(state: fx.State) -> tuple[float, float, float]:
-    """Pitch, roll and yaw [rad] of the chassis in the benchmark's order, R = Ry Rx Rz."""
-    R = matrix(state.position("body"))
-    pitch = float(np.arctan2(R[0, 2], R[2, 2]))
-    return pitch, float(-np.arcsin(R[1, 2])), float(np.arctan2(R[1, 0], R[1, 1]))
-
-
-def yaw_rate(state: fx.State) -> float:
-    """Rate of the benchmark's yaw angle [rad/s]."""
-    R = matrix(state.position("body"))
-    omega = np.array([state.rate(f"body.omega.{z}") for z in ("wx", "wy", "wz")])
-    c, s = R[1, 1], R[1, 0]
-    cd, sd = np.cross(omega, R[:, 1])[1], np.cross(omega, R[:, 0])[1]
-    return float((c * sd - s * cd) / (c * c + s * s))
-
-
-def lateral_acceleration(state: fx.State) -> float:
-    """Acceleration of the chassis' mass centre along the vehicle's yawed y axis [m/s²]."""
-    yaw = angles(state)[2]
-    return float(
-        np.cos(yaw) * state.acceleration("chassis.y") - np.sin(yaw) * state.acceleration("chassis.x")
-    )
-
-
-def side_slip(state: fx.State) -> float:
-    """Angle between the velocity of the mass centre and the vehicle's heading [rad]."""
-    vx, vy, _ = state.velocity("chassis")
-    return float(np.arctan2(vy, vx) - angles(state)[2])
-
-
-def loads(state: fx.State) -> tuple[float, ...]:
-    """Forces of the springs of the four tyres [N], in the order of `data.CORNERS`."""
-    return tuple(
-        sum(state.force(f"{corner} tyre.{z}") for z in ("drop", "deflection")) for corner in data.CORNERS
-    )
-
-
-SIGNALS: Mapping[str, Callable[[fx.State], float]] = {
-    "yaw_rate": yaw_rate,
-    "lateral_acceleration": lateral_acceleration,
-    "roll": lambda z: float(np.degrees(angles(z)[1])),
-    "side_slip": lambda z: float(np.degrees(side_slip(z))),
-    "pitch": lambda z: float(np.degrees(angles(z)[0])),
-    "yaw": lambda z: float(np.degrees(angles(z)[2])),
-    "z": lambda z: z["chassis.z"] - data.HEIGHT,
-    "speed": lambda z: float(np.hypot(*z.velocity("chassis")[:2])),
-}
-
-
-def history(motion: fx.Motion, signal: str) -> Array:
-    """One of `SIGNALS` over the motion (nt,)."""
-    return np.array([SIGNALS[signal](state) for state in motion])
-
-
-def load_histories(motion: fx.Motion) -> Array:
-    """Vertical forces of the tyres (nt, 4)."""
-    return np.array([loads(state) for state in motion])
-
-
-def outside_range(motion: fx.Motion) -> list[str]:
-    """Tyres whose load leaves the range of the CALSPAN data, 0 to A2, by name with the largest load."""
-    largest = load_histories(motion).max(axis=0)
-    limit = data.LARGEST_LOAD
-    return [
-        f"{corner} tyre: {load:.0f} N of {limit:.0f} N"
-        for corner, load in zip(data.CORNERS, largest, strict=True)
-        if load > limit
-    ]
-
-
-def lifted(motion: fx.Motion) -> list[str]:
-    """Wheels that leave the road at a stored time."""
-    least = load_histories(motion).min(axis=0)
-    return [corner for corner, load in zip(data.CORNERS, least, strict=True) if load <= 0]
 
 
 # -- linear equations -----------------------------------------------------------------------------
@@ -272,6 +194,7 @@ class Results:
     sines: dict[int, fx.Motion]
     bumps: dict[tuple[int, bool], fx.Motion]
     energy: float
+    energy_lift_off: float
     seconds: dict[str, float] = field(default_factory=dict)
 
     @property
@@ -305,5 +228,6 @@ def analyse() -> Results:
         sines={mm: sine_steer(mm) for mm in data.SINE_STEER},
         bumps={(v, mirrored): bump(float(v), mirrored) for v in BUMP_SPEEDS for mirrored in (False, True)},
         energy=energy_gap(lambda times: bump(5.0, seconds=0.5, times=times, rtol=1e-8), 0.5, 30),
+        energy_lift_off=energy_gap(lambda times: bump(10.0, seconds=0.75, times=times, rtol=1e-9), 0.75, 240),
         seconds=seconds,
     )

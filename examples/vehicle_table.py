@@ -5,20 +5,20 @@ Imports numpy and flexel.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 import numpy as np
 
 import flexel as fx
 from flexel.examples import vehicle_data as data
-from flexel.examples.vehicle_runs import (
+from flexel.examples.vehicle_runs import Results, mode_name
+from flexel.examples.vehicle_signals import (
     SIGNALS,
-    Results,
+    at_stop,
     history,
     lifted,
     load_histories,
     loads,
-    mode_name,
     outside_range,
 )
 from flexel.linearize import Linearization, sort_eigenvalues
@@ -111,9 +111,11 @@ def lever_rule() -> dict[str, float]:
     return {"tyre_front": own - rear * body, "tyre_rear": own + front * body}
 
 
-def symmetric(lin: Linearization) -> list[complex]:
-    """Eigenvalues of the symmetric modes: both hops, bounce and pitch."""
-    names = ("hop bounce", "hop pitch", "bounce", "pitch")
+SYMMETRIC = ("hop bounce", "hop pitch", "bounce", "pitch")
+
+
+def named(lin: Linearization, names: Iterable[str] = SYMMETRIC) -> list[complex]:
+    """Eigenvalues of modes by name, of the symmetric ones by default: both hops, bounce and pitch."""
     found = {
         mode_name(mode): mode.eigenvalue for mode in reversed(lin.modes()) if mode.eigenvalue.imag > 1e-6
     }
@@ -127,16 +129,20 @@ def linear(results: Results) -> list[Quantity]:
     modes = {
         mode_name(m): [m.eigenvalue.real, m.eigenvalue.imag] for m in lin.modes() if m.eigenvalue.imag > 1e-6
     }
+    rightmost = results.loci.real.max(axis=1)
+    growing = f"5 ... 40 m/s, {np.count_nonzero(rightmost > 0) or 'no'} speed(s) with a growing mode"
     indicative = "; toe and camber change differ there"
     return [
         Quantity("eigenvalues_20", sort_eigenvalues(lin.eigenvalues()), unit="1/s", source="10 freedoms",
                  more={"modes": modes}),
-        Quantity("eigenvalues_20_symmetric", symmetric(lin), list(data.SYMMETRIC), 1e-3, "1/s",
+        Quantity("eigenvalues_20_symmetric", named(lin), list(data.SYMMETRIC), 1e-3, "1/s",
                  data.INDICATIVE + indicative),
-        Quantity("eigenvalues_20_no_side_force", symmetric(results.no_side_force),
+        Quantity("eigenvalues_20_no_side_force", named(results.no_side_force),
                  list(data.SYMMETRIC_NO_SIDE_FORCE), 2e-4, "1/s", data.INDICATIVE + indicative),
+        Quantity("eigenvalues_20_no_side_force_all", named(results.no_side_force, data.NO_SIDE_FORCE),
+                 list(data.NO_SIDE_FORCE.values()), 2e-4, "1/s", f"{data.ANOTHER}: {', '.join(data.NO_SIDE_FORCE)}"),
         Quantity("linearization_error", difference, 0.0, 1e-8, "", "differences of the nonlinear equations"),
-        Quantity("root_loci_rightmost", results.loci.real.max(axis=1), unit="1/s", source="5 ... 40 m/s, all die out"),
+        Quantity("root_loci_rightmost", rightmost, unit="1/s", source=growing),
     ]  # fmt: skip
 
 
@@ -194,13 +200,22 @@ def bumps(results: Results) -> list[Quantity]:
             "; ".join(f"{key}: {', '.join(z)}" for key, z in notes.items() if z) or "all wheels on the road"
         )
         rows.append(Quantity(f"{name}_wheels_lifted", len(notes["lifted"]), source=said, more=notes))
+        stopped = at_stop(motion)
+        said = f"at the stop: {', '.join(stopped) or 'none'}"
+        rows.append(Quantity(f"{name}_leaf_springs_at_stop", len(stopped), source=said))
     return rows
 
 
 def speed_and_energy(results: Results) -> list[Quantity]:
     """Energy bookkeeping and times of computation."""
+    relative = "gained + dissipated - driven, relative to what went round"
+    lifting = (
+        "three quarters of a second at 10 m/s, wheels leave the road and land, leaf springs reach their stops"
+    )
+    budget = {True: "processor time; budget 0.02 s", False: "processor time; budget 5 s"}
     return [
-        Quantity("energy_gap", results.energy, 0.0, 1e-6, "",
-                 "half a second over the bump: gained + dissipated - driven, relative to what went round"),
-        *(Quantity(f"seconds_{z}", t, unit="s", source="processor time") for z, t in results.seconds.items()),
+        Quantity("energy_gap", results.energy, 0.0, 1e-6, "", f"half a second over the bump at 5 m/s: {relative}"),
+        Quantity("energy_gap_lift_off", results.energy_lift_off, 0.0, 1e-4, "", f"{lifting}: {relative}"),
+        *(Quantity(f"seconds_{z}", t, unit="s", source=budget[z == "linearization"])
+          for z, t in results.seconds.items()),
     ]  # fmt: skip

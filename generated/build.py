@@ -85,7 +85,7 @@ LAWS = (
     "hertz_bristle_2",
     "journal",
 )
-SOURCES = [os.path.join(FOLDER, f"{name}.c") for name in (*ELEMENTS, "laws", "system")]
+SOURCES = [os.path.join(FOLDER, f"{name}.c") for name in (*ELEMENTS, "laws", "system", "blocks")]
 
 DECLARATIONS = """
 typedef void (*flexel_kernel)(size_t nblocks, const double *const *in, double *const *out);
@@ -106,6 +106,15 @@ typedef struct {
     double *const *out;
 } flexel_call;
 void flexel_run(size_t n, const flexel_call *calls);
+typedef struct {
+    size_t nblocks;
+    const size_t *start, *first, *column;
+} flexel_form;
+size_t flexel_factor_blocks(const flexel_form *form, double *diagonal, size_t *pivots);
+void flexel_solve_blocks(const flexel_form *form, const double *diagonal, const size_t *pivots, const double *beside,
+                         size_t n, double *x);
+void flexel_solve_blocks_transposed(const flexel_form *form, const double *diagonal, const size_t *pivots,
+                                    const double *beside, size_t n, double *x);
 """
 
 ffibuilder = FFI()
@@ -114,9 +123,9 @@ ffibuilder.cdef("".join(f"extern const flexel_element flexel_{name};\n" for name
 ffibuilder.cdef("".join(f"extern const flexel_law flexel_law_{name};\n" for name in LAWS))
 ffibuilder.set_source(
     "flexel.generated._kernels",
-    '#include "kernels.h"',
+    '#include "kernels.h"\n#include "blocks.h"',
     sources=SOURCES,
-    depends=[os.path.join(FOLDER, "kernels.h")],
+    depends=[os.path.join(FOLDER, name) for name in ("kernels.h", "blocks.h")],
     include_dirs=[FOLDER or "."],
     extra_compile_args=FLAGS,
     py_limited_api=True,

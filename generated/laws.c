@@ -66,7 +66,7 @@ static void linear_1_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_1 = {
     .name = "linear_1",
-    .digest = "7bba1517f36494fa",
+    .digest = "4b9e482f4904d47c",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -159,7 +159,7 @@ static void linear_2_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_2 = {
     .name = "linear_2",
-    .digest = "7bba1517f36494fa",
+    .digest = "4b9e482f4904d47c",
     .m = 2,
     .k = 0,
     .nz = 0,
@@ -278,7 +278,7 @@ static void linear_3_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_3 = {
     .name = "linear_3",
-    .digest = "7bba1517f36494fa",
+    .digest = "4b9e482f4904d47c",
     .m = 3,
     .k = 0,
     .nz = 0,
@@ -435,7 +435,7 @@ static void linear_4_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_4 = {
     .name = "linear_4",
-    .digest = "7bba1517f36494fa",
+    .digest = "4b9e482f4904d47c",
     .m = 4,
     .k = 0,
     .nz = 0,
@@ -632,7 +632,7 @@ static void linear_5_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_5 = {
     .name = "linear_5",
-    .digest = "7bba1517f36494fa",
+    .digest = "4b9e482f4904d47c",
     .m = 5,
     .k = 0,
     .nz = 0,
@@ -883,7 +883,7 @@ static void linear_6_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_6 = {
     .name = "linear_6",
-    .digest = "7bba1517f36494fa",
+    .digest = "4b9e482f4904d47c",
     .m = 6,
     .k = 0,
     .nz = 0,
@@ -1038,7 +1038,7 @@ static void diagonal_7_tangent(size_t nblocks, const real *const *in, real *cons
 
 const flexel_law flexel_law_diagonal_7 = {
     .name = "diagonal_7",
-    .digest = "7bba1517f36494fa",
+    .digest = "4b9e482f4904d47c",
     .m = 7,
     .k = 0,
     .nz = 0,
@@ -1275,7 +1275,7 @@ static void diagonal_13_tangent(size_t nblocks, const real *const *in, real *con
 
 const flexel_law flexel_law_diagonal_13 = {
     .name = "diagonal_13",
-    .digest = "7bba1517f36494fa",
+    .digest = "4b9e482f4904d47c",
     .m = 13,
     .k = 0,
     .nz = 0,
@@ -1335,7 +1335,7 @@ static void viscous_1_tangent(size_t nblocks, const real *const *in, real *const
 
 const flexel_law flexel_law_viscous_1 = {
     .name = "viscous_1",
-    .digest = "7bba1517f36494fa",
+    .digest = "4b9e482f4904d47c",
     .m = 0,
     .k = 1,
     .nz = 0,
@@ -1404,7 +1404,7 @@ static void viscous_2_tangent(size_t nblocks, const real *const *in, real *const
 
 const flexel_law flexel_law_viscous_2 = {
     .name = "viscous_2",
-    .digest = "7bba1517f36494fa",
+    .digest = "4b9e482f4904d47c",
     .m = 0,
     .k = 2,
     .nz = 0,
@@ -1485,7 +1485,7 @@ static void viscous_3_tangent(size_t nblocks, const real *const *in, real *const
 
 const flexel_law flexel_law_viscous_3 = {
     .name = "viscous_3",
-    .digest = "7bba1517f36494fa",
+    .digest = "4b9e482f4904d47c",
     .m = 0,
     .k = 3,
     .nz = 0,
@@ -1880,7 +1880,7 @@ static void spring_curve_tangent(size_t nblocks, const real *const *in, real *co
 
 const flexel_law flexel_law_spring_curve = {
     .name = "spring_curve",
-    .digest = "7bba1517f36494fa",
+    .digest = "4b9e482f4904d47c",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -2240,7 +2240,7 @@ static void damper_curve_tangent(size_t nblocks, const real *const *in, real *co
 
 const flexel_law flexel_law_damper_curve = {
     .name = "damper_curve",
-    .digest = "7bba1517f36494fa",
+    .digest = "4b9e482f4904d47c",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -2321,7 +2321,7 @@ static void stop_tangent(size_t nblocks, const real *const *in, real *const *out
 
 const flexel_law flexel_law_stop = {
     .name = "stop",
-    .digest = "7bba1517f36494fa",
+    .digest = "4b9e482f4904d47c",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -2397,7 +2397,7 @@ static void vertical_tyre_tangent(size_t nblocks, const real *const *in, real *c
 
 const flexel_law flexel_law_vertical_tyre = {
     .name = "vertical_tyre",
-    .digest = "7bba1517f36494fa",
+    .digest = "4b9e482f4904d47c",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -2557,7 +2557,7 @@ static void linear_tyre_tangent(size_t nblocks, const real *const *in, real *con
 
 const flexel_law flexel_law_linear_tyre = {
     .name = "linear_tyre",
-    .digest = "7bba1517f36494fa",
+    .digest = "4b9e482f4904d47c",
     .m = 2,
     .k = 4,
     .nz = 0,
@@ -2793,7 +2793,7 @@ static void calspan_tyre_tangent(size_t nblocks, const real *const *in, real *co
 
 const flexel_law flexel_law_calspan_tyre = {
     .name = "calspan_tyre",
-    .digest = "7bba1517f36494fa",
+    .digest = "4b9e482f4904d47c",
     .m = 2,
     .k = 4,
     .nz = 0,
@@ -2806,7 +2806,7 @@ const flexel_law flexel_law_calspan_tyre = {
  *
  * Fz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0
  * lx kappadot = Re rolling - forward - |forward| kappa
- * ly (tan alpha)dot = sideways - |forward| tan alpha
+ * ly (tan alpha)dot = lateral - |forward| tan alpha,  lateral of the contact point
  * mu = mu0 + mu1 min(1, Fz/Fz0 - 1),  Kx = kx Fz,  Ky = c1 Fz0 sin(2 atan(Fz/(c2 Fz0))),  Kg = kg Fz
  * x = Kx kappa/(mu Fz),  y = (Ky tan alpha + Kg camber)/(mu Fz),  slip = |(x, y)|,  b = slip/C
  * (Fx, Fy) = mu Fz sin(C atan(b - E (b - atan b))) (x, -y)/slip, combined slip by similarity
@@ -2814,7 +2814,7 @@ const flexel_law flexel_law_calspan_tyre = {
  *
  * Source: Pacejka, Tyre and Vehicle Dynamics, similarity method and single contact point transient model
  *
- * 2 deformations, 6 slips, z: kappa [1], tan_alpha [1]
+ * 2 deformations, 5 slips, z: kappa [1], tan_alpha [1]
  * p (16):
  *   stiffness (1) [N/m]: vertical stiffness
  *   damping (1) [N s/m]: vertical damping while the tyre is pressed
@@ -2829,15 +2829,15 @@ const flexel_law flexel_law_calspan_tyre = {
  *   relaxation (2) [m]: relaxation lengths, longitudinal and lateral */
 
 /* law: 86 operations.
- * in:  e (2), ed (2), s (6), z (2), t (1), p (16)
- * out: sigma (2), 1 of 2 entries, tau (6), 3 of 6 entries, zd (2), U (1), P (1) */
+ * in:  e (2), ed (2), s (5), z (2), t (1), p (16)
+ * out: sigma (2), 1 of 2 entries, tau (5), 3 of 5 entries, zd (2), U (1), P (1) */
 FLEXEL_CLONES
 static void magic_formula_law(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict e = in[0] + b * (2 * 8);
         const real *restrict ed = in[1] + b * (2 * 8);
-        const real *restrict s = in[2] + b * (6 * 8);
+        const real *restrict s = in[2] + b * (5 * 8);
         const real *restrict z = in[3] + b * (2 * 8);
         const real *restrict p = in[5] + b * (16 * 8);
         real *restrict sigma = out[0] + b * (1 * 8);
@@ -2881,14 +2881,14 @@ static void magic_formula_law(size_t nblocks, const real *const *in, real *const
             const real t18 = real_sqrt(1.0 + tan_alpha * tan_alpha * trail_1 * trail_1);
             t19[j] = trail_0 * t1 * (1.0 / t18) * Fz[j];
             const real relaxation_0 = p[14 * 8 + j];
-            const real rolling = s[2 * 8 + j];
+            const real rolling = s[1 * 8 + j];
             const real rolling_radius = p[3 * 8 + j];
             const real forward = s[0 * 8 + j];
             const real speed = real_abs(forward);
             zd[0 * 8 + j] = 1.0 / relaxation_0 * (rolling * rolling_radius - forward - kappa * speed);
             const real relaxation_1 = p[15 * 8 + j];
-            const real sideways = s[1 * 8 + j];
-            zd[1 * 8 + j] = 1.0 / relaxation_1 * (sideways - tan_alpha * speed);
+            const real lateral = s[3 * 8 + j];
+            zd[1 * 8 + j] = 1.0 / relaxation_1 * (lateral - tan_alpha * speed);
             U[0 * 8 + j] = real_lt(0.0, deflection) ? 0.5 * deflection * t0 : 0.0;
             t21[j] = deflection_rate * Fz[j];
             t22[j] = real_lt(0.0, deflection) ? deflection_rate * t0 : 0.0;
@@ -2942,24 +2942,24 @@ static void magic_formula_law(size_t nblocks, const real *const *in, real *const
             tau[1 * 8 + j] = t17;
             const real t20 = t17 * t19[j];
             tau[2 * 8 + j] = -t20;
-            const real lateral = s[4 * 8 + j];
-            const real longitudinal = s[3 * 8 + j];
-            const real spin = s[5 * 8 + j];
+            const real lateral = s[3 * 8 + j];
+            const real longitudinal = s[2 * 8 + j];
+            const real spin = s[4 * 8 + j];
             P[0 * 8 + j] = t21[j] + lateral * t17 - longitudinal * Fx - spin * t20 - t22[j];
         }
     }
 }
 
 /* tangent: 205 operations.
- * in:  e (2), ed (2), s (6), z (2), t (1), p (16)
- * out: J (10,12), 23 of 120 entries */
+ * in:  e (2), ed (2), s (5), z (2), t (1), p (16)
+ * out: J (9,11), 23 of 99 entries */
 FLEXEL_CLONES
 static void magic_formula_tangent(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict e = in[0] + b * (2 * 8);
         const real *restrict ed = in[1] + b * (2 * 8);
-        const real *restrict s = in[2] + b * (6 * 8);
+        const real *restrict s = in[2] + b * (5 * 8);
         const real *restrict z = in[3] + b * (2 * 8);
         const real *restrict p = in[5] + b * (16 * 8);
         real *restrict J = out[0] + b * (23 * 8);
@@ -3129,9 +3129,9 @@ static void magic_formula_tangent(size_t nblocks, const real *const *in, real *c
 
 const flexel_law flexel_law_magic_formula = {
     .name = "magic_formula",
-    .digest = "7bba1517f36494fa",
+    .digest = "4b9e482f4904d47c",
     .m = 2,
-    .k = 6,
+    .k = 5,
     .nz = 2,
     .np = 16,
     .law = magic_formula_law,
@@ -3242,7 +3242,7 @@ static void hertz_tangent(size_t nblocks, const real *const *in, real *const *ou
 
 const flexel_law flexel_law_hertz = {
     .name = "hertz",
-    .digest = "7bba1517f36494fa",
+    .digest = "4b9e482f4904d47c",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -3385,7 +3385,7 @@ static void hertz_coulomb_1_tangent(size_t nblocks, const real *const *in, real 
 
 const flexel_law flexel_law_hertz_coulomb_1 = {
     .name = "hertz_coulomb_1",
-    .digest = "7bba1517f36494fa",
+    .digest = "4b9e482f4904d47c",
     .m = 1,
     .k = 1,
     .nz = 0,
@@ -3548,7 +3548,7 @@ static void hertz_coulomb_2_tangent(size_t nblocks, const real *const *in, real 
 
 const flexel_law flexel_law_hertz_coulomb_2 = {
     .name = "hertz_coulomb_2",
-    .digest = "7bba1517f36494fa",
+    .digest = "4b9e482f4904d47c",
     .m = 1,
     .k = 2,
     .nz = 0,
@@ -3725,7 +3725,7 @@ static void hertz_bristle_1_tangent(size_t nblocks, const real *const *in, real 
 
 const flexel_law flexel_law_hertz_bristle_1 = {
     .name = "hertz_bristle_1",
-    .digest = "7bba1517f36494fa",
+    .digest = "4b9e482f4904d47c",
     .m = 1,
     .k = 1,
     .nz = 1,
@@ -3929,7 +3929,7 @@ static void hertz_bristle_2_tangent(size_t nblocks, const real *const *in, real 
 
 const flexel_law flexel_law_hertz_bristle_2 = {
     .name = "hertz_bristle_2",
-    .digest = "7bba1517f36494fa",
+    .digest = "4b9e482f4904d47c",
     .m = 1,
     .k = 2,
     .nz = 2,
@@ -4039,7 +4039,7 @@ static void journal_tangent(size_t nblocks, const real *const *in, real *const *
 
 const flexel_law flexel_law_journal = {
     .name = "journal",
-    .digest = "7bba1517f36494fa",
+    .digest = "4b9e482f4904d47c",
     .m = 3,
     .k = 0,
     .nz = 0,

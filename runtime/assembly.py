@@ -2,8 +2,8 @@
 
 All elements of one type form a batch; the inputs of all batches are gathered with one `take` into one
 buffer, the batches run in one C call, and their outputs are scattered with one indexed assignment
-(each entry has one owner) or one sparse product (entries are summed).  It orchestrates and computes nothing.
-Imports numpy, scipy.sparse and the generated kernels.
+(each entry has one owner) or summed place by place.  It orchestrates and computes nothing.
+Imports numpy and the generated kernels.
 """
 
 from __future__ import annotations
@@ -13,7 +13,6 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from scipy.sparse import csr_array, vstack
 
 from flexel.errors import FlexelError
 from flexel.generated._kernels import ffi, lib
@@ -168,22 +167,34 @@ class Stage:
         table: dict[str, Any] = {}
         for name, (place, s, t) in pieces.items():
             source, target = np.concatenate(s), np.concatenate(t)
-            shape = int(np.prod(place.shape)), self._output.size
             if place.summed:
-                table[name] = csr_array((np.ones(source.size), (target, source)), shape=shape)
+                table[name] = _Sum(source, target, int(np.prod(place.shape)))
                 shares = [_share(b, rows.size // b.size) for b, rows in zip(active, s, strict=False)]
                 if name == "M" and any(z.any() for z in shares):
-                    table["damped M"] = csr_array((np.concatenate(shares), (target, source)), shape=shape)
+                    table["damped M"] = _Sum(source, target, table[name].size, np.concatenate(shares))
             else:
                 table[name] = (source, target)
         return table
 
     def _stack_sums(self) -> None:
-        """One sparse product for all summed outputs together."""
-        tables = {name: z for name, z in self._targets.items() if not isinstance(z, tuple)}
-        ends = np.cumsum([0, *(z.shape[0] for z in tables.values())])
-        self._parts = {name: slice(a, b) for name, a, b in zip(tables, ends[:-1], ends[1:], strict=True)}
-        self._sums: Any = vstack(list(tables.values()), format="csr") if tables else None
+        """The entries of all summed outputs in one list, and where in it the places of each output begin."""
+        tables = {name: z for name, z in self._targets.items() if isinstance(z, _Sum)}
+        places = [np.unique(z.target, return_inverse=True) for z in tables.values()]
+        ends = np.cumsum([0, *(unique.size for unique, _ in places)])
+        self._parts = {
+            name: (z.size, unique, slice(a, a + unique.size))
+            for (name, z), (unique, _), a in zip(tables.items(), places, ends, strict=False)
+        }
+        self._sources = np.concatenate([np.zeros(0, dtype=np.intp), *(z.source for z in tables.values())])
+        self._bins = np.concatenate(
+            [
+                np.zeros(0, dtype=np.intp),
+                *(inverse + a for (_, inverse), a in zip(places, ends, strict=False)),
+            ]
+        )
+        weights = [np.ones(z.source.size) if z.weight is None else z.weight for z in tables.values()]
+        self._weights = np.concatenate(weights) if "damped M" in tables else None
+        self._sizes = int(ends[-1])
         self._totals: Array | None = None
 
     def run(self, **vectors: Array) -> None:
@@ -200,8 +211,15 @@ class Stage:
         """Write the entries of the output `name` into `out` (each has one owner) and return it."""
         table = self._targets.get(name)
         if table is not None:
-            out.ravel()[table[1]] = self._output[table[0]]
+            out.ravel()[table[1]] = self._output.take(table[0])
         return out
+
+    def places(self, name: str) -> Index:
+        """Flat places in the global array that the output `name` fills, at least one entry each."""
+        table = self._targets.get(name)
+        if table is None:
+            return np.zeros(0, dtype=np.intp)
+        return self._parts[name][1] if isinstance(table, _Sum) else table[1]
 
     def flat(self, name: str, size: int) -> Array:
         """The output `name` (each entry has one owner) as a new flat array (size,), zeros filled in."""
@@ -220,8 +238,26 @@ class Stage:
         if name not in self._parts:
             return np.zeros(shape)
         if self._totals is None:
-            self._totals = np.asarray(self._sums @ self._output)
-        return self._totals[self._parts[name]].reshape(shape)
+            entries = self._output.take(self._sources)
+            if self._weights is not None:
+                entries *= self._weights
+            self._totals = summed(self._bins, entries, self._sizes)
+        size, places, part = self._parts[name]
+        if places.size == size:
+            return self._totals[part].reshape(shape)
+        total = np.zeros(size)
+        total[places] = self._totals[part]
+        return total.reshape(shape)
+
+
+@dataclass(frozen=True)
+class _Sum:
+    """Entries of the output buffer, and the places in an array of `size` at which they are summed with weights."""
+
+    source: Index
+    target: Index
+    size: int
+    weight: Array | None = None
 
 
 def summed(places: Index, values: Array, size: int) -> Array:

@@ -195,7 +195,7 @@ class Saddle:
         if not rows.size:
             return np.zeros(0)
         kinematics = self.system.kinematics
-        target = kinematics.target(t, np.zeros(0))
+        target = kinematics.target(kinematics.roles.motion(t), np.zeros(0))
         return wrap(kinematics.values(e, x)[rows] - target, self._angles)
 
     def _row_sizes(self, J: Array) -> Array:

@@ -7,11 +7,12 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
-from flexel.assembly import Batch, kernel_struct
-from flexel.structure import Index, Instance, LawInstance, Structure
+from flexel.assembly import Batch, Place, Stage, kernel_struct
+from flexel.structure import Array, Index, Instance, LawInstance, Structure
 
 
 def element_batches(structure: Structure) -> list[Batch]:
@@ -47,6 +48,40 @@ def law_batches(structure: Structure) -> list[Batch]:
         struct = kernel_struct(spec, members[0].kernels)
         batches.append(Batch(spec, struct, inputs, np.array([i.p for i in members])))
     return batches
+
+
+def with_inertia(batches: Sequence[Batch], structure: Structure) -> list[Batch]:
+    """The elements that have mass: those of built-in types whose masses are zero are left out.
+
+    Inertia of the built-in types is proportional to their masses, and vanishes everywhere if it does so anywhere.
+    """
+    rng = np.random.default_rng(1)
+    x, v = structure.x0 + 0.1 * rng.standard_normal(structure.n), rng.standard_normal(structure.n)
+    own = {i.spec.name for i in structure.instances if i.kernels is not None}
+    found = []
+    for batch in batches:
+        some = np.ones(batch.size, dtype=bool) if batch.spec.name in own else _has_inertia(batch, x, v)
+        if some.all():
+            found.append(batch)
+        elif some.any():
+            inputs = {name: index[some] for name, index in batch.inputs.items()}
+            weight = None if batch.weight is None else batch.weight[some]
+            found.append(replace(batch, inputs=inputs, p=batch.p[some], weight=weight))
+    return found
+
+
+def _has_inertia(batch: Batch, x: Array, v: Array) -> Array:
+    """Whether the inertia kernel of each element gives anything but zeros."""
+    n, size = batch.inputs["x"].shape[1], batch.size
+    sizes = {"M": n * n, "h": n, "f": n, "U": 1}
+
+    def place(_: Batch, name: str) -> Place:
+        return Place(name, (size, sizes[name]), np.arange(size * sizes[name]).reshape(size, -1), False)
+
+    stage = Stage([batch], "inertia", place)
+    stage.run(x=x, v=v)
+    values = [stage.flat(name, size * rows).reshape(size, rows) for name, rows in sizes.items()]
+    return np.asarray(np.concatenate(values, axis=1).any(axis=1))
 
 
 def _indices(rows: Sequence[Sequence[int]]) -> Index:

@@ -169,7 +169,9 @@ def first_position(model: Model, kinematics: Kinematics, t: float) -> Configurat
     rows = np.concatenate([roles.holonomic, np.array(list(wanted), dtype=np.intp)])
     start = drawn[rows]
     start[: roles.rigid.size] = 0.0
-    goal = np.concatenate([kinematics.target(t, np.zeros(0)), np.array(list(wanted.values()))])
+    goal = np.concatenate(
+        [kinematics.target(kinematics.roles.motion(t), np.zeros(0)), np.array(list(wanted.values()))]
+    )
     change = wrap(goal - start, structure.angle[rows]) / kinematics.scales(rows)
     steps = max(1, int(np.ceil(np.max(np.abs(change), initial=0.0) / STEP)))
     for i in range(1, steps + 1):

@@ -90,14 +90,18 @@ def accelerations(
         If the reduced mass matrix is not positive definite: names the freedom without inertia.
     """
     nf, nd = kinematics.structure.nf, kinematics.roles.nd
-    both = np.zeros((nf, nd + 1), order="F")
+    both = np.zeros((nf, nd + 1))
     both[nf - nd :, :nd] = np.eye(nd)
     both[:, nd] = kinematics.convective(c, v)
     solution = B.solve(both)
     H, g = solution[:, :nd], solution[:, nd]
-    M, F = forces_.M[:nf, :nf], forces_.F[:nf]
-    MX = M @ solution
-    qdd = solve_mass(kinematics, H.T @ MX[:, :nd], H.T @ (F - MX[:, nd])) if nd else np.zeros(0)
+    qdd = np.zeros(0)
+    if nd:
+        heavy = kinematics.heavy
+        X = solution if kinematics.large else solution[heavy]
+        M = forces_.M[:nf, :nf] if kinematics.large else forces_.M[heavy[:, None], heavy]
+        MX = X[:, :nd].T @ (M @ X)
+        qdd = solve_mass(kinematics, MX[:, :nd], H.T @ forces_.F[:nf] - MX[:, nd])
     a = np.zeros(kinematics.structure.n)
     a[:nf] = H @ qdd + g
     return Acceleration(H, qdd, a)

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from flexel.assembly import Batch, Place, Stage
-from flexel.batches import element_batches, law_batches
+from flexel.batches import element_batches, law_batches, with_inertia
 from flexel.local import Local
 from flexel.structure import Array, Index, Structure
 
@@ -81,8 +81,13 @@ class Evaluation:
     def _stage(self, kind: str) -> Stage:
         """A kernel of all elements, made ready when first needed (its tables are as large as dense matrices)."""
         if kind not in self._stages:
-            self._stages[kind] = Stage(self.elements, kind, self._place.element)
+            batches = self._with_inertia if kind in ("inertia", "tangent") else self.elements
+            self._stages[kind] = Stage(batches, kind, self._place.element)
         return self._stages[kind]
+
+    @cached_property
+    def _with_inertia(self) -> list[Batch]:
+        return with_inertia(self.elements, self.structure)
 
     @cached_property
     def _law(self) -> Stage:
@@ -98,11 +103,22 @@ class Evaluation:
         J[self._rows - self.structure.n :] = np.eye(self.structure.n)
         return J
 
-    def position(self, x: Array) -> tuple[Array, Array]:
-        """Deformations e (m,) as principal values, and J = [De; V; I] (m + k + n, n)."""
-        self._stage("position").run(x=x)
-        e = self._stage("position").put("e", np.zeros(self.structure.m))
-        return e, self._stage("position").put("J", self._J.copy())
+    def position(self, x: Array, out: Array | None = None) -> tuple[Array, Array]:
+        """Deformations e (m,) as principal values, and J = [De; V; I] (m + k + n, n).
+
+        J is written into `out`, if given: an earlier J of this model, whose zeros need not be written again.
+        """
+        stage = self._stage("position")
+        stage.run(x=x)
+        e = stage.put("e", np.zeros(self.structure.m))
+        return e, stage.put("J", self._J.copy() if out is None else out)
+
+    @cached_property
+    def filled(self) -> Array:
+        """Where J has entries that are not zero by structure (m + k + n, n), as booleans."""
+        found: Array = self._J != 0
+        found.ravel()[self._stage("position").places("J")] = True
+        return found
 
     def jacobian(self, x: Array) -> tuple[Array, Any]:
         """Deformations e (m,) as principal values, and J as a sparse matrix."""
@@ -113,6 +129,12 @@ class Evaluation:
         """The same as `inertia` with a sparse mass matrix."""
         found = self.local.inertia(x, v)
         return self.local.mass(found.M), found.h, found.f, found.potential
+
+    @cached_property
+    def heavy(self) -> Index:
+        """Coordinates with inertia: the others have no rows and columns in the mass matrix."""
+        places = self._stage("inertia").places("M")
+        return np.unique(places % self.structure.n)
 
     def convective(self, x: Array, v: Array) -> Array:
         """Convective accelerations [D²e(v,v); s_x v; 0] of all quantities (m + k + n,)."""

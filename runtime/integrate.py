@@ -28,6 +28,7 @@ from flexel.structure import Array, Structure
 METHODS: dict[str, Any] = {"DOP853": DOP853, "RK45": RK45, "Radau": Radau, "BDF": BDF, "LSODA": LSODA}
 ILL_CONDITIONED = 0.25  # condition of B or of the position matrix, relative to that at the last choice
 SHORTEST = 1e-8  # first step, relative to the times, below which a position counts as out of reach
+FIRST = 1e-4  # first step, relative to the time left, after one that was out of reach
 MOST_SHORT = 100  # steps of that length in a row before the integration gives up
 RETRY = "out of reach"
 TRAVEL = 1.0  # of an Euler parameter in one step: more than two radians could lead to another branch or turn
@@ -205,7 +206,7 @@ class Integrator:
         options = self.options | {"max_step": self._longest()}
         if self._first_step:
             options["first_step"] = min(self._first_step, options["max_step"])
-        solver = self.method(system.rhs, self.state.t, y0, float(self.times[-1]), **options)
+        solver = self._solver(y0, options)
         reference = system.condition(self.state)
         self._values = [_value(event, self.state) for event in self.events]
         stopped: str | None = None
@@ -223,6 +224,18 @@ class Integrator:
                 break
         self.result.statistics["evaluations"] += solver.nfev
         return stopped
+
+    def _solver(self, y0: Array, options: dict[str, float]) -> Any:
+        """A SciPy solver; with a short first step where the one that it tries by itself leads out of reach."""
+        begin = self.system.rhs, self.state.t, y0, float(self.times[-1])
+        try:
+            return self.method(*begin, **options)
+        except (PositionError, ConstraintError):
+            if "first_step" in options:
+                raise
+            self.system.warm(self.state)
+            short = min(FIRST * (begin[-1] - begin[1]), options["max_step"])
+            return self.method(*begin, **options, first_step=short)
 
     def _accept(self, solver: Any, roles: Roles, bar: Any) -> str | None:
         """Keep what the last step gave; returns the name of a terminal event within it."""
@@ -248,11 +261,12 @@ class Integrator:
 
     def _trouble(self, roles: Roles) -> str:
         """What may be the matter where the integration cannot go on."""
+        names = self.system.kinematics.names
+        driven = f", check what drives {names(roles.prescribed)}" if roles.prescribed.size else ""
         return (
-            f"freedoms {self.system.kinematics.names(roles.dynamic)}, condition "
-            f"{self.system.condition(self.state, roles):.2g}: the motion is not smooth there, or the position is "
-            "singular (gimbal lock of frames without inertia); give those frames inertia, choose other freedoms, or "
-            f"end the motion before {self.state.t:g} s"
+            f"freedoms {names(roles.dynamic)}, condition {self.system.condition(self.state, roles):.2g}: the motion is "
+            "not smooth there, or the position is singular (gimbal lock of frames without inertia); give those frames "
+            f"inertia, choose other freedoms{driven}, or end the motion before {self.state.t:g} s"
         )
 
     def _longest(self) -> float:

@@ -9,6 +9,7 @@ Imports numpy, the solvers and the evaluation.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -17,24 +18,29 @@ from flexel.errors import ConstraintError, PositionError
 from flexel.evaluate import Evaluation
 from flexel.roles import Roles
 from flexel.solvers import Solvable, factorize
-from flexel.structure import Array, Structure
+from flexel.structure import Array, Index, Structure
+from flexel.triangular import BlockForm, ExchangedFactors
 
 TOLERANCE = 1e-13  # of a deformation, relative to its natural scale
 MAX_ITERATIONS = 40
 LARGE = 400  # coordinates above which matrices are sparse
+TINY = 24  # coordinates below which nothing is faster than a dense matrix
+WORTH = 8  # times fewer operations than in the dense matrix, for which the block form is taken
 
 
 @dataclass(frozen=True)
 class Configuration:
     """A configuration that satisfies the constraints: time, coordinates, deformations, J = [De; V; I].
 
-    J is a sparse matrix in a large model (`Kinematics.large`).
+    J is a sparse matrix in a large model (`Kinematics.large`). `motion` holds value, first and second rate
+    (3, prescribed) of the prescribed motions, where these were asked for already.
     """
 
     t: float
     x: Array
     e: Array
     J: Any
+    motion: Array | None = None
 
 
 def natural_scales(structure: Structure) -> Array:
@@ -66,11 +72,40 @@ class Kinematics:
         self._weight = 1.0 / self._scale[rows]
         self._angles = np.flatnonzero(self.structure.angle[rows])
         self._step_weight = 1.0 / self._scale[self.structure.m + self.structure.k :][: self.structure.nf]
+        self._room: Array | None = None
         self.forget()
 
     def evaluate(self, x: Array) -> tuple[Array, Any]:
         """Deformations e (m,) as principal values, and J = [De; V; I] (m + k + n, n), sparse in a large model."""
         return self.evaluation.jacobian(x) if self.large else self.evaluation.position(x)
+
+    @cached_property
+    def heavy(self) -> Index:
+        """Free coordinates with inertia, in a model that is not large."""
+        found = self.evaluation.heavy
+        return found[found < self.structure.nf]
+
+    @cached_property
+    def _form(self) -> tuple[BlockForm, Index] | None:
+        """Block form of the position matrix and where in J its entries are; None where dense factors are cheaper."""
+        m, k, n, nf = self.structure.m, self.structure.k, self.structure.n, self.structure.nf
+        if self.large or nf < TINY:
+            return None
+        rows = self.roles.position_rows
+        i, j = np.nonzero(self.evaluation.filled[rows][:, :nf])
+        form = BlockForm(i, j, nf)
+        if not form.regular or form.operations > nf**3 / 3 / WORTH:
+            return None
+        source = np.full(form.length, (m + k) * n + 1)  # a zero: beside the diagonal of the unit matrix in J
+        source[form.slots] = rows[i] * n + j
+        return form, source
+
+    def _position_matrix(self, J: Any) -> Solvable:
+        """Factors of the matrix of the position problem."""
+        if self._form is None:
+            return factorize(J[self.roles.position_rows][:, : self.structure.nf])
+        form, source = self._form
+        return form.factorize(J.ravel().take(source))
 
     def forget(self) -> None:
         """Drop what is kept from the last position problem, so that the next one does not depend on it."""
@@ -88,12 +123,16 @@ class Kinematics:
         y[y.size - x.size :] = x
         return y
 
-    def target(self, t: float, q: Array) -> Array:
-        """Values that the rows of the position problem must reach."""
+    def motion(self, configuration: Configuration) -> Array:
+        """Value, first and second rate (3, prescribed) of the prescribed motions."""
+        known = configuration.motion
+        return self.roles.motion(configuration.t) if known is None else known
+
+    def target(self, motion: Array, q: Array) -> Array:
+        """Values that the rows of the position problem must reach, for prescribed motions (3, prescribed)."""
         nr, nu = self.roles.rigid.size, self.roles.prescribed.size
         y = np.zeros(nr + nu + q.size)
-        if nu:
-            y[nr : nr + nu] = self.roles.motion(t)[0]
+        y[nr : nr + nu] = motion[0]
         y[nr + nu :] = q
         return y
 
@@ -113,18 +152,19 @@ class Kinematics:
         PositionError
             If Newton's method does not converge; names the rows that stay unsatisfied.
         """
-        rows, nf = self.roles.position_rows, self.structure.nf
-        target = self.target(t, q)
+        nf = self.structure.nf
+        motion = self.roles.motion(t)
+        target = self.target(motion, q)
         x = self._predict(guess, target)
         last = np.inf
         for _ in range(MAX_ITERATIONS):
-            e, J = self.evaluate(x)
+            e, J = self._inside(x)
             residual = self._residual(e, x, target)
             error = float(np.abs(residual * self._weight).max(initial=0.0))
             if error < TOLERANCE or (error < 1e-10 and error > 0.5 * last):
                 self._x, self._target = x, target
-                return Configuration(t, x, e, J)
-            self._lu = factorize(J[rows][:, :nf])
+                return Configuration(t, x, e, J.copy(), motion)
+            self._lu = self._position_matrix(J)
             if not (np.isfinite(error) and self._lu.regular):
                 break
             step = self._lu.solve(residual)
@@ -133,6 +173,13 @@ class Kinematics:
             last = error if largest < 0.5 else np.inf
         self.forget()
         raise PositionError(self._unreached(t, residual))
+
+    def _inside(self, x: Array) -> tuple[Array, Any]:
+        """The same as `evaluate` within an iteration: the matrix of the last time is written over."""
+        if self.large:
+            return self.evaluate(x)
+        e, self._room = self.evaluation.position(x, self._room)
+        return e, self._room
 
     def _residual(self, e: Array, x: Array, target: Array) -> Array:
         residual = self.values(e, x)[self.roles.position_rows] - target
@@ -174,7 +221,7 @@ class Kinematics:
         ConstraintError
             If B is singular: the chosen freedoms do not determine the velocities here.
         """
-        B = factorize(configuration.J[self.roles.velocity_rows][:, : self.structure.nf])
+        B = self._velocity_matrix(configuration.J)
         if not B.regular:
             raise ConstraintError(
                 f"the freedoms {self.names(self.roles.dynamic)} do not determine the velocities at "
@@ -182,12 +229,22 @@ class Kinematics:
             )
         return B
 
+    def _velocity_matrix(self, J: Any) -> Solvable:
+        roles, nf = self.roles, self.structure.nf
+        if self._form is not None:
+            P = self._position_matrix(J)
+            if P.regular:
+                return (
+                    ExchangedFactors(P, J[roles.zero][:, :nf], roles.holonomic.size) if roles.zero.size else P
+                )
+        return factorize(J[roles.velocity_rows][:, :nf])
+
     def velocity(self, configuration: Configuration, B: Solvable, qd: Array) -> Array:
         """Rates v (n,) of all coordinates for the rates q_d' (nd,) of the dynamic freedoms."""
         roles = self.roles
         rhs = np.zeros(self.structure.nf)
         if roles.motions:
-            rhs[roles.rigid.size : roles.holonomic.size] = roles.motion(configuration.t)[1]
+            rhs[roles.rigid.size : roles.holonomic.size] = self.motion(configuration)[1]
         rhs[rhs.size - roles.nd :] = qd
         v = np.zeros(self.structure.n)
         v[: self.structure.nf] = B.solve(rhs)
@@ -198,7 +255,7 @@ class Kinematics:
         rows = self.roles.velocity_rows
         rhs = -self.evaluation.convective(configuration.x, v)[rows]
         if self.roles.motions:
-            rhs[self.roles.rigid.size : self.roles.holonomic.size] += self.roles.motion(configuration.t)[2]
+            rhs[self.roles.rigid.size : self.roles.holonomic.size] += self.motion(configuration)[2]
         return rhs
 
     def names(self, rows: Any) -> str:

@@ -97,7 +97,15 @@ class SparseFactors:
         return x
 
 
-Solvable = Factorization | SparseFactors
+class Solvable(Protocol):
+    """A factorized square matrix whose transpose is solved with as well."""
+
+    @property
+    def regular(self) -> bool:
+        """False if a pivot is exactly zero."""
+
+    def solve(self, b: Array, transposed: bool = False) -> Array:
+        """Solution of A x = b, or of A' x = b, for one or several columns."""
 
 
 def factorize(matrix: Any) -> Solvable:

@@ -47,7 +47,7 @@ def with_turns(kinematics: Kinematics, c: Configuration, q: Array, reference: Ar
     structure, rows = kinematics.structure, kinematics.roles.position_rows
     own = rows < structure.m
     known = reference.copy()
-    known[rows[own]] = kinematics.target(c.t, q)[own]
+    known[rows[own]] = kinematics.target(kinematics.motion(c), q)[own]
     return with_freedoms(structure, unwrap(structure, c.e, known), q, kinematics.roles)
 
 

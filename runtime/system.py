@@ -233,7 +233,8 @@ class System:
         """Reciprocal condition of the velocity and position matrices with scaled rows; small is bad."""
         roles, nf = roles or self.roles, self.structure.nf
         found = 1.0
-        for rows in (roles.velocity_rows, roles.position_rows):
+        both = roles.velocity_rows, roles.position_rows
+        for rows in both[: 1 if np.array_equal(*both) else 2]:
             A = state.J[rows, :nf]
             found = min(found, Factorization(A / np.linalg.norm(A, axis=1, keepdims=True)).rcond)
         return found

@@ -1,8 +1,9 @@
 """Laws of tyres: vertical with lift-off, linear, CALSPAN, and a Magic Formula with combined slip and relaxation.
 
-They act on the element ``tyre``: a load from its deflection, a side force from the slip of the wheel's centre and its
-camber, put on the contact point. All forces vanish when the wheel lifts off; side forces fade out below a standstill
-speed, where no slip angle exists. This room may import sympy and ``flexel.derive.element``.
+They act on the element ``tyre``: a load from its deflection, a side force from the slip and the camber, put on the
+contact point. The benchmark's tyres take the slip of the wheel's centre, the Magic Formula that of the contact point,
+which is another one while the wheel leans over. All forces vanish when the wheel lifts off; side forces fade out below
+a standstill speed, where no slip angle exists. This room may import sympy and ``flexel.derive.element``.
 """
 
 from sympy import Abs, Expr, Max, Min, Piecewise, Rational, Symbol, atan, cos, sin, sqrt
@@ -162,7 +163,7 @@ def _magic_formula() -> Law:
     speed = let.scalar("speed", Abs(FORWARD))
     states = (
         Internal("kappa", "1", (Re.symbol * ROLLING - FORWARD - speed * kappa) / length_x),
-        Internal("tan_alpha", "1", (SIDEWAYS - speed * tan_alpha) / length_y),
+        Internal("tan_alpha", "1", (LATERAL - speed * tan_alpha) / length_y),
     )
     zero = Rational(0)
     return Law(
@@ -170,7 +171,7 @@ def _magic_formula() -> Law:
         doc=(
             f"{_LOAD_DOC}\n"
             "lx kappadot = Re rolling - forward - |forward| kappa\n"
-            "ly (tan alpha)dot = sideways - |forward| tan alpha\n"
+            "ly (tan alpha)dot = lateral - |forward| tan alpha,  lateral of the contact point\n"
             "mu = mu0 + mu1 min(1, Fz/Fz0 - 1),  Kx = kx Fz,  Ky = c1 Fz0 sin(2 atan(Fz/(c2 Fz0))),  Kg = kg Fz\n"
             "x = Kx kappa/(mu Fz),  y = (Ky tan alpha + Kg camber)/(mu Fz),  slip = |(x, y)|,  b = slip/C\n"
             "(Fx, Fy) = mu Fz sin(C atan(b - E (b - atan b))) (x, -y)/slip, combined slip by similarity\n"
@@ -179,9 +180,9 @@ def _magic_formula() -> Law:
         parameters=(STIFFNESS, DAMPING, *_MAGIC),
         e=(PRESS, CAMBER),
         ed=(PRESS_RATE, CAMBER_RATE),
-        s=(FORWARD, SIDEWAYS, ROLLING, LONGITUDINAL, LATERAL, SPIN),
+        s=(FORWARD, ROLLING, LONGITUDINAL, LATERAL, SPIN),
         sigma=(Fz, zero),
-        tau=(zero, zero, zero, -Fx, -Fy, arm * Fy),
+        tau=(zero, zero, -Fx, -Fy, arm * Fy),
         energy=energy,
         source="Pacejka, Tyre and Vehicle Dynamics, similarity method and single contact point transient model",
         states=states,

@@ -28,6 +28,10 @@ MAGIC = {
     "relaxation": (0.2, 0.4),
 }
 PARTS = ("deflection", "camber", "forward", "sideways", "rolling", "longitudinal", "lateral", "spin")
+SIDE = [
+    f"tyre.{z}" for z in PARTS if z not in ("rolling", "longitudinal")
+]  # of the linear and the CALSPAN law
+MAGIC_ON = [f"tyre.{z}" for z in PARTS if z != "sideways"]
 
 
 def wheel(
@@ -112,6 +116,23 @@ def test_on_a_slope_the_force_on_the_height_is_normal_to_the_road() -> None:
     assert force == pytest.approx(K * (R - H) * np.array([-slope, 0, 1]), rel=1e-11, abs=1e-9)
 
 
+@pytest.mark.parametrize("heading", [0.0, 0.6])
+def test_a_wheel_on_a_sine_road_vibrates_as_a_mass_on_a_spring(heading: float) -> None:
+    """Driven over five waves, m z'' = k (R - z + road) - m g from rest, with the road (1 - cos W t) A/2."""
+    A, wavelength, speed = 0.004, 5.0, 10.0
+    rest = R - 400 * 9.81 / K
+    road = fx.Waves(A, wavelength, count=5, heading=(np.cos(heading), np.sin(heading)))
+    m = wheel(road=road, z=rest)
+    m.attach("vertical_tyre", ["tyre.drop"], stiffness=K, damping=0.0)
+    m.prescribe("hub.x", fx.Polynomial((0.0, speed)))
+    m.fix("wheel", "hub.y")
+    m.independent("hub.z")
+    motion = m.build().simulate(2.0, rtol=1e-10, atol=1e-12)
+    w, W, t = np.sqrt(K / 400), 2 * np.pi * speed * np.cos(heading) / wavelength, motion.t
+    expected = A / 2 * (1 - np.cos(w * t) - w**2 / (w**2 - W**2) * (np.cos(W * t) - np.cos(w * t)))
+    assert motion["hub.z"] - rest == pytest.approx(expected, abs=1e-9)
+
+
 def test_a_wheel_that_bounces_leaves_the_road_and_keeps_its_energy() -> None:
     m = wheel(z=0.45)
     m.fix("wheel", "hub.x", "hub.y")
@@ -134,8 +155,7 @@ def side_force(
     """Side force and moment of a tyre pressed by a load, at a slip angle and a camber."""
     depth = load / K
     m = wheel(fx.turn((1, 0, 0), camber), z=(R - depth) * np.cos(camber))
-    on = [f"tyre.{z}" for z in PARTS if z not in ("rolling", "longitudinal")]
-    m.attach(law, on, stiffness=K, damping=0.0, **parameters)
+    m.attach(law, SIDE, stiffness=K, damping=0.0, **parameters)
     s = moving(m, (20.0, 20.0 * np.tan(alpha), 0), (0, 0, 0))
     assert s.force("tyre.deflection") == pytest.approx(load, rel=1e-9, abs=1e-6)
     return -s.force("tyre.lateral"), -s.force("tyre.spin")
@@ -168,8 +188,7 @@ def test_a_tyre_off_the_road_has_no_force_and_beyond_its_data_goes_on() -> None:
 
 def test_a_tyre_that_stands_has_no_side_force() -> None:
     m = wheel(fx.turn((1, 0, 0), 0.05), z=0.35)
-    on = [f"tyre.{z}" for z in PARTS if z not in ("rolling", "longitudinal")]
-    m.attach("calspan_tyre", on, stiffness=K, damping=0.0, **CALSPAN)
+    m.attach("calspan_tyre", SIDE, stiffness=K, damping=0.0, **CALSPAN)
     s = m.build().initial
     assert s.force("tyre.deflection") > 0
     assert s.force("tyre.lateral") == 0.0
@@ -191,7 +210,7 @@ def sled(speed: float, spin: float, sideways: float = 0.0) -> fx.Model:
     m.hinge("spin", "still", "wheel", axis=(0, 1, 0))
     m.body("mass", "hub", "wheel", mass=400.0, inertia=(6.0, 10.0, 6.0))
     m.tyre("tyre", "hub", "wheel", radius=R, axle=(0, 1, 0))
-    m.attach("magic_formula", [f"tyre.{z}" for z in PARTS], name="rubber", stiffness=K, damping=0.0, **MAGIC)
+    m.attach("magic_formula", MAGIC_ON, name="rubber", stiffness=K, damping=0.0, **MAGIC)
     m.prescribe("spin.angle", fx.Polynomial((0.0, spin)))
     m.prescribe("hub.y", fx.Polynomial((0.0, sideways)))
     m.initial("hub.x", rate=speed)
@@ -220,6 +239,18 @@ def test_a_rolling_wheel_is_not_braked_and_slip_builds_up_over_the_relaxation_le
     assert motion["rubber.tan_alpha"] == pytest.approx(0.02 * (1 - np.exp(-travelled / 0.4)), abs=1e-6)
 
 
+@pytest.mark.parametrize("crown", [0.0, 0.08])
+def test_a_wheel_that_leans_over_its_contact_point_does_not_slip(crown: float) -> None:
+    """The centre moves sideways with the lean rate, the contact point does not: there is no slip angle to build up."""
+    rate, speed = 1.3, 20.0
+    m = wheel(crown=crown)
+    m.attach("magic_formula", MAGIC_ON, name="rubber", stiffness=K, damping=0.0, **MAGIC)
+    s = moving(m, (speed, -rate * H, 0), (rate, speed / MAGIC["rolling_radius"], 0))  # type: ignore[operator]
+    assert s.rate("tyre.sideways") == pytest.approx(-rate * H)
+    assert s.rate("tyre.lateral") == pytest.approx(0.0, abs=1e-12)
+    assert s.zd == pytest.approx([0.0, 0.0], abs=1e-9)
+
+
 def test_longitudinal_force_takes_from_the_side_force() -> None:
     both = [sled(20.0, spin, 1.0).build().simulate(0.3)[-1] for spin in (20.0 / 0.35, 10.0)]
     side, braked = (abs(z.force("tyre.lateral")) for z in both)
@@ -231,7 +262,7 @@ def test_longitudinal_force_takes_from_the_side_force() -> None:
 
 # -- the torus ------------------------------------------------------------------------------------
 
-MASS, RING, SIDE = 2.0, 0.08, 0.05  # inertias about and across the axle
+MASS, RING, CROSS = 2.0, 0.08, 0.05  # inertias about and across the axle
 
 
 def torus(crown: float, lean: float, rates: tuple[float, float, float]) -> fx.System:
@@ -244,7 +275,7 @@ def torus(crown: float, lean: float, rates: tuple[float, float, float]) -> fx.Sy
     m.hinge("lean", yawed, leaned, axis=(1, 0, 0))
     m.hinge("roll", leaned, rolled, axis=(0, 1, 0))
     m.wheel("wheel", "hub", rolled, "contact", radius=0.3, axle=(0, 1, 0), crown=crown)
-    m.body("body", "hub", rolled, mass=MASS, inertia=(SIDE, RING, SIDE))
+    m.body("body", "hub", rolled, mass=MASS, inertia=(CROSS, RING, CROSS))
     m.independent("yaw.angle", "lean.angle", "roll.angle")
     m.kinematic("contact.x", "contact.y")
     m.initial("lean.angle", lean, rate=rates[1])
@@ -265,11 +296,11 @@ def newton_euler(crown: float, a: np.ndarray, omega: np.ndarray) -> tuple[np.nda
     c, cd = arm(a), (arm(a + h * ad) - arm(a - h * ad)) / (2 * h)
     # centre: v = -omega x c, so v' = c x omega' - omega x c';  force F = m (v' + g up);  moment c x F
     given = MASS * (-np.cross(omega, cd) + 9.81 * UP)
-    spin = (RING - SIDE) * (omega @ a)
+    spin = (RING - CROSS) * (omega @ a)
     A = np.zeros((3, 3))
     for i, unit in enumerate(np.eye(3)):
-        A[:, i] = SIDE * unit + (RING - SIDE) * (unit @ a) * a - np.cross(c, MASS * np.cross(c, unit))
-    rhs = np.cross(c, given) - spin * ad - (RING - SIDE) * (omega @ ad) * a
+        A[:, i] = CROSS * unit + (RING - CROSS) * (unit @ a) * a - np.cross(c, MASS * np.cross(c, unit))
+    rhs = np.cross(c, given) - spin * ad - (RING - CROSS) * (omega @ ad) * a
     return ad, np.linalg.solve(A, rhs)
 
 
