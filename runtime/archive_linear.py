@@ -120,7 +120,7 @@ def _state(structure: Structure, header: Mapping[str, Any], arrays: Mapping[str,
 
 
 def save(self: Linearization, path: str | Path) -> Path:
-    """Write all matrices with their names as .nc, .npz or .mat; `flexel.load` reads them back.
+    """Write all matrices with their names as .nc, .npz, .mat or .csv; `flexel.load` reads them back.
 
     For A, B, C and D alone, in Matlab's form, see `save_state_space`.
     """

@@ -163,7 +163,7 @@ def test_converted_source_is_what_a_person_would_write(tmp_path: Path) -> None:
 
 
 def test_four_bar_with_belt_gears_and_bearing_moves_as_it_must() -> None:
-    x, e = (rows(run_spacar(DATA / "spacar_four_bar.dat"), z) for z in "XE")
+    x, e = (rows(run_spacar(DATA / "spacar_four_bar.dat").report, z) for z in "XE")
     crank = 6.0 * 0.5 - 1.0 * 0.5**2 / 2
     assert abs(x[2][0] - crank) < 1e-6
     assert abs(x[12][0] - crank * 0.05 / 0.04) < 1e-6  # belt
