@@ -181,6 +181,13 @@ def plot(self: Linearization, path: str | Path | None = None) -> Any:
     return plot_poles([self.eigenvalues()], path)
 
 
+def view(self: Linearization, path: str | Path, **options: Any) -> Path:
+    """A page that shows the modes in any browser, with amplitude and phase; options of `flexel.view.mode_data`."""
+    from flexel.view import view_modes
+
+    return view_modes(self, path, **options)
+
+
 def plot_mode(self: Linearization, number: int, path: str | Path | None = None, **options: Any) -> Any:
     """The shape of a mode of `modes`, over the state in grey; see `flexel.deflected.plot_shape`."""
     from flexel.deflected import plot_shape

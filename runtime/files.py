@@ -220,7 +220,7 @@ def _fields(dims: tuple[str, ...], labels: Mapping[str, Any]) -> bool:
 
 
 def _write_csv(record: Record, path: Path) -> None:
-    """One row for each time, or a table for each matrix; the rest, and the header, as JSON in a first line after ``#``."""
+    """One row for each time, or a table for each matrix; the rest and the header as JSON in the first line."""
     tables, rest = [_histories(record)] if "time" in record.variables else list(_matrices(record)), {}
     written = {name for names, _ in tables for name in names}
     for name, z in record.variables.items():

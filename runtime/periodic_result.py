@@ -109,6 +109,10 @@ class PeriodicSolution:
         """The mechanism at the stored states nearest to the times."""
         return self.motion.plot_shapes(*times, path=path, **options)
 
+    def view(self, path: str | Path, **options: Any) -> Path:
+        """A page that shows one period in any browser; options of `flexel.view.scene_data`."""
+        return self.motion.view(path, **options)
+
     # -- tables and files ------------------------------------------------------------------------
 
     def record(self) -> Record:

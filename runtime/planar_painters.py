@@ -52,7 +52,7 @@ def run(state: State, instance: Instance) -> Array:
     a, b = _number(instance, "radius_p"), _number(instance, "radius_q")
     start, end = place(state, p), place(state, q)
     d = end - start
-    theta = np.arctan2(d[1], d[0]) - np.arctan2(a - b, np.sqrt(max(d @ d - (a - b) ** 2, 0.0)))
+    theta = np.arctan2(d[1], d[0]) - np.arctan2(a - b, np.sqrt(np.maximum(d @ d - (a - b) ** 2, 0.0)))
     left = np.array([-np.sin(theta), np.cos(theta), 0.0])
     return np.array([start + a * left, end + b * left])
 

@@ -69,7 +69,7 @@ def test_one_design_is_stable_over_the_workspace_and_damps_more_than_joint_contr
 
 
 def test_the_nonlinear_closed_loop_settles_where_joint_control_still_swings(design: fx.Linearization) -> None:
-    """Both joints turn by 80 degrees in a second; half a second later the payload rests within 2 mm, or swings by 0.5 m."""
+    """Both joints turn by 80 degrees in a second; then the payload rests within 2 mm, or swings by 0.5 m."""
     errors = []
     for gains in (regulator(design), joint_control(design)):
         motion = manoeuvre(gains, 2.0, 41)

@@ -86,8 +86,9 @@ def run(
     results, and a Motion that it returns is saved.
 
     A SPACAR file is read as data and never executed; results are printed in SPACAR's numbering and signs, and written
-    where --out says, a motion also as MODEL_motion.npz for `flexel view`. Without --mode a file with TIMESTEP is simulated, one with load steps takes these on, and for any
-    other the equilibrium, its frequencies and its buckling loads are found.
+    where --out says, a motion also as MODEL_motion.npz for `flexel view`. Without --mode a file with TIMESTEP is
+    simulated, one with load steps takes these on, and for any other the equilibrium, its frequencies and its buckling
+    loads are found.
 
     Ctrl-C stops a simulation; what was computed is saved, and the exit status is 130.
     """
