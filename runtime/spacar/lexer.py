@@ -76,6 +76,8 @@ def read_lines(path: Path, dialect: str | None) -> tuple[str, list[Line]]:
     """
     if dialect not in (None, *DIALECTS):
         raise ModelError(f"read_spacar: dialect {dialect!r} is unknown; give 'delft' or 'twente'")
+    if not path.is_file():
+        raise ModelError(f"read_spacar '{path}': there is no such file; give the path of a SPACAR input file")
     try:
         text = path.read_text(encoding="utf-8")
     except UnicodeDecodeError as error:
