@@ -135,7 +135,10 @@ def _model(file: str, raw: Sequence[tuple[int, list[str]]], dialect: str) -> lis
         elif dialect == "delft" or words[1:2] in (["END"], ["end"]):
             ended = number
         elif len(words) != 2 or words[1].upper() not in ("HALT", "END"):
-            raise ModelError(f"{file}, line {number}: END stands alone; write END HALT or END END")
+            raise ModelError(
+                f"{file}, line {number}: END stands alone, but the file is read as one of the Twente dialect; write "
+                "END HALT or END END, or give dialect='delft' (--dialect delft)"
+            )
     return lines
 
 
