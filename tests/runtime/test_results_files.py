@@ -277,19 +277,6 @@ def test_a_table_has_a_column_with_its_unit_for_every_quantity(motion: fx.Motion
         assert table[column].to_numpy() == pytest.approx(values, rel=1e-15, abs=0.0), column
 
 
-@pytest.mark.parametrize("suffix", SUFFIXES)
-def test_a_linearization_comes_back_from_a_file(tmp_path: Path, suffix: str) -> None:
-    system = bicycle()
-    lin = system.linearize(kick(system, 4.5, 0.05)[0])
-    read = fx.load(lin.save(tmp_path / f"lin{suffix}"))
-    assert isinstance(read, fx.Linearization)
-    for name in ("M", "C", "K", "A_k", "B_k", "state_matrix"):
-        assert np.array_equal(getattr(read, name), getattr(lin, name)), name
-    assert (read.freedoms, read.states) == (lin.freedoms, lin.states)
-    assert [z.name for z in read.modes()] == [z.name for z in lin.modes()]
-    assert same(read.state, lin.state)
-
-
 def test_the_matrices_of_a_linearization_are_tables_with_names(tmp_path: Path) -> None:
     lin = bicycle().linearize()
     lines = lin.save(tmp_path / "lin.csv").read_text(encoding="utf-8").splitlines()
