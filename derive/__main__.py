@@ -16,7 +16,7 @@ from flexel.derive.emit import update_baseline as accept
 FOLDER = Path(__file__).resolve().parents[1] / "generated"
 
 
-@click.command()
+@click.command(context_settings={"help_option_names": ["-h", "--help"]})
 @click.argument("elements", nargs=-1, metavar="[ELEMENT]...")
 @click.option(
     "--check", "checking", is_flag=True, help="Compare byte for byte and count operations; write nothing."

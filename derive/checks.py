@@ -35,6 +35,15 @@ def check_name(owner: str, name: str) -> None:
         raise ValueError(f"{owner}: '{name}' cannot be a name in C; choose letters, digits and underscores")
 
 
+def check_scalar(owner: str, what: str, expr: object) -> None:
+    """Raise ValueError for what is no scalar expression of SymPy."""
+    if not isinstance(expr, Expr):
+        raise ValueError(
+            f"{owner}: {what} is not a scalar expression but {type(expr).__name__}; write one SymPy expression, and "
+            "declare each component of a vector for itself"
+        )
+
+
 def rate_degrees(expr: Expr, known: dict[Symbol, frozenset[int]]) -> frozenset[int]:
     """Degrees in the rates of the terms of an expression, found from its structure.
 

@@ -14,6 +14,7 @@ from sympy import Expr, Matrix, Symbol
 from flexel.derive.checks import (
     check_functions,
     check_name,
+    check_scalar,
     check_symbols,
     check_text,
     check_unique,
@@ -242,31 +243,38 @@ class Element:
     def _check_expressions(self, owner: str) -> None:
         degrees = dict.fromkeys([*self.x, *self.parameter_symbols], frozenset({0}))
         degrees.update(dict.fromkeys(self.v, frozenset({1})))
+        moving = {*self.x}  # what changes with the coordinates
 
         def check(what: str, expr: object, allowed: int, fact: str) -> None:
-            if not isinstance(expr, Expr):
-                raise ValueError(f"{owner}: {what} is not a scalar expression but {type(expr).__name__}")
+            check_scalar(owner, what, expr)
             check_symbols(owner, what, expr, degrees)
             if not rate_degrees(expr, degrees) <= {allowed}:
                 raise ValueError(f"{owner}: {what} {fact}")
             check_functions(owner, what, expr)
 
         for s, expr in self.let:
-            if not isinstance(expr, Expr):
-                raise ValueError(f"{owner}: let '{s}' is not a scalar expression but {type(expr).__name__}")
+            check_scalar(owner, f"let '{s}'", expr)
             check_symbols(owner, f"let '{s}'", expr, degrees)
             check_functions(owner, f"let '{s}'", expr)
             degrees[s] = rate_degrees(expr, degrees)
+            if not moving.isdisjoint(expr.free_symbols):
+                moving.add(s)
         modes: tuple[Deformation | Slip, ...] = (*self.deformations, *self.slips)
         for mode in modes:
             if not mode.unit:
                 raise ValueError(f"{owner}: '{mode.name}' has no unit; give an SI unit, or '1'")
         for d in self.deformations:
             check(f"deformation '{d.name}'", d.expr, 0, "depends on rates; declare it as a slip")
+            if moving.isdisjoint(d.expr.free_symbols):
+                raise ValueError(
+                    f"{owner}: deformation '{d.name}' depends on no coordinate; use those of its nodes"
+                )
         for slip in self.slips:
             check(f"slip '{slip.name}'", slip.expr, 1, "is not linear in the rates")
         check("the kinetic energy", self.kinetic_energy, 2, "is not quadratic in the rates")
         check("the potential", self.potential, 0, "depends on rates")
+        if not (modes or self.kinetic_energy or self.potential):
+            raise ValueError(f"{owner}: it has no deformation, slip or energy; declare one")
         check_text(owner, "the element", self.doc)
 
     @property
@@ -362,8 +370,7 @@ class Law:
 
     def _check_expressions(self, owner: str, symbols: list[Symbol]) -> None:
         def check(what: str, expr: object) -> None:
-            if not isinstance(expr, Expr):
-                raise ValueError(f"{owner}: {what} is not a scalar expression but {type(expr).__name__}")
+            check_scalar(owner, what, expr)
             check_symbols(owner, what, expr, known)
             check_functions(owner, what, expr)
 

@@ -8,6 +8,7 @@ import inspect
 import json
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -27,6 +28,13 @@ HOMES = {  # sections of the page of public names: title and modules
     "Systems, states and motions": ("flexel.system", "flexel.state", "flexel.integrate", "flexel.result"),
     "Linearization": ("flexel.linearize",),
     "Errors": ("flexel.errors",),
+}
+RETURNED = {  # what public names give, or take as options: not names of the package itself
+    "flexel.periodic_result": ("PeriodicSolution",),
+    "flexel.linearize": ("Mode",),
+    "flexel.stability": ("Vibration", "BucklingMode"),
+    "flexel.plot": ("root_loci", "View", "Sketch"),
+    "flexel.view": ("scene_data", "view_modes"),
 }
 DECLARATIONS = ("flexel.derive.element", "flexel.derive.rotation", "flexel.derive.shape")
 
@@ -146,14 +154,14 @@ def law_facts(spec: LawSpec) -> str:
     return f"Deformations: {spec.deformations}; slips: {spec.slips}; internal states: {states}.\n"
 
 
-def directive(name: str) -> str:
-    """The autodoc directive of a public name."""
-    value = getattr(flexel, name)
+def directive(name: str, module: str = "flexel") -> str:
+    """The autodoc directive of a name."""
+    value = getattr(import_module(module), name)
     if not inspect.isclass(value):
-        return f".. autofunction:: flexel.{name}\n"
+        return f".. autofunction:: {module}.{name}\n"
     if issubclass(value, Exception):
-        return f".. autoexception:: flexel.{name}\n"
-    return f".. autoclass:: flexel.{name}\n   :members:\n"
+        return f".. autoexception:: {module}.{name}\n"
+    return f".. autoclass:: {module}.{name}\n   :members:\n"
 
 
 def api_page() -> str:
@@ -167,6 +175,8 @@ def api_page() -> str:
     text = "# Public names\n\nEverything here is `fx.NAME` after `import flexel as fx`.\n"
     for title, entries in sections.items():
         text += f"\n## {title}\n\n```{{eval-rst}}\n" + "\n".join(entries) + "```\n"
+    given = [directive(name, module) for module, names in RETURNED.items() for name in names]
+    text += "\n## What these return or take\n\n```{eval-rst}\n" + "\n".join(given) + "```\n"
     text += "\n## Declaring elements and laws\n\n```{eval-rst}\n"
     return text + "\n".join(f".. automodule:: {module}\n   :members:\n" for module in DECLARATIONS) + "```\n"
 

@@ -83,7 +83,8 @@ def animate(
         raise ModelError(f"animate '{path}': fps {fps:g} and slower {slower:g} must be positive")
     if path.suffix == ".mp4" and shutil.which("ffmpeg") is None:
         raise FlexelError(
-            f"animate '{path}': the program ffmpeg is not installed; install it, or write .html or .gif"
+            f"animate '{path}': the program ffmpeg is not installed; install it (`apt install ffmpeg`), or write .html "
+            "or .gif"
         )
     start, end = between or (float(motion.t[0]), float(motion.t[-1]))
     count = max(2, round((end - start) * slower * fps) + 1)

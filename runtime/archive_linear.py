@@ -16,12 +16,13 @@ import numpy as np
 
 from flexel.archive import ROLES, StoredGeometry, roles_from, roles_in_names
 from flexel.description import described, structure_of
+from flexel.errors import ModelError
 from flexel.record import Record, Variable, require
 from flexel.state import Energy, State
 from flexel.structure import Structure
 
 if TYPE_CHECKING:
-    from flexel.linearize import Linearization
+    from flexel.linearize import Linearization, Mode
 
 # Names along rows and columns, where they are freedoms.
 DIMS = {
@@ -120,7 +121,7 @@ def _state(structure: Structure, header: Mapping[str, Any], arrays: Mapping[str,
 
 
 def save(self: Linearization, path: str | Path) -> Path:
-    """Write all matrices with their names as .nc, .npz or .mat; `flexel.load` reads them back.
+    """Write all matrices with their names as .nc, .npz, .mat or .csv; `flexel.load` reads them back.
 
     For A, B, C and D alone, in Matlab's form, see `save_state_space`.
     """
@@ -166,7 +167,7 @@ def to_pandas(self: Linearization) -> Any:
 
 def mode_shape(self: Linearization, number: int) -> dict[str, complex]:
     """Displacements of all free coordinates in a mode of `modes`, for pictures; freedoms of amplitude 1 at most."""
-    mode = self.modes()[number]
+    mode = _mode(self, number)
     q = np.array([mode.shape[name] for name in self.freedoms])
     structure = self.state.structure
     x = self.transfer.G[:, : q.size] @ q
@@ -181,10 +182,24 @@ def plot(self: Linearization, path: str | Path | None = None) -> Any:
     return plot_poles([self.eigenvalues()], path)
 
 
+def _mode(lin: Linearization, number: int) -> Mode:
+    modes = lin.modes()
+    if not -len(modes) <= number < len(modes):
+        raise ModelError(f"mode {number}: there are {len(modes)}, numbered from 0; list them with modes()")
+    return modes[number]
+
+
+def view(self: Linearization, path: str | Path, **options: Any) -> Path:
+    """A page that shows the modes in any browser, with amplitude and phase; options of `flexel.view.mode_data`."""
+    from flexel.view import view_modes
+
+    return view_modes(self, path, **options)
+
+
 def plot_mode(self: Linearization, number: int, path: str | Path | None = None, **options: Any) -> Any:
     """The shape of a mode of `modes`, over the state in grey; see `flexel.deflected.plot_shape`."""
     from flexel.deflected import plot_shape
 
-    mode = self.modes()[number]
+    mode = _mode(self, number)
     title = f"{mode.name}: {mode.eigenvalue:.4g} 1/s"
     return plot_shape(self.state, mode_shape(self, number), path, **{"title": title, **options})

@@ -5,6 +5,7 @@ compiled kernels.
 """
 
 import sys
+from typing import Any
 
 import click
 
@@ -18,7 +19,20 @@ from flexel.commands.verify import verify
 from flexel.commands.view import view
 
 
-@click.group(context_settings={"help_option_names": ["-h", "--help"]})
+class Commands(click.Group):
+    """A path that cannot be read or written ends any command in one line."""
+
+    def invoke(self, ctx: click.Context) -> Any:
+        """Run the command that was asked for."""
+        try:
+            return super().invoke(ctx)
+        except OSError as error:
+            if error.filename is None:  # a closed pipe, for one, which click knows
+                raise
+            raise click.ClickException(f"{error.filename}: {error.strerror}; give another path") from error
+
+
+@click.group(cls=Commands, context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(flexel.__version__, prog_name="flexel")
 def main() -> None:
     """A compiler for mechanisms: derive, compile, run."""

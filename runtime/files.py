@@ -10,10 +10,11 @@ from __future__ import annotations
 import csv
 import json
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from itertools import product
 from pathlib import Path
 from typing import Any
+from zipfile import is_zipfile
 
 import numpy as np
 
@@ -33,7 +34,7 @@ def write(record: Record, path: str | Path) -> Path:
     Raises
     ------
     ModelError
-        A suffix that is none of .nc, .npz, .mat, .csv; a table asked for what is no time history.
+        A suffix that is none of .nc, .npz, .mat, .csv.
     FlexelError
         If an optional package is missing.
     """
@@ -126,6 +127,8 @@ def _write_npz(record: Record, path: Path) -> None:
 
 
 def _read_npz(path: Path) -> tuple[dict[str, Any], dict[str, Array]]:
+    if not is_zipfile(path):
+        raise ValueError("it is no archive of arrays")  # np.load would take it for a pickle
     with path.open("rb") as stream, np.load(stream, allow_pickle=False) as file:
         header = _parsed(str(file[HEADER]))
         return header, {name: file[name] for name in header["variables"] if name in file.files}
@@ -217,25 +220,40 @@ def _fields(dims: tuple[str, ...], labels: Mapping[str, Any]) -> bool:
 
 
 def _write_csv(record: Record, path: Path) -> None:
-    """One row for each time; what has no time, and the header, stands as JSON in the first line, after ``#``."""
-    columns, titles, rest = [], [], {}
+    """One row for each time, or a table for each matrix; the rest and the header as JSON in the first line."""
+    tables, rest = [_histories(record)] if "time" in record.variables else list(_matrices(record)), {}
+    written = {name for names, _ in tables for name in names}
     for name, z in record.variables.items():
-        if z.dims[:1] == ("time",):
-            titles += _titles(record, name, z)
-            columns.append(np.reshape(z.values, (z.values.shape[0], -1)))
-        else:
+        if name not in written:
             rest[name] = np.asarray(z.values).tolist()
-    if not columns:
-        raise ModelError(
-            f"save '{path}': a {record.kind} is no table over time; save it as .nc, .npz or .mat"
-        )
     first = json.dumps({"result": _header(record), "arrays": rest})
     with path.open("w", newline="", encoding="utf-8") as stream:
         stream.write(f"# {first}\n")
         table = csv.writer(stream, lineterminator="\n")
-        table.writerow(titles)
-        for row in np.hstack(columns).tolist():
-            table.writerow("" if value != value else repr(value) for value in row)
+        for i, (_, rows) in enumerate(tables):
+            stream.write("\n" * (i > 0))
+            table.writerows(rows)
+
+
+def _histories(record: Record) -> tuple[list[str], list[list[str]]]:
+    """The variables over time, and their table."""
+    over_time = {name: z for name, z in record.variables.items() if z.dims[:1] == ("time",)}
+    titles = [title for name, z in over_time.items() for title in _titles(record, name, z)]
+    columns = [np.reshape(z.values, (z.values.shape[0], -1)) for z in over_time.values()]
+    return list(over_time), [titles, *(_cells(row) for row in np.hstack(columns).tolist())]
+
+
+def _matrices(record: Record) -> Iterator[tuple[list[str], list[list[str]]]]:
+    """Each matrix with names along its rows and columns, and its table."""
+    for name, z in record.variables.items():
+        if z.values.size and len(z.dims) == 2 and all(dim in record.labels for dim in z.dims):
+            rows, columns = (record.labels[dim] for dim in z.dims)
+            values = zip(rows, np.asarray(z.values).tolist(), strict=True)
+            yield [name], [[name, *columns], *([label, *_cells(row)] for label, row in values)]
+
+
+def _cells(row: list[float]) -> list[str]:
+    return ["" if value != value else repr(value) for value in row]
 
 
 def _titles(record: Record, name: str, z: Variable) -> list[str]:
@@ -256,15 +274,25 @@ def _read_csv(path: Path) -> tuple[dict[str, Any], dict[str, Array]]:
             raise ValueError("its first line is not the header, '# {…'")
         both = json.loads(first[2:])
         header = _parsed(both["result"])
-        rows = [[float(z) if z else np.nan for z in row] for row in list(csv.reader(stream))[1:]]
+        rows = [row for row in csv.reader(stream) if row]
     arrays = {name: np.array(values) for name, values in both["arrays"].items()}
-    table, start = np.array(rows), 0
-    for name, z in header["variables"].items():
-        if name not in arrays:
-            width = int(np.prod(z["shape"][1:]))
+    missing = {name: z["shape"] for name, z in header["variables"].items() if name not in arrays}
+    start = 0
+    if "time" in missing:
+        table = _numbers(rows[1:])
+        for name, shape in missing.items():
+            width = int(np.prod(shape[1:]))
             arrays[name] = table[:, start : start + width]
             start += width
+        return header, arrays
+    for name, shape in missing.items():
+        arrays[name] = _numbers([row[1:] for row in rows[start + 1 : start + 1 + shape[0]]])
+        start += 1 + shape[0]
     return header, arrays
+
+
+def _numbers(rows: list[list[str]]) -> Array:
+    return np.array([[float(z) if z else np.nan for z in row] for row in rows])
 
 
 Writer = Callable[[Record, Path], None]

@@ -50,7 +50,11 @@ def spectrum(motion: Motion, name: str, window: str = "hann") -> tuple[Array, Ar
     values, unit = motion.series(name)
     t = motion.t
     steps = np.diff(t)
-    if t.size < 4 or np.ptp(steps) > 1e-6 * steps.mean():
+    if t.size < 4:
+        raise ModelError(
+            f"spectrum of '{name}': {t.size} stored times are too few; simulate with more samples"
+        )
+    if np.ptp(steps) > 1e-6 * steps.mean():
         raise ModelError(
             f"spectrum of '{name}': the {t.size} stored times are not equidistant; simulate with samples=…, or with "
             "equidistant times"

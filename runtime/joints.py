@@ -74,6 +74,8 @@ def hinge(
     """
     owner = f"hinge '{name}'"
     planar, nodes = self.resolve(owner, (p, "frame"), (q, "frame"))
+    if nodes[0] is nodes[1]:
+        raise ModelError(f"{owner}: both its frames are '{nodes[0].name}'; give those of the two bodies")
     if planar:
         self.add(name, "planar_hinge", nodes, {"offset0": nodes[1].x0 - nodes[0].x0})
     else:

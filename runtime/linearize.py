@@ -294,6 +294,7 @@ class Linearization:
     save = archive_linear.save
     plot = archive_linear.plot
     plot_mode = archive_linear.plot_mode
+    view = archive_linear.view
     mode_shape = archive_linear.mode_shape
 
 

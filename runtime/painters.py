@@ -1,7 +1,8 @@
 """What each kind of element looks like at a state: a table of functions that give its shapes.
 
 A new kind of element is drawn by one function and one line in `PAINTERS`.
-Imports numpy and the runtime rooms of materials, ropes' painters, orientation, shape, state, stress and structure.
+Imports numpy and the runtime rooms of materials, ropes' and planar painters, orientation, shape, state, stress and
+structure.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
+from flexel import planar_painters
 from flexel.materials import Profile
 from flexel.orientation import matrix, product
 from flexel.rope_painters import contact, rope
@@ -181,9 +183,9 @@ def _points(structure: Structure, frame: str) -> list[str]:
 
 
 def _axial(state: State, instance: Instance) -> dict[str, Array]:
-    """Tension, and the strain of the axis of an element that can stretch."""
+    """Tension, and the strain of the axis of an element that can stretch and says from which length."""
     name = f"{instance.name}.elongation"
-    if name not in state.structure.index:
+    if name not in state.structure.index or "l0" not in instance.parameters:
         return {}
     strain = abs(state[name]) / float(instance.parameters["l0"][0])
     return {"tension": np.array([state.force(name)]), "strain": np.array([strain])}
@@ -224,4 +226,7 @@ PAINTERS: dict[str, Callable[[State, Instance], Iterator[Shape]]] = {
     "planar_body": body,
     "point_mass": mass,
     "planar_point_mass": mass,
+    "planar_belt": planar_painters.belt,
+    "planar_gear": planar_painters.gears,
+    "planar_wheel": planar_painters.wheel,
 }

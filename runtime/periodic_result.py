@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from flexel.archive import motion_of, record_of
+from flexel.checks import positive
 from flexel.errors import ModelError
 from flexel.files import write
 from flexel.floquet import ComplexArray
@@ -109,6 +110,10 @@ class PeriodicSolution:
         """The mechanism at the stored states nearest to the times."""
         return self.motion.plot_shapes(*times, path=path, **options)
 
+    def view(self, path: str | Path, **options: Any) -> Path:
+        """A page that shows one period in any browser; options of `flexel.view.scene_data`."""
+        return self.motion.view(path, **options)
+
     # -- tables and files ------------------------------------------------------------------------
 
     def record(self) -> Record:
@@ -177,9 +182,12 @@ def periodic(
 
     Raises
     ------
-    PositionError, LinearizationError
-        As `flexel.periodic.periodic_motion`.
+    ModelError, PositionError, LinearizationError
+        A period or a number of harmonics that is not positive; else as `flexel.periodic.periodic_motion`.
     """
+    period = positive(period, "periodic", "period")
+    if not isinstance(harmonics, (int, np.integer)) or harmonics < 1:
+        raise ModelError(f"periodic: {harmonics!r} harmonics asked for; give a whole number, 1 or more")
     X = None if start is None else start.vibration.X
     orbit, vibration = periodic_motion(self, period, harmonics, X, samples, accuracy)
     counts = {"samples": len(orbit.states), "harmonics": harmonics}

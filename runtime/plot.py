@@ -62,7 +62,8 @@ def plot_histories(motion: Motion, names: Sequence[str], path: str | Path | None
             panel.set_ylabel(f"[{unit}]" if unit else "")
             panel.legend(loc="upper right")
         axes[-1, 0].set_xlabel("time [s]")
-        axes[-1, 0].set_xlim(motion.t[0], motion.t[-1])
+        if motion.t[-1] > motion.t[0]:  # a motion that was interrupted at once has one state
+            axes[-1, 0].set_xlim(motion.t[0], motion.t[-1])
     save(drawn, path)
     return drawn
 

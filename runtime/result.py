@@ -61,6 +61,10 @@ class Motion(Sequence[State]):
     def __getitem__(self, key: Any) -> Any:
         if isinstance(key, str):
             return self.series(key)[0]
+        if isinstance(key, float):
+            raise ModelError(
+                f"motion[{key:g}]: the states are counted; the one at a time is motion.at({key:g})"
+            )
         return self._states[key]
 
     @property

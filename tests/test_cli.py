@@ -51,11 +51,12 @@ def fails_with(monkeypatch: pytest.MonkeyPatch, outcome: Report | Exception) -> 
     monkeypatch.setattr(sys.modules["pendulum_example"], "reproduce", reproduce)
 
 
-@pytest.mark.parametrize("command", ["derive", "verify", "reproduce", "run", "convert", "info"])
-def test_every_command_has_help(command: str) -> None:
+@pytest.mark.parametrize("command", ["derive", "verify", "reproduce", "run", "convert", "view", "info"])
+@pytest.mark.parametrize("switch", ["--help", "-h"])
+def test_every_command_has_help(command: str, switch: str) -> None:
     """`flexel COMMAND --help` explains, and `flexel --help` lists it."""
     assert command in run("--help").output
-    result = run(command, "--help")
+    result = run(command, switch)
     assert result.exit_code == 0, result.output
     assert f"flexel {command}" in result.output or f"main {command}" in result.output
 
@@ -210,3 +211,18 @@ def test_a_long_array_shows_its_worst_entry() -> None:
     computed[7, 2] += 0.43
     line = Report("case", [Quantity("eigenvalues", computed, reference, 1e-3)]).table().splitlines()[-1]
     assert line.startswith("eigenvalues[7,2] (worst of 44)") and "1.0e-02" in line and "NO" in line
+
+
+def test_a_path_that_cannot_be_written_is_told_in_one_line(
+    pendulum: list[Path | None], tmp_path: Path
+) -> None:
+    """JSON in a folder that is not there is refused before anything is computed; a folder cannot be in a file."""
+    nowhere = str(tmp_path / "nowhere" / "numbers.json")
+    for command in (("reproduce", "pendulum"), ("verify", "truss")):
+        result = run(*command, "--json", nowhere)
+        assert result.exit_code == 2 and "there is no such folder; make it" in result.stderr
+    assert pendulum == []
+    (tmp_path / "file").write_text("")
+    result = run("reproduce", "pendulum", "--out", str(tmp_path / "file" / "out"))
+    assert result.exit_code == 1 and isinstance(result.exception, SystemExit)
+    assert "Not a directory; give another path" in result.stderr

@@ -105,6 +105,7 @@ def test_a_file_may_import_its_neighbour_and_guard_its_program(tmp_path: Path) -
     ("text", "message"),
     [
         ("x = 1\n", "neither a fx.Model nor a function main"),
+        ("x = '\0'\n", "pendulum.py: source code string cannot contain null bytes"),
         (
             "import flexel as fx\na = fx.Model()\nb = fx.Model()\n",
             "several models, a, b; call one of them model",
@@ -153,3 +154,32 @@ def test_ctrl_c_keeps_the_motion_so_far(tmp_path: Path) -> None:
     assert process.returncode == 130, errors
     assert "interrupted at t = " in output and "Traceback" not in errors
     assert 1 < len(fx.load(tmp_path / "pendulum.npz")) < 100001
+
+
+def test_ctrl_c_in_a_spacar_file_says_so_and_keeps_the_motion(tmp_path: Path, checkout: Path) -> None:
+    text = (checkout / "tests" / "data" / "slider_crank.dat").read_text()
+    file = written(tmp_path, text.replace("TIMESTEP 100 5.0", "TIMESTEP 20000 1000.0"), "crank.dat")
+    command = [sys.executable, "-c", INTERRUPTING, str(file), str(tmp_path)]
+    answer = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
+    assert answer.returncode == 130, answer.stderr
+    assert "interrupted at t = " in answer.stdout and "Traceback" not in answer.stderr
+    motion = fx.load(tmp_path / "crank_motion.npz")
+    assert isinstance(motion, fx.Motion) and 0 < motion.t[-1] < 1000
+
+
+# the interrupt comes when the motion has begun, however slow the machine
+INTERRUPTING = """
+import os, signal, sys
+from flexel import integrate
+from flexel.cli import main
+
+accept = integrate.Integrator._accept
+
+def interrupted(self, *arguments):
+    if len(self.result.states) > 5:
+        os.kill(os.getpid(), signal.SIGINT)
+    return accept(self, *arguments)
+
+integrate.Integrator._accept = interrupted
+main(["run", sys.argv[1], "--out", sys.argv[2]])
+"""

@@ -4,6 +4,7 @@ import re
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -28,6 +29,16 @@ def test_the_programs_of_the_first_five_minutes_run(
     printed = capsys.readouterr().out
     shown = re.search(r"```text\n(.*?)```", (DOCS / "start.md").read_text(encoding="utf-8"), re.DOTALL)
     assert shown is not None and shown[1].strip() in printed
+
+
+def test_the_program_of_the_page_on_control_steadies_the_rod() -> None:
+    """Upright and falling at first, then at rest and upright with the controller."""
+    names: dict[str, Any] = {}
+    for block in programs("control.md"):
+        exec(block, names)
+    assert names["lin"].eigenvalues().real.max() == pytest.approx((1.5 * 9.81 / 0.5) ** 0.5, rel=1e-9)
+    assert names["s"].linearize().eigenvalues().real.max() < -1
+    assert abs(names["motion"]["motor.angle"][-1]) < 1e-4
 
 
 @pytest.mark.slow

@@ -4,8 +4,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from click.testing import CliRunner
 
 import flexel as fx
+from flexel.cli import main
 from flexel.examples.manipulator import (
     DESIGN,
     JOINTS,
@@ -66,15 +68,38 @@ def test_one_design_is_stable_over_the_workspace_and_damps_more_than_joint_contr
     )  # there the gains must be others: the linearizations tell in advance
 
 
-@pytest.mark.slow
 def test_the_nonlinear_closed_loop_settles_where_joint_control_still_swings(design: fx.Linearization) -> None:
-    """Both joints turn by 80 degrees in a second; the payload is looked at half a second later."""
+    """Both joints turn by 80 degrees in a second; then the payload rests within 2 mm, or swings by 0.5 m."""
     errors = []
     for gains in (regulator(design), joint_control(design)):
-        motion = manoeuvre(gains, 2.0, 41, method="Radau", rtol=1e-4, atol=1e-6)
-        errors.append(tip_error(motion)[motion.t > 1.5].max())
+        motion = manoeuvre(gains, 2.0, 41)
+        errors.append(tip_error(motion)[motion.t > 1.5])
         assert motion["shoulder command.angle"][-1] == pytest.approx(np.radians(80), abs=1e-12)
-    assert errors[0] < 0.25 * errors[1]
+    assert errors[0].max() < 2e-3
+    assert errors[0][-1] < 0.5 * errors[0][0]
+    assert errors[1].max() > 0.5
+
+
+def test_two_integrators_agree_on_the_closed_loop(design: fx.Linearization) -> None:
+    """The motion over the first quarter of a second, by the implicit method and by LSODA."""
+    gains = regulator(design)
+    motion = manoeuvre(gains, 0.25, 6, tolerance=1e-7)
+    other = motion.system.simulate(0.25, samples=6, method="LSODA", rtol=1e-7, atol=1e-9)
+    scale = np.abs(other["elbow.angle"]).max()
+    assert scale > 0.02
+    assert np.abs(motion["elbow.angle"] - other["elbow.angle"]).max() < 1e-4 * scale
+
+
+def test_the_example_runs_as_a_users_file(tmp_path: Path, checkout: Path) -> None:
+    """`flexel run` on the example: its pictures, and its motion to be viewed."""
+    pytest.importorskip("matplotlib", reason="the example draws: pip install 'flexel[plot]'")
+    file = checkout / "examples" / "manipulator.py"
+    result = CliRunner().invoke(main, ["run", str(file), "--out", str(tmp_path)])
+    assert result.exit_code == 0, result.output
+    assert sorted(z.name for z in tmp_path.glob("*.png")) == [
+        f"manipulator_{z}.png" for z in ("closed_loop", "poles", "shapes")
+    ]
+    assert tip_error(fx.load(tmp_path / "manipulator.npz"))[-1] < 2e-3  # type: ignore[arg-type]
 
 
 def test_small_errors_decay_as_the_linear_closed_loop_says(design: fx.Linearization) -> None:
@@ -101,7 +126,7 @@ def test_python_control_designs_the_same_regulator(design: fx.Linearization) -> 
 
 def test_the_results_of_the_loop_are_saved_and_go_on(design: fx.Linearization, tmp_path: Path) -> None:
     gains = joint_control(design)
-    motion = manoeuvre(gains, 0.1, 3, rtol=1e-5, atol=1e-7)
+    motion = manoeuvre(gains, 0.1, 3)
     read = fx.load(motion.save(tmp_path / "arm.npz"))
     assert np.array_equal(read["lower2.bend2"], motion["lower2.bend2"])
     assert motion.system.restore(read).force("elbow.angle") == motion[-1].force("elbow.angle")

@@ -11,6 +11,7 @@ import json
 import sys
 import time
 from collections.abc import Iterable, Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
@@ -86,7 +87,7 @@ def verify_generated(names: Sequence[str] = (), progress: bool = False) -> Verif
     return Verification(tuple(rows), time.perf_counter() - start)
 
 
-@click.command()
+@click.command(context_settings={"help_option_names": ["-h", "--help"]})
 @click.argument("names", nargs=-1, metavar="[ELEMENT]...")
 @click.option(
     "--json",
@@ -103,6 +104,8 @@ def main(names: tuple[str, ...], json_file: str | None) -> None:
     unknown = [name for name in names if name not in NAMES]
     if unknown:
         raise click.UsageError(f"no element or law '{unknown[0]}'; there are: {', '.join(NAMES)}.")
+    if json_file is not None and not Path(json_file).absolute().parent.is_dir():
+        raise click.UsageError(f"--json {json_file}: there is no such folder; make it, or give another path.")
     result = verify_generated(names, progress=True)
     click.echo(result.table(), err=json_file == "-")
     if json_file is not None:

@@ -36,7 +36,8 @@ def told_by_line(path: Path) -> Iterator[None]:
     except click.ClickException:
         raise
     except SyntaxError as error:
-        raise click.ClickException(f"{error.filename}, line {error.lineno}: {error.msg}") from error
+        place = f"{error.filename or path}" + (f", line {error.lineno}" if error.lineno else "")
+        raise click.ClickException(f"{place}: {error.msg}") from error
     except Exception as error:  # whatever a user's file does
         own = [z.lineno for z in traceback.extract_tb(error.__traceback__) if z.filename == str(path)]
         place = f"{path}, line {own[-1]}" if own else str(path)

@@ -56,6 +56,8 @@ def reproduce(names: tuple[str, ...], json_file: str | None, out: Path | None) -
         raise click.UsageError(
             f"--json {json_file}: that is a system, not a file; write names before --json."
         )
+    if json_file is not None and not Path(json_file).absolute().parent.is_dir():
+        raise click.UsageError(f"--json {json_file}: there is no such folder; make it, or give another path.")
     if out is not None:
         out.mkdir(parents=True, exist_ok=True)
     to_stdout = json_file == "-"

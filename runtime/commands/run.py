@@ -86,8 +86,9 @@ def run(
     results, and a Motion that it returns is saved.
 
     A SPACAR file is read as data and never executed; results are printed in SPACAR's numbering and signs, and written
-    where --out says. Without --mode a file with TIMESTEP is simulated, one with load steps takes these on, and for any
-    other the equilibrium, its frequencies and its buckling loads are found.
+    where --out says, a motion also as MODEL_motion.npz for `flexel view`. Without --mode a file with TIMESTEP is
+    simulated, one with load steps takes these on, and for any other the equilibrium, its frequencies and its buckling
+    loads are found.
 
     Ctrl-C stops a simulation; what was computed is saved, and the exit status is 130.
     """
@@ -106,15 +107,13 @@ def run(
     if mode is not None or dialect is not None:
         raise click.UsageError(f"{file}: --mode and --dialect are for SPACAR files, MODEL.dat.")
     wish = Wish(out or Path("out") / file.stem, asked, formats, plots, linearize)
-    wish.out.mkdir(parents=True, exist_ok=True)
     motion = _run_python(file, wish)
     if motion is None:
         return
     with told_by_line(file):
         _keep(motion, wish, file.stem)
         _report(motion, wish)
-    if motion.message.startswith("interrupted"):
-        raise SystemExit(INTERRUPTED)
+    _end(motion)
 
 
 def _run_python(file: Path, wish: Wish) -> Motion | None:
@@ -122,6 +121,9 @@ def _run_python(file: Path, wish: Wish) -> Motion | None:
     from flexel.result import Motion
 
     names = names_of(file)
+    wish.out.mkdir(
+        parents=True, exist_ok=True
+    )  # now, so that a folder that cannot be made is told before the work
     if callable(names.get("main")):
         if wish.simulate:
             raise click.UsageError(
@@ -180,6 +182,14 @@ def _run_spacar(file: Path, out: Path | None, mode: int | None, dialect: str | N
     from flexel.spacar.run import run_spacar
 
     try:
-        click.echo(run_spacar(file, out, mode=mode, dialect=dialect))
+        outcome = run_spacar(file, out, mode=mode, dialect=dialect)
     except FlexelError as error:
         raise click.ClickException(str(error)) from error
+    click.echo(outcome.report)
+    _end(outcome.motion)
+
+
+def _end(motion: Motion | None) -> None:
+    """The exit status of an interrupt, if that is how a motion ended."""
+    if motion is not None and motion.message.startswith("interrupted"):
+        raise SystemExit(INTERRUPTED)

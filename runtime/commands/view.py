@@ -3,14 +3,8 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import click
-
-if TYPE_CHECKING:
-    from flexel.linearize import Linearization
-    from flexel.periodic_result import PeriodicSolution
-    from flexel.result import Motion
 
 
 @click.command()
@@ -32,21 +26,9 @@ def view(file: Path, out: Path | None, title: str, open_it: bool) -> None:
     from flexel.restore import load
 
     try:
-        path = _written(load(file), out or file.with_suffix(".html"), title or file.stem)
+        path = load(file).view(out or file.with_suffix(".html"), title=title or file.stem)
     except FlexelError as error:
         raise click.ClickException(str(error)) from error
     click.echo(f"wrote {path}")
     if open_it:
         click.launch(path.resolve().as_uri())
-
-
-def _written(result: Motion | Linearization | PeriodicSolution, path: Path, title: str) -> Path:
-    """The page of any kind of result."""
-    from flexel.linearize import Linearization
-    from flexel.result import Motion
-    from flexel.view import view_modes
-
-    if isinstance(result, Linearization):
-        return view_modes(result, path, title=title)
-    motion = result if isinstance(result, Motion) else result.motion
-    return motion.view(path, title=title)

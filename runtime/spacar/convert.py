@@ -75,17 +75,18 @@ def python_source(file: Spacar) -> str:
             section = title
         lines += _wrapped(call)
     if file.load_steps:
-        lines += [
-            "",
-            "# with the load steps of the file, t from 0 to 1:",
-            *(f"# {call}" for call in file.load_steps),
-        ]
+        lines += ["", "# load steps, t from 0 to 1"]
+        for call in file.load_steps:
+            lines += _wrapped(call)
     if file.duration is not None:
         step = f', "max_step": {file.max_step!r}' if file.max_step else ""
         options = f'{{"duration": {file.duration!r}, "samples": {file.steps + 1}{step}}}'
         lines += ["", f"simulate = {options}"]
-    lines += ["", 'if __name__ == "__main__":']
-    lines += [f"    {line}" if line else "" for line in _analysis(file)]
+    if file.duration is not None:
+        lines += ["", 'if __name__ == "__main__":', *_indented(_analysis(file))]
+    else:  # `flexel run` calls main, as there is nothing to simulate
+        lines += ["", "", "def main(out=None):", *_indented(_analysis(file)), "", ""]
+        lines += ['if __name__ == "__main__":', "    main()"]
     return "\n".join(lines) + "\n"
 
 
@@ -108,12 +109,22 @@ def _filled(parts: Sequence[str]) -> list[str]:
     return [f"    {line}" for line in lines]
 
 
+def _indented(lines: Sequence[str]) -> list[str]:
+    return [f"    {line}" if line else "" for line in lines]
+
+
 def _analysis(file: Spacar) -> list[str]:
     """What the program does when it is run."""
-    start = repr(float(file.start)) if file.start else ""
+    start = repr(float(file.start)) if file.start and not file.load_steps else ""
     lines = [f"system = m.build({start})"]
     if file.duration is not None:
         lines += ["state = system.simulate(**simulate)[-1]"]
+    elif file.load_steps:
+        lines += [
+            "state = None",
+            f"for i in range({file.steps + 1}):",
+            f"    state = system.equilibrium(i / {file.steps}, state)",
+        ]
     else:
         lines += ["state = system.equilibrium()"]
     names = [
@@ -129,7 +140,7 @@ def _analysis(file: Spacar) -> list[str]:
     ]
     if file.linearized:
         lines += [
-            "lin = system.linearize()",
+            f"lin = system.linearize({'' if file.duration is not None else 'state'})",
             *(f'print("lin.{z}", lin.{z}.tolist())' for z in ("M", "C", "K")),
         ]
     if file.inputs or file.outputs:

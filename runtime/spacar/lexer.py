@@ -76,6 +76,8 @@ def read_lines(path: Path, dialect: str | None) -> tuple[str, list[Line]]:
     """
     if dialect not in (None, *DIALECTS):
         raise ModelError(f"read_spacar: dialect {dialect!r} is unknown; give 'delft' or 'twente'")
+    if not path.is_file():
+        raise ModelError(f"read_spacar '{path}': there is no such file; give the path of a SPACAR input file")
     try:
         text = path.read_text(encoding="utf-8")
     except UnicodeDecodeError as error:
@@ -133,7 +135,10 @@ def _model(file: str, raw: Sequence[tuple[int, list[str]]], dialect: str) -> lis
         elif dialect == "delft" or words[1:2] in (["END"], ["end"]):
             ended = number
         elif len(words) != 2 or words[1].upper() not in ("HALT", "END"):
-            raise ModelError(f"{file}, line {number}: END stands alone; write END HALT or END END")
+            raise ModelError(
+                f"{file}, line {number}: END stands alone, but the file is read as one of the Twente dialect; write "
+                "END HALT or END END, or give dialect='delft' (--dialect delft)"
+            )
     return lines
 
 

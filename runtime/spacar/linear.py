@@ -87,7 +87,9 @@ def matrices(self: Spacar, state: State | None = None, *, system: System | None 
     )
 
 
-def state_space(self: Spacar, state: State | None = None) -> tuple[Array, Array, Array, Array]:
+def state_space(
+    self: Spacar, state: State | None = None, *, system: System | None = None
+) -> tuple[Array, Array, Array, Array]:
     """Matrices A, B, C, D of the linear model with the file's inputs and outputs, in its signs.
 
     The states are the rates of the dynamic freedoms, then all freedoms; an INPUTS is the stress itself.
@@ -96,12 +98,14 @@ def state_space(self: Spacar, state: State | None = None) -> tuple[Array, Array,
     ----------
     state : State, optional
         The initial state by default.
+    system : System, optional
+        That the state belongs to, if it is a variant of the file's own.
 
     Raises
     ------
     LinearizationError
     """
-    lin = self.system.linearize(state)
+    lin = (system or self.system).linearize(state)
     A, B, C, D = lin.state_space([z.name for z in self.inputs], [z.name for z in self.outputs])
     f = np.array([self.factor(name.rstrip("'")) for name in lin.states])
     u, y = np.array([z.factor for z in self.inputs]), np.array([z.factor for z in self.outputs])

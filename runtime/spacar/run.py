@@ -6,6 +6,7 @@ Imports numpy, the reading and the runtime rooms of motions.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -18,19 +19,32 @@ from flexel.state import State
 from flexel.structure import Array
 
 Results = dict[str, Array]
+Analysis = tuple[list[str], Results, Motion | None]
 SHOWN = 8  # rows and columns of a matrix that is printed
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """The report of an analysis, and the motion along which it was made, if there was one."""
+
+    report: str
+    motion: Motion | None
+
+    def __str__(self) -> str:
+        return self.report
 
 
 def run_spacar(
     path: str | Path, out: Path | None = None, *, mode: int | None = None, dialect: str | None = None
-) -> str:
+) -> Outcome:
     """Run a SPACAR file and report.
 
     Parameters
     ----------
     path : str or Path
     out : Path, optional
-        Directory for the results: time histories as .csv, everything as .npz; without it none are written.
+        Directory for the results: time histories as .csv, everything as .npz, and a motion, for `flexel view` and
+        `flexel.load`, as ``<name>_motion.npz``; without it none are written.
     mode : int, optional
         1 forward dynamics, 2 inverse dynamics, 4 linearization along the motion, 7 equilibrium, frequencies and
         buckling, 8 state space in equilibrium, 9 state space along the motion, 10 static load steps.  By default
@@ -39,8 +53,7 @@ def run_spacar(
 
     Returns
     -------
-    str
-        The report.
+    Outcome
 
     Raises
     ------
@@ -56,30 +69,32 @@ def run_spacar(
             f"{file.path.name}: there is no mode {mode}; there are {known} (for small motions about a nominal one, "
             "mode 3 of UT SPACAR, use mode 4 or `flexel.periodic`)"
         )
-    lines, results = MODES[mode](file)
+    lines, results, motion = MODES[mode](file)
     head = [
         f"{file.path.name}: SPACAR, {file.dialect} dialect, mode {mode}",
         *(f"note: {z}" for z in file.notes),
     ]
     freedoms = ", ".join(file.system.dynamic + file.system.kinematic) or "none"
-    report = [*head, f"freedoms: {freedoms}", "", *lines]
+    ended = [] if motion is None else [motion.message]
+    report = [*head, f"freedoms: {freedoms}", *ended, "", *lines]
     if out is not None:
-        report += ["", *(f"wrote {z}" for z in _write(file, out, results))]
-    return "\n".join(report)
+        report += ["", *(f"wrote {z}" for z in _write(file, out, results, motion))]
+    return Outcome("\n".join(report), motion)
 
 
-def _write(file: Spacar, out: Path, results: Results) -> list[Path]:
+def _write(file: Spacar, out: Path, results: Results, motion: Motion | None) -> list[Path]:
     """Results as arrays, and the time histories among them as a table."""
     out.mkdir(parents=True, exist_ok=True)
     arrays = out / f"{file.path.stem}.npz"
     np.savez(arrays, allow_pickle=False, **results)
+    moved = [] if motion is None else [motion.save(out / f"{file.path.stem}_motion.npz")]
     histories = {key: z for key, z in results.items() if key == "t" or key[:2] in ("x_", "e_", "s_")}
     if "t" not in results:
-        return [arrays]
+        return [arrays, *moved]
     table = out / f"{file.path.stem}.csv"
     columns = np.column_stack(list(histories.values()))
     np.savetxt(table, columns, delimiter=",", header=",".join(histories), comments="", fmt="%.12e")
-    return [arrays, table]
+    return [arrays, table, *moved]
 
 
 def _simulated(file: Spacar) -> Motion:
@@ -125,7 +140,7 @@ def _linear_lines(found: Matrices) -> list[str]:
     return [f"linearized in {', '.join(found.coordinates)}", *_matrix_lines(found.as_dict())]
 
 
-def _forward(file: Spacar) -> tuple[list[str], Results]:
+def _forward(file: Spacar) -> Analysis:
     motion = _simulated(file)
     results = _histories(file, motion, motion.t)
     lines = _state_lines(file, motion[-1])
@@ -133,10 +148,10 @@ def _forward(file: Spacar) -> tuple[list[str], Results]:
         found = file.matrices()
         lines += ["", "at the start", *_linear_lines(found)]
         results |= found.as_dict()
-    return lines, results
+    return lines, results, motion
 
 
-def _inverse(file: Spacar) -> tuple[list[str], Results]:
+def _inverse(file: Spacar) -> Analysis:
     left = file.system.dynamic + file.system.kinematic
     if left:
         raise ModelError(
@@ -146,18 +161,18 @@ def _inverse(file: Spacar) -> tuple[list[str], Results]:
     motion = _simulated(file)
     driven = [file.system.structure.names[i] for i in file.system.roles.prescribed]
     lines = ["driving forces at the end", *(f"  {z}: {-motion[-1].force(z): .9e}" for z in driven)]
-    return [*_state_lines(file, motion[-1]), *lines], _histories(file, motion, motion.t)
+    return [*_state_lines(file, motion[-1]), *lines], _histories(file, motion, motion.t), motion
 
 
-def _along(file: Spacar) -> tuple[list[str], Results]:
+def _along(file: Spacar) -> Analysis:
     motion = _simulated(file)
     every = [file.matrices(state) for state in motion]
     stacked = {name: np.array([z.as_dict()[name] for z in every]) for name in every[0].as_dict()}
     lines = ["at the start", *_linear_lines(every[0]), "", "at the end", *_linear_lines(every[-1])]
-    return lines, _histories(file, motion, motion.t) | stacked
+    return lines, _histories(file, motion, motion.t) | stacked, motion
 
 
-def _static(file: Spacar) -> tuple[list[str], Results]:
+def _static(file: Spacar) -> Analysis:
     state = file.system.equilibrium()
     lines, results = _state_lines(file, state), _histories(file, [state], np.array([state.t]))
     modes = file.frequencies(state)
@@ -169,37 +184,37 @@ def _static(file: Spacar) -> tuple[list[str], Results]:
     try:
         found = file.matrices(state)
     except DynamicsError as error:  # equilibria and frequencies need no mass for every freedom
-        return [*lines, f"no matrices: {error}"], results
-    return [*lines, *_linear_lines(found)], results | found.as_dict()
+        return [*lines, f"no matrices: {error}"], results, None
+    return [*lines, *_linear_lines(found)], results | found.as_dict(), None
 
 
-def _space(file: Spacar) -> tuple[list[str], Results]:
+def _space(file: Spacar) -> Analysis:
     state = file.system.equilibrium()
     found = dict(zip("ABCD", file.state_space(state), strict=True))
-    return [*_state_lines(file, state), *_matrix_lines(found)], found
+    return [*_state_lines(file, state), *_matrix_lines(found)], found, None
 
 
-def _space_along(file: Spacar) -> tuple[list[str], Results]:
+def _space_along(file: Spacar) -> Analysis:
     motion = _simulated(file)
     every = [file.state_space(state) for state in motion]
     stacked = {name: np.array([z[i] for z in every]) for i, name in enumerate("ABCD")}
     lines = ["at the start", *_matrix_lines(dict(zip("ABCD", every[0], strict=True)))]
-    return lines, _histories(file, motion, motion.t) | stacked
+    return lines, _histories(file, motion, motion.t) | stacked, motion
 
 
-def _load_steps(file: Spacar) -> tuple[list[str], Results]:
+def _load_steps(file: Spacar) -> Analysis:
     system, states = file.static_steps()
     results = _histories(file, states, np.array([z.t for z in states]))
     lines = _state_lines(file, states[-1])
     try:
         every = [file.matrices(state, system=system) for state in states]
     except DynamicsError as error:
-        return [*lines, f"no matrices: {error}"], results
+        return [*lines, f"no matrices: {error}"], results, None
     stacked = {name: np.array([z.as_dict()[name] for z in every]) for name in every[0].as_dict()}
-    return [*lines, *_linear_lines(every[-1])], results | stacked
+    return [*lines, *_linear_lines(every[-1])], results | stacked, None
 
 
-MODES: dict[int, Callable[[Spacar], tuple[list[str], Results]]] = {
+MODES: dict[int, Callable[[Spacar], Analysis]] = {
     1: _forward,
     2: _inverse,
     4: _along,

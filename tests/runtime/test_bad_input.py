@@ -26,6 +26,7 @@ from flexel.functions import Harmonic, Polynomial, Ramp, Table
 from flexel.integrate import Event
 from flexel.linearize import Linearization
 from flexel.model import Model
+from flexel.spacar.reading import read_spacar
 from flexel.system import System
 
 
@@ -400,7 +401,7 @@ ROLES = {
         lambda m: (m.prescribe("pivot.angle", 1.0), m.rigid("pivot.angle")), "'pivot.angle'", "take one"
     ),
     "hinge between a frame and itself": Case(
-        lambda: _self_hinged().build(), ("over-constrained", "'h.bend1'", "release 2"), ConstraintError
+        lambda: _self_hinged().build(), ("hinge 'h'", "both its frames are 'R0'", "two bodies"), ModelError
     ),
     "independent unknown": built(
         lambda m: m.independent("pivot.agnle"), "'pivot.agnle'", "did you mean pivot.angle"
@@ -966,6 +967,23 @@ def test_missing_compiler_is_named_and_matters_for_formulas_only(
         CompilerError, match=r"law on 'rod.along': no C compiler '/nowhere/cc'.*apt install gcc"
     ):
         m.law("rod.along", lambda e, ed: 3 * e + e**3)
+
+
+def test_results_that_do_not_exist_are_told_with_those_that_do(tmp_path: Any) -> None:
+    system = pendulum().build()
+    motion, lin = system.simulate(0.1, times=[0.0]), system.linearize()
+    with pytest.raises(ModelError, match=r"motion\[0.05\]: .* motion.at\(0.05\)"):
+        motion[0.05]
+    with pytest.raises(ModelError, match="mode 7: there are 2, numbered from 0"):
+        lin.plot_mode(7)
+    with pytest.raises(ModelError, match="periodic: period 0 is not positive"):
+        system.periodic(0.0, 3)
+    with pytest.raises(ModelError, match="periodic: 0 harmonics asked for"):
+        system.periodic(1.0, 0)
+    with pytest.raises(ModelError, match="read_spacar '.*none.dat': there is no such file"):
+        read_spacar(tmp_path / "none.dat")
+    pytest.importorskip("matplotlib", reason="drawing needs matplotlib: pip install 'flexel[plot]'")
+    assert motion.plot("A.z").axes[0].lines[0].get_xdata().size == 1  # of a single state, without a warning
 
 
 def test_a_model_that_failed_can_be_mended_and_built() -> None:

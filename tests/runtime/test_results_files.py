@@ -277,6 +277,15 @@ def test_a_table_has_a_column_with_its_unit_for_every_quantity(motion: fx.Motion
         assert table[column].to_numpy() == pytest.approx(values, rel=1e-15, abs=0.0), column
 
 
+def test_the_matrices_of_a_linearization_are_tables_with_names(tmp_path: Path) -> None:
+    lin = bicycle().linearize()
+    lines = lin.save(tmp_path / "lin.csv").read_text(encoding="utf-8").splitlines()
+    assert lines[1] == "M,lean.angle,steer.angle,rear spin.angle"
+    label, *values = lines[3].split(",")
+    assert (label, [float(z) for z in values]) == ("steer.angle", lin.M[1].tolist())
+    assert lines[5] == "" and lines[6].startswith("C,")
+
+
 def test_xarray_and_pandas_have_labels_and_units(motion: fx.Motion) -> None:
     whole = motion.to_xarray()
     steer = whole["rate"].sel(quantity="steer.angle")
@@ -308,8 +317,9 @@ def test_nothing_in_a_file_is_executed(motion: fx.Motion, tmp_path: Path) -> Non
     text = motion.save(tmp_path / "kick.csv").read_text().splitlines()
     (tmp_path / "trap.csv").write_text("\n".join([text[0], text[1], text[2].replace("0.0", "exit()", 1)]))
     for name in ("trap.npz", "pickle.npz", "trap.csv"):
-        with pytest.raises(fx.ModelError, match="no result saved by flexel, or it is damaged"):
+        with pytest.raises(fx.ModelError, match="no result saved by flexel, or it is damaged") as told:
             fx.load(tmp_path / name)
+        assert "unsafely" not in str(told.value)  # NumPy would advise to load a pickle
 
 
 @pytest.mark.parametrize("suffix", SUFFIXES)

@@ -111,7 +111,7 @@ def test_state_space_along_a_motion_is_written(tmp_path: Path) -> None:
         "PLBEAM 1 1 2 3 4\nX 3 0 -0.5\nFIX 1\nDYNX 2 1\nXD 2 1 1.0\nXM 3 2.0\nGRAVITY 0 -9.81\n"
         "INPUTF 1 3 1\nOUTX 1 2 1\nTIMESTEP 1.0 10\nEND END\n"
     )
-    report = run_spacar(path, tmp_path, mode=9)
+    report = run_spacar(path, tmp_path, mode=9).report
     assert "pendulum.npz" in report
     with np.load(tmp_path / "pendulum.npz") as kept:
         A, angle = kept["A"], kept["x_2_1"]

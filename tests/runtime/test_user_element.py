@@ -178,7 +178,8 @@ L0 = Parameter("l0", 1, "m", "length")
             "'wrong': deformation 'd' contains k: not a coordinate.*declare a Parameter",
         ),
         (P.x[0] - sp.Symbol("l0"), "contains l0: .*parameter.symbol"),  # not real: another symbol
-        (P.x - Q.x, "deformation 'd' is not a scalar expression but .*Matrix"),
+        (P.x - Q.x, "deformation 'd' is not a scalar expression but .*Matrix.*declare each component"),
+        (2 * L0.symbol, "deformation 'd' depends on no coordinate"),
         (sp.Abs(P.x[0]), "'wrong': deformation 'd' contains Abs.*kink.*Piecewise"),
         (
             sp.Piecewise((0, P.x[0] < 0), (P.x[0], True)),
@@ -193,6 +194,13 @@ L0 = Parameter("l0", 1, "m", "length")
 def test_a_wrong_deformation_is_named(expression: Any, message: str) -> None:
     with pytest.raises(ValueError, match=message):
         fx.compile_element(Element("wrong", (P, Q), (L0,), (), (Deformation("d", "m", expression),), doc="d"))
+
+
+def test_an_element_of_nothing_is_refused() -> None:
+    with pytest.raises(
+        ValueError, match="element 'wrong': it has no deformation, slip or energy; declare one"
+    ):
+        Element("wrong", (P, Q), (L0,), doc="d")
 
 
 def test_pieces_that_join_smoothly_are_an_element() -> None:

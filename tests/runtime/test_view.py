@@ -76,6 +76,33 @@ def test_a_model_in_one_point_has_a_size() -> None:
     assert np.allclose(np.abs(box["outline"]), 0.5)
 
 
+def test_a_belt_leaves_its_pulleys_at_a_tangent_and_gears_touch() -> None:
+    """Pulleys of different size and a pair of gears; the run of the belt is as long as the common tangent."""
+    m = fx.Model()
+    for name, x in (("A", 0.0), ("B", 0.5), ("C", 0.8)):
+        m.point(name, (x, 0), fixed=True)
+        m.angle(f"turn {name}")
+    m.belt("belt", "A", "turn A", "B", "turn B", radius_p=0.1, radius_q=0.05, stiffness=100.0)
+    m.gears("gears", "B", "turn B", "C", "turn C", radius_p=0.2, radius_q=0.1)
+    m.body("pulley", "A", "turn A", mass=1.0, inertia=0.1)
+    m.body("gear", "B", "turn B", mass=1.0, inertia=0.1)
+    found = shapes(m.build().state_at({"turn A.angle": 0.3, "turn C.angle": 0.0}))
+    run = next(z for z in found if (z.style, z.name) == ("bar", "belt")).lines[0]
+    along = run[1] - run[0]
+    assert np.linalg.norm(along) == pytest.approx(np.sqrt(0.5**2 - 0.05**2), rel=1e-14)
+    assert [np.linalg.norm(z) for z in run - [[0, 0, 0], [0.5, 0, 0]]] == pytest.approx([0.1, 0.05])
+    assert np.abs((run - [[0, 0, 0], [0.5, 0, 0]]) @ along).max() < 1e-15
+    small, large = sorted(
+        (np.ptp(z.lines[0][:, 0]), z.lines[0][:, 0].max(), z.lines[0][:, 0].min())
+        for z in found
+        if (z.style, z.name) == ("rim", "gears")
+    )
+    assert (small[0], large[0]) == pytest.approx((0.2, 0.4))
+    assert large[1] == pytest.approx(small[2])
+    spoke = next(z for z in found if (z.style, z.name) == ("valve", "belt")).lines[0]
+    assert spoke[1] == pytest.approx([0.1 * np.cos(0.3), 0.1 * np.sin(0.3), 0.0])
+
+
 def test_the_arrows_of_the_road_carry_the_bicycle() -> None:
     """At rest upright the forces of the road on both wheels add up to the weight, straight up."""
     system = bicycle()

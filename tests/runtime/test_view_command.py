@@ -48,6 +48,17 @@ def test_modes_of_a_saved_linearization(tmp_path: Path) -> None:
     result = run(lin.save(tmp_path / "lin.npz"), "--out", page)
     assert result.exit_code == 0, result.output
     assert scene_in(page)["modes"] == mode_data(lin)["modes"]
+    assert scene_in(lin.view(tmp_path / "own.html"))["modes"] == mode_data(lin)["modes"]
+
+
+def test_the_motion_of_a_spacar_file_is_shown(tmp_path: Path, checkout: Path) -> None:
+    """`flexel run model.dat --out` leaves a motion to be viewed: here a belt and gears."""
+    arguments = ["run", str(checkout / "tests" / "data" / "spacar_four_bar.dat"), "--out", str(tmp_path)]
+    assert CliRunner().invoke(cli.main, arguments).exit_code == 0
+    result = run(tmp_path / "spacar_four_bar_motion.npz")
+    assert result.exit_code == 0, result.output
+    shown = scene_in(tmp_path / "spacar_four_bar_motion.html")["shapes"]
+    assert sorted(z["name"] for z in shown if z["style"] == "rim") == ["gear7", "gear7", "plbelt6", "plbelt6"]
 
 
 def test_a_file_that_is_no_result_is_told(tmp_path: Path) -> None:
