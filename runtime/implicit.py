@@ -98,7 +98,8 @@ class Run:
                     message = self._failure()
                     break
         except KeyboardInterrupt:
-            message = f"interrupted at t = {self.point.t:g} s; the motion up to there is kept"
+            self._keep()
+            message = f"interrupted at t = {self.states[-1].t:g} s; the motion up to there is kept"
         finally:
             bar.close()
         return Integration(self.states, [], [], self.statistics, message, self.ledger.kept, complete)

@@ -192,7 +192,9 @@ class Integrator:
                     message = f"stopped by event '{stopped}'"
                     break
         except KeyboardInterrupt:
-            message = f"interrupted at t = {self.state.t:g} s; the motion up to there is kept"
+            if self.state.t > self.result.states[-1].t:
+                self.result.states.append(self.state)
+            message = f"interrupted at t = {self.result.states[-1].t:g} s; the motion up to there is kept"
         finally:
             bar.close()
         r = self.result

@@ -1,0 +1,37 @@
+"""What is left of a simulation that is interrupted."""
+
+import numpy as np
+import pytest
+
+import flexel as fx
+
+
+class Impatience:
+    """A load that somebody interrupts once the motion has come to a time."""
+
+    def __init__(self, until: float) -> None:
+        self.until = until
+
+    def __call__(self, t: float) -> float:
+        if t > self.until:
+            raise KeyboardInterrupt
+        return 1.0
+
+
+@pytest.mark.parametrize("method", ["simulate", "simulate_stiff"])
+def test_an_interrupt_keeps_the_motion_up_to_its_last_step(method: str) -> None:
+    """Also between the stored samples; it goes on from there."""
+    load = Impatience(0.5)
+    m = fx.Model(gravity=(0, -9.81))
+    m.point_mass("mass", m.point("P", (0.0, 0.0)), 2.0)
+    m.load("P.x", (load, lambda t: 0.0, lambda t: 0.0))
+    system = m.build()
+    options = {"max_step": 0.05, "progress": False}
+    motion = getattr(system, method)(1.0, samples=2, **options)
+    end = motion[-1]
+    assert 0.4 < end.t <= 0.5
+    assert motion.message == f"interrupted at t = {end.t:g} s; the motion up to there is kept"
+    assert end.position("P") == pytest.approx(np.array([0.25, -4.905]) * end.t**2, rel=1e-6)
+    load.until = 2.0
+    rest = getattr(system, method)(1.0 - end.t, start=end, samples=2, **options)
+    assert rest[-1].position("P") == pytest.approx([0.25, -4.905], rel=1e-6)
