@@ -36,6 +36,7 @@ class Ledger:
         self._power = np.zeros(2)
         self._energy = np.zeros(2)
         self._largest = 0.0
+        self._found: tuple[Balance, Array, Array] | None = None
         self._sums = np.zeros(2)
         self._stored = 0.0
         self.kept: dict[str, list[float]] = {"contact": [], "dissipated": [], "work": []}
@@ -77,18 +78,24 @@ class Ledger:
         rope that has sprung off its sheave, for instance.  Less than what the largest force does over a thousandth of
         the model's size does not count.
         """
-        before, after = self._energy, self._energies(b)
-        lost, work = h / 2 * (self._power + np.array([self._losses(b), self._drives(b)]))
+        before = self._energy
+        after, power = self._figures(b)
+        lost, work = h / 2 * (self._power + power)
         made = after.sum() - before.sum() - work + min(lost, 0.0)
         little = 1e-3 * b.scale * float(self._saddle.x_scale.max(initial=0.0))
         return bool(made > 0.5 * after[0] + 0.01 * self._largest + little)
 
     def _enter(self, b: Balance) -> None:
-        self._power = np.array([self._losses(b), self._drives(b)])
-        self._energy = self._energies(b)
+        self._energy, self._power = self._figures(b)
         self._largest = max(self._largest, float(self._energy[0]))
         self._touching = b.laws.stored > 0
         self._stored = float(b.laws.stored[self._contact].sum())
+
+    def _figures(self, b: Balance) -> tuple[Array, Array]:
+        """Energies, and powers of losses and drives, at a balance; found once where it is asked about again."""
+        if self._found is None or self._found[0] is not b:
+            self._found = b, self._energies(b), np.array([self._losses(b), self._drives(b)])
+        return self._found[1:]
 
     def _energies(self, b: Balance) -> Array:
         """Kinetic and strain energy together, and potential energy [J]."""
