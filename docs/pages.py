@@ -33,7 +33,7 @@ RETURNED = {  # what public names give, or take as options: not names of the pac
     "flexel.periodic_result": ("PeriodicSolution",),
     "flexel.linearize": ("Mode",),
     "flexel.stability": ("Vibration", "BucklingMode"),
-    "flexel.plot": ("root_loci", "View", "Sketch"),
+    "flexel.pictures.plot": ("root_loci", "View", "Sketch"),
     "flexel.view": ("scene_data", "view_modes"),
 }
 DECLARATIONS = ("flexel.derive.element", "flexel.derive.rotation", "flexel.derive.shape")

@@ -1,6 +1,6 @@
 """Pictures of the published beam problems.
 
-Imports numpy and flexel; matplotlib is imported by `flexel.figures` when a picture is drawn.
+Imports numpy and flexel; matplotlib is imported by `flexel.pictures.figures` when a picture is drawn.
 """
 
 from __future__ import annotations
@@ -15,8 +15,8 @@ from flexel import State
 from flexel.examples import beams_data as data
 from flexel.examples import beams_dynamic as dynamic
 from flexel.examples import beams_static as static
-from flexel.figures import COLOURS, figure, save
-from flexel.plot import View
+from flexel.pictures.figures import COLOURS, figure, save
+from flexel.pictures.plot import View
 from flexel.report import Quantity
 from flexel.structure import Array
 

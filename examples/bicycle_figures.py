@@ -1,6 +1,6 @@
 """Pictures of the bicycle: root loci, kicks, tracks, manoeuvre M1, stable ranges, and an animation.
 
-Imports numpy and flexel; matplotlib is imported by `flexel.plot` when a picture is drawn.
+Imports numpy and flexel; matplotlib is imported by `flexel.pictures.plot` when a picture is drawn.
 """
 
 from __future__ import annotations
@@ -12,9 +12,9 @@ import numpy as np
 
 from flexel.examples import bicycle_data as data
 from flexel.examples.bicycle import Results, eigenvalues, kick, manoeuvre_m1
-from flexel.figures import COLOURS, figure, save
-from flexel.plot import Sketch, View, draw, root_loci
-from flexel.scene import canvas
+from flexel.pictures.figures import COLOURS, figure, save
+from flexel.pictures.plot import Sketch, View, draw, root_loci
+from flexel.pictures.scene import canvas
 from flexel.structure import Array
 
 FASTEST = 10.0  # of the root loci [m/s]

@@ -1,6 +1,6 @@
 """Pictures of the universal joint: kinematics, reactions, free run, convergence, zones of instability.
 
-Imports numpy and flexel; matplotlib is imported by `flexel.figures` when a picture is drawn.
+Imports numpy and flexel; matplotlib is imported by `flexel.pictures.figures` when a picture is drawn.
 """
 
 from __future__ import annotations
@@ -28,10 +28,10 @@ from flexel.examples.cardan import (
     pins_for_unit_frequency,
 )
 from flexel.examples.cardan_table import bearing_moment
-from flexel.figures import COLOURS, figure, save
 from flexel.orientation import matrix
 from flexel.periodic import Coefficients
-from flexel.plot import Sketch, View
+from flexel.pictures.figures import COLOURS, figure, save
+from flexel.pictures.plot import Sketch, View
 from flexel.structure import Array
 
 CHART_ANGLES = np.linspace(5.0, 45.0, 6)  # degrees

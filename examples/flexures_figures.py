@@ -1,6 +1,6 @@
 """Pictures of the flexure mechanisms: shapes, stiffness, frequencies, stress and buckling over the range.
 
-Imports numpy and flexel; matplotlib is imported by `flexel.figures` when a picture is drawn.
+Imports numpy and flexel; matplotlib is imported by `flexel.pictures.figures` when a picture is drawn.
 """
 
 from __future__ import annotations
@@ -12,7 +12,6 @@ from typing import Any
 import numpy as np
 
 import flexel as fx
-from flexel.drawing import shapes
 from flexel.examples.flexures import (
     CASES,
     GUIDE,
@@ -26,7 +25,8 @@ from flexel.examples.flexures import (
     expected_stiffness,
     guided_directions,
 )
-from flexel.figures import COLOURS, figure, save
+from flexel.pictures.drawing import shapes
+from flexel.pictures.figures import COLOURS, figure, save
 from flexel.view import view_modes
 
 NAMES = {"turn x": "about x", "turn y": "about y", "turn z": "about z"}

@@ -1,6 +1,6 @@
 """Pictures of the hoist: speed of the load, tension over time and along the rope, contact forces, the motion.
 
-Imports numpy and flexel; matplotlib is imported by `flexel.figures` when a picture is drawn.
+Imports numpy and flexel; matplotlib is imported by `flexel.pictures.figures` when a picture is drawn.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from flexel.examples.hoist import Results
-from flexel.figures import COLOURS, figure, save
+from flexel.pictures.figures import COLOURS, figure, save
 
 TIMES = (9.9, 15.0, 25.0)
 

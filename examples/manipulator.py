@@ -167,7 +167,7 @@ def tip_error(motion: fx.Motion) -> Array:
 
 def pictures(out: Path) -> list[Path]:
     """Poles over the workspace, tip errors and torques of both controllers, and the arm on its way."""
-    from flexel.figures import COLOURS, figure, save
+    from flexel.pictures.figures import COLOURS, figure, save
 
     out.mkdir(parents=True, exist_ok=True)
     design = manipulator(0.0, DESIGN).linearize()

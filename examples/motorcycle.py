@@ -232,7 +232,7 @@ def confirmations() -> list[Quantity]:
 
 def picture(found: dict[str, list[dict[str, Mode]]], out: Path) -> Path:
     """Real and imaginary parts of the lateral modes over the speed."""
-    from flexel.figures import COLOURS, figure, save
+    from flexel.pictures.figures import COLOURS, figure, save
 
     out.mkdir(parents=True, exist_ok=True)
     path = out / "motorcycle_modes.png"

@@ -1,6 +1,6 @@
 """Pictures of the rope problems beside their closed forms.
 
-Imports numpy and flexel; matplotlib is imported by `flexel.figures` when a picture is drawn.
+Imports numpy and flexel; matplotlib is imported by `flexel.pictures.figures` when a picture is drawn.
 """
 
 from __future__ import annotations
@@ -11,7 +11,6 @@ from typing import Any
 
 import numpy as np
 
-from flexel.cables import cable_tension
 from flexel.examples import rope_data as data
 from flexel.examples import rope_exact as exact
 from flexel.examples import rope_hanging as hanging
@@ -20,8 +19,9 @@ from flexel.examples import rope_models as models
 from flexel.examples import rope_sheaves as sheaves
 from flexel.examples import rope_swings as swings
 from flexel.examples import rope_waves as waves
-from flexel.figures import COLOURS, figure, save
+from flexel.pictures.figures import COLOURS, figure, save
 from flexel.report import Quantity
+from flexel.rope.cables import cable_tension
 from flexel.state import State
 from flexel.structure import Array
 

@@ -9,11 +9,11 @@ from functools import cache
 
 import numpy as np
 
-from flexel.cables import cable_tension
 from flexel.examples import rope_exact as exact
 from flexel.examples import rope_models as models
 from flexel.examples.rope_table import over_meshes
 from flexel.report import Quantity
+from flexel.rope.cables import cable_tension
 from flexel.structure import Array
 
 MESHES = (10, 20)  # elements of the metre of rope next to the drum

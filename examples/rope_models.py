@@ -10,8 +10,8 @@ from collections.abc import Callable
 import numpy as np
 
 import flexel as fx
-from flexel.rope_path import Part, Path
-from flexel.ropes import Rope
+from flexel.rope.path import Part, Path
+from flexel.rope.ropes import Rope
 from flexel.structure import Array
 
 RunUp = tuple[Callable[[float], float], Callable[[float], float], Callable[[float], float]]

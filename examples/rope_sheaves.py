@@ -14,7 +14,7 @@ from flexel.examples import rope_exact as exact
 from flexel.examples import rope_models as models
 from flexel.examples.rope_table import over_meshes
 from flexel.report import Quantity
-from flexel.ropes import Rope
+from flexel.rope.ropes import Rope
 from flexel.structure import Array
 
 WRAPS = (90.0, 180.0, 360.0, 540.0)  # of the capstan [degrees]

@@ -10,11 +10,11 @@ from functools import cache
 import numpy as np
 
 import flexel as fx
-from flexel.cables import cable_tension
 from flexel.examples import rope_exact as exact
 from flexel.examples import rope_models as models
 from flexel.examples.rope_table import over_meshes
 from flexel.report import Quantity
+from flexel.rope.cables import cable_tension
 from flexel.structure import Array
 
 DAMPING_RATIOS = (0.0, 0.01, 0.02, 0.05, 0.1, 0.2)

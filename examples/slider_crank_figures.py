@@ -1,6 +1,6 @@
 """Pictures of the slider-crank, after slides 23 to 30 of the talk.
 
-Imports numpy and flexel; matplotlib is imported by `flexel.figures` when a picture is drawn.
+Imports numpy and flexel; matplotlib is imported by `flexel.pictures.figures` when a picture is drawn.
 """
 
 from __future__ import annotations
@@ -14,8 +14,8 @@ import numpy as np
 from flexel import periodic
 from flexel.examples import slider_crank_data as data
 from flexel.examples.slider_crank import CONVERGED, Results, deflection, omega0
-from flexel.figures import COLOURS, figure, save
-from flexel.plot import View
+from flexel.pictures.figures import COLOURS, figure, save
+from flexel.pictures.plot import View
 from flexel.structure import Array
 
 ENLARGED = 4.0  # deflection in the picture of the mechanism

@@ -1,6 +1,6 @@
 """Pictures of the road vehicle: model, root loci, steering with CALSPAN tyres and without lateral slip, sines, bumps.
 
-Imports numpy and flexel; matplotlib is imported by `flexel.plot` when a picture is drawn.
+Imports numpy and flexel; matplotlib is imported by `flexel.pictures.plot` when a picture is drawn.
 """
 
 from __future__ import annotations
@@ -13,9 +13,9 @@ import numpy as np
 from flexel.examples import vehicle_data as data
 from flexel.examples.vehicle_runs import LOCI, Results
 from flexel.examples.vehicle_signals import history, load_histories
-from flexel.figures import COLOURS, figure, save
-from flexel.plot import View, animate, draw, root_loci
-from flexel.scene import canvas
+from flexel.pictures.figures import COLOURS, figure, save
+from flexel.pictures.plot import View, animate, draw, root_loci
+from flexel.pictures.scene import canvas
 
 LABELS = {
     "lateral_acceleration": "lateral acceleration [m/s²]",

@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from flexel.compliance import Compliance, body_compliance
     from flexel.constraints import constraint_report
-    from flexel.contacts import Contact
     from flexel.curves import Curve
     from flexel.errors import (
         CompilerError,
@@ -25,24 +24,25 @@ if TYPE_CHECKING:
         PositionError,
     )
     from flexel.functions import Harmonic, Polynomial, Ramp, Table
-    from flexel.impact import hunt_crossley, lankarani_nikravesh
     from flexel.integrate import Event
     from flexel.linearize import Linearization
     from flexel.materials import Material
     from flexel.model import Model
     from flexel.orientation import turn
-    from flexel.restore import load
     from flexel.result import Motion
-    from flexel.ropes import Rope
+    from flexel.rope.contacts import Contact
+    from flexel.rope.impact import hunt_crossley, lankarani_nikravesh
+    from flexel.rope.ropes import Rope
+    from flexel.rope.surfaces import RoundGroove, VGroove
+    from flexel.rope.wire_rope import WireRope
+    from flexel.saved.restore import load
     from flexel.sections import Circle, IBeam, Rectangle, Tube
     from flexel.spacar.reading import Spacar, read_spacar
     from flexel.state import State
     from flexel.stress import beam_stress, largest_stress, section_forces
-    from flexel.surfaces import RoundGroove, VGroove
     from flexel.system import System
     from flexel.user import compile_element, compile_law
     from flexel.wheels import Waves
-    from flexel.wire_rope import WireRope
 
 __version__ = "0.1.0"
 
@@ -99,7 +99,7 @@ _HOMES = {
     "CompilerError": "flexel.errors",
     "Compliance": "flexel.compliance",
     "ConstraintError": "flexel.errors",
-    "Contact": "flexel.contacts",
+    "Contact": "flexel.rope.contacts",
     "Curve": "flexel.curves",
     "DynamicsError": "flexel.errors",
     "ElementError": "flexel.errors",
@@ -118,25 +118,25 @@ _HOMES = {
     "PositionError": "flexel.errors",
     "Ramp": "flexel.functions",
     "Rectangle": "flexel.sections",
-    "Rope": "flexel.ropes",
-    "RoundGroove": "flexel.surfaces",
+    "Rope": "flexel.rope.ropes",
+    "RoundGroove": "flexel.rope.surfaces",
     "Spacar": "flexel.spacar.reading",
     "State": "flexel.state",
     "System": "flexel.system",
     "Table": "flexel.functions",
     "Tube": "flexel.sections",
-    "VGroove": "flexel.surfaces",
+    "VGroove": "flexel.rope.surfaces",
     "Waves": "flexel.wheels",
-    "WireRope": "flexel.wire_rope",
+    "WireRope": "flexel.rope.wire_rope",
     "beam_stress": "flexel.stress",
     "body_compliance": "flexel.compliance",
     "compile_element": "flexel.user",
     "compile_law": "flexel.user",
     "constraint_report": "flexel.constraints",
-    "hunt_crossley": "flexel.impact",
-    "lankarani_nikravesh": "flexel.impact",
+    "hunt_crossley": "flexel.rope.impact",
+    "lankarani_nikravesh": "flexel.rope.impact",
     "largest_stress": "flexel.stress",
-    "load": "flexel.restore",
+    "load": "flexel.saved.restore",
     "read_spacar": "flexel.spacar.reading",
     "section_forces": "flexel.stress",
     "turn": "flexel.orientation",

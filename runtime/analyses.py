@@ -13,9 +13,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from flexel import stability, states, statics
-from flexel.bdf import Bdf
 from flexel.errors import IncompleteWarning, ModelError, PositionError
-from flexel.implicit import Control, GeneralizedAlpha, Run
+from flexel.implicit.bdf import Bdf
+from flexel.implicit.steps import Control, GeneralizedAlpha, Run
 from flexel.integrate import (
     Event,
     Integration,

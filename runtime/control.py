@@ -15,7 +15,7 @@ import numpy as np
 
 from flexel.errors import LinearizationError, ModelError
 from flexel.inputs import names
-from flexel.record import require
+from flexel.saved.record import require
 from flexel.structure import Array
 
 if TYPE_CHECKING:

@@ -16,7 +16,7 @@ import numpy as np
 
 from flexel.assembly import Batch, Place, Stage
 from flexel.batches import element_batches, law_batches, with_inertia
-from flexel.local import Local
+from flexel.implicit.local import Local
 from flexel.structure import Array, Index, Structure
 
 

@@ -17,12 +17,13 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import eig
 
-from flexel import archive_linear, control
+from flexel import control
 from flexel.dynamics import solve_mass
 from flexel.errors import LinearizationError
 from flexel.evaluate import Tangents
 from flexel.inputs import names as checked_names
 from flexel.kinematics import Configuration, Kinematics
+from flexel.saved import archive_linear
 from flexel.solvers import Factorization
 from flexel.state import State, own_state
 from flexel.structure import Array
@@ -285,7 +286,7 @@ class Linearization:
 
         return state_space(self, inputs, outputs)
 
-    # control engineering, pictures, files: at home in flexel.control and flexel.archive_linear
+    # control engineering, pictures, files: at home in flexel.control and flexel.saved.archive_linear
     to_control = control.to_control
     to_scipy = control.to_scipy
     save_state_space = control.save_state_space

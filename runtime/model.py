@@ -14,31 +14,16 @@ from typing import Any
 
 import numpy as np
 
-from flexel import (
-    beams,
-    bodies,
-    cable_lines,
-    cables,
-    contacts,
-    couplings,
-    curves,
-    feedback,
-    joints,
-    loads,
-    ropes,
-    springs,
-    surfaces,
-    user,
-    wheels,
-)
+from flexel import beams, bodies, couplings, curves, feedback, joints, loads, springs, user, wheels
 from flexel.build import build
 from flexel.errors import ModelError
 from flexel.functions import TimeFunction, as_function
 from flexel.generated.spec import ElementSpec
 from flexel.generated.table import ELEMENTS
 from flexel.inputs import array, number, quantities, vector
+from flexel.rope import cable_lines, cables, contacts, ropes, surfaces
+from flexel.rope.surfaces import Surface
 from flexel.structure import COMPONENTS, Array, Instance, LawInstance, Node, unknown
-from flexel.surfaces import Surface
 from flexel.system import System
 
 Vector = Sequence[float] | Array

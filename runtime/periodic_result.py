@@ -10,18 +10,18 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from flexel.archive import motion_of, record_of
 from flexel.checks import positive
 from flexel.errors import ModelError
-from flexel.files import write
 from flexel.floquet import ComplexArray
 from flexel.harmonics import Coefficients, PeriodicVibration
 from flexel.integrate import Integration
 from flexel.periodic import periodic_motion
-from flexel.record import Record, Variable, require
 from flexel.result import Motion
+from flexel.saved.archive import motion_of, record_of
+from flexel.saved.files import write
+from flexel.saved.record import Record, Variable, require
+from flexel.saved.tables import motion_frame
 from flexel.structure import Array, unknown
-from flexel.tables import motion_frame
 
 if TYPE_CHECKING:
     from flexel.system import System
@@ -102,7 +102,7 @@ class PeriodicSolution:
 
     def plot_spectrum(self, path: str | Path | None = None) -> Any:
         """Amplitudes of the harmonics of all freedoms."""
-        from flexel.graphs import plot_harmonics
+        from flexel.pictures.graphs import plot_harmonics
 
         return plot_harmonics(self.vibration, [self.unit(name) for name in self.freedoms], path)
 

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from flexel.errors import ModelError
+from flexel.implicit.ledger import energy_balance
 from flexel.inputs import number
-from flexel.ledger import energy_balance
 from flexel.state import State
 from flexel.structure import Array, Structure
 from flexel.units import force_unit, rate_unit
@@ -212,31 +212,31 @@ class Motion(Sequence[State]):
 
     def plot(self, *names: str, path: str | Path | None = None) -> Any:
         """Time histories of named quantities (needs matplotlib); written to `path` if given."""
-        from flexel.plot import plot_histories
+        from flexel.pictures.plot import plot_histories
 
         return plot_histories(self, names, path)
 
     def plot_spectrum(self, *names: str, path: str | Path | None = None, **options: Any) -> Any:
-        """Amplitudes of named quantities over the frequency; see `flexel.graphs.plot_spectra`."""
-        from flexel.graphs import plot_spectra
+        """Amplitudes of named quantities over the frequency; see `flexel.pictures.graphs.plot_spectra`."""
+        from flexel.pictures.graphs import plot_spectra
 
         return plot_spectra(self, names, path, **options)
 
     def plot_phase(self, x: str, y: str | None = None, *, path: str | Path | None = None) -> Any:
         """One quantity over another, by default the rate of `x` over `x`."""
-        from flexel.graphs import plot_phase
+        from flexel.pictures.graphs import plot_phase
 
         return plot_phase(self, x, y or f"{x}'", path)
 
     def plot_shapes(self, *times: float, path: str | Path | None = None, **options: Any) -> Any:
-        """The mechanism at the stored states nearest to the times; see `flexel.deflected.plot_states`."""
-        from flexel.deflected import plot_states
+        """The mechanism at the stored states nearest to the times; see `flexel.pictures.deflected.plot_states`."""
+        from flexel.pictures.deflected import plot_states
 
         return plot_states(self, times, path, **options)
 
     def animate(self, path: str | Path, **options: Any) -> Path:
         """Animation of the mechanism as .gif or .mp4 (needs matplotlib), or .html: see `view`."""
-        from flexel.plot import animate
+        from flexel.pictures.plot import animate
 
         return animate(self, Path(path), **options)
 
@@ -250,7 +250,7 @@ class Motion(Sequence[State]):
 
     def to_xarray(self, *names: str) -> Any:
         """An xarray.Dataset: one variable for each name, or everything, labelled, if none is given."""
-        from flexel.tables import motion_dataset
+        from flexel.saved.tables import motion_dataset
 
         return motion_dataset(self, names)
 
@@ -259,7 +259,7 @@ class Motion(Sequence[State]):
 
         The units are in its ``attrs["units"]``.
         """
-        from flexel.tables import motion_frame
+        from flexel.saved.tables import motion_frame
 
         return motion_frame(self, names)
 
@@ -271,7 +271,7 @@ class Motion(Sequence[State]):
         >>> motion.save("bicycle.nc")  # doctest: +SKIP
         >>> fx.load("bicycle.nc")["lean.angle"]  # doctest: +SKIP
         """
-        from flexel.archive import record_of
-        from flexel.files import write
+        from flexel.saved.archive import record_of
+        from flexel.saved.files import write
 
         return write(record_of(self), path)

@@ -18,9 +18,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from scipy.sparse.linalg import lsmr
 
-from flexel.balance import Balance, Matrix, Saddle, SaddlePattern
 from flexel.diagnose import quoted
 from flexel.errors import ModelError, PositionError
+from flexel.implicit.balance import Balance, Matrix, Saddle, SaddlePattern
 from flexel.inputs import names, number
 from flexel.state import State, own_state
 from flexel.structure import Array, Index

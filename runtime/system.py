@@ -12,7 +12,7 @@ from functools import cached_property
 
 import numpy as np
 
-from flexel import analyses, dynamics, periodic_result, restore, states
+from flexel import analyses, dynamics, periodic_result, states
 from flexel.diagnose import choose_freedoms, named_freedoms
 from flexel.errors import ConstraintError
 from flexel.evaluate import Evaluation
@@ -20,6 +20,7 @@ from flexel.kinematics import Configuration, Kinematics
 from flexel.linearize import Linearization, linearize
 from flexel.loads import Loads
 from flexel.roles import Roles
+from flexel.saved import restore
 from flexel.solvers import Factorization
 from flexel.state import State, own_state
 from flexel.structure import Array, Structure
@@ -257,7 +258,7 @@ class System:
         self.__dict__.pop("initial", None)
         self.__dict__.pop("rest", None)
 
-    restore = restore.restore  # at home in flexel.restore
+    restore = restore.restore  # at home in flexel.saved.restore
     periodic = periodic_result.periodic
 
     # -- analyses, at home in flexel.analyses ----------------------------------------------------

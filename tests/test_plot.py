@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 
 import flexel as fx
-from flexel import drawing, plot
 from flexel.examples.bicycle import bicycle, kick
-from flexel.figures import save
 from flexel.orientation import matrix
-from flexel.plot import View, animate, draw
-from flexel.scene import display_axes
+from flexel.pictures import drawing, plot
+from flexel.pictures.figures import save
+from flexel.pictures.plot import View, animate, draw
+from flexel.pictures.scene import display_axes
 
 
 @pytest.fixture(scope="module")

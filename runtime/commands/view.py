@@ -23,7 +23,7 @@ def view(file: Path, out: Path | None, title: str, open_it: bool) -> None:
     A motion and a periodic motion are played; of a linearization the modes are shown. Nothing in the file is executed.
     """
     from flexel.errors import FlexelError
-    from flexel.restore import load
+    from flexel.saved.restore import load
 
     try:
         path = load(file).view(out or file.with_suffix(".html"), title=title or file.stem)

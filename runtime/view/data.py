@@ -1,4 +1,4 @@
-"""What the viewer shows, as a table of plain JSON: the shapes of `flexel.drawing` over the frames.
+"""What the viewer shows, as a table of plain JSON: the shapes of `flexel.pictures.drawing` over the frames.
 
 A part that a body carries is its lines once and a pose for each frame; one that deforms, its vertices for each
 frame. Numbers are Float32, little-endian, in base64; what never changes is stored once.
@@ -15,11 +15,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from tqdm import tqdm
 
-from flexel import drawing
 from flexel.errors import ModelError
 from flexel.orientation import from_matrix
-from flexel.scene import PAINT, View, display_axes, painted
-from flexel.shape import UNITS, Shape, extent
+from flexel.pictures import drawing
+from flexel.pictures.scene import PAINT, View, display_axes, painted
+from flexel.pictures.shape import UNITS, Shape, extent
 from flexel.state import State
 from flexel.structure import Array
 

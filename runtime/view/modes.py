@@ -11,11 +11,11 @@ from typing import Any
 
 import numpy as np
 
-from flexel import drawing
 from flexel.errors import ModelError
 from flexel.linearize import ComplexArray, Linearization, Mode
-from flexel.scene import View
-from flexel.shape import Shape, extent
+from flexel.pictures import drawing
+from flexel.pictures.scene import View
+from flexel.pictures.shape import Shape, extent
 from flexel.stability import Vibration
 from flexel.state import State, own_state
 from flexel.structure import Array

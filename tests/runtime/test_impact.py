@@ -3,7 +3,7 @@
 import pytest
 
 import flexel as fx
-from flexel.impact import hunt_crossley, lankarani_nikravesh
+from flexel.rope.impact import hunt_crossley, lankarani_nikravesh
 
 
 def test_both_factors_agree_near_restitution_one_and_vanish_there() -> None:

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 import flexel as fx
-from flexel.alpha import Scheme
 from flexel.examples.bicycle import bicycle, rolling
-from flexel.implicit import GeneralizedAlpha
+from flexel.implicit.alpha import Scheme
+from flexel.implicit.steps import GeneralizedAlpha
 
 
 def pendulum() -> fx.System:

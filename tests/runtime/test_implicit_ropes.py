@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import flexel as fx
-from flexel.alpha import Point, Stepper
+from flexel.implicit.alpha import Point, Stepper
 
 
 def rope(n: int, length: float = 2.0, damping: float = 0.0, EA: float = 2e4) -> fx.Model:

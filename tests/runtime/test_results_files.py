@@ -14,8 +14,8 @@ from test_rechoice import slider_crank
 import flexel as fx
 from flexel.derive.compile import compile_law
 from flexel.derive.element import Internal, Law, Parameter, symbol
-from flexel.drawing import shapes
 from flexel.examples.bicycle import bicycle, kick
+from flexel.pictures.drawing import shapes
 
 SUFFIXES = [".npz", ".nc", ".mat", ".csv"]
 NAMES = [

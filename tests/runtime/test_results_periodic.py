@@ -7,9 +7,9 @@ import pytest
 from test_periodic import oscillator
 
 import flexel as fx
-from flexel.deflected import coordinates_of, mode_size, plot_shape
-from flexel.graphs import spectrum
 from flexel.periodic_result import PeriodicSolution
+from flexel.pictures.deflected import coordinates_of, mode_size, plot_shape
+from flexel.pictures.graphs import spectrum
 
 
 @pytest.fixture(scope="module")

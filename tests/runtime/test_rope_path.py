@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import flexel as fx
-from flexel.rope_path import Circle, taut_path
+from flexel.rope.path import Circle, taut_path
 
 
 def circle(name: str, x: float, y: float, radius: float, sense: int = 0, turns: float = 0.0) -> Circle:

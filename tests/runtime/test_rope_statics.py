@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 import flexel as fx
-from flexel.cables import cable_tension, weights
 from flexel.examples import rope_hanging as hanging
 from flexel.examples.rope_exact import CATENARY, Catenary
+from flexel.rope.cables import cable_tension, weights
 
 DATA = json.loads((Path(__file__).parents[1] / "data" / "rope_analytic.json").read_text())
 CATENARIES = DATA["elastic_catenary"]["cases"]

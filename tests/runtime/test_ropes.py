@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import flexel as fx
-from flexel.ropes import Rope
+from flexel.rope.ropes import Rope
 
 R, THIN, T = 0.1, 1e-3, 50.0
 CONTACT = fx.Contact(1e10, dissipation=10.0)

@@ -83,7 +83,7 @@ def test_springs_on_all_coordinates_make_an_elastic_support_in_global_axes() -> 
 
 
 def test_what_a_spring_measures_with_is_not_drawn() -> None:
-    from flexel.drawing import shapes
+    from flexel.pictures.drawing import shapes
 
     m = masses()
     m.spring("A.x", 7.0)

@@ -12,10 +12,10 @@ from mechanisms import cantilever, pendulum
 from numpy.typing import NDArray
 
 import flexel as fx
-from flexel.drawing import shapes
 from flexel.examples.bicycle import bicycle, kick
 from flexel.orientation import matrix
-from flexel.plot import View
+from flexel.pictures.drawing import shapes
+from flexel.pictures.plot import View
 from flexel.view import mode_data, page, scene_data, view_motion, write_page
 
 

@@ -11,11 +11,11 @@ from numpy.typing import NDArray
 
 import flexel as fx
 from flexel.examples.bicycle import bicycle, kick
-from flexel.plot import Sketch, View
+from flexel.pictures.plot import Sketch, View
 from flexel.view import page, scene_data, view_modes
 
 pytestmark = pytest.mark.skipif(PROGRAM is None, reason=MISSING)
-BAR = (11, 95, 165)  # colours of parts, see flexel.scene.PAINT
+BAR = (11, 95, 165)  # colours of parts, see flexel.pictures.scene.PAINT
 BEAM = (46, 133, 64)
 
 

@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from flexel.archive import record_of
-from flexel.record import require
+from flexel.saved.archive import record_of
+from flexel.saved.record import require
 
 if TYPE_CHECKING:
     from flexel.result import Motion

@@ -17,11 +17,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from flexel.assembly import summed
-from flexel.balance import Balance, Matrix, Saddle, SaddlePattern
 from flexel.errors import ModelError
-from flexel.local import Local
-from flexel.locallaws import ImplicitStep
-from flexel.near import ALARM, NearContacts
+from flexel.implicit.balance import Balance, Matrix, Saddle, SaddlePattern
+from flexel.implicit.local import Local
+from flexel.implicit.locallaws import ImplicitStep
+from flexel.implicit.near import ALARM, NearContacts
 from flexel.state import State
 from flexel.structure import Array
 

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexel.assembly import Batch
-from flexel.local import Local
+from flexel.implicit.local import Local
 from flexel.structure import Array
 
 if TYPE_CHECKING:

@@ -14,10 +14,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
-from flexel.animation import animate
-from flexel.drawing import Sketch
-from flexel.figures import COLOURS, figure, save
-from flexel.scene import View, draw
+from flexel.pictures.animation import animate
+from flexel.pictures.drawing import Sketch
+from flexel.pictures.figures import COLOURS, figure, save
+from flexel.pictures.scene import View, draw
 from flexel.structure import Array
 
 if TYPE_CHECKING:

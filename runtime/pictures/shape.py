@@ -12,10 +12,10 @@ import numpy as np
 
 from flexel.materials import Profile
 from flexel.orientation import matrix
+from flexel.rope.wire_rope import WireRope
 from flexel.sections import IBeam, Rectangle, Section, Tube
 from flexel.state import State
 from flexel.structure import Array, Instance, Structure
-from flexel.wire_rope import WireRope
 
 CORNERS = 16  # of a round section
 

@@ -16,7 +16,7 @@ import numpy as np
 from scipy.sparse import coo_array, csc_array, csr_array, eye_array, vstack
 
 from flexel.assembly import Batch, Place, Stage, summed
-from flexel.locallaws import LocalLaws
+from flexel.implicit.locallaws import LocalLaws
 from flexel.structure import Array, Index, Structure
 
 

@@ -10,14 +10,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from flexel.contacts import Contact, find_surface
 from flexel.errors import ModelError
-from flexel.rope_path import Circle
+from flexel.rope.contacts import Contact, find_surface
+from flexel.rope.path import Circle
 from flexel.structure import Array, Node
 
 if TYPE_CHECKING:
     from flexel.model import Model
-    from flexel.surfaces import Surface
+    from flexel.rope.surfaces import Surface
 
 Place = str | Node | tuple[str, int]
 

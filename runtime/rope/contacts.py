@@ -14,8 +14,8 @@ import numpy as np
 from flexel.checks import not_negative, positive
 from flexel.errors import ModelError
 from flexel.generated.table import LAWS
+from flexel.rope.surfaces import Surface
 from flexel.structure import Array, LawInstance, unknown
-from flexel.surfaces import Surface
 
 if TYPE_CHECKING:
     from flexel.model import Model

@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from flexel import drawing
-from flexel.drawing import Sketch
-from flexel.figures import figure
+from flexel.pictures import drawing
+from flexel.pictures.drawing import Sketch
+from flexel.pictures.figures import figure
 from flexel.state import State
 from flexel.structure import Array
 

@@ -1,7 +1,7 @@
 """What a mechanism looks like at one instant: the shapes of all its parts, for any kind of picture.
 
 Everything is read from the structure's instances and a state; how it is painted is the business of
-`flexel.scene` (matplotlib) and `flexel.view` (a page with a viewer).
+`flexel.pictures.scene` (matplotlib) and `flexel.view` (a page with a viewer).
 Imports numpy and the runtime rooms of orientation, painters, shape, state and structure.
 """
 
@@ -13,9 +13,9 @@ from dataclasses import replace
 import numpy as np
 
 from flexel.orientation import conjugate, matrix, product
-from flexel.painters import CONTACTS, PAINTERS, WHEELS, bar
-from flexel.rope_painters import sheaves
-from flexel.shape import Shape, Sketch, place
+from flexel.pictures.painters import CONTACTS, PAINTERS, WHEELS, bar
+from flexel.pictures.rope_painters import sheaves
+from flexel.pictures.shape import Shape, Sketch, place
 from flexel.state import Geometry, State
 from flexel.structure import Array, Instance
 

@@ -12,14 +12,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from flexel import dynamics
-from flexel.archive import motion_of
-from flexel.archive_linear import linearization_of
 from flexel.errors import ModelError
-from flexel.files import read
 from flexel.inputs import number
 from flexel.kinematics import Configuration
 from flexel.periodic_result import PeriodicSolution, periodic_of
 from flexel.result import Motion
+from flexel.saved.archive import motion_of
+from flexel.saved.archive_linear import linearization_of
+from flexel.saved.files import read
 from flexel.state import State
 from flexel.structure import Index, Structure
 

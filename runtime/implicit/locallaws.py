@@ -19,7 +19,7 @@ from flexel.assembly import Batch, Place, Stage, summed
 from flexel.structure import Array, Index, Structure
 
 if TYPE_CHECKING:
-    from flexel.local import Group
+    from flexel.implicit.local import Group
 
 MAX_ITERATIONS = 12  # for the internal states at given deformations
 

@@ -13,11 +13,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from flexel.alpha import Point
-from flexel.balance import Balance, Matrix, Saddle, SaddlePattern
 from flexel.errors import FlexelError
-from flexel.implicit import Control, Run
-from flexel.locallaws import ImplicitStep
+from flexel.implicit.alpha import Point
+from flexel.implicit.balance import Balance, Matrix, Saddle, SaddlePattern
+from flexel.implicit.locallaws import ImplicitStep
+from flexel.implicit.steps import Control, Run
 from flexel.state import State
 from flexel.structure import Array
 

@@ -11,11 +11,11 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
-from flexel import planar_painters
 from flexel.materials import Profile
 from flexel.orientation import matrix, product
-from flexel.rope_painters import contact, rope
-from flexel.shape import (
+from flexel.pictures import planar_painters
+from flexel.pictures.rope_painters import contact, rope
+from flexel.pictures.shape import (
     Shape,
     axes_of,
     circle,

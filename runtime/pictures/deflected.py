@@ -13,10 +13,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from flexel import drawing
 from flexel.errors import ModelError
-from flexel.figures import COLOURS, save
-from flexel.scene import View, canvas, display_axes
+from flexel.pictures import drawing
+from flexel.pictures.figures import COLOURS, save
+from flexel.pictures.scene import View, canvas, display_axes
 from flexel.state import State
 from flexel.structure import Array, Structure
 

@@ -14,11 +14,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from flexel.description import described, quantity_units, structure_of
 from flexel.errors import ModelError
 from flexel.evaluate import Evaluation
-from flexel.record import Record, Variable
 from flexel.roles import Roles
+from flexel.saved.description import described, quantity_units, structure_of
+from flexel.saved.record import Record, Variable
 from flexel.state import Energy, State
 from flexel.structure import Array, Index, Structure
 from flexel.units import rate_unit

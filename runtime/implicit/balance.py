@@ -17,9 +17,9 @@ import numpy as np
 from flexel.diagnose import largest, null_space, quoted
 from flexel.dynamics import check_finite, drift
 from flexel.errors import DynamicsError
+from flexel.implicit.local import Inertia, Local
+from flexel.implicit.locallaws import ImplicitStep, LawForces
 from flexel.kinematics import wrap
-from flexel.local import Inertia, Local
-from flexel.locallaws import ImplicitStep, LawForces
 from flexel.solvers import Factors, Pattern
 from flexel.state import Energy, State
 from flexel.states import unwrap

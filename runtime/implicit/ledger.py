@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from flexel.alpha import Point
-from flexel.balance import Balance, Saddle
+from flexel.implicit.alpha import Point
+from flexel.implicit.balance import Balance, Saddle
 from flexel.structure import Array
 
 

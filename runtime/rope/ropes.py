@@ -11,13 +11,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from flexel.cable_lines import CableLine
-from flexel.cables import AXIAL, axial_rows, gauss_tension
 from flexel.checks import not_negative, positive
-from flexel.contacts import Contact, ContactPoint
 from flexel.errors import ModelError
-from flexel.rope_path import Path, taut_path
-from flexel.rope_plane import Place, RopePlane
+from flexel.rope.cable_lines import CableLine
+from flexel.rope.cables import AXIAL, axial_rows, gauss_tension
+from flexel.rope.contacts import Contact, ContactPoint
+from flexel.rope.path import Path, taut_path
+from flexel.rope.plane import Place, RopePlane
 from flexel.state import State
 from flexel.structure import Array, Node
 

@@ -1,7 +1,7 @@
 """What a result is made of when it leaves the program: labelled arrays and a header of plain text and numbers.
 
-A record knows nothing of mechanisms and nothing of file formats; `flexel.archive` fills it from results and makes
-results of it, `flexel.files` writes and reads it.
+A record knows nothing of mechanisms and nothing of file formats; `flexel.saved.archive` fills it from results and makes
+results of it, `flexel.saved.files` writes and reads it.
 Imports numpy and the errors; xarray when asked.
 """
 

@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 from tqdm import tqdm
 
-from flexel.alpha import Point, Stepper
-from flexel.balance import Balance, Saddle
+from flexel.implicit.alpha import Point, Stepper
+from flexel.implicit.balance import Balance, Saddle
+from flexel.implicit.ledger import Ledger
 from flexel.integrate import Integration
-from flexel.ledger import Ledger
 from flexel.state import State
 from flexel.structure import Array
 

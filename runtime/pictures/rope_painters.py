@@ -9,9 +9,9 @@ from collections.abc import Iterable, Iterator
 
 import numpy as np
 
-from flexel.cables import cable_tension
 from flexel.orientation import matrix, product
-from flexel.shape import Shape, circle, cubic, place, resultant, section_outline, turned
+from flexel.pictures.shape import Shape, circle, cubic, place, resultant, section_outline, turned
+from flexel.rope.cables import cable_tension
 from flexel.state import State
 from flexel.structure import Array, Instance
 

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from scipy.signal import get_window
 
 from flexel.errors import ModelError
-from flexel.figures import COLOURS, figure, save
+from flexel.pictures.figures import COLOURS, figure, save
 from flexel.structure import Array
 
 if TYPE_CHECKING:

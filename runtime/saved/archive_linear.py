@@ -14,10 +14,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from flexel.archive import ROLES, StoredGeometry, roles_from, roles_in_names
-from flexel.description import described, structure_of
 from flexel.errors import ModelError
-from flexel.record import Record, Variable, require
+from flexel.saved.archive import ROLES, StoredGeometry, roles_from, roles_in_names
+from flexel.saved.description import described, structure_of
+from flexel.saved.record import Record, Variable, require
 from flexel.state import Energy, State
 from flexel.structure import Structure
 
@@ -125,7 +125,7 @@ def save(self: Linearization, path: str | Path) -> Path:
 
     For A, B, C and D alone, in Matlab's form, see `save_state_space`.
     """
-    from flexel.files import write
+    from flexel.saved.files import write
 
     return write(record_of_linearization(self), path)
 
@@ -177,7 +177,7 @@ def mode_shape(self: Linearization, number: int) -> dict[str, complex]:
 
 def plot(self: Linearization, path: str | Path | None = None) -> Any:
     """Eigenvalues in the complex plane (needs matplotlib)."""
-    from flexel.graphs import plot_poles
+    from flexel.pictures.graphs import plot_poles
 
     return plot_poles([self.eigenvalues()], path)
 
@@ -197,8 +197,8 @@ def view(self: Linearization, path: str | Path, **options: Any) -> Path:
 
 
 def plot_mode(self: Linearization, number: int, path: str | Path | None = None, **options: Any) -> Any:
-    """The shape of a mode of `modes`, over the state in grey; see `flexel.deflected.plot_shape`."""
-    from flexel.deflected import plot_shape
+    """The shape of a mode of `modes`, over the state in grey; see `flexel.pictures.deflected.plot_shape`."""
+    from flexel.pictures.deflected import plot_shape
 
     mode = _mode(self, number)
     title = f"{mode.name}: {mode.eigenvalue:.4g} 1/s"

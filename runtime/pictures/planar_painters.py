@@ -9,7 +9,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from flexel.shape import Shape, axes_of, place, turned
+from flexel.pictures.shape import Shape, axes_of, place, turned
 from flexel.state import State
 from flexel.structure import Array, Instance
 

@@ -19,7 +19,7 @@ from zipfile import is_zipfile
 import numpy as np
 
 from flexel.errors import FlexelError, ModelError
-from flexel.record import Record, Variable, require
+from flexel.saved.record import Record, Variable, require
 from flexel.structure import Array
 
 FORMAT = "flexel result 1"

@@ -17,9 +17,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from tqdm import tqdm
 
-from flexel import drawing
 from flexel.errors import FlexelError, ModelError
-from flexel.scene import View, canvas, draw, painted
+from flexel.pictures import drawing
+from flexel.pictures.scene import View, canvas, draw, painted
 from flexel.state import State
 
 if TYPE_CHECKING:

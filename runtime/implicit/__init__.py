@@ -1,0 +1,1 @@
+"""Equations in coordinates and multipliers on sparse matrices, and implicit integration of them."""

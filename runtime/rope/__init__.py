@@ -1,0 +1,1 @@
+"""Cables, ropes, and what they touch: laying them, contact with surfaces, what they are asked about."""
