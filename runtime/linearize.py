@@ -290,6 +290,7 @@ class Linearization:
     to_control = control.to_control
     to_scipy = control.to_scipy
     save_state_space = control.save_state_space
+    units = property(archive_linear.units)
     to_xarray = archive_linear.to_xarray
     to_pandas = archive_linear.to_pandas
     save = archive_linear.save

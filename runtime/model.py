@@ -253,7 +253,7 @@ class Model:
         self.roles.update(dict.fromkeys(quantities(names, "rigid"), "rigid"))
 
     def prescribe(self, name: str, motion: Any) -> None:
-        """Give a coordinate or deformation a motion u(t).
+        """Give a coordinate or deformation a motion u(t), in place of any that it had been given before.
 
         Parameters
         ----------

@@ -20,6 +20,7 @@ from flexel.saved.description import described, structure_of
 from flexel.saved.record import Record, Variable, require
 from flexel.state import Energy, State
 from flexel.structure import Structure
+from flexel.units import rate_unit
 
 if TYPE_CHECKING:
     from flexel.linearize import Linearization, Mode
@@ -130,12 +131,26 @@ def save(self: Linearization, path: str | Path) -> Path:
     return write(record_of_linearization(self), path)
 
 
+def units(self: Linearization) -> dict[str, str]:
+    """Units of the freedoms, their rates (``name'``), the prescribed motions and the laws' internal states, by name.
+
+    A row of M, C or K is the generalized force dual to its freedom, per unit of the freedom of its column or its rates.
+    """
+    s = self.state.structure
+    own = {name: s.units[s.index[name]] for name in (*self.freedoms, *self.prescribed)}
+    rates = {f"{name}'": rate_unit(own[name], 1) for name in self.dynamic}
+    return own | rates | {name: s.internal_units[s.internal[name]] for name in self.internal}
+
+
 def to_xarray(self: Linearization) -> Any:
-    """Matrices, eigenvalues and modes as an xarray.Dataset with names along rows and columns."""
+    """Matrices, eigenvalues and modes as an xarray.Dataset with names and units along rows and columns."""
     require("xarray", "xarray")
     full = record_of_linearization(self)
     own = {name: z for name, z in full.variables.items() if name in DIMS}
     found = Record(full.kind, own, full.labels, {}, {}).to_xarray()
+    known = self.units
+    for dim, names in full.labels.items():
+        found = found.assign_coords({f"{dim}_unit": (dim, [known[name] for name in names])})
     found["eigenvalue"] = ("eigenvalue_number", self.eigenvalues(), {"units": "1/s"})
     modes = self.modes()
     found["mode_eigenvalue"] = ("mode", np.array([z.eigenvalue for z in modes]), {"units": "1/s"})
