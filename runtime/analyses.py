@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from flexel import stability, states, statics
-from flexel.errors import IncompleteWarning, ModelError, PositionError
+from flexel.errors import FlexelError, IncompleteWarning, ModelError, PositionError
 from flexel.implicit.bdf import Bdf
 from flexel.implicit.steps import Control, GeneralizedAlpha, Run
 from flexel.integrate import (
@@ -77,6 +77,7 @@ def simulate(
     Raises
     ------
     ModelError, PositionError, DynamicsError
+        Where the motion cannot go on, with what was computed until then as ``error.motion``.
     """
     start = self.initial if start is None else own_state(self.structure, start, "simulate")
     grid = stored_times(start, duration, times, samples)
@@ -90,7 +91,11 @@ def simulate(
             self.use(start.roles)
     try:
         run = Integrator(self, start, grid, method, rtol, atol, max_step, events, progress, rechoose)
-        return Motion(self, run.run())
+        try:
+            return Motion(self, run.run())
+        except FlexelError as error:
+            error.motion = Motion(self, run.kept(str(error), complete=False))
+            raise
     finally:
         self.use(chosen)
 
@@ -178,7 +183,8 @@ def simulate_stiff(
 
 def _follow(self: System, start: State, grid: Array) -> Integration:
     """States of a fully prescribed motion; long steps are halved until the position is found."""
-    found, segments, none = [start], [], np.zeros(0)
+    found, none = [start], np.zeros(0)
+    segments: list[Segment] = []
     weights = turning_weights(self.structure)
     dense: Callable[[float], Array] = lambda t: none  # noqa: E731 (a fully prescribed motion has no state)
     for t in grid[1:]:
@@ -187,9 +193,13 @@ def _follow(self: System, start: State, grid: Array) -> Integration:
             step = min(step, longest_step(last, weights))
             try:
                 state = self.state_from(min(last.t + step, float(t)), none, self.roles, last)
-            except PositionError:
+            except PositionError as error:
                 step /= 2
                 if step < 1e-6 * (grid[-1] - grid[0]):
+                    reached = [*found, last] if last.t > found[-1].t else found
+                    counts = {"steps": len(segments), "evaluations": 0, "rechoices": 0}
+                    kept = Integration(reached, [], segments, counts, str(error), complete=False)
+                    error.motion = Motion(self, kept)
                     raise
                 continue
             ends = states.End.of(last), states.End.of(state)

@@ -5,9 +5,22 @@ Every message has the form ``kind 'name': fact; remedy``.  Imports nothing of fl
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from flexel.result import Motion
+
 
 class FlexelError(Exception):
-    """Base of all errors that flexel raises on purpose."""
+    """Base of all errors that flexel raises on purpose.
+
+    Attributes
+    ----------
+    motion : Motion, optional
+        Of a simulation that failed under way: what was computed until then, to be looked at, saved, and started from.
+    """
+
+    motion: Motion | None = None
 
 
 class ModelError(FlexelError, ValueError):

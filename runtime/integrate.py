@@ -192,13 +192,17 @@ class Integrator:
                     message = f"stopped by event '{stopped}'"
                     break
         except KeyboardInterrupt:
-            if self.state.t > self.result.states[-1].t:
-                self.result.states.append(self.state)
-            message = f"interrupted at t = {self.result.states[-1].t:g} s; the motion up to there is kept"
+            kept = self.kept("")
+            message = f"interrupted at t = {kept.states[-1].t:g} s; the motion up to there is kept"
         finally:
             bar.close()
-        r = self.result
-        return Integration(r.states, r.events, r.segments, r.statistics, message)
+        return replace(self.result, message=message)
+
+    def kept(self, message: str, complete: bool = True) -> Integration:
+        """What has been computed, up to the last step."""
+        if self.state.t > self.result.states[-1].t:
+            self.result.states.append(self.state)
+        return replace(self.result, message=message, complete=complete)
 
     def _segment(self, bar: Any) -> str | None:
         """Integrate with one choice of freedoms; returns the name of a terminal event, if one occurred."""

@@ -75,6 +75,18 @@ def test_a_history_is_drawn(tmp_path: Path) -> None:
     assert (tmp_path / "pendulum.png").stat().st_size > 5_000
 
 
+def test_a_simulation_that_fails_keeps_its_motion(tmp_path: Path) -> None:
+    driven = (
+        PENDULUM.replace("(1, 0, 0)", "(0.6, 0, 0.8)") + "model.prescribe('A.x', lambda t: 0.6 - 4 * t)\n"
+    )
+    result = run(written(tmp_path, driven), "--time", 1, "--out", tmp_path)
+    assert result.exit_code == 1
+    assert "pendulum.py, line" in result.stderr or "pendulum.py:" in result.stderr
+    end = fx.load(tmp_path / "pendulum.npz").t[-1]
+    assert 0.39 < end < 0.4 + 1e-9
+    assert f"the motion up to t = {end:g} s is kept" in result.stdout
+
+
 def test_a_file_with_main_does_everything_itself(tmp_path: Path) -> None:
     own = "def main(out):\n    (out / 'answer.txt').write_text('42')\n    print('done')\n"
     result = run(written(tmp_path, own), "--out", tmp_path / "new")

@@ -107,7 +107,11 @@ def run(
     if mode is not None or dialect is not None:
         raise click.UsageError(f"{file}: --mode and --dialect are for SPACAR files, MODEL.dat.")
     wish = Wish(out or Path("out") / file.stem, asked, formats, plots, linearize)
-    motion = _run_python(file, wish)
+    try:
+        motion = _run_python(file, wish)
+    except click.ClickException as failure:
+        _keep_what_there_is(failure, wish, file.stem)
+        raise
     if motion is None:
         return
     with told_by_line(file):
@@ -174,6 +178,14 @@ def _keep(motion: Motion, wish: Wish, stem: str) -> None:
         path = wish.out / f"{stem}.png"
         motion.plot(*wish.plots, path=path)
         click.echo(f"wrote {path}")
+
+
+def _keep_what_there_is(failure: click.ClickException, wish: Wish, stem: str) -> None:
+    """Save the motion up to where a simulation failed."""
+    motion = getattr(failure.__cause__, "motion", None)
+    if motion is not None and len(motion) > 1:
+        _keep(motion, wish, stem)
+        click.echo(f"the motion up to t = {motion.t[-1]:g} s is kept")
 
 
 def _run_spacar(file: Path, out: Path | None, mode: int | None, dialect: str | None) -> None:

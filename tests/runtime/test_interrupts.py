@@ -1,4 +1,4 @@
-"""What is left of a simulation that is interrupted."""
+"""What is left of a simulation that is interrupted or fails."""
 
 import numpy as np
 import pytest
@@ -35,3 +35,30 @@ def test_an_interrupt_keeps_the_motion_up_to_its_last_step(method: str) -> None:
     load.until = 2.0
     rest = getattr(system, method)(1.0 - end.t, start=end, samples=2, **options)
     assert rest[-1].position("P") == pytest.approx([0.25, -4.905], rel=1e-6)
+
+
+def overstretched() -> fx.Model:
+    """A crank of 1 m whose end is drawn away until it cannot follow."""
+    m = fx.Model()
+    m.point("O", (0.0, 0.0), fixed=True)
+    m.point_mass("mass", m.point("A", (0.6, 0.8)), 1.0)
+    m.truss("rod", "O", "A")
+    m.prescribe("A.x", lambda t: 0.6 + t)
+    return m
+
+
+@pytest.mark.parametrize("free", [False, True])
+def test_a_simulation_that_fails_leaves_what_it_computed(free: bool) -> None:
+    """With a freedom beside the driven crank, and without."""
+    m = overstretched()
+    if free:
+        m.point_mass("other", m.point("B", (3.0, 0.0)), 1.0)
+        m.initial("B.y", rate=1.0)
+    with pytest.raises(fx.FlexelError, match="'A.x'") as caught:
+        m.build().simulate(1.0, samples=11, progress=False)
+    motion = caught.value.motion
+    assert motion is not None
+    assert 0.3 < motion.t[-1] < 0.4 + 1e-9
+    assert motion["A.y"][:4] == pytest.approx(np.sqrt(1 - (0.6 + motion.t[:4]) ** 2), abs=1e-9)
+    if free:
+        assert motion["B.y"] == pytest.approx(motion.t, abs=1e-9)
