@@ -32,6 +32,7 @@ MAX_ITERATIONS = 20
 PATIENCE = 8  # iterations within which the error must have come down to a tenth
 CONVERGED, STALLED = 1e-11, 1e-8  # relative errors: good at once, and where rounding lets it go no further
 FORCES = 1e-2  # weight of the forces' relative unbalance beside the violation of conditions
+LOOSE = 1e-4  # local error beyond which the forces count less, down to a tenth: such steps are coarse anyway
 ROUGH = 0.1  # relative error of a prediction beyond which another is tried
 SHORTENINGS = 6  # of a Newton step, each to 40 %
 SLOW = 0.2  # a contraction weaker than this renews the iteration matrix
@@ -110,13 +111,16 @@ class Stepper(Saddle):
         Counts.
     """
 
-    def __init__(self, system: System, radius: float, newton: str, kind: str | None = None) -> None:
+    def __init__(
+        self, system: System, radius: float, newton: str, kind: str | None = None, tolerance: float = 0.0
+    ) -> None:
         super().__init__(system)
         if newton not in ("full", "modified"):
             raise ModelError(f"simulate_stiff: newton {newton!r} is unknown; choose full or modified")
         self.full = newton == "full"
         self.scheme = Scheme.with_radius(radius, bool(self.force_rows.size))
         self._kind = kind
+        self._forces = FORCES * max(min(LOOSE / tolerance, 1.0), 0.1) if 0 < tolerance < np.inf else FORCES
         self.evaluations = self.factorizations = self.iterations = 0
         self._matrix_step = 0.0
         self._stiffness: Array = np.zeros(self.structure.nf)  # of each row, with what masses add
@@ -192,7 +196,7 @@ class Stepper(Saddle):
                 return None
             fresh = self._matrix is None or self.full or error > SLOW * last
             if fresh:
-                self._matrix = self._tangent(b, rate, acceleration, scaling)
+                self._matrix = self._tangent(b, rate, acceleration, scaling, first=i == 0)
                 self._matrix_step = h
             if self._matrix is None or not self._matrix.factors.regular:
                 return None
@@ -200,7 +204,7 @@ class Stepper(Saddle):
             step = self._matrix.factors.solve(np.concatenate([scaling * b.r, b.gap, slip / rate]))
             self.iterations += 1
             last = error
-            p, b = self._search(p, old, h, step, b)
+            p, b = self._search(p, old, h, step, b, error)
             error = self._relative(b, h)
         return None
 
@@ -222,13 +226,15 @@ class Stepper(Saddle):
         """What the predictor added to x + h v, over h²."""
         return (p.x - old.x - h * old.v) / (h * h)
 
-    def _search(self, p: Point, old: Point, h: float, step: Array, b: Balance) -> tuple[Point, Balance]:
-        """The point after a Newton step, shortened while that is farther from balance than the last one.
+    def _search(
+        self, p: Point, old: Point, h: float, step: Array, b: Balance, last: float
+    ) -> tuple[Point, Balance]:
+        """The point after a Newton step, shortened while that is farther from balance than the last one was.
 
         Contacts that open and close, and friction that saturates, make the full step overshoot.
         """
         best: tuple[Point, Balance, float] | None = None
-        share, last = 1.0, self._size(b, h, b.scale)
+        share = 1.0
         for _ in range(SHORTENINGS):
             tried = self._moved(p, share * step, h, b)
             found = self._evaluate(tried, old)
@@ -265,7 +271,7 @@ class Stepper(Saddle):
     def _size(self, b: Balance, h: float, scale: float) -> float:
         """Error of a balance relative to given forces, so that two can be compared."""
         held = np.concatenate([b.gap / self.scales[self.roles.holonomic], b.w[self.roles.zero] * h])
-        return self.error(b, FORCES * b.r, held, self._stiffness, scale)
+        return self.error(b, self._forces * b.r, held, self._stiffness, scale)
 
     def _finished(self, old: Point, p: Point, b: Balance) -> Point:
         c = self.scheme
@@ -273,18 +279,21 @@ class Stepper(Saddle):
         p.zw = ((1 - c.alpha_f) * p.zd + c.alpha_f * old.zd - c.lag_m * old.zw) / (1 - c.lag_m)
         return p
 
-    def _tangent(self, b: Balance, rate: float, acceleration: float, scaling: float) -> Matrix:
-        """The iteration matrix, first rows and multipliers scaled by beta h²."""
+    def _tangent(
+        self, b: Balance, rate: float, acceleration: float, scaling: float, *, first: bool
+    ) -> Matrix:
+        """The iteration matrix, first rows and multipliers scaled by beta h²; the first of a step sizes its rows."""
         self.factorizations += 1
         K, cross, phi = self.stiffness(b, rate, acceleration)
         held = b.J
         if phi is not None and self.roles.zero.size:
             held = self._with_slips(b.J, phi, rate)
-        stored = self.pattern.assemble(scaling * K, scaling * cross, b.J, held)
+        stored = self.pattern.assemble(K, cross, b.J, held, scaling)
         stored += scaling * acceleration * self.pattern.mass
-        sizes = np.abs(K)
-        sizes[self.local.size_M :] += acceleration * np.abs(self.local.masses0)
-        self._stiffness = summed(self.local.rows_K, sizes, self.structure.n)[: self.structure.nf]
+        if first:
+            sizes = np.abs(K)
+            sizes[self.local.size_M :] += acceleration * np.abs(self.local.masses0)
+            self._stiffness = summed(self.local.rows_K, sizes, self.structure.n)[: self.structure.nf]
         return Matrix(self.structure, self.pattern.pattern, stored)
 
     def _with_slips(self, J: Array, phi: Array, rate: float) -> Array:

@@ -95,7 +95,9 @@ class SaddlePattern:
         all_rows = np.concatenate([rows[0], left, place[c_columns], nf + d_rows])
         all_columns = np.concatenate([place[local.columns_K], right, nf + c_rows, place[d_columns]])
         self.pattern = Pattern(all_rows, all_columns, size, kind)
-        self._zeros = np.zeros(c_rows.size + d_rows.size + left.size)
+        ends = np.cumsum([local.rows_K.size, left.size, c_rows.size, d_rows.size])
+        self._entries = np.zeros(ends[-1])
+        self._parts = np.split(self._entries, ends[:-1])
 
     def _rows(self, quantities: Index) -> tuple[Index, Index, Index]:
         """Entries of [J, 1] that make up rows of J, their row numbers and their coordinates."""
@@ -115,18 +117,27 @@ class SaddlePattern:
         found = tuple(np.concatenate(z or none).astype(np.intp) for z in (entries, rows, columns))
         return found[0], found[1], found[2]
 
-    def assemble(self, K: Array, cross: Array, J: Array, held: Array) -> Array:
-        """The matrix in its storage: K flat, entries across elements, J for the multipliers and for the held rows."""
-        C = np.append(J, 1.0)[self._c]
-        D = C if held is J and self._d is self._c else np.append(held, 1.0)[self._d]
-        return self.pattern.assemble(np.concatenate([K, cross, C, D]))
+    def assemble(self, K: Array, cross: Array, J: Array, held: Array, scaling: float = 1.0) -> Array:
+        """The matrix in its storage: scaled K (flat) and entries across elements, J for multipliers and held rows."""
+        own, across, left, lower = self._parts
+        np.multiply(K, scaling, out=own)
+        np.multiply(cross, scaling, out=across)
+        left[:] = _with_one(J, self._c)
+        lower[:] = _with_one(held, self._d)
+        return self.pattern.assemble(self._entries)
 
     @cached_property
     def mass(self) -> Array:
         """The constant part of the mass matrix, in the storage."""
         local = self._local
-        entries = np.concatenate([np.zeros(local.size_M), local.masses0, self._zeros])
+        entries = np.zeros(self._entries.size)
+        entries[local.size_M : local.rows_K.size] = local.masses0
         return self.pattern.assemble(entries)
+
+
+def _with_one(J: Array, entries: Index) -> Array:
+    """Entries of the flat J, the one behind its last being 1."""
+    return np.append(J, 1.0)[entries] if entries.size else np.zeros(0)
 
 
 class Saddle:
@@ -147,6 +158,7 @@ class Saddle:
         self.scales = system.kinematics.scales(np.arange(len(self.structure.names)))
         self.first = self.structure.m + self.structure.k
         self.x_scale = self.scales[self.first : self.first + self.structure.nf]
+        self._length = float(self.x_scale.max(initial=0.0))
         self.rest = np.zeros(self.structure.n)
         self.z = self.structure.z0  # internal states of laws: held, or where an implicit step starts
         self.step: ImplicitStep | None = None
@@ -245,7 +257,7 @@ class Saddle:
         its largest entry, or those of each row, in the denominator, the tolerance 1e-12 is met there.  Another size
         of the forces than that of the balance may be given as `scale`.
         """
-        stiff = stiffness * float(self.x_scale.max(initial=0.0))
+        stiff = stiffness * self._length
         force = np.abs(r) / ((scale or b.scale) + 1e-3 * stiff + TINY_FORCE)
         return max(float(force.max(initial=0.0)), float(np.abs(gap).max(initial=0.0)))
 

@@ -244,20 +244,21 @@ class LocalLaws:
 def _add(g: Group, K: Array, J: Array, phi: Array | None, S: Array, damping: Array) -> None:
     """Add J' (S J + damping Phi) of one group to the flat K."""
     Jg, Kg = g.J(J), g.K(K)
-    some = S.reshape(g.shape[0], -1).any(axis=1)
-    if phi is not None:
-        some |= damping.reshape(g.shape[0], -1).any(axis=1)
-    if some.all():
-        W = _times(S, Jg)
-        if phi is not None:
-            W += _times(damping, g.J(phi))
-        Kg += Jg.transpose(0, 2, 1) @ W
-    elif some.any():  # contacts that do not touch cost nothing further
-        Jg = Jg[some]
-        W = _times(S[some], Jg)
-        if phi is not None:
-            W += _times(damping[some], g.J(phi)[some])
-        Kg[some] += Jg.transpose(0, 2, 1) @ W
+    rates = phi is not None and bool(damping.any())
+    some = (S != 0).reshape(g.shape[0], -1).any(axis=1)
+    if rates:
+        some |= (damping != 0).reshape(g.shape[0], -1).any(axis=1)
+    every = bool(some.all())
+    if not every:  # contacts that do not touch cost nothing further
+        Jg, S, damping = Jg[some], S[some], damping[some]
+    W = _times(S, Jg)
+    if phi is not None and rates:
+        W += _times(damping, g.J(phi) if every else g.J(phi)[some])
+    product = Jg.transpose(0, 2, 1) @ W
+    if every:
+        Kg += product
+    else:
+        Kg[some] += product
 
 
 def _times(S: Array, A: Array) -> Array:

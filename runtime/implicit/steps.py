@@ -122,7 +122,7 @@ class GeneralizedAlpha(Run):
     """One run of the generalized-alpha method."""
 
     def __init__(self, system: System, start: State, radius: float, newton: str, control: Control) -> None:
-        self.stepper = Stepper(system, radius, newton)
+        self.stepper = Stepper(system, radius, newton, tolerance=control.tolerance)
         super().__init__(self.stepper, start)
         self.control = control
         self._steps = self._rejected = self._at_contact = self._halvings = self._false = 0
