@@ -54,7 +54,6 @@ CALSPAN: dict[str, Any] = {
     "SN": 1.0274,
     "AF": (-0.171e-4, 0.171e-4),
 }
-LARGEST_LOAD = 12930.0  # A2: where the data of the CALSPAN tyre end [N]
 LINEAR: dict[str, dict[str, Any]] = {
     "front": {"cornering": 41641.0, "camber_stiffness": 6925.0, "trail": 0.06553},
     "rear": {"cornering": 40162.0, "camber_stiffness": 6600.0, "trail": 0.06142},

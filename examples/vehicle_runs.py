@@ -6,6 +6,7 @@ What is read off the motions is in `flexel.examples.vehicle_signals`. Imports nu
 from __future__ import annotations
 
 import time
+import warnings
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
@@ -151,9 +152,11 @@ def bump(
     system = vehicle(speed, roads=roads, deflection=deflection)
     grid = np.linspace(0, seconds, round(100 * seconds) + 1) if times is None else times
     begin = start(system, speed, deflection)
-    return system.simulate(
-        seconds, start=begin, times=grid, method=METHOD, rechoose=False, rtol=rtol, atol=rtol / 100
-    )
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", fx.RangeWarning)  # the table names the tyres that leave their data
+        return system.simulate(
+            seconds, start=begin, times=grid, method=METHOD, rechoose=False, rtol=rtol, atol=rtol / 100
+        )
 
 
 def energy_gap(run: Callable[[Array], fx.Motion], seconds: float, panels: int) -> float:

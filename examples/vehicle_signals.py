@@ -75,17 +75,6 @@ def load_histories(motion: fx.Motion) -> Array:
     return np.array([loads(state) for state in motion])
 
 
-def outside_range(motion: fx.Motion) -> list[str]:
-    """Tyres whose load leaves the range of the CALSPAN data, 0 to A2, by name with the largest load."""
-    largest = load_histories(motion).max(axis=0)
-    limit = data.LARGEST_LOAD
-    return [
-        f"{corner} tyre: {load:.0f} N of {limit:.0f} N"
-        for corner, load in zip(data.CORNERS, largest, strict=True)
-        if load > limit
-    ]
-
-
 def lifted(motion: fx.Motion) -> list[str]:
     """Wheels that leave the road at a stored time."""
     least = load_histories(motion).min(axis=0)

@@ -19,9 +19,9 @@ from flexel.examples.vehicle_signals import (
     lifted,
     load_histories,
     loads,
-    outside_range,
 )
 from flexel.linearize import Linearization, sort_eigenvalues
+from flexel.ranges import outside
 from flexel.report import Quantity
 
 DEGREES = {"roll", "pitch", "yaw", "side_slip"}
@@ -195,7 +195,7 @@ def bumps(results: Results) -> list[Quantity]:
             rows.append(
                 Quantity(f"{name}_{signal}", found, extremes, BUMP_TOLERANCE[mirrored], unit, data.RERUN)
             )
-        notes = {"lifted": lifted(motion), "outside_range": outside_range(motion)}
+        notes = {"lifted": lifted(motion), "outside_range": outside(motion.system, list(motion))}
         said = (
             "; ".join(f"{key}: {', '.join(z)}" for key, z in notes.items() if z) or "all wheels on the road"
         )

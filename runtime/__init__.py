@@ -22,6 +22,7 @@ if TYPE_CHECKING:
         LinearizationError,
         ModelError,
         PositionError,
+        RangeWarning,
     )
     from flexel.functions import Harmonic, Polynomial, Ramp, Table
     from flexel.integrate import Event
@@ -69,6 +70,7 @@ __all__ = [
     "Polynomial",
     "PositionError",
     "Ramp",
+    "RangeWarning",
     "Rectangle",
     "Rope",
     "RoundGroove",
@@ -117,6 +119,7 @@ _HOMES = {
     "Polynomial": "flexel.functions",
     "PositionError": "flexel.errors",
     "Ramp": "flexel.functions",
+    "RangeWarning": "flexel.errors",
     "Rectangle": "flexel.sections",
     "Rope": "flexel.rope.ropes",
     "RoundGroove": "flexel.rope.surfaces",

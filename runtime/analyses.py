@@ -26,6 +26,7 @@ from flexel.integrate import (
     stored_times,
     turning_weights,
 )
+from flexel.ranges import warn_outside
 from flexel.result import Motion
 from flexel.state import State, own_state
 from flexel.steady import steady_motion
@@ -78,11 +79,18 @@ def simulate(
     ------
     ModelError, PositionError, DynamicsError
         Where the motion cannot go on, with what was computed until then as ``error.motion``.
+
+    Warns
+    -----
+    RangeWarning
+        Where the data of a law were left, by name.
     """
     start = self.initial if start is None else own_state(self.structure, start, "simulate")
     grid = stored_times(start, duration, times, samples)
     if self.roles.nq == 0:
-        return Motion(self, _follow(self, start, grid))
+        followed = _follow(self, start, grid)
+        warn_outside(self, followed.states)
+        return Motion(self, followed)
     chosen = self.roles
     if start.roles is not chosen:
         if self.condition(start) > 1e-3 * self.condition(start, start.roles):
@@ -92,12 +100,14 @@ def simulate(
     try:
         run = Integrator(self, start, grid, method, rtol, atol, max_step, events, progress, rechoose)
         try:
-            return Motion(self, run.run())
+            found = run.run()
         except FlexelError as error:
             error.motion = Motion(self, run.kept(str(error), complete=False))
             raise
     finally:
         self.use(chosen)
+    warn_outside(self, found.states)
+    return Motion(self, found)
 
 
 def simulate_stiff(
@@ -178,6 +188,7 @@ def simulate_stiff(
     found = run.run(grid, progress)
     if not found.complete:
         warnings.warn(found.message, IncompleteWarning, stacklevel=2)
+    warn_outside(self, found.states)
     return Motion(self, found)
 
 

@@ -43,6 +43,10 @@ class IncompleteWarning(UserWarning):
     """An analysis gave less than was asked: the message says what was reached and where it stopped."""
 
 
+class RangeWarning(UserWarning):
+    """A motion has left the range of the data of a law: the message names the quantity and says how the law goes on."""
+
+
 class CompilerError(FlexelError, RuntimeError):
     """A user-defined law or element cannot be compiled, for want of a C compiler or because it refuses."""
 

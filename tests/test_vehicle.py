@@ -13,6 +13,7 @@ from flexel.examples.bicycle_data import EIGENVALUES
 from flexel.examples.differences import mismatch
 from flexel.examples.vehicle import LEAF, UNIT_DAMPER, UNIT_SPRING, vehicle
 from flexel.orientation import matrix
+from flexel.ranges import outside
 
 CORNERS = vehicle_data.CORNERS
 
@@ -152,7 +153,8 @@ def test_wheels_leave_the_road_and_tyres_their_data_by_name() -> None:
     motion = vehicle_runs.bump(10.0, seconds=0.75)
     assert {"front right", "front left"} <= set(vehicle_signals.lifted(motion))
     assert any(
-        z.startswith("front left tyre") and "12930 N" in z for z in vehicle_signals.outside_range(motion)
+        z.startswith("front left tyre") and "end at 12930 N" in z
+        for z in outside(motion.system, list(motion))
     )
     assert (
         max(motion[f"{CORNERS[0]} leaf.across2"]) > vehicle_data.LEAF_LENGTH - vehicle_data.LEAF_STOP

@@ -186,6 +186,25 @@ def test_a_tyre_off_the_road_has_no_force_and_beyond_its_data_goes_on() -> None:
     assert side_force(load, alpha, 0.0, **CALSPAN)[0] == pytest.approx(expected, rel=1e-12)
 
 
+@pytest.mark.parametrize("method", ["simulate", "simulate_stiff"])
+def test_a_motion_that_leaves_the_data_of_a_tyre_says_so_by_name(method: str) -> None:
+    m = wheel(z=0.45)
+    m.fix("wheel", "hub.x", "hub.y")
+    m.attach("calspan_tyre", SIDE, stiffness=K, damping=0.0, **CALSPAN)
+    system = m.build()
+    weight, impact = 400 * 9.81, 400 * K * 2 * 9.81 * (0.45 - R)
+    largest = weight + np.sqrt(weight**2 + impact)
+    with pytest.warns(
+        fx.RangeWarning, match=r"tyre\.deflection: (\d+) N at t = .* calspan_tyre end at 12930 N"
+    ) as found:
+        motion = getattr(system, method)(0.25, samples=251, progress=False)
+    assert int(str(found[0].message).split()[1]) == pytest.approx(largest, rel=1e-3)
+    assert motion.force("tyre.deflection").max() == pytest.approx(largest, rel=1e-3)
+    getattr(system, method)(
+        0.13, samples=14, progress=False
+    )  # still falling: no warning, which would be an error
+
+
 def test_a_tyre_that_stands_has_no_side_force() -> None:
     m = wheel(fx.turn((1, 0, 0), 0.05), z=0.35)
     m.attach("calspan_tyre", SIDE, stiffness=K, damping=0.0, **CALSPAN)
