@@ -40,6 +40,9 @@ class Motion(Sequence[State]):
         Steps, evaluations of the equations of motion, changes of coordinates.
     message : str
         How the integration ended.
+    ledger : dict of str to list of float, optional
+        Of an implicit integration, at the stored times: energy in contacts, energy dissipated and work done so far [J];
+        see `energy_balance`.
     """
 
     def __init__(self, system: System | None, integration: Integration) -> None:
@@ -49,7 +52,7 @@ class Motion(Sequence[State]):
         self.events = integration.events
         self.statistics = integration.statistics
         self.message = integration.message
-        self._ledger = integration.ledger
+        self.ledger = integration.ledger
         self.t = np.array([state.t for state in self._states])
 
     def __len__(self) -> int:
@@ -174,9 +177,9 @@ class Motion(Sequence[State]):
         ModelError
             If the motion has no ledger of its losses.
         """
-        if self._ledger is None:
+        if self.ledger is None:
             raise ModelError("this motion has no energy balance; integrate with simulate_stiff for one")
-        return energy_balance(self.energy, self._ledger)
+        return energy_balance(self.energy, self.ledger)
 
     @property
     def drift(self) -> Array:
@@ -187,6 +190,10 @@ class Motion(Sequence[State]):
     def dense(self) -> bool:
         """Whether `at` gives states between the stored times."""
         return bool(self._segments)
+
+    def nearest(self, t: float) -> State:
+        """The stored state nearest to a time."""
+        return self._states[int(np.argmin(np.abs(self.t - t)))]
 
     def at(self, t: float) -> State:
         """State at any time within the motion, from the integrator's dense output.

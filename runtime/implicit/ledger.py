@@ -15,7 +15,7 @@ from flexel.structure import Array
 class Ledger:
     """Work and losses of a motion, by the trapezoidal rule over its steps.
 
-    A contact is a law whose first deformation is called gap.
+    A contact is a law whose first deformation is called gap, or gap1 and gap2 on the flanks of a V groove.
 
     Attributes
     ----------
@@ -30,7 +30,7 @@ class Ledger:
         self._contact = np.zeros(laws.count, dtype=bool)
         self._gap = np.zeros(laws.count, dtype=np.intp)
         for numbers, quantities in laws.instances():
-            self._contact[numbers] = [names[q].endswith(".gap") for q in quantities]
+            self._contact[numbers] = [names[q].rsplit(".", 1)[-1].startswith("gap") for q in quantities]
             self._gap[numbers] = quantities
         self._touching = np.zeros(0, dtype=bool)
         self._power = np.zeros(2)

@@ -48,7 +48,8 @@ def animate(
         ``.gif`` (needs Pillow, which comes with matplotlib), ``.mp4`` (needs the program ffmpeg), or ``.html``: the
         page of `Motion.view`.
     fps : float
-        Frames per second of the picture; the page shows what lies between them too.
+        Frames per second of the picture; the page shows what lies between them too.  Of a motion without dense output
+        (implicit integration, a file) the frames are the stored states nearest to their times.
     view : View, optional
         Eye, window, trails and sketches; by default all of the motion is within the window.
     between : (start, end), optional
@@ -93,7 +94,8 @@ def animate(
 
         shown: dict[str, Any] = {"view": view, "title": title, "caption": caption, "progress": progress}
         return view_motion(motion, path, frames=count, between=between, slower=slower, **shown)
-    states = [motion.at(float(t)) for t in np.linspace(start, end, count)]
+    state_at = motion.at if motion.dense else motion.nearest
+    states = [state_at(float(t)) for t in np.linspace(start, end, count)]
     view = view or _whole(states)
     hidden = not sys.stderr.isatty() if progress is None else not progress
     frames = tqdm(_frames(states, view, title, size, dpi), "frames", len(states), disable=hidden, leave=False)

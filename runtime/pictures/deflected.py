@@ -49,12 +49,10 @@ def plot_states(
     scale : float
         By which displacements from the drawn shape are magnified.
     """
-    rows = [int(np.argmin(np.abs(motion.t - t))) for t in times] or [-1]
     first = motion[0]
     drawn = at_coordinates(first, motion.structure.x0)
     figures = [(drawn, GREY, "as drawn")]
-    for i, row in enumerate(rows):
-        state: State = motion[row]
+    for i, state in enumerate([motion.nearest(t) for t in times] or [motion[-1]]):
         shown = displaced(drawn, scale * (state.x - drawn.x))
         figures.append((shown, COLOURS[i % len(COLOURS)], f"t = {state.t:.4g} s"))
     return _overlaid(figures, path, view, "" if scale == 1 else f"displacements × {scale:g}")

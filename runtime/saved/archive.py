@@ -65,6 +65,12 @@ def record_of(motion: Motion) -> Record:
         labels["internal_state"] = tuple(structure.internal)
         units["internal"] = structure.internal_units
         units["internal_rate"] = tuple(rate_unit(unit, 1) for unit in structure.internal_units)
+    if motion.ledger is not None:
+        labels["ledger_kind"] = tuple(motion.ledger)
+        columns = np.array(list(motion.ledger.values())).T
+        variables["ledger"] = Variable(
+            ("time", "ledger_kind"), columns, "J", "stored in contacts; lost and put in so far"
+        )
     if motion.events:
         found = _packed([state for _, state in motion.events], "event", choices)
         variables |= {f"event_{name}": z for name, z in found.items()}
@@ -142,8 +148,13 @@ def motion_of(record: Record) -> Motion:
     states = _unpacked(structure, roles, {name: z.values for name, z in record.variables.items()})
     late = {n.removeprefix("event_"): z.values for n, z in record.variables.items() if n.startswith("event_")}
     events = list(zip(record.labels["event"], _unpacked(structure, roles, late), strict=True)) if late else []
+    ledger = None
+    if "ledger" in record.variables:
+        columns = record.variables["ledger"].values.T
+        ledger = {name: z.tolist() for name, z in zip(record.labels["ledger_kind"], columns, strict=True)}
     header = record.header
-    return Motion(None, Integration(states, events, [], dict(header["statistics"]), str(header["message"])))
+    found = Integration(states, events, [], dict(header["statistics"]), str(header["message"]), ledger)
+    return Motion(None, found)
 
 
 def roles_from(structure: Structure, names: Mapping[str, Sequence[str]]) -> Roles:
