@@ -178,9 +178,13 @@ def simulate_stiff(
     if method == "alpha":
         run = GeneralizedAlpha(self, start, radius, newton, control)
     elif method == "bdf":
-        if step is not None or max_order not in range(1, 6):
+        if step is not None:
             raise ModelError(
-                "simulate_stiff: bdf takes steps of its own and max_order 1 to 5; leave step out"
+                "simulate_stiff: bdf chooses its own steps; leave step out, or limit them with max_step"
+            )
+        if max_order not in range(1, 6):
+            raise ModelError(
+                f"simulate_stiff: max_order {max_order!r} of bdf; give a whole number from 1 to 5"
             )
         run = Bdf(self, start, duration, Control(tolerance, first_step or 0.0, max_step), max_order)
     else:

@@ -5,6 +5,7 @@ Imports numpy and the errors.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from typing import Any
 
@@ -66,6 +67,13 @@ def names(given: Any, owner: str) -> tuple[str, ...]:
     if isinstance(given, str) or not all(isinstance(z, str) for z in given):
         raise ModelError(f"{owner}: {_shown(given)} is not a list of names; write ['…', '…']")
     return tuple(given)
+
+
+def new_name(name: Any, kind: str) -> str:
+    """A name that quantities can be made of, or a ModelError."""
+    if not isinstance(name, str) or not re.fullmatch(r"[^\s.':][^.':]*", name):
+        raise ModelError(f"{kind} {name!r}: a name is text without dots, colons or quotes; choose another")
+    return name
 
 
 def _shown(value: Any) -> str:

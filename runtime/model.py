@@ -7,7 +7,6 @@ Imports numpy and the rooms that turn a declaration into index maps; the mathema
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
@@ -20,7 +19,7 @@ from flexel.errors import ModelError
 from flexel.functions import TimeFunction, as_function
 from flexel.generated.spec import ElementSpec
 from flexel.generated.table import ELEMENTS
-from flexel.inputs import array, number, quantities, vector
+from flexel.inputs import array, new_name, number, quantities, vector
 from flexel.rope import cable_lines, cables, contacts, ropes, surfaces
 from flexel.rope.surfaces import Surface
 from flexel.structure import COMPONENTS, Array, Instance, LawInstance, Node, unknown
@@ -111,10 +110,7 @@ class Model:
         return node
 
     def _new_name(self, name: str, kind: str) -> None:
-        if not isinstance(name, str) or not re.fullmatch(r"[^\s.':][^.':]*", name):
-            raise ModelError(
-                f"{kind} {name!r}: a name is text without dots, colons or quotes; choose another"
-            )
+        new_name(name, kind)
         if name in self.nodes or name in self.instances:
             raise ModelError(f"{kind} '{name}': this name is taken; choose another")
 

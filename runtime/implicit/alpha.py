@@ -22,6 +22,7 @@ from flexel.implicit.balance import Balance, Matrix, Saddle, SaddlePattern
 from flexel.implicit.local import Local
 from flexel.implicit.locallaws import ImplicitStep
 from flexel.implicit.near import ALARM, NearContacts
+from flexel.inputs import number
 from flexel.state import State
 from flexel.structure import Array
 
@@ -55,6 +56,7 @@ class Scheme:
 
         Radius 1 needs a system without constraints: with them its accelerations and multipliers grow without bound.
         """
+        radius = number(radius, "simulate_stiff", "radius")
         if not (0 <= radius < 1 or (radius == 1 and not constrained)):
             raise ModelError(
                 f"spectral radius {radius} lies outside 0 ≤ radius < 1 (1 without constraints); 0.8 is a good value"

@@ -16,6 +16,7 @@ from flexel.checks import positive
 from flexel.errors import ModelError
 from flexel.inputs import array, number
 from flexel.structure import Array, Node
+from flexel.undo import whole_or_nothing
 
 if TYPE_CHECKING:
     from flexel.model import Model
@@ -44,6 +45,7 @@ class CableLine:
     s: Array
 
 
+@whole_or_nothing
 def cable_line(
     self: Model,
     name: str,
@@ -130,7 +132,7 @@ def _fractions(owner: str, n: int | None, at: Any) -> Array:
 def _curve(owner: str, path: Path) -> tuple[Callable[..., Array], float]:
     """The path as a function of its arc length (with derivatives), and its length."""
     if callable(path):
-        points = np.array([np.asarray(path(float(u)), dtype=float) for u in np.linspace(0, 1, SAMPLES + 1)])
+        points = array([path(float(u)) for u in np.linspace(0, 1, SAMPLES + 1)], owner, "path")
     else:
         points = array(path, owner, "path")
     if points.ndim != 2 or len(points) < 2 or points.shape[1] not in (2, 3):

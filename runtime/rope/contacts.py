@@ -16,6 +16,7 @@ from flexel.errors import ModelError
 from flexel.generated.table import LAWS
 from flexel.rope.surfaces import Surface
 from flexel.structure import Array, LawInstance, unknown
+from flexel.undo import whole_or_nothing
 
 if TYPE_CHECKING:
     from flexel.model import Model
@@ -129,6 +130,7 @@ class ContactPoint:
     weight: float
 
 
+@whole_or_nothing
 def contact(
     self: Model,
     cables: Any,
@@ -159,11 +161,20 @@ def contact(
     Raises
     ------
     ModelError
-        An unknown surface or element, planar and spatial ones together.
+        An unknown surface or element, planar and spatial ones together, a rope that is wider than its groove.
     """
-    found = find_surface(self, surface)
+    if not isinstance(getattr(cables, "elements", None), tuple):
+        raise ModelError(f"contact: {cables!r} is no rope; give what m.rope(…) or m.cable_line(…) returned")
+    found = find_surface(self, surface, f"contact of '{cables.name}'")
     owner = f"contact of '{cables.name}' with '{found.name}'"
+    check_contact(contact, owner)
     a = not_negative(rope_radius, owner, "rope_radius")
+    groove = float(found.parameters.get("groove_radius", [np.inf])[0])
+    if a >= groove:
+        raise ModelError(
+            f"{owner}: the rope of radius {a:g} m does not fit into the groove of radius {groove:g} m; give "
+            "fx.RoundGroove a greater one, usually 1.06 to 1.1 times the rope's"
+        )
     members = list(cables.elements) if only is None else list(only)
     for name in members:
         if name not in cables.elements:
@@ -195,9 +206,15 @@ def _attach(model: Model, points: list[ContactPoint], contact: Contact) -> None:
             model.laws.append(LawInstance(f"{point.element} {gap}", spec, gaps, acting, values, None, z0))
 
 
-def find_surface(model: Model, surface: Surface | str) -> Surface:
+def find_surface(model: Model, surface: Any, owner: str) -> Surface:
     """The surface of that name, or a ModelError with the nearest ones."""
-    name = surface.name if isinstance(surface, Surface) else str(surface)
+    name = surface if isinstance(surface, str) else str(getattr(surface, "name", surface))
     if name not in model.surfaces:
-        raise ModelError(unknown(name, model.surfaces, "sheave or plane"))
+        raise ModelError(f"{owner}: {unknown(name, model.surfaces, 'sheave or plane')}")
     return model.surfaces[name]
+
+
+def check_contact(contact: Any, owner: str) -> None:
+    """A ModelError for anything but a Contact, such as its stiffness alone."""
+    if not isinstance(contact, Contact):
+        raise ModelError(f"{owner}: contact {contact!r} is none; give fx.Contact(stiffness, …)")

@@ -5,13 +5,13 @@ Imports numpy, the errors, the surfaces and the geometry of paths.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from flexel.errors import ModelError
-from flexel.rope.contacts import Contact, find_surface
+from flexel.rope.contacts import find_surface
 from flexel.rope.path import Circle
 from flexel.structure import Array, Node
 
@@ -26,30 +26,34 @@ class RopePlane:
     """The plane in which a rope's sheaves and ends lie, and what the path is made of."""
 
     def __init__(self, model: Model, owner: str, path: Sequence[Place]) -> None:
-        if isinstance(path, str) or len(path) < 2:
+        if not isinstance(path, (list, tuple)) or len(path) < 2:
             raise ModelError(f"{owner}: path {path!r} has fewer than two places; give a list")
-        items = [z if isinstance(z, tuple) else (z, 0) for z in path]
+        items = [_with_sense(owner, z) for z in path]
         self.model, self.owner = model, owner
         self.items: list[tuple[Surface | Node, int]] = []
         for i, (place, sense) in enumerate(items):
             known = isinstance(place, str) and place in model.surfaces
             inner = 0 < i < len(items) - 1
-            if sense not in (-1, 0, 1):
-                raise ModelError(f"{owner}: sense {sense!r} at '{place}'; give +1 or -1")
             if known or inner:
-                surface = find_surface(model, str(place))
+                surface = find_surface(model, place, owner)
                 if not surface.radius:
                     raise ModelError(
                         f"{owner}: '{place}' is a plane; name it in also=, the path runs over sheaves"
                     )
-                self.items.append((surface, int(sense)))
+                self.items.append((surface, sense))
             else:
-                self.items.append((model.of_kind(place, ("point", "planar_point"), owner), 0))
+                point = model.of_kind(place, ("point", "planar_point"), owner)
+                if sense:
+                    raise ModelError(
+                        f"{owner}: '{point.name}' is a point, with no sense of wrap; leave it out"
+                    )
+                self.items.append((point, 0))
         self.surfaces = [z for z, _ in self.items if not isinstance(z, Node)]
         self.names = [z.name for z in self.surfaces]
         ends = self.items[0][0], self.items[-1][0]
         self.ends = [z if isinstance(z, Node) else None for z in ends]
         self.drums = [None if isinstance(z, Node) else z for z in ends]
+        self._check_dimensions()
         centres = np.array([z.x0 if isinstance(z, Node) else z.centre for z, _ in self.items])
         self.planar = centres.shape[1] == 2
         if self.planar:
@@ -59,6 +63,14 @@ class RopePlane:
         self.flat = (centres - self.origin) @ self.axes.T
         normal = np.array([0.0, 0.0, 1.0]) if self.planar else np.cross(*self.axes)
         self.signs = [1 if isinstance(z, Node) else int(np.sign(z.axle @ normal)) for z, _ in self.items]
+
+    def _check_dimensions(self) -> None:
+        sizes = {z.name: (z.x0 if isinstance(z, Node) else z.centre).size for z, _ in self.items}
+        if len(set(sizes.values())) > 1:
+            flat, spatial = ([n for n, size in sizes.items() if size == k] for k in (2, 3))
+            raise ModelError(
+                f"{self.owner}: {', '.join(flat)} lie in a planar model, {', '.join(spatial)} in space; use one kind"
+            )
 
     def _spatial(self, centres: Array) -> tuple[Array, Array]:
         """Origin and two axes of the plane; the sheaves' axles must be normal to it."""
@@ -81,21 +93,29 @@ class RopePlane:
         return centres[0], np.array([e1, np.cross(normal, e1)])
 
     def circles(
-        self, rope_radius: float, contact: Contact, tension: float, turns: float, n: int
+        self,
+        rope_radius: float,
+        depth: Callable[[float], float],
+        tension: float,
+        turns: tuple[float, float],
     ) -> list[Circle]:
-        """The places of the path with the radii at which the rope's centre line lies under a tension."""
+        """The places of the path with the radii at which the rope's centre line lies under a tension.
+
+        `depth` is that [m] at which the contact carries a load per length [N/m].
+        """
         found = []
         for i, (place, sense) in enumerate(self.items):
             if isinstance(place, Node):
                 found.append(Circle(place.name, self.flat[i], 0.0))
                 continue
             R = place.radius + rope_radius
-            depth = contact.depth(tension / R, R / 2)
             if place.element == "cable_v_groove":  # both flanks share the load
                 sine = float(place.parameters["flank"][0])
-                depth = contact.depth(tension / R / (2 * sine), R / 2) / sine
-            end = turns if i in (0, len(self.items) - 1) else 0.0
-            found.append(Circle(place.name, self.flat[i], R - depth, sense * self.signs[i], end))
+                deep = depth(tension / R / (2 * sine)) / sine
+            else:
+                deep = depth(tension / R)
+            end = {0: turns[0], len(self.items) - 1: turns[1]}.get(i, 0.0)
+            found.append(Circle(place.name, self.flat[i], R - deep, sense * self.signs[i], end))
         return found
 
     def place(self, flat: Array) -> Array:
@@ -105,3 +125,12 @@ class RopePlane:
     def direction(self, flat: Array) -> Array:
         """A direction of the plane in global coordinates."""
         return np.asarray(flat @ self.axes)
+
+
+def _with_sense(owner: str, place: Any) -> tuple[Any, int]:
+    """A place of the path and its sense of wrap, 0 where that is to be found."""
+    if not isinstance(place, (tuple, list)):
+        return place, 0
+    if len(place) != 2 or not isinstance(place[1], (int, np.integer)) or place[1] not in (-1, 1):
+        raise ModelError(f"{owner}: {place!r} in its path; give a name, or ('name', +1) or ('name', -1)")
+    return place[0], int(place[1])

@@ -13,13 +13,16 @@ import numpy as np
 
 from flexel.checks import not_negative, positive
 from flexel.errors import ModelError
+from flexel.inputs import names
 from flexel.rope.cable_lines import CableLine
 from flexel.rope.cables import AXIAL, axial_rows, gauss_tension
-from flexel.rope.contacts import Contact, ContactPoint
-from flexel.rope.path import Path, taut_path
+from flexel.rope.contacts import Contact, ContactPoint, check_contact, find_surface
+from flexel.rope.laying import Laying, check_clear, stretched
+from flexel.rope.path import Path
 from flexel.rope.plane import Place, RopePlane
 from flexel.state import State
 from flexel.structure import Array, Node
+from flexel.undo import whole_or_nothing
 
 if TYPE_CHECKING:
     from flexel.model import Model
@@ -41,11 +44,14 @@ class Rope(CableLine):
         That it was laid with [N].
     contacts : dict of str to list of ContactPoint
         For each sheave or drum.
+    radius : float
+        Of the rope [m].
     """
 
     path: Path
     tension0: float
     contacts: dict[str, list[ContactPoint]]
+    radius: float
 
     def tension(self, states: State | Sequence[State], mean: bool = False) -> tuple[Array, Array]:
         """Undeformed arc length s (ns,) [m] and tension (ns,) or (nt, ns) [N] along the rope.
@@ -53,12 +59,13 @@ class Rope(CableLine):
         Parameters
         ----------
         states : State or sequence of State
+            Of one system, such as a motion.
         mean : bool
             The mean of each element at its middle; the tension at all Gauss points by default.  Where a rope runs
             onto a sheave, its curvature jumps within an element; a cubic cannot follow that, and is strained
             unevenly about its mean.
         """
-        listed = [states] if isinstance(states, State) else states
+        listed = self._listed(states)
         rows, l0 = axial_rows(listed[0], self.elements)
         T = np.array([gauss_tension(state, rows, l0) for state in listed])
         places, shares = (1 + AXIAL[0]) / 2, AXIAL[1] / 2
@@ -69,35 +76,58 @@ class Rope(CableLine):
         return s, T[0] if isinstance(states, State) else T
 
     def contact_force(self, states: State | Sequence[State], surface: str) -> tuple[Array, Array]:
-        """Undeformed arc length s (np,) [m] and normal force (np,) or (nt, np) [N] of the points over one surface."""
+        """Undeformed arc length s (np,) [m] and normal force (np,) or (nt, np) [N] of the points over one surface.
+
+        The forces on both flanks of a V groove are added: friction is limited by their sum, and the load that they
+        carry is sin(opening/2) of it.
+        """
         points = self._points(surface)
         s = np.array([p.s for p in points])
-        listed = [states] if isinstance(states, State) else states
-        N = np.array([[_normal_force(state, p) for p in points] for state in listed])
+        N = np.array([[_normal_force(state, p) for p in points] for state in self._listed(states)])
         return s, N[0] if isinstance(states, State) else N
 
     def resultant(self, states: State | Sequence[State], surface: str) -> Array:
-        """Sum of the normal forces on one surface: a float array () or (nt,) [N]."""
+        """Sum of the normal forces (see `contact_force`) on one surface: a float array () or (nt,) [N]."""
         return np.asarray(self.contact_force(states, surface)[1].sum(axis=-1))
 
-    def wrap_angle(self, state: State, surface: str) -> float:
-        """Angle [rad] over which the rope touches: undeformed length from first to last point, over the radius."""
-        points = self._points(surface)
-        s, N = self.contact_force(state, surface)
-        touching = s[N > 0]
-        R = points[0].surface.radius
-        if not touching.size or not R:
-            return 0.0
-        share = float(np.mean([p.weight for p in points]))
-        return float(touching[-1] - touching[0] + share) / R
+    def wrap_angle(self, states: State | Sequence[State], surface: str) -> Array:
+        """Angle () or (nt,) [rad] over which the rope touches.
 
-    def slip(self, state: State, surface: str) -> tuple[Array, Array]:
-        """Undeformed arc length (np,) [m] and sliding velocity along the rope (np,) [m/s]; zero where it is off."""
+        Undeformed length from the first to the last point that touches, over the radius of the centre line.
+        """
         points = self._points(surface)
-        _, N = self.contact_force(state, surface)
+        s, N = self.contact_force(states, surface)
+        R = points[0].surface.radius
+        if not R:
+            return np.zeros(N.shape[:-1])
+        share = float(np.mean([p.weight for p in points]))
+        first = np.where(N > 0, s, np.inf).min(axis=-1)
+        last = np.where(N > 0, s, -np.inf).max(axis=-1)
+        return np.asarray(np.maximum(last - first + share, 0.0) / (R + self.radius))
+
+    def slip(self, states: State | Sequence[State], surface: str) -> tuple[Array, Array]:
+        """Undeformed arc length (np,) [m] and sliding velocity along the rope (np,) or (nt, np) [m/s]; zero off it."""
+        points = self._points(surface)
+        s, N = self.contact_force(states, surface)
         name = points[0].surface.gaps[0][1][0]
-        rate = np.array([state.rate(f"{p.element}.{name}") for p in points])
-        return np.array([p.s for p in points]), np.where(N > 0, rate, 0.0)
+        rates = np.array([[z.rate(f"{p.element}.{name}") for p in points] for z in self._listed(states)])
+        return s, np.where(N > 0, rates[0] if isinstance(states, State) else rates, 0.0)
+
+    def _listed(self, states: State | Sequence[State]) -> Sequence[State]:
+        """The states, which must be of one system with this rope in it."""
+        listed = [states] if isinstance(states, State) else states
+        known = isinstance(listed, Sequence) and len(listed) and all(isinstance(z, State) for z in listed)
+        if not known:
+            raise ModelError(f"rope '{self.name}': {states!r:.60} is no state; give a state, or a motion")
+        first = listed[0].structure
+        l0 = axial_rows(listed[0], self.elements)[1]
+        same = all(z.structure is first or z.structure.names == first.names for z in listed)
+        if not same or not np.allclose(l0, np.diff(self.s), rtol=1e-9):
+            raise ModelError(
+                f"rope '{self.name}': the states are of different models, or of another than this rope; ask the rope "
+                "of their own model"
+            )
+        return listed
 
     def _points(self, surface: str) -> list[ContactPoint]:
         if surface not in self.contacts:
@@ -108,11 +138,11 @@ class Rope(CableLine):
 
 
 def _normal_force(state: State, p: ContactPoint) -> float:
-    """Length of the sum of the forces of a point's gaps, which are directions of a V groove's two flanks."""
-    forces = [-state.force(f"{p.element}.{gap}") for gap, _ in p.surface.gaps]
-    return float(sum(forces))
+    """Sum of the forces of a point's gaps: those of both flanks of a V groove."""
+    return -sum(state.force(f"{p.element}.{gap}") for gap, _ in p.surface.gaps)
 
 
+@whole_or_nothing
 def rope(
     self: Model,
     name: str,
@@ -123,7 +153,7 @@ def rope(
     rope_radius: float,
     length: float | None = None,
     tension: float | None = None,
-    turns: float = 0.0,
+    turns: float | tuple[float, float] = 0.0,
     refine: float = 1.0,
     also: Sequence[str] = (),
     **properties: Any,
@@ -145,12 +175,13 @@ def rope(
         Undeformed [m]; gives the tension, instead of it.
     tension : float, optional
         Uniform tension as laid [N], 0 by default; the rope then lies as deep in its sheaves as it carries.
-    turns : float
-        Turns of rope that lie on a drum at the start, before the first straight part.
+    turns : float or pair of float
+        Turns of rope that lie on the drum as laid, before the first straight part (behind the last one for a drum at
+        the end of the path); a pair for drums at both ends, which otherwise have as many each.
     refine : float
         Elements are shorter by this factor where the rope lies on sheaves as laid.
     also : sequence of str
-        Further surfaces that the rope may touch.
+        Further surfaces that the rope may touch; as laid it is clear of them.
     **properties
         EA, EI, mass_per_length, section, material, damping, bending_damping of `Model.cable`.
 
@@ -161,8 +192,9 @@ def rope(
     Raises
     ------
     ModelError
-        A path that runs through a sheave or has slack, sheaves that do not lie in one plane, elements too long for the
-        smallest sheave (with the number that is needed).
+        A path that runs through a sheave or plane or has slack, a contact too soft for the tension, sheaves that do not
+        lie in one plane, elements too long for the smallest sheave (with the number that is needed).  The model is
+        then as it was before.
 
     Examples
     --------
@@ -170,45 +202,28 @@ def rope(
     ...               tension=1e4, turns=1, EA=1e7, EI=10, mass_per_length=2)  # doctest: +SKIP
     """
     owner = f"rope '{name}'"
+    check_contact(contact, owner)
     plane = RopePlane(self, owner, path)
+    others = [find_surface(self, z, owner) for z in names(also, f"{owner}: also")]
     EA = _axial_stiffness(self, owner, properties)
-    radius, T = not_negative(rope_radius, owner, "rope_radius"), 0.0
+    radius = not_negative(rope_radius, owner, "rope_radius")
     if length is not None and tension is not None:
         raise ModelError(f"{owner}: both length and tension are given; drop one")
-    if tension is not None:
-        T = not_negative(tension, owner, "tension")
     count = _count(owner, n)
-    for _ in range(1 if length is None else 4):  # the depth of the rope in its sheaves depends on the tension
-        laid = taut_path(owner, plane.circles(radius, contact, T, turns, count))
-        if length is not None:
-            T = EA * _strain(owner, laid.length / positive(length, owner, "length"))
-    stretch = _stretch(T / EA)
-    L = laid.length / stretch if length is None else float(length)
-    s = L * _fractions(laid, count, refine)
+    laying = Laying(plane, contact, radius, turns, count, positive(refine, owner, "refine"))
+    if length is not None:
+        T = laying.tension(positive(length, owner, "length"), EA)
+    else:
+        T = not_negative(0.0 if tension is None else tension, owner, "tension")
+    laid, stretch = laying.path(T), stretched(T / EA)
+    s = (laid.length / stretch if length is None else float(length)) * laying.fractions(laid)
     _check_lengths(owner, plane, s, count)
+    others = [z for z in others if z.name not in plane.names]
+    check_clear(plane, laid, others, radius)
     line = _lay(self, name, plane, laid, s, stretch, properties)
-    contacts = {
-        z: self.contact(line, z, contact, rope_radius=radius) for z in dict.fromkeys([*plane.names, *also])
-    }
-    return Rope(line.name, line.elements, line.points, line.slopes, line.s, laid, T, contacts)
-
-
-def _stretch(load: float) -> float:
-    """Stretch λ at which λ (λ² - 1)/2 = tension/EA: Green's strain, and the force along the deformed rope."""
-    stretch = 1 + load
-    for _ in range(30):
-        stretch -= (stretch * (stretch**2 - 1) / 2 - load) / ((3 * stretch**2 - 1) / 2)
-    return float(stretch)
-
-
-def _strain(owner: str, stretch: float) -> float:
-    """Tension over EA of a rope whose path is longer than itself."""
-    if stretch < 1 - 1e-9:
-        raise ModelError(
-            f"{owner}: its length is {(1 / stretch - 1) * 100:.3g} % more than its path, so that it hangs slack; give "
-            "a shorter length, or lay a slack rope with m.cable_line along the curve that it hangs in"
-        )
-    return max(stretch * (stretch**2 - 1) / 2, 0.0)
+    touched = dict.fromkeys([*plane.names, *(z.name for z in others)])
+    contacts = {z: self.contact(line, z, contact, rope_radius=radius) for z in touched}
+    return Rope(line.name, line.elements, line.points, line.slopes, line.s, laid, T, contacts, radius)
 
 
 def _count(owner: str, n: Any) -> int:
@@ -226,24 +241,6 @@ def _axial_stiffness(model: Model, owner: str, properties: dict[str, Any]) -> fl
     from flexel.materials import profile_of
 
     return float(profile_of(section, material, owner).stiffness()["EA"])
-
-
-def _fractions(path: Path, n: int, refine: float) -> Array:
-    """Places of the nodes over the length: elements `refine` times shorter on the arcs of the path."""
-    knots, weights = [0.0], []
-    spans = [(a, b) for _, a, b in path.spans()]
-    for a, b in spans:
-        if a > knots[-1] + 1e-12:
-            knots.append(a)
-            weights.append(1.0)
-        knots.append(b)
-        weights.append(refine)
-    if knots[-1] < path.length * (1 - 1e-12):
-        knots.append(path.length)
-        weights.append(1.0)
-    at = np.array(knots) / knots[-1]
-    share = np.concatenate([[0.0], np.cumsum(np.diff(at) * np.array(weights))])
-    return np.asarray(np.interp(np.linspace(0, share[-1], n + 1), share, at))
 
 
 def _check_lengths(owner: str, plane: RopePlane, s: Array, n: int) -> None:

@@ -13,7 +13,7 @@ import numpy as np
 
 from flexel.checks import in_frame, positive
 from flexel.errors import ModelError
-from flexel.inputs import number
+from flexel.inputs import array, new_name, number
 from flexel.orientation import triad, unit
 from flexel.structure import Array, Node
 
@@ -165,7 +165,7 @@ def plane(
     _new(self, name, owner)
     planar, (c, r) = self.resolve(owner, (point, "point"), (frame, "frame"))
     if planar:
-        n = unit(normal[:2], owner, "normal", 2)
+        n = unit(np.atleast_1d(array(normal, owner, "normal"))[:2], owner, "normal", 2)
         values = {"alpha0": np.arctan2(-n[0], n[1]) - r.x0, "offset": np.zeros(2)}
         return _kept(self, Surface(name, "planar_cable_line", c.name, r.name, values, 0.0, c.x0, n, PLANAR))
     n = unit(normal, owner, "normal")
@@ -177,8 +177,8 @@ def plane(
 
 
 def _new(model: Model, name: str, owner: str) -> None:
-    if not isinstance(name, str) or not name or name in model.surfaces:
-        raise ModelError(f"{owner}: this name is taken or no text; choose another")
+    if new_name(name, owner.partition(" ")[0]) in model.surfaces:
+        raise ModelError(f"{owner}: this name is taken; choose another")
 
 
 def _kept(model: Model, surface: Surface) -> Surface:

@@ -1,0 +1,173 @@
+"""How a rope lies before the motion starts: its tension or length, its path, and what must stay clear of it.
+
+The depth of a rope in its sheaves follows from its tension, and its tension from its length and its path.
+Imports numpy, SciPy's root finder, the errors, the shared checks, the contacts and the geometry of paths.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from scipy.optimize import brentq
+
+from flexel.checks import not_negative
+from flexel.errors import ModelError
+from flexel.rope.contacts import Contact
+from flexel.rope.path import Circle, Path, taut_path
+from flexel.rope.plane import RopePlane
+from flexel.rope.surfaces import Surface
+from flexel.structure import Array
+
+DEEPEST = (
+    0.5  # depth of a rope in its sheave over the radius of its centre line; no contact is meant to be so soft
+)
+INSIDE = 0.1  # of the rope's radius: how deep it may lie in a surface that is not on its path
+SAMPLES = 4000  # places of the path that are looked at
+
+
+class Laying:
+    """A rope of n elements on its path, under any tension.
+
+    Attributes
+    ----------
+    bare : Path
+        Without tension.
+    """
+
+    def __init__(
+        self, plane: RopePlane, contact: Contact, rope_radius: float, turns: Any, n: int, refine: float
+    ) -> None:
+        self.plane, self.owner, self._contact, self._radius = plane, plane.owner, contact, rope_radius
+        self._turns = dead_turns(plane, turns)
+        self._n, self._refine = n, refine
+        self._element = 0.0  # length of the elements on arcs, which matters under tension only
+        self._untouched = self._circles(0.0)
+        self.bare = taut_path(self.owner, self._untouched)
+        self._element = self.bare.length * float(_shares(self.bare, refine)[1][-1]) / (n * refine)
+
+    def _circles(self, tension: float) -> list[Circle]:
+        def depth(load: float) -> float:
+            return self._contact.depth(load, self._element)
+
+        return self.plane.circles(self._radius, depth, tension, self._turns)
+
+    def bears(self, tension: float) -> bool:
+        """Whether all sheaves bear the rope under a tension [N]."""
+        pressed = zip(self._circles(tension), self._untouched, strict=True)
+        return all(c.radius >= (1 - DEEPEST) * free.radius for c, free in pressed)
+
+    def path(self, tension: float) -> Path:
+        """The path under a tension [N].
+
+        Raises
+        ------
+        ModelError
+            A tension that presses the rope through a sheave.
+        """
+        if not self.bears(tension):
+            raise ModelError(
+                f"{self.owner}: a tension of {tension:.4g} N presses it into a sheave by more than half the radius; "
+                "give less tension, or a contact of greater stiffness"
+            )
+        return taut_path(self.owner, self._circles(tension))
+
+    def tension(self, length: float, EA: float) -> float:  # noqa: N803
+        """The tension [N] at which a rope of an undeformed length [m] fills its path.
+
+        Raises
+        ------
+        ModelError
+            A length that leaves slack, or is so short that the rope would be pressed through a sheave.
+        """
+        stretch = self.bare.length / length
+        if stretch < 1 - 1e-9:
+            raise ModelError(
+                f"{self.owner}: its length is {(1 / stretch - 1) * 100:.3g} % more than its path, so that it hangs "
+                "slack; give a shorter length, or lay a slack rope with m.cable_line along the curve that it hangs in"
+            )
+        largest = EA * max(stretch * (stretch**2 - 1) / 2, 0.0)
+
+        def missing(tension: float) -> float:
+            path = self.path(tension).length if self.bears(tension) else 0.0
+            return path / length - stretched(tension / EA)
+
+        if missing(largest) >= 0:  # no sheave gives way
+            return largest
+        found = float(brentq(missing, 0.0, largest, xtol=1e-15 * largest, rtol=1e-14))
+        if abs(missing(found)) > 1e-9:
+            raise ModelError(
+                f"{self.owner}: the length {length:g} m on a path of {self.bare.length:.4g} m presses it into a sheave "
+                "by more than half the radius; give a greater length, or a contact of greater stiffness"
+            )
+        return found
+
+    def fractions(self, path: Path) -> Array:
+        """Places of the nodes (n + 1,) over the length: elements are shorter on the arcs of the path."""
+        at, share = _shares(path, self._refine)
+        return np.asarray(np.interp(np.linspace(0, share[-1], self._n + 1), share, at))
+
+
+def stretched(load: float) -> float:
+    """Stretch λ at which λ (λ² - 1)/2 = tension/EA: Green's strain, and the force along the deformed rope."""
+    stretch = 1 + load
+    for _ in range(30):
+        stretch -= (stretch * (stretch**2 - 1) / 2 - load) / ((3 * stretch**2 - 1) / 2)
+    return float(stretch)
+
+
+def dead_turns(plane: RopePlane, turns: Any) -> tuple[float, float]:
+    """Turns on the drum at the start and at the end of a path."""
+    given = tuple(turns) if isinstance(turns, (tuple, list)) else (turns, turns)
+    if len(given) != 2:
+        raise ModelError(f"{plane.owner}: turns {turns!r}; give one number, or a pair for drums at both ends")
+    first, last = (not_negative(z, plane.owner, "turns") for z in given)
+    missing = [drum is None and z > 0 for drum, z in zip(plane.drums, (first, last), strict=True)]
+    if all(missing) or (any(missing) and isinstance(turns, (tuple, list))):
+        raise ModelError(
+            f"{plane.owner}: turns {turns!r} lie on a drum, and there is none at that end of the path; end it on a "
+            "drum, or leave turns out"
+        )
+    return first, last
+
+
+def check_clear(plane: RopePlane, path: Path, surfaces: Sequence[Surface], rope_radius: float) -> None:
+    """Surfaces that are not on the path must not be pressed by the rope as laid."""
+    places = plane.place(path.at(np.linspace(0, path.length, SAMPLES))[0])
+    for surface in surfaces:
+        depth = -float(_gaps(surface, places, rope_radius).min(initial=np.inf))
+        if depth > INSIDE * rope_radius + 1e-9 * path.length:
+            raise ModelError(
+                f"{plane.owner}: as laid it runs {depth:.3g} m deep into '{surface.name}', which is not on its path; "
+                "put it into the path, or move it"
+            )
+
+
+def _gaps(surface: Surface, places: Array, rope_radius: float) -> Array:
+    """Gaps of places of the rope; grooves as deep as their bottom, and no wider than the rope."""
+    off = places - surface.centre
+    if not surface.radius:
+        return np.asarray(off @ surface.axle) - rope_radius
+    if off.shape[1] == 2:
+        return np.asarray(np.linalg.norm(off, axis=1)) - surface.radius - rope_radius
+    along = off @ surface.axle
+    radial = np.linalg.norm(off - along[:, None] * surface.axle, axis=1)
+    gaps: Array = radial - surface.radius - rope_radius
+    return gaps if surface.element == "cable_cylinder" else gaps[np.abs(along) < rope_radius]
+
+
+def _shares(path: Path, refine: float) -> tuple[Array, Array]:
+    """Ends of straight parts and arcs over the length, and the share of elements up to them, arcs counted more."""
+    knots, weights = [0.0], []
+    for _, a, b in path.spans():
+        if a > knots[-1] + 1e-12:
+            knots.append(a)
+            weights.append(1.0)
+        knots.append(b)
+        weights.append(refine)
+    if knots[-1] < path.length * (1 - 1e-12):
+        knots.append(path.length)
+        weights.append(1.0)
+    at = np.array(knots) / knots[-1]
+    return at, np.concatenate([[0.0], np.cumsum(np.diff(at) * np.array(weights))])
