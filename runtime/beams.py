@@ -19,6 +19,7 @@ from flexel.materials import Material, Profile, profile_of
 from flexel.orientation import matrix, triad
 from flexel.sections import Section
 from flexel.structure import Array, Node
+from flexel.undo import whole_or_nothing
 
 if TYPE_CHECKING:
     from flexel.model import Model
@@ -28,6 +29,7 @@ STIFFNESS_OF = dict(zip(MODES, ("EA", "GJ", "EIy", "EIy", "EIz", "EIz"), strict=
 PLANAR = (0, 4, 5)  # the modes of a planar beam among those of the spatial one; its plane has the normal z
 
 
+@whole_or_nothing
 def beam(
     self: Model,
     name: str,

@@ -15,6 +15,7 @@ from flexel.errors import ModelError
 from flexel.inputs import array, number, vector
 from flexel.orientation import unit
 from flexel.structure import Array, Node
+from flexel.undo import whole_or_nothing
 
 if TYPE_CHECKING:
     from flexel.model import Model
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
 PLANAR_ENDS = ("planar_point", "planar_angle", "planar_point", "planar_angle")
 
 
+@whole_or_nothing
 def belt(
     self: Model,
     name: str,

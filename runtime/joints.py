@@ -15,6 +15,7 @@ from flexel.errors import ModelError
 from flexel.inputs import array
 from flexel.orientation import matrix, triad, unit
 from flexel.structure import Array, Node
+from flexel.undo import whole_or_nothing
 
 if TYPE_CHECKING:
     from flexel.model import Model
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
 Vector = Sequence[float] | Array
 
 
+@whole_or_nothing
 def truss(
     self: Model,
     name: str,
@@ -52,6 +54,7 @@ def truss(
         self.spring(f"{name}.elongation", k, d)
 
 
+@whole_or_nothing
 def hinge(
     self: Model,
     name: str,
@@ -113,6 +116,7 @@ def _joint_springs(self: Model, name: str, modes: Sequence[str], stiffness: Any,
         self.spring(f"{name}.{mode}", float(ki), not_negative(di, owner, f"damping of {mode}"))
 
 
+@whole_or_nothing
 def bearing(
     self: Model,
     name: str,

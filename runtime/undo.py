@@ -7,7 +7,6 @@ Imports nothing of flexel.
 from __future__ import annotations
 
 from collections.abc import Callable
-from copy import copy
 from functools import wraps
 from typing import Any, TypeVar, cast
 
@@ -15,15 +14,25 @@ Declaration = TypeVar("Declaration", bound=Callable[..., Any])
 
 
 def whole_or_nothing(declare: Declaration) -> Declaration:
-    """A method of `Model` that leaves the model as it was if it raises."""
+    """A method of `Model` that adds names and laws, or raises and leaves those that there were."""
 
     @wraps(declare)
     def guarded(model: Any, *args: Any, **options: Any) -> Any:
-        before = {name: copy(z) for name, z in vars(model).items() if isinstance(z, (dict, list))}
+        before = {name: len(z) for name, z in vars(model).items() if isinstance(z, (dict, list))}
         try:
             return declare(model, *args, **options)
         except Exception:
-            vars(model).update(before)
+            for name, count in before.items():
+                _shorten(getattr(model, name), count)
             raise
 
     return cast(Declaration, guarded)
+
+
+def _shorten(kept: dict[str, Any] | list[Any], count: int) -> None:
+    """Take the latest entries away until there are so many."""
+    while len(kept) > count:
+        if isinstance(kept, dict):
+            kept.popitem()
+        else:
+            kept.pop()

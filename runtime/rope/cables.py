@@ -19,6 +19,7 @@ from flexel.materials import Material, Profile, profile_of
 from flexel.orientation import triad
 from flexel.state import State
 from flexel.structure import Array, Index, Instance, LawInstance, Node, unknown
+from flexel.undo import whole_or_nothing
 
 if TYPE_CHECKING:
     from flexel.model import Model
@@ -56,6 +57,7 @@ def slope(self: Model, name: str, direction: Any, fixed: bool = False, *, stretc
     return self._node(name, "planar_slope" if planar else "slope", x0, fixed)
 
 
+@whole_or_nothing
 def cable(
     self: Model,
     name: str,
@@ -189,6 +191,7 @@ def clamp_slope(self: Model, name: str, frame: Node | str, slope: Node | str) ->
     self.add(name, "slope_clamp", (r, d), {"t": in_frame(r.x0, t)})
 
 
+@whole_or_nothing
 def anchor(
     self: Model,
     name: str,
