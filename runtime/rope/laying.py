@@ -6,7 +6,7 @@ Imports numpy, SciPy's root finder, the errors, the shared checks, the contacts 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -57,6 +57,11 @@ class Laying:
         """Whether all sheaves bear the rope under a tension [N]."""
         pressed = zip(self._circles(tension), self._untouched, strict=True)
         return all(c.radius >= (1 - DEEPEST) * free.radius for c, free in pressed)
+
+    def depths(self, tension: float) -> dict[str, float]:
+        """How deep [m] the rope lies in each sheave of its path under a tension [N]."""
+        pressed = zip(self._circles(tension), self._untouched, strict=True)
+        return {free.name: free.radius - c.radius for c, free in pressed}
 
     def path(self, tension: float) -> Path:
         """The path under a tension [N].
@@ -132,15 +137,22 @@ def dead_turns(plane: RopePlane, turns: Any) -> tuple[float, float]:
     return first, last
 
 
-def check_clear(plane: RopePlane, path: Path, surfaces: Sequence[Surface], rope_radius: float) -> None:
-    """Surfaces that are not on the path must not be pressed by the rope as laid."""
+def check_clear(
+    plane: RopePlane, path: Path, surfaces: Sequence[Surface], rope_radius: float, depths: Mapping[str, float]
+) -> None:
+    """The rope as laid must not run through a surface: no deeper than it presses into those of its path."""
     places = plane.place(path.at(np.linspace(0, path.length, SAMPLES))[0])
     for surface in surfaces:
         depth = -float(_gaps(surface, places, rope_radius).min(initial=np.inf))
-        if depth > INSIDE * rope_radius + 1e-9 * path.length:
+        meant = depths.get(surface.name, 0.0)
+        if depth > meant + INSIDE * rope_radius + 1e-9 * path.length:
+            remedy = (
+                "where another sheave leads it; move them apart, or change their order or sense"
+                if surface.name in depths
+                else "which is not on its path; put it into the path, or move it"
+            )
             raise ModelError(
-                f"{plane.owner}: as laid it runs {depth:.3g} m deep into '{surface.name}', which is not on its path; "
-                "put it into the path, or move it"
+                f"{plane.owner}: as laid it runs {depth:.3g} m deep into '{surface.name}', {remedy}"
             )
 
 

@@ -219,7 +219,7 @@ def rope(
     s = (laid.length / stretch if length is None else float(length)) * laying.fractions(laid)
     _check_lengths(owner, plane, s, count)
     others = [z for z in others if z.name not in plane.names]
-    check_clear(plane, laid, others, radius)
+    check_clear(plane, laid, [*plane.surfaces, *others], radius, laying.depths(T))
     line = _lay(self, name, plane, laid, s, stretch, properties)
     touched = dict.fromkeys([*plane.names, *(z.name for z in others)])
     contacts = {z: self.contact(line, z, contact, rope_radius=radius) for z in touched}

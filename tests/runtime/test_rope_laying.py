@@ -111,6 +111,16 @@ def test_a_rope_is_not_laid_through_other_surfaces(kind: str) -> None:
         laid(obstacle(kind), tension=10.0, also=["O"])
 
 
+def test_a_rope_is_not_laid_over_one_sheave_through_another_of_its_path() -> None:
+    m = sheave()
+    m.point("H", (0, 0.5 * R), fixed=True)
+    m.sheave("O", "H", "F", R)
+    with pytest.raises(
+        fx.ModelError, match=r"deep into '[SO]', where another sheave leads it; move them apart"
+    ):
+        laid(m, path=["A", ("S", -1), ("O", -1), "B"], tension=10.0)
+
+
 # -- what is refused --------------------------------------------------------------------------------
 
 
