@@ -119,6 +119,31 @@ def test_a_line_that_cannot_be_taken_is_told_with_its_number(line: str, tmp_path
         file(tmp_path, *CRANK, line)
 
 
+WITHOUT_LENGTH = [
+    ["PLBEAM 1 1 2 3 4"],
+    ["PLBEAMNL 1 1 2 3 4", "ESTIFF 1 1 1"],
+    ["BEAM 1 1 2 3 4 0 1 0", "EMASS 1 1"],
+    ["TRUSS 1 1 3", "ESTIFF 1 1"],
+    ["PLTRUSS 1 1 3", "ESTIFF 1 1", "EMASS 1 1"],
+    ["PLTRUSS 1 1 3", "LENGTH0 1 0.5"],
+    ["PLBELT 1 1 2 3 4 0.1 0.1", "ESTIFF 1 1"],
+]
+
+
+@pytest.mark.parametrize("lines", WITHOUT_LENGTH, ids=" ".join)
+def test_an_element_without_length_is_told_with_its_line(lines: list[str], tmp_path: Path) -> None:
+    written = lines[0].split()[0]
+    with pytest.raises(
+        fx.ModelError, match=rf"model\.dat, line 1: {written}: the nodes 1 and 3 coincide as drawn"
+    ):
+        file(tmp_path, *lines, "FIX 1", dialect="delft")
+
+
+def test_gears_whose_centres_coincide_are_told_with_their_line(tmp_path: Path) -> None:
+    with pytest.raises(fx.ModelError, match=r"line 1: GEAR: the radii are opposite"):
+        file(tmp_path, "GEAR 1 1 2 3 4 0.1 -0.1", "INPUTE 1 1")
+
+
 def test_user_routines_are_never_run(tmp_path: Path) -> None:
     for key in ("USERSIG", "USERINP"):
         with pytest.raises(fx.ModelError, match=f"{key}: is not supported; files are never executed"):
