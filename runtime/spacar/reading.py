@@ -69,6 +69,7 @@ class Spacar:
     linearized: bool
     gravity: tuple[float, ...] = field(repr=False)
     calls: tuple[Call, ...] = field(repr=False)
+    still: tuple[Call, ...] = field(repr=False)
     load_steps: tuple[Call, ...] = field(repr=False)
 
     @cached_property
@@ -131,8 +132,9 @@ class Spacar:
         return dict(self.deformations.values())
 
     def variant(self, *, load_steps: bool = False, loads: bool = True) -> System:
-        """The system with the increments DELXF and DELINPX (times t) added, or without its loads."""
-        model = build_model(self.gravity, [*self.calls, *(self.load_steps if load_steps else ())])
+        """The system moved by the increments DELXF, DELINPX and DELINPE (times t) alone, or without its loads."""
+        steps = (*self.still, *self.load_steps) if load_steps else ()
+        model = build_model(self.gravity, [*self.calls, *steps])
         if not loads:
             model.loads.clear()
         return self._built(model, 0.0 if load_steps else self.start)
@@ -204,6 +206,7 @@ def read_spacar(path: str | Path, dialect: str | None = None) -> Spacar:
         linearized=bool(sheet.of("LINE") or draft.inputs or draft.outputs),
         gravity=draft.gravity,
         calls=tuple(draft.calls),
+        still=tuple(draft.still),
         load_steps=tuple(draft.steps),
     )
 

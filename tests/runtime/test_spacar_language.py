@@ -79,6 +79,24 @@ def test_motion_of_an_input_starts_at_the_time_of_the_file(tmp_path: Path) -> No
     )
 
 
+@pytest.mark.parametrize(
+    ("lines", "rate"),
+    [
+        (["STARTDE 1 1 0.3"], 0.0),
+        (["STARTDE 1 1 0.3 0.2"], 0.2),
+        (["ED 1 1 0.2", "STARTDE 1 1 0.3"], 0.2),
+    ],
+)
+@pytest.mark.parametrize("role", ["INPUTE 1 1", "DYNE 1 1"])
+def test_a_value_at_the_start_is_no_rate(role: str, lines: list[str], rate: float, tmp_path: Path) -> None:
+    found = file(
+        tmp_path, "PLHINGE 1 1 2", "PLBEAM 2 3 2 4 5", "X 4 1 0", "FIX 1", "FIX 3", "XM 4 1", role, *lines
+    )
+    state = found.system.initial
+    assert abs(found.deformation(state, 1, 1) - 0.3) < 1e-15
+    assert abs(state.rate("plhinge1.angle") - rate) < 1e-15
+
+
 WRONG = {
     "SPRING 1 2 3": r"line 8: SPRING: unknown keyword",
     "PLBAEM 2 3 5 6 7": r"line 8: PLBAEM: unknown keyword; did you mean .*PLBEAM",
