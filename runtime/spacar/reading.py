@@ -91,6 +91,8 @@ class Spacar:
                 f"{self.path.name}: {error} (in the file: a freedom is named by DYNE or DYNX, a kinematic one by ENHC "
                 "or KINE, a given motion is INPUTE or INPUTX, RLSE releases and FIX holds)"
             ) from error
+        except ModelError as error:
+            raise ModelError(f"{self.path.name}: {error}") from error
 
     def deformation(self, state: State, element: int, i: int) -> float:
         """Deformation i of an element in SPACAR's sign; of a slip, its rate.

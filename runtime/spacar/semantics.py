@@ -1,7 +1,8 @@
 """From the sheet to the calls that make the model, and to what the file asks of it.
 
 Roles, loads, motions and initial values are those of the file; deformations keep SPACAR's signs in the file and get
-ours in the model, by the tables of `flexel.spacar.keywords`.  Imports the sheet, the calls and the elements.
+ours in the model, by the tables of `flexel.spacar.keywords`.
+Imports the sheet, its contradictions, the calls and the elements.
 """
 
 from __future__ import annotations
@@ -9,6 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from flexel.functions import Polynomial
+from flexel.spacar.contradictions import refuse_contradictions
 from flexel.spacar.elements import element_calls, node_calls
 from flexel.spacar.lexer import Line
 from flexel.spacar.sheet import ElementEntry, NodeEntry, Sheet, quantity
@@ -51,6 +53,7 @@ def understand(sheet: Sheet, dialect: str) -> Draft:
     for line in sheet.of("GRAVITY"):
         draft.gravity = (*line.values, 0.0)[:3]
     _mark_free(sheet)
+    refuse_contradictions(sheet)
     draft.calls += node_calls([sheet.nodes[n] for n in sorted(sheet.nodes)])
     for entry in sheet.elements.values():
         draft.calls += element_calls(entry, dialect)
@@ -225,11 +228,6 @@ def _freedoms(sheet: Sheet) -> list[Call]:
             chosen.setdefault(quantity(entry, i)[0], line)
     for line in sheet.of("ENHC"):
         kinematic.setdefault(quantity(*sheet.mode(line, 2, 3))[0], line)
-    both = [(name, line) for name, line in kinematic.items() if name in dynamic]
-    if both:
-        raise both[0][1].error(
-            f"it is a dynamic coordinate, too, by line {dynamic[both[0][0]].number}; keep one"
-        )
     chosen_for = (("independent", dynamic), ("kinematic", kinematic))
     return [
         Call(method, tuple(named), {}, next(iter(named.values()))) for method, named in chosen_for if named

@@ -109,7 +109,16 @@ WRONG = {
     "MASS 3 1.0": r"line 8: MASS: said already in line 4",
     "MASS 4 1 0 0 1 0 1": r"line 8: MASS: 6 numbers given; node 4 is a planar_angle and takes 1",
     "FORCE 3 1": r"line 8: FORCE: 1 numbers given; node 3 is a planar_point and takes 2",
-    "FORCE 1 0 1": r"line 8: FORCE: load on 'p1': this node is fixed and cannot move",
+    "FORCE 1 0 1": r"line 8: FORCE: coordinate 2 of node 1 is fixed by FIX in line 3, and a force cannot move it",
+    "FORCE 1 0 0": r"line 8: FORCE: load on 'p1': this node is fixed and cannot move",
+    "FIX 2 1": r"line 8: FIX: coordinate 1 of node 2 is fixed here and an input by INPUTX in line 5",
+    "FIX 2": r"line 8: FIX: coordinate 1 of node 2 is fixed here and an input by INPUTX in line 5",
+    "INPUTX 1 2": r"line 8: INPUTX: coordinate 2 of node 1 is an input here and fixed by FIX in line 3",
+    "INPUTX 2 2": r"line 8: INPUTX: node 2, a planar_angle, has coordinates 1 to 1",
+    "DYNX 1 1": r"line 8: DYNX: coordinate 1 of node 1 is a dynamic coordinate here and fixed by FIX in line 3",
+    "DYNX 2 1": r"line 8: DYNX: coordinate 1 of node 2 is a dynamic coordinate here and an input by INPUTX in line 5",
+    "XD 1 1 0.5": r"line 8: XD: the coordinate is fixed by FIX in line 3, and has no rate to give",
+    "E 1 1 0.5": r"line 8: E: mode 1 of element 1 is rigid, and has no initial value to give; release it",
     "FIX 3 3": r"line 8: FIX: node 3, a planar_point, has coordinates 1 to 2",
     "FIX 3 1.5": r"line 8: FIX: coordinate 1.5 is not a positive whole number",
     "RLSE 7 1": r"line 8: RLSE: there is no element 7; there are 1",
@@ -160,6 +169,25 @@ def test_an_element_without_length_is_told_with_its_line(lines: list[str], tmp_p
 def test_gears_whose_centres_coincide_are_told_with_their_line(tmp_path: Path) -> None:
     with pytest.raises(fx.ModelError, match=r"line 1: GEAR: the radii are opposite"):
         file(tmp_path, "GEAR 1 1 2 3 4 0.1 -0.1", "INPUTE 1 1")
+
+
+def test_a_deformation_has_one_role(tmp_path: Path) -> None:
+    with pytest.raises(
+        fx.ModelError,
+        match=r"line 9: INPUTE: mode 3 of element 1 is an input here and a dynamic coordinate by DYNE in line 8",
+    ):
+        file(tmp_path, *CRANK, "DYNE 1 2 3", "INPUTE 1 3")
+    with pytest.raises(
+        fx.ModelError,
+        match=r"line 9: LINE: mode 2 of element 1 is a dynamic coordinate here and a kinematic coordinate by KINE",
+    ):
+        file(tmp_path, *CRANK, "KINE 1 1 2", "LINE 1 2", dialect="delft")
+
+
+def test_what_building_refuses_is_told_with_the_file(tmp_path: Path) -> None:
+    found = file(tmp_path, "PLWHEEL 1 1 2 3 0.3 1 0", "ED 1 1 0.2", "MASS 1 1")
+    with pytest.raises(fx.ModelError, match=r"model\.dat: initial rate of 'plwheel1.longitudinal'"):
+        _ = found.system
 
 
 def test_user_routines_are_never_run(tmp_path: Path) -> None:
