@@ -153,6 +153,20 @@ def test_wrong_arguments_are_answered(tmp_path: Path) -> None:
         assert result.exit_code != 0 and message in result.stderr, result.output
 
 
+@pytest.mark.parametrize(
+    "option",
+    [("--format", "csv"), ("--time", 1), ("--plot", "o2.angle"), ("--linearize",)],
+    ids=lambda z: z[0],
+)
+def test_options_of_models_are_refused_for_spacar_files(
+    option: tuple[object, ...], tmp_path: Path, checkout: Path
+) -> None:
+    result = run(checkout / "tests" / "data" / "slider_crank.dat", "--out", tmp_path / "results", *option)
+    assert result.exit_code == 2
+    assert "only --mode, --dialect and --out are for SPACAR files" in result.stderr
+    assert not (tmp_path / "results").exists()
+
+
 def test_ctrl_c_keeps_the_motion_so_far(tmp_path: Path) -> None:
     long = PENDULUM + "simulate = {'duration': 1000.0, 'samples': 100001}\nprint('started', flush=True)\n"
     command = [sys.executable, "-m", "flexel", "run", str(written(tmp_path, long)), "--out", str(tmp_path)]

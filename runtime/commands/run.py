@@ -49,8 +49,7 @@ class Wish:
     "formats",
     type=click.Choice(FORMATS),
     multiple=True,
-    default=("npz",),
-    help="Of the saved motion.",
+    help="Of the saved motion; npz by default, again for more.",
 )
 @click.option(
     "--plot", "plots", multiple=True, metavar="QUANTITY", help="Draw this time history; again for more."
@@ -95,7 +94,7 @@ def run(
     given = {"duration": time, "samples": samples, "method": method}
     asked = {name: value for name, value in given.items() if value is not None}
     if file.suffix.lower() == ".dat":
-        if asked or plots or linearize:
+        if asked or formats or plots or linearize:
             raise click.UsageError(
                 f"{file} says itself what is to be done; of the options only --mode, --dialect and "
                 "--out are for SPACAR files."
@@ -106,7 +105,7 @@ def run(
         raise click.UsageError(f"{file}: suffix '{file.suffix}' is unknown; give MODEL.py or MODEL.dat.")
     if mode is not None or dialect is not None:
         raise click.UsageError(f"{file}: --mode and --dialect are for SPACAR files, MODEL.dat.")
-    wish = Wish(out or Path("out") / file.stem, asked, formats, plots, linearize)
+    wish = Wish(out or Path("out") / file.stem, asked, formats or FORMATS[:1], plots, linearize)
     try:
         motion = _run_python(file, wish)
     except click.ClickException as failure:

@@ -2,7 +2,7 @@
 
 Reading never executes anything: no pickle, no eval; the header is JSON.  Every format holds the same numbers to the
 last digit.
-Imports numpy, json, csv and the records; xarray, h5netcdf and scipy.io when asked.
+Imports numpy, json, csv, the records and the tables of runs; xarray, h5netcdf and scipy.io when asked.
 """
 
 from __future__ import annotations
@@ -20,6 +20,7 @@ import numpy as np
 
 from flexel.errors import FlexelError, ModelError
 from flexel.saved.record import Record, Variable, require
+from flexel.saved.tables_of_runs import refuse_table
 from flexel.structure import Array
 
 FORMAT = "flexel result 1"
@@ -130,6 +131,8 @@ def _read_npz(path: Path) -> tuple[dict[str, Any], dict[str, Array]]:
     if not is_zipfile(path):
         raise ValueError("it is no archive of arrays")  # np.load would take it for a pickle
     with path.open("rb") as stream, np.load(stream, allow_pickle=False) as file:
+        if HEADER not in file.files:
+            refuse_table(path, file.files)
         header = _parsed(str(file[HEADER]))
         return header, {name: file[name] for name in header["variables"] if name in file.files}
 
@@ -271,6 +274,7 @@ def _read_csv(path: Path) -> tuple[dict[str, Any], dict[str, Array]]:
     with path.open(encoding="utf-8", newline="") as stream:
         first = stream.readline()
         if not first.startswith("# {"):
+            refuse_table(path, first.strip().split(","))
             raise ValueError("its first line is not the header, '# {…'")
         both = json.loads(first[2:])
         header = _parsed(both["result"])

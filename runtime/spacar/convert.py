@@ -74,9 +74,9 @@ def python_source(file: Spacar) -> str:
             lines += ["", f"# {title}"]
             section = title
         lines += _wrapped(call)
-    if file.load_steps:
-        lines += ["", "# load steps, t from 0 to 1"]
-        for call in file.load_steps:
+    if _steps(file):
+        lines += ["", "# load steps, t from 0 to 1: inputs stand still unless a step changes them"]
+        for call in (*file.still, *file.load_steps):
             lines += _wrapped(call)
     if file.duration is not None:
         step = f', "max_step": {file.max_step!r}' if file.max_step else ""
@@ -113,13 +113,18 @@ def _indented(lines: Sequence[str]) -> list[str]:
     return [f"    {line}" if line else "" for line in lines]
 
 
+def _steps(file: Spacar) -> bool:
+    """Whether the program takes on load steps, as `flexel run` does where there is no motion."""
+    return bool(file.load_steps) and file.duration is None
+
+
 def _analysis(file: Spacar) -> list[str]:
     """What the program does when it is run."""
-    start = repr(float(file.start)) if file.start and not file.load_steps else ""
+    start = repr(float(file.start)) if file.start and not _steps(file) else ""
     lines = [f"system = m.build({start})"]
     if file.duration is not None:
         lines += ["state = system.simulate(**simulate)[-1]"]
-    elif file.load_steps:
+    elif _steps(file):
         lines += [
             "state = None",
             f"for i in range({file.steps + 1}):",

@@ -33,9 +33,15 @@ def element_calls(entry: ElementEntry, dialect: str) -> list[Call]:
 
 
 def length(entry: ElementEntry) -> float:
-    """Distance between the first and the last position node as drawn."""
+    """Distance between the first and the last position node as drawn; an error if there is none."""
     points = [node for node in entry.nodes if node.kind.endswith("point")]
-    return float(np.linalg.norm(points[-1].x - points[0].x))
+    distance = float(np.linalg.norm(points[-1].x - points[0].x))
+    if not distance:
+        first, last = points[0].number, points[-1].number
+        raise entry.line.error(
+            f"the nodes {first} and {last} coincide as drawn and the element has no length; give their coordinates"
+        )
+    return distance
 
 
 # -- stiffness and damping -----------------------------------------------------------------------
@@ -182,6 +188,7 @@ def _truss(entry: ElementEntry, dialect: str) -> list[Call]:
     l0 = entry.values("LENGTH0")[0]
     if l0 <= 0:
         raise entry.lines["LENGTH0"].error(f"the length {l0:g} is not positive; correct it")
+    length(entry)  # it must have a direction, however long it is without strain
     values = {"l0": [l0], "rhoA": [options.get("mass_per_length", 0.0)]}
     kind = "planar_truss" if entry.line.keyword == "PLTRUSS" else "truss"
     return [
@@ -239,6 +246,8 @@ def _belt(entry: ElementEntry, dialect: str) -> list[Call]:
 
 def _gear(entry: ElementEntry, dialect: str) -> list[Call]:
     options = dict(zip(("radius_p", "radius_q"), entry.numbers, strict=True))
+    if not sum(entry.numbers):  # the factor between their deformation and ours
+        raise entry.line.error("the radii are opposite, so that the centres coincide; correct one of them")
     return [Call("gears", (entry.name, *entry.ends), options, entry.line), *law_calls(entry)]
 
 

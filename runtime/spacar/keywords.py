@@ -214,6 +214,7 @@ TWENTE_ONLY = frozenset(
     "XM EM XF EDAMP KINX KINE RBEAM GRAVITY DELXF DELINPX DELINPE STARTDE ITERSTEP OUTLEVEL INPUTF INPUTS OUTX "
     "OUTXP OUTE OUTEP VISUALIZATION".split()
 )
+ENDS_OF_TWENTE = frozenset({"END HALT", "END END"})  # Delft's END stands alone
 
 UNSUPPORTED = {
     "BEAMW": "warping of sections is not modelled; use BEAM, with a larger GIp for restrained warping",

@@ -1,6 +1,6 @@
 """From text to lines of keyword and numbers, and which dialect they are in; nothing is executed.
 
-Imports the errors and the tables of keywords.
+Imports the errors, the reading of text and the tables of keywords.
 """
 
 from __future__ import annotations
@@ -12,8 +12,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from flexel.errors import ModelError
+from flexel.spacar.encoding import file_lines
 from flexel.spacar.keywords import (
     DELFT_ONLY,
+    ENDS_OF_TWENTE,
     KEYWORDS,
     SYNONYMS,
     TWENTE_ONLY,
@@ -78,11 +80,7 @@ def read_lines(path: Path, dialect: str | None) -> tuple[str, list[Line]]:
         raise ModelError(f"read_spacar: dialect {dialect!r} is unknown; give 'delft' or 'twente'")
     if not path.is_file():
         raise ModelError(f"read_spacar '{path}': there is no such file; give the path of a SPACAR input file")
-    try:
-        text = path.read_text(encoding="utf-8")
-    except UnicodeDecodeError as error:
-        raise ModelError(f"{path.name}: is not text ({error.reason}); give a SPACAR input file") from error
-    raw = [(i, words) for i, line in enumerate(text.splitlines(), 1) if (words := _words(line))]
+    raw = [(i, words) for i, line in enumerate(file_lines(path), 1) if (words := _words(line))]
     if dialect is None:
         dialect = _recognized(path.name, raw)
     return dialect, _model(path.name, raw, dialect)
@@ -99,17 +97,21 @@ def _words(line: str) -> list[str]:
 
 def _recognized(file: str, raw: Sequence[tuple[int, list[str]]]) -> str:
     """The dialect that the keywords of a file belong to; Delft where they fit both."""
-    seen = {words[0].upper(): number for number, words in reversed(raw)}
+    seen = {_sign(words): number for number, words in reversed(raw)}
     delft = sorted(seen.keys() & DELFT_ONLY)
-    twente = sorted(seen.keys() & TWENTE_ONLY)
-    ends = [words[1].upper() for _, words in raw if words[0].upper() == "END" and len(words) > 1]
+    twente = sorted(seen.keys() & TWENTE_ONLY) + sorted(seen.keys() & ENDS_OF_TWENTE)
     if delft and twente:
         raise ModelError(
             f"{file}, line {seen[twente[0]]}: {twente[0]} is a keyword of the Twente dialect, but {delft[0]} in line "
             f"{seen[delft[0]]} of the Delft one; say which it is: dialect='delft' or dialect='twente' (they differ in "
             "the order of TIMESTEP and in the terms of BEAM)"
         )
-    return "twente" if twente or "HALT" in ends or "END" in ends else "delft"
+    return "twente" if twente else "delft"
+
+
+def _sign(words: Sequence[str]) -> str:
+    """What may tell the dialect of a line: its keyword, of END with the word behind it."""
+    return " ".join(words[: 2 if words[0].upper() == "END" else 1]).upper()
 
 
 def _model(file: str, raw: Sequence[tuple[int, list[str]]], dialect: str) -> list[Line]:
@@ -162,9 +164,9 @@ def _line(file: str, number: int, words: list[str]) -> Line:
 
 
 def _number(line: Line, word: str) -> float:
-    """A number in Fortran's or C's notation."""
+    """A number in Fortran's or C's notation; Python's underscores and digits of other scripts are none."""
     try:
-        value = float(word.lower().replace("d", "e"))
+        value = float("" if "_" in word or not word.isascii() else word.lower().replace("d", "e"))
     except ValueError:
         raise line.error(f"'{word}' is not a number; correct it (comments begin with %, # or ;)") from None
     if not math.isfinite(value):

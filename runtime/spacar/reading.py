@@ -69,6 +69,7 @@ class Spacar:
     linearized: bool
     gravity: tuple[float, ...] = field(repr=False)
     calls: tuple[Call, ...] = field(repr=False)
+    still: tuple[Call, ...] = field(repr=False)
     load_steps: tuple[Call, ...] = field(repr=False)
 
     @cached_property
@@ -90,6 +91,8 @@ class Spacar:
                 f"{self.path.name}: {error} (in the file: a freedom is named by DYNE or DYNX, a kinematic one by ENHC "
                 "or KINE, a given motion is INPUTE or INPUTX, RLSE releases and FIX holds)"
             ) from error
+        except ModelError as error:
+            raise ModelError(f"{self.path.name}: {error}") from error
 
     def deformation(self, state: State, element: int, i: int) -> float:
         """Deformation i of an element in SPACAR's sign; of a slip, its rate.
@@ -131,8 +134,9 @@ class Spacar:
         return dict(self.deformations.values())
 
     def variant(self, *, load_steps: bool = False, loads: bool = True) -> System:
-        """The system with the increments DELXF and DELINPX (times t) added, or without its loads."""
-        model = build_model(self.gravity, [*self.calls, *(self.load_steps if load_steps else ())])
+        """The system moved by the increments DELXF, DELINPX and DELINPE (times t) alone, or without its loads."""
+        steps = (*self.still, *self.load_steps) if load_steps else ()
+        model = build_model(self.gravity, [*self.calls, *steps])
         if not loads:
             model.loads.clear()
         return self._built(model, 0.0 if load_steps else self.start)
@@ -204,6 +208,7 @@ def read_spacar(path: str | Path, dialect: str | None = None) -> Spacar:
         linearized=bool(sheet.of("LINE") or draft.inputs or draft.outputs),
         gravity=draft.gravity,
         calls=tuple(draft.calls),
+        still=tuple(draft.still),
         load_steps=tuple(draft.steps),
     )
 

@@ -13,6 +13,7 @@ import numpy as np
 
 from flexel.errors import DynamicsError, ModelError
 from flexel.result import Motion
+from flexel.saved.tables_of_runs import motion_beside
 from flexel.spacar.linear import Matrices
 from flexel.spacar.reading import Spacar, read_spacar
 from flexel.state import State
@@ -87,7 +88,7 @@ def _write(file: Spacar, out: Path, results: Results, motion: Motion | None) -> 
     out.mkdir(parents=True, exist_ok=True)
     arrays = out / f"{file.path.stem}.npz"
     np.savez(arrays, allow_pickle=False, **results)
-    moved = [] if motion is None else [motion.save(out / f"{file.path.stem}_motion.npz")]
+    moved = [] if motion is None else [motion.save(motion_beside(arrays))]
     histories = {key: z for key, z in results.items() if key == "t" or key[:2] in ("x_", "e_", "s_")}
     if "t" not in results:
         return [arrays, *moved]

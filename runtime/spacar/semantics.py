@@ -1,7 +1,8 @@
 """From the sheet to the calls that make the model, and to what the file asks of it.
 
 Roles, loads, motions and initial values are those of the file; deformations keep SPACAR's signs in the file and get
-ours in the model, by the tables of `flexel.spacar.keywords`.  Imports the sheet, the calls and the elements.
+ours in the model, by the tables of `flexel.spacar.keywords`.
+Imports the sheet, its contradictions, the calls and the elements.
 """
 
 from __future__ import annotations
@@ -9,6 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from flexel.functions import Polynomial
+from flexel.spacar.contradictions import refuse_contradictions
 from flexel.spacar.elements import element_calls, node_calls
 from flexel.spacar.lexer import Line
 from flexel.spacar.sheet import ElementEntry, NodeEntry, Sheet, quantity
@@ -24,12 +26,15 @@ class Draft:
     ----------
     calls : list of Call
         The model.
+    still : list of Call
+        Moving inputs at their initial values: in static load steps t is no time, and their motions do not go on.
     steps : list of Call
-        What DELXF and DELINPX add to it for static load steps, per unit of the load parameter t.
+        What DELXF, DELINPX and DELINPE add for static load steps, per unit of the load parameter t.
     """
 
     gravity: tuple[float, ...] = (0.0, 0.0, 0.0)
     calls: list[Call] = field(default_factory=list)
+    still: list[Call] = field(default_factory=list)
     steps: list[Call] = field(default_factory=list)
     inputs: list[Terminal] = field(default_factory=list)
     outputs: list[Terminal] = field(default_factory=list)
@@ -48,6 +53,7 @@ def understand(sheet: Sheet, dialect: str) -> Draft:
     for line in sheet.of("GRAVITY"):
         draft.gravity = (*line.values, 0.0)[:3]
     _mark_free(sheet)
+    refuse_contradictions(sheet)
     draft.calls += node_calls([sheet.nodes[n] for n in sorted(sheet.nodes)])
     for entry in sheet.elements.values():
         draft.calls += element_calls(entry, dialect)
@@ -165,12 +171,11 @@ def _motions(sheet: Sheet, draft: Draft) -> None:
     for line in sheet.of("INPUTE"):
         name, factor = quantity(*sheet.mode(line))
         inputs[name] = (line, factor)
-    for table, keyword in ((starts, "E"), (rates, "ED"), (second, "EDD"), (rates, "STARTDE")):
-        for line in sheet.of(keyword):
-            name, _ = quantity(*sheet.mode(line))
-            table[name] = line.values[3 if keyword == "STARTDE" and len(line.values) > 3 else 2]
-    for line in sheet.of("STARTDE"):
-        starts[quantity(*sheet.mode(line))[0]] = line.values[2]
+    for line in sheet.of("E", "ED", "EDD", "STARTDE"):
+        name, _ = quantity(*sheet.mode(line))
+        tables = {"E": (starts,), "ED": (rates,), "EDD": (second,), "STARTDE": (starts, rates)}[line.keyword]
+        for table, value in zip(tables, line.values[2:], strict=False):  # STARTDE may end with the value
+            table[name] = value
     for line in sheet.of("DELINPE"):
         changes[quantity(*sheet.mode(line))[0]] = (line, line.values[2])
     for name in second:
@@ -181,12 +186,14 @@ def _motions(sheet: Sheet, draft: Draft) -> None:
     start = times[0].values[0] if times else 0.0
     for name, (line, factor) in inputs.items():
         own = line.values[2:]
-        tables = (starts, rates, second)
-        u, v, a = (own[i] if len(own) > i else table.get(name, 0.0) for i, table in enumerate(tables))
+        given = (starts, rates, second)
+        u, v, a = (own[i] if len(own) > i else table.get(name, 0.0) for i, table in enumerate(given))
         draft.calls.append(Call("prescribe", (name, _motion(u, v, a, start, factor)), {}, line))
         if name in changes:
             moving = Polynomial((u / factor, changes[name][1] / factor))
             draft.steps.append(Call("prescribe", (name, moving), {}, changes[name][0]))
+        elif v or a:
+            draft.still.append(Call("prescribe", (name, u / factor), {}, line))
     for name, (line, _) in changes.items():
         if name not in inputs:
             raise line.error("it changes an input, and this is none; add a line INPUTX or INPUTE")
@@ -221,11 +228,6 @@ def _freedoms(sheet: Sheet) -> list[Call]:
             chosen.setdefault(quantity(entry, i)[0], line)
     for line in sheet.of("ENHC"):
         kinematic.setdefault(quantity(*sheet.mode(line, 2, 3))[0], line)
-    both = [(name, line) for name, line in kinematic.items() if name in dynamic]
-    if both:
-        raise both[0][1].error(
-            f"it is a dynamic coordinate, too, by line {dynamic[both[0][0]].number}; keep one"
-        )
     chosen_for = (("independent", dynamic), ("kinematic", kinematic))
     return [
         Call(method, tuple(named), {}, next(iter(named.values()))) for method, named in chosen_for if named

@@ -157,6 +157,17 @@ def test_converted_file_gives_the_same_results(name: str, tmp_path: Path) -> Non
         convert_spacar(source, target)
 
 
+def test_converted_file_that_is_simulated_has_no_load_steps(tmp_path: Path) -> None:
+    """As with `flexel run`, where TIMESTEP comes before DELXF."""
+    source = tmp_path / "crank.dat"
+    source.write_text(
+        "PLBEAM 1 1 2 3 4\nX 3 0.5 0\nFIX 1\nXM 3 2.0\nINPUTX 2 1 0 1.5\nDELXF 3 0 1.0\nTIMESTEP 1.0 10\n"
+    )
+    flexel("convert", source, tmp_path / "crank.py")
+    text = (tmp_path / "crank.py").read_text()
+    assert text.count("m.prescribe(") == 1 and "m.load(" not in text
+
+
 def test_converted_source_is_what_a_person_would_write(tmp_path: Path) -> None:
     flexel("convert", DATA / "slider_crank.dat", tmp_path / "crank.py")
     text = (tmp_path / "crank.py").read_text()

@@ -79,6 +79,24 @@ def test_motion_of_an_input_starts_at_the_time_of_the_file(tmp_path: Path) -> No
     )
 
 
+@pytest.mark.parametrize(
+    ("lines", "rate"),
+    [
+        (["STARTDE 1 1 0.3"], 0.0),
+        (["STARTDE 1 1 0.3 0.2"], 0.2),
+        (["ED 1 1 0.2", "STARTDE 1 1 0.3"], 0.2),
+    ],
+)
+@pytest.mark.parametrize("role", ["INPUTE 1 1", "DYNE 1 1"])
+def test_a_value_at_the_start_is_no_rate(role: str, lines: list[str], rate: float, tmp_path: Path) -> None:
+    found = file(
+        tmp_path, "PLHINGE 1 1 2", "PLBEAM 2 3 2 4 5", "X 4 1 0", "FIX 1", "FIX 3", "XM 4 1", role, *lines
+    )
+    state = found.system.initial
+    assert abs(found.deformation(state, 1, 1) - 0.3) < 1e-15
+    assert abs(state.rate("plhinge1.angle") - rate) < 1e-15
+
+
 WRONG = {
     "SPRING 1 2 3": r"line 8: SPRING: unknown keyword",
     "PLBAEM 2 3 5 6 7": r"line 8: PLBAEM: unknown keyword; did you mean .*PLBEAM",
@@ -91,7 +109,16 @@ WRONG = {
     "MASS 3 1.0": r"line 8: MASS: said already in line 4",
     "MASS 4 1 0 0 1 0 1": r"line 8: MASS: 6 numbers given; node 4 is a planar_angle and takes 1",
     "FORCE 3 1": r"line 8: FORCE: 1 numbers given; node 3 is a planar_point and takes 2",
-    "FORCE 1 0 1": r"line 8: FORCE: load on 'p1': this node is fixed and cannot move",
+    "FORCE 1 0 1": r"line 8: FORCE: coordinate 2 of node 1 is fixed by FIX in line 3, and a force cannot move it",
+    "FORCE 1 0 0": r"line 8: FORCE: load on 'p1': this node is fixed and cannot move",
+    "FIX 2 1": r"line 8: FIX: coordinate 1 of node 2 is fixed here and an input by INPUTX in line 5",
+    "FIX 2": r"line 8: FIX: coordinate 1 of node 2 is fixed here and an input by INPUTX in line 5",
+    "INPUTX 1 2": r"line 8: INPUTX: coordinate 2 of node 1 is an input here and fixed by FIX in line 3",
+    "INPUTX 2 2": r"line 8: INPUTX: node 2, a planar_angle, has coordinates 1 to 1",
+    "DYNX 1 1": r"line 8: DYNX: coordinate 1 of node 1 is a dynamic coordinate here and fixed by FIX in line 3",
+    "DYNX 2 1": r"line 8: DYNX: coordinate 1 of node 2 is a dynamic coordinate here and an input by INPUTX in line 5",
+    "XD 1 1 0.5": r"line 8: XD: the coordinate is fixed by FIX in line 3, and has no rate to give",
+    "E 1 1 0.5": r"line 8: E: mode 1 of element 1 is rigid, and has no initial value to give; release it",
     "FIX 3 3": r"line 8: FIX: node 3, a planar_point, has coordinates 1 to 2",
     "FIX 3 1.5": r"line 8: FIX: coordinate 1.5 is not a positive whole number",
     "RLSE 7 1": r"line 8: RLSE: there is no element 7; there are 1",
@@ -107,6 +134,9 @@ WRONG = {
     "SCREW 2 2 4 0.1": r"line 8: SCREW: is not supported; couple rotation and travel in Python",
     "FIX 1 one": r"line 8: FIX: 'one' is not a number",
     "FIX 1 nan": r"line 8: FIX: 'nan' is not finite",
+    "FIX 1 infinity": r"line 8: FIX: 'infinity' is not finite",
+    "FIX 3 0_1": r"line 8: FIX: '0_1' is not a number",
+    "FIX 3 \u0661": r"line 8: FIX: '\u0661' is not a number",
 }
 
 
@@ -114,6 +144,50 @@ WRONG = {
 def test_a_line_that_cannot_be_taken_is_told_with_its_number(line: str, tmp_path: Path) -> None:
     with pytest.raises(fx.ModelError, match=r"model\.dat, " + WRONG[line]):
         file(tmp_path, *CRANK, line)
+
+
+WITHOUT_LENGTH = [
+    ["PLBEAM 1 1 2 3 4"],
+    ["PLBEAMNL 1 1 2 3 4", "ESTIFF 1 1 1"],
+    ["BEAM 1 1 2 3 4 0 1 0", "EMASS 1 1"],
+    ["TRUSS 1 1 3", "ESTIFF 1 1"],
+    ["PLTRUSS 1 1 3", "ESTIFF 1 1", "EMASS 1 1"],
+    ["PLTRUSS 1 1 3", "LENGTH0 1 0.5"],
+    ["PLBELT 1 1 2 3 4 0.1 0.1", "ESTIFF 1 1"],
+]
+
+
+@pytest.mark.parametrize("lines", WITHOUT_LENGTH, ids=" ".join)
+def test_an_element_without_length_is_told_with_its_line(lines: list[str], tmp_path: Path) -> None:
+    written = lines[0].split()[0]
+    with pytest.raises(
+        fx.ModelError, match=rf"model\.dat, line 1: {written}: the nodes 1 and 3 coincide as drawn"
+    ):
+        file(tmp_path, *lines, "FIX 1", dialect="delft")
+
+
+def test_gears_whose_centres_coincide_are_told_with_their_line(tmp_path: Path) -> None:
+    with pytest.raises(fx.ModelError, match=r"line 1: GEAR: the radii are opposite"):
+        file(tmp_path, "GEAR 1 1 2 3 4 0.1 -0.1", "INPUTE 1 1")
+
+
+def test_a_deformation_has_one_role(tmp_path: Path) -> None:
+    with pytest.raises(
+        fx.ModelError,
+        match=r"line 9: INPUTE: mode 3 of element 1 is an input here and a dynamic coordinate by DYNE in line 8",
+    ):
+        file(tmp_path, *CRANK, "DYNE 1 2 3", "INPUTE 1 3")
+    with pytest.raises(
+        fx.ModelError,
+        match=r"line 9: LINE: mode 2 of element 1 is a dynamic coordinate here and a kinematic coordinate by KINE",
+    ):
+        file(tmp_path, *CRANK, "KINE 1 1 2", "LINE 1 2", dialect="delft")
+
+
+def test_what_building_refuses_is_told_with_the_file(tmp_path: Path) -> None:
+    found = file(tmp_path, "PLWHEEL 1 1 2 3 0.3 1 0", "ED 1 1 0.2", "MASS 1 1")
+    with pytest.raises(fx.ModelError, match=r"model\.dat: initial rate of 'plwheel1.longitudinal'"):
+        _ = found.system
 
 
 def test_user_routines_are_never_run(tmp_path: Path) -> None:
@@ -215,3 +289,42 @@ def test_command_line_tells_file_and_line(tmp_path: Path) -> None:
     assert "it has no elements" in CliRunner().invoke(main, ["run", str(path)]).output
     path.write_text("\n".join(CRANK))
     assert "there is no mode 3" in CliRunner().invoke(main, ["run", str(path), "--mode", "3"]).output
+
+
+@pytest.mark.parametrize("mark", ["END HALT", "end halt", "END END"])
+def test_an_end_of_one_dialect_does_not_override_keywords_of_the_other(mark: str, tmp_path: Path) -> None:
+    """MASS and TIMESTEP n T of Delft under an END of Twente: 5 s would be read as 100 s."""
+    lines = [*CRANK[:-1], "TIMESTEP 100 5.0", mark]
+    with pytest.raises(
+        fx.ModelError,
+        match=rf"model\.dat, line 8: {mark.upper()} is a keyword of the Twente .* MASS in line 4",
+    ):
+        file(tmp_path, *lines)
+    assert file(tmp_path, *lines, dialect="delft").duration == 5.0
+
+
+@pytest.mark.parametrize(
+    "data",
+    [
+        pytest.param("\ufeff".encode() + "\n".join(CRANK).encode(), id="mark at the beginning"),
+        pytest.param("\n".join(["* Kurbel mit Öl", *CRANK]).encode("latin-1"), id="latin-1"),
+        pytest.param("\r\n".join(["* wait \x85 for it", *CRANK]).encode("latin-1"), id="ellipsis of Windows"),
+        pytest.param("\r".join(["* Öl", *CRANK]).encode(), id="returns alone"),
+    ],
+)
+def test_text_is_read_in_the_usual_encodings(data: bytes, tmp_path: Path) -> None:
+    path = tmp_path / "model.dat"
+    path.write_bytes(data)
+    assert [str(z) for z in fx.read_spacar(path).calls] == [str(z) for z in file(tmp_path, *CRANK).calls]
+
+
+@pytest.mark.parametrize(
+    "data",
+    ["\n".join(CRANK).encode("utf-16"), b"\x89PNG\r\n" + bytes(range(1, 256))],
+    ids=["utf-16", "picture"],
+)
+def test_what_is_no_text_is_refused(data: bytes, tmp_path: Path) -> None:
+    path = tmp_path / "model.dat"
+    path.write_bytes(data)
+    with pytest.raises(fx.ModelError, match=r"model\.dat: is not text .* give a SPACAR input file"):
+        fx.read_spacar(path)

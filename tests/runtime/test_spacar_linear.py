@@ -45,6 +45,23 @@ def test_load_steps_bend_the_cantilever(cantilever: fx.Spacar) -> None:
     assert np.max(np.abs(found.N0)) < 1e-8 * np.max(np.abs(found.G0))
 
 
+@pytest.mark.parametrize("motion", ["INPUTX 2 1 0.1 1.0 2.0", "INPUTX 2 1 0.1\nXD 2 1 1.0"])
+@pytest.mark.parametrize(("change", "end"), [("", 0.1), ("DELINPX 2 1 0.5", 0.6)])
+def test_load_steps_are_static(motion: str, change: str, end: float, tmp_path: Path) -> None:
+    """The load parameter is no time: what is not told to change keeps its initial value, velocity or not."""
+    path = tmp_path / "steps.dat"
+    path.write_text(
+        "PLBEAM 1 1 2 3 4\nX 3 1 0\nFIX 1\nDYNE 1 2 3\nEM 1 1.0\nESTIFF 1 1e4 100\nDELXF 3 0 0.1\nITERSTEP 2\n"
+        f"TIME 3.0\n{motion}\n{change}\n"
+    )
+    system, states = fx.read_spacar(path).static_steps()
+    assert states[0]["o2.angle"] == 0.1
+    assert abs(states[-1]["o2.angle"] - end) < 1e-14
+    tip = states[-1]["p3.y"] * np.cos(end) - states[-1]["p3.x"] * np.sin(end)
+    assert abs(tip / (0.1 * np.cos(end) / (3 * 100)) - 1) < 1e-3  # the force along it stiffens it by 2e-4
+    assert not np.any(fx.read_spacar(path).matrices(states[-1], system=system).N0)
+
+
 def test_damping_of_the_file_is_its_damping_matrix(cantilever: fx.Spacar) -> None:
     D0 = cantilever.matrices().D0
     assert abs(D0[0, 0] - 1e2 / 0.25) < 1e-9

@@ -61,6 +61,23 @@ def test_the_motion_of_a_spacar_file_is_shown(tmp_path: Path, checkout: Path) ->
     assert sorted(z["name"] for z in shown if z["style"] == "rim") == ["gear7", "gear7", "plbelt6", "plbelt6"]
 
 
+def test_the_tables_of_a_spacar_run_name_the_motion_beside(tmp_path: Path, checkout: Path) -> None:
+    """They are the first that one tries to view; of an analysis without a motion there is none to name."""
+    data = checkout / "tests" / "data"
+    for name, mode in (("spacar_four_bar", "1"), ("spacar_cantilever", "7"), ("spacar_cantilever", "8")):
+        arguments = ["run", str(data / f"{name}.dat"), "--out", str(tmp_path / mode), "--mode", mode]
+        assert CliRunner().invoke(cli.main, arguments).exit_code == 0
+    for suffix in (".npz", ".csv"):
+        result = run(tmp_path / "1" / f"spacar_four_bar{suffix}")
+        assert result.exit_code == 1
+        assert "is a table of a SPACAR run" in result.output
+        assert f"give '{tmp_path / '1' / 'spacar_four_bar_motion.npz'}'" in result.output
+    for mode in "78":
+        result = run(tmp_path / mode / "spacar_cantilever.npz")
+        assert result.exit_code == 1
+        assert "is a table of a SPACAR run" in result.output and "there is no motion" in result.output
+
+
 def test_a_file_that_is_no_result_is_told(tmp_path: Path) -> None:
     """In one line, without a traceback."""
     path = tmp_path / "notes.npz"

@@ -1,0 +1,39 @@
+"""The lines of a file as text, in whichever of the usual encodings it is.
+
+Imports the errors.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from flexel.errors import ModelError
+
+CONTROLS = frozenset(range(32)) - frozenset(b"\t\n\v\f\r\x1a")  # DOS ends a file with 1a
+MANY = 0.05  # share of control characters that no text has
+
+
+def file_lines(path: Path) -> list[str]:
+    """The lines of a text file.
+
+    Only ASCII means anything in the input language, but comments and names are in UTF-8 (with or without a mark at
+    its beginning) or, in files from before, in Latin-1.
+
+    Raises
+    ------
+    ModelError
+        A file that is no text.
+    """
+    data = path.read_bytes()
+    controls = sum(byte in CONTROLS for byte in data)
+    if 0 in data or controls > MANY * len(data):
+        raise ModelError(
+            f"{path.name}: is not text (it has {controls} control characters); give a SPACAR input file, written as "
+            "ASCII, UTF-8 or Latin-1"
+        )
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        text = data.decode("latin-1")
+    # not splitlines: an ellipsis of Windows, 85, would end a comment
+    return text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
