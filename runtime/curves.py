@@ -244,7 +244,7 @@ def stop(self: Model, name: str, gap: float, stiffness: float, damping: float = 
         "stop",
         [name],
         gap=number(gap, owner, "gap"),
-        stiffness=positive(stiffness, owner, "stiffness"),
+        stiffness=positive(stiffness, owner, "stiffness"),  # a stop without one stops nothing
         damping=not_negative(damping, owner, "damping"),
     )
 

@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, TypeVar
 
 from flexel.errors import CompilerError, ElementError, ModelError
+from flexel.generated.spec import ElementSpec
 from flexel.structure import Node
 
 if TYPE_CHECKING:
@@ -98,7 +99,7 @@ def element(
     >>> m.element("cam", cam, "shaft", "tappet", base=0.03, lift=0.01)  # doctest: +SKIP
     >>> m.release("cam.gap")  # doctest: +SKIP
     """
-    if not hasattr(compiled, "spec") or not hasattr(compiled, "address"):
+    if not isinstance(getattr(compiled, "spec", None), ElementSpec) or not hasattr(compiled, "address"):
         raise ModelError(
             f"element '{name}': {compiled!r} is not a compiled element; give what fx.compile_element(…) returned"
         )

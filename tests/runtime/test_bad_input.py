@@ -701,6 +701,26 @@ LAWS = {
     "linear law on a text": built(
         lambda m: m.linear_law("pivot.angle", [[1]]), "'pivot.angle'", "write ['…'"
     ),
+    "law in a list": built(lambda m: m.attach([], ["pivot.angle"]), "unknown law '[]'", "known: "),
+    "law in a mapping": built(lambda m: m.attach({}, ["pivot.angle"]), "unknown law '{}'", "known: "),
+    "attached stop that pulls": built(
+        lambda m: m.attach("stop", ["pivot.angle"], gap=0.1, stiffness=-1, damping=0),
+        "law 'stop' on 'pivot.angle'",
+        "stiffness -1",
+        "give zero or",
+    ),
+    "attached contact of exponent 1/2": built(
+        lambda m: m.attach("hertz", ["pivot.angle"], stiffness=1, exponent=0.5, dissipation=0),
+        "law 'hertz' on 'pivot.angle'",
+        "exponent 0.5",
+        "give 1",
+    ),
+    "attached linear law that pushes": built(
+        lambda m: m.attach("linear_1", ["pivot.angle"], preload=0, S=-1, D=0),
+        "law 'linear_1' on 'pivot.angle'",
+        "negative eigenvalue",
+        "m.law",
+    ),
     "formula with math.sin": built(
         lambda m: m.law("pivot.angle", lambda e, ed: math.sin(e)), "'pivot.angle'", "sympy.sin"
     ),

@@ -360,3 +360,29 @@ def test_wheels_that_cannot_be_are_refused_by_name() -> None:
         m.tyre("C", "hub", "wheel", radius=R, axle=(0, 1, 0), height=0.1, road=fx.Waves(0.1, 5.0))
     with pytest.raises(fx.ModelError, match=r"tyre 'D': wavelength -1 is not positive"):
         m.tyre("D", "hub", "wheel", radius=R, axle=(0, 1, 0), road=fx.Waves(0.1, -1.0))
+
+
+@pytest.mark.parametrize(
+    ("law", "change", "message"),
+    [
+        ("vertical_tyre", {"stiffness": -1e5}, "stiffness -100000 is negative"),
+        ("vertical_tyre", {"damping": -1.0}, "damping -1 is negative"),
+        ("linear_tyre", {"standstill": -1.0}, "standstill -1 is not positive"),
+        ("linear_tyre", {"cornering": -1.0}, "cornering -1 is negative"),
+        ("calspan_tyre", {"A": (2625.0, 14.47, 0.0, 2.29, 18175.0)}, "A, entry 3, 0 is not positive"),
+        ("calspan_tyre", {"A": (2625.0, 14.47, 12930.0, 2.29, 0.0)}, "A, entry 5, is zero"),
+        ("calspan_tyre", {"SN": 0.0}, "SN 0 is not positive"),
+        ("magic_formula", {"relaxation": (0, 0)}, "relaxation, entry 1, 0 is not positive"),
+        ("magic_formula", {"cornering": (12, 0)}, "cornering, entry 2, 0 is not positive"),
+        ("magic_formula", {"load0": -4000.0}, "load0 -4000 is not positive"),
+    ],
+)
+def test_parameters_of_tyres_without_physical_sense_are_refused(
+    law: str, change: dict[str, object], message: str
+) -> None:
+    linear = {"cornering": 1e4, "camber_stiffness": 0.0, "trail": 0.0, "standstill": 0.1}
+    own = {"vertical_tyre": {}, "linear_tyre": linear, "calspan_tyre": CALSPAN, "magic_formula": MAGIC}
+    on = {"vertical_tyre": ["tyre.deflection"], "magic_formula": MAGIC_ON}.get(law, SIDE)
+    values = {"stiffness": K, "damping": 0.0, **own[law], **change}
+    with pytest.raises(fx.ModelError, match=f"law '{law}' on 'tyre.deflection'.*: parameter {message}"):
+        wheel().attach(law, on, **values)
