@@ -282,5 +282,10 @@ def test_what_is_not_compiled_cannot_be_used() -> None:
     m.point("A", (0, 0, 0))
     with pytest.raises(fx.ModelError, match="not a compiled element; give what fx.compile_element"):
         m.element("bar", own_bar(), "A", "A")  # type: ignore[arg-type]
+    law = fx.compile_law(
+        Law("own_damper", "c ed", (), (e := symbol("e"),), (symbol("ed"),), (), (2 * e,), ())
+    )
+    with pytest.raises(fx.ModelError, match="element 'bar': .* is not a compiled element; give"):
+        m.element("bar", law, "A", "A")  # type: ignore[arg-type]
     with pytest.raises(fx.ElementError, match="'truss' is not a flexel.derive.Element"):
         fx.compile_element("truss")  # type: ignore[arg-type]
