@@ -138,3 +138,17 @@ def test_periodic_motion_says_that_it_has_no_place_for_internal_states() -> None
     s = oscillator(maxwell()).build()
     with pytest.raises(fx.LinearizationError, match=r"damper\.creep"):
         orbit(s, 1.0, 8)
+
+
+def test_an_internal_state_cannot_have_the_name_of_a_coordinate() -> None:
+    e, ed, x = symbol("e"), symbol("ed"), symbol("x")
+    law = compile_law(
+        Law("lag", "lag", (), (e,), (ed,), (), (e - x,), (), states=(Internal("x", "m", e - x),))
+    )
+    m = fx.Model()
+    m.point("O", (0, 0, 0), fixed=True)
+    m.point("hub", (1, 0, 0))
+    m.truss("bar", "O", "hub")
+    m.attach(law, ["bar.elongation"], name="hub")
+    with pytest.raises(fx.ModelError, match=r"law 'hub': its internal state 'hub.x' has the name of a coord"):
+        m.build()
