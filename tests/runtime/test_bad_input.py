@@ -800,6 +800,15 @@ ANALYSES = {
     "no step": system(lambda s: s.simulate(1, max_step=0), "max_step", "give more than"),
     "event not in a list": system(lambda s: s.simulate(1, events=E1), "events", "[Event(name, function)]"),
     "function for an event": system(lambda s: s.simulate(1, events=[lambda z: 1]), "events", "[Event("),
+    "event upwards": system(
+        lambda s: s.simulate(1, events=[Event("e", lambda z: 1.0, direction="up")]),
+        "event 'e'",
+        "direction 'up'",
+        "give 1 (up)",
+    ),
+    "event without a function": system(
+        lambda s: s.simulate(1, events=[Event("e", 3.0)]), "event 'e'", "3.0 is no function", "lambda s"
+    ),
     "event of nothing": system(
         lambda s: s.simulate(1, events=[Event("e", lambda z: None)]), "event 'e'", "give real"
     ),
