@@ -16,6 +16,7 @@ from flexel.errors import ModelError
 from flexel.structure import Array
 
 Check = Callable[[Any, str, str], float]
+Checks = dict[str, tuple[Check, ...]]
 
 
 def _at_least_one(value: Any, owner: str, what: str) -> float:
@@ -34,11 +35,11 @@ def _any(value: Any, owner: str, what: str) -> float:
     return float(value)
 
 
-_LOAD = {"stiffness": (not_negative,), "damping": (not_negative,)}
-_SIDE = {**_LOAD, "standstill": (positive,)}
-_NORMAL = {"stiffness": (not_negative,), "exponent": (_at_least_one,), "dissipation": (not_negative,)}
-_COULOMB = {**_NORMAL, "friction": (not_negative,), "slip_speed": (positive,)}
-_BRISTLE = {
+_LOAD: Checks = {"stiffness": (not_negative,), "damping": (not_negative,)}
+_SIDE: Checks = {**_LOAD, "standstill": (positive,)}
+_NORMAL: Checks = {"stiffness": (not_negative,), "exponent": (_at_least_one,), "dissipation": (not_negative,)}
+_COULOMB: Checks = {**_NORMAL, "friction": (not_negative,), "slip_speed": (positive,)}
+_BRISTLE: Checks = {
     **_NORMAL,
     "friction": (positive,),
     "bristle_stiffness": (not_negative,),
@@ -46,7 +47,7 @@ _BRISTLE = {
     "release": (not_negative,),
 }
 # law: parameter: the check of each of its entries
-SIGNS: dict[str, dict[str, tuple[Check, ...]]] = {
+SIGNS: dict[str, Checks] = {
     "stop": _LOAD,
     "vertical_tyre": _LOAD,
     "linear_tyre": {**_SIDE, "cornering": (not_negative,)},

@@ -152,3 +152,10 @@ def test_an_internal_state_cannot_have_the_name_of_a_coordinate() -> None:
     m.attach(law, ["bar.elongation"], name="hub")
     with pytest.raises(fx.ModelError, match=r"law 'hub': its internal state 'hub.x' has the name of a coord"):
         m.build()
+
+
+def test_an_internal_state_whose_rate_is_not_finite_is_named() -> None:
+    m = oscillator(maxwell())
+    m.attach(maxwell(), ["bar.elongation"], name="empty", k=1.0, lag=0.0)
+    with pytest.raises(fx.DynamicsError, match=r"rate of 'empty.creep' at t = 0 s is not finite"):
+        _ = m.build().initial

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import sympy
 
-from flexel.errors import DynamicsError, FlexelError
+from flexel.errors import DynamicsError, FlexelError, IncompleteWarning
 from flexel.model import Model
 from flexel.structure import Array
 
@@ -243,6 +243,25 @@ def test_a_law_outside_its_domain_is_named() -> None:
         DynamicsError, match=r"stress of 'strut\.elongation'.*not finite.*start within its range"
     ):
         s.state_at({"strut.elongation": -0.1})
+
+
+@pytest.mark.parametrize("analysis", ["linearize", "steady", "equilibrium", "vibrations"])
+def test_a_law_without_a_tangent_is_named(analysis: str) -> None:
+    m = slider()
+    m.law("strut.elongation", lambda e, ed: 100 * sympy.sqrt(e))
+    with pytest.raises(DynamicsError, match=r"tangent of the law on 'strut\.elongation'.*is not finite"):
+        getattr(m.build(), analysis)()
+
+
+def test_a_static_path_that_leads_to_where_a_law_has_no_tangent_keeps_what_it_reached() -> None:
+    m = slider()
+    m.load("A.x", lambda t: 10.0 * (1.0 - t))
+    m.law("strut.elongation", lambda e, ed: 100 * sympy.sqrt(e))
+    m.initial("strut.elongation", 0.01)
+    with pytest.warns(IncompleteWarning, match=r"path stopped .*'strut\.elongation'"):
+        motion = m.build().static_path(2.0)
+    assert len(motion) > 2
+    assert motion["strut.elongation"] == pytest.approx(((1 - motion.t) / 10) ** 2, abs=1e-9)
 
 
 def history(m: Model) -> Array:
