@@ -166,6 +166,21 @@ def test_a_law_with_pieces_is_verified() -> None:
     assert "J" in compiled.path.with_suffix(".verified").read_text()
 
 
+def test_an_energy_that_is_not_that_of_the_stress_is_refused() -> None:
+    e, ed, k = symbol("e"), symbol("ed"), Parameter("k", 1, "N/m", "stiffness").symbol
+    let = Let()
+    pull = let.scalar("pull", k * e)
+
+    def law(name: str, stress: Any, energy: Any) -> Law:
+        stiffness = Parameter("k", 1, "N/m", "stiffness")
+        return Law(name, "spring", (stiffness,), (e,), (ed,), (), (stress,), (), energy, let=let.entries)
+
+    with pytest.raises(fx.ElementError, match=r"law 'twice': the derivative of the energy .*correct one"):
+        fx.compile_law(law("twice", pull + 3 * ed, 5 * k * e**2))
+    fx.compile_law(law("pushed", pull + 3 * ed + 7, pull * e / 2))  # an actuator beside the spring
+    fx.compile_law(law("stores_nothing", pull, sp.S.Zero))
+
+
 P, Q = Point("p"), Point("q")
 L0 = Parameter("l0", 1, "m", "length")
 
