@@ -698,6 +698,7 @@ LAWS = {
     "linear law without stiffness": built(
         lambda m: m.linear_law(["pivot.angle"], None), "stiffness", "give real"
     ),
+    "linear law on a number": built(lambda m: m.linear_law(3, [[1]]), "3 is not a list", "write ['…'"),
     "linear law on a text": built(
         lambda m: m.linear_law("pivot.angle", [[1]]), "'pivot.angle'", "write ['…'"
     ),

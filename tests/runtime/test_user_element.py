@@ -238,6 +238,32 @@ def test_meanings_and_units_are_asked_for() -> None:
         own_bar(slips=(Slip("slide", "", P.v[0]),))
 
 
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"sigma": symbol("e")}, "law 'own': sigma holds e; give a tuple"),
+        ({"parameters": ("k",)}, "law 'own': parameters holds 'k'; give a tuple of Parameter"),
+        ({"states": (symbol("z"),)}, "law 'own': states holds z; give a tuple of Internal"),
+    ],
+)
+def test_parts_of_a_law_that_are_no_lists_are_named(change: dict[str, Any], message: str) -> None:
+    e, ed = symbol("e"), symbol("ed")
+    parts = {"parameters": (), "e": (e,), "ed": (ed,), "s": (), "sigma": (e,), "tau": (), **change}
+    with pytest.raises(ValueError, match=message):
+        Law("own", "a law", **parts)
+
+
+def test_parts_of_an_element_and_ranges_that_are_no_lists_are_named() -> None:
+    with pytest.raises(ValueError, match="'own_bar': deformations holds Deformation.*give a tuple of Deform"):
+        own_bar(deformations=Deformation("d", "m", P.x[0]))
+    for ranges, message in (
+        ([1, 2], r"ranges \[1, 2\] have no names"),
+        ({"p_x": 3}, "range 3 of 'p_x' is not"),
+    ):
+        with pytest.raises(fx.ElementError, match=f"'own_bar'.*{message}"):
+            fx.compile_element(own_bar(), ranges=ranges)  # type: ignore[arg-type]
+
+
 def test_a_definition_that_is_not_real_everywhere_needs_a_range() -> None:
     wrong = own_bar(name="rooted", deformations=(Deformation("d", "m", sp.sqrt(P.x[0])),))
     with pytest.raises(fx.ElementError, match="'rooted': .*not finite.*ranges="):
