@@ -737,6 +737,27 @@ LAWS = {
         "e*k",
         "insert the numbers",
     ),
+    "formula with an open case": built(
+        lambda m: m.law("pivot.angle", lambda e, ed: sympy.Piecewise((1e5 * e, e > 0))),
+        "'pivot.angle'",
+        "no value on one side of e = 0",
+        "condition True",
+    ),
+    "formula that jumps": built(
+        lambda m: m.law("pivot.angle", lambda e, ed: sympy.Piecewise((0, e < 0.1), (100, True))),
+        "'pivot.angle'",
+        "jumps at e = 0.1",
+        "let the pieces join",
+    ),
+    "formula with a step": built(
+        lambda m: m.law("pivot.angle", lambda e, ed: 1e4 * sympy.Heaviside(e)), "jumps at e = 0", "smooth"
+    ),
+    "formula of dry friction": built(
+        lambda m: m.law("pivot.angle", lambda e, ed: 5 * sympy.sign(ed), energy=lambda e: 0 * e),
+        "'pivot.angle'",
+        "jumps at ed = 0",
+        "tanh(ed/v)",
+    ),
     "formula None": built(
         lambda m: m.law("pivot.angle", lambda e, ed: None), "'pivot.angle'", "insert the numbers"
     ),

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 import sympy
 
+from flexel.derive.branches import check_branches
 from flexel.errors import DynamicsError, FlexelError, IncompleteWarning
 from flexel.model import Model
 from flexel.structure import Array
@@ -262,6 +263,24 @@ def test_a_static_path_that_leads_to_where_a_law_has_no_tangent_keeps_what_it_re
         motion = m.build().static_path(2.0)
     assert len(motion) > 2
     assert motion["strut.elongation"] == pytest.approx(((1 - motion.t) / 10) ** 2, abs=1e-9)
+
+
+E, ED = sympy.symbols("e ed", real=True)
+
+
+@pytest.mark.parametrize(
+    "formula",
+    [
+        sympy.Piecewise((0, E < 0.07), (3e4 * E - 3e4 * 0.07, True)),  # joins up to rounding
+        sympy.Piecewise((E, E < 0), (2 * E, E >= 0)),
+        sympy.Piecewise((sympy.sqrt(E), E > 0), (0, True)),  # steep
+        sympy.Piecewise((E, E < sympy.sqrt(2)), (2 * E - sympy.sqrt(2), True)),
+        E * sympy.sign(E) + sympy.Heaviside(ED) * ED,
+        sympy.log(E) + sympy.Piecewise((E, E < 0), (2 * E, True)),
+    ],
+)
+def test_pieces_that_join_are_no_jump(formula: Any) -> None:
+    check_branches("law on 'strut.elongation'", formula, (E, ED))
 
 
 def history(m: Model) -> Array:
