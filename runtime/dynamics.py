@@ -67,8 +67,13 @@ def forces(kinematics: Kinematics, loads: Loads, c: Configuration, v: Array, e: 
     stress = law.stress + applied
     F = f - h + nodal
     if loads.any or s.laws:
-        F = F - stress @ c.J[: s.m + s.k]
-    return Forces(M, F, stress, U, law.stored, law.zd, law.dissipated)
+        F = F - _without_infinity(stress) @ c.J[: s.m + s.k]
+    return Forces(M, F, stress, U, law.stored, _without_infinity(law.zd), law.dissipated)
+
+
+def _without_infinity(values: Array) -> Array:
+    """The values with NaN for infinity, which times zero would warn before its law is named."""
+    return np.where(np.isinf(values), np.nan, values)
 
 
 @dataclass(frozen=True)

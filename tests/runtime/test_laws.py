@@ -265,6 +265,13 @@ def test_a_static_path_that_leads_to_where_a_law_has_no_tangent_keeps_what_it_re
     assert motion["strut.elongation"] == pytest.approx(((1 - motion.t) / 10) ** 2, abs=1e-9)
 
 
+def test_a_law_that_is_infinite_at_the_start_is_named() -> None:
+    m = slider()
+    m.law("strut.elongation", lambda e, ed: sympy.log(e), energy=lambda e: e * sympy.log(e) - e)
+    with pytest.raises(DynamicsError, match=r"stress of 'strut\.elongation' at t = 0 s is not finite"):
+        m.build().simulate(0.1)
+
+
 E, ED = sympy.symbols("e ed", real=True)
 
 
