@@ -15,6 +15,7 @@ from flexel.derive.checks import check_joins, check_smooth
 from flexel.derive.compile import CompiledElement, CompiledLaw, compile_element, compile_law
 from flexel.derive.element import Element, Law
 from flexel.derive.elements import ELEMENTS
+from flexel.derive.stored import check_stored
 from flexel.derive.verify import verify
 from flexel.derive.verify.check import BATCH
 from flexel.derive.verify.compiled import Compiled
@@ -60,7 +61,7 @@ def accepted_element(element: Element, ranges: Ranges = NOTHING) -> CompiledElem
 
 
 def accepted_law(law: Law, ranges: Ranges = NOTHING) -> CompiledLaw:
-    """Derive, compile and verify a law; errors as in `accepted_element`."""
+    """Derive, compile and verify a law; errors as in `accepted_element`, and for an energy of another stress."""
     check_ranges(law, ranges)
     compiled = compile_law(law)
     _verify_once(law, compiled, ranges)
@@ -72,6 +73,8 @@ def _verify_once(declared: Element | Law, compiled: CompiledElement | CompiledLa
     if note.exists():
         return
     _check_finite(declared, Compiled(compiled.spec, compiled.address), ranges)
+    if isinstance(declared, Law):
+        check_stored(declared, law_samples(declared, BATCH, ranges))
     rows = verify(compiled.spec, compiled.address, declared, ranges)
     kinds = (sp.Piecewise, sp.Min, sp.Max, sp.Abs, sp.sign, sp.Heaviside)
     smooth = not any(sp.sympify(expr).has(*kinds) for _, expr in _expressions(declared))

@@ -35,6 +35,14 @@ def check_name(owner: str, name: str) -> None:
         raise ValueError(f"{owner}: '{name}' cannot be a name in C; choose letters, digits and underscores")
 
 
+def check_list(owner: str, what: str, given: object, kind: type) -> None:
+    """Raise ValueError for what is no list or tuple of objects of a kind."""
+    wrong = [z for z in given if not isinstance(z, kind)] if isinstance(given, Iterable) else [given]
+    if wrong:
+        each = f" of {kind.__name__}" if kind is not object else ""
+        raise ValueError(f"{owner}: {what} holds {wrong[0]!r}; give a tuple{each}, (…,) even for one")
+
+
 def check_scalar(owner: str, what: str, expr: object) -> None:
     """Raise ValueError for what is no scalar expression of SymPy."""
     if not isinstance(expr, Expr):

@@ -13,6 +13,7 @@ from sympy import Expr, Matrix, Symbol
 
 from flexel.derive.checks import (
     check_functions,
+    check_list,
     check_name,
     check_scalar,
     check_symbols,
@@ -228,6 +229,9 @@ class Element:
 
     def __post_init__(self) -> None:
         owner = f"element '{self.name}'"
+        kinds = {"nodes": Node, "parameters": Parameter, "deformations": Deformation, "slips": Slip}
+        for what, kind in kinds.items():
+            check_list(owner, what, getattr(self, what), kind)
         check_name(owner, self.name)
         if not self.nodes:
             raise ValueError(f"{owner} has no nodes")
@@ -358,6 +362,9 @@ class Law:
 
     def __post_init__(self) -> None:
         owner = f"law '{self.name}'"
+        kinds = {"parameters": Parameter, "states": Internal, "e": Symbol, "ed": Symbol, "s": Symbol}
+        for what, kind in {**kinds, "sigma": object, "tau": object}.items():
+            check_list(owner, what, getattr(self, what), kind)
         check_name(owner, self.name)
         symbols = [*self.e, *self.ed, *self.s, *self.z, TIME, *self.parameter_symbols]
         for s in (*symbols, *(s for s, _ in self.let)):

@@ -166,6 +166,7 @@ def simulate_stiff(
     Raises
     ------
     ModelError, DynamicsError
+        Where a load or a prescribed motion has no value, with what was computed until then as ``error.motion``.
     """
     start = self.initial if start is None else own_state(self.structure, start, "simulate_stiff")
     grid = stored_times(start, duration, times, samples)
@@ -189,7 +190,11 @@ def simulate_stiff(
         run = Bdf(self, start, duration, Control(tolerance, first_step or 0.0, max_step), max_order)
     else:
         raise ModelError(f"simulate_stiff: method {method!r} is unknown; choose alpha or bdf")
-    found = run.run(grid, progress)
+    try:
+        found = run.run(grid, progress)
+    except FlexelError as error:
+        error.motion = Motion(self, run.kept(str(error)))
+        raise
     if not found.complete:
         warnings.warn(found.message, IncompleteWarning, stacklevel=2)
     warn_outside(self, found.states)
@@ -208,9 +213,9 @@ def _follow(self: System, start: State, grid: Array) -> Integration:
             step = min(step, longest_step(last, weights))
             try:
                 state = self.state_from(min(last.t + step, float(t)), none, self.roles, last)
-            except PositionError as error:
+            except FlexelError as error:
                 step /= 2
-                if step < 1e-6 * (grid[-1] - grid[0]):
+                if not isinstance(error, PositionError) or step < 1e-6 * (grid[-1] - grid[0]):
                     reached = [*found, last] if last.t > found[-1].t else found
                     counts = {"steps": len(segments), "evaluations": 0, "rechoices": 0}
                     kept = Integration(reached, [], segments, counts, str(error), complete=False)

@@ -27,7 +27,7 @@ _SIZES = {z.name: z.size for z in LAWS["spring_curve"].parameters}
 PIECES = _SIZES["origins"]
 TERMS = _SIZES["coefficients"] // PIECES
 NEVER = 1e300  # break that is never reached
-CONTINUOUS = 1e-6  # largest jump at a break, relative to the largest force at the breaks: rounded data pass
+CONTINUOUS = 1e-6  # largest jump at a break, relative to the terms that sum up there: rounded data pass
 
 
 @dataclass(frozen=True)
@@ -60,24 +60,35 @@ class Curve:
     breaks: Sequence[float] = ()
 
     def __post_init__(self) -> None:
-        breaks = array(self.breaks, "curve", "breaks")
-        if not 1 <= len(self.pieces) <= PIECES or breaks.shape != (len(self.pieces) - 1,):
+        breaks, pieces = array(self.breaks, "curve", "breaks"), _checked_pieces(self.pieces)
+        if not 1 <= len(pieces) <= PIECES or breaks.shape != (len(pieces) - 1,):
             raise ModelError(
-                f"curve: {len(self.pieces)} pieces and {breaks.size} breaks; give 1 to {PIECES} pieces and a break "
-                "between neighbours"
+                f"curve: {len(pieces)} pieces and {breaks.size} breaks; give 1 to {PIECES} pieces and a break between "
+                "neighbours"
             )
-        for i, piece in enumerate(self.pieces):
-            if not 1 <= array(piece, "curve", f"piece {i + 1}").size <= TERMS:
-                raise ModelError(f"curve: piece {i + 1} has {len(piece)} coefficients; give 1 to {TERMS}")
         if np.any(np.diff(breaks) <= 0):
             raise ModelError(f"curve: breaks {breaks.tolist()} do not rise; sort them")
-        sides = [[_value(piece, Fraction(float(b))) for piece in pair] for pair, b in self._joints()]
-        largest = max((abs(z) for side in sides for z in side), default=0.0)
-        for (left, right), b in zip(sides, breaks, strict=True):
-            if abs(left - right) > CONTINUOUS * largest:
+        object.__setattr__(self, "pieces", pieces)
+        allowed = CONTINUOUS * self._size()
+        for pair, b in self._joints():
+            left, right = (_value(piece, Fraction(float(b))) for piece in pair)
+            if abs(left - right) > allowed:
                 raise ModelError(
                     f"curve: it jumps from {left:g} to {right:g} at {b:g}; correct a coefficient there"
                 )
+
+    def _size(self) -> float:
+        """Largest sum of the sizes of the terms at a break; the force itself may be zero there, as in free play."""
+        terms = (
+            sum(abs(c * float(b) ** k) for k, c in enumerate(piece))
+            for pair, b in self._joints()
+            for piece in pair
+        )
+        return max(terms, default=0.0)
+
+    def rests(self) -> bool:
+        """Whether the force at zero is zero to the accuracy that rounded data have."""
+        return abs(self(0.0)) <= CONTINUOUS * self._size()
 
     def _joints(self) -> list[tuple[tuple[Sequence[float], Sequence[float]], float]]:
         """Pairs of neighbouring pieces with the break between them."""
@@ -110,8 +121,9 @@ class Curve:
 
     def __call__(self, x: float) -> float:
         """Force at x."""
-        piece = self.pieces[int(np.searchsorted(np.asarray(self.breaks), x, side="right"))]
-        return _value(piece, Fraction(float(x)))
+        place = number(x, "curve", "place")
+        piece = self.pieces[int(np.searchsorted(np.asarray(self.breaks), place, side="right"))]
+        return _value(piece, Fraction(place))
 
     def parameters(self, at: float) -> dict[str, Array]:
         """Parameters of the laws ``spring_curve`` and ``damper_curve`` in y = x - at."""
@@ -144,6 +156,23 @@ class Curve:
             U[i] = U[i - 1] + (gained(i - 1, origins[i - 1], origins[i]) if i > 1 else 0.0)
         home = int(np.searchsorted(np.asarray(self.breaks), at, side="right"))
         return np.asarray(U - (U[home] + gained(home, origins[home], at)))
+
+
+def _checked_pieces(pieces: Any) -> tuple[tuple[float, ...], ...]:
+    """Coefficients of each piece as plain numbers."""
+    try:
+        rows = list(pieces)
+    except TypeError as error:
+        raise ModelError(f"curve: pieces {pieces!r} are no list; give [[c0, c1, …], …]") from error
+    found = []
+    for i, row in enumerate(rows, 1):
+        c = array(row, "curve", f"piece {i}")
+        if c.ndim != 1:
+            raise ModelError(f"curve: piece {i} {row!r} is no list of coefficients; give [c0, c1, …]")
+        if not 1 <= c.size <= TERMS:
+            raise ModelError(f"curve: piece {i} has {c.size} coefficients; give 1 to {TERMS}")
+        found.append(tuple(c.tolist()))
+    return tuple(found)
 
 
 def _sum(piece: Sequence[Any], x: Fraction) -> Fraction:
@@ -190,7 +219,7 @@ def damper_curve(self: Model, name: str, curve: Curve) -> None:
         If the force at rest is not zero.
     """
     values: dict[str, Any] = {**_checked(curve, f"damper curve on '{name}'").parameters(0.0)}
-    if curve(0.0):
+    if not curve.rests():
         raise ModelError(
             f"damper curve on '{name}': it gives {curve(0.0):g} at rest; a damper gives nothing there"
         )
@@ -215,7 +244,7 @@ def stop(self: Model, name: str, gap: float, stiffness: float, damping: float = 
         "stop",
         [name],
         gap=number(gap, owner, "gap"),
-        stiffness=positive(stiffness, owner, "stiffness"),
+        stiffness=positive(stiffness, owner, "stiffness"),  # a stop without one stops nothing
         damping=not_negative(damping, owner, "damping"),
     )
 

@@ -16,11 +16,12 @@ from scipy.linalg import get_lapack_funcs
 from scipy.sparse import block_array, coo_array
 
 from flexel.errors import DynamicsError
+from flexel.finite import check_finite
 from flexel.kinematics import Configuration, Kinematics, wrap
 from flexel.loads import Loads
 from flexel.solvers import Solvable, factorize
 from flexel.state import Energy, State
-from flexel.structure import Array, Structure
+from flexel.structure import Array
 
 _posv: Any = get_lapack_funcs("posv", dtype=np.float64)
 
@@ -66,8 +67,13 @@ def forces(kinematics: Kinematics, loads: Loads, c: Configuration, v: Array, e: 
     stress = law.stress + applied
     F = f - h + nodal
     if loads.any or s.laws:
-        F = F - stress @ c.J[: s.m + s.k]
-    return Forces(M, F, stress, U, law.stored, law.zd, law.dissipated)
+        F = F - _without_infinity(stress) @ c.J[: s.m + s.k]
+    return Forces(M, F, stress, U, law.stored, _without_infinity(law.zd), law.dissipated)
+
+
+def _without_infinity(values: Array) -> Array:
+    """The values with NaN for infinity, which times zero would warn before its law is named."""
+    return np.where(np.isinf(values), np.nan, values)
 
 
 @dataclass(frozen=True)
@@ -200,7 +206,7 @@ def with_multipliers(
     """The state with known accelerations and multipliers (m + k + n,) of constraints, by quantity."""
     s, roles = kinematics.structure, kinematics.roles
     first = s.m + s.k
-    check_finite(s, given.stress, c.t)
+    check_finite(s, given.stress, given.zd, c.t)
     reactions = -multiplier[first:]
     unbalance = given.F - given.M @ a - multiplier[:first] @ c.J[:first]
     reactions[s.nf :] = -unbalance[s.nf :]
@@ -223,21 +229,6 @@ def with_multipliers(
         dissipated=given.dissipated,
         Phi_v=kinematics.evaluation.convective(c.x, v) + c.J @ a,
     )
-
-
-def check_finite(structure: Structure, stress: Array, t: float) -> None:
-    """Raise if a given stress is not a number, by its name.
-
-    Raises
-    ------
-    DynamicsError
-    """
-    if not np.all(np.isfinite(stress)):
-        name = structure.names[int(np.argmin(np.isfinite(stress)))]
-        raise DynamicsError(
-            f"the stress of '{name}' at t = {t:g} s is not finite: its law has no value here; correct the law, or "
-            "start within its range"
-        )
 
 
 def drift(kinematics: Kinematics, e: Array, x: Array) -> float:

@@ -16,6 +16,7 @@ import numpy as np
 
 from flexel.assembly import Batch, Place, Stage
 from flexel.batches import element_batches, law_batches, with_inertia
+from flexel.finite import check_tangent
 from flexel.implicit.local import Local
 from flexel.structure import Array, Index, Structure
 
@@ -200,7 +201,9 @@ class Evaluation:
         """Derivatives (m + k + nz, 2 m + k + nz) of (sigma, tau, dz/dt) of all laws by (e, ed, s, z)."""
         m, k, nz = self.structure.m, self.structure.k, self.structure.nz
         self._law_tangent.run(e=e, ed=ed, s=s, z=z, t=np.array([t], dtype=float))
-        return self._law_tangent.sum("J", (m + k + nz, 2 * m + k + nz))
+        L = self._law_tangent.sum("J", (m + k + nz, 2 * m + k + nz))
+        check_tangent(self.structure, np.all(np.isfinite(L), axis=1), t)
+        return L
 
 
 @dataclass(frozen=True)

@@ -7,6 +7,7 @@ Imports numpy, scipy and the errors.
 
 from __future__ import annotations
 
+import copy
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -17,6 +18,8 @@ from numpy.typing import ArrayLike
 
 from flexel.errors import FlexelError, ModelError
 from flexel.inputs import array, number
+
+ROUNDING = 1e-13  # of sums of durations, relative to the times of a table
 
 
 @runtime_checkable
@@ -325,17 +328,30 @@ class Table:
             raise ModelError("Table: times must be at least four, strictly increasing; sort them")
         self._spline = CubicSpline(times, values)
         self._range = float(times[0]), float(times[-1])
+        self._owner = ""
+
+    def of(self, owner: str) -> Table:
+        """The same table, whose errors name what it moves."""
+        found = copy.copy(self)
+        found._owner = f"{owner}: "
+        return found
 
     def rates(self, t: float) -> tuple[float, float, float]:
         """Value, first and second rate at time t [s]; a ModelError outside the table."""
         first, last = self._range
-        if not first <= t <= last:
-            raise ModelError(f"Table: time {t} s lies outside {first}…{last} s; extend the table")
+        slack = ROUNDING * max(abs(first), abs(last))
+        if not first - slack <= t <= last + slack:
+            raise ModelError(
+                f"{self._owner}Table: time {t} s lies outside {first}…{last} s; extend the table"
+            )
+        t = min(max(t, first), last)
         return float(self._spline(t)), float(self._spline(t, 1)), float(self._spline(t, 2))
 
 
 def as_function(value: Any, owner: str) -> TimeFunction:
     """A TimeFunction from a number, a function of time, a triple of functions, or a ready-made one."""
+    if isinstance(value, Table):
+        return value.of(owner)
     if isinstance(value, TimeFunction) and not isinstance(value, type):
         return value
     if isinstance(value, type):

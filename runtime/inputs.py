@@ -6,7 +6,7 @@ Imports numpy and the errors.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 import numpy as np
@@ -64,9 +64,10 @@ def numbers(values: Mapping[str, Any] | None, owner: str, what: str) -> dict[str
 
 def names(given: Any, owner: str) -> tuple[str, ...]:
     """A sequence of names; a single text is refused, because its letters would count as names."""
-    if isinstance(given, str) or not all(isinstance(z, str) for z in given):
+    listed = tuple(given) if isinstance(given, Iterable) and not isinstance(given, str) else None
+    if listed is None or not all(isinstance(z, str) for z in listed):
         raise ModelError(f"{owner}: {_shown(given)} is not a list of names; write ['…', '…']")
-    return tuple(given)
+    return listed
 
 
 def new_name(name: Any, kind: str) -> str:

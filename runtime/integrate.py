@@ -32,6 +32,8 @@ FIRST = 1e-4  # first step, relative to the time left, after one that was out of
 MOST_SHORT = 100  # steps of that length in a row before the integration gives up
 RETRY = "out of reach"
 TRAVEL = 1.0  # of an Euler parameter in one step: more than two radians could lead to another branch or turn
+INSTANT = 1e-9  # of the times: an event that is found this soon is the one that the motion starts from
+LOCATED = 1e-13  # accuracy of the time of an event [s]
 BETTER = 1.5  # a new choice must improve the condition by this factor
 
 
@@ -47,12 +49,26 @@ class Event:
         Stop the simulation there.
     direction : int
         +1: only upward passages; -1: only downward; 0: both.
+
+    Notes
+    -----
+    A motion that starts at an event, such as from its state, does not meet it again at once.
     """
 
     name: str
     function: Callable[[State], float]
     terminal: bool = False
     direction: int = 0
+
+    def __post_init__(self) -> None:
+        if not callable(self.function):
+            raise ModelError(
+                f"event '{self.name}': {self.function!r} is no function; give one of a State, lambda s: s['A.z']"
+            )
+        if self.direction not in (-1, 0, 1):
+            raise ModelError(
+                f"event '{self.name}': direction {self.direction!r} is unknown; give 1 (up), -1 (down) or 0 (both)"
+            )
 
 
 @dataclass(frozen=True)
@@ -189,8 +205,8 @@ class Integrator:
             while self.state.t < self.times[-1]:
                 stopped = self._segment(bar)
                 if stopped:
-                    message = f"stopped by event '{stopped}'"
-                    break
+                    message = f"stopped by event '{stopped.name}'"
+                    return self.kept(message)
         except KeyboardInterrupt:
             kept = self.kept("")
             message = f"interrupted at t = {kept.states[-1].t:g} s; the motion up to there is kept"
@@ -199,13 +215,13 @@ class Integrator:
         return replace(self.result, message=message)
 
     def kept(self, message: str, complete: bool = True) -> Integration:
-        """What has been computed, up to the last step."""
+        """What has been computed, up to the last step or the event that ended it."""
         if self.state.t > self.result.states[-1].t:
             self.result.states.append(self.state)
         return replace(self.result, message=message, complete=complete)
 
-    def _segment(self, bar: Any) -> str | None:
-        """Integrate with one choice of freedoms; returns the name of a terminal event, if one occurred."""
+    def _segment(self, bar: Any) -> Event | None:
+        """Integrate with one choice of freedoms; returns the terminal event, if one occurred."""
         system, roles = self.system, self.system.roles
         y0 = np.concatenate([self.state.q, self.state.qd, self.state.z])
         system.warm(self.state)
@@ -215,7 +231,7 @@ class Integrator:
         solver = self._solver(y0, options)
         reference = system.condition(self.state)
         self._values = [_value(event, self.state) for event in self.events]
-        stopped: str | None = None
+        stopped: Event | None = None
         while solver.status == "running" and stopped is None:
             solver.max_step = self._longest()
             message = self._step(solver)
@@ -243,17 +259,17 @@ class Integrator:
             short = min(FIRST * (begin[-1] - begin[1]), options["max_step"])
             return self.method(*begin, **options, first_step=short)
 
-    def _accept(self, solver: Any, roles: Roles, bar: Any) -> str | None:
-        """Keep what the last step gave; returns the name of a terminal event within it."""
+    def _accept(self, solver: Any, roles: Roles, bar: Any) -> Event | None:
+        """Keep what the last step gave; returns a terminal event within it."""
         system, t0, t1 = self.system, float(solver.t_old), float(solver.t)
         dense = solver.dense_output()
         state = states.state_from(system, t1, dense(t1), roles, self.state, system.position_guess)
         step = Segment(t0, t1, roles, dense, self._end, states.End.of(state))
         found, self._values = self._events(step, state, self._values)
-        terminal = next((z for z in found if self._terminal(z[0])), None)
+        terminal = next((z for z in found if z[0].terminal), None)
         end = terminal[1].t if terminal else t1
         self._store(step, end)
-        self.result.events.extend(z for z in found if z[1].t <= end)
+        self.result.events.extend((event.name, z) for event, z in found if z.t <= end)
         self.result.segments.append(replace(step, t1=end))
         self.result.statistics["steps"] += 1
         self._end = step.last
@@ -302,15 +318,13 @@ class Integrator:
             self.result.states.append(step.state(self.system, float(self.times[done])))
             done += 1
 
-    def _terminal(self, name: str) -> bool:
-        return any(event.terminal for event in self.events if event.name == name)
-
     def _events(
         self, step: Segment, last: State, before: list[float]
-    ) -> tuple[list[tuple[str, State]], list[float]]:
+    ) -> tuple[list[tuple[Event, State]], list[float]]:
         """Passages through zero within the last step, in the order of time, and the functions at its end."""
         after = [_value(event, last) for event in self.events]
-        found: list[tuple[str, State]] = []
+        found: list[tuple[Event, State]] = []
+        begun = float(self.times[0]) + INSTANT * float(np.ptp(self.times)) + 10 * LOCATED
         for event, g0, g1 in zip(self.events, before, after, strict=True):
             if (g0 < 0 <= g1 or g1 <= 0 < g0) and (event.direction == 0 or event.direction * (g1 - g0) > 0):
                 ends = {step.t0: g0, step.t1: g1}  # as found before, so that brentq sees the same signs
@@ -318,8 +332,9 @@ class Integrator:
                 def function(t: float, event: Event = event, ends: dict[float, float] = ends) -> float:
                     return ends[t] if t in ends else _value(event, step.state(self.system, t))
 
-                t = brentq(function, step.t0, step.t1, xtol=1e-13, rtol=8.9e-16)
-                found.append((event.name, step.state(self.system, float(t))))
+                t = float(brentq(function, step.t0, step.t1, xtol=LOCATED, rtol=8.9e-16))
+                if t > begun:
+                    found.append((event, step.state(self.system, t)))
         return sorted(found, key=lambda z: z[1].t), after
 
     def _rechosen(self, reference: float) -> bool:

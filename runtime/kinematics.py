@@ -26,6 +26,7 @@ MAX_ITERATIONS = 40
 LARGE = 400  # coordinates above which matrices are sparse
 TINY = 24  # coordinates below which nothing is faster than a dense matrix
 WORTH = 8  # times fewer operations than in the dense matrix, for which the block form is taken
+SHOWN = 6  # laws named in a message
 
 
 @dataclass(frozen=True)
@@ -199,10 +200,13 @@ class Kinematics:
 
     def _unreached(self, t: float, residual: Array) -> str:
         if np.isnan(residual[self.roles.holonomic.size :]).any():
-            laws = ", ".join(f"'{law.name}'" for law in self.structure.laws if law.kernels) or "no formula"
+            laws = self.structure.laws
+            own = [law for law in laws if law.kernels]
+            named = ", ".join(dict.fromkeys(f"'{law.name}'" for law in own or laws[:SHOWN]))
+            suspects = f" and the laws{' given by formulas' * bool(own)} (on {named})" * bool(laws)
             return (
-                f"position at t = {t:g} s is not a number: a force was not finite just before; check the loads and "
-                f"the laws given by formulas (on {laws}) in the range that the motion reaches"
+                f"position at t = {t:g} s is not a number: a force was not finite just before; check the loads"
+                f"{suspects} in the range that the motion reaches"
             )
         worst = np.argsort(-np.abs(np.nan_to_num(residual, nan=np.inf)) * self._weight)[:4]
         rows = self.roles.position_rows

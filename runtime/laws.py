@@ -30,17 +30,23 @@ def formula_law(name: str, stress: Callable[..., Any], energy: Callable[..., Any
     Raises
     ------
     ModelError
-        If the function does not give an expression of e and ed, or the energy does not belong to it.
+        If the function does not give an expression of e and ed, jumps or has no value beyond an end of its pieces,
+        or the energy does not belong to it.
     CompilerError
         If there is no C compiler.
     """
     import sympy
 
+    from flexel.derive.branches import check_branches
     from flexel.derive.compile import CompilationError, CompilerMissingError, compile_law
     from flexel.derive.element import Law, symbol
 
     e, ed = symbol("e"), symbol("ed")
     sigma = _formula(name, "stress", stress, e, ed)
+    try:
+        check_branches(f"law on '{name}'", sigma, (e, ed))
+    except ValueError as error:
+        raise ModelError(str(error)) from error
     if energy is None:
         stored = sympy.integrate(sigma.subs(ed, 0), (e, 0, e))
         if not isinstance(stored, sympy.Expr) or stored.has(sympy.Integral, sympy.nan, sympy.oo, sympy.zoo):

@@ -17,6 +17,7 @@ from flexel.generated.spec import LawSpec
 from flexel.generated.table import ELEMENTS, LAWS
 from flexel.inputs import array, names, number, numbers, quantities
 from flexel.laws import formula_law
+from flexel.signs import check_signs, refuse_negative
 from flexel.structure import COMPONENTS, Array, Instance, LawInstance, Node, unknown
 
 if TYPE_CHECKING:
@@ -64,11 +65,7 @@ def _symmetric(value: Any, owner: str, what: str, m: int) -> Array:
         raise ModelError(
             f"{owner}: {what} {A.tolist()} is not symmetric; no energy belongs to it, make it so"
         )
-    if np.linalg.eigvalsh(A)[0] < -1e-12 * size:
-        raise ModelError(
-            f"{owner}: {what} {A.tolist()} has a negative eigenvalue; correct it, or state a softening spring as a "
-            "formula with m.law"
-        )
+    refuse_negative(A, owner, what)
     return (A + A.T) / 2
 
 
@@ -206,7 +203,8 @@ def attach(
     Raises
     ------
     ModelError
-        An unknown law, parameter or state; a number of names or values that does not fit.
+        An unknown law, parameter or state; a number of names or values that does not fit; a value of a built-in
+        law's parameter that has no physical sense.
 
     Examples
     --------
@@ -214,8 +212,8 @@ def attach(
     """
     on = names(on, "attach")
     quantities(on, "attach")
-    spec: LawSpec | None = law.spec if hasattr(law, "spec") else LAWS.get(law)
-    if spec is None:
+    spec = LAWS.get(law) if isinstance(law, str) else getattr(law, "spec", None)
+    if not isinstance(spec, LawSpec):
         raise ModelError(f"attach: {unknown(str(law), LAWS, 'law')}")
     owner = f"law '{spec.name}' on {', '.join(repr(z) for z in on)}"
     m, k = spec.deformations, spec.slips
@@ -227,6 +225,8 @@ def attach(
     if missing := [f"{z.name} [{z.unit}] ({z.doc})" for z in spec.parameters if z.name not in parameters]:
         raise ModelError(f"{owner}: parameters are missing: {', '.join(missing)}")
     values = {z: np.atleast_1d(array(value, owner, f"parameter {z}")) for z, value in parameters.items()}
+    if spec is LAWS.get(spec.name):
+        check_signs(spec.name, values, owner)
     start = numbers(initial or {}, owner, "initial value")
     states = [z.name for z in spec.states]
     for wrong in [z for z in start if z not in states]:

@@ -20,6 +20,7 @@ from scipy.sparse.linalg import lsmr
 
 from flexel.diagnose import quoted
 from flexel.errors import ModelError, PositionError
+from flexel.finite import TangentError
 from flexel.implicit.balance import Balance, Matrix, Saddle, SaddlePattern
 from flexel.inputs import names, number
 from flexel.state import State, own_state
@@ -177,10 +178,20 @@ def _follow(problem: Rest, start: State, mu: Array, t0: float, t1: float) -> tup
     At p the time is t0 + p (t1 - t0), and the share 1 - p of the start's unbalance is left.
     Returns the states and, if the end was not reached, a message that says where it stopped and why.
     """
-    nf = problem.structure.nf
     first = problem.equations(t0, start.x, mu, start.e)
-    unbalance = first.residual
     states = [problem.state(first.balance)]
+    try:
+        return states, _extend(problem, states, first, start, mu, (t0, t1))
+    except TangentError as error:
+        return states, f"the path stopped at t = {states[-1].t:g} s after {len(states)} equilibria: {error}"
+
+
+def _extend(
+    problem: Rest, states: list[State], first: Equations, start: State, mu: Array, times: tuple[float, float]
+) -> str:
+    """Append the equilibria that follow the first; returns the message of a path that stopped."""
+    nf, (t0, t1) = problem.structure.nf, times
+    unbalance = first.residual
     z, p, arc = np.concatenate([start.x[:nf], mu]), 0.0, FIRST_ARC
     near, here = start.e, first
     direction: Array | None = None
@@ -194,27 +205,27 @@ def _follow(problem: Rest, start: State, mu: Array, t0: float, t1: float) -> tup
             end = _at_end(problem, start, z + reach * tangent[:-1], t1, near)
             if end is not None:
                 states.append(end)
-                return states, ""
+                return ""
             arc = reach
-        corrected = _correct(problem, start, z, p, arc, tangent, unbalance, (t0, t1), near)
+        corrected = _correct(problem, start, z, p, arc, tangent, unbalance, times, near)
         if corrected is not None and corrected[2] >= 1.0:  # the plane of the correction leans beyond the end
             end = _at_end(problem, start, corrected[1], t1, corrected[0].balance.e)
             if end is not None:
                 states.append(end)
-                return states, ""
+                return ""
             corrected = None
         if corrected is None:
             arc /= 2
             if arc < SMALLEST_ARC or count > MAX_STEPS:
-                return states, _stopped(problem, states, p, arc)
+                return _stopped(problem, states, p, arc)
             continue
         here, z, p, iterations = corrected
         near, direction = here.balance.e, tangent
         states.append(problem.state(here.balance))
         arc = min(arc * (1.5 if iterations <= 4 else 0.7), LARGEST_ARC)
         if count > MAX_STEPS:
-            return states, _stopped(problem, states, p, arc)
-    return states, ""
+            return _stopped(problem, states, p, arc)
+    return ""
 
 
 def _at_end(problem: Rest, start: State, guess: Array, t1: float, near: Array) -> State | None:

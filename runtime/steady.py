@@ -43,12 +43,9 @@ def steady_motion(
         qdd = np.array([state.acceleration(z) for z in freedoms[:nd]])
         unbalance = -lin.M @ qdd
         scale = _force_scale(system, state, lin.transfer.H[:, :nd])
-        error = float(np.max(np.abs(unbalance), initial=0.0)) / scale
         L = np.hstack([lin.Z_q[:, columns], lin.Z_v[:, speeds], lin.Z_z])
-        error = max(
-            error,
-            float(np.max(np.abs(state.zd), initial=0.0)) / max(float(np.max(np.abs(L), initial=0.0)), 1.0),
-        )
+        lags = np.abs(state.zd) / max(float(np.max(np.abs(L), initial=0.0)), 1.0)
+        error = float(np.max(np.concatenate([np.abs(unbalance) / scale, lags]), initial=0.0))
         if error < TOLERANCE or (error < 1e-10 and error > 0.5 * best):
             return state
         best = min(best, error)

@@ -213,6 +213,13 @@ def assemble_structure(
         for i in order
     ]
     internal = [z for law in laws for z in law.states]
+    index = {name: i for i, name in enumerate(names)}
+    for law in laws:
+        if clash := next((z for z in law.states if z in index), None):
+            raise ModelError(
+                f"law '{law.name}': its internal state '{clash}' has the name of a coordinate, deformation or slip of "
+                f"'{law.name}'; attach the law by another name"
+            )
     return Structure(
         nodes=nodes,
         instances=instances,
@@ -225,7 +232,7 @@ def assemble_structure(
         coordinate_of={name: i for i, name in enumerate(coordinates)},
         m=len(deformations),
         k=len(slips),
-        index={name: i for i, name in enumerate(names)},
+        index=index,
         internal={name: i for i, name in enumerate(internal)},
         internal_units=tuple(z.unit for law in laws for z in law.spec.states),
         z0=np.array([z for law in laws for z in law.z0], dtype=float),

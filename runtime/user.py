@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, TypeVar
 
 from flexel.errors import CompilerError, ElementError, ModelError
+from flexel.generated.spec import ElementSpec
 from flexel.structure import Node
 
 if TYPE_CHECKING:
@@ -47,7 +48,8 @@ def compile_element(
 
     if not isinstance(element, Declared):
         raise ElementError(f"compile_element: {element!r} is not a flexel.derive.Element; declare one")
-    return _made(f"element '{element.name}'", lambda: accepted_element(element, dict(ranges or {})))
+    owner = f"element '{element.name}'"
+    return _made(owner, lambda: accepted_element(element, _by_name(owner, ranges)))
 
 
 def compile_law(law: Law, ranges: Mapping[str, tuple[float, float]] | None = None) -> CompiledLaw:
@@ -57,7 +59,14 @@ def compile_law(law: Law, ranges: Mapping[str, tuple[float, float]] | None = Non
 
     if not isinstance(law, Declared):
         raise ElementError(f"compile_law: {law!r} is not a flexel.derive.Law; declare one")
-    return _made(f"law '{law.name}'", lambda: accepted_law(law, dict(ranges or {})))
+    owner = f"law '{law.name}'"
+    return _made(owner, lambda: accepted_law(law, _by_name(owner, ranges)))
+
+
+def _by_name(owner: str, ranges: object) -> dict[str, tuple[float, float]]:
+    if not isinstance(ranges or {}, Mapping):
+        raise ElementError(f"{owner}: ranges {ranges!r} have no names; write {{'name': (lowest, highest)}}")
+    return dict(ranges or {})  # type: ignore[call-overload,no-any-return]
 
 
 def _made(owner: str, make: Callable[[], Made]) -> Made:
@@ -98,7 +107,7 @@ def element(
     >>> m.element("cam", cam, "shaft", "tappet", base=0.03, lift=0.01)  # doctest: +SKIP
     >>> m.release("cam.gap")  # doctest: +SKIP
     """
-    if not hasattr(compiled, "spec") or not hasattr(compiled, "address"):
+    if not isinstance(getattr(compiled, "spec", None), ElementSpec) or not hasattr(compiled, "address"):
         raise ModelError(
             f"element '{name}': {compiled!r} is not a compiled element; give what fx.compile_element(…) returned"
         )

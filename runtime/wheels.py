@@ -6,7 +6,7 @@ laws on its deflection, camber and velocities.  Imports numpy, the errors, the o
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -14,7 +14,7 @@ import numpy as np
 
 from flexel.checks import not_negative, positive
 from flexel.errors import ModelError
-from flexel.inputs import number
+from flexel.inputs import number, vector
 from flexel.orientation import matrix, unit
 from flexel.structure import Array, Node
 
@@ -38,8 +38,8 @@ class Waves:
         From trough to crest, and of one wave [m].
     start : float
         Where the first wave begins [m].
-    count : float
-        How many waves there are.
+    count : int
+        How many waves there are; a part of one would end in a step.
     heading : sequence of float (2,)
         Horizontal direction along which the road rises and falls.
     height : float
@@ -62,8 +62,20 @@ class Waves:
             "start": number(self.start, owner, "start of the waves"),
             "waves": not_negative(self.count, owner, "count of waves"),
         }
+        if numbers["waves"] % 1:
+            raise ModelError(
+                f"{owner}: count of waves {numbers['waves']:g} is not whole and the road would end in a step; give a "
+                "whole number"
+            )
         heading = unit(self.heading, owner, "heading of the waves", 2)
         return {z: np.array([value]) for z, value in numbers.items()} | {"heading": heading}
+
+    def level(self, x: float, y: float) -> float:
+        """Height of the road at a place."""
+        c, s = unit(self.heading, "waves", "heading", 2)
+        part = (c * x + s * y - self.start) / self.wavelength
+        waves = (1 - np.cos(2 * np.pi * part)) / 2 if 0 < part < self.count else 0.0
+        return float(self.height + self.amplitude * waves)
 
 
 def wheel(
@@ -148,7 +160,7 @@ def tyre(
     Raises
     ------
     ModelError
-        If the axle is normal to the road, or a plane and waves are both given.
+        If the axle is normal to the road, the hub is not above it, or a plane and waves are both given.
 
     Notes
     -----
@@ -160,13 +172,14 @@ def tyre(
     nodes = [self.of_kind(n, (k,), owner) for n, k in ((hub, "point"), (frame, "frame"))]
     if road is not None and not isinstance(road, Waves):
         raise ModelError(f"{owner}: road {road!r} is not known; give fx.Waves(amplitude, wavelength)")
-    if road is not None and (tuple(normal) != UP or height):
+    if road is not None and (np.any(vector(normal, owner, "road normal", 3) != UP) or height):
         raise ModelError(
             f"{owner}: a plane and waves are both given; the waves have a height of their own, z is up"
         )
     values = _rim(owner, nodes[1].x0, radius, axle, normal)
     values |= _crown(owner, crown, radius)
     values |= _plane(owner, normal, height) if road is None else road.parameters(owner)
+    _check_above(owner, nodes[0].x0, values, road)
     self.add(name, "tyre" if road is None else "tyre_on_road", nodes, values)
 
 
@@ -190,6 +203,9 @@ def axle_slip(
         Direction of both axles in global axes as drawn.
     """
     owner = f"axle slip '{name}'"
+    for side, given in (("left", left), ("right", right)):
+        if not isinstance(given, (tuple, list)) or len(given) != 2:
+            raise ModelError(f"{owner}: {side} {given!r} is not a hub and its frame; give (hub, frame)")
     nodes = [
         self.of_kind(n, (kind,), owner)
         for wheel_ in (left, right)
@@ -209,6 +225,15 @@ def _rim(owner: str, frame: Array, radius: float, axle: Vector, normal: Vector) 
             f"{owner}: its axle {tuple(a.tolist())} is normal to the road, so that no point is lowest; tilt it"
         )
     return {"radius": np.array([positive(radius, owner, "radius")]), "axle": matrix(frame).T @ a}
+
+
+def _check_above(owner: str, hub: Array, values: Mapping[str, Array], road: Waves | None) -> None:
+    """Raise a ModelError for a hub that lies below the road as drawn, where the tyre would be pressed downwards."""
+    above = values["normal"] @ hub - values["height"][0] if road is None else hub[2] - road.level(*hub[:2])
+    if above <= 0:
+        raise ModelError(
+            f"{owner}: its hub lies {-above:g} m below the road as drawn; put it above, or turn the road's normal"
+        )
 
 
 def _crown(owner: str, crown: float, radius: float) -> dict[str, Array]:

@@ -108,7 +108,11 @@ def check_ranges(declared: Element | Law, ranges: Ranges) -> None:
     for name, limits in ranges.items():
         if name not in known:
             raise ValueError(f"'{declared.name}': a range of '{name}'; there are {', '.join(known)}")
-        if len(limits) != 2 or not -np.inf < limits[0] < limits[1] < np.inf:
+        try:
+            low, high = (float(z) for z in limits)
+        except (TypeError, ValueError):
+            low = high = np.nan
+        if not -np.inf < low < high < np.inf:
             raise ValueError(f"'{declared.name}': the range {limits} of '{name}' is not (lowest, highest)")
 
 

@@ -15,8 +15,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from flexel.diagnose import largest, null_space, quoted
-from flexel.dynamics import check_finite, drift
+from flexel.dynamics import drift
 from flexel.errors import DynamicsError
+from flexel.finite import check_finite, check_tangent
 from flexel.implicit.local import Inertia, Local
 from flexel.implicit.locallaws import ImplicitStep, LawForces
 from flexel.kinematics import wrap
@@ -233,6 +234,8 @@ class Saddle:
             K[: local.size_M] += acceleration * b.inertia.M
         share = 0.0 if self.step is None else self.step.share
         by_value, by_rate = local.laws.tangents(b.e, b.w, b.laws.z, b.t, share)
+        if np.isfinite(b.laws.stress).all():  # else a trial that went too far, which the iteration takes back
+            check_tangent(self.structure, local.laws.finite(by_value, by_rate), b.t)
         phi = None
         if np.any(b.v) and (self.roles.zero.size or by_rate.any()):
             phi = local.phi(b.x, b.v)
@@ -264,7 +267,7 @@ class Saddle:
     def state(self, b: Balance) -> State:
         """The complete state at a balance."""
         s, loads, kinematics, local = self.structure, self.system.loads, self.system.kinematics, self.local
-        check_finite(s, b.given, b.t)
+        check_finite(s, b.given, b.laws.zd, b.t)
         reactions = -b.multiplier[self.first :]
         reactions[s.nf :] = b.force[s.nf :]
         potential = b.inertia.potential + loads.potential(b.t, kinematics.values(b.e, b.x))

@@ -204,6 +204,13 @@ class LocalLaws:
             L = L + summed(places, direct.ravel(), L.size).reshape(L.shape)
         return L[0], L[1]
 
+    def finite(self, by_value: Array, by_rate: Array) -> Any:
+        """Whether the derivatives by pair of each stress (m + k,) are finite."""
+        found = np.ones(self.structure.m + self.structure.k, dtype=bool)
+        wrong = ~(np.isfinite(by_value) & np.isfinite(by_rate))[: self._size]
+        found[self._codes[wrong] // self._width] = False
+        return found
+
     def stress_change(self, by_value: Array, change: Array) -> Array:
         """Change of the stresses (m + k,) for small changes of the deformations (m + k,), slips not counted."""
         parts = by_value[: self._size] * change[self._codes % self._width]

@@ -104,6 +104,11 @@ class Run:
             bar.close()
         return Integration(self.states, [], [], self.statistics, message, self.ledger.kept, complete)
 
+    def kept(self, message: str) -> Integration:
+        """What has been computed, up to the last step, where an error ends the motion."""
+        self._keep()
+        return Integration(self.states, [], [], self.statistics, message, self.ledger.kept, False)
+
     def _keep(self) -> None:
         """Store the present state, if it is a new one."""
         if self._balance is not None and self.point.t > self.states[-1].t:

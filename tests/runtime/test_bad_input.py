@@ -698,8 +698,29 @@ LAWS = {
     "linear law without stiffness": built(
         lambda m: m.linear_law(["pivot.angle"], None), "stiffness", "give real"
     ),
+    "linear law on a number": built(lambda m: m.linear_law(3, [[1]]), "3 is not a list", "write ['…'"),
     "linear law on a text": built(
         lambda m: m.linear_law("pivot.angle", [[1]]), "'pivot.angle'", "write ['…'"
+    ),
+    "law in a list": built(lambda m: m.attach([], ["pivot.angle"]), "unknown law '[]'", "known: "),
+    "law in a mapping": built(lambda m: m.attach({}, ["pivot.angle"]), "unknown law '{}'", "known: "),
+    "attached stop that pulls": built(
+        lambda m: m.attach("stop", ["pivot.angle"], gap=0.1, stiffness=-1, damping=0),
+        "law 'stop' on 'pivot.angle'",
+        "stiffness -1",
+        "give zero or",
+    ),
+    "attached contact of exponent 1/2": built(
+        lambda m: m.attach("hertz", ["pivot.angle"], stiffness=1, exponent=0.5, dissipation=0),
+        "law 'hertz' on 'pivot.angle'",
+        "exponent 0.5",
+        "give 1",
+    ),
+    "attached linear law that pushes": built(
+        lambda m: m.attach("linear_1", ["pivot.angle"], preload=0, S=-1, D=0),
+        "law 'linear_1' on 'pivot.angle'",
+        "negative eigenvalue",
+        "m.law",
     ),
     "formula with math.sin": built(
         lambda m: m.law("pivot.angle", lambda e, ed: math.sin(e)), "'pivot.angle'", "sympy.sin"
@@ -715,6 +736,27 @@ LAWS = {
         "'pivot.angle'",
         "e*k",
         "insert the numbers",
+    ),
+    "formula with an open case": built(
+        lambda m: m.law("pivot.angle", lambda e, ed: sympy.Piecewise((1e5 * e, e > 0))),
+        "'pivot.angle'",
+        "no value on one side of e = 0",
+        "condition True",
+    ),
+    "formula that jumps": built(
+        lambda m: m.law("pivot.angle", lambda e, ed: sympy.Piecewise((0, e < 0.1), (100, True))),
+        "'pivot.angle'",
+        "jumps at e = 0.1",
+        "let the pieces join",
+    ),
+    "formula with a step": built(
+        lambda m: m.law("pivot.angle", lambda e, ed: 1e4 * sympy.Heaviside(e)), "jumps at e = 0", "smooth"
+    ),
+    "formula of dry friction": built(
+        lambda m: m.law("pivot.angle", lambda e, ed: 5 * sympy.sign(ed), energy=lambda e: 0 * e),
+        "'pivot.angle'",
+        "jumps at ed = 0",
+        "tanh(ed/v)",
     ),
     "formula None": built(
         lambda m: m.law("pivot.angle", lambda e, ed: None), "'pivot.angle'", "insert the numbers"
@@ -780,6 +822,15 @@ ANALYSES = {
     "no step": system(lambda s: s.simulate(1, max_step=0), "max_step", "give more than"),
     "event not in a list": system(lambda s: s.simulate(1, events=E1), "events", "[Event(name, function)]"),
     "function for an event": system(lambda s: s.simulate(1, events=[lambda z: 1]), "events", "[Event("),
+    "event upwards": system(
+        lambda s: s.simulate(1, events=[Event("e", lambda z: 1.0, direction="up")]),
+        "event 'e'",
+        "direction 'up'",
+        "give 1 (up)",
+    ),
+    "event without a function": system(
+        lambda s: s.simulate(1, events=[Event("e", 3.0)]), "event 'e'", "3.0 is no function", "lambda s"
+    ),
     "event of nothing": system(
         lambda s: s.simulate(1, events=[Event("e", lambda z: None)]), "event 'e'", "give real"
     ),

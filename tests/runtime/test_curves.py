@@ -1,6 +1,7 @@
 """Curves of springs and dampers: value, energy, continuity, digits; one-sided stops."""
 
 from decimal import Decimal
+from typing import Any
 
 import numpy as np
 import pytest
@@ -100,3 +101,35 @@ def test_curves_that_cannot_be_are_refused() -> None:
         fx.ModelError, match=r"spring curve on 'bar.elongation': 3.0 is no curve; give fx.Curve"
     ):
         bar().spring_curve("bar.elongation", 3.0)  # type: ignore[arg-type]
+
+
+def test_a_break_in_free_play_joins_up_to_rounding() -> None:
+    play = fx.Curve([[0.0], [-3e4 * 0.07, 3e4]], breaks=[0.07])
+    assert play(0.05) == 0.0
+    assert play(0.08) == pytest.approx(300.0)
+
+
+def test_a_damper_through_a_table_gives_nothing_at_rest_up_to_rounding() -> None:
+    m = bar()
+    m.damper_curve("bar.elongation", fx.Curve.through([-0.3, -0.1, 0.1, 0.3], [-700, -350, 350, 700]))
+    m.initial("bar.elongation", rate=0.1)
+    assert m.build().initial.force("bar.elongation") == pytest.approx(350.0)
+
+
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        ((3.0,), "pieces 3.0 are no list; give"),
+        ((None,), "pieces None are no list; give"),
+        (([0, 1], [0.0]), "piece 1 0 is no list of coefficients; give"),
+        (([[[0, 1e5], [0, 0]]],), r"piece 1 \[\[0, 100000.0\], \[0, 0\]\] is no list of coefficients; give"),
+    ],
+)
+def test_pieces_that_are_no_lists_are_refused(given: Any, message: str) -> None:
+    with pytest.raises(fx.ModelError, match=f"curve: {message}"):
+        fx.Curve(*given)
+
+
+def test_a_place_that_is_no_number_is_refused() -> None:
+    with pytest.raises(fx.ModelError, match="curve: place 'a' is not numeric; give"):
+        fx.Curve([[0.0, 1.0]])("a")  # type: ignore[arg-type]

@@ -138,3 +138,24 @@ def test_periodic_motion_says_that_it_has_no_place_for_internal_states() -> None
     s = oscillator(maxwell()).build()
     with pytest.raises(fx.LinearizationError, match=r"damper\.creep"):
         orbit(s, 1.0, 8)
+
+
+def test_an_internal_state_cannot_have_the_name_of_a_coordinate() -> None:
+    e, ed, x = symbol("e"), symbol("ed"), symbol("x")
+    law = compile_law(
+        Law("lag", "lag", (), (e,), (ed,), (), (e - x,), (), states=(Internal("x", "m", e - x),))
+    )
+    m = fx.Model()
+    m.point("O", (0, 0, 0), fixed=True)
+    m.point("hub", (1, 0, 0))
+    m.truss("bar", "O", "hub")
+    m.attach(law, ["bar.elongation"], name="hub")
+    with pytest.raises(fx.ModelError, match=r"law 'hub': its internal state 'hub.x' has the name of a coord"):
+        m.build()
+
+
+def test_an_internal_state_whose_rate_is_not_finite_is_named() -> None:
+    m = oscillator(maxwell())
+    m.attach(maxwell(), ["bar.elongation"], name="empty", k=1.0, lag=0.0)
+    with pytest.raises(fx.DynamicsError, match=r"rate of 'empty.creep' at t = 0 s is not finite"):
+        _ = m.build().initial

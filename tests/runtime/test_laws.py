@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 import sympy
 
-from flexel.errors import DynamicsError, FlexelError
+from flexel.derive.branches import check_branches
+from flexel.errors import DynamicsError, FlexelError, IncompleteWarning
 from flexel.model import Model
 from flexel.structure import Array
 
@@ -243,6 +244,50 @@ def test_a_law_outside_its_domain_is_named() -> None:
         DynamicsError, match=r"stress of 'strut\.elongation'.*not finite.*start within its range"
     ):
         s.state_at({"strut.elongation": -0.1})
+
+
+@pytest.mark.parametrize("analysis", ["linearize", "steady", "equilibrium", "vibrations"])
+def test_a_law_without_a_tangent_is_named(analysis: str) -> None:
+    m = slider()
+    m.law("strut.elongation", lambda e, ed: 100 * sympy.sqrt(e))
+    with pytest.raises(DynamicsError, match=r"tangent of the law on 'strut\.elongation'.*is not finite"):
+        getattr(m.build(), analysis)()
+
+
+def test_a_static_path_that_leads_to_where_a_law_has_no_tangent_keeps_what_it_reached() -> None:
+    m = slider()
+    m.load("A.x", lambda t: 10.0 * (1.0 - t))
+    m.law("strut.elongation", lambda e, ed: 100 * sympy.sqrt(e))
+    m.initial("strut.elongation", 0.01)
+    with pytest.warns(IncompleteWarning, match=r"path stopped .*'strut\.elongation'"):
+        motion = m.build().static_path(2.0)
+    assert len(motion) > 2
+    assert motion["strut.elongation"] == pytest.approx(((1 - motion.t) / 10) ** 2, abs=1e-9)
+
+
+def test_a_law_that_is_infinite_at_the_start_is_named() -> None:
+    m = slider()
+    m.law("strut.elongation", lambda e, ed: sympy.log(e), energy=lambda e: e * sympy.log(e) - e)
+    with pytest.raises(DynamicsError, match=r"stress of 'strut\.elongation' at t = 0 s is not finite"):
+        m.build().simulate(0.1)
+
+
+E, ED = sympy.symbols("e ed", real=True)
+
+
+@pytest.mark.parametrize(
+    "formula",
+    [
+        sympy.Piecewise((0, E < 0.07), (3e4 * E - 3e4 * 0.07, True)),  # joins up to rounding
+        sympy.Piecewise((E, E < 0), (2 * E, E >= 0)),
+        sympy.Piecewise((sympy.sqrt(E), E > 0), (0, True)),  # steep
+        sympy.Piecewise((E, E < sympy.sqrt(2)), (2 * E - sympy.sqrt(2), True)),
+        E * sympy.sign(E) + sympy.Heaviside(ED) * ED,
+        sympy.log(E) + sympy.Piecewise((E, E < 0), (2 * E, True)),
+    ],
+)
+def test_pieces_that_join_are_no_jump(formula: Any) -> None:
+    check_branches("law on 'strut.elongation'", formula, (E, ED))
 
 
 def history(m: Model) -> Array:

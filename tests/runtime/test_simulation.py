@@ -10,6 +10,7 @@ from flexel.errors import FlexelError, ModelError
 from flexel.functions import Harmonic, Polynomial, Ramp, Table, as_function
 from flexel.integrate import Event
 from flexel.model import Model
+from flexel.system import System
 
 
 def falling(damping: float = 0.0) -> Model:
@@ -219,3 +220,66 @@ def test_undamped_duffing_spring_keeps_its_energy() -> None:
     m.initial("P.x", 1.3, rate=-1.0)
     motion = m.build().simulate(5.0, samples=51, rtol=1e-12, atol=1e-13)
     assert np.ptp(motion.energy["total"]) < 1e-10
+
+
+def tabled(free: bool = True) -> Model:
+    """A mass that is moved along x by a table of 0.3 s, and springs along y or is fixed there."""
+    m = Model()
+    m.point("A", (0, 0))
+    m.point_mass("mass", "A", 1.0)
+    m.prescribe("A.x", Table([0, 0.1, 0.2, 0.3], [0, 0.1, 0.3, 0.3]))
+    if free:
+        m.spring("A.y", 10.0)
+        m.initial("A.y", value=0.1)
+    else:
+        m.fix("A.y")
+    return m
+
+
+def test_a_motion_continued_to_the_end_of_a_table_is_not_stopped_by_rounding() -> None:
+    s = tabled().build()
+    first = s.simulate(0.1, samples=3)
+    assert s.simulate(0.2, samples=3, start=first[-1])["A.x"][-1] == pytest.approx(0.3)
+
+
+@pytest.mark.parametrize(
+    ("free", "method"), [(True, "simulate"), (True, "simulate_stiff"), (False, "simulate")]
+)
+def test_where_a_table_ends_its_quantity_is_named_and_the_motion_kept(free: bool, method: str) -> None:
+    with pytest.raises(ModelError, match=r"prescribe 'A\.x': Table: time .* outside 0.0…0.3 s") as caught:
+        getattr(tabled(free).build(), method)(0.5, samples=51)
+    motion = caught.value.motion
+    assert motion is not None
+    assert 0.2 < motion.t[-1] <= 0.3 + 1e-9  # the last step that did not reach beyond the table
+
+
+def thrown(lift: float = 0.0) -> System:
+    """A mass at a height that flies upwards."""
+    m = Model(gravity=(0, 0, -9.81))
+    m.point_mass("stone", m.point("P", (0, 0, lift)), 0.5)
+    m.initial("P.z", rate=3.0)
+    return m.build()
+
+
+@pytest.mark.parametrize("lift", [-1e-16, 0.0, 1e-16])
+def test_a_motion_that_starts_at_an_event_does_not_meet_it_at_once(lift: float) -> None:
+    ground = Event("ground", lambda z: z["P.z"], terminal=True)
+    motion = thrown(lift).simulate(1.0, max_step=0.1, events=[ground])
+    assert motion.t[-1] == pytest.approx(6.0 / 9.81, abs=1e-9)
+
+
+def test_a_motion_goes_on_from_the_event_that_ended_it() -> None:
+    """Whichever side of zero the state of the event lies on; the stored states end with it."""
+    top = Event("height", lambda z: z["P.z"] - 0.2, terminal=True, direction=1)
+    s = thrown()
+    first = s.simulate(1.0, events=[top])
+    assert first[-1].t == first.events[0][1].t
+    assert first[-1]["P.z"] == pytest.approx(0.2, abs=1e-12)
+    assert not s.simulate(0.1, start=first[-1], events=[top]).events
+
+
+def test_of_two_events_of_one_name_only_the_terminal_one_ends_the_motion() -> None:
+    low = Event("height", lambda z: z["P.z"] - 0.1)
+    high = Event("height", lambda z: z["P.z"] - 0.2, terminal=True)
+    motion = thrown().simulate(1.0, events=[low, high])
+    assert [z["P.z"] for _, z in motion.events] == pytest.approx([0.1, 0.2])

@@ -166,6 +166,21 @@ def test_a_law_with_pieces_is_verified() -> None:
     assert "J" in compiled.path.with_suffix(".verified").read_text()
 
 
+def test_an_energy_that_is_not_that_of_the_stress_is_refused() -> None:
+    e, ed, k = symbol("e"), symbol("ed"), Parameter("k", 1, "N/m", "stiffness").symbol
+    let = Let()
+    pull = let.scalar("pull", k * e)
+
+    def law(name: str, stress: Any, energy: Any) -> Law:
+        stiffness = Parameter("k", 1, "N/m", "stiffness")
+        return Law(name, "spring", (stiffness,), (e,), (ed,), (), (stress,), (), energy, let=let.entries)
+
+    with pytest.raises(fx.ElementError, match=r"law 'twice': the derivative of the energy .*correct one"):
+        fx.compile_law(law("twice", pull + 3 * ed, 5 * k * e**2))
+    fx.compile_law(law("pushed", pull + 3 * ed + 7, pull * e / 2))  # an actuator beside the spring
+    fx.compile_law(law("stores_nothing", pull, sp.S.Zero))
+
+
 P, Q = Point("p"), Point("q")
 L0 = Parameter("l0", 1, "m", "length")
 
@@ -221,6 +236,32 @@ def test_meanings_and_units_are_asked_for() -> None:
         own_bar(doc="")
     with pytest.raises(ValueError, match="element 'own_bar': 'slide' has no unit"):
         own_bar(slips=(Slip("slide", "", P.v[0]),))
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"sigma": symbol("e")}, "law 'own': sigma holds e; give a tuple"),
+        ({"parameters": ("k",)}, "law 'own': parameters holds 'k'; give a tuple of Parameter"),
+        ({"states": (symbol("z"),)}, "law 'own': states holds z; give a tuple of Internal"),
+    ],
+)
+def test_parts_of_a_law_that_are_no_lists_are_named(change: dict[str, Any], message: str) -> None:
+    e, ed = symbol("e"), symbol("ed")
+    parts = {"parameters": (), "e": (e,), "ed": (ed,), "s": (), "sigma": (e,), "tau": (), **change}
+    with pytest.raises(ValueError, match=message):
+        Law("own", "a law", **parts)
+
+
+def test_parts_of_an_element_and_ranges_that_are_no_lists_are_named() -> None:
+    with pytest.raises(ValueError, match="'own_bar': deformations holds Deformation.*give a tuple of Deform"):
+        own_bar(deformations=Deformation("d", "m", P.x[0]))
+    for ranges, message in (
+        ([1, 2], r"ranges \[1, 2\] have no names"),
+        ({"p_x": 3}, "range 3 of 'p_x' is not"),
+    ):
+        with pytest.raises(fx.ElementError, match=f"'own_bar'.*{message}"):
+            fx.compile_element(own_bar(), ranges=ranges)  # type: ignore[arg-type]
 
 
 def test_a_definition_that_is_not_real_everywhere_needs_a_range() -> None:
@@ -282,5 +323,10 @@ def test_what_is_not_compiled_cannot_be_used() -> None:
     m.point("A", (0, 0, 0))
     with pytest.raises(fx.ModelError, match="not a compiled element; give what fx.compile_element"):
         m.element("bar", own_bar(), "A", "A")  # type: ignore[arg-type]
+    law = fx.compile_law(
+        Law("own_damper", "c ed", (), (e := symbol("e"),), (symbol("ed"),), (), (2 * e,), ())
+    )
+    with pytest.raises(fx.ModelError, match="element 'bar': .* is not a compiled element; give"):
+        m.element("bar", law, "A", "A")  # type: ignore[arg-type]
     with pytest.raises(fx.ElementError, match="'truss' is not a flexel.derive.Element"):
         fx.compile_element("truss")  # type: ignore[arg-type]
