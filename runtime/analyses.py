@@ -83,10 +83,10 @@ def simulate(
     Warns
     -----
     RangeWarning
-        Where the data of a law were left, by name.
+        Where the data of a law were left at a stored time, by name.
     """
     start = self.initial if start is None else own_state(self.structure, start, "simulate")
-    grid = stored_times(start, duration, times, samples)
+    grid = stored_times(start, duration, times, samples, "simulate")
     if self.roles.nq == 0:
         followed = _follow(self, start, grid)
         warn_outside(self, followed.states)
@@ -168,13 +168,14 @@ def simulate_stiff(
     ModelError, DynamicsError
         Where a load or a prescribed motion has no value, with what was computed until then as ``error.motion``.
     """
-    start = self.initial if start is None else own_state(self.structure, start, "simulate_stiff")
-    grid = stored_times(start, duration, times, samples)
-    tolerance = positive(tolerance, "tolerance")
-    first = duration / 1000 if first_step is None else positive(first_step, "first_step")
-    control = Control(tolerance, first, positive(max_step, "max_step"))
+    owner = "simulate_stiff"
+    start = self.initial if start is None else own_state(self.structure, start, owner)
+    grid = stored_times(start, duration, times, samples, owner)
+    tolerance = positive(tolerance, owner, "tolerance")
+    first = duration / 1000 if first_step is None else positive(first_step, owner, "first_step")
+    control = Control(tolerance, first, positive(max_step, owner, "max_step"))
     if step is not None:
-        control = Control(np.inf, *(positive(step, "step"),) * 2)
+        control = Control(np.inf, *(positive(step, owner, "step"),) * 2)
     run: Run
     if method == "alpha":
         run = GeneralizedAlpha(self, start, radius, newton, control)

@@ -103,7 +103,7 @@ class Integration:
     complete: bool = True
 
 
-def stored_times(start: State, duration: Any, times: Any, samples: Any) -> Array:
+def stored_times(start: State, duration: Any, times: Any, samples: Any, owner: str) -> Array:
     """Times at which states are kept, from the start on.
 
     Raises
@@ -111,29 +111,29 @@ def stored_times(start: State, duration: Any, times: Any, samples: Any) -> Array
     ModelError
         A duration that is not positive, times that do not increase or lie outside the motion.
     """
-    span = number(duration, "simulate", "duration")
+    span = number(duration, owner, "duration")
     if span <= 0:
-        raise ModelError(f"simulate: duration {span:g} s is not positive; give a positive time")
+        raise ModelError(f"{owner}: duration {span:g} s is not positive; give a positive time")
     if times is None:
         if not isinstance(samples, (int, np.integer)) or samples < 2:
-            raise ModelError(f"simulate: {samples!r} samples asked for; give a whole number, 2 or more")
+            raise ModelError(f"{owner}: {samples!r} samples asked for; give a whole number, 2 or more")
         return np.linspace(start.t, start.t + span, int(samples))
-    grid = array(times, "simulate", "times")
+    grid = array(times, owner, "times")
     if grid.ndim != 1 or not grid.size or np.any(np.diff(grid) <= 0) or grid[0] < start.t:
-        raise ModelError(f"simulate: times must be a list that increases from {start.t:g} s; sort them")
+        raise ModelError(f"{owner}: times must be a list that increases from {start.t:g} s; sort them")
     if grid[-1] > start.t + span * (1 + 1e-12):
         raise ModelError(
-            f"simulate: time {grid[-1]:g} s lies after the end of the motion, {start.t + span:g} s; lengthen the "
+            f"{owner}: time {grid[-1]:g} s lies after the end of the motion, {start.t + span:g} s; lengthen the "
             "duration"
         )
     return np.concatenate([[start.t], grid]) if grid[0] > start.t else grid
 
 
-def positive(value: Any, what: str, least: float = 0.0) -> float:
+def positive(value: Any, owner: str, what: str, least: float = 0.0) -> float:
     """A number above `least`, or infinity; a ModelError otherwise."""
-    checked = np.inf if value is np.inf else number(value, "simulate", what)
+    checked = np.inf if value is np.inf else number(value, owner, what)
     if checked <= least:
-        raise ModelError(f"simulate: {what} {checked:g} is too small; give more than {least:g}")
+        raise ModelError(f"{owner}: {what} {checked:g} is too small; give more than {least:g}")
     return checked
 
 
@@ -178,9 +178,9 @@ class Integrator:
         self.system = system
         self.times = times
         self.options = {
-            "rtol": positive(rtol, "rtol", 1e-13),
-            "atol": positive(atol, "atol"),
-            "max_step": positive(max_step, "max_step"),
+            "rtol": positive(rtol, "simulate", "rtol", 1e-13),
+            "atol": positive(atol, "simulate", "atol"),
+            "max_step": positive(max_step, "simulate", "max_step"),
         }
         self.method = METHODS[method]
         self.events = events
