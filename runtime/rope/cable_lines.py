@@ -25,7 +25,7 @@ SAMPLES = 400  # of a given curve, for its arc length
 Path = Sequence[Sequence[float]] | Array | Callable[[float], Any]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class CableLine:
     """What `Model.cable_line` made.
 
@@ -43,6 +43,10 @@ class CableLine:
     points: tuple[Node, ...]
     slopes: tuple[Node, ...]
     s: Array
+
+    def __repr__(self) -> str:
+        """In a line: a rope has hundreds of nodes."""
+        return f"{type(self).__name__}('{self.name}', {len(self.elements)} elements, {self.s[-1]:.6g} m)"
 
 
 @whole_or_nothing

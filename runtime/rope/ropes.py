@@ -32,7 +32,7 @@ LONGEST = (
 )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Rope(CableLine):
     """What `Model.rope` laid: the line of cables, its path and its contacts.
 
