@@ -62,7 +62,7 @@ def model(results: Results, path: Path) -> None:
     turn, b = results.turns[45.0], np.radians(45.0)
     with figure(1, 3, size=(11.0, 3.6), subplot_kw={"projection": "3d"}) as (drawn, axes):
         for panel, degrees in zip(axes, (0, 40, 90), strict=True):
-            state = turn[int(np.argmin(np.abs(turn.t - np.radians(degrees))))]
+            state = turn.nearest(np.radians(degrees))
             driving, cross, driven = (matrix(state.position(z)) for z in ("driving", "cross", "driven"))
             line(panel, [(-0.9, 0, 0), (-0.42, 0, 0)], COLOURS[0], 5)
             d2 = np.array([np.cos(b), np.sin(b), 0])

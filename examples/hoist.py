@@ -90,7 +90,7 @@ def settling(data: Hoist = HOIST) -> float:
     A rope that carries T presses on a sheave with T/R per length and lies (T/(R k))^(2/3) deep.
     """
     T = data.weight / 4
-    depth = float((T / data.pitch / CONTACT.stiffness) ** (1 / CONTACT.exponent))
+    depth = CONTACT.depth(T / data.pitch, 0.0)
     return 3 / (4 * BEARING_STIFFNESS) + 3 * float(np.pi) * depth / (CONTACT.exponent * T) / 16
 
 

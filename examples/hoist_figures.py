@@ -49,7 +49,7 @@ def along_the_rope(results: Results, path: Path) -> None:
     m, rope = results.motion, results.model.rope
     with figure(1, 1, (8.0, 4.5)) as (drawn, axes):
         for t, colour in zip(TIMES, COLOURS, strict=False):
-            state = m[int(np.argmin(np.abs(m.t - t)))]
+            state = m.nearest(t)
             s, T = rope.tension(state)
             axes.plot(s, T / 1e3, ".", color=colour, markersize=2, alpha=0.5)
             s, T = rope.tension(state, mean=True)
@@ -63,7 +63,7 @@ def along_the_rope(results: Results, path: Path) -> None:
 def contact(results: Results, path: Path) -> None:
     """Normal force per length on drum and sheaves at constant speed."""
     m, rope = results.motion, results.model.rope
-    state = m[int(np.argmin(np.abs(m.t - TIMES[-1])))]
+    state = m.nearest(TIMES[-1])
     with figure(1, 1, (8.0, 4.5)) as (drawn, axes):
         for (name, points), colour in zip(rope.contacts.items(), COLOURS, strict=False):
             s, N = rope.contact_force(state, name)

@@ -20,6 +20,7 @@ from flexel.examples import rope_sheaves as sheaves
 from flexel.examples import rope_swings as swings
 from flexel.examples import rope_waves as waves
 from flexel.pictures.figures import COLOURS, figure, save
+from flexel.pictures.shape import cubic
 from flexel.report import Quantity
 from flexel.rope.cables import cable_tension
 from flexel.state import State
@@ -48,12 +49,8 @@ def pictures(rows: Sequence[Quantity], out: Path) -> list[Path]:
 def curve(state: State, name: str, n: int, l0: float) -> Array:
     """Centre line (9 n, 2) of a planar cable line of n elements, each of an undeformed length."""
     ends = [(state.position(f"{name}_p{i}"), l0 * state.position(f"{name}_d{i}")) for i in range(n + 1)]
-    h = 1 - XI
-    parts = [
-        h**2 * (1 + 2 * XI) * p + XI * h**2 * dp + XI**2 * (1 + 2 * h) * q - XI**2 * h * dq
-        for (p, dp), (q, dq) in zip(ends[:-1], ends[1:], strict=True)
-    ]
-    return np.concatenate(parts)
+    parts = zip(ends[:-1], ends[1:], strict=True)
+    return np.concatenate([cubic(XI, (p, q), (dp, dq)) for (p, dp), (q, dq) in parts])
 
 
 def catenary(path: Path) -> None:

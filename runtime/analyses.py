@@ -88,9 +88,7 @@ def simulate(
     start = self.initial if start is None else own_state(self.structure, start, "simulate")
     grid = stored_times(start, duration, times, samples, "simulate")
     if self.roles.nq == 0:
-        followed = _follow(self, start, grid)
-        warn_outside(self, followed.states)
-        return Motion(self, followed)
+        return _motion(self, _follow(self, start, grid))
     chosen = self.roles
     if start.roles is not chosen:
         if self.condition(start) > 1e-3 * self.condition(start, start.roles):
@@ -106,8 +104,7 @@ def simulate(
             raise
     finally:
         self.use(chosen)
-    warn_outside(self, found.states)
-    return Motion(self, found)
+    return _motion(self, found)
 
 
 def simulate_stiff(
@@ -198,6 +195,11 @@ def simulate_stiff(
         raise
     if not found.complete:
         warnings.warn(found.message, IncompleteWarning, stacklevel=2)
+    return _motion(self, found)
+
+
+def _motion(self: System, found: Integration) -> Motion:
+    """The motion, with a warning of what has left the data of its law."""
     warn_outside(self, found.states)
     return Motion(self, found)
 
@@ -218,16 +220,21 @@ def _follow(self: System, start: State, grid: Array) -> Integration:
                 step /= 2
                 if not isinstance(error, PositionError) or step < 1e-6 * (grid[-1] - grid[0]):
                     reached = [*found, last] if last.t > found[-1].t else found
-                    counts = {"steps": len(segments), "evaluations": 0, "rechoices": 0}
-                    kept = Integration(reached, [], segments, counts, str(error), complete=False)
-                    error.motion = Motion(self, kept)
+                    error.motion = Motion(self, _followed(reached, segments, str(error), complete=False))
                     raise
                 continue
             ends = states.End.of(last), states.End.of(state)
             segments.append(Segment(last.t, state.t, self.roles, dense, *ends))
             last = state
         found.append(last)
-    return Integration(found, [], segments, {"steps": len(segments), "evaluations": 0, "rechoices": 0}, "")
+    return _followed(found, segments)
+
+
+def _followed(
+    found: list[State], segments: list[Segment], message: str = "", complete: bool = True
+) -> Integration:
+    counts = {"steps": len(segments), "evaluations": 0, "rechoices": 0}
+    return Integration(found, [], segments, counts, message, complete=complete)
 
 
 def equilibrium(

@@ -59,6 +59,15 @@ class Batch:
         """Number of elements."""
         return int(self.p.shape[0])
 
+    def parameter(self, name: str) -> Array:
+        """Values (elements, size) of a parameter."""
+        first = 0
+        for parameter in self.spec.parameters:
+            if parameter.name == name:
+                return self.p[:, first : first + parameter.size]
+            first += parameter.size
+        raise KeyError(name)
+
 
 @dataclass(frozen=True)
 class Place:

@@ -13,16 +13,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from flexel.errors import RangeWarning
-from flexel.structure import Array
 
 if TYPE_CHECKING:
     from flexel.assembly import Batch
     from flexel.state import State
     from flexel.system import System
 
-# law: the parameter, and its entry, that is the largest stress of the law's first deformation in its data
-LARGEST_STRESS = {"calspan_tyre": ("A", 2)}
-BEYOND = {"calspan_tyre": "friction and stiffnesses keep their values beyond"}
+# law: the parameter, and its entry, that is the largest stress of the law's first deformation in its data; and what
+# the law does beyond
+LARGEST_STRESS = {"calspan_tyre": ("A", 2, "friction and stiffnesses keep their values beyond")}
 
 
 def outside(system: System, states: Sequence[State]) -> list[str]:
@@ -30,33 +29,27 @@ def outside(system: System, states: Sequence[State]) -> list[str]:
     return [
         line
         for law in system.evaluation.laws
-        if law.spec.name in BEYOND
+        if law.spec.name in LARGEST_STRESS
         for line in _outside(system, law, states)
     ]
 
 
 def warn_outside(system: System, states: Sequence[State]) -> None:
-    """Warn of everything that left the range of its law's data."""
+    """Warn of everything that left the range of its law's data, at the place that called the analysis."""
     found = outside(system, states)
     if found:
-        warnings.warn("; ".join(found), RangeWarning, stacklevel=3)
+        warnings.warn("; ".join(found), RangeWarning, stacklevel=4)
 
 
 def _outside(system: System, law: Batch, states: Sequence[State]) -> Iterator[str]:
     name, quantities = law.spec.name, law.inputs["e"][:, 0]
-    limits = _parameter(law, *LARGEST_STRESS[name])
+    parameter, entry, beyond = LARGEST_STRESS[name]
+    limits = law.parameter(parameter)[:, entry]
     histories = np.array([state.stress[quantities] for state in states]).T
     for quantity, limit, history in zip(quantities, limits, histories, strict=True):
         worst = int(np.argmax(history))
         if history[worst] > limit:
             yield (
                 f"{system.structure.names[quantity]}: {history[worst]:.0f} N at t = {states[worst].t:g} s, data of the "
-                f"{name} end at {limit:.0f} N; {BEYOND[name]}"
+                f"{name} end at {limit:.0f} N; {beyond}"
             )
-
-
-def _parameter(law: Batch, name: str, entry: int) -> Array:
-    """One number (laws,) of a parameter of each law."""
-    names = [z.name for z in law.spec.parameters]
-    first = sum(z.size for z in law.spec.parameters[: names.index(name)])
-    return np.asarray(law.p[:, first + entry])

@@ -63,10 +63,11 @@ def compile_law(law: Law, ranges: Mapping[str, tuple[float, float]] | None = Non
     return _made(owner, lambda: accepted_law(law, _by_name(owner, ranges)))
 
 
-def _by_name(owner: str, ranges: object) -> dict[str, tuple[float, float]]:
-    if not isinstance(ranges or {}, Mapping):
-        raise ElementError(f"{owner}: ranges {ranges!r} have no names; write {{'name': (lowest, highest)}}")
-    return dict(ranges or {})  # type: ignore[call-overload,no-any-return]
+def _by_name(owner: str, ranges: Mapping[str, tuple[float, float]] | None) -> dict[str, tuple[float, float]]:
+    given = ranges or {}
+    if not isinstance(given, Mapping):
+        raise ElementError(f"{owner}: ranges {given!r} have no names; write {{'name': (lowest, highest)}}")
+    return dict(given)
 
 
 def _made(owner: str, make: Callable[[], Made]) -> Made:

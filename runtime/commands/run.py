@@ -124,9 +124,8 @@ def _run_python(file: Path, wish: Wish) -> Motion | None:
     from flexel.result import Motion
 
     names = names_of(file)
-    wish.out.mkdir(
-        parents=True, exist_ok=True
-    )  # now, so that a folder that cannot be made is told before the work
+    # now, so that a folder that cannot be made is told before the work
+    wish.out.mkdir(parents=True, exist_ok=True)
     if callable(names.get("main")):
         if wish.simulate:
             raise click.UsageError(

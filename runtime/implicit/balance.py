@@ -148,6 +148,8 @@ class Saddle:
     ----------
     force_rows : ndarray of int
         Quantities whose multipliers are unknown: rigid and prescribed conditions, rolling slips.
+    length : float
+        Largest natural scale of the coordinates.
     """
 
     def __init__(self, system: System) -> None:
@@ -159,7 +161,7 @@ class Saddle:
         self.scales = system.kinematics.scales(np.arange(len(self.structure.names)))
         self.first = self.structure.m + self.structure.k
         self.x_scale = self.scales[self.first : self.first + self.structure.nf]
-        self._length = float(self.x_scale.max(initial=0.0))
+        self.length = float(self.x_scale.max(initial=0.0))
         self.rest = np.zeros(self.structure.n)
         self.z = self.structure.z0  # internal states of laws: held, or where an implicit step starts
         self.step: ImplicitStep | None = None
@@ -260,18 +262,23 @@ class Saddle:
         its largest entry, or those of each row, in the denominator, the tolerance 1e-12 is met there.  Another size
         of the forces than that of the balance may be given as `scale`.
         """
-        stiff = stiffness * self._length
+        stiff = stiffness * self.length
         force = np.abs(r) / ((scale or b.scale) + 1e-3 * stiff + TINY_FORCE)
         return max(float(force.max(initial=0.0)), float(np.abs(gap).max(initial=0.0)))
 
+    def energy(self, b: Balance) -> Energy:
+        """Kinetic, potential and strain energy at a balance."""
+        kinetic = float(b.v @ self.local.momentum(b.inertia.M, b.v)) / 2
+        values = self.system.kinematics.values(b.e, b.x)
+        potential = b.inertia.potential + self.system.loads.potential(b.t, values)
+        return Energy(kinetic, potential, float(b.laws.stored.sum()))
+
     def state(self, b: Balance) -> State:
         """The complete state at a balance."""
-        s, loads, kinematics, local = self.structure, self.system.loads, self.system.kinematics, self.local
+        s, kinematics, local = self.structure, self.system.kinematics, self.local
         check_finite(s, b.given, b.laws.zd, b.t)
         reactions = -b.multiplier[self.first :]
         reactions[s.nf :] = b.force[s.nf :]
-        potential = b.inertia.potential + loads.potential(b.t, kinematics.values(b.e, b.x))
-        kinetic = float(b.v @ local.momentum(b.inertia.M, b.v)) / 2
         return State(
             t=b.t,
             x=b.x,
@@ -283,7 +290,7 @@ class Saddle:
             reactions=reactions,
             roles=self.roles,
             evaluation=self.system.evaluation,
-            energy=Energy(kinetic, potential, float(b.laws.stored.sum())),
+            energy=self.energy(b),
             drift=drift(kinematics, b.e, b.x),
             z=b.laws.z,
             zd=b.laws.zd,

@@ -82,7 +82,7 @@ class Ledger:
         after, power = self._figures(b)
         lost, work = h / 2 * (self._power + power)
         made = after.sum() - before.sum() - work + min(lost, 0.0)
-        little = 1e-3 * b.scale * float(self._saddle.x_scale.max(initial=0.0))
+        little = 1e-3 * b.scale * self._saddle.length
         return bool(made > 0.5 * after[0] + 0.01 * self._largest + little)
 
     def _enter(self, b: Balance) -> None:
@@ -99,11 +99,8 @@ class Ledger:
 
     def _energies(self, b: Balance) -> Array:
         """Kinetic and strain energy together, and potential energy [J]."""
-        saddle = self._saddle
-        kinetic = float(b.v @ saddle.local.momentum(b.inertia.M, b.v)) / 2
-        values = saddle.system.kinematics.values(b.e, b.x)
-        potential = b.inertia.potential + saddle.system.loads.potential(b.t, values)
-        return np.array([kinetic + float(b.laws.stored.sum()), potential])
+        energy = self._saddle.energy(b)
+        return np.array([energy.kinetic + energy.strain, energy.potential])
 
     def _losses(self, b: Balance) -> float:
         """Power lost in laws and by mass-proportional damping [W]."""

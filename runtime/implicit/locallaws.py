@@ -251,15 +251,16 @@ class LocalLaws:
 def _add(g: Group, K: Array, J: Array, phi: Array | None, S: Array, damping: Array) -> None:
     """Add J' (S J + damping Phi) of one group to the flat K."""
     Jg, Kg = g.J(J), g.K(K)
-    rates = phi is not None and bool(damping.any())
+    if not damping.any():
+        phi = None
     some = (S != 0).reshape(g.shape[0], -1).any(axis=1)
-    if rates:
+    if phi is not None:
         some |= (damping != 0).reshape(g.shape[0], -1).any(axis=1)
     every = bool(some.all())
     if not every:  # contacts that do not touch cost nothing further
         Jg, S, damping = Jg[some], S[some], damping[some]
     W = _times(S, Jg)
-    if phi is not None and rates:
+    if phi is not None:
         W += _times(damping, g.J(phi) if every else g.J(phi)[some])
     product = Jg.transpose(0, 2, 1) @ W
     if every:

@@ -47,7 +47,7 @@ class NearContacts:
     def gaps(self, x: Array) -> list[Array]:
         """Smallest gap of every contact, in lengths of its cable, by batch."""
         e = self._whole.position(x)[0]
-        return [e[b.inputs["sigma"]].min(axis=1) / _length(b) for b in self._contacts]
+        return [e[b.inputs["sigma"]].min(axis=1) / b.parameter("l0")[:, 0] for b in self._contacts]
 
     def choose(self, x: Array) -> Local:
         """The evaluation of everything but the contacts that are far from their surfaces at coordinates x (n,)."""
@@ -76,13 +76,6 @@ def _is_contact(batch: Batch) -> bool:
     return (
         bool(names) and all(z.startswith("gap") for z in names) and lengths and "inertia" not in spec.kernels
     )
-
-
-def _length(batch: Batch) -> Array:
-    """Undeformed length (elements,) of each contact's cable."""
-    names = [p.name for p in batch.spec.parameters]
-    at = sum(p.size for p in batch.spec.parameters[: names.index("l0")])
-    return np.asarray(batch.p[:, at])
 
 
 def _all(far: Mask, law: Batch) -> Mask:

@@ -14,6 +14,7 @@ import numpy as np
 from flexel.checks import not_negative, positive
 from flexel.errors import ModelError
 from flexel.generated.table import LAWS
+from flexel.rope.cable_lines import CableLine
 from flexel.rope.surfaces import Surface
 from flexel.structure import Array, LawInstance, unknown
 from flexel.undo import whole_or_nothing
@@ -133,7 +134,7 @@ class ContactPoint:
 @whole_or_nothing
 def contact(
     self: Model,
-    cables: Any,
+    cables: CableLine,
     surface: Surface | str,
     contact: Contact,
     *,
@@ -163,7 +164,7 @@ def contact(
     ModelError
         An unknown surface or element, planar and spatial ones together, a rope that is wider than its groove.
     """
-    if not isinstance(getattr(cables, "elements", None), tuple):
+    if not isinstance(cables, CableLine):
         raise ModelError(f"contact: {cables!r} is no rope; give what m.rope(…) or m.cable_line(…) returned")
     found = find_surface(self, surface, f"contact of '{cables.name}'")
     owner = f"contact of '{cables.name}' with '{found.name}'"

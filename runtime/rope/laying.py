@@ -20,9 +20,8 @@ from flexel.rope.plane import RopePlane
 from flexel.rope.surfaces import Surface
 from flexel.structure import Array
 
-DEEPEST = (
-    0.5  # depth of a rope in its sheave over the radius of its centre line; no contact is meant to be so soft
-)
+# Depth of a rope in its sheave over the radius of its centre line; no contact is meant to be so soft.
+DEEPEST = 0.5
 INSIDE = 0.1  # of the rope's radius: how deep it may lie in a surface that is not on its path
 SAMPLES = 4000  # places of the path that are looked at
 
@@ -53,11 +52,6 @@ class Laying:
 
         return self.plane.circles(self._radius, depth, tension, self._turns)
 
-    def bears(self, tension: float) -> bool:
-        """Whether all sheaves bear the rope under a tension [N]."""
-        pressed = zip(self._circles(tension), self._untouched, strict=True)
-        return all(c.radius >= (1 - DEEPEST) * free.radius for c, free in pressed)
-
     def depths(self, tension: float) -> dict[str, float]:
         """How deep [m] the rope lies in each sheave of its path under a tension [N]."""
         pressed = zip(self._circles(tension), self._untouched, strict=True)
@@ -71,12 +65,21 @@ class Laying:
         ModelError
             A tension that presses the rope through a sheave.
         """
-        if not self.bears(tension):
+        found = self._borne(tension)
+        if found is None:
             raise ModelError(
                 f"{self.owner}: a tension of {tension:.4g} N presses it into a sheave by more than half the radius; "
                 "give less tension, or a contact of greater stiffness"
             )
-        return taut_path(self.owner, self._circles(tension))
+        return found
+
+    def _borne(self, tension: float) -> Path | None:
+        """The path under a tension [N]; None if a sheave does not bear it."""
+        circles = self._circles(tension)
+        pressed = zip(circles, self._untouched, strict=True)
+        if any(c.radius < (1 - DEEPEST) * free.radius for c, free in pressed):
+            return None
+        return taut_path(self.owner, circles)
 
     def tension(self, length: float, EA: float) -> float:  # noqa: N803
         """The tension [N] at which a rope of an undeformed length [m] fills its path.
@@ -95,8 +98,8 @@ class Laying:
         largest = EA * max(stretch * (stretch**2 - 1) / 2, 0.0)
 
         def missing(tension: float) -> float:
-            path = self.path(tension).length if self.bears(tension) else 0.0
-            return path / length - stretched(tension / EA)
+            path = self._borne(tension)
+            return (path.length / length if path else 0.0) - stretched(tension / EA)
 
         if missing(largest) >= 0:  # no sheave gives way
             return largest

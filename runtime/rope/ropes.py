@@ -21,15 +21,14 @@ from flexel.rope.laying import Laying, check_clear, stretched
 from flexel.rope.path import Path
 from flexel.rope.plane import Place, RopePlane
 from flexel.state import State
-from flexel.structure import Array, Node
+from flexel.structure import Array, Index, Node
 from flexel.undo import whole_or_nothing
 
 if TYPE_CHECKING:
     from flexel.model import Model
 
-LONGEST = (
-    1.0  # element over radius of the smallest sheave: a cubic follows one radian of arc, and not much more
-)
+# Element over radius of the smallest sheave: a cubic follows one radian of arc, and not much more.
+LONGEST = 1.0
 
 
 @dataclass(frozen=True, repr=False)
@@ -65,8 +64,7 @@ class Rope(CableLine):
             onto a sheave, its curvature jumps within an element; a cubic cannot follow that, and is strained
             unevenly about its mean.
         """
-        listed = self._listed(states)
-        rows, l0 = axial_rows(listed[0], self.elements)
+        listed, rows, l0 = self._checked(states)
         T = np.array([gauss_tension(state, rows, l0) for state in listed])
         places, shares = (1 + AXIAL[0]) / 2, AXIAL[1] / 2
         if mean:
@@ -83,7 +81,7 @@ class Rope(CableLine):
         """
         points = self._points(surface)
         s = np.array([p.s for p in points])
-        N = np.array([[_normal_force(state, p) for p in points] for state in self._listed(states)])
+        N = np.array([[_normal_force(state, p) for p in points] for state in self._checked(states)[0]])
         return s, N[0] if isinstance(states, State) else N
 
     def resultant(self, states: State | Sequence[State], surface: str) -> Array:
@@ -110,24 +108,24 @@ class Rope(CableLine):
         points = self._points(surface)
         s, N = self.contact_force(states, surface)
         name = points[0].surface.gaps[0][1][0]
-        rates = np.array([[z.rate(f"{p.element}.{name}") for p in points] for z in self._listed(states)])
+        rates = np.array([[z.rate(f"{p.element}.{name}") for p in points] for z in self._checked(states)[0]])
         return s, np.where(N > 0, rates[0] if isinstance(states, State) else rates, 0.0)
 
-    def _listed(self, states: State | Sequence[State]) -> Sequence[State]:
-        """The states, which must be of one system with this rope in it."""
+    def _checked(self, states: State | Sequence[State]) -> tuple[Sequence[State], Index, Array]:
+        """The states, which must be of one system with this rope in it, and what `axial_rows` finds there."""
         listed = [states] if isinstance(states, State) else states
         known = isinstance(listed, Sequence) and len(listed) and all(isinstance(z, State) for z in listed)
         if not known:
             raise ModelError(f"rope '{self.name}': {states!r:.60} is no state; give a state, or a motion")
         first = listed[0].structure
-        l0 = axial_rows(listed[0], self.elements)[1]
+        rows, l0 = axial_rows(listed[0], self.elements)
         same = all(z.structure is first or z.structure.names == first.names for z in listed)
         if not same or not np.allclose(l0, np.diff(self.s), rtol=1e-9):
             raise ModelError(
                 f"rope '{self.name}': the states are of different models, or of another than this rope; ask the rope "
                 "of their own model"
             )
-        return listed
+        return listed, rows, l0
 
     def _points(self, surface: str) -> list[ContactPoint]:
         if surface not in self.contacts:

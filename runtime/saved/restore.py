@@ -112,12 +112,10 @@ def _stored(saved: Any, time: float | None) -> State:
     if time is None:
         return saved[-1]  # type: ignore[no-any-return]
     t = number(time, "restore", "time")
-    i = int(np.argmin(np.abs(saved.t - t)))
-    if abs(saved.t[i] - t) > 1e-9 * max(float(np.ptp(saved.t)), abs(t)):
-        raise ModelError(
-            f"restore: no state is stored at t = {t:g} s; the nearest time is {saved.t[i]:.12g} s"
-        )
-    return saved[i]  # type: ignore[no-any-return]
+    state = saved.nearest(t)
+    if abs(state.t - t) > 1e-9 * max(float(np.ptp(saved.t)), abs(t)):
+        raise ModelError(f"restore: no state is stored at t = {t:g} s; the nearest time is {state.t:.12g} s")
+    return state
 
 
 def _check_names(own: Structure, other: Structure) -> None:
