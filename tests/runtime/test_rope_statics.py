@@ -194,3 +194,21 @@ def test_wrong_cables_are_refused_by_name(change: dict[str, Any], message: str) 
 def test_slope_needs_a_direction() -> None:
     with pytest.raises(fx.ModelError, match="has no length"):
         fx.Model().slope("d", (0, 0, 0))
+
+
+@pytest.mark.parametrize("planar", [True, False])
+def test_a_cable_and_a_beam_that_end_in_one_point_share_its_load(planar: bool) -> None:
+    """A cantilever whose tip hangs on a cable: 3 EI/L³ and EA/l side by side, but for the strain of 1e-5."""
+    m, EI, EA, length, load = fx.Model(), 30.0, 50.0, 2.0, 1e-3
+    places = {"O": (0, 0, 0), "tip": (1, 0, 0), "top": (1, length, 0)}
+    for name, place in places.items():
+        m.point(name, place[:2] if planar else place, fixed=name != "tip")
+    for name in ("wall", "end"):
+        (m.angle if planar else m.frame)(name, fixed=name == "wall")
+    bending = {"EIz": EI} if planar else {"GJ": 1.0, "EIy": EI, "EIz": EI}
+    m.beam("arm", "O", "wall", "tip", "end", **bending)
+    ends = [places[z][: 2 if planar else 3] for z in ("top", "tip")]
+    m.cable_line("rope", ends, 4, start="top", end="tip", EA=EA, EI=1e-3)
+    m.load("tip.y", -load)
+    state = m.build().equilibrium()
+    assert state["tip.y"] == pytest.approx(-load / (3 * EI + EA / length), rel=1e-4)
