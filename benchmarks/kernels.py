@@ -5,10 +5,10 @@ from typing import Any
 import numpy as np
 from timing import Row, best
 
-from flexel.assembly import LANES, blocks
+from flexel.engine.assembly import LANES, blocks
 from flexel.generated._kernels import ffi, lib
 from flexel.generated.table import ELEMENTS
-from flexel.structure import COMPONENTS
+from flexel.structure.nodes import COMPONENTS
 
 ELEMENTS_IN_BATCH = 128  # inputs and outputs stay in the second-level cache
 RUNS = 200  # passes over the batch in one C call

@@ -23,18 +23,29 @@ REFERENCE = ("theory",)
 Rows = list[dict[str, Any]]
 
 HOMES = {  # sections of the page of public names: title and modules
-    "Models": ("flexel.model", "flexel.sections", "flexel.materials", "flexel.orientation", "flexel.user"),
-    "Functions of time": ("flexel.functions",),
-    "Systems, states and motions": ("flexel.system", "flexel.state", "flexel.integrate", "flexel.result"),
-    "Linearization": ("flexel.linearize",),
-    "Errors": ("flexel.errors",),
+    "Models": (
+        "flexel.model",
+        "flexel.declare.sections",
+        "flexel.declare.materials",
+        "flexel.base.quaternions",
+        "flexel.declare.user",
+    ),
+    "Functions of time": ("flexel.base.time_functions",),
+    "Systems, states and motions": (
+        "flexel.system",
+        "flexel.structure.state",
+        "flexel.integration.explicit",
+        "flexel.results.motion",
+    ),
+    "Linearization": ("flexel.mechanics.linearize",),
+    "Errors": ("flexel.base.errors",),
 }
 RETURNED = {  # what public names give, or take as options: not names of the package itself
-    "flexel.periodic_result": ("PeriodicSolution",),
-    "flexel.linearize": ("Mode",),
-    "flexel.stability": ("Vibration", "BucklingMode"),
+    "flexel.results.periodic": ("PeriodicSolution",),
+    "flexel.mechanics.linearize": ("Mode",),
+    "flexel.statics.stability": ("Vibration", "BucklingMode"),
     "flexel.pictures.plot": ("root_loci", "View", "Sketch"),
-    "flexel.view": ("scene_data", "view_modes"),
+    "flexel.pictures.view": ("scene_data", "view_modes"),
 }
 DECLARATIONS = ("flexel.derive.element", "flexel.derive.rotation", "flexel.derive.shape")
 

@@ -13,7 +13,7 @@ from pathlib import Path
 
 from flexel.examples import beams_dynamic as dynamic
 from flexel.examples import beams_static as static
-from flexel.report import Report
+from flexel.results.report import Report
 
 
 def reproduce(out: Path | None = None) -> Report:

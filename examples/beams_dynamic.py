@@ -10,11 +10,11 @@ from functools import cache, partial
 import numpy as np
 
 import flexel as fx
+from flexel.base.arrays import Array
 from flexel.examples import beams_data as data
 from flexel.examples import beams_models as models
 from flexel.examples.beams_static import converged, needed
-from flexel.report import Quantity
-from flexel.structure import Array
+from flexel.results.report import Quantity
 
 SPIN_TOLERANCE = 1e-7  # of the implicit integrator, for the spin-up beam
 SHAFT_RADIUS = 0.05  # of gyration of the shaft's section, over its length

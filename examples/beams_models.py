@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 
 import flexel as fx
+from flexel.base.arrays import Array
 from flexel.examples import beams_data as data
-from flexel.structure import Array
 
 BENDING = ("bend1", "bend2", "bend3", "bend4")
 

@@ -15,12 +15,12 @@ import numpy as np
 from scipy.optimize import brentq
 
 import flexel as fx
+from flexel.base.arrays import Array
+from flexel.base.quaternions import matrix
 from flexel.examples import beams_data as data
 from flexel.examples import beams_models as models
 from flexel.examples.convergence import elements_needed, order, romberg
-from flexel.orientation import matrix
-from flexel.report import Quantity
-from flexel.structure import Array
+from flexel.results.report import Quantity
 
 SHEAR_NOTE = (
     "the second-order terms are those of an unshearable element: a limit off by the order of EI/(GA L²)"

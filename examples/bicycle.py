@@ -17,11 +17,11 @@ import numpy as np
 from scipy.optimize import brentq
 
 import flexel as fx
+from flexel.base.arrays import Array
+from flexel.base.quaternions import matrix
 from flexel.examples import bicycle_data as data
-from flexel.linearize import Reduced
-from flexel.orientation import matrix
-from flexel.report import Quantity, Report
-from flexel.structure import Array
+from flexel.mechanics.modes import Reduced
+from flexel.results.report import Quantity, Report
 
 LEAN_STEER = ("lean.angle", "steer.angle")
 SPEEDS = range(11)  # of the eigenvalue table [m/s]

@@ -10,12 +10,12 @@ from pathlib import Path
 
 import numpy as np
 
+from flexel.base.arrays import Array
 from flexel.examples import bicycle_data as data
 from flexel.examples.bicycle import Results, eigenvalues, kick, manoeuvre_m1
 from flexel.pictures.figures import COLOURS, figure, save
 from flexel.pictures.plot import Sketch, View, draw, root_loci
 from flexel.pictures.scene import canvas
-from flexel.structure import Array
 
 FASTEST = 10.0  # of the root loci [m/s]
 SPIRAL_SECONDS = 111.0  # the bicycle at 6.3 m/s leans 40 degrees then

@@ -16,11 +16,11 @@ import numpy as np
 from scipy.special import mathieu_a, mathieu_b
 
 import flexel as fx
-from flexel import periodic
+from flexel.base.arrays import Array
 from flexel.examples import cardan_data as data
-from flexel.periodic import Coefficients, Orbit, SpeedFamily
-from flexel.report import Report
-from flexel.structure import Array
+from flexel.linear import periodic
+from flexel.linear.periodic import Coefficients, Orbit, SpeedFamily
+from flexel.results.report import Report
 
 ANGLES = (10.0, 20.0, 30.0, 45.0, 60.0)  # between the shafts [degrees]
 B30 = np.radians(30.0)

@@ -11,7 +11,9 @@ from typing import Any
 
 import numpy as np
 
-from flexel.errors import LinearizationError
+from flexel.base.arrays import Array
+from flexel.base.errors import LinearizationError
+from flexel.base.quaternions import matrix
 from flexel.examples import cardan_data as data
 from flexel.examples.cardan import (
     B30,
@@ -28,11 +30,9 @@ from flexel.examples.cardan import (
     pins_for_unit_frequency,
 )
 from flexel.examples.cardan_table import bearing_moment
-from flexel.orientation import matrix
-from flexel.periodic import Coefficients
+from flexel.linear.periodic import Coefficients
 from flexel.pictures.figures import COLOURS, figure, save
 from flexel.pictures.plot import Sketch, View
-from flexel.structure import Array
 
 CHART_ANGLES = np.linspace(5.0, 45.0, 6)  # degrees
 CHART_SPEEDS = np.concatenate(  # close together near 1/3, 1/2 and 1

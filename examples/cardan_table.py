@@ -8,6 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 import flexel as fx
+from flexel.base.arrays import Array
 from flexel.examples import cardan_data as data
 from flexel.examples.cardan import (
     ANGLES,
@@ -21,8 +22,7 @@ from flexel.examples.cardan import (
     mathieu_edges,
     modulation,
 )
-from flexel.report import Quantity
-from flexel.structure import Array
+from flexel.results.report import Quantity
 
 
 def bearing_moment(motion: fx.Motion, name: str) -> Array:

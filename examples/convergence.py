@@ -9,8 +9,8 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from flexel.errors import FlexelError
-from flexel.structure import Array
+from flexel.base.arrays import Array
+from flexel.base.errors import FlexelError
 
 MOST = 128  # elements, beyond which the search gives up
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 import flexel as fx
-from flexel.structure import Array
+from flexel.base.arrays import Array
 
 STEP = 2e-4
 WEIGHTS = {1: 45.0, 2: -9.0, 3: 1.0}  # central differences of sixth order, over 60 steps

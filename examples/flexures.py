@@ -18,12 +18,12 @@ from pathlib import Path
 import numpy as np
 
 import flexel as fx
+from flexel.base.arrays import Array
+from flexel.base.quaternions import turn
+from flexel.declare.materials import MATERIALS, Profile
 from flexel.examples import flexures_exact as exact
-from flexel.materials import MATERIALS, Profile
-from flexel.orientation import turn
-from flexel.report import Report
-from flexel.stress import BeamStress
-from flexel.structure import Array
+from flexel.mechanics.stress import BeamStress
+from flexel.results.report import Report
 
 ELEMENTS = 16  # of each leaf spring
 STEEL = MATERIALS["spring steel"]

@@ -12,8 +12,8 @@ import numpy as np
 from scipy.optimize import brentq
 from scipy.special import ellipe, ellipeinc, ellipk, ellipkinc
 
-from flexel.materials import Profile
-from flexel.structure import Array
+from flexel.base.arrays import Array
+from flexel.declare.materials import Profile
 
 BEAM = "closed form: Timoshenko cantilevers, moved to the body and added"
 COLUMN = "closed form: beam-column theory (Timoshenko and Gere 1961)"

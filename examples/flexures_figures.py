@@ -27,7 +27,7 @@ from flexel.examples.flexures import (
 )
 from flexel.pictures.drawing import shapes
 from flexel.pictures.figures import COLOURS, figure, save
-from flexel.view import view_modes
+from flexel.pictures.view import view_modes
 
 NAMES = {"turn x": "about x", "turn y": "about y", "turn z": "about z"}
 

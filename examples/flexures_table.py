@@ -28,7 +28,7 @@ from flexel.examples.flexures import (
     expected_stiffness,
     guided_directions,
 )
-from flexel.report import Quantity
+from flexel.results.report import Quantity
 
 
 def rows(results: Results) -> list[Quantity]:

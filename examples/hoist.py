@@ -14,11 +14,11 @@ from pathlib import Path
 import numpy as np
 
 import flexel as fx
+from flexel.base.arrays import Array
 from flexel.examples import hoist_model
 from flexel.examples.hoist_data import HOIST, SOURCE, Hoist
 from flexel.examples.hoist_model import BEARING_STIFFNESS, CONTACT, Model, axial_frequency, free_length
-from flexel.report import Quantity, Report
-from flexel.structure import Array
+from flexel.results.report import Quantity, Report
 
 STEP, SAMPLES_PER_SECOND = 4e-3, 50
 CLEAR = 0.3  # of the fall at the drum, left out at both ends [m]: elements that bend there stretch unevenly

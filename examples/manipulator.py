@@ -18,7 +18,7 @@ import numpy as np
 from scipy.linalg import solve_continuous_are
 
 import flexel as fx
-from flexel.structure import Array
+from flexel.base.arrays import Array
 
 JOINTS = ("shoulder.angle", "elbow.angle")
 BENDS = tuple(f"{link}{i}.bend{j}" for link in ("upper", "lower") for i in (1, 2) for j in (1, 2))

@@ -15,14 +15,14 @@ from typing import Any
 import numpy as np
 
 import flexel as fx
-from flexel.checks import in_frame
+from flexel.base.arrays import Array
+from flexel.base.quaternions import in_frame, matrix, triad
 from flexel.examples import bicycle
 from flexel.examples.bicycle_data import BENCHMARK, EIGENVALUES, PAPER
 from flexel.examples.differences import mismatch
-from flexel.linearize import Linearization, Mode
-from flexel.orientation import matrix, triad
-from flexel.report import Quantity, Report
-from flexel.structure import Array
+from flexel.mechanics.linearization import Linearization
+from flexel.mechanics.modes import Mode
+from flexel.results.report import Quantity, Report
 
 GRAVITY = 9.81
 WHEELBASE, RAKE, TRAIL, HEAD_HEIGHT = 1.45, 0.47, 0.11, 0.9

@@ -14,7 +14,7 @@ from flexel.examples import rope_hoists as hoists
 from flexel.examples import rope_sheaves as sheaves
 from flexel.examples import rope_swings as swings
 from flexel.examples import rope_waves as waves
-from flexel.report import Report
+from flexel.results.report import Report
 
 
 def reproduce(out: Path | None = None) -> Report:

@@ -15,7 +15,7 @@ from scipy.integrate import quad, solve_ivp
 from scipy.optimize import brentq, fsolve
 from scipy.special import jn_zeros, jv, yv
 
-from flexel.structure import Array
+from flexel.base.arrays import Array
 
 G = 9.81
 CONTACT_TIME = 2.94327518432470466  # of Hertz: duration of contact over largest approach per speed

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from flexel.base.arrays import Array
 from flexel.examples import rope_data as data
 from flexel.examples import rope_exact as exact
 from flexel.examples import rope_hanging as hanging
@@ -21,10 +22,9 @@ from flexel.examples import rope_swings as swings
 from flexel.examples import rope_waves as waves
 from flexel.pictures.figures import COLOURS, figure, save
 from flexel.pictures.shape import cubic
-from flexel.report import Quantity
+from flexel.results.report import Quantity
 from flexel.rope.cables import cable_tension
-from flexel.state import State
-from flexel.structure import Array
+from flexel.structure.state import State
 
 XI = np.linspace(0, 1, 9)[:, None]  # where the curve of an element is drawn
 

@@ -10,11 +10,11 @@ from functools import cache
 import numpy as np
 
 import flexel as fx
+from flexel.base.arrays import Array
 from flexel.examples import rope_exact as exact
 from flexel.examples import rope_models as models
 from flexel.examples.rope_table import over_meshes
-from flexel.report import Quantity
-from flexel.structure import Array
+from flexel.results.report import Quantity
 
 MESHES = (6, 12, 24)
 CHAIN_MESHES = (4, 8, 16)  # rounding shows from 32 on: EA is 3e6 times the chain's weight

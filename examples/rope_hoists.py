@@ -9,12 +9,12 @@ from functools import cache
 
 import numpy as np
 
+from flexel.base.arrays import Array
 from flexel.examples import rope_exact as exact
 from flexel.examples import rope_models as models
 from flexel.examples.rope_table import over_meshes
-from flexel.report import Quantity
+from flexel.results.report import Quantity
 from flexel.rope.cables import cable_tension
-from flexel.structure import Array
 
 MESHES = (10, 20)  # elements of the metre of rope next to the drum
 SPEED = 2.5  # of the drum in the end [rad/s]

@@ -10,9 +10,9 @@ from collections.abc import Callable
 import numpy as np
 
 import flexel as fx
+from flexel.base.arrays import Array
 from flexel.rope.path import Part, Path
 from flexel.rope.ropes import Rope
-from flexel.structure import Array
 
 RunUp = tuple[Callable[[float], float], Callable[[float], float], Callable[[float], float]]
 G = 9.81

@@ -10,12 +10,12 @@ from functools import cache
 import numpy as np
 
 import flexel as fx
+from flexel.base.arrays import Array
 from flexel.examples import rope_exact as exact
 from flexel.examples import rope_models as models
 from flexel.examples.rope_table import over_meshes
-from flexel.report import Quantity
+from flexel.results.report import Quantity
 from flexel.rope.ropes import Rope
-from flexel.structure import Array
 
 WRAPS = (90.0, 180.0, 360.0, 540.0)  # of the capstan [degrees]
 FRICTIONS = (0.1, 0.2, 0.35, 0.5)

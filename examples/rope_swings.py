@@ -10,12 +10,12 @@ from functools import cache
 import numpy as np
 
 import flexel as fx
+from flexel.base.arrays import Array
 from flexel.examples import rope_data as data
 from flexel.examples import rope_models as models
 from flexel.examples.convergence import order
 from flexel.examples.rope_table import over_meshes
-from flexel.report import Quantity
-from flexel.structure import Array
+from flexel.results.report import Quantity
 
 SOFT = 0.7e6  # E of the literature [N/m²]
 SOFT_MESHES = (8, 16, 32)

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from flexel.examples.convergence import order
-from flexel.report import Quantity
+from flexel.results.report import Quantity
 
 
 def over_meshes(

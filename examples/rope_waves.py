@@ -10,12 +10,12 @@ from functools import cache
 import numpy as np
 
 import flexel as fx
+from flexel.base.arrays import Array
 from flexel.examples import rope_exact as exact
 from flexel.examples import rope_models as models
 from flexel.examples.rope_table import over_meshes
-from flexel.report import Quantity
+from flexel.results.report import Quantity
 from flexel.rope.cables import cable_tension
-from flexel.structure import Array
 
 DAMPING_RATIOS = (0.0, 0.01, 0.02, 0.05, 0.1, 0.2)
 HEAVY = (0.01, 2.0027447663037883), (0.1, 2.0308778818386233), (0.5, 2.103196887658231)

@@ -2,7 +2,7 @@
 
 Planar rod of any even number of beam elements, axially rigid, or the same in space.  `reproduce` compares transient,
 periodic and swept midpoint deflections, linearized and nonlinear, with reference numbers; the general functions are
-those of `flexel.periodic`.  Imports numpy and flexel; the pictures are in `slider_crank_figures`,
+those of `flexel.linear.periodic`.  Imports numpy and flexel; the pictures are in `slider_crank_figures`,
 the rows of the table in `slider_crank_table`.
 """
 
@@ -17,10 +17,11 @@ from pathlib import Path
 import numpy as np
 
 import flexel as fx
-from flexel import periodic
+from flexel.base.arrays import Array
 from flexel.examples import slider_crank_data as data
-from flexel.report import Report
-from flexel.structure import Array, Node
+from flexel.linear import periodic
+from flexel.results.report import Report
+from flexel.structure.nodes import Node
 
 CONVERGED = 4  # elements with second-order terms: the periodic deflection changes by 0.02 % with 8
 HARMONICS = 16

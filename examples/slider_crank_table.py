@@ -7,10 +7,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from flexel import periodic
 from flexel.examples import slider_crank_data as data
 from flexel.examples.slider_crank import CONVERGED, Results, amplitudes, deflection, largest, omega0
-from flexel.report import Quantity
+from flexel.linear import periodic
+from flexel.results.report import Quantity
 
 
 def single(results: Results) -> list[Quantity]:

@@ -16,7 +16,7 @@ import numpy as np
 
 import flexel as fx
 from flexel.examples import vehicle_data as data
-from flexel.report import Report
+from flexel.results.report import Report
 
 TYRES = ("calspan", "linear", "zero slip", "vertical")
 UNIT_SPRING = fx.Curve([data.UNIT_SPRING])

@@ -13,11 +13,13 @@ from dataclasses import dataclass, field
 import numpy as np
 
 import flexel as fx
+from flexel.base.arrays import Array
 from flexel.examples import vehicle_data as data
 from flexel.examples.differences import state_matrix
 from flexel.examples.vehicle import BODY, SUSPENSION, vehicle
-from flexel.linearize import Linearization, Mode, sort_eigenvalues
-from flexel.structure import Array
+from flexel.mechanics.core import Core
+from flexel.mechanics.linearization import Linearization
+from flexel.mechanics.modes import Mode, sort_eigenvalues
 
 SPEEDS = (10, 20, 30)  # of the steering manoeuvres [m/s]
 BUMP_SPEEDS = (5, 10)
@@ -201,7 +203,7 @@ class Results:
     seconds: dict[str, float] = field(default_factory=dict)
 
     @property
-    def system(self) -> fx.System:
+    def system(self) -> Core:
         """The vehicle at rest."""
         return self.steering[30, "calspan"].system
 

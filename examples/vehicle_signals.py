@@ -11,9 +11,9 @@ from collections.abc import Callable, Mapping
 import numpy as np
 
 import flexel as fx
+from flexel.base.arrays import Array
+from flexel.base.quaternions import matrix
 from flexel.examples import vehicle_data as data
-from flexel.orientation import matrix
-from flexel.structure import Array
 
 
 def angles(state: fx.State) -> tuple[float, float, float]:

@@ -20,9 +20,10 @@ from flexel.examples.vehicle_signals import (
     load_histories,
     loads,
 )
-from flexel.linearize import Linearization, sort_eigenvalues
-from flexel.ranges import outside
-from flexel.report import Quantity
+from flexel.integration.ranges import outside
+from flexel.mechanics.linearization import Linearization
+from flexel.mechanics.modes import sort_eigenvalues
+from flexel.results.report import Quantity
 
 DEGREES = {"roll", "pitch", "yaw", "side_slip"}
 UNITS = {"yaw_rate": "rad/s", "lateral_acceleration": "m/s2", "z": "m", "speed": "m/s"} | dict.fromkeys(

@@ -2,17 +2,13 @@
 
 Nothing is imported here until it is asked for (PEP 562), so that ``import flexel`` is quick and
 ``python -m flexel.derive`` starts even when the compiled kernels are missing or broken.
-This room may import the standard library only; type checkers see the real imports below.
 """
 
 from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from flexel.compliance import Compliance, body_compliance
-    from flexel.constraints import constraint_report
-    from flexel.curves import Curve
-    from flexel.errors import (
+    from flexel.base.errors import (
         CompilerError,
         ConstraintError,
         DynamicsError,
@@ -24,26 +20,29 @@ if TYPE_CHECKING:
         PositionError,
         RangeWarning,
     )
-    from flexel.functions import Harmonic, Polynomial, Ramp, Table
-    from flexel.integrate import Event
-    from flexel.linearize import Linearization
-    from flexel.materials import Material
+    from flexel.base.quaternions import turn
+    from flexel.base.time_functions import Harmonic, Polynomial, Ramp, Table
+    from flexel.declare.curves import Curve
+    from flexel.declare.materials import Material
+    from flexel.declare.sections import Circle, IBeam, Rectangle, Tube
+    from flexel.declare.user import compile_element, compile_law
+    from flexel.declare.wheels import Waves
+    from flexel.integration.explicit import Event
+    from flexel.mechanics.constraints import constraint_report
+    from flexel.mechanics.linearization import Linearization
+    from flexel.mechanics.stress import beam_stress, largest_stress, section_forces
     from flexel.model import Model
-    from flexel.orientation import turn
-    from flexel.result import Motion
+    from flexel.results.motion import Motion
+    from flexel.results.saved.loading import load
     from flexel.rope.contacts import Contact
     from flexel.rope.impact import hunt_crossley, lankarani_nikravesh
     from flexel.rope.ropes import Rope
     from flexel.rope.surfaces import RoundGroove, VGroove
     from flexel.rope.wire_rope import WireRope
-    from flexel.saved.restore import load
-    from flexel.sections import Circle, IBeam, Rectangle, Tube
     from flexel.spacar.reading import Spacar, read_spacar
-    from flexel.state import State
-    from flexel.stress import beam_stress, largest_stress, section_forces
+    from flexel.statics.compliance import Compliance, body_compliance
+    from flexel.structure.state import State
     from flexel.system import System
-    from flexel.user import compile_element, compile_law
-    from flexel.wheels import Waves
 
 __version__ = "0.1.0"
 
@@ -97,52 +96,52 @@ __all__ = [
 ]
 
 _HOMES = {
-    "Circle": "flexel.sections",
-    "CompilerError": "flexel.errors",
-    "Compliance": "flexel.compliance",
-    "ConstraintError": "flexel.errors",
+    "Circle": "flexel.declare.sections",
+    "CompilerError": "flexel.base.errors",
+    "Compliance": "flexel.statics.compliance",
+    "ConstraintError": "flexel.base.errors",
     "Contact": "flexel.rope.contacts",
-    "Curve": "flexel.curves",
-    "DynamicsError": "flexel.errors",
-    "ElementError": "flexel.errors",
-    "Event": "flexel.integrate",
-    "FlexelError": "flexel.errors",
-    "Harmonic": "flexel.functions",
-    "IBeam": "flexel.sections",
-    "IncompleteWarning": "flexel.errors",
-    "Linearization": "flexel.linearize",
-    "LinearizationError": "flexel.errors",
-    "Material": "flexel.materials",
+    "Curve": "flexel.declare.curves",
+    "DynamicsError": "flexel.base.errors",
+    "ElementError": "flexel.base.errors",
+    "Event": "flexel.integration.explicit",
+    "FlexelError": "flexel.base.errors",
+    "Harmonic": "flexel.base.time_functions",
+    "IBeam": "flexel.declare.sections",
+    "IncompleteWarning": "flexel.base.errors",
+    "Linearization": "flexel.mechanics.linearization",
+    "LinearizationError": "flexel.base.errors",
+    "Material": "flexel.declare.materials",
     "Model": "flexel.model",
-    "ModelError": "flexel.errors",
-    "Motion": "flexel.result",
-    "Polynomial": "flexel.functions",
-    "PositionError": "flexel.errors",
-    "Ramp": "flexel.functions",
-    "RangeWarning": "flexel.errors",
-    "Rectangle": "flexel.sections",
+    "ModelError": "flexel.base.errors",
+    "Motion": "flexel.results.motion",
+    "Polynomial": "flexel.base.time_functions",
+    "PositionError": "flexel.base.errors",
+    "Ramp": "flexel.base.time_functions",
+    "RangeWarning": "flexel.base.errors",
+    "Rectangle": "flexel.declare.sections",
     "Rope": "flexel.rope.ropes",
     "RoundGroove": "flexel.rope.surfaces",
     "Spacar": "flexel.spacar.reading",
-    "State": "flexel.state",
+    "State": "flexel.structure.state",
     "System": "flexel.system",
-    "Table": "flexel.functions",
-    "Tube": "flexel.sections",
+    "Table": "flexel.base.time_functions",
+    "Tube": "flexel.declare.sections",
     "VGroove": "flexel.rope.surfaces",
-    "Waves": "flexel.wheels",
+    "Waves": "flexel.declare.wheels",
     "WireRope": "flexel.rope.wire_rope",
-    "beam_stress": "flexel.stress",
-    "body_compliance": "flexel.compliance",
-    "compile_element": "flexel.user",
-    "compile_law": "flexel.user",
-    "constraint_report": "flexel.constraints",
+    "beam_stress": "flexel.mechanics.stress",
+    "body_compliance": "flexel.statics.compliance",
+    "compile_element": "flexel.declare.user",
+    "compile_law": "flexel.declare.user",
+    "constraint_report": "flexel.mechanics.constraints",
     "hunt_crossley": "flexel.rope.impact",
     "lankarani_nikravesh": "flexel.rope.impact",
-    "largest_stress": "flexel.stress",
-    "load": "flexel.saved.restore",
+    "largest_stress": "flexel.mechanics.stress",
+    "load": "flexel.results.saved.loading",
     "read_spacar": "flexel.spacar.reading",
-    "section_forces": "flexel.stress",
-    "turn": "flexel.orientation",
+    "section_forces": "flexel.mechanics.stress",
+    "turn": "flexel.base.quaternions",
 }
 
 

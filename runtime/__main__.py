@@ -1,6 +1,6 @@
 """``python -m flexel``: the same as the command ``flexel``."""
 
-from flexel.cli import main
+from flexel.commands.main import main
 
 if __name__ == "__main__":
     main(prog_name="python -m flexel")

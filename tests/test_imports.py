@@ -21,10 +21,10 @@ SEES_GENERATED = ("derive/verify", "derive/compile")
 CALLS_DERIVE = (
     "runtime/commands/derive.py",
     "runtime/commands/verify.py",
-    "runtime/feedback.py",
-    "runtime/info.py",
-    "runtime/laws.py",
-    "runtime/user.py",
+    "runtime/commands/facts.py",
+    "runtime/declare/feedback.py",
+    "runtime/declare/formulas.py",
+    "runtime/declare/user.py",
 )
 # What makes an import slow, or is an extra that may be absent: inside functions only.
 LAZY = {"sympy", "jinja2", "matplotlib", "xarray", "h5netcdf", "pandas", "control", "sksundae", "joblib"}

@@ -1,1 +1,1 @@
-"""The commands of `flexel`, one in each room; the table of them is `flexel.cli`."""
+"""The commands of `flexel`, one in each room; the table of them is `flexel.commands.main`."""

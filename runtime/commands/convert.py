@@ -1,7 +1,4 @@
-"""`flexel convert MODEL.dat MODEL.py`.
-
-Imports click; the reading of files only when a command runs.
-"""
+"""`flexel convert MODEL.dat MODEL.py`."""
 
 from __future__ import annotations
 
@@ -26,7 +23,7 @@ def convert(file: Path, target: Path, dialect: str | None) -> None:
 
     An existing MODEL.py is not overwritten.
     """
-    from flexel.errors import FlexelError
+    from flexel.base.errors import FlexelError
     from flexel.spacar.convert import convert_spacar
 
     try:

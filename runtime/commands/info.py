@@ -6,7 +6,7 @@ import click
 @click.command()
 def info() -> None:
     """Print versions, compiler, cache directory and whether the kernels load."""
-    from flexel.info import facts
+    from flexel.commands.facts import facts
 
     rows = facts()
     width = max(len(name) for name, _ in rows)

@@ -6,8 +6,6 @@ The file is run as a program whose ``__name__`` is the file's own, so that what 
 - ``main(out)``, if there is one: called with the folder for results. What it returns, if that is a Motion, is kept.
 - otherwise the `flexel.Model` called ``model`` or ``m``, or the only one there is,
 - with ``simulate``, a dict of the options of `System.simulate`, such as ``{"duration": 2.0, "samples": 401}``.
-
-Imports click for the errors that end a command, and the model.
 """
 
 from __future__ import annotations
@@ -29,7 +27,7 @@ if TYPE_CHECKING:
 @contextmanager
 def told_by_line(path: Path) -> Iterator[None]:
     """End the command with one line that names the line of the user's file, whatever it raises."""
-    from flexel.errors import FlexelError
+    from flexel.base.errors import FlexelError
 
     try:
         yield

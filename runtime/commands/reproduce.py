@@ -12,7 +12,7 @@ import click
 from flexel.commands.stop import INTERRUPTED
 
 if TYPE_CHECKING:
-    from flexel.report import Report
+    from flexel.results.report import Report
 
 # The published systems: name -> module with a function reproduce(out: Path | None) -> Report.
 CASES = {
@@ -74,7 +74,7 @@ def reproduce(names: tuple[str, ...], json_file: str | None, out: Path | None) -
 
 
 def _write_json(reports: Sequence["Report"], file: str, as_list: bool) -> None:
-    from flexel.report import to_json
+    from flexel.results.report import to_json
 
     with click.open_file(file, "w", encoding="utf-8") as stream:
         stream.write(to_json(reports, as_list=as_list or not reports))
@@ -104,7 +104,7 @@ def _chosen(names: Sequence[str]) -> list[str]:
 
 def _run(name: str, out: Path | None, table_on_stderr: bool) -> "Report":
     """Run one system, time it and print its table."""
-    from flexel.errors import FlexelError
+    from flexel.base.errors import FlexelError
 
     click.echo(f"{name} ...", err=True)
     start = time.perf_counter()

@@ -14,7 +14,7 @@ from flexel.commands.stop import INTERRUPTED
 
 if TYPE_CHECKING:
     from flexel.model import Model
-    from flexel.result import Motion
+    from flexel.results.motion import Motion
 
 STIFF = "stiff"
 METHODS = ("DOP853", "RK45", "LSODA", "Radau", "BDF", STIFF)
@@ -121,7 +121,7 @@ def run(
 
 def _run_python(file: Path, wish: Wish) -> Motion | None:
     """The motion of a model declared in Python, or what its ``main(out)`` returns."""
-    from flexel.result import Motion
+    from flexel.results.motion import Motion
 
     names = names_of(file)
     # now, so that a folder that cannot be made is told before the work
@@ -188,7 +188,7 @@ def _keep_what_there_is(failure: click.ClickException, wish: Wish, stem: str) ->
 
 def _run_spacar(file: Path, out: Path | None, mode: int | None, dialect: str | None) -> None:
     """Run a SPACAR input file and print its results."""
-    from flexel.errors import FlexelError
+    from flexel.base.errors import FlexelError
     from flexel.spacar.run import run_spacar
 
     try:

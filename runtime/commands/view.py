@@ -22,8 +22,8 @@ def view(file: Path, out: Path | None, title: str, open_it: bool) -> None:
 
     A motion and a periodic motion are played; of a linearization the modes are shown. Nothing in the file is executed.
     """
-    from flexel.errors import FlexelError
-    from flexel.saved.restore import load
+    from flexel.base.errors import FlexelError
+    from flexel.results.saved.loading import load
 
     try:
         path = load(file).view(out or file.with_suffix(".html"), title=title or file.stem)

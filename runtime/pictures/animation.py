@@ -1,7 +1,6 @@
-"""Moving pictures of a mechanism: a GIF or an MP4 painted by matplotlib, or the page of `flexel.view`.
+"""Moving pictures of a mechanism: a GIF or an MP4 painted by matplotlib, or the page of `flexel.pictures.view`.
 
 Each frame is one PNG, so that the writers differ only in how they join them.
-Imports numpy, tqdm and the runtime rooms of drawing, scene and state; the viewer, matplotlib and Pillow when asked.
 """
 
 from __future__ import annotations
@@ -17,13 +16,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from tqdm import tqdm
 
-from flexel.errors import FlexelError, ModelError
+from flexel.base.errors import FlexelError, ModelError
 from flexel.pictures import drawing
 from flexel.pictures.scene import View, canvas, draw, painted
-from flexel.state import State
+from flexel.structure.state import State
 
 if TYPE_CHECKING:
-    from flexel.result import Motion
+    from flexel.results.motion import Motion
 
 
 def animate(
@@ -90,7 +89,7 @@ def animate(
     start, end = between or (float(motion.t[0]), float(motion.t[-1]))
     count = max(2, round((end - start) * slower * fps) + 1)
     if path.suffix == ".html":
-        from flexel.view import view_motion
+        from flexel.pictures.view import view_motion
 
         shown: dict[str, Any] = {"view": view, "title": title, "caption": caption, "progress": progress}
         return view_motion(motion, path, frames=count, between=between, slower=slower, **shown)

@@ -1,7 +1,6 @@
 """Deflected shapes and mode shapes: a mechanism drawn at several states, or displaced from one.
 
 Every function returns the matplotlib figure and writes it where a path is given.
-Imports numpy and the rooms of drawing, figures, scene and states.
 """
 
 from __future__ import annotations
@@ -13,17 +12,18 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from flexel.errors import ModelError
+from flexel.base.arrays import Array
+from flexel.base.errors import ModelError
 from flexel.pictures import drawing
 from flexel.pictures.figures import COLOURS, save
 from flexel.pictures.scene import View, canvas, display_axes
-from flexel.state import State
-from flexel.structure import Array, Structure
+from flexel.structure.state import State
+from flexel.structure.structure import Structure
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from flexel.result import Motion
+    from flexel.results.motion import Motion
 
 UNSHOWN = ("spoke", "axle", "box")
 GREY = "#b8bfc6"

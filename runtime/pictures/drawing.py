@@ -1,8 +1,7 @@
 """What a mechanism looks like at one instant: the shapes of all its parts, for any kind of picture.
 
 Everything is read from the structure's instances and a state; how it is painted is the business of
-`flexel.pictures.scene` (matplotlib) and `flexel.view` (a page with a viewer).
-Imports numpy and the runtime rooms of orientation, painters, shape, state and structure.
+`flexel.pictures.scene` (matplotlib) and `flexel.pictures.view` (a page with a viewer).
 """
 
 from __future__ import annotations
@@ -12,12 +11,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from flexel.orientation import conjugate, matrix, product
+from flexel.base.arrays import Array
+from flexel.base.quaternions import conjugate, matrix, product
 from flexel.pictures.painters import CONTACTS, PAINTERS, WHEELS, bar
 from flexel.pictures.rope_painters import sheaves
 from flexel.pictures.shape import Shape, Sketch, place
-from flexel.state import Geometry, State
-from flexel.structure import Array, Instance
+from flexel.structure.instances import Instance
+from flexel.structure.state import Geometry, State
 
 __all__ = ["Shape", "Sketch", "planar", "roads", "shapes", "upward"]
 
@@ -50,7 +50,7 @@ class _Geometry:
         self._found: tuple[Array, Array] | None = None
 
     def position(self, x: Array) -> tuple[Array, Array]:
-        """Deformations and J, as `flexel.state.Geometry` says."""
+        """Deformations and J, as `flexel.structure.state.Geometry` says."""
         if self._found is None:
             self._found = self._geometry.position(x)
         return self._found

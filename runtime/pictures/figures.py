@@ -1,7 +1,4 @@
-"""Figures in flexel's style with matplotlib, which is imported when one is made.
-
-Imports pathlib and the errors.
-"""
+"""Figures in flexel's style with matplotlib, which is imported when one is made."""
 
 from __future__ import annotations
 
@@ -10,7 +7,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from flexel.errors import FlexelError
+from flexel.base.errors import FlexelError
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -1,7 +1,6 @@
 """Graphs of results: spectra, phase planes, poles, harmonics.
 
 Every function returns the matplotlib figure and writes it where a path is given.
-Imports numpy, scipy.signal and the rooms of figures and results.
 """
 
 from __future__ import annotations
@@ -14,15 +13,15 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.signal import get_window
 
-from flexel.errors import ModelError
+from flexel.base.arrays import Array
+from flexel.base.errors import ModelError
 from flexel.pictures.figures import COLOURS, figure, save
-from flexel.structure import Array
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from flexel.harmonics import PeriodicVibration
-    from flexel.result import Motion
+    from flexel.linear.harmonics import PeriodicVibration
+    from flexel.results.motion import Motion
 
 
 def spectrum(motion: Motion, name: str, window: str = "hann") -> tuple[Array, Array, str]:

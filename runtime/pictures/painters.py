@@ -1,8 +1,6 @@
 """What each kind of element looks like at a state: a table of functions that give its shapes.
 
 A new kind of element is drawn by one function and one line in `PAINTERS`.
-Imports numpy and the runtime rooms of materials, ropes' and planar painters, orientation, shape, state, stress and
-structure.
 """
 
 from __future__ import annotations
@@ -11,8 +9,10 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
-from flexel.materials import Profile
-from flexel.orientation import matrix, product
+from flexel.base.arrays import Array
+from flexel.base.quaternions import matrix, product
+from flexel.declare.materials import Profile
+from flexel.mechanics.stress import section_forces
 from flexel.pictures import planar_painters
 from flexel.pictures.rope_painters import contact, rope
 from flexel.pictures.shape import (
@@ -28,9 +28,9 @@ from flexel.pictures.shape import (
     section_outline,
     turned,
 )
-from flexel.state import State
-from flexel.stress import section_forces
-from flexel.structure import Array, Instance, Structure
+from flexel.structure.instances import Instance
+from flexel.structure.state import State
+from flexel.structure.structure import Structure
 
 SPOKES = 8
 RIM = np.linspace(0, 2 * np.pi, 49)

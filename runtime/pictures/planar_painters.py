@@ -1,7 +1,4 @@
-"""What pulleys, gears and wheels of planar models look like at a state.
-
-Imports numpy and the runtime rooms of shape, state and structure.
-"""
+"""What pulleys, gears and wheels of planar models look like at a state."""
 
 from __future__ import annotations
 
@@ -9,9 +6,10 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from flexel.base.arrays import Array
 from flexel.pictures.shape import Shape, axes_of, place, turned
-from flexel.state import State
-from flexel.structure import Array, Instance
+from flexel.structure.instances import Instance
+from flexel.structure.state import State
 
 RIM = np.linspace(0, 2 * np.pi, 49)
 

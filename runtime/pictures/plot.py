@@ -1,7 +1,6 @@
 """Pictures of motions: time histories, root loci, and, from the rooms next door, the mechanism at rest and moving.
 
 Every function returns the matplotlib figure (or axes, or path) and writes it where a path is given.
-Imports numpy, scipy and the runtime rooms of figures, scene and animation; never a particular model.
 """
 
 from __future__ import annotations
@@ -14,17 +13,17 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
+from flexel.base.arrays import Array
 from flexel.pictures.animation import animate
 from flexel.pictures.drawing import Sketch
 from flexel.pictures.figures import COLOURS, figure, save
 from flexel.pictures.scene import View, draw
-from flexel.structure import Array
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from flexel.result import Motion
+    from flexel.results.motion import Motion
 
 __all__ = ["Sketch", "View", "animate", "branches", "draw", "plot_histories", "root_loci"]
 

@@ -1,7 +1,4 @@
-"""What ropes and what they touch look like: the cable's curve with its tension, sheaves, and forces of contact.
-
-Imports numpy and the runtime rooms of cables, orientation, shape, state and structure.
-"""
+"""What ropes and what they touch look like: the cable's curve with its tension, sheaves, and forces of contact."""
 
 from __future__ import annotations
 
@@ -9,11 +6,12 @@ from collections.abc import Iterable, Iterator
 
 import numpy as np
 
-from flexel.orientation import matrix, product
+from flexel.base.arrays import Array
+from flexel.base.quaternions import matrix, product
 from flexel.pictures.shape import Shape, circle, cubic, place, resultant, section_outline, turned
 from flexel.rope.cables import cable_tension
-from flexel.state import State
-from flexel.structure import Array, Instance
+from flexel.structure.instances import Instance
+from flexel.structure.state import State
 
 STEPS = np.linspace(0, 1, 9)[:, None]  # vertices of an element
 RING = np.linspace(0, 2 * np.pi, 65)

@@ -1,7 +1,4 @@
-"""Pictures of a mechanism: any model at a state, painted on matplotlib axes.
-
-Imports numpy and the runtime rooms of drawing, figures, state and structure; matplotlib when a picture is drawn.
-"""
+"""Pictures of a mechanism: any model at a state, painted on matplotlib axes."""
 
 from __future__ import annotations
 
@@ -12,11 +9,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from flexel.base.arrays import Array
 from flexel.pictures import drawing
 from flexel.pictures.drawing import Sketch
 from flexel.pictures.figures import figure
-from flexel.state import State
-from flexel.structure import Array
+from flexel.structure.state import State
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -1,7 +1,4 @@
-"""The primitives of a picture: lines that a body carries or that deform, with a section, a force or values.
-
-Imports numpy and the runtime rooms of materials, orientation, sections, state and structure.
-"""
+"""The primitives of a picture: lines that a body carries or that deform, with a section, a force or values."""
 
 from __future__ import annotations
 
@@ -10,12 +7,14 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from flexel.materials import Profile
-from flexel.orientation import matrix
+from flexel.base.arrays import Array
+from flexel.base.quaternions import matrix
+from flexel.declare.materials import Profile
+from flexel.declare.sections import IBeam, Rectangle, Section, Tube
 from flexel.rope.wire_rope import WireRope
-from flexel.sections import IBeam, Rectangle, Section, Tube
-from flexel.state import State
-from flexel.structure import Array, Instance, Structure
+from flexel.structure.instances import Instance
+from flexel.structure.state import State
+from flexel.structure.structure import Structure
 
 CORNERS = 16  # of a round section
 

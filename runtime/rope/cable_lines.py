@@ -1,25 +1,20 @@
-"""Lines of cables: the method of `Model` that lays many elements along a straight line or a curve.
-
-Imports numpy, scipy.interpolate, the errors, the shared checks and the cables.
-"""
+"""Lines of cables: the method of `Model` that lays many elements along a straight line or a curve."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from flexel.checks import positive
-from flexel.errors import ModelError
-from flexel.inputs import array, number
-from flexel.structure import Array, Node
-from flexel.undo import whole_or_nothing
-
-if TYPE_CHECKING:
-    from flexel.model import Model
+from flexel.base.arguments import array, number, positive
+from flexel.base.arrays import Array
+from flexel.base.errors import ModelError
+from flexel.base.transactions import whole_or_nothing
+from flexel.rope.cables import Cables
+from flexel.structure.nodes import Node
 
 SAMPLES = 400  # of a given curve, for its arc length
 Path = Sequence[Sequence[float]] | Array | Callable[[float], Any]
@@ -49,73 +44,79 @@ class CableLine:
         return f"{type(self).__name__}('{self.name}', {len(self.elements)} elements, {self.s[-1]:.6g} m)"
 
 
-@whole_or_nothing
-def cable_line(
-    self: Model,
-    name: str,
-    path: Path,
-    n: int | None = None,
-    *,
-    length: float | None = None,
-    at: Sequence[float] | Array | None = None,
-    start: Node | str | None = None,
-    end: Node | str | None = None,
-    **properties: Any,
-) -> CableLine:
-    """Lay a cable of n elements along a path: elements ``name1`` …, points ``name_p0`` …, slopes ``name_d0`` ….
+class CableLines(Cables):
+    """Lines of cables."""
 
-    Parameters
-    ----------
-    path : sequence of points (3,) or (2,), or callable
-        Two points are a straight line, more a smooth curve through them; a callable gives the place for a parameter
-        from 0 to 1.
-    n : int
-        Number of elements, of equal length.
-    length : float, optional
-        Undeformed length of the whole cable [m], that of the path by default; a longer path is a stretched cable.
-    at : sequence of float, optional
-        Instead of n: undeformed arc length of the nodes over the length, from 0 to 1, such as to refine near a sheave.
-    start, end : node, optional
-        Points to use for the ends instead of new ones, such as those of a body.
-    **properties
-        EA, EI, mass_per_length, section, material, damping, bending_damping of `Model.cable`.
+    @whole_or_nothing
+    def cable_line(
+        self,
+        name: str,
+        path: Path,
+        n: int | None = None,
+        *,
+        length: float | None = None,
+        at: Sequence[float] | Array | None = None,
+        start: Node | str | None = None,
+        end: Node | str | None = None,
+        **properties: Any,
+    ) -> CableLine:
+        """Lay a cable of n elements along a path: elements ``name1`` …, points ``name_p0`` …, slopes ``name_d0`` ….
 
-    Returns
-    -------
-    CableLine
+        Parameters
+        ----------
+        path : sequence of points (3,) or (2,), or callable
+            Two points are a straight line, more a smooth curve through them; a callable gives the place for a parameter
+            from 0 to 1.
+        n : int
+            Number of elements, of equal length.
+        length : float, optional
+            Undeformed length of the whole cable [m], that of the path by default; a longer path is a stretched cable.
+        at : sequence of float, optional
+            Instead of n: undeformed arc length of the nodes over the length, from 0 to 1, such as to refine near a
+            sheave.
+        start, end : node, optional
+            Points to use for the ends instead of new ones, such as those of a body.
+        **properties
+            EA, EI, mass_per_length, section, material, damping, bending_damping of `Model.cable`.
 
-    Raises
-    ------
-    ModelError
-        A path without length, places that do not ascend, ends that are not on the path.
+        Returns
+        -------
+        CableLine
 
-    Examples
-    --------
-    >>> rope = m.cable_line("rope", [(0, 0, 0), (0, 0, -10)], 20, EA=1e6, EI=1.0, mass_per_length=1.0)
-    ... # doctest: +SKIP
-    """
-    owner = f"cable line '{name}'"
-    fractions = _fractions(owner, n, at)
-    curve, total = _curve(owner, path)
-    length = total if length is None else positive(length, owner, "length")
-    places, directions = curve(fractions * total), curve(fractions * total, 1)
-    points = [
-        _end(self, owner, start, places[0]),
-        *[None] * (len(fractions) - 2),
-        _end(self, owner, end, places[-1]),
-    ]
-    nodes = [z or self.point(f"{name}_p{i}", x) for i, (z, x) in enumerate(zip(points, places, strict=True))]
-    slopes = [
-        self.slope(f"{name}_d{i}", direction, stretch=total / length)
-        for i, direction in enumerate(directions)
-    ]
-    s = fractions * length
-    elements = []
-    for i in range(len(s) - 1):
-        elements.append(f"{name}{i + 1}")
-        ends = nodes[i], slopes[i], nodes[i + 1], slopes[i + 1]
-        self.cable(elements[-1], *ends, float(s[i + 1] - s[i]), **properties)
-    return CableLine(name, tuple(elements), tuple(nodes), tuple(slopes), s)
+        Raises
+        ------
+        ModelError
+            A path without length, places that do not ascend, ends that are not on the path.
+
+        Examples
+        --------
+        >>> rope = m.cable_line("rope", [(0, 0, 0), (0, 0, -10)], 20, EA=1e6, EI=1.0, mass_per_length=1.0)
+        ... # doctest: +SKIP
+        """
+        owner = f"cable line '{name}'"
+        fractions = _fractions(owner, n, at)
+        curve, total = _curve(owner, path)
+        length = total if length is None else positive(length, owner, "length")
+        places, directions = curve(fractions * total), curve(fractions * total, 1)
+        points = [
+            _end(self, owner, start, places[0]),
+            *[None] * (len(fractions) - 2),
+            _end(self, owner, end, places[-1]),
+        ]
+        nodes = [
+            z or self.point(f"{name}_p{i}", x) for i, (z, x) in enumerate(zip(points, places, strict=True))
+        ]
+        slopes = [
+            self.slope(f"{name}_d{i}", direction, stretch=total / length)
+            for i, direction in enumerate(directions)
+        ]
+        s = fractions * length
+        elements = []
+        for i in range(len(s) - 1):
+            elements.append(f"{name}{i + 1}")
+            ends = nodes[i], slopes[i], nodes[i + 1], slopes[i + 1]
+            self.cable(elements[-1], *ends, float(s[i + 1] - s[i]), **properties)
+        return CableLine(name, tuple(elements), tuple(nodes), tuple(slopes), s)
 
 
 def _fractions(owner: str, n: int | None, at: Any) -> Array:
@@ -162,11 +163,11 @@ def _by_arc_length(spline: CubicSpline) -> tuple[CubicSpline, float]:
     return CubicSpline(knots, spline(CubicSpline(s, u)(knots))), float(s[-1])
 
 
-def _end(self: Model, owner: str, given: Node | str | None, place: Array) -> Node | None:
+def _end(model: Cables, owner: str, given: Node | str | None, place: Array) -> Node | None:
     """The node that was given for an end, if it lies there."""
     if given is None:
         return None
-    node = self.of_kind(given, ("point", "planar_point"), owner)
+    node = model.of_kind(given, ("point", "planar_point"), owner)
     if node.x0.shape != place.shape or np.linalg.norm(node.x0 - place) > 1e-9 * (1 + np.linalg.norm(place)):
         raise ModelError(
             f"{owner}: node '{node.name}' at {node.x0.tolist()} is not where the path ends, {place.tolist()}; move one"

@@ -1,134 +1,173 @@
-"""Cables: the methods of `Model` that make a slope, lay a cable between points, and hold its end at a body.
-
-Imports numpy, the errors, the shared checks, the orientation, the materials, the element table and the state.
-"""
+"""Cables: the methods of `Model` that make a slope, lay a cable between points, and hold its end at a body."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
-from flexel.checks import in_frame, not_negative, positive, span
-from flexel.errors import ModelError
+from flexel.base.arguments import array, not_negative, positive, span, unknown, vector
+from flexel.base.arrays import Array, Index
+from flexel.base.errors import ModelError
+from flexel.base.quaternions import in_frame, triad
+from flexel.base.transactions import whole_or_nothing
+from flexel.declare.beams import Beams
+from flexel.declare.materials import Material, Profile, profile_of
+from flexel.declare.nodes import Nodes
 from flexel.generated.table import LAWS
-from flexel.inputs import array, vector
-from flexel.materials import Material, Profile, profile_of
-from flexel.orientation import triad
-from flexel.state import State
-from flexel.structure import Array, Index, Instance, LawInstance, Node, unknown
-from flexel.undo import whole_or_nothing
-
-if TYPE_CHECKING:
-    from flexel.model import Model
+from flexel.structure.instances import Instance, LawInstance
+from flexel.structure.nodes import Node
+from flexel.structure.state import State
 
 # Places on (-1, 1) and weights of sum 2.
 AXIAL, BENDING = (np.polynomial.legendre.leggauss(k) for k in (4, 3))
 KINDS = ("cable", "planar_cable")
 
 
-def slope(self: Model, name: str, direction: Any, fixed: bool = False, *, stretch: float = 1.0) -> Node:
-    """A slope node: derivative of a cable's position by its undeformed arc length.
+class Cables(Beams, Nodes):
+    """Cables with absolute nodal coordinates."""
 
-    Parameters
-    ----------
-    direction : sequence of float (3,) or (2,)
-        Along the cable, of any length.
-    fixed : bool
-        Hold direction and stretch; `clamp_slope` holds the direction alone.
-    stretch : float
-        Length of the slope as drawn: one where the cable is not stretched.
+    def slope(self, name: str, direction: Any, fixed: bool = False, *, stretch: float = 1.0) -> Node:
+        """A slope node: derivative of a cable's position by its undeformed arc length.
 
-    Raises
-    ------
-    ModelError
-        Double name, a direction without length.
-    """
-    owner = f"slope '{name}'"
-    d = array(direction, owner, "direction")
-    planar = d.shape == (2,)
-    d = vector(d, owner, "direction", 2 if planar else 3)
-    length = float(np.linalg.norm(d))
-    if length == 0:
-        raise ModelError(f"{owner}: its direction {d.tolist()} has no length; give a vector along the cable")
-    x0 = positive(stretch, owner, "stretch") * d / length
-    return self._node(name, "planar_slope" if planar else "slope", x0, fixed)
+        Parameters
+        ----------
+        direction : sequence of float (3,) or (2,)
+            Along the cable, of any length.
+        fixed : bool
+            Hold direction and stretch; `clamp_slope` holds the direction alone.
+        stretch : float
+            Length of the slope as drawn: one where the cable is not stretched.
 
+        Raises
+        ------
+        ModelError
+            Double name, a direction without length.
+        """
+        owner = f"slope '{name}'"
+        d = array(direction, owner, "direction")
+        planar = d.shape == (2,)
+        d = vector(d, owner, "direction", 2 if planar else 3)
+        length = float(np.linalg.norm(d))
+        if length == 0:
+            raise ModelError(
+                f"{owner}: its direction {d.tolist()} has no length; give a vector along the cable"
+            )
+        x0 = positive(stretch, owner, "stretch") * d / length
+        return self._node(name, "planar_slope" if planar else "slope", x0, fixed)
 
-@whole_or_nothing
-def cable(
-    self: Model,
-    name: str,
-    p: Node | str,
-    slope_p: Node | str,
-    q: Node | str,
-    slope_q: Node | str,
-    length: float | None = None,
-    *,
-    EA: float | None = None,
-    EI: float | None = None,
-    mass_per_length: float | None = None,
-    section: Any = None,
-    material: Material | str | None = None,
-    damping: float = 0.0,
-    bending_damping: float = 0.0,
-) -> None:
-    """Lay one element of a cable between two points with slopes: it stretches, bends and may sag.
+    @whole_or_nothing
+    def cable(
+        self,
+        name: str,
+        p: Node | str,
+        slope_p: Node | str,
+        q: Node | str,
+        slope_q: Node | str,
+        length: float | None = None,
+        *,
+        EA: float | None = None,
+        EI: float | None = None,
+        mass_per_length: float | None = None,
+        section: Any = None,
+        material: Material | str | None = None,
+        damping: float = 0.0,
+        bending_damping: float = 0.0,
+    ) -> None:
+        """Lay one element of a cable between two points with slopes: it stretches, bends and may sag.
 
-    Parameters
-    ----------
-    length : float, optional
-        Undeformed length [m]; by default that of the cubic curve as drawn.
-    EA, EI : float
-        Stiffness in tension [N] (with Green's strain) and in bending [N m²]; EI may be zero.
-    mass_per_length : float
-        [kg/m]
-    section, material : Section and Material (or its name, such as "wire rope")
-        Give EA, EI and the mass instead of the numbers; EI given beside them wins.
-    damping, bending_damping : float
-        Kelvin–Voigt damping of stretching and of bending: ratio of damping to stiffness [s].  In space the rate of
-        the curvature vector includes its turning, so that bending damping resists the turning of a bent cable
-        about other axes than the normal of its plane, too.
+        Parameters
+        ----------
+        length : float, optional
+            Undeformed length [m]; by default that of the cubic curve as drawn.
+        EA, EI : float
+            Stiffness in tension [N] (with Green's strain) and in bending [N m²]; EI may be zero.
+        mass_per_length : float
+            [kg/m]
+        section, material : Section and Material (or its name, such as "wire rope")
+            Give EA, EI and the mass instead of the numbers; EI given beside them wins.
+        damping, bending_damping : float
+            Kelvin–Voigt damping of stretching and of bending: ratio of damping to stiffness [s].  In space the rate of
+            the curvature vector includes its turning, so that bending damping resists the turning of a bent cable
+            about other axes than the normal of its plane, too.
 
-    Raises
-    ------
-    ModelError
-        Points that coincide, a stiffness that is missing or negative.
+        Raises
+        ------
+        ModelError
+            Points that coincide, a stiffness that is missing or negative.
 
-    See Also
-    --------
-    Model.cable_line : Many elements along a line or curve.
-    """
-    owner = f"cable '{name}'"
-    kinds = ((p, "point"), (slope_p, "slope"), (q, "point"), (slope_q, "slope"))
-    planar, nodes = self.resolve(owner, *kinds)
-    span(nodes[0].x0, nodes[2].x0, owner)
-    l0 = drawn_length(*(z.x0 for z in nodes)) if length is None else positive(length, owner, "length")
-    profile = None
-    if section is not None or material is not None:
-        profile = _profile(owner, section, material, EA, mass_per_length)
-        stiffness = profile.stiffness()
-        EA, mass_per_length = stiffness["EA"], profile.mass()[0]
-        EI = stiffness["EIz"] if EI is None else EI
-    if EA is None or EI is None:
-        raise ModelError(
-            f"{owner}: EA or EI is missing; give both (EI=0 for a chain), or section and material"
+        See Also
+        --------
+        Model.cable_line : Many elements along a line or curve.
+        """
+        owner = f"cable '{name}'"
+        kinds = ((p, "point"), (slope_p, "slope"), (q, "point"), (slope_q, "slope"))
+        planar, nodes = self.resolve(owner, *kinds)
+        span(nodes[0].x0, nodes[2].x0, owner)
+        l0 = drawn_length(*(z.x0 for z in nodes)) if length is None else positive(length, owner, "length")
+        profile = None
+        if section is not None or material is not None:
+            profile = _profile(owner, section, material, EA, mass_per_length)
+            stiffness = profile.stiffness()
+            EA, mass_per_length = stiffness["EA"], profile.mass()[0]
+            EI = stiffness["EIz"] if EI is None else EI
+        if EA is None or EI is None:
+            raise ModelError(
+                f"{owner}: EA or EI is missing; give both (EI=0 for a chain), or section and material"
+            )
+        mass = np.array(
+            [not_negative(0.0 if mass_per_length is None else mass_per_length, owner, "mass_per_length")]
         )
-    mass = np.array(
-        [not_negative(0.0 if mass_per_length is None else mass_per_length, owner, "mass_per_length")]
-    )
-    element = "planar_cable" if planar else "cable"
-    self.add(name, element, nodes, {"l0": np.array([l0]), "rhoA": mass})
-    self.instances[name] = replace(self.instances[name], profile=profile)
-    S = weights(l0, positive(EA, owner, "EA"), not_negative(EI, owner, "EI"), planar)
-    D = S.copy()
-    D[:4] *= not_negative(damping, owner, "damping")
-    D[4:] *= not_negative(bending_damping, owner, "bending_damping")
-    values = {"preload": np.zeros(S.size), "S": S, "D": D}
-    modes = self.instances[name].deformations
-    self.laws.append(LawInstance(name, LAWS[f"diagonal_{S.size}"], modes, (), values))
+        element = "planar_cable" if planar else "cable"
+        self.add(name, element, nodes, {"l0": np.array([l0]), "rhoA": mass})
+        self.instances[name] = replace(self.instances[name], profile=profile)
+        S = weights(l0, positive(EA, owner, "EA"), not_negative(EI, owner, "EI"), planar)
+        D = S.copy()
+        D[:4] *= not_negative(damping, owner, "damping")
+        D[4:] *= not_negative(bending_damping, owner, "bending_damping")
+        values = {"preload": np.zeros(S.size), "S": S, "D": D}
+        modes = self.instances[name].deformations
+        self.laws.append(LawInstance(name, LAWS[f"diagonal_{S.size}"], modes, (), values))
+
+    def clamp_slope(self, name: str, frame: Node | str, slope: Node | str) -> None:
+        """Hold the direction of a cable's end in a body, as drawn; its stretch stays free.
+
+        Parameters
+        ----------
+        frame : node
+            Orientation of the body (an angle in a planar model).
+        slope : node
+            Of the cable's end.
+        """
+        owner = f"clamp '{name}'"
+        planar, (r, d) = self.resolve(owner, (frame, "frame"), (slope, "slope"))
+        if planar:
+            alpha0 = np.arctan2(d.x0[1], d.x0[0]) - r.x0
+            self.add(name, "planar_slope_clamp", (r, d), {"alpha0": alpha0})
+            return
+        t = triad(d.x0 / np.linalg.norm(d.x0), None, owner)
+        self.add(name, "slope_clamp", (r, d), {"t": in_frame(r.x0, t)})
+
+    @whole_or_nothing
+    def anchor(
+        self,
+        name: str,
+        point: Node | str,
+        frame: Node | str,
+        end: Node | str,
+        slope: Node | str | None = None,
+    ) -> None:
+        """Anchor a cable's end at a body, where it is drawn; with the slope its direction, too (tangent to a drum).
+
+        The point's connection is the rigid link `name`, that of the direction the clamp ``name direction``.  A cable
+        that ends in a body's own point needs no anchor, and one that ends at a beam or point mass shares its point.
+        """
+        self.beam(name, point, frame, end, rigid=True)
+        if slope is None:
+            return
+        self.clamp_slope(f"{name} direction", frame, slope)
 
 
 def _profile(owner: str, section: Any, material: Any, EA: float | None, mass: float | None) -> Profile:
@@ -169,46 +208,6 @@ def drawn_length(p: Array, slope_p: Array, q: Array, slope_q: Array) -> float:
         if abs(l0 - last) < 1e-15 * l0:
             break
     return float(l0)
-
-
-def clamp_slope(self: Model, name: str, frame: Node | str, slope: Node | str) -> None:
-    """Hold the direction of a cable's end in a body, as drawn; its stretch stays free.
-
-    Parameters
-    ----------
-    frame : node
-        Orientation of the body (an angle in a planar model).
-    slope : node
-        Of the cable's end.
-    """
-    owner = f"clamp '{name}'"
-    planar, (r, d) = self.resolve(owner, (frame, "frame"), (slope, "slope"))
-    if planar:
-        alpha0 = np.arctan2(d.x0[1], d.x0[0]) - r.x0
-        self.add(name, "planar_slope_clamp", (r, d), {"alpha0": alpha0})
-        return
-    t = triad(d.x0 / np.linalg.norm(d.x0), None, owner)
-    self.add(name, "slope_clamp", (r, d), {"t": in_frame(r.x0, t)})
-
-
-@whole_or_nothing
-def anchor(
-    self: Model,
-    name: str,
-    point: Node | str,
-    frame: Node | str,
-    end: Node | str,
-    slope: Node | str | None = None,
-) -> None:
-    """Anchor a cable's end at a body, where it is drawn; with the slope its direction, too (tangent to a drum).
-
-    The point's connection is the rigid link `name`, that of the direction the clamp ``name direction``.  A cable that
-    ends in a body's own point needs no anchor, and one that ends at a beam or point mass shares its point.
-    """
-    self.beam(name, point, frame, end, rigid=True)
-    if slope is None:
-        return
-    clamp_slope(self, f"{name} direction", frame, slope)
 
 
 def cable_tension(state: State, cable: str) -> tuple[Array, Array]:

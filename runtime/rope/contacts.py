@@ -1,26 +1,22 @@
-"""Contact of cables with surfaces: the method of `Model` that makes its elements and gives them their law.
-
-Imports numpy, the errors, the shared checks, the tables and the surfaces.
-"""
+"""Contact of cables with surfaces: the method of `Model` that makes its elements and gives them their law."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
-from flexel.checks import not_negative, positive
-from flexel.errors import ModelError
+from flexel.base.arguments import not_negative, positive, unknown
+from flexel.base.arrays import Array
+from flexel.base.errors import ModelError
+from flexel.base.transactions import whole_or_nothing
+from flexel.declare.declarations import Declarations
 from flexel.generated.table import LAWS
-from flexel.rope.cable_lines import CableLine
-from flexel.rope.surfaces import Surface
-from flexel.structure import Array, LawInstance, unknown
-from flexel.undo import whole_or_nothing
-
-if TYPE_CHECKING:
-    from flexel.model import Model
+from flexel.rope.cable_lines import CableLine, CableLines
+from flexel.structure.instances import LawInstance
+from flexel.structure.surfaces import Surface
 
 RELEASE = 1e3  # rate [1/s] at which the bristles of an open contact straighten
 
@@ -131,71 +127,76 @@ class ContactPoint:
     weight: float
 
 
-@whole_or_nothing
-def contact(
-    self: Model,
-    cables: CableLine,
-    surface: Surface | str,
-    contact: Contact,
-    *,
-    rope_radius: float,
-    only: Sequence[str] | None = None,
-) -> list[ContactPoint]:
-    """Let cables touch a surface: elements ``cable@surface#i``, with a gap, slips along the surface, and their law.
+class Contacts(CableLines):
+    """Contact of cables with surfaces."""
 
-    Parameters
-    ----------
-    cables : CableLine
-        What `Model.cable_line` or `Model.rope` returned.
-    surface : Surface or str
-        A sheave, drum or plane.
-    contact : Contact
-    rope_radius : float
-        [m]
-    only : sequence of str, optional
-        Names of elements of the cable that may touch; all by default.
+    @whole_or_nothing
+    def contact(
+        self,
+        cables: CableLine,
+        surface: Surface | str,
+        contact: Contact,
+        *,
+        rope_radius: float,
+        only: Sequence[str] | None = None,
+    ) -> list[ContactPoint]:
+        """Let cables touch a surface: elements ``cable@surface#i``, with a gap, slips along the surface, and their law.
 
-    Returns
-    -------
-    list of ContactPoint
+        Parameters
+        ----------
+        cables : CableLine
+            What `Model.cable_line` or `Model.rope` returned.
+        surface : Surface or str
+            A sheave, drum or plane.
+        contact : Contact
+        rope_radius : float
+            [m]
+        only : sequence of str, optional
+            Names of elements of the cable that may touch; all by default.
 
-    Raises
-    ------
-    ModelError
-        An unknown surface or element, planar and spatial ones together, a rope that is wider than its groove.
-    """
-    if not isinstance(cables, CableLine):
-        raise ModelError(f"contact: {cables!r} is no rope; give what m.rope(…) or m.cable_line(…) returned")
-    found = find_surface(self, surface, f"contact of '{cables.name}'")
-    owner = f"contact of '{cables.name}' with '{found.name}'"
-    check_contact(contact, owner)
-    a = not_negative(rope_radius, owner, "rope_radius")
-    groove = float(found.parameters.get("groove_radius", [np.inf])[0])
-    if a >= groove:
-        raise ModelError(
-            f"{owner}: the rope of radius {a:g} m does not fit into the groove of radius {groove:g} m; give "
-            "fx.RoundGroove a greater one, usually 1.06 to 1.1 times the rope's"
-        )
-    members = list(cables.elements) if only is None else list(only)
-    for name in members:
-        if name not in cables.elements:
-            raise ModelError(f"{owner}: {unknown(str(name), cables.elements, 'element')}")
-    made: list[ContactPoint] = []
-    xi, weight = contact.rule()
-    for name in members:
-        i = cables.elements.index(name)
-        s0, l0 = float(cables.s[i]), float(cables.s[i + 1] - cables.s[i])
-        nodes = [*self.instances[name].nodes, found.point, found.frame]
-        for j in range(contact.points):
-            element = f"{name}@{found.name}#{j + 1}"
-            own = {"l0": np.array([l0]), "xi": xi[j : j + 1], "rope_radius": np.array([a])}
-            self.add(element, found.element, nodes, found.parameters | own)
-            made.append(ContactPoint(element, found, name, float(xi[j]), s0 + xi[j] * l0, weight[j] * l0))
-    _attach(self, made, contact)
-    return made
+        Returns
+        -------
+        list of ContactPoint
+
+        Raises
+        ------
+        ModelError
+            An unknown surface or element, planar and spatial ones together, a rope that is wider than its groove.
+        """
+        if not isinstance(cables, CableLine):
+            raise ModelError(
+                f"contact: {cables!r} is no rope; give what m.rope(…) or m.cable_line(…) returned"
+            )
+        found = find_surface(self, surface, f"contact of '{cables.name}'")
+        owner = f"contact of '{cables.name}' with '{found.name}'"
+        check_contact(contact, owner)
+        a = not_negative(rope_radius, owner, "rope_radius")
+        groove = float(found.parameters.get("groove_radius", [np.inf])[0])
+        if a >= groove:
+            raise ModelError(
+                f"{owner}: the rope of radius {a:g} m does not fit into the groove of radius {groove:g} m; give "
+                "fx.RoundGroove a greater one, usually 1.06 to 1.1 times the rope's"
+            )
+        members = list(cables.elements) if only is None else list(only)
+        for name in members:
+            if name not in cables.elements:
+                raise ModelError(f"{owner}: {unknown(str(name), cables.elements, 'element')}")
+        made: list[ContactPoint] = []
+        xi, weight = contact.rule()
+        for name in members:
+            i = cables.elements.index(name)
+            s0, l0 = float(cables.s[i]), float(cables.s[i + 1] - cables.s[i])
+            nodes = [*self.instances[name].nodes, found.point, found.frame]
+            for j in range(contact.points):
+                element = f"{name}@{found.name}#{j + 1}"
+                own = {"l0": np.array([l0]), "xi": xi[j : j + 1], "rope_radius": np.array([a])}
+                self.add(element, found.element, nodes, found.parameters | own)
+                made.append(ContactPoint(element, found, name, float(xi[j]), s0 + xi[j] * l0, weight[j] * l0))
+        _attach(self, made, contact)
+        return made
 
 
-def _attach(model: Model, points: list[ContactPoint], contact: Contact) -> None:
+def _attach(model: CableLines, points: list[ContactPoint], contact: Contact) -> None:
     """The law of every gap of every point."""
     for point in points:
         for gap, slips in point.surface.gaps:
@@ -207,7 +208,7 @@ def _attach(model: Model, points: list[ContactPoint], contact: Contact) -> None:
             model.laws.append(LawInstance(f"{point.element} {gap}", spec, gaps, acting, values, None, z0))
 
 
-def find_surface(model: Model, surface: Any, owner: str) -> Surface:
+def find_surface(model: Declarations, surface: Any, owner: str) -> Surface:
     """The surface of that name, or a ModelError with the nearest ones."""
     name = surface if isinstance(surface, str) else str(getattr(surface, "name", surface))
     if name not in model.surfaces:

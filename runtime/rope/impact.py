@@ -3,14 +3,12 @@
 The laws ``hertz…`` multiply the elastic force by 1 + dissipation × speed of approach; these functions give the
 factor for an impact at a known speed.  They hold for restitutions near one; below 0.8 the impact leaves with more
 speed than was asked for (0.85 for 0.8 and 0.67 for 0.2 with Lankarani and Nikravesh).
-Imports the shared checks.
 """
 
 from __future__ import annotations
 
-from flexel.checks import positive
-from flexel.errors import ModelError
-from flexel.inputs import number
+from flexel.base.arguments import number, positive
+from flexel.base.errors import ModelError
 
 
 def hunt_crossley(restitution: float, speed: float) -> float:

@@ -1,7 +1,6 @@
 """How a rope lies before the motion starts: its tension or length, its path, and what must stay clear of it.
 
 The depth of a rope in its sheaves follows from its tension, and its tension from its length and its path.
-Imports numpy, SciPy's root finder, the errors, the shared checks, the contacts and the geometry of paths.
 """
 
 from __future__ import annotations
@@ -12,13 +11,13 @@ from typing import Any
 import numpy as np
 from scipy.optimize import brentq
 
-from flexel.checks import not_negative
-from flexel.errors import ModelError
+from flexel.base.arguments import not_negative
+from flexel.base.arrays import Array
+from flexel.base.errors import ModelError
 from flexel.rope.contacts import Contact
 from flexel.rope.path import Circle, Path, taut_path
 from flexel.rope.plane import RopePlane
-from flexel.rope.surfaces import Surface
-from flexel.structure import Array
+from flexel.structure.surfaces import Surface
 
 # Depth of a rope in its sheave over the radius of its centre line; no contact is meant to be so soft.
 DEEPEST = 0.5

@@ -1,7 +1,6 @@
 """The path of a taut rope around circles in a plane: tangents and arcs, and where a rope on it lies.
 
-Pure geometry, in the plane of the sheaves; angles count from its first axis towards its second.  Imports numpy and
-the errors.
+Pure geometry, in the plane of the sheaves; angles count from its first axis towards its second.
 """
 
 from __future__ import annotations
@@ -12,8 +11,8 @@ from itertools import product
 
 import numpy as np
 
-from flexel.errors import ModelError
-from flexel.structure import Array
+from flexel.base.arrays import Array
+from flexel.base.errors import ModelError
 
 MOST_SENSES = 12  # sheaves whose sense of wrap is left to be found
 NEARLY = 1e-9  # of a radius: how deep a straight part may cut a circle by rounding

@@ -1,23 +1,19 @@
-"""The plane in which a rope's sheaves and ends lie, and the places of its path in it.
-
-Imports numpy, the errors, the surfaces and the geometry of paths.
-"""
+"""The plane in which a rope's sheaves and ends lie, and the places of its path in it."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
-from flexel.errors import ModelError
+from flexel.base.arrays import Array
+from flexel.base.errors import ModelError
+from flexel.declare.declarations import Declarations
 from flexel.rope.contacts import find_surface
 from flexel.rope.path import Circle
-from flexel.structure import Array, Node
-
-if TYPE_CHECKING:
-    from flexel.model import Model
-    from flexel.rope.surfaces import Surface
+from flexel.structure.nodes import Node
+from flexel.structure.surfaces import Surface
 
 Place = str | Node | tuple[str, int]
 
@@ -25,7 +21,7 @@ Place = str | Node | tuple[str, int]
 class RopePlane:
     """The plane in which a rope's sheaves and ends lie, and what the path is made of."""
 
-    def __init__(self, model: Model, owner: str, path: Sequence[Place]) -> None:
+    def __init__(self, model: Declarations, owner: str, path: Sequence[Place]) -> None:
         if not isinstance(path, (list, tuple)) or len(path) < 2:
             raise ModelError(f"{owner}: path {path!r} has fewer than two places; give a list")
         items = [_with_sense(owner, z) for z in path]

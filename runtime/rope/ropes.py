@@ -1,31 +1,26 @@
-"""Ropes around sheaves: the method of `Model` that lays a taut rope, and what it is asked about afterwards.
-
-Imports numpy, the errors, the shared checks, the cables, the contacts and the geometry of paths.
-"""
+"""Ropes around sheaves: the method of `Model` that lays a taut rope, and what it is asked about afterwards."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
-from flexel.checks import not_negative, positive
-from flexel.errors import ModelError
-from flexel.inputs import names
+from flexel.base.arguments import names, not_negative, positive
+from flexel.base.arrays import Array, Index
+from flexel.base.errors import ModelError
+from flexel.base.transactions import whole_or_nothing
 from flexel.rope.cable_lines import CableLine
 from flexel.rope.cables import AXIAL, axial_rows, gauss_tension
-from flexel.rope.contacts import Contact, ContactPoint, check_contact, find_surface
+from flexel.rope.contacts import Contact, ContactPoint, Contacts, check_contact, find_surface
 from flexel.rope.laying import Laying, check_clear, stretched
 from flexel.rope.path import Path
 from flexel.rope.plane import Place, RopePlane
-from flexel.state import State
-from flexel.structure import Array, Index, Node
-from flexel.undo import whole_or_nothing
-
-if TYPE_CHECKING:
-    from flexel.model import Model
+from flexel.rope.surfaces import Surfaces
+from flexel.structure.nodes import Node
+from flexel.structure.state import State
 
 # Element over radius of the smallest sheave: a cubic follows one radian of arc, and not much more.
 LONGEST = 1.0
@@ -140,88 +135,91 @@ def _normal_force(state: State, p: ContactPoint) -> float:
     return -sum(state.force(f"{p.element}.{gap}") for gap, _ in p.surface.gaps)
 
 
-@whole_or_nothing
-def rope(
-    self: Model,
-    name: str,
-    path: Sequence[Place],
-    n: int,
-    *,
-    contact: Contact,
-    rope_radius: float,
-    length: float | None = None,
-    tension: float | None = None,
-    turns: float | tuple[float, float] = 0.0,
-    refine: float = 1.0,
-    also: Sequence[str] = (),
-    **properties: Any,
-) -> Rope:
-    """Lay a taut rope over sheaves, in contact with each, as it hangs under a tension.
+class Ropes(Contacts, Surfaces):
+    """Ropes around drums and sheaves."""
 
-    Parameters
-    ----------
-    path : sequence
-        In the order of the rope: nodes (points) at its ends, names of sheaves between; a drum at an end, on which it
-        is anchored in the direction of its circumference.  A pair (name, +1) or (name, -1) gives the sense of wrap
-        about the axle, which otherwise is that of the shortest path.
-    n : int
-        Number of elements.
-    contact : Contact
-    rope_radius : float
-        [m]
-    length : float, optional
-        Undeformed [m]; gives the tension, instead of it.
-    tension : float, optional
-        Uniform tension as laid [N], 0 by default; the rope then lies as deep in its sheaves as it carries.
-    turns : float or pair of float
-        Turns of rope that lie on the drum as laid, before the first straight part (behind the last one for a drum at
-        the end of the path); a pair for drums at both ends, which otherwise have as many each.
-    refine : float
-        Elements are shorter by this factor where the rope lies on sheaves as laid.
-    also : sequence of str
-        Further surfaces that the rope may touch; as laid it is clear of them.
-    **properties
-        EA, EI, mass_per_length, section, material, damping, bending_damping of `Model.cable`.
+    @whole_or_nothing
+    def rope(
+        self,
+        name: str,
+        path: Sequence[Place],
+        n: int,
+        *,
+        contact: Contact,
+        rope_radius: float,
+        length: float | None = None,
+        tension: float | None = None,
+        turns: float | tuple[float, float] = 0.0,
+        refine: float = 1.0,
+        also: Sequence[str] = (),
+        **properties: Any,
+    ) -> Rope:
+        """Lay a taut rope over sheaves, in contact with each, as it hangs under a tension.
 
-    Returns
-    -------
-    Rope
+        Parameters
+        ----------
+        path : sequence
+            In the order of the rope: nodes (points) at its ends, names of sheaves between; a drum at an end, on which
+            it is anchored in the direction of its circumference.  A pair (name, +1) or (name, -1) gives the sense of
+            wrap about the axle, which otherwise is that of the shortest path.
+        n : int
+            Number of elements.
+        contact : Contact
+        rope_radius : float
+            [m]
+        length : float, optional
+            Undeformed [m]; gives the tension, instead of it.
+        tension : float, optional
+            Uniform tension as laid [N], 0 by default; the rope then lies as deep in its sheaves as it carries.
+        turns : float or pair of float
+            Turns of rope that lie on the drum as laid, before the first straight part (behind the last one for a drum
+            at the end of the path); a pair for drums at both ends, which otherwise have as many each.
+        refine : float
+            Elements are shorter by this factor where the rope lies on sheaves as laid.
+        also : sequence of str
+            Further surfaces that the rope may touch; as laid it is clear of them.
+        **properties
+            EA, EI, mass_per_length, section, material, damping, bending_damping of `Model.cable`.
 
-    Raises
-    ------
-    ModelError
-        A path that runs through a sheave or plane or has slack, a contact too soft for the tension, sheaves that do not
-        lie in one plane, elements too long for the smallest sheave (with the number that is needed).  The model is
-        then as it was before.
+        Returns
+        -------
+        Rope
 
-    Examples
-    --------
-    >>> rope = m.rope("rope", ["drum", "sheave", "end"], 56, contact=fx.Contact(1e9), rope_radius=0.01,
-    ...               tension=1e4, turns=1, EA=1e7, EI=10, mass_per_length=2)  # doctest: +SKIP
-    """
-    owner = f"rope '{name}'"
-    check_contact(contact, owner)
-    plane = RopePlane(self, owner, path)
-    others = [find_surface(self, z, owner) for z in names(also, f"{owner}: also")]
-    EA = _axial_stiffness(self, owner, properties)
-    radius = not_negative(rope_radius, owner, "rope_radius")
-    if length is not None and tension is not None:
-        raise ModelError(f"{owner}: both length and tension are given; drop one")
-    count = _count(owner, n)
-    laying = Laying(plane, contact, radius, turns, count, positive(refine, owner, "refine"))
-    if length is not None:
-        T = laying.tension(positive(length, owner, "length"), EA)
-    else:
-        T = not_negative(0.0 if tension is None else tension, owner, "tension")
-    laid, stretch = laying.path(T), stretched(T / EA)
-    s = (laid.length / stretch if length is None else float(length)) * laying.fractions(laid)
-    _check_lengths(owner, plane, s, count)
-    others = [z for z in others if z.name not in plane.names]
-    check_clear(plane, laid, [*plane.surfaces, *others], radius, laying.depths(T))
-    line = _lay(self, name, plane, laid, s, stretch, properties)
-    touched = dict.fromkeys([*plane.names, *(z.name for z in others)])
-    contacts = {z: self.contact(line, z, contact, rope_radius=radius) for z in touched}
-    return Rope(line.name, line.elements, line.points, line.slopes, line.s, laid, T, contacts, radius)
+        Raises
+        ------
+        ModelError
+            A path that runs through a sheave or plane or has slack, a contact too soft for the tension, sheaves that
+            do not lie in one plane, elements too long for the smallest sheave (with the number that is needed).  The
+            model is then as it was before.
+
+        Examples
+        --------
+        >>> rope = m.rope("rope", ["drum", "sheave", "end"], 56, contact=fx.Contact(1e9), rope_radius=0.01,
+        ...               tension=1e4, turns=1, EA=1e7, EI=10, mass_per_length=2)  # doctest: +SKIP
+        """
+        owner = f"rope '{name}'"
+        check_contact(contact, owner)
+        plane = RopePlane(self, owner, path)
+        others = [find_surface(self, z, owner) for z in names(also, f"{owner}: also")]
+        EA = _axial_stiffness(self, owner, properties)
+        radius = not_negative(rope_radius, owner, "rope_radius")
+        if length is not None and tension is not None:
+            raise ModelError(f"{owner}: both length and tension are given; drop one")
+        count = _count(owner, n)
+        laying = Laying(plane, contact, radius, turns, count, positive(refine, owner, "refine"))
+        if length is not None:
+            T = laying.tension(positive(length, owner, "length"), EA)
+        else:
+            T = not_negative(0.0 if tension is None else tension, owner, "tension")
+        laid, stretch = laying.path(T), stretched(T / EA)
+        s = (laid.length / stretch if length is None else float(length)) * laying.fractions(laid)
+        _check_lengths(owner, plane, s, count)
+        others = [z for z in others if z.name not in plane.names]
+        check_clear(plane, laid, [*plane.surfaces, *others], radius, laying.depths(T))
+        line = _lay(self, name, plane, laid, s, stretch, properties)
+        touched = dict.fromkeys([*plane.names, *(z.name for z in others)])
+        contacts = {z: self.contact(line, z, contact, rope_radius=radius) for z in touched}
+        return Rope(line.name, line.elements, line.points, line.slopes, line.s, laid, T, contacts, radius)
 
 
 def _count(owner: str, n: Any) -> int:
@@ -230,13 +228,13 @@ def _count(owner: str, n: Any) -> int:
     return int(n)
 
 
-def _axial_stiffness(model: Model, owner: str, properties: dict[str, Any]) -> float:
+def _axial_stiffness(model: Contacts, owner: str, properties: dict[str, Any]) -> float:
     if properties.get("EA") is not None:
         return positive(properties["EA"], owner, "EA")
     section, material = properties.get("section"), properties.get("material")
     if section is None:
         raise ModelError(f"{owner}: EA or a section is missing; give EA and EI, or section and material")
-    from flexel.materials import profile_of
+    from flexel.declare.materials import profile_of
 
     return float(profile_of(section, material, owner).stiffness()["EA"])
 
@@ -255,7 +253,7 @@ def _check_lengths(owner: str, plane: RopePlane, s: Array, n: int) -> None:
 
 
 def _lay(
-    model: Model,
+    model: Contacts,
     name: str,
     plane: RopePlane,
     path: Path,

@@ -1,24 +1,22 @@
 """Surfaces that ropes run over: the methods of `Model` that declare sheaves, drums and planes on bodies.
 
-A surface is geometry on a point and a frame; mass, bearings and motion are the body's.  Imports numpy, the errors, the
-shared checks and the orientation.
+A surface is geometry on a point and a frame; mass, bearings and motion are the body's.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
-from flexel.checks import in_frame, positive
-from flexel.errors import ModelError
-from flexel.inputs import array, new_name, number
-from flexel.orientation import triad, unit
-from flexel.structure import Array, Node
-
-if TYPE_CHECKING:
-    from flexel.model import Model
+from flexel.base.arguments import array, new_name, number, positive
+from flexel.base.arrays import Array
+from flexel.base.errors import ModelError
+from flexel.base.quaternions import in_frame, triad, unit
+from flexel.declare.declarations import Declarations
+from flexel.structure.nodes import Node
+from flexel.structure.surfaces import Surface
 
 
 @dataclass(frozen=True)
@@ -44,38 +42,6 @@ class VGroove:
     opening: float = np.pi / 3
 
 
-@dataclass(frozen=True)
-class Surface:
-    """A surface fixed in a body.
-
-    Attributes
-    ----------
-    name : str
-    element : str
-        The element type that finds the gap of a rope's point.
-    point, frame : str
-        Nodes of the body: the surface's centre, or a point of the plane, and the orientation.
-    parameters : dict of str to ndarray
-        Of the element, those of the surface.
-    radius : float
-        At which the rope's surface touches [m]; 0 for a plane.
-    centre, axle : ndarray
-        As drawn; the axle is the normal for a plane, and (0, 0, 1) in planar models.
-    gaps : tuple of (str, tuple of str)
-        Deformations that close, each with the slips along the surface there.
-    """
-
-    name: str
-    element: str
-    point: str
-    frame: str
-    parameters: dict[str, Array]
-    radius: float
-    centre: Array
-    axle: Array
-    gaps: tuple[tuple[str, tuple[str, ...]], ...]
-
-
 CYLINDER = (("gap", ("tangential", "axial")),)
 ROUND = (("gap", ("tangential", "across")),)
 VEE = (("gap1", ("tangential", "across1")), ("gap2", ("tangential", "across2")))
@@ -83,55 +49,86 @@ PLANE = (("gap", ("x", "y")),)
 PLANAR = (("gap", ("tangential",)),)
 
 
-def sheave(
-    self: Model,
-    name: str,
-    point: Node | str,
-    frame: Node | str,
-    radius: float,
-    *,
-    axle: Any = (0.0, 0.0, 1.0),
-    groove: RoundGroove | VGroove | None = None,
-) -> Surface:
-    """Declare a sheave or drum: a cylinder about an axle through a point of a body, smooth or with a groove.
+class Surfaces(Declarations):
+    """Surfaces that ropes touch."""
 
-    Parameters
-    ----------
-    point, frame : node
-        Centre and orientation of the body that the surface turns with (an angle in a planar model).
-    radius : float
-        At which the rope's surface touches: at the bottom of a round groove, on both flanks of a V [m].
-    axle : sequence of float (3,)
-        In global axes, as drawn; planar models need none.
-    groove : RoundGroove or VGroove, optional
-        Guides the rope sideways; planar models have none.
+    def sheave(
+        self,
+        name: str,
+        point: Node | str,
+        frame: Node | str,
+        radius: float,
+        *,
+        axle: Any = (0.0, 0.0, 1.0),
+        groove: RoundGroove | VGroove | None = None,
+    ) -> Surface:
+        """Declare a sheave or drum: a cylinder about an axle through a point of a body, smooth or with a groove.
 
-    Raises
-    ------
-    ModelError
-        A name that is taken, a radius that is not positive, an opening that is not an angle.
+        Parameters
+        ----------
+        point, frame : node
+            Centre and orientation of the body that the surface turns with (an angle in a planar model).
+        radius : float
+            At which the rope's surface touches: at the bottom of a round groove, on both flanks of a V [m].
+        axle : sequence of float (3,)
+            In global axes, as drawn; planar models need none.
+        groove : RoundGroove or VGroove, optional
+            Guides the rope sideways; planar models have none.
 
-    Examples
-    --------
-    >>> m.sheave("sheave", "S", "RS", 0.5, groove=fx.RoundGroove(0.0098))  # doctest: +SKIP
-    """
-    owner = f"sheave '{name}'"
-    _new(self, name, owner)
-    R = positive(radius, owner, "radius")
-    planar, (c, r) = self.resolve(owner, (point, "point"), (frame, "frame"))
-    values = {"radius": np.array([R])}
-    if planar:
-        if groove is not None:
-            raise ModelError(
-                f"{owner}: a planar model has no sideways motion that a groove could guide; leave it out"
+        Raises
+        ------
+        ModelError
+            A name that is taken, a radius that is not positive, an opening that is not an angle.
+
+        Examples
+        --------
+        >>> m.sheave("sheave", "S", "RS", 0.5, groove=fx.RoundGroove(0.0098))  # doctest: +SKIP
+        """
+        owner = f"sheave '{name}'"
+        _new(self, name, owner)
+        R = positive(radius, owner, "radius")
+        planar, (c, r) = self.resolve(owner, (point, "point"), (frame, "frame"))
+        values = {"radius": np.array([R])}
+        if planar:
+            if groove is not None:
+                raise ModelError(
+                    f"{owner}: a planar model has no sideways motion that a groove could guide; leave it out"
+                )
+            values |= {"alpha0": np.zeros(1), "offset": np.zeros(2)}
+            z = np.array([0.0, 0.0, 1.0])
+            return _kept(
+                self, Surface(name, "planar_cable_circle", c.name, r.name, values, R, c.x0, z, PLANAR)
             )
-        values |= {"alpha0": np.zeros(1), "offset": np.zeros(2)}
-        z = np.array([0.0, 0.0, 1.0])
-        return _kept(self, Surface(name, "planar_cable_circle", c.name, r.name, values, R, c.x0, z, PLANAR))
-    u = unit(axle, owner, "axle")
-    values |= {"t": in_frame(r.x0, triad(u, None, owner)), "offset": np.zeros(3)}
-    element, gaps, more = _groove(groove, owner)
-    return _kept(self, Surface(name, element, c.name, r.name, values | more, R, c.x0, u, gaps))
+        u = unit(axle, owner, "axle")
+        values |= {"t": in_frame(r.x0, triad(u, None, owner)), "offset": np.zeros(3)}
+        element, gaps, more = _groove(groove, owner)
+        return _kept(self, Surface(name, element, c.name, r.name, values | more, R, c.x0, u, gaps))
+
+    def plane(
+        self, name: str, point: Node | str, frame: Node | str, normal: Any = (0.0, 0.0, 1.0)
+    ) -> Surface:
+        """Declare a plane through a point of a body, with its normal towards the rope, as drawn.
+
+        Raises
+        ------
+        ModelError
+            A name that is taken, a normal without length.
+        """
+        owner = f"plane '{name}'"
+        _new(self, name, owner)
+        planar, (c, r) = self.resolve(owner, (point, "point"), (frame, "frame"))
+        if planar:
+            n = unit(np.atleast_1d(array(normal, owner, "normal"))[:2], owner, "normal", 2)
+            values = {"alpha0": np.arctan2(-n[0], n[1]) - r.x0, "offset": np.zeros(2)}
+            return _kept(
+                self, Surface(name, "planar_cable_line", c.name, r.name, values, 0.0, c.x0, n, PLANAR)
+            )
+        n = unit(normal, owner, "normal")
+        across = np.zeros(3)
+        across[int(np.argmin(np.abs(n)))] = 1.0
+        e_x = unit(np.cross(across, n), owner, "direction")
+        values = {"t": in_frame(r.x0, triad(e_x, np.cross(n, e_x), owner)), "offset": np.zeros(3)}
+        return _kept(self, Surface(name, "cable_plane", c.name, r.name, values, 0.0, c.x0, n, PLANE))
 
 
 def _groove(groove: Any, owner: str) -> tuple[str, tuple[tuple[str, tuple[str, ...]], ...], dict[str, Array]]:
@@ -151,36 +148,11 @@ def _groove(groove: Any, owner: str) -> tuple[str, tuple[tuple[str, tuple[str, .
     return "cable_round_groove", ROUND, flank
 
 
-def plane(
-    self: Model, name: str, point: Node | str, frame: Node | str, normal: Any = (0.0, 0.0, 1.0)
-) -> Surface:
-    """Declare a plane through a point of a body, with its normal towards the rope, as drawn.
-
-    Raises
-    ------
-    ModelError
-        A name that is taken, a normal without length.
-    """
-    owner = f"plane '{name}'"
-    _new(self, name, owner)
-    planar, (c, r) = self.resolve(owner, (point, "point"), (frame, "frame"))
-    if planar:
-        n = unit(np.atleast_1d(array(normal, owner, "normal"))[:2], owner, "normal", 2)
-        values = {"alpha0": np.arctan2(-n[0], n[1]) - r.x0, "offset": np.zeros(2)}
-        return _kept(self, Surface(name, "planar_cable_line", c.name, r.name, values, 0.0, c.x0, n, PLANAR))
-    n = unit(normal, owner, "normal")
-    across = np.zeros(3)
-    across[int(np.argmin(np.abs(n)))] = 1.0
-    e_x = unit(np.cross(across, n), owner, "direction")
-    values = {"t": in_frame(r.x0, triad(e_x, np.cross(n, e_x), owner)), "offset": np.zeros(3)}
-    return _kept(self, Surface(name, "cable_plane", c.name, r.name, values, 0.0, c.x0, n, PLANE))
-
-
-def _new(model: Model, name: str, owner: str) -> None:
+def _new(model: Declarations, name: str, owner: str) -> None:
     if new_name(name, owner.partition(" ")[0]) in model.surfaces:
         raise ModelError(f"{owner}: this name is taken; choose another")
 
 
-def _kept(model: Model, surface: Surface) -> Surface:
+def _kept(model: Declarations, surface: Surface) -> Surface:
     model.surfaces[surface.name] = surface
     return surface

@@ -1,7 +1,4 @@
-"""Section of a stranded wire rope: metallic area and the bending of wires that slide on one another.
-
-Imports numpy, the shared checks and the sections.
-"""
+"""Section of a stranded wire rope: metallic area and the bending of wires that slide on one another."""
 
 # ruff: noqa: N802 (the letters of mechanics: A, Iy, Iz, J)
 
@@ -11,9 +8,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from flexel.checks import positive
-from flexel.errors import ModelError
-from flexel.sections import SectionForces, StressPoint
+from flexel.base.arguments import positive
+from flexel.base.errors import ModelError
+from flexel.declare.sections import SectionForces, StressPoint
 
 
 @dataclass(frozen=True)

@@ -1,5 +1,5 @@
 """SPACAR's input files: read, run, analysed and converted to Python.
 
 `reading` is the door; `lexer`, `keywords`, `sheet`, `semantics` and `elements` understand the language, `statements`
-and `convert` print it as Python, `linear` and `run` are the analyses.  Imports of flexel go to the model and below.
+and `convert` print it as Python, `linear` and `run` are the analyses.
 """

@@ -1,7 +1,4 @@
-"""What a file says twice and differently of one coordinate or deformation, told with both lines.
-
-Imports the sheet and the lines.
-"""
+"""What a file says twice and differently of one coordinate or deformation, told with both lines."""
 
 from __future__ import annotations
 

@@ -1,14 +1,11 @@
-"""A SPACAR file as readable flexel Python.
-
-Imports the reading and its calls.
-"""
+"""A SPACAR file as readable flexel Python."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
 
-from flexel.errors import ModelError
+from flexel.base.errors import ModelError
 from flexel.spacar.reading import Spacar, read_spacar
 from flexel.spacar.statements import Call, literal
 

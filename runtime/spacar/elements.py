@@ -1,7 +1,4 @@
-"""Elements of the sheet as calls of `Model`: geometry, mass, stiffness and damping of each type.
-
-Imports numpy, the sheet and the stiffness of beams.
-"""
+"""Elements of the sheet as calls of `Model`: geometry, mass, stiffness and damping of each type."""
 
 from __future__ import annotations
 
@@ -10,10 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from flexel.beams import bending_block
+from flexel.base.arrays import Array
+from flexel.declare.beams import bending_block
 from flexel.spacar.sheet import ElementEntry, NodeEntry, quantity
 from flexel.spacar.statements import Call
-from flexel.structure import Array
 
 # stiffnesses that make modes flexible together, and these modes, of beams in space and in the plane
 SPATIAL_GROUPS = {"EA": {1}, "GJ": {2}, "EIy": {3, 4}, "EIz": {5, 6}}

@@ -1,13 +1,10 @@
-"""The lines of a file as text, in whichever of the usual encodings it is.
-
-Imports the errors.
-"""
+"""The lines of a file as text, in whichever of the usual encodings it is."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
-from flexel.errors import ModelError
+from flexel.base.errors import ModelError
 
 CONTROLS = frozenset(range(32)) - frozenset(b"\t\n\v\f\r\x1a")  # DOS ends a file with 1a
 MANY = 0.05  # share of control characters that no text has

@@ -1,7 +1,7 @@
 """Tables of the input language: keywords, how they are written, and the elements with their modes.
 
 Sources: manual SPACAR95 (Schwab and Meijaard 2000); Meijaard, Papadopoulos, Ruina and Schwab (2007), Proc. R. Soc. A
-463:1955, electronic supplement; UT SPACAR.  Imports dataclasses only.
+463:1955, electronic supplement; UT SPACAR.
 """
 
 from __future__ import annotations

@@ -1,7 +1,4 @@
-"""From text to lines of keyword and numbers, and which dialect they are in; nothing is executed.
-
-Imports the errors, the reading of text and the tables of keywords.
-"""
+"""From text to lines of keyword and numbers, and which dialect they are in; nothing is executed."""
 
 from __future__ import annotations
 
@@ -11,16 +8,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from flexel.errors import ModelError
+from flexel.base.errors import ModelError
 from flexel.spacar.encoding import file_lines
-from flexel.spacar.keywords import (
-    DELFT_ONLY,
-    ENDS_OF_TWENTE,
-    KEYWORDS,
-    SYNONYMS,
-    TWENTE_ONLY,
-    UNSUPPORTED,
-)
+from flexel.spacar.keywords import DELFT_ONLY, ENDS_OF_TWENTE, KEYWORDS, SYNONYMS, TWENTE_ONLY, UNSUPPORTED
 
 DIALECTS = ("delft", "twente")
 

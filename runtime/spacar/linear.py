@@ -1,24 +1,20 @@
-"""Linear analyses of a file, in SPACAR's coordinates, signs and names of matrices; methods of `Spacar`.
+"""Linear analyses of a file, in SPACAR's coordinates, signs and names of matrices.
 
 M0 δq'' + (C0 + D0) δq' + (K0 + N0 + G0) δq = B0 δu.  Source: UT SPACAR; Jonker and Meijaard (1990).
-Imports numpy and the runtime rooms of states and stability.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-from flexel.errors import ModelError
-from flexel.stability import BucklingMode, Vibration
-from flexel.state import State
-from flexel.structure import Array
-
-if TYPE_CHECKING:
-    from flexel.spacar.reading import Spacar
-    from flexel.system import System
+from flexel.base.arrays import Array
+from flexel.base.errors import ModelError
+from flexel.spacar.file import SpacarFile
+from flexel.statics.stability import BucklingMode, Vibration
+from flexel.structure.state import State
+from flexel.system import System
 
 
 @dataclass(frozen=True)
@@ -51,111 +47,110 @@ class Matrices:
         return {name: getattr(self, name) for name in ("M0", "C0", "D0", "K0", "N0", "G0")}
 
 
-def matrices(self: Spacar, state: State | None = None, *, system: System | None = None) -> Matrices:
-    """Mass, damping and stiffness matrices about a state, split as SPACAR splits them.
+class LinearModels(SpacarFile):
+    """Linearized models, frequencies and buckling of a file."""
 
-    Parameters
-    ----------
-    state : State, optional
-        The initial state by default.
-    system : System, optional
-        That the state belongs to, if it is a variant of the file's own.
+    def matrices(self, state: State | None = None, *, system: System | None = None) -> Matrices:
+        """Mass, damping and stiffness matrices about a state, split as SPACAR splits them.
 
-    Raises
-    ------
-    LinearizationError, DynamicsError
-    """
-    system = system or self.system
-    lin = system.linearize(state)
-    still = np.zeros(lin.state.x.size)
-    # without rates and accelerations, but with all stresses, nothing dynamic is left
-    rest = system.linearize(replace(lin.state, v=still, a=still))
-    f = np.array([self.factor(name) for name in lin.freedoms])
-    nd, nq, nf = len(lin.dynamic), len(lin.freedoms), lin.state.structure.nf
-    m, k = lin.state.structure.m, lin.state.structure.k
-    dual, De = lin.state.J[: m + k, :nf] @ lin.transfer.H[:, :nd], lin.state.J[:m, :nf]
-    material = dual.T @ lin.tangents.stress_e @ De @ lin.transfer.G[:, :nq]
-    rows, columns = 1 / f[:nd, None], 1 / f[None, :]
-    return Matrices(
-        coordinates=lin.freedoms,
-        M0=rows * lin.M * columns[:, :nd],
-        C0=rows * (lin.C - rest.C) * columns[:, :nd],
-        D0=rows * rest.C * columns[:, :nd],
-        K0=rows * material * columns,
-        N0=rows * (lin.K - rest.K) * columns,
-        G0=rows * (rest.K - material) * columns,
-    )
+        Parameters
+        ----------
+        state : State, optional
+            The initial state by default.
+        system : System, optional
+            That the state belongs to, if it is a variant of the file's own.
 
+        Raises
+        ------
+        LinearizationError, DynamicsError
+        """
+        system = system or self.system
+        lin = system.linearize(state)
+        still = np.zeros(lin.state.x.size)
+        # without rates and accelerations, but with all stresses, nothing dynamic is left
+        rest = system.linearize(replace(lin.state, v=still, a=still))
+        f = np.array([self.factor(name) for name in lin.freedoms])
+        nd, nq, nf = len(lin.dynamic), len(lin.freedoms), lin.state.structure.nf
+        m, k = lin.state.structure.m, lin.state.structure.k
+        dual, De = lin.state.J[: m + k, :nf] @ lin.transfer.H[:, :nd], lin.state.J[:m, :nf]
+        material = dual.T @ lin.tangents.stress_e @ De @ lin.transfer.G[:, :nq]
+        rows, columns = 1 / f[:nd, None], 1 / f[None, :]
+        return Matrices(
+            coordinates=lin.freedoms,
+            M0=rows * lin.M * columns[:, :nd],
+            C0=rows * (lin.C - rest.C) * columns[:, :nd],
+            D0=rows * rest.C * columns[:, :nd],
+            K0=rows * material * columns,
+            N0=rows * (lin.K - rest.K) * columns,
+            G0=rows * (rest.K - material) * columns,
+        )
 
-def state_space(
-    self: Spacar, state: State | None = None, *, system: System | None = None
-) -> tuple[Array, Array, Array, Array]:
-    """Matrices A, B, C, D of the linear model with the file's inputs and outputs, in its signs.
+    def state_space(
+        self, state: State | None = None, *, system: System | None = None
+    ) -> tuple[Array, Array, Array, Array]:
+        """Matrices A, B, C, D of the linear model with the file's inputs and outputs, in its signs.
 
-    The states are the rates of the dynamic freedoms, then all freedoms; an INPUTS is the stress itself.
+        The states are the rates of the dynamic freedoms, then all freedoms; an INPUTS is the stress itself.
 
-    Parameters
-    ----------
-    state : State, optional
-        The initial state by default.
-    system : System, optional
-        That the state belongs to, if it is a variant of the file's own.
+        Parameters
+        ----------
+        state : State, optional
+            The initial state by default.
+        system : System, optional
+            That the state belongs to, if it is a variant of the file's own.
 
-    Raises
-    ------
-    LinearizationError
-    """
-    lin = (system or self.system).linearize(state)
-    A, B, C, D = lin.state_space([z.name for z in self.inputs], [z.name for z in self.outputs])
-    f = np.array([self.factor(name.rstrip("'")) for name in lin.states])
-    u, y = np.array([z.factor for z in self.inputs]), np.array([z.factor for z in self.outputs])
-    return (
-        f[:, None] * A / f,
-        f[:, None] * B / u,
-        y[:, None] * C / f,
-        y[:, None] * D / u,
-    )
+        Raises
+        ------
+        LinearizationError
+        """
+        lin = (system or self.system).linearize(state)
+        A, B, C, D = lin.state_space([z.name for z in self.inputs], [z.name for z in self.outputs])
+        f = np.array([self.factor(name.rstrip("'")) for name in lin.states])
+        u, y = np.array([z.factor for z in self.inputs]), np.array([z.factor for z in self.outputs])
+        return (
+            f[:, None] * A / f,
+            f[:, None] * B / u,
+            y[:, None] * C / f,
+            y[:, None] * D / u,
+        )
 
+    def frequencies(self, state: State | None = None, count: int = 10) -> list[Vibration]:
+        """Lowest natural frequencies [rad/s] and modes; about the static equilibrium if no state is given."""
+        return self.system.vibrations(state, count)
 
-def frequencies(self: Spacar, state: State | None = None, count: int = 10) -> list[Vibration]:
-    """Lowest natural frequencies [rad/s] and modes; about the static equilibrium if no state is given."""
-    return self.system.vibrations(state, count)
+    def buckling(self, count: int = 5) -> list[BucklingMode]:
+        """Multipliers of the file's loads at which the mechanism buckles, from its unloaded equilibrium.
 
+        Raises
+        ------
+        ModelError
+            If the file has no loads (FORCE, XF, TORQUEL); weight by GRAVITY is not multiplied.
+        """
+        loads: dict[str, float] = {}
+        for load in self.model.loads:
+            loads[load.name] = loads.get(load.name, 0.0) + load.function.rates(self.start)[0]
+        if not loads:
+            raise ModelError(f"{self.path.name}: there are no loads to multiply; add lines FORCE or XF")
+        unloaded = self.variant(loads=False)
+        return unloaded.buckling(unloaded.equilibrium(), increment=loads, count=count)
 
-def buckling(self: Spacar, count: int = 5) -> list[BucklingMode]:
-    """Multipliers of the file's loads at which the mechanism buckles, from its unloaded equilibrium.
+    def static_steps(self) -> tuple[System, list[State]]:
+        """Equilibria while the increments DELXF and DELINPX are taken on in equal steps.
 
-    Raises
-    ------
-    ModelError
-        If the file has no loads (FORCE, XF, TORQUEL); weight by GRAVITY is not multiplied.
-    """
-    loads: dict[str, float] = {}
-    for load in self.model.loads:
-        loads[load.name] = loads.get(load.name, 0.0) + load.function.rates(self.start)[0]
-    if not loads:
-        raise ModelError(f"{self.path.name}: there are no loads to multiply; add lines FORCE or XF")
-    unloaded = self.variant(loads=False)
-    return unloaded.buckling(unloaded.equilibrium(), increment=loads, count=count)
+        Returns
+        -------
+        system : System
+            With the increments as loads and motions in proportion to the time, 0 to 1.
+        states : list of State
+            One more than there are steps.
 
-
-def static_steps(self: Spacar) -> tuple[System, list[State]]:
-    """Equilibria while the increments DELXF and DELINPX are taken on in equal steps.
-
-    Returns
-    -------
-    system : System
-        With the increments as loads and motions in proportion to the time, 0 to 1.
-    states : list of State
-        One more than there are steps.
-
-    Raises
-    ------
-    PositionError, DynamicsError
-        If an equilibrium is not found.
-    """
-    system = self.variant(load_steps=True)
-    states: list[State] = []
-    for i in range(self.steps + 1):
-        states.append(system.equilibrium(i / self.steps, states[-1] if states else None))
-    return system, states
+        Raises
+        ------
+        PositionError, DynamicsError
+            If an equilibrium is not found.
+        """
+        system = self.variant(load_steps=True)
+        states: list[State] = []
+        for i in range(self.steps + 1):
+            states.append(system.equilibrium(i / self.steps, states[-1] if states else None))
+        return system, states

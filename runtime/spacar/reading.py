@@ -1,31 +1,20 @@
-"""A SPACAR input file as a model with its analysis parameters: `read_spacar`.
-
-Imports numpy, the model and the rooms of this package that understand the language.
-"""
+"""A SPACAR input file as a model with its analysis parameters: `read_spacar`."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
-from functools import cached_property
 from pathlib import Path
 
-from flexel.errors import ConstraintError, ModelError
-from flexel.model import Model
-from flexel.spacar import linear
+from flexel.base.errors import ModelError
 from flexel.spacar.lexer import Line, read_lines
+from flexel.spacar.linear import LinearModels
 from flexel.spacar.semantics import understand
 from flexel.spacar.sheet import Sheet, quantity
-from flexel.spacar.statements import Call, build_model
-from flexel.spacar.terminals import Terminal
-from flexel.state import State
-from flexel.system import System
+from flexel.spacar.statements import build_model
 
 STEPS = 100  # of a file without TIMESTEP or ITERSTEP
 
 
-@dataclass(frozen=True)
-class Spacar:
+class Spacar(LinearModels):
     """A SPACAR input file, understood.
 
     Attributes
@@ -53,99 +42,6 @@ class Spacar:
     notes : tuple of str
         What was read without effect, and what was assumed where the descriptions of the language leave it open.
     """
-
-    path: Path
-    dialect: str
-    model: Model = field(repr=False)
-    start: float
-    duration: float | None
-    steps: int
-    max_step: float | None
-    coordinates: Mapping[tuple[int, int], str] = field(repr=False)
-    deformations: Mapping[tuple[int, int], tuple[str, float]] = field(repr=False)
-    inputs: tuple[Terminal, ...]
-    outputs: tuple[Terminal, ...]
-    notes: tuple[str, ...]
-    linearized: bool
-    gravity: tuple[float, ...] = field(repr=False)
-    calls: tuple[Call, ...] = field(repr=False)
-    still: tuple[Call, ...] = field(repr=False)
-    load_steps: tuple[Call, ...] = field(repr=False)
-
-    @cached_property
-    def system(self) -> System:
-        """The built system.
-
-        Raises
-        ------
-        ConstraintError
-            Freedoms that the file does not give a coordinate, or conditions that repeat one another.
-        """
-        return self._built(self.model, self.start)
-
-    def _built(self, model: Model, start: float) -> System:
-        try:
-            return model.build(start)
-        except ConstraintError as error:
-            raise ConstraintError(
-                f"{self.path.name}: {error} (in the file: a freedom is named by DYNE or DYNX, a kinematic one by ENHC "
-                "or KINE, a given motion is INPUTE or INPUTX, RLSE releases and FIX holds)"
-            ) from error
-        except ModelError as error:
-            raise ModelError(f"{self.path.name}: {error}") from error
-
-    def deformation(self, state: State, element: int, i: int) -> float:
-        """Deformation i of an element in SPACAR's sign; of a slip, its rate.
-
-        Raises
-        ------
-        ModelError
-            No such element or deformation.
-        """
-        name, factor = self._mode(element, i)
-        if name in self.slips:
-            return factor * state.rate(name)
-        return factor * state[name]
-
-    def stress(self, state: State, element: int, i: int) -> float:
-        """Generalized stress dual to `deformation`, in SPACAR's sign."""
-        name, factor = self._mode(element, i)
-        return state.force(name) / factor
-
-    def _mode(self, element: int, i: int) -> tuple[str, float]:
-        if (element, i) not in self.deformations:
-            raise ModelError(
-                f"{self.path.name}: there is no deformation {i} of an element {element}; elements are "
-                f"{', '.join(map(str, sorted({e for e, _ in self.deformations})))}"
-            )
-        return self.deformations[element, i]
-
-    @cached_property
-    def slips(self) -> frozenset[str]:
-        """Names of all slips, which have rates and no values."""
-        return frozenset(z for instance in self.model.instances.values() for z in instance.slips)
-
-    def factor(self, name: str) -> float:
-        """How much larger a quantity is in SPACAR than here; 1 for coordinates."""
-        return self._factors.get(name, 1.0)
-
-    @cached_property
-    def _factors(self) -> dict[str, float]:
-        return dict(self.deformations.values())
-
-    def variant(self, *, load_steps: bool = False, loads: bool = True) -> System:
-        """The system moved by the increments DELXF, DELINPX and DELINPE (times t) alone, or without its loads."""
-        steps = (*self.still, *self.load_steps) if load_steps else ()
-        model = build_model(self.gravity, [*self.calls, *steps])
-        if not loads:
-            model.loads.clear()
-        return self._built(model, 0.0 if load_steps else self.start)
-
-    matrices = linear.matrices
-    state_space = linear.state_space
-    frequencies = linear.frequencies
-    buckling = linear.buckling
-    static_steps = linear.static_steps
 
 
 def read_spacar(path: str | Path, dialect: str | None = None) -> Spacar:

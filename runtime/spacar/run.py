@@ -1,7 +1,4 @@
-"""What `flexel run model.dat` does: SPACAR's modes of analysis, a report as text, results as files.
-
-Imports numpy, the reading and the runtime rooms of motions.
-"""
+"""What `flexel run model.dat` does: SPACAR's modes of analysis, a report as text, results as files."""
 
 from __future__ import annotations
 
@@ -11,13 +8,13 @@ from pathlib import Path
 
 import numpy as np
 
-from flexel.errors import DynamicsError, ModelError
-from flexel.result import Motion
-from flexel.saved.tables_of_runs import motion_beside
+from flexel.base.arrays import Array
+from flexel.base.errors import DynamicsError, ModelError
+from flexel.results.motion import Motion
+from flexel.results.saved.tables_of_runs import motion_beside
 from flexel.spacar.linear import Matrices
 from flexel.spacar.reading import Spacar, read_spacar
-from flexel.state import State
-from flexel.structure import Array
+from flexel.structure.state import State
 
 Results = dict[str, Array]
 Analysis = tuple[list[str], Results, Motion | None]
@@ -68,7 +65,7 @@ def run_spacar(
         known = ", ".join(map(str, MODES))
         raise ModelError(
             f"{file.path.name}: there is no mode {mode}; there are {known} (for small motions about a nominal one, "
-            "mode 3 of UT SPACAR, use mode 4 or `flexel.periodic`)"
+            "mode 3 of UT SPACAR, use mode 4 or `flexel.linear.periodic`)"
         )
     lines, results, motion = MODES[mode](file)
     head = [

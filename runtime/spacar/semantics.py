@@ -2,14 +2,13 @@
 
 Roles, loads, motions and initial values are those of the file; deformations keep SPACAR's signs in the file and get
 ours in the model, by the tables of `flexel.spacar.keywords`.
-Imports the sheet, its contradictions, the calls and the elements.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from flexel.functions import Polynomial
+from flexel.base.time_functions import Polynomial
 from flexel.spacar.contradictions import refuse_contradictions
 from flexel.spacar.elements import element_calls, node_calls
 from flexel.spacar.lexer import Line

@@ -1,7 +1,4 @@
-"""What a file declares, collected by node and element number, before it becomes a model.
-
-Imports numpy, the lines and the tables of keywords.
-"""
+"""What a file declares, collected by node and element number, before it becomes a model."""
 
 from __future__ import annotations
 
@@ -10,9 +7,10 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from flexel.base.arrays import Array
 from flexel.spacar.keywords import ELEMENTS, ElementType, Mode
 from flexel.spacar.lexer import Line
-from flexel.structure import COMPONENTS, Array
+from flexel.structure.nodes import COMPONENTS
 
 LETTERS = {"point": "p", "planar_point": "p", "frame": "o", "planar_angle": "o"}
 START = {

@@ -1,7 +1,6 @@
 """The model of a file as a list of calls of `Model`: run here, or printed as Python by the converter.
 
 One list serves both, so that a converted file cannot differ from the one that was read.
-Imports the model.
 """
 
 from __future__ import annotations
@@ -10,8 +9,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from flexel.errors import ModelError
-from flexel.functions import Polynomial
+from flexel.base.errors import ModelError
+from flexel.base.time_functions import Polynomial
 from flexel.model import Model
 from flexel.spacar.lexer import Line
 

@@ -1,7 +1,4 @@
-"""What a file asks of the linear model, its inputs and outputs; and what the reader has to say about the file.
-
-Imports the sheet and the tables of keywords.
-"""
+"""What a file asks of the linear model, its inputs and outputs; and what the reader has to say about the file."""
 
 from __future__ import annotations
 

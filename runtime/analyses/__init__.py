@@ -1,0 +1,1 @@
+"""Analyses of a system, each family of methods on the core."""

@@ -1,0 +1,109 @@
+"""Simulations continued from saved results."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from flexel.base.arguments import number
+from flexel.base.arrays import Index
+from flexel.base.errors import ModelError
+from flexel.mechanics import dynamics
+from flexel.mechanics.core import Core
+from flexel.mechanics.kinematics import Configuration
+from flexel.results.motion import Motion
+from flexel.structure.state import State
+from flexel.structure.structure import Structure
+
+
+class Restoring(Core):
+    """States of a system from saved ones."""
+
+    def restore(self, saved: Motion | State, time: float | None = None, *, as_saved: bool = False) -> State:
+        """A state of this system from a saved one: to simulate on from, linearize about, or draw.
+
+        Coordinates, rates, turns, internal states of laws and the choice of freedoms are those of the file, bit for
+        bit; accelerations, forces and energies are computed anew, with the loads that the model has now.
+
+        Parameters
+        ----------
+        saved : Motion or State
+            From `flexel.load`, or of another system of the same make.
+        time : float, optional
+            One of the stored times of a motion [s]; the last one by default.
+        as_saved : bool
+            Take accelerations, forces and energies from the file too: where a freedom has no inertia they cannot be
+            computed from the state.
+
+        Raises
+        ------
+        ModelError
+            A time that is not stored; a model with other quantities or other constraints.
+        """
+        state = _stored(saved, time)
+        _check_names(self.structure, state.structure)
+        roles = self.roles
+        rows = [state.roles.dynamic, state.roles.kinematic]
+        if not all(np.array_equal(a, b) for a, b in zip(rows, (roles.dynamic, roles.kinematic), strict=True)):
+            _check_freedoms(self, rows)
+            roles = roles.with_freedoms(*rows)
+        if as_saved:
+            return replace(state, roles=roles, evaluation=self.evaluation)
+        c = Configuration(state.t, state.x, state.e, self.evaluation.position(state.x)[1])
+        return dynamics.complete(self.kinematics_of(roles), self.loads, c, state.v, state.e, state.z)
+
+
+def _stored(saved: Any, time: float | None) -> State:
+    """The stored state at a time."""
+    if isinstance(saved, State):
+        if time is not None and time != saved.t:
+            raise ModelError(
+                f"restore: the state is of t = {saved.t:g} s, not {time:g} s; give the motion instead"
+            )
+        return saved
+    if not isinstance(saved, Motion):
+        raise ModelError(
+            f"restore: {type(saved).__name__} is no motion or state; give what fx.load returned, or one of its states"
+        )
+    if time is None:
+        return saved[-1]  # type: ignore[no-any-return]
+    t = number(time, "restore", "time")
+    state = saved.nearest(t)
+    if abs(state.t - t) > 1e-9 * max(float(np.ptp(saved.t)), abs(t)):
+        raise ModelError(f"restore: no state is stored at t = {t:g} s; the nearest time is {state.t:.12g} s")
+    return state
+
+
+def _check_names(own: Structure, other: Structure) -> None:
+    """Both must have the same quantities in the same order."""
+    differing = _only_in(own, other) or _only_in(other, own)
+    if differing:
+        raise ModelError(
+            f"restore: only one of the saved state and this model has {', '.join(map(repr, differing[:4]))}; build the "
+            "model that was saved"
+        )
+    if own.names != other.names or tuple(own.internal) != tuple(other.internal):
+        raise ModelError(
+            "restore: this model was declared in another order, or holds other coordinates, than the saved one; build "
+            "the model that was saved"
+        )
+
+
+def _only_in(a: Structure, b: Structure) -> list[str]:
+    """Quantities and internal states that only the first structure has."""
+    return [z for z in (*a.names, *a.internal) if z not in b.index and z not in b.internal]
+
+
+def _check_freedoms(system: Core, rows: list[Index]) -> None:
+    """The saved freedoms must be as many as the model's, and none of them constrained."""
+    roles, names = system.roles, system.structure.names
+    taken = {*roles.rigid.tolist(), *roles.prescribed.tolist(), *roles.zero.tolist()}
+    held = [names[i] for z in rows for i in z.tolist() if i in taken]
+    if held or [z.size for z in rows] != [roles.nd, roles.nq - roles.nd]:
+        found = tuple(names[i] for z in rows for i in z.tolist())
+        raise ModelError(
+            f"restore: the saved state has the freedoms {found}, this model {system.dynamic + system.kinematic}"
+            f"{': ' + ', '.join(held) + ' is constrained now' if held else ''}; build it with the same constraints"
+        )

@@ -1,0 +1,133 @@
+"""What a user hands over, checked before anything is computed: numbers, vectors, names."""
+
+from __future__ import annotations
+
+import difflib
+import re
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+import numpy as np
+
+from flexel.base.arrays import Array
+from flexel.base.errors import ModelError
+
+
+def array(value: Any, owner: str, what: str) -> Array:
+    """A float array of finite numbers of any shape; text, None and objects are refused.
+
+    Raises
+    ------
+    ModelError
+        `owner` and `what` name the value.
+    """
+    try:
+        given = np.asarray(value)
+        numeric = given.dtype.kind in "biuf"
+    except (TypeError, ValueError):  # ragged nesting
+        numeric = False
+    if not numeric:
+        raise ModelError(f"{owner}: {what} {_shown(value)} is not numeric; give real numbers")
+    if not np.all(np.isfinite(given)):
+        raise ModelError(f"{owner}: {what} {_shown(value)} is not finite; give finite numbers")
+    return np.array(given, dtype=float)
+
+
+def vector(value: Any, owner: str, what: str, size: int) -> Array:
+    """A float array (size,) of finite numbers, or a ModelError that names the owner."""
+    d = array(value, owner, what)
+    if d.shape != (size,):
+        raise ModelError(f"{owner}: {what} {_shown(value)} has shape {d.shape}; give {size} numbers")
+    return d
+
+
+def number(value: Any, owner: str, what: str) -> float:
+    """One finite number, or a ModelError that names the owner."""
+    d = array(value, owner, what)
+    if d.size != 1:
+        raise ModelError(f"{owner}: {what} {_shown(value)} has shape {d.shape}; give one number")
+    return float(d.reshape(()))
+
+
+def numbers(values: Mapping[str, Any] | None, owner: str, what: str) -> dict[str, float]:
+    """Finite numbers by name, or a ModelError that names the owner and the one at fault."""
+    if values is None:
+        return {}
+    if not isinstance(values, Mapping):
+        raise ModelError(f"{owner}: {what} {_shown(values)} must be given by name; write {{'name': number}}")
+    return {name: number(value, owner, f"{what} of '{name}'") for name, value in values.items()}
+
+
+def names(given: Any, owner: str) -> tuple[str, ...]:
+    """A sequence of names; a single text is refused, because its letters would count as names."""
+    listed = tuple(given) if isinstance(given, Iterable) and not isinstance(given, str) else None
+    if listed is None or not all(isinstance(z, str) for z in listed):
+        raise ModelError(f"{owner}: {_shown(given)} is not a list of names; write ['…', '…']")
+    return listed
+
+
+def new_name(name: Any, kind: str) -> str:
+    """A name that quantities can be made of, or a ModelError."""
+    if not isinstance(name, str) or not re.fullmatch(r"[^\s.':][^.':]*", name):
+        raise ModelError(f"{kind} {name!r}: a name is text without dots, colons or quotes; choose another")
+    return name
+
+
+def _shown(value: Any) -> str:
+    text = str(value.tolist()) if isinstance(value, np.ndarray) else repr(value)
+    return text if len(text) < 80 else text[:76] + " …"
+
+
+def quantities(given: Any, owner: str) -> tuple[str, ...]:
+    """Names of coordinates, deformations or slips; nodes and lists are refused."""
+    for name in given:
+        if not isinstance(name, str):
+            raise ModelError(
+                f"{owner}: {_shown(name)} is not the name of a quantity; give text such as 'A.x' or 'hinge.angle', "
+                "several as separate arguments"
+            )
+    return tuple(given)
+
+
+def positive(value: Any, owner: str, what: str) -> float:
+    """A positive finite number, or a ModelError."""
+    given = number(value, owner, what)
+    if given <= 0:
+        raise ModelError(f"{owner}: {what} {given:g} is not positive; give a positive value")
+    return given
+
+
+def not_negative(value: Any, owner: str, what: str) -> float:
+    """A finite number that is zero or positive, or a ModelError."""
+    given = number(value, owner, what)
+    if given < 0:
+        raise ModelError(f"{owner}: {what} {given:g} is negative; give zero or a positive value")
+    return given
+
+
+def span(xp: Array, xq: Array, owner: str) -> tuple[Array, float]:
+    """Direction and length of the line between two points."""
+    line = xq - xp
+    length = float(np.linalg.norm(line))
+    if length < 1e-12 * max(1.0, float(np.max(np.abs(xp)))):
+        raise ModelError(
+            f"{owner}: its two points coincide at {tuple(xp.tolist())}; the element has no length, move one"
+        )
+    return line / length, length
+
+
+def unknown(name: str, known: Iterable[str], kind: str = "name") -> str:
+    """Message for a name that does not exist, with the nearest ones that do."""
+    names = list(known)
+    near = difflib.get_close_matches(name, names, n=3, cutoff=0.4)
+    same = [z for z in names if z.startswith(name + ".")][:8]
+    hint = f"did you mean {', '.join(near or same)}?" if near or same else f"known: {', '.join(names[:12])}"
+    return f"unknown {kind} '{name}'; {hint}"
+
+
+def step_limit(value: Any, owner: str, what: str, least: float = 0.0) -> float:
+    """A number above `least`, or infinity; a ModelError otherwise."""
+    checked = np.inf if value is np.inf else number(value, owner, what)
+    if checked <= least:
+        raise ModelError(f"{owner}: {what} {checked:g} is too small; give more than {least:g}")
+    return checked

@@ -1,0 +1,13 @@
+"""Names for the arrays that every module speaks of."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Index = NDArray[np.intp]
+ComplexArray = NDArray[np.complex128]
+Vector = Sequence[float] | Array

@@ -1,0 +1,37 @@
+"""Declarations of a model that are taken back as a whole when a part of them is refused.
+
+What lays a hundred elements must not leave fifty behind: the corrected call would find their names taken.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import wraps
+from typing import Any, TypeVar, cast
+
+Declaration = TypeVar("Declaration", bound=Callable[..., Any])
+
+
+def whole_or_nothing(declare: Declaration) -> Declaration:
+    """A method of `Model` that adds names and laws, or raises and leaves those that there were."""
+
+    @wraps(declare)
+    def guarded(model: Any, *args: Any, **options: Any) -> Any:
+        before = {name: len(z) for name, z in vars(model).items() if isinstance(z, (dict, list))}
+        try:
+            return declare(model, *args, **options)
+        except Exception:
+            for name, count in before.items():
+                _shorten(getattr(model, name), count)
+            raise
+
+    return cast(Declaration, guarded)
+
+
+def _shorten(kept: dict[str, Any] | list[Any], count: int) -> None:
+    """Take the latest entries away until there are so many."""
+    while len(kept) > count:
+        if isinstance(kept, dict):
+            kept.popitem()
+        else:
+            kept.pop()

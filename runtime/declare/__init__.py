@@ -1,0 +1,1 @@
+"""What a user declares, by family; the methods of `Model`."""

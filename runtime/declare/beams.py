@@ -1,0 +1,296 @@
+"""Beams: the method of `Model` that lays one between nodes, its reference triads and its stiffness."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from flexel.base.arguments import array, names, not_negative, number, positive, span, vector
+from flexel.base.arrays import Array
+from flexel.base.errors import ModelError
+from flexel.base.quaternions import in_frame, matrix, triad
+from flexel.base.transactions import whole_or_nothing
+from flexel.declare.materials import Material, Profile, profile_of
+from flexel.declare.sections import Section
+from flexel.declare.springs import Springs
+from flexel.generated.table import ELEMENTS
+from flexel.structure.nodes import Node
+
+MODES = ("elongation", "torsion", "bend1", "bend2", "bend3", "bend4")
+STIFFNESS_OF = dict(zip(MODES, ("EA", "GJ", "EIy", "EIy", "EIz", "EIz"), strict=True))
+PLANAR = (0, 4, 5)  # the modes of a planar beam among those of the spatial one; its plane has the normal z
+
+
+class Beams(Springs):
+    """Beams."""
+
+    @whole_or_nothing
+    def beam(
+        self,
+        name: str,
+        p: Node | str,
+        frame_p: Node | str,
+        q: Node | str,
+        frame_q: Node | str | None = None,
+        *,
+        rigid: bool = False,
+        direction: Sequence[float] | Array | None = None,
+        EA: float | None = None,
+        GJ: float | None = None,
+        EIy: float | None = None,
+        EIz: float | None = None,
+        GAy: float | None = None,
+        GAz: float | None = None,
+        section: Section | None = None,
+        material: Material | str | None = None,
+        flexible: Sequence[str] | None = None,
+        initial_strain: float = 0.0,
+        initial_curvature: Any = None,
+        damping: float = 0.0,
+        mass_per_length: float = 0.0,
+        inertia_per_length: Any = None,
+        second_order: bool = True,
+    ) -> None:
+        """Lay a straight beam between two points; without a second frame, the rigid three-node beam.
+
+        Parameters
+        ----------
+        rigid : bool
+            All modes rigid.  Otherwise the modes whose stiffness is given are flexible, the others rigid.
+        direction : sequence of float (3,)
+            Global direction of the section's y axis as drawn.
+        EA, GJ, EIy, EIz : float
+            Axial [N], torsional and bending stiffness [N m²] about the section's axes; planar beams use EA and EIz.
+        GAy, GAz : float
+            Shear stiffness k G A [N] for deflection in y and z; none means no shear deformation.
+        section, material : Section and Material (or its name, such as "steel")
+            Give all stiffnesses, shear included, the mass and the rotary inertia, instead of the numbers; the
+            stresses of the section are found by `flexel.beam_stress`.
+        flexible : sequence of str, optional
+            With a section: the modes that deform, of elongation, torsion, bend1 ... bend4; all by default.
+        initial_strain : float
+            Elongation per length of the beam without stress.
+        initial_curvature : sequence of float (3,), or float for a planar beam
+            Twist and curvatures about the section's y and z axes [1/m] of the beam without stress, uniform; it is
+            drawn straight and takes this shape when nothing holds it.
+        damping : float
+            Kelvin–Voigt damping: ratio of damping to stiffness [s].
+        mass_per_length : float
+            [kg/m]
+        inertia_per_length : sequence of float (3,), or float for a planar beam
+            Rotary inertia per length [kg m] about the section's x, y, z axes.
+        second_order : bool
+            Second-order terms in the deformations (Meijaard 1996); without them more elements are needed.
+
+        Raises
+        ------
+        ModelError
+            Points that coincide, a stiffness that is not positive, a beam neither rigid nor flexible.
+
+        Examples
+        --------
+        >>> m.beam("leaf", P, RP, Q, RQ, direction=(0, 1, 0), section=fx.Rectangle(0.3e-3, 20e-3), material="steel")
+        ... # doctest: +SKIP
+        """
+        owner = f"beam '{name}'"
+        ends = [(p, "point"), (frame_p, "frame"), (q, "point")]
+        planar, nodes = self.resolve(owner, *ends, *([] if frame_q is None else [(frame_q, "frame")]))
+        numbers = {"EA": EA, "GJ": GJ, "EIy": EIy, "EIz": EIz, "GAy": GAy, "GAz": GAz}
+        given = {key: positive(z, owner, key) for key, z in numbers.items() if z is not None}
+        profile = None
+        if section is not None or material is not None or flexible is not None:
+            stated = [*given, *(["mass_per_length"] if mass_per_length else [])]
+            stated += [] if inertia_per_length is None else ["inertia_per_length"]
+            profile = _profile(owner, section, material, stated)
+            mass_per_length, inertia_per_length = profile.mass()
+            if planar:
+                inertia_per_length = inertia_per_length[2]
+            if not rigid and frame_q is not None:
+                given = _section_stiffness(owner, profile, flexible, planar)
+        _check_kind(owner, rigid, given, frame_q is not None)
+        if not given and damping:
+            raise ModelError(f"{owner}: damping has no effect on a rigid beam; drop it, or give a stiffness")
+        unfit = sorted(given.keys() - {"EA", "EIz", "GAy"}) + (["direction"] if direction is not None else [])
+        if planar and unfit:
+            raise ModelError(
+                f"{owner}: a planar beam takes EA, EIz and GAy, not {', '.join(unfit)}; drop the others"
+            )
+        mass = _mass(owner, planar, mass_per_length, inertia_per_length)
+        if frame_q is None:
+            shape = _planar_offset(nodes) if planar else _offset(nodes, direction, owner)
+            self.add(name, "planar_beam3" if planar else "beam3", nodes, shape | mass)
+            self.instances[name] = replace(self.instances[name], profile=profile)
+            return
+        shape = _planar_triads(nodes, owner) if planar else _triads(nodes, direction, owner)
+        l0 = float(shape["l0"][0])
+        phi_y, phi_z = shear_numbers(l0, given)
+        shear = {"phi_z": phi_y} if planar else {"phi_y": phi_y, "phi_z": phi_z}
+        element = ("planar_beam" if planar else "beam") + ("" if second_order else "_first_order")
+        self.add(name, element, nodes, shape | mass | {key: np.array([z]) for key, z in shear.items()})
+        self.instances[name] = replace(self.instances[name], profile=profile)
+        modes = [d.name for d in ELEMENTS[element].deformations]
+        free, S = beam_stiffness(l0, modes, given, phi_y, phi_z)
+        e0 = _initial_deformations(owner, planar, l0, free, initial_strain, initial_curvature)
+        if given:
+            D = not_negative(damping, owner, "damping") * S
+            self.linear_law([f"{name}.{z}" for z in free], S, D, -S @ e0)
+
+
+def _profile(owner: str, section: Any, material: Any, stated: Sequence[str]) -> Profile:
+    """Section and material of a beam, given without numbers that they imply."""
+    if section is None:
+        what = "material" if material is not None else "flexible"
+        raise ModelError(f"{owner}: {what} is given without a section; give section=Rectangle(…) or the like")
+    if stated:
+        raise ModelError(
+            f"{owner}: section and material give {', '.join(stated)} already; drop these, or drop the section"
+        )
+    return profile_of(section, material, owner)
+
+
+def _section_stiffness(
+    owner: str, profile: Profile, flexible: Sequence[str] | None, planar: bool
+) -> dict[str, float]:
+    """Stiffnesses of the modes that deform; a plane bends with both of its modes."""
+    known = ("elongation", "bend1", "bend2") if planar else MODES
+    chosen = known if flexible is None else names(flexible, f"{owner}: flexible")
+    wrong = [z for z in chosen if z not in known]
+    if wrong or not chosen:
+        raise ModelError(
+            f"{owner}: flexible {list(chosen)} names no modes of this beam; they are {', '.join(known)}"
+        )
+    keys = {"elongation": "EA", "bend1": "EIz", "bend2": "EIz"} if planar else STIFFNESS_OF
+    for a, b in (("bend1", "bend2"), ("bend3", "bend4")):
+        if (a in chosen) != (b in chosen):
+            raise ModelError(f"{owner}: flexible has one of {a} and {b}; they bend in one plane, name both")
+    wanted = {keys[z] for z in chosen}
+    wanted |= {"GAy"} if "EIz" in wanted else set()
+    wanted |= {"GAz"} if "EIy" in wanted else set()
+    return {key: z for key, z in profile.stiffness().items() if key in wanted}
+
+
+def _initial_deformations(
+    owner: str, planar: bool, l0: float, free: Sequence[str], strain: Any, curvature: Any
+) -> Array:
+    """Deformations of the beam without stress, for its flexible modes."""
+    eps = number(strain, owner, "initial_strain")
+    if curvature is None:
+        k = np.zeros(3)
+    elif planar:
+        k = np.array([0.0, 0.0, number(curvature, owner, "initial_curvature")])
+    else:
+        k = vector(curvature, owner, "initial_curvature", 3)
+    bends = k * l0**2 / 2
+    if planar:
+        e0 = {"elongation": eps * l0, "bend1": bends[2], "bend2": bends[2]}
+    else:
+        values = (eps * l0, k[0] * l0**2, bends[1], bends[1], bends[2], bends[2])
+        e0 = dict(zip(MODES, values, strict=True))
+    stiff = [z for z, value in e0.items() if value and z not in free]
+    if stiff:
+        raise ModelError(
+            f"{owner}: initial strain or curvature in {', '.join(stiff)}, which is rigid; make it flexible"
+        )
+    return np.array([e0[z] for z in free])
+
+
+def _check_kind(owner: str, rigid: bool, given: Mapping[str, float], two_frames: bool) -> None:
+    flexible = bool(given)
+    for shear, bending in (("GAy", "EIz"), ("GAz", "EIy")):
+        if shear in given and bending not in given and not rigid:
+            raise ModelError(
+                f"{owner}: the shear stiffness {shear} has no effect without {bending}; give {bending} or drop it"
+            )
+    if rigid and flexible:
+        raise ModelError(f"{owner}: rigid=True and a stiffness contradict one another; drop one")
+    if two_frames and not (rigid or flexible):
+        raise ModelError(f"{owner}: neither rigid nor flexible; give rigid=True or EA, GJ, EIy, EIz")
+    if flexible and not two_frames:
+        raise ModelError(
+            f"{owner}: one frame makes it the rigid three-node beam; give a second frame to bend it"
+        )
+
+
+def _mass(owner: str, planar: bool, per_length: float, inertia: Any) -> dict[str, Array]:
+    size = 1 if planar else 3
+    J = np.zeros(size) if inertia is None else np.atleast_1d(array(inertia, owner, "inertia_per_length"))
+    if J.shape != (size,):
+        raise ModelError(f"{owner}: inertia_per_length has {J.size} numbers; give {size}")
+    if np.any(J < 0):
+        raise ModelError(f"{owner}: inertia_per_length {J.tolist()} has a negative entry; give zero or more")
+    return {"rhoA": np.array([not_negative(per_length, owner, "mass_per_length")]), "rhoJ": J}
+
+
+def _triads(nodes: Sequence[Node], direction: Any, owner: str) -> dict[str, Array]:
+    """Length and reference triads of a straight spatial beam (p, frame p, q, frame q)."""
+    xp, rp, xq, rq = (n.x0 for n in nodes)
+    e_x, l0 = span(xp, xq, owner)
+    t = triad(e_x, direction, owner)
+    return {"l0": np.array([l0]), "tp": in_frame(rp, t), "tq": in_frame(rq, t)}
+
+
+def _offset(nodes: Sequence[Node], direction: Any, owner: str) -> dict[str, Array]:
+    """Offset of q in the triad of the frame; with coinciding points, a mere connection."""
+    xp, rp, xq = (n.x0 for n in nodes)
+    l0 = float(np.linalg.norm(xq - xp))
+    t = triad((xq - xp) / l0, direction, owner) if l0 > 0 else rp
+    return {"tp": in_frame(rp, t), "d0": matrix(t).T @ (xq - xp), "l0": np.array([l0])}
+
+
+def _planar_triads(nodes: Sequence[Node], owner: str) -> dict[str, Array]:
+    """Length and reference directions of a straight planar beam."""
+    xp, phi_p, xq, phi_q = (n.x0 for n in nodes)
+    e, l0 = span(xp, xq, owner)
+    alpha = np.arctan2(e[1], e[0])
+    return {"l0": np.array([l0]), "alpha0": alpha - phi_p, "alphaq0": alpha - phi_q}
+
+
+def _planar_offset(nodes: Sequence[Node]) -> dict[str, Array]:
+    """Offset of q seen from the frame's angle, for the planar rigid link."""
+    xp, phi, xq = (n.x0 for n in nodes)
+    d = xq - xp
+    l0 = float(np.linalg.norm(d))
+    alpha = np.arctan2(d[1], d[0]) if l0 > 0 else phi
+    return {"alpha0": np.atleast_1d(alpha - phi), "d0": np.array([l0, 0.0]), "l0": np.array([l0])}
+
+
+def shear_numbers(l0: float, given: Mapping[str, float]) -> tuple[float, float]:
+    """Shear numbers (Φ_y, Φ_z) = 12 E I / (k G A l0²) of deflection in y and in z; 0 without shear stiffness."""
+    phi_y = 12 * given.get("EIz", 0.0) / (given["GAy"] * l0**2) if "GAy" in given else 0.0
+    phi_z = 12 * given.get("EIy", 0.0) / (given["GAz"] * l0**2) if "GAz" in given else 0.0
+    return phi_y, phi_z
+
+
+def bending_block(EI: float, phi: float, l0: float) -> Array:
+    """Stiffness (2, 2) of the two bending modes of one plane."""
+    return np.array([[4 + phi, -2 + phi], [-2 + phi, 4 + phi]]) * EI / ((1 + phi) * l0**3)
+
+
+def beam_stiffness(
+    l0: float, modes: Sequence[str], given: Mapping[str, float], phi_y: float, phi_z: float
+) -> tuple[list[str], Array]:
+    """Flexible modes, in the order of `modes`, and their stiffness matrix.
+
+    Parameters
+    ----------
+    modes : sequence of str
+        The element's deformations: six, or the three of a planar beam.
+    given : mapping
+        EA, GJ, EIy, EIz; absent means that these modes are rigid.
+    """
+    K = np.zeros((6, 6))
+    if "EA" in given:
+        K[0, 0] = given["EA"] / l0
+    if "GJ" in given:
+        K[1, 1] = given["GJ"] / l0**3
+    if "EIy" in given:
+        K[2:4, 2:4] = bending_block(given["EIy"], phi_z, l0)
+    if "EIz" in given:
+        K[4:6, 4:6] = bending_block(given["EIz"], phi_y, l0)
+    places = PLANAR if len(modes) == len(PLANAR) else range(6)
+    keep = [i for i in places if K[i, i] > 0]
+    names = dict(zip(places, modes, strict=True))
+    return [names[i] for i in keep], K[np.ix_(keep, keep)]

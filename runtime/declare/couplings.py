@@ -1,0 +1,226 @@
+"""Belts, gears, surfaces, rolling wheels in the plane, rotary inertia: the methods of `Model` for them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from flexel.base.arguments import array, not_negative, number, positive, span, vector
+from flexel.base.arrays import Array
+from flexel.base.errors import ModelError
+from flexel.base.quaternions import unit
+from flexel.base.transactions import whole_or_nothing
+from flexel.declare.springs import Springs
+from flexel.structure.nodes import Node
+
+PLANAR_ENDS = ("planar_point", "planar_angle", "planar_point", "planar_angle")
+
+
+class Couplings(Springs):
+    """Belts, gears and surfaces."""
+
+    @whole_or_nothing
+    def belt(
+        self,
+        name: str,
+        p: Node | str,
+        angle_p: Node | str,
+        q: Node | str,
+        angle_q: Node | str,
+        *,
+        radius_p: float,
+        radius_q: float,
+        stiffness: float | None = None,
+        damping: float = 0.0,
+    ) -> None:
+        """Lay the straight part of a belt between two pulleys in the plane, without stretch as drawn.
+
+        Parameters
+        ----------
+        radius_p, radius_q : float
+            Radii [m]; positive for the part that lies on the left when one looks from p to q, negative on the right,
+            of two signs for a crossed belt.
+        stiffness : float, optional
+            EA / length [N/m]; without it the belt does not stretch.
+        damping : float
+            [N s/m]
+
+        Raises
+        ------
+        ModelError
+            Pulleys that overlap.
+
+        Notes
+        -----
+        The line of centres may turn by less than half a turn from where it is drawn.
+        """
+        owner = f"belt '{name}'"
+        nodes = _ends(self, owner, (p, angle_p, q, angle_q))
+        a, b = number(radius_p, owner, "radius_p"), number(radius_q, owner, "radius_q")
+        e, distance = span(nodes[0].x0, nodes[2].x0, owner)
+        if distance <= abs(a - b):
+            raise ModelError(
+                f"{owner}: the centres are {distance:g} m apart, so that radii {a:g} and {b:g} leave no "
+                "tangent; move them"
+            )
+        length = np.sqrt(distance**2 - (a - b) ** 2)
+        turn = -np.arctan2(a - b, length)
+        zero = length + a * (nodes[1].x0 - turn) - b * (nodes[3].x0 - turn)
+        values = {
+            "radius_p": np.array([a]),
+            "radius_q": np.array([b]),
+            "psi0": np.array([np.arctan2(e[1], e[0])]),
+            "zero": zero,
+        }
+        self.add(name, "planar_belt", nodes, values)
+        d = not_negative(damping, owner, "damping")
+        if stiffness is not None:
+            self.spring(f"{name}.elongation", positive(stiffness, owner, "stiffness"), d)
+        elif d:
+            raise ModelError(f"{owner}: damping has no effect without stiffness; give one, or drop it")
+
+    def gears(
+        self,
+        name: str,
+        p: Node | str,
+        angle_p: Node | str,
+        q: Node | str,
+        angle_q: Node | str,
+        *,
+        radius_p: float,
+        radius_q: float,
+    ) -> None:
+        """Mesh two gears in the plane, in contact as drawn; their centres may move, on the arm of a planetary gear.
+
+        Parameters
+        ----------
+        radius_p, radius_q : float
+            Pitch radii [m], or numbers of teeth; that of an internal gear is negative.
+
+        Raises
+        ------
+        ModelError
+            Radii that are zero or add up to zero.
+        """
+        owner = f"gears '{name}'"
+        nodes = _ends(self, owner, (p, angle_p, q, angle_q))
+        a, b = number(radius_p, owner, "radius_p"), number(radius_q, owner, "radius_q")
+        if not a or not b or not a + b:
+            raise ModelError(
+                f"{owner}: pitch radii {a:g} and {b:g} do not mesh; give two that add up to a distance"
+            )
+        e, _ = span(nodes[0].x0, nodes[2].x0, owner)
+        together = (a * nodes[1].x0 + b * nodes[3].x0) / (a + b)
+        offset = np.arctan2(e[1], e[0]) - together
+        values = {"radius_p": np.array([a]), "radius_q": np.array([b]), "offset0": offset}
+        self.add(name, "planar_gear", nodes, values)
+
+    def surface(
+        self,
+        name: str,
+        point: Node | str,
+        *,
+        quadratic: Any = (0.0,) * 6,
+        linear: Any = (0.0,) * 3,
+        constant: float = 0.0,
+    ) -> None:
+        """Keep a point on a surface of second degree: a plane, sphere, cylinder, cone, paraboloid …
+
+        Parameters
+        ----------
+        quadratic : sequence of float (6,) or array (3, 3)
+            Factors of x², y², z², xy, xz, yz [1/m], or a symmetric matrix A for x'A x.
+        linear : sequence of float (3,)
+            Factors of x, y, z.
+        constant : float
+            [m]
+
+        Notes
+        -----
+        The deformation ``height`` is the value of the polynomial less that of the drawing, so that a point drawn
+        beside the surface stays on the parallel one.
+        """
+        owner = f"surface '{name}'"
+        node = self.of_kind(point, ("point",), owner)
+        A = array(quadratic, owner, "quadratic")
+        if A.shape == (3, 3):
+            S = (A + A.T) / 2
+            A = np.array([S[0, 0], S[1, 1], S[2, 2], 2 * S[0, 1], 2 * S[0, 2], 2 * S[1, 2]])
+        values = {
+            "quadratic": vector(A, owner, "quadratic", 6),
+            "linear": vector(linear, owner, "linear", 3),
+            "constant": np.array([number(constant, owner, "constant")]),
+        }
+        if not np.any(values["quadratic"]) and not np.any(values["linear"]):
+            raise ModelError(
+                f"{owner}: all its factors are zero, which is no surface; give quadratic or linear ones"
+            )
+        self.add(name, "surface", [node], values)
+
+    def planar_wheel(
+        self,
+        name: str,
+        point: Node | str,
+        heading: Node | str,
+        spin: Node | str,
+        *,
+        radius: float,
+        direction: Sequence[float] | Array = (1.0, 0.0),
+    ) -> None:
+        """Roll an upright wheel on the plane itself; with `spin` fixed, a skate that is dragged along.
+
+        Parameters
+        ----------
+        heading, spin : node
+            Angles of the wheel about the normal of the plane and about its axle.
+        radius : float
+            [m]; a skate whose slip ``longitudinal`` is released may have any.
+        direction : sequence of float (2,)
+            Direction of travel as drawn.
+        """
+        owner = f"planar wheel '{name}'"
+        given = (point, "planar_point"), (heading, "planar_angle"), (spin, "planar_angle")
+        nodes = [self.of_kind(node, (kind,), owner) for node, kind in given]
+        t = unit(direction, owner, "direction", 2)
+        alpha0 = np.arctan2(t[1], t[0]) - nodes[1].x0
+        self.add(
+            name,
+            "planar_wheel",
+            nodes,
+            {"radius": np.array([positive(radius, owner, "radius")]), "alpha0": alpha0},
+        )
+
+    def rotary_inertia(self, name: str, frame: Node | str, inertia: Any) -> None:
+        """Give an orientation node a rotary inertia of its own [kg m²], without mass.
+
+        Parameters
+        ----------
+        inertia : array_like
+            In body axes: (xx, yy, zz, xy, xz, yz) as tensor components or a symmetric (3, 3), of which none need be
+            the inertia of a whole body; one number in a planar model.
+        """
+        owner = f"rotary inertia '{name}'"
+        node = self.of_kind(frame, ("frame", "planar_angle"), owner)
+        if node.kind == "planar_angle":
+            self.add(
+                name, "planar_rotary_inertia", [node], {"J": np.array([positive(inertia, owner, "inertia")])}
+            )
+            return
+        J = array(inertia, owner, "inertia")
+        if J.shape == (6,):
+            xx, yy, zz, xy, xz, yz = J
+            J = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+        if J.shape != (3, 3) or np.max(np.abs(J - J.T)) > 1e-12 * np.max(np.abs(J)):
+            raise ModelError(
+                f"{owner}: {J.tolist()} is not a tensor; give (xx, yy, zz, xy, xz, yz) or a symmetric 3x3"
+            )
+        if np.linalg.eigvalsh(J)[0] < -1e-12 * np.max(np.abs(J)):
+            raise ModelError(f"{owner}: a principal moment of {J.tolist()} is negative; check the signs")
+        six = np.array([J[0, 0], J[1, 1], J[2, 2], J[0, 1], J[0, 2], J[1, 2]])
+        self.add(name, "rotary_inertia", [node], {"J": six})
+
+
+def _ends(model: Springs, owner: str, given: Sequence[Node | str]) -> list[Node]:
+    return [model.of_kind(node, (kind,), owner) for node, kind in zip(given, PLANAR_ENDS, strict=True)]

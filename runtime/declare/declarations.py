@@ -1,0 +1,130 @@
+"""What a model has declared: its nodes, elements, laws, loads, roles and initial values, by name.
+
+Everything has a name, and every name works everywhere.  Quantities are called ``node.coordinate``,
+``element.deformation`` and ``element.slip``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from flexel.base.arguments import array, new_name, unknown, vector
+from flexel.base.arrays import Array, Vector
+from flexel.base.errors import ModelError
+from flexel.base.time_functions import TimeFunction
+from flexel.generated.spec import ElementSpec
+from flexel.generated.table import ELEMENTS
+from flexel.structure.instances import Instance, LawInstance
+from flexel.structure.loads import Load
+from flexel.structure.nodes import Node
+from flexel.structure.surfaces import Surface
+
+PLANAR = {"point": "planar_point", "frame": "planar_angle", "slope": "planar_slope"}
+
+
+class Declarations:
+    """The data of a model, and what every family of methods needs: nodes by name, elements with their parameters.
+
+    Parameters
+    ----------
+    gravity : sequence of float (3,) or (2,)
+        Acceleration of gravity [m/s²]; of three components the first two serve planar elements.
+    """
+
+    def __init__(self, gravity: Vector = (0.0, 0.0, 0.0)) -> None:
+        g = array(gravity, "Model", "gravity")
+        self.gravity = vector(g, "Model", "gravity", 2 if g.shape == (2,) else 3)
+        self.nodes: dict[str, Node] = {}
+        self.instances: dict[str, Instance] = {}
+        self.laws: list[LawInstance] = []
+        self.surfaces: dict[str, Surface] = {}
+        self.loads: list[Load] = []
+        self.motions: dict[str, TimeFunction] = {}
+        self.roles: dict[str, str] = {}  # "rigid" or "free", as the user said
+        self.dynamic: list[str] | None = None
+        self.kinematic_names: list[str] | None = None
+        self.values: dict[str, float] = {}
+        self.rates: dict[str, float] = {}
+
+    def _node(self, name: str, kind: str, x0: Array, fixed: bool) -> Node:
+        self._new_name(name, kind)
+        node = Node(name, kind, x0, np.full(x0.size, bool(fixed)))
+        self.nodes[name] = node
+        return node
+
+    def _new_name(self, name: str, kind: str) -> None:
+        new_name(name, kind)
+        if name in self.nodes or name in self.instances:
+            raise ModelError(f"{kind} '{name}': this name is taken; choose another")
+
+    def node(self, node: Node | str, owner: str) -> Node:
+        """The node of that name, or a node of this model; a ModelError that names the owner otherwise."""
+        if not isinstance(node, (Node, str)):
+            raise ModelError(f"{owner}: {node!r} is not a node; give its name, or what m.point(…) returned")
+        name = node.name if isinstance(node, Node) else node
+        if name not in self.nodes:
+            raise ModelError(f"{owner}: {unknown(name, self.nodes, 'node')}")
+        found = self.nodes[name]
+        if isinstance(node, Node) and node.x0 is not found.x0:
+            raise ModelError(
+                f"{owner}: the node '{name}' belongs to another model; use the nodes of this one"
+            )
+        return found
+
+    def of_kind(self, node: Node | str, kinds: tuple[str, ...], owner: str) -> Node:
+        """The named node, if it is of one of the kinds; a ModelError that names the owner otherwise."""
+        found = self.node(node, owner)
+        if found.kind not in kinds:
+            raise ModelError(
+                f"{owner}: node '{found.name}' is a {found.kind}; it needs a {' or '.join(kinds)}"
+            )
+        return found
+
+    def resolve(self, owner: str, *nodes: tuple[Node | str, str]) -> tuple[bool, list[Node]]:
+        """Nodes of the asked kinds, all spatial or all planar, and whether they are planar."""
+        planar = self.node(nodes[0][0], owner).kind.startswith("planar")
+        return planar, [self.of_kind(n, (PLANAR[k] if planar else k,), owner) for n, k in nodes]
+
+    def add(
+        self, name: str, element: str, nodes: Sequence[Node | str], parameters: Mapping[str, Any]
+    ) -> None:
+        """An element of the table by its type, with its parameters as the kernels take them.
+
+        The methods below are more comfortable; this one serves types that have no method.
+        """
+        if element not in ELEMENTS:
+            raise ModelError(f"'{name}': {unknown(str(element), ELEMENTS, 'element type')}")
+        self.place(name, ELEMENTS[element], nodes, parameters)
+
+    def place(
+        self,
+        name: str,
+        spec: ElementSpec,
+        nodes: Sequence[Node | str],
+        parameters: Mapping[str, Any],
+        kernels: object = None,
+    ) -> None:
+        """An element of this specification; `kernels` is the address of a user's own, none for a built-in one."""
+        self._new_name(name, spec.name)
+        owner = f"{spec.name} '{name}'"
+        if isinstance(nodes, str) or len(nodes) != len(spec.nodes):
+            ends = ", ".join(f"{z.name} ({z.kind})" for z in spec.nodes)
+            raise ModelError(f"{owner}: its nodes are {nodes!r}; give a list of {len(spec.nodes)}: {ends}")
+        members = [self.of_kind(n, (z.kind,), owner) for n, z in zip(nodes, spec.nodes, strict=True)]
+        sizes = {z.name: z.size for z in spec.parameters}
+        wrong = sorted((sizes.keys() ^ parameters.keys()) - {"gravity"})
+        if wrong:
+            raise ModelError(
+                f"{owner}: parameter(s) {', '.join(wrong)} missing or unknown; it takes {', '.join(sizes)}"
+            )
+        values = dict(parameters)
+        if "gravity" in sizes and (kernels is None or "gravity" not in parameters):
+            values["gravity"] = self.gravity[: sizes["gravity"]]
+        if kernels is not None:
+            values = {z: array(values[z], owner, f"parameter {z}").reshape(-1) for z in sizes}
+        instance = Instance(name, spec, tuple(n.name for n in members), values, kernels)
+        _ = instance.p  # checks sizes and finiteness now, where the caller can see it
+        self.instances[name] = instance

@@ -1,0 +1,110 @@
+"""Nodes and the roles of quantities: what is fixed, rigid, prescribed, independent, and initial values."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from flexel.base.arguments import array, number, quantities, vector
+from flexel.base.arrays import Vector
+from flexel.base.errors import ModelError
+from flexel.base.time_functions import as_function
+from flexel.declare.declarations import Declarations
+from flexel.structure.nodes import COMPONENTS, Node
+
+
+class Nodes(Declarations):
+    """Nodes and the roles of quantities."""
+
+    def point(self, name: str, position: Vector, fixed: bool = False) -> Node:
+        """A position node at (x, y, z) [m], or (x, y) in a planar model.
+
+        Raises
+        ------
+        ModelError
+            Double name, coordinates that are not two or three finite numbers.
+        """
+        owner = f"point '{name}'"
+        x0 = array(position, owner, "position")
+        planar = x0.shape == (2,)
+        x0 = vector(x0, owner, "position", 2 if planar else 3)
+        return self._node(name, "planar_point" if planar else "point", x0, fixed)
+
+    def frame(self, name: str, orientation: Vector = (1.0, 0.0, 0.0, 0.0), fixed: bool = False) -> Node:
+        """An orientation node with Euler parameters (λ0, λ1, λ2, λ3) of norm one.
+
+        See Also
+        --------
+        flexel.base.quaternions.turn : Euler parameters of a turn about an axis.
+        """
+        owner = f"frame '{name}'"
+        x0 = vector(orientation, owner, "orientation", 4)
+        norm = float(np.linalg.norm(x0))
+        if abs(norm - 1) > 1e-6:
+            raise ModelError(f"{owner}: Euler parameters {x0.tolist()} have norm {norm:g}; divide them by it")
+        return self._node(name, "frame", x0 / norm, fixed)
+
+    def angle(self, name: str, value: float = 0.0, fixed: bool = False) -> Node:
+        """An orientation node of a planar model, an angle [rad]."""
+        return self._node(name, "planar_angle", np.array([number(value, f"angle '{name}'", "value")]), fixed)
+
+    def fix(self, *names: Node | str) -> None:
+        """Hold nodes or single coordinates at their drawn values."""
+        for given in names:
+            node, _, component = given.partition(".") if isinstance(given, str) else (given, "", "")
+            if isinstance(node, str) and node in self.instances:
+                raise ModelError(
+                    f"fix: '{node}' is an element; hold its deformations with m.rigid('{node}.…')"
+                )
+            target = self.node(node, "fix")
+            components = COMPONENTS[target.kind]
+            if component and component not in components:
+                raise ModelError(
+                    f"fix: node '{target.name}' has no coordinate '{component}'; it has {', '.join(components)}"
+                )
+            held = target.fixed | np.array([not component or c == component for c in components])
+            self.nodes[target.name] = replace(target, fixed=held)
+
+    def release(self, *names: str) -> None:
+        """Make deformations or slips free: no constraint, stress from laws and loads only."""
+        self.roles.update(dict.fromkeys(quantities(names, "release"), "free"))
+
+    def rigid(self, *names: str) -> None:
+        """Hold deformations (or slips) at zero."""
+        self.roles.update(dict.fromkeys(quantities(names, "rigid"), "rigid"))
+
+    def prescribe(self, name: str, motion: Any) -> None:
+        """Give a coordinate or deformation a motion u(t), in place of any that it had been given before.
+
+        Parameters
+        ----------
+        motion : number, callable, triple of callables, or Ramp, Harmonic, Polynomial, Table
+            A callable is called with a second-order jet: operators and NumPy functions give u, u' and u''.
+        """
+        quantities([name], "prescribe")
+        self.motions[name] = as_function(motion, f"prescribe '{name}'")
+
+    def independent(self, *names: str) -> None:
+        """Name the dynamic freedoms q_d; without any, the program chooses."""
+        self.dynamic = [*(self.dynamic or []), *quantities(names, "independent")]
+
+    def kinematic(self, *names: str) -> None:
+        """Name the kinematic freedoms q_k of a non-holonomic system; without any, the program chooses."""
+        self.kinematic_names = [*(self.kinematic_names or []), *quantities(names, "kinematic")]
+
+    def initial(self, name: str, value: float | None = None, rate: float | None = None) -> None:
+        """Initial value and rate of a coordinate or deformation (a slip: rate only).
+
+        Rates that nothing given determines are zero for the freedoms; name these with `independent`, or give
+        enough rates, where it matters which they are.
+        """
+        owner = f"initial '{name}'"
+        quantities([name], "initial")
+        if value is None and rate is None:
+            raise ModelError(f"{owner}: neither a value nor a rate; give one of them")
+        if value is not None:
+            self.values[name] = number(value, owner, "value")
+        if rate is not None:
+            self.rates[name] = number(rate, owner, "rate")

@@ -1,0 +1,116 @@
+"""From what the user declared to the roles of all quantities, with every contradiction named."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from flexel.base.errors import ModelError
+from flexel.declare.declarations import Declarations
+from flexel.generated.table import ELEMENTS
+from flexel.structure.instances import Instance
+from flexel.structure.roles import Roles
+from flexel.structure.structure import Structure
+
+
+def norms(model: Declarations) -> list[Instance]:
+    """The norm condition of every frame that is not wholly fixed."""
+    frames = [n for n in model.nodes.values() if n.kind == "frame" and not np.all(n.fixed)]
+    return [Instance(n.name, ELEMENTS["norm"], (n.name,), {}) for n in frames]
+
+
+def check_laws(structure: Structure) -> None:
+    """Each law must act on deformations (springs) or slips (viscous resistance) that exist."""
+    m, k = structure.m, structure.k
+    for law in structure.laws:
+        owner = f"law on '{law.name}'"
+        for name in law.deformations:
+            if structure.find(name, owner) >= m:
+                raise ModelError(f"{owner}: '{name}' is not a deformation; springs and formulas act on these")
+            refuse_norm(structure, name, owner)
+        for name in law.slips:
+            if not m <= structure.find(name, owner) < m + k:
+                raise ModelError(
+                    f"{owner}: '{name}' is not a slip; use m.spring(…, 0, damping) on deformations"
+                )
+
+
+def refuse_norm(structure: Structure, name: str, owner: str) -> None:
+    """The norm of Euler parameters has no role, law or load of its own."""
+    if structure.find(name, owner) < structure.m and name.endswith(".norm"):
+        frame = name.removesuffix(".norm")
+        raise ModelError(
+            f"{owner}: '{name}' is the norm of the Euler parameters of frame '{frame}', which always holds; name "
+            "another quantity"
+        )
+
+
+def resolve_roles(model: Declarations, structure: Structure) -> Roles:
+    """Rigid, prescribed and rolling conditions, from what the user said and the elements' defaults."""
+    role = {}
+    for instance in structure.instances:
+        frees = [z.free for z in instance.spec.deformations] + [z.free for z in instance.spec.slips]
+        for name, free in zip((*instance.deformations, *instance.slips), frees, strict=True):
+            role[name] = "free" if free else "rigid"
+    for law in structure.laws:
+        role.update(dict.fromkeys((*law.deformations, *law.slips), "free"))
+        contradicted = [z for z in (*law.deformations, *law.slips) if model.roles.get(z) == "rigid"]
+        if contradicted:
+            raise ModelError(f"'{contradicted[0]}' is rigid and also has a law; take one of them back")
+    for name, wish in model.roles.items():
+        if structure.find(name, "rigid or release") >= structure.m + structure.k:
+            raise ModelError(
+                f"'{name}' is a coordinate; rigid and free are roles of deformations and slips, use fix"
+            )
+        refuse_norm(structure, name, "rigid or release")
+        role[name] = wish
+    for name in [*(model.dynamic or []), *(model.kinematic_names or []), *model.motions]:
+        structure.find(name, "independent, kinematic or prescribe")
+        refuse_norm(structure, name, "independent, kinematic or prescribe")
+        if model.roles.get(name) == "rigid":
+            raise ModelError(f"'{name}' is rigid and also independent or prescribed; take one of them back")
+        role[name] = "free"
+    rigid = [structure.index[z] for z, wish in role.items() if wish == "rigid"]
+    prescribed = [structure.find(z) for z in model.motions]
+    empty = np.zeros(0, dtype=np.intp)
+    return Roles(
+        rigid=np.array(sorted(i for i in rigid if i < structure.m), dtype=np.intp),
+        prescribed=np.array(prescribed, dtype=np.intp),
+        motions=tuple(model.motions.values()),
+        zero=np.array(sorted(i for i in rigid if i >= structure.m), dtype=np.intp),
+        dynamic=empty,
+        kinematic=empty,
+    )
+
+
+def check_names(model: Declarations, structure: Structure, roles: Roles) -> None:
+    """Contradictions between roles, loads and initial values, by name."""
+    first, nf = structure.m + structure.k, structure.nf
+    for name in model.motions:
+        i = structure.find(name)
+        if structure.m <= i < first:
+            raise ModelError(
+                f"prescribe: '{name}' is a slip; only coordinates and deformations are prescribed"
+            )
+        if i >= first + nf:
+            raise ModelError(f"prescribe: '{name}' is fixed; release the node, or do not prescribe it")
+    for name in model.dynamic or []:
+        if name in model.motions or name in (model.kinematic_names or []):
+            raise ModelError(f"'{name}' is independent and also prescribed or kinematic; choose one")
+    for load in model.loads:
+        refuse_norm(structure, load.name, "load")
+        if structure.find(load.name) >= first + nf:
+            raise ModelError(
+                f"load on '{load.name}': this coordinate is fixed and cannot move; remove load or fixing"
+            )
+    for name in model.values:
+        i = structure.find(name, "initial")
+        if i in roles.rigid or i in roles.prescribed or i >= first + nf or structure.m <= i < first:
+            raise ModelError(
+                f"initial value of '{name}': it is rigid, prescribed, fixed or a slip; take it back"
+            )
+    for name in model.rates:
+        i = structure.find(name, "initial")
+        if i in roles.rigid or i in roles.prescribed or i in roles.zero or i >= first + nf:
+            raise ModelError(
+                f"initial rate of '{name}': it is rigid, prescribed, fixed or a zero slip; take it back"
+            )

@@ -1,0 +1,292 @@
+"""Cross-sections of beams: areas, moments, torsion constants, shear factors and stresses.
+
+A section lies in the y and z axes of the beam's triad (``direction=`` of `Model.beam` says where y points); its
+sizes are named along them.  Sources: Timoshenko and Goodier (1970) art. 109 for the torsion of a rectangle,
+Cowper (1966) for the shear factors, Young and Budynas (2002) for thin open sections.
+"""
+
+# ruff: noqa: N802 (the letters of mechanics: A, Iy, Iz, J)
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol, runtime_checkable
+
+import numpy as np
+
+from flexel.base.arguments import not_negative, positive
+from flexel.base.errors import ModelError
+
+CATALAN = 0.915965594177219  # sum of (-1)^k / (2 k + 1)^2
+
+
+@dataclass(frozen=True)
+class SectionForces:
+    """What one end section of a beam carries, in the section's axes.
+
+    Attributes
+    ----------
+    N, Vy, Vz : float
+        Axial force, positive in tension, and shear forces [N].
+    T, My, Mz : float
+        Torque and bending moments [N m].
+    """
+
+    N: float = 0.0
+    Vy: float = 0.0
+    Vz: float = 0.0
+    T: float = 0.0
+    My: float = 0.0
+    Mz: float = 0.0
+
+
+@dataclass(frozen=True)
+class StressPoint:
+    """Stress at one place of a section [Pa]: largest normal stress and shear stress there, both as absolute values."""
+
+    place: str
+    normal: float
+    shear: float
+
+    @property
+    def mises(self) -> float:
+        """Equivalent stress of von Mises [Pa]."""
+        return float(np.hypot(self.normal, np.sqrt(3.0) * self.shear))
+
+
+@runtime_checkable
+class Section(Protocol):
+    """What a beam asks of its section; any object with these serves."""
+
+    @property
+    def A(self) -> float:
+        """Area [m²]."""
+
+    @property
+    def Iy(self) -> float:
+        """Second moment of area about y [m⁴]: bending with deflection in z."""
+
+    @property
+    def Iz(self) -> float:
+        """Second moment of area about z [m⁴]: bending with deflection in y."""
+
+    @property
+    def J(self) -> float:
+        """Torsion constant [m⁴] (Saint-Venant: warping free)."""
+
+    def shear_factors(self, nu: float) -> tuple[float, float]:
+        """Shear factors k of deflection in y and in z, at Poisson's ratio nu."""
+
+    def stresses(self, f: SectionForces) -> list[StressPoint]:
+        """Stresses at the places where one of the forces has its largest effect."""
+
+
+@dataclass(frozen=True)
+class Rectangle:
+    """Solid rectangle; a leaf spring that deflects in y has a small `height` and a large `width`.
+
+    Parameters
+    ----------
+    height, width : float
+        Size along the section's y and z axes [m].
+    """
+
+    height: float
+    width: float
+
+    def __post_init__(self) -> None:
+        _sizes(self)
+
+    @property
+    def A(self) -> float:
+        """Area [m²]."""
+        return self.height * self.width
+
+    @property
+    def Iy(self) -> float:
+        """Second moment of area about y [m⁴]."""
+        return self.height * self.width**3 / 12
+
+    @property
+    def Iz(self) -> float:
+        """Second moment of area about z [m⁴]."""
+        return self.width * self.height**3 / 12
+
+    @property
+    def J(self) -> float:
+        """Torsion constant [m⁴], from Saint-Venant's series."""
+        s, l = sorted((self.height, self.width))
+        n = np.arange(1.0, 2000.0, 2.0)
+        series = float(np.sum(np.tanh(n * np.pi * l / (2 * s)) / n**5))
+        return l * s**3 / 3 * (1 - 192 / np.pi**5 * s / l * series)
+
+    def shear_factors(self, nu: float) -> tuple[float, float]:
+        """Both 10 (1 + nu) / (12 + 11 nu) (Cowper 1966)."""
+        k = 10 * (1 + nu) / (12 + 11 * nu)
+        return k, k
+
+    def torsion_shear(self) -> tuple[float, float]:
+        """Shear stress per torque [1/m³] in the middle of the faces y = ± height/2 and z = ± width/2."""
+        s, l = sorted((self.height, self.width))
+        n = np.arange(1.0, 200.0, 2.0)
+        x = n * np.pi * l / (2 * s)
+        decay = np.exp(-x)
+        on_long = s * (1 - 8 / np.pi**2 * float(np.sum(2 * decay / (1 + decay**2) / n**2)))
+        rest = (-1.0) ** ((n - 1) / 2) * 2 * decay**2 / (1 + decay**2) / n**2  # 1 - tanh x
+        on_short = 8 * s / np.pi**2 * (CATALAN - float(np.sum(rest)))
+        # a face y = ± height/2 has the length `width`
+        pair = (on_long, on_short) if self.width >= self.height else (on_short, on_long)
+        return pair[0] / self.J, pair[1] / self.J
+
+    def stresses(self, f: SectionForces) -> list[StressPoint]:
+        """Corners, and the middles of the faces with torsion and parabolic shear 3 V / (2 A)."""
+        axial = abs(f.N) / self.A
+        by, bz = abs(f.My) * self.width / 2 / self.Iy, abs(f.Mz) * self.height / 2 / self.Iz
+        ty, tz = self.torsion_shear()
+        return [
+            StressPoint("corner", axial + by + bz, 0.0),
+            StressPoint("face y", axial + bz, abs(f.T) * ty + 1.5 * abs(f.Vz) / self.A),
+            StressPoint("face z", axial + by, abs(f.T) * tz + 1.5 * abs(f.Vy) / self.A),
+        ]
+
+
+@dataclass(frozen=True)
+class Tube:
+    """Circular tube; `inner` = 0 is the solid circle.
+
+    Parameters
+    ----------
+    outer, inner : float
+        Diameters [m].
+    """
+
+    outer: float
+    inner: float = 0.0
+
+    def __post_init__(self) -> None:
+        owner = type(self).__name__
+        positive(self.outer, owner, "outer")
+        if not_negative(self.inner, owner, "inner") >= self.outer:
+            raise ModelError(
+                f"{owner}: inner {self.inner:g} is not less than outer {self.outer:g}; swap them"
+            )
+
+    @property
+    def A(self) -> float:
+        """Area [m²]."""
+        return np.pi * (self.outer**2 - self.inner**2) / 4
+
+    @property
+    def Iy(self) -> float:
+        """Second moment of area about y [m⁴]."""
+        return np.pi * (self.outer**4 - self.inner**4) / 64
+
+    @property
+    def Iz(self) -> float:
+        """Second moment of area about z [m⁴]."""
+        return self.Iy
+
+    @property
+    def J(self) -> float:
+        """Torsion constant [m⁴]: the polar moment."""
+        return 2 * self.Iy
+
+    def shear_factors(self, nu: float) -> tuple[float, float]:
+        """Both 6 (1+nu) (1+m²)² / ((7+6nu) (1+m²)² + (20+12nu) m²), m = inner/outer (Cowper 1966)."""
+        m2 = (self.inner / self.outer) ** 2
+        k = 6 * (1 + nu) * (1 + m2) ** 2 / ((7 + 6 * nu) * (1 + m2) ** 2 + (20 + 12 * nu) * m2)
+        return k, k
+
+    def stresses(self, f: SectionForces) -> list[StressPoint]:
+        """Outer fibre in the plane of bending, and at the neutral axis with the largest shear."""
+        axial, r = abs(f.N) / self.A, self.outer / 2
+        twist = abs(f.T) * r / self.J
+        a, b = self.outer, self.inner
+        peak = 4 / 3 * (a * a + a * b + b * b) / (a * a + b * b)
+        return [
+            StressPoint("outer fibre", axial + np.hypot(f.My, f.Mz) * r / self.Iy, twist),
+            StressPoint("neutral axis", axial, twist + peak * float(np.hypot(f.Vy, f.Vz)) / self.A),
+        ]
+
+
+@dataclass(frozen=True)
+class Circle(Tube):
+    """Solid circle of the diameter `outer` [m]."""
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.inner:
+            raise ModelError("Circle: it is solid; use Tube for one with an inner diameter")
+
+
+@dataclass(frozen=True)
+class IBeam:
+    """I section: web along y, two flanges along z; torsion as a thin open section, warping free.
+
+    Parameters
+    ----------
+    height, width : float
+        Overall size along y, and width of the flanges along z [m].
+    flange, web : float
+        Thicknesses [m].
+    """
+
+    height: float
+    width: float
+    flange: float
+    web: float
+
+    def __post_init__(self) -> None:
+        _sizes(self)
+        if 2 * self.flange >= self.height or self.web > self.width:
+            raise ModelError(
+                f"IBeam: flanges of {self.flange:g} and a web of {self.web:g} do not fit into {self.height:g} by "
+                f"{self.width:g}; give 2 flange < height and web <= width"
+            )
+
+    @property
+    def A(self) -> float:
+        """Area [m²]."""
+        return 2 * self.width * self.flange + self._clear * self.web
+
+    @property
+    def _clear(self) -> float:
+        return self.height - 2 * self.flange
+
+    @property
+    def Iy(self) -> float:
+        """Second moment of area about y [m⁴], the weak axis."""
+        return (2 * self.flange * self.width**3 + self._clear * self.web**3) / 12
+
+    @property
+    def Iz(self) -> float:
+        """Second moment of area about z [m⁴], the strong axis."""
+        return (self.width * self.height**3 - (self.width - self.web) * self._clear**3) / 12
+
+    @property
+    def J(self) -> float:
+        """Torsion constant [m⁴]: the sum of those of the three rectangles."""
+        return 2 * Rectangle(self.flange, self.width).J + Rectangle(self.web, self._clear).J
+
+    def shear_factors(self, nu: float) -> tuple[float, float]:
+        """Web over area in y, 5/6 of the flanges over area in z (engineering approximations)."""
+        return self._clear * self.web / self.A, 5 / 3 * self.width * self.flange / self.A
+
+    def stresses(self, f: SectionForces) -> list[StressPoint]:
+        """Flange tips and web; torsional shear T t / J is added on the safe side."""
+        axial, twist = abs(f.N) / self.A, abs(f.T) / self.J
+        bending = abs(f.My) * self.width / 2 / self.Iy + abs(f.Mz) * self.height / 2 / self.Iz
+        flange = abs(f.Vz) * 0.75 / (self.width * self.flange)
+        return [
+            StressPoint("flange tip", axial + bending, twist * self.flange),
+            StressPoint(
+                "flange", axial + abs(f.Mz) * self.height / 2 / self.Iz, twist * self.flange + flange
+            ),
+            StressPoint("web", axial, twist * self.web + 1.5 * abs(f.Vy) / (self._clear * self.web)),
+        ]
+
+
+def _sizes(section: Rectangle | IBeam) -> None:
+    owner = type(section).__name__
+    for name in section.__dataclass_fields__:
+        positive(getattr(section, name), owner, name)

@@ -1,0 +1,115 @@
+"""The user's own elements and laws: from a definition in SymPy to a part of a model.
+
+The derivation (SymPy, `flexel.derive`) is imported only when something is compiled.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, TypeVar
+
+from flexel.base.errors import CompilerError, ElementError, ModelError
+from flexel.declare.declarations import Declarations
+from flexel.generated.spec import ElementSpec
+from flexel.structure.nodes import Node
+
+if TYPE_CHECKING:
+    from flexel.derive.compile import CompiledElement, CompiledLaw
+    from flexel.derive.element import Element, Law
+
+Made = TypeVar("Made")
+
+
+def compile_element(
+    element: Element, ranges: Mapping[str, tuple[float, float]] | None = None
+) -> CompiledElement:
+    """Derive, compile and verify an element of your own; use it with ``m.element(name, compiled, …)``.
+
+    The first time takes a few seconds; then it comes from the cache, by content. Every output of every kernel is
+    compared with the definition, in 60 digits, at random configurations.
+
+    Parameters
+    ----------
+    element : flexel.derive.Element
+    ranges : mapping of str to (float, float), optional
+        Where the random coordinates (``p_x``) and parameters are taken from, for a definition that is not real
+        everywhere; coordinates lie between -1 and 1, parameters between 0.5 and 1.5 otherwise.
+
+    Raises
+    ------
+    ElementError
+        The definition is not one, or the verification fails.
+    CompilerError
+        No C compiler, or one that refuses.
+    """
+    from flexel.derive import Element as Declared
+    from flexel.derive.accept import accepted_element
+
+    if not isinstance(element, Declared):
+        raise ElementError(f"compile_element: {element!r} is not a flexel.derive.Element; declare one")
+    owner = f"element '{element.name}'"
+    return _made(owner, lambda: accepted_element(element, _by_name(owner, ranges)))
+
+
+def compile_law(law: Law, ranges: Mapping[str, tuple[float, float]] | None = None) -> CompiledLaw:
+    """Derive, compile and verify a law of your own; parameters and errors as in `compile_element`."""
+    from flexel.derive import Law as Declared
+    from flexel.derive.accept import accepted_law
+
+    if not isinstance(law, Declared):
+        raise ElementError(f"compile_law: {law!r} is not a flexel.derive.Law; declare one")
+    owner = f"law '{law.name}'"
+    return _made(owner, lambda: accepted_law(law, _by_name(owner, ranges)))
+
+
+def _by_name(owner: str, ranges: Mapping[str, tuple[float, float]] | None) -> dict[str, tuple[float, float]]:
+    given = ranges or {}
+    if not isinstance(given, Mapping):
+        raise ElementError(f"{owner}: ranges {given!r} have no names; write {{'name': (lowest, highest)}}")
+    return dict(given)
+
+
+def _made(owner: str, make: Callable[[], Made]) -> Made:
+    """What is made, with the errors of the derivation told as those of flexel."""
+    from flexel.derive.compile import CompilationError, CompilerMissingError
+
+    try:
+        return make()
+    except (CompilerMissingError, CompilationError) as error:
+        raise CompilerError(f"{owner}: {error}") from error
+    except (ValueError, NotImplementedError) as error:
+        text = str(error)
+        raise ElementError(text if owner in text else f"{owner}: {text}") from error
+
+
+class UserElements(Declarations):
+    """Elements of the user's own."""
+
+    def element(self, name: str, compiled: CompiledElement, *nodes: Node | str, **parameters: object) -> None:
+        """Add an element of your own, between nodes of the kinds that its definition names, in that order.
+
+        Parameters
+        ----------
+        name : str
+        compiled : CompiledElement
+            What `flexel.compile_element` returned.
+        *nodes : Node or str
+        **parameters : float or array_like
+            Each parameter by name; one called ``gravity`` is the model's, if it is not given.
+
+        Raises
+        ------
+        ModelError
+            A node of another kind, a parameter that is missing, unknown or of another size.
+
+        Examples
+        --------
+        >>> cam = fx.compile_element(CAM)  # doctest: +SKIP
+        >>> m.element("cam", cam, "shaft", "tappet", base=0.03, lift=0.01)  # doctest: +SKIP
+        >>> m.release("cam.gap")  # doctest: +SKIP
+        """
+        if not isinstance(getattr(compiled, "spec", None), ElementSpec) or not hasattr(compiled, "address"):
+            raise ModelError(
+                f"element '{name}': {compiled!r} is not a compiled element; give what fx.compile_element(…) returned"
+            )
+        self.place(name, compiled.spec, nodes, parameters, compiled.address)

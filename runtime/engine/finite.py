@@ -1,0 +1,53 @@
+"""What laws give must be finite: errors that name the quantity whose law has no value, or no tangent, at a state."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexel.base.arrays import Array
+from flexel.base.errors import DynamicsError
+from flexel.structure.structure import Structure
+
+
+class TangentError(DynamicsError):
+    """A law has no slope at a state that an analysis came to."""
+
+
+def check_finite(structure: Structure, stress: Array, zd: Array, t: float) -> None:
+    """Raise if a given stress, or the rate of an internal state of a law, is not finite, by its name.
+
+    Raises
+    ------
+    DynamicsError
+    """
+    if name := _first(structure, np.isfinite(stress), np.isfinite(zd)):
+        what = "rate" if name in structure.internal else "stress"
+        raise DynamicsError(
+            f"the {what} of '{name}' at t = {t:g} s is not finite: its law has no value here; correct the law, or "
+            "start within its range"
+        )
+
+
+def check_tangent(structure: Structure, finite: NDArray[np.bool_], t: float) -> None:
+    """Raise if a law has no tangent: `finite` says it of the stresses (m + k,), and of the internal states after them.
+
+    Raises
+    ------
+    TangentError
+    """
+    size = structure.m + structure.k
+    if name := _first(structure, finite[:size], finite[size:]):
+        raise TangentError(
+            f"the tangent of the law on '{name}' at t = {t:g} s is not finite: the law has no slope here; correct the "
+            "law, or look at another state"
+        )
+
+
+def _first(structure: Structure, stresses: NDArray[np.bool_], lags: NDArray[np.bool_]) -> str | None:
+    """Name of the first quantity, or internal state, that is not finite."""
+    if not stresses.all():
+        return structure.names[int(np.argmin(stresses))]
+    if not lags.all():
+        return list(structure.internal)[int(np.argmin(lags))]
+    return None

@@ -1,0 +1,1 @@
+"""Explicit and implicit motion, events, the energy balance."""

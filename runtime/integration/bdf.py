@@ -1,0 +1,176 @@
+"""Implicit integration by the backward differentiation formulas of SUNDIALS (IDA), a cross-check of the others.
+
+Coordinates, rates, multipliers and internal states z of laws are integrated with the constraints on the
+level of accelerations, stabilized so that violations die out quickly; the multipliers are left out of the
+error control.  The linear equations are solved by GMRES with the sparse saddle-point matrix as
+preconditioner.  Source: Hindmarsh et al. (2005); Baumgarte (1972) for the stabilization.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from flexel.base.arrays import Array
+from flexel.base.errors import FlexelError
+from flexel.engine.locallaws import ImplicitStep
+from flexel.integration.alpha import Point
+from flexel.integration.steps import Control, Run
+from flexel.mechanics.balance import Balance, Matrix, Saddle, SaddlePattern
+from flexel.mechanics.core import Core
+from flexel.structure.state import State
+
+FREE = 1e20  # absolute tolerance of what is left out of the error control
+PULL = 300.0  # rate at which violations of the constraints die out, times the duration of the motion
+KRYLOV = 12  # vectors of GMRES
+
+
+class DifferentialAlgebraic(Saddle):
+    """The equations of motion as F(t, y, y') = 0 with y = (x, v, mu, z), free coordinates only."""
+
+    def __init__(self, system: Core, start: State, pull: float) -> None:
+        super().__init__(system)
+        self.pull, self.near, self._start = pull, start.e, start
+        self.pattern = SaddlePattern(self.local, self.force_rows, self.force_rows)
+        self.evaluations = self.factorizations = self.iterations = 0
+        self._matrix: Matrix | None = None
+        self._coupling: Any = None
+        nf = self.structure.nf
+        self.ends = np.cumsum([0, nf, nf, self.force_rows.size, self.structure.nz])
+
+    def split(self, y: Array) -> list[Array]:
+        """(x, v, mu, z) of y, or their rates of y'."""
+        return [np.array(y[a:b]) for a, b in zip(self.ends[:-1], self.ends[1:], strict=True)]
+
+    def start_values(self, mu: Array) -> tuple[Array, Array]:
+        """y and y' at the start."""
+        s, nf = self._start, self.structure.nf
+        y = np.concatenate([s.x[:nf], s.v[:nf], mu, s.z])
+        return y, np.concatenate([s.v[:nf], s.a[:nf], np.zeros(mu.size), s.zd])
+
+    def tolerances(self, tolerance: float, span: float) -> Array:
+        """Absolute tolerances of y, in natural scales."""
+        z = np.full(self.structure.nz, tolerance)
+        free = np.full(self.force_rows.size, FREE)
+        return np.concatenate([tolerance * self.x_scale, tolerance * self.x_scale / span * 100, free, z])
+
+    def at(self, t: float, y: Array, yp: Array) -> Balance:
+        """The balance of forces at y, y'."""
+        nf, s = self.structure.nf, self._start
+        x, v, mu, self.z = self.split(y)
+        a = self.split(yp)[1]
+        full = (
+            np.concatenate([x, s.x[nf:]]),
+            np.concatenate([v, self.rest[nf:]]),
+            np.concatenate([a, self.rest[nf:]]),
+        )
+        return self.balance(t, *full, mu, self.near)
+
+    def residual(self, t: float, y: Array, yp: Array, out: Array) -> None:
+        """F(t, y, y')."""
+        self.evaluations += 1
+        b, (xd, _, _, zd) = self.at(t, y, yp), self.split(yp)
+        rows, nh, p = self.force_rows, self.roles.holonomic.size, self.pull
+        rate = np.concatenate([b.w, b.v])[rows]
+        second = np.concatenate([self.local.convective(b.x, b.v) + self.local.rates(b.J, b.a), b.a])[rows]
+        if self.roles.motions:
+            _, ud, udd = self.roles.motion(t)
+            driven = slice(self.roles.rigid.size, nh)
+            rate[driven] -= ud
+            second[driven] -= udd
+        held = second + p * rate
+        held[:nh] += p * rate[:nh] + p * p * b.gap
+        out[:] = np.concatenate([xd - self.split(y)[1], b.r, held, zd - b.laws.zd])
+
+    def prepare(self, t: float, y: Array, yp: Array, residual: Array, cj: float) -> None:
+        """Factorize the preconditioner: the matrix of (x, mu) with v = cj x and z eliminated."""
+        self.factorizations += 1
+        b = self.at(t, y, yp)
+        self.step = ImplicitStep(self.z, 1 / cj)
+        whole = self._assembled(b, cj, cj * cj)
+        self._coupling = (whole.sparse - self._assembled(b, 0.0, 0.0).sparse) / cj
+        self._matrix, self.step = whole, None
+
+    def _assembled(self, b: Balance, rate: float, acceleration: float) -> Matrix:
+        K, cross, _ = self.stiffness(b, rate, acceleration)
+        stored = self.pattern.assemble(K, cross, b.J, b.J) + acceleration * self.pattern.mass
+        return Matrix(self.structure, self.pattern.pattern, stored)
+
+    def precondition(
+        self, t: float, y: Array, yp: Array, residual: Array, r: Array, out: Array, cj: float, delta: float
+    ) -> None:
+        """An approximate solution of (dF/dy + cj dF/dy') out = r."""
+        self.iterations += 1
+        nf, nh, p = self.structure.nf, self.roles.holonomic.size, self.pull
+        assert self._matrix is not None
+        r1, r2, r3, r4 = self.split(r)
+        # with dv = cj dx - r1 the rows of the constraints are (cj² + 2 p cj + p²) C dx - (cj + 2 p) C r1
+        square, linear = np.full(r3.size, cj * (cj + p)), np.full(r3.size, cj + p)
+        square[:nh], linear[:nh] = (cj + p) ** 2, cj + 2 * p
+        padded = np.concatenate([r1, np.zeros(r3.size)])
+        top = r2 + (self._coupling @ padded)[:nf]
+        bottom = (r3 + linear * (self._matrix.sparse @ padded)[nf:]) / square
+        found = self._matrix.factors.solve(np.concatenate([top, bottom]))
+        out[:] = np.concatenate([found[:nf], cj * found[:nf] - r1, found[nf:], r4 / cj])
+
+
+class Bdf(Run):
+    """One run of IDA."""
+
+    def __init__(self, system: Core, start: State, duration: float, control: Control, max_order: int) -> None:
+        try:
+            from sksundae.ida import IDA, IDAPrecond
+        except ImportError as error:
+            raise FlexelError(
+                "method 'bdf' needs scikit-sundae, which is not installed; pip install 'flexel[sundials]'"
+            ) from error
+        self.equations = equations = DifferentialAlgebraic(system, start, PULL / duration)
+        super().__init__(equations, start)
+        self._steps = 0
+        nc = equations.ends[2:4]
+        self._solver = IDA(
+            equations.residual,
+            algebraic_idx=list(range(*nc)) or None,
+            first_step=control.first,
+            max_step=0.0 if np.isinf(control.longest) else control.longest,
+            rtol=control.tolerance,
+            atol=equations.tolerances(control.tolerance, duration),
+            linsolver="gmres",
+            krylov_dim=KRYLOV,
+            max_order=max_order,
+            precond=IDAPrecond(equations.prepare, equations.precondition),
+        )
+        self._started = False
+
+    @property
+    def statistics(self) -> dict[str, int]:
+        """Counts of what was done."""
+        e = self.equations
+        return {
+            "steps": self._steps,
+            "rejected": 0,
+            "evaluations": e.evaluations,
+            "iterations": e.iterations,
+            "factorizations": e.factorizations,
+            "rechoices": 0,
+        }
+
+    def advance(self, until: float) -> bool:
+        """One step of IDA; False if it reports a failure."""
+        equations, old = self.equations, self.point
+        if not self._started:
+            self._solver.init_step(old.t, *equations.start_values(old.mu))
+            self._started = True
+        found = self._solver.step(until, method="onestep", tstop=until)
+        t = float(np.ravel(found.t)[-1])
+        if not found.success or t <= old.t:
+            return False
+        y, yp = np.ravel(found.y), np.ravel(found.yp)
+        b = equations.at(t, y, yp)
+        equations.near = b.e
+        self._steps += 1
+        self.accept(
+            Point(t, b.x, b.v, b.a, b.a, equations.split(y)[2], b.e, b.laws.z, b.laws.zd, b.laws.zd), b
+        )
+        return True

@@ -1,0 +1,130 @@
+"""The energy ledger of an implicit integration: what is stored, lost and put in, and what does not add up."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from flexel.base.arrays import Array
+from flexel.integration.alpha import Point
+from flexel.mechanics.balance import Balance, Saddle
+
+
+class Ledger:
+    """Work and losses of a motion, by the trapezoidal rule over its steps.
+
+    A contact is a law whose first deformation is called gap, or gap1 and gap2 on the flanks of a V groove.
+
+    Attributes
+    ----------
+    kept : dict of str to list of float
+        At the stored times: "contact" (stored in contacts), "dissipated" and "work" (since the start) [J].
+    """
+
+    def __init__(self, saddle: Saddle) -> None:
+        self._saddle = saddle
+        names = saddle.structure.names
+        laws = saddle.local.laws
+        self._contact = np.zeros(laws.count, dtype=bool)
+        self._gap = np.zeros(laws.count, dtype=np.intp)
+        for numbers, quantities in laws.instances():
+            self._contact[numbers] = [names[q].rsplit(".", 1)[-1].startswith("gap") for q in quantities]
+            self._gap[numbers] = quantities
+        self._touching = np.zeros(0, dtype=bool)
+        self._power = np.zeros(2)
+        self._energy = np.zeros(2)
+        self._largest = 0.0
+        self._found: tuple[Balance, Array, Array] | None = None
+        self._sums = np.zeros(2)
+        self._stored = 0.0
+        self.kept: dict[str, list[float]] = {"contact": [], "dissipated": [], "work": []}
+
+    def begin(self, p: Point) -> None:
+        """Start at a point."""
+        saddle = self._saddle
+        saddle.z, saddle.step = p.z, None
+        self._enter(saddle.balance(p.t, p.x, p.v, p.a, p.mu, p.e))
+        self.keep()
+
+    def add(self, b: Balance, h: float) -> None:
+        """Add a step of length h that ends in a balance."""
+        before = self._power
+        self._enter(b)
+        self._sums = self._sums + h / 2 * (before + self._power)
+
+    def keep(self) -> None:
+        """Store the present figures."""
+        for name, value in zip(self.kept, (self._stored, *self._sums), strict=True):
+            self.kept[name].append(float(value))
+
+    def new_penetration(self, b: Balance) -> float:
+        """Deepest penetration of the contacts that have begun in the step that ends in a balance; 0 if none has.
+
+        Nor is it an impact if others that were closed before are deeper: a rope runs onto its sheave like that.
+        """
+        if not self._contact.any():
+            return 0.0
+        closed = self._contact & (b.laws.stored > 0)
+        depth = np.abs(b.e[self._gap])
+        begun = float(depth[closed & ~self._touching].max(initial=0.0))
+        return begun if begun > depth[closed & self._touching].max(initial=0.0) else 0.0
+
+    def conjured(self, b: Balance, h: float) -> bool:
+        """Whether most of the energy at the end of a step has come from nowhere.
+
+        Newton's method has then found another solution of a long step than the one that goes on from its beginning: a
+        rope that has sprung off its sheave, for instance.  Less than what the largest force does over a thousandth of
+        the model's size does not count.
+        """
+        before = self._energy
+        after, power = self._figures(b)
+        lost, work = h / 2 * (self._power + power)
+        made = after.sum() - before.sum() - work + min(lost, 0.0)
+        little = 1e-3 * b.scale * self._saddle.length
+        return bool(made > 0.5 * after[0] + 0.01 * self._largest + little)
+
+    def _enter(self, b: Balance) -> None:
+        self._energy, self._power = self._figures(b)
+        self._largest = max(self._largest, float(self._energy[0]))
+        self._touching = b.laws.stored > 0
+        self._stored = float(b.laws.stored[self._contact].sum())
+
+    def _figures(self, b: Balance) -> tuple[Array, Array]:
+        """Energies, and powers of losses and drives, at a balance; found once where it is asked about again."""
+        if self._found is None or self._found[0] is not b:
+            self._found = b, self._energies(b), np.array([self._losses(b), self._drives(b)])
+        return self._found[1:]
+
+    def _energies(self, b: Balance) -> Array:
+        """Kinetic and strain energy together, and potential energy [J]."""
+        energy = self._saddle.energy(b)
+        return np.array([energy.kinetic + energy.strain, energy.potential])
+
+    def _losses(self, b: Balance) -> float:
+        """Power lost in laws and by mass-proportional damping [W]."""
+        lost = float(b.laws.dissipated.sum())
+        local = self._saddle.local
+        return lost + float(b.v @ local.damping(b.inertia.M, b.v)) if local.damped else lost
+
+    def _drives(self, b: Balance) -> float:
+        """Power of prescribed motions and of loads without a potential [W]."""
+        saddle = self._saddle
+        roles, power = saddle.roles, 0.0
+        if roles.motions:
+            power -= float(b.multiplier[roles.prescribed] @ roles.motion(b.t)[1])
+        loads = saddle.system.loads
+        return power + loads.power(b.t, np.concatenate([b.w, b.v])) if loads.any else power
+
+
+def energy_balance(energy: dict[str, Array], kept: dict[str, list[float]]) -> dict[str, Array]:
+    """Energies over time and what does not add up; see `Motion.energy_balance`."""
+    contact, dissipated, work = (np.array(kept[z]) for z in ("contact", "dissipated", "work"))
+    surplus = energy["total"] + dissipated - work
+    return {
+        "kinetic": energy["kinetic"],
+        "potential": energy["potential"],
+        "strain": energy["strain"] - contact,
+        "contact": contact,
+        "dissipated": dissipated,
+        "work": work,
+        "error": surplus - surplus[0],
+    }

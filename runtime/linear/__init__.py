@@ -1,0 +1,1 @@
+"""State space, harmonic balance, Floquet multipliers, periodic motion."""

@@ -1,0 +1,217 @@
+"""Linear equations with periodic coefficients: Fourier series, harmonic balance, quasi-statics, Floquet multipliers.
+
+M q'' + C q' + K q = F, whose coefficients have one period, are sampled at equidistant times and expanded in Fourier
+series.  Source: Schwab and Meijaard, "SPACAR" (2004), harmonic balance: (2k+1) nd linear equations; Floquet (1883).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from scipy.linalg import get_lapack_funcs
+
+from flexel.base.arrays import Array, ComplexArray
+from flexel.base.errors import LinearizationError
+from flexel.linear import floquet
+
+_getrf: Any = get_lapack_funcs("getrf", dtype=np.complex128)
+_getrs: Any = get_lapack_funcs("getrs", dtype=np.complex128)
+_gecon: Any = get_lapack_funcs("gecon", dtype=np.complex128)
+SINGULAR = 1e-14  # reciprocal condition of the scaled balance, below which it counts as singular
+
+
+def fourier_sum(X: ComplexArray, omega: float, t: Array) -> tuple[Array, Array, Array]:
+    """Value, first and second rate (nt, nd) of Σ X_j exp(i j omega t), j = -k…k."""
+    k = X.shape[0] // 2
+    iw = 1j * omega * np.arange(-k, k + 1)
+    E = np.exp(np.outer(t, iw))
+    return (E @ X).real, (E @ (iw[:, None] * X)).real, (E @ ((iw**2)[:, None] * X)).real
+
+
+def cosine_sine(series: Array, count: int) -> Array:
+    """Fourier coefficients [[a0, 0], [a1, b1], …] of one period: Σ a_j cos jωt + b_j sin jωt.
+
+    Raises
+    ------
+    LinearizationError
+        If the series is too short for so many harmonics.
+    """
+    c = np.fft.rfft(series) / series.size
+    if 2 * count >= series.size:
+        raise LinearizationError(
+            f"{count} harmonics need more than {2 * count} samples; there are {series.size}: take more samples"
+        )
+    pairs = np.column_stack([2 * c.real, -2 * c.imag])[: count + 1]
+    pairs[0] = c[0].real, 0.0
+    return pairs
+
+
+def refined(series: Array, factor: int = 16) -> Array:
+    """One period sampled `factor` times as densely, by its Fourier series: for extremes between the samples."""
+    n = series.size
+    c = np.fft.rfft(series)
+    if n % 2 == 0:
+        c[-1] /= 2  # half of it belongs to the negative frequency, which the longer series keeps apart
+    return np.asarray(np.fft.irfft(c, n * factor) * factor)
+
+
+@dataclass(frozen=True)
+class Coefficients:
+    """Periodic coefficients of M q'' + C q' + K q = F at equidistant times of one period.
+
+    Attributes
+    ----------
+    omega : float
+        Base frequency 2 pi / period [rad/s].
+    M, C, K : ndarray (ns, nd, nd)
+    F : ndarray (ns, nd)
+    names : tuple of str
+        The freedoms.
+    """
+
+    omega: float
+    M: Array
+    C: Array
+    K: Array
+    F: Array
+    names: tuple[str, ...]
+
+    @property
+    def samples(self) -> int:
+        """Number of times in the period."""
+        return int(self.F.shape[0])
+
+    def series(self, name: str, harmonics: int) -> Array:
+        """Fourier coefficients (harmonics + 1, 2, …) of M, C, K or F: cosine and sine parts, entry by entry."""
+        value = getattr(self, name)
+        columns = value.reshape(self.samples, -1).T
+        found = np.array([cosine_sine(z, harmonics) for z in columns])
+        return np.moveaxis(found, 0, -1).reshape(harmonics + 1, 2, *value.shape[1:])
+
+    def harmonic_balance(self, harmonics: int, accuracy: float | None = None) -> PeriodicVibration:
+        """Periodic solution with the given number of harmonics, by (2k+1) nd linear equations.
+
+        Parameters
+        ----------
+        accuracy : float, optional
+            Largest permitted amplitude of what is left out, relative to the largest amplitude.
+
+        Raises
+        ------
+        LinearizationError
+            Too few samples for the harmonics; a singular balance (a resonance without damping); too few harmonics
+            for the accuracy, with what was reached in its attribute ``reached``.
+        """
+        k, nd, ns = harmonics, self.F.shape[1], self.samples
+        if k < 0 or ns < 4 * k + 1:
+            raise LinearizationError(
+                f"{k} harmonics need {4 * k + 1} samples of the coefficients; there are {ns}: take more samples"
+            )
+        order = np.arange(-k, k + 1)
+        M, C, K, F = (np.fft.fft(z, axis=0) / ns for z in (self.M, self.C, self.K, self.F))
+        shift = (order[:, None] - order[None, :]) % ns
+        iw = 1j * self.omega * order
+        A = M[shift] * (iw**2)[None, :, None, None] + C[shift] * iw[None, :, None, None] + K[shift]
+        matrix = A.transpose(0, 2, 1, 3).reshape((2 * k + 1) * nd, (2 * k + 1) * nd)
+        X = self._solve(matrix, F[order % ns].reshape(-1)).reshape(2 * k + 1, nd)
+        found = PeriodicVibration(self, X, self._neglected(X, M, C, K))
+        if accuracy is not None and found.error > accuracy:
+            error = LinearizationError(
+                f"{k} harmonics at {self.omega:g} rad/s leave out about {found.error:.2g} of the largest amplitude; "
+                f"{accuracy:g} was asked: take more harmonics"
+            )
+            error.reached = found  # type: ignore[attr-defined]
+            raise error
+        return found
+
+    def _solve(self, matrix: ComplexArray, rhs: ComplexArray) -> ComplexArray:
+        """Solution of the balance, rows and columns scaled by the diagonal."""
+        scale = 1 / np.sqrt(np.maximum(np.abs(matrix).max(axis=1), 1e-300))
+        matrix = scale[:, None] * matrix * scale
+        lu, pivots, info = _getrf(matrix)
+        rcond = 0.0 if info else float(_gecon(lu, np.abs(matrix).sum(axis=0).max())[0])
+        if not rcond > SINGULAR:
+            raise LinearizationError(
+                f"harmonic balance at {self.omega:g} rad/s is singular: a resonance without damping, or a freedom that "
+                f"nothing holds, among {', '.join(self.names)}; add damping, or leave this speed out"
+            )
+        return np.asarray(scale * _getrs(lu, pivots, scale * rhs)[0])
+
+    def _neglected(self, X: ComplexArray, M: ComplexArray, C: ComplexArray, K: ComplexArray) -> float:
+        """Amplitude of the harmonics left out: what the residual there drives, by the mean coefficients."""
+        k = X.shape[0] // 2
+        w = PeriodicVibration(self, X, 0.0)
+        q, qd, qdd = w.samples()
+        r = self.F - sum(np.einsum("sij,sj->si", z, y) for z, y in ((self.M, qdd), (self.C, qd), (self.K, q)))
+        j = np.arange(k + 1, (self.samples - 1) // 2 + 1)
+        if not j.size:
+            return 0.0
+        R = np.fft.fft(r, axis=0)[j] / self.samples
+        s = 1j * self.omega * j[:, None, None]
+        driven = np.linalg.solve(s * s * M[0] + s * C[0] + K[0], R[..., None])[..., 0]
+        return float(2 * np.abs(driven).max(axis=1).sum())
+
+    def quasi_static(self) -> Array:
+        """Solution (ns, nd) of K q = F at every sampled time: what slow forces would do, no resonance in it."""
+        try:
+            return np.asarray(np.linalg.solve(self.K, self.F[..., None])[..., 0])
+        except np.linalg.LinAlgError as error:
+            raise LinearizationError(
+                f"the stiffness at {self.omega:g} rad/s is singular: nothing holds one of {', '.join(self.names)}"
+            ) from error
+
+    def floquet_multipliers(self, tolerance: float = 1e-9) -> ComplexArray:
+        """Eigenvalues (2 nd,) of the transition matrix of (q', q) over one period, largest modulus first.
+
+        Below one in modulus, all of them: small disturbances die out.
+
+        Parameters
+        ----------
+        tolerance : float
+            Of the transition matrix; the steps are halved until it changes by no more than that.
+
+        Raises
+        ------
+        LinearizationError
+            If the tolerance is not met with the shortest steps.
+        """
+        return floquet.multipliers(self.omega, self.M, self.C, self.K, tolerance)
+
+
+@dataclass(frozen=True)
+class PeriodicVibration:
+    """A periodic solution: q(t) = Σ X_j exp(i j omega t), j = -k…k.
+
+    Attributes
+    ----------
+    coefficients : Coefficients
+    X : ndarray of complex (2k + 1, nd)
+    neglected : float
+        Estimated amplitude of all harmonics left out.
+    """
+
+    coefficients: Coefficients
+    X: ComplexArray
+    neglected: float
+
+    @property
+    def harmonics(self) -> int:
+        """Number of harmonics k."""
+        return int(self.X.shape[0] // 2)
+
+    @property
+    def error(self) -> float:
+        """What is left out, relative to the largest amplitude."""
+        largest = float(2 * np.abs(self.X).max(initial=0.0))
+        return self.neglected / largest if largest else 0.0
+
+    def at(self, t: Array) -> tuple[Array, Array, Array]:
+        """Freedoms, their rates and accelerations (nt, nd) at times t (nt,) from the start of the period."""
+        return fourier_sum(self.X, self.coefficients.omega, t)
+
+    def samples(self) -> tuple[Array, Array, Array]:
+        """The same at the sampled times of the coefficients."""
+        ns, omega = self.coefficients.samples, self.coefficients.omega
+        return self.at(np.asarray(np.arange(ns) * 2 * np.pi / (omega * ns)))

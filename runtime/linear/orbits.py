@@ -1,0 +1,140 @@
+"""A periodic motion of a system, sampled and linearized along: the nominal motion, or any given one.
+
+Nothing is differenced: states, coefficients and what the motion lacks in force come from the system itself.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from flexel.base.arrays import Array
+from flexel.base.errors import LinearizationError
+from flexel.linear.harmonics import Coefficients
+from flexel.mechanics import dynamics
+from flexel.mechanics.core import Core
+from flexel.mechanics.kinematics import Configuration
+from flexel.mechanics.linearization import Linearization
+from flexel.mechanics.linearize import linearize
+from flexel.mechanics.states import Moment, state_of
+from flexel.structure.state import State
+
+
+def lacking_force(system: Core, state: State, lin: Linearization) -> Array:
+    """Generalized forces (nd,) that a driven motion lacks: H' (f - h - De' sigma - V' tau - M a) of what is given."""
+    c = Configuration(state.t, state.x, state.e, state.J)
+    given = dynamics.forces(system.kinematics, system.loads, c, state.v, state.e, state.z)
+    F = given.F - given.M @ state.a
+    return np.asarray(lin.transfer.H[:, : system.roles.nd].T @ F[: system.structure.nf])
+
+
+@dataclass(frozen=True)
+class Orbit:
+    """A periodic motion, sampled: states and linearizations at equidistant times of one period.
+
+    Attributes
+    ----------
+    period : float
+        [s]
+    states : list of State
+    linearizations : list of Linearization
+    coefficients : Coefficients
+        F is what the held or given motion lacks in force: zero if it is a true motion.
+    """
+
+    period: float
+    states: list[State]
+    linearizations: list[Linearization]
+    coefficients: Coefficients
+
+    @property
+    def t(self) -> Array:
+        """Sampled times (ns,) [s]."""
+        return np.array([state.t for state in self.states])
+
+    def __getitem__(self, name: str) -> Array:
+        """Values (ns,) of a named quantity over the period."""
+        return np.array([state[name] for state in self.states])
+
+    def coordinates(self, node: str) -> Array:
+        """Coordinates (ns, …) of a node."""
+        return np.array([state.position(node) for state in self.states])
+
+    def sensitivity(self, node: str) -> Array:
+        """Derivatives (ns, …, nd) of a node's coordinates with respect to the freedoms; zero for fixed ones."""
+        structure, nd = self.states[0].structure, len(self.coefficients.names)
+        places = structure.places(node)
+        free = places < structure.nf
+        found = np.zeros((len(self.states), places.size, nd))
+        found[:, free] = [lin.transfer.G[places[free], :nd] for lin in self.linearizations]
+        return found
+
+    def displacements(self, node: str, q: Array) -> Array:
+        """Small displacements (ns, …) of a node in a vibration q (ns, nd) about the orbit, to first order."""
+        return np.asarray(np.einsum("sij,sj->si", self.sensitivity(node), q))
+
+
+def orbit(
+    system: Core,
+    period: float,
+    samples: int,
+    motion: Callable[[Array], tuple[Array, Array, Array]] | None = None,
+    start: State | None = None,
+) -> Orbit:
+    """Sample a periodic motion and linearize along it.
+
+    Parameters
+    ----------
+    period : float
+        [s]
+    samples : int
+        Equidistant times, from that of `start` on.
+    motion : callable, optional
+        Freedoms, rates and accelerations (ns, nd) at times (ns,); by default the freedoms are held at their
+        initial values, while the prescribed motions go on: the nominal motion.
+    start : State, optional
+        The initial state by default.
+
+    Raises
+    ------
+    LinearizationError
+        A period that is not a positive time; a system with kinematic coordinates, whose values no periodicity
+        determines.
+    PositionError
+        A position that the mechanism cannot reach, with its time.
+    """
+    if system.roles.nq != system.roles.nd:
+        raise LinearizationError(
+            f"periodic motion of a non-holonomic system with kinematic coordinates {system.kinematic} is not "
+            "available; prescribe them or leave the rolling condition out"
+        )
+    if system.structure.nz:
+        raise LinearizationError(
+            f"periodic motion with internal states of laws ({', '.join(system.structure.internal)}) is not available; "
+            "integrate the motion until it repeats, or take laws without them"
+        )
+    if not (0 < period < np.inf) or samples < 1:
+        raise LinearizationError(
+            f"periodic motion: period {period:g} s, {samples} samples; both must be positive and finite"
+        )
+    state = start or system.rest
+    t = state.t + np.arange(samples) * period / samples
+    q0, nd = state.q, system.roles.nd
+    still = np.zeros((samples, nd))
+    q, qd, qdd = motion(t) if motion else (np.tile(q0, (samples, 1)), still, still)
+    states, lins, F = [], [], np.zeros((samples, nd))
+    for i in range(samples):
+        state = _driven(system, float(t[i]), q[i], qd[i], qdd[i], state)
+        lins.append(linearize(system.kinematics, state))
+        F[i] = lacking_force(system, state, lins[-1])
+        states.append(state)
+    M, C, K = (np.array([getattr(z, name) for z in lins]) for name in ("M", "C", "K"))
+    return Orbit(period, states, lins, Coefficients(2 * np.pi / period, M, C, K, F, system.dynamic))
+
+
+def _driven(system: Core, t: float, q: Array, qd: Array, qdd: Array, near: State) -> State:
+    """State in which the degrees of freedom move as given; its stresses and reactions hold what drives them."""
+    place = Moment.of(near).still(t)
+    return state_of(system.kinematics, system.loads, t, q, qd, near.z, place, qdd)

@@ -1,0 +1,1 @@
+"""Coordinates and their choice, kinematics, dynamics, completed states, linearization."""

@@ -1,0 +1,342 @@
+"""The balance of forces in coordinates and multipliers together: residual and tangent (saddle-point form).
+
+r = M a + h - f + De' sigma + V' tau = 0 with the constraints beside it.  Statics, buckling and implicit
+integration share it; none needs a choice of independent coordinates.  Everything is sparse, with patterns
+that are found once.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from flexel.base.arrays import Array, Index
+from flexel.base.errors import DynamicsError
+from flexel.engine.finite import check_finite, check_tangent
+from flexel.engine.local import Inertia, Local
+from flexel.engine.locallaws import ImplicitStep, LawForces
+from flexel.engine.solvers import Factors, Pattern
+from flexel.mechanics.core import Core
+from flexel.mechanics.diagnose import largest, null_space, quoted
+from flexel.mechanics.dynamics import drift
+from flexel.mechanics.kinematics import wrap
+from flexel.mechanics.states import unwrap
+from flexel.structure.state import Energy, State
+from flexel.structure.structure import Structure
+
+TINY_FORCE = 1e-3  # [N] in the denominator of relative unbalances: 1e-15 N counts as nothing
+LARGEST_NULL_SPACE = 1500  # unknowns up to which a singular matrix is searched for the motion that is free
+
+
+@dataclass(frozen=True)
+class Balance:
+    """Unbalance at coordinates x, rates v, accelerations a and multipliers mu.
+
+    Attributes
+    ----------
+    x, v, a : ndarray (n,)
+    e : ndarray (m,)
+        Deformations with their turns.
+    J : ndarray
+        Rows of deformations and slips, flat (see `Local`).
+    w : ndarray (m + k,)
+        Rates of the deformations, and slips.
+    given, stress : ndarray (m + k,)
+        Stresses of laws and loads, and those with the multipliers.
+    multiplier : ndarray (m + k + n,)
+        Multipliers by quantity.
+    force : ndarray (n,)
+        M a + h - f + De' sigma + V' tau, given nodal forces included.
+    r : ndarray (nf,)
+        Unbalanced forces on the free coordinates.
+    gap : ndarray (nh,)
+        Violation of the rigid and prescribed conditions.
+    scale : float
+        Size of the forces that balance one another [N].
+    """
+
+    t: float
+    x: Array
+    v: Array
+    a: Array
+    e: Array
+    J: Array
+    w: Array
+    inertia: Inertia
+    laws: LawForces
+    given: Array
+    stress: Array
+    multiplier: Array
+    force: Array
+    r: Array
+    gap: Array
+    scale: float
+
+
+class SaddlePattern:
+    """The pattern of [K C'; D 0]: K of the elements, C rows of J with multipliers, D rows of J that are held."""
+
+    def __init__(self, local: Local, force_rows: Index, hold_rows: Index, kind: str | None = None) -> None:
+        structure = local.structure
+        n, nf = structure.n, structure.nf
+        self._local = local
+        size = nf + force_rows.size
+        self._c, c_rows, c_columns = self._rows(force_rows)
+        self._d, d_rows, d_columns = self._rows(hold_rows)
+        outside = n + force_rows.size + nf  # any number beyond the matrix: fixed coordinates drop out
+        place = np.where(np.arange(n) < nf, np.arange(n), outside)
+        cross = (local.columns_J[z] for z in (local.laws.left, local.laws.right))
+        rows = [place[local.rows_K], *(place[z] for z in cross)]
+        left, right = rows[1], rows[2]
+        all_rows = np.concatenate([rows[0], left, place[c_columns], nf + d_rows])
+        all_columns = np.concatenate([place[local.columns_K], right, nf + c_rows, place[d_columns]])
+        self.pattern = Pattern(all_rows, all_columns, size, kind)
+        ends = np.cumsum([local.rows_K.size, left.size, c_rows.size, d_rows.size])
+        self._entries = np.zeros(ends[-1])
+        self._parts = np.split(self._entries, ends[:-1])
+
+    def _rows(self, quantities: Index) -> tuple[Index, Index, Index]:
+        """Entries of [J, 1] that make up rows of J, their row numbers and their coordinates."""
+        local = self._local
+        first, ones = local.structure.m + local.structure.k, local.columns_J.size
+        entries, rows, columns = [], [], []
+        for row, i in enumerate(quantities):
+            if i >= first:
+                entries.append(np.array([ones]))
+                columns.append(np.array([i - first]))
+            else:
+                line = local.line_of[i]
+                entries.append(np.arange(local.starts_J[line], local.starts_J[line + 1]))
+                columns.append(local.columns_J[entries[-1]])
+            rows.append(np.full(entries[-1].size, row))
+        none = [np.zeros(0, dtype=np.intp)]
+        found = tuple(np.concatenate(z or none).astype(np.intp) for z in (entries, rows, columns))
+        return found[0], found[1], found[2]
+
+    def assemble(self, K: Array, cross: Array, J: Array, held: Array, scaling: float = 1.0) -> Array:
+        """The matrix in its storage: scaled K (flat) and entries across elements, J for multipliers and held rows."""
+        own, across, left, lower = self._parts
+        np.multiply(K, scaling, out=own)
+        np.multiply(cross, scaling, out=across)
+        left[:] = _with_one(J, self._c)
+        lower[:] = _with_one(held, self._d)
+        return self.pattern.assemble(self._entries)
+
+    @cached_property
+    def mass(self) -> Array:
+        """The constant part of the mass matrix, in the storage."""
+        local = self._local
+        entries = np.zeros(self._entries.size)
+        entries[local.size_M : local.rows_K.size] = local.masses0
+        return self.pattern.assemble(entries)
+
+
+def _with_one(J: Array, entries: Index) -> Array:
+    """Entries of the flat J, the one behind its last being 1."""
+    return np.append(J, 1.0)[entries] if entries.size else np.zeros(0)
+
+
+class Saddle:
+    """Residual, tangent and states of a system in coordinates and multipliers.
+
+    Attributes
+    ----------
+    force_rows : ndarray of int
+        Quantities whose multipliers are unknown: rigid and prescribed conditions, rolling slips.
+    length : float
+        Largest natural scale of the coordinates.
+    """
+
+    def __init__(self, system: Core) -> None:
+        self.system = system
+        self.local = system.local
+        self.structure = system.structure
+        self.roles = system.roles
+        self.force_rows: Index = np.concatenate([self.roles.holonomic, self.roles.zero])
+        self.scales = system.kinematics.scales(np.arange(len(self.structure.names)))
+        self.first = self.structure.m + self.structure.k
+        self.x_scale = self.scales[self.first : self.first + self.structure.nf]
+        self.length = float(self.x_scale.max(initial=0.0))
+        self.rest = np.zeros(self.structure.n)
+        self.z = self.structure.z0  # internal states of laws: held, or where an implicit step starts
+        self.step: ImplicitStep | None = None
+        self._sizes: Array | None = None  # of the rows of J, found again with every tangent
+        self._angles = self.structure.angle[self.roles.holonomic]
+
+    def multipliers(self, state: State) -> Array:
+        """Multipliers of the constraints at a state: stresses less those of laws and loads."""
+        e, J = state.e, self.local.position(state.x)[1]
+        laws = self.local.laws.forces(e, self.local.rates(J, state.v), state.z, state.t).stress
+        applied = self.system.loads.at(state.t)[1]
+        return np.concatenate([state.stress - laws - applied, -state.reactions])[self.force_rows]
+
+    def balance(self, t: float, x: Array, v: Array, a: Array, mu: Array, e_near: Array) -> Balance:
+        """Unbalance at (x, v, a, mu) and time t; angles are counted from `e_near`."""
+        s, local = self.structure, self.local
+        principal, J = local.position(x)
+        e = unwrap(s, principal, e_near)
+        w = local.rates(J, v)
+        laws = self._laws(e, w, t)
+        nodal, applied = self.system.loads.at(t)
+        given = laws.stress + applied
+        multiplier = np.zeros(len(s.names))
+        multiplier[self.force_rows] = mu
+        stress = given + multiplier[: self.first]
+        inertia = local.inertia(x, v)
+        momentum = local.momentum(inertia.M, a)
+        outer = inertia.h - inertia.f - nodal
+        force = momentum + outer + local.pull(J, stress)
+        r = (force + multiplier[self.first :])[: s.nf]
+        if self._sizes is None:
+            self._sizes = self._row_sizes(J)
+        sizes = np.concatenate([stress * self._sizes, outer[: s.nf], momentum[: s.nf], mu])
+        scale = float(np.abs(sizes).max(initial=0.0))
+        return Balance(
+            t, x, v, a, e, J, w, inertia, laws, given, stress, multiplier, force, r, self._gap(t, x, principal), scale
+        )  # fmt: skip
+
+    def _laws(self, e: Array, w: Array, t: float) -> LawForces:
+        if self.step is None or not self.z.size:
+            return self.local.laws.forces(e, w, self.z, t)
+        return self.local.laws.step(e, w, self.z, t, self.step)
+
+    def _gap(self, t: float, x: Array, e: Array) -> Array:
+        rows = self.roles.holonomic
+        if not rows.size:
+            return np.zeros(0)
+        kinematics = self.system.kinematics
+        target = kinematics.target(kinematics.roles.motion(t), np.zeros(0))
+        return wrap(kinematics.values(e, x)[rows] - target, self._angles)
+
+    def _row_sizes(self, J: Array) -> Array:
+        """Largest entry of the row of each quantity in J."""
+        local = self.local
+        sizes = np.zeros(local.line_of.size)
+        if J.size:
+            sizes[local.lines] = np.maximum.reduceat(np.abs(J), local.starts_J[:-1])
+        return sizes
+
+    def stiffness(
+        self, b: Balance, rate: float = 0.0, acceleration: float = 0.0
+    ) -> tuple[Array, Array, Array | None]:
+        """Derivative of r by x, with v and a following at the given rates, the constant masses left out.
+
+        Returns K (flat), its entries across elements, and the derivative of the rates of all quantities by x (flat
+        like J; None where neither damping nor rolling needs it).
+        """
+        local, self._sizes = self.local, None
+        K = local.stress_stiffness(b.x, b.stress)
+        local.inertia_tangent(K, b.x, b.v, b.a, b.inertia.M, rate)
+        if acceleration and local.size_M:
+            K[: local.size_M] += acceleration * b.inertia.M
+        share = 0.0 if self.step is None else self.step.share
+        by_value, by_rate = local.laws.tangents(b.e, b.w, b.laws.z, b.t, share)
+        if np.isfinite(b.laws.stress).all():  # else a trial that went too far, which the iteration takes back
+            check_tangent(self.structure, local.laws.finite(by_value, by_rate), b.t)
+        phi = None
+        if np.any(b.v) and (self.roles.zero.size or by_rate.any()):
+            phi = local.phi(b.x, b.v)
+        cross = local.laws.add(K, b.J, phi, by_value, by_rate, rate)
+        return K, cross, phi
+
+    def load_rate(self, b: Balance) -> tuple[Array, Array]:
+        """Derivatives of r (nf,) and of the gap (nh,) with respect to the time at fixed x and mu."""
+        s = self.structure
+        nodal, applied = self.system.loads.at(b.t, order=1)
+        gap = np.zeros(self.roles.holonomic.size)
+        if self.roles.motions:
+            gap[self.roles.rigid.size :] = -self.roles.motion(b.t)[1]
+        return (self.local.pull(b.J, applied) - nodal)[: s.nf], gap
+
+    def error(
+        self, b: Balance, r: Array, gap: Array, stiffness: float | Array, scale: float | None = None
+    ) -> float:
+        """Largest unbalance relative to the forces that balance, or gap relative to its natural scale.
+
+        A stiffness K turns a rounding of x into an unbalance of about 1e-15 K x, below which nothing can go; with
+        its largest entry, or those of each row, in the denominator, the tolerance 1e-12 is met there.  Another size
+        of the forces than that of the balance may be given as `scale`.
+        """
+        stiff = stiffness * self.length
+        force = np.abs(r) / ((scale or b.scale) + 1e-3 * stiff + TINY_FORCE)
+        return max(float(force.max(initial=0.0)), float(np.abs(gap).max(initial=0.0)))
+
+    def energy(self, b: Balance) -> Energy:
+        """Kinetic, potential and strain energy at a balance."""
+        kinetic = float(b.v @ self.local.momentum(b.inertia.M, b.v)) / 2
+        values = self.system.kinematics.values(b.e, b.x)
+        potential = b.inertia.potential + self.system.loads.potential(b.t, values)
+        return Energy(kinetic, potential, float(b.laws.stored.sum()))
+
+    def state(self, b: Balance) -> State:
+        """The complete state at a balance."""
+        s, kinematics, local = self.structure, self.system.kinematics, self.local
+        check_finite(s, b.given, b.laws.zd, b.t)
+        reactions = -b.multiplier[self.first :]
+        reactions[s.nf :] = b.force[s.nf :]
+        return State(
+            t=b.t,
+            x=b.x,
+            v=b.v,
+            a=b.a,
+            e=b.e,
+            rates=np.concatenate([b.w, b.v]),
+            stress=b.stress,
+            reactions=reactions,
+            roles=self.roles,
+            evaluation=self.system.evaluation,
+            energy=self.energy(b),
+            drift=drift(kinematics, b.e, b.x),
+            z=b.laws.z,
+            zd=b.laws.zd,
+            dissipated=float(b.laws.dissipated.sum()),
+            Phi_v=np.concatenate([local.convective(b.x, b.v) + local.rates(b.J, b.a), b.a]),
+        )
+
+
+@dataclass
+class Matrix:
+    """A saddle-point matrix, factorized when first needed."""
+
+    structure: Structure
+    pattern: Pattern
+    stored: Array
+
+    @cached_property
+    def size(self) -> float:
+        """Largest entry."""
+        return float(np.abs(self.stored).max(initial=0.0))
+
+    @cached_property
+    def factors(self) -> Factors:
+        """LU factors."""
+        return self.pattern.factorize(self.stored)
+
+    @property
+    def sparse(self) -> Any:
+        """The matrix as a scipy.sparse array."""
+        return self.pattern.matrix(self.stored)
+
+    def solve(self, rhs: Array) -> Array:
+        """Solution for one or several right-hand sides; names the motion that nothing resists if it is singular.
+
+        Raises
+        ------
+        DynamicsError
+        """
+        if self.factors.regular:
+            x = self.factors.solve(rhs)
+            return x + self.factors.solve(
+                rhs - self.sparse @ x
+            )  # borders and bands cost digits, which this gives back
+        nf, first, names = self.structure.nf, self.structure.m + self.structure.k, ["unknown"]
+        if self.pattern.size <= LARGEST_NULL_SPACE:
+            right, _ = null_space(self.sparse.toarray(), self.pattern.size)
+            names = largest(self.structure, np.arange(nf) + first, right[:nf, 0]) if right.shape[1] else []
+        raise DynamicsError(
+            f"the stiffness is singular: nothing resists a motion of {quoted(names)}; support it, or give it "
+            "a stiffness or a mass"
+        )

@@ -1,0 +1,135 @@
+"""Over- and under-constraint of a mechanism, counted and named, without the refusal of `Model.build`.
+
+The left null space of the rigid conditions holds the states of self-stress: conditions that repeat one another,
+by which a misalignment would load the mechanism.  The right null space holds the motions.  Which conditions to
+release is found as in SPACAR Light: the one with the largest share in what is redundant, again and again.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.linalg import qr
+
+from flexel.base.arrays import Array, Index
+from flexel.base.errors import ModelError
+from flexel.declare.declarations import Declarations
+from flexel.declare.resolution import norms, resolve_roles
+from flexel.engine.evaluate import Evaluation
+from flexel.mechanics.diagnose import null_space
+from flexel.mechanics.stress import BEAMS
+from flexel.structure.roles import Roles
+from flexel.structure.state import State
+from flexel.structure.structure import Structure, assemble_structure
+
+SHOWN = 0.02  # smallest share, of the largest one, that is listed
+
+
+@dataclass(frozen=True)
+class ConstraintReport:
+    """How a mechanism is constrained at a configuration.
+
+    Attributes
+    ----------
+    freedoms : int
+        Independent motions that the rigid and prescribed conditions leave.
+    motions : list of dict
+        Those of them that no elastic law resists either (under-constraint), by coordinates, the largest 1.
+    redundant : list of dict
+        States of self-stress (over-constraint): shares of the conditions that repeat one another, the largest 1.
+    release : list of str
+        Conditions whose release leaves none redundant, of beams that are flexible otherwise where possible.
+    """
+
+    freedoms: int
+    motions: list[dict[str, float]]
+    redundant: list[dict[str, float]]
+    release: list[str]
+
+    def __str__(self) -> str:
+        lines = [f"{self.freedoms} freedom(s) left by the rigid conditions"]
+        lines += [f"over-constrained: {_shares(z)}" for z in self.redundant]
+        lines += [f"nothing resists: {_shares(z)}" for z in self.motions]
+        if self.release:
+            lines.append("release " + ", ".join(f"'{z}'" for z in self.release))
+        return "\n".join(lines)
+
+
+def constraint_report(mechanism: Declarations | State) -> ConstraintReport:
+    """Over- and under-constraint of a model as drawn, or of a state of a built system.
+
+    Examples
+    --------
+    >>> print(fx.constraint_report(m))  # doctest: +SKIP
+    1 freedom(s) left by the rigid conditions
+    over-constrained: 'a.bend1' 1.00, 'b.bend1' -1.00
+    release 'a.bend1'
+    """
+    if isinstance(mechanism, State):
+        structure, roles, J = mechanism.structure, mechanism.roles, mechanism.J
+    elif isinstance(mechanism, Declarations):
+        structure, roles, J = _drawn(mechanism)
+    else:
+        raise ModelError(f"constraint_report: {mechanism!r} is neither a Model nor a State; give one of them")
+    rows, nf = roles.holonomic, structure.nf
+    C = J[rows, :nf]
+    right, left = null_space(C, nf)
+    elastic = [structure.index[z] for law in structure.laws for z in law.deformations]
+    still = np.concatenate([rows, np.array(elastic, dtype=np.intp)])
+    loose, _ = null_space(J[still, :nf], nf)
+    moving = np.arange(nf) + structure.m + structure.k
+    return ConstraintReport(
+        freedoms=right.shape[1],
+        motions=_named(structure, moving, loose),
+        redundant=_named(structure, rows, left),
+        release=_releases(structure, rows, C),
+    )
+
+
+def _drawn(model: Declarations) -> tuple[Structure, Roles, Array]:
+    elements = [*model.instances.values(), *norms(model)]
+    structure = assemble_structure(model.nodes.values(), elements, model.laws)
+    _, J = Evaluation(structure).position(structure.x0)
+    return structure, resolve_roles(model, structure), J
+
+
+def _named(structure: Structure, rows: Index, space: Array) -> list[dict[str, float]]:
+    """Vectors that span a null space, as few names in each as elimination gives, largest entries first."""
+    if not space.shape[1]:
+        return []
+    _, R, pivots = qr(space.T, mode="economic", pivoting=True)
+    count = space.shape[1]
+    echelon = np.empty_like(R)
+    echelon[:, pivots] = np.linalg.solve(R[:, :count], R)
+    found = []
+    for vector in echelon:
+        share = vector / vector[int(np.argmax(np.abs(vector)))]
+        order = [i for i in np.argsort(-np.abs(share), kind="stable") if abs(share[i]) > SHOWN]
+        named = {structure.names[rows[i]]: float(share[i]) for i in order}
+        found.append({z: v for z, v in named.items() if not z.endswith(".norm")} or named)
+    return found
+
+
+def _releases(structure: Structure, rows: Index, C: Array) -> list[str]:
+    """Conditions to give up, each the one with the largest share in what is redundant still."""
+    bending = {z.split(".")[0] for law in structure.laws for z in law.deformations}
+    flexible = {
+        d for z in structure.instances if z.spec.name in BEAMS and z.name in bending for d in z.deformations
+    }
+    usable = [i for i in range(rows.size) if structure.names[rows[i]] in flexible]
+    usable = usable or [i for i in range(rows.size) if rows[i] < structure.m]
+    kept = list(range(rows.size))
+    released: list[str] = []
+    while True:
+        _, left = null_space(C[kept], C.shape[1])
+        share = np.linalg.norm(left, axis=1)
+        candidates = [k for k, i in enumerate(kept) if i in usable and share[k] > 1e-6] if left.size else []
+        if not candidates:
+            return released
+        worst = max(candidates, key=lambda k: round(float(share[k]), 9))
+        released.append(structure.names[rows[kept.pop(worst)]])
+
+
+def _shares(vector: dict[str, float]) -> str:
+    return ", ".join(f"'{name}' {share:.2f}" for name, share in vector.items())

@@ -1,0 +1,256 @@
+"""The core of a built system: one structure, its roles and laws, and the evaluations that everything else calls.
+
+Three methods carry all numerical work: `rhs` (right-hand side of the equations of motion), `residual`
+(with its tangent from `linearize`) and `linearize`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import cached_property
+
+import numpy as np
+
+from flexel.base.arrays import Array
+from flexel.base.errors import ConstraintError
+from flexel.engine.evaluate import Evaluation
+from flexel.engine.solvers import Factorization
+from flexel.mechanics import dynamics, states
+from flexel.mechanics.diagnose import choose_freedoms, named_freedoms
+from flexel.mechanics.kinematics import Configuration, Kinematics
+from flexel.mechanics.linearization import Linearization
+from flexel.mechanics.linearize import linearize
+from flexel.mechanics.states import Moment
+from flexel.structure.loads import Loads
+from flexel.structure.roles import Roles
+from flexel.structure.state import State, own_state
+from flexel.structure.structure import Structure
+
+
+class Core:
+    """What every analysis of a system stands on.
+
+    Attributes
+    ----------
+    structure : Structure
+        Names and index maps.
+    roles : Roles
+        The constraints and the present choice of freedoms.
+    """
+
+    def __init__(
+        self,
+        evaluation: Evaluation,
+        loads: Loads,
+        roles: Roles,
+        start: Configuration,
+        rates: Mapping[str, float],
+    ) -> None:
+        self.structure: Structure = evaluation.structure
+        self.evaluation = evaluation
+        self.local = evaluation.local
+        self.loads = loads
+        self._kinematics: dict[int, Kinematics] = {}
+        self.use(roles)
+        still = np.zeros(self.structure.n)
+        self._last = Moment(start.t, start.x, still, start.e, np.zeros(self.structure.m))
+        self._wound = any(  # where an angle's turns matter to the forces
+            self.structure.angle[self.structure.index[z]]
+            for law in self.structure.laws
+            for z in law.deformations
+        )
+        qd = states.consistent_rates(self.kinematics, start, rates)
+        self._start = start, self.kinematics.velocity(start, self.kinematics.velocity_matrix(start), qd)
+
+    @cached_property
+    def initial(self) -> State:
+        """The consistent initial state, with its accelerations.
+
+        Raises
+        ------
+        DynamicsError
+            If a freedom has no inertia; `rest` needs none.
+        """
+        c, v = self._start
+        return dynamics.complete(self.kinematics, self.loads, c, v, c.e, self.structure.z0)
+
+    @cached_property
+    def rest(self) -> State:
+        """The initial configuration without motion and constraint forces: where statics starts."""
+        c, still, z = self._start[0], np.zeros(self.structure.n), self.structure.z0
+        given = dynamics.forces(self.kinematics, self.loads, c, still, c.e, z)
+        none = np.zeros(len(self.structure.names))
+        return dynamics.with_multipliers(self.kinematics, self.loads, c, still, still, c.e, z, given, none)
+
+    def use(self, roles: Roles) -> None:
+        """Describe the motion by the freedoms in `roles`, which must be right; see `use_freedoms`."""
+        self.roles = roles
+        self.kinematics = self.kinematics_of(roles)
+
+    def kinematics_of(self, roles: Roles) -> Kinematics:
+        """The kinematic problems in the coordinates `roles`, kept for the next time."""
+        if id(roles) not in self._kinematics:
+            self._kinematics[id(roles)] = Kinematics(self.evaluation, roles)
+        return self._kinematics[id(roles)]
+
+    # -- counts and names ------------------------------------------------------------------------
+
+    @property
+    def dynamic(self) -> tuple[str, ...]:
+        """Names of the dynamic freedoms q_d."""
+        return tuple(self.structure.names[i] for i in self.roles.dynamic)
+
+    @property
+    def kinematic(self) -> tuple[str, ...]:
+        """Names of the kinematic freedoms q_k."""
+        return tuple(self.structure.names[i] for i in self.roles.kinematic)
+
+    @cached_property
+    def counts(self) -> dict[str, int]:
+        """Numbers of coordinates, deformations (Euler-parameter norms not counted), slips and freedoms."""
+        s, r = self.structure, self.roles
+        norms = sum(instance.spec.name == "norm" for instance in s.instances)
+        return {
+            "coordinates": s.n,
+            "free coordinates": s.nf,
+            "deformations": s.m - norms,
+            "norms": norms,
+            "slips": s.k,
+            "freedoms": r.nd,
+            "kinematic_coordinates": r.nq - r.nd,
+            "rigid deformations": r.rigid.size - norms,
+            "prescribed": r.prescribed.size,
+            "zero slips": r.zero.size,
+        }
+
+    def __repr__(self) -> str:
+        c = self.counts
+        return (
+            f"System({c['freedoms']} freedoms {self.dynamic}, {c['kinematic_coordinates']} kinematic coordinates "
+            f"{self.kinematic}, {c['coordinates']} coordinates, {c['deformations']} deformations)"
+        )
+
+    # -- evaluation ------------------------------------------------------------------------------
+
+    def warm(self, state: State) -> None:
+        """Start the next position problem from a state, and count turns of angles from it."""
+        self._last = Moment.of(state)
+        self.kinematics.forget()
+
+    @property
+    def position_guess(self) -> Array:
+        """Coordinates (n,) of the last evaluation of `rhs`."""
+        return self._last.x
+
+    def rhs(self, t: float, y: Array) -> Array:
+        """Rates of y = (q_d, q_k, q_d', z) (nq + nd + nz,) at time t [s]."""
+        kinematics, nq = self.kinematics, self.roles.nq
+        qd, z = y[nq : nq + self.roles.nd], y[nq + self.roles.nd :]
+        last = self._last
+        c = kinematics.position(t, y[:nq], last.x)
+        B = kinematics.velocity_matrix(c)
+        v = kinematics.velocity(c, B, qd)
+        e, ed = c.e, last.ed
+        if self._wound:
+            ed = c.J[: self.structure.m] @ v
+            e = states.with_turns(kinematics, c, y[:nq], last.e + (t - last.t) * (last.ed + ed) / 2)
+        self._last = Moment(t, c.x, v, e, ed)
+        F = dynamics.forces(kinematics, self.loads, c, v, e, z)
+        motion = dynamics.accelerations(kinematics, c, B, v, F)
+        return np.concatenate([qd, c.J[self.roles.kinematic] @ v, motion.qdd, F.zd])
+
+    def residual(self, t: float, q: Array, qd: Array, qdd: Array, guess: State) -> Array:
+        """Unbalanced generalized forces H'(M a + h - f + De' sigma + V' tau) (nd,); zero in a true motion."""
+        kinematics, nf = self.kinematics, self.structure.nf
+        c = kinematics.position(t, q, guess.x)
+        B = kinematics.velocity_matrix(c)
+        v = kinematics.velocity(c, B, qd)
+        F = dynamics.forces(
+            kinematics, self.loads, c, v, states.unwrap(self.structure, c.e, guess.e), guess.z
+        )
+        H, g = dynamics.unit_solutions(kinematics, B), B.solve(kinematics.convective(c, v))
+        return np.asarray(H.T @ (F.M[:nf, :nf] @ (H @ qdd + g) - F.F[:nf]))
+
+    def linearize(self, state: State | None = None) -> Linearization:
+        """Analytic linearization about a state (the initial one by default).
+
+        Examples
+        --------
+        >>> lin = system.linearize(motion[-1])  # doctest: +SKIP
+        >>> lin.eigenvalues()  # doctest: +SKIP
+        """
+        state = self.initial if state is None else own_state(self.structure, state, "linearize")
+        usable = state.roles is self.roles or self.condition(state) > 1e-9
+        return linearize(self.kinematics if usable else self.kinematics_of(state.roles), state)
+
+    # -- states ----------------------------------------------------------------------------------
+
+    def state(self, t: float, x: Array, v: Array, e: Array | None = None, z: Array | None = None) -> State:
+        """Complete state from coordinates and rates that satisfy the constraints; e counts the turns.
+
+        Internal states z (nz,) of laws have their initial values by default.
+        """
+        principal, J = self.kinematics.evaluate(x)
+        e = principal if e is None else states.unwrap(self.structure, principal, e)
+        c = Configuration(t, x, e, J)
+        if not np.any(v) and self.roles.motions:
+            B = self.kinematics.velocity_matrix(c)
+            v = self.kinematics.velocity(c, B, np.zeros(self.roles.nd))
+        z = self.structure.z0 if z is None else z
+        return dynamics.complete(self.kinematics, self.loads, c, v, e, z)
+
+    def state_at(
+        self,
+        values: Mapping[str, float] | None = None,
+        rates: Mapping[str, float] | None = None,
+        t: float | None = None,
+        start: State | None = None,
+    ) -> State:
+        """Consistent state with given values and rates of the named freedoms, others as in `start`.
+
+        Parameters
+        ----------
+        values : mapping of name to value
+            Values of freedoms (dynamic or kinematic) and of laws' internal states.
+        rates : mapping of name to rate
+            Rates of any quantities; together they must be possible.
+        t : float, optional
+        start : State, optional
+            The initial state by default.
+
+        Raises
+        ------
+        ModelError, PositionError
+            A name that is no freedom; an unreachable position; inconsistent rates, by name.
+        """
+        return states.state_at(self.kinematics, self.loads, values or {}, rates, t, start or self.initial)
+
+    # -- choice of coordinates -------------------------------------------------------------------
+
+    def condition(self, state: State, roles: Roles | None = None) -> float:
+        """Reciprocal condition of the velocity and position matrices with scaled rows; small is bad."""
+        roles, nf = roles or self.roles, self.structure.nf
+        found = 1.0
+        both = roles.velocity_rows, roles.position_rows
+        for rows in both[: 1 if np.array_equal(*both) else 2]:
+            A = state.J[rows, :nf]
+            found = min(found, Factorization(A / np.linalg.norm(A, axis=1, keepdims=True)).rcond)
+        return found
+
+    def rechoose(self, state: State, needed: float) -> State | None:
+        """Take the best freedoms at a state, if their condition reaches `needed`; the same state in them."""
+        try:
+            roles = choose_freedoms(self.kinematics, state.J, None, None)
+        except ConstraintError:  # a singular position has no better choice: keep the present one
+            return None
+        if self.condition(state, roles) < needed:
+            return None
+        self.use(roles)
+        return self.state(state.t, state.x, state.v, state.e, state.z)
+
+    def use_freedoms(self, dynamic: Sequence[str], kinematic: Sequence[str] | None = None) -> None:
+        """Describe the motion from now on by the named freedoms; checked at the initial state."""
+        rows = [named_freedoms(self.structure, z, "use_freedoms") for z in (dynamic, kinematic)]
+        self.use(choose_freedoms(self.kinematics, self._start[0].J, *rows))
+        self.__dict__.pop("initial", None)
+        self.__dict__.pop("rest", None)

@@ -1,0 +1,286 @@
+"""Counting, rank check with names, and the automatic choice of independent coordinates.
+
+A null space says what is wrong: a left null vector of the constraint matrix is a redundant set of
+conditions, a right null vector is a motion that nothing controls.  Both are reported by the names of their
+largest entries.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from scipy.linalg import qr
+from scipy.sparse import block_array, csr_array, issparse
+from scipy.sparse.csgraph import connected_components
+
+from flexel.base.arguments import names as checked_names
+from flexel.base.arrays import Array, Index
+from flexel.base.errors import ConstraintError, ModelError
+from flexel.engine.solvers import factorize
+from flexel.mechanics.kinematics import Kinematics
+from flexel.structure.roles import Roles
+from flexel.structure.structure import Structure
+
+_block_array: Any = block_array
+RANK_TOLERANCE = 1e-9  # singular value of the row-scaled constraint matrix that counts as zero
+PREFERENCE = 3.0  # relative angles and elongations are preferred to absolute coordinates by this factor
+
+
+def null_space(A: Array, columns: int) -> tuple[Array, Array]:
+    """Right null space (columns, r) and left null space (rows, l) of a matrix with scaled rows."""
+    if not A.shape[0]:
+        return np.eye(columns), np.zeros((0, 0))
+    scale = np.linalg.norm(A, axis=1)
+    if np.any(scale == 0):
+        left = np.eye(A.shape[0])[:, scale == 0]
+        return null_space(A[scale > 0], columns)[0], left
+    U, s, Vt = np.linalg.svd(A / scale[:, None])
+    rank = int(np.sum(s > RANK_TOLERANCE * s[0]))
+    return Vt[rank:].T, U[:, rank:]
+
+
+def largest(structure: Structure, rows: Index, vector: Array, limit: int = 6) -> list[str]:
+    """Names of the quantities with the largest entries of a null vector, norms left out."""
+    weight = np.abs(vector) / max(float(np.max(np.abs(vector))), 1e-300)
+    order = [i for i in np.argsort(-weight, kind="stable") if weight[i] > 0.05]
+    names = [structure.names[rows[i]] for i in order]
+    return [name for name in names if not name.endswith(".norm")][:limit] or names[:limit]
+
+
+def quoted(names: list[str]) -> str:
+    """Names in quotes, separated by commas."""
+    return ", ".join(f"'{name}'" for name in names)
+
+
+def check_redundancy(structure: Structure, roles: Roles, J: Array, rows: Index, what: str) -> None:
+    """Raise if the constraint rows are dependent, naming the conditions that repeat one another.
+
+    Raises
+    ------
+    ConstraintError
+    """
+    _report_redundancy(structure, roles, rows, null_space(J[rows, : structure.nf], structure.nf)[1], what)
+
+
+def _report_redundancy(structure: Structure, roles: Roles, rows: Index, left: Array, what: str) -> None:
+    """Raise if there are left null vectors (rows, l) of the constraint rows."""
+    if not left.shape[1]:
+        return
+    names: list[str] = []
+    for column in left.T:
+        names += [z for z in largest(structure, rows, column) if z not in names]
+    count = left.shape[1]
+    mine = [z for z in names if structure.find(z) not in roles.prescribed]
+    mine.sort(key=lambda z: structure.find(z) not in roles.zero)  # a slip is the first thing to release
+    remedy = f"m.release('{mine[0]}')" if mine else f"without m.prescribe('{names[0]}', …)"
+    raise ConstraintError(
+        f"over-constrained: {count} {what} repeat{'s' if count == 1 else ''} what others already say, among "
+        f"{quoted(names[:10])}; release {'one' if count == 1 else str(count)} of them "
+        f"(for example {remedy})"
+    )
+
+
+def candidates(structure: Structure, roles: Roles) -> Index:
+    """Quantities that may serve as freedoms: free deformations and free coordinates without a role."""
+    taken = set(roles.rigid) | set(roles.prescribed)
+    first = structure.m + structure.k
+    rows = [*range(structure.m), *range(first, first + structure.nf)]
+    return np.array([i for i in rows if i not in taken], dtype=np.intp)
+
+
+def pick(kinematics: Kinematics, J: Array, space: Array, exclude: Index) -> Index:
+    """Quantities whose rates span a space of velocities best, by QR with column pivoting.
+
+    Parameters
+    ----------
+    J : ndarray (m + k + n, n)
+    space : ndarray (nf, r)
+        Basis of the admissible velocities that are still to be described.
+    exclude : ndarray of int
+        Quantities already chosen.
+
+    Returns
+    -------
+    ndarray of int (r,)
+    """
+    structure = kinematics.structure
+    if not space.shape[1]:
+        return np.zeros(0, dtype=np.intp)
+    rows = np.setdiff1d(candidates(structure, kinematics.roles), exclude)
+    weight = 1.0 / kinematics.scales(rows)
+    weight[(rows < structure.m) | (np.array(structure.units, dtype=object)[rows] == "rad")] *= PREFERENCE
+    S = (J[rows, : structure.nf] @ space) * weight[:, None]
+    _, R, pivots = qr(S.T, mode="economic", pivoting=True)
+    diagonal = np.abs(np.diag(R))
+    if diagonal.size < space.shape[1] or diagonal[-1] < 1e-9 * diagonal[0]:
+        raise ConstraintError("no independent coordinates can be chosen here: the position is singular")
+    return np.sort(rows[pivots[: space.shape[1]]])
+
+
+def named_freedoms(structure: Structure, names: Sequence[str] | None, owner: str) -> Index | None:
+    """Quantity indices of named freedoms: coordinates that can move, or deformations; each once."""
+    if names is None:
+        return None
+    if len(set(checked_names(names, owner))) < len(names):
+        doubles = sorted({z for z in names if list(names).count(z) > 1})
+        raise ModelError(f"{owner}: {quoted(doubles)} named twice; name each once")
+    found = np.array([structure.find(z, owner) for z in names], dtype=np.intp)
+    first = structure.m + structure.k
+    for name, i in zip(names, found, strict=True):
+        if structure.m <= i < first or i >= first + structure.nf:
+            what = "a slip" if i < first else "fixed"
+            raise ModelError(
+                f"{owner}: '{name}' is {what} and no freedom; name coordinates that can move, or deformations"
+            )
+    return found
+
+
+def choose_freedoms(
+    kinematics: Kinematics, J: Array, dynamic: Index | None, kinematic: Index | None
+) -> Roles:
+    """Roles with all freedoms: those the user named, checked, or an automatic choice.
+
+    Parameters
+    ----------
+    J : ndarray (m + k + n, n)
+        At the configuration that decides; of a large model as a sparse matrix.
+    dynamic, kinematic : ndarray of int or None
+        Named freedoms; None leaves the choice to the program.
+
+    Raises
+    ------
+    ConstraintError
+        Redundant constraints, motions left without a coordinate, or dependent coordinates, by name.
+    """
+    structure, roles = kinematics.structure, kinematics.roles
+    nf = structure.nf
+    if issparse(J):
+        return choose_by_blocks(kinematics, J, dynamic, kinematic)
+    check_redundancy(structure, roles, J, roles.holonomic, "rigid or prescribed condition(s)")
+    rolling = np.concatenate([roles.holonomic, roles.zero])
+    check_redundancy(structure, roles, J, rolling, "rolling condition(s)")
+    if dynamic is None:
+        dynamic = pick(kinematics, J, null_space(J[rolling, :nf], nf)[0], roles.prescribed)
+    else:
+        check_choice(kinematics, J, rolling, dynamic, "dynamic", "independent")
+    held = np.concatenate([roles.holonomic, dynamic])
+    if kinematic is None:
+        kinematic = pick(kinematics, J, null_space(J[held, :nf], nf)[0], dynamic)
+    else:
+        check_choice(kinematics, J, held, kinematic, "kinematic", "kinematic")
+    return roles.with_freedoms(dynamic, kinematic)
+
+
+@dataclass(frozen=True)
+class Block:
+    """Constraint rows (quantities) and coordinates that have to do with one another, and their dense matrix."""
+
+    rows: Index
+    columns: Index
+    matrix: Array
+
+
+def blocks(J: Any, rows: Index, nf: int) -> tuple[list[Block], Index]:
+    """Constraints of a large model in parts that do not touch one another, and the coordinates without any."""
+    C = csr_array(J[rows][:, :nf])
+    C.eliminate_zeros()
+    count, label = connected_components(_block_array([[None, C], [C.T, None]]), directed=False)
+    order = np.argsort(label, kind="stable")
+    parts = np.split(order, np.searchsorted(label[order], np.arange(1, count)))
+    found, free = [], []
+    for part in parts:
+        own, columns = part[part < rows.size], part[part >= rows.size] - rows.size
+        if own.size:
+            found.append(Block(rows[own], columns, C[own][:, columns].toarray()))
+        else:
+            free.append(columns)
+    return found, np.concatenate(free) if free else np.zeros(0, dtype=np.intp)
+
+
+def choose_by_blocks(kinematics: Kinematics, J: Any, dynamic: Index | None, kinematic: Index | None) -> Roles:
+    """Freedoms of a large model: named ones, or coordinates, chosen in each part of the constraints by itself.
+
+    Raises
+    ------
+    ConstraintError
+    """
+    structure, roles = kinematics.structure, kinematics.roles
+    nf = structure.nf
+    rolling = np.concatenate([roles.holonomic, roles.zero])
+    for rows, what in (
+        (roles.holonomic, "rigid or prescribed condition(s)"),
+        (rolling, "rolling condition(s)"),
+    ):
+        for block in blocks(J, rows, nf)[0] if rows.size else ():
+            left = null_space(block.matrix, block.columns.size)[1]
+            _report_redundancy(structure, roles, block.rows, left, what)
+    if dynamic is None:
+        dynamic = _left_free(kinematics, J, rolling)
+    held = np.concatenate([roles.holonomic, dynamic])
+    if kinematic is None:
+        kinematic = _left_free(kinematics, J, held) if roles.zero.size else np.zeros(0, dtype=np.intp)
+    for rows in (np.concatenate([rolling, dynamic]), np.concatenate([held, kinematic])):
+        if rows.size != nf or not factorize(J[rows][:, :nf]).regular:
+            raise ConstraintError(
+                f"the {rows.size} conditions and named coordinates do not determine the {nf} coordinates of this "
+                "model; name none and let the program choose"
+            )
+    return roles.with_freedoms(dynamic, kinematic)
+
+
+def _left_free(kinematics: Kinematics, J: Any, rows: Index) -> Index:
+    """Coordinates that describe the motions which constraint rows leave, part by part."""
+    structure = kinematics.structure
+    first, nf = structure.m + structure.k, structure.nf
+    if not rows.size:
+        return np.arange(first, first + nf)
+    parts, free = blocks(J, rows, nf)
+    chosen = [first + free]
+    for block in parts:
+        space, _ = null_space(block.matrix, block.columns.size)
+        if space.shape[1]:
+            weight = 1.0 / kinematics.scales(first + block.columns)
+            weight[np.isin(first + block.columns, block.rows)] = 0.0
+            pivots = qr((space * weight[:, None]).T, mode="economic", pivoting=True)[2]
+            chosen.append(first + block.columns[pivots[: space.shape[1]]])
+    return np.sort(np.concatenate(chosen))
+
+
+def check_choice(
+    kinematics: Kinematics, J: Array, constraints: Index, chosen: Index, kind: str, method: str
+) -> None:
+    """Raise if named freedoms are too many, too few or dependent, naming what is left or repeated."""
+    structure, nf = kinematics.structure, kinematics.structure.nf
+    rows = np.concatenate([constraints, chosen])
+    right, left = null_space(J[rows, :nf], nf)
+    needed = nf - constraints.size
+    names = [structure.names[i] for i in chosen]
+    taken = [names[i] for i in range(chosen.size) if chosen[i] in constraints]
+    if taken:
+        raise ConstraintError(
+            f"{quoted(taken)} is constrained and cannot be a {kind} coordinate; name others"
+        )
+    if left.shape[1] and chosen.size > needed:
+        raise ConstraintError(
+            f"{chosen.size} {kind} coordinate(s) named ({quoted(names)}) but the mechanism has {needed}: "
+            f"{quoted(largest(structure, rows, left[:, 0]))} depend on one another; take {chosen.size - needed} of "
+            f"{quoted(names)} back"
+        )
+    if left.shape[1]:
+        better = pick(kinematics, J, null_space(J[constraints, :nf], nf)[0], constraints)
+        raise ConstraintError(
+            f"{quoted(names)} cannot be the {kind} coordinate(s) in this position: "
+            f"{quoted(largest(structure, rows, left[:, 0]))} depend on one another; name others, for example "
+            f"{quoted([structure.names[i] for i in better])}"
+        )
+    if right.shape[1]:
+        moving = np.arange(nf) + structure.m + structure.k
+        names = largest(structure, moving, right[:, 0])
+        raise ConstraintError(
+            f"under-constrained: {needed} {kind} coordinate(s) are needed and {chosen.size} named; a motion of "
+            f"{quoted(names)} is left: name one more with m.{method}(…), prescribe it or hold it, or name none "
+            "and let the program choose"
+        )

@@ -1,0 +1,82 @@
+"""The first assembly: the configuration nearest to the drawing that meets the constraints."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from scipy.sparse import block_array, eye_array
+
+from flexel.base.arrays import Array, Index
+from flexel.base.errors import PositionError
+from flexel.declare.declarations import Declarations
+from flexel.engine.solvers import factorize
+from flexel.mechanics.kinematics import Configuration, Kinematics, wrap
+
+STEP = 0.2  # largest change of a wanted value (in its natural scale) in one step of the first assembly
+
+
+def first_position(model: Declarations, kinematics: Kinematics, t: float) -> Configuration:
+    """Configuration nearest to the drawing that meets the constraints and the wanted initial values.
+
+    Gauss–Newton with the smallest change of the coordinates; wanted values are approached in steps.
+    """
+    structure, roles = kinematics.structure, kinematics.roles
+    x = structure.x0.copy()
+    e, J = kinematics.evaluate(x)
+    drawn = kinematics.values(e, x)
+    wanted = {structure.find(z): drawn[structure.find(z)] for z in (model.dynamic or [])}
+    wanted |= {structure.find(z): drawn[structure.find(z)] for z in (model.kinematic_names or [])}
+    wanted |= {structure.find(z): value for z, value in model.values.items()}
+    rows = np.concatenate([roles.holonomic, np.array(list(wanted), dtype=np.intp)])
+    start = drawn[rows]
+    start[: roles.rigid.size] = 0.0
+    goal = np.concatenate(
+        [kinematics.target(kinematics.roles.motion(t), np.zeros(0)), np.array(list(wanted.values()))]
+    )
+    change = wrap(goal - start, structure.angle[rows]) / kinematics.scales(rows)
+    steps = max(1, int(np.ceil(np.max(np.abs(change), initial=0.0) / STEP)))
+    for i in range(1, steps + 1):
+        part = start + (goal - start) * i / steps
+        x = _nearest(kinematics, rows, part, x, t)
+    e, J = kinematics.evaluate(x)
+    angle = structure.angle[: structure.m]
+    target = np.zeros(structure.m)
+    own = rows < structure.m
+    target[rows[own]] = goal[own]
+    e = e + 2 * np.pi * np.where(angle, np.round((target - e) / (2 * np.pi)), 0.0)
+    return Configuration(t, x, e, J)
+
+
+def _nearest(kinematics: Kinematics, rows: Index, goal: Array, x: Array, t: float) -> Array:
+    structure, nf = kinematics.structure, kinematics.structure.nf
+    scale, angle = kinematics.scales(rows), structure.angle[rows]
+    x, best, stalled = x.copy(), np.inf, 0
+    for _ in range(60):
+        e, J = kinematics.evaluate(x)
+        residual = wrap(kinematics.values(e, x)[rows] - goal, angle)
+        error = float(np.max(np.abs(residual) / scale, initial=0.0))
+        if error < 1e-13 or (error < 1e-11 and error > 0.5 * best):
+            return x
+        stalled = stalled + 1 if error > 0.9 * best else 0
+        best = min(best, error)
+        if stalled > 12 or not np.isfinite(error):
+            break
+        step = smallest_step(J[rows][:, :nf], residual)
+        x[:nf] -= step * min(1.0, 0.3 / max(float(np.max(np.abs(step))), 1e-300))
+    worst = np.argsort(-np.abs(residual) / scale)[:4]
+    names = ", ".join(f"'{structure.names[rows[i]]}' (off by {residual[i]:.3g})" for i in worst)
+    raise PositionError(
+        f"the mechanism cannot be assembled at t = {t:g} s: {names} stay unsatisfied; the drawing and the wanted "
+        "initial or prescribed values contradict the constraints: correct one of them"
+    )
+
+
+def smallest_step(C: Any, residual: Array) -> Array:
+    """The smallest change of the coordinates with C dx = residual, in the sense of least squares."""
+    if isinstance(C, np.ndarray):
+        return np.asarray(np.linalg.lstsq(C, residual, rcond=1e-10)[0])
+    size, count = C.shape[1], C.shape[0]
+    damping = -1e-12 * eye_array(count)  # conditions that repeat one another are reported later
+    factors = factorize(block_array([[eye_array(size), C.T], [C, damping]]))
+    return factors.solve(np.concatenate([np.zeros(size), residual]))[:size]

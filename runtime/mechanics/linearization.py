@@ -1,0 +1,319 @@
+"""Linearized equations about a state as a result: matrices by name, eigenvalues, modes, state space.
+
+M̄ δq_d'' + C̄ δq_d' + K̄ δq + Z δz = F̄ δu, δq_k' = 𝒜 δq_d' + ℬ δq, and for internal states of laws
+δz' = Z_v δq_d' + Z_q δq + Z_z δz.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from scipy.linalg import eig
+
+from flexel.base.arguments import names as checked_names
+from flexel.base.arrays import Array, ComplexArray
+from flexel.base.errors import LinearizationError, ModelError
+from flexel.base.units import rate_unit
+from flexel.engine.evaluate import Tangents
+from flexel.mechanics.modes import Mode, Reduced, sort_eigenvalues
+from flexel.structure.state import State
+
+_eig: Any = eig
+
+
+@dataclass(frozen=True)
+class Transfer:
+    """Transfer functions at a state, for the freedoms and the prescribed motions u side by side.
+
+    Attributes
+    ----------
+    G, N, A_q : ndarray (nf, nq + nu)
+        Derivatives of x, v, a with respect to (q, u) at fixed rates of the rest.
+    H, A_v : ndarray (nf, nd + nu)
+        Derivatives of v and a with respect to (q_d', u'); H is also that of a to (q_d'', u'').
+    """
+
+    G: Array
+    N: Array
+    H: Array
+    A_q: Array
+    A_v: Array
+
+
+@dataclass(frozen=True)
+class Linearization:
+    """Linearized equations about a state.
+
+    Attributes
+    ----------
+    M, C : ndarray (nd, nd)
+    K : ndarray (nd, nq)
+        Columns for dynamic, then kinematic freedoms.
+    A_k : ndarray (nk, nd), B_k : ndarray (nk, nq)
+        𝒜 and ℬ of δq_k' = 𝒜 δq_d' + ℬ δq.
+    Z : ndarray (nd, nz)
+        Generalized forces of the laws' internal states: M δq_d'' + C δq_d' + K δq + Z δz = F δu.
+    Z_v, Z_q, Z_z : ndarray (nz, nd), (nz, nq), (nz, nz)
+        δz' = Z_v δq_d' + Z_q δq + Z_z δz.
+    dynamic, kinematic, prescribed, internal : tuple of str
+        Names of the freedoms, of the prescribed motions and of the laws' internal states.
+    state : State
+        Where it was linearized.
+    """
+
+    M: Array
+    C: Array
+    K: Array
+    A_k: Array
+    B_k: Array
+    M_u: Array = field(repr=False)
+    C_u: Array = field(repr=False)
+    K_u: Array = field(repr=False)
+    A_ku: Array = field(repr=False)
+    B_ku: Array = field(repr=False)
+    Z: Array = field(repr=False)
+    Z_v: Array = field(repr=False)
+    Z_q: Array = field(repr=False)
+    Z_z: Array = field(repr=False)
+    Z_vu: Array = field(repr=False)
+    Z_qu: Array = field(repr=False)
+    dynamic: tuple[str, ...]
+    kinematic: tuple[str, ...]
+    prescribed: tuple[str, ...]
+    internal: tuple[str, ...]
+    state: State = field(repr=False)
+    transfer: Transfer = field(repr=False)
+    tangents: Tangents = field(repr=False)
+    mass: Array = field(repr=False)  # M (n, n) of all coordinates
+
+    @property
+    def freedoms(self) -> tuple[str, ...]:
+        """Names of q = (q_d, q_k)."""
+        return self.dynamic + self.kinematic
+
+    @property
+    def states(self) -> tuple[str, ...]:
+        """Names of the states (q_d', q_d, q_k, z)."""
+        return tuple(f"{z}'" for z in self.dynamic) + self.freedoms + self.internal
+
+    @property
+    def state_matrix(self) -> Array:
+        """Matrix of the first-order equations for (δq_d', δq_d, δq_k, δz), (2 nd + nk + nz) square."""
+        nd, nk, nz = len(self.dynamic), len(self.kinematic), len(self.internal)
+        top = -np.linalg.solve(self.M, np.hstack([self.C, self.K, self.Z])) if nd else np.zeros((0, nk + nz))
+        middle = np.hstack([np.eye(nd), np.zeros((nd, nd + nk + nz))])
+        rolling = np.hstack([self.A_k, self.B_k, np.zeros((nk, nz))])
+        return np.vstack([top, middle, rolling, np.hstack([self.Z_v, self.Z_q, self.Z_z])])
+
+    def eigenvalues(self) -> ComplexArray:
+        """All eigenvalues [1/s] of the state matrix, sorted by real, then imaginary part.
+
+        The zeros of a non-holonomic system are defective and come out with large rounding errors; use
+        `reduced` for the freedoms of interest.
+        """
+        return sort_eigenvalues(np.linalg.eigvals(self.state_matrix))
+
+    def modes(self) -> list[Mode]:
+        """Modes, sorted as the eigenvalues, one for each complex pair (the one with positive imaginary part)."""
+        w, left, right = _eig(self.state_matrix, left=True, right=True)
+        scale = float(np.max(np.abs(w), initial=1e-300))
+        keep = [i for i in range(w.size) if w[i].imag >= -1e-12 * scale]
+        keep.sort(key=lambda i: (round(w[i].real / scale, 11), w[i].imag))
+        return [self._mode(complex(w[i]), left[:, i], right[:, i]) for i in keep]
+
+    def _mode(self, value: complex, left: ComplexArray, right: ComplexArray) -> Mode:
+        nd = len(self.dynamic)
+        displacement = right[nd:]
+        names = self.freedoms + self.internal
+        pivot = displacement[int(np.argmax(np.abs(displacement)))]
+        share = np.abs(left.conj() * right)
+        share = np.concatenate([share[:nd] + share[nd : 2 * nd], share[2 * nd :]])
+        total = float(share.sum()) or 1.0
+        shape = {n: complex(z / pivot) for n, z in zip(names, displacement, strict=True)}
+        return Mode(value, shape, {n: float(z / total) for n, z in zip(names, share, strict=True)})
+
+    def reduced(self, names: Sequence[str], tolerance: float = 1e-9) -> Reduced:
+        """Second-order equations of the named dynamic freedoms, after a check that they are decoupled.
+
+        Raises
+        ------
+        LinearizationError
+            If another freedom enters their equations by more than `tolerance` of the largest entry.
+        """
+        if not checked_names(names, "reduced") or len(set(names)) < len(names):
+            raise LinearizationError(f"reduced: {names!r} given; name one dynamic freedom or more, each once")
+        for name in names:
+            if name not in self.dynamic:
+                raise LinearizationError(
+                    f"reduced: '{name}' is not a dynamic freedom; name some of {self.dynamic}"
+                )
+        i = [self.dynamic.index(name) for name in names]
+        for matrix, label in ((self.M, "M"), (self.C, "C"), (self.K, "K"), (self.Z, "Z")):
+            block = matrix[i]
+            columns = self.internal if label == "Z" else self.freedoms[: matrix.shape[1]]
+            for j, name in enumerate(columns):
+                largest = float(np.max(np.abs(self.K[i] if label == "Z" else block)))
+                if name not in names and np.max(np.abs(block[:, j])) > tolerance * largest:
+                    raise LinearizationError(
+                        f"{tuple(names)} are not decoupled: '{name}' enters through {label} "
+                        f"({np.max(np.abs(block[:, j])):.3g}); include it, or use the full state matrix"
+                    )
+        grid = np.ix_(i, i)
+        return Reduced(tuple(names), self.M[grid], self.C[grid], self.K[grid])
+
+    def input_matrix(self, names: Sequence[str]) -> Array:
+        """F̄ (nd, inputs): generalized forces of loads on the named coordinates, deformations or slips."""
+        rows = [self.state.structure.find(name, "input") for name in checked_names(names, "inputs")]
+        for name, i in zip(names, rows, strict=True):
+            if i >= self.state.rates.size - self.state.x.size + self.state.structure.nf:
+                raise LinearizationError(f"input '{name}' is a fixed coordinate and moves nothing; drop it")
+        nd, nf = len(self.dynamic), self.state.structure.nf
+        return np.asarray((self.state.J[rows, :nf] @ self.transfer.H[:, :nd]).T)
+
+    def state_space(
+        self, inputs: Sequence[str] = (), outputs: Sequence[str] = ()
+    ) -> tuple[Array, Array, Array, Array]:
+        """State-space matrices A, B, C, D.
+
+        Parameters
+        ----------
+        inputs : sequence of str
+            Names of loads (any quantity: the generalized force dual to it) or of prescribed motions.  The input of
+            a prescribed motion is its acceleration; its rate and value join the states, in that order.
+        outputs : sequence of str
+            Names of quantities; a suffix ``'`` asks for the rate, ``''`` for the acceleration, and a prefix
+            ``force:`` for the stress or reaction.
+
+        Returns
+        -------
+        A, B, C, D : ndarray
+        """
+        from flexel.linear.sensors import state_space
+
+        return state_space(self, inputs, outputs)
+
+    def to_control(self, inputs: Sequence[str], outputs: Sequence[str] = (), *, name: str = "flexel") -> Any:
+        """A labelled `control.StateSpace` (needs python-control).
+
+        Parameters
+        ----------
+        inputs, outputs : sequence of str
+            As in `state_space`; the outputs are the freedoms if none are named.
+        name : str
+            Of the system, for `control.interconnect`.
+
+        Raises
+        ------
+        FlexelError
+            If python-control is not installed.
+        LinearizationError, ModelError
+            No inputs, names that are double or unknown.
+
+        Examples
+        --------
+        >>> plant = lin.to_control(["motor.angle"], ["tip.y", "motor.angle'"])  # doctest: +SKIP
+        >>> plant.input_labels, plant.output_labels  # doctest: +SKIP
+        (['motor_angle'], ['tip_y', "motor_angle'"])
+        """
+        from flexel.results.control import to_control
+
+        return to_control(self, inputs, outputs, name=name)
+
+    def to_scipy(self, inputs: Sequence[str], outputs: Sequence[str] = ()) -> Any:
+        """A `scipy.signal.StateSpace`; its states, inputs and outputs are in the order of `state_space`."""
+        from flexel.results.control import to_scipy
+
+        return to_scipy(self, inputs, outputs)
+
+    def save_state_space(self, path: str | Path, inputs: Sequence[str], outputs: Sequence[str] = ()) -> Path:
+        """Write A, B, C, D and the names of states, inputs and outputs to a .mat file, for Matlab's ``ss(A, B, C, D)``.
+
+        Raises
+        ------
+        ModelError
+            A suffix other than .mat.
+        """
+        from flexel.results.control import save_state_space
+
+        return save_state_space(self, path, inputs, outputs)
+
+    def to_xarray(self) -> Any:
+        """Matrices, eigenvalues and modes as an xarray.Dataset with names and units along rows and columns."""
+        from flexel.results.saved.archive_linear import to_xarray
+
+        return to_xarray(self)
+
+    def to_pandas(self) -> Any:
+        """A pandas.DataFrame of the modes: eigenvalue, frequency, damping ratio, and the freedoms that take part."""
+        from flexel.results.saved.archive_linear import to_pandas
+
+        return to_pandas(self)
+
+    def save(self, path: str | Path) -> Path:
+        """Write all matrices with their names as .nc, .npz, .mat or .csv; `flexel.load` reads them back.
+
+        For A, B, C and D alone, in Matlab's form, see `save_state_space`.
+        """
+        from flexel.results.saved.archive_linear import save
+
+        return save(self, path)
+
+    @property
+    def units(self) -> dict[str, str]:
+        """Units of the degrees of freedom, their rates (``name'``), prescribed motions and internal states, by name.
+
+        A row of M, C or K is the generalized force dual to its degree of freedom, per unit of that of its column or of
+        its rates.
+        """
+        s = self.state.structure
+        own = {name: s.units[s.index[name]] for name in (*self.freedoms, *self.prescribed)}
+        rates = {f"{name}'": rate_unit(own[name], 1) for name in self.dynamic}
+        return own | rates | {name: s.internal_units[s.internal[name]] for name in self.internal}
+
+    def mode(self, number: int) -> Mode:
+        """The mode of that number, from 0, in the order of `modes`.
+
+        Raises
+        ------
+        ModelError
+            There is no such mode.
+        """
+        modes = self.modes()
+        if not -len(modes) <= number < len(modes):
+            raise ModelError(
+                f"mode {number}: there are {len(modes)}, numbered from 0; list them with modes()"
+            )
+        return modes[number]
+
+    def mode_shape(self, number: int) -> dict[str, complex]:
+        """Displacements of all free coordinates in a mode of `modes`, for pictures; freedoms of amplitude 1 at most."""
+        mode = self.mode(number)
+        q = np.array([mode.shape[name] for name in self.freedoms])
+        structure = self.state.structure
+        x = self.transfer.G[:, : q.size] @ q
+        first = structure.m + structure.k
+        return {structure.names[first + i]: complex(z) for i, z in enumerate(x)}
+
+    def plot(self, path: str | Path | None = None) -> Any:
+        """Eigenvalues in the complex plane (needs matplotlib)."""
+        from flexel.pictures.graphs import plot_poles
+
+        return plot_poles([self.eigenvalues()], path)
+
+    def plot_mode(self, number: int, path: str | Path | None = None, **options: Any) -> Any:
+        """The shape of a mode of `modes`, over the state in grey; see `flexel.pictures.deflected.plot_shape`."""
+        from flexel.pictures.deflected import plot_shape
+
+        mode = self.mode(number)
+        title = f"{mode.name}: {mode.eigenvalue:.4g} 1/s"
+        return plot_shape(self.state, self.mode_shape(number), path, **{"title": title, **options})
+
+    def view(self, path: str | Path, **options: Any) -> Path:
+        """A page that shows the modes in any browser, with amplitude and phase; see `view.mode_data`."""
+        from flexel.pictures.view import view_modes
+
+        return view_modes(self, path, **options)

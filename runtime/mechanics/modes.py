@@ -1,0 +1,74 @@
+"""Modes and eigenvalues of linearized equations."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from flexel.base.arrays import Array, ComplexArray
+
+
+@dataclass(frozen=True)
+class Mode:
+    """A mode of the linearized motion.
+
+    Attributes
+    ----------
+    eigenvalue : complex
+        [1/s]
+    shape : dict of str to complex
+        Amplitude of each freedom and internal state of a law, the largest one 1.
+    participation : dict of str to float
+        Share of each of them (dynamic freedoms with their rates) in the mode, from left and right vectors; sums to 1.
+    """
+
+    eigenvalue: complex
+    shape: dict[str, complex]
+    participation: dict[str, float]
+
+    @property
+    def name(self) -> str:
+        """The freedoms that take part most, joined by ``+``."""
+        order = sorted(self.participation, key=lambda z: -self.participation[z])
+        return "+".join(z for z in order if self.participation[z] >= 0.25 * self.participation[order[0]])
+
+    @property
+    def frequency(self) -> float:
+        """Undamped natural frequency |eigenvalue| [rad/s]."""
+        return abs(self.eigenvalue)
+
+    @property
+    def damping(self) -> float:
+        """Damping ratio -Re/|.|; 0 for a zero eigenvalue."""
+        return -self.eigenvalue.real / self.frequency if self.frequency else 0.0
+
+
+@dataclass(frozen=True)
+class Reduced:
+    """Second-order equations of some freedoms, decoupled from the rest: M q'' + C q' + K q = 0."""
+
+    names: tuple[str, ...]
+    M: Array
+    C: Array
+    K: Array
+
+    @property
+    def state_matrix(self) -> Array:
+        """First-order form for (q', q)."""
+        n = len(self.names)
+        top = -np.linalg.solve(self.M, np.hstack([self.C, self.K]))
+        return np.vstack([top, np.hstack([np.eye(n), np.zeros((n, n))])])
+
+    def eigenvalues(self) -> ComplexArray:
+        """The 2 n eigenvalues [1/s], sorted by real, then imaginary part."""
+        return sort_eigenvalues(np.linalg.eigvals(self.state_matrix))
+
+
+def sort_eigenvalues(values: Any) -> ComplexArray:
+    """Complex numbers sorted by real, then imaginary part; real parts equal to rounding count as equal."""
+    w = np.asarray(values, dtype=complex)
+    scale = float(np.max(np.abs(w), initial=1e-300))
+    order = np.lexsort((w.imag, np.round(w.real / scale, 11)))
+    return w[order]

@@ -1,0 +1,193 @@
+"""Complete states of a system: from values and rates by name, or from the integrator's variables.
+
+Angles are kernels' principal values plus turns; the turns are counted from a nearby state.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from scipy.sparse import block_array, eye_array, vstack
+
+from flexel.base.arguments import number, numbers
+from flexel.base.arrays import Array
+from flexel.base.errors import ModelError, PositionError
+from flexel.engine.solvers import factorize
+from flexel.mechanics import dynamics
+from flexel.mechanics.kinematics import Configuration, Kinematics
+from flexel.structure.loads import Loads
+from flexel.structure.roles import Roles
+from flexel.structure.state import State, own_state
+from flexel.structure.structure import Structure
+
+
+def unwrap(structure: Structure, e: Array, reference: Array) -> Array:
+    """Deformations with the turns that bring angles nearest to a reference."""
+    angle = structure.angle[: structure.m]
+    if not angle.any():
+        return e
+    return np.asarray(e + 2 * np.pi * np.where(angle, np.round((reference - e) / (2 * np.pi)), 0.0))
+
+
+def with_freedoms(structure: Structure, e: Array, q: Array, roles: Roles) -> Array:
+    """Deformations in which the degrees of freedom take their own values, turns included."""
+    own = roles.freedoms < structure.m
+    e = e.copy()
+    e[roles.freedoms[own]] = q[own]
+    return e
+
+
+def with_turns(kinematics: Kinematics, c: Configuration, q: Array, reference: Array) -> Array:
+    """Deformations with their turns: what is given knows its own, other angles are nearest to a reference."""
+    structure, rows = kinematics.structure, kinematics.roles.position_rows
+    own = rows < structure.m
+    known = reference.copy()
+    known[rows[own]] = kinematics.target(kinematics.motion(c), q)[own]
+    return with_freedoms(structure, unwrap(structure, c.e, known), q, kinematics.roles)
+
+
+@dataclass(frozen=True)
+class Moment:
+    """A moment of a motion, as far as positions and rates go: where to look for a state nearby, and its turns."""
+
+    t: float
+    x: Array
+    v: Array
+    e: Array
+    ed: Array
+
+    @staticmethod
+    def of(state: State) -> Moment:
+        """The moment of a complete state."""
+        return Moment(state.t, state.x, state.v, state.e, state.rates[: state.e.size])
+
+    def still(self, t: float) -> Moment:
+        """The same place at another time, without rates: where the nearest configuration is meant."""
+        none = np.zeros_like
+        return Moment(t, self.x, none(self.v), self.e, none(self.ed))
+
+
+def between(first: Moment, last: Moment, t: float) -> Moment:
+    """The moment inside a step, by the cubic through both of its ends; it says which branch and turns are meant."""
+    h = last.t - first.t
+    part = (t - first.t) / h
+    a, b = part * part * (3 - 2 * part), h * part * (1 - part)
+    x = (1 - a) * first.x + a * last.x + b * ((1 - part) * first.v - part * last.v)
+    e = (1 - a) * first.e + a * last.e + b * ((1 - part) * first.ed - part * last.ed)
+    return Moment(t, x, first.v, e, first.ed)
+
+
+def state_of(
+    kinematics: Kinematics,
+    loads: Loads,
+    t: float,
+    q: Array,
+    qd: Array,
+    z: Array,
+    near: Moment,
+    qdd: Array | None = None,
+) -> State:
+    """Complete state at time t from the degrees of freedom, their rates and internal states of laws.
+
+    Parameters
+    ----------
+    q : ndarray (nq,), qd : ndarray (nd,), z : ndarray (nz,)
+    near : Moment
+        Where to look for the position; turns are counted from its deformations, moved on with their rates.
+    qdd : ndarray (nd,), optional
+        Accelerations of a driven motion; see `dynamics.complete`.
+
+    Raises
+    ------
+    PositionError, ConstraintError, DynamicsError
+    """
+    c = kinematics.position(t, q, near.x)
+    v = kinematics.velocity(c, kinematics.velocity_matrix(c), qd)
+    predicted = near.e
+    if t != near.t:
+        predicted = near.e + (t - near.t) * (near.ed + c.J[: near.e.size] @ v) / 2
+    return dynamics.complete(kinematics, loads, c, v, with_turns(kinematics, c, q, predicted), z, qdd)
+
+
+def state_at(
+    kinematics: Kinematics,
+    loads: Loads,
+    values: Mapping[str, float],
+    rates: Mapping[str, float] | None,
+    t: float | None,
+    start: State,
+) -> State:
+    """Consistent state with given values and rates; see `System.state_at`."""
+    structure, roles = kinematics.structure, kinematics.roles
+    own_state(structure, start, "state_at")
+    wanted = numbers(values, "state_at", "value")
+    time = start.t if t is None else number(t, "state_at", "time t")
+    q, z = np.array(start.values[roles.freedoms]), start.z.copy()
+    for name, value in wanted.items():
+        if name in structure.internal:
+            z[structure.internal[name]] = value
+            continue
+        i = structure.find(name, "state_at")
+        if i not in roles.freedoms:
+            raise ModelError(
+                f"'{name}' is not a freedom; values can be given to {kinematics.names(roles.freedoms)}"
+            )
+        q[list(roles.freedoms).index(i)] = value
+    near = Moment.of(start).still(time)
+    qd = start.qd
+    if rates is not None:
+        qd = consistent_rates(kinematics, kinematics.position(time, q, near.x), rates)
+    return state_of(kinematics, loads, time, q, qd, z, near)
+
+
+def consistent_rates(kinematics: Kinematics, c: Configuration, rates: Mapping[str, float]) -> Array:
+    """Rates q_d' (nd,) that give the named rates; those that nothing determines are zero.
+
+    Raises
+    ------
+    ModelError, PositionError
+        Rates that are not finite; rates that contradict one another or the constraints.
+    """
+    structure, nd = kinematics.structure, kinematics.roles.nd
+    given = numbers(rates, "initial rates", "rate")
+    rows = np.array([structure.find(name, "initial rates") for name in given], dtype=np.intp)
+    wanted, nf = np.array(list(given.values())), structure.nf
+    if not rows.size:
+        return np.zeros(nd)
+    B = kinematics.velocity_matrix(c)
+    v0 = kinematics.velocity(c, B, np.zeros(nd))
+    J = c.J[rows][:, :nf]
+    missing = wanted - J @ v0[:nf]
+    if kinematics.large:
+        qd = smallest(c.J[kinematics.roles.dynamic][:, :nf], c.J, kinematics.roles, J, missing)
+    else:
+        by_freedoms = B.solve(np.ascontiguousarray(J.T), transposed=True)[nf - nd :].T
+        qd = np.linalg.lstsq(by_freedoms, missing, rcond=1e-12)[0]
+    v = v0[:nf] + B.solve(np.concatenate([np.zeros(nf - nd), qd]))
+    off = wanted - J @ v
+    speeds = np.concatenate([wanted, v0, v, [1e-12]])
+    scale = float(np.max(np.abs(speeds)))
+    if np.max(np.abs(off), initial=0.0) > 1e-9 * scale:
+        worst = int(np.argmax(np.abs(off)))
+        raise PositionError(
+            f"initial rates are inconsistent: '{list(rates)[worst]}' cannot be {wanted[worst]:g} together with "
+            f"the others and the constraints (off by {off[worst]:.3g}); give at most {nd} independent rates"
+        )
+    return np.asarray(qd)
+
+
+def smallest(S: Any, J: Any, roles: Roles, rows: Any, wanted: Array) -> Array:
+    """Rates S v (nd,) of the freedoms, smallest in size, that change the given rows of rates as wanted.
+
+    For large models: v from the sparse conditions of the constrained least squares.
+    """
+    nf = S.shape[1]
+    C = J[np.concatenate([roles.holonomic, roles.zero])][:, :nf]
+    A = vstack([C, rows])
+    damping = -1e-14 * eye_array(A.shape[0])  # for rates that repeat one another
+    factors = factorize(block_array([[S.T @ S, A.T], [A, damping]]))
+    rhs = np.concatenate([np.zeros(nf + C.shape[0]), wanted])
+    return np.asarray(S @ factors.solve(rhs)[:nf])

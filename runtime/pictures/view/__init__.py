@@ -1,0 +1,90 @@
+"""The viewer: one HTML file that shows a motion or modes of vibration in a browser, without a network."""
+
+from __future__ import annotations
+
+import html
+import json
+from collections.abc import Mapping, Sequence
+from importlib import resources
+from pathlib import Path
+from string import Template
+from typing import TYPE_CHECKING, Any
+
+from flexel.base.errors import ModelError
+from flexel.pictures.view.data import FORMAT, scene_data
+from flexel.pictures.view.modes import mode_data
+
+if TYPE_CHECKING:
+    from flexel.mechanics.linearization import Linearization
+    from flexel.mechanics.modes import Mode
+    from flexel.results.motion import Motion
+    from flexel.statics.stability import Vibration
+    from flexel.structure.state import State
+
+__all__ = ["mode_data", "page", "scene_data", "view_modes", "view_motion", "write_page"]
+
+# One module in the page, in this order.
+SCRIPTS = ("start.js", "decode.js", "sweep.js", "parts.js", "orbit.js", "viewer.js")
+
+
+def view_motion(motion: Motion, path: str | Path, **options: Any) -> Path:
+    """Write a page that shows a motion; the options are those of `scene_data`.
+
+    Examples
+    --------
+    >>> motion.view("bicycle.html")  # doctest: +SKIP
+    """
+    return write_page(scene_data(motion, **options), path)
+
+
+def view_modes(
+    about: Linearization | State,
+    path: str | Path,
+    modes: Sequence[Mode | Vibration] | None = None,
+    **options: Any,
+) -> Path:
+    """Write a page that shows modes of vibration with a slider for the amplitude; see `mode_data`.
+
+    Examples
+    --------
+    >>> view_modes(system.linearize(state), "modes.html")  # doctest: +SKIP
+    >>> view_modes(state, "modes.html", system.vibrations(state))  # doctest: +SKIP
+    """
+    return write_page(mode_data(about, modes, **options), path)
+
+
+def write_page(scene: Mapping[str, Any], path: str | Path) -> Path:
+    """Write the page of a scene.
+
+    Raises
+    ------
+    ModelError
+        A suffix other than .html, or a scene of another format.
+    """
+    path = Path(path)
+    if path.suffix not in (".html", ".htm"):
+        raise ModelError(f"view '{path}': the viewer writes HTML; give a file name that ends in .html")
+    path.write_text(page(scene), encoding="utf-8")
+    return path
+
+
+def page(scene: Mapping[str, Any]) -> str:
+    """The page of a scene as text; nothing of the scene is ever executed."""
+    if scene.get("format") != FORMAT:
+        raise ModelError(
+            f"view: the scene has format {scene.get('format')!r}, this version shows {FORMAT}; save the motion again"
+        )
+    folder = resources.files("flexel.pictures.view")
+    # within a script element only `<` could end it
+    data = json.dumps(scene, allow_nan=False, separators=(",", ":")).replace("<", "\\u003c")
+    return Template(_text(folder, "page.html")).substitute(
+        title=html.escape(str(scene.get("title") or "Motion")),
+        style=_text(folder, "viewer.css"),
+        scene=data,
+        three=_text(folder, "three.module.min.js"),
+        script="\n".join(_text(folder, name) for name in SCRIPTS),
+    )
+
+
+def _text(folder: Any, name: str) -> str:
+    return str(folder.joinpath(name).read_text(encoding="utf-8"))

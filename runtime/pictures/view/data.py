@@ -1,0 +1,220 @@
+"""What the viewer shows, as a table of plain JSON: the shapes of `flexel.pictures.drawing` over the frames.
+
+A part that a body carries is its lines once and a pose for each frame; one that deforms, its vertices for each
+frame. Numbers are Float32, little-endian, in base64; what never changes is stored once.
+"""
+
+from __future__ import annotations
+
+import base64
+import sys
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from tqdm import tqdm
+
+from flexel.base.arrays import Array
+from flexel.base.errors import ModelError
+from flexel.base.quaternions import from_matrix
+from flexel.pictures import drawing
+from flexel.pictures.scene import PAINT, View, display_axes, painted
+from flexel.pictures.shape import UNITS, Shape, extent
+from flexel.structure.state import State
+
+if TYPE_CHECKING:
+    from flexel.results.motion import Motion
+
+FORMAT = 1
+FRAMES = 301
+COLOURS = {style: paint[0] for style, paint in PAINT.items()}
+COLOURS |= {"box": "#8fa3b3", "force": "#d4351c", "joint": "#f0f3f5"}
+WINDOW = 4.0  # a motion that goes farther than this many times the model's size is followed
+
+
+def scene_data(
+    motion: Motion,
+    *,
+    frames: int = FRAMES,
+    between: tuple[float, float] | None = None,
+    view: View | None = None,
+    title: str = "",
+    caption: str = "",
+    slower: float | None = None,
+    progress: bool | None = None,
+) -> dict[str, Any]:
+    """Everything that the viewer needs to show a motion, as plain data that a file can keep.
+
+    Parameters
+    ----------
+    frames : int
+        Equally spaced in time; of a motion without dense output, so many of its stored states.
+    between : (start, end), optional
+        Times [s] of the part to be shown; all by default.
+    view : View, optional
+        Eye, window, node to follow, trails and sketches.
+    title, caption : str
+        Written above the picture.
+    slower : float, optional
+        Seconds of picture per second of motion; by default so that it can be followed.
+    progress : bool, optional
+        Progress bar on stderr; by default where stderr is a terminal.
+
+    Returns
+    -------
+    dict
+        Of numbers, text, lists and dicts only; `flexel.pictures.view.page` makes the page of it.
+
+    Raises
+    ------
+    ModelError
+        If the motion has no states in this time, or the view names a node that does not exist.
+    """
+    states = _sampled(motion, frames, between)
+    view = view or View()
+    for name in (*view.trails, *([view.centre] if isinstance(view.centre, str) else [])):
+        states[0].structure.node(name)
+    hidden = not sys.stderr.isatty() if progress is None else not progress
+    steps = tqdm(states, "frames", disable=hidden, leave=False)
+    table = [drawing.shapes(state, view.sketches) for state in steps]
+    times = [round(state.t, 9) for state in states]
+    speed = _speed(times[-1] - times[0]) if slower is None else 1 / slower
+    found = common(states[0], table, view, title, caption) | {"times": times, "speed": speed}
+    found["digits"] = int(np.clip(2 - np.floor(np.log10(max(times[-1] - times[0], 1e-6))), 0, 6))
+    found["shapes"] = [part(column) for column in zip(*table, strict=True) if _acts(column)]
+    return found
+
+
+def _sampled(motion: Motion, frames: int, between: tuple[float, float] | None) -> list[State]:
+    """States to be shown."""
+    if not isinstance(frames, (int, np.integer)) or frames < 2:
+        raise ModelError(f"view: frames is {frames!r}; give a whole number, 2 or more")
+    start, end = between or (float(motion.t[0]), float(motion.t[-1]))
+    if motion.dense and end > start:
+        return [motion.at(float(t)) for t in np.linspace(start, end, frames)]
+    kept = [state for state in motion if start <= state.t <= end]
+    if not kept:
+        raise ModelError(f"view: the motion has no states from {start:g} to {end:g} s; change between=")
+    shown = np.unique(np.round(np.linspace(0, len(kept) - 1, min(frames, len(kept)))).astype(int))
+    return [kept[i] for i in shown]
+
+
+def _acts(column: Sequence[Shape]) -> bool:
+    """Whether a shape is to be seen at all: contacts that never close are not."""
+    return column[0].style != "force" or any(np.any(z.force) for z in column)
+
+
+def _speed(duration: float) -> float:
+    """Speed 1, 2 or 5 times a power of ten at which a motion takes about ten seconds; 1 if that will do."""
+    if 1.0 <= duration <= 60.0 or duration <= 0:
+        return 1.0
+    wanted = duration / 10
+    power = 10.0 ** np.floor(np.log10(wanted))
+    return float(f"{power * max(z for z in (1, 2, 5) if power * z <= wanted * (1 + 1e-9)):.6g}")
+
+
+def common(
+    state: State, table: Sequence[Sequence[Shape]], view: View, title: str, caption: str
+) -> dict[str, Any]:
+    """What belongs to no part: axes, eye, roads, colours, size."""
+    flat = drawing.planar(state)
+    up = drawing.upward(state) if view.up is None else np.asarray(view.up, dtype=float)
+    axes = np.array([(1.0, 0, 0), (0, 0, -1), (0, 1, 0)]) if flat else display_axes(up)
+    size = extent(state.structure)
+    roads = drawing.roads(state) if view.ground else []
+    return {
+        "format": FORMAT,
+        "title": title,
+        "caption": caption,
+        "axes": _rounded(axes),
+        "size": float(f"{size:.6g}"),
+        "colours": COLOURS,
+        "units": UNITS,
+        "roads": [{"axes": _rounded(display_axes(n)), "height": height} for n, height in roads],
+        "camera": _camera(table, view, flat, size),
+        "trails": list(view.trails),
+        "modes": [],
+    }
+
+
+def _camera(table: Sequence[Sequence[Shape]], view: View, flat: bool, size: float) -> dict[str, Any]:
+    """Where the eye is at first, and what it follows."""
+    places = np.vstack([painted(shapes) for shapes in table])
+    low, high = places.min(axis=0), places.max(axis=0)
+    near = 1.15 * max(float(np.max(np.ptp(painted(table[0]), axis=0))), size)
+    span, follow = max(1.15 * float(np.max(high - low)), near), ""
+    if isinstance(view.centre, str):
+        follow, span = view.centre, near
+    elif view.centre is None and span > WINDOW * near:
+        follow, span = _mover(table), near
+    centre = (low + high) / 2 if view.centre is None or follow else np.asarray(view.centre, dtype=float)
+    return {
+        "azimuth": -90.0 if flat else view.azimuth,
+        "elevation": 0.0 if flat else view.elevation,
+        "centre": _rounded(centre),
+        "span": float(f"{view.span or span:.6g}"),
+        "follow": follow,
+    }
+
+
+def _mover(table: Sequence[Sequence[Shape]]) -> str:
+    """The mark that goes farthest."""
+    ends = [(z.name, float(np.linalg.norm(z.lines[0] - a.lines[0]))) for a, z in zip(table[0], table[-1], strict=True)
+            if z.style in ("joint", "mass")]  # fmt: skip
+    return max(ends, key=lambda z: z[1])[0] if ends else ""
+
+
+def part(shapes: Sequence[Shape]) -> dict[str, Any]:
+    """One part over all frames."""
+    first = shapes[0]
+    found: dict[str, Any] = {
+        "style": first.style,
+        "name": first.name,
+        "counts": [len(line) for line in first.lines],
+        "rigid": first.pose is not None,
+        "data": packed([numbers(shape) for shape in shapes]),
+        "values": {
+            name: {"count": int(np.size(value)), "data": packed([z.values[name] for z in shapes])}
+            for name, value in first.values.items()
+        },
+    }
+    if first.outline is not None:
+        found["outline"] = _rounded(first.outline)
+    if first.pose is not None:
+        origin, R = first.pose
+        found["local"] = packed([(np.vstack(first.lines) - origin) @ R])
+    if first.across is not None:
+        found["across"] = packed([z.across if z.pose is None else _local(z) for z in shapes])
+    if first.force is not None:
+        found["force"] = packed([shape.force for shape in shapes])
+    return found
+
+
+def _local(shape: Shape) -> Array:
+    """The section's directions in the body's axes."""
+    assert shape.pose is not None and shape.across is not None
+    return np.asarray(shape.across @ shape.pose[1])
+
+
+def numbers(shape: Shape) -> Array:
+    """What moves of a shape: its pose (place and quaternion), or its vertices."""
+    if shape.pose is None:
+        return np.vstack(shape.lines).ravel()
+    origin, R = shape.pose
+    return np.concatenate([origin, from_matrix(R)])
+
+
+def packed(rows: Iterable[Any]) -> str:
+    """Rows of numbers as Float32 in base64; one row only if all are equal."""
+    values = np.array([np.ravel(row) for row in rows], dtype="<f4")
+    if not np.all(np.isfinite(values)):
+        raise ModelError(
+            "view: a state has places or forces that are not finite; show the part before it with between="
+        )
+    if np.all(values == values[0]):
+        values = values[:1]
+    return base64.b64encode(values.tobytes()).decode()
+
+
+def _rounded(values: Any) -> Any:
+    return np.round(np.asarray(values, dtype=float), 9).tolist()

@@ -1,0 +1,148 @@
+"""Mode shapes for the viewer: the displacement of every part, to be shown with any amplitude and phase."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from flexel.base.arrays import Array, ComplexArray
+from flexel.base.errors import ModelError
+from flexel.mechanics.linearization import Linearization
+from flexel.mechanics.modes import Mode
+from flexel.pictures import drawing
+from flexel.pictures.scene import View
+from flexel.pictures.shape import Shape, extent
+from flexel.pictures.view.data import common, numbers, packed, part
+from flexel.statics.stability import Vibration
+from flexel.structure.state import State, own_state
+
+SMALL = 1e-5  # amplitude at which parts are displaced, relative to the model
+COUNT = 12  # modes of a linearization that are shown by default
+
+
+def mode_data(
+    about: Linearization | State,
+    modes: Sequence[Mode | Vibration] | None = None,
+    *,
+    view: View | None = None,
+    title: str = "",
+    caption: str = "",
+) -> dict[str, Any]:
+    """Everything that the viewer needs to show modes of vibration, as plain data that a file can keep.
+
+    Parameters
+    ----------
+    about : Linearization, or State
+        What the modes belong to: a linearization, or the state of rest that was given to `System.vibrations`.
+    modes : sequence of Mode or Vibration, optional
+        Those of the linearization by default, the slowest twelve.
+    view, title, caption
+        As for a motion.
+
+    Raises
+    ------
+    ModelError
+        If there is no mode, or one is of another model.
+    """
+    state = about.state if isinstance(about, Linearization) else own_state_of(about)
+    if modes is None and isinstance(about, Linearization):
+        modes = sorted(about.modes(), key=lambda z: z.frequency)[:COUNT]
+    if not modes:
+        raise ModelError(
+            "view of modes: there are none; give those of system.vibrations(state), or a linearization"
+        )
+    view = view or View()
+    base = drawing.shapes(state, view.sketches)
+    displaced = [_displaced(state, _coordinates(about, state, mode), base, view) for mode in modes]
+    found = common(state, [base], view, title, caption)
+    found |= {
+        "times": [state.t],
+        "speed": 1.0,
+        "digits": 2,
+        "modes": [_words(i, z) for i, z in enumerate(modes)],
+    }
+    found["shapes"] = [part([shape]) | {"modes": packed_pairs([z[i] for z in displaced])}
+                       for i, shape in enumerate(base)]  # fmt: skip
+    return found
+
+
+def own_state_of(state: object) -> State:
+    """The state, checked to be one."""
+    if not isinstance(state, State):
+        raise ModelError(
+            f"view of modes: {type(state).__name__} is neither a linearization nor a state; give one of these"
+        )
+    return own_state(state.structure, state, "view of modes")
+
+
+def _coordinates(about: Linearization | State, state: State, mode: Mode | Vibration) -> ComplexArray:
+    """Amplitudes (n,) of all coordinates in a mode."""
+    s, shape = state.structure, {name: complex(z) for name, z in mode.shape.items()}
+    found = np.zeros(s.n, dtype=complex)
+    if isinstance(about, Linearization) and isinstance(mode, Mode):
+        q = np.array([shape[name] for name in about.freedoms])
+        found[: s.nf] = about.transfer.G[:, : q.size] @ q
+        return found
+    if isinstance(mode, Mode):
+        raise ModelError("view of modes: these are a linearization's; give the linearization, not the state")
+    for name, value in _known(shape, s.coordinate_of).items():
+        found[s.coordinate_of[name]] = value
+    return found
+
+
+def _known(shape: Mapping[str, complex], coordinates: Mapping[str, int]) -> Mapping[str, complex]:
+    strange = [name for name in shape if name not in coordinates]
+    if strange:
+        raise ModelError(
+            f"view of modes: '{strange[0]}' is no coordinate of this model; give modes of its own"
+        )
+    return shape
+
+
+def _displaced(
+    state: State, amplitude: ComplexArray, base: list[Shape], view: View
+) -> list[tuple[Array, Array]]:
+    """Real and imaginary displacement of every part's numbers, so scaled that the farthest vertex moves by 1."""
+    s = state.structure
+    parts: list[tuple[list[Array], list[Array]]] = []
+    step = SMALL * extent(s) / max(float(np.max(np.abs(amplitude))), 1e-300)
+    for direction in (amplitude.real, amplitude.imag):
+        ends = [
+            drawing.shapes(replace(state, x=state.x + z * step * direction), view.sketches) for z in (1, -1)
+        ]
+        rates = [(_same_side(numbers(a), numbers(o)) - _same_side(numbers(b), numbers(o))) / (2 * step)
+                 for a, b, o in zip(*ends, base, strict=True)]  # fmt: skip
+        moved = [(np.vstack(a.lines) - np.vstack(b.lines)) / (2 * step) for a, b in zip(*ends, strict=True)]
+        parts.append((rates, moved))
+    (re, moved_re), (im, moved_im) = parts
+    farthest = max(
+        float(np.max(np.sqrt(a**2 + b**2).sum(axis=1))) for a, b in zip(moved_re, moved_im, strict=True)
+    )
+    scale = 1 / farthest if farthest > 0 else 0.0
+    return [(scale * a, scale * b) for a, b in zip(re, im, strict=True)]
+
+
+def _same_side(pose: Array, base: Array) -> Array:
+    """A pose whose quaternion has the sign nearest to that of the base."""
+    if pose.size == 7 and pose[3:] @ base[3:] < 0:
+        return np.concatenate([pose[:3], -pose[3:]])
+    return pose
+
+
+def packed_pairs(pairs: Sequence[tuple[Array, Array]]) -> str:
+    """Real and imaginary parts of every mode, one after another."""
+    return packed([np.concatenate([z for pair in pairs for z in pair])])
+
+
+def _words(i: int, mode: Mode | Vibration) -> dict[str, str]:
+    """Name and description of a mode."""
+    if isinstance(mode, Vibration):
+        hertz = abs(mode.frequency) / (2 * np.pi)
+        text = f"{hertz:.4g} Hz" if mode.frequency >= 0 else f"unstable, {abs(mode.frequency):.4g} 1/s"
+        return {"name": f"{i + 1}: {text}", "text": text}
+    w = mode.eigenvalue
+    text = f"{w.real:.3g} ± {abs(w.imag):.4g}i 1/s" if w.imag else f"{w.real:.4g} 1/s"
+    return {"name": f"{i + 1}: {mode.name}", "text": text}

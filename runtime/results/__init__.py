@@ -1,0 +1,1 @@
+"""Motions and other results, saved, loaded and exported."""

@@ -1,0 +1,95 @@
+"""Linearizations as systems of control engineering: python-control, SciPy, Matlab.
+
+Inputs, outputs and states keep their names; python-control admits no dots in them, so that ``arm.angle`` is called
+``arm_angle`` there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from flexel.base.arguments import names
+from flexel.base.arrays import Array
+from flexel.base.errors import LinearizationError, ModelError
+from flexel.mechanics.linearization import Linearization
+from flexel.results.saved.record import require
+
+Matrices = tuple[Array, Array, Array, Array]
+
+
+def state_names(lin: Linearization, inputs: Sequence[str] = ()) -> tuple[str, ...]:
+    """Names of the states of `Linearization.state_space` with these inputs, in order."""
+    driven = [z for z in inputs if z in lin.prescribed]
+    return (*lin.states, *(f"{z}'" for z in driven), *driven)
+
+
+def _labelled(
+    lin: Linearization, inputs: Sequence[str], outputs: Sequence[str]
+) -> tuple[Matrices, tuple[str, ...], tuple[str, ...], tuple[str, ...]]:
+    """Matrices with the names of states, inputs and outputs; the freedoms are the outputs if none are named."""
+    inputs, outputs = names(inputs, "inputs"), names(outputs, "outputs") or lin.freedoms
+    if not inputs:
+        raise LinearizationError(
+            "state space: no input is named; name loads or prescribed motions, inputs=['motor.angle']"
+        )
+    for what, given in (("input", inputs), ("output", outputs)):
+        double = [z for z in given if given.count(z) > 1]
+        if double:
+            raise LinearizationError(f"state space: {what} '{double[0]}' is named twice; name it once")
+    return lin.state_space(inputs, outputs), state_names(lin, inputs), inputs, outputs
+
+
+def signal_names(given: Sequence[str]) -> list[str]:
+    """Names as python-control admits them, dots replaced.
+
+    Raises
+    ------
+    LinearizationError
+        If two of them become one.
+    """
+    found = [z.replace(".", "_") for z in given]
+    double = [old for old, new in zip(given, found, strict=True) if found.count(new) > 1]
+    if double:
+        raise LinearizationError(
+            f"to_control: {' and '.join(map(repr, double))} would both be called '{double[0].replace('.', '_')}'; "
+            "rename a part of the model"
+        )
+    return found
+
+
+def to_control(
+    lin: Linearization, inputs: Sequence[str], outputs: Sequence[str] = (), *, name: str = "flexel"
+) -> Any:
+    """A labelled `control.StateSpace` (needs python-control). See `Linearization.to_control`."""
+    control = require("control", "control")
+    matrices, states, ins, outs = _labelled(lin, inputs, outputs)
+    labels = {"states": signal_names(states), "inputs": signal_names(ins), "outputs": signal_names(outs)}
+    return control.ss(*matrices, name=name, **labels)
+
+
+def to_scipy(lin: Linearization, inputs: Sequence[str], outputs: Sequence[str] = ()) -> Any:
+    """See `Linearization.to_scipy`."""
+    from scipy.signal import StateSpace
+
+    return StateSpace(*_labelled(lin, inputs, outputs)[0])
+
+
+def save_state_space(
+    lin: Linearization, path: str | Path, inputs: Sequence[str], outputs: Sequence[str] = ()
+) -> Path:
+    """See `Linearization.save_state_space`."""
+    from scipy.io import savemat
+
+    path = Path(path)
+    if path.suffix != ".mat":
+        raise ModelError(f"save_state_space '{path}': suffix '{path.suffix}' is unknown; use .mat")
+    matrices, *labels = _labelled(lin, inputs, outputs)
+    contents: dict[str, Any] = dict(zip("ABCD", matrices, strict=True))
+    for key, given in zip(("states", "inputs", "outputs"), labels, strict=True):
+        contents[key] = np.array(given, dtype=object)
+    savemat(path, contents, do_compression=True)
+    return path

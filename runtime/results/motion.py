@@ -1,0 +1,282 @@
+"""A motion: states over time, by name, with energy, drift, events and dense output."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from flexel.base.arguments import number
+from flexel.base.arrays import Array
+from flexel.base.errors import ModelError
+from flexel.base.units import force_unit, rate_unit
+from flexel.integration.ledger import energy_balance
+from flexel.mechanics.core import Core
+from flexel.structure.state import State
+from flexel.structure.structure import Structure
+
+if TYPE_CHECKING:
+    from flexel.integration.explicit import Integration
+
+
+class Motion(Sequence[State]):
+    """The states of a simulated or prescribed motion at the stored times; from a file just as from a simulation.
+
+    ``motion["rod.bend1"]`` is the time history (nt,) of a quantity, ``motion["rod.bend1'"]`` of its rate,
+    ``motion["rod.bend1''"]`` of its acceleration, ``motion["force:rod.bend1"]`` of its stress or reaction; the same
+    names serve plots and tables.  ``motion[i]`` is the i-th state.
+
+    Attributes
+    ----------
+    t : ndarray (nt,)
+        Stored times [s].
+    events : list of (str, State)
+        Events in the order of their occurrence.
+    statistics : dict of str to int
+        Steps, evaluations of the equations of motion, changes of coordinates.
+    message : str
+        How the integration ended.
+    ledger : dict of str to list of float, optional
+        Of an implicit integration, at the stored times: energy in contacts, energy dissipated and work done so far [J];
+        see `energy_balance`.
+    """
+
+    def __init__(self, system: Core | None, integration: Integration) -> None:
+        self._system = system
+        self._states = integration.states
+        self._segments = integration.segments
+        self.events = integration.events
+        self.statistics = integration.statistics
+        self.message = integration.message
+        self.ledger = integration.ledger
+        self.t = np.array([state.t for state in self._states])
+
+    def __len__(self) -> int:
+        return len(self._states)
+
+    def __iter__(self) -> Iterator[State]:
+        return iter(self._states)
+
+    def __getitem__(self, key: Any) -> Any:
+        if isinstance(key, str):
+            return self.series(key)[0]
+        if isinstance(key, float):
+            raise ModelError(
+                f"motion[{key:g}]: the states are counted; the one at a time is motion.at({key:g})"
+            )
+        return self._states[key]
+
+    @property
+    def system(self) -> Core:
+        """The system that moves; a motion from a file has none."""
+        if self._system is None:
+            raise ModelError(
+                "this motion comes from a file and has no system; build its model and give it the state to go on "
+                "from: system.restore(motion)"
+            )
+        return self._system
+
+    @property
+    def structure(self) -> Structure:
+        """Nodes, elements and names."""
+        return self._states[0].structure
+
+    @property
+    def freedoms(self) -> tuple[str, ...]:
+        """Names of the dynamic freedoms at the start."""
+        return tuple(self.structure.names[i] for i in self._states[0].roles.dynamic)
+
+    def series(self, name: str) -> tuple[Array, str]:
+        """Values (nt,) and unit of a quantity; primes ask for rates, the prefix ``force:`` for the stress.
+
+        Raises
+        ------
+        ModelError
+            An unknown name, more than two primes, the value of a slip.
+        """
+        structure = self.structure
+        base = name.removeprefix("force:").rstrip("'")
+        if base in structure.internal:
+            return self._internal(name, base)
+        i = structure.find(base)
+        slip = structure.m <= i < structure.m + structure.k  # its unit is already a rate's
+        if name.startswith("force:"):
+            if name.endswith("'"):
+                raise ModelError(f"'{name}': forces have no rates here; leave the primes out")
+            return self.force(base), force_unit(structure.units[i], slip)
+        order = len(name) - len(base)
+        if order > 2:
+            raise ModelError(f"'{name}': rates go to the second; use at most two primes")
+        if order == 0:
+            return np.array([state[base] for state in self._states]), structure.units[i]
+        values = self.rate(base) if order == 1 else self.acceleration(base)
+        return values, rate_unit(structure.units[i], order - 1 if slip else order)
+
+    def _internal(self, name: str, base: str) -> tuple[Array, str]:
+        """Values and unit of a law's internal state or its rate."""
+        unit = self.structure.internal_units[self.structure.internal[base]]
+        if name == base:
+            return np.array([state[base] for state in self._states]), unit
+        if name == f"{base}'":
+            return self.rate(base), rate_unit(unit, 1)
+        raise ModelError(f"'{name}': an internal state of a law has a value and a rate; leave the rest out")
+
+    def unit(self, name: str) -> str:
+        """Unit of a quantity, of its rate (``name'``), its acceleration (``name''``) or its force (``force:name``)."""
+        return self.series(name)[1]
+
+    def rate(self, name: str) -> Array:
+        """Time history (nt,) of the rate of a quantity, or of a slip."""
+        return np.array([state.rate(name) for state in self._states])
+
+    def acceleration(self, name: str) -> Array:
+        """Time history (nt,) of the second rate of a quantity."""
+        return np.array([state.acceleration(name) for state in self._states])
+
+    def force(self, name: str) -> Array:
+        """Time history (nt,) of a stress or reaction; a prescribed deformation is driven by minus its stress."""
+        return np.array([state.force(name) for state in self._states])
+
+    def position(self, node: str) -> Array:
+        """Coordinates (nt, …) of a node over time."""
+        return np.array([state.position(node) for state in self._states])
+
+    def velocity(self, node: str) -> Array:
+        """Rates (nt, …) of a node's coordinates over time."""
+        return np.array([state.velocity(node) for state in self._states])
+
+    @property
+    def x(self) -> Array:
+        """All coordinates (nt, n)."""
+        return np.array([state.x for state in self._states])
+
+    @property
+    def v(self) -> Array:
+        """All rates (nt, n)."""
+        return np.array([state.v for state in self._states])
+
+    @property
+    def energy(self) -> dict[str, Array]:
+        """Kinetic, potential, strain and total energy [J] over time, each (nt,)."""
+        names = ("kinetic", "potential", "strain", "total")
+        return {z: np.array([getattr(state.energy, z) for state in self._states]) for z in names}
+
+    def energy_balance(self) -> dict[str, Array]:
+        """Energies [J] of an implicit integration over time, each (nt,).
+
+        kinetic, potential, strain (of laws other than contacts), contact; dissipated, and work of prescribed
+        motions and of loads without a potential, both since the start; error: what does not add up, which is that of
+        the integration, numerical damping included.
+
+        Raises
+        ------
+        ModelError
+            If the motion has no ledger of its losses.
+        """
+        if self.ledger is None:
+            raise ModelError("this motion has no energy balance; integrate with simulate_stiff for one")
+        return energy_balance(self.energy, self.ledger)
+
+    @property
+    def drift(self) -> Array:
+        """Largest relative violation of the constraints at each stored time (nt,)."""
+        return np.array([state.drift for state in self._states])
+
+    @property
+    def dense(self) -> bool:
+        """Whether `at` gives states between the stored times."""
+        return bool(self._segments)
+
+    def nearest(self, t: float) -> State:
+        """The stored state nearest to a time."""
+        return self._states[int(np.argmin(np.abs(self.t - t)))]
+
+    def at(self, t: float) -> State:
+        """State at any time within the motion, from the integrator's dense output.
+
+        Raises
+        ------
+        ModelError
+            If the motion does not cover the time.
+        """
+        if not self._segments:
+            raise ModelError(
+                "this motion has no dense output (a path, implicit integration, or a file); give times to keep"
+            )
+        t = number(t, "motion.at", "time")
+        if not self.t[0] <= t <= self._segments[-1].t1:
+            raise ModelError(
+                f"time {t:g} s lies outside the motion, {self.t[0]:g}…{self._segments[-1].t1:g} s"
+            )
+        segment = next(z for z in self._segments if t <= z.t1)
+        return segment.state(self.system, t)
+
+    # -- pictures --------------------------------------------------------------------------------
+
+    def plot(self, *names: str, path: str | Path | None = None) -> Any:
+        """Time histories of named quantities (needs matplotlib); written to `path` if given."""
+        from flexel.pictures.plot import plot_histories
+
+        return plot_histories(self, names, path)
+
+    def plot_spectrum(self, *names: str, path: str | Path | None = None, **options: Any) -> Any:
+        """Amplitudes of named quantities over the frequency; see `flexel.pictures.graphs.plot_spectra`."""
+        from flexel.pictures.graphs import plot_spectra
+
+        return plot_spectra(self, names, path, **options)
+
+    def plot_phase(self, x: str, y: str | None = None, *, path: str | Path | None = None) -> Any:
+        """One quantity over another, by default the rate of `x` over `x`."""
+        from flexel.pictures.graphs import plot_phase
+
+        return plot_phase(self, x, y or f"{x}'", path)
+
+    def plot_shapes(self, *times: float, path: str | Path | None = None, **options: Any) -> Any:
+        """The mechanism at the stored states nearest to the times; see `flexel.pictures.deflected.plot_states`."""
+        from flexel.pictures.deflected import plot_states
+
+        return plot_states(self, times, path, **options)
+
+    def animate(self, path: str | Path, **options: Any) -> Path:
+        """Animation of the mechanism as .gif or .mp4 (needs matplotlib), or .html: see `view`."""
+        from flexel.pictures.plot import animate
+
+        return animate(self, Path(path), **options)
+
+    def view(self, path: str | Path, **options: Any) -> Path:
+        """A page that shows the motion in any browser, without a network; see `view.scene_data`."""
+        from flexel.pictures.view import view_motion
+
+        return view_motion(self, path, **options)
+
+    # -- tables and files ------------------------------------------------------------------------
+
+    def to_xarray(self, *names: str) -> Any:
+        """An xarray.Dataset: one variable for each name, or everything, labelled, if none is given."""
+        from flexel.results.saved.tables import motion_dataset
+
+        return motion_dataset(self, names)
+
+    def to_pandas(self, *names: str) -> Any:
+        """A pandas.DataFrame over time, a column for each name; all values if none is given.
+
+        The units are in its ``attrs["units"]``.
+        """
+        from flexel.results.saved.tables import motion_frame
+
+        return motion_frame(self, names)
+
+    def save(self, path: str | Path) -> Path:
+        """Write the motion, names and units included, as .nc, .npz, .mat or .csv; `flexel.load` reads it back.
+
+        Examples
+        --------
+        >>> motion.save("bicycle.nc")  # doctest: +SKIP
+        >>> fx.load("bicycle.nc")["lean.angle"]  # doctest: +SKIP
+        """
+        from flexel.results.saved.archive import record_of
+        from flexel.results.saved.files import write
+
+        return write(record_of(self), path)

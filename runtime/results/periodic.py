@@ -1,0 +1,148 @@
+"""A periodic motion as a result: one period by name, its harmonics, the stability, pictures, tables and files."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from flexel.base.arguments import unknown
+from flexel.base.arrays import Array, ComplexArray
+from flexel.base.errors import ModelError
+from flexel.linear.harmonics import Coefficients, PeriodicVibration
+from flexel.results.motion import Motion
+from flexel.results.saved.archive import motion_of, record_of
+from flexel.results.saved.files import write
+from flexel.results.saved.record import Record, Variable, require
+from flexel.results.saved.tables import motion_frame
+
+PARTS = ("real", "imaginary")
+
+
+class PeriodicSolution:
+    """A periodic motion: ``solution["rod.bend1"]`` over one period, and its Fourier series.
+
+    Attributes
+    ----------
+    motion : Motion
+        States at equidistant times of one period.
+    vibration : PeriodicVibration
+        Fourier coefficients of the freedoms, and the linearized equations along the motion.
+    """
+
+    def __init__(self, motion: Motion, vibration: PeriodicVibration) -> None:
+        self.motion = motion
+        self.vibration = vibration
+
+    @property
+    def t(self) -> Array:
+        """Stored times (nt,) of one period [s]; the end of the period is not repeated."""
+        return self.motion.t
+
+    @property
+    def omega(self) -> float:
+        """Angular frequency [rad/s]."""
+        return self.vibration.coefficients.omega
+
+    @property
+    def period(self) -> float:
+        """Period [s]."""
+        return 2 * np.pi / self.omega
+
+    @property
+    def freedoms(self) -> tuple[str, ...]:
+        """Names of the freedoms."""
+        return self.vibration.coefficients.names
+
+    def __getitem__(self, name: str) -> Array:
+        """Time history (nt,) of a quantity, its rates or force, over one period; names as for `Motion`."""
+        return self.motion.series(name)[0]
+
+    def unit(self, name: str) -> str:
+        """Unit of a quantity, of its rates or its force."""
+        return self.motion.unit(name)
+
+    def harmonics(self, name: str) -> ComplexArray:
+        """Complex amplitudes (k + 1,) of a freedom: the harmonic j is Re(a_j exp(i j ω t)), a_0 the mean.
+
+        Raises
+        ------
+        ModelError
+            A name that is no freedom.
+        """
+        if name not in self.freedoms:
+            raise ModelError(unknown(name, self.freedoms, "freedom"))
+        a = 2 * self.vibration.X[self.vibration.harmonics :, self.freedoms.index(name)]
+        a[0] /= 2
+        return np.asarray(a)
+
+    def multipliers(self) -> ComplexArray:
+        """Floquet multipliers (2 nd,), largest modulus first; below one in modulus: small disturbances die out."""
+        return self.vibration.coefficients.floquet_multipliers()
+
+    # -- pictures --------------------------------------------------------------------------------
+
+    def plot(self, *names: str, path: str | Path | None = None) -> Any:
+        """Time histories over one period (needs matplotlib)."""
+        return self.motion.plot(*names, path=path)
+
+    def plot_phase(self, x: str, y: str | None = None, *, path: str | Path | None = None) -> Any:
+        """One quantity over another, by default the rate of `x` over `x`."""
+        return self.motion.plot_phase(x, y, path=path)
+
+    def plot_spectrum(self, path: str | Path | None = None) -> Any:
+        """Amplitudes of the harmonics of all freedoms."""
+        from flexel.pictures.graphs import plot_harmonics
+
+        return plot_harmonics(self.vibration, [self.unit(name) for name in self.freedoms], path)
+
+    def plot_shapes(self, *times: float, path: str | Path | None = None, **options: Any) -> Any:
+        """The mechanism at the stored states nearest to the times."""
+        return self.motion.plot_shapes(*times, path=path, **options)
+
+    def view(self, path: str | Path, **options: Any) -> Path:
+        """A page that shows one period in any browser; options of `flexel.pictures.view.scene_data`."""
+        return self.motion.view(path, **options)
+
+    # -- tables and files ------------------------------------------------------------------------
+
+    def record(self) -> Record:
+        """Labelled arrays: one period, its Fourier series and linearized equations."""
+        own, c = record_of(self.motion), self.vibration.coefficients
+        k, X = self.vibration.harmonics, self.vibration.X
+        variables = dict(own.variables)
+        for name in ("M", "C", "K"):
+            variables[name] = Variable(("time", "equation", "freedom"), getattr(c, name))
+        variables["F"] = Variable(("time", "equation"), c.F)
+        parts = np.stack([X.real, X.imag], axis=-1)
+        variables["fourier"] = Variable(
+            ("order", "freedom", "part"), parts, "", "coefficients of exp(i order ω t)"
+        )
+        labels = {**own.labels, "equation": c.names, "freedom": c.names, "part": PARTS}
+        labels["order"] = tuple(str(j) for j in range(-k, k + 1))
+        header = {**own.header, "omega": c.omega, "neglected": self.vibration.neglected}
+        return Record("periodic", variables, labels, own.units, header)
+
+    def to_xarray(self) -> Any:
+        """Everything as an xarray.Dataset, labelled."""
+        require("xarray", "xarray")
+        return self.record().to_xarray()
+
+    def to_pandas(self, *names: str) -> Any:
+        """A pandas.DataFrame over one period, a column for each name; all values if none is given."""
+        return motion_frame(self.motion, names)
+
+    def save(self, path: str | Path) -> Path:
+        """Write the solution as .nc, .npz, .mat or .csv; `flexel.load` reads it back."""
+        return write(self.record(), path)
+
+
+def periodic_of(record: Record) -> PeriodicSolution:
+    """The periodic solution in a record."""
+    arrays = {name: z.values for name, z in record.variables.items()}
+    names, header = record.labels["freedom"], record.header
+    M, C, K, F = (np.asarray(arrays[name], dtype=float) for name in ("M", "C", "K", "F"))
+    c = Coefficients(float(header["omega"]), M, C, K, F, names)
+    X = arrays["fourier"][..., 0] + 1j * arrays["fourier"][..., 1]
+    return PeriodicSolution(motion_of(record), PeriodicVibration(c, X, float(header["neglected"])))

@@ -1,0 +1,148 @@
+"""The structure of a mechanism in text and numbers, and back: for files that are read without its model."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import asdict
+from typing import Any
+
+import numpy as np
+
+from flexel.base.arrays import Array
+from flexel.base.units import force_unit, rate_unit
+from flexel.declare.materials import Material, Profile
+from flexel.declare.sections import Circle, IBeam, Rectangle, Tube
+from flexel.generated.spec import (
+    DeformationSpec,
+    ElementSpec,
+    InternalSpec,
+    LawSpec,
+    NodeSpec,
+    ParameterSpec,
+    SlipSpec,
+)
+from flexel.generated.table import ELEMENTS
+from flexel.structure.instances import Instance, LawInstance
+from flexel.structure.nodes import Node
+from flexel.structure.structure import Structure, assemble_structure
+
+SECTIONS = {z.__name__: z for z in (Circle, IBeam, Rectangle, Tube)}
+
+
+def described(structure: Structure) -> dict[str, Any]:
+    """Nodes, elements and laws in text and numbers."""
+    return {
+        "nodes": [
+            {"name": z.name, "kind": z.kind, "x0": z.x0.tolist(), "fixed": z.fixed.tolist()}
+            for z in structure.nodes
+        ],
+        "elements": [_element(z) for z in structure.instances],
+        "laws": [
+            {
+                "name": z.name,
+                "type": z.spec.name,
+                "deformations": z.deformations,
+                "slips": z.slips,
+                "parameters": _numbers(z.parameters),
+                "states": [(state.name, state.unit) for state in z.spec.states],
+                "z0": z.z0,
+            }
+            for z in structure.laws
+        ],
+    }
+
+
+def _element(z: Instance) -> dict[str, Any]:
+    return {
+        "name": z.name,
+        "type": z.spec.name,
+        "nodes": z.nodes,
+        "ends": [(node.name, node.kind) for node in z.spec.nodes],
+        "deformations": [(d.name, d.unit, d.angle, d.free) for d in z.spec.deformations],
+        "slips": [(s.name, s.unit, s.free) for s in z.spec.slips],
+        "parameters": _numbers(z.parameters),
+        "mass_damping": z.mass_damping,
+        "profile": _profile(z.profile),
+    }
+
+
+def _profile(profile: object) -> dict[str, Any] | None:
+    """Section and material of a beam; sections of a user's own class are left out, they only serve pictures."""
+    if not isinstance(profile, Profile) or type(profile.section) not in SECTIONS.values():
+        return None
+    section = profile.section
+    return {
+        "section": type(section).__name__,
+        "sizes": asdict(section),  # type: ignore[call-overload]
+        "material": asdict(profile.material),
+    }
+
+
+def _numbers(parameters: Mapping[str, Array]) -> dict[str, Any]:
+    return {name: np.asarray(value, dtype=float).tolist() for name, value in parameters.items()}
+
+
+def structure_of(description: Mapping[str, Any]) -> Structure:
+    """The structure of a description: names, units and drawing data as they were, without compiled kernels."""
+    nodes = [
+        Node(z["name"], z["kind"], np.array(z["x0"], dtype=float), np.array(z["fixed"], dtype=bool))
+        for z in description["nodes"]
+    ]
+    instances = []
+    for z in description["elements"]:
+        values = {name: np.array(value, dtype=float) for name, value in z["parameters"].items()}
+        profile = z["profile"]
+        if profile is not None:
+            profile = Profile(
+                SECTIONS[profile["section"]](**profile["sizes"]), Material(**profile["material"])
+            )
+        damping = float(z["mass_damping"])
+        instances.append(
+            Instance(z["name"], _spec(z, values), tuple(z["nodes"]), values, None, profile, damping)
+        )
+    return assemble_structure(nodes, instances, [_law(z) for z in description["laws"]])
+
+
+def _spec(z: Mapping[str, Any], values: Mapping[str, Array]) -> ElementSpec:
+    """The built-in element of that type if it is still the same, otherwise one without kernels."""
+    spec = ElementSpec(
+        name=z["type"],
+        digest="",
+        doc="",
+        source="",
+        nodes=tuple(NodeSpec(*end) for end in z["ends"]),
+        parameters=tuple(ParameterSpec(name, value.size, "", "") for name, value in values.items()),
+        deformations=tuple(DeformationSpec(*d) for d in z["deformations"]),
+        slips=tuple(SlipSpec(*s) for s in z["slips"]),
+        kernels={},
+    )
+    known = ELEMENTS.get(spec.name)
+    return known if known is not None and _outside(known) == _outside(spec) else spec
+
+
+def _outside(spec: ElementSpec) -> tuple[object, ...]:
+    """What a structure sees of an element."""
+    parameters = {(z.name, z.size) for z in spec.parameters}
+    return spec.nodes, spec.deformations, spec.slips, parameters
+
+
+def _law(z: Mapping[str, Any]) -> LawInstance:
+    values = {name: np.array(value, dtype=float) for name, value in z["parameters"].items()}
+    parameters = tuple(ParameterSpec(name, value.size, "", "") for name, value in values.items())
+    on, slips = tuple(z["deformations"]), tuple(z["slips"])
+    states = tuple(InternalSpec(*state) for state in z["states"])
+    spec = LawSpec(z["type"], "", "", len(on), len(slips), states, parameters, {})
+    return LawInstance(z["name"], spec, on, slips, values, None, tuple(z["z0"]))
+
+
+def quantity_units(structure: Structure) -> dict[str, tuple[str, ...]]:
+    """Units of the values, rates, accelerations and forces of all quantities; slips have no value."""
+    m, first = structure.m, structure.m + structure.k
+    slips = [m <= i < first for i in range(len(structure.names))]
+    pairs = list(zip(structure.units, slips, strict=True))
+    return {
+        "value": tuple("" if slip else unit for unit, slip in pairs),
+        "rate": tuple(rate_unit(unit, 0 if slip else 1) for unit, slip in pairs),
+        "acceleration": tuple(rate_unit(unit, 1 if slip else 2) for unit, slip in pairs),
+        "force": tuple(force_unit(unit, slip) for unit, slip in pairs),
+    }

@@ -1,0 +1,49 @@
+"""Results read back, and simulations continued from them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from flexel.base.errors import ModelError
+from flexel.results.motion import Motion
+from flexel.results.periodic import PeriodicSolution, periodic_of
+from flexel.results.saved.archive import motion_of
+from flexel.results.saved.archive_linear import linearization_of
+from flexel.results.saved.files import read
+
+if TYPE_CHECKING:
+    from flexel.mechanics.linearization import Linearization
+
+
+def load(path: str | Path) -> Motion | Linearization | PeriodicSolution:
+    """A result from a file that its `save` has written: .nc, .npz, .mat or .csv.
+
+    Nothing in the file is executed.  The result answers to the same names, in the same units, without a model;
+    `System.restore` gives its states a model again.
+
+    Returns
+    -------
+    Motion, Linearization or PeriodicSolution
+        As was saved.
+
+    Raises
+    ------
+    ModelError
+        A file that is missing, damaged, or of another program.
+    FlexelError
+        If a package that the format needs is missing.
+
+    Examples
+    --------
+    >>> motion = fx.load("bicycle.nc")  # doctest: +SKIP
+    >>> more = system.simulate(5.0, start=system.restore(motion))  # doctest: +SKIP
+    """
+    record = read(path)
+    if record.kind == "motion":
+        return motion_of(record)
+    if record.kind == "linearization":
+        return linearization_of(record)
+    if record.kind == "periodic":
+        return periodic_of(record)
+    raise ModelError(f"load '{path}': a result of kind '{record.kind}' is unknown here; use a newer flexel")

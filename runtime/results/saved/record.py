@@ -1,0 +1,91 @@
+"""What a result is made of when it leaves the program: labelled arrays and a header of plain text and numbers.
+
+A record knows nothing of mechanisms and nothing of file formats; `flexel.results.saved.archive` fills it from results
+and makes results of it, `flexel.results.saved.files` writes and reads it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexel.base.arrays import Array
+from flexel.base.errors import FlexelError, ModelError
+
+
+@dataclass(frozen=True)
+class Variable:
+    """A real array with the names of its dimensions, its unit, and what it is."""
+
+    dims: tuple[str, ...]
+    values: Array | NDArray[np.int64]
+    unit: str = ""
+    doc: str = ""
+
+
+@dataclass(frozen=True)
+class Record:
+    """Labelled arrays of one result.
+
+    Attributes
+    ----------
+    kind : str
+        motion, linearization or periodic.
+    variables : mapping of str to Variable
+    labels : mapping of str to tuple of str
+        Names along a dimension; dimensions that are only counted have none.
+    units : mapping of str to tuple of str
+        Units along the last dimension of a variable, where they differ.
+    header : mapping
+        Whatever else belongs to the result: text, numbers, lists and mappings of these.
+    """
+
+    kind: str
+    variables: Mapping[str, Variable]
+    labels: Mapping[str, tuple[str, ...]]
+    units: Mapping[str, tuple[str, ...]]
+    header: Mapping[str, Any]
+
+    def checked(self, owner: str) -> Record:
+        """The record itself, if its arrays fit one another and their labels; a ModelError otherwise."""
+        sizes = {dim: len(names) for dim, names in self.labels.items()}
+        for name, variable in self.variables.items():
+            if len(variable.dims) != variable.values.ndim:
+                raise ModelError(f"{owner}: '{name}' has shape {variable.values.shape}; the file is damaged")
+            for dim, size in zip(variable.dims, variable.values.shape, strict=True):
+                if sizes.setdefault(dim, size) != size:
+                    raise ModelError(
+                        f"{owner}: '{name}' has {size} entries along '{dim}', not {sizes[dim]}; the file is damaged"
+                    )
+        return self
+
+    def to_xarray(self) -> Any:
+        """All arrays as one xarray.Dataset, with labels and units as coordinates."""
+        xarray = require("xarray", "xarray")
+        coordinates: dict[str, Any] = {dim: np.array(names, dtype=str) for dim, names in self.labels.items()}
+        for name, units in self.units.items():
+            coordinates[f"{name}_unit"] = (self.variables[name].dims[-1], list(units))
+        data = {}
+        for name, z in self.variables.items():
+            attributes = {key: text for key, text in (("units", z.unit), ("long_name", z.doc)) if text}
+            if z.dims == (name,):
+                coordinates[name] = (name, z.values, attributes)
+            else:
+                data[name] = (z.dims, z.values, attributes)
+        return xarray.Dataset(data, coordinates, {"kind": self.kind})
+
+
+def require(module: str, extra: str) -> Any:
+    """An optional package, or a FlexelError with the command that installs it."""
+    from importlib import import_module
+
+    try:
+        return import_module(module)
+    except ImportError as error:
+        raise FlexelError(
+            f"this needs {module}, which is not installed; pip install 'flexel[{extra}]'"
+        ) from error

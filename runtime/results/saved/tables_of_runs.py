@@ -1,0 +1,41 @@
+"""Tables that a SPACAR run writes beside its motion: plain numbers, which are no result to be loaded."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from pathlib import Path
+
+from flexel.base.errors import ModelError
+
+HISTORY = re.compile(r"[xes]_\d+_\d+")  # of a coordinate, a deformation or a stress in SPACAR's numbers
+STATE_SPACE = frozenset("ABCD")
+
+
+def motion_beside(table: Path) -> Path:
+    """Where the motion of a run is, whose tables are in that file."""
+    return table.with_name(f"{table.stem}_motion.npz")
+
+
+def refuse_table(path: Path, names: Iterable[str]) -> None:
+    """Say of a table of a SPACAR run where its motion is; nothing of any other file.
+
+    Parameters
+    ----------
+    names : iterable of str
+        Of its arrays or columns.
+
+    Raises
+    ------
+    ModelError
+    """
+    found = set(names)
+    if not (found >= STATE_SPACE or any(HISTORY.fullmatch(name) for name in found)):
+        return
+    motion = motion_beside(path)
+    where = (
+        f"give '{motion}', its motion" if motion.is_file() else "there is no motion of it beside this file"
+    )
+    raise ModelError(
+        f"load '{path}': this is a table of a SPACAR run, numbers without the mechanism; {where}"
+    )

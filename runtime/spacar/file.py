@@ -1,0 +1,135 @@
+"""A SPACAR input file that was read: its model, its names for quantities, its inputs and outputs."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+
+from flexel.base.errors import ConstraintError, ModelError
+from flexel.model import Model
+from flexel.spacar.statements import Call, build_model
+from flexel.spacar.terminals import Terminal
+from flexel.structure.state import State
+from flexel.system import System
+
+STEPS = 100  # of a file without TIMESTEP or ITERSTEP
+
+
+@dataclass(frozen=True)
+class SpacarFile:
+    """A SPACAR input file, understood.
+
+    Attributes
+    ----------
+    path : Path
+    dialect : str
+        "delft" or "twente".
+    model : Model
+        The model of the file; positions are called p1, p2 ..., orientations o1, o2 ..., elements by keyword and
+        number: hinge1, plbeam2.
+    start, duration : float
+        Of the motion [s]; no duration if the file has no TIMESTEP.
+    steps : int
+        Number of its stored steps, and of load steps.
+    max_step : float or None
+        HMAX [s].
+    coordinates : mapping of (node, i) to name
+        SPACAR's coordinates x of all nodes.
+    deformations : mapping of (element, i) to (name, factor)
+        SPACAR's deformations and slips; factor is theirs divided by ours (signs differ, see the tables).
+    inputs, outputs : tuple of Terminal
+        Of the linear model, in the order of their numbers.
+    linearized : bool
+        Whether the file asks for linearized equations: by LINE, or by inputs and outputs.
+    notes : tuple of str
+        What was read without effect, and what was assumed where the descriptions of the language leave it open.
+    """
+
+    path: Path
+    dialect: str
+    model: Model = field(repr=False)
+    start: float
+    duration: float | None
+    steps: int
+    max_step: float | None
+    coordinates: Mapping[tuple[int, int], str] = field(repr=False)
+    deformations: Mapping[tuple[int, int], tuple[str, float]] = field(repr=False)
+    inputs: tuple[Terminal, ...]
+    outputs: tuple[Terminal, ...]
+    notes: tuple[str, ...]
+    linearized: bool
+    gravity: tuple[float, ...] = field(repr=False)
+    calls: tuple[Call, ...] = field(repr=False)
+    still: tuple[Call, ...] = field(repr=False)
+    load_steps: tuple[Call, ...] = field(repr=False)
+
+    @cached_property
+    def system(self) -> System:
+        """The built system.
+
+        Raises
+        ------
+        ConstraintError
+            Freedoms that the file does not give a coordinate, or conditions that repeat one another.
+        """
+        return self._built(self.model, self.start)
+
+    def _built(self, model: Model, start: float) -> System:
+        try:
+            return model.build(start)
+        except ConstraintError as error:
+            raise ConstraintError(
+                f"{self.path.name}: {error} (in the file: a freedom is named by DYNE or DYNX, a kinematic one by ENHC "
+                "or KINE, a given motion is INPUTE or INPUTX, RLSE releases and FIX holds)"
+            ) from error
+        except ModelError as error:
+            raise ModelError(f"{self.path.name}: {error}") from error
+
+    def deformation(self, state: State, element: int, i: int) -> float:
+        """Deformation i of an element in SPACAR's sign; of a slip, its rate.
+
+        Raises
+        ------
+        ModelError
+            No such element or deformation.
+        """
+        name, factor = self._mode(element, i)
+        if name in self.slips:
+            return factor * state.rate(name)
+        return factor * state[name]
+
+    def stress(self, state: State, element: int, i: int) -> float:
+        """Generalized stress dual to `deformation`, in SPACAR's sign."""
+        name, factor = self._mode(element, i)
+        return state.force(name) / factor
+
+    def _mode(self, element: int, i: int) -> tuple[str, float]:
+        if (element, i) not in self.deformations:
+            raise ModelError(
+                f"{self.path.name}: there is no deformation {i} of an element {element}; elements are "
+                f"{', '.join(map(str, sorted({e for e, _ in self.deformations})))}"
+            )
+        return self.deformations[element, i]
+
+    @cached_property
+    def slips(self) -> frozenset[str]:
+        """Names of all slips, which have rates and no values."""
+        return frozenset(z for instance in self.model.instances.values() for z in instance.slips)
+
+    def factor(self, name: str) -> float:
+        """How much larger a quantity is in SPACAR than here; 1 for coordinates."""
+        return self._factors.get(name, 1.0)
+
+    @cached_property
+    def _factors(self) -> dict[str, float]:
+        return dict(self.deformations.values())
+
+    def variant(self, *, load_steps: bool = False, loads: bool = True) -> System:
+        """The system moved by the increments DELXF, DELINPX and DELINPE (times t) alone, or without its loads."""
+        steps = (*self.still, *self.load_steps) if load_steps else ()
+        model = build_model(self.gravity, [*self.calls, *steps])
+        if not loads:
+            model.loads.clear()
+        return self._built(model, 0.0 if load_steps else self.start)

@@ -1,0 +1,1 @@
+"""Equilibrium, load paths, steady motion, buckling, vibrations, compliance."""

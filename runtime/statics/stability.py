@@ -1,0 +1,189 @@
+"""Buckling and free vibrations about a state of rest.
+
+Both are eigenvalue problems of the tangent r_x on the motions that the constraints admit, so that no choice
+of independent coordinates is needed.  Source: Besseling (1974) for buckling with generalized deformations.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from scipy.linalg import eigh
+from scipy.sparse import block_diag, coo_array, csc_array
+from scipy.sparse.linalg import LinearOperator, eigsh, splu
+
+from flexel.base.arguments import numbers
+from flexel.base.arrays import Array
+from flexel.base.errors import DynamicsError, ModelError
+from flexel.mechanics.core import Core
+from flexel.mechanics.diagnose import null_space
+from flexel.statics.equilibrium import Equations, Rest
+from flexel.structure.state import State
+
+_eigsh: Any = eigsh
+SMALL = 400  # free coordinates up to which all modes are found at once, with dense matrices
+
+
+@dataclass(frozen=True)
+class BucklingMode:
+    """A buckling mode: the multiple of the load increment at which equilibrium branches, and the shape.
+
+    Attributes
+    ----------
+    multiplier : float
+    shape : dict of str to float
+        Change of each coordinate, the largest one 1.
+    """
+
+    multiplier: float
+    shape: dict[str, float]
+
+
+def buckling(system: Core, state: State, increment: Mapping[str, float], count: int) -> list[BucklingMode]:
+    """Buckling multipliers of a load increment at a preloaded state; see `System.buckling`."""
+    problem = Rest(system, state)
+    s = problem.structure
+    q = problem.equations(state.t, state.x, problem.multipliers(state), state.e)
+    load = np.zeros(len(s.names))
+    for name, value in numbers(increment, "buckling", "load").items():
+        i = s.find(name, "buckling")
+        if i >= s.m + s.k + s.nf:
+            raise ModelError(f"buckling: the load acts on '{name}', which is fixed; name another quantity")
+        load[i] += value
+    _check_count(count, "buckling")
+    if not np.any(load):
+        raise ModelError("buckling: the load increment is zero; name at least one load, {'tip.z': -1.0}")
+    local, J = problem.local, q.balance.J
+    first = s.m + s.k
+    nodal = load[first:] + local.pull(J, load[:first])
+    change = np.zeros(s.n)
+    solution = q.matrix.solve(np.concatenate([nodal[: s.nf], np.zeros(problem.hold_rows.size)]))
+    change[: s.nf] = solution[: s.nf]
+    by_value, _ = local.laws.tangents(q.balance.e, q.balance.w, state.z, state.t, 0.0)
+    stress = local.laws.stress_change(by_value, local.rates(J, change)) - load[:first]
+    inner = problem.force_rows < first
+    np.add.at(stress, problem.force_rows[inner], solution[s.nf :][inner])
+    K1 = local.assembled(local.stress_stiffness(state.x, stress))[: s.nf, : s.nf]
+    try:
+        w, V = _largest(problem, q, K1, count)
+    except np.linalg.LinAlgError as error:
+        raise DynamicsError(
+            "buckling: the stiffness at this state is not positive definite: it has buckled already, or a motion is "
+            "not supported; start from an earlier state of the path"
+        ) from error
+    modes = [(-1.0 / wi, V[:, i]) for i, wi in enumerate(w) if abs(wi) > 1e-12 * np.abs(w).max(initial=0.0)]
+    modes.sort(key=lambda z: (abs(z[0]), -z[0]))
+    return [BucklingMode(float(z), _shape(system, v)) for z, v in modes[:count]]
+
+
+@dataclass(frozen=True)
+class Vibration:
+    """An undamped free vibration about equilibrium: angular frequency [rad/s] and shape.
+
+    A negative square of the frequency, an unstable equilibrium, is given as a negative frequency -|ω|.
+    """
+
+    frequency: float
+    shape: dict[str, float]
+
+
+def vibrations(system: Core, state: State, count: int) -> list[Vibration]:
+    """Lowest natural frequencies and modes about a state of rest; see `System.vibrations`."""
+    problem = Rest(system, state)
+    s = problem.structure
+    q = problem.equations(state.t, state.x, problem.multipliers(state), state.e)
+    _check_count(count, "vibrations")
+    M = problem.local.mass(q.balance.inertia.M)[: s.nf, : s.nf]
+    w2, V = _lowest(problem, q, M, count)
+    found = [(np.sign(z) * np.sqrt(abs(z)), V[:, i]) for i, z in enumerate(w2)]
+    return [Vibration(float(z), _shape(system, v)) for z, v in found[:count]]
+
+
+def _admitted(problem: Rest, q: Equations) -> tuple[Array, Array]:
+    """Basis (nf, r) of the motions that the constraints admit, and the stiffness (r, r) on it."""
+    nf = problem.structure.nf
+    matrix = q.matrix.sparse.toarray()
+    Z, _ = null_space(matrix[nf:, :nf], nf)
+    K = Z.T @ matrix[:nf, :nf] @ Z
+    return Z, (K + K.T) / 2
+
+
+def _lowest(problem: Rest, q: Equations, M: Any, count: int) -> tuple[Array, Array]:
+    """Eigenvalues of K v = w² M v, rising, and vectors (nf, …) that the constraints admit."""
+    nf = problem.structure.nf
+    if nf <= SMALL:
+        Z, K = _admitted(problem, q)
+        M = Z.T @ (M @ Z)
+        w2, V = _pencil(K, (M + M.T) / 2)
+        return w2, Z @ V
+    A, B, start = _bordered(problem, q, M)
+    shift = -1e-6 * q.stiffness / max(float(np.abs(M.diagonal()).max()), 1e-300)  # a free motion has w = 0
+    inverse = LinearOperator(A.shape, matvec=splu(csc_array(A - shift * B)).solve, dtype=np.float64)
+    v0 = inverse @ (B @ start)
+    w2, V = _eigsh(A, min(count, nf - 2), M=B, sigma=shift, OPinv=inverse, v0=v0)
+    order = np.argsort(w2)
+    return w2[order], V[:nf, order]
+
+
+def _largest(problem: Rest, q: Equations, G: Any, count: int) -> tuple[Array, Array]:
+    """Eigenvalues of G v = w K v of largest size, and vectors (nf, …) that the constraints admit.
+
+    Raises
+    ------
+    LinAlgError
+        If K is not positive definite on these motions.
+    """
+    nf = problem.structure.nf
+    if nf <= SMALL:
+        Z, K = _admitted(problem, q)
+        G = Z.T @ (G @ Z)
+        w, V = eigh((G + G.T) / 2, K)
+        return w, Z @ V
+    A, B, start = _bordered(problem, q, G)
+    inverse = LinearOperator(A.shape, matvec=q.matrix.solve, dtype=np.float64)
+    w, V = _eigsh(B, min(count, nf - 2), M=A, Minv=inverse, which="LM", v0=inverse @ (B @ start))
+    if np.any(np.einsum("ij,ij->j", V, A @ V) <= 0):
+        raise np.linalg.LinAlgError("not positive definite")
+    return w, V[:nf]
+
+
+def _bordered(problem: Rest, q: Equations, M: Any) -> tuple[Any, Any, Array]:
+    """The tangent with its constraints, a matrix of the same size with M in it, and a vector to start from."""
+    A = q.matrix.sparse
+    border = A.shape[0] - problem.structure.nf
+    B = block_diag([M, coo_array((border, border))], format="csc")
+    return A, B, np.random.default_rng(0).standard_normal(A.shape[0])
+
+
+def _check_count(count: object, owner: str) -> None:
+    if not isinstance(count, (int, np.integer)) or count < 1:
+        raise ModelError(f"{owner}: {count!r} modes asked for; give a whole number, 1 or more")
+
+
+def _pencil(K: Array, M: Array) -> tuple[Array, Array]:
+    """Finite eigenvalues of K v = w² M v, rising; massless directions are condensed statically."""
+    m, U = np.linalg.eigh(M)
+    massless = m < 1e-13 * max(float(m[-1]), 1e-300)
+    if not massless.any():
+        w2, V = eigh(K, M)
+        return np.asarray(w2), np.asarray(V)
+    A, B = U[:, ~massless], U[:, massless]
+    try:
+        back = -np.linalg.solve(B.T @ K @ B, B.T @ K @ A)
+    except np.linalg.LinAlgError as error:
+        raise DynamicsError(
+            "vibrations: a motion has neither mass nor stiffness; give it one of them"
+        ) from error
+    T = A + B @ back
+    w2, V = eigh(T.T @ K @ T, np.diag(m[~massless]))
+    return np.asarray(w2), np.asarray(T @ V)
+
+
+def _shape(system: Core, dx: Array) -> dict[str, float]:
+    s = system.structure
+    first = s.m + s.k
+    pivot = dx[int(np.argmax(np.abs(dx)))] if dx.size else 1.0
+    return {s.names[first + i]: float(z / pivot) for i, z in enumerate(dx)}

@@ -1,0 +1,94 @@
+"""Steady motion and equilibrium by Newton's method on the analytic linearization."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from flexel.base.arguments import names
+from flexel.base.arrays import Array
+from flexel.base.errors import ModelError, PositionError
+from flexel.mechanics.core import Core
+from flexel.structure.state import State
+
+TOLERANCE = 1e-13  # of the unbalanced forces, relative to the largest of the forces that balance
+MAX_ITERATIONS = 30
+HALVINGS = 6  # of a step that leads out of reach
+
+
+def steady_motion(
+    system: Core,
+    start: State,
+    rates: Mapping[str, float] | None,
+    unknown: Sequence[str] | None,
+    unknown_rates: Sequence[str],
+) -> State:
+    """State near `start` with q_d'' = 0 and internal states of laws at rest; see `System.steady`."""
+    freedoms = [system.structure.names[i] for i in system.roles.freedoms]
+    nd = system.roles.nd
+    named = freedoms if unknown is None else names(unknown, "steady")
+    columns = [_place(freedoms, z) for z in named]
+    speeds = [_place(freedoms[:nd], z) for z in names(unknown_rates, "steady")]
+    state = start if rates is None else _with_rates(system, start, rates)
+    best = np.inf
+    for _ in range(MAX_ITERATIONS):
+        lin = system.linearize(state)
+        qdd = np.array([state.acceleration(z) for z in freedoms[:nd]])
+        unbalance = -lin.M @ qdd
+        scale = _force_scale(system, state, lin.transfer.H[:, :nd])
+        L = np.hstack([lin.Z_q[:, columns], lin.Z_v[:, speeds], lin.Z_z])
+        lags = np.abs(state.zd) / max(float(np.max(np.abs(L), initial=0.0)), 1.0)
+        error = float(np.max(np.concatenate([np.abs(unbalance) / scale, lags]), initial=0.0))
+        if error < TOLERANCE or (error < 1e-10 and error > 0.5 * best):
+            return state
+        best = min(best, error)
+        A = np.vstack([np.hstack([lin.K[:, columns], lin.C[:, speeds], lin.Z]) / scale, L])
+        step = np.linalg.lstsq(A, -np.concatenate([unbalance / scale, state.zd]), rcond=1e-10)[0]
+        step *= min(1.0, 0.3 / max(float(np.max(np.abs(step[: len(columns)]), initial=0.0)), 1e-300))
+        state = _moved(system, state, (columns, speeds), step)
+    raise PositionError(
+        f"no steady motion found near the start after {MAX_ITERATIONS} iterations (unbalanced forces "
+        f"{error:.3g} of the acting ones at {dict(zip(freedoms, np.round(state.q, 6), strict=True))}); start nearer, "
+        "or name other unknowns"
+    )
+
+
+def _moved(system: Core, state: State, places: tuple[list[int], list[int]], step: Array) -> State:
+    """The state with its unknown values and rates changed by a step, shortened where the mechanism cannot follow."""
+    names, nd = [system.structure.names[i] for i in system.roles.freedoms], system.roles.nd
+    columns, speeds = places
+    for shorter in range(HALVINGS + 1):
+        part = step / 2**shorter
+        values = {names[j]: float(state.q[j] + d) for j, d in zip(columns, part, strict=False)}
+        lags = part[len(columns) + len(speeds) :]
+        values |= {name: float(state.z[i] + lags[i]) for name, i in system.structure.internal.items()}
+        qd = state.qd.copy()
+        qd[speeds] += part[len(columns) :][: len(speeds)]
+        try:
+            return system.state_at(values, dict(zip(names[:nd], qd, strict=True)), start=state)
+        except PositionError:
+            if shorter == HALVINGS:
+                raise
+    return state
+
+
+def _force_scale(system: Core, state: State, H: np.ndarray) -> float:
+    """Size of the forces that balance one another in the reduced equations."""
+    M, h, f, _ = system.evaluation.inertia(state.x, state.v)
+    nf = system.structure.nf
+    parts = np.concatenate([h[:nf], f[:nf], state.stress @ state.J[: state.stress.size, :nf]])
+    reach = float(np.max(np.abs(H), initial=0.0))
+    return max(float(np.max(np.abs(parts), initial=0.0)) * reach, float(np.max(np.abs(M))) * 1e-3, 1e-300)
+
+
+def _with_rates(system: Core, start: State, rates: Mapping[str, float]) -> State:
+    names = [system.structure.names[i] for i in system.roles.dynamic]
+    given = dict(zip(names, start.qd, strict=True)) | dict(rates)
+    return system.state_at(rates=given, start=start)
+
+
+def _place(names: Sequence[str], name: str) -> int:
+    if name not in names:
+        raise ModelError(f"steady: '{name}' is not among the freedoms {tuple(names)}; name one of them")
+    return list(names).index(name)

@@ -1,0 +1,1 @@
+"""The model as index maps: nodes, instances, quantities, roles, loads, states."""

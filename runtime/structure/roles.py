@@ -1,0 +1,73 @@
+"""Roles of coordinates, deformations and slips, as index lists into the quantities of a structure."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from flexel.base.arrays import Array, Index
+from flexel.base.time_functions import TimeFunction
+
+
+@dataclass(frozen=True)
+class Roles:
+    """Which quantities are constrained, prescribed and independent.
+
+    Attributes
+    ----------
+    rigid : ndarray of int
+        Deformations held at zero (Euler-parameter norms among them).
+    prescribed : ndarray of int, motions : tuple of TimeFunction
+        Coordinates and deformations with a given motion, and that motion.
+    zero : ndarray of int
+        Slips held at zero (pure rolling).
+    dynamic, kinematic : ndarray of int
+        The degrees of freedom q = (q_d, q_k).
+    """
+
+    rigid: Index
+    prescribed: Index
+    motions: tuple[TimeFunction, ...]
+    zero: Index
+    dynamic: Index
+    kinematic: Index
+
+    @cached_property
+    def holonomic(self) -> Index:
+        """Rows of c(x, t): rigid, then prescribed."""
+        return np.concatenate([self.rigid, self.prescribed])
+
+    @cached_property
+    def freedoms(self) -> Index:
+        """Rows of q = (q_d, q_k)."""
+        return np.concatenate([self.dynamic, self.kinematic])
+
+    @cached_property
+    def velocity_rows(self) -> Index:
+        """Rows of B: rigid, prescribed, zero slips, dynamic freedoms."""
+        return np.concatenate([self.holonomic, self.zero, self.dynamic])
+
+    @cached_property
+    def position_rows(self) -> Index:
+        """Rows of the matrix of the position problem: rigid, prescribed, all freedoms."""
+        return np.concatenate([self.holonomic, self.freedoms])
+
+    @property
+    def nd(self) -> int:
+        """Number of dynamic freedoms."""
+        return self.dynamic.size
+
+    @property
+    def nq(self) -> int:
+        """Number of freedoms, kinematic ones included."""
+        return self.dynamic.size + self.kinematic.size
+
+    def motion(self, t: float) -> Array:
+        """Value, first and second rate (3, prescribed) of the prescribed motions at time t."""
+        return np.array([f.rates(t) for f in self.motions]).reshape(-1, 3).T
+
+    def with_freedoms(self, dynamic: Index, kinematic: Index) -> Roles:
+        """The same constraints with another choice of coordinates."""
+        return replace(self, dynamic=dynamic, kinematic=kinematic)

@@ -1,0 +1,157 @@
+"""The state of a mechanism at one instant, complete: position to stresses, by name."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Protocol
+
+import numpy as np
+
+from flexel.base.arrays import Array
+from flexel.base.errors import ModelError
+from flexel.structure.roles import Roles
+from flexel.structure.structure import Structure
+
+
+@dataclass(frozen=True)
+class Energy:
+    """Energies [J]: kinetic, potential (of body forces and constant loads on positions) and strain."""
+
+    kinetic: float
+    potential: float
+    strain: float
+
+    @property
+    def total(self) -> float:
+        """Sum of the three."""
+        return self.kinetic + self.potential + self.strain
+
+
+class Geometry(Protocol):
+    """What gives a state its names and its J when it is asked for: the evaluation of a model, or a file."""
+
+    @property
+    def structure(self) -> Structure:
+        """Names and index maps of the model."""
+
+    def position(self, x: Array) -> tuple[Array, Array]:
+        """Deformations as principal values (m,), and J (m + k + n, n)."""
+
+
+@dataclass(frozen=True)
+class State:
+    """Positions, rates, accelerations and stresses at one time.
+
+    Attributes
+    ----------
+    t : float
+        Time [s].
+    x, v, a : ndarray (n,)
+        Coordinates, rates and accelerations, free coordinates first.
+    e : ndarray (m,)
+        Generalized deformations; angles over any number of turns.
+    rates : ndarray (m + k + n,)
+        Rates of all quantities.
+    stress : ndarray (m + k,)
+        Generalized stresses sigma and tau: of laws, of loads, and of rigid, prescribed and rolling constraints.
+    reactions : ndarray (n,)
+        Generalized forces on fixed and prescribed coordinates.
+    roles : Roles
+        The choice of freedoms that the state was found with.
+    energy : Energy
+    drift : float
+        Largest violation of the constraints, relative to their natural scales.
+    z, zd : ndarray (nz,)
+        Internal states of laws and their rates.
+    dissipated : float
+        Power that the laws take from the motion and do not store [W]; negative where one feeds it.
+    """
+
+    t: float
+    x: Array
+    v: Array
+    a: Array
+    e: Array
+    rates: Array = field(repr=False)
+    stress: Array
+    reactions: Array
+    roles: Roles = field(repr=False)
+    evaluation: Geometry = field(repr=False)
+    energy: Energy
+    drift: float
+    z: Array
+    zd: Array
+    dissipated: float
+    Phi_v: Array = field(repr=False)  # accelerations of all quantities (m + k + n,)
+
+    @property
+    def structure(self) -> Structure:
+        """Names and index maps of the model."""
+        return self.evaluation.structure
+
+    @property
+    def J(self) -> Array:  # noqa: N802
+        """De, V and the identity, stacked (m + k + n, n), so that the rates are J v; computed when asked for."""
+        return self.evaluation.position(self.x)[1]
+
+    @property
+    def values(self) -> Array:
+        """Values of all quantities (m + k + n,); slips, which have none, as NaN."""
+        return np.concatenate([self.e, np.full(self.structure.k, np.nan), self.x])
+
+    @property
+    def q(self) -> Array:
+        """Freedoms (q_d, q_k)."""
+        return self.values[self.roles.freedoms]
+
+    @property
+    def qd(self) -> Array:
+        """Rates of the dynamic freedoms (nd,)."""
+        return self.rates[self.roles.dynamic]
+
+    def __getitem__(self, name: str) -> float:
+        """Value of a coordinate, a deformation or a law's internal state (a slip has none: see `rate`)."""
+        if name in self.structure.internal:
+            return float(self.z[self.structure.internal[name]])
+        i = self.structure.find(name)
+        if self.structure.m <= i < self.structure.m + self.structure.k:
+            raise ModelError(f"slip '{name}' has no value, only a rate; use rate('{name}')")
+        return float(self.values[i])
+
+    def rate(self, name: str) -> float:
+        """Rate of a coordinate, a deformation or a law's internal state, or a slip itself."""
+        if name in self.structure.internal:
+            return float(self.zd[self.structure.internal[name]])
+        return float(self.rates[self.structure.find(name)])
+
+    def acceleration(self, name: str) -> float:
+        """Second rate of a coordinate or deformation, or the rate of a slip."""
+        return float(self.Phi_v[self.structure.find(name)])
+
+    def force(self, name: str) -> float:
+        """Generalized stress of a deformation or slip, or the reaction on a fixed or prescribed coordinate."""
+        i = self.structure.find(name)
+        first = self.structure.m + self.structure.k
+        return float(self.stress[i] if i < first else self.reactions[i - first])
+
+    def position(self, node: str) -> Array:
+        """Coordinates of a node, as many as its kind has."""
+        return np.asarray(self.x[self.structure.places(node)])
+
+    def velocity(self, node: str) -> Array:
+        """Rates of a node's coordinates."""
+        return np.asarray(self.v[self.structure.places(node)])
+
+
+def own_state(structure: Structure, state: object, owner: str) -> State:
+    """The state, if it is one of this model; a ModelError that names the owner otherwise."""
+    if not isinstance(state, State):
+        raise ModelError(
+            f"{owner}: {type(state).__name__} is no state; give one, such as system.initial or motion[-1]"
+        )
+    if state.structure is not structure:
+        raise ModelError(
+            f"{owner}: the state belongs to another model; give a state of this one (one from a file: "
+            "system.restore(state))"
+        )
+    return state

@@ -1,0 +1,140 @@
+"""The finished list of a model's nodes, elements and quantities, with their names and indices.
+
+Coordinates are ordered free first, fixed last, so that the free columns of every matrix are one slice.
+Every deformation, slip and coordinate is one *quantity* with one index in the stacked list
+[deformations | slips | coordinates]; roles, loads, inputs and outputs all speak of these indices.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexel.base.arguments import unknown
+from flexel.base.arrays import Array, Index
+from flexel.base.errors import ModelError
+from flexel.structure.instances import Instance, LawInstance
+from flexel.structure.nodes import Node
+
+
+@dataclass(frozen=True)
+class Structure:
+    """Index maps of a model; built once, never changed.
+
+    Attributes
+    ----------
+    x0 : ndarray (n,)
+        Initial coordinates as drawn, free ones first.
+    n, nf, m, k : int
+        Coordinates, free coordinates, deformations, slips.
+    names : tuple of str (m + k + n)
+        Names of the quantities in the stacked order.
+    angle : ndarray of bool (m + k + n)
+        Quantities that repeat after 2 pi.
+    internal : mapping of str to int
+        Names of the laws' internal states z, with their indices in z (nz,); they are no quantities.
+    internal_units : tuple of str (nz)
+    z0 : ndarray (nz,)
+        Their initial values.
+    """
+
+    nodes: tuple[Node, ...]
+    instances: tuple[Instance, ...]
+    laws: tuple[LawInstance, ...]
+    x0: Array
+    nf: int
+    names: tuple[str, ...]
+    units: tuple[str, ...]
+    angle: NDArray[np.bool_]
+    coordinate_of: Mapping[str, int]
+    m: int
+    k: int
+    index: Mapping[str, int] = field(repr=False)
+    internal: Mapping[str, int] = field(repr=False)
+    internal_units: tuple[str, ...] = field(repr=False)
+    z0: Array = field(repr=False)
+
+    @property
+    def nz(self) -> int:
+        """Number of internal states of laws."""
+        return self.z0.size
+
+    @property
+    def n(self) -> int:
+        """Number of nodal coordinates, fixed ones included."""
+        return self.x0.size
+
+    def coordinate(self, i: int) -> int:
+        """Quantity index of coordinate i."""
+        return self.m + self.k + i
+
+    def find(self, name: str, owner: str = "") -> int:
+        """Quantity index of a name; a ModelError with the nearest known names (and the owner) otherwise."""
+        if isinstance(name, str) and name in self.index:
+            return self.index[name]
+        raise ModelError(f"{owner}: " * bool(owner) + unknown(str(name), self.index))
+
+    @cached_property
+    def _by_name(self) -> dict[str, Node]:
+        return {node.name: node for node in self.nodes}
+
+    def node(self, name: str) -> Node:
+        """The node of that name."""
+        if name not in self._by_name:
+            raise ModelError(unknown(name, self._by_name, "node"))
+        return self._by_name[name]
+
+    def places(self, name: str) -> Index:
+        """Indices in x of all coordinates of a node."""
+        return np.array([self.coordinate_of[c] for c in self.node(name).coordinates], dtype=np.intp)
+
+
+def assemble_structure(
+    nodes: Iterable[Node], instances: Iterable[Instance], laws: Iterable[LawInstance]
+) -> Structure:
+    """Order the coordinates, number the quantities and check that names are single."""
+    nodes, instances, laws = tuple(nodes), tuple(instances), tuple(laws)
+    labels = [c for node in nodes for c in node.coordinates]
+    values = np.concatenate([node.x0 for node in nodes]) if nodes else np.zeros(0)
+    fixed = np.concatenate([node.fixed for node in nodes]) if nodes else np.zeros(0, dtype=bool)
+    order = np.argsort(fixed, kind="stable")
+    coordinates = [labels[i] for i in order]
+    deformations = [d for z in instances for d in z.deformations]
+    slips = [s for z in instances for s in z.slips]
+    specs = [d for z in instances for d in z.spec.deformations]
+    names = (*deformations, *slips, *coordinates)
+    kinds = [node.kind for node in nodes for _ in node.coordinates]
+    units = [d.unit for d in specs] + [s.unit for z in instances for s in z.spec.slips]
+    units += [
+        {"frame": "-", "planar_angle": "rad", "slope": "-", "planar_slope": "-"}.get(kinds[i], "m")
+        for i in order
+    ]
+    internal = [z for law in laws for z in law.states]
+    index = {name: i for i, name in enumerate(names)}
+    for law in laws:
+        if clash := next((z for z in law.states if z in index), None):
+            raise ModelError(
+                f"law '{law.name}': its internal state '{clash}' has the name of a coordinate, deformation or slip of "
+                f"'{law.name}'; attach the law by another name"
+            )
+    return Structure(
+        nodes=nodes,
+        instances=instances,
+        laws=laws,
+        x0=values[order],
+        nf=int(np.sum(~fixed)),
+        names=names,
+        units=tuple(units),
+        angle=np.array([d.angle for d in specs] + [False] * (len(slips) + len(coordinates)), dtype=bool),
+        coordinate_of={name: i for i, name in enumerate(coordinates)},
+        m=len(deformations),
+        k=len(slips),
+        index=index,
+        internal={name: i for i, name in enumerate(internal)},
+        internal_units=tuple(z.unit for law in laws for z in law.spec.states),
+        z0=np.array([z for law in laws for z in law.z0], dtype=float),
+    )

@@ -1,0 +1,103 @@
+"""The published beam problems: data as in the benchmark files, rows within their tolerances, rates of convergence."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from flexel.examples import beams_data as data
+from flexel.examples import beams_dynamic as dynamic
+from flexel.examples import beams_models as models
+from flexel.examples import beams_static as static
+from flexel.examples.convergence import elements_needed, order, romberg
+from flexel.results.report import Quantity
+
+
+@pytest.fixture(scope="module")
+def benchmark(checkout: Path) -> dict[str, Any]:
+    names = (
+        "elastica_cantilever", "beam_large_deflection", "buckling", "beam_frequencies", "spinup_beam",
+    )  # fmt: skip
+    return {z: json.loads((checkout / f"tests/data/{z}.json").read_text()) for z in names}
+
+
+def test_the_data_are_those_of_the_benchmark_files(benchmark: dict[str, Any]) -> None:
+    elastica = benchmark["elastica_cantilever"]
+    tips = {
+        float(z["PL2_EI"]): (float(z["w_over_L"]), float(z["u_over_L"]))
+        for z in elastica["vertical_tip_load"]
+    }
+    assert all(tips[load] == (w, u) for load, w, u in data.TIP_FORCE)
+    bend = benchmark["beam_large_deflection"]["bathe_bolourchi_45deg"]["results"]
+    assert [(z["P"], *z["tip"]) for z in bend if z["case"].startswith("J=1/6, ks=1")] == list(data.BEND_TIPS)
+    princeton = benchmark["beam_large_deflection"]["princeton_beam"]["results"]
+    keys = ("P", "theta_deg", "u", "edgewise_e2", "flatwise_e3", "twist_rad")
+    np.testing.assert_allclose(
+        [[z[k] for k in keys] for z in princeton], data.PRINCETON_TIPS, rtol=1e-15, atol=1e-15
+    )
+    frame = benchmark["buckling"]["right_angle_frame"]["results"]["J=b t^3/3"]
+    assert (frame["plus_x"][0], frame["minus_x"][0]) == data.FRAME_LOADS
+    rows = benchmark["beam_frequencies"]["rotating_cantilever"]["rows"]
+    blades = [[z["hub_radius_over_L"], z["eta"], *z["flap"], *z["lag_inextensible"]] for z in rows]
+    assert np.array_equal(np.array(blades, dtype=float), data.ROTATING_BLADES)
+    for case, table in (("Simo_VuQuoc", data.SPIN_SIMO_TIPS), ("Kane", data.SPIN_KANE_TIPS)):
+        reference = benchmark["spinup_beam"]["cases"][case]["reference"]
+        assert [(z["t"], z["u1"], z["u2"]) for z in reference] == list(table)
+
+
+def failures(rows: list[Quantity]) -> list[str]:
+    return [f"{z.name}: {z.error}" for z in rows if not z.ok]
+
+
+def test_large_deflections_are_reproduced() -> None:
+    assert failures(static.large_deflections()) == []
+
+
+def test_buckling_loads_are_reproduced() -> None:
+    assert failures(static.buckling()) == []
+
+
+def test_frequencies_are_reproduced() -> None:
+    assert failures(dynamic.vibrations()) == []
+
+
+@pytest.mark.parametrize("second_order, largest", [(True, 4e-3), (False, 1e-2)])
+def test_the_spin_up_beam_needs_the_second_order_terms(second_order: bool, largest: float) -> None:
+    exact = dynamic.spin_case("simo")[1][:, 2]
+    error = np.max(np.abs(dynamic.spin_tip("simo", 4, second_order, 1e-5)[:, 1] - exact)) / np.max(
+        np.abs(exact)
+    )
+    assert (error < largest) == second_order
+
+
+@pytest.mark.parametrize("load", [1.0, 10.0])
+def test_the_elastica_converges_with_the_second_order(load: float) -> None:
+    exact = next(np.array(tip) for P, *tip in data.TIP_FORCE if P == load)
+    errors = [float(np.max(np.abs(static.elastica_tip(load, n) - exact))) for n in (8, 16, 32)]
+    assert order(errors) == pytest.approx(2.0, abs=0.02)
+
+
+def test_second_order_terms_save_elements_in_lateral_buckling() -> None:
+    def error(second_order: bool) -> Any:
+        return lambda n: abs(static.lateral_factor(n, second_order) / data.LATERAL_FACTOR - 1)
+
+    assert elements_needed(error(True), (1e-2, 1e-3), 2) == [5, 16]
+    assert elements_needed(error(False), (1e-2, 1e-3), 2) == [9, 27]
+
+
+def test_a_spinning_blade_at_rest_in_its_frame_has_no_acceleration_there() -> None:
+    system = models.blade(4, 3.0)
+    state = system.steady()
+    assert max(abs(state.acceleration(z)) for z in system.dynamic) < 1e-9
+    assert state.rate("P4.y") == pytest.approx(3.0, rel=1e-12)
+
+
+def test_the_limit_of_a_sequence_with_even_powers_is_found() -> None:
+    values = [np.array([1.0 + 2.0 / n**2 - 3.0 / n**4]) for n in (2, 4, 8)]
+    np.testing.assert_allclose(romberg(values), [1.0], atol=1e-14)
+
+
+def test_too_many_elements_are_not_looked_for() -> None:
+    assert elements_needed(lambda n: 1.0 / n, (0.1, 1e-6)) == [10, None]

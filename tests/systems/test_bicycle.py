@@ -1,0 +1,201 @@
+"""The bicycle gives the published numbers, and its own data agree with the benchmark files."""
+
+import json
+import math
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import flexel as fx
+from flexel.examples import bicycle as example
+from flexel.examples import bicycle_data as data
+from flexel.results.report import Quantity
+
+NAMES = {
+    "Browserins": "Browser with instruments",
+    "Yellowrev": "Yellow, fork reversed",
+    "Rigid": "Rigid rider bicycle",
+}
+
+
+# Copies of the benchmark collection: Meijaard et al. (2007), computed with 22 digits; IFToMM manoeuvre M1.
+@pytest.fixture(scope="module")
+def whipple(checkout: Path) -> dict[str, Any]:
+    found: dict[str, Any] = json.loads((checkout / "tests/data/bicycle_whipple.json").read_text())
+    return found
+
+
+@pytest.fixture(scope="module")
+def m1(checkout: Path) -> dict[str, Any]:
+    found: dict[str, Any] = json.loads((checkout / "tests/data/bicycle_manoeuvre_M1.json").read_text())
+    return found
+
+
+@pytest.fixture(scope="module")
+def results() -> example.Results:
+    return example.analyse()
+
+
+@pytest.fixture(scope="module")
+def system(results: example.Results) -> fx.System:
+    return results.system
+
+
+@pytest.fixture(scope="module")
+def rows(results: example.Results) -> Mapping[str, Quantity]:
+    parts = (example.counts, example.linear, example.manoeuvre, example.kicks)
+    return {row.name: row for part in parts for row in part(results)}
+
+
+def floats(matrix: Any) -> Any:
+    return np.array(matrix, dtype=float)
+
+
+# -- the data are those of the benchmark files ----------------------------------------------------
+
+
+def test_parameters_and_matrices_are_the_printed_ones(whipple: dict[str, Any]) -> None:
+    exact = whipple["parameters_exact_strings"]
+    expected = {k: math.pi / 10 if v == "pi/10" else float(v) for k, v in exact.items()}
+    assert expected == data.BENCHMARK
+    for name, printed in whipple["published_matrices"].items():
+        assert np.array_equal(getattr(data, name), floats(printed))
+
+
+def test_eigenvalues_and_speeds_are_those_of_the_file(whipple: dict[str, Any]) -> None:
+    for v, row in whipple["eigenvalues"].items():
+        expected = [complex(float(re), float(im)) for re, im in row]
+        assert np.allclose(data.EIGENVALUES[int(v)], expected, rtol=1e-14, atol=0)
+    assert math.isclose(data.WEAVE_SPEED, float(whipple["weave_speed"]), rel_tol=2e-15)
+    assert math.isclose(data.CAPSIZE_SPEED, float(whipple["capsize_speed"]), rel_tol=2e-15)
+
+
+def test_measured_bicycles_are_those_of_the_file(whipple: dict[str, Any]) -> None:
+    """All but the moments of inertia about the axle, which are moved where no body could have them."""
+    bikes = {NAMES.get(name, name): z for name, z in whipple["measured_bikes"].items() if name != "Benchmark"}
+    assert set(bikes) == set(data.MEASURED)
+    for name, bike in bikes.items():
+        for key, value in data.MEASURED[name].items():
+            changed = key in ("IByy", "IHyy")
+            assert value == pytest.approx(bike["params"][key], rel=0.15 if changed else 0, abs=0)
+        capsize = None if "j" in bike["capsize"] else float(bike["capsize"])
+        assert data.MEASURED_SPEEDS[name] == {"weave": float(bike["weave"][-1]), "capsize": capsize}
+
+
+def test_manoeuvre_rows_are_those_of_the_file(m1: dict[str, Any]) -> None:
+    keys = ("t", "roll", "steer", "yaw", "roll_rate_about_heading", "steer_rate")
+    rows = [[*(row[k] for k in keys), *row["rear_hub"][:2]] for row in m1["maneuvers"][0]["rows"]]
+    assert np.max(np.abs(np.array(rows) - np.array(data.M1))) < 5.1e-12
+    end = m1["at_5s"]
+    assert (end["steer"], end["rear_hub_velocity_forward"], end["energy_total_J"]) == (
+        data.M1_STEER_5S,
+        data.M1_FORWARD_SPEED_5S,
+        data.M1_ENERGY,
+    )
+
+
+# -- the numbers ----------------------------------------------------------------------------------
+
+
+def test_the_report_has_every_name_of_the_list(rows: Mapping[str, Quantity]) -> None:
+    wanted = "M C1 K0 K2 eigenvalues weave_speed capsize_speed M1_steer_5s M1_energy_drift kick_3.5 kick_4.5 kick_6.3"
+    assert {*wanted.split(), "freedoms", "kinematic_coordinates", "coordinates", "deformations"} <= set(rows)
+
+
+def test_every_quantity_is_within_its_tolerance(rows: Mapping[str, Quantity]) -> None:
+    assert {name: row.error for name, row in rows.items() if not row.ok} == {}
+
+
+def test_three_freedoms_and_four_kinematic_coordinates(system: fx.System) -> None:
+    """Two wheels, two beams, six hinges: counted, not assumed."""
+    kinds = [instance.spec.name for instance in system.structure.instances]
+    assert [kinds.count(kind) for kind in ("wheel", "beam3", "hinge")] == [2, 2, 6]
+    assert system.counts["freedoms"] == 3
+    assert system.counts["kinematic_coordinates"] == 4
+
+
+def test_matrices_agree_with_22_digits(results: example.Results, whipple: dict[str, Any]) -> None:
+    for name, exact in whipple["computed_matrices"].items():
+        difference = np.max(np.abs(results.matrices[name] - floats(exact)))
+        assert difference < 1e-13 * np.max(np.abs(floats(exact)))
+
+
+def test_eigenvalues_do_not_depend_on_where_the_bicycle_is(system: fx.System) -> None:
+    """A steady motion elsewhere on the road and in another direction has the same eigenvalues."""
+    start = example.rolling(system, 5.0)
+    turned = system.state_at(
+        {"yaw.angle": 0.8, "rear contact.x": 3.0, "rear contact.y": -2.0, "rear spin.angle": -4.0},
+        rates={"lean.angle": 0.0, "steer.angle": 0.0, "rear spin.angle": start.rate("rear spin.angle")},
+    )
+    found = system.linearize(turned).reduced(example.LEAN_STEER).eigenvalues()
+    assert np.max(np.abs(found - np.array(data.EIGENVALUES[5]))) < 1e-9
+
+
+def test_the_bicycle_stands_still_too(system: fx.System) -> None:
+    """At speed zero the eigenvalues are two real pairs of opposite sign."""
+    w = example.lean_steer(system, 0.0).eigenvalues()
+    assert np.max(np.abs(w.imag)) < 1e-12
+    assert np.allclose(np.sort(w.real), -np.sort(w.real)[::-1], rtol=1e-12)
+
+
+def test_steady_motion_near_capsize_is_found_from_a_leaning_start(system: fx.System) -> None:
+    """Whatever is found is steady: upright, or a turn in which lean, steer and speed stay as they are."""
+    state = example.steady(system, 6.0, lean=0.02, steer=-0.03)
+    assert max(abs(state.acceleration(name)) for name in system.dynamic) < 1e-9
+    assert state.drift < 1e-12
+
+
+def test_stable_ranges_of_measured_bicycles(results: example.Results) -> None:
+    for name, (weave, capsize) in results.measured.items():
+        expected = data.MEASURED_SPEEDS[name]
+        assert weave == pytest.approx(expected["weave"], rel=1e-9)
+        assert (capsize is None) == (expected["capsize"] is None)
+        assert capsize is None or capsize == pytest.approx(expected["capsize"], rel=1e-9)
+
+
+def test_inertia_about_the_axle_does_not_enter_the_linear_equations() -> None:
+    """Which is why the measured IByy and IHyy may be moved."""
+    usual = example.lean_steer(example.bicycle(), 4.5)
+    other = example.lean_steer(example.bicycle({**data.BENCHMARK, "IByy": 9.0, "IHyy": 0.056}), 4.5)
+    for a, b in ((usual.M, other.M), (usual.C, other.C), (usual.K, other.K)):
+        assert np.max(np.abs(a - b)) < 1e-12 * np.max(np.abs(a))
+
+
+def test_manoeuvre_m1_follows_the_whole_reference(results: example.Results, m1: dict[str, Any]) -> None:
+    """Angles, rates, hub positions, pitch and energies at every stored time."""
+    for row in m1["maneuvers"][0]["rows"]:
+        state = results.m1.at(row["t"])
+        found = [state["lean.angle"], state["steer.angle"], state["yaw.angle"], state["pitch.angle"]]
+        found += [state.rate("lean.angle"), state.rate("steer.angle"), example.forward_speed(state)]
+        found += [*state.position("rear hub"), *state.position("front hub")]
+        keys = (
+            "roll",
+            "steer",
+            "yaw",
+            "pitch",
+            "roll_rate_about_heading",
+            "steer_rate",
+            "rear_hub_velocity_body_x",
+        )
+        expected = [*(row[k] for k in keys), *row["rear_hub"], *row["front_hub"]]
+        assert np.max(np.abs(np.array(found) - np.array(expected))) < 1e-9
+        assert state.energy.kinetic == pytest.approx(row["T"], rel=1e-11)
+        assert state.energy.potential == pytest.approx(row["V"], rel=1e-11)
+
+
+def test_energy_drift_falls_with_the_tolerance(system: fx.System) -> None:
+    coarse, fine = (example.energy_drift(example.kick(system, 3.5, 3.0, rtol=rtol)) for rtol in (1e-6, 1e-9))
+    assert fine < 1e-2 * coarse
+    assert coarse < 1e-4
+
+
+def test_kicks_grow_decay_and_capsize(results: example.Results) -> None:
+    """Below the weave speed the swing grows, in the stable range it dies out, above capsize the lean creeps up."""
+    lean = {v: np.abs(motion["lean.angle"]) for v, motion in results.kicks.items()}
+    first, last = slice(0, 80), slice(-80, None)
+    assert lean[3.5][last].max() > 3 * lean[3.5][first].max()
+    assert lean[4.5][last].max() < 0.3 * lean[4.5][first].max()
+    assert np.all(np.diff(lean[6.3][last]) > 0)

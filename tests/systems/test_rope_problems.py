@@ -1,0 +1,144 @@
+"""The rope problems beside their closed forms: rows, orders of convergence, data as published."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from flexel.examples import rope_exact as exact
+from flexel.examples import rope_hanging as hanging
+from flexel.examples import rope_hoists as hoists
+from flexel.examples import rope_sheaves as sheaves
+from flexel.examples import rope_swings as swings
+from flexel.examples import rope_waves as waves
+from flexel.results.report import Quantity
+
+
+@pytest.fixture(scope="module")
+def benchmark(checkout: Path) -> dict[str, Any]:
+    found: dict[str, Any] = json.loads((checkout / "tests/data/rope_analytic.json").read_text())
+    return found
+
+
+def failures(rows: list[Quantity]) -> list[str]:
+    return [f"{z.name}: {z.error}" for z in rows if not z.ok]
+
+
+def orders(rows: list[Quantity]) -> dict[str, Any]:
+    return {z.name: z.more["order"] for z in rows if "order" in z.more}
+
+
+def test_hanging_ropes_converge_with_at_least_the_third_order() -> None:
+    rows = hanging.rows()
+    assert failures(rows) == []
+    found = orders(rows)
+    assert min(found[z] for z in ("catenary_error", "catenary_sag_error")) > 3
+    assert min(found[z] for z in ("hanging_frequencies_error", "loaded_chain_frequencies_error")) > 5
+
+
+def test_waves_and_sudden_loads_have_their_closed_forms() -> None:
+    """A smooth pulse converges with the order of the steps, a jump of tension with less than one."""
+    rows = waves.rows()
+    assert failures(rows) == []
+    found = orders(rows)
+    assert found["wave_pulse_error"] == pytest.approx(2, abs=0.2)
+    assert min(found[z] for z in ("wave_speed_error", "wave_reflection_error", "sudden_load_error")) > 2
+    assert 0.6 < found["wave_tip_error"] < 1
+    assert found["axial_frequencies_error"] > 5
+
+
+@pytest.mark.slow
+def test_pendulum_converges_and_a_swinging_rope_keeps_its_energy() -> None:
+    rows = swings.rows()
+    assert failures(rows) == []
+    found = orders(rows)
+    assert found["pendulum_error"] > 3.5
+    assert found["pendulum_soft_change"] > 2
+
+
+@pytest.mark.slow
+def test_capstan_has_eulers_ratio_for_all_wraps_and_frictions_of_the_table(benchmark: dict[str, Any]) -> None:
+    table = {(z["mu"], z["phi_deg"]): z["ratio"] for z in benchmark["capstan"]["table"]}
+    assert set(table) == {(mu, wrap) for mu in sheaves.FRICTIONS for wrap in sheaves.WRAPS}
+    rows = sheaves.capstan()
+    assert failures(rows) == []
+    assert orders(rows)["capstan_error"] > 2.5
+
+
+def test_atwoods_machine_falls_as_its_closed_form_says(benchmark: dict[str, Any]) -> None:
+    data, t = benchmark["atwood_pulley_inertia"], np.array([1e-3])
+    given = {z: data["data"][z] for z in ("m1", "m2")} | {
+        "inertia": data["data"]["I"],
+        "radius": data["data"]["R"],
+    }
+    massless = exact.atwood_fall(t, rope=1e-9, length=1.0, **given)
+    assert massless == pytest.approx(data["a"] * t**2 / 2, rel=1e-6)
+    rows = sheaves.atwood()
+    assert failures(rows) == []
+    assert min(orders(rows).values()) > 3
+
+
+def test_ropes_of_atwoods_machine_have_different_tensions(benchmark: dict[str, Any]) -> None:
+    motion, rope = sheaves.atwood_motion(28, 0.01)
+    data = benchmark["atwood_pulley_inertia"]
+    window = motion[15:]
+    ends = rope.tension(window)[1][:, [0, -1]].mean(axis=0)
+    assert ends == pytest.approx([data["T1"], data["T2"]], rel=0.02)
+    assert rope.wrap_angle(motion[-1], "S") == pytest.approx(np.pi, abs=2 * np.pi / 28)
+
+
+def test_impact_has_hertzs_approach_and_duration(benchmark: dict[str, Any]) -> None:
+    data = benchmark["hertz_bounce"]
+    assert sheaves.BALL == {
+        "stiffness": data["data"]["K"],
+        "mass": data["data"]["m"],
+        "speed": data["data"]["v"],
+    }
+    assert exact.hertz(**sheaves.BALL) == pytest.approx((data["delta_max"], data["t_contact"]), rel=1e-12)
+    rows = sheaves.hertz()
+    assert failures(rows) == []
+    assert list(orders(rows).values()) == pytest.approx([2, 2], abs=0.1)
+
+
+def test_impact_without_dissipation_gives_the_speed_back() -> None:
+    assert sheaves.impact(400)[2][-1] == pytest.approx(1.0, abs=1e-6)
+
+
+def test_hoist_with_one_freedom_is_that_of_the_table(benchmark: dict[str, Any]) -> None:
+    rows = benchmark["hoist_reduced_1dof"]["reference"]
+    t, x, tension = (np.array([row[z] for row in rows]) for z in ("t", "x", "T_over_mg"))
+    depth, pull = hoists.reduced(t, stretched=False)
+    assert depth == pytest.approx(x, abs=1e-7)
+    assert pull == pytest.approx(tension, abs=1e-4)
+
+
+@pytest.mark.slow
+def test_winding_hoist_lifts_as_with_one_freedom() -> None:
+    """Each element that comes to lie on the drum bends at once, which keeps the order below two."""
+    rows = hoists.hoist()
+    assert failures(rows) == []
+    assert min(orders(rows).values()) > 1.5
+
+
+@pytest.mark.slow
+def test_tackle_has_the_advantage_the_speed_ratio_and_the_efficiency_of_its_falls() -> None:
+    rows = hoists.tackle()
+    assert failures(rows) == []
+    assert min(orders(rows).values()) > 2
+
+
+def test_rope_slides_off_an_edge_as_the_closed_form_says() -> None:
+    rows = hoists.edge()
+    assert failures(rows) == []
+    assert orders(rows)["sliding_rope_error"] > 3
+
+
+@pytest.mark.slow
+def test_figures_are_written(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib", reason="pictures need matplotlib: pip install 'flexel[plot]'")
+    from flexel.examples.rope_figures import pictures
+
+    for file in pictures(hanging.rows(), tmp_path):
+        assert file.stat().st_size > 10_000

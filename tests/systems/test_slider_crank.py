@@ -1,0 +1,106 @@
+"""The flexible slider-crank gives the reference numbers, and its own data agree with the benchmark file."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from flexel.examples import slider_crank as example
+from flexel.examples import slider_crank_data as data
+from flexel.linear import periodic
+
+
+@pytest.fixture(scope="module")
+def benchmark(checkout: Path) -> dict[str, Any]:
+    found: dict[str, Any] = json.loads((checkout / "tests/data/slider_crank_flexible.json").read_text())
+    return found
+
+
+def test_the_data_are_those_of_the_file(benchmark: dict[str, Any]) -> None:
+    for key, value in data.DATA.items():
+        assert value == benchmark["data"]["slider_mass" if key == "slider" else key]
+    assert benchmark["omega0_exact_pinned"] == data.OMEGA0_EXACT
+    assert benchmark["omega0_two_element_consistent_mass"] == data.OMEGA0_TWO_ELEMENTS
+    for zeta, largest in data.TRANSIENT_MAX.items():
+        assert benchmark["transient"][str(zeta)]["max_abs"] == largest
+    for column, zeta in ((1, "0.01"), (2, "0.02")):
+        rows = [(z["Omega"], z["max_abs"]) for z in benchmark["periodic_sweep_nonlinear"][zeta]]
+        assert [(row[0], row[column]) for row in data.SWEEP] == rows
+
+
+def test_the_pinned_rod_has_the_frequencies_of_the_talk_and_of_the_closed_form() -> None:
+    exact = (np.pi / data.DATA["l"]) ** 2 * np.sqrt(data.DATA["EI"] / data.DATA["rhoA"])
+    assert exact == pytest.approx(data.OMEGA0_EXACT, rel=1e-12)
+    assert round(example.omega0(2)) in (832, 833)
+    errors = [example.omega0(n) / exact - 1 for n in (2, 4, 8)]
+    assert np.log2(errors[0] / errors[1]) == pytest.approx(4, abs=0.1)
+    assert np.log2(errors[1] / errors[2]) == pytest.approx(4, abs=0.1)
+
+
+@pytest.mark.parametrize("zeta", [0.01, 0.02])
+def test_two_elements_without_second_order_terms_give_the_printed_extremes(zeta: float) -> None:
+    found = periodic.refined(example.nonlinear(data.SPEED, 2, zeta, second_order=False))
+    assert (found.max(), found.min()) == pytest.approx(data.TWO_ELEMENTS_EXTREMES[zeta], rel=6e-4)
+
+
+def test_second_order_terms_make_two_elements_as_good_as_four_without() -> None:
+    converged = example.nonlinear(data.SPEED, 8)
+    off = {
+        (n, order): abs(
+            example.largest(example.nonlinear(data.SPEED, n, second_order=order)) / example.largest(converged)
+            - 1
+        )
+        for n, order in ((2, False), (2, True), (4, True))
+    }
+    assert off[2, False] > 0.02 > 0.002 > off[2, True]
+    assert off[4, True] < 3e-4
+
+
+def test_harmonics_are_those_of_the_reference_rod() -> None:
+    found = example.amplitudes(example.nonlinear(data.SPEED, 4))
+    assert np.max(np.abs(found - data.HARMONICS)) < 1e-3 * max(data.HARMONICS)
+
+
+def test_planar_and_spatial_model_agree() -> None:
+    """Transient and linearized periodic motion, the same numbers to rounding of the integrator."""
+    planar, spatial = (example.slider_crank(data.SPEED, spatial=z) for z in (False, True))
+    runs = [z.simulate(0.01, samples=21, method="LSODA", rtol=1e-9, atol=1e-12) for z in (planar, spatial)]
+    a, b = (example.deflection(z, 2) for z in runs)
+    assert np.max(np.abs(a - b)) < 1e-7
+    a, b = (example.linearized(data.SPEED, spatial=z) for z in (False, True))
+    assert np.max(np.abs(a - b)) < 1e-12
+
+
+def test_the_transient_follows_the_reference(benchmark: dict[str, Any]) -> None:
+    reference = benchmark["transient"]["0.02"]
+    count = 17  # up to 0.04 s
+    system = example.slider_crank(data.SPEED, example.CONVERGED, 0.02)
+    times = reference["t"][:count]
+    motion = system.simulate(times[-1], times=times, method="LSODA", rtol=1e-6, atol=1e-9)
+    expected = np.array(reference["midpoint_defl_over_l"][:count])
+    assert np.max(np.abs(example.deflection(motion, example.CONVERGED) - expected)) < 3e-5
+
+
+def test_a_linearized_sweep_peaks_near_thirds_and_quarters_of_the_first_frequency() -> None:
+    found = example.linear_sweep(0.02)
+    assert found.speeds.size == 200
+    inner = found.largest[1:-1]
+    tops = found.speeds[1:-1][(inner > found.largest[:-2]) & (inner > found.largest[2:]) & (inner > 0.03)]
+    assert tops == pytest.approx([205, 269], abs=2)
+    slow = found.harmonics[0] / found.quasi_static[0]
+    assert slow[1:3] == pytest.approx([1, 1], abs=0.02)
+
+
+def test_a_nonlinear_sweep_agrees_with_the_reference() -> None:
+    speeds = (150.0, 180.0, 190.0, 200.0, 205.0, 208.0)
+    found = example.nonlinear_sweep(0.02, 4, speeds, multipliers=True)
+    expected = [row[2] for row in data.SWEEP if row[0] in speeds]
+    assert found.largest == pytest.approx(expected, rel=3e-3)
+    assert found.multipliers.max() < 0.7
+
+
+def test_one_value_of_many_elements_is_near_that_of_the_table() -> None:
+    steady = next(row for row in data.SWEEP if row[0] == data.SPEED)
+    assert example.largest(example.nonlinear(data.SPEED, 8, 0.01)) == pytest.approx(steady[1], rel=1.5e-3)
