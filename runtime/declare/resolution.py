@@ -51,6 +51,8 @@ def resolve_roles(model: Declarations, structure: Structure) -> Roles:
         frees = [z.free for z in instance.spec.deformations] + [z.free for z in instance.spec.slips]
         for name, free in zip((*instance.deformations, *instance.slips), frees, strict=True):
             role[name] = "free" if free else "rigid"
+    for instance in structure.instances:
+        role |= {z: "free" for z in instance.terms or {} if role.get(z) == "rigid"}
     for law in structure.laws:
         role.update(dict.fromkeys((*law.deformations, *law.slips), "free"))
         contradicted = [z for z in (*law.deformations, *law.slips) if model.roles.get(z) == "rigid"]

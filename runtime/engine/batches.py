@@ -18,6 +18,8 @@ def element_batches(structure: Structure) -> list[Batch]:
     """The elements of each type, with the places of their coordinates, deformations and slips."""
     groups: dict[tuple[str, object], list[Instance]] = defaultdict(list)
     for instance in structure.instances:
+        if instance.terms is not None:  # a relation has no kernels
+            continue
         groups[instance.spec.name, instance.kernels].append(instance)
     batches = []
     for members in groups.values():

@@ -112,13 +112,20 @@ class Evaluation:
         stage = self._stage("position")
         stage.run(x=x)
         e = stage.put("e", np.zeros(self.structure.m))
-        return e, stage.put("J", self._J.copy() if out is None else out)
+        J = stage.put("J", self._J.copy() if out is None else out)
+        if relations := self.structure.relations:
+            e[relations.rows] = relations.of(e, x) - self.local.drawn
+            J[relations.rows] = 0.0
+            J[relations.rows] = relations.C @ J
+        return e, J
 
     @cached_property
     def filled(self) -> Array:
         """Where J has entries that are not zero by structure (m + k + n, n), as booleans."""
         found: Array = self._J != 0
         found.ravel()[self._stage("position").places("J")] = True
+        if relations := self.structure.relations:
+            found[relations.rows] = abs(relations.C) @ found.astype(float) > 0
         return found
 
     def jacobian(self, x: Array) -> tuple[Array, Any]:
@@ -167,6 +174,8 @@ class Evaluation:
     def stress_stiffness(self, x: Array, stress: Array) -> Array:
         """Derivative (n, n) of De' sigma + V' tau by x at given stresses (m + k,)."""
         m, n = self.structure.m, self.structure.n
+        if relations := self.structure.relations:
+            stress = relations.distributed(stress)
         self._stage("stiffness").run(x=x, sigma=stress[:m], tau=stress[m:])
         return self._stage("stiffness").sum("K", (n, n))
 
@@ -180,6 +189,9 @@ class Evaluation:
         self._stage("kinematics").run(x=x, v=v, a=a)
         Phi_x = self._stage("rates").put("Phi_x", np.zeros(shape))
         Psi_x, Psi_v = (self._stage("kinematics").put(name, np.zeros(shape)) for name in ("Psi_x", "Psi_v"))
+        if relations := self.structure.relations:
+            for rates in (Phi_x, Psi_x, Psi_v):
+                rates[relations.rows] = relations.C @ rates
         self._stage("tangent").run(x=x, v=v, a=a)
         r_x = self.stress_stiffness(x, stress) + self._stage("tangent").sum("R_x", (n, n))
         r_v = self._stage("tangent").sum("R_v", (n, n))

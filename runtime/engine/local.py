@@ -19,6 +19,7 @@ from flexel.base.arrays import Array, Index
 from flexel.engine.assembly import Batch, Place, Stage, summed
 from flexel.engine.groups import grouped
 from flexel.engine.locallaws import LocalLaws
+from flexel.engine.relation_lines import RelationLines
 from flexel.structure.structure import Structure
 
 
@@ -63,15 +64,19 @@ class Local:
         self.groups = grouped(batches, m)
         self._group = {id(g.batch): g for g in self.groups}
         moving = [g for g in self.groups if varies(g.batch)]  # they come first in the flat arrays
-        self.lines = _joined(g.lines for g in self.groups)
+        self._relations = RelationLines(structure, self.groups)
+        own = _joined(g.lines for g in self.groups)
+        self.lines = np.concatenate([own, self._relations.quantities])
         self.line_of = np.empty(m + k, dtype=np.intp)
         self.line_of[self.lines] = np.arange(self.lines.size)
-        self.columns_J = _joined(np.repeat(g.places[:, None, :], g.shape[1], axis=1) for g in self.groups)
+        columns = _joined(np.repeat(g.places[:, None, :], g.shape[1], axis=1) for g in self.groups)
+        self.columns_J = np.concatenate([columns, self._relations.columns])
         self.rows_K = _joined(np.repeat(g.places, g.shape[2], axis=1) for g in self.groups)
         self.columns_K = _joined(np.repeat(g.places[:, None, :], g.shape[2], axis=1) for g in self.groups)
         self.size_M = sum(g.places.size * g.shape[2] for g in moving)
         self._places_M = _joined(g.places for g in moving)
-        self.starts_J = _starts((g.lines.size, g.shape[2]) for g in self.groups)
+        starts = _starts((g.lines.size, g.shape[2]) for g in self.groups)
+        self.starts_J = np.append(starts, starts[-1] + np.cumsum(self._relations.widths))
         starts_M = _starts((g.places.size, g.shape[2]) for g in moving)
         shape = self.lines.size, n
         self._J: Any = csr_array((np.zeros(self.columns_J.size), self.columns_J, self.starts_J), shape=shape)
@@ -83,9 +88,19 @@ class Local:
         self._shares = _joined(
             (np.repeat(_weights(g.batch), g.shape[2]) for g in moving), dtype=np.float64
         )  # mass-proportional damping of each row of M
-        self.laws = LocalLaws(structure, laws, self.groups)
+        relations = {
+            int(z): (int(self.starts_J[self.line_of[z]]), int(width))
+            for z, width in zip(self._relations.quantities, self._relations.widths, strict=True)
+        }
+        self.laws = LocalLaws(structure, laws, self.groups, relations)
         self._stage_kernels([g.batch for g in moving])
         self._constant_inertia()
+        self.drawn = np.zeros(
+            self._relations.quantities.size
+        )  # of the relations, for which they count as zero
+        if self.drawn.size:
+            e, _ = self.position(structure.x0)
+            self.drawn = e[self._relations.quantities]
 
     def _stage_kernels(self, moving: list[Batch]) -> None:
         batches = [g.batch for g in self.groups]
@@ -96,6 +111,7 @@ class Local:
         self._stiffness = Stage(batches, "stiffness", self._place)
         lawful = np.zeros(self.line_of.size, dtype=bool)
         lawful[self.laws.lines] = True
+        lawful |= self._relations.among(lawful)
         damped = [g.batch for g in self.groups if lawful[g.lines].any() or g.batch.inputs["tau"].size]
         self._rates = Stage(damped, "rates", self._place)
 
@@ -146,7 +162,11 @@ class Local:
     def position(self, x: Array) -> tuple[Array, Array]:
         """Deformations e (m,) as principal values, and the flat J."""
         self._position.run(x=x)
-        return self._position.flat("e", self.structure.m), self._position.flat("J", self.columns_J.size)
+        e = self._position.flat("e", self.structure.m)
+        J = self._relations.fill(self._position.flat("J", self.columns_J.size))
+        if self._relations.quantities.size:
+            e[self._relations.quantities] = self.structure.relations.of(e, x) - self.drawn
+        return e, J
 
     def rates(self, J: Array, v: Array) -> Array:
         """Rates of the deformations and slips (m + k,)."""
@@ -163,7 +183,7 @@ class Local:
     def convective(self, x: Array, v: Array) -> Array:
         """Convective accelerations [D²e(v,v); s_x v] (m + k,)."""
         self._acceleration.run(x=x, v=v)
-        return self._acceleration.flat("g", self.line_of.size)
+        return self._relations.combine(self._acceleration.flat("g", self.line_of.size))
 
     def inertia(self, x: Array, v: Array) -> Inertia:
         """Inertia at (x, v); mass-proportional damping counts with h."""
@@ -196,11 +216,13 @@ class Local:
     def phi(self, x: Array, v: Array) -> Array:
         """Derivatives of the rates of deformations and slips by x, flat like J."""
         self._rates.run(x=x, v=v)
-        return self._rates.flat("Phi_x", self.columns_J.size)
+        return self._relations.fill(self._rates.flat("Phi_x", self.columns_J.size), 0.0)
 
     def stress_stiffness(self, x: Array, stress: Array) -> Array:
         """Derivative of J' stress by x at given stresses (m + k,), flat like K."""
         m = self.structure.m
+        if self._relations.quantities.size:
+            stress = self.structure.relations.distributed(stress)
         self._stiffness.run(x=x, sigma=stress[:m], tau=stress[m:])
         return self._stiffness.flat("K", self.rows_K.size)
 

@@ -8,7 +8,7 @@ implicit step, z = known + c dz/dt, are eliminated law by law.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -59,8 +59,15 @@ class LocalLaws:
         Entries of the flat J whose products pairs across elements add to the stiffness.
     """
 
-    def __init__(self, structure: Structure, laws: Sequence[Batch], groups: Sequence[Group]) -> None:
+    def __init__(
+        self,
+        structure: Structure,
+        laws: Sequence[Batch],
+        groups: Sequence[Group],
+        relations: Mapping[int, tuple[int, int]],
+    ) -> None:
         self.structure, self._groups, self._batches = structure, groups, laws
+        self._relations = relations  # start and width of their rows in the flat J, by quantity
         self._width = max(structure.m + structure.k, 1)
         self._lines = {
             id(b): np.concatenate([b.inputs["e"], b.inputs["s"] + structure.m], axis=1) for b in laws
@@ -144,9 +151,13 @@ class LocalLaws:
             first[g.lines] = g.first_J + columns * np.arange(E * rows).reshape(E, rows)
             count[g.lines] = columns
             number += E
+        for i, (start, width) in self._relations.items():
+            number += 1
+            element[i], first[i], count[i] = number, start, width
+        related = np.isin(np.arange(self._width), list(self._relations))
         left, right = self._codes // self._width, self._codes % self._width
         found: list[tuple[Index, Index, Index]] = [(np.zeros(0, dtype=np.intp),) * 3]
-        for p in np.flatnonzero(element[left] != element[right]):
+        for p in np.flatnonzero((element[left] != element[right]) | related[left]):
             i, j = left[p], right[p]
             a = np.repeat(first[i] + np.arange(count[i]), count[j])
             b = np.tile(first[j] + np.arange(count[j]), count[i])

@@ -22,8 +22,7 @@ from flexel.engine.solvers import Factors, Pattern
 from flexel.mechanics.core import Core
 from flexel.mechanics.diagnose import largest, null_space, quoted
 from flexel.mechanics.dynamics import drift
-from flexel.mechanics.kinematics import wrap
-from flexel.mechanics.states import unwrap
+from flexel.mechanics.kinematics import unwrap, wrap
 from flexel.structure.state import Energy, State
 from flexel.structure.structure import Structure
 
@@ -194,8 +193,9 @@ class Saddle:
             self._sizes = self._row_sizes(J)
         sizes = np.concatenate([stress * self._sizes, outer[: s.nf], momentum[: s.nf], mu])
         scale = float(np.abs(sizes).max(initial=0.0))
+        gap = self._gap(t, x, e if s.relations else principal)
         return Balance(
-            t, x, v, a, e, J, w, inertia, laws, given, stress, multiplier, force, r, self._gap(t, x, principal), scale
+            t, x, v, a, e, J, w, inertia, laws, given, stress, multiplier, force, r, gap, scale
         )  # fmt: skip
 
     def _laws(self, e: Array, w: Array, t: float) -> LawForces:

@@ -17,7 +17,7 @@ from flexel.engine.evaluate import Evaluation
 from flexel.engine.solvers import Factorization
 from flexel.mechanics import dynamics, states
 from flexel.mechanics.diagnose import choose_freedoms, named_freedoms
-from flexel.mechanics.kinematics import Configuration, Kinematics
+from flexel.mechanics.kinematics import Configuration, Kinematics, unwrap
 from flexel.mechanics.linearization import Linearization
 from flexel.mechanics.linearize import linearize
 from flexel.mechanics.states import Moment
@@ -54,7 +54,7 @@ class Core:
         self.use(roles)
         still = np.zeros(self.structure.n)
         self._last = Moment(start.t, start.x, still, start.e, np.zeros(self.structure.m))
-        self._wound = any(  # where an angle's turns matter to the forces
+        self._wound = bool(self.structure.relations) or any(  # where an angle's turns matter to the forces
             self.structure.angle[self.structure.index[z]]
             for law in self.structure.laws
             for z in law.deformations
@@ -147,7 +147,7 @@ class Core:
         kinematics, nq = self.kinematics, self.roles.nq
         qd, z = y[nq : nq + self.roles.nd], y[nq + self.roles.nd :]
         last = self._last
-        c = kinematics.position(t, y[:nq], last.x)
+        c = kinematics.position(t, y[:nq], last.x, last.turns(t))
         B = kinematics.velocity_matrix(c)
         v = kinematics.velocity(c, B, qd)
         e, ed = c.e, last.ed
@@ -162,12 +162,10 @@ class Core:
     def residual(self, t: float, q: Array, qd: Array, qdd: Array, guess: State) -> Array:
         """Unbalanced generalized forces H'(M a + h - f + De' sigma + V' tau) (nd,); zero in a true motion."""
         kinematics, nf = self.kinematics, self.structure.nf
-        c = kinematics.position(t, q, guess.x)
+        c = kinematics.position(t, q, guess.x, guess.e)
         B = kinematics.velocity_matrix(c)
         v = kinematics.velocity(c, B, qd)
-        F = dynamics.forces(
-            kinematics, self.loads, c, v, states.unwrap(self.structure, c.e, guess.e), guess.z
-        )
+        F = dynamics.forces(kinematics, self.loads, c, v, unwrap(self.structure, c.e, guess.e), guess.z)
         H, g = dynamics.unit_solutions(kinematics, B), B.solve(kinematics.convective(c, v))
         return np.asarray(H.T @ (F.M[:nf, :nf] @ (H @ qdd + g) - F.F[:nf]))
 
@@ -191,7 +189,7 @@ class Core:
         Internal states z (nz,) of laws have their initial values by default.
         """
         principal, J = self.kinematics.evaluate(x)
-        e = principal if e is None else states.unwrap(self.structure, principal, e)
+        e = principal if e is None else unwrap(self.structure, principal, e)
         c = Configuration(t, x, e, J)
         if not np.any(v) and self.roles.motions:
             B = self.kinematics.velocity_matrix(c)

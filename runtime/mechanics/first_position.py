@@ -11,7 +11,7 @@ from flexel.base.arrays import Array, Index
 from flexel.base.errors import PositionError
 from flexel.declare.declarations import Declarations
 from flexel.engine.solvers import factorize
-from flexel.mechanics.kinematics import Configuration, Kinematics, wrap
+from flexel.mechanics.kinematics import Configuration, Kinematics, unwrap, wrap
 
 STEP = 0.2  # largest change of a wanted value (in its natural scale) in one step of the first assembly
 
@@ -34,30 +34,33 @@ def first_position(model: Declarations, kinematics: Kinematics, t: float) -> Con
     goal = np.concatenate(
         [kinematics.target(kinematics.roles.motion(t), np.zeros(0)), np.array(list(wanted.values()))]
     )
+    e_near = e
     change = wrap(goal - start, structure.angle[rows]) / kinematics.scales(rows)
     steps = max(1, int(np.ceil(np.max(np.abs(change), initial=0.0) / STEP)))
     for i in range(1, steps + 1):
         part = start + (goal - start) * i / steps
-        x = _nearest(kinematics, rows, part, x, t)
+        x, e_near = _nearest(kinematics, rows, part, x, e_near, t)
     e, J = kinematics.evaluate(x)
-    angle = structure.angle[: structure.m]
-    target = np.zeros(structure.m)
+    target = e_near if structure.relations else np.zeros(structure.m)
     own = rows < structure.m
     target[rows[own]] = goal[own]
-    e = e + 2 * np.pi * np.where(angle, np.round((target - e) / (2 * np.pi)), 0.0)
-    return Configuration(t, x, e, J)
+    return Configuration(t, x, unwrap(structure, e, target), J)
 
 
-def _nearest(kinematics: Kinematics, rows: Index, goal: Array, x: Array, t: float) -> Array:
+def _nearest(
+    kinematics: Kinematics, rows: Index, goal: Array, x: Array, near: Array, t: float
+) -> tuple[Array, Array]:
+    """Coordinates that meet the rows, and their deformations with turns counted from `near`."""
     structure, nf = kinematics.structure, kinematics.structure.nf
     scale, angle = kinematics.scales(rows), structure.angle[rows]
     x, best, stalled = x.copy(), np.inf, 0
     for _ in range(60):
         e, J = kinematics.evaluate(x)
+        e = near = unwrap(structure, e, near)
         residual = wrap(kinematics.values(e, x)[rows] - goal, angle)
         error = float(np.max(np.abs(residual) / scale, initial=0.0))
         if error < 1e-13 or (error < 1e-11 and error > 0.5 * best):
-            return x
+            return x, near
         stalled = stalled + 1 if error > 0.9 * best else 0
         best = min(best, error)
         if stalled > 12 or not np.isfinite(error):

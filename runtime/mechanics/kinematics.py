@@ -60,6 +60,15 @@ def wrap(residual: Array, angle: Any) -> Array:
     return np.where(angle, np.remainder(residual + np.pi, 2 * np.pi) - np.pi, residual)
 
 
+def unwrap(structure: Structure, e: Array, reference: Array) -> Array:
+    """Deformations with the turns that bring angles nearest to a reference."""
+    angle = structure.angle[: structure.m]
+    if not angle.any():
+        return e
+    found = np.asarray(e + 2 * np.pi * np.where(angle, np.round((reference - e) / (2 * np.pi)), 0.0))
+    return structure.relations.shifted(e, found) if structure.relations else found
+
+
 class Kinematics:
     """The kinematic problems of one model for one choice of freedoms."""
 
@@ -137,7 +146,7 @@ class Kinematics:
         y[nr + nu :] = q
         return y
 
-    def position(self, t: float, q: Array, guess: Array) -> Configuration:
+    def position(self, t: float, q: Array, guess: Array, turns: Array | None = None) -> Configuration:
         """Configuration at time t with freedoms q.
 
         Parameters
@@ -147,6 +156,8 @@ class Kinematics:
             Values of the freedoms (q_d, q_k); angles over any number of turns.
         guess : ndarray (n,)
             Coordinates to start from.
+        turns : ndarray (m,), optional
+            Deformations near the wanted ones; a relation needs them to count the turns of its terms.
 
         Raises
         ------
@@ -157,10 +168,11 @@ class Kinematics:
         motion = self.roles.motion(t)
         target = self.target(motion, q)
         x = self._predict(guess, target)
+        known = self._known(turns, target)
         last = np.inf
         for _ in range(MAX_ITERATIONS):
             e, J = self._inside(x)
-            residual = self._residual(e, x, target)
+            residual = self._residual(e if known is None else unwrap(self.structure, e, known), x, target)
             error = float(np.abs(residual * self._weight).max(initial=0.0))
             if error < TOLERANCE or (error < 1e-10 and error > 0.5 * last):
                 self._x, self._target = x, target
@@ -174,6 +186,15 @@ class Kinematics:
             last = error if largest < 0.5 else np.inf
         self.forget()
         raise PositionError(self._unreached(t, residual))
+
+    def _known(self, turns: Array | None, target: Array) -> Array | None:
+        """Deformations that angles are counted from where relations need their turns: given ones know their own."""
+        if not self.structure.relations:
+            return None
+        known = np.zeros(self.structure.m) if turns is None else turns.copy()
+        own = self.roles.position_rows < self.structure.m
+        known[self.roles.position_rows[own]] = target[own]
+        return known
 
     def _inside(self, x: Array) -> tuple[Array, Any]:
         """The same as `evaluate` within an iteration: the matrix of the last time is written over."""

@@ -17,19 +17,11 @@ from flexel.base.arrays import Array
 from flexel.base.errors import ModelError, PositionError
 from flexel.engine.solvers import factorize
 from flexel.mechanics import dynamics
-from flexel.mechanics.kinematics import Configuration, Kinematics
+from flexel.mechanics.kinematics import Configuration, Kinematics, unwrap
 from flexel.structure.loads import Loads
 from flexel.structure.roles import Roles
 from flexel.structure.state import State, own_state
 from flexel.structure.structure import Structure
-
-
-def unwrap(structure: Structure, e: Array, reference: Array) -> Array:
-    """Deformations with the turns that bring angles nearest to a reference."""
-    angle = structure.angle[: structure.m]
-    if not angle.any():
-        return e
-    return np.asarray(e + 2 * np.pi * np.where(angle, np.round((reference - e) / (2 * np.pi)), 0.0))
 
 
 def with_freedoms(structure: Structure, e: Array, q: Array, roles: Roles) -> Array:
@@ -63,6 +55,10 @@ class Moment:
     def of(state: State) -> Moment:
         """The moment of a complete state."""
         return Moment(state.t, state.x, state.v, state.e, state.rates[: state.e.size])
+
+    def turns(self, t: float) -> Array:
+        """Deformations (m,) at another time as the present rates take them there: they say how often angles turned."""
+        return self.e + (t - self.t) * self.ed
 
     def still(self, t: float) -> Moment:
         """The same place at another time, without rates: where the nearest configuration is meant."""
@@ -104,7 +100,7 @@ def state_of(
     ------
     PositionError, ConstraintError, DynamicsError
     """
-    c = kinematics.position(t, q, near.x)
+    c = kinematics.position(t, q, near.x, near.turns(t))
     v = kinematics.velocity(c, kinematics.velocity_matrix(c), qd)
     predicted = near.e
     if t != near.t:
@@ -139,7 +135,7 @@ def state_at(
     near = Moment.of(start).still(time)
     qd = start.qd
     if rates is not None:
-        qd = consistent_rates(kinematics, kinematics.position(time, q, near.x), rates)
+        qd = consistent_rates(kinematics, kinematics.position(time, q, near.x, near.e), rates)
     return state_of(kinematics, loads, time, q, qd, z, near)
 
 

@@ -24,6 +24,7 @@ class Instance:
     kernels: object = None  # address of a user-defined element's kernels; None: built in
     profile: object = None  # of a beam: its section and material, where given
     mass_damping: float = 0.0  # force per momentum [1/s], the mass-proportional part of Rayleigh damping
+    terms: Mapping[str, float] | None = None  # of a relation: its coefficients by quantity
 
     @property
     def p(self) -> Array:

@@ -19,6 +19,7 @@ from flexel.base.arrays import Array, Index
 from flexel.base.errors import ModelError
 from flexel.structure.instances import Instance, LawInstance
 from flexel.structure.nodes import Node
+from flexel.structure.relations import Relations, find_relations
 
 
 @dataclass(frozen=True)
@@ -57,6 +58,7 @@ class Structure:
     internal: Mapping[str, int] = field(repr=False)
     internal_units: tuple[str, ...] = field(repr=False)
     z0: Array = field(repr=False)
+    relations: Relations = field(repr=False)
 
     @property
     def nz(self) -> int:
@@ -137,4 +139,5 @@ def assemble_structure(
         internal={name: i for i, name in enumerate(internal)},
         internal_units=tuple(z.unit for law in laws for z in law.spec.states),
         z0=np.array([z for law in laws for z in law.z0], dtype=float),
+        relations=find_relations(instances, index, len(deformations), len(names)),
     )

@@ -39,7 +39,9 @@ class StoredGeometry:
 
     @cached_property
     def _evaluation(self) -> Evaluation:
-        strange = sorted({z.spec.name for z in self.structure.instances if not z.spec.kernels})
+        strange = sorted(
+            {z.spec.name for z in self.structure.instances if not z.spec.kernels and z.terms is None}
+        )
         if strange:
             raise ModelError(
                 f"the elements {', '.join(strange)} are not built in; build the model, and restore the state in it: "

@@ -62,6 +62,7 @@ def _element(z: Instance) -> dict[str, Any]:
         "slips": [(s.name, s.unit, s.free) for s in z.spec.slips],
         "parameters": _numbers(z.parameters),
         "mass_damping": z.mass_damping,
+        "terms": None if z.terms is None else dict(z.terms),
         "profile": _profile(z.profile),
     }
 
@@ -98,7 +99,9 @@ def structure_of(description: Mapping[str, Any]) -> Structure:
             )
         damping = float(z["mass_damping"])
         instances.append(
-            Instance(z["name"], _spec(z, values), tuple(z["nodes"]), values, None, profile, damping)
+            Instance(
+                z["name"], _spec(z, values), tuple(z["nodes"]), values, None, profile, damping, z.get("terms")
+            )
         )
     return assemble_structure(nodes, instances, [_law(z) for z in description["laws"]])
 

@@ -1,0 +1,68 @@
+"""Linear relations among deformations and coordinates: gears, screws, racks, belts and differentials.
+
+A relation is one more deformation, r = Σ cᵢ (eᵢ − eᵢ as drawn), with a role, a stress and laws of its own.  Its row
+of J is the same combination of rows, and its stress σ acts on each term as the stress cᵢ σ.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.sparse import csr_array
+
+from flexel.base.arrays import Array, Index
+from flexel.structure.instances import Instance
+
+
+@dataclass(frozen=True)
+class Relations:
+    """All relations of a model.
+
+    Attributes
+    ----------
+    rows : ndarray of int (nr,)
+        Quantities that are relations.
+    C : csr_array (nr, m + k + n)
+        Coefficients of all quantities; relations among relations are resolved.
+    m : int
+        Deformations of the model.
+    """
+
+    rows: Index
+    C: csr_array
+    m: int
+
+    def __bool__(self) -> bool:
+        return bool(self.rows.size)
+
+    def of(self, e: Array, x: Array) -> Array:
+        """Combinations (nr,) of deformations e (m,) and coordinates x (n,); those as drawn are to be subtracted."""
+        y = np.zeros(self.C.shape[1])
+        y[: self.m] = e
+        y[y.size - x.size :] = x
+        return np.asarray(self.C @ y)
+
+    def shifted(self, before: Array, after: Array) -> Array:
+        """Deformations `after` (m,) with the relations moved on by what the turns of their terms have changed."""
+        found = after.copy()
+        found[self.rows] = before[self.rows] + self.C[:, : self.m] @ (after - before)
+        return found
+
+    def distributed(self, stress: Array) -> Array:
+        """Stresses (m + k,) of the elements: their own, and those of the relations by their coefficients."""
+        return np.asarray(stress + stress[self.rows] @ self.C[:, : stress.size])
+
+
+def find_relations(instances: Iterable[Instance], index: Mapping[str, int], m: int, size: int) -> Relations:
+    """The relations among the instances; each term has been checked where it was declared."""
+    own = [z for z in instances if z.terms is not None]
+    rows = np.array([index[z.deformations[0]] for z in own], dtype=np.intp)
+    C = np.zeros((rows.size, size))
+    for i, z in enumerate(own):
+        for name, c in (z.terms or {}).items():
+            j = index[name]
+            earlier = np.flatnonzero(rows[:i] == j)
+            C[i] += c * C[earlier[0]] if earlier.size else c * (np.arange(size) == j)
+    return Relations(rows, csr_array(C), m)
