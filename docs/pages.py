@@ -18,8 +18,8 @@ from flexel.derive.verify import verify_generated
 from flexel.generated.spec import ElementSpec, KernelSpec, LawSpec, ParameterSpec
 from flexel.generated.table import ELEMENTS, LAWS
 
-FIRST = ("start", "coming-from-spacar", "writing-an-element")  # of the guides, in this order
-REFERENCE = ("theory",)
+FIRST = ("start", "coming-from-spacar", "writing-an-element", "adding-an-element")  # of the guides, in this order
+REFERENCE = ("theory", "architecture")
 Rows = list[dict[str, Any]]
 
 HOMES = {  # sections of the page of public names: title and modules
