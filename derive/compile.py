@@ -1,8 +1,7 @@
 """A user's own elements and laws: derived, compiled once, kept in the user's cache directory by content.
 
 The shared object knows nothing of Python; it exports ``flexel_user``, which is a ``flexel_element`` or a
-``flexel_law`` of ``kernels.h``. May import the rooms of derive, and the classes of ``flexel.generated.spec`` when a
-function needs them.
+``flexel_law`` of ``kernels.h``.
 """
 
 import ctypes
@@ -18,10 +17,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from flexel.derive.element import Element, Law, Parameter
-from flexel.derive.emit import FLAGS
-from flexel.derive.kernels import Kernel, derive_element, derive_law
-from flexel.derive.source import digest_of, element_source, laws_source
+from flexel.derive.declare import Element, Law, Parameter
+from flexel.derive.emit.emit import FLAGS
+from flexel.derive.emit.source import digest_of, element_source, laws_source
+from flexel.derive.program.kernels import Kernel, derive_element, derive_law
 
 if TYPE_CHECKING:
     from flexel.generated.spec import ElementSpec, KernelSpec, LawSpec, ParameterSpec

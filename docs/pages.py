@@ -36,7 +36,11 @@ RETURNED = {  # what public names give, or take as options: not names of the pac
     "flexel.pictures.plot": ("root_loci", "View", "Sketch"),
     "flexel.view": ("scene_data", "view_modes"),
 }
-DECLARATIONS = ("flexel.derive.element", "flexel.derive.rotation", "flexel.derive.shape")
+DECLARATIONS = (
+    "flexel.derive.declare.element",
+    "flexel.derive.declare.rotation",
+    "flexel.derive.declare.shape",
+)
 
 
 def table(head: Sequence[str], rows: Iterable[Sequence[object]]) -> str:

@@ -121,7 +121,7 @@ static inline real real_max(real a, real b)
 typedef void (*flexel_kernel)(size_t nblocks, const real *const *in, real *const *out);
 
 /* n coordinates, m deformations, k slips, np parameters. The digest is that of the file it was compiled from; table.py has
- * the same, so that a table and an extension of different derivations are told apart. */
+ * the same, so that a table and an extension of different derivations are distinguished. */
 typedef struct {
     const char *name, *digest;
     int n, m, k, np;

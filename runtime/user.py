@@ -14,8 +14,8 @@ from flexel.generated.spec import ElementSpec
 from flexel.structure import Node
 
 if TYPE_CHECKING:
+    from flexel.derive import Element, Law
     from flexel.derive.compile import CompiledElement, CompiledLaw
-    from flexel.derive.element import Element, Law
     from flexel.model import Model
 
 Made = TypeVar("Made")

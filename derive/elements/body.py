@@ -2,9 +2,9 @@
 
 from sympy import Matrix
 
-from flexel.derive.element import Element, Frame, Let, Parameter, Point
+from flexel.derive.declare import Element, Frame, Let, Parameter, Point
+from flexel.derive.declare.rotation import HALF, body_angular_velocity, combination, dot, triad, triad_rate
 from flexel.derive.elements.parameters import GRAVITY, MASS
-from flexel.derive.rotation import HALF, body_angular_velocity, combination, dot, triad, triad_rate
 
 
 def _point_mass() -> Element:

@@ -2,8 +2,8 @@
 
 from sympy import Matrix, cos, sin
 
-from flexel.derive.element import Element, Frame, PlanarAngle, PlanarPoint, Point, Slip
-from flexel.derive.rotation import dot, triad
+from flexel.derive.declare import Element, Frame, PlanarAngle, PlanarPoint, Point, Slip
+from flexel.derive.declare.rotation import dot, triad
 
 
 def _slips(components: list[object]) -> tuple[Slip, ...]:

@@ -2,10 +2,10 @@
 
 from sympy import Matrix, atan2
 
-from flexel.derive.element import Deformation, Element, Frame, Let
+from flexel.derive.declare import Deformation, Element, Frame, Let
+from flexel.derive.declare.rotation import conjugate, dot, product
 from flexel.derive.elements.parameters import TP, TQ
 from flexel.derive.elements.triads import Triad, named_quaternion, named_triad
-from flexel.derive.rotation import conjugate, dot, product
 
 HINGE_DOC = (
     "triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\n"

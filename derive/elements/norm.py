@@ -1,7 +1,7 @@
 """Norm of the Euler parameters of a frame."""
 
-from flexel.derive.element import Deformation, Element, Frame
-from flexel.derive.rotation import dot
+from flexel.derive.declare import Deformation, Element, Frame
+from flexel.derive.declare.rotation import dot
 
 _r = Frame("r")
 

@@ -2,11 +2,11 @@
 
 from sympy import Matrix
 
-from flexel.derive.element import Deformation, Element, Let, Parameter, PlanarAngle, PlanarPoint
+from flexel.derive.declare import Deformation, Element, Let, Parameter, PlanarAngle, PlanarPoint
+from flexel.derive.declare.rotation import HALF, dot, norm
+from flexel.derive.declare.shape import hermite_energy, hermite_mean, rotary_energy
 from flexel.derive.elements.parameters import L0, PLANAR_GRAVITY, RHOA
 from flexel.derive.elements.triads import named_directions
-from flexel.derive.rotation import HALF, dot, norm
-from flexel.derive.shape import hermite_energy, hermite_mean, rotary_energy
 
 ALPHA0 = Parameter("alpha0", 1, "rad", "initial direction of the element minus the angle of node p")
 ALPHAQ0 = Parameter("alphaq0", 1, "rad", "initial direction of the element minus the angle of node q")

@@ -2,9 +2,9 @@
 
 from sympy import atan2, sqrt
 
-from flexel.derive.element import Deformation, Element, Let, Parameter, PlanarAngle, PlanarPoint
+from flexel.derive.declare import Deformation, Element, Let, Parameter, PlanarAngle, PlanarPoint
+from flexel.derive.declare.rotation import dot
 from flexel.derive.elements.triads import line_angle
-from flexel.derive.rotation import dot
 
 RADIUS_P = Parameter(
     "radius_p", 1, "m", "radius of the pulley at p, positive if the belt leaves it on the left"

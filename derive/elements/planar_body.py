@@ -2,9 +2,9 @@
 
 from sympy import Matrix, cos, sin
 
-from flexel.derive.element import Element, Let, Parameter, PlanarAngle, PlanarPoint
+from flexel.derive.declare import Element, Let, Parameter, PlanarAngle, PlanarPoint
+from flexel.derive.declare.rotation import HALF, dot
 from flexel.derive.elements.parameters import MASS, PLANAR_GRAVITY
-from flexel.derive.rotation import HALF, dot
 
 
 def _planar_point_mass() -> Element:

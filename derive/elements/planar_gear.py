@@ -1,6 +1,6 @@
 """Pair of gears in the plane, on centres that may move."""
 
-from flexel.derive.element import Deformation, Element, Let, Parameter, PlanarAngle, PlanarPoint
+from flexel.derive.declare import Deformation, Element, Let, Parameter, PlanarAngle, PlanarPoint
 from flexel.derive.elements.planar_hinge import OFFSET0
 from flexel.derive.elements.triads import line_angle
 

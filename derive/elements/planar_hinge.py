@@ -1,6 +1,6 @@
 """Hinge between two angles in the plane."""
 
-from flexel.derive.element import Deformation, Element, Parameter, PlanarAngle
+from flexel.derive.declare import Deformation, Element, Parameter, PlanarAngle
 
 OFFSET0 = Parameter("offset0", 1, "rad", "difference of the angles when the deformation is zero")
 

@@ -5,7 +5,7 @@ The planar counterparts of the cylinder and of the plane in ``rope_contact``.
 
 from sympy import Expr, Matrix
 
-from flexel.derive.element import (
+from flexel.derive.declare import (
     Deformation,
     Element,
     Let,
@@ -15,12 +15,12 @@ from flexel.derive.element import (
     PlanarSlope,
     Slip,
 )
+from flexel.derive.declare.rotation import dot, norm
+from flexel.derive.declare.shape import hermite_weights
 from flexel.derive.elements.parameters import L0
 from flexel.derive.elements.planar_beam import ALPHA0
 from flexel.derive.elements.rope_contact import RADIUS, ROPE_RADIUS, XI
 from flexel.derive.elements.triads import named_directions
-from flexel.derive.rotation import dot, norm
-from flexel.derive.shape import hermite_weights
 
 PLANAR_OFFSET = Parameter("offset", 2, "m", "origin of the circle or line from c, on ex and ey", ("x", "y"))
 

@@ -10,10 +10,10 @@ from collections.abc import Callable
 
 from sympy import Expr, Matrix, Piecewise, sqrt
 
-from flexel.derive.element import Deformation, Element, Frame, Let, Parameter, Point, Slip, Slope
+from flexel.derive.declare import Deformation, Element, Frame, Let, Parameter, Point, Slip, Slope
+from flexel.derive.declare.rotation import body_angular_velocity, components, cross, norm, product, triad
+from flexel.derive.declare.shape import hermite_weights
 from flexel.derive.elements.parameters import L0
-from flexel.derive.rotation import body_angular_velocity, components, cross, norm, product, triad
-from flexel.derive.shape import hermite_weights
 
 XI = Parameter("xi", 1, "1", "place along the element, from 0 at p to 1 at q")
 T = Parameter("t", 4, "1", "unit quaternion from the body frame to the surface's triad ex, ey, ez")

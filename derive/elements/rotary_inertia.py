@@ -2,8 +2,8 @@
 
 from sympy import Matrix
 
-from flexel.derive.element import Element, Frame, Let, Parameter, PlanarAngle
-from flexel.derive.rotation import HALF, body_angular_velocity, dot
+from flexel.derive.declare import Element, Frame, Let, Parameter, PlanarAngle
+from flexel.derive.declare.rotation import HALF, body_angular_velocity, dot
 
 TENSOR = Parameter(
     "J", 6, "kg m^2", "inertia tensor in body axes (tensor components)", ("xx", "yy", "zz", "xy", "xz", "yz")

@@ -6,8 +6,8 @@ none).
 
 from sympy import Matrix
 
-from flexel.derive.element import Element, Frame, Parameter, Slip
-from flexel.derive.rotation import angular_velocity, body_angular_velocity, product
+from flexel.derive.declare import Element, Frame, Parameter, Slip
+from flexel.derive.declare.rotation import angular_velocity, body_angular_velocity, product
 
 T = Parameter("t", 4, "1", "unit quaternion from the body frame to the triad")
 

@@ -6,7 +6,7 @@ nodal forces are consistent with the interpolation, may depend on time, and have
 
 from sympy import Matrix
 
-from flexel.derive.element import (
+from flexel.derive.declare import (
     Element,
     Frame,
     Let,
@@ -18,11 +18,11 @@ from flexel.derive.element import (
     Slip,
     Slope,
 )
+from flexel.derive.declare.rotation import HALF, product, triad_rate
+from flexel.derive.declare.shape import hermite_mean
 from flexel.derive.elements.parameters import L0, TP, TQ
 from flexel.derive.elements.planar_beam import ALPHA0, ALPHAQ0
 from flexel.derive.elements.triads import named_directions
-from flexel.derive.rotation import HALF, product, triad_rate
-from flexel.derive.shape import hermite_mean
 
 _SOURCE = "textbook mechanics (consistent nodal forces)"
 

@@ -1,7 +1,7 @@
 """Surface of second degree on which a point stays."""
 
-from flexel.derive.element import Deformation, Element, Parameter, Point
-from flexel.derive.rotation import dot
+from flexel.derive.declare import Deformation, Element, Parameter, Point
+from flexel.derive.declare.rotation import dot
 
 QUADRATIC = Parameter(
     "quadratic",

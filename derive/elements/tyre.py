@@ -10,9 +10,9 @@ from dataclasses import dataclass
 import sympy as sp
 from sympy import Expr, Matrix, Piecewise, Rational, cos, pi, sin, sqrt
 
-from flexel.derive.element import Deformation, Element, Frame, Let, Node, Parameter, Point, Slip
+from flexel.derive.declare import Deformation, Element, Frame, Let, Node, Parameter, Point, Slip
+from flexel.derive.declare.rotation import angular_velocity, combination, cross, dot, norm, triad
 from flexel.derive.elements.wheel import AXLE, CROWN, HEIGHT, NORMAL
-from flexel.derive.rotation import angular_velocity, combination, cross, dot, norm, triad
 
 RADIUS = Parameter("radius", 1, "m", "radius of the unloaded tyre")
 AMPLITUDE = Parameter("amplitude", 1, "m", "height of the waves of the road, trough to crest")

@@ -2,8 +2,8 @@
 
 from sympy import Expr, Matrix
 
-from flexel.derive.element import Deformation, Element, Frame, Let, Parameter, Point, Slip
-from flexel.derive.rotation import angular_velocity, combination, cross, dot, norm, triad
+from flexel.derive.declare import Deformation, Element, Frame, Let, Parameter, Point, Slip
+from flexel.derive.declare.rotation import angular_velocity, combination, cross, dot, norm, triad
 
 RADIUS = Parameter("radius", 1, "m", "radius of the rim")
 AXLE = Parameter("axle", 3, "1", "unit vector along the axle in body axes", ("x", "y", "z"))

@@ -2,7 +2,7 @@
 
 The force of the gap g is sigma = -N with N >= 0; a gap that is open carries nothing. Stiffness is a force per
 penetration to the power of the exponent; for a point of a rope the runtime multiplies it by the length that the point
-stands for. This room may import sympy and ``flexel.derive.element``.
+stands for.
 """
 
 from collections.abc import Sequence
@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import sympy as sp
 from sympy import Expr, Symbol
 
-from flexel.derive.element import Internal, Law, Let, Parameter, symbol
+from flexel.derive.declare import Internal, Law, Let, Parameter, symbol
 
 STIFFNESS = Parameter("stiffness", 1, "N/m^exponent", "normal force per penetration^exponent")
 EXPONENT = Parameter("exponent", 1, "1", "exponent of the penetration, 3/2 for Hertz, at least 1")

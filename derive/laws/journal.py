@@ -1,11 +1,8 @@
-"""Law of a journal bearing: an elastic shell, and friction in proportion to the load that it carries.
-
-This room may import sympy and ``flexel.derive.element``.
-"""
+"""Law of a journal bearing: an elastic shell, and friction in proportion to the load that it carries."""
 
 import sympy as sp
 
-from flexel.derive.element import Law, Let, Parameter, symbol
+from flexel.derive.declare import Law, Let, Parameter, symbol
 
 STIFFNESS = Parameter("stiffness", 1, "N/m", "radial stiffness")
 DAMPING = Parameter("damping", 1, "N s/m", "radial damping")

@@ -1,12 +1,9 @@
-"""Linear laws: visco-elastic ones of deformations, viscous ones of slips.
-
-This room may import sympy and ``flexel.derive.element``.
-"""
+"""Linear laws: visco-elastic ones of deformations, viscous ones of slips."""
 
 import sympy as sp
 from sympy import Expr, Matrix
 
-from flexel.derive.element import Law, Parameter, symbol
+from flexel.derive.declare import Law, Parameter, symbol
 
 
 def _symmetric(values: tuple[sp.Symbol, ...], size: int) -> Matrix:

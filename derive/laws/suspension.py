@@ -1,13 +1,12 @@
 """Laws of springs and dampers given by curves: polynomial pieces of a deformation or of its rate, and one-sided stops.
 
 A curve has up to `PIECES` pieces of degree up to four, each in powers of the distance from where it begins, so that
-no digits cancel; the runtime makes the pieces and checks that they join. This room may import sympy and
-``flexel.derive.element``.
+no digits cancel; the runtime makes the pieces and checks that they join.
 """
 
 from sympy import Expr, Max, Piecewise, Rational, Symbol
 
-from flexel.derive.element import Law, Let, Parameter, symbol
+from flexel.derive.declare import Law, Let, Parameter, symbol
 
 PIECES, DEGREE = 16, 4
 BREAKS = Parameter(

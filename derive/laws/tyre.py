@@ -3,12 +3,12 @@
 They act on the element ``tyre``: a load from its deflection, a side force from the slip and the camber, put on the
 contact point. The benchmark's tyres take the slip of the wheel's centre, the Magic Formula that of the contact point,
 which is another one while the wheel leans over. All forces vanish when the wheel lifts off; side forces fade out below
-a standstill speed, where no slip angle exists. This room may import sympy and ``flexel.derive.element``.
+a standstill speed, where no slip angle exists.
 """
 
 from sympy import Abs, Expr, Max, Min, Piecewise, Rational, Symbol, atan, cos, sin, sqrt
 
-from flexel.derive.element import Internal, Law, Let, Parameter, symbol
+from flexel.derive.declare import Internal, Law, Let, Parameter, symbol
 
 STIFFNESS = Parameter("stiffness", 1, "N/m", "vertical stiffness")
 DAMPING = Parameter("damping", 1, "N s/m", "vertical damping while the tyre is pressed")

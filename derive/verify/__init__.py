@@ -3,8 +3,7 @@
 Every output of every kernel of every element and law, at random configurations and in batches of several
 sizes, is compared (a) with differences of the compiled kernel one order below it and (b) with differences of
 the undifferentiated definition in 60 digits. Nothing of the differentiation in ``flexel.derive`` is used for
-either. This is one of the two rooms of ``derive`` that may see ``flexel.generated``, and it does so only when
-a function runs.
+either.
 """
 
 import json
@@ -17,7 +16,7 @@ from typing import TYPE_CHECKING
 import click
 from tqdm import tqdm
 
-from flexel.derive.element import Element, Law
+from flexel.derive.declare import Element, Law
 from flexel.derive.elements import ELEMENTS
 from flexel.derive.laws import LAWS
 from flexel.derive.verify.check import element_rows, law_rows

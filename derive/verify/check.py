@@ -1,7 +1,7 @@
 """Compares every output of every kernel of one element or law with what it ought to be.
 
 A relative error is |computed - reference| over the largest entry of that output, floored by the natural scale
-(l0 or 1). This room brings together the compiled kernels and their references.
+(l0 or 1).
 """
 
 import math
@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from flexel.derive.element import Element, Law
+from flexel.derive.declare import Element, Law
 from flexel.derive.verify.compiled import Compiled
 from flexel.derive.verify.definition import Definition, LawDefinition
 from flexel.derive.verify.differences import Differences, law_differences

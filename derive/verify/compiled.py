@@ -1,7 +1,7 @@
 """Calls compiled kernels on arrays, whatever shared object they live in.
 
 Works on any pair of a spec (as in ``flexel.generated.table``) and the address of a ``flexel_element`` or
-``flexel_law``. It may import numpy, and ``flexel.generated`` when a function needs it.
+``flexel_law``.
 """
 
 from collections.abc import Mapping

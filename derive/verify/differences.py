@@ -3,7 +3,7 @@
 Central differences with two steps of Richardson's extrapolation (error of order h^6), from three initial
 steps; of the three, each entry takes the one that the extrapolation itself changed least. A whole stencil is
 one call of the compiled kernel. Outputs of the lowest order (e, V, s, M, U, and a law's stresses) have no
-kernel below them and are missing here; they are compared with the definition. This room may import numpy.
+kernel below them and are missing here; they are compared with the definition.
 """
 
 from collections.abc import Callable, Mapping

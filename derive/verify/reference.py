@@ -2,7 +2,7 @@
 
 Central differences with a step of 1e-12 in 60 digits: the truncation error is about 1e-24, and rounding stays
 below that for third derivatives too. Energies are quadratic in the rates, so their rate derivatives are exact
-differences with a step of one. This room may import numpy, and the definitions beside it.
+differences with a step of one.
 """
 
 from collections.abc import Callable, Mapping, Sequence

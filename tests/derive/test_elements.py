@@ -11,7 +11,7 @@ import pytest
 import sympy as sp
 from mpmath import cos, mpf, sin
 
-from flexel.derive.element import (
+from flexel.derive.declare import (
     Deformation,
     Element,
     Frame,
@@ -23,10 +23,10 @@ from flexel.derive.element import (
     Slip,
     symbol,
 )
+from flexel.derive.declare.shape import rotary_gram
 from flexel.derive.elements import ELEMENTS
 from flexel.derive.laws import LAWS
 from flexel.derive.laws.linear import LINEAR
-from flexel.derive.shape import rotary_gram
 from flexel.derive.verify.definition import Definition
 
 mpmath.mp.dps = 50

@@ -222,7 +222,7 @@ def test_friction_of_a_wound_rope_turns_the_drum_as_its_tension_does(rng: random
 
 
 def test_gauss_points_are_those_of_numpy() -> None:
-    from flexel.derive.shape import gauss_points
+    from flexel.derive.declare.shape import gauss_points
 
     for count in (3, 4):
         places, _ = np.polynomial.legendre.leggauss(count)

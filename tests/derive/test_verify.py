@@ -12,7 +12,7 @@ from click.testing import CliRunner
 
 import flexel.derive.compile
 from flexel.derive.compile import compile_element, compile_law
-from flexel.derive.element import (
+from flexel.derive.declare import (
     Deformation,
     Element,
     Law,

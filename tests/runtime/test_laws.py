@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import sympy
 
-from flexel.derive.branches import check_branches
+from flexel.derive.check.branches import check_branches
 from flexel.errors import DynamicsError, FlexelError, IncompleteWarning
 from flexel.model import Model
 from flexel.structure import Array

@@ -12,8 +12,8 @@ from scipy.io import loadmat
 from test_rechoice import slider_crank
 
 import flexel as fx
+from flexel.derive import Internal, Law, Parameter, symbol
 from flexel.derive.compile import compile_law
-from flexel.derive.element import Internal, Law, Parameter, symbol
 from flexel.examples.bicycle import bicycle, kick
 from flexel.pictures.drawing import shapes
 

@@ -2,15 +2,15 @@
 
 Elements see their coordinates through linear combinations with constant coefficients: xq - xp, or the quaternion
 lambda o t of a triad. Derivatives are taken with respect to these, where they are sparse, and carried over to the
-coordinates by one product with the constant matrix B of the layer. May import the rooms of the program.
+coordinates by one product with the constant matrix B of the layer.
 """
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-from flexel.derive.differentiate import elimination, forward, gradient
-from flexel.derive.narrowest import narrowest
-from flexel.derive.program import Program
+from flexel.derive.program.differentiate import elimination, forward, gradient
+from flexel.derive.program.narrowest import narrowest
+from flexel.derive.program.program import Program
 
 Rows = list[int]
 Matrix = list[list[int]]

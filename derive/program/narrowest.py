@@ -1,7 +1,4 @@
-"""The narrowest place of a graph: fewest vertices that separate sources from targets (maximal flow).
-
-Imports nothing but the standard library.
-"""
+"""The narrowest place of a graph: fewest vertices that separate sources from targets (maximal flow)."""
 
 from collections import deque
 from collections.abc import Collection, Mapping
@@ -23,13 +20,13 @@ def narrowest(
         They may be among the vertices that are found.
     """
     # Each vertex is an edge of capacity 1 from 2 v to 2 v + 1; all other edges are wide.
-    room: dict[int, dict[int, int]] = {_SOURCE: {}, _TARGET: {}}
+    left: dict[int, dict[int, int]] = {_SOURCE: {}, _TARGET: {}}
     for vertex in arguments:
-        room[2 * vertex], room[2 * vertex + 1] = {}, {}
+        left[2 * vertex], left[2 * vertex + 1] = {}, {}
 
     def connect(start: int, end: int, capacity: int) -> None:
-        room[start][end] = capacity
-        room[end].setdefault(start, 0)
+        left[start][end] = capacity
+        left[end].setdefault(start, 0)
 
     for vertex, before in arguments.items():
         connect(2 * vertex, 2 * vertex + 1, 1)
@@ -39,19 +36,19 @@ def narrowest(
         connect(_SOURCE, 2 * vertex, _ANY)
     for vertex in targets:
         connect(2 * vertex + 1, _TARGET, _ANY)
-    while _augment(room):
+    while _augment(left):
         pass
-    behind = _behind(room)
+    behind = _behind(left)
     return [vertex for vertex in arguments if 2 * vertex not in behind and 2 * vertex + 1 in behind]
 
 
-def _augment(room: dict[int, dict[int, int]]) -> bool:
+def _augment(left: dict[int, dict[int, int]]) -> bool:
     """Send one unit along a shortest path, if there is one."""
     came = {_SOURCE: _SOURCE}
     queue = deque([_SOURCE])
     while queue and _TARGET not in came:
         here = queue.popleft()
-        for there, capacity in room[here].items():
+        for there, capacity in left[here].items():
             if capacity > 0 and there not in came:
                 came[there] = here
                 queue.append(there)
@@ -60,20 +57,20 @@ def _augment(room: dict[int, dict[int, int]]) -> bool:
     there = _TARGET
     while there != _SOURCE:
         here = came[there]
-        room[here][there] -= 1
-        room[there][here] += 1
+        left[here][there] -= 1
+        left[there][here] += 1
         there = here
     return True
 
 
-def _behind(room: dict[int, dict[int, int]]) -> set[int]:
+def _behind(left: dict[int, dict[int, int]]) -> set[int]:
     """Everything from which the target can still be reached."""
     behind = {_TARGET}
     queue = deque([_TARGET])
     while queue:
         here = queue.popleft()
-        for there in room[here]:
-            if there not in behind and room[there][here] > 0:
+        for there in left[here]:
+            if there not in behind and left[there][here] > 0:
                 behind.add(there)
                 queue.append(there)
     return behind

@@ -2,7 +2,7 @@
 
 The derivatives of elementary functions come from SymPy, which differentiates each function's one short line once.
 Tangents and adjoints are new rows of the same program, so that whatever they have in common with it, or with
-each other, is computed once. May import sympy and the program's rooms.
+each other, is computed once.
 """
 
 from collections.abc import Mapping, Sequence
@@ -12,8 +12,9 @@ from heapq import heapify, heappop, heappush
 
 import sympy as sp
 
-from flexel.derive.lower import FUNCTIONS, Lowering
-from flexel.derive.program import CONDITIONS, LEAVES, Program
+from flexel.derive.program.graph import CONDITIONS, LEAVES
+from flexel.derive.program.lower import FUNCTIONS, Lowering
+from flexel.derive.program.program import Program
 
 _Y, _Z = sp.symbols("y z", real=True)
 _BY_NAME = {name: function for function, name in FUNCTIONS.items()}

@@ -1,7 +1,7 @@
 """Formulas in pieces: a stress must have a value on both sides of where a piece ends, and may not jump there.
 
 Looked for on the ends that are linear in a symbol, in exact arithmetic at two small distances: what stays the same
-when the distance shrinks is a jump, what shrinks too is steep. This room may import sympy.
+when the distance shrinks is a jump, what shrinks too is steep.
 """
 
 from collections.abc import Iterator

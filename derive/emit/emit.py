@@ -1,7 +1,7 @@
 """The text of every file in ``generated/``, and writing and checking that folder.
 
-The same elements give the same bytes on every machine and for every hash seed. May import the rooms of derive; never
-``flexel.generated``, so that it works when the compiled kernels are missing.
+The same elements give the same bytes on every machine and for every hash seed. Nothing here
+imports ``flexel.generated``, so that it works when the compiled kernels are missing.
 """
 
 import json
@@ -10,12 +10,12 @@ from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from flexel.derive.element import Element, Law
+from flexel.derive.declare import Element, Law
 from flexel.derive.elements import ELEMENTS
-from flexel.derive.entries import table_entry
-from flexel.derive.kernels import Derived, derive_element, derive_law
+from flexel.derive.emit.entries import table_entry
+from flexel.derive.emit.source import digest_of, element_source, laws_source, render
 from flexel.derive.laws import LAWS
-from flexel.derive.source import digest_of, element_source, laws_source, render
+from flexel.derive.program.kernels import Derived, derive_element, derive_law
 
 # -O2 gives the same speed as -O3 (the loops are marked for vectorization) in three quarters of the time.
 # Never -ffast-math: on the link line it changes denormals for the whole process.

@@ -1,13 +1,13 @@
 """Entries of ``generated/table.py``, as text.
 
-May import the declarations and ``kernels``. The classes that the entries name are in ``templates/spec.py.jinja``.
+The classes that the entries name are in ``flexel.derive.spec``.
 """
 
 from collections.abc import Collection, Sequence
 from typing import Any
 
-from flexel.derive.element import Element, Law
-from flexel.derive.kernels import Derived, Kernel
+from flexel.derive.declare import Element, Law
+from flexel.derive.program.kernels import Derived, Kernel
 
 
 def _tuple(values: Collection[Any]) -> str:

@@ -2,7 +2,7 @@
 
 Here the contract of ``generated/kernels.h`` is filled in: from D, V, T and U of an element, lowered to one program,
 to the outputs of its eight kernels. Second and third derivatives are always contracted with rates, accelerations
-or stresses. May import the rooms of the program and the declarations of elements and laws.
+or stresses.
 """
 
 from collections.abc import Mapping, Sequence
@@ -10,10 +10,10 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from flexel.derive.differentiate import forward, gradient
-from flexel.derive.element import TIME, Element, Law
-from flexel.derive.factor import factored
-from flexel.derive.layers import (
+from flexel.derive.declare import TIME, Element, Law
+from flexel.derive.program.differentiate import forward, gradient
+from flexel.derive.program.factor import factored
+from flexel.derive.program.layers import (
     Matrix,
     Rows,
     flat,
@@ -24,8 +24,8 @@ from flexel.derive.layers import (
     pulled_jacobian,
     transpose,
 )
-from flexel.derive.lower import Lowering
-from flexel.derive.program import Program
+from flexel.derive.program.lower import Lowering
+from flexel.derive.program.program import Program
 
 
 @dataclass(frozen=True)

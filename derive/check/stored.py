@@ -3,7 +3,6 @@
 A law of one deformation without internal states and time stores what its elastic stress does: the stress at rest may
 differ from the slope of the energy by a constant (an actuator) and no more. Several deformations may have stresses
 without an energy (circulatory ones), internal states may take a part of it, and a law may store nothing.
-This room may import numpy, sympy and ``flexel.derive.element``.
 """
 
 from collections.abc import Mapping
@@ -12,7 +11,7 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from flexel.derive.element import TIME, Law
+from flexel.derive.declare import TIME, Law
 
 TOLERANCE = 1e-9  # of the difference, relative to stress and slope
 POINTS = 4

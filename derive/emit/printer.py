@@ -2,7 +2,7 @@
 
 Rows that are used once become part of the expression that uses them, as long as it stays short; the others become
 constants with the author's name, or t0, t1, ... in order of use. Calls that gcc does not vectorize (atan2, sin, ...)
-go into loops of their own, so that the arithmetic around them is. May import ``program`` and ``kernels``.
+go into loops of their own, so that the arithmetic around them is.
 """
 
 from collections import Counter
@@ -10,8 +10,9 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import partial
 
-from flexel.derive.kernels import Derived, Kernel
-from flexel.derive.program import CONDITIONS, LEAVES, Program
+from flexel.derive.program.graph import CONDITIONS, LEAVES
+from flexel.derive.program.kernels import Derived, Kernel
+from flexel.derive.program.program import Program
 
 BLOCK = 8  # elements in a block, see kernels.h
 _INLINE = 56  # longest expression, in characters, that is written inside another one

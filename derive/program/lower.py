@@ -1,7 +1,7 @@
 """From SymPy expressions to rows of a `Program`.
 
 Every subexpression is lowered once, arguments in the order of ``default_sort_key``, so that the rows do not
-depend on hash seeds. May import sympy and ``flexel.derive.program``. Nothing here simplifies or differentiates.
+depend on hash seeds. Nothing here simplifies or differentiates.
 """
 
 from collections.abc import Callable
@@ -11,24 +11,9 @@ import sympy as sp
 from sympy import default_sort_key
 from sympy.core.basic import Basic
 
-from flexel.derive.program import Program
+from flexel.derive.declare.functions import FUNCTIONS
+from flexel.derive.program.program import Program
 
-# SymPy functions of one and two arguments and the names of their rows.
-FUNCTIONS: dict[type[Basic], str] = {
-    sp.sin: "sin",
-    sp.cos: "cos",
-    sp.tan: "tan",
-    sp.asin: "asin",
-    sp.acos: "acos",
-    sp.atan: "atan",
-    sp.atan2: "atan2",
-    sp.exp: "exp",
-    sp.log: "log",
-    sp.sinh: "sinh",
-    sp.cosh: "cosh",
-    sp.tanh: "tanh",
-    sp.Abs: "abs",
-}
 _DIGITS = 50
 
 

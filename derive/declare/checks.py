@@ -1,9 +1,5 @@
-"""Checks of what is declared in ``flexel.derive.element``: names, meanings, symbols, functions, degrees in the rates.
+"""Checks of what is declared: names, meanings, symbols, functions, degrees in the rates."""
 
-This room may import sympy, and the list of functions that ``flexel.derive.lower`` can compile.
-"""
-
-import random
 import re
 from collections.abc import Iterable
 
@@ -13,7 +9,7 @@ from sympy.core.relational import Relational
 from sympy.functions.elementary.piecewise import ExprCondPair
 from sympy.logic.boolalg import Boolean
 
-from flexel.derive.lower import FUNCTIONS
+from flexel.derive.declare.functions import FUNCTIONS, KINKED
 
 # Words that cannot be names in the generated C, and the names of the arguments of its functions.
 _RESERVED = frozenset(
@@ -23,7 +19,6 @@ _RESERVED = frozenset(
 )
 _IDENTIFIER = re.compile(r"[A-Za-z][A-Za-z0-9_]*\Z")
 
-_KINKED = (sp.Abs, sp.Min, sp.Max, sp.sign, sp.Heaviside)
 _ALGEBRA = (sp.Add, sp.Mul, sp.Pow, sp.Piecewise, ExprCondPair, Relational, Boolean)
 _ATOMS = (Symbol, sp.Number, sp.NumberSymbol)
 _NOT_REAL = (sp.nan, sp.oo, -sp.oo, sp.zoo, sp.I)
@@ -117,49 +112,9 @@ def check_functions(owner: str, what: str, expr: Expr) -> None:
     for part in sp.preorder_traversal(expr):
         if part in _NOT_REAL:
             raise ValueError(f"{owner}: {what} contains {part}: not real and finite; correct the formula")
-        if not isinstance(part, (*_ALGEBRA, *_ATOMS, *_KINKED, *FUNCTIONS)):
+        if not isinstance(part, (*_ALGEBRA, *_ATOMS, *KINKED, *FUNCTIONS)):
             known = ", ".join(sorted(FUNCTIONS.values()))
             raise ValueError(
                 f"{owner}: {what} contains {part}: {type(part).__name__} cannot be differentiated and compiled; use "
                 f"powers, sqrt, Piecewise, {known}"
             )
-
-
-def check_smooth(owner: str, what: str, expr: Expr) -> None:
-    """Raise ValueError for a function with a kink: an element is differentiated three times, a law once."""
-    for part in sp.preorder_traversal(expr):
-        if isinstance(part, _KINKED):
-            raise ValueError(
-                f"{owner}: {what} contains {part}: it has a kink, and derivatives up to the third are needed; use "
-                "sqrt(x**2 + eps**2), a Piecewise whose pieces join smoothly, or a law (for contact and friction)"
-            )
-
-
-def check_joins(owner: str, what: str, expr: Expr) -> None:
-    """Raise ValueError for a Piecewise whose value or slope jumps where one piece ends and another begins.
-
-    Looked for at random points on the ends that are linear in some symbol, on both sides of them in 50 digits.
-    """
-    points = random.Random(1)
-    for pieces in sorted(expr.atoms(sp.Piecewise), key=sp.default_sort_key):
-        for relation in sorted(pieces.atoms(Relational), key=sp.default_sort_key):
-            end = relation.lhs - relation.rhs
-            for s in sorted(end.free_symbols, key=str):
-                if end.diff(s, 2) != 0:
-                    continue
-                place = {z: sp.Float(points.uniform(0.5, 1.5), 50) for z in pieces.free_symbols - {s}}
-                slope, offset = (sp.N(z.subs(place), 50) for z in (end.diff(s), end.subs(s, 0)))
-                if slope != 0 and any(
-                    _jumps(z.subs(place), s, -offset / slope) for z in (pieces, pieces.diff(s))
-                ):
-                    raise ValueError(
-                        f"{owner}: {what}: the pieces of {pieces} do not join smoothly where {end} = 0; make value and "
-                        "slope equal there"
-                    )
-
-
-def _jumps(expr: Expr, s: Symbol, at: Expr) -> bool:
-    """Whether an expression of one symbol jumps there."""
-    step = sp.Float(10, 50) ** -25
-    left, right = (sp.N(expr.subs(s, at + side * step), 50) for side in (-1, 1))
-    return bool(abs(left - right) > 1e-15 * (1 + abs(left)))

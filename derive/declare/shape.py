@@ -1,6 +1,6 @@
 """Shape functions of the beams, and their exact integrals over the length.
 
-This room may import sympy only. Everything is a rational function of the shear number P (12 EI / (k G A l0^2)
+Everything is a rational function of the shear number P (12 EI / (k G A l0^2)
 of the plane of bending) that is worked out once, exactly, from the shape functions themselves.
 """
 
@@ -10,7 +10,7 @@ import sympy as sp
 from sympy import Expr, Matrix, Rational, Symbol
 from sympy.integrals.quadrature import gauss_legendre
 
-from flexel.derive.rotation import dot
+from flexel.derive.declare.rotation import dot
 
 _XI = Symbol("xi")
 _P = Symbol("P")

@@ -1,7 +1,4 @@
-"""The C text of elements and laws: the printed kernels in their templates.
-
-May import the rooms of derive, and jinja2.
-"""
+"""The C text of elements and laws: the printed kernels in their templates."""
 
 import hashlib
 import math
@@ -13,9 +10,9 @@ from typing import Any
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-from flexel.derive.element import Element, Law, Parameter
-from flexel.derive.kernels import Derived, Kernel
-from flexel.derive.printer import BLOCK, print_kernel
+from flexel.derive.declare import Element, Law, Parameter
+from flexel.derive.emit.printer import BLOCK, print_kernel
+from flexel.derive.program.kernels import Derived, Kernel
 
 _DIGEST = "@digest@"
 

@@ -1,13 +1,13 @@
 """Fewer multiplications: common factors are taken out of sums, a b + a c = a (b + c).
 
 Done for each kernel at the end, and only where the products are used nowhere else, so that nothing which is shared
-gets lost. Imports the program only.
+gets lost.
 """
 
 from collections import Counter
 from collections.abc import Sequence
 
-from flexel.derive.program import Program
+from flexel.derive.program.program import Program
 
 _SUMS = frozenset({"add", "sub", "neg"})
 
