@@ -14,8 +14,8 @@ from typing import Any
 
 import flexel
 from flexel.commands.reproduce import CASES
+from flexel.derive.spec import ElementSpec, KernelSpec, LawSpec, ParameterSpec
 from flexel.derive.verify import verify_generated
-from flexel.generated.spec import ElementSpec, KernelSpec, LawSpec, ParameterSpec
 from flexel.generated.table import ELEMENTS, LAWS
 
 FIRST = ("start", "coming-from-spacar", "writing-an-element")  # of the guides, in this order

@@ -3,7 +3,7 @@
 Written by `flexel derive`; do not edit.
 """
 
-from flexel.generated.spec import (
+from flexel.derive.spec import (
     DeformationSpec,
     ElementSpec,
     InternalSpec,
@@ -19,7 +19,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element point_mass
     "point_mass": ElementSpec(
         name="point_mass",
-        digest="c85cdc28358d7673",
+        digest="78cb25e6fd02b60b",
         doc="T = mass v.v/2\nU = -mass gravity.x",
         source="textbook mechanics",
         nodes=(
@@ -55,7 +55,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element body
     "body": ElementSpec(
         name="body",
-        digest="7085a03aa04dcef2",
+        digest="9ec7b2a5d2b975a6",
         doc="vc = xdot + d(R(lambda) c)/dt, velocity of the mass centre\nw = 2 (conj(lambda) o lambdadot), angular velocity in body axes\nT = mass vc.vc/2 + w.J w/2\nU = -mass gravity.(x + R(lambda) c)",
         source="Schwab and Meijaard 2006, DETC2006-99307",
         nodes=(
@@ -94,7 +94,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element rotary_inertia
     "rotary_inertia": ElementSpec(
         name="rotary_inertia",
-        digest="1f0f73ff467a44c7",
+        digest="6ef75d325a937985",
         doc="w = 2 (conj(lambda) o lambdadot), angular velocity in body axes\nT = w.J w/2",
         source="Schwab and Meijaard 2006, DETC2006-99307",
         nodes=(
@@ -129,7 +129,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element norm
     "norm": ElementSpec(
         name="norm",
-        digest="3c8b6eaec716cd66",
+        digest="7a229f46635c78bf",
         doc="norm = lambda.lambda - 1",
         source="Schwab and Meijaard 2006, DETC2006-99307",
         nodes=(
@@ -149,14 +149,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (0, 4), ()),
                 ),
                 12,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (1,), (0,)),
-                    OutputSpec("s", (0,), ()),
-                ),
-                8,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -193,7 +185,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element truss
     "truss": ElementSpec(
         name="truss",
-        digest="7c3720beb3f5cb02",
+        digest="1e9195dd3cf86bd4",
         doc="elongation = |xq - xp| - l0\nT = rhoA l0/6 (vp.vp + vp.vq + vq.vq), uniform bar\nU = -rhoA l0 gravity.(xp + xq)/2",
         source="van der Werff and Jonker 1984, NATO ASI F9, p. 381",
         nodes=(
@@ -218,14 +210,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (0, 6), ()),
                 ),
                 17,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (1,), (0,)),
-                    OutputSpec("s", (0,), ()),
-                ),
-                19,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -280,7 +264,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element hinge
     "hinge": ElementSpec(
         name="hinge",
-        digest="dadc382dc2a6c903",
+        digest="ddc66782e222dab5",
         doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nc = conj(u_p) o u_q\nangle = 2 atan2(c1, c0), period 2 pi\nbend1 = ez_p.ex_q,  bend2 = -ey_p.ex_q",
         source="van der Werff and Jonker 1984; SPACAR95 manual (Schwab and Meijaard 2000), HINGE",
         nodes=(
@@ -306,14 +290,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (0, 8), ()),
                 ),
                 412,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (3,), (0, 1, 2)),
-                    OutputSpec("s", (0,), ()),
-                ),
-                284,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -350,7 +326,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element bearing
     "bearing": ElementSpec(
         name="bearing",
-        digest="130427e0d17764ae",
+        digest="f1966cfd294e2e34",
         doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nc = conj(u_p) o u_q\nangle = 2 atan2(c1, c0), period 2 pi\nbend1 = ez_p.ex_q,  bend2 = -ey_p.ex_q\nd = xq - xp\n(axial, radial1, radial2) = R(u_p)' d - d0",
         source="SPACAR95 manual (Schwab and Meijaard 2000), BEARING",
         nodes=(
@@ -382,14 +358,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (0, 14), ()),
                 ),
                 536,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (6,), tuple(range(6))),
-                    OutputSpec("s", (0,), ()),
-                ),
-                336,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -426,7 +394,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element beam3
     "beam3": ElementSpec(
         name="beam3",
-        digest="e7b0b0ad07f4d7f0",
+        digest="ce631facb7caf5d3",
         doc="triad ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp; d = xq - xp\n(along, across1, across2) = R(u_p)' d - d0\nw_p = angular velocity of the triad, in its own axes\nT = rhoA l0/6 (vp.vp + vp.vq + vq.vq) + l0/2 sum rhoJ_i w_i^2, uniform bar\nU = -rhoA l0 gravity.(xp + xq)/2",
         source="Meijaard, Papadopoulos, Ruina and Schwab 2007, supplement, PINBODY; UT SPACAR, RBEAM",
         nodes=(
@@ -457,14 +425,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (0, 10), ()),
                 ),
                 172,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (3,), (0, 1, 2)),
-                    OutputSpec("s", (0,), ()),
-                ),
-                164,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -519,7 +479,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element beam
     "beam": ElementSpec(
         name="beam",
-        digest="d04fce21896d1200",
+        digest="06076628734987f6",
         doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nd = xq - xp, l = |d|, el = d/l\nb1 = l - l0                 b2 = l0 (ez_p.ey_q - ey_p.ez_q)/2\nb3 = -l0 ez_p.el            b4 = l0 ez_q.el\nb5 = l0 ey_p.el             b6 = -l0 ey_q.el\nelongation = b1 + (2 b3^2 + b3 b4 + 2 b4^2 + 2 b5^2 + b5 b6 + 2 b6^2)/(30 l0)\ntorsion = b2 + (b4 b5 - b3 b6)/l0\nbend1, bend2 = b3 + k, b4 - k with k = b2 (b5 + b6)/(6 l0)\nbend3, bend4 = b5 - h, b6 + h with h = b2 (b3 + b4)/(6 l0)\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_y, phi_z) cubic shapes, torsion linear; w_p, w_q angular velocities in the triads\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
         source="Meijaard 1996, Nonlinear Dyn. 9; Jonker and Meijaard 2013, Int. J. Non-Linear Mech. 53; Przemieniecki 1968 (mass with rotary inertia)",
         nodes=(
@@ -556,14 +516,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (0, 14), ()),
                 ),
                 870,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (6,), tuple(range(6))),
-                    OutputSpec("s", (0,), ()),
-                ),
-                423,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -618,7 +570,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element beam_first_order
     "beam_first_order": ElementSpec(
         name="beam_first_order",
-        digest="dae5a50ddfb004c8",
+        digest="5084fd7c9f6b1a03",
         doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nd = xq - xp, l = |d|, el = d/l\nb1 = l - l0                 b2 = l0 (ez_p.ey_q - ey_p.ez_q)/2\nb3 = -l0 ez_p.el            b4 = l0 ez_q.el\nb5 = l0 ey_p.el             b6 = -l0 ey_q.el\nelongation, torsion, bend1, bend2, bend3, bend4 = b1, b2, b3, b4, b5, b6\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_y, phi_z) cubic shapes, torsion linear; w_p, w_q angular velocities in the triads\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
         source="Meijaard 1996, Nonlinear Dyn. 9; Jonker and Meijaard 2013, Int. J. Non-Linear Mech. 53; Przemieniecki 1968 (mass with rotary inertia)",
         nodes=(
@@ -655,14 +607,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (0, 14), ()),
                 ),
                 551,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (6,), tuple(range(6))),
-                    OutputSpec("s", (0,), ()),
-                ),
-                338,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -717,7 +661,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element wheel
     "wheel": ElementSpec(
         name="wheel",
-        digest="a09215249236d753",
+        digest="c0b8f4837442dae8",
         doc="w hub, c contact point, d = xc - xw, a = R(lambda) axle, n = normal, ra = d x a\nradius = (d.d - R^2)/(2 R),  plane = a.d,  surface = n.xc - height,  lowest = n.ra\nomega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x d, the material point in contact\nlongitudinal = ra.vc/|ra|,  lateral = (n x ra).vc/|n x ra|,  spin = omega.n",
         source="Meijaard, Papadopoulos, Ruina and Schwab 2007, Proc. R. Soc. A 463:1955, supplement, WHEEL",
         nodes=(
@@ -751,14 +695,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (3, 10), (0, 1, 2, 3, 4, 5, 6, 10, 11, 12, 13, 14, 15, 16, 23, 24, 25, 26)),
                 ),
                 319,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (4,), (0, 1, 2, 3)),
-                    OutputSpec("s", (3,), (0, 1, 2)),
-                ),
-                231,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -795,7 +731,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element surface
     "surface": ElementSpec(
         name="surface",
-        digest="fbe7bace4591c9b1",
+        digest="82396fec8a27a987",
         doc="height = quadratic.(x^2, y^2, z^2, x y, x z, y z) + linear.(x, y, z) + constant",
         source="SPACAR95 manual (Schwab and Meijaard 2000), SURFACE",
         nodes=(
@@ -819,14 +755,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (0, 3), ()),
                 ),
                 33,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (1,), (0,)),
-                    OutputSpec("s", (0,), ()),
-                ),
-                30,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -863,7 +791,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element toroidal_wheel
     "toroidal_wheel": ElementSpec(
         name="toroidal_wheel",
-        digest="719a02075867f239",
+        digest="3f07eb2a0344c818",
         doc="w hub, c contact point, d = xc + crown n - xw from the hub to the centre of the tube above the contact,\na = R(lambda) axle, n = normal, ra = d x a, rim = R - crown\nradius = (d.d - rim^2)/(2 rim),  plane = a.d,  surface = n.xc - height,  lowest = n.ra\nomega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x (xc - xw), the material point in contact\nlongitudinal = ra.vc/|ra|,  lateral = (n x ra).vc/|n x ra|,  spin = omega.n",
         source="Schwab and Meijaard 1999, ASME DETC99/VIB-8223 (wheel element); the crown lifts the contact off the rim's circle",
         nodes=(
@@ -898,14 +826,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (3, 10), (0, 1, 2, 3, 4, 5, 6, 10, 11, 12, 13, 14, 15, 16, 23, 24, 25, 26)),
                 ),
                 326,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (4,), (0, 1, 2, 3)),
-                    OutputSpec("s", (3,), (0, 1, 2)),
-                ),
-                238,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -942,7 +862,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element tyre
     "tyre": ElementSpec(
         name="tyre",
-        digest="e61199d22fd11528",
+        digest="b88bbbe386d482df",
         doc="w wheel centre, a = R(lambda) axle, n = normal of the road below w, h = distance of w from the tangent plane\nan = |a x n|,  ex = a x n/an forward,  ey = n x ex sideways\nlength = (h - crown)/an in the plane of the wheel\nr = -length (n - (a.n) a)/an - crown n, from the centre to the contact point\ndeflection = R - crown - (h - crown)/an;  drop = R - h;  camber = atan2(a.n, an)\nomega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x r, the material point in contact\nforward = ex.xdot_w,  sideways = ey.xdot_w,  rolling = omega.a,\nlongitudinal = ex.vc,  lateral = ey.vc,  spin = omega.n",
         source="Frik, Leister, Schwartz 1993, Vehicle System Dynamics 22 suppl. (frames and slip angle of the wheel)",
         nodes=(
@@ -979,14 +899,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 337,
             ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (3,), (0, 1, 2)),
-                    OutputSpec("s", (6,), tuple(range(6))),
-                ),
-                254,
-            ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
                 (
@@ -1022,7 +934,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element tyre_on_road
     "tyre_on_road": ElementSpec(
         name="tyre_on_road",
-        digest="dfe009c5651e32a6",
+        digest="20f7aca61131af30",
         doc="road: z = height + amplitude (1 - cos(2 pi s/wavelength))/2 with s = heading.(x, y) - start between 0 and\nwaves wavelength, z = height elsewhere (C1 at the ends, smooth between);  z up\nthe springs count the vertical distance, so that their force is normal to the road\nw wheel centre, a = R(lambda) axle, n = normal of the road below w, h = distance of w from the tangent plane\nan = |a x n|,  ex = a x n/an forward,  ey = n x ex sideways\nlength = (h - crown)/an in the plane of the wheel\nr = -length (n - (a.n) a)/an - crown n, from the centre to the contact point\ndeflection = R - crown - ((w_z - z) - crown)/an;  drop = R - (w_z - z);  camber = atan2(a.n, an)\nomega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x r, the material point in contact\nforward = ex.xdot_w,  sideways = ey.xdot_w,  rolling = omega.a,\nlongitudinal = ex.vc,  lateral = ey.vc,  spin = omega.n\ngrade = slope of the road along ex, rise for horizontal length times |horizontal part of ex|",
         source="Frik, Leister, Schwartz 1993, Vehicle System Dynamics 22 suppl. (frames and slip angle of the wheel)",
         nodes=(
@@ -1064,14 +976,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 533,
             ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (4,), (0, 1, 2, 3)),
-                    OutputSpec("s", (6,), tuple(range(6))),
-                ),
-                361,
-            ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
                 (
@@ -1107,7 +1011,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element axle_slip
     "axle_slip": ElementSpec(
         name="axle_slip",
-        digest="491f09bc558813a8",
+        digest="ae57ec23269adb6c",
         doc="lateral = mean of ey.vc of the two wheels, each as in the element tyre; zero: an axle that rolls without\nslipping sideways in the mean",
         source="Schwab, talk on SPACAR (zero lateral slip of the road vehicle)",
         nodes=(
@@ -1135,14 +1039,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (1, 14), tuple(range(14))),
                 ),
                 252,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (0,), ()),
-                    OutputSpec("s", (1,), (0,)),
-                ),
-                270,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -1179,7 +1075,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element rotation
     "rotation": ElementSpec(
         name="rotation",
-        digest="90e9bc3b757317e8",
+        digest="8bfd64251a679de0",
         doc="(wx, wy, wz) = 2 (lambdadot o conj(lambda)), angular velocity in global axes",
         source="Schwab and Meijaard 2006, DETC2006-99307",
         nodes=(
@@ -1201,14 +1097,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (3, 4), tuple(range(12))),
                 ),
                 7,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (0,), ()),
-                    OutputSpec("s", (3,), (0, 1, 2)),
-                ),
-                24,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -1245,7 +1133,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element body_rotation
     "body_rotation": ElementSpec(
         name="body_rotation",
-        digest="e8ddafe8d118b8f6",
+        digest="7b449a58d5624bcd",
         doc="u = lambda o t\n(wx, wy, wz) = 2 (conj(u) o udot), angular velocity in the axes of R(u)",
         source="Schwab and Meijaard 2006, DETC2006-99307",
         nodes=(
@@ -1269,14 +1157,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (3, 4), tuple(range(12))),
                 ),
                 92,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (0,), ()),
-                    OutputSpec("s", (3,), (0, 1, 2)),
-                ),
-                80,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -1313,7 +1193,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element body_velocity
     "body_velocity": ElementSpec(
         name="body_velocity",
-        digest="a79d16accc4bfcef",
+        digest="16d8f605347afe64",
         doc="(vx, vy, vz) = R(lambda)' xdot_p, velocity of the point in the axes of the frame",
         source="textbook mechanics",
         nodes=(
@@ -1336,14 +1216,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (3, 7), (0, 1, 2, 7, 8, 9, 14, 15, 16)),
                 ),
                 31,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (0,), ()),
-                    OutputSpec("s", (3,), (0, 1, 2)),
-                ),
-                43,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -1380,7 +1252,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element bar_span
     "bar_span": ElementSpec(
         name="bar_span",
-        digest="a86c5d8cd144bdfb",
+        digest="b2403969448b569b",
         doc="(x, y, z) = l0 (vp + vq)/2, rate of the integral of position over a straight bar",
         source="textbook mechanics (consistent nodal forces)",
         nodes=(
@@ -1405,14 +1277,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (3, 6), (0, 3, 7, 10, 14, 17)),
                 ),
                 1,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (0,), ()),
-                    OutputSpec("s", (3,), (0, 1, 2)),
-                ),
-                9,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -1449,7 +1313,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element beam_span
     "beam_span": ElementSpec(
         name="beam_span",
-        digest="4e10cdff35b6c03c",
+        digest="c733ae483e0ba226",
         doc="(x, y, z) = l0 ((vp + vq)/2 + l0 (exdot_p - exdot_q)/12), rate of the integral of position over the\nbeam's cubic Hermite interpolation; ex: first columns of R(lambda_p o tp), R(lambda_q o tq)",
         source="textbook mechanics (consistent nodal forces)",
         nodes=(
@@ -1478,14 +1342,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (3, 14), (0, 3, 4, 5, 6, 7, 10, 11, 12, 13, 15, 17, 18, 19, 20, 22, 24, 25, 26, 27, 30, 31, 32, 33, 34, 37, 38, 39, 40, 41)),
                 ),
                 169,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (0,), ()),
-                    OutputSpec("s", (3,), (0, 1, 2)),
-                ),
-                175,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -1522,7 +1378,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_point_mass
     "planar_point_mass": ElementSpec(
         name="planar_point_mass",
-        digest="f22588a68588a407",
+        digest="3422bb7cc702242c",
         doc="T = mass v.v/2\nU = -mass gravity.x",
         source="textbook mechanics",
         nodes=(
@@ -1558,7 +1414,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_body
     "planar_body": ElementSpec(
         name="planar_body",
-        digest="6cf6f684a8c218f0",
+        digest="572d04c3f070df03",
         doc="b = R(angle) c,  vc = xdot + angledot (-b_y, b_x), velocity of the mass centre\nT = mass vc.vc/2 + J angledot^2/2\nU = -mass gravity.(x + b)",
         source="textbook mechanics",
         nodes=(
@@ -1597,7 +1453,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_rotary_inertia
     "planar_rotary_inertia": ElementSpec(
         name="planar_rotary_inertia",
-        digest="a6168cc2e6815af8",
+        digest="06363f1ff712d34e",
         doc="T = J angledot^2/2",
         source="textbook mechanics",
         nodes=(
@@ -1632,7 +1488,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_truss
     "planar_truss": ElementSpec(
         name="planar_truss",
-        digest="82d68f1d0a51ef46",
+        digest="fc0670bb60ae7523",
         doc="elongation = |xq - xp| - l0\nT = rhoA l0/6 (vp.vp + vp.vq + vq.vq), uniform bar\nU = -rhoA l0 gravity.(xp + xq)/2",
         source="van der Werff and Jonker 1984, NATO ASI F9, p. 381",
         nodes=(
@@ -1657,14 +1513,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (0, 4), ()),
                 ),
                 12,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (1,), (0,)),
-                    OutputSpec("s", (0,), ()),
-                ),
-                13,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -1719,7 +1567,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_hinge
     "planar_hinge": ElementSpec(
         name="planar_hinge",
-        digest="6ba42158e941d963",
+        digest="cefa0eb05f82b7f7",
         doc="angle = angle_q - angle_p - offset0 (counts turns)",
         source="SPACAR95 manual (Schwab and Meijaard 2000), PLHINGE",
         nodes=(
@@ -1742,14 +1590,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (0, 2), ()),
                 ),
                 2,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (1,), (0,)),
-                    OutputSpec("s", (0,), ()),
-                ),
-                1,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -1786,7 +1626,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_beam
     "planar_beam": ElementSpec(
         name="planar_beam",
-        digest="362e2945d153049e",
+        digest="0f0ece63c0b6dd53",
         doc="ex, ey: directions of the element at p (angle_p + alpha0) and q (angle_q + alphaq0)\nd = xq - xp, l = |d|, el = d/l;  b1 = l - l0,  b5 = l0 ey_p.el,  b6 = -l0 ey_q.el\nelongation = b1 + (2 b5^2 + b5 b6 + 2 b6^2)/(30 l0),  bend1 = b5,  bend2 = b6\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_z) cubic shapes\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
         source="SPACAR95 manual (Schwab and Meijaard 2000), PLBEAM, PLBEAMNL; signs of the spatial beam's b5, b6; Meijaard 1996, Nonlinear Dyn. 9",
         nodes=(
@@ -1819,14 +1659,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (0, 6), ()),
                 ),
                 107,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (3,), (0, 1, 2)),
-                    OutputSpec("s", (0,), ()),
-                ),
-                68,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -1881,7 +1713,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_beam_first_order
     "planar_beam_first_order": ElementSpec(
         name="planar_beam_first_order",
-        digest="2c6ce5fe0749f4e7",
+        digest="fe1610ecc31c49af",
         doc="ex, ey: directions of the element at p (angle_p + alpha0) and q (angle_q + alphaq0)\nd = xq - xp, l = |d|, el = d/l;  b1 = l - l0,  b5 = l0 ey_p.el,  b6 = -l0 ey_q.el\nelongation = b1,  bend1 = b5,  bend2 = b6\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_z) cubic shapes\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
         source="SPACAR95 manual (Schwab and Meijaard 2000), PLBEAM, PLBEAMNL; signs of the spatial beam's b5, b6; Meijaard 1996, Nonlinear Dyn. 9",
         nodes=(
@@ -1914,14 +1746,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (0, 6), ()),
                 ),
                 65,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (3,), (0, 1, 2)),
-                    OutputSpec("s", (0,), ()),
-                ),
-                48,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -1976,7 +1800,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_beam3
     "planar_beam3": ElementSpec(
         name="planar_beam3",
-        digest="408e6bce41b88145",
+        digest="fdc7aab0023accfd",
         doc="ex, ey: directions of the element (angle_p + alpha0); d = xq - xp\nalong = ex.d - d0_x,  across = ey.d - d0_y\nT = rhoA l0/6 (vp.vp + vp.vq + vq.vq) + l0/2 rhoJ angledot^2, uniform bar\nU = -rhoA l0 gravity.(xp + xq)/2",
         source="planar counterpart of beam3",
         nodes=(
@@ -2006,14 +1830,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (0, 5), ()),
                 ),
                 17,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (2,), (0, 1)),
-                    OutputSpec("s", (0,), ()),
-                ),
-                23,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -2068,7 +1884,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_bearing
     "planar_bearing": ElementSpec(
         name="planar_bearing",
-        digest="8713668dd3810443",
+        digest="7925b4ae9c03247c",
         doc="ex, ey: directions of the element (angle_p + alpha0); d = xq - xp\nalong = ex.d - d0_x,  across = ey.d - d0_y,  angle = angle_q - angle_p - offset0 (counts turns)",
         source="SPACAR95 manual (Schwab and Meijaard 2000), PLBEAR",
         nodes=(
@@ -2097,14 +1913,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (0, 6), ()),
                 ),
                 19,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (3,), (0, 1, 2)),
-                    OutputSpec("s", (0,), ()),
-                ),
-                24,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -2141,7 +1949,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_belt
     "planar_belt": ElementSpec(
         name="planar_belt",
-        digest="152600f1af549654",
+        digest="20ba07fbf1459212",
         doc="d = xq - xp, psi its angle counted from psi0 (less than half a turn away)\nfree_length = sqrt(d.d - (radius_p - radius_q)^2), of the common tangent on the left of d\ntheta = psi - atan2(radius_p - radius_q, free_length), turn of the points of contact\nelongation = free_length + radius_p (angle_p - theta) - radius_q (angle_q - theta) - zero",
         source="SPACAR95 manual (Schwab and Meijaard 2000), PLBELT; terms in theta from the geometry: without them the tension would not act along the belt",
         nodes=(
@@ -2169,14 +1977,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (0, 6), ()),
                 ),
                 53,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (1,), (0,)),
-                    OutputSpec("s", (0,), ()),
-                ),
-                49,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -2213,7 +2013,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_gear
     "planar_gear": ElementSpec(
         name="planar_gear",
-        digest="a3ec170d343f7d9c",
+        digest="4973d6eac5494df8",
         doc="d = xq - xp, psi its angle counted from offset0, period 2 pi\nmesh = (radius_p angle_p + radius_q angle_q)/(radius_p + radius_q) - psi, an angle, so that any number\nof turns of the line of centres can be counted; (radius_p + radius_q) mesh is the displacement of the teeth",
         source="rolling of the pitch circles, radius_p (angle_p - psi) + radius_q (angle_q - psi) = const; UT SPACAR, GEAR",
         nodes=(
@@ -2240,14 +2040,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (0, 6), ()),
                 ),
                 34,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (1,), (0,)),
-                    OutputSpec("s", (0,), ()),
-                ),
-                33,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -2284,7 +2076,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_wheel
     "planar_wheel": ElementSpec(
         name="planar_wheel",
-        digest="fb21d158a818ac2c",
+        digest="55d3a7be73bd2035",
         doc="ex, ey: direction of travel (angle_r + alpha0) and its normal; angle_s is the turn about the axle\nlongitudinal = ex.v - radius angledot_s,  lateral = ey.v",
         source="SPACAR95 manual (Schwab and Meijaard 2000), PLWHEEL",
         nodes=(
@@ -2310,14 +2102,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (2, 4), (0, 1, 3, 4, 5)),
                 ),
                 5,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (0,), ()),
-                    OutputSpec("s", (2,), (0, 1)),
-                ),
-                11,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -2354,7 +2138,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_body_velocity
     "planar_body_velocity": ElementSpec(
         name="planar_body_velocity",
-        digest="f28d34cdc337f22d",
+        digest="36cfeccaceffa584",
         doc="(vx, vy) = R(angle)' xdot_p, velocity of the point in the axes of the angle node",
         source="textbook mechanics",
         nodes=(
@@ -2376,14 +2160,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (2, 3), (0, 1, 3, 4)),
                 ),
                 3,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (0,), ()),
-                    OutputSpec("s", (2,), (0, 1)),
-                ),
-                8,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -2420,7 +2196,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_bar_span
     "planar_bar_span": ElementSpec(
         name="planar_bar_span",
-        digest="54fd3e8820f139ba",
+        digest="6d544293988bba62",
         doc="(x, y, z) = l0 (vp + vq)/2, rate of the integral of position over a straight bar",
         source="textbook mechanics (consistent nodal forces)",
         nodes=(
@@ -2444,14 +2220,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (2, 4), (0, 2, 5, 7)),
                 ),
                 1,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (0,), ()),
-                    OutputSpec("s", (2,), (0, 1)),
-                ),
-                6,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -2488,7 +2256,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_beam_span
     "planar_beam_span": ElementSpec(
         name="planar_beam_span",
-        digest="2b3f5c8c0e27ce9f",
+        digest="4ba5773cef72f8f5",
         doc="(x, y) = l0 ((vp + vq)/2 + l0 (exdot_p - exdot_q)/12), rate of the integral of position over the\nbeam's cubic Hermite interpolation; ex: directions of the element at p and q",
         source="textbook mechanics (consistent nodal forces)",
         nodes=(
@@ -2516,14 +2284,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (2, 6), (0, 2, 3, 5, 7, 8, 10, 11)),
                 ),
                 18,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (0,), ()),
-                    OutputSpec("s", (2,), (0, 1)),
-                ),
-                24,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -2560,7 +2320,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element cable
     "cable": ElementSpec(
         name="cable",
-        digest="49a5e6dd4fb5947f",
+        digest="1918e9102c28433d",
         doc="r(s): cubic Hermite curve with slopes dp, dq = dr/ds by the undeformed arc length s at the ends\nstrain = (r'.r' - 1)/2 at 4 Gauss points of (0, l0); curvature = (r' x r'')/|r'|^3 at 3 Gauss points\nwork: EA strain and EI curvature, each times its Gauss weight (of sum l0), are the stresses of a rope\nT = rhoA/2 int rdot.rdot ds (constant mass matrix),  U = -rhoA gravity.int r ds",
         source="Berzeri and Shabana 2000, J. Sound Vib. 235:539; Gerstmayr and Shabana 2006, Nonlinear Dyn. 45:109",
         nodes=(
@@ -2599,14 +2359,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (0, 12), ()),
                 ),
                 640,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (13,), tuple(range(13))),
-                    OutputSpec("s", (0,), ()),
-                ),
-                492,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -2661,7 +2413,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element slope_clamp
     "slope_clamp": ElementSpec(
         name="slope_clamp",
-        digest="ccd55d0ed9dcfc59",
+        digest="08bac3743f07f08a",
         doc="triad ex, ey, ez: columns of R(lambda o t);  across_y = ey.d,  across_z = ez.d",
         source="textbook mechanics",
         nodes=(
@@ -2685,14 +2437,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (0, 7), ()),
                 ),
                 133,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (2,), (0, 1)),
-                    OutputSpec("s", (0,), ()),
-                ),
-                136,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -2729,7 +2473,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element cable_span
     "cable_span": ElementSpec(
         name="cable_span",
-        digest="7e554948f71f970a",
+        digest="2056656ec90a6f36",
         doc="l0 ((vp + vq)/2 + l0 (dpdot - dqdot)/12), rate of the integral of position over a cable's cubic curve",
         source="textbook mechanics (consistent nodal forces)",
         nodes=(
@@ -2756,14 +2500,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (3, 12), (0, 3, 6, 9, 13, 16, 19, 22, 26, 29, 32, 35)),
                 ),
                 4,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (0,), ()),
-                    OutputSpec("s", (3,), (0, 1, 2)),
-                ),
-                21,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -2800,7 +2536,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element cable_cylinder
     "cable_cylinder": ElementSpec(
         name="cable_cylinder",
-        digest="0cdf624fa3c16aa0",
+        digest="5cc2e911fc9eff72",
         doc="x: point at the fraction xi of the cable's cubic curve; triad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\ndistance = |(yy, yz)| from the axle ex, (ny, nz) = (yy, yz)/distance\ngap = distance - radius - rope_radius,  tangential = ny ydot_z - nz ydot_y,  axial = ydot_x",
         source="textbook mechanics",
         nodes=(
@@ -2836,14 +2572,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 394,
             ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (1,), (0,)),
-                    OutputSpec("s", (2,), (0, 1)),
-                ),
-                268,
-            ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
                 (
@@ -2857,7 +2585,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                 (
                     OutputSpec("Phi_x", (3, 19), tuple(range(57))),
                 ),
-                764,
+                763,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -2879,7 +2607,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element cable_plane
     "cable_plane": ElementSpec(
         name="cable_plane",
-        digest="d8df0a8058654fca",
+        digest="b7de6a0384ec301b",
         doc="x: point at the fraction xi of the cable's cubic curve; triad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\ngap = yz - rope_radius, the plane is z = 0;  x = ydot_x,  y = ydot_y",
         source="textbook mechanics",
         nodes=(
@@ -2913,14 +2641,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (2, 19), tuple(range(38))),
                 ),
                 333,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (1,), (0,)),
-                    OutputSpec("s", (2,), (0, 1)),
-                ),
-                225,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -2957,7 +2677,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element cable_v_groove
     "cable_v_groove": ElementSpec(
         name="cable_v_groove",
-        digest="80b8cb8524369dc0",
+        digest="27301701c7786658",
         doc="x: point at the fraction xi of the cable's cubic curve; triad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\ndistance = |(yy, yz)| from the axle ex, h = distance - radius - rope_radius; two flanks of half the angle beta\ngap1 = h sin beta - yx cos beta,  gap2 = h sin beta + yx cos beta: both closed at h = 0 in the middle\ntangential as for a cylinder,  across1, across2 = hdot cos beta +- ydot_x sin beta, up the flanks",
         source="textbook mechanics",
         nodes=(
@@ -2996,14 +2716,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 575,
             ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (2,), (0, 1)),
-                    OutputSpec("s", (3,), (0, 1, 2)),
-                ),
-                293,
-            ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
                 (
@@ -3039,7 +2751,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element cable_round_groove
     "cable_round_groove": ElementSpec(
         name="cable_round_groove",
-        digest="3e6954f14ac7ecd0",
+        digest="08ed2e071f19468b",
         doc="x: point at the fraction xi of the cable's cubic curve; triad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\nw = (radius + groove_radius - distance from the axle ex, yx), from the centre of the round bottom to the rope\ngap = groove_radius - rope_radius - n.w, n = w/|w| on the bottom, (sin beta, +-cos beta) on the flanks that\ncontinue it;  tangential as for a cylinder,  across = n_0 ydot_x + n_1 distancedot, along the groove's profile",
         source="textbook mechanics",
         nodes=(
@@ -3077,14 +2789,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 478,
             ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (1,), (0,)),
-                    OutputSpec("s", (2,), (0, 1)),
-                ),
-                320,
-            ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
                 (
@@ -3120,7 +2824,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_cable
     "planar_cable": ElementSpec(
         name="planar_cable",
-        digest="2852ed273422cfd2",
+        digest="4bbdd74f127b2020",
         doc="r(s): cubic Hermite curve with slopes dp, dq = dr/ds by the undeformed arc length s at the ends\nstrain = (r'.r' - 1)/2 at 4 Gauss points of (0, l0); curvature = (r' x r'')/|r'|^3 at 3 Gauss points\nwork: EA strain and EI curvature, each times its Gauss weight (of sum l0), are the stresses of a rope\nT = rhoA/2 int rdot.rdot ds (constant mass matrix),  U = -rhoA gravity.int r ds",
         source="Berzeri and Shabana 2000, J. Sound Vib. 235:539; Gerstmayr and Shabana 2006, Nonlinear Dyn. 45:109",
         nodes=(
@@ -3153,14 +2857,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (0, 8), ()),
                 ),
                 302,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (7,), tuple(range(7))),
-                    OutputSpec("s", (0,), ()),
-                ),
-                286,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -3215,7 +2911,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_slope_clamp
     "planar_slope_clamp": ElementSpec(
         name="planar_slope_clamp",
-        digest="e0d85b77a082ab2e",
+        digest="1f88e7ec809e9cf8",
         doc="ex, ey: directions at angle + alpha0;  across = ey.d",
         source="planar counterpart of slope_clamp",
         nodes=(
@@ -3236,14 +2932,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("e", (1,), (0,)),
                     OutputSpec("De", (1, 3), (0, 1, 2)),
                     OutputSpec("V", (0, 3), ()),
-                ),
-                11,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (1,), (0,)),
-                    OutputSpec("s", (0,), ()),
                 ),
                 11,
             ),
@@ -3282,7 +2970,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_cable_span
     "planar_cable_span": ElementSpec(
         name="planar_cable_span",
-        digest="0b6db2958d79cc9f",
+        digest="0d6a34fcdefb0998",
         doc="l0 ((vp + vq)/2 + l0 (dpdot - dqdot)/12), rate of the integral of position over a cable's cubic curve",
         source="textbook mechanics (consistent nodal forces)",
         nodes=(
@@ -3308,14 +2996,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (2, 8), (0, 2, 4, 6, 9, 11, 13, 15)),
                 ),
                 4,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (0,), ()),
-                    OutputSpec("s", (2,), (0, 1)),
-                ),
-                14,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -3352,7 +3032,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_cable_circle
     "planar_cable_circle": ElementSpec(
         name="planar_cable_circle",
-        digest="8d8817f8dc85f856",
+        digest="a5a5cf784f2df773",
         doc="x: point at the fraction xi of the cable's cubic curve;  ex, ey: directions at angle + alpha0\nw = xdot - xcdot - angledot ez x (x - xc), the velocity seen from the body\na = x - xc - offset_x ex - offset_y ey\ngap = |a| - radius - rope_radius,  tangential = (ax wy - ay wx)/|a|, counterclockwise",
         source="planar counterpart of contact in space",
         nodes=(
@@ -3387,14 +3067,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 72,
             ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (1,), (0,)),
-                    OutputSpec("s", (1,), (0,)),
-                ),
-                88,
-            ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
                 (
@@ -3408,7 +3080,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                 (
                     OutputSpec("Phi_x", (2, 11), tuple(range(22))),
                 ),
-                164,
+                163,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -3430,7 +3102,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_cable_line
     "planar_cable_line": ElementSpec(
         name="planar_cable_line",
-        digest="ba1dc5a65c6fdea4",
+        digest="34481bf531d08858",
         doc="x: point at the fraction xi of the cable's cubic curve;  ex, ey: directions at angle + alpha0\nw = xdot - xcdot - angledot ez x (x - xc), the velocity seen from the body\ngap = ey.(x - xc) - offset_y - rope_radius,  tangential = ex.w",
         source="planar counterpart of contact in space",
         nodes=(
@@ -3463,14 +3135,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (1, 11), tuple(range(11))),
                 ),
                 56,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (1,), (0,)),
-                    OutputSpec("s", (1,), (0,)),
-                ),
-                67,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -3511,7 +3175,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_1
     "linear_1": LawSpec(
         name="linear_1",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=1,
         slips=0,
@@ -3545,7 +3209,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_2
     "linear_2": LawSpec(
         name="linear_2",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=2,
         slips=0,
@@ -3579,7 +3243,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_3
     "linear_3": LawSpec(
         name="linear_3",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=3,
         slips=0,
@@ -3613,7 +3277,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_4
     "linear_4": LawSpec(
         name="linear_4",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=4,
         slips=0,
@@ -3647,7 +3311,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_5
     "linear_5": LawSpec(
         name="linear_5",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=5,
         slips=0,
@@ -3681,7 +3345,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_6
     "linear_6": LawSpec(
         name="linear_6",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=6,
         slips=0,
@@ -3715,7 +3379,7 @@ LAWS: dict[str, LawSpec] = {
     # law diagonal_7
     "diagonal_7": LawSpec(
         name="diagonal_7",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="sigma_i = preload_i + S_i e_i + D_i ed_i\nenergy = sum of preload_i e_i + S_i e_i^2/2",
         deformations=7,
         slips=0,
@@ -3749,7 +3413,7 @@ LAWS: dict[str, LawSpec] = {
     # law diagonal_13
     "diagonal_13": LawSpec(
         name="diagonal_13",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="sigma_i = preload_i + S_i e_i + D_i ed_i\nenergy = sum of preload_i e_i + S_i e_i^2/2",
         deformations=13,
         slips=0,
@@ -3783,7 +3447,7 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_1
     "viscous_1": LawSpec(
         name="viscous_1",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="tau = C s",
         deformations=0,
         slips=1,
@@ -3815,7 +3479,7 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_2
     "viscous_2": LawSpec(
         name="viscous_2",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="tau = C s",
         deformations=0,
         slips=2,
@@ -3847,7 +3511,7 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_3
     "viscous_3": LawSpec(
         name="viscous_3",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="tau = C s",
         deformations=0,
         slips=3,
@@ -3879,7 +3543,7 @@ LAWS: dict[str, LawSpec] = {
     # law spring_curve
     "spring_curve": LawSpec(
         name="spring_curve",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="y = x - origin, sum of c_i y^i in the piece in which x lies (x < next break), end pieces beyond\nsigma = that sum with x = e;  energy = its integral",
         deformations=1,
         slips=0,
@@ -3914,7 +3578,7 @@ LAWS: dict[str, LawSpec] = {
     # law damper_curve
     "damper_curve": LawSpec(
         name="damper_curve",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="y = x - origin, sum of c_i y^i in the piece in which x lies (x < next break), end pieces beyond\nsigma = that sum with x = the rate of e",
         deformations=1,
         slips=0,
@@ -3948,7 +3612,7 @@ LAWS: dict[str, LawSpec] = {
     # law stop
     "stop": LawSpec(
         name="stop",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="depth = max(0, e - gap);  sigma = stiffness depth max(0, 1 + damping edot), never pulling",
         deformations=1,
         slips=0,
@@ -3982,7 +3646,7 @@ LAWS: dict[str, LawSpec] = {
     # law vertical_tyre
     "vertical_tyre": LawSpec(
         name="vertical_tyre",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="sigma = Fz\nFz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0",
         deformations=1,
         slips=0,
@@ -4015,7 +3679,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_tyre
     "linear_tyre": LawSpec(
         name="linear_tyre",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="Fz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0\nslip angle alpha = atan(sideways/max(|forward|, standstill)), of the wheel's centre\ntau(lateral) = -fade Fy, tau(spin) = -fade Mz;  fade = 3 u^2 - 2 u^3, u = min(1, |forward|/standstill)\nFy = -cornering alpha - camber_stiffness camber while pressed, whatever the load;  Mz = -trail Fy",
         deformations=2,
         slips=4,
@@ -4052,7 +3716,7 @@ LAWS: dict[str, LawSpec] = {
     # law calspan_tyre
     "calspan_tyre": LawSpec(
         name="calspan_tyre",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="Fz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0\nslip angle alpha = atan(sideways/max(|forward|, standstill)), of the wheel's centre\ntau(lateral) = -fade Fy, tau(spin) = -fade Mz;  fade = 3 u^2 - 2 u^3, u = min(1, |forward|/standstill)\nF = min(Fz, A2): beyond the load A2 the data end, friction and stiffnesses keep their values there\nmu = SN (B1 F + B3 + B4 F^2),  C_alpha = A0 + A1 F (1 - F/A2),  C_gamma = A3 F (1 - F/A4)\nslip = -(C_alpha alpha + C_gamma camber)/(mu Fz), at most 3\nFy = mu Fz (slip - slip |slip|/3 + slip^3/27),  Mz = (AF1 Fz + AF2 |Fy|) Fy,  Fx = 0",
         deformations=2,
         slips=4,
@@ -4090,7 +3754,7 @@ LAWS: dict[str, LawSpec] = {
     # law magic_formula
     "magic_formula": LawSpec(
         name="magic_formula",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="Fz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0\nlx kappadot = Re rolling - forward - |forward| kappa\nly (tan alpha)dot = lateral - |forward| tan alpha,  lateral of the contact point\nmu = mu0 + mu1 min(1, Fz/Fz0 - 1),  Kx = kx Fz,  Ky = c1 Fz0 sin(2 atan(Fz/(c2 Fz0))),  Kg = kg Fz\nx = Kx kappa/(mu Fz),  y = (Ky tan alpha + Kg camber)/(mu Fz),  slip = |(x, y)|,  b = slip/C\n(Fx, Fy) = mu Fz sin(C atan(b - E (b - atan b))) (x, -y)/slip, combined slip by similarity\nMz = -t0 Fz/Fz0 cos(atan(B tan alpha)) Fy;  tau(longitudinal, lateral, spin) = -(Fx, Fy, Mz)",
         deformations=2,
         slips=5,
@@ -4135,7 +3799,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz
     "hertz": LawSpec(
         name="hertz",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1)",
         deformations=1,
         slips=0,
@@ -4169,7 +3833,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz_coulomb_1
     "hertz_coulomb_1": LawSpec(
         name="hertz_coulomb_1",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1)\ntau = friction N s/sqrt(s.s + slip_speed^2)",
         deformations=1,
         slips=1,
@@ -4205,7 +3869,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz_coulomb_2
     "hertz_coulomb_2": LawSpec(
         name="hertz_coulomb_2",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1)\ntau = friction N s/sqrt(s.s + slip_speed^2)",
         deformations=1,
         slips=2,
@@ -4241,7 +3905,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz_bristle_1
     "hertz_bristle_1": LawSpec(
         name="hertz_bristle_1",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1) + stiffness d^exponent bristle_stiffness z.z/2\ndz/dt = s - bristle_stiffness |s| z/friction in contact, -release z when open\ntau = N (bristle_stiffness z + bristle_damping dz/dt)",
         deformations=1,
         slips=1,
@@ -4281,7 +3945,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz_bristle_2
     "hertz_bristle_2": LawSpec(
         name="hertz_bristle_2",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1) + stiffness d^exponent bristle_stiffness z.z/2\ndz/dt = s - bristle_stiffness |s| z/friction in contact, -release z when open\ntau = N (bristle_stiffness z + bristle_damping dz/dt)",
         deformations=1,
         slips=2,
@@ -4322,7 +3986,7 @@ LAWS: dict[str, LawSpec] = {
     # law journal
     "journal": LawSpec(
         name="journal",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="N_i = stiffness e_i + damping ed_i in two directions (i = 0, 1), N = |(N_0, N_1)|\ntorque = friction_radius N w/sqrt(w^2 + slip_speed^2) on the angle e_2, w = ed_2",
         deformations=3,
         slips=0,

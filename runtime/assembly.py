@@ -14,9 +14,9 @@ from typing import Any
 
 import numpy as np
 
+from flexel.derive.spec import ElementSpec, LawSpec
 from flexel.errors import FlexelError
 from flexel.generated._kernels import ffi, lib
-from flexel.generated.spec import ElementSpec, LawSpec
 from flexel.structure import Array, Index
 
 LANES = 8  # elements in a block, see generated/kernels.h

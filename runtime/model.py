@@ -15,9 +15,9 @@ import numpy as np
 
 from flexel import beams, bodies, couplings, curves, feedback, joints, loads, springs, user, wheels
 from flexel.build import build
+from flexel.derive.spec import ElementSpec
 from flexel.errors import ModelError
 from flexel.functions import TimeFunction, as_function
-from flexel.generated.spec import ElementSpec
 from flexel.generated.table import ELEMENTS
 from flexel.inputs import array, new_name, number, quantities, vector
 from flexel.rope import cable_lines, cables, contacts, ropes, surfaces

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from flexel.checks import not_negative
+from flexel.derive.spec import LawSpec
 from flexel.errors import ModelError
-from flexel.generated.spec import LawSpec
 from flexel.generated.table import ELEMENTS, LAWS
 from flexel.inputs import array, names, number, numbers, quantities
 from flexel.laws import formula_law

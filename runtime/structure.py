@@ -16,8 +16,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from flexel.derive.spec import ElementSpec, LawSpec
 from flexel.errors import ModelError
-from flexel.generated.spec import ElementSpec, LawSpec
 from flexel.inputs import array
 
 Array = NDArray[np.float64]

@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, TypeVar
 
+from flexel.derive.spec import ElementSpec
 from flexel.errors import CompilerError, ElementError, ModelError
-from flexel.generated.spec import ElementSpec
 from flexel.structure import Node
 
 if TYPE_CHECKING:

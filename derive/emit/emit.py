@@ -14,6 +14,7 @@ from flexel.derive.declare import Element, Law
 from flexel.derive.elements import ELEMENTS
 from flexel.derive.emit.entries import table_entry
 from flexel.derive.emit.source import digest_of, element_source, laws_source, render
+from flexel.derive.emit.specification import element_spec, law_spec
 from flexel.derive.laws import LAWS
 from flexel.derive.program.kernels import Derived, derive_element, derive_law
 
@@ -82,7 +83,7 @@ def emit(
         derived = derive_element(element)
         source = element_source(element, derived)
         files[f"{element.name}.c"] = source
-        entries[element.name] = table_entry(element, derived, digest_of(source))
+        entries[element.name] = table_entry(element_spec(element, derived, digest_of(source)))
         counts[element.name] = _counts(derived)
     law_entries = {law.name: kept[law.name] for law in laws if law.name in kept}
     if len(law_entries) < len(laws):
@@ -91,7 +92,7 @@ def emit(
         source = laws_source(laws, all_derived)
         files["laws.c"] = source
         pairs = zip(laws, all_derived, strict=True)
-        law_entries = {law.name: table_entry(law, d, digest_of(source)) for law, d in pairs}
+        law_entries = {law.name: table_entry(law_spec(law, d, digest_of(source))) for law, d in pairs}
         counts.update({law.name: _counts(d) for law, d in zip(laws, all_derived, strict=True)})
     return Emitted({**files, **_common(entries, law_entries)}, counts)
 
@@ -101,12 +102,8 @@ def _common(elements: dict[str, str], laws: dict[str, str]) -> dict[str, str]:
     flags = "[" + ", ".join(f'"{flag}"' for flag in FLAGS) + "]"
     return {
         "__init__.py": render("init.py.jinja"),
-        "blocks.c": render("blocks.c.jinja"),
-        "blocks.h": render("blocks.h.jinja"),
-        "build.py": render("build.py.jinja", flags=flags, elements=elements, laws=laws),
+        "build.py": render("build.py.jinja", flags=flags),
         "kernels.h": render("kernels.h.jinja", elements=elements, laws=laws),
-        "spec.py": render("spec.py.jinja"),
-        "system.c": render("system.c.jinja"),
         "table.py": render("table.py.jinja", elements=elements, laws=laws),
     }
 

@@ -1,71 +1,72 @@
-"""Entries of ``generated/table.py``, as text.
+"""Entries of ``generated/table.py``: specifications, written as Python.
 
-The classes that the entries name are in ``flexel.derive.spec``.
+Fields that have their default value are left out, so that an entry says only what is particular.
 """
 
-from collections.abc import Collection, Sequence
+from dataclasses import MISSING, Field, fields, is_dataclass
 from typing import Any
 
-from flexel.derive.declare import Element, Law
-from flexel.derive.program.kernels import Derived, Kernel
+from flexel.derive.spec import ElementSpec, LawSpec
+
+_STEP = "    "
 
 
-def _tuple(values: Collection[Any]) -> str:
-    items = list(values)
-    if len(items) > 4 and items == list(range(len(items))):
-        return f"tuple(range({len(items)}))"
-    return f"({', '.join(map(_literal, items))}{',' if len(items) == 1 else ''})"
+def table_entry(spec: ElementSpec | LawSpec) -> str:
+    """Entry of an element or a law in ``table.py``."""
+    lines = [f"{_STEP}{_literal(spec.name)}: {type(spec).__name__}("]
+    for field in fields(spec):
+        value = getattr(spec, field.name)
+        if _said(field, value):
+            lines += _field(field.name, value)
+    return "\n".join([*lines, f"{_STEP}),"])
+
+
+def _said(field: Field[Any], value: Any) -> bool:
+    return bool(value != field.default)
+
+
+def _field(name: str, value: Any) -> list[str]:
+    """Lines of one field: tuples of specifications and kernels over several."""
+    indent = 2 * _STEP
+    if isinstance(value, dict):
+        lines = [f"{indent}{name}={{"]
+        for key, kernel in value.items():
+            lines += _kernel(key, kernel)
+        return [*lines, f"{indent}}},"]
+    if isinstance(value, tuple) and value:
+        return [f"{indent}{name}=(", *(f"{indent}{_STEP}{_literal(z)}," for z in value), f"{indent}),"]
+    return [f"{indent}{name}={_literal(value)},"]
+
+
+def _kernel(name: str, kernel: Any) -> list[str]:
+    indent = 3 * _STEP
+    return [
+        f"{indent}{_literal(name)}: {type(kernel).__name__}(",
+        f"{indent}{_STEP}{_literal(kernel.inputs)},",
+        f"{indent}{_STEP}(",
+        *(f"{indent}{2 * _STEP}{_literal(output)}," for output in kernel.outputs),
+        f"{indent}{_STEP}),",
+        f"{indent}{_STEP}{kernel.operations},",
+        f"{indent}),",
+    ]
 
 
 def _literal(value: Any) -> str:
     if isinstance(value, str):
         return '"' + value.replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n") + '"'
-    return repr(value)
+    if isinstance(value, tuple):
+        if len(value) > 4 and value == tuple(range(len(value))):
+            return f"tuple(range({len(value)}))"
+        return f"({', '.join(map(_literal, value))}{',' if len(value) == 1 else ''})"
+    return _call(value) if is_dataclass(value) else repr(value)
 
 
-def _call(kind: str, *values: Any) -> str:
-    return f"{kind}({', '.join(_literal(value) for value in values)})"
-
-
-def _group(name: str, entries: Sequence[str]) -> list[str]:
-    if not entries:
-        return [f"        {name}=(),"]
-    return [f"        {name}=(", *(f"            {entry}," for entry in entries), "        ),"]
-
-
-def _kernels(kernels: Collection[Kernel]) -> list[str]:
-    lines = ["        kernels={"]
-    for kernel in kernels:
-        lines += [f'            "{kernel.name}": KernelSpec(', f"                {_tuple(kernel.inputs)},"]
-        lines.append("                (")
-        for o in kernel.outputs:
-            arguments = f"{_literal(o.name)}, {_tuple(o.shape)}, {_tuple(o.nonzeros)}"
-            lines.append(f"                    OutputSpec({arguments}),")
-        lines += ["                ),", f"                {kernel.operations},", "            ),"]
-    return [*lines, "        },"]
-
-
-def table_entry(declared: Element | Law, derived: Derived, digest: str) -> str:
-    """Entry of an element or a law in ``table.py``, with the digest of its C."""
-    d = declared
-    parameters = [_call("ParameterSpec", p.name, p.size, p.unit, p.doc) for p in d.parameters]
-    head = [f"        name={_literal(d.name)},", f"        digest={_literal(digest)},"]
-    head += [f"        doc={_literal(d.doc)},"]
-    if isinstance(d, Element):
-        kind = "ElementSpec"
-        head.append(f"        source={_literal(d.source)},")
-        head += _group("nodes", [_call("NodeSpec", node.name, node.kind) for node in d.nodes])
-        head += _group("parameters", parameters)
-        modes = [_call("DeformationSpec", e.name, e.unit, e.angle, e.free) for e in d.deformations]
-        head += _group("deformations", modes)
-        head += _group("slips", [_call("SlipSpec", s.name, s.unit, s.free) for s in d.slips])
-    else:
-        kind = "LawSpec"
-        head += [
-            f"        deformations={len(d.e)},",
-            f"        slips={len(d.s)},",
-            *_group("states", [_call("InternalSpec", z.name, z.unit) for z in d.states]),
-            *_group("parameters", parameters),
-        ]
-    lines = [f"    {_literal(d.name)}: {kind}(", *head, *_kernels(derived.kernels.values()), "    ),"]
-    return "\n".join(lines)
+def _call(spec: Any) -> str:
+    """A small specification as the call that makes it; what has a default is named."""
+    arguments = []
+    for field in fields(spec):
+        value = getattr(spec, field.name)
+        if _said(field, value):
+            named = f"{field.name}=" if field.default is not MISSING else ""
+            arguments.append(named + _literal(value))
+    return f"{type(spec).__name__}({', '.join(arguments)})"

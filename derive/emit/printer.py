@@ -59,10 +59,14 @@ class _Printer:
     def __init__(self, derived: Derived, kernel: Kernel) -> None:
         self.program: Program = derived.program
         self.stores: dict[int, list[str]] = {}
+        self.entries: dict[int, list[str]] = {}  # rows and columns of the entries of matrices
         outputs: list[int] = []
         for output in kernel.outputs:
             for i, row in enumerate(output.rows):
                 self.stores.setdefault(row, []).append(f"{output.name}[{i} * {BLOCK} + j]")
+                if len(output.shape) == 2:
+                    r, c = divmod(output.nonzeros[i], output.shape[1])
+                    self.entries.setdefault(row, []).append(f"{output.name}({r},{c})")
                 outputs.append(row)
         self.order = self.program.in_order(outputs)
         self.uses = Counter(arg for row in self.order for arg in set(self.program.rows[row].args))
@@ -148,7 +152,8 @@ class _Printer:
             loop.lines.append(f"const real {name} = {text};")
             self.text[row] = name, _ATOM
         if stores:
-            loop.lines.append(f"{' = '.join(stores)} = {self.text[row][0]};")
+            beside = f" /* {' '.join(self.entries[row])} */" if row in self.entries else ""
+            loop.lines.append(f"{' = '.join(stores)} = {self.text[row][0]};{beside}")
 
     def _claim(self, row: int) -> str:
         if row in self.names:

@@ -11,6 +11,7 @@ from typing import Any
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from flexel.derive.declare import Element, Law, Parameter
+from flexel.derive.emit.fold import folded
 from flexel.derive.emit.printer import BLOCK, print_kernel
 from flexel.derive.program.kernels import Derived, Kernel
 
@@ -26,9 +27,10 @@ def _environment() -> Environment:
 
 
 def render(template: str, **context: Any) -> str:
-    """Text of a template, without trailing blanks."""
+    """Text of a template, without trailing blanks; lines of C are folded."""
     text = _environment().get_template(template).render(notice=NOTICE, block=BLOCK, **context)
-    return "\n".join(line.rstrip() for line in text.splitlines()).rstrip("\n") + "\n"
+    clean = "\n".join(line.rstrip() for line in text.splitlines()).rstrip("\n") + "\n"
+    return clean if template.endswith(".py.jinja") else folded(clean)
 
 
 def _stamped(text: str) -> str:

@@ -1,7 +1,7 @@
 """Which kernels an element or a law has, and the rows of their outputs.
 
 Here the contract of ``generated/kernels.h`` is filled in: from D, V, T and U of an element, lowered to one program,
-to the outputs of its eight kernels. Second and third derivatives are always contracted with rates, accelerations
+to the outputs of its kernels. Second and third derivatives are always contracted with rates, accelerations
 or stresses.
 """
 
@@ -154,7 +154,6 @@ def _kinematic_kernels(b: _Builder, rows: _Lowered) -> None:
     ed = forward(p, rows.e, along_v)
     g, gs = forward(p, ed, along_v), forward(p, rows.s, along_v)
     b.kernel("position", "xp", {"e": ((m,), rows.e), "De": ((m, n), flat(De)), "V": ((k, n), flat(V))})
-    b.kernel("velocity", "xvp", {"ed": ((m,), ed), "s": ((k,), rows.s)})
     b.kernel("acceleration", "xvp", {"g": ((m,), g), "gs": ((k,), gs)})
 
     De_a = forward(p, rows.e, dict(zip(x, rows.a, strict=True)))

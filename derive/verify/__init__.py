@@ -11,7 +11,6 @@ import sys
 import time
 from collections.abc import Iterable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import click
 from tqdm import tqdm
@@ -19,13 +18,11 @@ from tqdm import tqdm
 from flexel.derive.declare import Element, Law
 from flexel.derive.elements import ELEMENTS
 from flexel.derive.laws import LAWS
+from flexel.derive.spec import ElementSpec, LawSpec
 from flexel.derive.verify.check import element_rows, law_rows
 from flexel.derive.verify.compiled import Compiled, generated_elements
 from flexel.derive.verify.report import Row, Verification
 from flexel.derive.verify.samples import NOTHING, Ranges
-
-if TYPE_CHECKING:
-    from flexel.generated.spec import ElementSpec, LawSpec
 
 __all__ = ["Row", "Verification", "main", "verify", "verify_generated"]
 
@@ -33,7 +30,7 @@ NAMES: dict[str, Element | Law] = {e.name: e for e in ELEMENTS} | {f"law_{law.na
 
 
 def verify(
-    spec: "ElementSpec | LawSpec", address: int, definition: Element | Law, ranges: Ranges = NOTHING
+    spec: ElementSpec | LawSpec, address: int, definition: Element | Law, ranges: Ranges = NOTHING
 ) -> list[Row]:
     """Verify one element or law, built in or a user's own.
 

@@ -97,7 +97,6 @@ class Differences:
         """What can be had from the kernels below."""
         table: dict[str, Callable[[], dict[str, Array]]] = {
             "position": self._position,
-            "velocity": self._velocity,
             "acceleration": self._acceleration,
             "inertia": self._inertia,
             "rates": self._rates,
@@ -113,24 +112,16 @@ class Differences:
     def _position(self) -> dict[str, Array]:
         return {"De": jacobian(self._output("position", "e"), self.data, "x", self.angles)}
 
-    def _velocity(self) -> dict[str, Array]:
-        data = self.data
-        V = self.call("position", data)["V"]
-        return {
-            "ed": along(self._output("position", "e"), data, {"x": data["v"]}, self.angles),
-            "s": np.einsum("bij,bj->bi", V, data["v"]),
-        }
-
     def _acceleration(self) -> dict[str, Array]:
-        motion = {"x": self.data["v"]}
-        return {
-            "g": along(self._output("velocity", "ed"), self.data, motion),
-            "gs": along(self._output("velocity", "s"), self.data, motion),
-        }
+        rates = along(self._mode_rates, self.data, {"x": self.data["v"]})
+        m = self.angles.size
+        return {"g": rates[:, :m], "gs": rates[:, m:]}
 
     def _mode_rates(self, data: Data) -> Array:
-        velocity = self.call("velocity", data)
-        return np.hstack([velocity["ed"], velocity["s"]])
+        """De v and V v."""
+        position = self.call("position", data)
+        B = np.concatenate([position["De"], position["V"]], axis=1)
+        return np.asarray(np.einsum("bij,bj->bi", B, data["v"]))
 
     def _mode_accelerations(self, data: Data) -> Array:
         position, acceleration = self.call("position", data), self.call("acceleration", data)

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from flexel.generated.spec import (
+from flexel.derive.spec import (
     DeformationSpec,
     ElementSpec,
     InternalSpec,

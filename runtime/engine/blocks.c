@@ -1,4 +1,4 @@
-/* Factors and solutions of linear equations in block lower triangular form; see blocks.h. {{ notice }} */
+/* Factors and solutions of linear equations in block lower triangular form; see blocks.h. */
 #include "blocks.h"
 
 #include <math.h>

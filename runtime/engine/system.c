@@ -1,5 +1,5 @@
-/* What is evaluated for a whole system in one call from outside. {{ notice }} */
-#include "kernels.h"
+/* What is evaluated for a whole system in one call from outside. */
+#include "system.h"
 
 void flexel_run(size_t n, const flexel_call *calls)
 {

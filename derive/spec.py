@@ -1,6 +1,6 @@
-"""What the table of kernels is made of.
+"""What the runtime knows of elements and laws: the classes of the entries of ``generated/table.py``.
 
-Written by `flexel derive`; do not edit.
+Plain Python: the one module of ``derive`` that the runtime imports, without SymPy.
 """
 
 from dataclasses import dataclass

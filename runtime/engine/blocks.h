@@ -1,4 +1,4 @@
-/* Linear equations in block lower triangular form: what is here, and how it is stored. Written by `flexel derive`; do not edit.
+/* Linear equations in block lower triangular form: what is here, and how it is stored.
  *
  * Rows and columns come in an order in which square diagonal blocks follow one another, block k from start[k] to
  * start[k + 1], and no entry lies to the right of them. The blocks lie one after another in `diagonal`, row by row; the
@@ -9,6 +9,7 @@
 
 #include <stddef.h>
 
+/* cdef: begin */
 typedef struct {
     size_t nblocks;
     const size_t *start, *first, *column;
@@ -24,5 +25,6 @@ void flexel_solve_blocks(const flexel_form *form, const double *diagonal, const 
                          size_t n, double *x);
 void flexel_solve_blocks_transposed(const flexel_form *form, const double *diagonal, const size_t *pivots,
                                     const double *beside, size_t n, double *x);
+/* cdef: end */
 
 #endif
