@@ -6,6 +6,7 @@ numbers of the verification are those of `flexel verify`, computed once for each
 
 import inspect
 import json
+import math
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from importlib import import_module
@@ -14,7 +15,7 @@ from typing import Any
 
 import flexel
 from flexel.commands.reproduce import CASES
-from flexel.derive.spec import ElementSpec, KernelSpec, LawSpec, ParameterSpec
+from flexel.derive.spec import DeformationSpec, ElementSpec, KernelSpec, LawSpec, ParameterSpec
 from flexel.derive.verify import verify_generated
 from flexel.generated.table import ELEMENTS, LAWS
 
@@ -103,10 +104,7 @@ def number(value: float | None) -> str:
 
 def element_page(spec: ElementSpec, rows: Rows) -> str:
     """Definition, source, kernels, counts and verification of one element."""
-    modes = [
-        (f"`{z.name}`", z.unit, "free" if z.free else "rigid", "2π" if z.angle else "")
-        for z in spec.deformations
-    ]
+    modes = [(f"`{z.name}`", z.unit, "free" if z.free else "rigid", period(z)) for z in spec.deformations]
     slips = [(f"`{z.name}`", z.unit, "free" if z.free else "zero") for z in spec.slips]
     return f"""# {spec.name}
 
@@ -137,6 +135,15 @@ Worst relative errors at random configurations, as `flexel verify {spec.name}` p
 kernel one order below, and against the definition in 60 digits.
 
 {errors(rows)}"""
+
+
+def period(spec: DeformationSpec) -> str:
+    """The period of a deformation as a formula."""
+    terms = []
+    for term in spec.period:
+        turns = f"{term.factor / (2 * math.pi):g}·2π".removeprefix("1·").replace("-1·", "-")
+        terms.append(" ".join([turns, *(name if n == 1 else f"{name}^{n}" for name, _, n in term.powers)]))
+    return " + ".join(terms)
 
 
 def laws_page(rows: dict[str, Rows]) -> str:

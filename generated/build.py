@@ -16,19 +16,19 @@ FLAGS = ["-O2", "-fno-math-errno", "-fno-trapping-math", "-fopenmp-simd", "-ffp-
 BETWEEN = re.compile(r"/\* cdef: begin \*/\n(.*?)/\* cdef: end \*/", re.DOTALL)
 
 
-def engine():
+def engine() -> str:
     """The folder of what calls the kernels: in a checkout, or in an installed package."""
     places = [os.path.normpath(os.path.join(FOLDER, *parts)) for parts in (("..", "runtime", "engine"), ("..", "engine"))]
     return next(place for place in places if os.path.isdir(place))
 
 
-def files(ending):
+def files(ending: str) -> list[str]:
     """The files of both folders with such a name, those of the kernels first."""
     found = ((folder, sorted(os.listdir(folder or "."))) for folder in (FOLDER, ENGINE))
     return [os.path.join(folder, name) for folder, names in found for name in names if name.endswith(ending)]
 
 
-def declarations(header):
+def declarations(header: str) -> str:
     """What a header declares, for numbers of double precision."""
     with open(header, encoding="utf-8") as text:
         return re.sub(r"\breal\b", "double", "".join(BETWEEN.findall(text.read())))

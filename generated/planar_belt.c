@@ -3,7 +3,8 @@
  * d = xq - xp, psi its angle counted from psi0 (less than half a turn away)
  * free_length = sqrt(d.d - (radius_p - radius_q)^2), of the common tangent on the left of d
  * theta = psi - atan2(radius_p - radius_q, free_length), turn of the points of contact
- * elongation = free_length + radius_p (angle_p - theta) - radius_q (angle_q - theta) - zero
+ * elongation = free_length + radius_p (angle_p - theta) - radius_q (angle_q - theta) - zero,
+ * period 2 pi (radius_p - radius_q): a turn of the line of centres, whose angle is a principal value
  *
  * Source: SPACAR95 manual (Schwab and Meijaard 2000), PLBELT; terms in theta from the geometry: without them the
  *   tension would not act along the belt
@@ -394,7 +395,7 @@ static void planar_belt_stiffness(size_t nblocks, const real *const *in, real *c
 
 const flexel_element flexel_planar_belt = {
     .name = "planar_belt",
-    .digest = "20ba07fbf1459212",
+    .digest = "9b08aa4e2767ad0c",
     .n = 6,
     .m = 1,
     .k = 0,

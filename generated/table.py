@@ -9,10 +9,12 @@ from flexel.derive.spec import (
     InternalSpec,
     KernelSpec,
     LawSpec,
+    LimitSpec,
     NodeSpec,
     OutputSpec,
     ParameterSpec,
     SlipSpec,
+    TermSpec,
 )
 
 ELEMENTS: dict[str, ElementSpec] = {
@@ -51,6 +53,8 @@ ELEMENTS: dict[str, ElementSpec] = {
                 0,
             ),
         },
+        family="body",
+        picture="mass",
     ),
     # element body
     "body": ElementSpec(
@@ -90,6 +94,8 @@ ELEMENTS: dict[str, ElementSpec] = {
                 1337,
             ),
         },
+        family="body",
+        picture="body",
     ),
     # element rotary_inertia
     "rotary_inertia": ElementSpec(
@@ -125,6 +131,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                 536,
             ),
         },
+        family="body",
     ),
     # element norm
     "norm": ElementSpec(
@@ -137,7 +144,7 @@ ELEMENTS: dict[str, ElementSpec] = {
         ),
         parameters=(),
         deformations=(
-            DeformationSpec("norm", "1", False, False),
+            DeformationSpec("norm", "1", False, kind="norm"),
         ),
         slips=(),
         kernels={
@@ -181,6 +188,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                 1,
             ),
         },
+        family="norm",
     ),
     # element truss
     "truss": ElementSpec(
@@ -198,7 +206,7 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("gravity", 3, "m/s^2", "acceleration of gravity"),
         ),
         deformations=(
-            DeformationSpec("elongation", "m", False, False),
+            DeformationSpec("elongation", "m", False),
         ),
         slips=(),
         kernels={
@@ -260,6 +268,9 @@ ELEMENTS: dict[str, ElementSpec] = {
                 0,
             ),
         },
+        family="truss",
+        picture="bar",
+        span="bar_span",
     ),
     # element hinge
     "hinge": ElementSpec(
@@ -276,9 +287,9 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("tq", 4, "1", "unit quaternion from the body frame of node q to the element's triad there"),
         ),
         deformations=(
-            DeformationSpec("angle", "rad", True, True),
-            DeformationSpec("bend1", "1", False, False),
-            DeformationSpec("bend2", "1", False, False),
+            DeformationSpec("angle", "rad", True, period=(TermSpec(6.283185307179586),)),
+            DeformationSpec("bend1", "1", False),
+            DeformationSpec("bend2", "1", False),
         ),
         slips=(),
         kernels={
@@ -322,6 +333,8 @@ ELEMENTS: dict[str, ElementSpec] = {
                 1035,
             ),
         },
+        family="hinge",
+        picture="hinge",
     ),
     # element bearing
     "bearing": ElementSpec(
@@ -341,12 +354,12 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("d0", 3, "m", "components of xq - xp on the triad at p when the deformations are zero"),
         ),
         deformations=(
-            DeformationSpec("angle", "rad", True, True),
-            DeformationSpec("bend1", "1", False, False),
-            DeformationSpec("bend2", "1", False, False),
-            DeformationSpec("axial", "m", False, False),
-            DeformationSpec("radial1", "m", False, False),
-            DeformationSpec("radial2", "m", False, False),
+            DeformationSpec("angle", "rad", True, period=(TermSpec(6.283185307179586),)),
+            DeformationSpec("bend1", "1", False),
+            DeformationSpec("bend2", "1", False),
+            DeformationSpec("axial", "m", False),
+            DeformationSpec("radial1", "m", False),
+            DeformationSpec("radial2", "m", False),
         ),
         slips=(),
         kernels={
@@ -390,6 +403,8 @@ ELEMENTS: dict[str, ElementSpec] = {
                 1150,
             ),
         },
+        family="bearing",
+        picture="bearing",
     ),
     # element beam3
     "beam3": ElementSpec(
@@ -411,9 +426,9 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("gravity", 3, "m/s^2", "acceleration of gravity"),
         ),
         deformations=(
-            DeformationSpec("along", "m", False, False),
-            DeformationSpec("across1", "m", False, False),
-            DeformationSpec("across2", "m", False, False),
+            DeformationSpec("along", "m", False),
+            DeformationSpec("across1", "m", False),
+            DeformationSpec("across2", "m", False),
         ),
         slips=(),
         kernels={
@@ -475,6 +490,9 @@ ELEMENTS: dict[str, ElementSpec] = {
                 845,
             ),
         },
+        family="link",
+        picture="bar",
+        span="bar_span",
     ),
     # element beam
     "beam": ElementSpec(
@@ -499,12 +517,12 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("gravity", 3, "m/s^2", "acceleration of gravity"),
         ),
         deformations=(
-            DeformationSpec("elongation", "m", False, False),
-            DeformationSpec("torsion", "m", False, False),
-            DeformationSpec("bend1", "m", False, False),
-            DeformationSpec("bend2", "m", False, False),
-            DeformationSpec("bend3", "m", False, False),
-            DeformationSpec("bend4", "m", False, False),
+            DeformationSpec("elongation", "m", False),
+            DeformationSpec("torsion", "m", False),
+            DeformationSpec("bend1", "m", False),
+            DeformationSpec("bend2", "m", False),
+            DeformationSpec("bend3", "m", False),
+            DeformationSpec("bend4", "m", False),
         ),
         slips=(),
         kernels={
@@ -566,6 +584,9 @@ ELEMENTS: dict[str, ElementSpec] = {
                 8280,
             ),
         },
+        family="beam",
+        picture="beam",
+        span="beam_span",
     ),
     # element beam_first_order
     "beam_first_order": ElementSpec(
@@ -590,12 +611,12 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("gravity", 3, "m/s^2", "acceleration of gravity"),
         ),
         deformations=(
-            DeformationSpec("elongation", "m", False, False),
-            DeformationSpec("torsion", "m", False, False),
-            DeformationSpec("bend1", "m", False, False),
-            DeformationSpec("bend2", "m", False, False),
-            DeformationSpec("bend3", "m", False, False),
-            DeformationSpec("bend4", "m", False, False),
+            DeformationSpec("elongation", "m", False),
+            DeformationSpec("torsion", "m", False),
+            DeformationSpec("bend1", "m", False),
+            DeformationSpec("bend2", "m", False),
+            DeformationSpec("bend3", "m", False),
+            DeformationSpec("bend4", "m", False),
         ),
         slips=(),
         kernels={
@@ -657,6 +678,9 @@ ELEMENTS: dict[str, ElementSpec] = {
                 8280,
             ),
         },
+        family="beam",
+        picture="beam",
+        span="beam_span",
     ),
     # element wheel
     "wheel": ElementSpec(
@@ -676,10 +700,10 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("height", 1, "m", "distance of the road from the origin along its normal"),
         ),
         deformations=(
-            DeformationSpec("radius", "m", False, False),
-            DeformationSpec("plane", "m", False, False),
-            DeformationSpec("surface", "m", False, False),
-            DeformationSpec("lowest", "m", False, False),
+            DeformationSpec("radius", "m", False),
+            DeformationSpec("plane", "m", False),
+            DeformationSpec("surface", "m", False),
+            DeformationSpec("lowest", "m", False),
         ),
         slips=(
             SlipSpec("longitudinal", "m/s", False),
@@ -727,6 +751,8 @@ ELEMENTS: dict[str, ElementSpec] = {
                 807,
             ),
         },
+        family="wheel",
+        picture="wheel",
     ),
     # element surface
     "surface": ElementSpec(
@@ -743,7 +769,7 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("constant", 1, "m", "constant term"),
         ),
         deformations=(
-            DeformationSpec("height", "m", False, False),
+            DeformationSpec("height", "m", False),
         ),
         slips=(),
         kernels={
@@ -787,6 +813,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                 9,
             ),
         },
+        family="surface",
     ),
     # element toroidal_wheel
     "toroidal_wheel": ElementSpec(
@@ -807,10 +834,10 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("height", 1, "m", "distance of the road from the origin along its normal"),
         ),
         deformations=(
-            DeformationSpec("radius", "m", False, False),
-            DeformationSpec("plane", "m", False, False),
-            DeformationSpec("surface", "m", False, False),
-            DeformationSpec("lowest", "m", False, False),
+            DeformationSpec("radius", "m", False),
+            DeformationSpec("plane", "m", False),
+            DeformationSpec("surface", "m", False),
+            DeformationSpec("lowest", "m", False),
         ),
         slips=(
             SlipSpec("longitudinal", "m/s", False),
@@ -858,6 +885,8 @@ ELEMENTS: dict[str, ElementSpec] = {
                 814,
             ),
         },
+        family="wheel",
+        picture="wheel",
     ),
     # element tyre
     "tyre": ElementSpec(
@@ -877,9 +906,9 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("height", 1, "m", "distance of the road from the origin along its normal"),
         ),
         deformations=(
-            DeformationSpec("deflection", "m", False, True),
-            DeformationSpec("drop", "m", False, True),
-            DeformationSpec("camber", "rad", False, True),
+            DeformationSpec("deflection", "m", True),
+            DeformationSpec("drop", "m", True),
+            DeformationSpec("camber", "rad", True),
         ),
         slips=(
             SlipSpec("forward", "m/s", True),
@@ -930,6 +959,8 @@ ELEMENTS: dict[str, ElementSpec] = {
                 1226,
             ),
         },
+        family="tyre",
+        picture="tyre",
     ),
     # element tyre_on_road
     "tyre_on_road": ElementSpec(
@@ -953,10 +984,10 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("heading", 2, "1", "horizontal unit vector along which the road rises"),
         ),
         deformations=(
-            DeformationSpec("deflection", "m", False, True),
-            DeformationSpec("drop", "m", False, True),
-            DeformationSpec("camber", "rad", False, True),
-            DeformationSpec("grade", "1", False, True),
+            DeformationSpec("deflection", "m", True),
+            DeformationSpec("drop", "m", True),
+            DeformationSpec("camber", "rad", True),
+            DeformationSpec("grade", "1", True),
         ),
         slips=(
             SlipSpec("forward", "m/s", True),
@@ -1007,6 +1038,8 @@ ELEMENTS: dict[str, ElementSpec] = {
                 1857,
             ),
         },
+        family="tyre",
+        picture="tyre",
     ),
     # element axle_slip
     "axle_slip": ElementSpec(
@@ -1071,6 +1104,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                 1228,
             ),
         },
+        family="tyre",
     ),
     # element rotation
     "rotation": ElementSpec(
@@ -1129,6 +1163,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                 6,
             ),
         },
+        family="sensor",
     ),
     # element body_rotation
     "body_rotation": ElementSpec(
@@ -1189,6 +1224,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                 86,
             ),
         },
+        family="sensor",
     ),
     # element body_velocity
     "body_velocity": ElementSpec(
@@ -1248,6 +1284,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                 27,
             ),
         },
+        family="sensor",
     ),
     # element bar_span
     "bar_span": ElementSpec(
@@ -1309,6 +1346,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                 0,
             ),
         },
+        family="span",
     ),
     # element beam_span
     "beam_span": ElementSpec(
@@ -1374,6 +1412,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                 326,
             ),
         },
+        family="span",
     ),
     # element planar_point_mass
     "planar_point_mass": ElementSpec(
@@ -1410,6 +1449,8 @@ ELEMENTS: dict[str, ElementSpec] = {
                 0,
             ),
         },
+        family="body",
+        picture="mass",
     ),
     # element planar_body
     "planar_body": ElementSpec(
@@ -1449,6 +1490,8 @@ ELEMENTS: dict[str, ElementSpec] = {
                 90,
             ),
         },
+        family="body",
+        picture="body",
     ),
     # element planar_rotary_inertia
     "planar_rotary_inertia": ElementSpec(
@@ -1484,6 +1527,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                 0,
             ),
         },
+        family="body",
     ),
     # element planar_truss
     "planar_truss": ElementSpec(
@@ -1501,7 +1545,7 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("gravity", 2, "m/s^2", "acceleration of gravity"),
         ),
         deformations=(
-            DeformationSpec("elongation", "m", False, False),
+            DeformationSpec("elongation", "m", False),
         ),
         slips=(),
         kernels={
@@ -1563,6 +1607,9 @@ ELEMENTS: dict[str, ElementSpec] = {
                 0,
             ),
         },
+        family="truss",
+        picture="bar",
+        span="planar_bar_span",
     ),
     # element planar_hinge
     "planar_hinge": ElementSpec(
@@ -1578,7 +1625,7 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("offset0", 1, "rad", "difference of the angles when the deformation is zero"),
         ),
         deformations=(
-            DeformationSpec("angle", "rad", False, True),
+            DeformationSpec("angle", "rad", True),
         ),
         slips=(),
         kernels={
@@ -1622,6 +1669,8 @@ ELEMENTS: dict[str, ElementSpec] = {
                 0,
             ),
         },
+        family="hinge",
+        picture="hinge",
     ),
     # element planar_beam
     "planar_beam": ElementSpec(
@@ -1645,9 +1694,9 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("gravity", 2, "m/s^2", "acceleration of gravity"),
         ),
         deformations=(
-            DeformationSpec("elongation", "m", False, False),
-            DeformationSpec("bend1", "m", False, False),
-            DeformationSpec("bend2", "m", False, False),
+            DeformationSpec("elongation", "m", False),
+            DeformationSpec("bend1", "m", False),
+            DeformationSpec("bend2", "m", False),
         ),
         slips=(),
         kernels={
@@ -1709,6 +1758,9 @@ ELEMENTS: dict[str, ElementSpec] = {
                 539,
             ),
         },
+        family="beam",
+        picture="beam",
+        span="planar_beam_span",
     ),
     # element planar_beam_first_order
     "planar_beam_first_order": ElementSpec(
@@ -1732,9 +1784,9 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("gravity", 2, "m/s^2", "acceleration of gravity"),
         ),
         deformations=(
-            DeformationSpec("elongation", "m", False, False),
-            DeformationSpec("bend1", "m", False, False),
-            DeformationSpec("bend2", "m", False, False),
+            DeformationSpec("elongation", "m", False),
+            DeformationSpec("bend1", "m", False),
+            DeformationSpec("bend2", "m", False),
         ),
         slips=(),
         kernels={
@@ -1796,6 +1848,9 @@ ELEMENTS: dict[str, ElementSpec] = {
                 539,
             ),
         },
+        family="beam",
+        picture="beam",
+        span="planar_beam_span",
     ),
     # element planar_beam3
     "planar_beam3": ElementSpec(
@@ -1817,8 +1872,8 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("gravity", 2, "m/s^2", "acceleration of gravity"),
         ),
         deformations=(
-            DeformationSpec("along", "m", False, False),
-            DeformationSpec("across", "m", False, False),
+            DeformationSpec("along", "m", False),
+            DeformationSpec("across", "m", False),
         ),
         slips=(),
         kernels={
@@ -1880,6 +1935,9 @@ ELEMENTS: dict[str, ElementSpec] = {
                 0,
             ),
         },
+        family="link",
+        picture="bar",
+        span="planar_bar_span",
     ),
     # element planar_bearing
     "planar_bearing": ElementSpec(
@@ -1899,9 +1957,9 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("offset0", 1, "rad", "difference of the angles when the deformation is zero"),
         ),
         deformations=(
-            DeformationSpec("along", "m", False, False),
-            DeformationSpec("across", "m", False, False),
-            DeformationSpec("angle", "rad", False, True),
+            DeformationSpec("along", "m", False),
+            DeformationSpec("across", "m", False),
+            DeformationSpec("angle", "rad", True),
         ),
         slips=(),
         kernels={
@@ -1945,12 +2003,13 @@ ELEMENTS: dict[str, ElementSpec] = {
                 23,
             ),
         },
+        family="bearing",
     ),
     # element planar_belt
     "planar_belt": ElementSpec(
         name="planar_belt",
-        digest="20ba07fbf1459212",
-        doc="d = xq - xp, psi its angle counted from psi0 (less than half a turn away)\nfree_length = sqrt(d.d - (radius_p - radius_q)^2), of the common tangent on the left of d\ntheta = psi - atan2(radius_p - radius_q, free_length), turn of the points of contact\nelongation = free_length + radius_p (angle_p - theta) - radius_q (angle_q - theta) - zero",
+        digest="9b08aa4e2767ad0c",
+        doc="d = xq - xp, psi its angle counted from psi0 (less than half a turn away)\nfree_length = sqrt(d.d - (radius_p - radius_q)^2), of the common tangent on the left of d\ntheta = psi - atan2(radius_p - radius_q, free_length), turn of the points of contact\nelongation = free_length + radius_p (angle_p - theta) - radius_q (angle_q - theta) - zero,\nperiod 2 pi (radius_p - radius_q): a turn of the line of centres, whose angle is a principal value",
         source="SPACAR95 manual (Schwab and Meijaard 2000), PLBELT; terms in theta from the geometry: without them the tension would not act along the belt",
         nodes=(
             NodeSpec("p", "planar_point"),
@@ -1965,7 +2024,7 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("zero", 1, "m", "length without strain, angles and turn taken as zero"),
         ),
         deformations=(
-            DeformationSpec("elongation", "m", False, False),
+            DeformationSpec("elongation", "m", False, period=(TermSpec(6.283185307179586, powers=(("radius_p", 0, 1),)), TermSpec(-6.283185307179586, powers=(("radius_q", 0, 1),)))),
         ),
         slips=(),
         kernels={
@@ -2009,6 +2068,8 @@ ELEMENTS: dict[str, ElementSpec] = {
                 77,
             ),
         },
+        family="belt",
+        picture="belt",
     ),
     # element planar_gear
     "planar_gear": ElementSpec(
@@ -2028,7 +2089,7 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("offset0", 1, "rad", "difference of the angles when the deformation is zero"),
         ),
         deformations=(
-            DeformationSpec("mesh", "rad", True, False),
+            DeformationSpec("mesh", "rad", False, period=(TermSpec(6.283185307179586),)),
         ),
         slips=(),
         kernels={
@@ -2072,6 +2133,8 @@ ELEMENTS: dict[str, ElementSpec] = {
                 53,
             ),
         },
+        family="gear",
+        picture="gears",
     ),
     # element planar_wheel
     "planar_wheel": ElementSpec(
@@ -2134,6 +2197,8 @@ ELEMENTS: dict[str, ElementSpec] = {
                 10,
             ),
         },
+        family="wheel",
+        picture="disc",
     ),
     # element planar_body_velocity
     "planar_body_velocity": ElementSpec(
@@ -2192,6 +2257,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                 9,
             ),
         },
+        family="sensor",
     ),
     # element planar_bar_span
     "planar_bar_span": ElementSpec(
@@ -2252,6 +2318,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                 0,
             ),
         },
+        family="span",
     ),
     # element planar_beam_span
     "planar_beam_span": ElementSpec(
@@ -2316,6 +2383,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                 18,
             ),
         },
+        family="span",
     ),
     # element cable
     "cable": ElementSpec(
@@ -2335,19 +2403,19 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("gravity", 3, "m/s^2", "acceleration of gravity"),
         ),
         deformations=(
-            DeformationSpec("strain1", "1", False, True),
-            DeformationSpec("strain2", "1", False, True),
-            DeformationSpec("strain3", "1", False, True),
-            DeformationSpec("strain4", "1", False, True),
-            DeformationSpec("curvature1x", "1/m", False, True),
-            DeformationSpec("curvature1y", "1/m", False, True),
-            DeformationSpec("curvature1z", "1/m", False, True),
-            DeformationSpec("curvature2x", "1/m", False, True),
-            DeformationSpec("curvature2y", "1/m", False, True),
-            DeformationSpec("curvature2z", "1/m", False, True),
-            DeformationSpec("curvature3x", "1/m", False, True),
-            DeformationSpec("curvature3y", "1/m", False, True),
-            DeformationSpec("curvature3z", "1/m", False, True),
+            DeformationSpec("strain1", "1", True),
+            DeformationSpec("strain2", "1", True),
+            DeformationSpec("strain3", "1", True),
+            DeformationSpec("strain4", "1", True),
+            DeformationSpec("curvature1x", "1/m", True),
+            DeformationSpec("curvature1y", "1/m", True),
+            DeformationSpec("curvature1z", "1/m", True),
+            DeformationSpec("curvature2x", "1/m", True),
+            DeformationSpec("curvature2y", "1/m", True),
+            DeformationSpec("curvature2z", "1/m", True),
+            DeformationSpec("curvature3x", "1/m", True),
+            DeformationSpec("curvature3y", "1/m", True),
+            DeformationSpec("curvature3z", "1/m", True),
         ),
         slips=(),
         kernels={
@@ -2409,6 +2477,9 @@ ELEMENTS: dict[str, ElementSpec] = {
                 0,
             ),
         },
+        family="cable",
+        picture="rope",
+        span="cable_span",
     ),
     # element slope_clamp
     "slope_clamp": ElementSpec(
@@ -2424,8 +2495,8 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("t", 4, "1", "unit quaternion from the body frame to a triad whose first axis is the held direction"),
         ),
         deformations=(
-            DeformationSpec("across_y", "1", False, False),
-            DeformationSpec("across_z", "1", False, False),
+            DeformationSpec("across_y", "1", False),
+            DeformationSpec("across_z", "1", False),
         ),
         slips=(),
         kernels={
@@ -2469,6 +2540,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                 263,
             ),
         },
+        family="clamp",
     ),
     # element cable_span
     "cable_span": ElementSpec(
@@ -2532,6 +2604,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                 0,
             ),
         },
+        family="span",
     ),
     # element cable_cylinder
     "cable_cylinder": ElementSpec(
@@ -2556,7 +2629,7 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("rope_radius", 1, "m", "outer radius of the rope"),
         ),
         deformations=(
-            DeformationSpec("gap", "m", False, True),
+            DeformationSpec("gap", "m", True, kind="gap"),
         ),
         slips=(
             SlipSpec("tangential", "m/s", True),
@@ -2603,6 +2676,8 @@ ELEMENTS: dict[str, ElementSpec] = {
                 2726,
             ),
         },
+        family="contact",
+        picture="contact",
     ),
     # element cable_plane
     "cable_plane": ElementSpec(
@@ -2626,7 +2701,7 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("rope_radius", 1, "m", "outer radius of the rope"),
         ),
         deformations=(
-            DeformationSpec("gap", "m", False, True),
+            DeformationSpec("gap", "m", True, kind="gap"),
         ),
         slips=(
             SlipSpec("x", "m/s", True),
@@ -2673,6 +2748,8 @@ ELEMENTS: dict[str, ElementSpec] = {
                 1353,
             ),
         },
+        family="contact",
+        picture="contact",
     ),
     # element cable_v_groove
     "cable_v_groove": ElementSpec(
@@ -2698,8 +2775,8 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("rope_radius", 1, "m", "outer radius of the rope"),
         ),
         deformations=(
-            DeformationSpec("gap1", "m", False, True),
-            DeformationSpec("gap2", "m", False, True),
+            DeformationSpec("gap1", "m", True, kind="gap"),
+            DeformationSpec("gap2", "m", True, kind="gap"),
         ),
         slips=(
             SlipSpec("tangential", "m/s", True),
@@ -2747,6 +2824,8 @@ ELEMENTS: dict[str, ElementSpec] = {
                 2801,
             ),
         },
+        family="contact",
+        picture="contact",
     ),
     # element cable_round_groove
     "cable_round_groove": ElementSpec(
@@ -2773,7 +2852,7 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("rope_radius", 1, "m", "outer radius of the rope"),
         ),
         deformations=(
-            DeformationSpec("gap", "m", False, True),
+            DeformationSpec("gap", "m", True, kind="gap"),
         ),
         slips=(
             SlipSpec("tangential", "m/s", True),
@@ -2820,6 +2899,8 @@ ELEMENTS: dict[str, ElementSpec] = {
                 3268,
             ),
         },
+        family="contact",
+        picture="contact",
     ),
     # element planar_cable
     "planar_cable": ElementSpec(
@@ -2839,13 +2920,13 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("gravity", 2, "m/s^2", "acceleration of gravity"),
         ),
         deformations=(
-            DeformationSpec("strain1", "1", False, True),
-            DeformationSpec("strain2", "1", False, True),
-            DeformationSpec("strain3", "1", False, True),
-            DeformationSpec("strain4", "1", False, True),
-            DeformationSpec("curvature1", "1/m", False, True),
-            DeformationSpec("curvature2", "1/m", False, True),
-            DeformationSpec("curvature3", "1/m", False, True),
+            DeformationSpec("strain1", "1", True),
+            DeformationSpec("strain2", "1", True),
+            DeformationSpec("strain3", "1", True),
+            DeformationSpec("strain4", "1", True),
+            DeformationSpec("curvature1", "1/m", True),
+            DeformationSpec("curvature2", "1/m", True),
+            DeformationSpec("curvature3", "1/m", True),
         ),
         slips=(),
         kernels={
@@ -2907,6 +2988,9 @@ ELEMENTS: dict[str, ElementSpec] = {
                 0,
             ),
         },
+        family="cable",
+        picture="rope",
+        span="planar_cable_span",
     ),
     # element planar_slope_clamp
     "planar_slope_clamp": ElementSpec(
@@ -2922,7 +3006,7 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("alpha0", 1, "rad", "initial direction of the element minus the angle of node p"),
         ),
         deformations=(
-            DeformationSpec("across", "1", False, False),
+            DeformationSpec("across", "1", False),
         ),
         slips=(),
         kernels={
@@ -2966,6 +3050,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                 12,
             ),
         },
+        family="clamp",
     ),
     # element planar_cable_span
     "planar_cable_span": ElementSpec(
@@ -3028,6 +3113,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                 0,
             ),
         },
+        family="span",
     ),
     # element planar_cable_circle
     "planar_cable_circle": ElementSpec(
@@ -3052,7 +3138,7 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("rope_radius", 1, "m", "outer radius of the rope"),
         ),
         deformations=(
-            DeformationSpec("gap", "m", False, True),
+            DeformationSpec("gap", "m", True, kind="gap"),
         ),
         slips=(
             SlipSpec("tangential", "m/s", True),
@@ -3098,6 +3184,8 @@ ELEMENTS: dict[str, ElementSpec] = {
                 391,
             ),
         },
+        family="contact",
+        picture="contact",
     ),
     # element planar_cable_line
     "planar_cable_line": ElementSpec(
@@ -3121,7 +3209,7 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("rope_radius", 1, "m", "outer radius of the rope"),
         ),
         deformations=(
-            DeformationSpec("gap", "m", False, True),
+            DeformationSpec("gap", "m", True, kind="gap"),
         ),
         slips=(
             SlipSpec("tangential", "m/s", True),
@@ -3167,6 +3255,8 @@ ELEMENTS: dict[str, ElementSpec] = {
                 60,
             ),
         },
+        family="contact",
+        picture="contact",
     ),
     # end
 }
@@ -3182,8 +3272,8 @@ LAWS: dict[str, LawSpec] = {
         states=(),
         parameters=(
             ParameterSpec("preload", 1, "N or N m", "stress at zero deformation"),
-            ParameterSpec("S", 1, "N/m or N m", "stiffness, upper triangle, row by row"),
-            ParameterSpec("D", 1, "N s/m or N m s", "damping, upper triangle, row by row"),
+            ParameterSpec("S", 1, "N/m or N m", "stiffness, upper triangle, row by row", sign=("semidefinite",)),
+            ParameterSpec("D", 1, "N s/m or N m s", "damping, upper triangle, row by row", sign=("semidefinite",)),
         ),
         kernels={
             "law": KernelSpec(
@@ -3216,8 +3306,8 @@ LAWS: dict[str, LawSpec] = {
         states=(),
         parameters=(
             ParameterSpec("preload", 2, "N or N m", "stress at zero deformation"),
-            ParameterSpec("S", 3, "N/m or N m", "stiffness, upper triangle, row by row"),
-            ParameterSpec("D", 3, "N s/m or N m s", "damping, upper triangle, row by row"),
+            ParameterSpec("S", 3, "N/m or N m", "stiffness, upper triangle, row by row", sign=("semidefinite",)),
+            ParameterSpec("D", 3, "N s/m or N m s", "damping, upper triangle, row by row", sign=("semidefinite",)),
         ),
         kernels={
             "law": KernelSpec(
@@ -3250,8 +3340,8 @@ LAWS: dict[str, LawSpec] = {
         states=(),
         parameters=(
             ParameterSpec("preload", 3, "N or N m", "stress at zero deformation"),
-            ParameterSpec("S", 6, "N/m or N m", "stiffness, upper triangle, row by row"),
-            ParameterSpec("D", 6, "N s/m or N m s", "damping, upper triangle, row by row"),
+            ParameterSpec("S", 6, "N/m or N m", "stiffness, upper triangle, row by row", sign=("semidefinite",)),
+            ParameterSpec("D", 6, "N s/m or N m s", "damping, upper triangle, row by row", sign=("semidefinite",)),
         ),
         kernels={
             "law": KernelSpec(
@@ -3284,8 +3374,8 @@ LAWS: dict[str, LawSpec] = {
         states=(),
         parameters=(
             ParameterSpec("preload", 4, "N or N m", "stress at zero deformation"),
-            ParameterSpec("S", 10, "N/m or N m", "stiffness, upper triangle, row by row"),
-            ParameterSpec("D", 10, "N s/m or N m s", "damping, upper triangle, row by row"),
+            ParameterSpec("S", 10, "N/m or N m", "stiffness, upper triangle, row by row", sign=("semidefinite",)),
+            ParameterSpec("D", 10, "N s/m or N m s", "damping, upper triangle, row by row", sign=("semidefinite",)),
         ),
         kernels={
             "law": KernelSpec(
@@ -3318,8 +3408,8 @@ LAWS: dict[str, LawSpec] = {
         states=(),
         parameters=(
             ParameterSpec("preload", 5, "N or N m", "stress at zero deformation"),
-            ParameterSpec("S", 15, "N/m or N m", "stiffness, upper triangle, row by row"),
-            ParameterSpec("D", 15, "N s/m or N m s", "damping, upper triangle, row by row"),
+            ParameterSpec("S", 15, "N/m or N m", "stiffness, upper triangle, row by row", sign=("semidefinite",)),
+            ParameterSpec("D", 15, "N s/m or N m s", "damping, upper triangle, row by row", sign=("semidefinite",)),
         ),
         kernels={
             "law": KernelSpec(
@@ -3352,8 +3442,8 @@ LAWS: dict[str, LawSpec] = {
         states=(),
         parameters=(
             ParameterSpec("preload", 6, "N or N m", "stress at zero deformation"),
-            ParameterSpec("S", 21, "N/m or N m", "stiffness, upper triangle, row by row"),
-            ParameterSpec("D", 21, "N s/m or N m s", "damping, upper triangle, row by row"),
+            ParameterSpec("S", 21, "N/m or N m", "stiffness, upper triangle, row by row", sign=("semidefinite",)),
+            ParameterSpec("D", 21, "N s/m or N m s", "damping, upper triangle, row by row", sign=("semidefinite",)),
         ),
         kernels={
             "law": KernelSpec(
@@ -3386,8 +3476,8 @@ LAWS: dict[str, LawSpec] = {
         states=(),
         parameters=(
             ParameterSpec("preload", 7, "N or N m", "stress at zero deformation"),
-            ParameterSpec("S", 7, "N/m or N m", "stiffness of each deformation"),
-            ParameterSpec("D", 7, "N s/m or N m s", "damping of each deformation"),
+            ParameterSpec("S", 7, "N/m or N m", "stiffness of each deformation", sign=("not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative")),
+            ParameterSpec("D", 7, "N s/m or N m s", "damping of each deformation", sign=("not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative")),
         ),
         kernels={
             "law": KernelSpec(
@@ -3420,8 +3510,8 @@ LAWS: dict[str, LawSpec] = {
         states=(),
         parameters=(
             ParameterSpec("preload", 13, "N or N m", "stress at zero deformation"),
-            ParameterSpec("S", 13, "N/m or N m", "stiffness of each deformation"),
-            ParameterSpec("D", 13, "N s/m or N m s", "damping of each deformation"),
+            ParameterSpec("S", 13, "N/m or N m", "stiffness of each deformation", sign=("not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative")),
+            ParameterSpec("D", 13, "N s/m or N m s", "damping of each deformation", sign=("not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative")),
         ),
         kernels={
             "law": KernelSpec(
@@ -3453,7 +3543,7 @@ LAWS: dict[str, LawSpec] = {
         slips=1,
         states=(),
         parameters=(
-            ParameterSpec("C", 1, "N s/m or N m s", "viscosity, upper triangle, row by row"),
+            ParameterSpec("C", 1, "N s/m or N m s", "viscosity, upper triangle, row by row", sign=("semidefinite",)),
         ),
         kernels={
             "law": KernelSpec(
@@ -3485,7 +3575,7 @@ LAWS: dict[str, LawSpec] = {
         slips=2,
         states=(),
         parameters=(
-            ParameterSpec("C", 3, "N s/m or N m s", "viscosity, upper triangle, row by row"),
+            ParameterSpec("C", 3, "N s/m or N m s", "viscosity, upper triangle, row by row", sign=("semidefinite",)),
         ),
         kernels={
             "law": KernelSpec(
@@ -3517,7 +3607,7 @@ LAWS: dict[str, LawSpec] = {
         slips=3,
         states=(),
         parameters=(
-            ParameterSpec("C", 6, "N s/m or N m s", "viscosity, upper triangle, row by row"),
+            ParameterSpec("C", 6, "N s/m or N m s", "viscosity, upper triangle, row by row", sign=("semidefinite",)),
         ),
         kernels={
             "law": KernelSpec(
@@ -3619,8 +3709,8 @@ LAWS: dict[str, LawSpec] = {
         states=(),
         parameters=(
             ParameterSpec("gap", 1, "m or rad", "deformation at which it is touched"),
-            ParameterSpec("stiffness", 1, "N/m or N m/rad", "stiffness once touched"),
-            ParameterSpec("damping", 1, "s/m or s/rad", "loss relative to the elastic force, for unit rate"),
+            ParameterSpec("stiffness", 1, "N/m or N m/rad", "stiffness once touched", sign=("not negative",)),
+            ParameterSpec("damping", 1, "s/m or s/rad", "loss relative to the elastic force, for unit rate", sign=("not negative",)),
         ),
         kernels={
             "law": KernelSpec(
@@ -3652,8 +3742,8 @@ LAWS: dict[str, LawSpec] = {
         slips=0,
         states=(),
         parameters=(
-            ParameterSpec("stiffness", 1, "N/m", "vertical stiffness"),
-            ParameterSpec("damping", 1, "N s/m", "vertical damping while the tyre is pressed"),
+            ParameterSpec("stiffness", 1, "N/m", "vertical stiffness", sign=("not negative",)),
+            ParameterSpec("damping", 1, "N s/m", "vertical damping while the tyre is pressed", sign=("not negative",)),
         ),
         kernels={
             "law": KernelSpec(
@@ -3685,12 +3775,12 @@ LAWS: dict[str, LawSpec] = {
         slips=4,
         states=(),
         parameters=(
-            ParameterSpec("stiffness", 1, "N/m", "vertical stiffness"),
-            ParameterSpec("damping", 1, "N s/m", "vertical damping while the tyre is pressed"),
-            ParameterSpec("cornering", 1, "N/rad", "cornering stiffness"),
+            ParameterSpec("stiffness", 1, "N/m", "vertical stiffness", sign=("not negative",)),
+            ParameterSpec("damping", 1, "N s/m", "vertical damping while the tyre is pressed", sign=("not negative",)),
+            ParameterSpec("cornering", 1, "N/rad", "cornering stiffness", sign=("not negative",)),
             ParameterSpec("camber_stiffness", 1, "N/rad", "camber stiffness"),
             ParameterSpec("trail", 1, "m", "pneumatic trail"),
-            ParameterSpec("standstill", 1, "m/s", "forward speed below which side forces fade out"),
+            ParameterSpec("standstill", 1, "m/s", "forward speed below which side forces fade out", sign=("positive",)),
         ),
         kernels={
             "law": KernelSpec(
@@ -3722,13 +3812,13 @@ LAWS: dict[str, LawSpec] = {
         slips=4,
         states=(),
         parameters=(
-            ParameterSpec("stiffness", 1, "N/m", "vertical stiffness"),
-            ParameterSpec("damping", 1, "N s/m", "vertical damping while the tyre is pressed"),
-            ParameterSpec("A", 5, "N/rad, 1/rad, N, 1/rad, N", "A0 ... A4: cornering and camber stiffness over the load"),
-            ParameterSpec("B", 3, "1/N, 1, 1/N^2", "B1, B3, B4: friction over the load"),
-            ParameterSpec("SN", 1, "1", "skid number of the road relative to that of the test"),
+            ParameterSpec("stiffness", 1, "N/m", "vertical stiffness", sign=("not negative",)),
+            ParameterSpec("damping", 1, "N s/m", "vertical damping while the tyre is pressed", sign=("not negative",)),
+            ParameterSpec("A", 5, "N/rad, 1/rad, N, 1/rad, N", "A0 ... A4: cornering and camber stiffness over the load", sign=("any", "any", "positive", "any", "not zero")),
+            ParameterSpec("B", 3, "1/N, 1, 1/N^2", "B1, B3, B4: friction over the load", sign=("any", "positive", "any")),
+            ParameterSpec("SN", 1, "1", "skid number of the road relative to that of the test", sign=("positive",)),
             ParameterSpec("AF", 2, "m/N", "AF1, AF2: aligning moment"),
-            ParameterSpec("standstill", 1, "m/s", "forward speed below which side forces fade out"),
+            ParameterSpec("standstill", 1, "m/s", "forward speed below which side forces fade out", sign=("positive",)),
         ),
         kernels={
             "law": KernelSpec(
@@ -3750,6 +3840,7 @@ LAWS: dict[str, LawSpec] = {
                 179,
             ),
         },
+        limit=LimitSpec("A", 2, "friction and stiffnesses keep their values beyond"),
     ),
     # law magic_formula
     "magic_formula": LawSpec(
@@ -3763,17 +3854,17 @@ LAWS: dict[str, LawSpec] = {
             InternalSpec("tan_alpha", "1"),
         ),
         parameters=(
-            ParameterSpec("stiffness", 1, "N/m", "vertical stiffness"),
-            ParameterSpec("damping", 1, "N s/m", "vertical damping while the tyre is pressed"),
-            ParameterSpec("load0", 1, "N", "nominal load Fz0"),
-            ParameterSpec("rolling_radius", 1, "m", "effective radius of free rolling"),
-            ParameterSpec("friction", 2, "1", "mu at the nominal load, and its change for one more nominal load"),
-            ParameterSpec("slip_stiffness", 1, "1", "longitudinal stiffness Kx relative to the load"),
-            ParameterSpec("cornering", 2, "1", "largest cornering stiffness over load0, and the load of it over load0"),
+            ParameterSpec("stiffness", 1, "N/m", "vertical stiffness", sign=("not negative",)),
+            ParameterSpec("damping", 1, "N s/m", "vertical damping while the tyre is pressed", sign=("not negative",)),
+            ParameterSpec("load0", 1, "N", "nominal load Fz0", sign=("positive",)),
+            ParameterSpec("rolling_radius", 1, "m", "effective radius of free rolling", sign=("positive",)),
+            ParameterSpec("friction", 2, "1", "mu at the nominal load, and its change for one more nominal load", sign=("positive", "any")),
+            ParameterSpec("slip_stiffness", 1, "1", "longitudinal stiffness Kx relative to the load", sign=("not negative",)),
+            ParameterSpec("cornering", 2, "1", "largest cornering stiffness over load0, and the load of it over load0", sign=("not negative", "positive")),
             ParameterSpec("camber_stiffness", 1, "1/rad", "camber stiffness relative to the load"),
-            ParameterSpec("shape", 2, "1", "C and E of the sine of the Magic Formula"),
+            ParameterSpec("shape", 2, "1", "C and E of the sine of the Magic Formula", sign=("positive", "any")),
             ParameterSpec("trail", 2, "m, 1", "pneumatic trail at the nominal load, and how it falls with the slip (B)"),
-            ParameterSpec("relaxation", 2, "m", "relaxation lengths, longitudinal and lateral"),
+            ParameterSpec("relaxation", 2, "m", "relaxation lengths, longitudinal and lateral", sign=("positive", "positive")),
         ),
         kernels={
             "law": KernelSpec(
@@ -3805,9 +3896,9 @@ LAWS: dict[str, LawSpec] = {
         slips=0,
         states=(),
         parameters=(
-            ParameterSpec("stiffness", 1, "N/m^exponent", "normal force per penetration^exponent"),
-            ParameterSpec("exponent", 1, "1", "exponent of the penetration, 3/2 for Hertz, at least 1"),
-            ParameterSpec("dissipation", 1, "s/m", "relative growth of the normal force per speed of approach"),
+            ParameterSpec("stiffness", 1, "N/m^exponent", "normal force per penetration^exponent", sign=("not negative",)),
+            ParameterSpec("exponent", 1, "1", "exponent of the penetration, 3/2 for Hertz, at least 1", sign=("at least one",)),
+            ParameterSpec("dissipation", 1, "s/m", "relative growth of the normal force per speed of approach", sign=("not negative",)),
         ),
         kernels={
             "law": KernelSpec(
@@ -3839,11 +3930,11 @@ LAWS: dict[str, LawSpec] = {
         slips=1,
         states=(),
         parameters=(
-            ParameterSpec("stiffness", 1, "N/m^exponent", "normal force per penetration^exponent"),
-            ParameterSpec("exponent", 1, "1", "exponent of the penetration, 3/2 for Hertz, at least 1"),
-            ParameterSpec("dissipation", 1, "s/m", "relative growth of the normal force per speed of approach"),
-            ParameterSpec("friction", 1, "1", "coefficient of friction"),
-            ParameterSpec("slip_speed", 1, "m/s", "speed of sliding at which 71 % of the friction acts"),
+            ParameterSpec("stiffness", 1, "N/m^exponent", "normal force per penetration^exponent", sign=("not negative",)),
+            ParameterSpec("exponent", 1, "1", "exponent of the penetration, 3/2 for Hertz, at least 1", sign=("at least one",)),
+            ParameterSpec("dissipation", 1, "s/m", "relative growth of the normal force per speed of approach", sign=("not negative",)),
+            ParameterSpec("friction", 1, "1", "coefficient of friction", sign=("not negative",)),
+            ParameterSpec("slip_speed", 1, "m/s", "speed of sliding at which 71 % of the friction acts", sign=("positive",)),
         ),
         kernels={
             "law": KernelSpec(
@@ -3875,11 +3966,11 @@ LAWS: dict[str, LawSpec] = {
         slips=2,
         states=(),
         parameters=(
-            ParameterSpec("stiffness", 1, "N/m^exponent", "normal force per penetration^exponent"),
-            ParameterSpec("exponent", 1, "1", "exponent of the penetration, 3/2 for Hertz, at least 1"),
-            ParameterSpec("dissipation", 1, "s/m", "relative growth of the normal force per speed of approach"),
-            ParameterSpec("friction", 1, "1", "coefficient of friction"),
-            ParameterSpec("slip_speed", 1, "m/s", "speed of sliding at which 71 % of the friction acts"),
+            ParameterSpec("stiffness", 1, "N/m^exponent", "normal force per penetration^exponent", sign=("not negative",)),
+            ParameterSpec("exponent", 1, "1", "exponent of the penetration, 3/2 for Hertz, at least 1", sign=("at least one",)),
+            ParameterSpec("dissipation", 1, "s/m", "relative growth of the normal force per speed of approach", sign=("not negative",)),
+            ParameterSpec("friction", 1, "1", "coefficient of friction", sign=("not negative",)),
+            ParameterSpec("slip_speed", 1, "m/s", "speed of sliding at which 71 % of the friction acts", sign=("positive",)),
         ),
         kernels={
             "law": KernelSpec(
@@ -3913,13 +4004,13 @@ LAWS: dict[str, LawSpec] = {
             InternalSpec("z_0", "m"),
         ),
         parameters=(
-            ParameterSpec("stiffness", 1, "N/m^exponent", "normal force per penetration^exponent"),
-            ParameterSpec("exponent", 1, "1", "exponent of the penetration, 3/2 for Hertz, at least 1"),
-            ParameterSpec("dissipation", 1, "s/m", "relative growth of the normal force per speed of approach"),
-            ParameterSpec("friction", 1, "1", "coefficient of friction"),
-            ParameterSpec("bristle_stiffness", 1, "1/m", "friction per normal force and deflection of the bristles"),
-            ParameterSpec("bristle_damping", 1, "s/m", "friction per normal force and rate of deflection"),
-            ParameterSpec("release", 1, "1/s", "rate at which bristles straighten while the gap is open"),
+            ParameterSpec("stiffness", 1, "N/m^exponent", "normal force per penetration^exponent", sign=("not negative",)),
+            ParameterSpec("exponent", 1, "1", "exponent of the penetration, 3/2 for Hertz, at least 1", sign=("at least one",)),
+            ParameterSpec("dissipation", 1, "s/m", "relative growth of the normal force per speed of approach", sign=("not negative",)),
+            ParameterSpec("friction", 1, "1", "coefficient of friction", sign=("positive",)),
+            ParameterSpec("bristle_stiffness", 1, "1/m", "friction per normal force and deflection of the bristles", sign=("not negative",)),
+            ParameterSpec("bristle_damping", 1, "s/m", "friction per normal force and rate of deflection", sign=("not negative",)),
+            ParameterSpec("release", 1, "1/s", "rate at which bristles straighten while the gap is open", sign=("not negative",)),
         ),
         kernels={
             "law": KernelSpec(
@@ -3954,13 +4045,13 @@ LAWS: dict[str, LawSpec] = {
             InternalSpec("z_1", "m"),
         ),
         parameters=(
-            ParameterSpec("stiffness", 1, "N/m^exponent", "normal force per penetration^exponent"),
-            ParameterSpec("exponent", 1, "1", "exponent of the penetration, 3/2 for Hertz, at least 1"),
-            ParameterSpec("dissipation", 1, "s/m", "relative growth of the normal force per speed of approach"),
-            ParameterSpec("friction", 1, "1", "coefficient of friction"),
-            ParameterSpec("bristle_stiffness", 1, "1/m", "friction per normal force and deflection of the bristles"),
-            ParameterSpec("bristle_damping", 1, "s/m", "friction per normal force and rate of deflection"),
-            ParameterSpec("release", 1, "1/s", "rate at which bristles straighten while the gap is open"),
+            ParameterSpec("stiffness", 1, "N/m^exponent", "normal force per penetration^exponent", sign=("not negative",)),
+            ParameterSpec("exponent", 1, "1", "exponent of the penetration, 3/2 for Hertz, at least 1", sign=("at least one",)),
+            ParameterSpec("dissipation", 1, "s/m", "relative growth of the normal force per speed of approach", sign=("not negative",)),
+            ParameterSpec("friction", 1, "1", "coefficient of friction", sign=("positive",)),
+            ParameterSpec("bristle_stiffness", 1, "1/m", "friction per normal force and deflection of the bristles", sign=("not negative",)),
+            ParameterSpec("bristle_damping", 1, "s/m", "friction per normal force and rate of deflection", sign=("not negative",)),
+            ParameterSpec("release", 1, "1/s", "rate at which bristles straighten while the gap is open", sign=("not negative",)),
         ),
         kernels={
             "law": KernelSpec(
@@ -3992,10 +4083,10 @@ LAWS: dict[str, LawSpec] = {
         slips=0,
         states=(),
         parameters=(
-            ParameterSpec("stiffness", 1, "N/m", "radial stiffness"),
-            ParameterSpec("damping", 1, "N s/m", "radial damping"),
-            ParameterSpec("friction_radius", 1, "m", "coefficient of friction times the radius of the journal"),
-            ParameterSpec("slip_speed", 1, "rad/s", "speed of turning at which 71 % of the friction acts"),
+            ParameterSpec("stiffness", 1, "N/m", "radial stiffness", sign=("not negative",)),
+            ParameterSpec("damping", 1, "N s/m", "radial damping", sign=("not negative",)),
+            ParameterSpec("friction_radius", 1, "m", "coefficient of friction times the radius of the journal", sign=("not negative",)),
+            ParameterSpec("slip_speed", 1, "rad/s", "speed of turning at which 71 % of the friction acts", sign=("positive",)),
         ),
         kernels={
             "law": KernelSpec(

@@ -15,7 +15,7 @@ from flexel.errors import ModelError, PositionError
 from flexel.evaluate import Evaluation
 from flexel.generated.table import ELEMENTS
 from flexel.inputs import number
-from flexel.kinematics import Configuration, Kinematics, wrap
+from flexel.kinematics import Configuration, Kinematics, turns, wrap
 from flexel.loads import Loads
 from flexel.roles import Roles
 from flexel.solvers import factorize
@@ -74,8 +74,9 @@ def check_laws(structure: Structure) -> None:
 
 def refuse_norm(structure: Structure, name: str, owner: str) -> None:
     """The norm of Euler parameters has no role, law or load of its own."""
-    if structure.find(name, owner) < structure.m and name.endswith(".norm"):
-        frame = name.removesuffix(".norm")
+    structure.find(name, owner)
+    if structure.is_norm(name):
+        frame = name.rpartition(".")[0]
         raise ModelError(
             f"{owner}: '{name}' is the norm of the Euler parameters of frame '{frame}', which always holds; name "
             "another quantity"
@@ -172,27 +173,25 @@ def first_position(model: Model, kinematics: Kinematics, t: float) -> Configurat
     goal = np.concatenate(
         [kinematics.target(kinematics.roles.motion(t), np.zeros(0)), np.array(list(wanted.values()))]
     )
-    change = wrap(goal - start, structure.angle[rows]) / kinematics.scales(rows)
+    change = wrap(goal - start, structure.period[rows]) / kinematics.scales(rows)
     steps = max(1, int(np.ceil(np.max(np.abs(change), initial=0.0) / STEP)))
     for i in range(1, steps + 1):
         part = start + (goal - start) * i / steps
         x = _nearest(kinematics, rows, part, x, t)
     e, J = kinematics.evaluate(x)
-    angle = structure.angle[: structure.m]
     target = np.zeros(structure.m)
     own = rows < structure.m
     target[rows[own]] = goal[own]
-    e = e + 2 * np.pi * np.where(angle, np.round((target - e) / (2 * np.pi)), 0.0)
-    return Configuration(t, x, e, J)
+    return Configuration(t, x, e + turns(target - e, structure.period[: structure.m]), J)
 
 
 def _nearest(kinematics: Kinematics, rows: Index, goal: Array, x: Array, t: float) -> Array:
     structure, nf = kinematics.structure, kinematics.structure.nf
-    scale, angle = kinematics.scales(rows), structure.angle[rows]
+    scale, period = kinematics.scales(rows), structure.period[rows]
     x, best, stalled = x.copy(), np.inf, 0
     for _ in range(60):
         e, J = kinematics.evaluate(x)
-        residual = wrap(kinematics.values(e, x)[rows] - goal, angle)
+        residual = wrap(kinematics.values(e, x)[rows] - goal, period)
         error = float(np.max(np.abs(residual) / scale, initial=0.0))
         if error < 1e-13 or (error < 1e-11 and error > 0.5 * best):
             return x

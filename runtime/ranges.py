@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from flexel.derive.spec import LawSpec, LimitSpec
 from flexel.errors import RangeWarning
 
 if TYPE_CHECKING:
@@ -19,18 +20,14 @@ if TYPE_CHECKING:
     from flexel.state import State
     from flexel.system import System
 
-# law: the parameter, and its entry, that is the largest stress of the law's first deformation in its data; and what
-# the law does beyond
-LARGEST_STRESS = {"calspan_tyre": ("A", 2, "friction and stiffnesses keep their values beyond")}
-
 
 def outside(system: System, states: Sequence[State]) -> list[str]:
     """What left the range of its law's data at a state, each with the largest stress and what the law does there."""
     return [
         line
         for law in system.evaluation.laws
-        if law.spec.name in LARGEST_STRESS
-        for line in _outside(system, law, states)
+        if isinstance(law.spec, LawSpec) and law.spec.limit
+        for line in _outside(system, law, law.spec.limit, states)
     ]
 
 
@@ -41,15 +38,14 @@ def warn_outside(system: System, states: Sequence[State]) -> None:
         warnings.warn("; ".join(found), RangeWarning, stacklevel=4)
 
 
-def _outside(system: System, law: Batch, states: Sequence[State]) -> Iterator[str]:
+def _outside(system: System, law: Batch, end: LimitSpec, states: Sequence[State]) -> Iterator[str]:
     name, quantities = law.spec.name, law.inputs["e"][:, 0]
-    parameter, entry, beyond = LARGEST_STRESS[name]
-    limits = law.parameter(parameter)[:, entry]
+    limits = law.parameter(end.parameter)[:, end.component]
     histories = np.array([state.stress[quantities] for state in states]).T
     for quantity, limit, history in zip(quantities, limits, histories, strict=True):
         worst = int(np.argmax(history))
         if history[worst] > limit:
             yield (
                 f"{system.structure.names[quantity]}: {history[worst]:.0f} N at t = {states[worst].t:g} s, data of the "
-                f"{name} end at {limit:.0f} N; {beyond}"
+                f"{name} end at {limit:.0f} N; {end.beyond}"
             )

@@ -225,8 +225,7 @@ def attach(
     if missing := [f"{z.name} [{z.unit}] ({z.doc})" for z in spec.parameters if z.name not in parameters]:
         raise ModelError(f"{owner}: parameters are missing: {', '.join(missing)}")
     values = {z: np.atleast_1d(array(value, owner, f"parameter {z}")) for z, value in parameters.items()}
-    if spec is LAWS.get(spec.name):
-        check_signs(spec.name, values, owner)
+    check_signs(spec, values, owner)
     start = numbers(initial or {}, owner, "initial value")
     states = [z.name for z in spec.states]
     for wrong in [z for z in start if z not in states]:

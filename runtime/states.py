@@ -16,7 +16,7 @@ from scipy.sparse import block_array, eye_array, vstack
 from flexel import dynamics
 from flexel.errors import ModelError, PositionError
 from flexel.inputs import number, numbers
-from flexel.kinematics import Configuration, Kinematics
+from flexel.kinematics import Configuration, Kinematics, turns
 from flexel.roles import Roles
 from flexel.solvers import factorize
 from flexel.state import State, own_state
@@ -27,11 +27,9 @@ if TYPE_CHECKING:
 
 
 def unwrap(structure: Structure, e: Array, reference: Array) -> Array:
-    """Deformations with the turns that bring angles nearest to a reference."""
-    angle = structure.angle[: structure.m]
-    if not angle.any():
-        return e
-    return np.asarray(e + 2 * np.pi * np.where(angle, np.round((reference - e) / (2 * np.pi)), 0.0))
+    """Deformations with the whole periods that bring those that wind nearest to a reference."""
+    period = structure.period[: structure.m]
+    return e + turns(reference - e, period) if period.any() else e
 
 
 def with_freedoms(structure: Structure, e: Array, q: Array, roles: Roles) -> Array:

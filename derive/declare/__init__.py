@@ -1,7 +1,7 @@
 """Declarations of elements and laws: what their pages are written with, and what is checked at once."""
 
 from flexel.derive.declare.element import Element
-from flexel.derive.declare.law import Internal, Law
+from flexel.derive.declare.law import Internal, Law, Limit
 from flexel.derive.declare.let import Let
 from flexel.derive.declare.modes import Deformation, Slip
 from flexel.derive.declare.nodes import Frame, Node, PlanarAngle, PlanarPoint, PlanarSlope, Point, Slope
@@ -16,6 +16,7 @@ __all__ = [
     "Internal",
     "Law",
     "Let",
+    "Limit",
     "Node",
     "Parameter",
     "PlanarAngle",

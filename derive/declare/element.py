@@ -22,6 +22,8 @@ from flexel.derive.declare.checks import (
 from flexel.derive.declare.modes import Deformation, Slip
 from flexel.derive.declare.nodes import Node
 from flexel.derive.declare.parameters import Parameter
+from flexel.derive.declare.winding import check_period
+from flexel.derive.declare.words import FAMILIES, PICTURES, check_word
 
 
 @dataclass(frozen=True)
@@ -49,6 +51,13 @@ class Element:
         The mathematics in a few lines of plain text; head comment of the generated C.
     source : str
         Author, year, equation.
+    family : str, optional
+        What analyses treat it as, one of `flexel.derive.declare.words.FAMILIES`.
+    picture : str, optional
+        What paints it, one of `flexel.derive.declare.words.PICTURES`; by default a line through its points.
+    span : str, optional
+        Name of the built-in element that carries a load along its length: on its nodes, or on the first and the last of
+        them, with parameters that it has itself.
 
     Raises
     ------
@@ -68,6 +77,9 @@ class Element:
     potential: Expr = sp.S.Zero
     doc: str = ""
     source: str = ""
+    family: str = ""
+    picture: str = ""
+    span: str = ""
 
     def __post_init__(self) -> None:
         owner = f"element '{self.name}'"
@@ -84,6 +96,8 @@ class Element:
         check_unique(owner, [d.name for d in self.deformations] + [s.name for s in self.slips])
         check_unique(owner, [node.name for node in self.nodes])
         check_unique(owner, [p.name for p in self.parameters])
+        check_word(owner, "family", self.family, FAMILIES)
+        check_word(owner, "picture", self.picture, PICTURES)
         self._check_expressions(owner)
 
     def _check_expressions(self, owner: str) -> None:
@@ -115,6 +129,7 @@ class Element:
                 raise ValueError(
                     f"{owner}: deformation '{d.name}' depends on no coordinate; use those of its nodes"
                 )
+            check_period(owner, d, self.let, self.parameters)
         for slip in self.slips:
             check(f"slip '{slip.name}'", slip.expr, 1, "is not linear in the rates")
         check("the kinetic energy", self.kinetic_energy, 2, "is not quadratic in the rates")

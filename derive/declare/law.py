@@ -33,6 +33,22 @@ class Internal:
 
 
 @dataclass(frozen=True)
+class Limit:
+    """Where a law's data end: the largest stress of its first deformation, and what it does beyond.
+
+    Parameters
+    ----------
+    parameter : Symbol
+        The parameter, or the component of one, that is the largest stress.
+    beyond : str
+        What the law does there, in a few words.
+    """
+
+    parameter: Symbol
+    beyond: str
+
+
+@dataclass(frozen=True)
 class Law:
     """Constitutive law: (sigma, tau, dz/dt) and the stored energy as functions of (e, ed, s, z, t) and parameters.
 
@@ -53,6 +69,8 @@ class Law:
         Internal states with their rates.
     let : tuple of (Symbol, Expr)
         Named intermediates, each in terms of the arguments, parameters and earlier ones.
+    limit : Limit, optional
+        Where its data end.
 
     Raises
     ------
@@ -77,6 +95,7 @@ class Law:
     source: str = ""
     states: tuple[Internal, ...] = ()
     let: tuple[tuple[Symbol, Expr], ...] = ()
+    limit: Limit | None = None
 
     def __post_init__(self) -> None:
         owner = f"law '{self.name}'"
@@ -91,6 +110,10 @@ class Law:
         check_unique(owner, [p.name for p in self.parameters])
         if not len(self.e) == len(self.ed) == len(self.sigma) or len(self.s) != len(self.tau):
             raise ValueError(f"{owner}: give a stress for each deformation (with its rate) and slip")
+        if self.limit is not None and self.limit.parameter not in self.parameter_symbols:
+            raise ValueError(
+                f"{owner}: the limit {self.limit.parameter} is not one of its parameters; declare it"
+            )
         self._check_expressions(owner, symbols)
 
     def _check_expressions(self, owner: str, symbols: list[Symbol]) -> None:

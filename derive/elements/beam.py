@@ -92,6 +92,9 @@ def _beam(name: str, second: bool) -> Element:
     names = ("elongation", "torsion", "bend1", "bend2", "bend3", "bend4")
     return Element(
         name=name,
+        family="beam",
+        picture="beam",
+        span="beam_span",
         nodes=nodes,
         parameters=(L0, TP, TQ, RHOA, RHOJ, PHI_Y, PHI_Z, GRAVITY),
         let=let.entries,

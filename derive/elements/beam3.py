@@ -18,6 +18,9 @@ def _beam3() -> Element:
     rotary = sum(j * w[i] ** 2 for i, j in enumerate(RHOJ.symbols))
     return Element(
         name="beam3",
+        family="link",
+        picture="bar",
+        span="bar_span",
         nodes=(p, rp, q),
         parameters=(TP, D0, L0, RHOA, RHOJ, GRAVITY),
         let=let.entries,

@@ -17,6 +17,8 @@ def _bearing() -> Element:
     relative = components(triads[0], d) - D0.vector
     return Element(
         name="bearing",
+        family="bearing",
+        picture="bearing",
         nodes=(p, rp, q, rq),
         parameters=(TP, TQ, D0),
         let=let.entries,

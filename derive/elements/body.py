@@ -12,6 +12,8 @@ def _point_mass() -> Element:
     mass, g = MASS.symbol, GRAVITY.vector
     return Element(
         name="point_mass",
+        family="body",
+        picture="mass",
         nodes=(p,),
         parameters=(MASS, GRAVITY),
         kinetic_energy=HALF * mass * dot(p.v, p.v),
@@ -39,6 +41,8 @@ def _body() -> Element:
     vc = let.vector("vc", p.v + combination(triad_rate(r.x, r.v), offset.vector))
     return Element(
         name="body",
+        family="body",
+        picture="body",
         nodes=(p, r),
         parameters=(MASS, offset, tensor, GRAVITY),
         let=let.entries,

@@ -59,6 +59,9 @@ def _cable(name: str, nodes: tuple[Node, Node, Node, Node], gravity: Parameter) 
     mean = hermite_mean(p.x, l0 * dp.x, q.x, l0 * dq.x)
     return Element(
         name=name,
+        family="cable",
+        picture="rope",
+        span=f"{name}_span",
         nodes=nodes,
         parameters=(L0, RHOA, gravity),
         let=let.entries,

@@ -1,6 +1,6 @@
 """Hinge between two frames."""
 
-from sympy import Matrix, atan2
+from sympy import Matrix, atan2, pi
 
 from flexel.derive.declare import Deformation, Element, Frame, Let
 from flexel.derive.declare.rotation import conjugate, dot, product
@@ -30,7 +30,7 @@ def hinge_deformations(let: Let, u_p: Matrix, u_q: Matrix, p: Triad, q: Triad) -
     c = product(conjugate(u_p), u_q)
     c0, c1 = let.scalar("c0", c[0]), let.scalar("c1", c[1])
     return (
-        Deformation("angle", "rad", 2 * atan2(c1, c0), angle=True, free=True),
+        Deformation("angle", "rad", 2 * atan2(c1, c0), free=True, period=2 * pi),
         Deformation("bend1", "1", dot(p[2], q[0])),
         Deformation("bend2", "1", -dot(p[1], q[0])),
     )
@@ -44,6 +44,8 @@ def _hinge() -> Element:
     deformations = hinge_deformations(let, u_p, u_q, *triads)
     return Element(
         name="hinge",
+        family="hinge",
+        picture="hinge",
         nodes=(p, q),
         parameters=(TP, TQ),
         let=let.entries,

@@ -43,6 +43,9 @@ def _planar_beam(name: str, second: bool) -> Element:
     centre = hermite_mean(p.x, l0 * ex_p, q.x, l0 * ex_q)
     return Element(
         name=name,
+        family="beam",
+        picture="beam",
+        span="planar_beam_span",
         nodes=(p, rp, q, rq),
         parameters=(L0, ALPHA0, ALPHAQ0, RHOA, PLANAR_RHOJ, PLANAR_PHI, PLANAR_GRAVITY),
         let=let.entries,

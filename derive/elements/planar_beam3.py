@@ -20,6 +20,9 @@ def _planar_beam3() -> Element:
     d = let.vector("d", q.x - p.x)
     return Element(
         name="planar_beam3",
+        family="link",
+        picture="bar",
+        span="planar_bar_span",
         nodes=(p, rp, q),
         parameters=(ALPHA0, PLANAR_D0, L0, RHOA, PLANAR_RHOJ, PLANAR_GRAVITY),
         let=let.entries,

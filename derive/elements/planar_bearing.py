@@ -15,6 +15,7 @@ def _planar_bearing() -> Element:
     d = let.vector("d", q.x - p.x)
     return Element(
         name="planar_bearing",
+        family="bearing",
         nodes=(p, rp, q, rq),
         parameters=(ALPHA0, PLANAR_D0, OFFSET0),
         let=let.entries,

@@ -38,10 +38,12 @@ def _planar_contact(name: str, parameters: tuple[Parameter, ...], doc: str) -> E
     gap, tangential = (_circle if RADIUS in parameters else _line)(let, d, sliding, ex, ey)
     return Element(
         name=name,
+        family="contact",
+        picture="contact",
         nodes=(*cable, c, r),
         parameters=(L0, XI, ALPHA0, PLANAR_OFFSET, *parameters),
         let=let.entries,
-        deformations=(Deformation("gap", "m", gap, free=True),),
+        deformations=(Deformation("gap", "m", gap, free=True, kind="gap"),),
         slips=(Slip("tangential", "m/s", tangential, free=True),),
         doc=(
             "x: point at the fraction xi of the cable's cubic curve;  ex, ey: directions at angle + alpha0\n"

@@ -14,6 +14,8 @@ def _planar_wheel() -> Element:
     ex, ey = named_directions(let, r, ALPHA0, "r")
     return Element(
         name="planar_wheel",
+        family="wheel",
+        picture="disc",
         nodes=(p, r, s),
         parameters=(ROLLING_RADIUS, ALPHA0),
         let=let.entries,

@@ -33,7 +33,7 @@ Surface = Callable[[Let, Matrix, Matrix], Modes]
 
 
 def _gap(expr: Expr, name: str = "gap") -> Deformation:
-    return Deformation(name, "m", expr, free=True)
+    return Deformation(name, "m", expr, free=True, kind="gap")
 
 
 def _slip(name: str, expr: Expr) -> Slip:
@@ -58,6 +58,8 @@ def _contact(name: str, parameters: tuple[Parameter, ...], surface: Surface, doc
     deformations, slips = surface(let, y, yd)
     return Element(
         name=name,
+        family="contact",
+        picture="contact",
         nodes=(*cable, c, r),
         parameters=(L0, XI, T, OFFSET, *parameters),
         let=let.entries,

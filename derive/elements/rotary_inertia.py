@@ -18,6 +18,7 @@ def _rotary_inertia() -> Element:
     w = let.vector("w", body_angular_velocity(r.x, r.v))
     return Element(
         name="rotary_inertia",
+        family="body",
         nodes=(r,),
         parameters=(TENSOR,),
         let=let.entries,
@@ -31,6 +32,7 @@ def _planar_rotary_inertia() -> Element:
     r = PlanarAngle("r")
     return Element(
         name="planar_rotary_inertia",
+        family="body",
         nodes=(r,),
         parameters=(MOMENT,),
         kinetic_energy=HALF * MOMENT.symbol * r.v[0] ** 2,

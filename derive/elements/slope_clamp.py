@@ -17,6 +17,7 @@ def _slope_clamp() -> Element:
     _, ey, ez = triad(u)
     return Element(
         name="slope_clamp",
+        family="clamp",
         nodes=(r, d),
         parameters=(T,),
         let=let.entries,
@@ -32,6 +33,7 @@ def _planar_slope_clamp() -> Element:
     _, ey = named_directions(let, r, ALPHA0, "r")
     return Element(
         name="planar_slope_clamp",
+        family="clamp",
         nodes=(r, d),
         parameters=(ALPHA0,),
         let=let.entries,

@@ -21,6 +21,7 @@ def _surface() -> Element:
     g = sum(c * term for c, term in zip(QUADRATIC.symbols, terms, strict=True))
     return Element(
         name="surface",
+        family="surface",
         nodes=(p,),
         parameters=(QUADRATIC, LINEAR, CONSTANT),
         deformations=(Deformation("height", "m", g + dot(LINEAR.vector, p.x) + CONSTANT.symbol),),

@@ -105,6 +105,8 @@ def _tyre(name: str, road: Road, let: Let, w: Node, frame: Node) -> Element:
         deformations.append(Deformation("grade", "1", grade, free=True))
     return Element(
         name=name,
+        family="tyre",
+        picture="tyre",
         nodes=(w, frame),
         parameters=(RADIUS, CROWN, AXLE, *road.parameters),
         let=let.entries,
@@ -149,6 +151,7 @@ def _axle_slip() -> Element:
         lateral.append(dot(ey, w.v + cross(omega, r)))
     return Element(
         name="axle_slip",
+        family="tyre",
         nodes=tuple(node for end in ends for node in end),
         parameters=(*ROLL_AXLES, NORMAL, HEIGHT),
         let=let.entries,

@@ -42,6 +42,8 @@ def _rolling(name: str, crown: Parameter | None, doc: str, source: str) -> Eleme
     slips = _slips(let, (w.v, frame.x, frame.v), arm, ra)
     return Element(
         name=name,
+        family="wheel",
+        picture="wheel",
         nodes=(w, frame, c),
         parameters=(RADIUS, *([crown] if crown else []), AXLE, NORMAL, HEIGHT),
         let=let.entries,

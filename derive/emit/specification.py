@@ -1,6 +1,8 @@
 """The specification of what was derived: what the runtime reads of an element or a law."""
 
-from flexel.derive.declare import Element, Law, Parameter
+from flexel.derive.declare import Deformation, Element, Law, Parameter
+from flexel.derive.declare.winding import period_terms
+from flexel.derive.declare.words import MATRIX_SIGNS
 from flexel.derive.program.kernels import Derived
 from flexel.derive.spec import (
     DeformationSpec,
@@ -8,10 +10,12 @@ from flexel.derive.spec import (
     InternalSpec,
     KernelSpec,
     LawSpec,
+    LimitSpec,
     NodeSpec,
     OutputSpec,
     ParameterSpec,
     SlipSpec,
+    TermSpec,
 )
 
 
@@ -24,9 +28,12 @@ def element_spec(element: Element, derived: Derived, digest: str) -> ElementSpec
         source=element.source,
         nodes=tuple(NodeSpec(node.name, node.kind) for node in element.nodes),
         parameters=_parameters(element.parameters),
-        deformations=tuple(DeformationSpec(d.name, d.unit, d.angle, d.free) for d in element.deformations),
+        deformations=tuple(_deformation(d, element.parameters) for d in element.deformations),
         slips=tuple(SlipSpec(s.name, s.unit, s.free) for s in element.slips),
         kernels=_kernels(derived),
+        family=element.family,
+        picture=element.picture,
+        span=element.span,
     )
 
 
@@ -41,11 +48,35 @@ def law_spec(law: Law, derived: Derived, digest: str) -> LawSpec:
         states=tuple(InternalSpec(z.name, z.unit) for z in law.states),
         parameters=_parameters(law.parameters),
         kernels=_kernels(derived),
+        limit=_limit(law),
     )
 
 
+def _deformation(d: Deformation, parameters: tuple[Parameter, ...]) -> DeformationSpec:
+    period = tuple(TermSpec(*term) for term in period_terms(d, parameters))
+    return DeformationSpec(d.name, d.unit, d.free, period, d.kind)
+
+
+def _limit(law: Law) -> LimitSpec | None:
+    if law.limit is None:
+        return None
+    for parameter in law.parameters:
+        if law.limit.parameter in parameter.symbols:
+            component = parameter.symbols.index(law.limit.parameter)
+            return LimitSpec(parameter.name, component, law.limit.beyond)
+    raise AssertionError("a declared limit is one of the law's parameters")
+
+
+def _sign(parameter: Parameter) -> tuple[str, ...]:
+    """One word for each component; none where all may be anything."""
+    sign = parameter.sign
+    if sign == "any":
+        return ()
+    return sign if isinstance(sign, tuple) else (sign,) if sign in MATRIX_SIGNS else (sign,) * parameter.size
+
+
 def _parameters(parameters: tuple[Parameter, ...]) -> tuple[ParameterSpec, ...]:
-    return tuple(ParameterSpec(p.name, p.size, p.unit, p.doc) for p in parameters)
+    return tuple(ParameterSpec(p.name, p.size, p.unit, p.doc, _sign(p)) for p in parameters)
 
 
 def _kernels(derived: Derived) -> dict[str, KernelSpec]:

@@ -52,8 +52,14 @@ def _curve(name: str, x: Symbol, doc: str, stored: bool) -> Law:
 def _stop() -> Law:
     gap, k, d = (
         Parameter("gap", 1, "m or rad", "deformation at which it is touched"),
-        Parameter("stiffness", 1, "N/m or N m/rad", "stiffness once touched"),
-        Parameter("damping", 1, "s/m or s/rad", "loss relative to the elastic force, for unit rate"),
+        Parameter("stiffness", 1, "N/m or N m/rad", "stiffness once touched", sign="not negative"),
+        Parameter(
+            "damping",
+            1,
+            "s/m or s/rad",
+            "loss relative to the elastic force, for unit rate",
+            sign="not negative",
+        ),
     )
     e, ed = symbol("e"), symbol("ed")
     depth = Max(0, e - gap.symbol)

@@ -12,8 +12,9 @@ from heapq import heapify, heappop, heappush
 
 import sympy as sp
 
+from flexel.derive.declare.functions import FUNCTIONS
 from flexel.derive.program.graph import CONDITIONS, LEAVES
-from flexel.derive.program.lower import FUNCTIONS, Lowering
+from flexel.derive.program.lower import Lowering
 from flexel.derive.program.program import Program
 
 _Y, _Z = sp.symbols("y z", real=True)

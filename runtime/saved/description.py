@@ -19,6 +19,7 @@ from flexel.derive.spec import (
     NodeSpec,
     ParameterSpec,
     SlipSpec,
+    TermSpec,
 )
 from flexel.generated.table import ELEMENTS
 from flexel.materials import Material, Profile
@@ -58,12 +59,23 @@ def _element(z: Instance) -> dict[str, Any]:
         "type": z.spec.name,
         "nodes": z.nodes,
         "ends": [(node.name, node.kind) for node in z.spec.nodes],
-        "deformations": [(d.name, d.unit, d.angle, d.free) for d in z.spec.deformations],
+        "deformations": [_deformation(d) for d in z.spec.deformations],
+        "family": z.spec.family,
+        "picture": z.spec.picture,
         "slips": [(s.name, s.unit, s.free) for s in z.spec.slips],
         "parameters": _numbers(z.parameters),
         "mass_damping": z.mass_damping,
         "profile": _profile(z.profile),
     }
+
+
+def _deformation(d: DeformationSpec) -> tuple[object, ...]:
+    return d.name, d.unit, d.free, [(term.factor, term.powers) for term in d.period], d.kind
+
+
+def _deformation_spec(name: str, unit: str, free: bool, period: Any, kind: str) -> DeformationSpec:
+    terms = tuple(TermSpec(factor, tuple((z, i, n) for z, i, n in powers)) for factor, powers in period)
+    return DeformationSpec(name, unit, free, terms, kind)
 
 
 def _profile(profile: object) -> dict[str, Any] | None:
@@ -112,9 +124,11 @@ def _spec(z: Mapping[str, Any], values: Mapping[str, Array]) -> ElementSpec:
         source="",
         nodes=tuple(NodeSpec(*end) for end in z["ends"]),
         parameters=tuple(ParameterSpec(name, value.size, "", "") for name, value in values.items()),
-        deformations=tuple(DeformationSpec(*d) for d in z["deformations"]),
+        deformations=tuple(_deformation_spec(*d) for d in z["deformations"]),
         slips=tuple(SlipSpec(*s) for s in z["slips"]),
         kernels={},
+        family=z["family"],
+        picture=z["picture"],
     )
     known = ELEMENTS.get(spec.name)
     return known if known is not None and _outside(known) == _outside(spec) else spec

@@ -23,7 +23,7 @@ from flexel.saved.record import Record, Variable, require
 from flexel.saved.tables_of_runs import refuse_table
 from flexel.structure import Array
 
-FORMAT = "flexel result 1"
+FORMAT = "flexel result 2"
 TITLES = {"value": "{}", "rate": "{}'", "acceleration": "{}''", "force": "force:{}"}
 HEADER = "header"
 LONGEST = 63  # letters in a name of a Matlab variable

@@ -7,8 +7,7 @@ from typing import Any
 import mpmath
 import numpy as np
 import pytest
-from mpmath import cos, mpf, sin, sqrt
-from test_elements import (
+from element_numbers import (
     BY_NAME,
     TINY,
     Vector,
@@ -19,13 +18,11 @@ from test_elements import (
     plus,
     product,
     rates_of_deformations,
-    rng,
     rotated,
     rotation,
     unit,
 )
-
-__all__ = ["rng"]  # the fixture
+from mpmath import cos, mpf, sin, sqrt
 
 SURFACES = ["cable_cylinder", "cable_plane", "cable_v_groove", "cable_round_groove"]
 STILL = [1, 0, 0, 0]

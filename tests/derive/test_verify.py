@@ -41,7 +41,7 @@ def spring_pendulum(cubic: int = 10**9) -> Element:
         let=let.entries,
         deformations=(
             Deformation("stretch", "m", length - l0.symbol + sp.Rational(cubic, 3 * 10**9) * length**3),
-            Deformation("turn", "rad", sp.atan2(p.x[1], p.x[0]) - r.x[0], angle=True),
+            Deformation("turn", "rad", sp.atan2(p.x[1], p.x[0]) - r.x[0], period=2 * sp.pi),
         ),
         slips=(Slip("sideways", "m/s", sp.cos(r.x[0]) * p.v[1] - sp.sin(r.x[0]) * p.v[0] * length),),
         kinetic_energy=mass.symbol * (p.v.dot(p.v) + length**2 * r.v[0] ** 2) / 2,
