@@ -10,8 +10,8 @@ TYPED := build/typed
 
 PIP := $(VENV)/bin/pip install --quiet --disable-pip-version-check
 SETUP := pyproject.toml setup.py
-SOURCES := $(SETUP) $(wildcard generated/*.c generated/*.h generated/build.py)
-WARNINGS := -std=c11 -O2 -fopenmp-simd -DFLEXEL_NO_CLONES -Wall -Wextra -Wpedantic -Werror
+SOURCES := $(SETUP) $(wildcard generated/*.[ch] runtime/engine/*.[ch] generated/build.py)
+WARNINGS := -std=c11 -O2 -fopenmp-simd -DFLEXEL_NO_CLONES -Wall -Wextra -Wpedantic -Werror -Igenerated -Iruntime/engine
 
 .PHONY: demo test docs lint types check strict wheel venv clean prerequisites
 
@@ -43,10 +43,10 @@ types: $(VENV_LINT)/installed
 check: $(VENV)/installed
 	$(VENV)/bin/flexel derive --check
 
-# The generated C with every warning an error, for real numbers and for complex ones.
+# All C with every warning an error, for real numbers and for complex ones.
 strict:
-	printf '%s\n' generated/*.c | xargs -P 2 -n 1 $(CC) $(WARNINGS) -o /dev/null -c
-	printf '%s\n' generated/*.c | xargs -P 2 -n 1 $(CC) $(WARNINGS) -Dreal='double complex' -fsyntax-only
+	printf '%s\n' generated/*.c runtime/engine/*.c | xargs -P 2 -n 1 $(CC) $(WARNINGS) -o /dev/null -c
+	printf '%s\n' generated/*.c runtime/engine/*.c | xargs -P 2 -n 1 $(CC) $(WARNINGS) -Dreal='double complex' -fsyntax-only
 
 wheel: $(VENV)/bin/python
 	rm -rf build dist

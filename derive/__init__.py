@@ -1,25 +1,32 @@
-"""From elements declared in SymPy to C: the floor that derives. See `flexel.derive.element` for the declaration.
+"""From elements declared in SymPy to C.
 
-What a user's own element or law is written with is found here.
+What a user's own element or law is written with is found here. The names are resolved when they are asked for, so
+that ``flexel.derive.spec``, which the runtime reads, does not bring SymPy with it.
 """
 
-from flexel.derive.element import (
-    TIME,
-    Deformation,
-    Element,
-    Frame,
-    Internal,
-    Law,
-    Let,
-    Node,
-    Parameter,
-    PlanarAngle,
-    PlanarPoint,
-    Point,
-    Slip,
-    Slope,
-    symbol,
-)
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from flexel.derive.declare import (
+        TIME,
+        Deformation,
+        Element,
+        Frame,
+        Internal,
+        Law,
+        Let,
+        Limit,
+        Node,
+        Parameter,
+        PlanarAngle,
+        PlanarPoint,
+        PlanarSlope,
+        Point,
+        Slip,
+        Slope,
+        symbol,
+    )
 
 __all__ = [
     "TIME",
@@ -29,12 +36,24 @@ __all__ = [
     "Internal",
     "Law",
     "Let",
+    "Limit",
     "Node",
     "Parameter",
     "PlanarAngle",
     "PlanarPoint",
+    "PlanarSlope",
     "Point",
     "Slip",
     "Slope",
     "symbol",
 ]
+
+
+def __getattr__(name: str) -> Any:
+    if name not in __all__:
+        raise AttributeError(f"flexel.derive has no '{name}'; there are {', '.join(__all__)}")
+    return getattr(import_module("flexel.derive.declare"), name)
+
+
+def __dir__() -> list[str]:
+    return sorted([*globals(), *__all__])

@@ -1,6 +1,6 @@
 """The command ``python -m flexel.derive``, also reached as ``flexel derive``.
 
-Works without compiled kernels: they are what it is needed for. May import the rooms of derive, click and tqdm.
+Works without compiled kernels: they are what it is needed for.
 """
 
 import sys
@@ -10,8 +10,8 @@ import click
 from tqdm import tqdm
 
 from flexel.derive.elements import ELEMENTS
-from flexel.derive.emit import baseline, check, emit, risen, write
-from flexel.derive.emit import update_baseline as accept
+from flexel.derive.emit.emit import baseline, check, emit, risen, write
+from flexel.derive.emit.emit import update_baseline as accept
 
 FOLDER = Path(__file__).resolve().parents[1] / "generated"
 

@@ -2,7 +2,7 @@
 
 Verification is that of `flexel verify`: every output of every kernel at random configurations, against the
 definition in 60 digits and against differences. Its success is noted beside the shared object in the cache, which is
-named by content. May import the rooms of derive.
+named by content.
 """
 
 from pathlib import Path
@@ -11,11 +11,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 import sympy as sp
 
-from flexel.derive.checks import check_joins, check_smooth
+from flexel.derive.check.smooth import check_joins, check_smooth
+from flexel.derive.check.stored import check_stored
 from flexel.derive.compile import CompiledElement, CompiledLaw, compile_element, compile_law
-from flexel.derive.element import Element, Law
+from flexel.derive.declare import Element, Law
 from flexel.derive.elements import ELEMENTS
-from flexel.derive.stored import check_stored
 from flexel.derive.verify import verify
 from flexel.derive.verify.check import BATCH
 from flexel.derive.verify.compiled import Compiled
@@ -106,7 +106,7 @@ def _expressions(declared: Element | Law) -> list[tuple[str, sp.Expr]]:
 
 
 def _check_finite(declared: Element | Law, compiled: Compiled, ranges: Ranges) -> None:
-    """A definition that is not real everywhere (a root, a logarithm) must be told where it is."""
+    """A definition that is not real everywhere (a root, a logarithm) must be given the ranges in which it is."""
     if isinstance(declared, Law):
         data = law_samples(declared, BATCH, ranges)
     else:

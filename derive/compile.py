@@ -1,8 +1,7 @@
 """A user's own elements and laws: derived, compiled once, kept in the user's cache directory by content.
 
 The shared object knows nothing of Python; it exports ``flexel_user``, which is a ``flexel_element`` or a
-``flexel_law`` of ``kernels.h``. May import the rooms of derive, and the classes of ``flexel.generated.spec`` when a
-function needs them.
+``flexel_law`` of ``kernels.h``.
 """
 
 import ctypes
@@ -13,18 +12,15 @@ import shlex
 import shutil
 import subprocess
 import tempfile
-from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
 
-from flexel.derive.element import Element, Law, Parameter
-from flexel.derive.emit import FLAGS
-from flexel.derive.kernels import Kernel, derive_element, derive_law
-from flexel.derive.source import digest_of, element_source, laws_source
-
-if TYPE_CHECKING:
-    from flexel.generated.spec import ElementSpec, KernelSpec, LawSpec, ParameterSpec
+from flexel.derive.declare import Element, Law
+from flexel.derive.emit.emit import FLAGS
+from flexel.derive.emit.source import digest_of, element_source, laws_source
+from flexel.derive.emit.specification import element_spec, law_spec
+from flexel.derive.program.kernels import derive_element, derive_law
+from flexel.derive.spec import ElementSpec, LawSpec
 
 GENERATED = Path(__file__).resolve().parents[1] / "generated"
 _SYMBOL = "user"
@@ -42,7 +38,7 @@ class CompilationError(RuntimeError):
 class CompiledElement:
     """A compiled element: its spec, and the address of its ``flexel_element``."""
 
-    spec: "ElementSpec"
+    spec: ElementSpec
     address: int
     path: Path
 
@@ -51,7 +47,7 @@ class CompiledElement:
 class CompiledLaw:
     """A compiled law: its spec, and the address of its ``flexel_law``."""
 
-    spec: "LawSpec"
+    spec: LawSpec
     address: int
     path: Path
 
@@ -66,54 +62,18 @@ def compile_element(element: Element) -> CompiledElement:
     CompilationError
         The compiler failed.
     """
-    from flexel.generated.spec import DeformationSpec, ElementSpec, NodeSpec, SlipSpec
-
     derived = derive_element(element)
     source = element_source(element, derived, _SYMBOL)
     path = _shared_object(element.name, source)
-    spec = ElementSpec(
-        name=element.name,
-        digest=digest_of(source),
-        doc=element.doc,
-        source=element.source,
-        nodes=tuple(NodeSpec(node.name, node.kind) for node in element.nodes),
-        parameters=_parameters(element.parameters),
-        deformations=tuple(DeformationSpec(d.name, d.unit, d.angle, d.free) for d in element.deformations),
-        slips=tuple(SlipSpec(s.name, s.unit, s.free) for s in element.slips),
-        kernels=_kernels(derived.kernels),
-    )
-    return CompiledElement(spec, _address(path), path)
+    return CompiledElement(element_spec(element, derived, digest_of(source)), _address(path), path)
 
 
 def compile_law(law: Law) -> CompiledLaw:
     """Derive and compile a law; errors as in `compile_element`."""
-    from flexel.generated.spec import InternalSpec, LawSpec
-
     derived = derive_law(law)
     source = laws_source([law], [derived], _SYMBOL)
     path = _shared_object(law.name, source)
-    parameters, kernels = _parameters(law.parameters), _kernels(derived.kernels)
-    states = tuple(InternalSpec(z.name, z.unit) for z in law.states)
-    sizes = len(law.e), len(law.s)
-    spec = LawSpec(law.name, digest_of(source), law.doc, *sizes, states, parameters, kernels)
-    return CompiledLaw(spec, _address(path), path)
-
-
-def _parameters(parameters: Sequence[Parameter]) -> tuple["ParameterSpec", ...]:
-    from flexel.generated.spec import ParameterSpec
-
-    return tuple(ParameterSpec(p.name, p.size, p.unit, p.doc) for p in parameters)
-
-
-def _kernels(kernels: dict[str, Kernel]) -> dict[str, "KernelSpec"]:
-    from flexel.generated.spec import KernelSpec, OutputSpec
-
-    return {
-        name: KernelSpec(
-            tuple(k.inputs), tuple(OutputSpec(o.name, o.shape, o.nonzeros) for o in k.outputs), k.operations
-        )
-        for name, k in kernels.items()
-    }
+    return CompiledLaw(law_spec(law, derived, digest_of(source)), _address(path), path)
 
 
 def cache_directory() -> Path:

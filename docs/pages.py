@@ -6,6 +6,7 @@ numbers of the verification are those of `flexel verify`, computed once for each
 
 import inspect
 import json
+import math
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from importlib import import_module
@@ -14,11 +15,16 @@ from typing import Any
 
 import flexel
 from flexel.commands.reproduce import CASES
+from flexel.derive.spec import DeformationSpec, ElementSpec, KernelSpec, LawSpec, ParameterSpec
 from flexel.derive.verify import verify_generated
-from flexel.generated.spec import ElementSpec, KernelSpec, LawSpec, ParameterSpec
 from flexel.generated.table import ELEMENTS, LAWS
 
-FIRST = ("start", "coming-from-spacar", "writing-an-element", "adding-an-element")  # of the guides, in this order
+FIRST = (
+    "start",
+    "coming-from-spacar",
+    "writing-an-element",
+    "adding-an-element",
+)  # of the guides, in this order
 REFERENCE = ("theory", "architecture")
 Rows = list[dict[str, Any]]
 
@@ -47,7 +53,11 @@ RETURNED = {  # what public names give, or take as options: not names of the pac
     "flexel.pictures.plot": ("root_loci", "View", "Sketch"),
     "flexel.pictures.view": ("scene_data", "view_modes"),
 }
-DECLARATIONS = ("flexel.derive.element", "flexel.derive.rotation", "flexel.derive.shape")
+DECLARATIONS = (
+    "flexel.derive.declare.element",
+    "flexel.derive.declare.rotation",
+    "flexel.derive.declare.shape",
+)
 
 
 def table(head: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
@@ -110,10 +120,7 @@ def number(value: float | None) -> str:
 
 def element_page(spec: ElementSpec, rows: Rows) -> str:
     """Definition, source, kernels, counts and verification of one element."""
-    modes = [
-        (f"`{z.name}`", z.unit, "free" if z.free else "rigid", "2π" if z.angle else "")
-        for z in spec.deformations
-    ]
+    modes = [(f"`{z.name}`", z.unit, "free" if z.free else "rigid", period(z)) for z in spec.deformations]
     slips = [(f"`{z.name}`", z.unit, "free" if z.free else "zero") for z in spec.slips]
     return f"""# {spec.name}
 
@@ -144,6 +151,15 @@ Worst relative errors at random configurations, as `flexel verify {spec.name}` p
 kernel one order below, and against the definition in 60 digits.
 
 {errors(rows)}"""
+
+
+def period(spec: DeformationSpec) -> str:
+    """The period of a deformation as a formula."""
+    terms = []
+    for term in spec.period:
+        turns = f"{term.factor / (2 * math.pi):g}·2π".removeprefix("1·").replace("-1·", "-")
+        terms.append(" ".join([turns, *(name if n == 1 else f"{name}^{n}" for name, _, n in term.powers)]))
+    return " + ".join(terms)
 
 
 def laws_page(rows: dict[str, Rows]) -> str:

@@ -57,11 +57,11 @@ static void axle_slip_position(size_t nblocks, const real *const *in, real *cons
             const real an_p = real_sqrt(t10);
             const real t11 = 1.0 / an_p;
             const real ey_p_x = t11 * (normal_y * ahead_p_z - normal_z * ahead_p_y);
-            V[0 * 8 + j] = 0.5 * ey_p_x;
+            V[0 * 8 + j] = 0.5 * ey_p_x; /* V(0,0) */
             const real ey_p_y = t11 * (normal_z * ahead_p_x - normal_x * ahead_p_z);
-            V[1 * 8 + j] = 0.5 * ey_p_y;
+            V[1 * 8 + j] = 0.5 * ey_p_y; /* V(0,1) */
             const real ey_p_z = t11 * (normal_x * ahead_p_y - normal_y * ahead_p_x);
-            V[2 * 8 + j] = 0.5 * ey_p_z;
+            V[2 * 8 + j] = 0.5 * ey_p_z; /* V(0,2) */
             const real p_x = x[0 * 8 + j];
             const real height = p[9 * 8 + j];
             const real p_y = x[1 * 8 + j];
@@ -75,10 +75,10 @@ static void axle_slip_position(size_t nblocks, const real *const *in, real *cons
             const real d_p_x = (normal_x - a_p_x * lean_p) * t13;
             const real t15 = ey_p_y * d_p_x - ey_p_x * d_p_y;
             const real t16 = ey_p_x * d_p_z - ey_p_z * d_p_x;
-            V[3 * 8 + j] = -(rp_l3 * t15 + rp_l2 * t16 + rp_l1 * t14);
-            V[4 * 8 + j] = rp_l3 * t16 + rp_l0 * t14 - rp_l2 * t15;
-            V[5 * 8 + j] = rp_l1 * t15 + rp_l0 * t16 - rp_l3 * t14;
-            V[6 * 8 + j] = rp_l0 * t15 + rp_l2 * t14 - rp_l1 * t16;
+            V[3 * 8 + j] = -(rp_l3 * t15 + rp_l2 * t16 + rp_l1 * t14); /* V(0,3) */
+            V[4 * 8 + j] = rp_l3 * t16 + rp_l0 * t14 - rp_l2 * t15; /* V(0,4) */
+            V[5 * 8 + j] = rp_l1 * t15 + rp_l0 * t16 - rp_l3 * t14; /* V(0,5) */
+            V[6 * 8 + j] = rp_l0 * t15 + rp_l2 * t14 - rp_l1 * t16; /* V(0,6) */
             const real rq_l0 = x[10 * 8 + j];
             const real t17 = rq_l0 * rq_l0;
             const real rq_l3 = x[13 * 8 + j];
@@ -94,23 +94,26 @@ static void axle_slip_position(size_t nblocks, const real *const *in, real *cons
             const real t23 = rq_l0 * rq_l1;
             const real t24 = rq_l2 * rq_l3;
             const real axle_q_y = p[4 * 8 + j];
-            const real a_q_z = axle_q_z * (t17 + t18 - t19 - t20) + 2.0 * (axle_q_x * (t21 - t22) + axle_q_y * (t23 + t24));
+            const real a_q_z = axle_q_z * (t17 + t18 - t19 - t20) + 2.0 * (axle_q_x * (t21 - t22) + axle_q_y * (t23
+                + t24));
             const real t25 = rq_l1 * rq_l2;
             const real t26 = rq_l0 * rq_l3;
-            const real a_q_x = axle_q_x * (t17 + t19 - t20 - t18) + 2.0 * (axle_q_y * (t25 - t26) + axle_q_z * (t22 + t21));
+            const real a_q_x = axle_q_x * (t17 + t19 - t20 - t18) + 2.0 * (axle_q_y * (t25 - t26) + axle_q_z * (t22
+                + t21));
             const real ahead_q_y = normal_x * a_q_z - normal_z * a_q_x;
-            const real a_q_y = axle_q_y * (t17 + t20 - t19 - t18) + 2.0 * (axle_q_x * (t26 + t25) + axle_q_z * (t24 - t23));
+            const real a_q_y = axle_q_y * (t17 + t20 - t19 - t18) + 2.0 * (axle_q_x * (t26 + t25) + axle_q_z * (t24
+                - t23));
             const real ahead_q_z = normal_y * a_q_x - normal_x * a_q_y;
             const real ahead_q_x = normal_z * a_q_y - normal_y * a_q_z;
             const real t27 = ahead_q_z * ahead_q_z + ahead_q_x * ahead_q_x + ahead_q_y * ahead_q_y;
             const real an_q = real_sqrt(t27);
             const real t28 = 1.0 / an_q;
             const real ey_q_x = t28 * (normal_y * ahead_q_z - normal_z * ahead_q_y);
-            V[7 * 8 + j] = 0.5 * ey_q_x;
+            V[7 * 8 + j] = 0.5 * ey_q_x; /* V(0,7) */
             const real ey_q_y = t28 * (normal_z * ahead_q_x - normal_x * ahead_q_z);
-            V[8 * 8 + j] = 0.5 * ey_q_y;
+            V[8 * 8 + j] = 0.5 * ey_q_y; /* V(0,8) */
             const real ey_q_z = t28 * (normal_x * ahead_q_y - normal_y * ahead_q_x);
-            V[9 * 8 + j] = 0.5 * ey_q_z;
+            V[9 * 8 + j] = 0.5 * ey_q_z; /* V(0,9) */
             const real q_x = x[7 * 8 + j];
             const real q_y = x[8 * 8 + j];
             const real q_z = x[9 * 8 + j];
@@ -123,133 +126,10 @@ static void axle_slip_position(size_t nblocks, const real *const *in, real *cons
             const real d_q_x = (normal_x - a_q_x * lean_q) * t30;
             const real t32 = ey_q_y * d_q_x - ey_q_x * d_q_y;
             const real t33 = ey_q_x * d_q_z - ey_q_z * d_q_x;
-            V[10 * 8 + j] = -(rq_l3 * t32 + rq_l2 * t33 + rq_l1 * t31);
-            V[11 * 8 + j] = rq_l3 * t33 + rq_l0 * t31 - rq_l2 * t32;
-            V[12 * 8 + j] = rq_l1 * t32 + rq_l0 * t33 - rq_l3 * t31;
-            V[13 * 8 + j] = rq_l0 * t32 + rq_l2 * t31 - rq_l1 * t33;
-        }
-    }
-}
-
-/* velocity: 270 operations.
- * in:  x (14), v (14), p (10)
- * out: ed (0), s (1) */
-FLEXEL_CLONES
-static void axle_slip_velocity(size_t nblocks, const real *const *in, real *const *out)
-{
-    for (size_t b = 0; b < nblocks; b++) {
-        const real *restrict x = in[0] + b * (14 * 8);
-        const real *restrict v = in[1] + b * (14 * 8);
-        const real *restrict p = in[2] + b * (10 * 8);
-        real *restrict s = out[1] + b * (1 * 8);
-#pragma omp simd
-        for (size_t j = 0; j < 8; j++) {
-            const real rp_l0 = x[3 * 8 + j];
-            const real t0 = rp_l0 * rp_l0;
-            const real rp_l3 = x[6 * 8 + j];
-            const real t1 = rp_l3 * rp_l3;
-            const real rp_l1 = x[4 * 8 + j];
-            const real t2 = rp_l1 * rp_l1;
-            const real rp_l2 = x[5 * 8 + j];
-            const real t3 = rp_l2 * rp_l2;
-            const real axle_p_z = p[2 * 8 + j];
-            const real t4 = rp_l1 * rp_l3;
-            const real t5 = rp_l0 * rp_l2;
-            const real axle_p_x = p[0 * 8 + j];
-            const real t6 = rp_l0 * rp_l1;
-            const real t7 = rp_l2 * rp_l3;
-            const real axle_p_y = p[1 * 8 + j];
-            const real a_p_z = axle_p_z * (t0 + t1 - t2 - t3) + 2.0 * (axle_p_x * (t4 - t5) + axle_p_y * (t6 + t7));
-            const real normal_x = p[6 * 8 + j];
-            const real t8 = rp_l1 * rp_l2;
-            const real t9 = rp_l0 * rp_l3;
-            const real a_p_x = axle_p_x * (t0 + t2 - t3 - t1) + 2.0 * (axle_p_y * (t8 - t9) + axle_p_z * (t5 + t4));
-            const real normal_z = p[8 * 8 + j];
-            const real ahead_p_y = normal_x * a_p_z - normal_z * a_p_x;
-            const real normal_y = p[7 * 8 + j];
-            const real a_p_y = axle_p_y * (t0 + t3 - t2 - t1) + 2.0 * (axle_p_x * (t9 + t8) + axle_p_z * (t7 - t6));
-            const real ahead_p_z = normal_y * a_p_x - normal_x * a_p_y;
-            const real ahead_p_x = normal_z * a_p_y - normal_y * a_p_z;
-            const real t10 = ahead_p_z * ahead_p_z + ahead_p_x * ahead_p_x + ahead_p_y * ahead_p_y;
-            const real an_p = real_sqrt(t10);
-            const real t11 = 1.0 / an_p;
-            const real ey_p_y = t11 * (normal_z * ahead_p_x - normal_x * ahead_p_z);
-            const real rp_vl3 = v[6 * 8 + j];
-            const real rp_vl2 = v[5 * 8 + j];
-            const real rp_vl1 = v[4 * 8 + j];
-            const real rp_vl0 = v[3 * 8 + j];
-            const real t12 = rp_l0 * rp_vl3 + rp_l1 * rp_vl2 - rp_l2 * rp_vl1 - rp_l3 * rp_vl0;
-            const real lean_p = normal_z * a_p_z + normal_x * a_p_x + normal_y * a_p_y;
-            const real p_x = x[0 * 8 + j];
-            const real height = p[9 * 8 + j];
-            const real p_y = x[1 * 8 + j];
-            const real p_z = x[2 * 8 + j];
-            const real t13 = height - p_x * normal_x - p_y * normal_y - p_z * normal_z;
-            const real t14 = t11 * t11 * t13;
-            const real d_p_x = (normal_x - a_p_x * lean_p) * t14;
-            const real t15 = rp_l0 * rp_vl1 + rp_l2 * rp_vl3 - rp_l1 * rp_vl0 - rp_l3 * rp_vl2;
-            const real d_p_z = t14 * (normal_z - a_p_z * lean_p);
-            const real p_vy = v[1 * 8 + j];
-            const real ey_p_x = t11 * (normal_y * ahead_p_z - normal_z * ahead_p_y);
-            const real t16 = rp_l0 * rp_vl2 + rp_l3 * rp_vl1 - rp_l1 * rp_vl3 - rp_l2 * rp_vl0;
-            const real d_p_y = t14 * (normal_y - a_p_y * lean_p);
-            const real p_vx = v[0 * 8 + j];
-            const real ey_p_z = t11 * (normal_x * ahead_p_y - normal_y * ahead_p_x);
-            const real p_vz = v[2 * 8 + j];
-            const real rq_l0 = x[10 * 8 + j];
-            const real t17 = rq_l0 * rq_l0;
-            const real rq_l3 = x[13 * 8 + j];
-            const real t18 = rq_l3 * rq_l3;
-            const real rq_l1 = x[11 * 8 + j];
-            const real t19 = rq_l1 * rq_l1;
-            const real rq_l2 = x[12 * 8 + j];
-            const real t20 = rq_l2 * rq_l2;
-            const real axle_q_z = p[5 * 8 + j];
-            const real t21 = rq_l1 * rq_l3;
-            const real t22 = rq_l0 * rq_l2;
-            const real axle_q_x = p[3 * 8 + j];
-            const real t23 = rq_l0 * rq_l1;
-            const real t24 = rq_l2 * rq_l3;
-            const real axle_q_y = p[4 * 8 + j];
-            const real a_q_z = axle_q_z * (t17 + t18 - t19 - t20) + 2.0 * (axle_q_x * (t21 - t22) + axle_q_y * (t23 + t24));
-            const real t25 = rq_l1 * rq_l2;
-            const real t26 = rq_l0 * rq_l3;
-            const real a_q_x = axle_q_x * (t17 + t19 - t20 - t18) + 2.0 * (axle_q_y * (t25 - t26) + axle_q_z * (t22 + t21));
-            const real ahead_q_y = normal_x * a_q_z - normal_z * a_q_x;
-            const real a_q_y = axle_q_y * (t17 + t20 - t19 - t18) + 2.0 * (axle_q_x * (t26 + t25) + axle_q_z * (t24 - t23));
-            const real ahead_q_z = normal_y * a_q_x - normal_x * a_q_y;
-            const real ahead_q_x = normal_z * a_q_y - normal_y * a_q_z;
-            const real t27 = ahead_q_z * ahead_q_z + ahead_q_x * ahead_q_x + ahead_q_y * ahead_q_y;
-            const real an_q = real_sqrt(t27);
-            const real t28 = 1.0 / an_q;
-            const real ey_q_x = t28 * (normal_y * ahead_q_z - normal_z * ahead_q_y);
-            const real rq_vl2 = v[12 * 8 + j];
-            const real rq_vl1 = v[11 * 8 + j];
-            const real rq_vl3 = v[13 * 8 + j];
-            const real rq_vl0 = v[10 * 8 + j];
-            const real t29 = rq_l0 * rq_vl2 + rq_l3 * rq_vl1 - rq_l1 * rq_vl3 - rq_l2 * rq_vl0;
-            const real q_x = x[7 * 8 + j];
-            const real q_y = x[8 * 8 + j];
-            const real q_z = x[9 * 8 + j];
-            const real t30 = height - q_x * normal_x - q_y * normal_y - q_z * normal_z;
-            const real t31 = t28 * t28 * t30;
-            const real lean_q = normal_z * a_q_z + normal_x * a_q_x + normal_y * a_q_y;
-            const real d_q_z = t31 * (normal_z - a_q_z * lean_q);
-            const real t32 = rq_l0 * rq_vl3 + rq_l1 * rq_vl2 - rq_l2 * rq_vl1 - rq_l3 * rq_vl0;
-            const real d_q_y = t31 * (normal_y - a_q_y * lean_q);
-            const real q_vx = v[7 * 8 + j];
-            const real ey_q_z = t28 * (normal_x * ahead_q_y - normal_y * ahead_q_x);
-            const real t33 = rq_l0 * rq_vl1 + rq_l2 * rq_vl3 - rq_l1 * rq_vl0 - rq_l3 * rq_vl2;
-            const real d_q_x = (normal_x - a_q_x * lean_q) * t31;
-            const real q_vz = v[9 * 8 + j];
-            const real ey_q_y = t28 * (normal_z * ahead_q_x - normal_x * ahead_q_z);
-            const real q_vy = v[8 * 8 + j];
-            const real t34 = ey_q_z * (q_vz + 2.0 * (t33 * d_q_y - t29 * d_q_x)) + ey_q_y * (q_vy + 2.0 * (t32 * d_q_x - t33 * d_q_z));
-            const real t35 = ey_q_x * (q_vx + 2.0 * (t29 * d_q_z - t32 * d_q_y)) + t34;
-            const real t36 = ey_p_z * (p_vz + 2.0 * (t15 * d_p_y - t16 * d_p_x)) + t35;
-            const real t37 = ey_p_x * (p_vx + 2.0 * (t16 * d_p_z - t12 * d_p_y)) + t36;
-            const real t38 = ey_p_y * (p_vy + 2.0 * (t12 * d_p_x - t15 * d_p_z)) + t37;
-            s[0 * 8 + j] = 0.5 * t38;
+            V[10 * 8 + j] = -(rq_l3 * t32 + rq_l2 * t33 + rq_l1 * t31); /* V(0,10) */
+            V[11 * 8 + j] = rq_l3 * t33 + rq_l0 * t31 - rq_l2 * t32; /* V(0,11) */
+            V[12 * 8 + j] = rq_l1 * t32 + rq_l0 * t33 - rq_l3 * t31; /* V(0,12) */
+            V[13 * 8 + j] = rq_l0 * t32 + rq_l2 * t31 - rq_l1 * t33; /* V(0,13) */
         }
     }
 }
@@ -299,12 +179,15 @@ static void axle_slip_acceleration(size_t nblocks, const real *const *in, real *
             const real t12 = rp_l0 * rp_l1;
             const real t13 = rp_l2 * rp_l3;
             const real axle_p_y = p[1 * 8 + j];
-            const real a_p_z = axle_p_z * (t6 + t7 - t8 - t9) + 2.0 * (axle_p_x * (t10 - t11) + axle_p_y * (t12 + t13));
+            const real a_p_z = axle_p_z * (t6 + t7 - t8 - t9) + 2.0 * (axle_p_x * (t10 - t11) + axle_p_y * (t12
+                + t13));
             const real t14 = rp_l1 * rp_l2;
             const real t15 = rp_l0 * rp_l3;
-            const real a_p_x = axle_p_x * (t6 + t8 - t9 - t7) + 2.0 * (axle_p_y * (t14 - t15) + axle_p_z * (t11 + t10));
+            const real a_p_x = axle_p_x * (t6 + t8 - t9 - t7) + 2.0 * (axle_p_y * (t14 - t15) + axle_p_z * (t11
+                + t10));
             const real ahead_p_y = normal_x * a_p_z - normal_z * a_p_x;
-            const real a_p_y = axle_p_y * (t6 + t9 - t8 - t7) + 2.0 * (axle_p_x * (t15 + t14) + axle_p_z * (t13 - t12));
+            const real a_p_y = axle_p_y * (t6 + t9 - t8 - t7) + 2.0 * (axle_p_x * (t15 + t14) + axle_p_z * (t13
+                - t12));
             const real ahead_p_z = normal_y * a_p_x - normal_x * a_p_y;
             const real ahead_p_x = normal_z * a_p_y - normal_y * a_p_z;
             const real t16 = ahead_p_z * ahead_p_z + ahead_p_x * ahead_p_x + ahead_p_y * ahead_p_y;
@@ -332,31 +215,37 @@ static void axle_slip_acceleration(size_t nblocks, const real *const *in, real *
             const real t33 = t1 + t2;
             const real t34 = t22 + t24;
             const real t35 = t21 + t23;
-            const real t36 = axle_p_y * (t28 + t29 - t30 - t31) + 2.0 * (axle_p_x * (t32 + t33) + axle_p_z * (t34 - t35));
+            const real t36 = axle_p_y * (t28 + t29 - t30 - t31) + 2.0 * (axle_p_x * (t32 + t33) + axle_p_z * (t34
+                - t35));
             const real t37 = rp_l1 * rp_vl3;
             const real t38 = rp_l3 * rp_vl1;
             const real t39 = t37 + t38;
             const real t40 = rp_l0 * rp_vl2;
             const real t41 = rp_l2 * rp_vl0;
             const real t42 = t40 + t41;
-            const real t43 = axle_p_z * (t28 + t31 - t30 - t29) + 2.0 * (axle_p_x * (t39 - t42) + axle_p_y * (t35 + t34));
+            const real t43 = axle_p_z * (t28 + t31 - t30 - t29) + 2.0 * (axle_p_x * (t39 - t42) + axle_p_y * (t35
+                + t34));
             const real t44 = normal_z * t36 - normal_y * t43;
-            const real t45 = axle_p_x * (t28 + t30 - t29 - t31) + 2.0 * (axle_p_y * (t33 - t32) + axle_p_z * (t42 + t39));
+            const real t45 = axle_p_x * (t28 + t30 - t29 - t31) + 2.0 * (axle_p_y * (t33 - t32) + axle_p_z * (t42
+                + t39));
             const real t46 = normal_y * t45 - normal_x * t36;
             const real t47 = normal_z * ahead_p_x - normal_x * ahead_p_z;
             const real t48 = normal_x * t43 - normal_z * t45;
             const real t49 = t17 * t18 * (ahead_p_z * t46 + ahead_p_x * t44 + ahead_p_y * t48);
-            const real t50 = (p_vy + 2.0 * (t4 * d_p_x - t25 * d_p_z)) * (t17 * (normal_z * t44 - normal_x * t46) - t47 * t49);
+            const real t50 = (p_vy + 2.0 * (t4 * d_p_x - t25 * d_p_z)) * (t17 * (normal_z * t44 - normal_x * t46)
+                - t47 * t49);
             const real t51 = t40 + t38 - t37 - t41;
             const real t52 = normal_y - a_p_y * lean_p;
             const real t53 = t18 * t52;
             const real d_p_y = t5 * t53;
             const real p_vx = v[0 * 8 + j];
             const real t54 = normal_y * ahead_p_z - normal_z * ahead_p_y;
-            const real t55 = (p_vx + 2.0 * (t51 * d_p_z - t4 * d_p_y)) * (t17 * (normal_y * t46 - normal_z * t48) - t54 * t49);
+            const real t55 = (p_vx + 2.0 * (t51 * d_p_z - t4 * d_p_y)) * (t17 * (normal_y * t46 - normal_z * t48)
+                - t54 * t49);
             const real p_vz = v[2 * 8 + j];
             const real t56 = normal_x * ahead_p_y - normal_y * ahead_p_x;
-            const real t57 = (p_vz + 2.0 * (t25 * d_p_y - t51 * d_p_x)) * (t17 * (normal_x * t48 - normal_y * t44) - t56 * t49);
+            const real t57 = (p_vz + 2.0 * (t25 * d_p_y - t51 * d_p_x)) * (t17 * (normal_x * t48 - normal_y * t44)
+                - t56 * t49);
             const real rq_l0 = x[10 * 8 + j];
             const real rq_vl2 = v[12 * 8 + j];
             const real t58 = rq_l0 * rq_vl2;
@@ -385,12 +274,15 @@ static void axle_slip_acceleration(size_t nblocks, const real *const *in, real *
             const real t70 = rq_l0 * rq_l1;
             const real t71 = rq_l2 * rq_l3;
             const real axle_q_y = p[4 * 8 + j];
-            const real a_q_z = axle_q_z * (t64 + t65 - t66 - t67) + 2.0 * (axle_q_x * (t68 - t69) + axle_q_y * (t70 + t71));
+            const real a_q_z = axle_q_z * (t64 + t65 - t66 - t67) + 2.0 * (axle_q_x * (t68 - t69) + axle_q_y * (t70
+                + t71));
             const real t72 = rq_l1 * rq_l2;
             const real t73 = rq_l0 * rq_l3;
-            const real a_q_x = axle_q_x * (t64 + t66 - t67 - t65) + 2.0 * (axle_q_y * (t72 - t73) + axle_q_z * (t69 + t68));
+            const real a_q_x = axle_q_x * (t64 + t66 - t67 - t65) + 2.0 * (axle_q_y * (t72 - t73) + axle_q_z * (t69
+                + t68));
             const real ahead_q_y = normal_x * a_q_z - normal_z * a_q_x;
-            const real a_q_y = axle_q_y * (t64 + t67 - t66 - t65) + 2.0 * (axle_q_x * (t73 + t72) + axle_q_z * (t71 - t70));
+            const real a_q_y = axle_q_y * (t64 + t67 - t66 - t65) + 2.0 * (axle_q_x * (t73 + t72) + axle_q_z * (t71
+                - t70));
             const real ahead_q_z = normal_y * a_q_x - normal_x * a_q_y;
             const real ahead_q_x = normal_z * a_q_y - normal_y * a_q_z;
             const real t74 = ahead_q_z * ahead_q_z + ahead_q_x * ahead_q_x + ahead_q_y * ahead_q_y;
@@ -418,28 +310,33 @@ static void axle_slip_acceleration(size_t nblocks, const real *const *in, real *
             const real t91 = t79 + t82;
             const real t92 = t58 + t61;
             const real t93 = t60 + t59;
-            const real t94 = axle_q_x * (t86 + t87 - t88 - t89) + 2.0 * (axle_q_y * (t90 - t91) + axle_q_z * (t92 + t93));
+            const real t94 = axle_q_x * (t86 + t87 - t88 - t89) + 2.0 * (axle_q_y * (t90 - t91) + axle_q_z * (t92
+                + t93));
             const real t95 = rq_l2 * rq_vl3;
             const real t96 = rq_l3 * rq_vl2;
             const real t97 = t95 + t96;
             const real t98 = rq_l0 * rq_vl1;
             const real t99 = rq_l1 * rq_vl0;
             const real t100 = t98 + t99;
-            const real t101 = axle_q_y * (t86 + t88 - t87 - t89) + 2.0 * (axle_q_x * (t91 + t90) + axle_q_z * (t97 - t100));
+            const real t101 = axle_q_y * (t86 + t88 - t87 - t89) + 2.0 * (axle_q_x * (t91 + t90) + axle_q_z * (t97
+                - t100));
             const real t102 = normal_y * t94 - normal_x * t101;
-            const real t103 = axle_q_z * (t86 + t89 - t87 - t88) + 2.0 * (axle_q_x * (t93 - t92) + axle_q_y * (t100 + t97));
+            const real t103 = axle_q_z * (t86 + t89 - t87 - t88) + 2.0 * (axle_q_x * (t93 - t92) + axle_q_y * (t100
+                + t97));
             const real t104 = normal_x * t103 - normal_z * t94;
             const real t105 = normal_y * ahead_q_z - normal_z * ahead_q_y;
             const real t106 = normal_z * t101 - normal_y * t103;
             const real t107 = t75 * t76 * (ahead_q_z * t102 + ahead_q_x * t106 + ahead_q_y * t104);
-            const real t108 = (q_vx + 2.0 * (t62 * d_q_z - t83 * d_q_y)) * (t75 * (normal_y * t102 - normal_z * t104) - t105 * t107);
+            const real t108 = (q_vx + 2.0 * (t62 * d_q_z - t83 * d_q_y)) * (t75 * (normal_y * t102 - normal_z * t104)
+                - t105 * t107);
             const real t109 = normal_x - a_q_x * lean_q;
             const real t110 = t76 * t109;
             const real d_q_x = t63 * t110;
             const real t111 = t98 + t95 - t99 - t96;
             const real q_vy = v[8 * 8 + j];
             const real t112 = normal_z * ahead_q_x - normal_x * ahead_q_z;
-            const real t113 = (q_vy + 2.0 * (t83 * d_q_x - t111 * d_q_z)) * (t75 * (normal_z * t106 - normal_x * t102) - t112 * t107);
+            const real t113 = (q_vy + 2.0 * (t83 * d_q_x - t111 * d_q_z)) * (t75 * (normal_z * t106 - normal_x * t102)
+                - t112 * t107);
             const real ey_p_y = t17 * t47;
             const real t114 = rp_vl0 * rp_vl3;
             const real t115 = rp_vl1 * rp_vl2;
@@ -490,7 +387,8 @@ static void axle_slip_acceleration(size_t nblocks, const real *const *in, real *
             const real t155 = ey_q_z * (t152 * d_q_y + t62 * t154 - t111 * t142 - t137 * d_q_x);
             const real ey_q_y = t75 * t112;
             const real t156 = ey_q_y * (t147 * d_q_x + t111 * t144 - t83 * t154 - t152 * d_q_z);
-            const real t157 = (q_vz + 2.0 * (t111 * d_q_y - t62 * d_q_x)) * (t75 * (normal_x * t104 - normal_y * t106) - t149 * t107);
+            const real t157 = (q_vz + 2.0 * (t111 * d_q_y - t62 * d_q_x)) * (t75 * (normal_x * t104 - normal_y * t106)
+                - t149 * t107);
             const real t158 = 2.0 * (t155 + t156 + t148 + t134 + t133 + t127) + t157 + t113;
             gs[0 * 8 + j] = 0.5 * (t108 + t158 + t57 + t55 + t50);
         }
@@ -564,9 +462,9 @@ static void axle_slip_rates(size_t nblocks, const real *const *in, real *const *
             const real t26 = t25 * t13;
             const real t27 = t23 * ey_p_x - t15 * ey_p_y;
             const real t28 = t21 * t24 + t26 * t27 + t14 * t19;
-            Phi_x[0 * 8 + j] = -(normal_x * t28);
-            Phi_x[1 * 8 + j] = -(normal_y * t28);
-            Phi_x[2 * 8 + j] = -(normal_z * t28);
+            Phi_x[0 * 8 + j] = -(normal_x * t28); /* Phi_x(0,0) */
+            Phi_x[1 * 8 + j] = -(normal_y * t28); /* Phi_x(0,1) */
+            Phi_x[2 * 8 + j] = -(normal_z * t28); /* Phi_x(0,2) */
             const real p_x = x[0 * 8 + j];
             const real height = p[9 * 8 + j];
             const real p_y = x[1 * 8 + j];
@@ -587,7 +485,8 @@ static void axle_slip_rates(size_t nblocks, const real *const *in, real *const *
             const real t36 = t29 * t19;
             const real t37 = t29 * t24;
             const real t38 = t29 * t27;
-            const real t39 = 0.5 * (t18 * t33 + t16 * t31 + t22 * t35) + 2.0 * t12 * (t20 * t37 + t25 * t38 + t10 * t36);
+            const real t39 = 0.5 * (t18 * t33 + t16 * t31 + t22 * t35) + 2.0 * t12 * (t20 * t37 + t25 * t38 + t10
+                * t36);
             const real t40 = t12 * t13 * t39;
             const real t41 = 0.5 * (normal_x * t32 - normal_z * t34) - ahead_p_y * t40;
             const real t42 = t13 * t38;
@@ -616,17 +515,17 @@ static void axle_slip_rates(size_t nblocks, const real *const *in, real *const *
             const real t65 = 2.0 * axle_p_x * t48;
             const real t66 = t64 - t65;
             const real t67 = rp_l3 * t63 + rp_l2 * t66 + rp_l1 * t60 + rp_vl1 * t57 + rp_vl2 * t56;
-            Phi_x[3 * 8 + j] = 2.0 * rp_l0 * (t53 + t55) + t67 + rp_vl3 * t30;
+            Phi_x[3 * 8 + j] = 2.0 * rp_l0 * (t53 + t55) + t67 + rp_vl3 * t30; /* Phi_x(0,3) */
             const real t68 = t61 + t62;
             const real t69 = t65 + t64;
             const real t70 = rp_l2 * t68 + rp_l3 * t69 + rp_l0 * t60 + 2.0 * rp_l1 * (t55 - t53);
-            Phi_x[4 * 8 + j] = rp_vl2 * t30 + t70 - rp_vl3 * t56 - rp_vl0 * t57;
+            Phi_x[4 * 8 + j] = rp_vl2 * t30 + t70 - rp_vl3 * t56 - rp_vl0 * t57; /* Phi_x(0,4) */
             const real t71 = t58 + t59;
             const real t72 = t49 - t52;
             const real t73 = rp_l1 * t68 + rp_l0 * t66 + rp_vl3 * t57 + rp_l3 * t71 - 2.0 * rp_l2 * (t72 + t55);
-            Phi_x[5 * 8 + j] = t73 - rp_vl1 * t30 - rp_vl0 * t56;
+            Phi_x[5 * 8 + j] = t73 - rp_vl1 * t30 - rp_vl0 * t56; /* Phi_x(0,5) */
             const real t74 = rp_l0 * t63 + rp_l1 * t69 + rp_l2 * t71 + 2.0 * rp_l3 * (t72 - t55);
-            Phi_x[6 * 8 + j] = rp_vl1 * t56 + t74 - rp_vl0 * t30 - rp_vl2 * t57;
+            Phi_x[6 * 8 + j] = rp_vl1 * t56 + t74 - rp_vl0 * t30 - rp_vl2 * t57; /* Phi_x(0,6) */
             const real rq_l0 = x[10 * 8 + j];
             const real t75 = rq_l0 * rq_l0;
             const real rq_l2 = x[12 * 8 + j];
@@ -642,11 +541,14 @@ static void axle_slip_rates(size_t nblocks, const real *const *in, real *const *
             const real t81 = rq_l2 * rq_l3;
             const real t82 = rq_l0 * rq_l1;
             const real axle_q_z = p[5 * 8 + j];
-            const real a_q_y = axle_q_y * (t75 + t76 - t77 - t78) + 2.0 * (axle_q_x * (t79 + t80) + axle_q_z * (t81 - t82));
+            const real a_q_y = axle_q_y * (t75 + t76 - t77 - t78) + 2.0 * (axle_q_x * (t79 + t80) + axle_q_z * (t81
+                - t82));
             const real t83 = rq_l0 * rq_l2;
             const real t84 = rq_l1 * rq_l3;
-            const real a_q_x = axle_q_x * (t75 + t77 - t76 - t78) + 2.0 * (axle_q_y * (t80 - t79) + axle_q_z * (t83 + t84));
-            const real a_q_z = axle_q_z * (t75 + t78 - t77 - t76) + 2.0 * (axle_q_x * (t84 - t83) + axle_q_y * (t82 + t81));
+            const real a_q_x = axle_q_x * (t75 + t77 - t76 - t78) + 2.0 * (axle_q_y * (t80 - t79) + axle_q_z * (t83
+                + t84));
+            const real a_q_z = axle_q_z * (t75 + t78 - t77 - t76) + 2.0 * (axle_q_x * (t84 - t83) + axle_q_y * (t82
+                + t81));
             const real lean_q = normal_z * a_q_z + normal_y * a_q_y + normal_x * a_q_x;
             const real t85 = normal_y - a_q_y * lean_q;
             const real ahead_q_x = normal_z * a_q_y - normal_y * a_q_z;
@@ -678,9 +580,9 @@ static void axle_slip_rates(size_t nblocks, const real *const *in, real *const *
             const real t101 = t100 * t88;
             const real t102 = t98 * ey_q_x - t90 * ey_q_y;
             const real t103 = t96 * t99 + t101 * t102 + t89 * t94;
-            Phi_x[7 * 8 + j] = -(normal_x * t103);
-            Phi_x[8 * 8 + j] = -(normal_y * t103);
-            Phi_x[9 * 8 + j] = -(normal_z * t103);
+            Phi_x[7 * 8 + j] = -(normal_x * t103); /* Phi_x(0,7) */
+            Phi_x[8 * 8 + j] = -(normal_y * t103); /* Phi_x(0,8) */
+            Phi_x[9 * 8 + j] = -(normal_z * t103); /* Phi_x(0,9) */
             const real q_x = x[7 * 8 + j];
             const real q_y = x[8 * 8 + j];
             const real q_z = x[9 * 8 + j];
@@ -700,7 +602,8 @@ static void axle_slip_rates(size_t nblocks, const real *const *in, real *const *
             const real t111 = t104 * t94;
             const real t112 = t104 * t99;
             const real t113 = t104 * t102;
-            const real t114 = 0.5 * (t93 * t108 + t91 * t106 + t97 * t110) + 2.0 * t87 * (t95 * t112 + t100 * t113 + t85 * t111);
+            const real t114 = 0.5 * (t93 * t108 + t91 * t106 + t97 * t110) + 2.0 * t87 * (t95 * t112 + t100 * t113
+                + t85 * t111);
             const real t115 = t87 * t88 * t114;
             const real t116 = 0.5 * (normal_x * t107 - normal_z * t109) - ahead_q_y * t115;
             const real t117 = t88 * t113;
@@ -729,17 +632,17 @@ static void axle_slip_rates(size_t nblocks, const real *const *in, real *const *
             const real t140 = 2.0 * axle_q_x * t123;
             const real t141 = t139 - t140;
             const real t142 = rq_l3 * t138 + rq_l2 * t141 + rq_l1 * t135 + rq_vl1 * t132;
-            Phi_x[10 * 8 + j] = rq_vl2 * t131 + t142 + 2.0 * rq_l0 * (t128 + t130) + rq_vl3 * t105;
+            Phi_x[10 * 8 + j] = rq_vl2 * t131 + t142 + 2.0 * rq_l0 * (t128 + t130) + rq_vl3 * t105; /* Phi_x(0,10) */
             const real t143 = t136 + t137;
             const real t144 = t140 + t139;
             const real t145 = rq_l2 * t143 + rq_l3 * t144 + rq_l0 * t135 + 2.0 * rq_l1 * (t130 - t128);
-            Phi_x[11 * 8 + j] = rq_vl2 * t105 + t145 - rq_vl3 * t131 - rq_vl0 * t132;
+            Phi_x[11 * 8 + j] = rq_vl2 * t105 + t145 - rq_vl3 * t131 - rq_vl0 * t132; /* Phi_x(0,11) */
             const real t146 = t133 + t134;
             const real t147 = rq_l1 * t143 + rq_l0 * t141 + rq_vl3 * t132 + rq_l3 * t146;
             const real t148 = t124 - t127;
-            Phi_x[12 * 8 + j] = t147 - 2.0 * rq_l2 * (t148 + t130) - rq_vl1 * t105 - rq_vl0 * t131;
+            Phi_x[12 * 8 + j] = t147 - 2.0 * rq_l2 * (t148 + t130) - rq_vl1 * t105 - rq_vl0 * t131; /* Phi_x(0,12) */
             const real t149 = rq_l0 * t138 + rq_l1 * t144 + rq_l2 * t146 + 2.0 * rq_l3 * (t148 - t130);
-            Phi_x[13 * 8 + j] = rq_vl1 * t131 + t149 - rq_vl0 * t105 - rq_vl2 * t132;
+            Phi_x[13 * 8 + j] = rq_vl1 * t131 + t149 - rq_vl0 * t105 - rq_vl2 * t132; /* Phi_x(0,13) */
         }
     }
 }
@@ -824,16 +727,19 @@ static void axle_slip_kinematics(size_t nblocks, const real *const *in, real *co
             const real t35 = t33 + t34;
             const real t36 = t21 + t23;
             const real t37 = t22 + t24;
-            const real t38 = axle_p_z * (t26 + t27 - t28 - t29) + 2.0 * (axle_p_x * (t32 - t35) + axle_p_y * (t36 + t37));
+            const real t38 = axle_p_z * (t26 + t27 - t28 - t29) + 2.0 * (axle_p_x * (t32 - t35) + axle_p_y * (t36
+                + t37));
             const real t39 = rp_l1 * rp_vl2;
             const real t40 = rp_l2 * rp_vl1;
             const real t41 = t39 + t40;
             const real t42 = rp_l0 * rp_vl3;
             const real t43 = rp_l3 * rp_vl0;
             const real t44 = t42 + t43;
-            const real t45 = axle_p_x * (t26 + t28 - t29 - t27) + 2.0 * (axle_p_y * (t41 - t44) + axle_p_z * (t35 + t32));
+            const real t45 = axle_p_x * (t26 + t28 - t29 - t27) + 2.0 * (axle_p_y * (t41 - t44) + axle_p_z * (t35
+                + t32));
             const real t46 = normal_x * t38 - normal_z * t45;
-            const real t47 = axle_p_y * (t26 + t29 - t28 - t27) + 2.0 * (axle_p_x * (t44 + t41) + axle_p_z * (t37 - t36));
+            const real t47 = axle_p_y * (t26 + t29 - t28 - t27) + 2.0 * (axle_p_x * (t44 + t41) + axle_p_z * (t37
+                - t36));
             const real t48 = normal_z * t47 - normal_y * t38;
             const real t49 = normal_x * t46 - normal_y * t48;
             const real t50 = normal_y * t45 - normal_x * t47;
@@ -881,9 +787,9 @@ static void axle_slip_kinematics(size_t nblocks, const real *const *in, real *co
             const real t90 = 2.0 * t65 * t80 + t13 * t89;
             const real t91 = t61 * ey_p_y - t75 * ey_p_z;
             const real t92 = t88 - t90 * t91;
-            Psi_x[0 * 8 + j] = -(normal_x * t92);
-            Psi_x[1 * 8 + j] = -(normal_y * t92);
-            Psi_x[2 * 8 + j] = -(normal_z * t92);
+            Psi_x[0 * 8 + j] = -(normal_x * t92); /* Psi_x(0,0) */
+            Psi_x[1 * 8 + j] = -(normal_y * t92); /* Psi_x(0,1) */
+            Psi_x[2 * 8 + j] = -(normal_z * t92); /* Psi_x(0,2) */
             const real p_x = x[0 * 8 + j];
             const real height = p[9 * 8 + j];
             const real p_y = x[1 * 8 + j];
@@ -993,7 +899,7 @@ static void axle_slip_kinematics(size_t nblocks, const real *const *in, real *co
             const real t186 = t184 - t185;
             const real t187 = 2.0 * (rp_vl0 * t179 + rp_l0 * (t182 + t183)) + rp_l3 * t186;
             const real t188 = rp_l2 * t174 + t187 + rp_l1 * t169 + rp_vl1 * t138 + rp_vl2 * t133;
-            Psi_x[3 * 8 + j] = rp_vl3 * t126 + t188 + rp_al1 * t96 + rp_al2 * t95 + rp_al3 * t94;
+            Psi_x[3 * 8 + j] = rp_vl3 * t126 + t188 + rp_al1 * t96 + rp_al2 * t95 + rp_al3 * t94; /* Psi_x(0,3) */
             const real t189 = t117 + t120;
             const real t190 = t189 + t125;
             const real t191 = t129 + t127;
@@ -1004,7 +910,7 @@ static void axle_slip_kinematics(size_t nblocks, const real *const *in, real *co
             const real t196 = t184 + t185;
             const real t197 = 2.0 * (rp_vl1 * t195 + rp_l1 * (t183 - t182)) + rp_l2 * t196;
             const real t198 = rp_l3 * t194 + t197 + rp_l0 * t169 + rp_vl0 * t193 + rp_vl3 * t192;
-            Psi_x[4 * 8 + j] = rp_vl2 * t190 + t198 + rp_al2 * t94 - rp_al3 * t95 - rp_al0 * t96;
+            Psi_x[4 * 8 + j] = rp_vl2 * t190 + t198 + rp_al2 * t94 - rp_al3 * t95 - rp_al0 * t96; /* Psi_x(0,4) */
             const real t199 = t189 - t125;
             const real t200 = t130 - t132;
             const real t201 = t134 + t135;
@@ -1014,15 +920,16 @@ static void axle_slip_kinematics(size_t nblocks, const real *const *in, real *co
             const real t205 = t180 - t181;
             const real t206 = t175 - t176;
             const real t207 = t206 + t178;
-            const real t208 = rp_vl0 * t200 + t204 + rp_al3 * t96 + rp_vl1 * t199 - 2.0 * (rp_l2 * (t205 + t183) + rp_vl2 * t207);
-            Psi_x[5 * 8 + j] = t208 - rp_al1 * t94 - rp_al0 * t95;
+            const real t208 = rp_vl0 * t200 + t204 + rp_al3 * t96 + rp_vl1 * t199 - 2.0 * (rp_l2 * (t205 + t183)
+                + rp_vl2 * t207);
+            Psi_x[5 * 8 + j] = t208 - rp_al1 * t94 - rp_al0 * t95; /* Psi_x(0,5) */
             const real t209 = t121 - t125;
             const real t210 = t191 + t132;
             const real t211 = t201 - t137;
             const real t212 = t206 - t178;
             const real t213 = 2.0 * (rp_vl3 * t212 + rp_l3 * (t205 - t183)) + rp_l0 * t186;
             const real t214 = rp_l1 * t194 + t213 + rp_l2 * t203 + rp_vl2 * t211 + rp_vl1 * t210;
-            Psi_x[6 * 8 + j] = rp_vl0 * t209 + t214 + rp_al1 * t95 - rp_al0 * t94 - rp_al2 * t96;
+            Psi_x[6 * 8 + j] = rp_vl0 * t209 + t214 + rp_al1 * t95 - rp_al0 * t94 - rp_al2 * t96; /* Psi_x(0,6) */
             const real rq_l0 = x[10 * 8 + j];
             const real t215 = rq_l0 * rq_l0;
             const real rq_l2 = x[12 * 8 + j];
@@ -1148,9 +1055,9 @@ static void axle_slip_kinematics(size_t nblocks, const real *const *in, real *co
             const real t311 = 2.0 * t286 * t301 + t231 * t310;
             const real t312 = t282 * ey_q_y - t296 * ey_q_z;
             const real t313 = t309 - t311 * t312;
-            Psi_x[7 * 8 + j] = -(normal_x * t313);
-            Psi_x[8 * 8 + j] = -(normal_y * t313);
-            Psi_x[9 * 8 + j] = -(normal_z * t313);
+            Psi_x[7 * 8 + j] = -(normal_x * t313); /* Psi_x(0,7) */
+            Psi_x[8 * 8 + j] = -(normal_y * t313); /* Psi_x(0,8) */
+            Psi_x[9 * 8 + j] = -(normal_z * t313); /* Psi_x(0,9) */
             const real q_x = x[7 * 8 + j];
             const real q_y = x[8 * 8 + j];
             const real q_z = x[9 * 8 + j];
@@ -1260,6 +1167,7 @@ static void axle_slip_kinematics(size_t nblocks, const real *const *in, real *co
             const real t408 = 2.0 * (rq_vl0 * t400 + rq_l0 * (t403 + t404)) + rq_l3 * t407;
             const real t409 = rq_l2 * t395 + t408 + rq_l1 * t390 + rq_vl1 * t359 + rq_vl2 * t354;
             Psi_x[10 * 8 + j] = rq_vl3 * t347 + t409 + rq_al1 * t317 + rq_al2 * t316 + rq_al3 * t315;
+                /* Psi_x(0,10) */
             const real t410 = t338 + t341;
             const real t411 = t410 + t346;
             const real t412 = t350 + t348;
@@ -1271,6 +1179,7 @@ static void axle_slip_kinematics(size_t nblocks, const real *const *in, real *co
             const real t418 = 2.0 * (rq_vl1 * t416 + rq_l1 * (t404 - t403)) + rq_l2 * t417;
             const real t419 = rq_l3 * t415 + t418 + rq_l0 * t390 + rq_vl0 * t414 + rq_vl3 * t413;
             Psi_x[11 * 8 + j] = rq_vl2 * t411 + t419 + rq_al2 * t315 - rq_al3 * t316 - rq_al0 * t317;
+                /* Psi_x(0,11) */
             const real t420 = t410 - t346;
             const real t421 = t351 - t353;
             const real t422 = t355 + t356;
@@ -1280,8 +1189,9 @@ static void axle_slip_kinematics(size_t nblocks, const real *const *in, real *co
             const real t426 = t401 - t402;
             const real t427 = t396 - t397;
             const real t428 = t427 + t399;
-            const real t429 = rq_vl0 * t421 + t425 + rq_al3 * t317 + rq_vl1 * t420 - 2.0 * (rq_l2 * (t426 + t404) + rq_vl2 * t428);
-            Psi_x[12 * 8 + j] = t429 - rq_al1 * t315 - rq_al0 * t316;
+            const real t429 = rq_vl0 * t421 + t425 + rq_al3 * t317 + rq_vl1 * t420 - 2.0 * (rq_l2 * (t426 + t404)
+                + rq_vl2 * t428);
+            Psi_x[12 * 8 + j] = t429 - rq_al1 * t315 - rq_al0 * t316; /* Psi_x(0,12) */
             const real t430 = t342 - t346;
             const real t431 = t412 + t353;
             const real t432 = t422 - t358;
@@ -1289,22 +1199,23 @@ static void axle_slip_kinematics(size_t nblocks, const real *const *in, real *co
             const real t434 = 2.0 * (rq_vl3 * t433 + rq_l3 * (t426 - t404)) + rq_l0 * t407;
             const real t435 = rq_l1 * t415 + t434 + rq_l2 * t424 + rq_vl2 * t432 + rq_vl1 * t431;
             Psi_x[13 * 8 + j] = rq_vl0 * t430 + t435 + rq_al1 * t316 - rq_al0 * t315 - rq_al2 * t317;
+                /* Psi_x(0,13) */
             const real t436 = t66 * t91 + t78 * t84 + t14 * t87;
-            Psi_v[0 * 8 + j] = 0.5 * t63 - normal_x * t436;
-            Psi_v[1 * 8 + j] = 0.5 * t69 - normal_y * t436;
-            Psi_v[2 * 8 + j] = 0.5 * t54 - normal_z * t436;
-            Psi_v[3 * 8 + j] = rp_l1 * t193 + rp_l2 * t200 + 2.0 * rp_l0 * t179 + rp_l3 * t209;
-            Psi_v[4 * 8 + j] = rp_l0 * t138 + rp_l3 * t210 + 2.0 * rp_l1 * t195 + rp_l2 * t199;
-            Psi_v[5 * 8 + j] = rp_l3 * t211 + rp_l1 * t190 + rp_l0 * t133 - 2.0 * rp_l2 * t207;
-            Psi_v[6 * 8 + j] = rp_l2 * t202 + rp_l1 * t192 + 2.0 * rp_l3 * t212 + rp_l0 * t126;
+            Psi_v[0 * 8 + j] = 0.5 * t63 - normal_x * t436; /* Psi_v(0,0) */
+            Psi_v[1 * 8 + j] = 0.5 * t69 - normal_y * t436; /* Psi_v(0,1) */
+            Psi_v[2 * 8 + j] = 0.5 * t54 - normal_z * t436; /* Psi_v(0,2) */
+            Psi_v[3 * 8 + j] = rp_l1 * t193 + rp_l2 * t200 + 2.0 * rp_l0 * t179 + rp_l3 * t209; /* Psi_v(0,3) */
+            Psi_v[4 * 8 + j] = rp_l0 * t138 + rp_l3 * t210 + 2.0 * rp_l1 * t195 + rp_l2 * t199; /* Psi_v(0,4) */
+            Psi_v[5 * 8 + j] = rp_l3 * t211 + rp_l1 * t190 + rp_l0 * t133 - 2.0 * rp_l2 * t207; /* Psi_v(0,5) */
+            Psi_v[6 * 8 + j] = rp_l2 * t202 + rp_l1 * t192 + 2.0 * rp_l3 * t212 + rp_l0 * t126; /* Psi_v(0,6) */
             const real t437 = t287 * t312 + t299 * t305 + t232 * t308;
-            Psi_v[7 * 8 + j] = 0.5 * t284 - normal_x * t437;
-            Psi_v[8 * 8 + j] = 0.5 * t290 - normal_y * t437;
-            Psi_v[9 * 8 + j] = 0.5 * t275 - normal_z * t437;
-            Psi_v[10 * 8 + j] = rq_l1 * t414 + rq_l2 * t421 + 2.0 * rq_l0 * t400 + rq_l3 * t430;
-            Psi_v[11 * 8 + j] = rq_l0 * t359 + rq_l3 * t431 + 2.0 * rq_l1 * t416 + rq_l2 * t420;
-            Psi_v[12 * 8 + j] = rq_l3 * t432 + rq_l1 * t411 + rq_l0 * t354 - 2.0 * rq_l2 * t428;
-            Psi_v[13 * 8 + j] = rq_l2 * t423 + rq_l1 * t413 + 2.0 * rq_l3 * t433 + rq_l0 * t347;
+            Psi_v[7 * 8 + j] = 0.5 * t284 - normal_x * t437; /* Psi_v(0,7) */
+            Psi_v[8 * 8 + j] = 0.5 * t290 - normal_y * t437; /* Psi_v(0,8) */
+            Psi_v[9 * 8 + j] = 0.5 * t275 - normal_z * t437; /* Psi_v(0,9) */
+            Psi_v[10 * 8 + j] = rq_l1 * t414 + rq_l2 * t421 + 2.0 * rq_l0 * t400 + rq_l3 * t430; /* Psi_v(0,10) */
+            Psi_v[11 * 8 + j] = rq_l0 * t359 + rq_l3 * t431 + 2.0 * rq_l1 * t416 + rq_l2 * t420; /* Psi_v(0,11) */
+            Psi_v[12 * 8 + j] = rq_l3 * t432 + rq_l1 * t411 + rq_l0 * t354 - 2.0 * rq_l2 * t428; /* Psi_v(0,12) */
+            Psi_v[13 * 8 + j] = rq_l2 * t423 + rq_l1 * t413 + 2.0 * rq_l3 * t433 + rq_l0 * t347; /* Psi_v(0,13) */
         }
     }
 }
@@ -1369,7 +1280,7 @@ static void axle_slip_stiffness(size_t nblocks, const real *const *in, real *con
             const real t27 = t23 * (ahead_p_z * t16 + ahead_p_x * t26 + ahead_p_y * t20);
             const real tau_lateral = tau[0 * 8 + j];
             const real t28 = tau_lateral * (t11 * (normal_y * t16 - normal_z * t20) - t21 * t27);
-            K[0 * 8 + j] = 0.5 * t28;
+            K[0 * 8 + j] = 0.5 * t28; /* K(0,3) */
             const real t29 = rp_l1 * axle_p_x + rp_l3 * axle_p_z + rp_l2 * axle_p_y;
             const real t30 = 2.0 * normal_y * t29;
             const real t31 = t18 + t30;
@@ -1380,7 +1291,7 @@ static void axle_slip_stiffness(size_t nblocks, const real *const *in, real *con
             const real t36 = t34 + t35;
             const real t37 = t23 * (ahead_p_z * t31 + ahead_p_y * t33 - ahead_p_x * t36);
             const real t38 = tau_lateral * (t11 * (normal_y * t31 - normal_z * t33) - t21 * t37);
-            K[1 * 8 + j] = 0.5 * t38;
+            K[1 * 8 + j] = 0.5 * t38; /* K(0,4) */
             const real t39 = 2.0 * normal_x * t12;
             const real t40 = t39 + t35;
             const real t41 = 2.0 * normal_x * t29;
@@ -1388,31 +1299,31 @@ static void axle_slip_stiffness(size_t nblocks, const real *const *in, real *con
             const real t43 = t13 + t32;
             const real t44 = t23 * (ahead_p_x * t43 - ahead_p_y * t40 - ahead_p_z * t42);
             const real t45 = tau_lateral * (t11 * (normal_z * t40 - normal_y * t42) - t21 * t44);
-            K[2 * 8 + j] = 0.5 * t45;
+            K[2 * 8 + j] = 0.5 * t45; /* K(0,5) */
             const real t46 = t19 - t30;
             const real t47 = t24 + t41;
             const real t48 = t39 + t34;
             const real t49 = t23 * (ahead_p_x * t46 + ahead_p_y * t47 - ahead_p_z * t48);
             const real t50 = tau_lateral * (t21 * t49 + t11 * (normal_z * t47 + normal_y * t48));
-            K[3 * 8 + j] = -(0.5 * t50);
+            K[3 * 8 + j] = -(0.5 * t50); /* K(0,6) */
             const real t51 = normal_z * ahead_p_x - normal_x * ahead_p_z;
             const real t52 = tau_lateral * (t11 * (normal_z * t26 - normal_x * t16) - t51 * t27);
-            K[4 * 8 + j] = 0.5 * t52;
+            K[4 * 8 + j] = 0.5 * t52; /* K(1,3) */
             const real t53 = tau_lateral * (t51 * t37 + t11 * (normal_z * t36 + normal_x * t31));
-            K[5 * 8 + j] = -(0.5 * t53);
+            K[5 * 8 + j] = -(0.5 * t53); /* K(1,4) */
             const real t54 = tau_lateral * (t11 * (normal_z * t43 + normal_x * t42) - t51 * t44);
-            K[6 * 8 + j] = 0.5 * t54;
+            K[6 * 8 + j] = 0.5 * t54; /* K(1,5) */
             const real t55 = tau_lateral * (t11 * (normal_z * t46 + normal_x * t48) - t51 * t49);
-            K[7 * 8 + j] = 0.5 * t55;
+            K[7 * 8 + j] = 0.5 * t55; /* K(1,6) */
             const real t56 = normal_x * ahead_p_y - normal_y * ahead_p_x;
             const real t57 = tau_lateral * (t11 * (normal_x * t20 - normal_y * t26) - t56 * t27);
-            K[8 * 8 + j] = 0.5 * t57;
+            K[8 * 8 + j] = 0.5 * t57; /* K(2,3) */
             const real t58 = tau_lateral * (t11 * (normal_y * t36 + normal_x * t33) - t56 * t37);
-            K[9 * 8 + j] = 0.5 * t58;
+            K[9 * 8 + j] = 0.5 * t58; /* K(2,4) */
             const real t59 = tau_lateral * (t56 * t44 + t11 * (normal_y * t43 + normal_x * t40));
-            K[10 * 8 + j] = -(0.5 * t59);
+            K[10 * 8 + j] = -(0.5 * t59); /* K(2,5) */
             const real t60 = tau_lateral * (t11 * (normal_x * t47 - normal_y * t46) - t56 * t49);
-            K[11 * 8 + j] = 0.5 * t60;
+            K[11 * 8 + j] = 0.5 * t60; /* K(2,6) */
             const real lean_p = normal_z * a_p_z + normal_x * a_p_x + normal_y * a_p_y;
             const real t61 = normal_y - a_p_y * lean_p;
             const real t62 = t22 * t61;
@@ -1430,9 +1341,9 @@ static void axle_slip_stiffness(size_t nblocks, const real *const *in, real *con
             const real t71 = t69 * t66 - t62 * t70;
             const real t72 = t65 * t70 - t69 * t63;
             const real t73 = rp_l3 * t71 + rp_l2 * t72 + rp_l1 * t67;
-            K[12 * 8 + j] = normal_x * t73;
-            K[13 * 8 + j] = normal_y * t73;
-            K[14 * 8 + j] = normal_z * t73;
+            K[12 * 8 + j] = normal_x * t73; /* K(3,0) */
+            K[13 * 8 + j] = normal_y * t73; /* K(3,1) */
+            K[14 * 8 + j] = normal_z * t73; /* K(3,2) */
             const real p_x = x[0 * 8 + j];
             const real height = p[9 * 8 + j];
             const real p_y = x[1 * 8 + j];
@@ -1452,7 +1363,7 @@ static void axle_slip_stiffness(size_t nblocks, const real *const *in, real *con
             const real t83 = t74 * (2.0 * t68 * t75 + t22 * (t82 + a_p_x * t77));
             const real t84 = d_p_x * t52 + t80 * t70 - t83 * t66 - d_p_y * t28;
             const real t85 = d_p_z * t28 + t83 * t63 - t78 * t70 - d_p_x * t57;
-            K[15 * 8 + j] = -(rp_l3 * t84 + rp_l2 * t85 + rp_l1 * t81);
+            K[15 * 8 + j] = -(rp_l3 * t84 + rp_l2 * t85 + rp_l1 * t81); /* K(3,3) */
             const real t86 = t11 * t37;
             const real t87 = 2.0 * lean_p * t29;
             const real t88 = t24 + t42;
@@ -1463,7 +1374,7 @@ static void axle_slip_stiffness(size_t nblocks, const real *const *in, real *con
             const real t93 = d_p_z * t38 + t89 * t63 - t92 * t70 - d_p_x * t58;
             const real t94 = d_p_y * t63 - d_p_z * t66;
             const real t95 = d_p_y * t58 + t92 * t66 + d_p_z * t53 - t90 * t63;
-            K[16 * 8 + j] = rp_l3 * t91 - rp_l2 * t93 - t94 - rp_l1 * t95;
+            K[16 * 8 + j] = rp_l3 * t91 - rp_l2 * t93 - t94 - rp_l1 * t95; /* K(3,4) */
             const real t96 = t11 * t44;
             const real t97 = t31 - t19;
             const real t98 = t74 * (2.0 * t61 * t96 + t22 * (t87 + a_p_y * t97));
@@ -1473,7 +1384,7 @@ static void axle_slip_stiffness(size_t nblocks, const real *const *in, real *con
             const real t102 = d_p_x * t54 + t98 * t70 - t101 * t66 - d_p_y * t45;
             const real t103 = d_p_z * t70 - d_p_x * t63;
             const real t104 = t101 * t63 + d_p_x * t59 + d_p_z * t45 - t99 * t70;
-            K[17 * 8 + j] = rp_l1 * t100 - rp_l3 * t102 - t103 - rp_l2 * t104;
+            K[17 * 8 + j] = rp_l1 * t100 - rp_l3 * t102 - t103 - rp_l2 * t104; /* K(3,5) */
             const real t105 = t11 * t49;
             const real t106 = t16 + t32;
             const real t107 = t74 * (2.0 * t64 * t105 + t22 * (t87 + a_p_z * t106));
@@ -1483,31 +1394,31 @@ static void axle_slip_stiffness(size_t nblocks, const real *const *in, real *con
             const real t111 = t74 * (2.0 * t61 * t105 + t22 * (t82 + a_p_y * t106));
             const real t112 = d_p_x * t55 + t111 * t70 + d_p_y * t50 - t108 * t66;
             const real t113 = d_p_y * t60 + t107 * t66 - t111 * t63 - d_p_z * t55;
-            K[18 * 8 + j] = rp_l2 * t109 - t110 - rp_l3 * t112 - rp_l1 * t113;
+            K[18 * 8 + j] = rp_l2 * t109 - t110 - rp_l3 * t112 - rp_l1 * t113; /* K(3,6) */
             const real t114 = rp_l3 * t72 + rp_l0 * t67 - rp_l2 * t71;
-            K[19 * 8 + j] = -(normal_x * t114);
-            K[20 * 8 + j] = -(normal_y * t114);
-            K[21 * 8 + j] = -(normal_z * t114);
-            K[22 * 8 + j] = t94 + rp_l3 * t85 + rp_l0 * t81 - rp_l2 * t84;
-            K[23 * 8 + j] = rp_l2 * t91 + rp_l3 * t93 + rp_l0 * t95;
-            K[24 * 8 + j] = rp_l3 * t104 - t110 - rp_l2 * t102 - rp_l0 * t100;
-            K[25 * 8 + j] = t103 + rp_l0 * t113 - rp_l3 * t109 - rp_l2 * t112;
+            K[19 * 8 + j] = -(normal_x * t114); /* K(4,0) */
+            K[20 * 8 + j] = -(normal_y * t114); /* K(4,1) */
+            K[21 * 8 + j] = -(normal_z * t114); /* K(4,2) */
+            K[22 * 8 + j] = t94 + rp_l3 * t85 + rp_l0 * t81 - rp_l2 * t84; /* K(4,3) */
+            K[23 * 8 + j] = rp_l2 * t91 + rp_l3 * t93 + rp_l0 * t95; /* K(4,4) */
+            K[24 * 8 + j] = rp_l3 * t104 - t110 - rp_l2 * t102 - rp_l0 * t100; /* K(4,5) */
+            K[25 * 8 + j] = t103 + rp_l0 * t113 - rp_l3 * t109 - rp_l2 * t112; /* K(4,6) */
             const real t115 = rp_l1 * t71 + rp_l0 * t72 - rp_l3 * t67;
-            K[26 * 8 + j] = -(normal_x * t115);
-            K[27 * 8 + j] = -(normal_y * t115);
-            K[28 * 8 + j] = -(normal_z * t115);
-            K[29 * 8 + j] = t103 + rp_l1 * t84 + rp_l0 * t85 - rp_l3 * t81;
-            K[30 * 8 + j] = t110 + rp_l0 * t93 - rp_l1 * t91 - rp_l3 * t95;
-            K[31 * 8 + j] = rp_l1 * t102 + rp_l0 * t104 + rp_l3 * t100;
-            K[32 * 8 + j] = rp_l1 * t112 - rp_l0 * t109 - t94 - rp_l3 * t113;
+            K[26 * 8 + j] = -(normal_x * t115); /* K(5,0) */
+            K[27 * 8 + j] = -(normal_y * t115); /* K(5,1) */
+            K[28 * 8 + j] = -(normal_z * t115); /* K(5,2) */
+            K[29 * 8 + j] = t103 + rp_l1 * t84 + rp_l0 * t85 - rp_l3 * t81; /* K(5,3) */
+            K[30 * 8 + j] = t110 + rp_l0 * t93 - rp_l1 * t91 - rp_l3 * t95; /* K(5,4) */
+            K[31 * 8 + j] = rp_l1 * t102 + rp_l0 * t104 + rp_l3 * t100; /* K(5,5) */
+            K[32 * 8 + j] = rp_l1 * t112 - rp_l0 * t109 - t94 - rp_l3 * t113; /* K(5,6) */
             const real t116 = rp_l0 * t71 + rp_l2 * t67 - rp_l1 * t72;
-            K[33 * 8 + j] = -(normal_x * t116);
-            K[34 * 8 + j] = -(normal_y * t116);
-            K[35 * 8 + j] = -(normal_z * t116);
-            K[36 * 8 + j] = t110 + rp_l0 * t84 + rp_l2 * t81 - rp_l1 * t85;
-            K[37 * 8 + j] = rp_l2 * t95 - rp_l0 * t91 - t103 - rp_l1 * t93;
-            K[38 * 8 + j] = t94 + rp_l0 * t102 - rp_l1 * t104 - rp_l2 * t100;
-            K[39 * 8 + j] = rp_l0 * t112 + rp_l1 * t109 + rp_l2 * t113;
+            K[33 * 8 + j] = -(normal_x * t116); /* K(6,0) */
+            K[34 * 8 + j] = -(normal_y * t116); /* K(6,1) */
+            K[35 * 8 + j] = -(normal_z * t116); /* K(6,2) */
+            K[36 * 8 + j] = t110 + rp_l0 * t84 + rp_l2 * t81 - rp_l1 * t85; /* K(6,3) */
+            K[37 * 8 + j] = rp_l2 * t95 - rp_l0 * t91 - t103 - rp_l1 * t93; /* K(6,4) */
+            K[38 * 8 + j] = t94 + rp_l0 * t102 - rp_l1 * t104 - rp_l2 * t100; /* K(6,5) */
+            K[39 * 8 + j] = rp_l0 * t112 + rp_l1 * t109 + rp_l2 * t113; /* K(6,6) */
             const real rq_l0 = x[10 * 8 + j];
             const real t117 = rq_l0 * rq_l0;
             const real rq_l3 = x[13 * 8 + j];
@@ -1554,7 +1465,7 @@ static void axle_slip_stiffness(size_t nblocks, const real *const *in, real *con
             const real t146 = t144 - t145;
             const real t147 = t143 * (ahead_q_z * t136 + ahead_q_x * t146 + ahead_q_y * t140);
             const real t148 = tau_lateral * (t131 * (normal_y * t136 - normal_z * t140) - t141 * t147);
-            K[40 * 8 + j] = 0.5 * t148;
+            K[40 * 8 + j] = 0.5 * t148; /* K(7,10) */
             const real t149 = rq_l1 * axle_q_x + rq_l3 * axle_q_z + rq_l2 * axle_q_y;
             const real t150 = 2.0 * normal_y * t149;
             const real t151 = t138 + t150;
@@ -1565,7 +1476,7 @@ static void axle_slip_stiffness(size_t nblocks, const real *const *in, real *con
             const real t156 = t154 + t155;
             const real t157 = t143 * (ahead_q_z * t151 + ahead_q_y * t153 - ahead_q_x * t156);
             const real t158 = tau_lateral * (t131 * (normal_y * t151 - normal_z * t153) - t141 * t157);
-            K[41 * 8 + j] = 0.5 * t158;
+            K[41 * 8 + j] = 0.5 * t158; /* K(7,11) */
             const real t159 = 2.0 * normal_x * t132;
             const real t160 = t159 + t155;
             const real t161 = 2.0 * normal_x * t149;
@@ -1573,31 +1484,31 @@ static void axle_slip_stiffness(size_t nblocks, const real *const *in, real *con
             const real t163 = t133 + t152;
             const real t164 = t143 * (ahead_q_x * t163 - ahead_q_y * t160 - ahead_q_z * t162);
             const real t165 = tau_lateral * (t131 * (normal_z * t160 - normal_y * t162) - t141 * t164);
-            K[42 * 8 + j] = 0.5 * t165;
+            K[42 * 8 + j] = 0.5 * t165; /* K(7,12) */
             const real t166 = t139 - t150;
             const real t167 = t144 + t161;
             const real t168 = t159 + t154;
             const real t169 = t143 * (ahead_q_x * t166 + ahead_q_y * t167 - ahead_q_z * t168);
             const real t170 = tau_lateral * (t141 * t169 + t131 * (normal_z * t167 + normal_y * t168));
-            K[43 * 8 + j] = -(0.5 * t170);
+            K[43 * 8 + j] = -(0.5 * t170); /* K(7,13) */
             const real t171 = normal_z * ahead_q_x - normal_x * ahead_q_z;
             const real t172 = tau_lateral * (t131 * (normal_z * t146 - normal_x * t136) - t171 * t147);
-            K[44 * 8 + j] = 0.5 * t172;
+            K[44 * 8 + j] = 0.5 * t172; /* K(8,10) */
             const real t173 = tau_lateral * (t171 * t157 + t131 * (normal_z * t156 + normal_x * t151));
-            K[45 * 8 + j] = -(0.5 * t173);
+            K[45 * 8 + j] = -(0.5 * t173); /* K(8,11) */
             const real t174 = tau_lateral * (t131 * (normal_z * t163 + normal_x * t162) - t171 * t164);
-            K[46 * 8 + j] = 0.5 * t174;
+            K[46 * 8 + j] = 0.5 * t174; /* K(8,12) */
             const real t175 = tau_lateral * (t131 * (normal_z * t166 + normal_x * t168) - t171 * t169);
-            K[47 * 8 + j] = 0.5 * t175;
+            K[47 * 8 + j] = 0.5 * t175; /* K(8,13) */
             const real t176 = normal_x * ahead_q_y - normal_y * ahead_q_x;
             const real t177 = tau_lateral * (t131 * (normal_x * t140 - normal_y * t146) - t176 * t147);
-            K[48 * 8 + j] = 0.5 * t177;
+            K[48 * 8 + j] = 0.5 * t177; /* K(9,10) */
             const real t178 = tau_lateral * (t131 * (normal_y * t156 + normal_x * t153) - t176 * t157);
-            K[49 * 8 + j] = 0.5 * t178;
+            K[49 * 8 + j] = 0.5 * t178; /* K(9,11) */
             const real t179 = tau_lateral * (t176 * t164 + t131 * (normal_y * t163 + normal_x * t160));
-            K[50 * 8 + j] = -(0.5 * t179);
+            K[50 * 8 + j] = -(0.5 * t179); /* K(9,12) */
             const real t180 = tau_lateral * (t131 * (normal_x * t167 - normal_y * t166) - t176 * t169);
-            K[51 * 8 + j] = 0.5 * t180;
+            K[51 * 8 + j] = 0.5 * t180; /* K(9,13) */
             const real lean_q = normal_z * a_q_z + normal_x * a_q_x + normal_y * a_q_y;
             const real t181 = normal_y - a_q_y * lean_q;
             const real t182 = t142 * t181;
@@ -1615,9 +1526,9 @@ static void axle_slip_stiffness(size_t nblocks, const real *const *in, real *con
             const real t191 = t189 * t186 - t182 * t190;
             const real t192 = t185 * t190 - t189 * t183;
             const real t193 = rq_l3 * t191 + rq_l2 * t192 + rq_l1 * t187;
-            K[52 * 8 + j] = normal_x * t193;
-            K[53 * 8 + j] = normal_y * t193;
-            K[54 * 8 + j] = normal_z * t193;
+            K[52 * 8 + j] = normal_x * t193; /* K(10,7) */
+            K[53 * 8 + j] = normal_y * t193; /* K(10,8) */
+            K[54 * 8 + j] = normal_z * t193; /* K(10,9) */
             const real q_x = x[7 * 8 + j];
             const real q_y = x[8 * 8 + j];
             const real q_z = x[9 * 8 + j];
@@ -1636,7 +1547,7 @@ static void axle_slip_stiffness(size_t nblocks, const real *const *in, real *con
             const real t203 = t194 * (2.0 * t188 * t195 + t142 * (t202 + a_q_x * t197));
             const real t204 = d_q_x * t172 + t200 * t190 - t203 * t186 - d_q_y * t148;
             const real t205 = d_q_z * t148 + t203 * t183 - t198 * t190 - d_q_x * t177;
-            K[55 * 8 + j] = -(rq_l3 * t204 + rq_l2 * t205 + rq_l1 * t201);
+            K[55 * 8 + j] = -(rq_l3 * t204 + rq_l2 * t205 + rq_l1 * t201); /* K(10,10) */
             const real t206 = t131 * t157;
             const real t207 = 2.0 * lean_q * t149;
             const real t208 = t144 + t162;
@@ -1647,7 +1558,7 @@ static void axle_slip_stiffness(size_t nblocks, const real *const *in, real *con
             const real t213 = d_q_z * t158 + t209 * t183 - t212 * t190 - d_q_x * t178;
             const real t214 = d_q_y * t183 - d_q_z * t186;
             const real t215 = d_q_y * t178 + t212 * t186 + d_q_z * t173 - t210 * t183;
-            K[56 * 8 + j] = rq_l3 * t211 - rq_l2 * t213 - t214 - rq_l1 * t215;
+            K[56 * 8 + j] = rq_l3 * t211 - rq_l2 * t213 - t214 - rq_l1 * t215; /* K(10,11) */
             const real t216 = t131 * t164;
             const real t217 = t151 - t139;
             const real t218 = t194 * (2.0 * t181 * t216 + t142 * (t207 + a_q_y * t217));
@@ -1657,7 +1568,7 @@ static void axle_slip_stiffness(size_t nblocks, const real *const *in, real *con
             const real t222 = d_q_x * t174 + t218 * t190 - t221 * t186 - d_q_y * t165;
             const real t223 = d_q_z * t190 - d_q_x * t183;
             const real t224 = t221 * t183 + d_q_x * t179 + d_q_z * t165 - t219 * t190;
-            K[57 * 8 + j] = rq_l1 * t220 - rq_l3 * t222 - t223 - rq_l2 * t224;
+            K[57 * 8 + j] = rq_l1 * t220 - rq_l3 * t222 - t223 - rq_l2 * t224; /* K(10,12) */
             const real t225 = t131 * t169;
             const real t226 = t136 + t152;
             const real t227 = t194 * (2.0 * t184 * t225 + t142 * (t207 + a_q_z * t226));
@@ -1667,44 +1578,43 @@ static void axle_slip_stiffness(size_t nblocks, const real *const *in, real *con
             const real t231 = t194 * (2.0 * t181 * t225 + t142 * (t202 + a_q_y * t226));
             const real t232 = d_q_x * t175 + t231 * t190 + d_q_y * t170 - t228 * t186;
             const real t233 = d_q_y * t180 + t227 * t186 - t231 * t183 - d_q_z * t175;
-            K[58 * 8 + j] = rq_l2 * t229 - t230 - rq_l3 * t232 - rq_l1 * t233;
+            K[58 * 8 + j] = rq_l2 * t229 - t230 - rq_l3 * t232 - rq_l1 * t233; /* K(10,13) */
             const real t234 = rq_l3 * t192 + rq_l0 * t187 - rq_l2 * t191;
-            K[59 * 8 + j] = -(normal_x * t234);
-            K[60 * 8 + j] = -(normal_y * t234);
-            K[61 * 8 + j] = -(normal_z * t234);
-            K[62 * 8 + j] = t214 + rq_l3 * t205 + rq_l0 * t201 - rq_l2 * t204;
-            K[63 * 8 + j] = rq_l2 * t211 + rq_l3 * t213 + rq_l0 * t215;
-            K[64 * 8 + j] = rq_l3 * t224 - t230 - rq_l2 * t222 - rq_l0 * t220;
-            K[65 * 8 + j] = t223 + rq_l0 * t233 - rq_l3 * t229 - rq_l2 * t232;
+            K[59 * 8 + j] = -(normal_x * t234); /* K(11,7) */
+            K[60 * 8 + j] = -(normal_y * t234); /* K(11,8) */
+            K[61 * 8 + j] = -(normal_z * t234); /* K(11,9) */
+            K[62 * 8 + j] = t214 + rq_l3 * t205 + rq_l0 * t201 - rq_l2 * t204; /* K(11,10) */
+            K[63 * 8 + j] = rq_l2 * t211 + rq_l3 * t213 + rq_l0 * t215; /* K(11,11) */
+            K[64 * 8 + j] = rq_l3 * t224 - t230 - rq_l2 * t222 - rq_l0 * t220; /* K(11,12) */
+            K[65 * 8 + j] = t223 + rq_l0 * t233 - rq_l3 * t229 - rq_l2 * t232; /* K(11,13) */
             const real t235 = rq_l1 * t191 + rq_l0 * t192 - rq_l3 * t187;
-            K[66 * 8 + j] = -(normal_x * t235);
-            K[67 * 8 + j] = -(normal_y * t235);
-            K[68 * 8 + j] = -(normal_z * t235);
-            K[69 * 8 + j] = t223 + rq_l1 * t204 + rq_l0 * t205 - rq_l3 * t201;
-            K[70 * 8 + j] = t230 + rq_l0 * t213 - rq_l1 * t211 - rq_l3 * t215;
-            K[71 * 8 + j] = rq_l1 * t222 + rq_l0 * t224 + rq_l3 * t220;
-            K[72 * 8 + j] = rq_l1 * t232 - rq_l0 * t229 - t214 - rq_l3 * t233;
+            K[66 * 8 + j] = -(normal_x * t235); /* K(12,7) */
+            K[67 * 8 + j] = -(normal_y * t235); /* K(12,8) */
+            K[68 * 8 + j] = -(normal_z * t235); /* K(12,9) */
+            K[69 * 8 + j] = t223 + rq_l1 * t204 + rq_l0 * t205 - rq_l3 * t201; /* K(12,10) */
+            K[70 * 8 + j] = t230 + rq_l0 * t213 - rq_l1 * t211 - rq_l3 * t215; /* K(12,11) */
+            K[71 * 8 + j] = rq_l1 * t222 + rq_l0 * t224 + rq_l3 * t220; /* K(12,12) */
+            K[72 * 8 + j] = rq_l1 * t232 - rq_l0 * t229 - t214 - rq_l3 * t233; /* K(12,13) */
             const real t236 = rq_l0 * t191 + rq_l2 * t187 - rq_l1 * t192;
-            K[73 * 8 + j] = -(normal_x * t236);
-            K[74 * 8 + j] = -(normal_y * t236);
-            K[75 * 8 + j] = -(normal_z * t236);
-            K[76 * 8 + j] = t230 + rq_l0 * t204 + rq_l2 * t201 - rq_l1 * t205;
-            K[77 * 8 + j] = rq_l2 * t215 - rq_l0 * t211 - t223 - rq_l1 * t213;
-            K[78 * 8 + j] = t214 + rq_l0 * t222 - rq_l1 * t224 - rq_l2 * t220;
-            K[79 * 8 + j] = rq_l0 * t232 + rq_l1 * t229 + rq_l2 * t233;
+            K[73 * 8 + j] = -(normal_x * t236); /* K(13,7) */
+            K[74 * 8 + j] = -(normal_y * t236); /* K(13,8) */
+            K[75 * 8 + j] = -(normal_z * t236); /* K(13,9) */
+            K[76 * 8 + j] = t230 + rq_l0 * t204 + rq_l2 * t201 - rq_l1 * t205; /* K(13,10) */
+            K[77 * 8 + j] = rq_l2 * t215 - rq_l0 * t211 - t223 - rq_l1 * t213; /* K(13,11) */
+            K[78 * 8 + j] = t214 + rq_l0 * t222 - rq_l1 * t224 - rq_l2 * t220; /* K(13,12) */
+            K[79 * 8 + j] = rq_l0 * t232 + rq_l1 * t229 + rq_l2 * t233; /* K(13,13) */
         }
     }
 }
 
 const flexel_element flexel_axle_slip = {
     .name = "axle_slip",
-    .digest = "491f09bc558813a8",
+    .digest = "ae57ec23269adb6c",
     .n = 14,
     .m = 0,
     .k = 1,
     .np = 10,
     .position = axle_slip_position,
-    .velocity = axle_slip_velocity,
     .acceleration = axle_slip_acceleration,
     .rates = axle_slip_rates,
     .kinematics = axle_slip_kinematics,

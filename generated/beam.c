@@ -13,7 +13,8 @@
  *    the shear-corrected (phi_y, phi_z) cubic shapes, torsion linear; w_p, w_q angular velocities in the triads
  * U = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)
  *
- * Source: Meijaard 1996, Nonlinear Dyn. 9; Jonker and Meijaard 2013, Int. J. Non-Linear Mech. 53; Przemieniecki 1968 (mass with rotary inertia)
+ * Source: Meijaard 1996, Nonlinear Dyn. 9; Jonker and Meijaard 2013, Int. J. Non-Linear Mech. 53; Przemieniecki 1968
+ *   (mass with rotary inertia)
  *
  * x (14): p_x, p_y, p_z, rp_l0, rp_l1, rp_l2, rp_l3, q_x, q_y, q_z, rq_l0, rq_l1, rq_l2, rq_l3
  * e (6): elongation [m], torsion [m], bend1 [m], bend2 [m], bend3 [m], bend4 [m]
@@ -152,24 +153,24 @@ static void beam_position(size_t nblocks, const real *const *in, real *const *ou
             const real t55 = t6 * t5 - d_x * t54;
             const real t56 = 0.06666666666666667 * (t50 * t52 + t53 * t55 + t45 * t47 + t38 * t44);
             const real t57 = el_x + t56;
-            De[7 * 8 + j] = t57;
-            De[0 * 8 + j] = -t57;
+            De[7 * 8 + j] = t57; /* De(0,7) */
+            De[0 * 8 + j] = -t57; /* De(0,0) */
             const real t58 = ey_q_y * t5 - 2.0 * d_y * t46;
             const real t59 = ey_p_y * t5 - 2.0 * d_y * t43;
             const real t60 = t18 * t5 - d_y * t51;
             const real t61 = t9 * t5 - d_y * t54;
             const real t62 = 0.03333333333333333 * (t38 * t59 + 2.0 * (t50 * t60 + t53 * t61) + t45 * t58);
             const real t63 = el_y + t62;
-            De[8 * 8 + j] = t63;
-            De[1 * 8 + j] = -t63;
+            De[8 * 8 + j] = t63; /* De(0,8) */
+            De[1 * 8 + j] = -t63; /* De(0,1) */
             const real t64 = ez_p_z * t5 - 2.0 * d_z * t51;
             const real t65 = ez_q_z * t5 - 2.0 * d_z * t54;
             const real t66 = t26 * t5 - d_z * t43;
             const real t67 = t22 * t5 - d_z * t46;
             const real t68 = 0.03333333333333333 * (t53 * t65 + 2.0 * (t38 * t66 + t45 * t67) + t50 * t64);
             const real t69 = el_z + t68;
-            De[9 * 8 + j] = t69;
-            De[2 * 8 + j] = -t69;
+            De[9 * 8 + j] = t69; /* De(0,9) */
+            De[2 * 8 + j] = -t69; /* De(0,2) */
             const real t70 = u_p_1 * el_x + u_p_2 * el_y + u_p_3 * el_z;
             const real t71 = 2.0 * tp_3 * t70;
             const real t72 = u_p_2 * el_x + u_p_0 * el_z - u_p_1 * el_y;
@@ -182,10 +183,10 @@ static void beam_position(size_t nblocks, const real *const *in, real *const *ou
             const real t79 = 2.0 * tp_3 * t75;
             const real t80 = 2.0 * (tp_1 * t72 + tp_0 * t73);
             const real t81 = t79 + t80 + t78;
-            De[3 * 8 + j] = 0.03333333333333333 * (t50 * t77 + t38 * t81);
+            De[3 * 8 + j] = 0.03333333333333333 * (t50 * t77 + t38 * t81); /* De(0,3) */
             const real t82 = t79 + t78 - t80;
             const real t83 = t76 + t74 - t71;
-            De[4 * 8 + j] = 0.03333333333333333 * (t50 * t82 + t38 * t83);
+            De[4 * 8 + j] = 0.03333333333333333 * (t50 * t82 + t38 * t83); /* De(0,4) */
             const real t84 = 2.0 * tp_0 * t70;
             const real t85 = 2.0 * (tp_2 * t73 - tp_3 * t72);
             const real t86 = 2.0 * tp_1 * t75;
@@ -194,10 +195,10 @@ static void beam_position(size_t nblocks, const real *const *in, real *const *ou
             const real t89 = 2.0 * tp_0 * t75;
             const real t90 = 2.0 * (tp_2 * t72 + tp_3 * t73);
             const real t91 = t89 + t90 + t88;
-            De[5 * 8 + j] = 0.03333333333333333 * (t38 * t87 - t50 * t91);
+            De[5 * 8 + j] = 0.03333333333333333 * (t38 * t87 - t50 * t91); /* De(0,5) */
             const real t92 = t84 + t85 - t86;
             const real t93 = t89 + t88 - t90;
-            De[6 * 8 + j] = 0.03333333333333333 * (t50 * t92 + t38 * t93);
+            De[6 * 8 + j] = 0.03333333333333333 * (t50 * t92 + t38 * t93); /* De(0,6) */
             const real t94 = u_q_1 * el_x + u_q_2 * el_y + u_q_3 * el_z;
             const real t95 = 2.0 * tq_3 * t94;
             const real t96 = u_q_2 * el_x + u_q_0 * el_z - u_q_1 * el_y;
@@ -210,10 +211,10 @@ static void beam_position(size_t nblocks, const real *const *in, real *const *ou
             const real t103 = 2.0 * tq_3 * t99;
             const real t104 = 2.0 * (tq_1 * t96 + tq_0 * t97);
             const real t105 = t103 + t104 + t102;
-            De[10 * 8 + j] = 0.03333333333333333 * (t53 * t101 + t45 * t105);
+            De[10 * 8 + j] = 0.03333333333333333 * (t53 * t101 + t45 * t105); /* De(0,10) */
             const real t106 = t103 + t102 - t104;
             const real t107 = t100 + t98 - t95;
-            De[11 * 8 + j] = 0.03333333333333333 * (t53 * t106 + t45 * t107);
+            De[11 * 8 + j] = 0.03333333333333333 * (t53 * t106 + t45 * t107); /* De(0,11) */
             const real t108 = 2.0 * tq_0 * t94;
             const real t109 = 2.0 * (tq_2 * t97 - tq_3 * t96);
             const real t110 = 2.0 * tq_1 * t99;
@@ -222,23 +223,23 @@ static void beam_position(size_t nblocks, const real *const *in, real *const *ou
             const real t113 = 2.0 * tq_0 * t99;
             const real t114 = 2.0 * (tq_2 * t96 + tq_3 * t97);
             const real t115 = t113 + t114 + t112;
-            De[12 * 8 + j] = 0.03333333333333333 * (t45 * t111 - t53 * t115);
+            De[12 * 8 + j] = 0.03333333333333333 * (t45 * t111 - t53 * t115); /* De(0,12) */
             const real t116 = t108 + t109 - t110;
             const real t117 = t113 + t112 - t114;
-            De[13 * 8 + j] = 0.03333333333333333 * (t53 * t116 + t45 * t117);
+            De[13 * 8 + j] = 0.03333333333333333 * (t53 * t116 + t45 * t117); /* De(0,13) */
             const real t118 = t0 * t36;
             const real t119 = t0 * t49;
             const real t120 = t0 * t37;
             const real t121 = t0 * t48;
             const real t122 = 2.0 * (t118 * t55 + t119 * t44 - t120 * t52 - t121 * t47);
-            De[21 * 8 + j] = t122;
-            De[14 * 8 + j] = -t122;
+            De[21 * 8 + j] = t122; /* De(1,7) */
+            De[14 * 8 + j] = -t122; /* De(1,0) */
             const real t123 = t119 * t59 + 2.0 * (t118 * t61 - t120 * t60) - t121 * t58;
-            De[22 * 8 + j] = t123;
-            De[15 * 8 + j] = -t123;
+            De[22 * 8 + j] = t123; /* De(1,8) */
+            De[15 * 8 + j] = -t123; /* De(1,1) */
             const real t124 = t118 * t65 + 2.0 * (t119 * t66 - t121 * t67) - t120 * t64;
-            De[23 * 8 + j] = t124;
-            De[16 * 8 + j] = -t124;
+            De[23 * 8 + j] = t124; /* De(1,9) */
+            De[16 * 8 + j] = -t124; /* De(1,2) */
             const real t125 = t22 + t9;
             const real t126 = ey_q_y - ez_q_z;
             const real t127 = 4.0 * (u_p_0 * t21 - u_p_2 * t125 - u_p_1 * t6) + 2.0 * u_p_3 * t126;
@@ -248,13 +249,13 @@ static void beam_position(size_t nblocks, const real *const *in, real *const *ou
             const real t131 = 4.0 * (u_p_1 * t128 + u_p_3 * t21 - u_p_2 * t6) - 2.0 * u_p_0 * t129;
             const real t132 = 2.0 * u_p_2 * t126 + 4.0 * (u_p_0 * t6 + u_p_1 * t21 + u_p_3 * t125);
             const real t133 = tp_0 * t130 + tp_1 * t131 + tp_3 * t132 + tp_2 * t127;
-            De[17 * 8 + j] = 0.5 * l0 * t133 + t119 * t81 - t120 * t77;
+            De[17 * 8 + j] = 0.5 * l0 * t133 + t119 * t81 - t120 * t77; /* De(1,3) */
             const real t134 = tp_0 * t131 + tp_2 * t132 - tp_1 * t130 - tp_3 * t127;
-            De[18 * 8 + j] = 0.5 * l0 * t134 + t119 * t83 - t120 * t82;
+            De[18 * 8 + j] = 0.5 * l0 * t134 + t119 * t83 - t120 * t82; /* De(1,4) */
             const real t135 = tp_3 * t131 + tp_0 * t127 - tp_2 * t130 - tp_1 * t132;
-            De[19 * 8 + j] = 0.5 * l0 * t135 + t119 * t87 + t120 * t91;
+            De[19 * 8 + j] = 0.5 * l0 * t135 + t119 * t87 + t120 * t91; /* De(1,5) */
             const real t136 = tp_1 * t127 + tp_0 * t132 - tp_3 * t130 - tp_2 * t131;
-            De[20 * 8 + j] = 0.5 * l0 * t136 + t119 * t93 - t120 * t92;
+            De[20 * 8 + j] = 0.5 * l0 * t136 + t119 * t93 - t120 * t92; /* De(1,6) */
             const real t137 = t26 + t18;
             const real t138 = ez_p_z - ey_p_y;
             const real t139 = 4.0 * (u_q_2 * t137 + u_q_1 * t15 - u_q_0 * t25) + 2.0 * u_q_3 * t138;
@@ -264,280 +265,110 @@ static void beam_position(size_t nblocks, const real *const *in, real *const *ou
             const real t143 = 4.0 * (u_q_1 * t141 + u_q_2 * t15 - u_q_3 * t25) + 2.0 * u_q_0 * t142;
             const real t144 = 2.0 * u_q_1 * t142 - 4.0 * (u_q_3 * t15 + u_q_2 * t25 + u_q_0 * t141);
             const real t145 = tq_1 * t143 + tq_0 * t144 + tq_3 * t140 + tq_2 * t139;
-            De[24 * 8 + j] = t118 * t101 + 0.5 * l0 * t145 - t121 * t105;
+            De[24 * 8 + j] = t118 * t101 + 0.5 * l0 * t145 - t121 * t105; /* De(1,10) */
             const real t146 = tq_0 * t143 + tq_2 * t140 - tq_1 * t144 - tq_3 * t139;
-            De[25 * 8 + j] = t118 * t106 + 0.5 * l0 * t146 - t121 * t107;
+            De[25 * 8 + j] = t118 * t106 + 0.5 * l0 * t146 - t121 * t107; /* De(1,11) */
             const real t147 = tq_3 * t143 + tq_0 * t139 - tq_2 * t144 - tq_1 * t140;
-            De[26 * 8 + j] = 0.5 * l0 * t147 - t118 * t115 - t121 * t111;
+            De[26 * 8 + j] = 0.5 * l0 * t147 - t118 * t115 - t121 * t111; /* De(1,12) */
             const real t148 = tq_1 * t139 + tq_0 * t140 - tq_3 * t144 - tq_2 * t143;
-            De[27 * 8 + j] = t118 * t116 + 0.5 * l0 * t148 - t121 * t117;
+            De[27 * 8 + j] = t118 * t116 + 0.5 * l0 * t148 - t121 * t117; /* De(1,13) */
             const real t149 = 0.16666666666666666 * (t30 * t44);
             const real t150 = 0.16666666666666666 * (t30 * t47);
             const real t151 = t149 - 2.0 * l0 * t52 - t150;
-            De[35 * 8 + j] = t151;
-            De[28 * 8 + j] = -t151;
+            De[35 * 8 + j] = t151; /* De(2,7) */
+            De[28 * 8 + j] = -t151; /* De(2,0) */
             const real t152 = 0.08333333333333333 * (t30 * t59);
             const real t153 = 0.08333333333333333 * (t30 * t58);
             const real t154 = t152 - 2.0 * l0 * t60 - t153;
-            De[36 * 8 + j] = t154;
-            De[29 * 8 + j] = -t154;
+            De[36 * 8 + j] = t154; /* De(2,8) */
+            De[29 * 8 + j] = -t154; /* De(2,1) */
             const real t155 = 0.16666666666666666 * (t30 * t66);
             const real t156 = 0.16666666666666666 * (t30 * t67);
             const real t157 = t155 - l0 * t64 - t156;
-            De[37 * 8 + j] = t157;
-            De[30 * 8 + j] = -t157;
+            De[37 * 8 + j] = t157; /* De(2,9) */
+            De[30 * 8 + j] = -t157; /* De(2,2) */
             const real t158 = 0.08333333333333333 * (t31 * t133 + t30 * t81);
-            De[31 * 8 + j] = t158 - l0 * t77;
+            De[31 * 8 + j] = t158 - l0 * t77; /* De(2,3) */
             const real t159 = 0.08333333333333333 * (t31 * t134 + t30 * t83);
-            De[32 * 8 + j] = t159 - l0 * t82;
+            De[32 * 8 + j] = t159 - l0 * t82; /* De(2,4) */
             const real t160 = 0.08333333333333333 * (t31 * t135 + t30 * t87);
-            De[33 * 8 + j] = t160 + l0 * t91;
+            De[33 * 8 + j] = t160 + l0 * t91; /* De(2,5) */
             const real t161 = 0.08333333333333333 * (t31 * t136 + t30 * t93);
-            De[34 * 8 + j] = t161 - l0 * t92;
+            De[34 * 8 + j] = t161 - l0 * t92; /* De(2,6) */
             const real t162 = 0.08333333333333333 * (t31 * t145);
             const real t163 = 0.08333333333333333 * (t30 * t105);
-            De[38 * 8 + j] = t162 - t163;
+            De[38 * 8 + j] = t162 - t163; /* De(2,10) */
             const real t164 = 0.08333333333333333 * (t31 * t146);
             const real t165 = 0.08333333333333333 * (t30 * t107);
-            De[39 * 8 + j] = t164 - t165;
+            De[39 * 8 + j] = t164 - t165; /* De(2,11) */
             const real t166 = 0.08333333333333333 * (t31 * t147);
             const real t167 = 0.08333333333333333 * (t30 * t111);
-            De[40 * 8 + j] = t166 - t167;
+            De[40 * 8 + j] = t166 - t167; /* De(2,12) */
             const real t168 = 0.08333333333333333 * (t31 * t148);
             const real t169 = 0.08333333333333333 * (t30 * t117);
-            De[41 * 8 + j] = t168 - t169;
+            De[41 * 8 + j] = t168 - t169; /* De(2,13) */
             const real t170 = t150 + 2.0 * l0 * t55 - t149;
-            De[49 * 8 + j] = t170;
-            De[42 * 8 + j] = -t170;
+            De[49 * 8 + j] = t170; /* De(3,7) */
+            De[42 * 8 + j] = -t170; /* De(3,0) */
             const real t171 = t153 + 2.0 * l0 * t61 - t152;
-            De[50 * 8 + j] = t171;
-            De[43 * 8 + j] = -t171;
+            De[50 * 8 + j] = t171; /* De(3,8) */
+            De[43 * 8 + j] = -t171; /* De(3,1) */
             const real t172 = t156 + l0 * t65 - t155;
-            De[51 * 8 + j] = t172;
-            De[44 * 8 + j] = -t172;
-            De[45 * 8 + j] = -t158;
-            De[46 * 8 + j] = -t159;
-            De[47 * 8 + j] = -t160;
-            De[48 * 8 + j] = -t161;
-            De[52 * 8 + j] = t163 + l0 * t101 - t162;
-            De[53 * 8 + j] = t165 + l0 * t106 - t164;
-            De[54 * 8 + j] = t167 - l0 * t115 - t166;
-            De[55 * 8 + j] = t169 + l0 * t116 - t168;
+            De[51 * 8 + j] = t172; /* De(3,9) */
+            De[44 * 8 + j] = -t172; /* De(3,2) */
+            De[45 * 8 + j] = -t158; /* De(3,3) */
+            De[46 * 8 + j] = -t159; /* De(3,4) */
+            De[47 * 8 + j] = -t160; /* De(3,5) */
+            De[48 * 8 + j] = -t161; /* De(3,6) */
+            De[52 * 8 + j] = t163 + l0 * t101 - t162; /* De(3,10) */
+            De[53 * 8 + j] = t165 + l0 * t106 - t164; /* De(3,11) */
+            De[54 * 8 + j] = t167 - l0 * t115 - t166; /* De(3,12) */
+            De[55 * 8 + j] = t169 + l0 * t116 - t168; /* De(3,13) */
             const real t173 = 0.16666666666666666 * (t30 * (t55 - t52));
             const real t174 = 2.0 * l0 * t44 - t173;
-            De[63 * 8 + j] = t174;
-            De[56 * 8 + j] = -t174;
+            De[63 * 8 + j] = t174; /* De(4,7) */
+            De[56 * 8 + j] = -t174; /* De(4,0) */
             const real t175 = 0.16666666666666666 * (t30 * (t61 - t60));
             const real t176 = l0 * t59 - t175;
-            De[64 * 8 + j] = t176;
-            De[57 * 8 + j] = -t176;
+            De[64 * 8 + j] = t176; /* De(4,8) */
+            De[57 * 8 + j] = -t176; /* De(4,1) */
             const real t177 = 0.08333333333333333 * (t30 * (t65 - t64));
             const real t178 = 2.0 * l0 * t66 - t177;
-            De[65 * 8 + j] = t178;
-            De[58 * 8 + j] = -t178;
+            De[65 * 8 + j] = t178; /* De(4,9) */
+            De[58 * 8 + j] = -t178; /* De(4,2) */
             const real t179 = 0.08333333333333333 * (t34 * t133 - t30 * t77);
-            De[73 * 8 + j] = t179;
-            De[59 * 8 + j] = l0 * t81 - t179;
+            De[73 * 8 + j] = t179; /* De(5,3) */
+            De[59 * 8 + j] = l0 * t81 - t179; /* De(4,3) */
             const real t180 = 0.08333333333333333 * (t34 * t134 - t30 * t82);
-            De[74 * 8 + j] = t180;
-            De[60 * 8 + j] = l0 * t83 - t180;
+            De[74 * 8 + j] = t180; /* De(5,4) */
+            De[60 * 8 + j] = l0 * t83 - t180; /* De(4,4) */
             const real t181 = 0.08333333333333333 * (t30 * t91 + t34 * t135);
-            De[75 * 8 + j] = t181;
-            De[61 * 8 + j] = l0 * t87 - t181;
+            De[75 * 8 + j] = t181; /* De(5,5) */
+            De[61 * 8 + j] = l0 * t87 - t181; /* De(4,5) */
             const real t182 = 0.08333333333333333 * (t34 * t136 - t30 * t92);
-            De[76 * 8 + j] = t182;
-            De[62 * 8 + j] = l0 * t93 - t182;
+            De[76 * 8 + j] = t182; /* De(5,6) */
+            De[62 * 8 + j] = l0 * t93 - t182; /* De(4,6) */
             const real t183 = 0.08333333333333333 * (t30 * t101 + t34 * t145);
-            De[66 * 8 + j] = -t183;
+            De[66 * 8 + j] = -t183; /* De(4,10) */
             const real t184 = 0.08333333333333333 * (t30 * t106 + t34 * t146);
-            De[67 * 8 + j] = -t184;
+            De[67 * 8 + j] = -t184; /* De(4,11) */
             const real t185 = 0.08333333333333333 * (t34 * t147 - t30 * t115);
-            De[68 * 8 + j] = -t185;
+            De[68 * 8 + j] = -t185; /* De(4,12) */
             const real t186 = 0.08333333333333333 * (t30 * t116 + t34 * t148);
-            De[69 * 8 + j] = -t186;
+            De[69 * 8 + j] = -t186; /* De(4,13) */
             const real t187 = t173 - 2.0 * l0 * t47;
-            De[77 * 8 + j] = t187;
-            De[70 * 8 + j] = -t187;
+            De[77 * 8 + j] = t187; /* De(5,7) */
+            De[70 * 8 + j] = -t187; /* De(5,0) */
             const real t188 = t175 - l0 * t58;
-            De[78 * 8 + j] = t188;
-            De[71 * 8 + j] = -t188;
+            De[78 * 8 + j] = t188; /* De(5,8) */
+            De[71 * 8 + j] = -t188; /* De(5,1) */
             const real t189 = t177 - 2.0 * l0 * t67;
-            De[79 * 8 + j] = t189;
-            De[72 * 8 + j] = -t189;
-            De[80 * 8 + j] = t183 - l0 * t105;
-            De[81 * 8 + j] = t184 - l0 * t107;
-            De[82 * 8 + j] = t185 - l0 * t111;
-            De[83 * 8 + j] = t186 - l0 * t117;
-        }
-    }
-}
-
-/* velocity: 423 operations.
- * in:  x (14), v (14), p (18)
- * out: ed (6), s (0) */
-FLEXEL_CLONES
-static void beam_velocity(size_t nblocks, const real *const *in, real *const *out)
-{
-    for (size_t b = 0; b < nblocks; b++) {
-        const real *restrict x = in[0] + b * (14 * 8);
-        const real *restrict v = in[1] + b * (14 * 8);
-        const real *restrict p = in[2] + b * (18 * 8);
-        real *restrict ed = out[0] + b * (6 * 8);
-#pragma omp simd
-        for (size_t j = 0; j < 8; j++) {
-            const real q_z = x[9 * 8 + j];
-            const real p_z = x[2 * 8 + j];
-            const real d_z = q_z - p_z;
-            const real q_x = x[7 * 8 + j];
-            const real p_x = x[0 * 8 + j];
-            const real d_x = q_x - p_x;
-            const real q_y = x[8 * 8 + j];
-            const real p_y = x[1 * 8 + j];
-            const real d_y = q_y - p_y;
-            const real l = real_sqrt(d_x * d_x + d_y * d_y + d_z * d_z);
-            const real t0 = 1.0 / l;
-            const real q_vz = v[9 * 8 + j];
-            const real p_vz = v[2 * 8 + j];
-            const real t1 = q_vz - p_vz;
-            const real q_vx = v[7 * 8 + j];
-            const real p_vx = v[0 * 8 + j];
-            const real t2 = q_vx - p_vx;
-            const real q_vy = v[8 * 8 + j];
-            const real p_vy = v[1 * 8 + j];
-            const real t3 = q_vy - p_vy;
-            const real t4 = t0 * (d_x * t2 + d_y * t3 + d_z * t1);
-            const real l0 = p[0 * 8 + j];
-            const real t5 = 1.0 / l0;
-            const real rp_l0 = x[3 * 8 + j];
-            const real tp_0 = p[1 * 8 + j];
-            const real rp_l1 = x[4 * 8 + j];
-            const real tp_1 = p[2 * 8 + j];
-            const real rp_l2 = x[5 * 8 + j];
-            const real tp_2 = p[3 * 8 + j];
-            const real rp_l3 = x[6 * 8 + j];
-            const real tp_3 = p[4 * 8 + j];
-            const real u_p_0 = rp_l0 * tp_0 - rp_l1 * tp_1 - rp_l2 * tp_2 - rp_l3 * tp_3;
-            const real t6 = u_p_0 * u_p_0;
-            const real u_p_2 = rp_l0 * tp_2 + rp_l2 * tp_0 + rp_l3 * tp_1 - rp_l1 * tp_3;
-            const real t7 = u_p_2 * u_p_2;
-            const real u_p_1 = rp_l0 * tp_1 + rp_l1 * tp_0 + rp_l2 * tp_3 - rp_l3 * tp_2;
-            const real t8 = u_p_1 * u_p_1;
-            const real u_p_3 = rp_l0 * tp_3 + rp_l1 * tp_2 + rp_l3 * tp_0 - rp_l2 * tp_1;
-            const real t9 = u_p_3 * u_p_3;
-            const real ey_p_y = t6 + t7 - t8 - t9;
-            const real el_y = d_y * t0;
-            const real t10 = u_p_1 * u_p_2 - u_p_0 * u_p_3;
-            const real el_x = d_x * t0;
-            const real t11 = u_p_0 * u_p_1;
-            const real t12 = u_p_2 * u_p_3;
-            const real t13 = t11 + t12;
-            const real el_z = d_z * t0;
-            const real t14 = ey_p_y * el_y + 2.0 * (t10 * el_x + t13 * el_z);
-            const real b5 = l0 * t14;
-            const real t15 = t0 * t0 * t4;
-            const real t16 = t0 * t3 - d_y * t15;
-            const real rp_vl0 = v[3 * 8 + j];
-            const real rp_vl1 = v[4 * 8 + j];
-            const real rp_vl2 = v[5 * 8 + j];
-            const real rp_vl3 = v[6 * 8 + j];
-            const real ud_p_0 = rp_vl0 * tp_0 - rp_vl1 * tp_1 - rp_vl2 * tp_2 - rp_vl3 * tp_3;
-            const real t17 = 2.0 * u_p_0 * ud_p_0;
-            const real ud_p_2 = rp_vl0 * tp_2 + rp_vl2 * tp_0 + rp_vl3 * tp_1 - rp_vl1 * tp_3;
-            const real t18 = 2.0 * u_p_2 * ud_p_2;
-            const real ud_p_1 = rp_vl0 * tp_1 + rp_vl1 * tp_0 + rp_vl2 * tp_3 - rp_vl3 * tp_2;
-            const real t19 = 2.0 * u_p_1 * ud_p_1;
-            const real ud_p_3 = rp_vl0 * tp_3 + rp_vl1 * tp_2 + rp_vl3 * tp_0 - rp_vl2 * tp_1;
-            const real t20 = 2.0 * u_p_3 * ud_p_3;
-            const real t21 = t17 + t18 - t19 - t20;
-            const real t22 = t0 * t2 - d_x * t15;
-            const real t23 = u_p_1 * ud_p_2 + u_p_2 * ud_p_1 - u_p_0 * ud_p_3 - u_p_3 * ud_p_0;
-            const real t24 = u_p_0 * ud_p_1 + u_p_1 * ud_p_0;
-            const real t25 = u_p_2 * ud_p_3 + u_p_3 * ud_p_2;
-            const real t26 = t24 + t25;
-            const real t27 = t0 * t1 - d_z * t15;
-            const real t28 = el_y * t21 + 2.0 * (el_z * t26 + t13 * t27 + el_x * t23 + t10 * t22);
-            const real t29 = ey_p_y * t16 + t28;
-            const real t30 = l0 * t29;
-            const real rq_l0 = x[10 * 8 + j];
-            const real tq_0 = p[5 * 8 + j];
-            const real rq_l1 = x[11 * 8 + j];
-            const real tq_1 = p[6 * 8 + j];
-            const real rq_l2 = x[12 * 8 + j];
-            const real tq_2 = p[7 * 8 + j];
-            const real rq_l3 = x[13 * 8 + j];
-            const real tq_3 = p[8 * 8 + j];
-            const real u_q_0 = rq_l0 * tq_0 - rq_l1 * tq_1 - rq_l2 * tq_2 - rq_l3 * tq_3;
-            const real t31 = u_q_0 * u_q_0;
-            const real u_q_2 = rq_l0 * tq_2 + rq_l2 * tq_0 + rq_l3 * tq_1 - rq_l1 * tq_3;
-            const real t32 = u_q_2 * u_q_2;
-            const real u_q_1 = rq_l0 * tq_1 + rq_l1 * tq_0 + rq_l2 * tq_3 - rq_l3 * tq_2;
-            const real t33 = u_q_1 * u_q_1;
-            const real u_q_3 = rq_l0 * tq_3 + rq_l1 * tq_2 + rq_l3 * tq_0 - rq_l2 * tq_1;
-            const real t34 = u_q_3 * u_q_3;
-            const real ey_q_y = t31 + t32 - t33 - t34;
-            const real t35 = u_q_1 * u_q_2 - u_q_0 * u_q_3;
-            const real t36 = u_q_0 * u_q_1;
-            const real t37 = u_q_2 * u_q_3;
-            const real t38 = t36 + t37;
-            const real t39 = ey_q_y * el_y + 2.0 * (t35 * el_x + t38 * el_z);
-            const real t40 = l0 * t39;
-            const real rq_vl0 = v[10 * 8 + j];
-            const real rq_vl1 = v[11 * 8 + j];
-            const real rq_vl2 = v[12 * 8 + j];
-            const real rq_vl3 = v[13 * 8 + j];
-            const real ud_q_0 = rq_vl0 * tq_0 - rq_vl1 * tq_1 - rq_vl2 * tq_2 - rq_vl3 * tq_3;
-            const real t41 = 2.0 * u_q_0 * ud_q_0;
-            const real ud_q_2 = rq_vl0 * tq_2 + rq_vl2 * tq_0 + rq_vl3 * tq_1 - rq_vl1 * tq_3;
-            const real t42 = 2.0 * u_q_2 * ud_q_2;
-            const real ud_q_1 = rq_vl0 * tq_1 + rq_vl1 * tq_0 + rq_vl2 * tq_3 - rq_vl3 * tq_2;
-            const real t43 = 2.0 * u_q_1 * ud_q_1;
-            const real ud_q_3 = rq_vl0 * tq_3 + rq_vl1 * tq_2 + rq_vl3 * tq_0 - rq_vl2 * tq_1;
-            const real t44 = 2.0 * u_q_3 * ud_q_3;
-            const real t45 = t41 + t42 - t43 - t44;
-            const real t46 = u_q_1 * ud_q_2 + u_q_2 * ud_q_1 - u_q_0 * ud_q_3 - u_q_3 * ud_q_0;
-            const real t47 = u_q_0 * ud_q_1 + u_q_1 * ud_q_0;
-            const real t48 = u_q_2 * ud_q_3 + u_q_3 * ud_q_2;
-            const real t49 = t47 + t48;
-            const real t50 = el_y * t45 + 2.0 * (el_z * t49 + t38 * t27 + el_x * t46 + t35 * t22);
-            const real t51 = ey_q_y * t16 + t50;
-            const real t52 = l0 * t51;
-            const real ez_q_z = t31 + t34 - t33 - t32;
-            const real t53 = u_q_0 * u_q_2 + u_q_1 * u_q_3;
-            const real t54 = t37 - t36;
-            const real t55 = ez_q_z * el_z + 2.0 * (t53 * el_x + t54 * el_y);
-            const real b4 = l0 * t55;
-            const real t56 = t41 + t44 - t43 - t42;
-            const real t57 = u_q_0 * ud_q_2 + u_q_2 * ud_q_0 + u_q_1 * ud_q_3 + u_q_3 * ud_q_1;
-            const real t58 = t48 - t47;
-            const real t59 = el_z * t56 + 2.0 * (el_y * t58 + t54 * t16 + el_x * t57 + t53 * t22);
-            const real t60 = ez_q_z * t27 + t59;
-            const real t61 = l0 * t60;
-            const real ez_p_z = t6 + t9 - t8 - t7;
-            const real t62 = u_p_0 * u_p_2 + u_p_1 * u_p_3;
-            const real t63 = t12 - t11;
-            const real t64 = ez_p_z * el_z + 2.0 * (t62 * el_x + t63 * el_y);
-            const real t65 = l0 * t64;
-            const real t66 = t17 + t20 - t19 - t18;
-            const real t67 = u_p_0 * ud_p_2 + u_p_2 * ud_p_0 + u_p_1 * ud_p_3 + u_p_3 * ud_p_1;
-            const real t68 = t25 - t24;
-            const real t69 = el_z * t66 + 2.0 * (el_y * t68 + t63 * t16 + el_x * t67 + t62 * t22);
-            const real t70 = ez_p_z * t27 + t69;
-            const real t71 = l0 * t70;
-            const real t72 = 4.0 * (b4 * t61 + t65 * t71 + t40 * t52 + b5 * t30) - b4 * t71;
-            const real t73 = 0.03333333333333333 * (t5 * (t72 - t65 * t61 - t40 * t30 - b5 * t52));
-            ed[0 * 8 + j] = t4 + t73;
-            const real t74 = t38 * t66 + ez_p_z * t49 + ey_q_y * t68 + t63 * t45 - t54 * t21;
-            const real t75 = 4.0 * (t35 * t67 + t62 * t46 - t53 * t23 - t10 * t57) + 2.0 * (t74 - ey_p_y * t58 - ez_q_z * t26 - t13 * t56);
-            const real t76 = l0 * t75;
-            ed[1 * 8 + j] = 0.5 * t76 + t5 * (b5 * t61 + b4 * t30 - t40 * t71 - t65 * t52);
-            const real t77 = t63 * ey_q_y + ez_p_z * t38 - ey_p_y * t54 - t13 * ez_q_z;
-            const real t78 = l0 * (4.0 * (t62 * t35 - t10 * t53) + 2.0 * t77);
-            const real t79 = 0.08333333333333333 * ((t14 - t39) * t76 + t78 * (t29 - t51));
-            ed[2 * 8 + j] = t79 - t71;
-            ed[3 * 8 + j] = t61 - t79;
-            const real t80 = 0.08333333333333333 * ((t55 - t64) * t76 + t78 * (t60 - t70));
-            ed[4 * 8 + j] = t30 - t80;
-            ed[5 * 8 + j] = t80 - t52;
+            De[79 * 8 + j] = t189; /* De(5,9) */
+            De[72 * 8 + j] = -t189; /* De(5,2) */
+            De[80 * 8 + j] = t183 - l0 * t105; /* De(5,10) */
+            De[81 * 8 + j] = t184 - l0 * t107; /* De(5,11) */
+            De[82 * 8 + j] = t185 - l0 * t111; /* De(5,12) */
+            De[83 * 8 + j] = t186 - l0 * t117; /* De(5,13) */
         }
     }
 }
@@ -749,7 +580,8 @@ static void beam_acceleration(size_t nblocks, const real *const *in, real *const
             const real t124 = 2.0 * (t107 * t83 - t99 * t50) + b4 * t80 + b5 * t115 - t19 * t96;
             g[1 * 8 + j] = 0.5 * t123 + t9 * (t124 - t87 * t47);
             const real t125 = t17 * t94 + ez_p_z * t30 + ey_q_y * t90 + t85 * t43 - t104 * t78;
-            const real t126 = 4.0 * (t14 * t92 + t84 * t33 - t101 * t72 - t55 * t102) + 2.0 * (t125 - ey_p_y * t103 - ez_q_z * t70 - t58 * t100);
+            const real t126 = 4.0 * (t14 * t92 + t84 * t33 - t101 * t72 - t55 * t102) + 2.0 * (t125 - ey_p_y * t103
+                - ez_q_z * t70 - t58 * t100);
             const real t127 = l0 * l0 * t126;
             const real t128 = t85 * ey_q_y + ez_p_z * t17 - ey_p_y * t104 - t58 * ez_q_z;
             const real t129 = l0 * (4.0 * (t84 * t14 - t55 * t101) + 2.0 * t128);
@@ -969,8 +801,8 @@ static void beam_rates(size_t nblocks, const real *const *in, real *const *out)
             const real t122 = 0.03333333333333333 * (t114 * t120 + t116 * t121 + t112 * t119 + t106 * t118);
             const real t123 = t34 + t122;
             const real t124 = t27 + t117 + t95 - t38 * t123;
-            Phi_x[7 * 8 + j] = t124;
-            Phi_x[0 * 8 + j] = -t124;
+            Phi_x[7 * 8 + j] = t124; /* Phi_x(0,7) */
+            Phi_x[0 * 8 + j] = -t124; /* Phi_x(0,0) */
             const real t125 = t25 * t100;
             const real t126 = d_y * t37;
             const real t127 = t5 * t46 - ey_p_y * t36 - 2.0 * t125 * t31 - t126 * t49;
@@ -982,10 +814,11 @@ static void beam_rates(size_t nblocks, const real *const *in, real *const *out)
             const real t133 = t130 * t114 + t131 * t106 + t85 * t132 + t75 * t129 + t51 * t128;
             const real t134 = t68 * t5;
             const real t135 = t72 * t5;
-            const real t136 = t100 + 0.06666666666666667 * (t134 * t116 + t135 * t112) + 0.03333333333333333 * (t23 * t127 + t133);
+            const real t136 = t100 + 0.06666666666666667 * (t134 * t116 + t135 * t112) + 0.03333333333333333 * (t23
+                * t127 + t133);
             const real t137 = t136 - t126 * t123;
-            Phi_x[8 * 8 + j] = t137;
-            Phi_x[1 * 8 + j] = -t137;
+            Phi_x[8 * 8 + j] = t137; /* Phi_x(0,8) */
+            Phi_x[1 * 8 + j] = -t137; /* Phi_x(0,1) */
             const real t138 = t25 * t97;
             const real t139 = d_z * t37;
             const real t140 = 2.0 * (t5 * t41 - t138 * t31 - t9 * t36) - t139 * t49;
@@ -997,10 +830,11 @@ static void beam_rates(size_t nblocks, const real *const *in, real *const *out)
             const real t146 = t143 * t116 + t144 * t112 + t85 * t145 + t75 * t142 + t51 * t141;
             const real t147 = t20 * t5;
             const real t148 = t9 * t5;
-            const real t149 = t97 + 0.06666666666666667 * (t147 * t114 + t148 * t106) + 0.03333333333333333 * (t23 * t140 + t146);
+            const real t149 = t97 + 0.06666666666666667 * (t147 * t114 + t148 * t106) + 0.03333333333333333 * (t23
+                * t140 + t146);
             const real t150 = t149 - t139 * t123;
-            Phi_x[9 * 8 + j] = t150;
-            Phi_x[2 * 8 + j] = -t150;
+            Phi_x[9 * 8 + j] = t150; /* Phi_x(0,9) */
+            Phi_x[2 * 8 + j] = -t150; /* Phi_x(0,2) */
             const real t151 = el_x * ud_p_2 + ud_p_0 * el_z + u_p_0 * t98 + u_p_2 * t99;
             const real t152 = t151 - el_y * ud_p_1 - u_p_1 * t101;
             const real t153 = ud_p_0 * el_y + el_z * ud_p_1 + u_p_1 * t98 + u_p_0 * t101;
@@ -1018,9 +852,13 @@ static void beam_rates(size_t nblocks, const real *const *in, real *const *out)
             const real t165 = t159 * t106 + t23 * t161 - t162 * t112 - t85 * t164;
             const real t166 = t162 * t106 + t159 * t112 + t23 * t164 + t85 * t161;
             Phi_x[3 * 8 + j] = 0.06666666666666667 * (tp_2 * t165 + tp_3 * t166 + tp_1 * t158 + tp_0 * t157);
+                /* Phi_x(0,3) */
             Phi_x[4 * 8 + j] = 0.06666666666666667 * (tp_0 * t158 + tp_2 * t166 - tp_1 * t157 - tp_3 * t165);
+                /* Phi_x(0,4) */
             Phi_x[5 * 8 + j] = 0.06666666666666667 * (tp_3 * t158 + tp_0 * t165 - tp_2 * t157 - tp_1 * t166);
+                /* Phi_x(0,5) */
             Phi_x[6 * 8 + j] = 0.06666666666666667 * (tp_1 * t165 + tp_0 * t166 - tp_3 * t157 - tp_2 * t158);
+                /* Phi_x(0,6) */
             const real t167 = el_x * ud_q_2 + ud_q_0 * el_z + u_q_0 * t98 + u_q_2 * t99;
             const real t168 = t167 - el_y * ud_q_1 - u_q_1 * t101;
             const real t169 = ud_q_0 * el_y + el_z * ud_q_1 + u_q_1 * t98 + u_q_0 * t101;
@@ -1038,9 +876,13 @@ static void beam_rates(size_t nblocks, const real *const *in, real *const *out)
             const real t181 = t175 * t114 + t51 * t177 - t178 * t116 - t75 * t180;
             const real t182 = t175 * t116 + t178 * t114 + t51 * t180 + t75 * t177;
             Phi_x[10 * 8 + j] = 0.06666666666666667 * (tq_2 * t181 + tq_3 * t182 + tq_1 * t174 + tq_0 * t173);
+                /* Phi_x(0,10) */
             Phi_x[11 * 8 + j] = 0.06666666666666667 * (tq_0 * t174 + tq_2 * t182 - tq_1 * t173 - tq_3 * t181);
+                /* Phi_x(0,11) */
             Phi_x[12 * 8 + j] = 0.06666666666666667 * (tq_3 * t174 + tq_0 * t181 - tq_2 * t173 - tq_1 * t182);
+                /* Phi_x(0,12) */
             Phi_x[13 * 8 + j] = 0.06666666666666667 * (tq_1 * t181 + tq_0 * t182 - tq_3 * t173 - tq_2 * t174);
+                /* Phi_x(0,13) */
             const real t183 = t0 * t103;
             const real t184 = t0 * t111;
             const real t185 = t0 * t105;
@@ -1052,18 +894,18 @@ static void beam_rates(size_t nblocks, const real *const *in, real *const *out)
             const real t191 = t0 * t22;
             const real t192 = t0 * t74;
             const real t193 = t188 * t84 + t189 * t50 + t187 - t38 * t190 - t191 * t94 - t192 * t66;
-            Phi_x[21 * 8 + j] = t193;
-            Phi_x[14 * 8 + j] = -t193;
+            Phi_x[21 * 8 + j] = t193; /* Phi_x(1,7) */
+            Phi_x[14 * 8 + j] = -t193; /* Phi_x(1,0) */
             const real t194 = 2.0 * (t134 * t183 - t135 * t185) + t131 * t184 + t189 * t127;
             const real t195 = t188 * t129 + t194 - t130 * t186 - t126 * t190 - t191 * t132;
             const real t196 = t195 - t192 * t128;
-            Phi_x[22 * 8 + j] = t196;
-            Phi_x[15 * 8 + j] = -t196;
+            Phi_x[22 * 8 + j] = t196; /* Phi_x(1,8) */
+            Phi_x[15 * 8 + j] = -t196; /* Phi_x(1,1) */
             const real t197 = 2.0 * (t148 * t184 - t147 * t186) + t143 * t183 + t189 * t140;
             const real t198 = t188 * t142 + t197 - t144 * t185 - t139 * t190 - t191 * t145;
             const real t199 = t198 - t192 * t141;
-            Phi_x[23 * 8 + j] = t199;
-            Phi_x[16 * 8 + j] = -t199;
+            Phi_x[23 * 8 + j] = t199; /* Phi_x(1,9) */
+            Phi_x[16 * 8 + j] = -t199; /* Phi_x(1,2) */
             const real t200 = 2.0 * (t155 * t184 + t189 * t154 - t156 * t185 - t191 * t152);
             const real t201 = t80 - t58;
             const real t202 = t67 * ud_p_3 + t17 * ud_p_2 + u_p_2 * t52 + u_p_3 * t76 - u_p_0 * t201;
@@ -1088,10 +930,10 @@ static void beam_rates(size_t nblocks, const real *const *in, real *const *out)
             const real t221 = u_p_3 * t212 + t213 * ud_p_3 + ud_p_0 * t67 + t17 * ud_p_1;
             const real t222 = 2.0 * (u_p_2 * t215 + t216 * ud_p_2) + 4.0 * (u_p_1 * t52 + t221 + u_p_0 * t76);
             const real t223 = t220 + 0.5 * l0 * t222;
-            Phi_x[17 * 8 + j] = tp_2 * t219 + tp_3 * t223 + tp_1 * t211 + tp_0 * t207;
-            Phi_x[18 * 8 + j] = tp_0 * t211 + tp_2 * t223 - tp_1 * t207 - tp_3 * t219;
-            Phi_x[19 * 8 + j] = tp_3 * t211 + tp_0 * t219 - tp_2 * t207 - tp_1 * t223;
-            Phi_x[20 * 8 + j] = tp_1 * t219 + tp_0 * t223 - tp_3 * t207 - tp_2 * t211;
+            Phi_x[17 * 8 + j] = tp_2 * t219 + tp_3 * t223 + tp_1 * t211 + tp_0 * t207; /* Phi_x(1,3) */
+            Phi_x[18 * 8 + j] = tp_0 * t211 + tp_2 * t223 - tp_1 * t207 - tp_3 * t219; /* Phi_x(1,4) */
+            Phi_x[19 * 8 + j] = tp_3 * t211 + tp_0 * t219 - tp_2 * t207 - tp_1 * t223; /* Phi_x(1,5) */
+            Phi_x[20 * 8 + j] = tp_1 * t219 + tp_0 * t223 - tp_3 * t207 - tp_2 * t211; /* Phi_x(1,6) */
             const real t224 = 2.0 * (t171 * t183 + t188 * t168 - t172 * t186 - t192 * t170);
             const real t225 = t46 + t91;
             const real t226 = ey_p_y + ez_p_z;
@@ -1116,34 +958,35 @@ static void beam_rates(size_t nblocks, const real *const *in, real *const *out)
             const real t245 = u_q_3 * t236 + t237 * ud_q_3 + ud_q_0 * t71 + t6 * ud_q_1;
             const real t246 = 2.0 * (u_q_2 * t239 + t240 * ud_q_2) - 4.0 * (u_q_1 * t24 + t245 + u_q_0 * t86);
             const real t247 = t244 + 0.5 * l0 * t246;
-            Phi_x[24 * 8 + j] = tq_2 * t243 + tq_3 * t247 + tq_1 * t235 + tq_0 * t231;
-            Phi_x[25 * 8 + j] = tq_0 * t235 + tq_2 * t247 - tq_1 * t231 - tq_3 * t243;
-            Phi_x[26 * 8 + j] = tq_3 * t235 + tq_0 * t243 - tq_2 * t231 - tq_1 * t247;
-            Phi_x[27 * 8 + j] = tq_1 * t243 + tq_0 * t247 - tq_3 * t231 - tq_2 * t235;
+            Phi_x[24 * 8 + j] = tq_2 * t243 + tq_3 * t247 + tq_1 * t235 + tq_0 * t231; /* Phi_x(1,10) */
+            Phi_x[25 * 8 + j] = tq_0 * t235 + tq_2 * t247 - tq_1 * t231 - tq_3 * t243; /* Phi_x(1,11) */
+            Phi_x[26 * 8 + j] = tq_3 * t235 + tq_0 * t243 - tq_2 * t231 - tq_1 * t247; /* Phi_x(1,12) */
+            Phi_x[27 * 8 + j] = tq_1 * t243 + tq_0 * t247 - tq_3 * t231 - tq_2 * t235; /* Phi_x(1,13) */
             const real t248 = 2.0 * (t72 * ey_q_y + ez_p_z * t20 - ey_p_y * t68 - t9 * ez_q_z);
             const real t249 = l0 * (4.0 * (t71 * t17 - t6 * t67) + t248);
             const real t250 = 0.08333333333333333 * (t249 * t50);
             const real t251 = ey_q_y * t90 + t72 * t63 + t20 * t91 + ez_p_z * t58 - t68 * t46;
-            const real t252 = 4.0 * (t17 * t86 + t71 * t52 - t67 * t24 - t6 * t76) + 2.0 * (t251 - ey_p_y * t80 - ez_q_z * t41 - t9 * t81);
+            const real t252 = 4.0 * (t17 * t86 + t71 * t52 - t67 * t24 - t6 * t76) + 2.0 * (t251 - ey_p_y * t80
+                - ez_q_z * t41 - t9 * t81);
             const real t253 = l0 * t252;
             const real t254 = t253 * (t120 - t118);
             const real t255 = 0.16666666666666666 * (t253 * (t113 - t96)) - 0.08333333333333333 * (t38 * t254);
             const real t256 = 0.08333333333333333 * (t249 * t66);
             const real t257 = t250 - t255 - l0 * t94 - t256;
-            Phi_x[35 * 8 + j] = t257;
-            Phi_x[28 * 8 + j] = -t257;
+            Phi_x[35 * 8 + j] = t257; /* Phi_x(2,7) */
+            Phi_x[28 * 8 + j] = -t257; /* Phi_x(2,0) */
             const real t258 = 0.08333333333333333 * (t249 * t127);
             const real t259 = 0.08333333333333333 * (t253 * (t130 - t131) - t126 * t254);
             const real t260 = 0.08333333333333333 * (t249 * t128);
             const real t261 = t258 - t259 - l0 * t132 - t260;
-            Phi_x[36 * 8 + j] = t261;
-            Phi_x[29 * 8 + j] = -t261;
+            Phi_x[36 * 8 + j] = t261; /* Phi_x(2,8) */
+            Phi_x[29 * 8 + j] = -t261; /* Phi_x(2,1) */
             const real t262 = 0.08333333333333333 * (t249 * t140);
             const real t263 = 0.16666666666666666 * (t253 * (t147 - t148)) - 0.08333333333333333 * (t139 * t254);
             const real t264 = 0.08333333333333333 * (t249 * t141);
             const real t265 = t262 - t263 - l0 * t145 - t264;
-            Phi_x[37 * 8 + j] = t265;
-            Phi_x[30 * 8 + j] = -t265;
+            Phi_x[37 * 8 + j] = t265; /* Phi_x(2,9) */
+            Phi_x[30 * 8 + j] = -t265; /* Phi_x(2,2) */
             const real t266 = 0.16666666666666666 * (t155 * t253 + t249 * t154);
             const real t267 = 4.0 * (u_p_3 * t67 + u_p_2 * t17 - u_p_0 * t203) - 2.0 * u_p_1 * t205;
             const real t268 = l0 * (t102 - t104);
@@ -1168,10 +1011,10 @@ static void beam_rates(size_t nblocks, const real *const *in, real *const *out)
             const real t287 = t285 + 0.08333333333333333 * (t269 * t222 + t286 * t268);
             const real t288 = 2.0 * l0 * t161;
             const real t289 = t287 - t288;
-            Phi_x[31 * 8 + j] = tp_2 * t284 + tp_3 * t289 + tp_1 * t278 + tp_0 * t272;
-            Phi_x[32 * 8 + j] = tp_0 * t278 + tp_2 * t289 - tp_1 * t272 - tp_3 * t284;
-            Phi_x[33 * 8 + j] = tp_3 * t278 + tp_0 * t284 - tp_2 * t272 - tp_1 * t289;
-            Phi_x[34 * 8 + j] = tp_1 * t284 + tp_0 * t289 - tp_3 * t272 - tp_2 * t278;
+            Phi_x[31 * 8 + j] = tp_2 * t284 + tp_3 * t289 + tp_1 * t278 + tp_0 * t272; /* Phi_x(2,3) */
+            Phi_x[32 * 8 + j] = tp_0 * t278 + tp_2 * t289 - tp_1 * t272 - tp_3 * t284; /* Phi_x(2,4) */
+            Phi_x[33 * 8 + j] = tp_3 * t278 + tp_0 * t284 - tp_2 * t272 - tp_1 * t289; /* Phi_x(2,5) */
+            Phi_x[34 * 8 + j] = tp_1 * t284 + tp_0 * t289 - tp_3 * t272 - tp_2 * t278; /* Phi_x(2,6) */
             const real t290 = 2.0 * u_q_1 * t226 - 4.0 * (u_q_3 * t71 + u_q_2 * t6 + u_q_0 * t228);
             const real t291 = 0.08333333333333333 * (t290 * t268);
             const real t292 = 0.08333333333333333 * (t269 * t230);
@@ -1192,25 +1035,25 @@ static void beam_rates(size_t nblocks, const real *const *in, real *const *out)
             const real t307 = 0.08333333333333333 * (t269 * t246);
             const real t308 = 0.16666666666666666 * (t178 * t253 + t249 * t180);
             const real t309 = t306 + t307 - t308;
-            Phi_x[38 * 8 + j] = tq_2 * t304 + tq_3 * t309 + tq_1 * t299 + tq_0 * t294;
-            Phi_x[39 * 8 + j] = tq_0 * t299 + tq_2 * t309 - tq_1 * t294 - tq_3 * t304;
-            Phi_x[40 * 8 + j] = tq_3 * t299 + tq_0 * t304 - tq_2 * t294 - tq_1 * t309;
-            Phi_x[41 * 8 + j] = tq_1 * t304 + tq_0 * t309 - tq_3 * t294 - tq_2 * t299;
+            Phi_x[38 * 8 + j] = tq_2 * t304 + tq_3 * t309 + tq_1 * t299 + tq_0 * t294; /* Phi_x(2,10) */
+            Phi_x[39 * 8 + j] = tq_0 * t299 + tq_2 * t309 - tq_1 * t294 - tq_3 * t304; /* Phi_x(2,11) */
+            Phi_x[40 * 8 + j] = tq_3 * t299 + tq_0 * t304 - tq_2 * t294 - tq_1 * t309; /* Phi_x(2,12) */
+            Phi_x[41 * 8 + j] = tq_1 * t304 + tq_0 * t309 - tq_3 * t294 - tq_2 * t299; /* Phi_x(2,13) */
             const real t310 = t255 + l0 * t84 + t256 - t250;
-            Phi_x[49 * 8 + j] = t310;
-            Phi_x[42 * 8 + j] = -t310;
+            Phi_x[49 * 8 + j] = t310; /* Phi_x(3,7) */
+            Phi_x[42 * 8 + j] = -t310; /* Phi_x(3,0) */
             const real t311 = t259 + l0 * t129 + t260 - t258;
-            Phi_x[50 * 8 + j] = t311;
-            Phi_x[43 * 8 + j] = -t311;
+            Phi_x[50 * 8 + j] = t311; /* Phi_x(3,8) */
+            Phi_x[43 * 8 + j] = -t311; /* Phi_x(3,1) */
             const real t312 = t263 + l0 * t142 + t264 - t262;
-            Phi_x[51 * 8 + j] = t312;
-            Phi_x[44 * 8 + j] = -t312;
+            Phi_x[51 * 8 + j] = t312; /* Phi_x(3,9) */
+            Phi_x[44 * 8 + j] = -t312; /* Phi_x(3,2) */
             const real t313 = t275 + t276 + t273;
             const real t314 = t281 + t282 + t279;
-            Phi_x[45 * 8 + j] = -(tp_2 * t314 + tp_3 * t287 + tp_1 * t313 + tp_0 * t270);
-            Phi_x[46 * 8 + j] = tp_1 * t270 + tp_3 * t314 - tp_0 * t313 - tp_2 * t287;
-            Phi_x[47 * 8 + j] = tp_2 * t270 + tp_1 * t287 - tp_3 * t313 - tp_0 * t314;
-            Phi_x[48 * 8 + j] = tp_3 * t270 + tp_2 * t313 - tp_1 * t314 - tp_0 * t287;
+            Phi_x[45 * 8 + j] = -(tp_2 * t314 + tp_3 * t287 + tp_1 * t313 + tp_0 * t270); /* Phi_x(3,3) */
+            Phi_x[46 * 8 + j] = tp_1 * t270 + tp_3 * t314 - tp_0 * t313 - tp_2 * t287; /* Phi_x(3,4) */
+            Phi_x[47 * 8 + j] = tp_2 * t270 + tp_1 * t287 - tp_3 * t313 - tp_0 * t314; /* Phi_x(3,5) */
+            Phi_x[48 * 8 + j] = tp_3 * t270 + tp_2 * t313 - tp_1 * t314 - tp_0 * t287; /* Phi_x(3,6) */
             const real t315 = 2.0 * l0 * t168;
             const real t316 = t293 + t315 - t291 - t292;
             const real t317 = 2.0 * l0 * t170;
@@ -1219,25 +1062,26 @@ static void beam_rates(size_t nblocks, const real *const *in, real *const *out)
             const real t320 = t303 - t319 - t301 - t302;
             const real t321 = 2.0 * l0 * t177;
             const real t322 = t308 + t321 - t306 - t307;
-            Phi_x[52 * 8 + j] = tq_2 * t320 + tq_3 * t322 + tq_1 * t318 + tq_0 * t316;
-            Phi_x[53 * 8 + j] = tq_0 * t318 + tq_2 * t322 - tq_1 * t316 - tq_3 * t320;
-            Phi_x[54 * 8 + j] = tq_3 * t318 + tq_0 * t320 - tq_2 * t316 - tq_1 * t322;
-            Phi_x[55 * 8 + j] = tq_1 * t320 + tq_0 * t322 - tq_3 * t316 - tq_2 * t318;
+            Phi_x[52 * 8 + j] = tq_2 * t320 + tq_3 * t322 + tq_1 * t318 + tq_0 * t316; /* Phi_x(3,10) */
+            Phi_x[53 * 8 + j] = tq_0 * t318 + tq_2 * t322 - tq_1 * t316 - tq_3 * t320; /* Phi_x(3,11) */
+            Phi_x[54 * 8 + j] = tq_3 * t318 + tq_0 * t320 - tq_2 * t316 - tq_1 * t322; /* Phi_x(3,12) */
+            Phi_x[55 * 8 + j] = tq_1 * t320 + tq_0 * t322 - tq_3 * t316 - tq_2 * t318; /* Phi_x(3,13) */
             const real t323 = t253 * (t121 - t119);
-            const real t324 = 0.16666666666666666 * (t253 * (t115 - t107)) + 0.08333333333333333 * (t249 * (t84 - t94) - t38 * t323);
+            const real t324 = 0.16666666666666666 * (t253 * (t115 - t107)) + 0.08333333333333333 * (t249 * (t84 - t94)
+                - t38 * t323);
             const real t325 = l0 * t50 - t324;
-            Phi_x[63 * 8 + j] = t325;
-            Phi_x[56 * 8 + j] = -t325;
+            Phi_x[63 * 8 + j] = t325; /* Phi_x(4,7) */
+            Phi_x[56 * 8 + j] = -t325; /* Phi_x(4,0) */
             const real t326 = 0.08333333333333333 * (t249 * (t129 - t132) - t126 * t323);
             const real t327 = 0.16666666666666666 * (t253 * (t134 - t135)) + t326;
             const real t328 = l0 * t127 - t327;
-            Phi_x[64 * 8 + j] = t328;
-            Phi_x[57 * 8 + j] = -t328;
+            Phi_x[64 * 8 + j] = t328; /* Phi_x(4,8) */
+            Phi_x[57 * 8 + j] = -t328; /* Phi_x(4,1) */
             const real t329 = t253 * (t143 - t144) + t249 * (t142 - t145) - t139 * t323;
             const real t330 = 0.08333333333333333 * t329;
             const real t331 = l0 * t140 - t330;
-            Phi_x[65 * 8 + j] = t331;
-            Phi_x[58 * 8 + j] = -t331;
+            Phi_x[65 * 8 + j] = t331; /* Phi_x(4,9) */
+            Phi_x[58 * 8 + j] = -t331; /* Phi_x(4,2) */
             const real t332 = l0 * (t110 - t108);
             const real t333 = 0.08333333333333333 * (t267 * t332);
             const real t334 = l0 * (t69 - t73);
@@ -1252,10 +1096,10 @@ static void beam_rates(size_t nblocks, const real *const *in, real *const *out)
             const real t343 = 0.08333333333333333 * (t286 * t332);
             const real t344 = 0.08333333333333333 * (t334 * t222);
             const real t345 = t283 - t343 - t344;
-            Phi_x[59 * 8 + j] = tp_2 * t342 + tp_3 * t345 + tp_1 * t339 + tp_0 * t336;
-            Phi_x[60 * 8 + j] = tp_0 * t339 + tp_2 * t345 - tp_1 * t336 - tp_3 * t342;
-            Phi_x[61 * 8 + j] = tp_3 * t339 + tp_0 * t342 - tp_2 * t336 - tp_1 * t345;
-            Phi_x[62 * 8 + j] = tp_1 * t342 + tp_0 * t345 - tp_3 * t336 - tp_2 * t339;
+            Phi_x[59 * 8 + j] = tp_2 * t342 + tp_3 * t345 + tp_1 * t339 + tp_0 * t336; /* Phi_x(4,3) */
+            Phi_x[60 * 8 + j] = tp_0 * t339 + tp_2 * t345 - tp_1 * t336 - tp_3 * t342; /* Phi_x(4,4) */
+            Phi_x[61 * 8 + j] = tp_3 * t339 + tp_0 * t342 - tp_2 * t336 - tp_1 * t345; /* Phi_x(4,5) */
+            Phi_x[62 * 8 + j] = tp_1 * t342 + tp_0 * t345 - tp_3 * t336 - tp_2 * t339; /* Phi_x(4,6) */
             const real t346 = 0.08333333333333333 * (t295 * t332);
             const real t347 = 0.08333333333333333 * (t334 * t233);
             const real t348 = t293 - t346 - t347;
@@ -1264,35 +1108,35 @@ static void beam_rates(size_t nblocks, const real *const *in, real *const *out)
             const real t351 = t308 - t349 - t350;
             const real t352 = t298 + 0.08333333333333333 * (t334 * t230 + t290 * t332);
             const real t353 = t303 + 0.08333333333333333 * (t334 * t246 + t305 * t332);
-            Phi_x[66 * 8 + j] = tq_1 * t348 + tq_2 * t351 - tq_0 * t352 - tq_3 * t353;
-            Phi_x[67 * 8 + j] = tq_1 * t352 + tq_0 * t348 - tq_3 * t351 - tq_2 * t353;
-            Phi_x[68 * 8 + j] = tq_0 * t351 + tq_1 * t353 + tq_3 * t348 + tq_2 * t352;
-            Phi_x[69 * 8 + j] = tq_3 * t352 + tq_1 * t351 - tq_2 * t348 - tq_0 * t353;
+            Phi_x[66 * 8 + j] = tq_1 * t348 + tq_2 * t351 - tq_0 * t352 - tq_3 * t353; /* Phi_x(4,10) */
+            Phi_x[67 * 8 + j] = tq_1 * t352 + tq_0 * t348 - tq_3 * t351 - tq_2 * t353; /* Phi_x(4,11) */
+            Phi_x[68 * 8 + j] = tq_0 * t351 + tq_1 * t353 + tq_3 * t348 + tq_2 * t352; /* Phi_x(4,12) */
+            Phi_x[69 * 8 + j] = tq_3 * t352 + tq_1 * t351 - tq_2 * t348 - tq_0 * t353; /* Phi_x(4,13) */
             const real t354 = t324 - l0 * t66;
-            Phi_x[77 * 8 + j] = t354;
-            Phi_x[70 * 8 + j] = -t354;
+            Phi_x[77 * 8 + j] = t354; /* Phi_x(5,7) */
+            Phi_x[70 * 8 + j] = -t354; /* Phi_x(5,0) */
             const real t355 = t327 - l0 * t128;
-            Phi_x[78 * 8 + j] = t355;
-            Phi_x[71 * 8 + j] = -t355;
+            Phi_x[78 * 8 + j] = t355; /* Phi_x(5,8) */
+            Phi_x[71 * 8 + j] = -t355; /* Phi_x(5,1) */
             const real t356 = t330 - l0 * t141;
-            Phi_x[79 * 8 + j] = t356;
-            Phi_x[72 * 8 + j] = -t356;
+            Phi_x[79 * 8 + j] = t356; /* Phi_x(5,9) */
+            Phi_x[72 * 8 + j] = -t356; /* Phi_x(5,2) */
             const real t357 = t333 + t335 - t276;
             const real t358 = t337 + t266 + t338;
             const real t359 = t340 + t285 + t341;
             const real t360 = t343 + t344 - t282;
-            Phi_x[73 * 8 + j] = tp_2 * t359 + tp_3 * t360 + tp_1 * t358 + tp_0 * t357;
-            Phi_x[74 * 8 + j] = tp_0 * t358 + tp_2 * t360 - tp_1 * t357 - tp_3 * t359;
-            Phi_x[75 * 8 + j] = tp_3 * t358 + tp_0 * t359 - tp_2 * t357 - tp_1 * t360;
-            Phi_x[76 * 8 + j] = tp_1 * t359 + tp_0 * t360 - tp_3 * t357 - tp_2 * t358;
+            Phi_x[73 * 8 + j] = tp_2 * t359 + tp_3 * t360 + tp_1 * t358 + tp_0 * t357; /* Phi_x(5,3) */
+            Phi_x[74 * 8 + j] = tp_0 * t358 + tp_2 * t360 - tp_1 * t357 - tp_3 * t359; /* Phi_x(5,4) */
+            Phi_x[75 * 8 + j] = tp_3 * t358 + tp_0 * t359 - tp_2 * t357 - tp_1 * t360; /* Phi_x(5,5) */
+            Phi_x[76 * 8 + j] = tp_1 * t359 + tp_0 * t360 - tp_3 * t357 - tp_2 * t358; /* Phi_x(5,6) */
             const real t361 = t352 - t317;
             const real t362 = t346 + t347 - t293 - t315;
             const real t363 = t349 + t350 - t308 - t321;
             const real t364 = t353 - t319;
-            Phi_x[80 * 8 + j] = tq_2 * t363 + tq_3 * t364 + tq_1 * t362 + tq_0 * t361;
-            Phi_x[81 * 8 + j] = tq_0 * t362 + tq_2 * t364 - tq_1 * t361 - tq_3 * t363;
-            Phi_x[82 * 8 + j] = tq_3 * t362 + tq_0 * t363 - tq_2 * t361 - tq_1 * t364;
-            Phi_x[83 * 8 + j] = tq_1 * t363 + tq_0 * t364 - tq_3 * t361 - tq_2 * t362;
+            Phi_x[80 * 8 + j] = tq_2 * t363 + tq_3 * t364 + tq_1 * t362 + tq_0 * t361; /* Phi_x(5,10) */
+            Phi_x[81 * 8 + j] = tq_0 * t362 + tq_2 * t364 - tq_1 * t361 - tq_3 * t363; /* Phi_x(5,11) */
+            Phi_x[82 * 8 + j] = tq_3 * t362 + tq_0 * t363 - tq_2 * t361 - tq_1 * t364; /* Phi_x(5,12) */
+            Phi_x[83 * 8 + j] = tq_1 * t363 + tq_0 * t364 - tq_3 * t361 - tq_2 * t362; /* Phi_x(5,13) */
         }
     }
 }
@@ -1662,7 +1506,8 @@ static void beam_kinematics(size_t nblocks, const real *const *in, real *const *
             const real t267 = t183 + 0.06666666666666667 * (t6 * t266) + 0.03333333333333333 * t182;
             const real t268 = d_x * t100;
             const real t269 = 4.0 * t80 + 2.0 * t81;
-            const real t270 = 0.03333333333333333 * (ey_q_y * t261 + ey_p_y * t263) + 0.06666666666666667 * (t37 * t265 + t4 * t239);
+            const real t270 = 0.03333333333333333 * (ey_q_y * t261 + ey_p_y * t263) + 0.06666666666666667 * (t37
+                * t265 + t4 * t239);
             const real t271 = t269 * t121;
             const real t272 = t131 + t133 + t129 - t271;
             const real t273 = t269 * t76;
@@ -1695,12 +1540,13 @@ static void beam_kinematics(size_t nblocks, const real *const *in, real *const *
             const real t300 = t297 + t299;
             const real t301 = t166 * t295 + t142 * t300 + t113 * t290 + t73 * t285 + t60 * t278;
             const real t302 = 0.03333333333333333 * (t54 * t276 + t301 + t162 * t274 + t164 * t272);
-            const real t303 = 0.03333333333333333 * (ez_q_z * t239 + ez_p_z * t265) + 0.06666666666666667 * (t70 * t263 + t66 * t261);
+            const real t303 = 0.03333333333333333 * (ez_q_z * t239 + ez_p_z * t265) + 0.06666666666666667 * (t70
+                * t263 + t66 * t261);
             const real t304 = t302 + d_z * t303 + d_y * t270 + 0.5 * (2.0 * (t109 + t106) - t11 * t269);
             const real t305 = 0.06666666666666667 * (d_x * t266) + t304;
             const real t306 = t267 - t78 - t11 * t55 - t268 * t305;
-            Psi_x[7 * 8 + j] = t306;
-            Psi_x[0 * 8 + j] = -t306;
+            Psi_x[7 * 8 + j] = t306; /* Psi_x(0,7) */
+            Psi_x[0 * 8 + j] = -t306; /* Psi_x(0,0) */
             const real t307 = t8 * t7;
             const real t308 = t6 * t130 - ey_p_y * t13 - 2.0 * t307 * t121;
             const real t309 = t6 * t89 - ey_q_y * t13 - 2.0 * t307 * t76;
@@ -1726,8 +1572,8 @@ static void beam_kinematics(size_t nblocks, const real *const *in, real *const *
             const real t329 = 0.03333333333333333 * (2.0 * t54 * t310 + t328 + t309 * t162 + t308 * t164);
             const real t330 = d_y * t100;
             const real t331 = t184 + t6 * t270 + t329 - t210 - t11 * t307 - t330 * t305;
-            Psi_x[8 * 8 + j] = t331;
-            Psi_x[1 * 8 + j] = -t331;
+            Psi_x[8 * 8 + j] = t331; /* Psi_x(0,8) */
+            Psi_x[1 * 8 + j] = -t331; /* Psi_x(0,1) */
             const real t332 = t8 * t31;
             const real t333 = t6 * t26 - ez_q_z * t13 - 2.0 * t332 * t58;
             const real t334 = t6 * t47 - ez_p_z * t13 - 2.0 * t332 * t63;
@@ -1752,8 +1598,8 @@ static void beam_kinematics(size_t nblocks, const real *const *in, real *const *
             const real t353 = t196 + t6 * t303 + 0.03333333333333333 * t352 - t212 - t11 * t332;
             const real t354 = d_z * t100;
             const real t355 = t353 - t354 * t305;
-            Psi_x[9 * 8 + j] = t355;
-            Psi_x[2 * 8 + j] = -t355;
+            Psi_x[9 * 8 + j] = t355; /* Psi_x(0,9) */
+            Psi_x[2 * 8 + j] = -t355; /* Psi_x(0,2) */
             const real t356 = 0.03333333333333333 * (el_z * t265);
             const real t357 = 0.03333333333333333 * (el_y * t263);
             const real t358 = t356 + t357;
@@ -1765,11 +1611,13 @@ static void beam_kinematics(size_t nblocks, const real *const *in, real *const *
             const real t364 = u_p_1 * t361 + 0.03333333333333333 * (u_p_2 * t362 - u_p_3 * t363);
             const real t365 = u_p_0 * t197 + el_x * t115 + el_z * t116 + u_p_2 * t189 - el_y * t114;
             const real t366 = t365 - u_p_1 * t185;
-            const real t367 = 4.0 * (ud_p_2 * t21 + ud_p_0 * t32 - ud_p_1 * t14) + 2.0 * (u_p_1 * t211 - u_p_2 * t209 - u_p_0 * t213);
+            const real t367 = 4.0 * (ud_p_2 * t21 + ud_p_0 * t32 - ud_p_1 * t14) + 2.0 * (u_p_1 * t211 - u_p_2 * t209
+                - u_p_0 * t213);
             const real t368 = 2.0 * t366 + t367;
             const real t369 = u_p_1 * t197 + u_p_0 * t185 + el_y * t116 + el_z * t114 - el_x * t117;
             const real t370 = t369 - u_p_3 * t189;
-            const real t371 = 4.0 * (ud_p_0 * t14 + ud_p_1 * t32 - ud_p_3 * t21) + 2.0 * (u_p_3 * t209 - u_p_0 * t211 - u_p_1 * t213);
+            const real t371 = 4.0 * (ud_p_0 * t14 + ud_p_1 * t32 - ud_p_3 * t21) + 2.0 * (u_p_3 * t209 - u_p_0 * t211
+                - u_p_1 * t213);
             const real t372 = 2.0 * t370 + t371;
             const real t373 = ud_p_0 * el_y + el_z * ud_p_1 + u_p_1 * t32 + u_p_0 * t14;
             const real t374 = t373 - el_x * ud_p_3 - u_p_3 * t21;
@@ -1789,21 +1637,23 @@ static void beam_kinematics(size_t nblocks, const real *const *in, real *const *
             const real t388 = t387 - u_p_0 * t21 - u_p_3 * t14;
             const real t389 = u_p_3 * t197 + u_p_2 * t185 + el_x * t114 + el_y * t115 + el_z * t117;
             const real t390 = u_p_1 * t189 + t389;
-            const real t391 = 4.0 * (ud_p_2 * t14 + ud_p_3 * t32 + ud_p_1 * t21) - 2.0 * (u_p_2 * t211 + u_p_3 * t213 + u_p_1 * t209);
+            const real t391 = 4.0 * (ud_p_2 * t14 + ud_p_3 * t32 + ud_p_1 * t21) - 2.0 * (u_p_2 * t211 + u_p_3 * t213
+                + u_p_1 * t209);
             const real t392 = 2.0 * t390 + t391;
             const real t393 = u_p_2 * t197 + el_z * t115 - el_x * t116 - el_y * t117 - u_p_0 * t189;
             const real t394 = t393 - u_p_3 * t185;
-            const real t395 = 4.0 * (ud_p_2 * t32 - ud_p_0 * t21 - ud_p_3 * t14) + 2.0 * (u_p_3 * t211 + u_p_0 * t209 - u_p_2 * t213);
+            const real t395 = 4.0 * (ud_p_2 * t32 - ud_p_0 * t21 - ud_p_3 * t14) + 2.0 * (u_p_3 * t211 + u_p_0 * t209
+                - u_p_2 * t213);
             const real t396 = 2.0 * t394 + t395;
             const real t397 = 2.0 * (t386 * t164 - t388 * t60) + t113 * t392 - t142 * t396;
             const real t398 = 2.0 * (u_p_2 * t382 + t384) + 0.03333333333333333 * t397;
             const real t399 = 0.03333333333333333 * (u_p_1 * t362 - u_p_0 * t363) + u_p_2 * t383;
             const real t400 = t113 * t396 + 2.0 * (t388 * t164 + t386 * t60) + t142 * t392;
             const real t401 = 2.0 * (t399 - u_p_3 * t382) + 0.03333333333333333 * t400;
-            Psi_x[3 * 8 + j] = tp_2 * t398 + tp_3 * t401 + tp_1 * t381 + tp_0 * t378;
-            Psi_x[4 * 8 + j] = tp_0 * t381 + tp_2 * t401 - tp_1 * t378 - tp_3 * t398;
-            Psi_x[5 * 8 + j] = tp_3 * t381 + tp_0 * t398 - tp_2 * t378 - tp_1 * t401;
-            Psi_x[6 * 8 + j] = tp_1 * t398 + tp_0 * t401 - tp_3 * t378 - tp_2 * t381;
+            Psi_x[3 * 8 + j] = tp_2 * t398 + tp_3 * t401 + tp_1 * t381 + tp_0 * t378; /* Psi_x(0,3) */
+            Psi_x[4 * 8 + j] = tp_0 * t381 + tp_2 * t401 - tp_1 * t378 - tp_3 * t398; /* Psi_x(0,4) */
+            Psi_x[5 * 8 + j] = tp_3 * t381 + tp_0 * t398 - tp_2 * t378 - tp_1 * t401; /* Psi_x(0,5) */
+            Psi_x[6 * 8 + j] = tp_1 * t398 + tp_0 * t401 - tp_3 * t378 - tp_2 * t381; /* Psi_x(0,6) */
             const real t402 = 0.03333333333333333 * (el_z * t239);
             const real t403 = 0.03333333333333333 * (el_y * t261);
             const real t404 = t402 + t403;
@@ -1815,11 +1665,13 @@ static void beam_kinematics(size_t nblocks, const real *const *in, real *const *
             const real t410 = u_q_1 * t407 + 0.03333333333333333 * (u_q_2 * t408 - u_q_3 * t409);
             const real t411 = u_q_0 * t197 + el_x * t95 + el_z * t96 + u_q_2 * t189 - el_y * t94;
             const real t412 = t411 - u_q_1 * t185;
-            const real t413 = 4.0 * (ud_q_2 * t21 + ud_q_0 * t32 - ud_q_1 * t14) + 2.0 * (u_q_1 * t211 - u_q_2 * t209 - u_q_0 * t213);
+            const real t413 = 4.0 * (ud_q_2 * t21 + ud_q_0 * t32 - ud_q_1 * t14) + 2.0 * (u_q_1 * t211 - u_q_2 * t209
+                - u_q_0 * t213);
             const real t414 = 2.0 * t412 + t413;
             const real t415 = u_q_1 * t197 + u_q_0 * t185 + el_y * t96 + el_z * t94 - el_x * t97;
             const real t416 = t415 - u_q_3 * t189;
-            const real t417 = 4.0 * (ud_q_0 * t14 + ud_q_1 * t32 - ud_q_3 * t21) + 2.0 * (u_q_3 * t209 - u_q_0 * t211 - u_q_1 * t213);
+            const real t417 = 4.0 * (ud_q_0 * t14 + ud_q_1 * t32 - ud_q_3 * t21) + 2.0 * (u_q_3 * t209 - u_q_0 * t211
+                - u_q_1 * t213);
             const real t418 = 2.0 * t416 + t417;
             const real t419 = ud_q_0 * el_y + el_z * ud_q_1 + u_q_1 * t32 + u_q_0 * t14;
             const real t420 = t419 - el_x * ud_q_3 - u_q_3 * t21;
@@ -1839,21 +1691,23 @@ static void beam_kinematics(size_t nblocks, const real *const *in, real *const *
             const real t434 = t433 - u_q_0 * t21 - u_q_3 * t14;
             const real t435 = u_q_3 * t197 + u_q_2 * t185 + el_x * t94 + el_y * t95 + el_z * t97;
             const real t436 = u_q_1 * t189 + t435;
-            const real t437 = 4.0 * (ud_q_2 * t14 + ud_q_3 * t32 + ud_q_1 * t21) - 2.0 * (u_q_2 * t211 + u_q_3 * t213 + u_q_1 * t209);
+            const real t437 = 4.0 * (ud_q_2 * t14 + ud_q_3 * t32 + ud_q_1 * t21) - 2.0 * (u_q_2 * t211 + u_q_3 * t213
+                + u_q_1 * t209);
             const real t438 = 2.0 * t436 + t437;
             const real t439 = u_q_2 * t197 + el_z * t95 - el_x * t96 - el_y * t97 - u_q_0 * t189;
             const real t440 = t439 - u_q_3 * t185;
-            const real t441 = 4.0 * (ud_q_2 * t32 - ud_q_0 * t21 - ud_q_3 * t14) + 2.0 * (u_q_3 * t211 + u_q_0 * t209 - u_q_2 * t213);
+            const real t441 = 4.0 * (ud_q_2 * t32 - ud_q_0 * t21 - ud_q_3 * t14) + 2.0 * (u_q_3 * t211 + u_q_0 * t209
+                - u_q_2 * t213);
             const real t442 = 2.0 * t440 + t441;
             const real t443 = 2.0 * (t432 * t162 - t434 * t54) + t73 * t438 - t166 * t442;
             const real t444 = 2.0 * (u_q_2 * t428 + t430) + 0.03333333333333333 * t443;
             const real t445 = 0.03333333333333333 * (u_q_1 * t408 - u_q_0 * t409) + u_q_2 * t429;
             const real t446 = t73 * t442 + 2.0 * (t434 * t162 + t432 * t54) + t166 * t438;
             const real t447 = 2.0 * (t445 - u_q_3 * t428) + 0.03333333333333333 * t446;
-            Psi_x[10 * 8 + j] = tq_2 * t444 + tq_3 * t447 + tq_1 * t427 + tq_0 * t424;
-            Psi_x[11 * 8 + j] = tq_0 * t427 + tq_2 * t447 - tq_1 * t424 - tq_3 * t444;
-            Psi_x[12 * 8 + j] = tq_3 * t427 + tq_0 * t444 - tq_2 * t424 - tq_1 * t447;
-            Psi_x[13 * 8 + j] = tq_1 * t444 + tq_0 * t447 - tq_3 * t424 - tq_2 * t427;
+            Psi_x[10 * 8 + j] = tq_2 * t444 + tq_3 * t447 + tq_1 * t427 + tq_0 * t424; /* Psi_x(0,10) */
+            Psi_x[11 * 8 + j] = tq_0 * t427 + tq_2 * t447 - tq_1 * t424 - tq_3 * t444; /* Psi_x(0,11) */
+            Psi_x[12 * 8 + j] = tq_3 * t427 + tq_0 * t444 - tq_2 * t424 - tq_1 * t447; /* Psi_x(0,12) */
+            Psi_x[13 * 8 + j] = tq_1 * t444 + tq_0 * t447 - tq_3 * t424 - tq_2 * t427; /* Psi_x(0,13) */
             const real t448 = t0 * t141;
             const real t449 = t0 * t72;
             const real t450 = t0 * t216;
@@ -1875,18 +1729,18 @@ static void beam_kinematics(size_t nblocks, const real *const *in, real *const *
             const real t466 = t449 * t295 + t448 * t290 + d_y * t465 + 2.0 * t464 + d_z * t463;
             const real t467 = t466 - t461 * t300 - t462 * t285;
             const real t468 = t460 - t461 * t156 - t462 * t112 - t268 * t467;
-            Psi_x[21 * 8 + j] = t468;
-            Psi_x[14 * 8 + j] = -t468;
+            Psi_x[21 * 8 + j] = t468; /* Psi_x(1,7) */
+            Psi_x[14 * 8 + j] = -t468; /* Psi_x(1,0) */
             const real t469 = t455 * t308 + 2.0 * t457 * t310 - 2.0 * t459 * t311 - t456 * t309;
             const real t470 = t449 * t323 + 2.0 * t469 + t6 * t465 + t448 * t319 - t461 * t327;
             const real t471 = t470 - t462 * t315 - t330 * t467;
-            Psi_x[22 * 8 + j] = t471;
-            Psi_x[15 * 8 + j] = -t471;
+            Psi_x[22 * 8 + j] = t471; /* Psi_x(1,8) */
+            Psi_x[15 * 8 + j] = -t471; /* Psi_x(1,1) */
             const real t472 = 2.0 * (t455 * t347 - t456 * t346) + t457 * t333 - t459 * t334;
             const real t473 = t449 * t350 + 2.0 * t472 + t6 * t463 + t448 * t342 - t461 * t345;
             const real t474 = t473 - t462 * t338 - t354 * t467;
-            Psi_x[23 * 8 + j] = t474;
-            Psi_x[16 * 8 + j] = -t474;
+            Psi_x[23 * 8 + j] = t474; /* Psi_x(1,9) */
+            Psi_x[16 * 8 + j] = -t474; /* Psi_x(1,2) */
             const real t475 = el_y * t450;
             const real t476 = el_z * t452;
             const real t477 = t475 - t476;
@@ -1947,10 +1801,10 @@ static void beam_kinematics(size_t nblocks, const real *const *in, real *const *
             const real t532 = t529 + t531;
             const real t533 = 0.5 * l0 * t532 + t448 * t396 + 2.0 * (t526 - u_p_0 * t482 - u_p_1 * t483);
             const real t534 = t533 - t461 * t392;
-            Psi_x[17 * 8 + j] = tp_2 * t525 + tp_3 * t534 + tp_1 * t507 + tp_0 * t499;
-            Psi_x[18 * 8 + j] = tp_0 * t507 + tp_2 * t534 - tp_1 * t499 - tp_3 * t525;
-            Psi_x[19 * 8 + j] = tp_3 * t507 + tp_0 * t525 - tp_2 * t499 - tp_1 * t534;
-            Psi_x[20 * 8 + j] = tp_1 * t525 + tp_0 * t534 - tp_3 * t499 - tp_2 * t507;
+            Psi_x[17 * 8 + j] = tp_2 * t525 + tp_3 * t534 + tp_1 * t507 + tp_0 * t499; /* Psi_x(1,3) */
+            Psi_x[18 * 8 + j] = tp_0 * t507 + tp_2 * t534 - tp_1 * t499 - tp_3 * t525; /* Psi_x(1,4) */
+            Psi_x[19 * 8 + j] = tp_3 * t507 + tp_0 * t525 - tp_2 * t499 - tp_1 * t534; /* Psi_x(1,5) */
+            Psi_x[20 * 8 + j] = tp_1 * t525 + tp_0 * t534 - tp_3 * t499 - tp_2 * t507; /* Psi_x(1,6) */
             const real t535 = el_x * t451;
             const real t536 = el_x * t453;
             const real t537 = el_z * t451;
@@ -2007,10 +1861,10 @@ static void beam_kinematics(size_t nblocks, const real *const *in, real *const *
             const real t588 = 2.0 * (u_q_2 * t572 + t573 * t95) - 4.0 * (u_q_0 * t154 + t587);
             const real t589 = 0.5 * l0 * (t586 + t588) + t449 * t438 + 2.0 * (u_q_1 * t535 + t584);
             const real t590 = t589 - t462 * t442;
-            Psi_x[24 * 8 + j] = tq_2 * t583 + tq_3 * t590 + tq_1 * t565 + tq_0 * t557;
-            Psi_x[25 * 8 + j] = tq_0 * t565 + tq_2 * t590 - tq_1 * t557 - tq_3 * t583;
-            Psi_x[26 * 8 + j] = tq_3 * t565 + tq_0 * t583 - tq_2 * t557 - tq_1 * t590;
-            Psi_x[27 * 8 + j] = tq_1 * t583 + tq_0 * t590 - tq_3 * t557 - tq_2 * t565;
+            Psi_x[24 * 8 + j] = tq_2 * t583 + tq_3 * t590 + tq_1 * t565 + tq_0 * t557; /* Psi_x(1,10) */
+            Psi_x[25 * 8 + j] = tq_0 * t565 + tq_2 * t590 - tq_1 * t557 - tq_3 * t583; /* Psi_x(1,11) */
+            Psi_x[26 * 8 + j] = tq_3 * t565 + tq_0 * t583 - tq_2 * t557 - tq_1 * t590; /* Psi_x(1,12) */
+            Psi_x[27 * 8 + j] = tq_1 * t583 + tq_0 * t590 - tq_3 * t557 - tq_2 * t565; /* Psi_x(1,13) */
             const real t591 = t0 * t1;
             const real t592 = t37 * t279 + ez_p_z * t280 + ey_q_y * (t235 + t219) + t66 * (t232 + t225);
             const real t593 = 2.0 * (t40 * t89 + t47 * t91 - t130 * t17 - t132 * t26) + t592;
@@ -2021,7 +1875,8 @@ static void beam_kinematics(size_t nblocks, const real *const *in, real *const *
             const real t598 = t591 * t597;
             const real t599 = (t65 - t69) * t598;
             const real t600 = ey_q_y * t40 + t37 * t89 + t66 * t47 + ez_p_z * t91 - t4 * t130;
-            const real t601 = 4.0 * (t65 * t41 + t42 * t83 - t19 * t124 - t69 * t18) + 2.0 * (t600 - ey_p_y * t17 - ez_q_z * t132 - t70 * t26);
+            const real t601 = 4.0 * (t65 * t41 + t42 * t83 - t19 * t124 - t69 * t18) + 2.0 * (t600 - ey_p_y * t17
+                - ez_q_z * t132 - t70 * t26);
             const real t602 = l0 * t601;
             const real t603 = (t66 - t70) * t598;
             const real t604 = 0.16666666666666666 * (t602 * (t274 - t272) + d_z * t603 + d_x * t599);
@@ -2033,21 +1888,23 @@ static void beam_kinematics(size_t nblocks, const real *const *in, real *const *
             const real t610 = t609 + l0 * t300;
             const real t611 = 2.0 * t163;
             const real t612 = 2.0 * t165;
-            const real t613 = 0.16666666666666666 * (t6 * t599 + t602 * (t611 - t612)) + 0.08333333333333333 * (t607 * (t112 - t136 - t122));
+            const real t613 = 0.16666666666666666 * (t6 * t599 + t602 * (t611 - t612)) + 0.08333333333333333 * (t607
+                * (t112 - t136 - t122));
             const real t614 = t268 * t610 - l0 * t156 - t613;
-            Psi_x[35 * 8 + j] = t614;
-            Psi_x[28 * 8 + j] = -t614;
+            Psi_x[35 * 8 + j] = t614; /* Psi_x(2,7) */
+            Psi_x[28 * 8 + j] = -t614; /* Psi_x(2,0) */
             const real t615 = 0.08333333333333333 * (t6 * t605 + t607 * (t315 - t318 - t316));
             const real t616 = 0.16666666666666666 * (t602 * (t309 - t308)) + t615;
             const real t617 = t330 * t610 - l0 * t327 - t616;
-            Psi_x[36 * 8 + j] = t617;
-            Psi_x[29 * 8 + j] = -t617;
+            Psi_x[36 * 8 + j] = t617; /* Psi_x(2,8) */
+            Psi_x[29 * 8 + j] = -t617; /* Psi_x(2,1) */
             const real t618 = 2.0 * t346;
             const real t619 = 2.0 * t347;
-            const real t620 = 0.16666666666666666 * (t6 * t603 + t602 * (t618 - t619)) + 0.08333333333333333 * (t607 * (t338 - t341 - t339));
+            const real t620 = 0.16666666666666666 * (t6 * t603 + t602 * (t618 - t619)) + 0.08333333333333333 * (t607
+                * (t338 - t341 - t339));
             const real t621 = t354 * t610 - l0 * t345 - t620;
-            Psi_x[37 * 8 + j] = t621;
-            Psi_x[30 * 8 + j] = -t621;
+            Psi_x[37 * 8 + j] = t621; /* Psi_x(2,9) */
+            Psi_x[30 * 8 + j] = -t621; /* Psi_x(2,2) */
             const real t622 = l0 * (t160 - t157);
             const real t623 = t19 * ud_p_3 + t65 * ud_p_2 + u_p_2 * t83 + u_p_3 * t18 - u_p_0 * t484;
             const real t624 = 4.0 * (t623 - ud_p_0 * t493) - 2.0 * (u_p_1 * t486 + t495 * ud_p_1);
@@ -2105,10 +1962,10 @@ static void beam_kinematics(size_t nblocks, const real *const *in, real *const *
             const real t676 = l0 * t391;
             const real t677 = 2.0 * l0 * t390;
             const real t678 = t675 - t676 - t677;
-            Psi_x[31 * 8 + j] = tp_2 * t666 + tp_3 * t678 + tp_1 * t653 + tp_0 * t639;
-            Psi_x[32 * 8 + j] = tp_0 * t653 + tp_2 * t678 - tp_1 * t639 - tp_3 * t666;
-            Psi_x[33 * 8 + j] = tp_3 * t653 + tp_0 * t666 - tp_2 * t639 - tp_1 * t678;
-            Psi_x[34 * 8 + j] = tp_1 * t666 + tp_0 * t678 - tp_3 * t639 - tp_2 * t653;
+            Psi_x[31 * 8 + j] = tp_2 * t666 + tp_3 * t678 + tp_1 * t653 + tp_0 * t639; /* Psi_x(2,3) */
+            Psi_x[32 * 8 + j] = tp_0 * t653 + tp_2 * t678 - tp_1 * t639 - tp_3 * t666; /* Psi_x(2,4) */
+            Psi_x[33 * 8 + j] = tp_3 * t653 + tp_0 * t666 - tp_2 * t639 - tp_1 * t678; /* Psi_x(2,5) */
+            Psi_x[34 * 8 + j] = tp_1 * t666 + tp_0 * t678 - tp_3 * t639 - tp_2 * t653; /* Psi_x(2,6) */
             const real t679 = 2.0 * u_q_1 * t551 - 4.0 * (u_q_3 * t42 + u_q_2 * t69 + u_q_0 * t553);
             const real t680 = 0.08333333333333333 * (t679 * t627);
             const real t681 = 0.08333333333333333 * (t625 * t555);
@@ -2157,26 +2014,26 @@ static void beam_kinematics(size_t nblocks, const real *const *in, real *const *
             const real t724 = 0.08333333333333333 * (t607 * t441);
             const real t725 = t723 + t724 + t721 - 0.08333333333333333 * (t625 * t586);
             const real t726 = t717 + t720 + t716 - t725;
-            Psi_x[38 * 8 + j] = tq_2 * t714 + tq_3 * t726 + tq_1 * t702 + tq_0 * t690;
-            Psi_x[39 * 8 + j] = tq_0 * t702 + tq_2 * t726 - tq_1 * t690 - tq_3 * t714;
-            Psi_x[40 * 8 + j] = tq_3 * t702 + tq_0 * t714 - tq_2 * t690 - tq_1 * t726;
-            Psi_x[41 * 8 + j] = tq_1 * t714 + tq_0 * t726 - tq_3 * t690 - tq_2 * t702;
+            Psi_x[38 * 8 + j] = tq_2 * t714 + tq_3 * t726 + tq_1 * t702 + tq_0 * t690; /* Psi_x(2,10) */
+            Psi_x[39 * 8 + j] = tq_0 * t702 + tq_2 * t726 - tq_1 * t690 - tq_3 * t714; /* Psi_x(2,11) */
+            Psi_x[40 * 8 + j] = tq_3 * t702 + tq_0 * t714 - tq_2 * t690 - tq_1 * t726; /* Psi_x(2,12) */
+            Psi_x[41 * 8 + j] = tq_1 * t714 + tq_0 * t726 - tq_3 * t690 - tq_2 * t702; /* Psi_x(2,13) */
             const real t727 = t609 + l0 * t295;
             const real t728 = t613 + l0 * t180 - t268 * t727;
-            Psi_x[49 * 8 + j] = t728;
-            Psi_x[42 * 8 + j] = -t728;
+            Psi_x[49 * 8 + j] = t728; /* Psi_x(3,7) */
+            Psi_x[42 * 8 + j] = -t728; /* Psi_x(3,0) */
             const real t729 = t616 + l0 * t323 - t330 * t727;
-            Psi_x[50 * 8 + j] = t729;
-            Psi_x[43 * 8 + j] = -t729;
+            Psi_x[50 * 8 + j] = t729; /* Psi_x(3,8) */
+            Psi_x[43 * 8 + j] = -t729; /* Psi_x(3,1) */
             const real t730 = t620 + l0 * t350 - t354 * t727;
-            Psi_x[51 * 8 + j] = t730;
-            Psi_x[44 * 8 + j] = -t730;
+            Psi_x[51 * 8 + j] = t730; /* Psi_x(3,9) */
+            Psi_x[44 * 8 + j] = -t730; /* Psi_x(3,2) */
             const real t731 = t652 - t645 - t644 - t641;
             const real t732 = t658 + t663 + t657;
-            Psi_x[45 * 8 + j] = tp_1 * t731 - tp_0 * t636 - tp_2 * t732 - tp_3 * t675;
-            Psi_x[46 * 8 + j] = tp_1 * t636 + tp_0 * t731 + tp_3 * t732 - tp_2 * t675;
-            Psi_x[47 * 8 + j] = tp_2 * t636 + tp_3 * t731 + tp_1 * t675 - tp_0 * t732;
-            Psi_x[48 * 8 + j] = tp_3 * t636 - tp_2 * t731 - tp_1 * t732 - tp_0 * t675;
+            Psi_x[45 * 8 + j] = tp_1 * t731 - tp_0 * t636 - tp_2 * t732 - tp_3 * t675; /* Psi_x(3,3) */
+            Psi_x[46 * 8 + j] = tp_1 * t636 + tp_0 * t731 + tp_3 * t732 - tp_2 * t675; /* Psi_x(3,4) */
+            Psi_x[47 * 8 + j] = tp_2 * t636 + tp_3 * t731 + tp_1 * t675 - tp_0 * t732; /* Psi_x(3,5) */
+            Psi_x[48 * 8 + j] = tp_3 * t636 - tp_2 * t731 - tp_1 * t732 - tp_0 * t675; /* Psi_x(3,6) */
             const real t733 = 2.0 * l0 * t412;
             const real t734 = l0 * t413;
             const real t735 = t733 + t734 + t689 - t681 - t684 - t680;
@@ -2189,10 +2046,10 @@ static void beam_kinematics(size_t nblocks, const real *const *in, real *const *
             const real t742 = 2.0 * l0 * t436;
             const real t743 = l0 * t437;
             const real t744 = t742 + t743 + t725 - t717 - t720 - t716;
-            Psi_x[52 * 8 + j] = tq_2 * t741 + tq_3 * t744 + tq_1 * t738 + tq_0 * t735;
-            Psi_x[53 * 8 + j] = tq_0 * t738 + tq_2 * t744 - tq_1 * t735 - tq_3 * t741;
-            Psi_x[54 * 8 + j] = tq_3 * t738 + tq_0 * t741 - tq_2 * t735 - tq_1 * t744;
-            Psi_x[55 * 8 + j] = tq_1 * t741 + tq_0 * t744 - tq_3 * t735 - tq_2 * t738;
+            Psi_x[52 * 8 + j] = tq_2 * t741 + tq_3 * t744 + tq_1 * t738 + tq_0 * t735; /* Psi_x(3,10) */
+            Psi_x[53 * 8 + j] = tq_0 * t738 + tq_2 * t744 - tq_1 * t735 - tq_3 * t741; /* Psi_x(3,11) */
+            Psi_x[54 * 8 + j] = tq_3 * t738 + tq_0 * t741 - tq_2 * t735 - tq_1 * t744; /* Psi_x(3,12) */
+            Psi_x[55 * 8 + j] = tq_1 * t741 + tq_0 * t744 - tq_3 * t735 - tq_2 * t738; /* Psi_x(3,13) */
             const real t745 = 0.16666666666666666 * (t607 * t155);
             const real t746 = 0.08333333333333333 * (t607 * t153);
             const real t747 = 2.0 * t59;
@@ -2211,8 +2068,8 @@ static void beam_kinematics(size_t nblocks, const real *const *in, real *const *
             const real t760 = 0.08333333333333333 * (t607 * t292);
             const real t761 = t754 + l0 * t290 + t753 - t758 - t759 - t760;
             const real t762 = t746 + l0 * t137 + t745 - t750 - t751 - t752 - t268 * t761;
-            Psi_x[63 * 8 + j] = t762;
-            Psi_x[56 * 8 + j] = -t762;
+            Psi_x[63 * 8 + j] = t762; /* Psi_x(4,7) */
+            Psi_x[56 * 8 + j] = -t762; /* Psi_x(4,0) */
             const real t763 = 0.16666666666666666 * (t607 * t326);
             const real t764 = 0.08333333333333333 * (t607 * t325);
             const real t765 = 2.0 * t310;
@@ -2221,16 +2078,16 @@ static void beam_kinematics(size_t nblocks, const real *const *in, real *const *
             const real t768 = 0.08333333333333333 * (t607 * t321);
             const real t769 = 0.16666666666666666 * (t607 * t322);
             const real t770 = t764 + l0 * t319 + t763 - t767 - t768 - t769 - t330 * t761;
-            Psi_x[64 * 8 + j] = t770;
-            Psi_x[57 * 8 + j] = -t770;
+            Psi_x[64 * 8 + j] = t770; /* Psi_x(4,8) */
+            Psi_x[57 * 8 + j] = -t770; /* Psi_x(4,1) */
             const real t771 = 0.08333333333333333 * (t607 * t343);
             const real t772 = 0.08333333333333333 * (t607 * t344);
             const real t773 = 0.16666666666666666 * (t602 * (t333 - t334)) + 0.08333333333333333 * (t6 * t757);
             const real t774 = 0.08333333333333333 * (t607 * t349);
             const real t775 = 0.08333333333333333 * (t607 * t348);
             const real t776 = t772 + l0 * t342 + t771 - t773 - t774 - t775 - t354 * t761;
-            Psi_x[65 * 8 + j] = t776;
-            Psi_x[58 * 8 + j] = -t776;
+            Psi_x[65 * 8 + j] = t776; /* Psi_x(4,9) */
+            Psi_x[58 * 8 + j] = -t776; /* Psi_x(4,2) */
             const real t777 = l0 * (t140 - t138);
             const real t778 = t649 + 0.08333333333333333 * (t777 * t490);
             const real t779 = 0.08333333333333333 * (t777 * t496);
@@ -2254,10 +2111,10 @@ static void beam_kinematics(size_t nblocks, const real *const *in, real *const *
             const real t797 = 0.16666666666666666 * (t780 * t668);
             const real t798 = 0.08333333333333333 * (t669 * t782);
             const real t799 = t659 + t660 + t665 + t664 - t795 - t796 - t797 - t798;
-            Psi_x[59 * 8 + j] = tp_2 * t794 + tp_3 * t799 + tp_1 * t789 + tp_0 * t784;
-            Psi_x[60 * 8 + j] = tp_0 * t789 + tp_2 * t799 - tp_1 * t784 - tp_3 * t794;
-            Psi_x[61 * 8 + j] = tp_3 * t789 + tp_0 * t794 - tp_2 * t784 - tp_1 * t799;
-            Psi_x[62 * 8 + j] = tp_1 * t794 + tp_0 * t799 - tp_3 * t784 - tp_2 * t789;
+            Psi_x[59 * 8 + j] = tp_2 * t794 + tp_3 * t799 + tp_1 * t789 + tp_0 * t784; /* Psi_x(4,3) */
+            Psi_x[60 * 8 + j] = tp_0 * t789 + tp_2 * t799 - tp_1 * t784 - tp_3 * t794; /* Psi_x(4,4) */
+            Psi_x[61 * 8 + j] = tp_3 * t789 + tp_0 * t794 - tp_2 * t784 - tp_1 * t799; /* Psi_x(4,5) */
+            Psi_x[62 * 8 + j] = tp_1 * t794 + tp_0 * t799 - tp_3 * t784 - tp_2 * t789; /* Psi_x(4,6) */
             const real t800 = 0.08333333333333333 * (t777 * t563) - t687;
             const real t801 = 0.08333333333333333 * (t777 * t560);
             const real t802 = 0.16666666666666666 * (t780 * t693);
@@ -2274,36 +2131,36 @@ static void beam_kinematics(size_t nblocks, const real *const *in, real *const *
             const real t813 = 0.08333333333333333 * (t777 * t588 + t715 * t782) + 0.16666666666666666 * (t780 * t719);
             const real t814 = t711 + 0.08333333333333333 * (t777 * t586);
             const real t815 = t709 + t814 + t712 + t813;
-            Psi_x[66 * 8 + j] = tq_1 * t804 + tq_2 * t809 - tq_0 * t812 - tq_3 * t815;
-            Psi_x[67 * 8 + j] = tq_1 * t812 + tq_0 * t804 - tq_3 * t809 - tq_2 * t815;
-            Psi_x[68 * 8 + j] = tq_0 * t809 + tq_1 * t815 + tq_3 * t804 + tq_2 * t812;
-            Psi_x[69 * 8 + j] = tq_3 * t812 + tq_1 * t809 - tq_2 * t804 - tq_0 * t815;
+            Psi_x[66 * 8 + j] = tq_1 * t804 + tq_2 * t809 - tq_0 * t812 - tq_3 * t815; /* Psi_x(4,10) */
+            Psi_x[67 * 8 + j] = tq_1 * t812 + tq_0 * t804 - tq_3 * t809 - tq_2 * t815; /* Psi_x(4,11) */
+            Psi_x[68 * 8 + j] = tq_0 * t809 + tq_1 * t815 + tq_3 * t804 + tq_2 * t812; /* Psi_x(4,12) */
+            Psi_x[69 * 8 + j] = tq_3 * t812 + tq_1 * t809 - tq_2 * t804 - tq_0 * t815; /* Psi_x(4,13) */
             const real t816 = t758 + t759 + t760 - l0 * t285 - t754 - t753;
             const real t817 = t750 + t751 + t752 - l0 * t112 - t746 - t745 - t268 * t816;
-            Psi_x[77 * 8 + j] = t817;
-            Psi_x[70 * 8 + j] = -t817;
+            Psi_x[77 * 8 + j] = t817; /* Psi_x(5,7) */
+            Psi_x[70 * 8 + j] = -t817; /* Psi_x(5,0) */
             const real t818 = t767 + t768 + t769 - l0 * t315 - t764 - t763 - t330 * t816;
-            Psi_x[78 * 8 + j] = t818;
-            Psi_x[71 * 8 + j] = -t818;
+            Psi_x[78 * 8 + j] = t818; /* Psi_x(5,8) */
+            Psi_x[71 * 8 + j] = -t818; /* Psi_x(5,1) */
             const real t819 = t773 + t774 + t775 - l0 * t338 - t772 - t771 - t354 * t816;
-            Psi_x[79 * 8 + j] = t819;
-            Psi_x[72 * 8 + j] = -t819;
+            Psi_x[79 * 8 + j] = t819; /* Psi_x(5,9) */
+            Psi_x[72 * 8 + j] = -t819; /* Psi_x(5,2) */
             const real t820 = t778 + t779 + t781 + t783 - t650 - t651;
             const real t821 = t628 + t785 + t634 + t786 + t787 + t788;
             const real t822 = t670 + t790 + t673 + t791 + t792 + t793;
             const real t823 = t795 + t796 + t797 + t798 - t660 - t659;
-            Psi_x[73 * 8 + j] = tp_2 * t822 + tp_3 * t823 + tp_1 * t821 + tp_0 * t820;
-            Psi_x[74 * 8 + j] = tp_0 * t821 + tp_2 * t823 - tp_1 * t820 - tp_3 * t822;
-            Psi_x[75 * 8 + j] = tp_3 * t821 + tp_0 * t822 - tp_2 * t820 - tp_1 * t823;
-            Psi_x[76 * 8 + j] = tp_1 * t822 + tp_0 * t823 - tp_3 * t820 - tp_2 * t821;
+            Psi_x[73 * 8 + j] = tp_2 * t822 + tp_3 * t823 + tp_1 * t821 + tp_0 * t820; /* Psi_x(5,3) */
+            Psi_x[74 * 8 + j] = tp_0 * t821 + tp_2 * t823 - tp_1 * t820 - tp_3 * t822; /* Psi_x(5,4) */
+            Psi_x[75 * 8 + j] = tp_3 * t821 + tp_0 * t822 - tp_2 * t820 - tp_1 * t823; /* Psi_x(5,5) */
+            Psi_x[76 * 8 + j] = tp_1 * t822 + tp_0 * t823 - tp_3 * t820 - tp_2 * t821; /* Psi_x(5,6) */
             const real t824 = t697 + t700 + t811 + t810 - t736 - t737;
             const real t825 = t801 + t800 + t802 + t803 - t734 - t733 - t688 - t685;
             const real t826 = t806 + t805 + t807 + t808 - t743 - t742 - t724 - t721;
             const real t827 = t709 + t712 + t814 + t813 - t739 - t740;
-            Psi_x[80 * 8 + j] = tq_2 * t826 + tq_3 * t827 + tq_1 * t825 + tq_0 * t824;
-            Psi_x[81 * 8 + j] = tq_0 * t825 + tq_2 * t827 - tq_1 * t824 - tq_3 * t826;
-            Psi_x[82 * 8 + j] = tq_3 * t825 + tq_0 * t826 - tq_2 * t824 - tq_1 * t827;
-            Psi_x[83 * 8 + j] = tq_1 * t826 + tq_0 * t827 - tq_3 * t824 - tq_2 * t825;
+            Psi_x[80 * 8 + j] = tq_2 * t826 + tq_3 * t827 + tq_1 * t825 + tq_0 * t824; /* Psi_x(5,10) */
+            Psi_x[81 * 8 + j] = tq_0 * t825 + tq_2 * t827 - tq_1 * t824 - tq_3 * t826; /* Psi_x(5,11) */
+            Psi_x[82 * 8 + j] = tq_3 * t825 + tq_0 * t826 - tq_2 * t824 - tq_1 * t827; /* Psi_x(5,12) */
+            Psi_x[83 * 8 + j] = tq_1 * t826 + tq_0 * t827 - tq_3 * t824 - tq_2 * t825; /* Psi_x(5,13) */
             const real t828 = t69 * t6;
             const real t829 = t0 * (4.0 * t161 - t158);
             const real t830 = t42 * t6;
@@ -2329,8 +2186,8 @@ static void beam_kinematics(size_t nblocks, const real *const *in, real *const *
             const real t850 = 0.03333333333333333 * (t833 * t848 + t835 * t849 + t831 * t847 + t829 * t846);
             const real t851 = t11 + t850;
             const real t852 = 2.0 * (t20 + t845 + t836 - t268 * t851);
-            Psi_v[7 * 8 + j] = t852;
-            Psi_v[0 * 8 + j] = -t852;
+            Psi_v[7 * 8 + j] = t852; /* Psi_v(0,7) */
+            Psi_v[0 * 8 + j] = -t852; /* Psi_v(0,0) */
             const real t853 = t4 * t6;
             const real t854 = t37 * t6;
             const real t855 = t308 - t330 * t837;
@@ -2340,10 +2197,11 @@ static void beam_kinematics(size_t nblocks, const real *const *in, real *const *
             const real t859 = ey_p_y * t6;
             const real t860 = t766 - t330 * t843;
             const real t861 = t859 * t829 + t142 * t860 + t858 * t833 + t166 * t857 + t73 * t856;
-            const real t862 = t7 + 0.03333333333333333 * (t113 * t855 + t861) + 0.06666666666666667 * (t853 * t835 + t854 * t831);
+            const real t862 = t7 + 0.03333333333333333 * (t113 * t855 + t861) + 0.06666666666666667 * (t853 * t835
+                + t854 * t831);
             const real t863 = 2.0 * (t862 - t330 * t851);
-            Psi_v[8 * 8 + j] = t863;
-            Psi_v[1 * 8 + j] = -t863;
+            Psi_v[8 * 8 + j] = t863; /* Psi_v(0,8) */
+            Psi_v[1 * 8 + j] = -t863; /* Psi_v(0,1) */
             const real t864 = t66 * t6;
             const real t865 = t70 * t6;
             const real t866 = t619 - t354 * t837;
@@ -2353,10 +2211,11 @@ static void beam_kinematics(size_t nblocks, const real *const *in, real *const *
             const real t870 = ez_p_z * t6;
             const real t871 = t334 - t354 * t843;
             const real t872 = t870 * t831 + t142 * t871 + t869 * t835 + t166 * t868 + t73 * t867;
-            const real t873 = t31 + 0.03333333333333333 * (t113 * t866 + t872) + 0.06666666666666667 * (t864 * t833 + t865 * t829);
+            const real t873 = t31 + 0.03333333333333333 * (t113 * t866 + t872) + 0.06666666666666667 * (t864 * t833
+                + t865 * t829);
             const real t874 = 2.0 * (t873 - t354 * t851);
-            Psi_v[9 * 8 + j] = t874;
-            Psi_v[2 * 8 + j] = -t874;
+            Psi_v[9 * 8 + j] = t874; /* Psi_v(0,9) */
+            Psi_v[2 * 8 + j] = -t874; /* Psi_v(0,2) */
             const real t875 = u_p_0 * el_y + u_p_1 * el_z - u_p_3 * el_x;
             const real t876 = u_p_2 * el_x + u_p_0 * el_z - u_p_1 * el_y;
             const real t877 = t875 * t829 + t876 * t831 + t113 * t374 + t142 * t376;
@@ -2366,9 +2225,13 @@ static void beam_kinematics(size_t nblocks, const real *const *in, real *const *
             const real t881 = t879 * t829 + t113 * t386 - t880 * t831 - t142 * t388;
             const real t882 = t880 * t829 + t879 * t831 + t113 * t388 + t142 * t386;
             Psi_v[3 * 8 + j] = 0.13333333333333333 * (tp_2 * t881 + tp_3 * t882 + tp_1 * t878 + tp_0 * t877);
+                /* Psi_v(0,3) */
             Psi_v[4 * 8 + j] = 0.13333333333333333 * (tp_0 * t878 + tp_2 * t882 - tp_1 * t877 - tp_3 * t881);
+                /* Psi_v(0,4) */
             Psi_v[5 * 8 + j] = 0.13333333333333333 * (tp_3 * t878 + tp_0 * t881 - tp_2 * t877 - tp_1 * t882);
+                /* Psi_v(0,5) */
             Psi_v[6 * 8 + j] = 0.13333333333333333 * (tp_1 * t881 + tp_0 * t882 - tp_3 * t877 - tp_2 * t878);
+                /* Psi_v(0,6) */
             const real t883 = u_q_2 * el_x + u_q_0 * el_z - u_q_1 * el_y;
             const real t884 = u_q_0 * el_y + u_q_1 * el_z - u_q_3 * el_x;
             const real t885 = t883 * t835 + t884 * t833 + t73 * t420 + t166 * t422;
@@ -2378,25 +2241,29 @@ static void beam_kinematics(size_t nblocks, const real *const *in, real *const *
             const real t889 = t887 * t833 + t73 * t432 - t888 * t835 - t166 * t434;
             const real t890 = t887 * t835 + t888 * t833 + t73 * t434 + t166 * t432;
             Psi_v[10 * 8 + j] = 0.13333333333333333 * (tq_2 * t889 + tq_3 * t890 + tq_1 * t886 + tq_0 * t885);
+                /* Psi_v(0,10) */
             Psi_v[11 * 8 + j] = 0.13333333333333333 * (tq_0 * t886 + tq_2 * t890 - tq_1 * t885 - tq_3 * t889);
+                /* Psi_v(0,11) */
             Psi_v[12 * 8 + j] = 0.13333333333333333 * (tq_3 * t886 + tq_0 * t889 - tq_2 * t885 - tq_1 * t890);
+                /* Psi_v(0,12) */
             Psi_v[13 * 8 + j] = 0.13333333333333333 * (tq_1 * t889 + tq_0 * t890 - tq_3 * t885 - tq_2 * t886);
+                /* Psi_v(0,13) */
             const real t891 = 2.0 * (t834 * t457 + t828 * t455 - t830 * t459 - t832 * t456);
             const real t892 = t457 * t849 + t455 * t846 - t459 * t847 - t456 * t848;
             const real t893 = t891 + t449 * t842 + t448 * t838 - t268 * t892 - t461 * t844;
             const real t894 = 2.0 * (t893 - t462 * t840);
-            Psi_v[21 * 8 + j] = t894;
-            Psi_v[14 * 8 + j] = -t894;
+            Psi_v[21 * 8 + j] = t894; /* Psi_v(1,7) */
+            Psi_v[14 * 8 + j] = -t894; /* Psi_v(1,0) */
             const real t895 = t859 * t455 + t449 * t857 + 2.0 * (t853 * t457 - t854 * t459);
             const real t896 = t448 * t855 + t895 - t858 * t456 - t330 * t892 - t461 * t860;
             const real t897 = 2.0 * (t896 - t462 * t856);
-            Psi_v[22 * 8 + j] = t897;
-            Psi_v[15 * 8 + j] = -t897;
+            Psi_v[22 * 8 + j] = t897; /* Psi_v(1,8) */
+            Psi_v[15 * 8 + j] = -t897; /* Psi_v(1,1) */
             const real t898 = t869 * t457 + t449 * t868 + 2.0 * (t865 * t455 - t864 * t456);
             const real t899 = t448 * t866 + t898 - t870 * t459 - t354 * t892 - t461 * t871;
             const real t900 = 2.0 * (t899 - t462 * t867);
-            Psi_v[23 * 8 + j] = t900;
-            Psi_v[16 * 8 + j] = -t900;
+            Psi_v[23 * 8 + j] = t900; /* Psi_v(1,9) */
+            Psi_v[16 * 8 + j] = -t900; /* Psi_v(1,2) */
             const real t901 = 2.0 * (t875 * t455 + t448 * t374 - t876 * t459 - t461 * t376);
             const real t902 = t901 + 0.5 * l0 * t624;
             const real t903 = 2.0 * (t876 * t455 + t875 * t459 + t448 * t376 + t461 * t374);
@@ -2405,10 +2272,10 @@ static void beam_kinematics(size_t nblocks, const real *const *in, real *const *
             const real t906 = 0.5 * l0 * t655 + t905;
             const real t907 = 2.0 * (t880 * t455 + t448 * t388 - t879 * t459 - t461 * t386);
             const real t908 = t907 + 0.5 * l0 * t668;
-            Psi_v[17 * 8 + j] = 2.0 * (tp_2 * t906 + tp_3 * t908 + tp_1 * t904 + tp_0 * t902);
-            Psi_v[18 * 8 + j] = 2.0 * (tp_0 * t904 + tp_2 * t908 - tp_1 * t902 - tp_3 * t906);
-            Psi_v[19 * 8 + j] = 2.0 * (tp_3 * t904 + tp_0 * t906 - tp_2 * t902 - tp_1 * t908);
-            Psi_v[20 * 8 + j] = 2.0 * (tp_1 * t906 + tp_0 * t908 - tp_3 * t902 - tp_2 * t904);
+            Psi_v[17 * 8 + j] = 2.0 * (tp_2 * t906 + tp_3 * t908 + tp_1 * t904 + tp_0 * t902); /* Psi_v(1,3) */
+            Psi_v[18 * 8 + j] = 2.0 * (tp_0 * t904 + tp_2 * t908 - tp_1 * t902 - tp_3 * t906); /* Psi_v(1,4) */
+            Psi_v[19 * 8 + j] = 2.0 * (tp_3 * t904 + tp_0 * t906 - tp_2 * t902 - tp_1 * t908); /* Psi_v(1,5) */
+            Psi_v[20 * 8 + j] = 2.0 * (tp_1 * t906 + tp_0 * t908 - tp_3 * t902 - tp_2 * t904); /* Psi_v(1,6) */
             const real t909 = 2.0 * (t883 * t457 + t449 * t422 - t884 * t456 - t462 * t420);
             const real t910 = t909 + 0.5 * l0 * t683;
             const real t911 = 2.0 * (t462 * t422 + t449 * t420 + t884 * t457 + t883 * t456);
@@ -2417,29 +2284,29 @@ static void beam_kinematics(size_t nblocks, const real *const *in, real *const *
             const real t914 = 0.5 * l0 * t705 - t913;
             const real t915 = 2.0 * (t887 * t457 + t449 * t432 - t888 * t456 - t462 * t434);
             const real t916 = t915 + 0.5 * l0 * t719;
-            Psi_v[24 * 8 + j] = 2.0 * (tq_2 * t914 + tq_3 * t916 + tq_1 * t912 + tq_0 * t910);
-            Psi_v[25 * 8 + j] = 2.0 * (tq_0 * t912 + tq_2 * t916 - tq_1 * t910 - tq_3 * t914);
-            Psi_v[26 * 8 + j] = 2.0 * (tq_3 * t912 + tq_0 * t914 - tq_2 * t910 - tq_1 * t916);
-            Psi_v[27 * 8 + j] = 2.0 * (tq_1 * t914 + tq_0 * t916 - tq_3 * t910 - tq_2 * t912);
+            Psi_v[24 * 8 + j] = 2.0 * (tq_2 * t914 + tq_3 * t916 + tq_1 * t912 + tq_0 * t910); /* Psi_v(1,10) */
+            Psi_v[25 * 8 + j] = 2.0 * (tq_0 * t912 + tq_2 * t916 - tq_1 * t910 - tq_3 * t914); /* Psi_v(1,11) */
+            Psi_v[26 * 8 + j] = 2.0 * (tq_3 * t912 + tq_0 * t914 - tq_2 * t910 - tq_1 * t916); /* Psi_v(1,12) */
+            Psi_v[27 * 8 + j] = 2.0 * (tq_1 * t914 + tq_0 * t916 - tq_3 * t910 - tq_2 * t912); /* Psi_v(1,13) */
             const real t917 = 0.08333333333333333 * (t607 * t838);
             const real t918 = t602 * (t848 - t846);
             const real t919 = 0.16666666666666666 * (t602 * (t832 - t828)) - 0.08333333333333333 * (t268 * t918);
             const real t920 = 0.08333333333333333 * (t607 * t840);
             const real t921 = 2.0 * (t917 - t919 - l0 * t844 - t920);
-            Psi_v[35 * 8 + j] = t921;
-            Psi_v[28 * 8 + j] = -t921;
+            Psi_v[35 * 8 + j] = t921; /* Psi_v(2,7) */
+            Psi_v[28 * 8 + j] = -t921; /* Psi_v(2,0) */
             const real t922 = 0.08333333333333333 * (t607 * t855);
             const real t923 = 0.08333333333333333 * (t602 * (t858 - t859) - t330 * t918);
             const real t924 = 0.08333333333333333 * (t607 * t856);
             const real t925 = 2.0 * (t922 - t923 - l0 * t860 - t924);
-            Psi_v[36 * 8 + j] = t925;
-            Psi_v[29 * 8 + j] = -t925;
+            Psi_v[36 * 8 + j] = t925; /* Psi_v(2,8) */
+            Psi_v[29 * 8 + j] = -t925; /* Psi_v(2,1) */
             const real t926 = 0.08333333333333333 * (t607 * t866);
             const real t927 = 0.16666666666666666 * (t602 * (t864 - t865)) - 0.08333333333333333 * (t354 * t918);
             const real t928 = 0.08333333333333333 * (t607 * t867);
             const real t929 = 2.0 * (t926 - t927 - l0 * t871 - t928);
-            Psi_v[37 * 8 + j] = t929;
-            Psi_v[30 * 8 + j] = -t929;
+            Psi_v[37 * 8 + j] = t929; /* Psi_v(2,9) */
+            Psi_v[30 * 8 + j] = -t929; /* Psi_v(2,2) */
             const real t930 = 0.16666666666666666 * (t875 * t602 + t607 * t374);
             const real t931 = t930 + 0.08333333333333333 * (t626 * t622 + t625 * t624);
             const real t932 = 2.0 * l0 * t376;
@@ -2458,10 +2325,10 @@ static void beam_kinematics(size_t nblocks, const real *const *in, real *const *
             const real t945 = t944 + 0.08333333333333333 * (t625 * t668 + t669 * t622);
             const real t946 = 2.0 * l0 * t386;
             const real t947 = t945 - t946;
-            Psi_v[31 * 8 + j] = 2.0 * (tp_2 * t943 + tp_3 * t947 + tp_1 * t938 + tp_0 * t933);
-            Psi_v[32 * 8 + j] = 2.0 * (tp_0 * t938 + tp_2 * t947 - tp_1 * t933 - tp_3 * t943);
-            Psi_v[33 * 8 + j] = 2.0 * (tp_3 * t938 + tp_0 * t943 - tp_2 * t933 - tp_1 * t947);
-            Psi_v[34 * 8 + j] = 2.0 * (tp_1 * t943 + tp_0 * t947 - tp_3 * t933 - tp_2 * t938);
+            Psi_v[31 * 8 + j] = 2.0 * (tp_2 * t943 + tp_3 * t947 + tp_1 * t938 + tp_0 * t933); /* Psi_v(2,3) */
+            Psi_v[32 * 8 + j] = 2.0 * (tp_0 * t938 + tp_2 * t947 - tp_1 * t933 - tp_3 * t943); /* Psi_v(2,4) */
+            Psi_v[33 * 8 + j] = 2.0 * (tp_3 * t938 + tp_0 * t943 - tp_2 * t933 - tp_1 * t947); /* Psi_v(2,5) */
+            Psi_v[34 * 8 + j] = 2.0 * (tp_1 * t943 + tp_0 * t947 - tp_3 * t933 - tp_2 * t938); /* Psi_v(2,6) */
             const real t948 = 0.08333333333333333 * (t679 * t622);
             const real t949 = 0.08333333333333333 * (t625 * t683);
             const real t950 = 0.16666666666666666 * (t884 * t602 + t607 * t420);
@@ -2478,26 +2345,26 @@ static void beam_kinematics(size_t nblocks, const real *const *in, real *const *
             const real t961 = 0.08333333333333333 * (t625 * t719);
             const real t962 = 0.16666666666666666 * (t888 * t602 + t607 * t434);
             const real t963 = t960 + t961 - t962;
-            Psi_v[38 * 8 + j] = 2.0 * (tq_2 * t959 + tq_3 * t963 + tq_1 * t955 + tq_0 * t951);
-            Psi_v[39 * 8 + j] = 2.0 * (tq_0 * t955 + tq_2 * t963 - tq_1 * t951 - tq_3 * t959);
-            Psi_v[40 * 8 + j] = 2.0 * (tq_3 * t955 + tq_0 * t959 - tq_2 * t951 - tq_1 * t963);
-            Psi_v[41 * 8 + j] = 2.0 * (tq_1 * t959 + tq_0 * t963 - tq_3 * t951 - tq_2 * t955);
+            Psi_v[38 * 8 + j] = 2.0 * (tq_2 * t959 + tq_3 * t963 + tq_1 * t955 + tq_0 * t951); /* Psi_v(2,10) */
+            Psi_v[39 * 8 + j] = 2.0 * (tq_0 * t955 + tq_2 * t963 - tq_1 * t951 - tq_3 * t959); /* Psi_v(2,11) */
+            Psi_v[40 * 8 + j] = 2.0 * (tq_3 * t955 + tq_0 * t959 - tq_2 * t951 - tq_1 * t963); /* Psi_v(2,12) */
+            Psi_v[41 * 8 + j] = 2.0 * (tq_1 * t959 + tq_0 * t963 - tq_3 * t951 - tq_2 * t955); /* Psi_v(2,13) */
             const real t964 = 2.0 * (t919 + l0 * t842 + t920 - t917);
-            Psi_v[49 * 8 + j] = t964;
-            Psi_v[42 * 8 + j] = -t964;
+            Psi_v[49 * 8 + j] = t964; /* Psi_v(3,7) */
+            Psi_v[42 * 8 + j] = -t964; /* Psi_v(3,0) */
             const real t965 = 2.0 * (t923 + l0 * t857 + t924 - t922);
-            Psi_v[50 * 8 + j] = t965;
-            Psi_v[43 * 8 + j] = -t965;
+            Psi_v[50 * 8 + j] = t965; /* Psi_v(3,8) */
+            Psi_v[43 * 8 + j] = -t965; /* Psi_v(3,1) */
             const real t966 = 2.0 * (t927 + l0 * t868 + t928 - t926);
-            Psi_v[51 * 8 + j] = t966;
-            Psi_v[44 * 8 + j] = -t966;
+            Psi_v[51 * 8 + j] = t966; /* Psi_v(3,9) */
+            Psi_v[44 * 8 + j] = -t966; /* Psi_v(3,2) */
             const real t967 = t935 + t936 + t934;
             const real t968 = t940 + t941 + t939;
             const real t969 = 2.0 * (tp_2 * t968 + tp_3 * t945 + tp_1 * t967 + tp_0 * t931);
-            Psi_v[45 * 8 + j] = -t969;
-            Psi_v[46 * 8 + j] = 2.0 * (tp_1 * t931 + tp_3 * t968 - tp_0 * t967 - tp_2 * t945);
-            Psi_v[47 * 8 + j] = 2.0 * (tp_2 * t931 + tp_1 * t945 - tp_3 * t967 - tp_0 * t968);
-            Psi_v[48 * 8 + j] = 2.0 * (tp_3 * t931 + tp_2 * t967 - tp_1 * t968 - tp_0 * t945);
+            Psi_v[45 * 8 + j] = -t969; /* Psi_v(3,3) */
+            Psi_v[46 * 8 + j] = 2.0 * (tp_1 * t931 + tp_3 * t968 - tp_0 * t967 - tp_2 * t945); /* Psi_v(3,4) */
+            Psi_v[47 * 8 + j] = 2.0 * (tp_2 * t931 + tp_1 * t945 - tp_3 * t967 - tp_0 * t968); /* Psi_v(3,5) */
+            Psi_v[48 * 8 + j] = 2.0 * (tp_3 * t931 + tp_2 * t967 - tp_1 * t968 - tp_0 * t945); /* Psi_v(3,6) */
             const real t970 = 2.0 * l0 * t422;
             const real t971 = t950 + t970 - t948 - t949;
             const real t972 = 2.0 * l0 * t420;
@@ -2506,26 +2373,26 @@ static void beam_kinematics(size_t nblocks, const real *const *in, real *const *
             const real t975 = t958 - t974 - t956 - t957;
             const real t976 = 2.0 * l0 * t432;
             const real t977 = t962 + t976 - t960 - t961;
-            Psi_v[52 * 8 + j] = 2.0 * (tq_2 * t975 + tq_3 * t977 + tq_1 * t973 + tq_0 * t971);
-            Psi_v[53 * 8 + j] = 2.0 * (tq_0 * t973 + tq_2 * t977 - tq_1 * t971 - tq_3 * t975);
-            Psi_v[54 * 8 + j] = 2.0 * (tq_3 * t973 + tq_0 * t975 - tq_2 * t971 - tq_1 * t977);
-            Psi_v[55 * 8 + j] = 2.0 * (tq_1 * t975 + tq_0 * t977 - tq_3 * t971 - tq_2 * t973);
+            Psi_v[52 * 8 + j] = 2.0 * (tq_2 * t975 + tq_3 * t977 + tq_1 * t973 + tq_0 * t971); /* Psi_v(3,10) */
+            Psi_v[53 * 8 + j] = 2.0 * (tq_0 * t973 + tq_2 * t977 - tq_1 * t971 - tq_3 * t975); /* Psi_v(3,11) */
+            Psi_v[54 * 8 + j] = 2.0 * (tq_3 * t973 + tq_0 * t975 - tq_2 * t971 - tq_1 * t977); /* Psi_v(3,12) */
+            Psi_v[55 * 8 + j] = 2.0 * (tq_1 * t975 + tq_0 * t977 - tq_3 * t971 - tq_2 * t973); /* Psi_v(3,13) */
             const real t978 = t602 * (t849 - t847);
             const real t979 = 0.08333333333333333 * (t607 * (t842 - t844) - t268 * t978);
             const real t980 = 0.16666666666666666 * (t602 * (t834 - t830)) + t979;
             const real t981 = 2.0 * (l0 * t838 - t980);
-            Psi_v[63 * 8 + j] = t981;
-            Psi_v[56 * 8 + j] = -t981;
+            Psi_v[63 * 8 + j] = t981; /* Psi_v(4,7) */
+            Psi_v[56 * 8 + j] = -t981; /* Psi_v(4,0) */
             const real t982 = 0.08333333333333333 * (t607 * (t857 - t860) - t330 * t978);
             const real t983 = 0.16666666666666666 * (t602 * (t853 - t854)) + t982;
             const real t984 = 2.0 * (l0 * t855 - t983);
-            Psi_v[64 * 8 + j] = t984;
-            Psi_v[57 * 8 + j] = -t984;
+            Psi_v[64 * 8 + j] = t984; /* Psi_v(4,8) */
+            Psi_v[57 * 8 + j] = -t984; /* Psi_v(4,1) */
             const real t985 = t602 * (t869 - t870) + t607 * (t868 - t871) - t354 * t978;
             const real t986 = 0.08333333333333333 * t985;
             const real t987 = 2.0 * (l0 * t866 - t986);
-            Psi_v[65 * 8 + j] = t987;
-            Psi_v[58 * 8 + j] = -t987;
+            Psi_v[65 * 8 + j] = t987; /* Psi_v(4,9) */
+            Psi_v[58 * 8 + j] = -t987; /* Psi_v(4,2) */
             const real t988 = 0.08333333333333333 * (t626 * t780);
             const real t989 = 0.08333333333333333 * (t777 * t624);
             const real t990 = t937 - t988 - t989;
@@ -2538,10 +2405,10 @@ static void beam_kinematics(size_t nblocks, const real *const *in, real *const *
             const real t997 = 0.08333333333333333 * (t669 * t780);
             const real t998 = 0.08333333333333333 * (t777 * t668);
             const real t999 = t942 - t997 - t998;
-            Psi_v[59 * 8 + j] = 2.0 * (tp_2 * t996 + tp_3 * t999 + tp_1 * t993 + tp_0 * t990);
-            Psi_v[60 * 8 + j] = 2.0 * (tp_0 * t993 + tp_2 * t999 - tp_1 * t990 - tp_3 * t996);
-            Psi_v[61 * 8 + j] = 2.0 * (tp_3 * t993 + tp_0 * t996 - tp_2 * t990 - tp_1 * t999);
-            Psi_v[62 * 8 + j] = 2.0 * (tp_1 * t996 + tp_0 * t999 - tp_3 * t990 - tp_2 * t993);
+            Psi_v[59 * 8 + j] = 2.0 * (tp_2 * t996 + tp_3 * t999 + tp_1 * t993 + tp_0 * t990); /* Psi_v(4,3) */
+            Psi_v[60 * 8 + j] = 2.0 * (tp_0 * t993 + tp_2 * t999 - tp_1 * t990 - tp_3 * t996); /* Psi_v(4,4) */
+            Psi_v[61 * 8 + j] = 2.0 * (tp_3 * t993 + tp_0 * t996 - tp_2 * t990 - tp_1 * t999); /* Psi_v(4,5) */
+            Psi_v[62 * 8 + j] = 2.0 * (tp_1 * t996 + tp_0 * t999 - tp_3 * t990 - tp_2 * t993); /* Psi_v(4,6) */
             const real t1000 = 0.08333333333333333 * (t695 * t780);
             const real t1001 = 0.08333333333333333 * (t777 * t693);
             const real t1002 = t950 - t1000 - t1001;
@@ -2551,46 +2418,46 @@ static void beam_kinematics(size_t nblocks, const real *const *in, real *const *
             const real t1006 = t954 + 0.08333333333333333 * (t777 * t683 + t679 * t780);
             const real t1007 = t958 + 0.08333333333333333 * (t777 * t719 + t715 * t780);
             const real t1008 = tq_1 * t1002 + tq_2 * t1005 - tq_0 * t1006 - tq_3 * t1007;
-            Psi_v[66 * 8 + j] = 2.0 * t1008;
+            Psi_v[66 * 8 + j] = 2.0 * t1008; /* Psi_v(4,10) */
             const real t1009 = tq_1 * t1006 + tq_0 * t1002 - tq_3 * t1005 - tq_2 * t1007;
-            Psi_v[67 * 8 + j] = 2.0 * t1009;
+            Psi_v[67 * 8 + j] = 2.0 * t1009; /* Psi_v(4,11) */
             const real t1010 = tq_0 * t1005 + tq_1 * t1007 + tq_3 * t1002 + tq_2 * t1006;
-            Psi_v[68 * 8 + j] = 2.0 * t1010;
+            Psi_v[68 * 8 + j] = 2.0 * t1010; /* Psi_v(4,12) */
             const real t1011 = tq_3 * t1006 + tq_1 * t1005 - tq_2 * t1002 - tq_0 * t1007;
-            Psi_v[69 * 8 + j] = 2.0 * t1011;
+            Psi_v[69 * 8 + j] = 2.0 * t1011; /* Psi_v(4,13) */
             const real t1012 = 2.0 * (t980 - l0 * t840);
-            Psi_v[77 * 8 + j] = t1012;
-            Psi_v[70 * 8 + j] = -t1012;
+            Psi_v[77 * 8 + j] = t1012; /* Psi_v(5,7) */
+            Psi_v[70 * 8 + j] = -t1012; /* Psi_v(5,0) */
             const real t1013 = 2.0 * (t983 - l0 * t856);
-            Psi_v[78 * 8 + j] = t1013;
-            Psi_v[71 * 8 + j] = -t1013;
+            Psi_v[78 * 8 + j] = t1013; /* Psi_v(5,8) */
+            Psi_v[71 * 8 + j] = -t1013; /* Psi_v(5,1) */
             const real t1014 = 2.0 * (t986 - l0 * t867);
-            Psi_v[79 * 8 + j] = t1014;
-            Psi_v[72 * 8 + j] = -t1014;
+            Psi_v[79 * 8 + j] = t1014; /* Psi_v(5,9) */
+            Psi_v[72 * 8 + j] = -t1014; /* Psi_v(5,2) */
             const real t1015 = t988 + t989 - t936;
             const real t1016 = t991 + t930 + t992;
             const real t1017 = t994 + t944 + t995;
             const real t1018 = t997 + t998 - t941;
             const real t1019 = tp_2 * t1017 + tp_3 * t1018 + tp_1 * t1016 + tp_0 * t1015;
-            Psi_v[73 * 8 + j] = 2.0 * t1019;
+            Psi_v[73 * 8 + j] = 2.0 * t1019; /* Psi_v(5,3) */
             const real t1020 = tp_0 * t1016 + tp_2 * t1018 - tp_1 * t1015 - tp_3 * t1017;
-            Psi_v[74 * 8 + j] = 2.0 * t1020;
+            Psi_v[74 * 8 + j] = 2.0 * t1020; /* Psi_v(5,4) */
             const real t1021 = tp_3 * t1016 + tp_0 * t1017 - tp_2 * t1015 - tp_1 * t1018;
-            Psi_v[75 * 8 + j] = 2.0 * t1021;
+            Psi_v[75 * 8 + j] = 2.0 * t1021; /* Psi_v(5,5) */
             const real t1022 = tp_1 * t1017 + tp_0 * t1018 - tp_3 * t1015 - tp_2 * t1016;
-            Psi_v[76 * 8 + j] = 2.0 * t1022;
+            Psi_v[76 * 8 + j] = 2.0 * t1022; /* Psi_v(5,6) */
             const real t1023 = t1006 - t972;
             const real t1024 = t1000 + t1001 - t950 - t970;
             const real t1025 = t1003 + t1004 - t962 - t976;
             const real t1026 = t1007 - t974;
             const real t1027 = tq_2 * t1025 + tq_3 * t1026 + tq_1 * t1024 + tq_0 * t1023;
-            Psi_v[80 * 8 + j] = 2.0 * t1027;
+            Psi_v[80 * 8 + j] = 2.0 * t1027; /* Psi_v(5,10) */
             const real t1028 = tq_0 * t1024 + tq_2 * t1026 - tq_1 * t1023 - tq_3 * t1025;
-            Psi_v[81 * 8 + j] = 2.0 * t1028;
+            Psi_v[81 * 8 + j] = 2.0 * t1028; /* Psi_v(5,11) */
             const real t1029 = tq_3 * t1024 + tq_0 * t1025 - tq_2 * t1023 - tq_1 * t1026;
-            Psi_v[82 * 8 + j] = 2.0 * t1029;
+            Psi_v[82 * 8 + j] = 2.0 * t1029; /* Psi_v(5,12) */
             const real t1030 = tq_1 * t1025 + tq_0 * t1026 - tq_3 * t1023 - tq_2 * t1024;
-            Psi_v[83 * 8 + j] = 2.0 * t1030;
+            Psi_v[83 * 8 + j] = 2.0 * t1030; /* Psi_v(5,13) */
         }
     }
 }
@@ -2759,7 +2626,7 @@ static void beam_stiffness(size_t nblocks, const real *const *in, real *const *o
             const real t98 = t95 + t43 * t97 + t34 * t65 + t53 * t64 + t56 * t59 + t47 * t54;
             const real t99 = t94 - 2.0 * t93;
             const real t100 = t16 * t45 + t98 - 2.0 * t10 * t90 - d_x * (2.0 * t8 * t90 + t10 * t99);
-            K[0 * 8 + j] = K[105 * 8 + j] = t100;
+            K[0 * 8 + j] = K[105 * 8 + j] = t100; /* K(0,0) K(7,7) */
             const real t101 = t13 * t1;
             const real t102 = t101 * t20;
             const real t103 = ey_p_y * t1;
@@ -2779,7 +2646,7 @@ static void beam_stiffness(size_t nblocks, const real *const *in, real *const *o
             const real t117 = t108 * t97 + t104 * t65 + t113 * t64 + t56 * t116 + t47 * t114;
             const real t118 = t8 * t92 + t14 * t99;
             const real t119 = t16 * t110 + t117 - 2.0 * t14 * t90 - d_x * t118;
-            K[1 * 8 + j] = K[14 * 8 + j] = K[106 * 8 + j] = K[119 * 8 + j] = t119;
+            K[1 * 8 + j] = K[14 * 8 + j] = K[106 * 8 + j] = K[119 * 8 + j] = t119; /* K(0,1) K(1,0) K(7,8) K(8,7) */
             const real t120 = ez_q_z * t1;
             const real t121 = t120 * t20 - t9 * t36;
             const real t122 = 2.0 * t32 * t1;
@@ -2796,7 +2663,7 @@ static void beam_stiffness(size_t nblocks, const real *const *in, real *const *o
             const real t133 = t125 * t97 + t123 * t65 + t129 * t64 + t56 * t132 + t47 * t130;
             const real t134 = t8 * t91 + t9 * t99;
             const real t135 = t16 * t127 + t133 - 2.0 * t9 * t90 - d_x * t134;
-            K[2 * 8 + j] = K[28 * 8 + j] = K[107 * 8 + j] = K[133 * 8 + j] = t135;
+            K[2 * 8 + j] = K[28 * 8 + j] = K[107 * 8 + j] = K[133 * 8 + j] = t135; /* K(0,2) K(2,0) K(7,9) K(9,7) */
             const real t136 = 4.0 * u_p_3 * t49;
             const real t137 = 2.0 * ez_q_z;
             const real t138 = 2.0 * ey_q_y;
@@ -2852,20 +2719,20 @@ static void beam_stiffness(size_t nblocks, const real *const *in, real *const *o
             const real t186 = 2.0 * (u_p_0 * t156 + u_p_1 * t157) + 2.0 * d_y * t174 - 2.0 * d_z * t175;
             const real t187 = t184 * t147 + t185 - t10 * t186;
             const real t188 = tp_3 * t181 + tp_2 * t187 + tp_0 * t166 + tp_1 * t161;
-            K[49 * 8 + j] = K[101 * 8 + j] = t188;
-            K[3 * 8 + j] = K[42 * 8 + j] = -t188;
+            K[49 * 8 + j] = K[101 * 8 + j] = t188; /* K(3,7) K(7,3) */
+            K[3 * 8 + j] = K[42 * 8 + j] = -t188; /* K(0,3) K(3,0) */
             const real t189 = tp_0 * t161 + tp_2 * t181 - tp_1 * t166 - tp_3 * t187;
-            K[63 * 8 + j] = K[102 * 8 + j] = t189;
-            K[4 * 8 + j] = K[56 * 8 + j] = -t189;
+            K[63 * 8 + j] = K[102 * 8 + j] = t189; /* K(4,7) K(7,4) */
+            K[4 * 8 + j] = K[56 * 8 + j] = -t189; /* K(0,4) K(4,0) */
             const real t190 = tp_3 * t161 + tp_0 * t187 - tp_2 * t166 - tp_1 * t181;
-            K[77 * 8 + j] = K[103 * 8 + j] = t190;
-            K[5 * 8 + j] = K[70 * 8 + j] = -t190;
+            K[77 * 8 + j] = K[103 * 8 + j] = t190; /* K(5,7) K(7,5) */
+            K[5 * 8 + j] = K[70 * 8 + j] = -t190; /* K(0,5) K(5,0) */
             const real t191 = tp_1 * t187 + tp_0 * t181 - tp_3 * t166 - tp_2 * t161;
-            K[91 * 8 + j] = K[104 * 8 + j] = t191;
-            K[6 * 8 + j] = K[84 * 8 + j] = -t191;
-            K[7 * 8 + j] = K[98 * 8 + j] = -t100;
-            K[8 * 8 + j] = K[21 * 8 + j] = K[99 * 8 + j] = K[112 * 8 + j] = -t119;
-            K[9 * 8 + j] = K[35 * 8 + j] = K[100 * 8 + j] = K[126 * 8 + j] = -t135;
+            K[91 * 8 + j] = K[104 * 8 + j] = t191; /* K(6,7) K(7,6) */
+            K[6 * 8 + j] = K[84 * 8 + j] = -t191; /* K(0,6) K(6,0) */
+            K[7 * 8 + j] = K[98 * 8 + j] = -t100; /* K(0,7) K(7,0) */
+            K[8 * 8 + j] = K[21 * 8 + j] = K[99 * 8 + j] = K[112 * 8 + j] = -t119; /* K(0,8) K(1,7) K(7,1) K(8,0) */
+            K[9 * 8 + j] = K[35 * 8 + j] = K[100 * 8 + j] = K[126 * 8 + j] = -t135; /* K(0,9) K(2,7) K(7,2) K(9,0) */
             const real t192 = 4.0 * u_q_2 * t39;
             const real t193 = 2.0 * ey_p_y;
             const real t194 = 2.0 * ez_p_z;
@@ -2950,17 +2817,17 @@ static void beam_stiffness(size_t nblocks, const real *const *in, real *const *o
             const real t271 = 0.03333333333333333 * t265 + 0.06666666666666667 * t266;
             const real t272 = t261 * t147 + t268 - t10 * t269 - t270 * t43 - t271 * t34;
             const real t273 = tq_3 * t258 + tq_2 * t272 + tq_0 * t234 + tq_1 * t220;
-            K[108 * 8 + j] = K[147 * 8 + j] = t273;
-            K[10 * 8 + j] = K[140 * 8 + j] = -t273;
+            K[108 * 8 + j] = K[147 * 8 + j] = t273; /* K(7,10) K(10,7) */
+            K[10 * 8 + j] = K[140 * 8 + j] = -t273; /* K(0,10) K(10,0) */
             const real t274 = tq_0 * t220 + tq_2 * t258 - tq_1 * t234 - tq_3 * t272;
-            K[109 * 8 + j] = K[161 * 8 + j] = t274;
-            K[11 * 8 + j] = K[154 * 8 + j] = -t274;
+            K[109 * 8 + j] = K[161 * 8 + j] = t274; /* K(7,11) K(11,7) */
+            K[11 * 8 + j] = K[154 * 8 + j] = -t274; /* K(0,11) K(11,0) */
             const real t275 = tq_3 * t220 + tq_0 * t272 - tq_2 * t234 - tq_1 * t258;
-            K[110 * 8 + j] = K[175 * 8 + j] = t275;
-            K[12 * 8 + j] = K[168 * 8 + j] = -t275;
+            K[110 * 8 + j] = K[175 * 8 + j] = t275; /* K(7,12) K(12,7) */
+            K[12 * 8 + j] = K[168 * 8 + j] = -t275; /* K(0,12) K(12,0) */
             const real t276 = tq_1 * t272 + tq_0 * t258 - tq_3 * t234 - tq_2 * t220;
-            K[111 * 8 + j] = K[189 * 8 + j] = t276;
-            K[13 * 8 + j] = K[182 * 8 + j] = -t276;
+            K[111 * 8 + j] = K[189 * 8 + j] = t276; /* K(7,13) K(13,7) */
+            K[13 * 8 + j] = K[182 * 8 + j] = -t276; /* K(0,13) K(13,0) */
             const real t277 = 2.0 * t101 - d_y * t15;
             const real t278 = t107 - d_y * t46;
             const real t279 = t103 - d_y * t55;
@@ -2969,10 +2836,11 @@ static void beam_stiffness(size_t nblocks, const real *const *in, real *const *o
             const real t282 = t95 + t108 * t281 + 0.03333333333333333 * (t104 * t280) + t279 * t116;
             const real t283 = t278 * t114 + t282 + t277 * t110 - t14 * t92 - d_y * t118;
             const real t284 = t283 - 0.13333333333333333 * (t113 * t280);
-            K[15 * 8 + j] = K[120 * 8 + j] = t284;
+            K[15 * 8 + j] = K[120 * 8 + j] = t284; /* K(1,1) K(8,8) */
             const real t285 = t125 * t281 + 0.03333333333333333 * (t123 * t280) + t279 * t132;
-            const real t286 = t278 * t130 + t285 + t277 * t127 - t9 * t92 - d_y * t134 - 0.13333333333333333 * (t129 * t280);
-            K[16 * 8 + j] = K[29 * 8 + j] = K[121 * 8 + j] = K[134 * 8 + j] = t286;
+            const real t286 = t278 * t130 + t285 + t277 * t127 - t9 * t92 - d_y * t134 - 0.13333333333333333 * (t129
+                * t280);
+            K[16 * 8 + j] = K[29 * 8 + j] = K[121 * 8 + j] = K[134 * 8 + j] = t286; /* K(1,2) K(2,1) K(8,9) K(9,8) */
             const real t287 = 0.08333333333333333 * (t143 * (t104 - t113) - t14 * t145 - t144 * t108);
             const real t288 = t287 + 0.16666666666666666 * (t101 * t144);
             const real t289 = 2.0 * t1 * t159;
@@ -2984,19 +2852,19 @@ static void beam_stiffness(size_t nblocks, const real *const *in, real *const *o
             const real t295 = 2.0 * t1 * t174;
             const real t296 = t295 + t172 * t116 + t180 * t114 + t184 * t288 - t14 * t186;
             const real t297 = tp_3 * t294 + tp_2 * t296 + tp_0 * t292 + tp_1 * t290;
-            K[50 * 8 + j] = K[115 * 8 + j] = t297;
-            K[17 * 8 + j] = K[43 * 8 + j] = -t297;
+            K[50 * 8 + j] = K[115 * 8 + j] = t297; /* K(3,8) K(8,3) */
+            K[17 * 8 + j] = K[43 * 8 + j] = -t297; /* K(1,3) K(3,1) */
             const real t298 = tp_0 * t290 + tp_2 * t294 - tp_1 * t292 - tp_3 * t296;
-            K[64 * 8 + j] = K[116 * 8 + j] = t298;
-            K[18 * 8 + j] = K[57 * 8 + j] = -t298;
+            K[64 * 8 + j] = K[116 * 8 + j] = t298; /* K(4,8) K(8,4) */
+            K[18 * 8 + j] = K[57 * 8 + j] = -t298; /* K(1,4) K(4,1) */
             const real t299 = tp_3 * t290 + tp_0 * t296 - tp_2 * t292 - tp_1 * t294;
-            K[78 * 8 + j] = K[117 * 8 + j] = t299;
-            K[19 * 8 + j] = K[71 * 8 + j] = -t299;
+            K[78 * 8 + j] = K[117 * 8 + j] = t299; /* K(5,8) K(8,5) */
+            K[19 * 8 + j] = K[71 * 8 + j] = -t299; /* K(1,5) K(5,1) */
             const real t300 = tp_1 * t296 + tp_0 * t294 - tp_3 * t292 - tp_2 * t290;
-            K[92 * 8 + j] = K[118 * 8 + j] = t300;
-            K[20 * 8 + j] = K[85 * 8 + j] = -t300;
-            K[22 * 8 + j] = K[113 * 8 + j] = -t284;
-            K[23 * 8 + j] = K[36 * 8 + j] = K[114 * 8 + j] = K[127 * 8 + j] = -t286;
+            K[92 * 8 + j] = K[118 * 8 + j] = t300; /* K(6,8) K(8,6) */
+            K[20 * 8 + j] = K[85 * 8 + j] = -t300; /* K(1,6) K(6,1) */
+            K[22 * 8 + j] = K[113 * 8 + j] = -t284; /* K(1,8) K(8,1) */
+            K[23 * 8 + j] = K[36 * 8 + j] = K[114 * 8 + j] = K[127 * 8 + j] = -t286; /* K(1,9) K(2,8) K(8,2) K(9,1) */
             const real t301 = 2.0 * t1 * t212;
             const real t302 = t207 * t113 + t198 * t288 - t301 - t14 * t213 - t215 * t108;
             const real t303 = t302 - t216 * t104 - t219 * t110;
@@ -3010,17 +2878,17 @@ static void beam_stiffness(size_t nblocks, const real *const *in, real *const *o
             const real t311 = t310 + t267 * t113 + t264 * t110 + t261 * t288 - t14 * t269;
             const real t312 = t311 - t270 * t108 - t271 * t104;
             const real t313 = tq_3 * t309 + tq_2 * t312 + tq_0 * t306 + tq_1 * t303;
-            K[122 * 8 + j] = K[148 * 8 + j] = t313;
-            K[24 * 8 + j] = K[141 * 8 + j] = -t313;
+            K[122 * 8 + j] = K[148 * 8 + j] = t313; /* K(8,10) K(10,8) */
+            K[24 * 8 + j] = K[141 * 8 + j] = -t313; /* K(1,10) K(10,1) */
             const real t314 = tq_0 * t303 + tq_2 * t309 - tq_1 * t306 - tq_3 * t312;
-            K[123 * 8 + j] = K[162 * 8 + j] = t314;
-            K[25 * 8 + j] = K[155 * 8 + j] = -t314;
+            K[123 * 8 + j] = K[162 * 8 + j] = t314; /* K(8,11) K(11,8) */
+            K[25 * 8 + j] = K[155 * 8 + j] = -t314; /* K(1,11) K(11,1) */
             const real t315 = tq_3 * t303 + tq_0 * t312 - tq_2 * t306 - tq_1 * t309;
-            K[124 * 8 + j] = K[176 * 8 + j] = t315;
-            K[26 * 8 + j] = K[169 * 8 + j] = -t315;
+            K[124 * 8 + j] = K[176 * 8 + j] = t315; /* K(8,12) K(12,8) */
+            K[26 * 8 + j] = K[169 * 8 + j] = -t315; /* K(1,12) K(12,1) */
             const real t316 = tq_1 * t312 + tq_0 * t309 - tq_3 * t306 - tq_2 * t303;
-            K[125 * 8 + j] = K[190 * 8 + j] = t316;
-            K[27 * 8 + j] = K[183 * 8 + j] = -t316;
+            K[125 * 8 + j] = K[190 * 8 + j] = t316; /* K(8,13) K(13,8) */
+            K[27 * 8 + j] = K[183 * 8 + j] = -t316; /* K(1,13) K(13,1) */
             const real t317 = t128 * t20;
             const real t318 = d_z * t62;
             const real t319 = t129 * (0.26666666666666666 * t317 - 0.13333333333333333 * t318);
@@ -3028,7 +2896,7 @@ static void beam_stiffness(size_t nblocks, const real *const *in, real *const *o
             const real t321 = t95 + t125 * (d_z * t96 - 2.0 * t128 * t23) + t320 + t319;
             const real t322 = (t122 - d_z * t55) * t132 + t321 + (t124 - d_z * t46) * t130;
             const real t323 = (t120 - d_z * t15) * t127 + t322 - t9 * t91 - d_z * t134;
-            K[30 * 8 + j] = K[135 * 8 + j] = t323;
+            K[30 * 8 + j] = K[135 * 8 + j] = t323; /* K(2,2) K(9,9) */
             const real t324 = t144 * (t120 - t125) + t143 * (t123 - t129) - t9 * t145;
             const real t325 = t291 + t154 * t132 + t151 * t130 + 0.08333333333333333 * (t142 * t324);
             const real t326 = t325 - t9 * t160;
@@ -3039,18 +2907,18 @@ static void beam_stiffness(size_t nblocks, const real *const *in, real *const *o
             const real t331 = t172 * t132 + t180 * t130 + 0.08333333333333333 * (t184 * t324);
             const real t332 = t331 - t293 - t9 * t186;
             const real t333 = tp_3 * t330 + tp_2 * t332 + tp_0 * t328 + tp_1 * t326;
-            K[51 * 8 + j] = K[129 * 8 + j] = t333;
-            K[31 * 8 + j] = K[44 * 8 + j] = -t333;
+            K[51 * 8 + j] = K[129 * 8 + j] = t333; /* K(3,9) K(9,3) */
+            K[31 * 8 + j] = K[44 * 8 + j] = -t333; /* K(2,3) K(3,2) */
             const real t334 = tp_0 * t326 + tp_2 * t330 - tp_1 * t328 - tp_3 * t332;
-            K[65 * 8 + j] = K[130 * 8 + j] = t334;
-            K[32 * 8 + j] = K[58 * 8 + j] = -t334;
+            K[65 * 8 + j] = K[130 * 8 + j] = t334; /* K(4,9) K(9,4) */
+            K[32 * 8 + j] = K[58 * 8 + j] = -t334; /* K(2,4) K(4,2) */
             const real t335 = tp_3 * t326 + tp_0 * t332 - tp_2 * t328 - tp_1 * t330;
-            K[79 * 8 + j] = K[131 * 8 + j] = t335;
-            K[33 * 8 + j] = K[72 * 8 + j] = -t335;
+            K[79 * 8 + j] = K[131 * 8 + j] = t335; /* K(5,9) K(9,5) */
+            K[33 * 8 + j] = K[72 * 8 + j] = -t335; /* K(2,5) K(5,2) */
             const real t336 = tp_1 * t332 + tp_0 * t330 - tp_3 * t328 - tp_2 * t326;
-            K[93 * 8 + j] = K[132 * 8 + j] = t336;
-            K[34 * 8 + j] = K[86 * 8 + j] = -t336;
-            K[37 * 8 + j] = K[128 * 8 + j] = -t323;
+            K[93 * 8 + j] = K[132 * 8 + j] = t336; /* K(6,9) K(9,6) */
+            K[34 * 8 + j] = K[86 * 8 + j] = -t336; /* K(2,6) K(6,2) */
+            K[37 * 8 + j] = K[128 * 8 + j] = -t323; /* K(2,9) K(9,2) */
             const real t337 = t304 + t207 * t129 + 0.08333333333333333 * (t198 * t324) - t9 * t213;
             const real t338 = t337 - t215 * t125 - t216 * t123 - t219 * t127;
             const real t339 = t301 + t231 * t125 + t230 * t123 + t229 * t129 + t226 * t127;
@@ -3060,17 +2928,17 @@ static void beam_stiffness(size_t nblocks, const real *const *in, real *const *o
             const real t343 = t267 * t129 + t264 * t127 + 0.08333333333333333 * (t261 * t324);
             const real t344 = t343 - t307 - t9 * t269 - t270 * t125 - t271 * t123;
             const real t345 = tq_3 * t342 + tq_2 * t344 + tq_0 * t340 + tq_1 * t338;
-            K[136 * 8 + j] = K[149 * 8 + j] = t345;
-            K[38 * 8 + j] = K[142 * 8 + j] = -t345;
+            K[136 * 8 + j] = K[149 * 8 + j] = t345; /* K(9,10) K(10,9) */
+            K[38 * 8 + j] = K[142 * 8 + j] = -t345; /* K(2,10) K(10,2) */
             const real t346 = tq_0 * t338 + tq_2 * t342 - tq_1 * t340 - tq_3 * t344;
-            K[137 * 8 + j] = K[163 * 8 + j] = t346;
-            K[39 * 8 + j] = K[156 * 8 + j] = -t346;
+            K[137 * 8 + j] = K[163 * 8 + j] = t346; /* K(9,11) K(11,9) */
+            K[39 * 8 + j] = K[156 * 8 + j] = -t346; /* K(2,11) K(11,2) */
             const real t347 = tq_3 * t338 + tq_0 * t344 - tq_2 * t340 - tq_1 * t342;
-            K[138 * 8 + j] = K[177 * 8 + j] = t347;
-            K[40 * 8 + j] = K[170 * 8 + j] = -t347;
+            K[138 * 8 + j] = K[177 * 8 + j] = t347; /* K(9,12) K(12,9) */
+            K[40 * 8 + j] = K[170 * 8 + j] = -t347; /* K(2,12) K(12,2) */
             const real t348 = tq_1 * t344 + tq_0 * t342 - tq_3 * t340 - tq_2 * t338;
-            K[139 * 8 + j] = K[191 * 8 + j] = t348;
-            K[41 * 8 + j] = K[184 * 8 + j] = -t348;
+            K[139 * 8 + j] = K[191 * 8 + j] = t348; /* K(9,13) K(13,9) */
+            K[41 * 8 + j] = K[184 * 8 + j] = -t348; /* K(2,13) K(13,2) */
             const real t349 = t13 - t51;
             const real t350 = ey_q_y + ez_q_z;
             const real t351 = t136 + 4.0 * u_p_1 * t349 - 2.0 * u_p_0 * t350 - t141;
@@ -3090,7 +2958,8 @@ static void beam_stiffness(size_t nblocks, const real *const *in, real *const *o
             const real t365 = 0.13333333333333333 * (t151 * t364);
             const real t366 = t358 - t363 - t365;
             const real t367 = 2.0 * (el_z * t89 - ez_q_z * t360);
-            const real t368 = t367 + 0.08333333333333333 * (t163 * t357) - 0.13333333333333333 * (t151 * t354 + t154 * t364);
+            const real t368 = t367 + 0.08333333333333333 * (t163 * t357) - 0.13333333333333333 * (t151 * t354 + t154
+                * t364);
             const real t369 = 2.0 * (el_y * t78 + ey_q_y * t360);
             const real t370 = t154 * t144;
             const real t371 = t370 + t143 * t151;
@@ -3116,15 +2985,18 @@ static void beam_stiffness(size_t nblocks, const real *const *in, real *const *o
             const real t391 = 0.13333333333333333 * (t151 * t381);
             const real t392 = 2.0 * el_x * t78 + 4.0 * t49 * t360;
             const real t393 = 0.13333333333333333 * (t154 * t384);
-            const real t394 = t392 + t393 + t391 + 0.08333333333333333 * (t142 * t390) + 0.08333333333333333 * (t388 * t353);
+            const real t394 = t392 + t393 + t391 + 0.08333333333333333 * (t142 * t390) + 0.08333333333333333 * (t388
+                * t353);
             const real t395 = tp_3 * t394;
             const real t396 = tp_1 * t372;
             const real t397 = t363 + t355 + 0.08333333333333333 * (t163 * (t356 * t143 - t370));
             const real t398 = 0.08333333333333333 * ((t162 - 4.0 * u_p_0 * t349 - 2.0 * u_p_1 * t350) * t371);
             const real t399 = t397 - t365 - t398;
-            const real t400 = t392 + 0.08333333333333333 * (t163 * t379) - t391 - t393 - 0.08333333333333333 * (t376 * t371);
+            const real t400 = t392 + 0.08333333333333333 * (t163 * t379) - t391 - t393 - 0.08333333333333333 * (t376
+                * t371);
             const real t401 = tp_2 * t400;
-            const real t402 = t382 + 0.08333333333333333 * (t163 * t390) - t380 - t385 - 0.08333333333333333 * (t388 * t371);
+            const real t402 = t382 + 0.08333333333333333 * (t163 * t390) - t380 - t385 - 0.08333333333333333 * (t388
+                * t371);
             const real t403 = tp_3 * t402;
             const real t404 = tp_1 * t394;
             const real t405 = tp_0 * t402;
@@ -3136,14 +3008,16 @@ static void beam_stiffness(size_t nblocks, const real *const *in, real *const *o
             const real t411 = 0.13333333333333333 * (t172 * t381);
             const real t412 = 0.13333333333333333 * (t180 * t384);
             const real t413 = t389 + t143 * t180;
-            const real t414 = t410 + t411 + 0.08333333333333333 * (t171 * t390) - t412 - 0.08333333333333333 * (t388 * t413);
+            const real t414 = t410 + t411 + 0.08333333333333333 * (t171 * t390) - t412 - 0.08333333333333333 * (t388
+                * t413);
             const real t415 = tp_1 * t386;
             const real t416 = tp_0 * t400;
             const real t417 = tp_3 * t408;
             const real t418 = t411 + 0.08333333333333333 * (t184 * t379) + 0.08333333333333333 * (t376 * t406);
             const real t419 = t418 - t410 - t412;
             const real t420 = tp_3 * (t409 + tp_3 * t414 + t405 + t404) + tp_2 * (t417 + tp_2 * t419 + t416 + t415);
-            K[45 * 8 + j] = tp_0 * (t401 + t403 + tp_0 * t399 + t396) + t420 + tp_1 * (t387 + t395 + t373 + tp_1 * t366);
+            K[45 * 8 + j] = tp_0 * (t401 + t403 + tp_0 * t399 + t396) + t420 + tp_1 * (t387 + t395 + t373 + tp_1
+                * t366); /* K(3,3) */
             const real t421 = tp_2 * t394;
             const real t422 = tp_3 * t386;
             const real t423 = t421 + tp_0 * t366 - t396 - t422;
@@ -3156,7 +3030,7 @@ static void beam_stiffness(size_t nblocks, const real *const *in, real *const *o
             const real t430 = tp_0 * t386;
             const real t431 = tp_1 * t400;
             const real t432 = t430 + t409 - t431 - tp_3 * t419;
-            K[46 * 8 + j] = K[59 * 8 + j] = tp_3 * t429 + tp_2 * t432 + tp_0 * t426 + tp_1 * t423;
+            K[46 * 8 + j] = K[59 * 8 + j] = tp_3 * t429 + tp_2 * t432 + tp_0 * t426 + tp_1 * t423; /* K(3,4) K(4,3) */
             const real t433 = tp_2 * t372;
             const real t434 = t430 + tp_3 * t366 - t433 - t404;
             const real t435 = tp_3 * t372;
@@ -3165,12 +3039,12 @@ static void beam_stiffness(size_t nblocks, const real *const *in, real *const *o
             const real t438 = t395 + t437 - t424 - tp_1 * t414;
             const real t439 = tp_1 * t408;
             const real t440 = t422 + tp_0 * t419 - t401 - t439;
-            K[47 * 8 + j] = K[73 * 8 + j] = tp_3 * t438 + tp_2 * t440 + tp_0 * t436 + tp_1 * t434;
+            K[47 * 8 + j] = K[73 * 8 + j] = tp_3 * t438 + tp_2 * t440 + tp_0 * t436 + tp_1 * t434; /* K(3,5) K(5,3) */
             const real t441 = t415 + t427 - t435 - tp_2 * t366;
             const real t442 = t431 + t405 - tp_3 * t399 - t433;
             const real t443 = t439 + tp_0 * t414 - t403 - t421;
             const real t444 = t437 + tp_1 * t419 - t425 - t387;
-            K[48 * 8 + j] = K[87 * 8 + j] = tp_3 * t443 + tp_2 * t444 + tp_0 * t442 + tp_1 * t441;
+            K[48 * 8 + j] = K[87 * 8 + j] = tp_3 * t443 + tp_2 * t444 + tp_0 * t442 + tp_1 * t441; /* K(3,6) K(6,3) */
             const real t445 = ey_p_y + ez_p_z;
             const real t446 = t32 - t41;
             const real t447 = 2.0 * u_q_0 * t445 + 4.0 * u_q_1 * t446 + t192 - t197;
@@ -3289,7 +3163,8 @@ static void beam_stiffness(size_t nblocks, const real *const *in, real *const *o
             const real t560 = tq_3 * t552 + tq_2 * t559 + tq_0 * t546 + tq_1 * t539;
             const real t561 = t543 + t172 * t461 + t180 * t458 + t184 * t452 + 0.08333333333333333 * (t447 * t406);
             const real t562 = t561 - t542 - t544;
-            const real t563 = t534 + t535 + t172 * t475 + t180 * t479 + t184 * t474 + 0.08333333333333333 * (t472 * t406);
+            const real t563 = t534 + t535 + t172 * t475 + t180 * t479 + t184 * t474 + 0.08333333333333333 * (t472
+                * t406);
             const real t564 = t563 - t537 - t536 - t532;
             const real t565 = t172 * t493 + t184 * t492 + 0.08333333333333333 * (t489 * t406);
             const real t566 = t565 - t554 - t553 - t556 - t557 - t555 - t180 * t503;
@@ -3297,48 +3172,66 @@ static void beam_stiffness(size_t nblocks, const real *const *in, real *const *o
             const real t568 = t567 - t550 - t548;
             const real t569 = tq_3 * t566 + tq_2 * t568 + tq_0 * t564 + tq_1 * t562;
             K[52 * 8 + j] = K[143 * 8 + j] = tp_3 * t560 + tp_2 * t569 + tp_0 * t530 + tp_1 * t521;
+                /* K(3,10) K(10,3) */
             const real t570 = tq_0 * t471 + tq_2 * t504 - tq_1 * t486 - tq_3 * t520;
             const real t571 = tq_0 * t523 + tq_2 * t527 - tq_1 * t525 - tq_3 * t529;
             const real t572 = tq_0 * t539 + tq_2 * t552 - tq_1 * t546 - tq_3 * t559;
             const real t573 = tq_0 * t562 + tq_2 * t566 - tq_1 * t564 - tq_3 * t568;
             K[53 * 8 + j] = K[157 * 8 + j] = tp_3 * t572 + tp_2 * t573 + tp_0 * t571 + tp_1 * t570;
+                /* K(3,11) K(11,3) */
             const real t574 = tq_3 * t471 + tq_0 * t520 - tq_2 * t486 - tq_1 * t504;
             const real t575 = tq_3 * t523 + tq_0 * t529 - tq_2 * t525 - tq_1 * t527;
             const real t576 = tq_3 * t539 + tq_0 * t559 - tq_2 * t546 - tq_1 * t552;
             const real t577 = tq_3 * t562 + tq_0 * t568 - tq_2 * t564 - tq_1 * t566;
             K[54 * 8 + j] = K[171 * 8 + j] = tp_3 * t576 + tp_2 * t577 + tp_0 * t575 + tp_1 * t574;
+                /* K(3,12) K(12,3) */
             const real t578 = tq_1 * t520 + tq_0 * t504 - tq_3 * t486 - tq_2 * t471;
             const real t579 = tq_1 * t529 + tq_0 * t527 - tq_3 * t525 - tq_2 * t523;
             const real t580 = tq_1 * t559 + tq_0 * t552 - tq_3 * t546 - tq_2 * t539;
             const real t581 = tq_1 * t568 + tq_0 * t566 - tq_3 * t564 - tq_2 * t562;
             K[55 * 8 + j] = K[185 * 8 + j] = tp_3 * t580 + tp_2 * t581 + tp_0 * t579 + tp_1 * t578;
-            K[60 * 8 + j] = tp_0 * t423 + tp_2 * t429 - tp_1 * t426 - tp_3 * t432;
-            K[61 * 8 + j] = K[74 * 8 + j] = tp_0 * t434 + tp_2 * t438 - tp_1 * t436 - tp_3 * t440;
-            K[62 * 8 + j] = K[88 * 8 + j] = tp_0 * t441 + tp_2 * t443 - tp_1 * t442 - tp_3 * t444;
+                /* K(3,13) K(13,3) */
+            K[60 * 8 + j] = tp_0 * t423 + tp_2 * t429 - tp_1 * t426 - tp_3 * t432; /* K(4,4) */
+            K[61 * 8 + j] = K[74 * 8 + j] = tp_0 * t434 + tp_2 * t438 - tp_1 * t436 - tp_3 * t440; /* K(4,5) K(5,4) */
+            K[62 * 8 + j] = K[88 * 8 + j] = tp_0 * t441 + tp_2 * t443 - tp_1 * t442 - tp_3 * t444; /* K(4,6) K(6,4) */
             K[66 * 8 + j] = K[144 * 8 + j] = tp_0 * t521 + tp_2 * t560 - tp_1 * t530 - tp_3 * t569;
+                /* K(4,10) K(10,4) */
             K[67 * 8 + j] = K[158 * 8 + j] = tp_0 * t570 + tp_2 * t572 - tp_1 * t571 - tp_3 * t573;
+                /* K(4,11) K(11,4) */
             K[68 * 8 + j] = K[172 * 8 + j] = tp_0 * t574 + tp_2 * t576 - tp_1 * t575 - tp_3 * t577;
+                /* K(4,12) K(12,4) */
             K[69 * 8 + j] = K[186 * 8 + j] = tp_0 * t578 + tp_2 * t580 - tp_1 * t579 - tp_3 * t581;
-            K[75 * 8 + j] = tp_3 * t434 + tp_0 * t440 - tp_2 * t436 - tp_1 * t438;
-            K[76 * 8 + j] = K[89 * 8 + j] = tp_3 * t441 + tp_0 * t444 - tp_2 * t442 - tp_1 * t443;
+                /* K(4,13) K(13,4) */
+            K[75 * 8 + j] = tp_3 * t434 + tp_0 * t440 - tp_2 * t436 - tp_1 * t438; /* K(5,5) */
+            K[76 * 8 + j] = K[89 * 8 + j] = tp_3 * t441 + tp_0 * t444 - tp_2 * t442 - tp_1 * t443; /* K(5,6) K(6,5) */
             K[80 * 8 + j] = K[145 * 8 + j] = tp_3 * t521 + tp_0 * t569 - tp_2 * t530 - tp_1 * t560;
+                /* K(5,10) K(10,5) */
             K[81 * 8 + j] = K[159 * 8 + j] = tp_3 * t570 + tp_0 * t573 - tp_2 * t571 - tp_1 * t572;
+                /* K(5,11) K(11,5) */
             K[82 * 8 + j] = K[173 * 8 + j] = tp_3 * t574 + tp_0 * t577 - tp_2 * t575 - tp_1 * t576;
+                /* K(5,12) K(12,5) */
             K[83 * 8 + j] = K[187 * 8 + j] = tp_3 * t578 + tp_0 * t581 - tp_2 * t579 - tp_1 * t580;
-            K[90 * 8 + j] = tp_1 * t444 + tp_0 * t443 - tp_3 * t442 - tp_2 * t441;
+                /* K(5,13) K(13,5) */
+            K[90 * 8 + j] = tp_1 * t444 + tp_0 * t443 - tp_3 * t442 - tp_2 * t441; /* K(6,6) */
             K[94 * 8 + j] = K[146 * 8 + j] = tp_1 * t569 + tp_0 * t560 - tp_3 * t530 - tp_2 * t521;
+                /* K(6,10) K(10,6) */
             K[95 * 8 + j] = K[160 * 8 + j] = tp_1 * t573 + tp_0 * t572 - tp_3 * t571 - tp_2 * t570;
+                /* K(6,11) K(11,6) */
             K[96 * 8 + j] = K[174 * 8 + j] = tp_1 * t577 + tp_0 * t576 - tp_3 * t575 - tp_2 * t574;
+                /* K(6,12) K(12,6) */
             K[97 * 8 + j] = K[188 * 8 + j] = tp_1 * t581 + tp_0 * t580 - tp_3 * t579 - tp_2 * t578;
+                /* K(6,13) K(13,6) */
             const real t582 = el_y * t87 + 2.0 * t41 * t360;
             const real t583 = el_z * t81 - 2.0 * t32 * t360;
             const real t584 = 2.0 * (t582 + t583);
             const real t585 = t457 - t454 - t456;
             const real t586 = t451 * t207 + t198 * t452 - t584 - 0.26666666666666666 * (t219 * t585);
             const real t587 = el_x * t143;
-            const real t588 = 0.08333333333333333 * (t219 * t144 + t143 * t203) + 0.16666666666666666 * (u_q_2 * t587);
+            const real t588 = 0.08333333333333333 * (t219 * t144 + t143 * t203) + 0.16666666666666666 * (u_q_2
+                * t587);
             const real t589 = t586 - t447 * t588;
-            const real t590 = 0.08333333333333333 * (t144 * t226 - t217 * t143) + 0.16666666666666666 * (u_q_3 * t587);
+            const real t590 = 0.08333333333333333 * (t144 * t226 - t217 * t143) + 0.16666666666666666 * (u_q_3
+                * t587);
             const real t591 = 2.0 * (el_z * t87 + ez_p_z * t360);
             const real t592 = t591 + t451 * t229 + 0.26666666666666666 * (t226 * t585) + t223 * t452;
             const real t593 = 2.0 * (el_y * t81 - ey_p_y * t360);
@@ -3364,11 +3257,13 @@ static void beam_stiffness(size_t nblocks, const real *const *in, real *const *o
             const real t613 = tq_3 * t612;
             const real t614 = tq_1 * t603;
             const real t615 = tq_0 * t612;
-            const real t616 = 0.08333333333333333 * (t144 * t264 - t143 * t244) - 0.16666666666666666 * (u_q_1 * t587);
+            const real t616 = 0.08333333333333333 * (t144 * t264 - t143 * t244) - 0.16666666666666666 * (u_q_1
+                * t587);
             const real t617 = t591 + t593 + t491 * t267 + 0.26666666666666666 * (t264 * t502);
             const real t618 = t261 * t492 + t617 + t489 * t616;
             const real t619 = tq_2 * t618;
-            const real t620 = 0.08333333333333333 * (t144 * t245 - t143 * t248) + 0.16666666666666666 * (u_q_0 * t587);
+            const real t620 = 0.08333333333333333 * (t144 * t245 - t143 * t248) + 0.16666666666666666 * (u_q_0
+                * t587);
             const real t621 = 2.0 * (t583 - t582);
             const real t622 = t621 + t491 * t251 + 0.26666666666666666 * (t245 * t502) + t239 * t492;
             const real t623 = t489 * t620 + t622;
@@ -3378,7 +3273,8 @@ static void beam_stiffness(size_t nblocks, const real *const *in, real *const *o
             const real t627 = t507 * t267 + 0.26666666666666666 * (t264 * t597) + t261 * t508;
             const real t628 = t505 * t616 + t627 - t621;
             const real t629 = tq_3 * (t619 + tq_3 * t623 + t615 + t614) + tq_2 * (t626 + tq_2 * t628 + t625 + t624);
-            K[150 * 8 + j] = tq_0 * (t610 + t613 + tq_0 * t607 + t605) + t629 + tq_1 * (t600 + t604 + t595 + tq_1 * t589);
+            K[150 * 8 + j] = tq_0 * (t610 + t613 + tq_0 * t607 + t605) + t629 + tq_1 * (t600 + t604 + t595 + tq_1
+                * t589); /* K(10,10) */
             const real t630 = tq_2 * t603;
             const real t631 = tq_3 * t599;
             const real t632 = t630 + tq_0 * t589 - t605 - t631;
@@ -3392,6 +3288,7 @@ static void beam_stiffness(size_t nblocks, const real *const *in, real *const *o
             const real t640 = tq_1 * t609;
             const real t641 = t639 + t619 - t640 - tq_3 * t628;
             K[151 * 8 + j] = K[164 * 8 + j] = tq_3 * t638 + tq_2 * t641 + tq_0 * t635 + tq_1 * t632;
+                /* K(10,11) K(11,10) */
             const real t642 = tq_2 * t594;
             const real t643 = t639 + tq_3 * t589 - t642 - t614;
             const real t644 = tq_3 * t594;
@@ -3401,17 +3298,22 @@ static void beam_stiffness(size_t nblocks, const real *const *in, real *const *o
             const real t648 = tq_1 * t618;
             const real t649 = t631 + tq_0 * t628 - t610 - t648;
             K[152 * 8 + j] = K[178 * 8 + j] = tq_3 * t647 + tq_2 * t649 + tq_0 * t645 + tq_1 * t643;
+                /* K(10,12) K(12,10) */
             const real t650 = t624 + t636 - t644 - tq_2 * t589;
             const real t651 = t640 + t615 - tq_3 * t607 - t642;
             const real t652 = t648 + tq_0 * t623 - t613 - t630;
             const real t653 = t646 + tq_1 * t628 - t634 - t600;
             K[153 * 8 + j] = K[192 * 8 + j] = tq_3 * t652 + tq_2 * t653 + tq_0 * t651 + tq_1 * t650;
-            K[165 * 8 + j] = tq_0 * t632 + tq_2 * t638 - tq_1 * t635 - tq_3 * t641;
+                /* K(10,13) K(13,10) */
+            K[165 * 8 + j] = tq_0 * t632 + tq_2 * t638 - tq_1 * t635 - tq_3 * t641; /* K(11,11) */
             K[166 * 8 + j] = K[179 * 8 + j] = tq_0 * t643 + tq_2 * t647 - tq_1 * t645 - tq_3 * t649;
+                /* K(11,12) K(12,11) */
             K[167 * 8 + j] = K[193 * 8 + j] = tq_0 * t650 + tq_2 * t652 - tq_1 * t651 - tq_3 * t653;
-            K[180 * 8 + j] = tq_3 * t643 + tq_0 * t649 - tq_2 * t645 - tq_1 * t647;
+                /* K(11,13) K(13,11) */
+            K[180 * 8 + j] = tq_3 * t643 + tq_0 * t649 - tq_2 * t645 - tq_1 * t647; /* K(12,12) */
             K[181 * 8 + j] = K[194 * 8 + j] = tq_3 * t650 + tq_0 * t653 - tq_2 * t651 - tq_1 * t652;
-            K[195 * 8 + j] = tq_1 * t653 + tq_0 * t652 - tq_3 * t651 - tq_2 * t650;
+                /* K(12,13) K(13,12) */
+            K[195 * 8 + j] = tq_1 * t653 + tq_0 * t652 - tq_3 * t651 - tq_2 * t650; /* K(13,13) */
         }
     }
 }
@@ -3482,7 +3384,7 @@ static void beam_inertia(size_t nblocks, const real *const *in, real *const *out
             const real t17 = t2 * t15;
             const real t18 = t16 * t17;
             const real t19 = 1.2 * (t2 * (t7 * t10 + t15 * t18));
-            M[0 * 8 + j] = M[105 * 8 + j] = t1 + t19;
+            M[0 * 8 + j] = M[105 * 8 + j] = t1 + t19; /* M(0,0) M(7,7) */
             const real t20 = u_p_0 * u_p_0;
             const real t21 = u_p_2 * u_p_2;
             const real t22 = u_p_1 * u_p_1;
@@ -3504,7 +3406,7 @@ static void beam_inertia(size_t nblocks, const real *const *in, real *const *out
             const real t36 = t2 * t35;
             const real t37 = t16 * t36;
             const real t38 = t2 * (0.6 * (t7 * t30) + 1.2 * (t15 * t37));
-            M[1 * 8 + j] = M[14 * 8 + j] = M[106 * 8 + j] = M[119 * 8 + j] = t38;
+            M[1 * 8 + j] = M[14 * 8 + j] = M[106 * 8 + j] = M[119 * 8 + j] = t38; /* M(0,1) M(1,0) M(7,8) M(8,7) */
             const real t39 = t33 + t32 + t31 + t34;
             const real t40 = t2 * t39;
             const real t41 = t8 * t40;
@@ -3514,7 +3416,7 @@ static void beam_inertia(size_t nblocks, const real *const *in, real *const *out
             const real t43 = t2 * t42;
             const real t44 = t43 * t16;
             const real t45 = t2 * (1.2 * (t7 * t41) + 0.6 * (t15 * t44));
-            M[2 * 8 + j] = M[28 * 8 + j] = M[107 * 8 + j] = M[133 * 8 + j] = t45;
+            M[2 * 8 + j] = M[28 * 8 + j] = M[107 * 8 + j] = M[133 * 8 + j] = t45; /* M(0,2) M(2,0) M(7,9) M(9,7) */
             const real t46 = l0 * t0;
             const real t47 = tp_0 * u_p_0;
             const real t48 = tp_1 * u_p_1;
@@ -3540,6 +3442,7 @@ static void beam_inertia(size_t nblocks, const real *const *in, real *const *out
             const real t68 = (phi_y - 0.2) * t8;
             const real t69 = t67 * t68;
             M[3 * 8 + j] = M[42 * 8 + j] = 0.10476190476190476 * (t46 * t51) - t2 * (t15 * t60 - t7 * t69);
+                /* M(0,3) M(3,0) */
             const real t70 = tp_0 * u_p_1;
             const real t71 = tp_3 * u_p_2;
             const real t72 = t70 + t71;
@@ -3555,6 +3458,7 @@ static void beam_inertia(size_t nblocks, const real *const *in, real *const *out
             const real t82 = t80 - t81;
             const real t83 = t82 * t59;
             M[4 * 8 + j] = M[56 * 8 + j] = 0.10476190476190476 * (t46 * t75) - t2 * (t7 * t79 - t15 * t83);
+                /* M(0,4) M(4,0) */
             const real t84 = t76 - t53 - t56;
             const real t85 = t48 - t49;
             const real t86 = t47 - t50;
@@ -3565,7 +3469,7 @@ static void beam_inertia(size_t nblocks, const real *const *in, real *const *out
             const real t91 = t89 + t90;
             const real t92 = t91 * t68;
             const real t93 = 0.10476190476190476 * (t46 * t84) + t2 * (t15 * t88 - t7 * t92);
-            M[5 * 8 + j] = M[70 * 8 + j] = -t93;
+            M[5 * 8 + j] = M[70 * 8 + j] = -t93; /* M(0,5) M(5,0) */
             const real t94 = t64 + t62 + t61 + t65;
             const real t95 = t47 - t49;
             const real t96 = t50 - t48;
@@ -3575,11 +3479,11 @@ static void beam_inertia(size_t nblocks, const real *const *in, real *const *out
             const real t100 = t99 + t72;
             const real t101 = t100 * t59;
             const real t102 = 0.10476190476190476 * (t46 * t94) + t2 * (t7 * t98 - t15 * t101);
-            M[6 * 8 + j] = M[84 * 8 + j] = -t102;
+            M[6 * 8 + j] = M[84 * 8 + j] = -t102; /* M(0,6) M(6,0) */
             const real t103 = 0.12857142857142856 * t0;
-            M[7 * 8 + j] = M[98 * 8 + j] = t103 - t19;
-            M[8 * 8 + j] = M[112 * 8 + j] = -t38;
-            M[9 * 8 + j] = M[126 * 8 + j] = -t45;
+            M[7 * 8 + j] = M[98 * 8 + j] = t103 - t19; /* M(0,7) M(7,0) */
+            M[8 * 8 + j] = M[112 * 8 + j] = -t38; /* M(0,8) M(8,0) */
+            M[9 * 8 + j] = M[126 * 8 + j] = -t45; /* M(0,9) M(9,0) */
             const real t104 = tq_0 * u_q_0;
             const real t105 = tq_1 * u_q_1;
             const real t106 = tq_2 * u_q_2;
@@ -3603,7 +3507,7 @@ static void beam_inertia(size_t nblocks, const real *const *in, real *const *out
             const real t124 = t120 - t123;
             const real t125 = t124 * t68;
             const real t126 = t2 * (t15 * t117 - t7 * t125);
-            M[10 * 8 + j] = M[140 * 8 + j] = -(0.06190476190476191 * t109 + t126);
+            M[10 * 8 + j] = M[140 * 8 + j] = -(0.06190476190476191 * t109 + t126); /* M(0,10) M(10,0) */
             const real t127 = t110 + t113;
             const real t128 = t114 + t111;
             const real t129 = t127 + t128;
@@ -3620,7 +3524,7 @@ static void beam_inertia(size_t nblocks, const real *const *in, real *const *out
             const real t140 = tq_2 * u_q_3;
             const real t141 = t138 - t139 - t140;
             const real t142 = t46 * t141;
-            M[11 * 8 + j] = M[154 * 8 + j] = -(t135 + 0.06190476190476191 * t142);
+            M[11 * 8 + j] = M[154 * 8 + j] = -(t135 + 0.06190476190476191 * t142); /* M(0,11) M(11,0) */
             const real t143 = t127 - t111 - t114;
             const real t144 = t46 * t143;
             const real t145 = t105 - t106;
@@ -3632,7 +3536,7 @@ static void beam_inertia(size_t nblocks, const real *const *in, real *const *out
             const real t151 = t149 + t150;
             const real t152 = t151 * t68;
             const real t153 = t2 * (t15 * t148 - t7 * t152);
-            M[12 * 8 + j] = M[168 * 8 + j] = 0.06190476190476191 * t144 - t153;
+            M[12 * 8 + j] = M[168 * 8 + j] = 0.06190476190476191 * t144 - t153; /* M(0,12) M(12,0) */
             const real t154 = t121 + t119 + t118 + t122;
             const real t155 = t46 * t154;
             const real t156 = t104 - t106;
@@ -3643,69 +3547,75 @@ static void beam_inertia(size_t nblocks, const real *const *in, real *const *out
             const real t161 = t160 + t138;
             const real t162 = t161 * t59;
             const real t163 = t2 * (t7 * t159 - t15 * t162);
-            M[13 * 8 + j] = M[182 * 8 + j] = 0.06190476190476191 * t155 - t163;
+            M[13 * 8 + j] = M[182 * 8 + j] = 0.06190476190476191 * t155 - t163; /* M(0,13) M(13,0) */
             const real t164 = t2 * (0.3 * (t28 * t30) + 1.2 * (t35 * t37));
-            M[15 * 8 + j] = M[120 * 8 + j] = t1 + t164;
+            M[15 * 8 + j] = M[120 * 8 + j] = t1 + t164; /* M(1,1) M(8,8) */
             const real t165 = 0.6 * (t2 * (t28 * t41 + t35 * t44));
-            M[16 * 8 + j] = M[29 * 8 + j] = M[121 * 8 + j] = M[134 * 8 + j] = t165;
+            M[16 * 8 + j] = M[29 * 8 + j] = M[121 * 8 + j] = M[134 * 8 + j] = t165; /* M(1,2) M(2,1) M(8,9) M(9,8) */
             const real t166 = t66 + t63;
             M[17 * 8 + j] = M[43 * 8 + j] = 0.10476190476190476 * (t46 * t166) - t2 * (t35 * t60 - 0.5 * t28 * t69);
+                /* M(1,3) M(3,1) */
             const real t167 = t76 - t77;
             M[18 * 8 + j] = M[57 * 8 + j] = 0.10476190476190476 * (t46 * t167) - t2 * (0.5 * t28 * t79 - t35 * t83);
+                /* M(1,4) M(4,1) */
             const real t168 = t90 - t89;
             M[19 * 8 + j] = M[71 * 8 + j] = 0.10476190476190476 * (t46 * t168) - t2 * (t35 * t88 - 0.5 * t28 * t92);
+                /* M(1,5) M(5,1) */
             const real t169 = t95 - t96;
             M[20 * 8 + j] = M[85 * 8 + j] = 0.10476190476190476 * (t46 * t169) - t2 * (0.5 * t28 * t98 - t35 * t101);
-            M[21 * 8 + j] = M[99 * 8 + j] = -(t2 * (0.6 * (t28 * t10) + 1.2 * (t35 * t18)));
-            M[22 * 8 + j] = M[113 * 8 + j] = t103 - t164;
-            M[23 * 8 + j] = M[127 * 8 + j] = -t165;
+                /* M(1,6) M(6,1) */
+            M[21 * 8 + j] = M[99 * 8 + j] = -(t2 * (0.6 * (t28 * t10) + 1.2 * (t35 * t18))); /* M(1,7) M(7,1) */
+            M[22 * 8 + j] = M[113 * 8 + j] = t103 - t164; /* M(1,8) M(8,1) */
+            M[23 * 8 + j] = M[127 * 8 + j] = -t165; /* M(1,9) M(9,1) */
             const real t170 = t123 + t120;
             const real t171 = t46 * t170;
             const real t172 = t2 * (t35 * t117 - 0.5 * t28 * t125);
-            M[24 * 8 + j] = M[141 * 8 + j] = -(0.06190476190476191 * t171 + t172);
+            M[24 * 8 + j] = M[141 * 8 + j] = -(0.06190476190476191 * t171 + t172); /* M(1,10) M(10,1) */
             const real t173 = t127 - t128;
             const real t174 = t46 * t173;
             const real t175 = t2 * (0.5 * t28 * t130 - t35 * t134);
-            M[25 * 8 + j] = M[155 * 8 + j] = -(0.06190476190476191 * t174 + t175);
+            M[25 * 8 + j] = M[155 * 8 + j] = -(0.06190476190476191 * t174 + t175); /* M(1,11) M(11,1) */
             const real t176 = t150 - t149;
             const real t177 = t46 * t176;
             const real t178 = t2 * (t35 * t148 - 0.5 * t28 * t152);
-            M[26 * 8 + j] = M[169 * 8 + j] = -(0.06190476190476191 * t177 + t178);
+            M[26 * 8 + j] = M[169 * 8 + j] = -(0.06190476190476191 * t177 + t178); /* M(1,12) M(12,1) */
             const real t179 = t156 - t157;
             const real t180 = t46 * t179;
             const real t181 = t2 * (0.5 * t28 * t159 - t35 * t162);
-            M[27 * 8 + j] = M[183 * 8 + j] = -(0.06190476190476191 * t180 + t181);
+            M[27 * 8 + j] = M[183 * 8 + j] = -(0.06190476190476191 * t180 + t181); /* M(1,13) M(13,1) */
             const real t182 = t2 * (1.2 * (t39 * t41) + 0.3 * (t42 * t44));
-            M[30 * 8 + j] = M[135 * 8 + j] = t1 + t182;
+            M[30 * 8 + j] = M[135 * 8 + j] = t1 + t182; /* M(2,2) M(9,9) */
             const real t183 = t57 + t54;
             const real t184 = 0.10476190476190476 * (t46 * t183) + t2 * (0.5 * t42 * t60 - t39 * t69);
-            M[31 * 8 + j] = M[44 * 8 + j] = -t184;
+            M[31 * 8 + j] = M[44 * 8 + j] = -t184; /* M(2,3) M(3,2) */
             const real t185 = t81 + t80;
             M[32 * 8 + j] = M[58 * 8 + j] = 0.10476190476190476 * (t46 * t185) - t2 * (t39 * t79 - 0.5 * t42 * t83);
+                /* M(2,4) M(4,2) */
             const real t186 = t86 + t85;
             const real t187 = 0.10476190476190476 * (t46 * t186) + t2 * (0.5 * t42 * t88 - t39 * t92);
-            M[33 * 8 + j] = M[72 * 8 + j] = -t187;
+            M[33 * 8 + j] = M[72 * 8 + j] = -t187; /* M(2,5) M(5,2) */
             const real t188 = t72 - t99;
             M[34 * 8 + j] = M[86 * 8 + j] = 0.10476190476190476 * (t46 * t188) - t2 * (t39 * t98 - 0.5 * t42 * t101);
-            M[35 * 8 + j] = M[100 * 8 + j] = -(t2 * (1.2 * (t39 * t10) + 0.6 * (t42 * t18)));
-            M[36 * 8 + j] = M[114 * 8 + j] = -(0.6 * (t2 * (t39 * t30 + t42 * t37)));
-            M[37 * 8 + j] = M[128 * 8 + j] = t103 - t182;
+                /* M(2,6) M(6,2) */
+            M[35 * 8 + j] = M[100 * 8 + j] = -(t2 * (1.2 * (t39 * t10) + 0.6 * (t42 * t18))); /* M(2,7) M(7,2) */
+            M[36 * 8 + j] = M[114 * 8 + j] = -(0.6 * (t2 * (t39 * t30 + t42 * t37))); /* M(2,8) M(8,2) */
+            M[37 * 8 + j] = M[128 * 8 + j] = t103 - t182; /* M(2,9) M(9,2) */
             const real t189 = t115 + t112;
             const real t190 = t46 * t189;
             const real t191 = t2 * (0.5 * t42 * t117 - t39 * t125);
-            M[38 * 8 + j] = M[142 * 8 + j] = 0.06190476190476191 * t190 - t191;
+            M[38 * 8 + j] = M[142 * 8 + j] = 0.06190476190476191 * t190 - t191; /* M(2,10) M(10,2) */
             const real t192 = t132 + t131;
             const real t193 = t46 * t192;
             const real t194 = t2 * (t39 * t130 - 0.5 * t42 * t134);
-            M[39 * 8 + j] = M[156 * 8 + j] = -(0.06190476190476191 * t193 + t194);
+            M[39 * 8 + j] = M[156 * 8 + j] = -(0.06190476190476191 * t193 + t194); /* M(2,11) M(11,2) */
             const real t195 = t146 + t145;
             const real t196 = t46 * t195;
             const real t197 = t2 * (0.5 * t42 * t148 - t39 * t152);
-            M[40 * 8 + j] = M[170 * 8 + j] = 0.06190476190476191 * t196 - t197;
+            M[40 * 8 + j] = M[170 * 8 + j] = 0.06190476190476191 * t196 - t197; /* M(2,12) M(12,2) */
             const real t198 = t138 - t160;
             const real t199 = t46 * t198;
             const real t200 = t2 * (t39 * t159 - 0.5 * t42 * t162);
-            M[41 * 8 + j] = M[184 * 8 + j] = -(0.06190476190476191 * t199 + t200);
+            M[41 * 8 + j] = M[184 * 8 + j] = -(0.06190476190476191 * t199 + t200); /* M(2,13) M(13,2) */
             const real t201 = l0 * l0 * t0;
             const real t202 = 0.0380952380952381 * (t201 * t166);
             const real t203 = phi_y * (0.16666666666666666 + 0.3333333333333333 * phi_y);
@@ -3723,18 +3633,22 @@ static void beam_inertia(size_t nblocks, const real *const *in, real *const *out
             const real t214 = l0 * rhoJ_x;
             const real t215 = t214 * t75;
             const real t216 = t202 - t205;
-            const real t217 = u_p_0 * t216 + 1.3333333333333333 * (u_p_2 * t215) - 0.0380952380952381 * (u_p_3 * t207);
+            const real t217 = u_p_0 * t216 + 1.3333333333333333 * (u_p_2 * t215) - 0.0380952380952381 * (u_p_3
+                * t207);
             const real t218 = t211 + t210;
-            const real t219 = 1.3333333333333333 * (u_p_1 * t215) + u_p_2 * t218 + 0.0380952380952381 * (u_p_0 * t207);
+            const real t219 = 1.3333333333333333 * (u_p_1 * t215) + u_p_2 * t218 + 0.0380952380952381 * (u_p_0
+                * t207);
             const real t220 = 0.0380952380952381 * (u_p_1 * t207) + u_p_3 * t212 + u_p_2 * t216;
             const real t221 = tp_0 * (u_p_3 * t206 + t219) + tp_1 * (t220 - 1.3333333333333333 * (u_p_0 * t215));
             M[45 * 8 + j] = tp_3 * (t217 - u_p_1 * t218) + t221 + tp_2 * (t213 - 1.3333333333333333 * (u_p_3 * t215));
+                /* M(3,3) */
             const real t222 = t214 * t51;
             const real t223 = 0.0380952380952381 * (t201 * t167);
             const real t224 = 4.0 * t78 * t204;
             const real t225 = t223 - t224;
             const real t226 = t201 * t75;
-            const real t227 = 1.3333333333333333 * (u_p_3 * t222) + u_p_1 * t225 - 0.0380952380952381 * (u_p_2 * t226);
+            const real t227 = 1.3333333333333333 * (u_p_3 * t222) + u_p_1 * t225 - 0.0380952380952381 * (u_p_2
+                * t226);
             const real t228 = 0.0380952380952381 * (t201 * t185);
             const real t229 = 4.0 * t82 * t209;
             const real t230 = t228 - t229;
@@ -3745,9 +3659,10 @@ static void beam_inertia(size_t nblocks, const real *const *in, real *const *out
             const real t235 = t234 - 1.3333333333333333 * (u_p_2 * t222);
             const real t236 = 0.0380952380952381 * (u_p_0 * t226) + u_p_3 * t225 - u_p_2 * t233;
             const real t237 = t236 - 1.3333333333333333 * (u_p_1 * t222);
-            const real t238 = 1.3333333333333333 * (u_p_0 * t222) + u_p_3 * t230 + 0.0380952380952381 * (u_p_1 * t226);
+            const real t238 = 1.3333333333333333 * (u_p_0 * t222) + u_p_3 * t230 + 0.0380952380952381 * (u_p_1
+                * t226);
             const real t239 = u_p_2 * t232 + t238;
-            M[46 * 8 + j] = M[59 * 8 + j] = tp_0 * t237 + tp_1 * t239 + tp_3 * t235 + tp_2 * t231;
+            M[46 * 8 + j] = M[59 * 8 + j] = tp_0 * t237 + tp_1 * t239 + tp_3 * t235 + tp_2 * t231; /* M(3,4) M(4,3) */
             const real t240 = 0.0380952380952381 * (t201 * t168);
             const real t241 = 4.0 * t91 * t204;
             const real t242 = t240 + t241;
@@ -3766,7 +3681,7 @@ static void beam_inertia(size_t nblocks, const real *const *in, real *const *out
             const real t255 = t254 - 1.3333333333333333 * (u_p_1 * t243);
             const real t256 = 1.3333333333333333 * (u_p_0 * t243) + u_p_2 * t250 + u_p_3 * t248;
             const real t257 = t256 - 0.0380952380952381 * (u_p_1 * t244);
-            M[47 * 8 + j] = M[73 * 8 + j] = tp_0 * t255 + tp_1 * t257 + tp_3 * t253 + tp_2 * t249;
+            M[47 * 8 + j] = M[73 * 8 + j] = tp_0 * t255 + tp_1 * t257 + tp_3 * t253 + tp_2 * t249; /* M(3,5) M(5,3) */
             const real t258 = t201 * t94;
             const real t259 = 0.0380952380952381 * (t201 * t169);
             const real t260 = 4.0 * t97 * t204;
@@ -3779,13 +3694,15 @@ static void beam_inertia(size_t nblocks, const real *const *in, real *const *out
             const real t267 = t265 - 1.3333333333333333 * (u_p_3 * t266);
             const real t268 = t259 + t260;
             const real t269 = t262 + t263;
-            const real t270 = 1.3333333333333333 * (u_p_2 * t266) + u_p_1 * t269 + 0.0380952380952381 * (u_p_3 * t258);
+            const real t270 = 1.3333333333333333 * (u_p_2 * t266) + u_p_1 * t269 + 0.0380952380952381 * (u_p_3
+                * t258);
             const real t271 = u_p_0 * t268 + t270;
-            const real t272 = u_p_3 * t261 + 1.3333333333333333 * (u_p_1 * t266) - 0.0380952380952381 * (u_p_0 * t258);
+            const real t272 = u_p_3 * t261 + 1.3333333333333333 * (u_p_1 * t266) - 0.0380952380952381 * (u_p_0
+                * t258);
             const real t273 = t272 - u_p_2 * t269;
             const real t274 = u_p_2 * t268 + u_p_3 * t264 - 0.0380952380952381 * (u_p_1 * t258);
             const real t275 = t274 - 1.3333333333333333 * (u_p_0 * t266);
-            M[48 * 8 + j] = M[87 * 8 + j] = tp_0 * t273 + tp_1 * t275 + tp_3 * t271 + tp_2 * t267;
+            M[48 * 8 + j] = M[87 * 8 + j] = tp_0 * t273 + tp_1 * t275 + tp_3 * t271 + tp_2 * t267; /* M(3,6) M(6,3) */
             const real t276 = t68 * t9;
             const real t277 = t59 * t17;
             const real t278 = 0.06190476190476191 * (u_p_1 * t46) + u_p_3 * t277 + u_p_2 * t276;
@@ -3793,6 +3710,7 @@ static void beam_inertia(size_t nblocks, const real *const *in, real *const *out
             const real t280 = 0.06190476190476191 * (u_p_0 * t46) + u_p_2 * t277 - u_p_3 * t276;
             const real t281 = 0.06190476190476191 * (u_p_2 * t46) + u_p_0 * t277 + u_p_1 * t276;
             M[49 * 8 + j] = M[101 * 8 + j] = tp_3 * t279 + tp_0 * t280 + tp_1 * t278 - tp_2 * t281;
+                /* M(3,7) M(7,3) */
             const real t282 = t59 * t36;
             const real t283 = 0.06190476190476191 * t46;
             const real t284 = 0.5 * t29 * t68;
@@ -3803,6 +3721,7 @@ static void beam_inertia(size_t nblocks, const real *const *in, real *const *out
             const real t289 = u_p_2 * t282 - u_p_3 * t288;
             const real t290 = u_p_0 * t282 + u_p_1 * t288;
             M[50 * 8 + j] = M[115 * 8 + j] = tp_3 * t287 + tp_0 * t289 + tp_1 * t286 - tp_2 * t290;
+                /* M(3,8) M(8,3) */
             const real t291 = t68 * t40;
             const real t292 = 0.5 * t43 * t59;
             const real t293 = t283 + t292;
@@ -3812,6 +3731,7 @@ static void beam_inertia(size_t nblocks, const real *const *in, real *const *out
             const real t297 = u_p_2 * t295 - u_p_3 * t291;
             const real t298 = u_p_1 * t291 + u_p_0 * t293;
             M[51 * 8 + j] = M[129 * 8 + j] = tp_3 * t296 + tp_0 * t297 + tp_1 * t294 - tp_2 * t298;
+                /* M(3,9) M(9,3) */
             const real t299 = t201 * t108;
             const real t300 = 0.3333333333333333 * (phi_y * (phi_y - 1.0)) - 0.06666666666666667;
             const real t301 = t300 * t8;
@@ -3837,6 +3757,7 @@ static void beam_inertia(size_t nblocks, const real *const *in, real *const *out
             const real t321 = u_p_3 * t311 - 0.02857142857142857 * (u_p_1 * t299) - u_p_2 * t316;
             const real t322 = t321 - 0.6666666666666666 * (u_p_0 * t313);
             M[52 * 8 + j] = M[143 * 8 + j] = tp_0 * t320 + tp_1 * t322 + tp_3 * t318 + tp_2 * t314;
+                /* M(3,10) M(10,3) */
             const real t323 = t201 * t192;
             const real t324 = 0.02857142857142857 * t323;
             const real t325 = 2.0 * t133 * t309;
@@ -3855,9 +3776,11 @@ static void beam_inertia(size_t nblocks, const real *const *in, real *const *out
             const real t338 = t337 - 0.6666666666666666 * (u_p_2 * t327);
             const real t339 = u_p_2 * t336 - 0.02857142857142857 * (u_p_0 * t328) - u_p_3 * t333;
             const real t340 = t339 - 0.6666666666666666 * (u_p_1 * t327);
-            const real t341 = 0.6666666666666666 * (u_p_0 * t327) + u_p_2 * t335 - 0.02857142857142857 * (u_p_1 * t328);
+            const real t341 = 0.6666666666666666 * (u_p_0 * t327) + u_p_2 * t335 - 0.02857142857142857 * (u_p_1
+                * t328);
             const real t342 = t341 - u_p_3 * t326;
             M[53 * 8 + j] = M[157 * 8 + j] = tp_0 * t340 + tp_1 * t342 + tp_3 * t338 + tp_2 * t334;
+                /* M(3,11) M(11,3) */
             const real t343 = t201 * t195;
             const real t344 = 0.02857142857142857 * t343;
             const real t345 = 2.0 * t147 * t309;
@@ -3874,11 +3797,14 @@ static void beam_inertia(size_t nblocks, const real *const *in, real *const *out
             const real t356 = t345 - t344;
             const real t357 = u_p_2 * t356 + 0.02857142857142857 * (u_p_0 * t348) + u_p_3 * t355;
             const real t358 = t357 - 0.6666666666666666 * (u_p_1 * t347);
-            const real t359 = u_p_1 * t355 + 0.6666666666666666 * (u_p_3 * t347) - 0.02857142857142857 * (u_p_2 * t348);
+            const real t359 = u_p_1 * t355 + 0.6666666666666666 * (u_p_3 * t347) - 0.02857142857142857 * (u_p_2
+                * t348);
             const real t360 = t359 - u_p_0 * t346;
-            const real t361 = 0.6666666666666666 * (u_p_2 * t347) + u_p_1 * t356 + 0.02857142857142857 * (u_p_3 * t348);
+            const real t361 = 0.6666666666666666 * (u_p_2 * t347) + u_p_1 * t356 + 0.02857142857142857 * (u_p_3
+                * t348);
             const real t362 = u_p_0 * t353 + t361;
             M[54 * 8 + j] = M[171 * 8 + j] = tp_0 * t358 + tp_2 * t360 + tp_1 * t354 - tp_3 * t362;
+                /* M(3,12) M(12,3) */
             const real t363 = t201 * t198;
             const real t364 = 0.02857142857142857 * t363;
             const real t365 = 2.0 * t161 * t309;
@@ -3892,7 +3818,8 @@ static void beam_inertia(size_t nblocks, const real *const *in, real *const *out
             const real t373 = t214 * t143;
             const real t374 = t372 - 0.6666666666666666 * (u_p_3 * t373);
             const real t375 = t370 - t369;
-            const real t376 = u_p_0 * t375 + 0.6666666666666666 * (u_p_2 * t373) - 0.02857142857142857 * (u_p_3 * t367);
+            const real t376 = u_p_0 * t375 + 0.6666666666666666 * (u_p_2 * t373) - 0.02857142857142857 * (u_p_3
+                * t367);
             const real t377 = t364 - t365;
             const real t378 = t376 - u_p_1 * t377;
             const real t379 = 0.6666666666666666 * (u_p_1 * t373) + 0.02857142857142857 * (u_p_0 * t367);
@@ -3900,45 +3827,67 @@ static void beam_inertia(size_t nblocks, const real *const *in, real *const *out
             const real t381 = 0.02857142857142857 * (u_p_1 * t367) + u_p_2 * t375 - u_p_3 * t366;
             const real t382 = t381 - 0.6666666666666666 * (u_p_0 * t373);
             M[55 * 8 + j] = M[185 * 8 + j] = tp_0 * t380 + tp_1 * t382 + tp_3 * t378 + tp_2 * t374;
-            M[60 * 8 + j] = tp_2 * t235 + tp_0 * t239 - tp_3 * t231 - tp_1 * t237;
-            M[61 * 8 + j] = M[74 * 8 + j] = tp_2 * t253 + tp_0 * t257 - tp_3 * t249 - tp_1 * t255;
-            M[62 * 8 + j] = M[88 * 8 + j] = tp_2 * t271 + tp_0 * t275 - tp_3 * t267 - tp_1 * t273;
+                /* M(3,13) M(13,3) */
+            M[60 * 8 + j] = tp_2 * t235 + tp_0 * t239 - tp_3 * t231 - tp_1 * t237; /* M(4,4) */
+            M[61 * 8 + j] = M[74 * 8 + j] = tp_2 * t253 + tp_0 * t257 - tp_3 * t249 - tp_1 * t255; /* M(4,5) M(5,4) */
+            M[62 * 8 + j] = M[88 * 8 + j] = tp_2 * t271 + tp_0 * t275 - tp_3 * t267 - tp_1 * t273; /* M(4,6) M(6,4) */
             M[63 * 8 + j] = M[102 * 8 + j] = tp_2 * t279 + tp_0 * t278 + tp_3 * t281 - tp_1 * t280;
+                /* M(4,7) M(7,4) */
             M[64 * 8 + j] = M[116 * 8 + j] = tp_2 * t287 + tp_0 * t286 + tp_3 * t290 - tp_1 * t289;
+                /* M(4,8) M(8,4) */
             M[65 * 8 + j] = M[130 * 8 + j] = tp_2 * t296 + tp_0 * t294 + tp_3 * t298 - tp_1 * t297;
+                /* M(4,9) M(9,4) */
             M[66 * 8 + j] = M[144 * 8 + j] = tp_2 * t318 + tp_0 * t322 - tp_3 * t314 - tp_1 * t320;
+                /* M(4,10) M(10,4) */
             M[67 * 8 + j] = M[158 * 8 + j] = tp_2 * t338 + tp_0 * t342 - tp_3 * t334 - tp_1 * t340;
+                /* M(4,11) M(11,4) */
             M[68 * 8 + j] = M[172 * 8 + j] = tp_0 * t354 - tp_2 * t362 - tp_3 * t360 - tp_1 * t358;
+                /* M(4,12) M(12,4) */
             M[69 * 8 + j] = M[186 * 8 + j] = tp_2 * t378 + tp_0 * t382 - tp_3 * t374 - tp_1 * t380;
-            M[75 * 8 + j] = tp_0 * t249 + tp_3 * t257 - tp_1 * t253 - tp_2 * t255;
-            M[76 * 8 + j] = M[89 * 8 + j] = tp_0 * t267 + tp_3 * t275 - tp_1 * t271 - tp_2 * t273;
+                /* M(4,13) M(13,4) */
+            M[75 * 8 + j] = tp_0 * t249 + tp_3 * t257 - tp_1 * t253 - tp_2 * t255; /* M(5,5) */
+            M[76 * 8 + j] = M[89 * 8 + j] = tp_0 * t267 + tp_3 * t275 - tp_1 * t271 - tp_2 * t273; /* M(5,6) M(6,5) */
             M[77 * 8 + j] = M[103 * 8 + j] = tp_3 * t278 - tp_0 * t281 - tp_1 * t279 - tp_2 * t280;
+                /* M(5,7) M(7,5) */
             M[78 * 8 + j] = M[117 * 8 + j] = tp_3 * t286 - tp_0 * t290 - tp_1 * t287 - tp_2 * t289;
+                /* M(5,8) M(8,5) */
             M[79 * 8 + j] = M[131 * 8 + j] = tp_3 * t294 - tp_0 * t298 - tp_1 * t296 - tp_2 * t297;
+                /* M(5,9) M(9,5) */
             M[80 * 8 + j] = M[145 * 8 + j] = tp_0 * t314 + tp_3 * t322 - tp_1 * t318 - tp_2 * t320;
+                /* M(5,10) M(10,5) */
             M[81 * 8 + j] = M[159 * 8 + j] = tp_0 * t334 + tp_3 * t342 - tp_1 * t338 - tp_2 * t340;
+                /* M(5,11) M(11,5) */
             M[82 * 8 + j] = M[173 * 8 + j] = tp_3 * t354 + tp_1 * t362 + tp_0 * t360 - tp_2 * t358;
+                /* M(5,12) M(12,5) */
             M[83 * 8 + j] = M[187 * 8 + j] = tp_0 * t374 + tp_3 * t382 - tp_1 * t378 - tp_2 * t380;
-            M[90 * 8 + j] = tp_0 * t271 + tp_1 * t267 - tp_2 * t275 - tp_3 * t273;
+                /* M(5,13) M(13,5) */
+            M[90 * 8 + j] = tp_0 * t271 + tp_1 * t267 - tp_2 * t275 - tp_3 * t273; /* M(6,6) */
             M[91 * 8 + j] = M[104 * 8 + j] = tp_0 * t279 - tp_1 * t281 - tp_2 * t278 - tp_3 * t280;
+                /* M(6,7) M(7,6) */
             M[92 * 8 + j] = M[118 * 8 + j] = tp_0 * t287 - tp_1 * t290 - tp_2 * t286 - tp_3 * t289;
+                /* M(6,8) M(8,6) */
             M[93 * 8 + j] = M[132 * 8 + j] = tp_0 * t296 - tp_1 * t298 - tp_2 * t294 - tp_3 * t297;
+                /* M(6,9) M(9,6) */
             M[94 * 8 + j] = M[146 * 8 + j] = tp_0 * t318 + tp_1 * t314 - tp_2 * t322 - tp_3 * t320;
+                /* M(6,10) M(10,6) */
             M[95 * 8 + j] = M[160 * 8 + j] = tp_0 * t338 + tp_1 * t334 - tp_2 * t342 - tp_3 * t340;
+                /* M(6,11) M(11,6) */
             M[96 * 8 + j] = M[174 * 8 + j] = tp_1 * t360 - tp_0 * t362 - tp_2 * t354 - tp_3 * t358;
+                /* M(6,12) M(12,6) */
             M[97 * 8 + j] = M[188 * 8 + j] = tp_0 * t378 + tp_1 * t374 - tp_2 * t382 - tp_3 * t380;
-            M[108 * 8 + j] = M[147 * 8 + j] = t126 - 0.10476190476190476 * t109;
-            M[109 * 8 + j] = M[161 * 8 + j] = t135 - 0.10476190476190476 * t142;
-            M[110 * 8 + j] = M[175 * 8 + j] = t153 + 0.10476190476190476 * t144;
-            M[111 * 8 + j] = M[189 * 8 + j] = t163 + 0.10476190476190476 * t155;
-            M[122 * 8 + j] = M[148 * 8 + j] = t172 - 0.10476190476190476 * t171;
-            M[123 * 8 + j] = M[162 * 8 + j] = t175 - 0.10476190476190476 * t174;
-            M[124 * 8 + j] = M[176 * 8 + j] = t178 - 0.10476190476190476 * t177;
-            M[125 * 8 + j] = M[190 * 8 + j] = t181 - 0.10476190476190476 * t180;
-            M[136 * 8 + j] = M[149 * 8 + j] = 0.10476190476190476 * t190 + t191;
-            M[137 * 8 + j] = M[163 * 8 + j] = t194 - 0.10476190476190476 * t193;
-            M[138 * 8 + j] = M[177 * 8 + j] = 0.10476190476190476 * t196 + t197;
-            M[139 * 8 + j] = M[191 * 8 + j] = t200 - 0.10476190476190476 * t199;
+                /* M(6,13) M(13,6) */
+            M[108 * 8 + j] = M[147 * 8 + j] = t126 - 0.10476190476190476 * t109; /* M(7,10) M(10,7) */
+            M[109 * 8 + j] = M[161 * 8 + j] = t135 - 0.10476190476190476 * t142; /* M(7,11) M(11,7) */
+            M[110 * 8 + j] = M[175 * 8 + j] = t153 + 0.10476190476190476 * t144; /* M(7,12) M(12,7) */
+            M[111 * 8 + j] = M[189 * 8 + j] = t163 + 0.10476190476190476 * t155; /* M(7,13) M(13,7) */
+            M[122 * 8 + j] = M[148 * 8 + j] = t172 - 0.10476190476190476 * t171; /* M(8,10) M(10,8) */
+            M[123 * 8 + j] = M[162 * 8 + j] = t175 - 0.10476190476190476 * t174; /* M(8,11) M(11,8) */
+            M[124 * 8 + j] = M[176 * 8 + j] = t178 - 0.10476190476190476 * t177; /* M(8,12) M(12,8) */
+            M[125 * 8 + j] = M[190 * 8 + j] = t181 - 0.10476190476190476 * t180; /* M(8,13) M(13,8) */
+            M[136 * 8 + j] = M[149 * 8 + j] = 0.10476190476190476 * t190 + t191; /* M(9,10) M(10,9) */
+            M[137 * 8 + j] = M[163 * 8 + j] = t194 - 0.10476190476190476 * t193; /* M(9,11) M(11,9) */
+            M[138 * 8 + j] = M[177 * 8 + j] = 0.10476190476190476 * t196 + t197; /* M(9,12) M(12,9) */
+            M[139 * 8 + j] = M[191 * 8 + j] = t200 - 0.10476190476190476 * t199; /* M(9,13) M(13,9) */
             const real t383 = 0.0380952380952381 * t303;
             const real t384 = 4.0 * t124 * t204;
             const real t385 = t383 + t384;
@@ -3947,16 +3896,20 @@ static void beam_inertia(size_t nblocks, const real *const *in, real *const *out
             const real t388 = t386 - t387;
             const real t389 = u_q_1 * t385 - 0.0380952380952381 * (u_q_2 * t299) - u_q_0 * t388;
             const real t390 = t383 - t384;
-            const real t391 = u_q_0 * t390 + 1.3333333333333333 * (u_q_2 * t313) - 0.0380952380952381 * (u_q_3 * t299);
+            const real t391 = u_q_0 * t390 + 1.3333333333333333 * (u_q_2 * t313) - 0.0380952380952381 * (u_q_3
+                * t299);
             const real t392 = t387 + t386;
-            const real t393 = 1.3333333333333333 * (u_q_1 * t313) + u_q_2 * t392 + 0.0380952380952381 * (u_q_0 * t299);
+            const real t393 = 1.3333333333333333 * (u_q_1 * t313) + u_q_2 * t392 + 0.0380952380952381 * (u_q_0
+                * t299);
             const real t394 = 0.0380952380952381 * (u_q_1 * t299) + u_q_3 * t388 + u_q_2 * t390;
             const real t395 = tq_0 * (u_q_3 * t385 + t393) + tq_1 * (t394 - 1.3333333333333333 * (u_q_0 * t313));
-            M[150 * 8 + j] = tq_3 * (t391 - u_q_1 * t392) + t395 + tq_2 * (t389 - 1.3333333333333333 * (u_q_3 * t313));
+            M[150 * 8 + j] = tq_3 * (t391 - u_q_1 * t392) + t395 + tq_2 * (t389 - 1.3333333333333333 * (u_q_3
+                * t313)); /* M(10,10) */
             const real t396 = 0.0380952380952381 * t330;
             const real t397 = 4.0 * t129 * t204;
             const real t398 = t396 - t397;
-            const real t399 = 1.3333333333333333 * (u_q_3 * t327) + u_q_1 * t398 - 0.0380952380952381 * (u_q_2 * t328);
+            const real t399 = 1.3333333333333333 * (u_q_3 * t327) + u_q_1 * t398 - 0.0380952380952381 * (u_q_2
+                * t328);
             const real t400 = 0.0380952380952381 * t323;
             const real t401 = 4.0 * t133 * t209;
             const real t402 = t400 - t401;
@@ -3967,9 +3920,11 @@ static void beam_inertia(size_t nblocks, const real *const *in, real *const *out
             const real t407 = t406 - 1.3333333333333333 * (u_q_2 * t327);
             const real t408 = 0.0380952380952381 * (u_q_0 * t328) + u_q_3 * t398 - u_q_2 * t405;
             const real t409 = t408 - 1.3333333333333333 * (u_q_1 * t327);
-            const real t410 = 1.3333333333333333 * (u_q_0 * t327) + u_q_3 * t402 + 0.0380952380952381 * (u_q_1 * t328);
+            const real t410 = 1.3333333333333333 * (u_q_0 * t327) + u_q_3 * t402 + 0.0380952380952381 * (u_q_1
+                * t328);
             const real t411 = u_q_2 * t404 + t410;
             M[151 * 8 + j] = M[164 * 8 + j] = tq_0 * t409 + tq_1 * t411 + tq_3 * t407 + tq_2 * t403;
+                /* M(10,11) M(11,10) */
             const real t412 = 0.0380952380952381 * t350;
             const real t413 = 4.0 * t151 * t204;
             const real t414 = t412 + t413;
@@ -3987,6 +3942,7 @@ static void beam_inertia(size_t nblocks, const real *const *in, real *const *out
             const real t426 = 1.3333333333333333 * (u_q_0 * t347) + u_q_2 * t420 + u_q_3 * t418;
             const real t427 = t426 - 0.0380952380952381 * (u_q_1 * t348);
             M[152 * 8 + j] = M[178 * 8 + j] = tq_0 * t425 + tq_1 * t427 + tq_3 * t423 + tq_2 * t419;
+                /* M(10,12) M(12,10) */
             const real t428 = 0.0380952380952381 * t368;
             const real t429 = 4.0 * t158 * t204;
             const real t430 = t428 - t429;
@@ -3997,19 +3953,25 @@ static void beam_inertia(size_t nblocks, const real *const *in, real *const *out
             const real t435 = t434 - 1.3333333333333333 * (u_q_3 * t373);
             const real t436 = t428 + t429;
             const real t437 = t431 + t432;
-            const real t438 = 1.3333333333333333 * (u_q_2 * t373) + u_q_1 * t437 + 0.0380952380952381 * (u_q_3 * t367);
+            const real t438 = 1.3333333333333333 * (u_q_2 * t373) + u_q_1 * t437 + 0.0380952380952381 * (u_q_3
+                * t367);
             const real t439 = u_q_0 * t436 + t438;
-            const real t440 = u_q_3 * t430 + 1.3333333333333333 * (u_q_1 * t373) - 0.0380952380952381 * (u_q_0 * t367);
+            const real t440 = u_q_3 * t430 + 1.3333333333333333 * (u_q_1 * t373) - 0.0380952380952381 * (u_q_0
+                * t367);
             const real t441 = t440 - u_q_2 * t437;
             const real t442 = u_q_2 * t436 + u_q_3 * t433 - 0.0380952380952381 * (u_q_1 * t367);
             const real t443 = t442 - 1.3333333333333333 * (u_q_0 * t373);
             M[153 * 8 + j] = M[192 * 8 + j] = tq_0 * t441 + tq_1 * t443 + tq_3 * t439 + tq_2 * t435;
-            M[165 * 8 + j] = tq_2 * t407 + tq_0 * t411 - tq_3 * t403 - tq_1 * t409;
+                /* M(10,13) M(13,10) */
+            M[165 * 8 + j] = tq_2 * t407 + tq_0 * t411 - tq_3 * t403 - tq_1 * t409; /* M(11,11) */
             M[166 * 8 + j] = M[179 * 8 + j] = tq_2 * t423 + tq_0 * t427 - tq_3 * t419 - tq_1 * t425;
+                /* M(11,12) M(12,11) */
             M[167 * 8 + j] = M[193 * 8 + j] = tq_2 * t439 + tq_0 * t443 - tq_3 * t435 - tq_1 * t441;
-            M[180 * 8 + j] = tq_0 * t419 + tq_3 * t427 - tq_1 * t423 - tq_2 * t425;
+                /* M(11,13) M(13,11) */
+            M[180 * 8 + j] = tq_0 * t419 + tq_3 * t427 - tq_1 * t423 - tq_2 * t425; /* M(12,12) */
             M[181 * 8 + j] = M[194 * 8 + j] = tq_0 * t435 + tq_3 * t443 - tq_1 * t439 - tq_2 * t441;
-            M[195 * 8 + j] = tq_0 * t439 + tq_1 * t435 - tq_2 * t443 - tq_3 * t441;
+                /* M(12,13) M(13,12) */
+            M[195 * 8 + j] = tq_0 * t439 + tq_1 * t435 - tq_2 * t443 - tq_3 * t441; /* M(13,13) */
             const real rp_vl0 = v[3 * 8 + j];
             const real rp_vl1 = v[4 * 8 + j];
             const real rp_vl2 = v[5 * 8 + j];
@@ -4246,21 +4208,28 @@ static void beam_inertia(size_t nblocks, const real *const *in, real *const *out
             const real t631 = l0 * t628;
             const real t632 = l0 * t630;
             const real t633 = l0 * t629;
-            const real t634 = 0.16666666666666666 * (u_p_1 * t631) + 0.16666666666666666 * (u_p_3 * t632 + u_p_2 * t633);
+            const real t634 = 0.16666666666666666 * (u_p_1 * t631) + 0.16666666666666666 * (u_p_3 * t632 + u_p_2
+                * t633);
             const real t635 = u_p_3 * t631 - (u_p_1 * t632 + u_p_0 * t633);
-            const real t636 = 0.16666666666666666 * (u_p_2 * t631) + 0.16666666666666666 * (u_p_0 * t632 - u_p_1 * t633);
+            const real t636 = 0.16666666666666666 * (u_p_2 * t631) + 0.16666666666666666 * (u_p_0 * t632 - u_p_1
+                * t633);
             const real t637 = tp_1 * t634 - 0.16666666666666666 * (tp_3 * t635) - tp_2 * t636;
-            const real t638 = 0.16666666666666666 * (u_p_2 * t632 - u_p_3 * t633) - 0.16666666666666666 * (u_p_0 * t631);
+            const real t638 = 0.16666666666666666 * (u_p_2 * t632 - u_p_3 * t633) - 0.16666666666666666 * (u_p_0
+                * t631);
             f[3 * 8 + j] = t637 - tp_0 * t638;
             f[4 * 8 + j] = tp_1 * t638 + tp_3 * t636 + tp_0 * t634 - 0.16666666666666666 * (tp_2 * t635);
             const real t639 = tp_2 * t638 + 0.16666666666666666 * (tp_1 * t635) + tp_3 * t634;
             f[5 * 8 + j] = t639 - tp_0 * t636;
             const real t640 = tp_3 * t638 - 0.16666666666666666 * (tp_0 * t635) - tp_1 * t636;
             f[6 * 8 + j] = t640 - tp_2 * t634;
-            const real t641 = 0.16666666666666666 * (u_q_1 * t633 - u_q_0 * t632) - 0.16666666666666666 * (u_q_2 * t631);
-            const real t642 = 0.16666666666666666 * (u_q_1 * t632 + u_q_0 * t633) - 0.16666666666666666 * (u_q_3 * t631);
-            const real t643 = 0.16666666666666666 * (u_q_0 * t631) + 0.16666666666666666 * (u_q_3 * t633 - u_q_2 * t632);
-            const real t644 = 0.16666666666666666 * (u_q_1 * t631) + 0.16666666666666666 * (u_q_3 * t632 + u_q_2 * t633);
+            const real t641 = 0.16666666666666666 * (u_q_1 * t633 - u_q_0 * t632) - 0.16666666666666666 * (u_q_2
+                * t631);
+            const real t642 = 0.16666666666666666 * (u_q_1 * t632 + u_q_0 * t633) - 0.16666666666666666 * (u_q_3
+                * t631);
+            const real t643 = 0.16666666666666666 * (u_q_0 * t631) + 0.16666666666666666 * (u_q_3 * t633 - u_q_2
+                * t632);
+            const real t644 = 0.16666666666666666 * (u_q_1 * t631) + 0.16666666666666666 * (u_q_3 * t632 + u_q_2
+                * t633);
             f[10 * 8 + j] = -(tq_0 * t643 + tq_1 * t644 + tq_3 * t642 + tq_2 * t641);
             f[11 * 8 + j] = tq_3 * t641 + tq_1 * t643 - tq_2 * t642 - tq_0 * t644;
             f[12 * 8 + j] = tq_1 * t642 + tq_2 * t643 - tq_0 * t641 - tq_3 * t644;
@@ -4601,10 +4570,10 @@ static void beam_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t227 = u_p_0 * t149;
             const real t228 = t5 * (t225 - t226 - t227);
             const real t229 = t210 + t228;
-            R_x[0 * 8 + j] = tp_0 * t152 + tp_1 * t171 - tp_2 * t208 - tp_3 * t229;
-            R_x[1 * 8 + j] = tp_0 * t171 + tp_3 * t208 - tp_1 * t152 - tp_2 * t229;
-            R_x[2 * 8 + j] = tp_3 * t171 + tp_1 * t229 - tp_2 * t152 - tp_0 * t208;
-            R_x[3 * 8 + j] = -(tp_1 * t208 + tp_0 * t229 + tp_2 * t171 + tp_3 * t152);
+            R_x[0 * 8 + j] = tp_0 * t152 + tp_1 * t171 - tp_2 * t208 - tp_3 * t229; /* R_x(0,3) */
+            R_x[1 * 8 + j] = tp_0 * t171 + tp_3 * t208 - tp_1 * t152 - tp_2 * t229; /* R_x(0,4) */
+            R_x[2 * 8 + j] = tp_3 * t171 + tp_1 * t229 - tp_2 * t152 - tp_0 * t208; /* R_x(0,5) */
+            R_x[3 * 8 + j] = -(tp_1 * t208 + tp_0 * t229 + tp_2 * t171 + tp_3 * t152); /* R_x(0,6) */
             const real t230 = t76 * t2;
             const real t231 = 0.06190476190476191 * t230;
             const real t232 = u_q_3 * t12;
@@ -4712,10 +4681,10 @@ static void beam_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t334 = t330 + t116 * t333 + t329 + t97 * t328 + t45 * t327 + t323;
             const real t335 = t5 * (t322 + t334 + t6 * t321);
             const real t336 = t319 + t335;
-            R_x[4 * 8 + j] = tq_2 * t266 + tq_3 * t287 - tq_0 * t317 - tq_1 * t336;
-            R_x[5 * 8 + j] = tq_1 * t317 + tq_2 * t287 - tq_0 * t336 - tq_3 * t266;
-            R_x[6 * 8 + j] = tq_2 * t317 + tq_0 * t266 - tq_3 * t336 - tq_1 * t287;
-            R_x[7 * 8 + j] = tq_1 * t266 + tq_0 * t287 + tq_2 * t336 + tq_3 * t317;
+            R_x[4 * 8 + j] = tq_2 * t266 + tq_3 * t287 - tq_0 * t317 - tq_1 * t336; /* R_x(0,10) */
+            R_x[5 * 8 + j] = tq_1 * t317 + tq_2 * t287 - tq_0 * t336 - tq_3 * t266; /* R_x(0,11) */
+            R_x[6 * 8 + j] = tq_2 * t317 + tq_0 * t266 - tq_3 * t336 - tq_1 * t287; /* R_x(0,12) */
+            R_x[7 * 8 + j] = tq_1 * t266 + tq_0 * t287 + tq_2 * t336 + tq_3 * t317; /* R_x(0,13) */
             const real t337 = t34 * t96 + t21 * t16 + 0.5 * (t146 * t123 + t127 * t107 + 2.0 * (t226 + t227));
             const real t338 = t5 * (t337 - t219 - t213);
             const real t339 = t210 - t338;
@@ -4728,10 +4697,10 @@ static void beam_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t346 = t92 + 0.5 * (t146 * t224 + t127 * t221 - 2.0 * (t130 + t150));
             const real t347 = t5 * (t34 * t218 + t346 + t87 + t21 * t212);
             const real t348 = t4 - t347;
-            R_x[8 * 8 + j] = tp_2 * t345 + tp_3 * t348 + tp_1 * t342 + tp_0 * t339;
-            R_x[9 * 8 + j] = tp_0 * t342 + tp_2 * t348 - tp_1 * t339 - tp_3 * t345;
-            R_x[10 * 8 + j] = tp_3 * t342 + tp_0 * t345 - tp_2 * t339 - tp_1 * t348;
-            R_x[11 * 8 + j] = tp_1 * t345 + tp_0 * t348 - tp_3 * t339 - tp_2 * t342;
+            R_x[8 * 8 + j] = tp_2 * t345 + tp_3 * t348 + tp_1 * t342 + tp_0 * t339; /* R_x(1,3) */
+            R_x[9 * 8 + j] = tp_0 * t342 + tp_2 * t348 - tp_1 * t339 - tp_3 * t345; /* R_x(1,4) */
+            R_x[10 * 8 + j] = tp_3 * t342 + tp_0 * t345 - tp_2 * t339 - tp_1 * t348; /* R_x(1,5) */
+            R_x[11 * 8 + j] = tp_1 * t345 + tp_0 * t348 - tp_3 * t339 - tp_2 * t342; /* R_x(1,6) */
             const real t349 = t34 * t298 + t21 * t292 + 0.5 * (t146 * t312 + t127 * t305 + 2.0 * (t284 + t285));
             const real t350 = t5 * (t349 - t277 - t271);
             const real t351 = t268 + t350;
@@ -4744,10 +4713,10 @@ static void beam_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t358 = t294 + 0.5 * (t146 * t282 + t127 * t279 - 2.0 * (t314 + t315));
             const real t359 = t5 * (t34 * t276 + t358 + t293 + t21 * t270);
             const real t360 = t289 + t359;
-            R_x[12 * 8 + j] = -(tq_2 * t357 + tq_3 * t360 + tq_1 * t354 + tq_0 * t351);
-            R_x[13 * 8 + j] = tq_1 * t351 + tq_3 * t357 - tq_0 * t354 - tq_2 * t360;
-            R_x[14 * 8 + j] = tq_2 * t351 + tq_1 * t360 - tq_3 * t354 - tq_0 * t357;
-            R_x[15 * 8 + j] = tq_3 * t351 + tq_2 * t354 - tq_1 * t357 - tq_0 * t360;
+            R_x[12 * 8 + j] = -(tq_2 * t357 + tq_3 * t360 + tq_1 * t354 + tq_0 * t351); /* R_x(1,10) */
+            R_x[13 * 8 + j] = tq_1 * t351 + tq_3 * t357 - tq_0 * t354 - tq_2 * t360; /* R_x(1,11) */
+            R_x[14 * 8 + j] = tq_2 * t351 + tq_1 * t360 - tq_3 * t354 - tq_0 * t357; /* R_x(1,12) */
+            R_x[15 * 8 + j] = tq_3 * t351 + tq_2 * t354 - tq_1 * t357 - tq_0 * t360; /* R_x(1,13) */
             const real t361 = t226 + t145 * t168 + t227 + 0.5 * (t54 * t162 + t63 * t156 - 2.0 * (t219 + t213));
             const real t362 = t5 * (t128 * t163 + t361);
             const real t363 = t210 - t362;
@@ -4760,10 +4729,10 @@ static void beam_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t370 = t130 + t145 * t205 + t150 + 0.5 * (t54 * t188 + t63 * t179 - 2.0 * (t92 + t87));
             const real t371 = t5 * (t128 * t196 + t370);
             const real t372 = t4 + t371;
-            R_x[16 * 8 + j] = tp_1 * t363 + tp_3 * t366 - tp_0 * t369 - tp_2 * t372;
-            R_x[17 * 8 + j] = tp_3 * t372 + tp_2 * t366 + tp_0 * t363 + tp_1 * t369;
-            R_x[18 * 8 + j] = tp_2 * t369 + tp_3 * t363 - tp_0 * t372 - tp_1 * t366;
-            R_x[19 * 8 + j] = tp_3 * t369 + tp_0 * t366 - tp_2 * t363 - tp_1 * t372;
+            R_x[16 * 8 + j] = tp_1 * t363 + tp_3 * t366 - tp_0 * t369 - tp_2 * t372; /* R_x(2,3) */
+            R_x[17 * 8 + j] = tp_3 * t372 + tp_2 * t366 + tp_0 * t363 + tp_1 * t369; /* R_x(2,4) */
+            R_x[18 * 8 + j] = tp_2 * t369 + tp_3 * t363 - tp_0 * t372 - tp_1 * t366; /* R_x(2,5) */
+            R_x[19 * 8 + j] = tp_3 * t369 + tp_0 * t366 - tp_2 * t363 - tp_1 * t372; /* R_x(2,6) */
             const real t373 = t256 + t145 * t312 + t255 + 0.5 * (t54 * t298 + t63 * t292 + 2.0 * (t247 + t238));
             const real t374 = t5 * (t128 * t305 + t373);
             const real t375 = t231 - t374;
@@ -4776,10 +4745,10 @@ static void beam_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t382 = t330 + t145 * t282 + t329 + 0.5 * (t54 * t276 + t63 * t270 + 2.0 * (t323 + t322));
             const real t383 = t5 * (t128 * t279 + t382);
             const real t384 = t319 + t383;
-            R_x[20 * 8 + j] = tq_0 * t375 + tq_2 * t378 - tq_1 * t381 - tq_3 * t384;
-            R_x[21 * 8 + j] = -(tq_3 * t378 + tq_2 * t384 + tq_0 * t381 + tq_1 * t375);
-            R_x[22 * 8 + j] = tq_0 * t378 + tq_1 * t384 - tq_2 * t375 - tq_3 * t381;
-            R_x[23 * 8 + j] = tq_2 * t381 + tq_1 * t378 - tq_3 * t375 - tq_0 * t384;
+            R_x[20 * 8 + j] = tq_0 * t375 + tq_2 * t378 - tq_1 * t381 - tq_3 * t384; /* R_x(2,10) */
+            R_x[21 * 8 + j] = -(tq_3 * t378 + tq_2 * t384 + tq_0 * t381 + tq_1 * t375); /* R_x(2,11) */
+            R_x[22 * 8 + j] = tq_0 * t378 + tq_1 * t384 - tq_2 * t375 - tq_3 * t381; /* R_x(2,12) */
+            R_x[23 * 8 + j] = tq_2 * t381 + tq_1 * t378 - tq_3 * t375 - tq_0 * t384; /* R_x(2,13) */
             const real t385 = q_ax * t2;
             const real t386 = p_ax * t2;
             const real t387 = l0 * l0 * t1;
@@ -4935,7 +4904,8 @@ static void beam_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t533 = t419 + t522;
             const real t534 = u_p_3 * (t532 - t526) + u_p_2 * (t533 - t519) + ud_p_3 * t513;
             const real t535 = 2.0 * (t439 + u_p_1 * t502) + t534 + 0.0380952380952381 * (u_p_1 * t498);
-            const real t536 = t395 + t535 - u_p_0 * (t515 + t518) - ud_p_2 * t509 - 2.6666666666666665 * (ud_p_0 * t504);
+            const real t536 = t395 + t535 - u_p_0 * (t515 + t518) - ud_p_2 * t509 - 2.6666666666666665 * (ud_p_0
+                * t504);
             const real t537 = t536 - t443;
             const real t538 = 2.0 * (t501 - t500);
             const real t539 = t489 - t483;
@@ -4992,7 +4962,8 @@ static void beam_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t590 = t589 - 2.6666666666666665 * (ud_p_0 * t549) - t491 - t495;
             const real t591 = t438 - t437;
             const real t592 = t575 - t574;
-            const real t593 = u_p_1 * (t554 - t550) + 2.0 * (t591 + u_p_2 * t592) + 0.0380952380952381 * (u_p_2 * t418);
+            const real t593 = u_p_1 * (t554 - t550) + 2.0 * (t591 + u_p_2 * t592) + 0.0380952380952381 * (u_p_2
+                * t418);
             const real t594 = t557 + t558;
             const real t595 = t443 + t593 - u_p_0 * (t564 + t587) - ud_p_0 * t572 - u_p_3 * (t594 + t556);
             const real t596 = t595 - ud_p_1 * t583 - 2.6666666666666665 * (ud_p_3 * t549);
@@ -5052,10 +5023,10 @@ static void beam_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t650 = t649 - u_p_2 * (t643 + t622) - 2.6666666666666665 * (ud_p_2 * t634);
             const real t651 = t650 - 2.0 * (t591 + u_p_3 * t641) - t395;
             const real t652 = tp_2 * t647 + tp_3 * t651 + tp_1 * t640 + tp_0 * t635;
-            R_x[24 * 8 + j] = tp_2 * t603 + tp_3 * t652 + tp_1 * t548 + tp_0 * t497;
-            R_x[25 * 8 + j] = tp_0 * t548 + tp_2 * t652 - tp_1 * t497 - tp_3 * t603;
-            R_x[26 * 8 + j] = tp_3 * t548 + tp_0 * t603 - tp_2 * t497 - tp_1 * t652;
-            R_x[27 * 8 + j] = tp_1 * t603 + tp_0 * t652 - tp_3 * t497 - tp_2 * t548;
+            R_x[24 * 8 + j] = tp_2 * t603 + tp_3 * t652 + tp_1 * t548 + tp_0 * t497; /* R_x(3,3) */
+            R_x[25 * 8 + j] = tp_0 * t548 + tp_2 * t652 - tp_1 * t497 - tp_3 * t603; /* R_x(3,4) */
+            R_x[26 * 8 + j] = tp_3 * t548 + tp_0 * t603 - tp_2 * t497 - tp_1 * t652; /* R_x(3,5) */
+            R_x[27 * 8 + j] = tp_1 * t603 + tp_0 * t652 - tp_3 * t497 - tp_2 * t548; /* R_x(3,6) */
             const real t653 = ud_q_2 * t473;
             const real t654 = t15 * t295;
             const real t655 = 2.0 * t653 - t654;
@@ -5244,58 +5215,58 @@ static void beam_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t838 = t837 - u_p_1 * (t808 + t807) - u_p_2 * (t831 + t818) - ud_p_1 * t801;
             const real t839 = t838 - 1.3333333333333333 * (ud_p_2 * t824);
             const real t840 = tp_2 * t836 + tp_3 * t839 + tp_1 * t830 + tp_0 * t825;
-            R_x[28 * 8 + j] = tq_2 * t797 + tq_3 * t840 + tq_1 * t750 + tq_0 * t705;
-            R_x[29 * 8 + j] = tq_0 * t750 + tq_2 * t840 - tq_1 * t705 - tq_3 * t797;
-            R_x[30 * 8 + j] = tq_3 * t750 + tq_0 * t797 - tq_2 * t705 - tq_1 * t840;
-            R_x[31 * 8 + j] = tq_1 * t797 + tq_0 * t840 - tq_3 * t705 - tq_2 * t750;
+            R_x[28 * 8 + j] = tq_2 * t797 + tq_3 * t840 + tq_1 * t750 + tq_0 * t705; /* R_x(3,10) */
+            R_x[29 * 8 + j] = tq_0 * t750 + tq_2 * t840 - tq_1 * t705 - tq_3 * t797; /* R_x(3,11) */
+            R_x[30 * 8 + j] = tq_3 * t750 + tq_0 * t797 - tq_2 * t705 - tq_1 * t840; /* R_x(3,12) */
+            R_x[31 * 8 + j] = tq_1 * t797 + tq_0 * t840 - tq_3 * t705 - tq_2 * t750; /* R_x(3,13) */
             const real t841 = tp_0 * t460 + tp_2 * t496 - tp_1 * t444 - tp_3 * t479;
             const real t842 = tp_0 * t537 + tp_2 * t547 - tp_1 * t531 - tp_3 * t543;
             const real t843 = tp_0 * t590 + tp_2 * t602 - tp_1 * t585 - tp_3 * t597;
             const real t844 = tp_0 * t640 + tp_2 * t651 - tp_1 * t635 - tp_3 * t647;
-            R_x[32 * 8 + j] = tp_2 * t843 + tp_3 * t844 + tp_1 * t842 + tp_0 * t841;
-            R_x[33 * 8 + j] = tp_0 * t842 + tp_2 * t844 - tp_1 * t841 - tp_3 * t843;
-            R_x[34 * 8 + j] = tp_3 * t842 + tp_0 * t843 - tp_2 * t841 - tp_1 * t844;
-            R_x[35 * 8 + j] = tp_1 * t843 + tp_0 * t844 - tp_3 * t841 - tp_2 * t842;
+            R_x[32 * 8 + j] = tp_2 * t843 + tp_3 * t844 + tp_1 * t842 + tp_0 * t841; /* R_x(4,3) */
+            R_x[33 * 8 + j] = tp_0 * t842 + tp_2 * t844 - tp_1 * t841 - tp_3 * t843; /* R_x(4,4) */
+            R_x[34 * 8 + j] = tp_3 * t842 + tp_0 * t843 - tp_2 * t841 - tp_1 * t844; /* R_x(4,5) */
+            R_x[35 * 8 + j] = tp_1 * t843 + tp_0 * t844 - tp_3 * t841 - tp_2 * t842; /* R_x(4,6) */
             const real t845 = tp_1 * t704 + tp_0 * t697 + tp_2 * t690 - tp_3 * t701;
             const real t846 = tp_0 * t741 + tp_2 * t749 - tp_1 * t736 - tp_3 * t746;
             const real t847 = tp_0 * t793 + tp_3 * t796 + tp_2 * t783 - tp_1 * t789;
             const real t848 = tp_0 * t830 + tp_2 * t839 - tp_1 * t825 - tp_3 * t836;
-            R_x[36 * 8 + j] = tq_2 * t847 + tq_3 * t848 + tq_1 * t846 + tq_0 * t845;
-            R_x[37 * 8 + j] = tq_0 * t846 + tq_2 * t848 - tq_1 * t845 - tq_3 * t847;
-            R_x[38 * 8 + j] = tq_3 * t846 + tq_0 * t847 - tq_2 * t845 - tq_1 * t848;
-            R_x[39 * 8 + j] = tq_1 * t847 + tq_0 * t848 - tq_3 * t845 - tq_2 * t846;
+            R_x[36 * 8 + j] = tq_2 * t847 + tq_3 * t848 + tq_1 * t846 + tq_0 * t845; /* R_x(4,10) */
+            R_x[37 * 8 + j] = tq_0 * t846 + tq_2 * t848 - tq_1 * t845 - tq_3 * t847; /* R_x(4,11) */
+            R_x[38 * 8 + j] = tq_3 * t846 + tq_0 * t847 - tq_2 * t845 - tq_1 * t848; /* R_x(4,12) */
+            R_x[39 * 8 + j] = tq_1 * t847 + tq_0 * t848 - tq_3 * t845 - tq_2 * t846; /* R_x(4,13) */
             const real t849 = tp_3 * t460 + tp_0 * t479 - tp_2 * t444 - tp_1 * t496;
             const real t850 = tp_3 * t537 + tp_0 * t543 - tp_2 * t531 - tp_1 * t547;
             const real t851 = tp_3 * t590 + tp_0 * t597 - tp_2 * t585 - tp_1 * t602;
             const real t852 = tp_3 * t640 + tp_0 * t647 - tp_2 * t635 - tp_1 * t651;
-            R_x[40 * 8 + j] = tp_2 * t851 + tp_3 * t852 + tp_1 * t850 + tp_0 * t849;
-            R_x[41 * 8 + j] = tp_0 * t850 + tp_2 * t852 - tp_1 * t849 - tp_3 * t851;
-            R_x[42 * 8 + j] = tp_3 * t850 + tp_0 * t851 - tp_2 * t849 - tp_1 * t852;
-            R_x[43 * 8 + j] = tp_1 * t851 + tp_0 * t852 - tp_3 * t849 - tp_2 * t850;
+            R_x[40 * 8 + j] = tp_2 * t851 + tp_3 * t852 + tp_1 * t850 + tp_0 * t849; /* R_x(5,3) */
+            R_x[41 * 8 + j] = tp_0 * t850 + tp_2 * t852 - tp_1 * t849 - tp_3 * t851; /* R_x(5,4) */
+            R_x[42 * 8 + j] = tp_3 * t850 + tp_0 * t851 - tp_2 * t849 - tp_1 * t852; /* R_x(5,5) */
+            R_x[43 * 8 + j] = tp_1 * t851 + tp_0 * t852 - tp_3 * t849 - tp_2 * t850; /* R_x(5,6) */
             const real t853 = tp_2 * t704 + tp_3 * t697 + tp_0 * t701 - tp_1 * t690;
             const real t854 = tp_3 * t741 + tp_0 * t746 - tp_2 * t736 - tp_1 * t749;
             const real t855 = tp_3 * t793 - tp_2 * t789 - tp_0 * t796 - tp_1 * t783;
             const real t856 = tp_3 * t830 + tp_0 * t836 - tp_2 * t825 - tp_1 * t839;
-            R_x[44 * 8 + j] = tq_2 * t855 + tq_3 * t856 + tq_1 * t854 + tq_0 * t853;
-            R_x[45 * 8 + j] = tq_0 * t854 + tq_2 * t856 - tq_1 * t853 - tq_3 * t855;
-            R_x[46 * 8 + j] = tq_3 * t854 + tq_0 * t855 - tq_2 * t853 - tq_1 * t856;
-            R_x[47 * 8 + j] = tq_1 * t855 + tq_0 * t856 - tq_3 * t853 - tq_2 * t854;
+            R_x[44 * 8 + j] = tq_2 * t855 + tq_3 * t856 + tq_1 * t854 + tq_0 * t853; /* R_x(5,10) */
+            R_x[45 * 8 + j] = tq_0 * t854 + tq_2 * t856 - tq_1 * t853 - tq_3 * t855; /* R_x(5,11) */
+            R_x[46 * 8 + j] = tq_3 * t854 + tq_0 * t855 - tq_2 * t853 - tq_1 * t856; /* R_x(5,12) */
+            R_x[47 * 8 + j] = tq_1 * t855 + tq_0 * t856 - tq_3 * t853 - tq_2 * t854; /* R_x(5,13) */
             const real t857 = tp_1 * t479 + tp_0 * t496 - tp_3 * t444 - tp_2 * t460;
             const real t858 = tp_1 * t543 + tp_0 * t547 - tp_3 * t531 - tp_2 * t537;
             const real t859 = tp_1 * t597 + tp_0 * t602 - tp_3 * t585 - tp_2 * t590;
             const real t860 = tp_1 * t647 + tp_0 * t651 - tp_3 * t635 - tp_2 * t640;
-            R_x[48 * 8 + j] = tp_2 * t859 + tp_3 * t860 + tp_1 * t858 + tp_0 * t857;
-            R_x[49 * 8 + j] = tp_0 * t858 + tp_2 * t860 - tp_1 * t857 - tp_3 * t859;
-            R_x[50 * 8 + j] = tp_3 * t858 + tp_0 * t859 - tp_2 * t857 - tp_1 * t860;
-            R_x[51 * 8 + j] = tp_1 * t859 + tp_0 * t860 - tp_3 * t857 - tp_2 * t858;
+            R_x[48 * 8 + j] = tp_2 * t859 + tp_3 * t860 + tp_1 * t858 + tp_0 * t857; /* R_x(6,3) */
+            R_x[49 * 8 + j] = tp_0 * t858 + tp_2 * t860 - tp_1 * t857 - tp_3 * t859; /* R_x(6,4) */
+            R_x[50 * 8 + j] = tp_3 * t858 + tp_0 * t859 - tp_2 * t857 - tp_1 * t860; /* R_x(6,5) */
+            R_x[51 * 8 + j] = tp_1 * t859 + tp_0 * t860 - tp_3 * t857 - tp_2 * t858; /* R_x(6,6) */
             const real t861 = tp_3 * t704 + tp_1 * t701 + tp_0 * t690 - tp_2 * t697;
             const real t862 = tp_1 * t746 + tp_0 * t749 - tp_3 * t736 - tp_2 * t741;
             const real t863 = tp_0 * t783 - tp_3 * t789 - tp_2 * t793 - tp_1 * t796;
             const real t864 = tp_1 * t836 + tp_0 * t839 - tp_3 * t825 - tp_2 * t830;
-            R_x[52 * 8 + j] = tq_2 * t863 + tq_3 * t864 + tq_1 * t862 + tq_0 * t861;
-            R_x[53 * 8 + j] = tq_0 * t862 + tq_2 * t864 - tq_1 * t861 - tq_3 * t863;
-            R_x[54 * 8 + j] = tq_3 * t862 + tq_0 * t863 - tq_2 * t861 - tq_1 * t864;
-            R_x[55 * 8 + j] = tq_1 * t863 + tq_0 * t864 - tq_3 * t861 - tq_2 * t862;
+            R_x[52 * 8 + j] = tq_2 * t863 + tq_3 * t864 + tq_1 * t862 + tq_0 * t861; /* R_x(6,10) */
+            R_x[53 * 8 + j] = tq_0 * t862 + tq_2 * t864 - tq_1 * t861 - tq_3 * t863; /* R_x(6,11) */
+            R_x[54 * 8 + j] = tq_3 * t862 + tq_0 * t863 - tq_2 * t861 - tq_1 * t864; /* R_x(6,12) */
+            R_x[55 * 8 + j] = tq_1 * t863 + tq_0 * t864 - tq_3 * t861 - tq_2 * t862; /* R_x(6,13) */
             const real t865 = 0.06190476190476191 * t3;
             const real t866 = t865 + t151;
             const real t867 = 0.06190476190476191 * t153;
@@ -5304,10 +5275,10 @@ static void beam_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t870 = t207 - t869;
             const real t871 = 0.06190476190476191 * t209;
             const real t872 = t228 - t871;
-            R_x[56 * 8 + j] = tp_2 * t870 + tp_3 * t872 + tp_1 * t868 + tp_0 * t866;
-            R_x[57 * 8 + j] = tp_0 * t868 + tp_2 * t872 - tp_1 * t866 - tp_3 * t870;
-            R_x[58 * 8 + j] = tp_3 * t868 + tp_0 * t870 - tp_2 * t866 - tp_1 * t872;
-            R_x[59 * 8 + j] = tp_1 * t870 + tp_0 * t872 - tp_3 * t866 - tp_2 * t868;
+            R_x[56 * 8 + j] = tp_2 * t870 + tp_3 * t872 + tp_1 * t868 + tp_0 * t866; /* R_x(7,3) */
+            R_x[57 * 8 + j] = tp_0 * t868 + tp_2 * t872 - tp_1 * t866 - tp_3 * t870; /* R_x(7,4) */
+            R_x[58 * 8 + j] = tp_3 * t868 + tp_0 * t870 - tp_2 * t866 - tp_1 * t872; /* R_x(7,5) */
+            R_x[59 * 8 + j] = tp_1 * t870 + tp_0 * t872 - tp_3 * t866 - tp_2 * t868; /* R_x(7,6) */
             const real t873 = 0.10476190476190476 * t288;
             const real t874 = t316 - t873;
             const real t875 = 0.10476190476190476 * t318;
@@ -5316,42 +5287,42 @@ static void beam_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t878 = t877 + t265;
             const real t879 = 0.10476190476190476 * t267;
             const real t880 = t879 + t286;
-            R_x[60 * 8 + j] = tq_2 * t878 + tq_3 * t880 + tq_1 * t876 + tq_0 * t874;
-            R_x[61 * 8 + j] = tq_0 * t876 + tq_2 * t880 - tq_1 * t874 - tq_3 * t878;
-            R_x[62 * 8 + j] = tq_3 * t876 + tq_0 * t878 - tq_2 * t874 - tq_1 * t880;
-            R_x[63 * 8 + j] = tq_1 * t878 + tq_0 * t880 - tq_3 * t874 - tq_2 * t876;
+            R_x[60 * 8 + j] = tq_2 * t878 + tq_3 * t880 + tq_1 * t876 + tq_0 * t874; /* R_x(7,10) */
+            R_x[61 * 8 + j] = tq_0 * t876 + tq_2 * t880 - tq_1 * t874 - tq_3 * t878; /* R_x(7,11) */
+            R_x[62 * 8 + j] = tq_3 * t876 + tq_0 * t878 - tq_2 * t874 - tq_1 * t880; /* R_x(7,12) */
+            R_x[63 * 8 + j] = tq_1 * t878 + tq_0 * t880 - tq_3 * t874 - tq_2 * t876; /* R_x(7,13) */
             const real t881 = t871 + t338;
             const real t882 = t869 + t341;
             const real t883 = t867 + t344;
             const real t884 = t865 + t347;
-            R_x[64 * 8 + j] = tp_2 * t883 + tp_3 * t884 + tp_1 * t882 + tp_0 * t881;
-            R_x[65 * 8 + j] = tp_0 * t882 + tp_2 * t884 - tp_1 * t881 - tp_3 * t883;
-            R_x[66 * 8 + j] = tp_3 * t882 + tp_0 * t883 - tp_2 * t881 - tp_1 * t884;
-            R_x[67 * 8 + j] = tp_1 * t883 + tp_0 * t884 - tp_3 * t881 - tp_2 * t882;
+            R_x[64 * 8 + j] = tp_2 * t883 + tp_3 * t884 + tp_1 * t882 + tp_0 * t881; /* R_x(8,3) */
+            R_x[65 * 8 + j] = tp_0 * t882 + tp_2 * t884 - tp_1 * t881 - tp_3 * t883; /* R_x(8,4) */
+            R_x[66 * 8 + j] = tp_3 * t882 + tp_0 * t883 - tp_2 * t881 - tp_1 * t884; /* R_x(8,5) */
+            R_x[67 * 8 + j] = tp_1 * t883 + tp_0 * t884 - tp_3 * t881 - tp_2 * t882; /* R_x(8,6) */
             const real t885 = t350 - t879;
             const real t886 = t353 - t877;
             const real t887 = t356 - t875;
             const real t888 = t359 - t873;
-            R_x[68 * 8 + j] = tq_2 * t887 + tq_3 * t888 + tq_1 * t886 + tq_0 * t885;
-            R_x[69 * 8 + j] = tq_0 * t886 + tq_2 * t888 - tq_1 * t885 - tq_3 * t887;
-            R_x[70 * 8 + j] = tq_3 * t886 + tq_0 * t887 - tq_2 * t885 - tq_1 * t888;
-            R_x[71 * 8 + j] = tq_1 * t887 + tq_0 * t888 - tq_3 * t885 - tq_2 * t886;
+            R_x[68 * 8 + j] = tq_2 * t887 + tq_3 * t888 + tq_1 * t886 + tq_0 * t885; /* R_x(8,10) */
+            R_x[69 * 8 + j] = tq_0 * t886 + tq_2 * t888 - tq_1 * t885 - tq_3 * t887; /* R_x(8,11) */
+            R_x[70 * 8 + j] = tq_3 * t886 + tq_0 * t887 - tq_2 * t885 - tq_1 * t888; /* R_x(8,12) */
+            R_x[71 * 8 + j] = tq_1 * t887 + tq_0 * t888 - tq_3 * t885 - tq_2 * t886; /* R_x(8,13) */
             const real t889 = t368 - t869;
             const real t890 = t871 + t362;
             const real t891 = t371 - t865;
             const real t892 = t867 + t365;
-            R_x[72 * 8 + j] = tp_2 * t891 + tp_3 * t892 + tp_1 * t890 + tp_0 * t889;
-            R_x[73 * 8 + j] = tp_0 * t890 + tp_2 * t892 - tp_1 * t889 - tp_3 * t891;
-            R_x[74 * 8 + j] = tp_3 * t890 + tp_0 * t891 - tp_2 * t889 - tp_1 * t892;
-            R_x[75 * 8 + j] = tp_1 * t891 + tp_0 * t892 - tp_3 * t889 - tp_2 * t890;
+            R_x[72 * 8 + j] = tp_2 * t891 + tp_3 * t892 + tp_1 * t890 + tp_0 * t889; /* R_x(9,3) */
+            R_x[73 * 8 + j] = tp_0 * t890 + tp_2 * t892 - tp_1 * t889 - tp_3 * t891; /* R_x(9,4) */
+            R_x[74 * 8 + j] = tp_3 * t890 + tp_0 * t891 - tp_2 * t889 - tp_1 * t892; /* R_x(9,5) */
+            R_x[75 * 8 + j] = tp_1 * t891 + tp_0 * t892 - tp_3 * t889 - tp_2 * t890; /* R_x(9,6) */
             const real t893 = t877 + t374;
             const real t894 = t380 - t879;
             const real t895 = t873 + t377;
             const real t896 = t383 - t875;
-            R_x[76 * 8 + j] = tq_2 * t895 + tq_3 * t896 + tq_1 * t894 + tq_0 * t893;
-            R_x[77 * 8 + j] = tq_0 * t894 + tq_2 * t896 - tq_1 * t893 - tq_3 * t895;
-            R_x[78 * 8 + j] = tq_3 * t894 + tq_0 * t895 - tq_2 * t893 - tq_1 * t896;
-            R_x[79 * 8 + j] = tq_1 * t895 + tq_0 * t896 - tq_3 * t893 - tq_2 * t894;
+            R_x[76 * 8 + j] = tq_2 * t895 + tq_3 * t896 + tq_1 * t894 + tq_0 * t893; /* R_x(9,10) */
+            R_x[77 * 8 + j] = tq_0 * t894 + tq_2 * t896 - tq_1 * t893 - tq_3 * t895; /* R_x(9,11) */
+            R_x[78 * 8 + j] = tq_3 * t894 + tq_0 * t895 - tq_2 * t893 - tq_1 * t896; /* R_x(9,12) */
+            R_x[79 * 8 + j] = tq_1 * t895 + tq_0 * t896 - tq_3 * t893 - tq_2 * t894; /* R_x(9,13) */
             const real t897 = ud_p_2 * t473;
             const real t898 = 2.0 * t897 - t423;
             const real t899 = 0.02857142857142857 * t425;
@@ -5464,10 +5435,10 @@ static void beam_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t1006 = t1005 - u_q_1 * (t623 + t987) - u_q_2 * (t643 + t991) - ud_q_1 * t985;
             const real t1007 = t1006 - 1.3333333333333333 * (ud_q_2 * t634);
             const real t1008 = tq_2 * t1004 + tq_3 * t1007 + tq_1 * t1001 + tq_0 * t996;
-            R_x[80 * 8 + j] = tp_2 * t982 + tp_3 * t1008 + tp_1 * t954 + tp_0 * t927;
-            R_x[81 * 8 + j] = tp_0 * t954 + tp_2 * t1008 - tp_1 * t927 - tp_3 * t982;
-            R_x[82 * 8 + j] = tp_3 * t954 + tp_0 * t982 - tp_2 * t927 - tp_1 * t1008;
-            R_x[83 * 8 + j] = tp_1 * t982 + tp_0 * t1008 - tp_3 * t927 - tp_2 * t954;
+            R_x[80 * 8 + j] = tp_2 * t982 + tp_3 * t1008 + tp_1 * t954 + tp_0 * t927; /* R_x(10,3) */
+            R_x[81 * 8 + j] = tp_0 * t954 + tp_2 * t1008 - tp_1 * t927 - tp_3 * t982; /* R_x(10,4) */
+            R_x[82 * 8 + j] = tp_3 * t954 + tp_0 * t982 - tp_2 * t927 - tp_1 * t1008; /* R_x(10,5) */
+            R_x[83 * 8 + j] = tp_1 * t982 + tp_0 * t1008 - tp_3 * t927 - tp_2 * t954; /* R_x(10,6) */
             const real t1009 = 0.0380952380952381 * t394 - 0.10476190476190476 * t385 - 0.06190476190476191 * t386;
             const real t1010 = t1009 - 0.02857142857142857 * t390;
             const real t1011 = 0.0380952380952381 * t679;
@@ -5536,7 +5507,8 @@ static void beam_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t1074 = t1018 + t1065;
             const real t1075 = u_q_3 * (t1073 - t723) + u_q_2 * (t1074 - t712) + ud_q_3 * t1062;
             const real t1076 = 2.0 * (t439 + u_q_1 * t721) + t1075 + t443 + 0.0380952380952381 * (u_q_1 * t717);
-            const real t1077 = t1010 + t1076 - u_q_0 * (t1063 + t710) - ud_q_2 * t1059 - 2.6666666666666665 * (ud_q_0 * t711);
+            const real t1077 = t1010 + t1076 - u_q_0 * (t1063 + t710) - ud_q_2 * t1059 - 2.6666666666666665 * (ud_q_0
+                * t711);
             const real t1078 = t1048 - t1049;
             const real t1079 = ud_q_1 * t1059 + u_q_1 * (t1066 - t712) + t495 + t1078 + u_q_2 * (t742 - t1055);
             const real t1080 = t1079 - u_q_0 * (t723 + t1073) - ud_q_0 * t1062 - u_q_3 * (t1063 + t744);
@@ -5615,58 +5587,58 @@ static void beam_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t1153 = t1152 - 2.6666666666666665 * (ud_q_2 * t824) - 2.0 * (t591 + u_q_3 * t832);
             const real t1154 = t1153 - t1010 - t443;
             const real t1155 = tq_2 * t1150 + tq_3 * t1154 + tq_1 * t1146 + tq_0 * t1140;
-            R_x[84 * 8 + j] = tq_2 * t1122 + tq_3 * t1155 + tq_1 * t1087 + tq_0 * t1054;
-            R_x[85 * 8 + j] = tq_0 * t1087 + tq_2 * t1155 - tq_1 * t1054 - tq_3 * t1122;
-            R_x[86 * 8 + j] = tq_3 * t1087 + tq_0 * t1122 - tq_2 * t1054 - tq_1 * t1155;
-            R_x[87 * 8 + j] = tq_1 * t1122 + tq_0 * t1155 - tq_3 * t1054 - tq_2 * t1087;
+            R_x[84 * 8 + j] = tq_2 * t1122 + tq_3 * t1155 + tq_1 * t1087 + tq_0 * t1054; /* R_x(10,10) */
+            R_x[85 * 8 + j] = tq_0 * t1087 + tq_2 * t1155 - tq_1 * t1054 - tq_3 * t1122; /* R_x(10,11) */
+            R_x[86 * 8 + j] = tq_3 * t1087 + tq_0 * t1122 - tq_2 * t1054 - tq_1 * t1155; /* R_x(10,12) */
+            R_x[87 * 8 + j] = tq_1 * t1122 + tq_0 * t1155 - tq_3 * t1054 - tq_2 * t1087; /* R_x(10,13) */
             const real t1156 = tq_1 * t926 + tq_0 * t919 + tq_2 * t915 - tq_3 * t923;
             const real t1157 = tq_0 * t947 + tq_2 * t953 - tq_1 * t942 - tq_3 * t950;
             const real t1158 = tq_0 * t978 + tq_3 * t981 + tq_2 * t970 - tq_1 * t974;
             const real t1159 = tq_0 * t1001 + tq_2 * t1007 - tq_1 * t996 - tq_3 * t1004;
-            R_x[88 * 8 + j] = tp_2 * t1158 + tp_3 * t1159 + tp_1 * t1157 + tp_0 * t1156;
-            R_x[89 * 8 + j] = tp_0 * t1157 + tp_2 * t1159 - tp_1 * t1156 - tp_3 * t1158;
-            R_x[90 * 8 + j] = tp_3 * t1157 + tp_0 * t1158 - tp_2 * t1156 - tp_1 * t1159;
-            R_x[91 * 8 + j] = tp_1 * t1158 + tp_0 * t1159 - tp_3 * t1156 - tp_2 * t1157;
+            R_x[88 * 8 + j] = tp_2 * t1158 + tp_3 * t1159 + tp_1 * t1157 + tp_0 * t1156; /* R_x(11,3) */
+            R_x[89 * 8 + j] = tp_0 * t1157 + tp_2 * t1159 - tp_1 * t1156 - tp_3 * t1158; /* R_x(11,4) */
+            R_x[90 * 8 + j] = tp_3 * t1157 + tp_0 * t1158 - tp_2 * t1156 - tp_1 * t1159; /* R_x(11,5) */
+            R_x[91 * 8 + j] = tp_1 * t1158 + tp_0 * t1159 - tp_3 * t1156 - tp_2 * t1157; /* R_x(11,6) */
             const real t1160 = tq_0 * t1038 + tq_2 * t1053 - tq_1 * t1031 - tq_3 * t1046;
             const real t1161 = tq_0 * t1077 + tq_2 * t1086 - tq_1 * t1072 - tq_3 * t1081;
             const real t1162 = tq_0 * t1114 + tq_2 * t1121 - tq_1 * t1108 - tq_3 * t1118;
             const real t1163 = tq_0 * t1146 + tq_2 * t1154 - tq_1 * t1140 - tq_3 * t1150;
-            R_x[92 * 8 + j] = tq_2 * t1162 + tq_3 * t1163 + tq_1 * t1161 + tq_0 * t1160;
-            R_x[93 * 8 + j] = tq_0 * t1161 + tq_2 * t1163 - tq_1 * t1160 - tq_3 * t1162;
-            R_x[94 * 8 + j] = tq_3 * t1161 + tq_0 * t1162 - tq_2 * t1160 - tq_1 * t1163;
-            R_x[95 * 8 + j] = tq_1 * t1162 + tq_0 * t1163 - tq_3 * t1160 - tq_2 * t1161;
+            R_x[92 * 8 + j] = tq_2 * t1162 + tq_3 * t1163 + tq_1 * t1161 + tq_0 * t1160; /* R_x(11,10) */
+            R_x[93 * 8 + j] = tq_0 * t1161 + tq_2 * t1163 - tq_1 * t1160 - tq_3 * t1162; /* R_x(11,11) */
+            R_x[94 * 8 + j] = tq_3 * t1161 + tq_0 * t1162 - tq_2 * t1160 - tq_1 * t1163; /* R_x(11,12) */
+            R_x[95 * 8 + j] = tq_1 * t1162 + tq_0 * t1163 - tq_3 * t1160 - tq_2 * t1161; /* R_x(11,13) */
             const real t1164 = tq_2 * t926 + tq_3 * t919 + tq_0 * t923 - tq_1 * t915;
             const real t1165 = tq_3 * t947 + tq_0 * t950 - tq_2 * t942 - tq_1 * t953;
             const real t1166 = tq_3 * t978 - tq_2 * t974 - tq_0 * t981 - tq_1 * t970;
             const real t1167 = tq_3 * t1001 + tq_0 * t1004 - tq_2 * t996 - tq_1 * t1007;
-            R_x[96 * 8 + j] = tp_2 * t1166 + tp_3 * t1167 + tp_1 * t1165 + tp_0 * t1164;
-            R_x[97 * 8 + j] = tp_0 * t1165 + tp_2 * t1167 - tp_1 * t1164 - tp_3 * t1166;
-            R_x[98 * 8 + j] = tp_3 * t1165 + tp_0 * t1166 - tp_2 * t1164 - tp_1 * t1167;
-            R_x[99 * 8 + j] = tp_1 * t1166 + tp_0 * t1167 - tp_3 * t1164 - tp_2 * t1165;
+            R_x[96 * 8 + j] = tp_2 * t1166 + tp_3 * t1167 + tp_1 * t1165 + tp_0 * t1164; /* R_x(12,3) */
+            R_x[97 * 8 + j] = tp_0 * t1165 + tp_2 * t1167 - tp_1 * t1164 - tp_3 * t1166; /* R_x(12,4) */
+            R_x[98 * 8 + j] = tp_3 * t1165 + tp_0 * t1166 - tp_2 * t1164 - tp_1 * t1167; /* R_x(12,5) */
+            R_x[99 * 8 + j] = tp_1 * t1166 + tp_0 * t1167 - tp_3 * t1164 - tp_2 * t1165; /* R_x(12,6) */
             const real t1168 = tq_3 * t1038 + tq_0 * t1046 - tq_2 * t1031 - tq_1 * t1053;
             const real t1169 = tq_3 * t1077 + tq_0 * t1081 - tq_2 * t1072 - tq_1 * t1086;
             const real t1170 = tq_3 * t1114 + tq_0 * t1118 - tq_2 * t1108 - tq_1 * t1121;
             const real t1171 = tq_3 * t1146 + tq_0 * t1150 - tq_2 * t1140 - tq_1 * t1154;
-            R_x[100 * 8 + j] = tq_2 * t1170 + tq_3 * t1171 + tq_1 * t1169 + tq_0 * t1168;
-            R_x[101 * 8 + j] = tq_0 * t1169 + tq_2 * t1171 - tq_1 * t1168 - tq_3 * t1170;
-            R_x[102 * 8 + j] = tq_3 * t1169 + tq_0 * t1170 - tq_2 * t1168 - tq_1 * t1171;
-            R_x[103 * 8 + j] = tq_1 * t1170 + tq_0 * t1171 - tq_3 * t1168 - tq_2 * t1169;
+            R_x[100 * 8 + j] = tq_2 * t1170 + tq_3 * t1171 + tq_1 * t1169 + tq_0 * t1168; /* R_x(12,10) */
+            R_x[101 * 8 + j] = tq_0 * t1169 + tq_2 * t1171 - tq_1 * t1168 - tq_3 * t1170; /* R_x(12,11) */
+            R_x[102 * 8 + j] = tq_3 * t1169 + tq_0 * t1170 - tq_2 * t1168 - tq_1 * t1171; /* R_x(12,12) */
+            R_x[103 * 8 + j] = tq_1 * t1170 + tq_0 * t1171 - tq_3 * t1168 - tq_2 * t1169; /* R_x(12,13) */
             const real t1172 = tq_3 * t926 + tq_1 * t923 + tq_0 * t915 - tq_2 * t919;
             const real t1173 = tq_1 * t950 + tq_0 * t953 - tq_3 * t942 - tq_2 * t947;
             const real t1174 = tq_0 * t970 - tq_3 * t974 - tq_2 * t978 - tq_1 * t981;
             const real t1175 = tq_1 * t1004 + tq_0 * t1007 - tq_3 * t996 - tq_2 * t1001;
-            R_x[104 * 8 + j] = tp_2 * t1174 + tp_3 * t1175 + tp_1 * t1173 + tp_0 * t1172;
-            R_x[105 * 8 + j] = tp_0 * t1173 + tp_2 * t1175 - tp_1 * t1172 - tp_3 * t1174;
-            R_x[106 * 8 + j] = tp_3 * t1173 + tp_0 * t1174 - tp_2 * t1172 - tp_1 * t1175;
-            R_x[107 * 8 + j] = tp_1 * t1174 + tp_0 * t1175 - tp_3 * t1172 - tp_2 * t1173;
+            R_x[104 * 8 + j] = tp_2 * t1174 + tp_3 * t1175 + tp_1 * t1173 + tp_0 * t1172; /* R_x(13,3) */
+            R_x[105 * 8 + j] = tp_0 * t1173 + tp_2 * t1175 - tp_1 * t1172 - tp_3 * t1174; /* R_x(13,4) */
+            R_x[106 * 8 + j] = tp_3 * t1173 + tp_0 * t1174 - tp_2 * t1172 - tp_1 * t1175; /* R_x(13,5) */
+            R_x[107 * 8 + j] = tp_1 * t1174 + tp_0 * t1175 - tp_3 * t1172 - tp_2 * t1173; /* R_x(13,6) */
             const real t1176 = tq_1 * t1046 + tq_0 * t1053 - tq_3 * t1031 - tq_2 * t1038;
             const real t1177 = tq_1 * t1081 + tq_0 * t1086 - tq_3 * t1072 - tq_2 * t1077;
             const real t1178 = tq_1 * t1118 + tq_0 * t1121 - tq_3 * t1108 - tq_2 * t1114;
             const real t1179 = tq_1 * t1150 + tq_0 * t1154 - tq_3 * t1140 - tq_2 * t1146;
-            R_x[108 * 8 + j] = tq_2 * t1178 + tq_3 * t1179 + tq_1 * t1177 + tq_0 * t1176;
-            R_x[109 * 8 + j] = tq_0 * t1177 + tq_2 * t1179 - tq_1 * t1176 - tq_3 * t1178;
-            R_x[110 * 8 + j] = tq_3 * t1177 + tq_0 * t1178 - tq_2 * t1176 - tq_1 * t1179;
-            R_x[111 * 8 + j] = tq_1 * t1178 + tq_0 * t1179 - tq_3 * t1176 - tq_2 * t1177;
+            R_x[108 * 8 + j] = tq_2 * t1178 + tq_3 * t1179 + tq_1 * t1177 + tq_0 * t1176; /* R_x(13,10) */
+            R_x[109 * 8 + j] = tq_0 * t1177 + tq_2 * t1179 - tq_1 * t1176 - tq_3 * t1178; /* R_x(13,11) */
+            R_x[110 * 8 + j] = tq_3 * t1177 + tq_0 * t1178 - tq_2 * t1176 - tq_1 * t1179; /* R_x(13,12) */
+            R_x[111 * 8 + j] = tq_1 * t1178 + tq_0 * t1179 - tq_3 * t1176 - tq_2 * t1177; /* R_x(13,13) */
             const real t1180 = t5 * t99;
             const real t1181 = t97 * t1180;
             const real t1182 = t5 * t8;
@@ -5677,13 +5649,13 @@ static void beam_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t1187 = t8 * t1186;
             const real t1188 = t5 * (t97 * t1185 + t6 * t1187 + t45 * t1183 + t116 * t1181);
             const real t1189 = 1.2 * t1188;
-            R_v[0 * 8 + j] = R_v[105 * 8 + j] = t1189;
+            R_v[0 * 8 + j] = R_v[105 * 8 + j] = t1189; /* R_v(0,0) R_v(7,7) */
             const real t1190 = 1.2 * (t21 * t1187 + t34 * t1183) + 0.6 * (t146 * t1181 + t127 * t1185);
             const real t1191 = t5 * t1190;
-            R_v[1 * 8 + j] = R_v[106 * 8 + j] = t1191;
+            R_v[1 * 8 + j] = R_v[106 * 8 + j] = t1191; /* R_v(0,1) R_v(7,8) */
             const real t1192 = 1.2 * (t128 * t1185 + t145 * t1181) + 0.6 * (t54 * t1183 + t63 * t1187);
             const real t1193 = t5 * t1192;
-            R_v[2 * 8 + j] = R_v[107 * 8 + j] = t1193;
+            R_v[2 * 8 + j] = R_v[107 * 8 + j] = t1193; /* R_v(0,2) R_v(7,9) */
             const real t1194 = t5 * t129;
             const real t1195 = 1.2 * (chord_x * t1181) + t1194;
             const real t1196 = t100 * t1184;
@@ -5730,13 +5702,13 @@ static void beam_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t1237 = u_p_0 * t1222;
             const real t1238 = u_p_2 * t1230;
             const real t1239 = t1233 + t1234 - t1236 - t1237 - t1238;
-            R_v[3 * 8 + j] = tp_2 * t1232 + tp_3 * t1239 + tp_1 * t1221 + tp_0 * t1214;
-            R_v[4 * 8 + j] = tp_0 * t1221 + tp_2 * t1239 - tp_1 * t1214 - tp_3 * t1232;
-            R_v[5 * 8 + j] = tp_3 * t1221 + tp_0 * t1232 - tp_2 * t1214 - tp_1 * t1239;
-            R_v[6 * 8 + j] = tp_1 * t1232 + tp_0 * t1239 - tp_3 * t1214 - tp_2 * t1221;
-            R_v[7 * 8 + j] = R_v[98 * 8 + j] = -t1189;
-            R_v[8 * 8 + j] = R_v[99 * 8 + j] = -t1191;
-            R_v[9 * 8 + j] = R_v[100 * 8 + j] = -t1193;
+            R_v[3 * 8 + j] = tp_2 * t1232 + tp_3 * t1239 + tp_1 * t1221 + tp_0 * t1214; /* R_v(0,3) */
+            R_v[4 * 8 + j] = tp_0 * t1221 + tp_2 * t1239 - tp_1 * t1214 - tp_3 * t1232; /* R_v(0,4) */
+            R_v[5 * 8 + j] = tp_3 * t1221 + tp_0 * t1232 - tp_2 * t1214 - tp_1 * t1239; /* R_v(0,5) */
+            R_v[6 * 8 + j] = tp_1 * t1232 + tp_0 * t1239 - tp_3 * t1214 - tp_2 * t1221; /* R_v(0,6) */
+            R_v[7 * 8 + j] = R_v[98 * 8 + j] = -t1189; /* R_v(0,7) R_v(7,0) */
+            R_v[8 * 8 + j] = R_v[99 * 8 + j] = -t1191; /* R_v(0,8) R_v(7,1) */
+            R_v[9 * 8 + j] = R_v[100 * 8 + j] = -t1193; /* R_v(0,9) R_v(7,2) */
             const real t1240 = u_q_1 * t1203;
             const real t1241 = u_q_3 * t1197;
             const real t1242 = ud_q_0 * t2;
@@ -5761,10 +5733,10 @@ static void beam_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t1261 = u_q_0 * t1222;
             const real t1262 = u_q_2 * t1230;
             const real t1263 = 0.12380952380952381 * t1259 + t1260 + t1258 - t1261 - t1262;
-            R_v[10 * 8 + j] = tq_2 * t1257 + tq_3 * t1263 + tq_1 * t1251 + tq_0 * t1245;
-            R_v[11 * 8 + j] = tq_0 * t1251 + tq_2 * t1263 - tq_1 * t1245 - tq_3 * t1257;
-            R_v[12 * 8 + j] = tq_3 * t1251 + tq_0 * t1257 - tq_2 * t1245 - tq_1 * t1263;
-            R_v[13 * 8 + j] = tq_1 * t1257 + tq_0 * t1263 - tq_3 * t1245 - tq_2 * t1251;
+            R_v[10 * 8 + j] = tq_2 * t1257 + tq_3 * t1263 + tq_1 * t1251 + tq_0 * t1245; /* R_v(0,10) */
+            R_v[11 * 8 + j] = tq_0 * t1251 + tq_2 * t1263 - tq_1 * t1245 - tq_3 * t1257; /* R_v(0,11) */
+            R_v[12 * 8 + j] = tq_3 * t1251 + tq_0 * t1257 - tq_2 * t1245 - tq_1 * t1263; /* R_v(0,12) */
+            R_v[13 * 8 + j] = tq_1 * t1257 + tq_0 * t1263 - tq_3 * t1245 - tq_2 * t1251; /* R_v(0,13) */
             const real t1264 = t5 * t34;
             const real t1265 = t8 * t1264;
             const real t1266 = t21 * t1182;
@@ -5774,13 +5746,13 @@ static void beam_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t1270 = t99 * t1269;
             const real t1271 = 1.2 * (t6 * t1265 + t45 * t1266) + 0.6 * (t97 * t1268 + t1270 * t116);
             const real t1272 = t5 * t1271;
-            R_v[14 * 8 + j] = R_v[119 * 8 + j] = t1272;
+            R_v[14 * 8 + j] = R_v[119 * 8 + j] = t1272; /* R_v(1,0) R_v(8,7) */
             const real t1273 = 1.2 * (t21 * t1265 + t34 * t1266) + 0.3 * (t146 * t1270 + t127 * t1268);
             const real t1274 = t5 * t1273;
-            R_v[15 * 8 + j] = R_v[120 * 8 + j] = t1274;
+            R_v[15 * 8 + j] = R_v[120 * 8 + j] = t1274; /* R_v(1,1) R_v(8,8) */
             const real t1275 = t5 * (t1270 * t145 + t128 * t1268 + t63 * t1265 + t54 * t1266);
             const real t1276 = 0.6 * t1275;
-            R_v[16 * 8 + j] = R_v[121 * 8 + j] = t1276;
+            R_v[16 * 8 + j] = R_v[121 * 8 + j] = t1276; /* R_v(1,2) R_v(8,9) */
             const real t1277 = 0.6 * (chord_x * t1270);
             const real t1278 = 0.5 * t100 * t1267;
             const real t1279 = t1277 + t1278;
@@ -5817,13 +5789,13 @@ static void beam_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t1310 = u_p_0 * t1301;
             const real t1311 = u_p_2 * t1305;
             const real t1312 = t1200 + t1309 + t1308 - t1310 - t1311;
-            R_v[17 * 8 + j] = tp_2 * t1307 + tp_3 * t1312 + tp_1 * t1298 + tp_0 * t1293;
-            R_v[18 * 8 + j] = tp_0 * t1298 + tp_2 * t1312 - tp_1 * t1293 - tp_3 * t1307;
-            R_v[19 * 8 + j] = tp_3 * t1298 + tp_0 * t1307 - tp_2 * t1293 - tp_1 * t1312;
-            R_v[20 * 8 + j] = tp_1 * t1307 + tp_0 * t1312 - tp_3 * t1293 - tp_2 * t1298;
-            R_v[21 * 8 + j] = R_v[112 * 8 + j] = -t1272;
-            R_v[22 * 8 + j] = R_v[113 * 8 + j] = -t1274;
-            R_v[23 * 8 + j] = R_v[114 * 8 + j] = -t1276;
+            R_v[17 * 8 + j] = tp_2 * t1307 + tp_3 * t1312 + tp_1 * t1298 + tp_0 * t1293; /* R_v(1,3) */
+            R_v[18 * 8 + j] = tp_0 * t1298 + tp_2 * t1312 - tp_1 * t1293 - tp_3 * t1307; /* R_v(1,4) */
+            R_v[19 * 8 + j] = tp_3 * t1298 + tp_0 * t1307 - tp_2 * t1293 - tp_1 * t1312; /* R_v(1,5) */
+            R_v[20 * 8 + j] = tp_1 * t1307 + tp_0 * t1312 - tp_3 * t1293 - tp_2 * t1298; /* R_v(1,6) */
+            R_v[21 * 8 + j] = R_v[112 * 8 + j] = -t1272; /* R_v(1,7) R_v(8,0) */
+            R_v[22 * 8 + j] = R_v[113 * 8 + j] = -t1274; /* R_v(1,8) R_v(8,1) */
+            R_v[23 * 8 + j] = R_v[114 * 8 + j] = -t1276; /* R_v(1,9) R_v(8,2) */
             const real t1313 = u_q_3 * t1279;
             const real t1314 = 0.5 * t100 * t1269;
             const real t1315 = 0.06190476190476191 * t2;
@@ -5847,10 +5819,10 @@ static void beam_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t1333 = u_q_0 * t1301;
             const real t1334 = u_q_2 * t1305;
             const real t1335 = ud_q_0 * t1316 + t1332 + t1331 - t1333 - t1334;
-            R_v[24 * 8 + j] = tq_2 * t1330 + tq_3 * t1335 + tq_1 * t1325 + tq_0 * t1320;
-            R_v[25 * 8 + j] = tq_0 * t1325 + tq_2 * t1335 - tq_1 * t1320 - tq_3 * t1330;
-            R_v[26 * 8 + j] = tq_3 * t1325 + tq_0 * t1330 - tq_2 * t1320 - tq_1 * t1335;
-            R_v[27 * 8 + j] = tq_1 * t1330 + tq_0 * t1335 - tq_3 * t1320 - tq_2 * t1325;
+            R_v[24 * 8 + j] = tq_2 * t1330 + tq_3 * t1335 + tq_1 * t1325 + tq_0 * t1320; /* R_v(1,10) */
+            R_v[25 * 8 + j] = tq_0 * t1325 + tq_2 * t1335 - tq_1 * t1320 - tq_3 * t1330; /* R_v(1,11) */
+            R_v[26 * 8 + j] = tq_3 * t1325 + tq_0 * t1330 - tq_2 * t1320 - tq_1 * t1335; /* R_v(1,12) */
+            R_v[27 * 8 + j] = tq_1 * t1330 + tq_0 * t1335 - tq_3 * t1320 - tq_2 * t1325; /* R_v(1,13) */
             const real t1336 = t5 * t145;
             const real t1337 = t99 * t1336;
             const real t1338 = t128 * t1180;
@@ -5860,13 +5832,13 @@ static void beam_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t1342 = t8 * t1341;
             const real t1343 = 1.2 * (t97 * t1337 + t116 * t1338) + 0.6 * (t6 * t1340 + t1342 * t45);
             const real t1344 = t5 * t1343;
-            R_v[28 * 8 + j] = R_v[133 * 8 + j] = t1344;
+            R_v[28 * 8 + j] = R_v[133 * 8 + j] = t1344; /* R_v(2,0) R_v(9,7) */
             const real t1345 = t5 * (t21 * t1340 + t34 * t1342 + t127 * t1337 + t146 * t1338);
             const real t1346 = 0.6 * t1345;
-            R_v[29 * 8 + j] = R_v[134 * 8 + j] = t1346;
+            R_v[29 * 8 + j] = R_v[134 * 8 + j] = t1346; /* R_v(2,1) R_v(9,8) */
             const real t1347 = 0.3 * (t54 * t1342 + t63 * t1340) + 1.2 * (t128 * t1337 + t145 * t1338);
             const real t1348 = t5 * t1347;
-            R_v[30 * 8 + j] = R_v[135 * 8 + j] = t1348;
+            R_v[30 * 8 + j] = R_v[135 * 8 + j] = t1348; /* R_v(2,2) R_v(9,9) */
             const real t1349 = 0.6 * (chord_y * t1342);
             const real t1350 = t1194 + 1.2 * (chord_z * t1338);
             const real t1351 = t1349 - t1350;
@@ -5903,13 +5875,13 @@ static void beam_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t1382 = u_p_0 * t1373;
             const real t1383 = u_p_2 * t1377;
             const real t1384 = t1217 + t1381 + t1380 - t1382 - t1383;
-            R_v[31 * 8 + j] = tp_2 * t1379 + tp_3 * t1384 + tp_1 * t1370 + tp_0 * t1365;
-            R_v[32 * 8 + j] = tp_0 * t1370 + tp_2 * t1384 - tp_1 * t1365 - tp_3 * t1379;
-            R_v[33 * 8 + j] = tp_3 * t1370 + tp_0 * t1379 - tp_2 * t1365 - tp_1 * t1384;
-            R_v[34 * 8 + j] = tp_1 * t1379 + tp_0 * t1384 - tp_3 * t1365 - tp_2 * t1370;
-            R_v[35 * 8 + j] = R_v[126 * 8 + j] = -t1344;
-            R_v[36 * 8 + j] = R_v[127 * 8 + j] = -t1346;
-            R_v[37 * 8 + j] = R_v[128 * 8 + j] = -t1348;
+            R_v[31 * 8 + j] = tp_2 * t1379 + tp_3 * t1384 + tp_1 * t1370 + tp_0 * t1365; /* R_v(2,3) */
+            R_v[32 * 8 + j] = tp_0 * t1370 + tp_2 * t1384 - tp_1 * t1365 - tp_3 * t1379; /* R_v(2,4) */
+            R_v[33 * 8 + j] = tp_3 * t1370 + tp_0 * t1379 - tp_2 * t1365 - tp_1 * t1384; /* R_v(2,5) */
+            R_v[34 * 8 + j] = tp_1 * t1379 + tp_0 * t1384 - tp_3 * t1365 - tp_2 * t1370; /* R_v(2,6) */
+            R_v[35 * 8 + j] = R_v[126 * 8 + j] = -t1344; /* R_v(2,7) R_v(9,0) */
+            R_v[36 * 8 + j] = R_v[127 * 8 + j] = -t1346; /* R_v(2,8) R_v(9,1) */
+            R_v[37 * 8 + j] = R_v[128 * 8 + j] = -t1348; /* R_v(2,9) R_v(9,2) */
             const real t1385 = u_q_1 * t1351;
             const real t1386 = u_q_3 * t1355;
             const real t1387 = 0.5 * t15 * t1341;
@@ -5932,10 +5904,10 @@ static void beam_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t1404 = u_q_0 * t1373;
             const real t1405 = u_q_2 * t1377;
             const real t1406 = ud_q_1 * t1388 + t1403 + t1402 - t1404 - t1405;
-            R_v[38 * 8 + j] = tq_2 * t1401 + tq_3 * t1406 + tq_1 * t1396 + tq_0 * t1391;
-            R_v[39 * 8 + j] = tq_0 * t1396 + tq_2 * t1406 - tq_1 * t1391 - tq_3 * t1401;
-            R_v[40 * 8 + j] = tq_3 * t1396 + tq_0 * t1401 - tq_2 * t1391 - tq_1 * t1406;
-            R_v[41 * 8 + j] = tq_1 * t1401 + tq_0 * t1406 - tq_3 * t1391 - tq_2 * t1396;
+            R_v[38 * 8 + j] = tq_2 * t1401 + tq_3 * t1406 + tq_1 * t1396 + tq_0 * t1391; /* R_v(2,10) */
+            R_v[39 * 8 + j] = tq_0 * t1396 + tq_2 * t1406 - tq_1 * t1391 - tq_3 * t1401; /* R_v(2,11) */
+            R_v[40 * 8 + j] = tq_3 * t1396 + tq_0 * t1401 - tq_2 * t1391 - tq_1 * t1406; /* R_v(2,12) */
+            R_v[41 * 8 + j] = tq_1 * t1401 + tq_0 * t1406 - tq_3 * t1391 - tq_2 * t1396; /* R_v(2,13) */
             const real t1407 = 1.2 * (t99 * t214) + 2.0 * t204;
             const real t1408 = 1.2 * t185 + 2.0 * t187;
             const real t1409 = u_p_0 * t15;
@@ -5972,7 +5944,7 @@ static void beam_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t1440 = t1435 + t116 * t1436 + t97 * t1434 - t45 * t1437 - t1438 - t6 * t1439;
             const real t1441 = t5 * t1440;
             const real t1442 = tp_3 * t1441;
-            R_v[42 * 8 + j] = t1415 - t1424 - t1433 - t1442;
+            R_v[42 * 8 + j] = t1415 - t1424 - t1433 - t1442; /* R_v(3,0) */
             const real t1443 = 0.5 * (t146 * t1410 + t127 * t1407) + t1431 + t1429 + t21 * t1408;
             const real t1444 = t5 * (t34 * t1409 + t1443);
             const real t1445 = tp_2 * t1444;
@@ -5985,7 +5957,7 @@ static void beam_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t1452 = 0.5 * (t146 * t1436 + t127 * t1434) + t1418 - t34 * t1437;
             const real t1453 = t5 * (t1452 - t1422 - t21 * t1439);
             const real t1454 = tp_3 * t1453;
-            R_v[43 * 8 + j] = t1445 - t1448 - t1451 - t1454;
+            R_v[43 * 8 + j] = t1445 - t1448 - t1451 - t1454; /* R_v(3,1) */
             const real t1455 = 0.5 * (t54 * t1419 + t63 * t1417) + t128 * t1416 - t145 * t1420;
             const real t1456 = t5 * (t1455 - t1412 - t1411);
             const real t1457 = 0.5 * (t54 * t1427 + t63 * t1426) + t1438 + t128 * t1425 + t145 * t1428;
@@ -5995,8 +5967,8 @@ static void beam_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t1461 = t145 * t1436 + t128 * t1434 - 0.5 * (t54 * t1437 + t63 * t1439);
             const real t1462 = t5 * (t1461 - t1429 - t1431);
             const real t1463 = tp_2 * t1460 + tp_3 * t1462 + tp_1 * t1458 + tp_0 * t1456;
-            R_v[51 * 8 + j] = t1463;
-            R_v[44 * 8 + j] = -t1463;
+            R_v[51 * 8 + j] = t1463; /* R_v(3,9) */
+            R_v[44 * 8 + j] = -t1463; /* R_v(3,2) */
             const real t1464 = chord_x * t1419;
             const real t1465 = t423 - 8.0 * t422;
             const real t1466 = t1464 - t1465;
@@ -6155,12 +6127,12 @@ static void beam_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t1619 = t1476 + t1574 + t1575 + u_p_2 * (t1543 + t1606) + u_p_1 * t1605;
             const real t1620 = t1619 - 2.0 * u_p_3 * t1608 - u_p_0 * t1607;
             const real t1621 = tp_2 * t1618 + tp_3 * t1620 + tp_1 * t1616 + tp_0 * t1614;
-            R_v[45 * 8 + j] = tp_2 * t1611 + tp_3 * t1621 + tp_1 * t1586 + tp_0 * t1570;
-            R_v[46 * 8 + j] = tp_0 * t1586 + tp_2 * t1621 - tp_1 * t1570 - tp_3 * t1611;
-            R_v[47 * 8 + j] = tp_3 * t1586 + tp_0 * t1611 - tp_2 * t1570 - tp_1 * t1621;
-            R_v[48 * 8 + j] = tp_1 * t1611 + tp_0 * t1621 - tp_3 * t1570 - tp_2 * t1586;
-            R_v[49 * 8 + j] = t1424 + t1442 + t1433 - t1415;
-            R_v[50 * 8 + j] = t1448 + t1454 + t1451 - t1445;
+            R_v[45 * 8 + j] = tp_2 * t1611 + tp_3 * t1621 + tp_1 * t1586 + tp_0 * t1570; /* R_v(3,3) */
+            R_v[46 * 8 + j] = tp_0 * t1586 + tp_2 * t1621 - tp_1 * t1570 - tp_3 * t1611; /* R_v(3,4) */
+            R_v[47 * 8 + j] = tp_3 * t1586 + tp_0 * t1611 - tp_2 * t1570 - tp_1 * t1621; /* R_v(3,5) */
+            R_v[48 * 8 + j] = tp_1 * t1611 + tp_0 * t1621 - tp_3 * t1570 - tp_2 * t1586; /* R_v(3,6) */
+            R_v[49 * 8 + j] = t1424 + t1442 + t1433 - t1415; /* R_v(3,7) */
+            R_v[50 * 8 + j] = t1448 + t1454 + t1451 - t1445; /* R_v(3,8) */
             const real t1622 = t423 - 4.0 * t897;
             const real t1623 = t1464 - t1622;
             const real t1624 = 1.3333333333333333 * t435;
@@ -6257,120 +6229,120 @@ static void beam_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t1715 = u_q_1 * t1700 + t1714 - 0.05714285714285714 * (ud_q_3 * t1478);
             const real t1716 = t1715 - 2.0 * u_q_3 * t1608 - u_q_0 * t1701;
             const real t1717 = tp_2 * t1713 + tp_3 * t1716 + tp_1 * t1710 + tp_0 * t1707;
-            R_v[52 * 8 + j] = tq_2 * t1705 + tq_3 * t1717 + tq_1 * t1686 + tq_0 * t1672;
-            R_v[53 * 8 + j] = tq_0 * t1686 + tq_2 * t1717 - tq_1 * t1672 - tq_3 * t1705;
-            R_v[54 * 8 + j] = tq_3 * t1686 + tq_0 * t1705 - tq_2 * t1672 - tq_1 * t1717;
-            R_v[55 * 8 + j] = tq_1 * t1705 + tq_0 * t1717 - tq_3 * t1672 - tq_2 * t1686;
+            R_v[52 * 8 + j] = tq_2 * t1705 + tq_3 * t1717 + tq_1 * t1686 + tq_0 * t1672; /* R_v(3,10) */
+            R_v[53 * 8 + j] = tq_0 * t1686 + tq_2 * t1717 - tq_1 * t1672 - tq_3 * t1705; /* R_v(3,11) */
+            R_v[54 * 8 + j] = tq_3 * t1686 + tq_0 * t1705 - tq_2 * t1672 - tq_1 * t1717; /* R_v(3,12) */
+            R_v[55 * 8 + j] = tq_1 * t1705 + tq_0 * t1717 - tq_3 * t1672 - tq_2 * t1686; /* R_v(3,13) */
             const real t1718 = tp_1 * t1423;
             const real t1719 = tp_0 * t1432;
             const real t1720 = tp_3 * t1414;
             const real t1721 = tp_2 * t1441;
-            R_v[56 * 8 + j] = t1718 - t1719 - t1720 - t1721;
+            R_v[56 * 8 + j] = t1718 - t1719 - t1720 - t1721; /* R_v(4,0) */
             const real t1722 = tp_1 * t1447;
             const real t1723 = tp_0 * t1450;
             const real t1724 = tp_3 * t1444;
             const real t1725 = tp_2 * t1453;
-            R_v[57 * 8 + j] = t1722 - t1723 - t1724 - t1725;
+            R_v[57 * 8 + j] = t1722 - t1723 - t1724 - t1725; /* R_v(4,1) */
             const real t1726 = tp_1 * t1456;
             const real t1727 = tp_3 * t1460;
             const real t1728 = tp_0 * t1458;
             const real t1729 = tp_2 * t1462;
-            R_v[58 * 8 + j] = t1726 + t1727 - t1728 - t1729;
+            R_v[58 * 8 + j] = t1726 + t1727 - t1728 - t1729; /* R_v(4,2) */
             const real t1730 = tp_0 * t1511 + tp_2 * t1569 - tp_1 * t1488 - tp_3 * t1541;
             const real t1731 = tp_0 * t1578 + tp_2 * t1585 - tp_1 * t1573 - tp_3 * t1581;
             const real t1732 = tp_0 * t1598 + tp_2 * t1610 - tp_1 * t1592 - tp_3 * t1604;
             const real t1733 = tp_0 * t1616 + tp_2 * t1620 - tp_1 * t1614 - tp_3 * t1618;
-            R_v[59 * 8 + j] = tp_2 * t1732 + tp_3 * t1733 + tp_1 * t1731 + tp_0 * t1730;
-            R_v[60 * 8 + j] = tp_0 * t1731 + tp_2 * t1733 - tp_1 * t1730 - tp_3 * t1732;
-            R_v[61 * 8 + j] = tp_3 * t1731 + tp_0 * t1732 - tp_2 * t1730 - tp_1 * t1733;
-            R_v[62 * 8 + j] = tp_1 * t1732 + tp_0 * t1733 - tp_3 * t1730 - tp_2 * t1731;
-            R_v[63 * 8 + j] = t1719 + t1721 + t1720 - t1718;
-            R_v[64 * 8 + j] = t1723 + t1725 + t1724 - t1722;
-            R_v[65 * 8 + j] = t1728 + t1729 - t1726 - t1727;
+            R_v[59 * 8 + j] = tp_2 * t1732 + tp_3 * t1733 + tp_1 * t1731 + tp_0 * t1730; /* R_v(4,3) */
+            R_v[60 * 8 + j] = tp_0 * t1731 + tp_2 * t1733 - tp_1 * t1730 - tp_3 * t1732; /* R_v(4,4) */
+            R_v[61 * 8 + j] = tp_3 * t1731 + tp_0 * t1732 - tp_2 * t1730 - tp_1 * t1733; /* R_v(4,5) */
+            R_v[62 * 8 + j] = tp_1 * t1732 + tp_0 * t1733 - tp_3 * t1730 - tp_2 * t1731; /* R_v(4,6) */
+            R_v[63 * 8 + j] = t1719 + t1721 + t1720 - t1718; /* R_v(4,7) */
+            R_v[64 * 8 + j] = t1723 + t1725 + t1724 - t1722; /* R_v(4,8) */
+            R_v[65 * 8 + j] = t1728 + t1729 - t1726 - t1727; /* R_v(4,9) */
             const real t1734 = tp_2 * t1661 + tp_0 * t1647 - tp_1 * t1634 - tp_3 * t1671;
             const real t1735 = tp_0 * t1678 + tp_2 * t1685 - tp_1 * t1675 - tp_3 * t1682;
             const real t1736 = tp_0 * t1695 + tp_2 * t1704 - tp_1 * t1690 - tp_3 * t1699;
             const real t1737 = tp_0 * t1710 + tp_2 * t1716 - tp_1 * t1707 - tp_3 * t1713;
-            R_v[66 * 8 + j] = tq_2 * t1736 + tq_3 * t1737 + tq_1 * t1735 + tq_0 * t1734;
-            R_v[67 * 8 + j] = tq_0 * t1735 + tq_2 * t1737 - tq_1 * t1734 - tq_3 * t1736;
-            R_v[68 * 8 + j] = tq_3 * t1735 + tq_0 * t1736 - tq_2 * t1734 - tq_1 * t1737;
-            R_v[69 * 8 + j] = tq_1 * t1736 + tq_0 * t1737 - tq_3 * t1734 - tq_2 * t1735;
+            R_v[66 * 8 + j] = tq_2 * t1736 + tq_3 * t1737 + tq_1 * t1735 + tq_0 * t1734; /* R_v(4,10) */
+            R_v[67 * 8 + j] = tq_0 * t1735 + tq_2 * t1737 - tq_1 * t1734 - tq_3 * t1736; /* R_v(4,11) */
+            R_v[68 * 8 + j] = tq_3 * t1735 + tq_0 * t1736 - tq_2 * t1734 - tq_1 * t1737; /* R_v(4,12) */
+            R_v[69 * 8 + j] = tq_1 * t1736 + tq_0 * t1737 - tq_3 * t1734 - tq_2 * t1735; /* R_v(4,13) */
             const real t1738 = tp_0 * t1414;
             const real t1739 = tp_2 * t1423;
             const real t1740 = tp_1 * t1441;
             const real t1741 = tp_3 * t1432;
-            R_v[70 * 8 + j] = t1739 + t1740 + t1738 - t1741;
+            R_v[70 * 8 + j] = t1739 + t1740 + t1738 - t1741; /* R_v(5,0) */
             const real t1742 = tp_0 * t1444;
             const real t1743 = tp_2 * t1447;
             const real t1744 = tp_1 * t1453;
             const real t1745 = tp_3 * t1450;
-            R_v[71 * 8 + j] = t1743 + t1744 + t1742 - t1745;
+            R_v[71 * 8 + j] = t1743 + t1744 + t1742 - t1745; /* R_v(5,1) */
             const real t1746 = tp_2 * t1456;
             const real t1747 = tp_1 * t1462;
             const real t1748 = tp_3 * t1458;
             const real t1749 = tp_0 * t1460;
-            R_v[72 * 8 + j] = t1746 + t1747 - t1748 - t1749;
+            R_v[72 * 8 + j] = t1746 + t1747 - t1748 - t1749; /* R_v(5,2) */
             const real t1750 = tp_3 * t1511 + tp_0 * t1541 - tp_2 * t1488 - tp_1 * t1569;
             const real t1751 = tp_3 * t1578 + tp_0 * t1581 - tp_2 * t1573 - tp_1 * t1585;
             const real t1752 = tp_3 * t1598 + tp_0 * t1604 - tp_2 * t1592 - tp_1 * t1610;
             const real t1753 = tp_3 * t1616 + tp_0 * t1618 - tp_2 * t1614 - tp_1 * t1620;
-            R_v[73 * 8 + j] = tp_2 * t1752 + tp_3 * t1753 + tp_1 * t1751 + tp_0 * t1750;
-            R_v[74 * 8 + j] = tp_0 * t1751 + tp_2 * t1753 - tp_1 * t1750 - tp_3 * t1752;
-            R_v[75 * 8 + j] = tp_3 * t1751 + tp_0 * t1752 - tp_2 * t1750 - tp_1 * t1753;
-            R_v[76 * 8 + j] = tp_1 * t1752 + tp_0 * t1753 - tp_3 * t1750 - tp_2 * t1751;
-            R_v[77 * 8 + j] = t1741 - t1739 - t1738 - t1740;
-            R_v[78 * 8 + j] = t1745 - t1743 - t1742 - t1744;
-            R_v[79 * 8 + j] = t1748 + t1749 - t1746 - t1747;
+            R_v[73 * 8 + j] = tp_2 * t1752 + tp_3 * t1753 + tp_1 * t1751 + tp_0 * t1750; /* R_v(5,3) */
+            R_v[74 * 8 + j] = tp_0 * t1751 + tp_2 * t1753 - tp_1 * t1750 - tp_3 * t1752; /* R_v(5,4) */
+            R_v[75 * 8 + j] = tp_3 * t1751 + tp_0 * t1752 - tp_2 * t1750 - tp_1 * t1753; /* R_v(5,5) */
+            R_v[76 * 8 + j] = tp_1 * t1752 + tp_0 * t1753 - tp_3 * t1750 - tp_2 * t1751; /* R_v(5,6) */
+            R_v[77 * 8 + j] = t1741 - t1739 - t1738 - t1740; /* R_v(5,7) */
+            R_v[78 * 8 + j] = t1745 - t1743 - t1742 - t1744; /* R_v(5,8) */
+            R_v[79 * 8 + j] = t1748 + t1749 - t1746 - t1747; /* R_v(5,9) */
             const real t1754 = tp_3 * t1647 + tp_0 * t1671 - tp_2 * t1634 - tp_1 * t1661;
             const real t1755 = tp_3 * t1678 + tp_0 * t1682 - tp_2 * t1675 - tp_1 * t1685;
             const real t1756 = tp_3 * t1695 + tp_0 * t1699 - tp_2 * t1690 - tp_1 * t1704;
             const real t1757 = tp_3 * t1710 + tp_0 * t1713 - tp_2 * t1707 - tp_1 * t1716;
-            R_v[80 * 8 + j] = tq_2 * t1756 + tq_3 * t1757 + tq_1 * t1755 + tq_0 * t1754;
-            R_v[81 * 8 + j] = tq_0 * t1755 + tq_2 * t1757 - tq_1 * t1754 - tq_3 * t1756;
-            R_v[82 * 8 + j] = tq_3 * t1755 + tq_0 * t1756 - tq_2 * t1754 - tq_1 * t1757;
-            R_v[83 * 8 + j] = tq_1 * t1756 + tq_0 * t1757 - tq_3 * t1754 - tq_2 * t1755;
+            R_v[80 * 8 + j] = tq_2 * t1756 + tq_3 * t1757 + tq_1 * t1755 + tq_0 * t1754; /* R_v(5,10) */
+            R_v[81 * 8 + j] = tq_0 * t1755 + tq_2 * t1757 - tq_1 * t1754 - tq_3 * t1756; /* R_v(5,11) */
+            R_v[82 * 8 + j] = tq_3 * t1755 + tq_0 * t1756 - tq_2 * t1754 - tq_1 * t1757; /* R_v(5,12) */
+            R_v[83 * 8 + j] = tq_1 * t1756 + tq_0 * t1757 - tq_3 * t1754 - tq_2 * t1755; /* R_v(5,13) */
             const real t1758 = tp_2 * t1432;
             const real t1759 = tp_3 * t1423;
             const real t1760 = tp_1 * t1414;
             const real t1761 = tp_0 * t1441;
-            R_v[84 * 8 + j] = t1759 + t1760 + t1758 - t1761;
+            R_v[84 * 8 + j] = t1759 + t1760 + t1758 - t1761; /* R_v(6,0) */
             const real t1762 = tp_2 * t1450;
             const real t1763 = tp_3 * t1447;
             const real t1764 = tp_1 * t1444;
             const real t1765 = tp_0 * t1453;
-            R_v[85 * 8 + j] = t1763 + t1764 + t1762 - t1765;
+            R_v[85 * 8 + j] = t1763 + t1764 + t1762 - t1765; /* R_v(6,1) */
             const real t1766 = tp_3 * t1456;
             const real t1767 = tp_2 * t1458;
             const real t1768 = tp_1 * t1460;
             const real t1769 = tp_0 * t1462;
-            R_v[86 * 8 + j] = t1766 + t1767 - t1768 - t1769;
+            R_v[86 * 8 + j] = t1766 + t1767 - t1768 - t1769; /* R_v(6,2) */
             const real t1770 = tp_1 * t1541 + tp_0 * t1569 - tp_3 * t1488 - tp_2 * t1511;
             const real t1771 = tp_1 * t1581 + tp_0 * t1585 - tp_3 * t1573 - tp_2 * t1578;
             const real t1772 = tp_1 * t1604 + tp_0 * t1610 - tp_3 * t1592 - tp_2 * t1598;
             const real t1773 = tp_1 * t1618 + tp_0 * t1620 - tp_3 * t1614 - tp_2 * t1616;
-            R_v[87 * 8 + j] = tp_2 * t1772 + tp_3 * t1773 + tp_1 * t1771 + tp_0 * t1770;
-            R_v[88 * 8 + j] = tp_0 * t1771 + tp_2 * t1773 - tp_1 * t1770 - tp_3 * t1772;
-            R_v[89 * 8 + j] = tp_3 * t1771 + tp_0 * t1772 - tp_2 * t1770 - tp_1 * t1773;
-            R_v[90 * 8 + j] = tp_1 * t1772 + tp_0 * t1773 - tp_3 * t1770 - tp_2 * t1771;
-            R_v[91 * 8 + j] = t1761 - t1759 - t1758 - t1760;
-            R_v[92 * 8 + j] = t1765 - t1763 - t1762 - t1764;
-            R_v[93 * 8 + j] = t1768 + t1769 - t1766 - t1767;
+            R_v[87 * 8 + j] = tp_2 * t1772 + tp_3 * t1773 + tp_1 * t1771 + tp_0 * t1770; /* R_v(6,3) */
+            R_v[88 * 8 + j] = tp_0 * t1771 + tp_2 * t1773 - tp_1 * t1770 - tp_3 * t1772; /* R_v(6,4) */
+            R_v[89 * 8 + j] = tp_3 * t1771 + tp_0 * t1772 - tp_2 * t1770 - tp_1 * t1773; /* R_v(6,5) */
+            R_v[90 * 8 + j] = tp_1 * t1772 + tp_0 * t1773 - tp_3 * t1770 - tp_2 * t1771; /* R_v(6,6) */
+            R_v[91 * 8 + j] = t1761 - t1759 - t1758 - t1760; /* R_v(6,7) */
+            R_v[92 * 8 + j] = t1765 - t1763 - t1762 - t1764; /* R_v(6,8) */
+            R_v[93 * 8 + j] = t1768 + t1769 - t1766 - t1767; /* R_v(6,9) */
             const real t1774 = tp_0 * t1661 + tp_1 * t1671 - tp_3 * t1634 - tp_2 * t1647;
             const real t1775 = tp_1 * t1682 + tp_0 * t1685 - tp_3 * t1675 - tp_2 * t1678;
             const real t1776 = tp_1 * t1699 + tp_0 * t1704 - tp_3 * t1690 - tp_2 * t1695;
             const real t1777 = tp_1 * t1713 + tp_0 * t1716 - tp_3 * t1707 - tp_2 * t1710;
-            R_v[94 * 8 + j] = tq_2 * t1776 + tq_3 * t1777 + tq_1 * t1775 + tq_0 * t1774;
-            R_v[95 * 8 + j] = tq_0 * t1775 + tq_2 * t1777 - tq_1 * t1774 - tq_3 * t1776;
-            R_v[96 * 8 + j] = tq_3 * t1775 + tq_0 * t1776 - tq_2 * t1774 - tq_1 * t1777;
-            R_v[97 * 8 + j] = tq_1 * t1776 + tq_0 * t1777 - tq_3 * t1774 - tq_2 * t1775;
+            R_v[94 * 8 + j] = tq_2 * t1776 + tq_3 * t1777 + tq_1 * t1775 + tq_0 * t1774; /* R_v(6,10) */
+            R_v[95 * 8 + j] = tq_0 * t1775 + tq_2 * t1777 - tq_1 * t1774 - tq_3 * t1776; /* R_v(6,11) */
+            R_v[96 * 8 + j] = tq_3 * t1775 + tq_0 * t1776 - tq_2 * t1774 - tq_1 * t1777; /* R_v(6,12) */
+            R_v[97 * 8 + j] = tq_1 * t1776 + tq_0 * t1777 - tq_3 * t1774 - tq_2 * t1775; /* R_v(6,13) */
             const real t1778 = 0.12380952380952381 * t1199 + t1213 + t1208 - t1198 - t1204;
             const real t1779 = 0.12380952380952381 * t1216 + t1220 + t1219 - t1215 - t1218;
             const real t1780 = t1231 + t1229 - 0.12380952380952381 * t1226 - t1223 - t1225;
             const real t1781 = t1238 + t1237 - 0.12380952380952381 * t1235 - t1233 - t1234;
-            R_v[101 * 8 + j] = tp_2 * t1780 + tp_3 * t1781 + tp_1 * t1779 + tp_0 * t1778;
-            R_v[102 * 8 + j] = tp_0 * t1779 + tp_2 * t1781 - tp_1 * t1778 - tp_3 * t1780;
-            R_v[103 * 8 + j] = tp_3 * t1779 + tp_0 * t1780 - tp_2 * t1778 - tp_1 * t1781;
-            R_v[104 * 8 + j] = tp_1 * t1780 + tp_0 * t1781 - tp_3 * t1778 - tp_2 * t1779;
+            R_v[101 * 8 + j] = tp_2 * t1780 + tp_3 * t1781 + tp_1 * t1779 + tp_0 * t1778; /* R_v(7,3) */
+            R_v[102 * 8 + j] = tp_0 * t1779 + tp_2 * t1781 - tp_1 * t1778 - tp_3 * t1780; /* R_v(7,4) */
+            R_v[103 * 8 + j] = tp_3 * t1779 + tp_0 * t1780 - tp_2 * t1778 - tp_1 * t1781; /* R_v(7,5) */
+            R_v[104 * 8 + j] = tp_1 * t1780 + tp_0 * t1781 - tp_3 * t1778 - tp_2 * t1779; /* R_v(7,6) */
             const real t1782 = 0.20952380952380953 * t1242;
             const real t1783 = t1243 + t1244 - t1782 - t1241 - t1240;
             const real t1784 = 0.20952380952380953 * t1248;
@@ -6379,42 +6351,42 @@ static void beam_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t1787 = t1786 + t1256 + t1255 - t1254 - t1252;
             const real t1788 = 0.20952380952380953 * t1259;
             const real t1789 = t1788 + t1261 + t1262 - t1260 - t1258;
-            R_v[108 * 8 + j] = tq_2 * t1787 + tq_3 * t1789 + tq_1 * t1785 + tq_0 * t1783;
-            R_v[109 * 8 + j] = tq_0 * t1785 + tq_2 * t1789 - tq_1 * t1783 - tq_3 * t1787;
-            R_v[110 * 8 + j] = tq_3 * t1785 + tq_0 * t1787 - tq_2 * t1783 - tq_1 * t1789;
-            R_v[111 * 8 + j] = tq_1 * t1787 + tq_0 * t1789 - tq_3 * t1783 - tq_2 * t1785;
+            R_v[108 * 8 + j] = tq_2 * t1787 + tq_3 * t1789 + tq_1 * t1785 + tq_0 * t1783; /* R_v(7,10) */
+            R_v[109 * 8 + j] = tq_0 * t1785 + tq_2 * t1789 - tq_1 * t1783 - tq_3 * t1787; /* R_v(7,11) */
+            R_v[110 * 8 + j] = tq_3 * t1785 + tq_0 * t1787 - tq_2 * t1783 - tq_1 * t1789; /* R_v(7,12) */
+            R_v[111 * 8 + j] = tq_1 * t1787 + tq_0 * t1789 - tq_3 * t1783 - tq_2 * t1785; /* R_v(7,13) */
             const real t1790 = t1292 + t1288 - ud_p_3 * t1316 - t1280 - t1284;
             const real t1791 = t1296 + t1297 - t1294 - ud_p_2 * t1316 - t1295;
             const real t1792 = t1306 + t1304 - ud_p_1 * t1316 - t1302 - t1300;
             const real t1793 = t1310 + t1311 - t1309 - ud_p_0 * t1316 - t1308;
-            R_v[115 * 8 + j] = tp_2 * t1792 + tp_3 * t1793 + tp_1 * t1791 + tp_0 * t1790;
-            R_v[116 * 8 + j] = tp_0 * t1791 + tp_2 * t1793 - tp_1 * t1790 - tp_3 * t1792;
-            R_v[117 * 8 + j] = tp_3 * t1791 + tp_0 * t1792 - tp_2 * t1790 - tp_1 * t1793;
-            R_v[118 * 8 + j] = tp_1 * t1792 + tp_0 * t1793 - tp_3 * t1790 - tp_2 * t1791;
+            R_v[115 * 8 + j] = tp_2 * t1792 + tp_3 * t1793 + tp_1 * t1791 + tp_0 * t1790; /* R_v(8,3) */
+            R_v[116 * 8 + j] = tp_0 * t1791 + tp_2 * t1793 - tp_1 * t1790 - tp_3 * t1792; /* R_v(8,4) */
+            R_v[117 * 8 + j] = tp_3 * t1791 + tp_0 * t1792 - tp_2 * t1790 - tp_1 * t1793; /* R_v(8,5) */
+            R_v[118 * 8 + j] = tp_1 * t1792 + tp_0 * t1793 - tp_3 * t1790 - tp_2 * t1791; /* R_v(8,6) */
             const real t1794 = t1319 + t1318 - t1788 - t1313 - t1317;
             const real t1795 = t1323 + t1324 - t1321 - t1786 - t1322;
             const real t1796 = t1329 + t1328 - t1784 - t1327 - t1326;
             const real t1797 = t1333 + t1334 - t1332 - t1782 - t1331;
-            R_v[122 * 8 + j] = tq_2 * t1796 + tq_3 * t1797 + tq_1 * t1795 + tq_0 * t1794;
-            R_v[123 * 8 + j] = tq_0 * t1795 + tq_2 * t1797 - tq_1 * t1794 - tq_3 * t1796;
-            R_v[124 * 8 + j] = tq_3 * t1795 + tq_0 * t1796 - tq_2 * t1794 - tq_1 * t1797;
-            R_v[125 * 8 + j] = tq_1 * t1796 + tq_0 * t1797 - tq_3 * t1794 - tq_2 * t1795;
+            R_v[122 * 8 + j] = tq_2 * t1796 + tq_3 * t1797 + tq_1 * t1795 + tq_0 * t1794; /* R_v(8,10) */
+            R_v[123 * 8 + j] = tq_0 * t1795 + tq_2 * t1797 - tq_1 * t1794 - tq_3 * t1796; /* R_v(8,11) */
+            R_v[124 * 8 + j] = tq_3 * t1795 + tq_0 * t1796 - tq_2 * t1794 - tq_1 * t1797; /* R_v(8,12) */
+            R_v[125 * 8 + j] = tq_1 * t1796 + tq_0 * t1797 - tq_3 * t1794 - tq_2 * t1795; /* R_v(8,13) */
             const real t1798 = t1364 + t1360 + ud_p_2 * t1388 - t1356 - t1352;
             const real t1799 = t1369 + t1368 - t1366 - ud_p_3 * t1388 - t1367;
             const real t1800 = t1378 + t1376 + ud_p_0 * t1388 - t1374 - t1372;
             const real t1801 = t1383 + t1382 - t1381 - ud_p_1 * t1388 - t1380;
-            R_v[129 * 8 + j] = tp_2 * t1800 + tp_3 * t1801 + tp_1 * t1799 + tp_0 * t1798;
-            R_v[130 * 8 + j] = tp_0 * t1799 + tp_2 * t1801 - tp_1 * t1798 - tp_3 * t1800;
-            R_v[131 * 8 + j] = tp_3 * t1799 + tp_0 * t1800 - tp_2 * t1798 - tp_1 * t1801;
-            R_v[132 * 8 + j] = tp_1 * t1800 + tp_0 * t1801 - tp_3 * t1798 - tp_2 * t1799;
+            R_v[129 * 8 + j] = tp_2 * t1800 + tp_3 * t1801 + tp_1 * t1799 + tp_0 * t1798; /* R_v(9,3) */
+            R_v[130 * 8 + j] = tp_0 * t1799 + tp_2 * t1801 - tp_1 * t1798 - tp_3 * t1800; /* R_v(9,4) */
+            R_v[131 * 8 + j] = tp_3 * t1799 + tp_0 * t1800 - tp_2 * t1798 - tp_1 * t1801; /* R_v(9,5) */
+            R_v[132 * 8 + j] = tp_1 * t1800 + tp_0 * t1801 - tp_3 * t1798 - tp_2 * t1799; /* R_v(9,6) */
             const real t1802 = t1390 + t1786 + t1389 - t1386 - t1385;
             const real t1803 = t1395 + t1394 - t1392 - t1788 - t1393;
             const real t1804 = t1782 + t1399 + t1400 - t1398 - t1397;
             const real t1805 = t1405 + t1404 - t1403 - t1784 - t1402;
-            R_v[136 * 8 + j] = tq_2 * t1804 + tq_3 * t1805 + tq_1 * t1803 + tq_0 * t1802;
-            R_v[137 * 8 + j] = tq_0 * t1803 + tq_2 * t1805 - tq_1 * t1802 - tq_3 * t1804;
-            R_v[138 * 8 + j] = tq_3 * t1803 + tq_0 * t1804 - tq_2 * t1802 - tq_1 * t1805;
-            R_v[139 * 8 + j] = tq_1 * t1804 + tq_0 * t1805 - tq_3 * t1802 - tq_2 * t1803;
+            R_v[136 * 8 + j] = tq_2 * t1804 + tq_3 * t1805 + tq_1 * t1803 + tq_0 * t1802; /* R_v(9,10) */
+            R_v[137 * 8 + j] = tq_0 * t1803 + tq_2 * t1805 - tq_1 * t1802 - tq_3 * t1804; /* R_v(9,11) */
+            R_v[138 * 8 + j] = tq_3 * t1803 + tq_0 * t1804 - tq_2 * t1802 - tq_1 * t1805; /* R_v(9,12) */
+            R_v[139 * 8 + j] = tq_1 * t1804 + tq_0 * t1805 - tq_3 * t1802 - tq_2 * t1803; /* R_v(9,13) */
             const real t1806 = 1.2 * (t99 * t272) + 2.0 * t262;
             const real t1807 = 1.2 * t243 + 2.0 * t245;
             const real t1808 = u_q_0 * t15;
@@ -6451,7 +6423,7 @@ static void beam_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t1839 = t1834 + t116 * t1835 + t97 * t1833 - t45 * t1836 - t1837 - t6 * t1838;
             const real t1840 = t5 * t1839;
             const real t1841 = tq_3 * t1840;
-            R_v[140 * 8 + j] = t1814 - t1823 - t1832 - t1841;
+            R_v[140 * 8 + j] = t1814 - t1823 - t1832 - t1841; /* R_v(10,0) */
             const real t1842 = 0.5 * (t146 * t1809 + t127 * t1806) + t1830 + t1828 + t21 * t1807;
             const real t1843 = t5 * (t34 * t1808 + t1842);
             const real t1844 = tq_2 * t1843;
@@ -6464,7 +6436,7 @@ static void beam_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t1851 = 0.5 * (t146 * t1835 + t127 * t1833) + t1817 - t34 * t1836;
             const real t1852 = t5 * (t1851 - t1821 - t21 * t1838);
             const real t1853 = tq_3 * t1852;
-            R_v[141 * 8 + j] = t1844 - t1847 - t1850 - t1853;
+            R_v[141 * 8 + j] = t1844 - t1847 - t1850 - t1853; /* R_v(10,1) */
             const real t1854 = 0.5 * (t54 * t1818 + t63 * t1816) + t128 * t1815 - t145 * t1819;
             const real t1855 = t5 * (t1854 - t1811 - t1810);
             const real t1856 = 0.5 * (t54 * t1826 + t63 * t1825) + t1837 + t128 * t1824 + t145 * t1827;
@@ -6474,8 +6446,8 @@ static void beam_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t1860 = t145 * t1835 + t128 * t1833 - 0.5 * (t54 * t1836 + t63 * t1838);
             const real t1861 = t5 * (t1860 - t1828 - t1830);
             const real t1862 = tq_2 * t1859 + tq_3 * t1861 + tq_1 * t1857 + tq_0 * t1855;
-            R_v[149 * 8 + j] = t1862;
-            R_v[142 * 8 + j] = -t1862;
+            R_v[149 * 8 + j] = t1862; /* R_v(10,9) */
+            R_v[142 * 8 + j] = -t1862; /* R_v(10,2) */
             const real t1863 = chord_x * t1818;
             const real t1864 = t654 - 4.0 * t653;
             const real t1865 = t1863 - t1864;
@@ -6619,12 +6591,12 @@ static void beam_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t2003 = u_p_1 * t1986 + t2002 - 0.05714285714285714 * (ud_p_3 * t1871);
             const real t2004 = t2003 - 2.0 * u_p_3 * t1989 - u_p_0 * t1988;
             const real t2005 = tq_2 * t2001 + tq_3 * t2004 + tq_1 * t1998 + tq_0 * t1995;
-            R_v[143 * 8 + j] = tp_2 * t1993 + tp_3 * t2005 + tp_1 * t1966 + tp_0 * t1952;
-            R_v[144 * 8 + j] = tp_0 * t1966 + tp_2 * t2005 - tp_1 * t1952 - tp_3 * t1993;
-            R_v[145 * 8 + j] = tp_3 * t1966 + tp_0 * t1993 - tp_2 * t1952 - tp_1 * t2005;
-            R_v[146 * 8 + j] = tp_1 * t1993 + tp_0 * t2005 - tp_3 * t1952 - tp_2 * t1966;
-            R_v[147 * 8 + j] = t1823 + t1841 + t1832 - t1814;
-            R_v[148 * 8 + j] = t1847 + t1853 + t1850 - t1844;
+            R_v[143 * 8 + j] = tp_2 * t1993 + tp_3 * t2005 + tp_1 * t1966 + tp_0 * t1952; /* R_v(10,3) */
+            R_v[144 * 8 + j] = tp_0 * t1966 + tp_2 * t2005 - tp_1 * t1952 - tp_3 * t1993; /* R_v(10,4) */
+            R_v[145 * 8 + j] = tp_3 * t1966 + tp_0 * t1993 - tp_2 * t1952 - tp_1 * t2005; /* R_v(10,5) */
+            R_v[146 * 8 + j] = tp_1 * t1993 + tp_0 * t2005 - tp_3 * t1952 - tp_2 * t1966; /* R_v(10,6) */
+            R_v[147 * 8 + j] = t1823 + t1841 + t1832 - t1814; /* R_v(10,7) */
+            R_v[148 * 8 + j] = t1847 + t1853 + t1850 - t1844; /* R_v(10,8) */
             const real t2006 = t654 - 8.0 * t1021;
             const real t2007 = t1863 - t2006;
             const real t2008 = 2.6666666666666665 * t689;
@@ -6723,125 +6695,124 @@ static void beam_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t2101 = t2011 + t2064 + t2065 + u_q_2 * (t2047 + t1987) + u_q_1 * t2089;
             const real t2102 = t2101 - 2.0 * u_q_3 * t1989 - u_q_0 * t2090;
             const real t2103 = tq_2 * t2100 + tq_3 * t2102 + tq_1 * t2098 + tq_0 * t2096;
-            R_v[150 * 8 + j] = tq_2 * t2093 + tq_3 * t2103 + tq_1 * t2076 + tq_0 * t2060;
-            R_v[151 * 8 + j] = tq_0 * t2076 + tq_2 * t2103 - tq_1 * t2060 - tq_3 * t2093;
-            R_v[152 * 8 + j] = tq_3 * t2076 + tq_0 * t2093 - tq_2 * t2060 - tq_1 * t2103;
-            R_v[153 * 8 + j] = tq_1 * t2093 + tq_0 * t2103 - tq_3 * t2060 - tq_2 * t2076;
+            R_v[150 * 8 + j] = tq_2 * t2093 + tq_3 * t2103 + tq_1 * t2076 + tq_0 * t2060; /* R_v(10,10) */
+            R_v[151 * 8 + j] = tq_0 * t2076 + tq_2 * t2103 - tq_1 * t2060 - tq_3 * t2093; /* R_v(10,11) */
+            R_v[152 * 8 + j] = tq_3 * t2076 + tq_0 * t2093 - tq_2 * t2060 - tq_1 * t2103; /* R_v(10,12) */
+            R_v[153 * 8 + j] = tq_1 * t2093 + tq_0 * t2103 - tq_3 * t2060 - tq_2 * t2076; /* R_v(10,13) */
             const real t2104 = tq_1 * t1822;
             const real t2105 = tq_0 * t1831;
             const real t2106 = tq_3 * t1813;
             const real t2107 = tq_2 * t1840;
-            R_v[154 * 8 + j] = t2104 - t2105 - t2106 - t2107;
+            R_v[154 * 8 + j] = t2104 - t2105 - t2106 - t2107; /* R_v(11,0) */
             const real t2108 = tq_1 * t1846;
             const real t2109 = tq_0 * t1849;
             const real t2110 = tq_3 * t1843;
             const real t2111 = tq_2 * t1852;
-            R_v[155 * 8 + j] = t2108 - t2109 - t2110 - t2111;
+            R_v[155 * 8 + j] = t2108 - t2109 - t2110 - t2111; /* R_v(11,1) */
             const real t2112 = tq_1 * t1855;
             const real t2113 = tq_3 * t1859;
             const real t2114 = tq_0 * t1857;
             const real t2115 = tq_2 * t1861;
-            R_v[156 * 8 + j] = t2112 + t2113 - t2114 - t2115;
+            R_v[156 * 8 + j] = t2112 + t2113 - t2114 - t2115; /* R_v(11,2) */
             const real t2116 = tq_2 * t1932 + tq_0 * t1909 - tq_1 * t1887 - tq_3 * t1951;
             const real t2117 = tq_0 * t1958 + tq_2 * t1965 - tq_1 * t1955 - tq_3 * t1962;
             const real t2118 = tq_0 * t1979 + tq_2 * t1992 - tq_1 * t1972 - tq_3 * t1985;
             const real t2119 = tq_0 * t1998 + tq_2 * t2004 - tq_1 * t1995 - tq_3 * t2001;
-            R_v[157 * 8 + j] = tp_2 * t2118 + tp_3 * t2119 + tp_1 * t2117 + tp_0 * t2116;
-            R_v[158 * 8 + j] = tp_0 * t2117 + tp_2 * t2119 - tp_1 * t2116 - tp_3 * t2118;
-            R_v[159 * 8 + j] = tp_3 * t2117 + tp_0 * t2118 - tp_2 * t2116 - tp_1 * t2119;
-            R_v[160 * 8 + j] = tp_1 * t2118 + tp_0 * t2119 - tp_3 * t2116 - tp_2 * t2117;
-            R_v[161 * 8 + j] = t2105 + t2107 + t2106 - t2104;
-            R_v[162 * 8 + j] = t2109 + t2111 + t2110 - t2108;
-            R_v[163 * 8 + j] = t2114 + t2115 - t2112 - t2113;
+            R_v[157 * 8 + j] = tp_2 * t2118 + tp_3 * t2119 + tp_1 * t2117 + tp_0 * t2116; /* R_v(11,3) */
+            R_v[158 * 8 + j] = tp_0 * t2117 + tp_2 * t2119 - tp_1 * t2116 - tp_3 * t2118; /* R_v(11,4) */
+            R_v[159 * 8 + j] = tp_3 * t2117 + tp_0 * t2118 - tp_2 * t2116 - tp_1 * t2119; /* R_v(11,5) */
+            R_v[160 * 8 + j] = tp_1 * t2118 + tp_0 * t2119 - tp_3 * t2116 - tp_2 * t2117; /* R_v(11,6) */
+            R_v[161 * 8 + j] = t2105 + t2107 + t2106 - t2104; /* R_v(11,7) */
+            R_v[162 * 8 + j] = t2109 + t2111 + t2110 - t2108; /* R_v(11,8) */
+            R_v[163 * 8 + j] = t2114 + t2115 - t2112 - t2113; /* R_v(11,9) */
             const real t2120 = tq_0 * t2029 + tq_2 * t2059 - tq_1 * t2018 - tq_3 * t2045;
             const real t2121 = tq_0 * t2068 + tq_2 * t2075 - tq_1 * t2063 - tq_3 * t2071;
             const real t2122 = tq_0 * t2084 + tq_2 * t2092 - tq_1 * t2080 - tq_3 * t2088;
             const real t2123 = tq_0 * t2098 + tq_2 * t2102 - tq_1 * t2096 - tq_3 * t2100;
-            R_v[164 * 8 + j] = tq_2 * t2122 + tq_3 * t2123 + tq_1 * t2121 + tq_0 * t2120;
-            R_v[165 * 8 + j] = tq_0 * t2121 + tq_2 * t2123 - tq_1 * t2120 - tq_3 * t2122;
-            R_v[166 * 8 + j] = tq_3 * t2121 + tq_0 * t2122 - tq_2 * t2120 - tq_1 * t2123;
-            R_v[167 * 8 + j] = tq_1 * t2122 + tq_0 * t2123 - tq_3 * t2120 - tq_2 * t2121;
+            R_v[164 * 8 + j] = tq_2 * t2122 + tq_3 * t2123 + tq_1 * t2121 + tq_0 * t2120; /* R_v(11,10) */
+            R_v[165 * 8 + j] = tq_0 * t2121 + tq_2 * t2123 - tq_1 * t2120 - tq_3 * t2122; /* R_v(11,11) */
+            R_v[166 * 8 + j] = tq_3 * t2121 + tq_0 * t2122 - tq_2 * t2120 - tq_1 * t2123; /* R_v(11,12) */
+            R_v[167 * 8 + j] = tq_1 * t2122 + tq_0 * t2123 - tq_3 * t2120 - tq_2 * t2121; /* R_v(11,13) */
             const real t2124 = tq_0 * t1813;
             const real t2125 = tq_2 * t1822;
             const real t2126 = tq_1 * t1840;
             const real t2127 = tq_3 * t1831;
-            R_v[168 * 8 + j] = t2125 + t2126 + t2124 - t2127;
+            R_v[168 * 8 + j] = t2125 + t2126 + t2124 - t2127; /* R_v(12,0) */
             const real t2128 = tq_0 * t1843;
             const real t2129 = tq_2 * t1846;
             const real t2130 = tq_1 * t1852;
             const real t2131 = tq_3 * t1849;
-            R_v[169 * 8 + j] = t2129 + t2130 + t2128 - t2131;
+            R_v[169 * 8 + j] = t2129 + t2130 + t2128 - t2131; /* R_v(12,1) */
             const real t2132 = tq_2 * t1855;
             const real t2133 = tq_1 * t1861;
             const real t2134 = tq_3 * t1857;
             const real t2135 = tq_0 * t1859;
-            R_v[170 * 8 + j] = t2132 + t2133 - t2134 - t2135;
+            R_v[170 * 8 + j] = t2132 + t2133 - t2134 - t2135; /* R_v(12,2) */
             const real t2136 = tq_3 * t1909 + tq_0 * t1951 - tq_2 * t1887 - tq_1 * t1932;
             const real t2137 = tq_3 * t1958 + tq_0 * t1962 - tq_2 * t1955 - tq_1 * t1965;
             const real t2138 = tq_3 * t1979 + tq_0 * t1985 - tq_2 * t1972 - tq_1 * t1992;
             const real t2139 = tq_3 * t1998 + tq_0 * t2001 - tq_2 * t1995 - tq_1 * t2004;
-            R_v[171 * 8 + j] = tp_2 * t2138 + tp_3 * t2139 + tp_1 * t2137 + tp_0 * t2136;
-            R_v[172 * 8 + j] = tp_0 * t2137 + tp_2 * t2139 - tp_1 * t2136 - tp_3 * t2138;
-            R_v[173 * 8 + j] = tp_3 * t2137 + tp_0 * t2138 - tp_2 * t2136 - tp_1 * t2139;
-            R_v[174 * 8 + j] = tp_1 * t2138 + tp_0 * t2139 - tp_3 * t2136 - tp_2 * t2137;
-            R_v[175 * 8 + j] = t2127 - t2125 - t2124 - t2126;
-            R_v[176 * 8 + j] = t2131 - t2129 - t2128 - t2130;
-            R_v[177 * 8 + j] = t2134 + t2135 - t2132 - t2133;
+            R_v[171 * 8 + j] = tp_2 * t2138 + tp_3 * t2139 + tp_1 * t2137 + tp_0 * t2136; /* R_v(12,3) */
+            R_v[172 * 8 + j] = tp_0 * t2137 + tp_2 * t2139 - tp_1 * t2136 - tp_3 * t2138; /* R_v(12,4) */
+            R_v[173 * 8 + j] = tp_3 * t2137 + tp_0 * t2138 - tp_2 * t2136 - tp_1 * t2139; /* R_v(12,5) */
+            R_v[174 * 8 + j] = tp_1 * t2138 + tp_0 * t2139 - tp_3 * t2136 - tp_2 * t2137; /* R_v(12,6) */
+            R_v[175 * 8 + j] = t2127 - t2125 - t2124 - t2126; /* R_v(12,7) */
+            R_v[176 * 8 + j] = t2131 - t2129 - t2128 - t2130; /* R_v(12,8) */
+            R_v[177 * 8 + j] = t2134 + t2135 - t2132 - t2133; /* R_v(12,9) */
             const real t2140 = tq_3 * t2029 + tq_0 * t2045 - tq_2 * t2018 - tq_1 * t2059;
             const real t2141 = tq_3 * t2068 + tq_0 * t2071 - tq_2 * t2063 - tq_1 * t2075;
             const real t2142 = tq_3 * t2084 + tq_0 * t2088 - tq_2 * t2080 - tq_1 * t2092;
             const real t2143 = tq_3 * t2098 + tq_0 * t2100 - tq_2 * t2096 - tq_1 * t2102;
-            R_v[178 * 8 + j] = tq_2 * t2142 + tq_3 * t2143 + tq_1 * t2141 + tq_0 * t2140;
-            R_v[179 * 8 + j] = tq_0 * t2141 + tq_2 * t2143 - tq_1 * t2140 - tq_3 * t2142;
-            R_v[180 * 8 + j] = tq_3 * t2141 + tq_0 * t2142 - tq_2 * t2140 - tq_1 * t2143;
-            R_v[181 * 8 + j] = tq_1 * t2142 + tq_0 * t2143 - tq_3 * t2140 - tq_2 * t2141;
+            R_v[178 * 8 + j] = tq_2 * t2142 + tq_3 * t2143 + tq_1 * t2141 + tq_0 * t2140; /* R_v(12,10) */
+            R_v[179 * 8 + j] = tq_0 * t2141 + tq_2 * t2143 - tq_1 * t2140 - tq_3 * t2142; /* R_v(12,11) */
+            R_v[180 * 8 + j] = tq_3 * t2141 + tq_0 * t2142 - tq_2 * t2140 - tq_1 * t2143; /* R_v(12,12) */
+            R_v[181 * 8 + j] = tq_1 * t2142 + tq_0 * t2143 - tq_3 * t2140 - tq_2 * t2141; /* R_v(12,13) */
             const real t2144 = tq_2 * t1831;
             const real t2145 = tq_3 * t1822;
             const real t2146 = tq_1 * t1813;
             const real t2147 = tq_0 * t1840;
-            R_v[182 * 8 + j] = t2145 + t2146 + t2144 - t2147;
+            R_v[182 * 8 + j] = t2145 + t2146 + t2144 - t2147; /* R_v(13,0) */
             const real t2148 = tq_2 * t1849;
             const real t2149 = tq_3 * t1846;
             const real t2150 = tq_1 * t1843;
             const real t2151 = tq_0 * t1852;
-            R_v[183 * 8 + j] = t2149 + t2150 + t2148 - t2151;
+            R_v[183 * 8 + j] = t2149 + t2150 + t2148 - t2151; /* R_v(13,1) */
             const real t2152 = tq_3 * t1855;
             const real t2153 = tq_2 * t1857;
             const real t2154 = tq_1 * t1859;
             const real t2155 = tq_0 * t1861;
-            R_v[184 * 8 + j] = t2152 + t2153 - t2154 - t2155;
+            R_v[184 * 8 + j] = t2152 + t2153 - t2154 - t2155; /* R_v(13,2) */
             const real t2156 = tq_0 * t1932 + tq_1 * t1951 - tq_3 * t1887 - tq_2 * t1909;
             const real t2157 = tq_1 * t1962 + tq_0 * t1965 - tq_3 * t1955 - tq_2 * t1958;
             const real t2158 = tq_1 * t1985 + tq_0 * t1992 - tq_3 * t1972 - tq_2 * t1979;
             const real t2159 = tq_1 * t2001 + tq_0 * t2004 - tq_3 * t1995 - tq_2 * t1998;
-            R_v[185 * 8 + j] = tp_2 * t2158 + tp_3 * t2159 + tp_1 * t2157 + tp_0 * t2156;
-            R_v[186 * 8 + j] = tp_0 * t2157 + tp_2 * t2159 - tp_1 * t2156 - tp_3 * t2158;
-            R_v[187 * 8 + j] = tp_3 * t2157 + tp_0 * t2158 - tp_2 * t2156 - tp_1 * t2159;
-            R_v[188 * 8 + j] = tp_1 * t2158 + tp_0 * t2159 - tp_3 * t2156 - tp_2 * t2157;
-            R_v[189 * 8 + j] = t2147 - t2145 - t2144 - t2146;
-            R_v[190 * 8 + j] = t2151 - t2149 - t2148 - t2150;
-            R_v[191 * 8 + j] = t2154 + t2155 - t2152 - t2153;
+            R_v[185 * 8 + j] = tp_2 * t2158 + tp_3 * t2159 + tp_1 * t2157 + tp_0 * t2156; /* R_v(13,3) */
+            R_v[186 * 8 + j] = tp_0 * t2157 + tp_2 * t2159 - tp_1 * t2156 - tp_3 * t2158; /* R_v(13,4) */
+            R_v[187 * 8 + j] = tp_3 * t2157 + tp_0 * t2158 - tp_2 * t2156 - tp_1 * t2159; /* R_v(13,5) */
+            R_v[188 * 8 + j] = tp_1 * t2158 + tp_0 * t2159 - tp_3 * t2156 - tp_2 * t2157; /* R_v(13,6) */
+            R_v[189 * 8 + j] = t2147 - t2145 - t2144 - t2146; /* R_v(13,7) */
+            R_v[190 * 8 + j] = t2151 - t2149 - t2148 - t2150; /* R_v(13,8) */
+            R_v[191 * 8 + j] = t2154 + t2155 - t2152 - t2153; /* R_v(13,9) */
             const real t2160 = tq_1 * t2045 + tq_0 * t2059 - tq_3 * t2018 - tq_2 * t2029;
             const real t2161 = tq_1 * t2071 + tq_0 * t2075 - tq_3 * t2063 - tq_2 * t2068;
             const real t2162 = tq_1 * t2088 + tq_0 * t2092 - tq_3 * t2080 - tq_2 * t2084;
             const real t2163 = tq_1 * t2100 + tq_0 * t2102 - tq_3 * t2096 - tq_2 * t2098;
-            R_v[192 * 8 + j] = tq_2 * t2162 + tq_3 * t2163 + tq_1 * t2161 + tq_0 * t2160;
-            R_v[193 * 8 + j] = tq_0 * t2161 + tq_2 * t2163 - tq_1 * t2160 - tq_3 * t2162;
-            R_v[194 * 8 + j] = tq_3 * t2161 + tq_0 * t2162 - tq_2 * t2160 - tq_1 * t2163;
-            R_v[195 * 8 + j] = tq_1 * t2162 + tq_0 * t2163 - tq_3 * t2160 - tq_2 * t2161;
+            R_v[192 * 8 + j] = tq_2 * t2162 + tq_3 * t2163 + tq_1 * t2161 + tq_0 * t2160; /* R_v(13,10) */
+            R_v[193 * 8 + j] = tq_0 * t2161 + tq_2 * t2163 - tq_1 * t2160 - tq_3 * t2162; /* R_v(13,11) */
+            R_v[194 * 8 + j] = tq_3 * t2161 + tq_0 * t2162 - tq_2 * t2160 - tq_1 * t2163; /* R_v(13,12) */
+            R_v[195 * 8 + j] = tq_1 * t2162 + tq_0 * t2163 - tq_3 * t2160 - tq_2 * t2161; /* R_v(13,13) */
         }
     }
 }
 
 const flexel_element flexel_beam = {
     .name = "beam",
-    .digest = "d04fce21896d1200",
+    .digest = "06076628734987f6",
     .n = 14,
     .m = 6,
     .k = 0,
     .np = 18,
     .position = beam_position,
-    .velocity = beam_velocity,
     .acceleration = beam_acceleration,
     .rates = beam_rates,
     .kinematics = beam_kinematics,

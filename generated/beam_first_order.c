@@ -10,7 +10,8 @@
  *    the shear-corrected (phi_y, phi_z) cubic shapes, torsion linear; w_p, w_q angular velocities in the triads
  * U = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)
  *
- * Source: Meijaard 1996, Nonlinear Dyn. 9; Jonker and Meijaard 2013, Int. J. Non-Linear Mech. 53; Przemieniecki 1968 (mass with rotary inertia)
+ * Source: Meijaard 1996, Nonlinear Dyn. 9; Jonker and Meijaard 2013, Int. J. Non-Linear Mech. 53; Przemieniecki 1968
+ *   (mass with rotary inertia)
  *
  * x (14): p_x, p_y, p_z, rp_l0, rp_l1, rp_l2, rp_l3, q_x, q_y, q_z, rq_l0, rq_l1, rq_l2, rq_l3
  * e (6): elongation [m], torsion [m], bend1 [m], bend2 [m], bend3 [m], bend4 [m]
@@ -105,20 +106,20 @@ static void beam_first_order_position(size_t nblocks, const real *const *in, rea
             e[1 * 8 + j] = b2;
             const real t21 = 1.0 / l;
             const real el_z = d_z * t21;
-            De[5 * 8 + j] = el_z;
+            De[5 * 8 + j] = el_z; /* De(0,9) */
             const real el_x = d_x * t21;
-            De[3 * 8 + j] = el_x;
+            De[3 * 8 + j] = el_x; /* De(0,7) */
             const real el_y = d_y * t21;
-            De[4 * 8 + j] = el_y;
+            De[4 * 8 + j] = el_y; /* De(0,8) */
             e[2 * 8 + j] = -(l0 * (ez_p_z * el_z + 2.0 * (t0 * el_x + t6 * el_y)));
             const real b4 = l0 * (ez_q_z * el_z + 2.0 * (t3 * el_x + t18 * el_y));
             e[3 * 8 + j] = b4;
             const real b5 = l0 * (ey_p_y * el_y + 2.0 * (t2 * el_x + t19 * el_z));
             e[4 * 8 + j] = b5;
             e[5 * 8 + j] = -(l0 * (ey_q_y * el_y + 2.0 * (t1 * el_x + t17 * el_z)));
-            De[0 * 8 + j] = -el_x;
-            De[1 * 8 + j] = -el_y;
-            De[2 * 8 + j] = -el_z;
+            De[0 * 8 + j] = -el_x; /* De(0,0) */
+            De[1 * 8 + j] = -el_y; /* De(0,1) */
+            De[2 * 8 + j] = -el_z; /* De(0,2) */
             const real t22 = t18 - t17;
             const real t23 = ey_q_y + ez_q_z;
             const real t24 = 4.0 * (u_p_3 * t1 + u_p_1 * t22 - u_p_2 * t3) - 2.0 * u_p_0 * t23;
@@ -131,10 +132,10 @@ static void beam_first_order_position(size_t nblocks, const real *const *in, rea
             const real t31 = l0 * t30;
             const real t32 = 4.0 * (u_p_0 * t1 - u_p_2 * t28 - u_p_1 * t3) + 2.0 * u_p_3 * t29;
             const real t33 = l0 * t32;
-            De[6 * 8 + j] = 0.5 * (tp_3 * t31 + tp_2 * t33 + tp_0 * t27 + tp_1 * t25);
-            De[7 * 8 + j] = 0.5 * (tp_0 * t25 + tp_2 * t31 - tp_1 * t27 - tp_3 * t33);
-            De[8 * 8 + j] = 0.5 * (tp_3 * t25 + tp_0 * t33 - tp_2 * t27 - tp_1 * t31);
-            De[9 * 8 + j] = 0.5 * (tp_1 * t33 + tp_0 * t31 - tp_3 * t27 - tp_2 * t25);
+            De[6 * 8 + j] = 0.5 * (tp_3 * t31 + tp_2 * t33 + tp_0 * t27 + tp_1 * t25); /* De(1,3) */
+            De[7 * 8 + j] = 0.5 * (tp_0 * t25 + tp_2 * t31 - tp_1 * t27 - tp_3 * t33); /* De(1,4) */
+            De[8 * 8 + j] = 0.5 * (tp_3 * t25 + tp_0 * t33 - tp_2 * t27 - tp_1 * t31); /* De(1,5) */
+            De[9 * 8 + j] = 0.5 * (tp_1 * t33 + tp_0 * t31 - tp_3 * t27 - tp_2 * t25); /* De(1,6) */
             const real t34 = t19 - t6;
             const real t35 = ey_p_y + ez_p_z;
             const real t36 = 4.0 * (u_q_2 * t0 + u_q_1 * t34 - u_q_3 * t2) + 2.0 * u_q_0 * t35;
@@ -147,10 +148,10 @@ static void beam_first_order_position(size_t nblocks, const real *const *in, rea
             const real t43 = l0 * t42;
             const real t44 = 4.0 * (u_q_1 * t0 + u_q_2 * t41 - u_q_0 * t2) + 2.0 * u_q_3 * t40;
             const real t45 = l0 * t44;
-            De[10 * 8 + j] = 0.5 * (tq_3 * t43 + tq_2 * t45 + tq_0 * t39 + tq_1 * t37);
-            De[11 * 8 + j] = 0.5 * (tq_0 * t37 + tq_2 * t43 - tq_1 * t39 - tq_3 * t45);
-            De[12 * 8 + j] = 0.5 * (tq_3 * t37 + tq_0 * t45 - tq_2 * t39 - tq_1 * t43);
-            De[13 * 8 + j] = 0.5 * (tq_1 * t45 + tq_0 * t43 - tq_3 * t39 - tq_2 * t37);
+            De[10 * 8 + j] = 0.5 * (tq_3 * t43 + tq_2 * t45 + tq_0 * t39 + tq_1 * t37); /* De(1,10) */
+            De[11 * 8 + j] = 0.5 * (tq_0 * t37 + tq_2 * t43 - tq_1 * t39 - tq_3 * t45); /* De(1,11) */
+            De[12 * 8 + j] = 0.5 * (tq_3 * t37 + tq_0 * t45 - tq_2 * t39 - tq_1 * t43); /* De(1,12) */
+            De[13 * 8 + j] = 0.5 * (tq_1 * t45 + tq_0 * t43 - tq_3 * t39 - tq_2 * t37); /* De(1,13) */
             const real t46 = l0 * t6;
             const real t47 = t21 * t21 * t21;
             const real t48 = d_y * t47;
@@ -160,14 +161,14 @@ static void beam_first_order_position(size_t nblocks, const real *const *in, rea
             const real t52 = d_z * t47;
             const real t53 = t49 * t50 + 0.5 * t51 * t52 + t46 * t48;
             const real t54 = 2.0 * (d_x * t53 - t21 * t49);
-            De[21 * 8 + j] = t54;
-            De[14 * 8 + j] = -t54;
+            De[21 * 8 + j] = t54; /* De(2,7) */
+            De[14 * 8 + j] = -t54; /* De(2,0) */
             const real t55 = 2.0 * (d_y * t53 - t21 * t46);
-            De[22 * 8 + j] = t55;
-            De[15 * 8 + j] = -t55;
+            De[22 * 8 + j] = t55; /* De(2,8) */
+            De[15 * 8 + j] = -t55; /* De(2,1) */
             const real t56 = 2.0 * d_z * t53 - t21 * t51;
-            De[23 * 8 + j] = t56;
-            De[16 * 8 + j] = -t56;
+            De[23 * 8 + j] = t56; /* De(2,9) */
+            De[16 * 8 + j] = -t56; /* De(2,2) */
             const real t57 = l0 * el_z;
             const real t58 = l0 * el_y;
             const real t59 = l0 * el_x;
@@ -178,32 +179,32 @@ static void beam_first_order_position(size_t nblocks, const real *const *in, rea
             const real t64 = 2.0 * (tp_0 * t62 - tp_1 * t63);
             const real t65 = u_p_2 * t58 + u_p_3 * t57 + u_p_1 * t59;
             const real t66 = 2.0 * tp_3 * t65;
-            De[17 * 8 + j] = t61 - t64 - t66;
+            De[17 * 8 + j] = t61 - t64 - t66; /* De(2,3) */
             const real t67 = 2.0 * (tp_0 * t63 + tp_1 * t62);
             const real t68 = 2.0 * tp_3 * t60;
             const real t69 = 2.0 * tp_2 * t65;
-            De[18 * 8 + j] = t67 - t68 - t69;
+            De[18 * 8 + j] = t67 - t68 - t69; /* De(2,4) */
             const real t70 = 2.0 * tp_1 * t65;
             const real t71 = 2.0 * (tp_3 * t63 + tp_2 * t62);
             const real t72 = 2.0 * tp_0 * t60;
-            De[19 * 8 + j] = t71 + t72 + t70;
+            De[19 * 8 + j] = t71 + t72 + t70; /* De(2,5) */
             const real t73 = 2.0 * (tp_3 * t62 - tp_2 * t63);
             const real t74 = 2.0 * tp_1 * t60;
             const real t75 = 2.0 * tp_0 * t65;
-            De[20 * 8 + j] = t73 + t74 - t75;
+            De[20 * 8 + j] = t73 + t74 - t75; /* De(2,6) */
             const real t76 = l0 * t3;
             const real t77 = l0 * t18;
             const real t78 = l0 * ez_q_z;
             const real t79 = t76 * t50 + 0.5 * t78 * t52 + t77 * t48;
             const real t80 = 2.0 * (t21 * t76 - d_x * t79);
-            De[27 * 8 + j] = t80;
-            De[24 * 8 + j] = -t80;
+            De[27 * 8 + j] = t80; /* De(3,7) */
+            De[24 * 8 + j] = -t80; /* De(3,0) */
             const real t81 = 2.0 * (t21 * t77 - d_y * t79);
-            De[28 * 8 + j] = t81;
-            De[25 * 8 + j] = -t81;
+            De[28 * 8 + j] = t81; /* De(3,8) */
+            De[25 * 8 + j] = -t81; /* De(3,1) */
             const real t82 = t21 * t78 - 2.0 * d_z * t79;
-            De[29 * 8 + j] = t82;
-            De[26 * 8 + j] = -t82;
+            De[29 * 8 + j] = t82; /* De(3,9) */
+            De[26 * 8 + j] = -t82; /* De(3,2) */
             const real t83 = u_q_2 * t58 + u_q_3 * t57 + u_q_1 * t59;
             const real t84 = 2.0 * tq_3 * t83;
             const real t85 = u_q_3 * t59 - u_q_0 * t58 - u_q_1 * t57;
@@ -211,199 +212,53 @@ static void beam_first_order_position(size_t nblocks, const real *const *in, rea
             const real t87 = 2.0 * (tq_1 * t85 + tq_0 * t86);
             const real t88 = u_q_3 * t58 + u_q_0 * t59 - u_q_2 * t57;
             const real t89 = 2.0 * tq_2 * t88;
-            De[30 * 8 + j] = t87 + t89 + t84;
+            De[30 * 8 + j] = t87 + t89 + t84; /* De(3,10) */
             const real t90 = 2.0 * (tq_0 * t85 - tq_1 * t86);
             const real t91 = 2.0 * tq_2 * t83;
             const real t92 = 2.0 * tq_3 * t88;
-            De[31 * 8 + j] = t90 + t91 - t92;
+            De[31 * 8 + j] = t90 + t91 - t92; /* De(3,11) */
             const real t93 = 2.0 * tq_0 * t88;
             const real t94 = 2.0 * (tq_2 * t86 - tq_3 * t85);
             const real t95 = 2.0 * tq_1 * t83;
-            De[32 * 8 + j] = t93 - t94 - t95;
+            De[32 * 8 + j] = t93 - t94 - t95; /* De(3,12) */
             const real t96 = 2.0 * tq_0 * t83;
             const real t97 = 2.0 * tq_1 * t88;
             const real t98 = 2.0 * (tq_2 * t85 + tq_3 * t86);
-            De[33 * 8 + j] = t96 + t97 - t98;
+            De[33 * 8 + j] = t96 + t97 - t98; /* De(3,13) */
             const real t99 = l0 * t2;
             const real t100 = l0 * ey_p_y;
             const real t101 = l0 * t19;
             const real t102 = t99 * t50 + t101 * t52 + 0.5 * t100 * t48;
             const real t103 = 2.0 * (t21 * t99 - d_x * t102);
-            De[41 * 8 + j] = t103;
-            De[34 * 8 + j] = -t103;
+            De[41 * 8 + j] = t103; /* De(4,7) */
+            De[34 * 8 + j] = -t103; /* De(4,0) */
             const real t104 = t21 * t100 - 2.0 * d_y * t102;
-            De[42 * 8 + j] = t104;
-            De[35 * 8 + j] = -t104;
+            De[42 * 8 + j] = t104; /* De(4,8) */
+            De[35 * 8 + j] = -t104; /* De(4,1) */
             const real t105 = 2.0 * (t21 * t101 - d_z * t102);
-            De[43 * 8 + j] = t105;
-            De[36 * 8 + j] = -t105;
-            De[37 * 8 + j] = t67 + t68 + t69;
-            De[38 * 8 + j] = t64 + t61 - t66;
-            De[39 * 8 + j] = t73 + t75 - t74;
-            De[40 * 8 + j] = t70 + t72 - t71;
+            De[43 * 8 + j] = t105; /* De(4,9) */
+            De[36 * 8 + j] = -t105; /* De(4,2) */
+            De[37 * 8 + j] = t67 + t68 + t69; /* De(4,3) */
+            De[38 * 8 + j] = t64 + t61 - t66; /* De(4,4) */
+            De[39 * 8 + j] = t73 + t75 - t74; /* De(4,5) */
+            De[40 * 8 + j] = t70 + t72 - t71; /* De(4,6) */
             const real t106 = l0 * ey_q_y;
             const real t107 = l0 * t1;
             const real t108 = l0 * t17;
             const real t109 = t107 * t50 + t108 * t52 + 0.5 * t106 * t48;
             const real t110 = 2.0 * (d_x * t109 - t21 * t107);
-            De[47 * 8 + j] = t110;
-            De[44 * 8 + j] = -t110;
+            De[47 * 8 + j] = t110; /* De(5,7) */
+            De[44 * 8 + j] = -t110; /* De(5,0) */
             const real t111 = 2.0 * d_y * t109 - t21 * t106;
-            De[48 * 8 + j] = t111;
-            De[45 * 8 + j] = -t111;
+            De[48 * 8 + j] = t111; /* De(5,8) */
+            De[45 * 8 + j] = -t111; /* De(5,1) */
             const real t112 = 2.0 * (d_z * t109 - t21 * t108);
-            De[49 * 8 + j] = t112;
-            De[46 * 8 + j] = -t112;
-            De[50 * 8 + j] = t90 + t92 - t91;
-            De[51 * 8 + j] = t84 + t89 - t87;
-            De[52 * 8 + j] = -(t98 + t97 + t96);
-            De[53 * 8 + j] = t94 + t93 - t95;
-        }
-    }
-}
-
-/* velocity: 338 operations.
- * in:  x (14), v (14), p (18)
- * out: ed (6), s (0) */
-FLEXEL_CLONES
-static void beam_first_order_velocity(size_t nblocks, const real *const *in, real *const *out)
-{
-    for (size_t b = 0; b < nblocks; b++) {
-        const real *restrict x = in[0] + b * (14 * 8);
-        const real *restrict v = in[1] + b * (14 * 8);
-        const real *restrict p = in[2] + b * (18 * 8);
-        real *restrict ed = out[0] + b * (6 * 8);
-#pragma omp simd
-        for (size_t j = 0; j < 8; j++) {
-            const real q_y = x[8 * 8 + j];
-            const real p_y = x[1 * 8 + j];
-            const real d_y = q_y - p_y;
-            const real q_x = x[7 * 8 + j];
-            const real p_x = x[0 * 8 + j];
-            const real d_x = q_x - p_x;
-            const real q_z = x[9 * 8 + j];
-            const real p_z = x[2 * 8 + j];
-            const real d_z = q_z - p_z;
-            const real l = real_sqrt(d_x * d_x + d_z * d_z + d_y * d_y);
-            const real t0 = 1.0 / l;
-            const real q_vy = v[8 * 8 + j];
-            const real p_vy = v[1 * 8 + j];
-            const real t1 = q_vy - p_vy;
-            const real q_vx = v[7 * 8 + j];
-            const real p_vx = v[0 * 8 + j];
-            const real t2 = q_vx - p_vx;
-            const real q_vz = v[9 * 8 + j];
-            const real p_vz = v[2 * 8 + j];
-            const real t3 = q_vz - p_vz;
-            const real t4 = t0 * (d_x * t2 + d_z * t3 + d_y * t1);
-            ed[0 * 8 + j] = t4;
-            const real rq_l1 = x[11 * 8 + j];
-            const real tq_0 = p[5 * 8 + j];
-            const real rq_l0 = x[10 * 8 + j];
-            const real tq_1 = p[6 * 8 + j];
-            const real rq_l2 = x[12 * 8 + j];
-            const real tq_3 = p[8 * 8 + j];
-            const real rq_l3 = x[13 * 8 + j];
-            const real tq_2 = p[7 * 8 + j];
-            const real u_q_1 = rq_l0 * tq_1 + rq_l2 * tq_3 + rq_l1 * tq_0 - rq_l3 * tq_2;
-            const real u_q_2 = rq_l0 * tq_2 + rq_l3 * tq_1 + rq_l2 * tq_0 - rq_l1 * tq_3;
-            const real u_q_0 = rq_l0 * tq_0 - rq_l1 * tq_1 - rq_l2 * tq_2 - rq_l3 * tq_3;
-            const real u_q_3 = rq_l0 * tq_3 + rq_l3 * tq_0 + rq_l1 * tq_2 - rq_l2 * tq_1;
-            const real t5 = u_q_1 * u_q_2 - u_q_0 * u_q_3;
-            const real rp_vl0 = v[3 * 8 + j];
-            const real tp_0 = p[1 * 8 + j];
-            const real rp_vl1 = v[4 * 8 + j];
-            const real tp_1 = p[2 * 8 + j];
-            const real rp_vl2 = v[5 * 8 + j];
-            const real tp_2 = p[3 * 8 + j];
-            const real rp_vl3 = v[6 * 8 + j];
-            const real tp_3 = p[4 * 8 + j];
-            const real ud_p_0 = rp_vl0 * tp_0 - rp_vl1 * tp_1 - rp_vl2 * tp_2 - rp_vl3 * tp_3;
-            const real rp_l2 = x[5 * 8 + j];
-            const real rp_l0 = x[3 * 8 + j];
-            const real rp_l3 = x[6 * 8 + j];
-            const real rp_l1 = x[4 * 8 + j];
-            const real u_p_2 = rp_l0 * tp_2 + rp_l3 * tp_1 + rp_l2 * tp_0 - rp_l1 * tp_3;
-            const real u_p_0 = rp_l0 * tp_0 - rp_l1 * tp_1 - rp_l2 * tp_2 - rp_l3 * tp_3;
-            const real ud_p_2 = rp_vl0 * tp_2 + rp_vl3 * tp_1 + rp_vl2 * tp_0 - rp_vl1 * tp_3;
-            const real u_p_1 = rp_l0 * tp_1 + rp_l2 * tp_3 + rp_l1 * tp_0 - rp_l3 * tp_2;
-            const real ud_p_3 = rp_vl0 * tp_3 + rp_vl3 * tp_0 + rp_vl1 * tp_2 - rp_vl2 * tp_1;
-            const real u_p_3 = rp_l0 * tp_3 + rp_l3 * tp_0 + rp_l1 * tp_2 - rp_l2 * tp_1;
-            const real ud_p_1 = rp_vl0 * tp_1 + rp_vl2 * tp_3 + rp_vl1 * tp_0 - rp_vl3 * tp_2;
-            const real t6 = u_p_1 * ud_p_3 + u_p_3 * ud_p_1 + u_p_0 * ud_p_2 + ud_p_0 * u_p_2;
-            const real t7 = u_p_0 * u_p_2 + u_p_1 * u_p_3;
-            const real rq_vl2 = v[12 * 8 + j];
-            const real rq_vl0 = v[10 * 8 + j];
-            const real rq_vl3 = v[13 * 8 + j];
-            const real rq_vl1 = v[11 * 8 + j];
-            const real ud_q_2 = rq_vl0 * tq_2 + rq_vl3 * tq_1 + rq_vl2 * tq_0 - rq_vl1 * tq_3;
-            const real ud_q_1 = rq_vl0 * tq_1 + rq_vl2 * tq_3 + rq_vl1 * tq_0 - rq_vl3 * tq_2;
-            const real ud_q_3 = rq_vl0 * tq_3 + rq_vl3 * tq_0 + rq_vl1 * tq_2 - rq_vl2 * tq_1;
-            const real ud_q_0 = rq_vl0 * tq_0 - rq_vl1 * tq_1 - rq_vl2 * tq_2 - rq_vl3 * tq_3;
-            const real t8 = u_q_1 * ud_q_2 + u_q_2 * ud_q_1 - u_q_0 * ud_q_3 - ud_q_0 * u_q_3;
-            const real t9 = u_q_0 * u_q_2 + u_q_1 * u_q_3;
-            const real t10 = u_p_1 * ud_p_2 + u_p_2 * ud_p_1 - u_p_0 * ud_p_3 - ud_p_0 * u_p_3;
-            const real t11 = u_p_1 * u_p_2 - u_p_0 * u_p_3;
-            const real t12 = u_q_1 * ud_q_3 + u_q_3 * ud_q_1 + u_q_0 * ud_q_2 + ud_q_0 * u_q_2;
-            const real t13 = u_p_0 * u_p_0;
-            const real t14 = u_p_3 * u_p_3;
-            const real t15 = u_p_1 * u_p_1;
-            const real t16 = u_p_2 * u_p_2;
-            const real ez_p_z = t13 + t14 - t15 - t16;
-            const real t17 = u_q_0 * ud_q_1 + ud_q_0 * u_q_1;
-            const real t18 = u_q_2 * ud_q_3 + u_q_3 * ud_q_2;
-            const real t19 = t17 + t18;
-            const real t20 = u_q_0 * u_q_1;
-            const real t21 = u_q_2 * u_q_3;
-            const real t22 = t20 + t21;
-            const real t23 = 2.0 * u_p_0 * ud_p_0;
-            const real t24 = 2.0 * u_p_3 * ud_p_3;
-            const real t25 = 2.0 * u_p_1 * ud_p_1;
-            const real t26 = 2.0 * u_p_2 * ud_p_2;
-            const real t27 = t23 + t24 - t25 - t26;
-            const real t28 = u_q_0 * u_q_0;
-            const real t29 = u_q_2 * u_q_2;
-            const real t30 = u_q_1 * u_q_1;
-            const real t31 = u_q_3 * u_q_3;
-            const real ey_q_y = t28 + t29 - t30 - t31;
-            const real t32 = u_p_2 * ud_p_3 + u_p_3 * ud_p_2;
-            const real t33 = u_p_0 * ud_p_1 + ud_p_0 * u_p_1;
-            const real t34 = t32 - t33;
-            const real t35 = u_p_2 * u_p_3;
-            const real t36 = u_p_0 * u_p_1;
-            const real t37 = t35 - t36;
-            const real t38 = 2.0 * u_q_0 * ud_q_0;
-            const real t39 = 2.0 * u_q_2 * ud_q_2;
-            const real t40 = 2.0 * u_q_1 * ud_q_1;
-            const real t41 = 2.0 * u_q_3 * ud_q_3;
-            const real t42 = t38 + t39 - t40 - t41;
-            const real t43 = t21 - t20;
-            const real t44 = t23 + t26 - t25 - t24;
-            const real t45 = ey_q_y * t34 + t37 * t42 + t22 * t27 + ez_p_z * t19 - t43 * t44;
-            const real ey_p_y = t13 + t16 - t15 - t14;
-            const real t46 = t18 - t17;
-            const real ez_q_z = t28 + t31 - t30 - t29;
-            const real t47 = t33 + t32;
-            const real t48 = t36 + t35;
-            const real t49 = t38 + t41 - t40 - t39;
-            const real t50 = 4.0 * (t5 * t6 + t7 * t8 - t9 * t10 - t11 * t12) + 2.0 * (t45 - ey_p_y * t46 - ez_q_z * t47 - t48 * t49);
-            const real l0 = p[0 * 8 + j];
-            ed[1 * 8 + j] = 0.5 * l0 * t50;
-            const real t51 = t0 * t0 * t4;
-            const real t52 = t1 * t0 - d_y * t51;
-            const real el_y = d_y * t0;
-            const real el_x = d_x * t0;
-            const real t53 = t2 * t0 - d_x * t51;
-            const real el_z = d_z * t0;
-            const real t54 = t3 * t0 - d_z * t51;
-            const real t55 = el_z * t27 + ez_p_z * t54 + 2.0 * (el_x * t6 + t7 * t53 + el_y * t34 + t37 * t52);
-            ed[2 * 8 + j] = -(l0 * t55);
-            const real t56 = el_z * t49 + ez_q_z * t54 + 2.0 * (el_x * t12 + t9 * t53 + el_y * t46 + t43 * t52);
-            ed[3 * 8 + j] = l0 * t56;
-            const real t57 = el_y * t44 + ey_p_y * t52 + 2.0 * (el_x * t10 + t11 * t53 + el_z * t47 + t48 * t54);
-            ed[4 * 8 + j] = l0 * t57;
-            const real t58 = el_y * t42 + ey_q_y * t52 + 2.0 * (el_x * t8 + t5 * t53 + el_z * t19 + t22 * t54);
-            ed[5 * 8 + j] = -(l0 * t58);
+            De[49 * 8 + j] = t112; /* De(5,9) */
+            De[46 * 8 + j] = -t112; /* De(5,2) */
+            De[50 * 8 + j] = t90 + t92 - t91; /* De(5,10) */
+            De[51 * 8 + j] = t84 + t89 - t87; /* De(5,11) */
+            De[52 * 8 + j] = -(t98 + t97 + t96); /* De(5,12) */
+            De[53 * 8 + j] = t94 + t93 - t95; /* De(5,13) */
         }
     }
 }
@@ -567,7 +422,8 @@ static void beam_first_order_acceleration(size_t nblocks, const real *const *in,
             const real t82 = t38 + t37;
             const real t83 = t41 + t40;
             const real t84 = t43 + t46 - t45 - t44;
-            const real t85 = t72 - (t75 + t76 * t77 + (t75 + ey_p_y * t78)) - (t81 + ez_q_z * t82 + (t81 + t83 * t84));
+            const real t85 = t72 - (t75 + t76 * t77 + (t75 + ey_p_y * t78)) - (t81 + ez_q_z * t82 + (t81 + t83
+                * t84));
             const real l0 = p[0 * 8 + j];
             g[1 * 8 + j] = 0.5 * l0 * (4.0 * t23 + 2.0 * t85);
             const real t86 = t0 * t1 - 0.5 * d_z * t7;
@@ -648,18 +504,18 @@ static void beam_first_order_rates(size_t nblocks, const real *const *in, real *
             const real t7 = q_vy - p_vy;
             const real t8 = d_x * t1 + d_y * t7 + d_z * t6;
             const real t9 = t2 - t5 * t8;
-            Phi_x[3 * 8 + j] = t9;
-            Phi_x[0 * 8 + j] = -t9;
+            Phi_x[3 * 8 + j] = t9; /* Phi_x(0,7) */
+            Phi_x[0 * 8 + j] = -t9; /* Phi_x(0,0) */
             const real t10 = t0 * t7;
             const real t11 = d_y * t4;
             const real t12 = t10 - t11 * t8;
-            Phi_x[4 * 8 + j] = t12;
-            Phi_x[1 * 8 + j] = -t12;
+            Phi_x[4 * 8 + j] = t12; /* Phi_x(0,8) */
+            Phi_x[1 * 8 + j] = -t12; /* Phi_x(0,1) */
             const real t13 = t0 * t6;
             const real t14 = d_z * t4;
             const real t15 = t13 - t14 * t8;
-            Phi_x[5 * 8 + j] = t15;
-            Phi_x[2 * 8 + j] = -t15;
+            Phi_x[5 * 8 + j] = t15; /* Phi_x(0,9) */
+            Phi_x[2 * 8 + j] = -t15; /* Phi_x(0,2) */
             const real rp_vl2 = v[5 * 8 + j];
             const real tp_3 = p[4 * 8 + j];
             const real rp_vl0 = v[3 * 8 + j];
@@ -745,10 +601,10 @@ static void beam_first_order_rates(size_t nblocks, const real *const *in, real *
             const real t55 = t26 * ud_p_0 + u_p_0 * t27 - u_p_2 * t49 - ud_p_2 * t48 - u_p_1 * t28;
             const real t56 = 4.0 * (t55 - t30 * ud_p_1) + 2.0 * (u_p_3 * t51 + ud_p_3 * t52);
             const real t57 = l0 * t56;
-            Phi_x[6 * 8 + j] = 0.5 * (tp_3 * t54 + tp_2 * t57 + tp_0 * t47 + tp_1 * t44);
-            Phi_x[7 * 8 + j] = 0.5 * (tp_0 * t44 + tp_2 * t54 - tp_1 * t47 - tp_3 * t57);
-            Phi_x[8 * 8 + j] = 0.5 * (tp_3 * t44 + tp_0 * t57 - tp_2 * t47 - tp_1 * t54);
-            Phi_x[9 * 8 + j] = 0.5 * (tp_1 * t57 + tp_0 * t54 - tp_3 * t47 - tp_2 * t44);
+            Phi_x[6 * 8 + j] = 0.5 * (tp_3 * t54 + tp_2 * t57 + tp_0 * t47 + tp_1 * t44); /* Phi_x(1,3) */
+            Phi_x[7 * 8 + j] = 0.5 * (tp_0 * t44 + tp_2 * t54 - tp_1 * t47 - tp_3 * t57); /* Phi_x(1,4) */
+            Phi_x[8 * 8 + j] = 0.5 * (tp_3 * t44 + tp_0 * t57 - tp_2 * t47 - tp_1 * t54); /* Phi_x(1,5) */
+            Phi_x[9 * 8 + j] = 0.5 * (tp_1 * t57 + tp_0 * t54 - tp_3 * t47 - tp_2 * t44); /* Phi_x(1,6) */
             const real t58 = u_p_0 * u_p_1;
             const real t59 = u_p_2 * u_p_3;
             const real t60 = t58 + t59;
@@ -793,10 +649,10 @@ static void beam_first_order_rates(size_t nblocks, const real *const *in, real *
             const real t97 = t68 * ud_q_1 + u_q_1 * t69 + u_q_2 * t93 + ud_q_2 * t92 - u_q_0 * t70;
             const real t98 = 4.0 * (t97 - t72 * ud_q_0) + 2.0 * (u_q_3 * t90 + ud_q_3 * t91);
             const real t99 = l0 * t98;
-            Phi_x[10 * 8 + j] = 0.5 * (tq_3 * t96 + tq_2 * t99 + tq_0 * t89 + tq_1 * t86);
-            Phi_x[11 * 8 + j] = 0.5 * (tq_0 * t86 + tq_2 * t96 - tq_1 * t89 - tq_3 * t99);
-            Phi_x[12 * 8 + j] = 0.5 * (tq_3 * t86 + tq_0 * t99 - tq_2 * t89 - tq_1 * t96);
-            Phi_x[13 * 8 + j] = 0.5 * (tq_1 * t99 + tq_0 * t96 - tq_3 * t89 - tq_2 * t86);
+            Phi_x[10 * 8 + j] = 0.5 * (tq_3 * t96 + tq_2 * t99 + tq_0 * t89 + tq_1 * t86); /* Phi_x(1,10) */
+            Phi_x[11 * 8 + j] = 0.5 * (tq_0 * t86 + tq_2 * t96 - tq_1 * t89 - tq_3 * t99); /* Phi_x(1,11) */
+            Phi_x[12 * 8 + j] = 0.5 * (tq_3 * t86 + tq_0 * t99 - tq_2 * t89 - tq_1 * t96); /* Phi_x(1,12) */
+            Phi_x[13 * 8 + j] = 0.5 * (tq_1 * t99 + tq_0 * t96 - tq_3 * t89 - tq_2 * t86); /* Phi_x(1,13) */
             const real t100 = l0 * t61;
             const real t101 = l0 * t68;
             const real t102 = l0 * ez_p_z;
@@ -808,16 +664,17 @@ static void beam_first_order_rates(size_t nblocks, const real *const *in, real *
             const real t108 = t6 - 0.5 * d_z * t107;
             const real t109 = t1 - 0.5 * d_x * t107;
             const real t110 = t7 - 0.5 * d_y * t107;
-            const real t111 = t102 * t108 + 2.0 * (t101 * t109 + t100 * t110) + l0 * (d_z * t78 + 2.0 * (d_y * t66 + d_x * t69));
+            const real t111 = t102 * t108 + 2.0 * (t101 * t109 + t100 * t110) + l0 * (d_z * t78 + 2.0 * (d_y * t66
+                + d_x * t69));
             const real t112 = 2.0 * (t1 * t103 - t69 * t104 + t101 * t106) + t5 * t111;
-            Phi_x[21 * 8 + j] = t112;
-            Phi_x[14 * 8 + j] = -t112;
+            Phi_x[21 * 8 + j] = t112; /* Phi_x(2,7) */
+            Phi_x[14 * 8 + j] = -t112; /* Phi_x(2,0) */
             const real t113 = 2.0 * (t7 * t103 - t66 * t104 + t100 * t106) + t11 * t111;
-            Phi_x[22 * 8 + j] = t113;
-            Phi_x[15 * 8 + j] = -t113;
+            Phi_x[22 * 8 + j] = t113; /* Phi_x(2,8) */
+            Phi_x[15 * 8 + j] = -t113; /* Phi_x(2,1) */
             const real t114 = 2.0 * t6 * t103 + t102 * t106 + t14 * t111 - t78 * t104;
-            Phi_x[23 * 8 + j] = t114;
-            Phi_x[16 * 8 + j] = -t114;
+            Phi_x[23 * 8 + j] = t114; /* Phi_x(2,9) */
+            Phi_x[16 * 8 + j] = -t114; /* Phi_x(2,2) */
             const real el_z = d_z * t0;
             const real t115 = t13 - d_z * t106;
             const real t116 = t2 - d_x * t106;
@@ -835,33 +692,34 @@ static void beam_first_order_rates(size_t nblocks, const real *const *in, real *
             const real t126 = el_y * ud_p_2 + el_z * ud_p_3 + el_x * ud_p_1 + u_p_3 * t115;
             const real t127 = l0 * (u_p_1 * t116 + t126 + u_p_2 * t117);
             const real t128 = 2.0 * tp_3 * t127;
-            Phi_x[17 * 8 + j] = t120 - t125 - t128;
+            Phi_x[17 * 8 + j] = t120 - t125 - t128; /* Phi_x(2,3) */
             const real t129 = 2.0 * (tp_0 * t124 + tp_1 * t122);
             const real t130 = 2.0 * tp_3 * t119;
             const real t131 = 2.0 * tp_2 * t127;
-            Phi_x[18 * 8 + j] = t129 - t130 - t131;
+            Phi_x[18 * 8 + j] = t129 - t130 - t131; /* Phi_x(2,4) */
             const real t132 = 2.0 * tp_1 * t127;
             const real t133 = 2.0 * (tp_3 * t124 + tp_2 * t122);
             const real t134 = 2.0 * tp_0 * t119;
-            Phi_x[19 * 8 + j] = t133 + t134 + t132;
+            Phi_x[19 * 8 + j] = t133 + t134 + t132; /* Phi_x(2,5) */
             const real t135 = 2.0 * (tp_3 * t122 - tp_2 * t124);
             const real t136 = 2.0 * tp_1 * t119;
             const real t137 = 2.0 * tp_0 * t127;
-            Phi_x[20 * 8 + j] = t135 + t136 - t137;
+            Phi_x[20 * 8 + j] = t135 + t136 - t137; /* Phi_x(2,6) */
             const real t138 = l0 * t18;
             const real t139 = l0 * t30;
             const real t140 = l0 * ez_q_z;
             const real t141 = t139 * t5 + 0.5 * t140 * t14 + t138 * t11;
-            const real t142 = t140 * t108 + 2.0 * (t139 * t109 + t138 * t110) + l0 * (d_z * t36 + 2.0 * (d_y * t23 + d_x * t28));
+            const real t142 = t140 * t108 + 2.0 * (t139 * t109 + t138 * t110) + l0 * (d_z * t36 + 2.0 * (d_y * t23
+                + d_x * t28));
             const real t143 = 2.0 * (t28 * t104 - t1 * t141 - t139 * t106) - t5 * t142;
-            Phi_x[27 * 8 + j] = t143;
-            Phi_x[24 * 8 + j] = -t143;
+            Phi_x[27 * 8 + j] = t143; /* Phi_x(3,7) */
+            Phi_x[24 * 8 + j] = -t143; /* Phi_x(3,0) */
             const real t144 = 2.0 * (t23 * t104 - t7 * t141 - t138 * t106) - t11 * t142;
-            Phi_x[28 * 8 + j] = t144;
-            Phi_x[25 * 8 + j] = -t144;
+            Phi_x[28 * 8 + j] = t144; /* Phi_x(3,8) */
+            Phi_x[25 * 8 + j] = -t144; /* Phi_x(3,1) */
             const real t145 = t36 * t104 - t140 * t106 - t14 * t142 - 2.0 * t6 * t141;
-            Phi_x[29 * 8 + j] = t145;
-            Phi_x[26 * 8 + j] = -t145;
+            Phi_x[29 * 8 + j] = t145; /* Phi_x(3,9) */
+            Phi_x[26 * 8 + j] = -t145; /* Phi_x(3,2) */
             const real t146 = el_y * ud_q_2 + el_z * ud_q_3 + el_x * ud_q_1 + u_q_3 * t115;
             const real t147 = l0 * (u_q_1 * t116 + t146 + u_q_2 * t117);
             const real t148 = 2.0 * tq_3 * t147;
@@ -873,55 +731,57 @@ static void beam_first_order_rates(size_t nblocks, const real *const *in, real *
             const real t154 = el_z * ud_q_2 + u_q_2 * t115 - u_q_0 * t116 - u_q_3 * t117;
             const real t155 = l0 * (t154 - el_x * ud_q_0 - el_y * ud_q_3);
             const real t156 = 2.0 * tq_2 * t155;
-            Phi_x[30 * 8 + j] = t148 - t153 - t156;
+            Phi_x[30 * 8 + j] = t148 - t153 - t156; /* Phi_x(3,10) */
             const real t157 = 2.0 * tq_2 * t147;
             const real t158 = 2.0 * tq_3 * t155;
             const real t159 = 2.0 * (tq_0 * t150 + tq_1 * t152);
-            Phi_x[31 * 8 + j] = t157 + t158 - t159;
+            Phi_x[31 * 8 + j] = t157 + t158 - t159; /* Phi_x(3,11) */
             const real t160 = 2.0 * tq_1 * t147;
             const real t161 = 2.0 * (tq_3 * t150 + tq_2 * t152);
             const real t162 = 2.0 * tq_0 * t155;
-            Phi_x[32 * 8 + j] = -(t161 + t162 + t160);
+            Phi_x[32 * 8 + j] = -(t161 + t162 + t160); /* Phi_x(3,12) */
             const real t163 = 2.0 * (tq_2 * t150 - tq_3 * t152);
             const real t164 = 2.0 * tq_0 * t147;
             const real t165 = 2.0 * tq_1 * t155;
-            Phi_x[33 * 8 + j] = t163 + t164 - t165;
+            Phi_x[33 * 8 + j] = t163 + t164 - t165; /* Phi_x(3,13) */
             const real t166 = l0 * ey_p_y;
             const real t167 = l0 * t72;
             const real t168 = l0 * t60;
             const real t169 = t167 * t5 + t168 * t14 + 0.5 * t166 * t11;
-            const real t170 = t166 * t110 + 2.0 * (t167 * t109 + t168 * t108) + l0 * (d_y * t77 + 2.0 * (d_z * t65 + d_x * t70));
+            const real t170 = t166 * t110 + 2.0 * (t167 * t109 + t168 * t108) + l0 * (d_y * t77 + 2.0 * (d_z * t65
+                + d_x * t70));
             const real t171 = 2.0 * (t70 * t104 - t1 * t169 - t167 * t106) - t5 * t170;
-            Phi_x[41 * 8 + j] = t171;
-            Phi_x[34 * 8 + j] = -t171;
+            Phi_x[41 * 8 + j] = t171; /* Phi_x(4,7) */
+            Phi_x[34 * 8 + j] = -t171; /* Phi_x(4,0) */
             const real t172 = t77 * t104 - t166 * t106 - t11 * t170 - 2.0 * t7 * t169;
-            Phi_x[42 * 8 + j] = t172;
-            Phi_x[35 * 8 + j] = -t172;
+            Phi_x[42 * 8 + j] = t172; /* Phi_x(4,8) */
+            Phi_x[35 * 8 + j] = -t172; /* Phi_x(4,1) */
             const real t173 = 2.0 * (t65 * t104 - t6 * t169 - t168 * t106) - t14 * t170;
-            Phi_x[43 * 8 + j] = t173;
-            Phi_x[36 * 8 + j] = -t173;
-            Phi_x[37 * 8 + j] = t129 + t130 + t131;
-            Phi_x[38 * 8 + j] = t125 + t120 - t128;
-            Phi_x[39 * 8 + j] = t135 + t137 - t136;
-            Phi_x[40 * 8 + j] = t132 + t134 - t133;
+            Phi_x[43 * 8 + j] = t173; /* Phi_x(4,9) */
+            Phi_x[36 * 8 + j] = -t173; /* Phi_x(4,2) */
+            Phi_x[37 * 8 + j] = t129 + t130 + t131; /* Phi_x(4,3) */
+            Phi_x[38 * 8 + j] = t125 + t120 - t128; /* Phi_x(4,4) */
+            Phi_x[39 * 8 + j] = t135 + t137 - t136; /* Phi_x(4,5) */
+            Phi_x[40 * 8 + j] = t132 + t134 - t133; /* Phi_x(4,6) */
             const real t174 = l0 * ey_q_y;
             const real t175 = l0 * t26;
             const real t176 = l0 * t19;
             const real t177 = t175 * t5 + t176 * t14 + 0.5 * t174 * t11;
-            const real t178 = t174 * t110 + 2.0 * (t175 * t109 + t176 * t108) + l0 * (d_y * t35 + 2.0 * (d_z * t24 + d_x * t27));
+            const real t178 = t174 * t110 + 2.0 * (t175 * t109 + t176 * t108) + l0 * (d_y * t35 + 2.0 * (d_z * t24
+                + d_x * t27));
             const real t179 = 2.0 * (t1 * t177 - t27 * t104 + t175 * t106) + t5 * t178;
-            Phi_x[47 * 8 + j] = t179;
-            Phi_x[44 * 8 + j] = -t179;
+            Phi_x[47 * 8 + j] = t179; /* Phi_x(5,7) */
+            Phi_x[44 * 8 + j] = -t179; /* Phi_x(5,0) */
             const real t180 = 2.0 * t7 * t177 + t174 * t106 + t11 * t178 - t35 * t104;
-            Phi_x[48 * 8 + j] = t180;
-            Phi_x[45 * 8 + j] = -t180;
+            Phi_x[48 * 8 + j] = t180; /* Phi_x(5,8) */
+            Phi_x[45 * 8 + j] = -t180; /* Phi_x(5,1) */
             const real t181 = 2.0 * (t6 * t177 - t24 * t104 + t176 * t106) + t14 * t178;
-            Phi_x[49 * 8 + j] = t181;
-            Phi_x[46 * 8 + j] = -t181;
-            Phi_x[50 * 8 + j] = -(t159 + t158 + t157);
-            Phi_x[51 * 8 + j] = t153 + t148 - t156;
-            Phi_x[52 * 8 + j] = t163 + t165 - t164;
-            Phi_x[53 * 8 + j] = t161 - t160 - t162;
+            Phi_x[49 * 8 + j] = t181; /* Phi_x(5,9) */
+            Phi_x[46 * 8 + j] = -t181; /* Phi_x(5,2) */
+            Phi_x[50 * 8 + j] = -(t159 + t158 + t157); /* Phi_x(5,10) */
+            Phi_x[51 * 8 + j] = t153 + t148 - t156; /* Phi_x(5,11) */
+            Phi_x[52 * 8 + j] = t163 + t165 - t164; /* Phi_x(5,12) */
+            Phi_x[53 * 8 + j] = t161 - t160 - t162; /* Phi_x(5,13) */
         }
     }
 }
@@ -983,16 +843,16 @@ static void beam_first_order_kinematics(size_t nblocks, const real *const *in, r
             const real t17 = t3 * t14;
             const real t18 = t17 + t0 * t15;
             const real t19 = t2 - d_x * t16 - t6 * t18;
-            Psi_x[3 * 8 + j] = t19;
-            Psi_x[0 * 8 + j] = -t19;
+            Psi_x[3 * 8 + j] = t19; /* Psi_x(0,7) */
+            Psi_x[0 * 8 + j] = -t19; /* Psi_x(0,0) */
             const real t20 = t0 * t9;
             const real t21 = t20 - d_y * t16 - t5 * t18;
-            Psi_x[4 * 8 + j] = t21;
-            Psi_x[1 * 8 + j] = -t21;
+            Psi_x[4 * 8 + j] = t21; /* Psi_x(0,8) */
+            Psi_x[1 * 8 + j] = -t21; /* Psi_x(0,1) */
             const real t22 = t0 * t10;
             const real t23 = t22 - d_z * t16 - t7 * t18;
-            Psi_x[5 * 8 + j] = t23;
-            Psi_x[2 * 8 + j] = -t23;
+            Psi_x[5 * 8 + j] = t23; /* Psi_x(0,9) */
+            Psi_x[2 * 8 + j] = -t23; /* Psi_x(0,2) */
             const real rp_vl1 = v[4 * 8 + j];
             const real tp_2 = p[3 * 8 + j];
             const real rp_vl0 = v[3 * 8 + j];
@@ -1081,7 +941,8 @@ static void beam_first_order_kinematics(size_t nblocks, const real *const *in, r
             const real t63 = l0 * t62;
             const real t64 = tp_2 * rp_al0 + tp_1 * rp_al3 + tp_0 * rp_al2 - tp_3 * rp_al1;
             const real u_p_2 = rp_l0 * tp_2 + rp_l3 * tp_1 + rp_l2 * tp_0 - rp_l1 * tp_3;
-            const real t65 = u_q_2 * t33 + u_q_0 * t29 + u_q_3 * t34 + u_q_1 * t30 + 2.0 * (ud_q_1 * ud_q_3 + ud_q_0 * ud_q_2);
+            const real t65 = u_q_2 * t33 + u_q_0 * t29 + u_q_3 * t34 + u_q_1 * t30 + 2.0 * (ud_q_1 * ud_q_3 + ud_q_0
+                * ud_q_2);
             const real t66 = l0 * t65;
             const real t67 = 4.0 * (ud_p_3 * t25 - ud_p_2 * t27) + 2.0 * (t61 - t63 * t64 - u_p_2 * t66);
             const real t68 = tp_0 * rp_al0 - tp_1 * rp_al1 - tp_2 * rp_al2 - tp_3 * rp_al3;
@@ -1134,10 +995,10 @@ static void beam_first_order_kinematics(size_t nblocks, const real *const *in, r
             const real t111 = t49 * t58 + t63 * t68 + t103 * t50 + ud_p_3 * t104 + u_p_3 * t106;
             const real t112 = 4.0 * (ud_p_0 * t27 + ud_p_1 * t25) + t108 * t64 + ud_p_2 * t107;
             const real t113 = 2.0 * (u_p_0 * t66 + t111 + u_p_1 * t60) + t112 + u_p_2 * t102;
-            Psi_x[6 * 8 + j] = tp_2 * t110 + tp_3 * t113 + tp_0 * t101 + tp_1 * t98;
-            Psi_x[7 * 8 + j] = tp_2 * t113 + tp_0 * t98 - tp_3 * t110 - tp_1 * t101;
-            Psi_x[8 * 8 + j] = tp_0 * t110 + tp_3 * t98 - tp_1 * t113 - tp_2 * t101;
-            Psi_x[9 * 8 + j] = tp_0 * t113 + tp_1 * t110 - tp_2 * t98 - tp_3 * t101;
+            Psi_x[6 * 8 + j] = tp_2 * t110 + tp_3 * t113 + tp_0 * t101 + tp_1 * t98; /* Psi_x(1,3) */
+            Psi_x[7 * 8 + j] = tp_2 * t113 + tp_0 * t98 - tp_3 * t110 - tp_1 * t101; /* Psi_x(1,4) */
+            Psi_x[8 * 8 + j] = tp_0 * t110 + tp_3 * t98 - tp_1 * t113 - tp_2 * t101; /* Psi_x(1,5) */
+            Psi_x[9 * 8 + j] = tp_0 * t113 + tp_1 * t110 - tp_2 * t98 - tp_3 * t101; /* Psi_x(1,6) */
             const real t114 = 2.0 * u_p_0 * t68;
             const real t115 = 2.0 * ud_p_3 * ud_p_3;
             const real t116 = 2.0 * ud_p_0 * ud_p_0;
@@ -1174,7 +1035,8 @@ static void beam_first_order_kinematics(size_t nblocks, const real *const *in, r
             const real t147 = t144 - t143;
             const real t148 = l0 * t147;
             const real t149 = t146 - t148;
-            const real t150 = u_p_2 * t68 + u_p_0 * t64 + u_p_3 * t58 + u_p_1 * t50 + 2.0 * (ud_p_1 * ud_p_3 + ud_p_0 * ud_p_2);
+            const real t150 = u_p_2 * t68 + u_p_0 * t64 + u_p_3 * t58 + u_p_1 * t50 + 2.0 * (ud_p_1 * ud_p_3 + ud_p_0
+                * ud_p_2);
             const real t151 = l0 * t150;
             const real t152 = t142 * t29 + t149 * t34 + ud_q_1 * t140 + u_q_2 * t151 + u_q_1 * t131;
             const real t153 = u_p_1 * u_p_2 - u_p_0 * u_p_3;
@@ -1222,10 +1084,10 @@ static void beam_first_order_kinematics(size_t nblocks, const real *const *in, r
             const real t193 = u_q_0 * t151 + u_q_1 * t156 + t142 * t33 + t154 * t34 + t187 * t30;
             const real t194 = t190 * t29 + ud_q_2 * t189 + u_q_2 * t184 - 2.0 * (ud_q_3 * t186 + t193 + u_q_3 * t185);
             const real t195 = t194 - 4.0 * (ud_q_0 * t169 + ud_q_1 * t171);
-            Psi_x[10 * 8 + j] = tq_2 * t192 + tq_3 * t195 + tq_0 * t183 + tq_1 * t180;
-            Psi_x[11 * 8 + j] = tq_2 * t195 + tq_0 * t180 - tq_3 * t192 - tq_1 * t183;
-            Psi_x[12 * 8 + j] = tq_0 * t192 + tq_3 * t180 - tq_1 * t195 - tq_2 * t183;
-            Psi_x[13 * 8 + j] = tq_0 * t195 + tq_1 * t192 - tq_2 * t180 - tq_3 * t183;
+            Psi_x[10 * 8 + j] = tq_2 * t192 + tq_3 * t195 + tq_0 * t183 + tq_1 * t180; /* Psi_x(1,10) */
+            Psi_x[11 * 8 + j] = tq_2 * t195 + tq_0 * t180 - tq_3 * t192 - tq_1 * t183; /* Psi_x(1,11) */
+            Psi_x[12 * 8 + j] = tq_0 * t192 + tq_3 * t180 - tq_1 * t195 - tq_2 * t183; /* Psi_x(1,12) */
+            Psi_x[13 * 8 + j] = tq_0 * t195 + tq_1 * t192 - tq_2 * t180 - tq_3 * t183; /* Psi_x(1,13) */
             const real t196 = d_x * t142 + d_y * t148 + 0.5 * d_z * t176;
             const real t197 = t3 * t196;
             const real t198 = t0 * t197;
@@ -1247,16 +1109,16 @@ static void beam_first_order_kinematics(size_t nblocks, const real *const *in, r
             const real t214 = 2.0 * t213 - 4.0 * (t5 * t138 + t6 * t169 + t17 * t199) - t176 * t10;
             const real t215 = t4 * (t214 - d_z * t122);
             const real t216 = t205 + t142 * t210 - d_x * t215;
-            Psi_x[21 * 8 + j] = t216;
-            Psi_x[14 * 8 + j] = -t216;
+            Psi_x[21 * 8 + j] = t216; /* Psi_x(2,7) */
+            Psi_x[14 * 8 + j] = -t216; /* Psi_x(2,0) */
             const real t217 = 2.0 * (2.0 * t17 * t138 + t5 * t204 + t9 * t198 - t0 * t130);
             const real t218 = t217 + t148 * t210 - d_y * t215;
-            Psi_x[22 * 8 + j] = t218;
-            Psi_x[15 * 8 + j] = -t218;
+            Psi_x[22 * 8 + j] = t218; /* Psi_x(2,8) */
+            Psi_x[15 * 8 + j] = -t218; /* Psi_x(2,1) */
             const real t219 = 2.0 * (t10 * t198 + t7 * t204 + t17 * t162) + 0.5 * t176 * t210;
             const real t220 = t219 - d_z * t215 - t0 * t122;
-            Psi_x[23 * 8 + j] = t220;
-            Psi_x[16 * 8 + j] = -t220;
+            Psi_x[23 * 8 + j] = t220; /* Psi_x(2,9) */
+            Psi_x[16 * 8 + j] = -t220; /* Psi_x(2,2) */
             const real t221 = t5 * t0;
             const real t222 = t221 - d_y * t17;
             const real t223 = l0 * t222;
@@ -1315,10 +1177,10 @@ static void beam_first_order_kinematics(size_t nblocks, const real *const *in, r
             const real t273 = 4.0 * ud_p_1 * t241;
             const real t274 = 4.0 * ud_p_2 * t223;
             const real t275 = t267 + t268 + t266 - t269 - t270 - t271 - t272 - t273 - t274;
-            Psi_x[17 * 8 + j] = tp_2 * t265 + tp_3 * t275 + tp_0 * t255 + tp_1 * t245;
-            Psi_x[18 * 8 + j] = tp_2 * t275 + tp_0 * t245 - tp_3 * t265 - tp_1 * t255;
-            Psi_x[19 * 8 + j] = tp_0 * t265 + tp_3 * t245 - tp_1 * t275 - tp_2 * t255;
-            Psi_x[20 * 8 + j] = tp_0 * t275 + tp_1 * t265 - tp_2 * t245 - tp_3 * t255;
+            Psi_x[17 * 8 + j] = tp_2 * t265 + tp_3 * t275 + tp_0 * t255 + tp_1 * t245; /* Psi_x(2,3) */
+            Psi_x[18 * 8 + j] = tp_2 * t275 + tp_0 * t245 - tp_3 * t265 - tp_1 * t255; /* Psi_x(2,4) */
+            Psi_x[19 * 8 + j] = tp_0 * t265 + tp_3 * t245 - tp_1 * t275 - tp_2 * t255; /* Psi_x(2,5) */
+            Psi_x[20 * 8 + j] = tp_0 * t275 + tp_1 * t265 - tp_2 * t245 - tp_3 * t255; /* Psi_x(2,6) */
             const real t276 = d_x * t63 + d_y * t54 + 0.5 * d_z * t74;
             const real t277 = t3 * t276;
             const real t278 = t14 * t276;
@@ -1333,16 +1195,16 @@ static void beam_first_order_kinematics(size_t nblocks, const real *const *in, r
             const real t287 = t74 * t10 + t286 + d_z * t96 + 4.0 * (t5 * t42 + t6 * t27 + t17 * t278);
             const real t288 = t4 * t287;
             const real t289 = t284 - t63 * t210 - d_x * t288;
-            Psi_x[27 * 8 + j] = t289;
-            Psi_x[24 * 8 + j] = -t289;
+            Psi_x[27 * 8 + j] = t289; /* Psi_x(3,7) */
+            Psi_x[24 * 8 + j] = -t289; /* Psi_x(3,0) */
             const real t290 = 2.0 * (t5 * t282 + t0 * t36 - t9 * t283 - 2.0 * t17 * t42);
             const real t291 = t290 - t54 * t210 - d_y * t288;
-            Psi_x[28 * 8 + j] = t291;
-            Psi_x[25 * 8 + j] = -t291;
+            Psi_x[28 * 8 + j] = t291; /* Psi_x(3,8) */
+            Psi_x[25 * 8 + j] = -t291; /* Psi_x(3,1) */
             const real t292 = 2.0 * (t7 * t282 - t10 * t283 - t17 * t84) + t0 * t96 - 0.5 * t74 * t210;
             const real t293 = t292 - d_z * t288;
-            Psi_x[29 * 8 + j] = t293;
-            Psi_x[26 * 8 + j] = -t293;
+            Psi_x[29 * 8 + j] = t293; /* Psi_x(3,9) */
+            Psi_x[26 * 8 + j] = -t293; /* Psi_x(3,2) */
             const real t294 = 2.0 * u_q_0 * t243;
             const real t295 = 4.0 * ud_q_3 * t241;
             const real t296 = 2.0 * t237 * t30;
@@ -1383,10 +1245,10 @@ static void beam_first_order_kinematics(size_t nblocks, const real *const *in, r
             const real t331 = 2.0 * u_q_2 * t243;
             const real t332 = 2.0 * u_q_1 * t233;
             const real t333 = t328 + t329 + t327 + t326 + t325 + t324 - t330 - t331 - t332;
-            Psi_x[30 * 8 + j] = tq_2 * t323 + tq_3 * t333 + tq_0 * t313 + tq_1 * t303;
-            Psi_x[31 * 8 + j] = tq_2 * t333 + tq_0 * t303 - tq_3 * t323 - tq_1 * t313;
-            Psi_x[32 * 8 + j] = tq_0 * t323 + tq_3 * t303 - tq_1 * t333 - tq_2 * t313;
-            Psi_x[33 * 8 + j] = tq_0 * t333 + tq_1 * t323 - tq_2 * t303 - tq_3 * t313;
+            Psi_x[30 * 8 + j] = tq_2 * t323 + tq_3 * t333 + tq_0 * t313 + tq_1 * t303; /* Psi_x(3,10) */
+            Psi_x[31 * 8 + j] = tq_2 * t333 + tq_0 * t303 - tq_3 * t323 - tq_1 * t313; /* Psi_x(3,11) */
+            Psi_x[32 * 8 + j] = tq_0 * t323 + tq_3 * t303 - tq_1 * t333 - tq_2 * t313; /* Psi_x(3,12) */
+            Psi_x[33 * 8 + j] = tq_0 * t333 + tq_1 * t323 - tq_2 * t303 - tq_3 * t313; /* Psi_x(3,13) */
             const real t334 = d_x * t154 + d_z * t146 + 0.5 * d_y * t177;
             const real t335 = t3 * t334;
             const real t336 = t14 * t334;
@@ -1401,24 +1263,24 @@ static void beam_first_order_kinematics(size_t nblocks, const real *const *in, r
             const real t345 = t177 * t9 + t344 + d_y * t123 + 4.0 * (t7 * t135 + t6 * t171 + t17 * t336);
             const real t346 = t4 * t345;
             const real t347 = t342 - t154 * t210 - d_x * t346;
-            Psi_x[41 * 8 + j] = t347;
-            Psi_x[34 * 8 + j] = -t347;
+            Psi_x[41 * 8 + j] = t347; /* Psi_x(4,7) */
+            Psi_x[34 * 8 + j] = -t347; /* Psi_x(4,0) */
             const real t348 = 2.0 * (t5 * t340 - t9 * t341 - t17 * t165) + t0 * t123 - 0.5 * t177 * t210;
             const real t349 = t348 - d_y * t346;
-            Psi_x[42 * 8 + j] = t349;
-            Psi_x[35 * 8 + j] = -t349;
+            Psi_x[42 * 8 + j] = t349; /* Psi_x(4,8) */
+            Psi_x[35 * 8 + j] = -t349; /* Psi_x(4,1) */
             const real t350 = 2.0 * (t7 * t340 + t0 * t129 - t10 * t341 - 2.0 * t17 * t135);
             const real t351 = t350 - t146 * t210 - d_z * t346;
-            Psi_x[43 * 8 + j] = t351;
-            Psi_x[36 * 8 + j] = -t351;
+            Psi_x[43 * 8 + j] = t351; /* Psi_x(4,9) */
+            Psi_x[36 * 8 + j] = -t351; /* Psi_x(4,2) */
             const real t352 = t252 + t254 + t250 + t251 + t253 - t248 - t247 - t249 - t246;
             const real t353 = t228 + t234 + t224 + t230 + t232 - t244 - t238 - t242 - t236;
             const real t354 = t272 + t273 + t269 + t270 + t271 + t274 - t268 - t266 - t267;
             const real t355 = t259 + t256 + t257 + t258 - t262 - t261 - t264 - t263 - t260;
-            Psi_x[37 * 8 + j] = tp_2 * t354 + tp_3 * t355 + tp_0 * t353 + tp_1 * t352;
-            Psi_x[38 * 8 + j] = tp_2 * t355 + tp_0 * t352 - tp_3 * t354 - tp_1 * t353;
-            Psi_x[39 * 8 + j] = tp_0 * t354 + tp_3 * t352 - tp_1 * t355 - tp_2 * t353;
-            Psi_x[40 * 8 + j] = tp_0 * t355 + tp_1 * t354 - tp_2 * t352 - tp_3 * t353;
+            Psi_x[37 * 8 + j] = tp_2 * t354 + tp_3 * t355 + tp_0 * t353 + tp_1 * t352; /* Psi_x(4,3) */
+            Psi_x[38 * 8 + j] = tp_2 * t355 + tp_0 * t352 - tp_3 * t354 - tp_1 * t353; /* Psi_x(4,4) */
+            Psi_x[39 * 8 + j] = tp_0 * t354 + tp_3 * t352 - tp_1 * t355 - tp_2 * t353; /* Psi_x(4,5) */
+            Psi_x[40 * 8 + j] = tp_0 * t355 + tp_1 * t354 - tp_2 * t352 - tp_3 * t353; /* Psi_x(4,6) */
             const real t356 = d_x * t49 + d_z * t56 + 0.5 * d_y * t73;
             const real t357 = t3 * t356;
             const real t358 = t0 * t357;
@@ -1433,36 +1295,36 @@ static void beam_first_order_kinematics(size_t nblocks, const real *const *in, r
             const real t367 = 2.0 * t366 - 4.0 * (t7 * t45 + t6 * t25 + t17 * t359) - t73 * t9;
             const real t368 = t4 * (t367 - d_y * t95);
             const real t369 = t364 + t49 * t210 - d_x * t368;
-            Psi_x[47 * 8 + j] = t369;
-            Psi_x[44 * 8 + j] = -t369;
+            Psi_x[47 * 8 + j] = t369; /* Psi_x(5,7) */
+            Psi_x[44 * 8 + j] = -t369; /* Psi_x(5,0) */
             const real t370 = 2.0 * (t9 * t358 + t5 * t363 + t17 * t81) + 0.5 * t73 * t210;
             const real t371 = t370 - d_y * t368 - t0 * t95;
-            Psi_x[48 * 8 + j] = t371;
-            Psi_x[45 * 8 + j] = -t371;
+            Psi_x[48 * 8 + j] = t371; /* Psi_x(5,8) */
+            Psi_x[45 * 8 + j] = -t371; /* Psi_x(5,1) */
             const real t372 = 2.0 * (2.0 * t17 * t45 + t7 * t363 + t10 * t358 - t0 * t37);
             const real t373 = t372 + t56 * t210 - d_z * t368;
-            Psi_x[49 * 8 + j] = t373;
-            Psi_x[46 * 8 + j] = -t373;
+            Psi_x[49 * 8 + j] = t373; /* Psi_x(5,9) */
+            Psi_x[46 * 8 + j] = -t373; /* Psi_x(5,2) */
             const real t374 = t311 + t312 + t310 + t309 - t308 - t306 - t307 - t304 - t305;
             const real t375 = t295 + t294 + t296 + t297 - t299 - t298 - t301 - t300 - t302;
             const real t376 = t332 + t331 + t330 - t326 - t325 - t324 - t328 - t329 - t327;
             const real t377 = t315 + t314 + t317 + t316 + t318 - t321 - t319 - t320 - t322;
-            Psi_x[50 * 8 + j] = tq_2 * t376 + tq_3 * t377 + tq_0 * t375 + tq_1 * t374;
-            Psi_x[51 * 8 + j] = tq_2 * t377 + tq_0 * t374 - tq_3 * t376 - tq_1 * t375;
-            Psi_x[52 * 8 + j] = tq_0 * t376 + tq_3 * t374 - tq_1 * t377 - tq_2 * t375;
-            Psi_x[53 * 8 + j] = tq_0 * t377 + tq_1 * t376 - tq_2 * t374 - tq_3 * t375;
+            Psi_x[50 * 8 + j] = tq_2 * t376 + tq_3 * t377 + tq_0 * t375 + tq_1 * t374; /* Psi_x(5,10) */
+            Psi_x[51 * 8 + j] = tq_2 * t377 + tq_0 * t374 - tq_3 * t376 - tq_1 * t375; /* Psi_x(5,11) */
+            Psi_x[52 * 8 + j] = tq_0 * t376 + tq_3 * t374 - tq_1 * t377 - tq_2 * t375; /* Psi_x(5,12) */
+            Psi_x[53 * 8 + j] = tq_0 * t377 + tq_1 * t376 - tq_2 * t374 - tq_3 * t375; /* Psi_x(5,13) */
             const real t378 = d_x * t4;
             const real t379 = 2.0 * (t239 - t378 * t13);
-            Psi_v[3 * 8 + j] = t379;
-            Psi_v[0 * 8 + j] = -t379;
+            Psi_v[3 * 8 + j] = t379; /* Psi_v(0,7) */
+            Psi_v[0 * 8 + j] = -t379; /* Psi_v(0,0) */
             const real t380 = d_y * t4;
             const real t381 = 2.0 * (t221 - t380 * t13);
-            Psi_v[4 * 8 + j] = t381;
-            Psi_v[1 * 8 + j] = -t381;
+            Psi_v[4 * 8 + j] = t381; /* Psi_v(0,8) */
+            Psi_v[1 * 8 + j] = -t381; /* Psi_v(0,1) */
             const real t382 = d_z * t4;
             const real t383 = 2.0 * (t225 - t382 * t13);
-            Psi_v[5 * 8 + j] = t383;
-            Psi_v[2 * 8 + j] = -t383;
+            Psi_v[5 * 8 + j] = t383; /* Psi_v(0,9) */
+            Psi_v[2 * 8 + j] = -t383; /* Psi_v(0,2) */
             const real t384 = t44 + t41;
             const real t385 = t55 + t53;
             const real t386 = u_p_0 * t24 + ud_p_0 * t48 - u_p_2 * t384 - t385 * ud_p_2;
@@ -1483,10 +1345,10 @@ static void beam_first_order_kinematics(size_t nblocks, const real *const *in, r
             const real t401 = u_p_1 * t394 + t396 * ud_p_1 + t48 * ud_p_3 + u_p_3 * t24;
             const real t402 = 4.0 * (t401 - u_p_2 * t26 - t62 * ud_p_2) - 2.0 * (u_p_0 * t397 + ud_p_0 * t398);
             const real t403 = l0 * t402;
-            Psi_v[6 * 8 + j] = tp_0 * t400 + tp_1 * t403 + tp_3 * t393 + tp_2 * t390;
-            Psi_v[7 * 8 + j] = tp_2 * t393 + tp_0 * t403 - tp_1 * t400 - tp_3 * t390;
-            Psi_v[8 * 8 + j] = tp_0 * t390 + tp_3 * t403 - tp_2 * t400 - tp_1 * t393;
-            Psi_v[9 * 8 + j] = tp_1 * t390 + tp_0 * t393 - tp_3 * t400 - tp_2 * t403;
+            Psi_v[6 * 8 + j] = tp_0 * t400 + tp_1 * t403 + tp_3 * t393 + tp_2 * t390; /* Psi_v(1,3) */
+            Psi_v[7 * 8 + j] = tp_2 * t393 + tp_0 * t403 - tp_1 * t400 - tp_3 * t390; /* Psi_v(1,4) */
+            Psi_v[8 * 8 + j] = tp_0 * t390 + tp_3 * t403 - tp_2 * t400 - tp_1 * t393; /* Psi_v(1,5) */
+            Psi_v[9 * 8 + j] = tp_1 * t390 + tp_0 * t393 - tp_3 * t400 - tp_2 * t403; /* Psi_v(1,6) */
             const real t404 = t161 - t164;
             const real t405 = ez_p_z - ey_p_y;
             const real t406 = t134 + t137;
@@ -1507,10 +1369,10 @@ static void beam_first_order_kinematics(size_t nblocks, const real *const *in, r
             const real t421 = u_q_1 * t416 + t417 * ud_q_1 + t141 * ud_q_2 + u_q_2 * t168;
             const real t422 = 2.0 * (u_q_0 * t414 + ud_q_0 * t415) + 4.0 * (t421 - u_q_3 * t170 - t153 * ud_q_3);
             const real t423 = l0 * t422;
-            Psi_v[10 * 8 + j] = tq_0 * t420 + tq_1 * t423 + tq_3 * t413 + tq_2 * t410;
-            Psi_v[11 * 8 + j] = tq_2 * t413 + tq_0 * t423 - tq_1 * t420 - tq_3 * t410;
-            Psi_v[12 * 8 + j] = tq_3 * t423 + tq_0 * t410 - tq_2 * t420 - tq_1 * t413;
-            Psi_v[13 * 8 + j] = tq_0 * t413 + tq_1 * t410 - tq_3 * t420 - tq_2 * t423;
+            Psi_v[10 * 8 + j] = tq_0 * t420 + tq_1 * t423 + tq_3 * t413 + tq_2 * t410; /* Psi_v(1,10) */
+            Psi_v[11 * 8 + j] = tq_2 * t413 + tq_0 * t423 - tq_1 * t420 - tq_3 * t410; /* Psi_v(1,11) */
+            Psi_v[12 * 8 + j] = tq_3 * t423 + tq_0 * t410 - tq_2 * t420 - tq_1 * t413; /* Psi_v(1,12) */
+            Psi_v[13 * 8 + j] = tq_0 * t413 + tq_1 * t410 - tq_3 * t420 - tq_2 * t423; /* Psi_v(1,13) */
             const real t424 = t142 * t378 + t148 * t380 + 0.5 * t176 * t382;
             const real t425 = l0 * t0;
             const real t426 = 2.0 * t15 + 4.0 * t0 * t14;
@@ -1521,15 +1383,15 @@ static void beam_first_order_kinematics(size_t nblocks, const real *const *in, r
             const real t431 = 2.0 * (t142 * t427 + t148 * t428) + t430;
             const real t432 = 2.0 * (t6 * t424 + t142 * t17 - t168 * t425) + t378 * t431;
             const real t433 = 2.0 * t432;
-            Psi_v[21 * 8 + j] = t433;
-            Psi_v[14 * 8 + j] = -t433;
+            Psi_v[21 * 8 + j] = t433; /* Psi_v(2,7) */
+            Psi_v[14 * 8 + j] = -t433; /* Psi_v(2,0) */
             const real t434 = 2.0 * (t5 * t424 + t148 * t17 - t137 * t425) + t380 * t431;
             const real t435 = 2.0 * t434;
-            Psi_v[22 * 8 + j] = t435;
-            Psi_v[15 * 8 + j] = -t435;
+            Psi_v[22 * 8 + j] = t435; /* Psi_v(2,8) */
+            Psi_v[15 * 8 + j] = -t435; /* Psi_v(2,1) */
             const real t436 = 2.0 * (2.0 * t7 * t424 + t382 * t431 + t176 * t17 - t161 * t425);
-            Psi_v[23 * 8 + j] = t436;
-            Psi_v[16 * 8 + j] = -t436;
+            Psi_v[23 * 8 + j] = t436; /* Psi_v(2,9) */
+            Psi_v[16 * 8 + j] = -t436; /* Psi_v(2,2) */
             const real t437 = u_p_2 * t226 + el_z * ud_p_2 - u_p_0 * t240 - u_p_3 * t222;
             const real t438 = l0 * (t437 - ud_p_0 * el_x - el_y * ud_p_3);
             const real t439 = 2.0 * tp_2 * t438;
@@ -1541,31 +1403,31 @@ static void beam_first_order_kinematics(size_t nblocks, const real *const *in, r
             const real t445 = u_p_1 * t240 + u_p_2 * t222 + u_p_3 * t226 + el_x * ud_p_1;
             const real t446 = l0 * (el_y * ud_p_2 + t445 + el_z * ud_p_3);
             const real t447 = 2.0 * tp_3 * t446;
-            Psi_v[17 * 8 + j] = 2.0 * (t439 - t444 - t447);
+            Psi_v[17 * 8 + j] = 2.0 * (t439 - t444 - t447); /* Psi_v(2,3) */
             const real t448 = 2.0 * (tp_0 * t443 + tp_1 * t441);
             const real t449 = 2.0 * tp_3 * t438;
             const real t450 = 2.0 * tp_2 * t446;
-            Psi_v[18 * 8 + j] = 2.0 * (t448 - t449 - t450);
+            Psi_v[18 * 8 + j] = 2.0 * (t448 - t449 - t450); /* Psi_v(2,4) */
             const real t451 = 2.0 * tp_0 * t438;
             const real t452 = 2.0 * tp_1 * t446;
             const real t453 = 2.0 * (tp_3 * t443 + tp_2 * t441);
-            Psi_v[19 * 8 + j] = 2.0 * (t452 + t453 + t451);
+            Psi_v[19 * 8 + j] = 2.0 * (t452 + t453 + t451); /* Psi_v(2,5) */
             const real t454 = 2.0 * tp_1 * t438;
             const real t455 = 2.0 * (tp_3 * t441 - tp_2 * t443);
             const real t456 = 2.0 * tp_0 * t446;
-            Psi_v[20 * 8 + j] = 2.0 * (t454 + t455 - t456);
+            Psi_v[20 * 8 + j] = 2.0 * (t454 + t455 - t456); /* Psi_v(2,6) */
             const real t457 = t63 * t378 + t54 * t380 + 0.5 * t74 * t382;
             const real t458 = l0 * (2.0 * (d_x * t26 + d_y * t41) + d_z * t83) + t74 * t429;
             const real t459 = 2.0 * (t63 * t427 + t54 * t428) + t458;
             const real t460 = 2.0 * (2.0 * (t26 * t425 - t6 * t457 - t63 * t17) - t378 * t459);
-            Psi_v[27 * 8 + j] = t460;
-            Psi_v[24 * 8 + j] = -t460;
+            Psi_v[27 * 8 + j] = t460; /* Psi_v(3,7) */
+            Psi_v[24 * 8 + j] = -t460; /* Psi_v(3,0) */
             const real t461 = 2.0 * (2.0 * (t41 * t425 - t5 * t457 - t54 * t17) - t380 * t459);
-            Psi_v[28 * 8 + j] = t461;
-            Psi_v[25 * 8 + j] = -t461;
+            Psi_v[28 * 8 + j] = t461; /* Psi_v(3,8) */
+            Psi_v[25 * 8 + j] = -t461; /* Psi_v(3,1) */
             const real t462 = 2.0 * (t83 * t425 - t74 * t17 - t382 * t459 - 2.0 * t7 * t457);
-            Psi_v[29 * 8 + j] = t462;
-            Psi_v[26 * 8 + j] = -t462;
+            Psi_v[29 * 8 + j] = t462; /* Psi_v(3,9) */
+            Psi_v[26 * 8 + j] = -t462; /* Psi_v(3,2) */
             const real t463 = u_q_1 * t240 + u_q_2 * t222 + u_q_3 * t226 + el_x * ud_q_1;
             const real t464 = l0 * (el_y * ud_q_2 + t463 + el_z * ud_q_3);
             const real t465 = 2.0 * tq_3 * t464;
@@ -1577,53 +1439,53 @@ static void beam_first_order_kinematics(size_t nblocks, const real *const *in, r
             const real t471 = u_q_2 * t226 + el_z * ud_q_2 - u_q_0 * t240 - u_q_3 * t222;
             const real t472 = l0 * (t471 - ud_q_0 * el_x - el_y * ud_q_3);
             const real t473 = 2.0 * tq_2 * t472;
-            Psi_v[30 * 8 + j] = 2.0 * (t465 - t470 - t473);
+            Psi_v[30 * 8 + j] = 2.0 * (t465 - t470 - t473); /* Psi_v(3,10) */
             const real t474 = 2.0 * tq_2 * t464;
             const real t475 = 2.0 * tq_3 * t472;
             const real t476 = 2.0 * (tq_0 * t467 + tq_1 * t469);
-            Psi_v[31 * 8 + j] = 2.0 * (t474 + t475 - t476);
+            Psi_v[31 * 8 + j] = 2.0 * (t474 + t475 - t476); /* Psi_v(3,11) */
             const real t477 = 2.0 * tq_0 * t472;
             const real t478 = 2.0 * tq_1 * t464;
             const real t479 = 2.0 * (tq_3 * t467 + tq_2 * t469);
-            Psi_v[32 * 8 + j] = -(2.0 * (t478 + t479 + t477));
+            Psi_v[32 * 8 + j] = -(2.0 * (t478 + t479 + t477)); /* Psi_v(3,12) */
             const real t480 = 2.0 * tq_0 * t464;
             const real t481 = 2.0 * (tq_2 * t467 - tq_3 * t469);
             const real t482 = 2.0 * tq_1 * t472;
-            Psi_v[33 * 8 + j] = 2.0 * (t480 + t481 - t482);
+            Psi_v[33 * 8 + j] = 2.0 * (t480 + t481 - t482); /* Psi_v(3,13) */
             const real t483 = t154 * t378 + 0.5 * t177 * t380 + t146 * t382;
             const real t484 = l0 * (2.0 * (d_x * t170 + d_z * t134) + d_y * t164) + t177 * t428;
             const real t485 = 2.0 * (t154 * t427 + t146 * t429) + t484;
             const real t486 = 2.0 * (t170 * t425 - t6 * t483 - t154 * t17) - t378 * t485;
             const real t487 = 2.0 * t486;
-            Psi_v[41 * 8 + j] = t487;
-            Psi_v[34 * 8 + j] = -t487;
+            Psi_v[41 * 8 + j] = t487; /* Psi_v(4,7) */
+            Psi_v[34 * 8 + j] = -t487; /* Psi_v(4,0) */
             const real t488 = 2.0 * (t164 * t425 - t177 * t17 - t380 * t485 - 2.0 * t5 * t483);
-            Psi_v[42 * 8 + j] = t488;
-            Psi_v[35 * 8 + j] = -t488;
+            Psi_v[42 * 8 + j] = t488; /* Psi_v(4,8) */
+            Psi_v[35 * 8 + j] = -t488; /* Psi_v(4,1) */
             const real t489 = 2.0 * (t134 * t425 - t7 * t483 - t146 * t17) - t382 * t485;
             const real t490 = 2.0 * t489;
-            Psi_v[43 * 8 + j] = t490;
-            Psi_v[36 * 8 + j] = -t490;
-            Psi_v[37 * 8 + j] = 2.0 * (t450 + t448 + t449);
-            Psi_v[38 * 8 + j] = 2.0 * (t439 + t444 - t447);
-            Psi_v[39 * 8 + j] = 2.0 * (t456 + t455 - t454);
-            Psi_v[40 * 8 + j] = 2.0 * (t452 + t451 - t453);
+            Psi_v[43 * 8 + j] = t490; /* Psi_v(4,9) */
+            Psi_v[36 * 8 + j] = -t490; /* Psi_v(4,2) */
+            Psi_v[37 * 8 + j] = 2.0 * (t450 + t448 + t449); /* Psi_v(4,3) */
+            Psi_v[38 * 8 + j] = 2.0 * (t439 + t444 - t447); /* Psi_v(4,4) */
+            Psi_v[39 * 8 + j] = 2.0 * (t456 + t455 - t454); /* Psi_v(4,5) */
+            Psi_v[40 * 8 + j] = 2.0 * (t452 + t451 - t453); /* Psi_v(4,6) */
             const real t491 = t49 * t378 + 0.5 * t73 * t380 + t56 * t382;
             const real t492 = l0 * (2.0 * (d_x * t24 + d_z * t44) + d_y * t80) + t73 * t428;
             const real t493 = 2.0 * (t49 * t427 + t56 * t429) + t492;
             const real t494 = 2.0 * (2.0 * (t6 * t491 + t49 * t17 - t24 * t425) + t378 * t493);
-            Psi_v[47 * 8 + j] = t494;
-            Psi_v[44 * 8 + j] = -t494;
+            Psi_v[47 * 8 + j] = t494; /* Psi_v(5,7) */
+            Psi_v[44 * 8 + j] = -t494; /* Psi_v(5,0) */
             const real t495 = 2.0 * (2.0 * t5 * t491 + t380 * t493 + t73 * t17 - t80 * t425);
-            Psi_v[48 * 8 + j] = t495;
-            Psi_v[45 * 8 + j] = -t495;
+            Psi_v[48 * 8 + j] = t495; /* Psi_v(5,8) */
+            Psi_v[45 * 8 + j] = -t495; /* Psi_v(5,1) */
             const real t496 = 2.0 * (2.0 * (t7 * t491 + t56 * t17 - t44 * t425) + t382 * t493);
-            Psi_v[49 * 8 + j] = t496;
-            Psi_v[46 * 8 + j] = -t496;
-            Psi_v[50 * 8 + j] = -(2.0 * (t474 + t476 + t475));
-            Psi_v[51 * 8 + j] = 2.0 * (t465 + t470 - t473);
-            Psi_v[52 * 8 + j] = 2.0 * (t482 + t481 - t480);
-            Psi_v[53 * 8 + j] = 2.0 * (t479 - t478 - t477);
+            Psi_v[49 * 8 + j] = t496; /* Psi_v(5,9) */
+            Psi_v[46 * 8 + j] = -t496; /* Psi_v(5,2) */
+            Psi_v[50 * 8 + j] = -(2.0 * (t474 + t476 + t475)); /* Psi_v(5,10) */
+            Psi_v[51 * 8 + j] = 2.0 * (t465 + t470 - t473); /* Psi_v(5,11) */
+            Psi_v[52 * 8 + j] = 2.0 * (t482 + t481 - t480); /* Psi_v(5,12) */
+            Psi_v[53 * 8 + j] = 2.0 * (t479 - t478 - t477); /* Psi_v(5,13) */
         }
     }
 }
@@ -1721,17 +1583,17 @@ static void beam_first_order_stiffness(size_t nblocks, const real *const *in, re
             const real t33 = d_x * t32;
             const real t34 = t30 - 2.0 * t29;
             const real t35 = t31 - 2.0 * t33 * t25 - d_x * (2.0 * t32 * t25 + t33 * t34);
-            K[0 * 8 + j] = K[105 * 8 + j] = t35;
+            K[0 * 8 + j] = K[105 * 8 + j] = t35; /* K(0,0) K(7,7) */
             const real t36 = d_y * t32;
             const real t37 = t32 * t20 + t36 * t34;
             const real t38 = 2.0 * t36 * t25 + d_x * t37;
-            K[8 * 8 + j] = K[21 * 8 + j] = K[99 * 8 + j] = K[112 * 8 + j] = t38;
-            K[1 * 8 + j] = K[14 * 8 + j] = K[106 * 8 + j] = K[119 * 8 + j] = -t38;
+            K[8 * 8 + j] = K[21 * 8 + j] = K[99 * 8 + j] = K[112 * 8 + j] = t38; /* K(0,8) K(1,7) K(7,1) K(8,0) */
+            K[1 * 8 + j] = K[14 * 8 + j] = K[106 * 8 + j] = K[119 * 8 + j] = -t38; /* K(0,1) K(1,0) K(7,8) K(8,7) */
             const real t39 = d_z * t32;
             const real t40 = t32 * t28 + t39 * t34;
             const real t41 = 2.0 * t39 * t25 + d_x * t40;
-            K[9 * 8 + j] = K[35 * 8 + j] = K[100 * 8 + j] = K[126 * 8 + j] = t41;
-            K[2 * 8 + j] = K[28 * 8 + j] = K[107 * 8 + j] = K[133 * 8 + j] = -t41;
+            K[9 * 8 + j] = K[35 * 8 + j] = K[100 * 8 + j] = K[126 * 8 + j] = t41; /* K(0,9) K(2,7) K(7,2) K(9,0) */
+            K[2 * 8 + j] = K[28 * 8 + j] = K[107 * 8 + j] = K[133 * 8 + j] = -t41; /* K(0,2) K(2,0) K(7,9) K(9,7) */
             const real t42 = t0 * t6;
             const real t43 = t0 * t14;
             const real t44 = d_x * t6;
@@ -1749,18 +1611,18 @@ static void beam_first_order_stiffness(size_t nblocks, const real *const *in, re
             const real t56 = d_z * t53 - (u_p_1 * t45 + u_p_0 * t44) - d_y * t52;
             const real t57 = 2.0 * (u_p_0 * t42 + u_p_1 * t43) + 2.0 * t33 * t56;
             const real t58 = tp_1 * t49 - tp_0 * t51 - tp_2 * t55 - tp_3 * t57;
-            K[49 * 8 + j] = K[101 * 8 + j] = t58;
-            K[3 * 8 + j] = K[42 * 8 + j] = -t58;
+            K[49 * 8 + j] = K[101 * 8 + j] = t58; /* K(3,7) K(7,3) */
+            K[3 * 8 + j] = K[42 * 8 + j] = -t58; /* K(0,3) K(3,0) */
             const real t59 = tp_0 * t49 + tp_3 * t55 + tp_1 * t51 - tp_2 * t57;
-            K[63 * 8 + j] = K[102 * 8 + j] = t59;
-            K[4 * 8 + j] = K[56 * 8 + j] = -t59;
+            K[63 * 8 + j] = K[102 * 8 + j] = t59; /* K(4,7) K(7,4) */
+            K[4 * 8 + j] = K[56 * 8 + j] = -t59; /* K(0,4) K(4,0) */
             const real t60 = tp_3 * t49 + tp_1 * t57 + tp_2 * t51 - tp_0 * t55;
-            K[77 * 8 + j] = K[103 * 8 + j] = t60;
-            K[5 * 8 + j] = K[70 * 8 + j] = -t60;
+            K[77 * 8 + j] = K[103 * 8 + j] = t60; /* K(5,7) K(7,5) */
+            K[5 * 8 + j] = K[70 * 8 + j] = -t60; /* K(0,5) K(5,0) */
             const real t61 = tp_3 * t51 - tp_2 * t49 - tp_1 * t55 - tp_0 * t57;
-            K[91 * 8 + j] = K[104 * 8 + j] = t61;
-            K[6 * 8 + j] = K[84 * 8 + j] = -t61;
-            K[7 * 8 + j] = K[98 * 8 + j] = -t35;
+            K[91 * 8 + j] = K[104 * 8 + j] = t61; /* K(6,7) K(7,6) */
+            K[6 * 8 + j] = K[84 * 8 + j] = -t61; /* K(0,6) K(6,0) */
+            K[7 * 8 + j] = K[98 * 8 + j] = -t35; /* K(0,7) K(7,0) */
             const real t62 = t0 * t19;
             const real t63 = t0 * t10;
             const real t64 = d_x * t19;
@@ -1778,22 +1640,22 @@ static void beam_first_order_stiffness(size_t nblocks, const real *const *in, re
             const real t76 = u_q_0 * t65 - u_q_1 * t64 + d_y * t72 - d_z * t73;
             const real t77 = 2.0 * (u_q_1 * t62 - u_q_0 * t63) + 2.0 * t33 * t76;
             const real t78 = tq_1 * t71 + tq_3 * t75 + tq_0 * t69 - tq_2 * t77;
-            K[108 * 8 + j] = K[147 * 8 + j] = t78;
-            K[10 * 8 + j] = K[140 * 8 + j] = -t78;
+            K[108 * 8 + j] = K[147 * 8 + j] = t78; /* K(7,10) K(10,7) */
+            K[10 * 8 + j] = K[140 * 8 + j] = -t78; /* K(0,10) K(10,0) */
             const real t79 = tq_3 * t77 + tq_2 * t75 + tq_0 * t71 - tq_1 * t69;
-            K[109 * 8 + j] = K[161 * 8 + j] = t79;
-            K[11 * 8 + j] = K[154 * 8 + j] = -t79;
+            K[109 * 8 + j] = K[161 * 8 + j] = t79; /* K(7,11) K(11,7) */
+            K[11 * 8 + j] = K[154 * 8 + j] = -t79; /* K(0,11) K(11,0) */
             const real t80 = tq_3 * t71 - tq_2 * t69 - tq_0 * t77 - tq_1 * t75;
-            K[110 * 8 + j] = K[175 * 8 + j] = t80;
-            K[12 * 8 + j] = K[168 * 8 + j] = -t80;
+            K[110 * 8 + j] = K[175 * 8 + j] = t80; /* K(7,12) K(12,7) */
+            K[12 * 8 + j] = K[168 * 8 + j] = -t80; /* K(0,12) K(12,0) */
             const real t81 = tq_0 * t75 - tq_3 * t69 - tq_2 * t71 - tq_1 * t77;
-            K[111 * 8 + j] = K[189 * 8 + j] = t81;
-            K[13 * 8 + j] = K[182 * 8 + j] = -t81;
+            K[111 * 8 + j] = K[189 * 8 + j] = t81; /* K(7,13) K(13,7) */
+            K[13 * 8 + j] = K[182 * 8 + j] = -t81; /* K(0,13) K(13,0) */
             const real t82 = t31 - t36 * t20 - d_y * t37;
-            K[15 * 8 + j] = K[120 * 8 + j] = t82;
+            K[15 * 8 + j] = K[120 * 8 + j] = t82; /* K(1,1) K(8,8) */
             const real t83 = t39 * t20 + d_y * t40;
-            K[23 * 8 + j] = K[36 * 8 + j] = K[114 * 8 + j] = K[127 * 8 + j] = t83;
-            K[16 * 8 + j] = K[29 * 8 + j] = K[121 * 8 + j] = K[134 * 8 + j] = -t83;
+            K[23 * 8 + j] = K[36 * 8 + j] = K[114 * 8 + j] = K[127 * 8 + j] = t83; /* K(1,9) K(2,8) K(8,2) K(9,1) */
+            K[16 * 8 + j] = K[29 * 8 + j] = K[121 * 8 + j] = K[134 * 8 + j] = -t83; /* K(1,2) K(2,1) K(8,9) K(9,8) */
             const real t84 = 2.0 * t0 * t46;
             const real t85 = t84 - 2.0 * t36 * t50;
             const real t86 = 2.0 * t0 * t53;
@@ -1803,17 +1665,17 @@ static void beam_first_order_stiffness(size_t nblocks, const real *const *in, re
             const real t90 = 2.0 * t0 * t52;
             const real t91 = t90 + 2.0 * t36 * t56;
             const real t92 = tp_0 * t85 + tp_2 * t87 - tp_1 * t89 - tp_3 * t91;
-            K[50 * 8 + j] = K[115 * 8 + j] = t92;
-            K[17 * 8 + j] = K[43 * 8 + j] = -t92;
+            K[50 * 8 + j] = K[115 * 8 + j] = t92; /* K(3,8) K(8,3) */
+            K[17 * 8 + j] = K[43 * 8 + j] = -t92; /* K(1,3) K(3,1) */
             const real t93 = tp_0 * t89 + tp_1 * t85 + tp_2 * t91 + tp_3 * t87;
-            K[18 * 8 + j] = K[57 * 8 + j] = t93;
+            K[18 * 8 + j] = K[57 * 8 + j] = t93; /* K(1,4) K(4,1) */
             const real t94 = tp_0 * t87 + tp_1 * t91 - tp_2 * t85 - tp_3 * t89;
-            K[78 * 8 + j] = K[117 * 8 + j] = t94;
-            K[19 * 8 + j] = K[71 * 8 + j] = -t94;
+            K[78 * 8 + j] = K[117 * 8 + j] = t94; /* K(5,8) K(8,5) */
+            K[19 * 8 + j] = K[71 * 8 + j] = -t94; /* K(1,5) K(5,1) */
             const real t95 = tp_2 * t89 + tp_1 * t87 - tp_3 * t85 - tp_0 * t91;
-            K[92 * 8 + j] = K[118 * 8 + j] = t95;
-            K[20 * 8 + j] = K[85 * 8 + j] = -t95;
-            K[22 * 8 + j] = K[113 * 8 + j] = -t82;
+            K[92 * 8 + j] = K[118 * 8 + j] = t95; /* K(6,8) K(8,6) */
+            K[20 * 8 + j] = K[85 * 8 + j] = -t95; /* K(1,6) K(6,1) */
+            K[22 * 8 + j] = K[113 * 8 + j] = -t82; /* K(1,8) K(8,1) */
             const real t96 = 2.0 * t0 * t72;
             const real t97 = t96 - 2.0 * t36 * t76;
             const real t98 = 2.0 * t0 * t73;
@@ -1823,51 +1685,51 @@ static void beam_first_order_stiffness(size_t nblocks, const real *const *in, re
             const real t102 = 2.0 * t0 * t66;
             const real t103 = t102 + 2.0 * t36 * t70;
             const real t104 = tq_2 * t97 + tq_3 * t99 - tq_0 * t101 - tq_1 * t103;
-            K[122 * 8 + j] = K[148 * 8 + j] = t104;
-            K[24 * 8 + j] = K[141 * 8 + j] = -t104;
+            K[122 * 8 + j] = K[148 * 8 + j] = t104; /* K(8,10) K(10,8) */
+            K[24 * 8 + j] = K[141 * 8 + j] = -t104; /* K(1,10) K(10,1) */
             const real t105 = tq_1 * t101 + tq_2 * t99 - tq_0 * t103 - tq_3 * t97;
-            K[123 * 8 + j] = K[162 * 8 + j] = t105;
-            K[25 * 8 + j] = K[155 * 8 + j] = -t105;
+            K[123 * 8 + j] = K[162 * 8 + j] = t105; /* K(8,11) K(11,8) */
+            K[25 * 8 + j] = K[155 * 8 + j] = -t105; /* K(1,11) K(11,1) */
             const real t106 = tq_2 * t101 + tq_0 * t97 - tq_3 * t103 - tq_1 * t99;
-            K[124 * 8 + j] = K[176 * 8 + j] = t106;
-            K[26 * 8 + j] = K[169 * 8 + j] = -t106;
+            K[124 * 8 + j] = K[176 * 8 + j] = t106; /* K(8,12) K(12,8) */
+            K[26 * 8 + j] = K[169 * 8 + j] = -t106; /* K(1,12) K(12,1) */
             const real t107 = tq_2 * t103 + tq_3 * t101 + tq_0 * t99 + tq_1 * t97;
-            K[125 * 8 + j] = K[190 * 8 + j] = t107;
-            K[27 * 8 + j] = K[183 * 8 + j] = -t107;
+            K[125 * 8 + j] = K[190 * 8 + j] = t107; /* K(8,13) K(13,8) */
+            K[27 * 8 + j] = K[183 * 8 + j] = -t107; /* K(1,13) K(13,1) */
             const real t108 = t31 - t39 * t28 - d_z * t40;
-            K[30 * 8 + j] = K[135 * 8 + j] = t108;
+            K[30 * 8 + j] = K[135 * 8 + j] = t108; /* K(2,2) K(9,9) */
             const real t109 = t90 - 2.0 * t39 * t54;
             const real t110 = t86 - 2.0 * t39 * t56;
             const real t111 = t84 - 2.0 * t39 * t48;
             const real t112 = t88 - 2.0 * t39 * t50;
             const real t113 = tp_1 * t111 + tp_0 * t112 + tp_3 * t110 + tp_2 * t109;
-            K[51 * 8 + j] = K[129 * 8 + j] = t113;
-            K[31 * 8 + j] = K[44 * 8 + j] = -t113;
+            K[51 * 8 + j] = K[129 * 8 + j] = t113; /* K(3,9) K(9,3) */
+            K[31 * 8 + j] = K[44 * 8 + j] = -t113; /* K(2,3) K(3,2) */
             const real t114 = tp_0 * t111 + tp_2 * t110 - tp_1 * t112 - tp_3 * t109;
-            K[65 * 8 + j] = K[130 * 8 + j] = t114;
-            K[32 * 8 + j] = K[58 * 8 + j] = -t114;
+            K[65 * 8 + j] = K[130 * 8 + j] = t114; /* K(4,9) K(9,4) */
+            K[32 * 8 + j] = K[58 * 8 + j] = -t114; /* K(2,4) K(4,2) */
             const real t115 = tp_3 * t111 + tp_0 * t109 - tp_2 * t112 - tp_1 * t110;
-            K[79 * 8 + j] = K[131 * 8 + j] = t115;
-            K[33 * 8 + j] = K[72 * 8 + j] = -t115;
+            K[79 * 8 + j] = K[131 * 8 + j] = t115; /* K(5,9) K(9,5) */
+            K[33 * 8 + j] = K[72 * 8 + j] = -t115; /* K(2,5) K(5,2) */
             const real t116 = tp_1 * t109 + tp_0 * t110 - tp_3 * t112 - tp_2 * t111;
-            K[93 * 8 + j] = K[132 * 8 + j] = t116;
-            K[34 * 8 + j] = K[86 * 8 + j] = -t116;
-            K[37 * 8 + j] = K[128 * 8 + j] = -t108;
+            K[93 * 8 + j] = K[132 * 8 + j] = t116; /* K(6,9) K(9,6) */
+            K[34 * 8 + j] = K[86 * 8 + j] = -t116; /* K(2,6) K(6,2) */
+            K[37 * 8 + j] = K[128 * 8 + j] = -t108; /* K(2,9) K(9,2) */
             const real t117 = t102 - 2.0 * t39 * t68;
             const real t118 = t96 - 2.0 * t39 * t74;
             const real t119 = t100 + 2.0 * t39 * t70;
             const real t120 = t98 + 2.0 * t39 * t76;
             const real t121 = tq_0 * t117 + tq_3 * t118 - tq_1 * t119 - tq_2 * t120;
-            K[136 * 8 + j] = K[149 * 8 + j] = t121;
-            K[38 * 8 + j] = K[142 * 8 + j] = -t121;
+            K[136 * 8 + j] = K[149 * 8 + j] = t121; /* K(9,10) K(10,9) */
+            K[38 * 8 + j] = K[142 * 8 + j] = -t121; /* K(2,10) K(10,2) */
             const real t122 = tq_3 * t120 + tq_2 * t118 - tq_1 * t117 - tq_0 * t119;
-            K[137 * 8 + j] = K[163 * 8 + j] = t122;
-            K[39 * 8 + j] = K[156 * 8 + j] = -t122;
+            K[137 * 8 + j] = K[163 * 8 + j] = t122; /* K(9,11) K(11,9) */
+            K[39 * 8 + j] = K[156 * 8 + j] = -t122; /* K(2,11) K(11,2) */
             const real t123 = tq_3 * t119 + tq_2 * t117 + tq_1 * t118 + tq_0 * t120;
-            K[40 * 8 + j] = K[170 * 8 + j] = t123;
+            K[40 * 8 + j] = K[170 * 8 + j] = t123; /* K(2,12) K(12,2) */
             const real t124 = tq_2 * t119 + tq_0 * t118 - tq_3 * t117 - tq_1 * t120;
-            K[139 * 8 + j] = K[191 * 8 + j] = t124;
-            K[41 * 8 + j] = K[184 * 8 + j] = -t124;
+            K[139 * 8 + j] = K[191 * 8 + j] = t124; /* K(9,13) K(13,9) */
+            K[41 * 8 + j] = K[184 * 8 + j] = -t124; /* K(2,13) K(13,2) */
             const real sigma_torsion = sigma[1 * 8 + j];
             const real t125 = l0 * sigma_torsion;
             const real el_y = d_y * t0;
@@ -1901,12 +1763,12 @@ static void beam_first_order_stiffness(size_t nblocks, const real *const *in, re
             const real t151 = 2.0 * tp_2 * t130;
             const real t152 = 2.0 * tp_3 * t132;
             const real t153 = tp_1 * (t145 + t146 + t143 - t148) + tp_0 * (t149 + t150 + t151 - t152);
-            K[45 * 8 + j] = tp_3 * (t140 + t141 + t139 - t142) + t153 + tp_2 * (t129 + t134 - t138);
+            K[45 * 8 + j] = tp_3 * (t140 + t141 + t139 - t142) + t153 + tp_2 * (t129 + t134 - t138); /* K(3,3) */
             const real t154 = t139 + t142 + t140 - t141;
             const real t155 = t138 + t134 - t129;
             const real t156 = t151 - t150 - t149 - t152;
             const real t157 = t145 - t148 - t143 - t146;
-            K[46 * 8 + j] = K[59 * 8 + j] = tp_1 * t156 + tp_0 * t157 + tp_3 * t155 + tp_2 * t154;
+            K[46 * 8 + j] = K[59 * 8 + j] = tp_1 * t156 + tp_0 * t157 + tp_3 * t155 + tp_2 * t154; /* K(3,4) K(4,3) */
             const real t158 = 2.0 * tp_0 * t137;
             const real t159 = tp_1 * t128;
             const real t160 = t152 - t151 - t158 - t159;
@@ -1919,12 +1781,12 @@ static void beam_first_order_stiffness(size_t nblocks, const real *const *in, re
             const real t167 = tp_3 * t144;
             const real t168 = 2.0 * tp_2 * t147;
             const real t169 = t167 + t131 + t133 - t168;
-            K[47 * 8 + j] = K[73 * 8 + j] = tp_1 * t166 + tp_0 * t169 + tp_3 * t163 + tp_2 * t160;
+            K[47 * 8 + j] = K[73 * 8 + j] = tp_1 * t166 + tp_0 * t169 + tp_3 * t163 + tp_2 * t160; /* K(3,5) K(5,3) */
             const real t170 = t161 - t143 - t146 - t162;
             const real t171 = t159 + t152 + t158 - t151;
             const real t172 = t168 + t133 + t131 - t167;
             const real t173 = t141 - t165 - t164 - t142;
-            K[48 * 8 + j] = K[87 * 8 + j] = tp_1 * t172 + tp_0 * t173 + tp_3 * t171 + tp_2 * t170;
+            K[48 * 8 + j] = K[87 * 8 + j] = tp_1 * t172 + tp_0 * t173 + tp_3 * t171 + tp_2 * t170; /* K(3,6) K(6,3) */
             const real t174 = u_p_2 * t125;
             const real t175 = 2.0 * u_q_1 * t174;
             const real t176 = u_p_3 * t125;
@@ -1990,41 +1852,57 @@ static void beam_first_order_stiffness(size_t nblocks, const real *const *in, re
             const real t236 = t211 - t212 - t210;
             const real t237 = tq_1 * t235 + tq_0 * t236 + tq_3 * t234 + tq_2 * t233;
             K[52 * 8 + j] = K[143 * 8 + j] = tp_1 * t232 + tp_0 * t237 + tp_3 * t207 + tp_2 * t202;
+                /* K(3,10) K(10,3) */
             const real t238 = tq_0 * t189 - tq_1 * t183 - tq_3 * t195 - tq_2 * t201;
             const real t239 = tq_0 * t205 + tq_2 * t204 - tq_1 * t206 - tq_3 * t203;
             const real t240 = tq_0 * t213 + tq_2 * t225 + tq_1 * t231 - tq_3 * t219;
             const real t241 = tq_0 * t235 + tq_2 * t234 - tq_1 * t236 - tq_3 * t233;
             K[53 * 8 + j] = K[157 * 8 + j] = tp_1 * t240 + tp_0 * t241 + tp_3 * t239 + tp_2 * t238;
+                /* K(3,11) K(11,3) */
             const real t242 = tq_1 * t201 + tq_0 * t195 + tq_3 * t189 - tq_2 * t183;
             const real t243 = tq_3 * t205 + tq_0 * t203 - tq_2 * t206 - tq_1 * t204;
             const real t244 = tq_3 * t213 + tq_0 * t219 + tq_2 * t231 - tq_1 * t225;
             const real t245 = tq_3 * t235 + tq_0 * t233 - tq_2 * t236 - tq_1 * t234;
             K[54 * 8 + j] = K[171 * 8 + j] = tp_1 * t244 + tp_0 * t245 + tp_3 * t243 + tp_2 * t242;
+                /* K(3,12) K(12,3) */
             const real t246 = tq_1 * t195 - tq_3 * t183 - tq_2 * t189 - tq_0 * t201;
             const real t247 = tq_1 * t203 + tq_0 * t204 - tq_3 * t206 - tq_2 * t205;
             const real t248 = tq_1 * t219 + tq_0 * t225 + tq_3 * t231 - tq_2 * t213;
             const real t249 = tq_1 * t233 + tq_0 * t234 - tq_3 * t236 - tq_2 * t235;
             K[55 * 8 + j] = K[185 * 8 + j] = tp_1 * t248 + tp_0 * t249 + tp_3 * t247 + tp_2 * t246;
-            K[60 * 8 + j] = tp_0 * t156 + tp_2 * t155 - tp_1 * t157 - tp_3 * t154;
-            K[61 * 8 + j] = K[74 * 8 + j] = tp_0 * t166 + tp_2 * t163 - tp_1 * t169 - tp_3 * t160;
-            K[62 * 8 + j] = K[88 * 8 + j] = tp_0 * t172 + tp_2 * t171 - tp_1 * t173 - tp_3 * t170;
-            K[64 * 8 + j] = K[116 * 8 + j] = -t93;
+                /* K(3,13) K(13,3) */
+            K[60 * 8 + j] = tp_0 * t156 + tp_2 * t155 - tp_1 * t157 - tp_3 * t154; /* K(4,4) */
+            K[61 * 8 + j] = K[74 * 8 + j] = tp_0 * t166 + tp_2 * t163 - tp_1 * t169 - tp_3 * t160; /* K(4,5) K(5,4) */
+            K[62 * 8 + j] = K[88 * 8 + j] = tp_0 * t172 + tp_2 * t171 - tp_1 * t173 - tp_3 * t170; /* K(4,6) K(6,4) */
+            K[64 * 8 + j] = K[116 * 8 + j] = -t93; /* K(4,8) K(8,4) */
             K[66 * 8 + j] = K[144 * 8 + j] = tp_0 * t232 + tp_2 * t207 - tp_1 * t237 - tp_3 * t202;
+                /* K(4,10) K(10,4) */
             K[67 * 8 + j] = K[158 * 8 + j] = tp_0 * t240 + tp_2 * t239 - tp_1 * t241 - tp_3 * t238;
+                /* K(4,11) K(11,4) */
             K[68 * 8 + j] = K[172 * 8 + j] = tp_0 * t244 + tp_2 * t243 - tp_1 * t245 - tp_3 * t242;
+                /* K(4,12) K(12,4) */
             K[69 * 8 + j] = K[186 * 8 + j] = tp_0 * t248 + tp_2 * t247 - tp_1 * t249 - tp_3 * t246;
-            K[75 * 8 + j] = tp_3 * t166 + tp_0 * t160 - tp_2 * t169 - tp_1 * t163;
-            K[76 * 8 + j] = K[89 * 8 + j] = tp_3 * t172 + tp_0 * t170 - tp_2 * t173 - tp_1 * t171;
+                /* K(4,13) K(13,4) */
+            K[75 * 8 + j] = tp_3 * t166 + tp_0 * t160 - tp_2 * t169 - tp_1 * t163; /* K(5,5) */
+            K[76 * 8 + j] = K[89 * 8 + j] = tp_3 * t172 + tp_0 * t170 - tp_2 * t173 - tp_1 * t171; /* K(5,6) K(6,5) */
             K[80 * 8 + j] = K[145 * 8 + j] = tp_3 * t232 + tp_0 * t202 - tp_2 * t237 - tp_1 * t207;
+                /* K(5,10) K(10,5) */
             K[81 * 8 + j] = K[159 * 8 + j] = tp_3 * t240 + tp_0 * t238 - tp_2 * t241 - tp_1 * t239;
+                /* K(5,11) K(11,5) */
             K[82 * 8 + j] = K[173 * 8 + j] = tp_3 * t244 + tp_0 * t242 - tp_2 * t245 - tp_1 * t243;
+                /* K(5,12) K(12,5) */
             K[83 * 8 + j] = K[187 * 8 + j] = tp_3 * t248 + tp_0 * t246 - tp_2 * t249 - tp_1 * t247;
-            K[90 * 8 + j] = tp_1 * t170 + tp_0 * t171 - tp_3 * t173 - tp_2 * t172;
+                /* K(5,13) K(13,5) */
+            K[90 * 8 + j] = tp_1 * t170 + tp_0 * t171 - tp_3 * t173 - tp_2 * t172; /* K(6,6) */
             K[94 * 8 + j] = K[146 * 8 + j] = tp_1 * t202 + tp_0 * t207 - tp_3 * t237 - tp_2 * t232;
+                /* K(6,10) K(10,6) */
             K[95 * 8 + j] = K[160 * 8 + j] = tp_1 * t238 + tp_0 * t239 - tp_3 * t241 - tp_2 * t240;
+                /* K(6,11) K(11,6) */
             K[96 * 8 + j] = K[174 * 8 + j] = tp_1 * t242 + tp_0 * t243 - tp_3 * t245 - tp_2 * t244;
+                /* K(6,12) K(12,6) */
             K[97 * 8 + j] = K[188 * 8 + j] = tp_1 * t246 + tp_0 * t247 - tp_3 * t249 - tp_2 * t248;
-            K[138 * 8 + j] = K[177 * 8 + j] = -t123;
+                /* K(6,13) K(13,6) */
+            K[138 * 8 + j] = K[177 * 8 + j] = -t123; /* K(9,12) K(12,9) */
             const real t250 = ez_p_z * t125 - 2.0 * el_z * t19;
             const real t251 = 2.0 * el_y * t10 - ey_p_y * t125;
             const real t252 = t250 + t251;
@@ -2053,12 +1931,13 @@ static void beam_first_order_stiffness(size_t nblocks, const real *const *in, re
             const real t275 = 2.0 * tq_2 * t254;
             const real t276 = 2.0 * tq_3 * t256;
             const real t277 = tq_1 * (t269 + t270 + t267 - t272) + tq_0 * (t273 + t274 + t275 - t276);
-            K[150 * 8 + j] = tq_3 * (t264 + t265 + t263 - t266) + t277 + tq_2 * (t253 + t258 - t262);
+            K[150 * 8 + j] = tq_3 * (t264 + t265 + t263 - t266) + t277 + tq_2 * (t253 + t258 - t262); /* K(10,10) */
             const real t278 = t263 + t266 + t264 - t265;
             const real t279 = t262 + t258 - t253;
             const real t280 = t275 - t274 - t273 - t276;
             const real t281 = t269 - t272 - t267 - t270;
             K[151 * 8 + j] = K[164 * 8 + j] = tq_1 * t280 + tq_0 * t281 + tq_3 * t279 + tq_2 * t278;
+                /* K(10,11) K(11,10) */
             const real t282 = 2.0 * tq_0 * t261;
             const real t283 = tq_1 * t252;
             const real t284 = t276 - t275 - t282 - t283;
@@ -2072,17 +1951,22 @@ static void beam_first_order_stiffness(size_t nblocks, const real *const *in, re
             const real t292 = 2.0 * tq_2 * t271;
             const real t293 = t291 + t255 + t257 - t292;
             K[152 * 8 + j] = K[178 * 8 + j] = tq_1 * t290 + tq_0 * t293 + tq_3 * t287 + tq_2 * t284;
+                /* K(10,12) K(12,10) */
             const real t294 = t285 - t267 - t270 - t286;
             const real t295 = t283 + t276 + t282 - t275;
             const real t296 = t292 + t257 + t255 - t291;
             const real t297 = t265 - t289 - t288 - t266;
             K[153 * 8 + j] = K[192 * 8 + j] = tq_1 * t296 + tq_0 * t297 + tq_3 * t295 + tq_2 * t294;
-            K[165 * 8 + j] = tq_0 * t280 + tq_2 * t279 - tq_1 * t281 - tq_3 * t278;
+                /* K(10,13) K(13,10) */
+            K[165 * 8 + j] = tq_0 * t280 + tq_2 * t279 - tq_1 * t281 - tq_3 * t278; /* K(11,11) */
             K[166 * 8 + j] = K[179 * 8 + j] = tq_0 * t290 + tq_2 * t287 - tq_1 * t293 - tq_3 * t284;
+                /* K(11,12) K(12,11) */
             K[167 * 8 + j] = K[193 * 8 + j] = tq_0 * t296 + tq_2 * t295 - tq_1 * t297 - tq_3 * t294;
-            K[180 * 8 + j] = tq_3 * t290 + tq_0 * t284 - tq_2 * t293 - tq_1 * t287;
+                /* K(11,13) K(13,11) */
+            K[180 * 8 + j] = tq_3 * t290 + tq_0 * t284 - tq_2 * t293 - tq_1 * t287; /* K(12,12) */
             K[181 * 8 + j] = K[194 * 8 + j] = tq_3 * t296 + tq_0 * t294 - tq_2 * t297 - tq_1 * t295;
-            K[195 * 8 + j] = tq_1 * t294 + tq_0 * t295 - tq_3 * t297 - tq_2 * t296;
+                /* K(12,13) K(13,12) */
+            K[195 * 8 + j] = tq_1 * t294 + tq_0 * t295 - tq_3 * t297 - tq_2 * t296; /* K(13,13) */
         }
     }
 }
@@ -2153,7 +2037,7 @@ static void beam_first_order_inertia(size_t nblocks, const real *const *in, real
             const real t17 = t2 * t15;
             const real t18 = t16 * t17;
             const real t19 = 1.2 * (t2 * (t7 * t10 + t15 * t18));
-            M[0 * 8 + j] = M[105 * 8 + j] = t1 + t19;
+            M[0 * 8 + j] = M[105 * 8 + j] = t1 + t19; /* M(0,0) M(7,7) */
             const real t20 = u_p_0 * u_p_0;
             const real t21 = u_p_2 * u_p_2;
             const real t22 = u_p_1 * u_p_1;
@@ -2175,7 +2059,7 @@ static void beam_first_order_inertia(size_t nblocks, const real *const *in, real
             const real t36 = t2 * t35;
             const real t37 = t16 * t36;
             const real t38 = t2 * (0.6 * (t7 * t30) + 1.2 * (t15 * t37));
-            M[1 * 8 + j] = M[14 * 8 + j] = M[106 * 8 + j] = M[119 * 8 + j] = t38;
+            M[1 * 8 + j] = M[14 * 8 + j] = M[106 * 8 + j] = M[119 * 8 + j] = t38; /* M(0,1) M(1,0) M(7,8) M(8,7) */
             const real t39 = t33 + t32 + t31 + t34;
             const real t40 = t2 * t39;
             const real t41 = t8 * t40;
@@ -2185,7 +2069,7 @@ static void beam_first_order_inertia(size_t nblocks, const real *const *in, real
             const real t43 = t2 * t42;
             const real t44 = t43 * t16;
             const real t45 = t2 * (1.2 * (t7 * t41) + 0.6 * (t15 * t44));
-            M[2 * 8 + j] = M[28 * 8 + j] = M[107 * 8 + j] = M[133 * 8 + j] = t45;
+            M[2 * 8 + j] = M[28 * 8 + j] = M[107 * 8 + j] = M[133 * 8 + j] = t45; /* M(0,2) M(2,0) M(7,9) M(9,7) */
             const real t46 = l0 * t0;
             const real t47 = tp_0 * u_p_0;
             const real t48 = tp_1 * u_p_1;
@@ -2211,6 +2095,7 @@ static void beam_first_order_inertia(size_t nblocks, const real *const *in, real
             const real t68 = (phi_y - 0.2) * t8;
             const real t69 = t67 * t68;
             M[3 * 8 + j] = M[42 * 8 + j] = 0.10476190476190476 * (t46 * t51) - t2 * (t15 * t60 - t7 * t69);
+                /* M(0,3) M(3,0) */
             const real t70 = tp_0 * u_p_1;
             const real t71 = tp_3 * u_p_2;
             const real t72 = t70 + t71;
@@ -2226,6 +2111,7 @@ static void beam_first_order_inertia(size_t nblocks, const real *const *in, real
             const real t82 = t80 - t81;
             const real t83 = t82 * t59;
             M[4 * 8 + j] = M[56 * 8 + j] = 0.10476190476190476 * (t46 * t75) - t2 * (t7 * t79 - t15 * t83);
+                /* M(0,4) M(4,0) */
             const real t84 = t76 - t53 - t56;
             const real t85 = t48 - t49;
             const real t86 = t47 - t50;
@@ -2236,7 +2122,7 @@ static void beam_first_order_inertia(size_t nblocks, const real *const *in, real
             const real t91 = t89 + t90;
             const real t92 = t91 * t68;
             const real t93 = 0.10476190476190476 * (t46 * t84) + t2 * (t15 * t88 - t7 * t92);
-            M[5 * 8 + j] = M[70 * 8 + j] = -t93;
+            M[5 * 8 + j] = M[70 * 8 + j] = -t93; /* M(0,5) M(5,0) */
             const real t94 = t64 + t62 + t61 + t65;
             const real t95 = t47 - t49;
             const real t96 = t50 - t48;
@@ -2246,11 +2132,11 @@ static void beam_first_order_inertia(size_t nblocks, const real *const *in, real
             const real t100 = t99 + t72;
             const real t101 = t100 * t59;
             const real t102 = 0.10476190476190476 * (t46 * t94) + t2 * (t7 * t98 - t15 * t101);
-            M[6 * 8 + j] = M[84 * 8 + j] = -t102;
+            M[6 * 8 + j] = M[84 * 8 + j] = -t102; /* M(0,6) M(6,0) */
             const real t103 = 0.12857142857142856 * t0;
-            M[7 * 8 + j] = M[98 * 8 + j] = t103 - t19;
-            M[8 * 8 + j] = M[112 * 8 + j] = -t38;
-            M[9 * 8 + j] = M[126 * 8 + j] = -t45;
+            M[7 * 8 + j] = M[98 * 8 + j] = t103 - t19; /* M(0,7) M(7,0) */
+            M[8 * 8 + j] = M[112 * 8 + j] = -t38; /* M(0,8) M(8,0) */
+            M[9 * 8 + j] = M[126 * 8 + j] = -t45; /* M(0,9) M(9,0) */
             const real t104 = tq_0 * u_q_0;
             const real t105 = tq_1 * u_q_1;
             const real t106 = tq_2 * u_q_2;
@@ -2274,7 +2160,7 @@ static void beam_first_order_inertia(size_t nblocks, const real *const *in, real
             const real t124 = t120 - t123;
             const real t125 = t124 * t68;
             const real t126 = t2 * (t15 * t117 - t7 * t125);
-            M[10 * 8 + j] = M[140 * 8 + j] = -(0.06190476190476191 * t109 + t126);
+            M[10 * 8 + j] = M[140 * 8 + j] = -(0.06190476190476191 * t109 + t126); /* M(0,10) M(10,0) */
             const real t127 = t110 + t113;
             const real t128 = t114 + t111;
             const real t129 = t127 + t128;
@@ -2291,7 +2177,7 @@ static void beam_first_order_inertia(size_t nblocks, const real *const *in, real
             const real t140 = tq_2 * u_q_3;
             const real t141 = t138 - t139 - t140;
             const real t142 = t46 * t141;
-            M[11 * 8 + j] = M[154 * 8 + j] = -(t135 + 0.06190476190476191 * t142);
+            M[11 * 8 + j] = M[154 * 8 + j] = -(t135 + 0.06190476190476191 * t142); /* M(0,11) M(11,0) */
             const real t143 = t127 - t111 - t114;
             const real t144 = t46 * t143;
             const real t145 = t105 - t106;
@@ -2303,7 +2189,7 @@ static void beam_first_order_inertia(size_t nblocks, const real *const *in, real
             const real t151 = t149 + t150;
             const real t152 = t151 * t68;
             const real t153 = t2 * (t15 * t148 - t7 * t152);
-            M[12 * 8 + j] = M[168 * 8 + j] = 0.06190476190476191 * t144 - t153;
+            M[12 * 8 + j] = M[168 * 8 + j] = 0.06190476190476191 * t144 - t153; /* M(0,12) M(12,0) */
             const real t154 = t121 + t119 + t118 + t122;
             const real t155 = t46 * t154;
             const real t156 = t104 - t106;
@@ -2314,69 +2200,75 @@ static void beam_first_order_inertia(size_t nblocks, const real *const *in, real
             const real t161 = t160 + t138;
             const real t162 = t161 * t59;
             const real t163 = t2 * (t7 * t159 - t15 * t162);
-            M[13 * 8 + j] = M[182 * 8 + j] = 0.06190476190476191 * t155 - t163;
+            M[13 * 8 + j] = M[182 * 8 + j] = 0.06190476190476191 * t155 - t163; /* M(0,13) M(13,0) */
             const real t164 = t2 * (0.3 * (t28 * t30) + 1.2 * (t35 * t37));
-            M[15 * 8 + j] = M[120 * 8 + j] = t1 + t164;
+            M[15 * 8 + j] = M[120 * 8 + j] = t1 + t164; /* M(1,1) M(8,8) */
             const real t165 = 0.6 * (t2 * (t28 * t41 + t35 * t44));
-            M[16 * 8 + j] = M[29 * 8 + j] = M[121 * 8 + j] = M[134 * 8 + j] = t165;
+            M[16 * 8 + j] = M[29 * 8 + j] = M[121 * 8 + j] = M[134 * 8 + j] = t165; /* M(1,2) M(2,1) M(8,9) M(9,8) */
             const real t166 = t66 + t63;
             M[17 * 8 + j] = M[43 * 8 + j] = 0.10476190476190476 * (t46 * t166) - t2 * (t35 * t60 - 0.5 * t28 * t69);
+                /* M(1,3) M(3,1) */
             const real t167 = t76 - t77;
             M[18 * 8 + j] = M[57 * 8 + j] = 0.10476190476190476 * (t46 * t167) - t2 * (0.5 * t28 * t79 - t35 * t83);
+                /* M(1,4) M(4,1) */
             const real t168 = t90 - t89;
             M[19 * 8 + j] = M[71 * 8 + j] = 0.10476190476190476 * (t46 * t168) - t2 * (t35 * t88 - 0.5 * t28 * t92);
+                /* M(1,5) M(5,1) */
             const real t169 = t95 - t96;
             M[20 * 8 + j] = M[85 * 8 + j] = 0.10476190476190476 * (t46 * t169) - t2 * (0.5 * t28 * t98 - t35 * t101);
-            M[21 * 8 + j] = M[99 * 8 + j] = -(t2 * (0.6 * (t28 * t10) + 1.2 * (t35 * t18)));
-            M[22 * 8 + j] = M[113 * 8 + j] = t103 - t164;
-            M[23 * 8 + j] = M[127 * 8 + j] = -t165;
+                /* M(1,6) M(6,1) */
+            M[21 * 8 + j] = M[99 * 8 + j] = -(t2 * (0.6 * (t28 * t10) + 1.2 * (t35 * t18))); /* M(1,7) M(7,1) */
+            M[22 * 8 + j] = M[113 * 8 + j] = t103 - t164; /* M(1,8) M(8,1) */
+            M[23 * 8 + j] = M[127 * 8 + j] = -t165; /* M(1,9) M(9,1) */
             const real t170 = t123 + t120;
             const real t171 = t46 * t170;
             const real t172 = t2 * (t35 * t117 - 0.5 * t28 * t125);
-            M[24 * 8 + j] = M[141 * 8 + j] = -(0.06190476190476191 * t171 + t172);
+            M[24 * 8 + j] = M[141 * 8 + j] = -(0.06190476190476191 * t171 + t172); /* M(1,10) M(10,1) */
             const real t173 = t127 - t128;
             const real t174 = t46 * t173;
             const real t175 = t2 * (0.5 * t28 * t130 - t35 * t134);
-            M[25 * 8 + j] = M[155 * 8 + j] = -(0.06190476190476191 * t174 + t175);
+            M[25 * 8 + j] = M[155 * 8 + j] = -(0.06190476190476191 * t174 + t175); /* M(1,11) M(11,1) */
             const real t176 = t150 - t149;
             const real t177 = t46 * t176;
             const real t178 = t2 * (t35 * t148 - 0.5 * t28 * t152);
-            M[26 * 8 + j] = M[169 * 8 + j] = -(0.06190476190476191 * t177 + t178);
+            M[26 * 8 + j] = M[169 * 8 + j] = -(0.06190476190476191 * t177 + t178); /* M(1,12) M(12,1) */
             const real t179 = t156 - t157;
             const real t180 = t46 * t179;
             const real t181 = t2 * (0.5 * t28 * t159 - t35 * t162);
-            M[27 * 8 + j] = M[183 * 8 + j] = -(0.06190476190476191 * t180 + t181);
+            M[27 * 8 + j] = M[183 * 8 + j] = -(0.06190476190476191 * t180 + t181); /* M(1,13) M(13,1) */
             const real t182 = t2 * (1.2 * (t39 * t41) + 0.3 * (t42 * t44));
-            M[30 * 8 + j] = M[135 * 8 + j] = t1 + t182;
+            M[30 * 8 + j] = M[135 * 8 + j] = t1 + t182; /* M(2,2) M(9,9) */
             const real t183 = t57 + t54;
             const real t184 = 0.10476190476190476 * (t46 * t183) + t2 * (0.5 * t42 * t60 - t39 * t69);
-            M[31 * 8 + j] = M[44 * 8 + j] = -t184;
+            M[31 * 8 + j] = M[44 * 8 + j] = -t184; /* M(2,3) M(3,2) */
             const real t185 = t81 + t80;
             M[32 * 8 + j] = M[58 * 8 + j] = 0.10476190476190476 * (t46 * t185) - t2 * (t39 * t79 - 0.5 * t42 * t83);
+                /* M(2,4) M(4,2) */
             const real t186 = t86 + t85;
             const real t187 = 0.10476190476190476 * (t46 * t186) + t2 * (0.5 * t42 * t88 - t39 * t92);
-            M[33 * 8 + j] = M[72 * 8 + j] = -t187;
+            M[33 * 8 + j] = M[72 * 8 + j] = -t187; /* M(2,5) M(5,2) */
             const real t188 = t72 - t99;
             M[34 * 8 + j] = M[86 * 8 + j] = 0.10476190476190476 * (t46 * t188) - t2 * (t39 * t98 - 0.5 * t42 * t101);
-            M[35 * 8 + j] = M[100 * 8 + j] = -(t2 * (1.2 * (t39 * t10) + 0.6 * (t42 * t18)));
-            M[36 * 8 + j] = M[114 * 8 + j] = -(0.6 * (t2 * (t39 * t30 + t42 * t37)));
-            M[37 * 8 + j] = M[128 * 8 + j] = t103 - t182;
+                /* M(2,6) M(6,2) */
+            M[35 * 8 + j] = M[100 * 8 + j] = -(t2 * (1.2 * (t39 * t10) + 0.6 * (t42 * t18))); /* M(2,7) M(7,2) */
+            M[36 * 8 + j] = M[114 * 8 + j] = -(0.6 * (t2 * (t39 * t30 + t42 * t37))); /* M(2,8) M(8,2) */
+            M[37 * 8 + j] = M[128 * 8 + j] = t103 - t182; /* M(2,9) M(9,2) */
             const real t189 = t115 + t112;
             const real t190 = t46 * t189;
             const real t191 = t2 * (0.5 * t42 * t117 - t39 * t125);
-            M[38 * 8 + j] = M[142 * 8 + j] = 0.06190476190476191 * t190 - t191;
+            M[38 * 8 + j] = M[142 * 8 + j] = 0.06190476190476191 * t190 - t191; /* M(2,10) M(10,2) */
             const real t192 = t132 + t131;
             const real t193 = t46 * t192;
             const real t194 = t2 * (t39 * t130 - 0.5 * t42 * t134);
-            M[39 * 8 + j] = M[156 * 8 + j] = -(0.06190476190476191 * t193 + t194);
+            M[39 * 8 + j] = M[156 * 8 + j] = -(0.06190476190476191 * t193 + t194); /* M(2,11) M(11,2) */
             const real t195 = t146 + t145;
             const real t196 = t46 * t195;
             const real t197 = t2 * (0.5 * t42 * t148 - t39 * t152);
-            M[40 * 8 + j] = M[170 * 8 + j] = 0.06190476190476191 * t196 - t197;
+            M[40 * 8 + j] = M[170 * 8 + j] = 0.06190476190476191 * t196 - t197; /* M(2,12) M(12,2) */
             const real t198 = t138 - t160;
             const real t199 = t46 * t198;
             const real t200 = t2 * (t39 * t159 - 0.5 * t42 * t162);
-            M[41 * 8 + j] = M[184 * 8 + j] = -(0.06190476190476191 * t199 + t200);
+            M[41 * 8 + j] = M[184 * 8 + j] = -(0.06190476190476191 * t199 + t200); /* M(2,13) M(13,2) */
             const real t201 = l0 * l0 * t0;
             const real t202 = 0.0380952380952381 * (t201 * t166);
             const real t203 = phi_y * (0.16666666666666666 + 0.3333333333333333 * phi_y);
@@ -2394,18 +2286,22 @@ static void beam_first_order_inertia(size_t nblocks, const real *const *in, real
             const real t214 = l0 * rhoJ_x;
             const real t215 = t214 * t75;
             const real t216 = t202 - t205;
-            const real t217 = u_p_0 * t216 + 1.3333333333333333 * (u_p_2 * t215) - 0.0380952380952381 * (u_p_3 * t207);
+            const real t217 = u_p_0 * t216 + 1.3333333333333333 * (u_p_2 * t215) - 0.0380952380952381 * (u_p_3
+                * t207);
             const real t218 = t211 + t210;
-            const real t219 = 1.3333333333333333 * (u_p_1 * t215) + u_p_2 * t218 + 0.0380952380952381 * (u_p_0 * t207);
+            const real t219 = 1.3333333333333333 * (u_p_1 * t215) + u_p_2 * t218 + 0.0380952380952381 * (u_p_0
+                * t207);
             const real t220 = 0.0380952380952381 * (u_p_1 * t207) + u_p_3 * t212 + u_p_2 * t216;
             const real t221 = tp_0 * (u_p_3 * t206 + t219) + tp_1 * (t220 - 1.3333333333333333 * (u_p_0 * t215));
             M[45 * 8 + j] = tp_3 * (t217 - u_p_1 * t218) + t221 + tp_2 * (t213 - 1.3333333333333333 * (u_p_3 * t215));
+                /* M(3,3) */
             const real t222 = t214 * t51;
             const real t223 = 0.0380952380952381 * (t201 * t167);
             const real t224 = 4.0 * t78 * t204;
             const real t225 = t223 - t224;
             const real t226 = t201 * t75;
-            const real t227 = 1.3333333333333333 * (u_p_3 * t222) + u_p_1 * t225 - 0.0380952380952381 * (u_p_2 * t226);
+            const real t227 = 1.3333333333333333 * (u_p_3 * t222) + u_p_1 * t225 - 0.0380952380952381 * (u_p_2
+                * t226);
             const real t228 = 0.0380952380952381 * (t201 * t185);
             const real t229 = 4.0 * t82 * t209;
             const real t230 = t228 - t229;
@@ -2416,9 +2312,10 @@ static void beam_first_order_inertia(size_t nblocks, const real *const *in, real
             const real t235 = t234 - 1.3333333333333333 * (u_p_2 * t222);
             const real t236 = 0.0380952380952381 * (u_p_0 * t226) + u_p_3 * t225 - u_p_2 * t233;
             const real t237 = t236 - 1.3333333333333333 * (u_p_1 * t222);
-            const real t238 = 1.3333333333333333 * (u_p_0 * t222) + u_p_3 * t230 + 0.0380952380952381 * (u_p_1 * t226);
+            const real t238 = 1.3333333333333333 * (u_p_0 * t222) + u_p_3 * t230 + 0.0380952380952381 * (u_p_1
+                * t226);
             const real t239 = u_p_2 * t232 + t238;
-            M[46 * 8 + j] = M[59 * 8 + j] = tp_0 * t237 + tp_1 * t239 + tp_3 * t235 + tp_2 * t231;
+            M[46 * 8 + j] = M[59 * 8 + j] = tp_0 * t237 + tp_1 * t239 + tp_3 * t235 + tp_2 * t231; /* M(3,4) M(4,3) */
             const real t240 = 0.0380952380952381 * (t201 * t168);
             const real t241 = 4.0 * t91 * t204;
             const real t242 = t240 + t241;
@@ -2437,7 +2334,7 @@ static void beam_first_order_inertia(size_t nblocks, const real *const *in, real
             const real t255 = t254 - 1.3333333333333333 * (u_p_1 * t243);
             const real t256 = 1.3333333333333333 * (u_p_0 * t243) + u_p_2 * t250 + u_p_3 * t248;
             const real t257 = t256 - 0.0380952380952381 * (u_p_1 * t244);
-            M[47 * 8 + j] = M[73 * 8 + j] = tp_0 * t255 + tp_1 * t257 + tp_3 * t253 + tp_2 * t249;
+            M[47 * 8 + j] = M[73 * 8 + j] = tp_0 * t255 + tp_1 * t257 + tp_3 * t253 + tp_2 * t249; /* M(3,5) M(5,3) */
             const real t258 = t201 * t94;
             const real t259 = 0.0380952380952381 * (t201 * t169);
             const real t260 = 4.0 * t97 * t204;
@@ -2450,13 +2347,15 @@ static void beam_first_order_inertia(size_t nblocks, const real *const *in, real
             const real t267 = t265 - 1.3333333333333333 * (u_p_3 * t266);
             const real t268 = t259 + t260;
             const real t269 = t262 + t263;
-            const real t270 = 1.3333333333333333 * (u_p_2 * t266) + u_p_1 * t269 + 0.0380952380952381 * (u_p_3 * t258);
+            const real t270 = 1.3333333333333333 * (u_p_2 * t266) + u_p_1 * t269 + 0.0380952380952381 * (u_p_3
+                * t258);
             const real t271 = u_p_0 * t268 + t270;
-            const real t272 = u_p_3 * t261 + 1.3333333333333333 * (u_p_1 * t266) - 0.0380952380952381 * (u_p_0 * t258);
+            const real t272 = u_p_3 * t261 + 1.3333333333333333 * (u_p_1 * t266) - 0.0380952380952381 * (u_p_0
+                * t258);
             const real t273 = t272 - u_p_2 * t269;
             const real t274 = u_p_2 * t268 + u_p_3 * t264 - 0.0380952380952381 * (u_p_1 * t258);
             const real t275 = t274 - 1.3333333333333333 * (u_p_0 * t266);
-            M[48 * 8 + j] = M[87 * 8 + j] = tp_0 * t273 + tp_1 * t275 + tp_3 * t271 + tp_2 * t267;
+            M[48 * 8 + j] = M[87 * 8 + j] = tp_0 * t273 + tp_1 * t275 + tp_3 * t271 + tp_2 * t267; /* M(3,6) M(6,3) */
             const real t276 = t68 * t9;
             const real t277 = t59 * t17;
             const real t278 = 0.06190476190476191 * (u_p_1 * t46) + u_p_3 * t277 + u_p_2 * t276;
@@ -2464,6 +2363,7 @@ static void beam_first_order_inertia(size_t nblocks, const real *const *in, real
             const real t280 = 0.06190476190476191 * (u_p_0 * t46) + u_p_2 * t277 - u_p_3 * t276;
             const real t281 = 0.06190476190476191 * (u_p_2 * t46) + u_p_0 * t277 + u_p_1 * t276;
             M[49 * 8 + j] = M[101 * 8 + j] = tp_3 * t279 + tp_0 * t280 + tp_1 * t278 - tp_2 * t281;
+                /* M(3,7) M(7,3) */
             const real t282 = t59 * t36;
             const real t283 = 0.06190476190476191 * t46;
             const real t284 = 0.5 * t29 * t68;
@@ -2474,6 +2374,7 @@ static void beam_first_order_inertia(size_t nblocks, const real *const *in, real
             const real t289 = u_p_2 * t282 - u_p_3 * t288;
             const real t290 = u_p_0 * t282 + u_p_1 * t288;
             M[50 * 8 + j] = M[115 * 8 + j] = tp_3 * t287 + tp_0 * t289 + tp_1 * t286 - tp_2 * t290;
+                /* M(3,8) M(8,3) */
             const real t291 = t68 * t40;
             const real t292 = 0.5 * t43 * t59;
             const real t293 = t283 + t292;
@@ -2483,6 +2384,7 @@ static void beam_first_order_inertia(size_t nblocks, const real *const *in, real
             const real t297 = u_p_2 * t295 - u_p_3 * t291;
             const real t298 = u_p_1 * t291 + u_p_0 * t293;
             M[51 * 8 + j] = M[129 * 8 + j] = tp_3 * t296 + tp_0 * t297 + tp_1 * t294 - tp_2 * t298;
+                /* M(3,9) M(9,3) */
             const real t299 = t201 * t108;
             const real t300 = 0.3333333333333333 * (phi_y * (phi_y - 1.0)) - 0.06666666666666667;
             const real t301 = t300 * t8;
@@ -2508,6 +2410,7 @@ static void beam_first_order_inertia(size_t nblocks, const real *const *in, real
             const real t321 = u_p_3 * t311 - 0.02857142857142857 * (u_p_1 * t299) - u_p_2 * t316;
             const real t322 = t321 - 0.6666666666666666 * (u_p_0 * t313);
             M[52 * 8 + j] = M[143 * 8 + j] = tp_0 * t320 + tp_1 * t322 + tp_3 * t318 + tp_2 * t314;
+                /* M(3,10) M(10,3) */
             const real t323 = t201 * t192;
             const real t324 = 0.02857142857142857 * t323;
             const real t325 = 2.0 * t133 * t309;
@@ -2526,9 +2429,11 @@ static void beam_first_order_inertia(size_t nblocks, const real *const *in, real
             const real t338 = t337 - 0.6666666666666666 * (u_p_2 * t327);
             const real t339 = u_p_2 * t336 - 0.02857142857142857 * (u_p_0 * t328) - u_p_3 * t333;
             const real t340 = t339 - 0.6666666666666666 * (u_p_1 * t327);
-            const real t341 = 0.6666666666666666 * (u_p_0 * t327) + u_p_2 * t335 - 0.02857142857142857 * (u_p_1 * t328);
+            const real t341 = 0.6666666666666666 * (u_p_0 * t327) + u_p_2 * t335 - 0.02857142857142857 * (u_p_1
+                * t328);
             const real t342 = t341 - u_p_3 * t326;
             M[53 * 8 + j] = M[157 * 8 + j] = tp_0 * t340 + tp_1 * t342 + tp_3 * t338 + tp_2 * t334;
+                /* M(3,11) M(11,3) */
             const real t343 = t201 * t195;
             const real t344 = 0.02857142857142857 * t343;
             const real t345 = 2.0 * t147 * t309;
@@ -2545,11 +2450,14 @@ static void beam_first_order_inertia(size_t nblocks, const real *const *in, real
             const real t356 = t345 - t344;
             const real t357 = u_p_2 * t356 + 0.02857142857142857 * (u_p_0 * t348) + u_p_3 * t355;
             const real t358 = t357 - 0.6666666666666666 * (u_p_1 * t347);
-            const real t359 = u_p_1 * t355 + 0.6666666666666666 * (u_p_3 * t347) - 0.02857142857142857 * (u_p_2 * t348);
+            const real t359 = u_p_1 * t355 + 0.6666666666666666 * (u_p_3 * t347) - 0.02857142857142857 * (u_p_2
+                * t348);
             const real t360 = t359 - u_p_0 * t346;
-            const real t361 = 0.6666666666666666 * (u_p_2 * t347) + u_p_1 * t356 + 0.02857142857142857 * (u_p_3 * t348);
+            const real t361 = 0.6666666666666666 * (u_p_2 * t347) + u_p_1 * t356 + 0.02857142857142857 * (u_p_3
+                * t348);
             const real t362 = u_p_0 * t353 + t361;
             M[54 * 8 + j] = M[171 * 8 + j] = tp_0 * t358 + tp_2 * t360 + tp_1 * t354 - tp_3 * t362;
+                /* M(3,12) M(12,3) */
             const real t363 = t201 * t198;
             const real t364 = 0.02857142857142857 * t363;
             const real t365 = 2.0 * t161 * t309;
@@ -2563,7 +2471,8 @@ static void beam_first_order_inertia(size_t nblocks, const real *const *in, real
             const real t373 = t214 * t143;
             const real t374 = t372 - 0.6666666666666666 * (u_p_3 * t373);
             const real t375 = t370 - t369;
-            const real t376 = u_p_0 * t375 + 0.6666666666666666 * (u_p_2 * t373) - 0.02857142857142857 * (u_p_3 * t367);
+            const real t376 = u_p_0 * t375 + 0.6666666666666666 * (u_p_2 * t373) - 0.02857142857142857 * (u_p_3
+                * t367);
             const real t377 = t364 - t365;
             const real t378 = t376 - u_p_1 * t377;
             const real t379 = 0.6666666666666666 * (u_p_1 * t373) + 0.02857142857142857 * (u_p_0 * t367);
@@ -2571,45 +2480,67 @@ static void beam_first_order_inertia(size_t nblocks, const real *const *in, real
             const real t381 = 0.02857142857142857 * (u_p_1 * t367) + u_p_2 * t375 - u_p_3 * t366;
             const real t382 = t381 - 0.6666666666666666 * (u_p_0 * t373);
             M[55 * 8 + j] = M[185 * 8 + j] = tp_0 * t380 + tp_1 * t382 + tp_3 * t378 + tp_2 * t374;
-            M[60 * 8 + j] = tp_2 * t235 + tp_0 * t239 - tp_3 * t231 - tp_1 * t237;
-            M[61 * 8 + j] = M[74 * 8 + j] = tp_2 * t253 + tp_0 * t257 - tp_3 * t249 - tp_1 * t255;
-            M[62 * 8 + j] = M[88 * 8 + j] = tp_2 * t271 + tp_0 * t275 - tp_3 * t267 - tp_1 * t273;
+                /* M(3,13) M(13,3) */
+            M[60 * 8 + j] = tp_2 * t235 + tp_0 * t239 - tp_3 * t231 - tp_1 * t237; /* M(4,4) */
+            M[61 * 8 + j] = M[74 * 8 + j] = tp_2 * t253 + tp_0 * t257 - tp_3 * t249 - tp_1 * t255; /* M(4,5) M(5,4) */
+            M[62 * 8 + j] = M[88 * 8 + j] = tp_2 * t271 + tp_0 * t275 - tp_3 * t267 - tp_1 * t273; /* M(4,6) M(6,4) */
             M[63 * 8 + j] = M[102 * 8 + j] = tp_2 * t279 + tp_0 * t278 + tp_3 * t281 - tp_1 * t280;
+                /* M(4,7) M(7,4) */
             M[64 * 8 + j] = M[116 * 8 + j] = tp_2 * t287 + tp_0 * t286 + tp_3 * t290 - tp_1 * t289;
+                /* M(4,8) M(8,4) */
             M[65 * 8 + j] = M[130 * 8 + j] = tp_2 * t296 + tp_0 * t294 + tp_3 * t298 - tp_1 * t297;
+                /* M(4,9) M(9,4) */
             M[66 * 8 + j] = M[144 * 8 + j] = tp_2 * t318 + tp_0 * t322 - tp_3 * t314 - tp_1 * t320;
+                /* M(4,10) M(10,4) */
             M[67 * 8 + j] = M[158 * 8 + j] = tp_2 * t338 + tp_0 * t342 - tp_3 * t334 - tp_1 * t340;
+                /* M(4,11) M(11,4) */
             M[68 * 8 + j] = M[172 * 8 + j] = tp_0 * t354 - tp_2 * t362 - tp_3 * t360 - tp_1 * t358;
+                /* M(4,12) M(12,4) */
             M[69 * 8 + j] = M[186 * 8 + j] = tp_2 * t378 + tp_0 * t382 - tp_3 * t374 - tp_1 * t380;
-            M[75 * 8 + j] = tp_0 * t249 + tp_3 * t257 - tp_1 * t253 - tp_2 * t255;
-            M[76 * 8 + j] = M[89 * 8 + j] = tp_0 * t267 + tp_3 * t275 - tp_1 * t271 - tp_2 * t273;
+                /* M(4,13) M(13,4) */
+            M[75 * 8 + j] = tp_0 * t249 + tp_3 * t257 - tp_1 * t253 - tp_2 * t255; /* M(5,5) */
+            M[76 * 8 + j] = M[89 * 8 + j] = tp_0 * t267 + tp_3 * t275 - tp_1 * t271 - tp_2 * t273; /* M(5,6) M(6,5) */
             M[77 * 8 + j] = M[103 * 8 + j] = tp_3 * t278 - tp_0 * t281 - tp_1 * t279 - tp_2 * t280;
+                /* M(5,7) M(7,5) */
             M[78 * 8 + j] = M[117 * 8 + j] = tp_3 * t286 - tp_0 * t290 - tp_1 * t287 - tp_2 * t289;
+                /* M(5,8) M(8,5) */
             M[79 * 8 + j] = M[131 * 8 + j] = tp_3 * t294 - tp_0 * t298 - tp_1 * t296 - tp_2 * t297;
+                /* M(5,9) M(9,5) */
             M[80 * 8 + j] = M[145 * 8 + j] = tp_0 * t314 + tp_3 * t322 - tp_1 * t318 - tp_2 * t320;
+                /* M(5,10) M(10,5) */
             M[81 * 8 + j] = M[159 * 8 + j] = tp_0 * t334 + tp_3 * t342 - tp_1 * t338 - tp_2 * t340;
+                /* M(5,11) M(11,5) */
             M[82 * 8 + j] = M[173 * 8 + j] = tp_3 * t354 + tp_1 * t362 + tp_0 * t360 - tp_2 * t358;
+                /* M(5,12) M(12,5) */
             M[83 * 8 + j] = M[187 * 8 + j] = tp_0 * t374 + tp_3 * t382 - tp_1 * t378 - tp_2 * t380;
-            M[90 * 8 + j] = tp_0 * t271 + tp_1 * t267 - tp_2 * t275 - tp_3 * t273;
+                /* M(5,13) M(13,5) */
+            M[90 * 8 + j] = tp_0 * t271 + tp_1 * t267 - tp_2 * t275 - tp_3 * t273; /* M(6,6) */
             M[91 * 8 + j] = M[104 * 8 + j] = tp_0 * t279 - tp_1 * t281 - tp_2 * t278 - tp_3 * t280;
+                /* M(6,7) M(7,6) */
             M[92 * 8 + j] = M[118 * 8 + j] = tp_0 * t287 - tp_1 * t290 - tp_2 * t286 - tp_3 * t289;
+                /* M(6,8) M(8,6) */
             M[93 * 8 + j] = M[132 * 8 + j] = tp_0 * t296 - tp_1 * t298 - tp_2 * t294 - tp_3 * t297;
+                /* M(6,9) M(9,6) */
             M[94 * 8 + j] = M[146 * 8 + j] = tp_0 * t318 + tp_1 * t314 - tp_2 * t322 - tp_3 * t320;
+                /* M(6,10) M(10,6) */
             M[95 * 8 + j] = M[160 * 8 + j] = tp_0 * t338 + tp_1 * t334 - tp_2 * t342 - tp_3 * t340;
+                /* M(6,11) M(11,6) */
             M[96 * 8 + j] = M[174 * 8 + j] = tp_1 * t360 - tp_0 * t362 - tp_2 * t354 - tp_3 * t358;
+                /* M(6,12) M(12,6) */
             M[97 * 8 + j] = M[188 * 8 + j] = tp_0 * t378 + tp_1 * t374 - tp_2 * t382 - tp_3 * t380;
-            M[108 * 8 + j] = M[147 * 8 + j] = t126 - 0.10476190476190476 * t109;
-            M[109 * 8 + j] = M[161 * 8 + j] = t135 - 0.10476190476190476 * t142;
-            M[110 * 8 + j] = M[175 * 8 + j] = t153 + 0.10476190476190476 * t144;
-            M[111 * 8 + j] = M[189 * 8 + j] = t163 + 0.10476190476190476 * t155;
-            M[122 * 8 + j] = M[148 * 8 + j] = t172 - 0.10476190476190476 * t171;
-            M[123 * 8 + j] = M[162 * 8 + j] = t175 - 0.10476190476190476 * t174;
-            M[124 * 8 + j] = M[176 * 8 + j] = t178 - 0.10476190476190476 * t177;
-            M[125 * 8 + j] = M[190 * 8 + j] = t181 - 0.10476190476190476 * t180;
-            M[136 * 8 + j] = M[149 * 8 + j] = 0.10476190476190476 * t190 + t191;
-            M[137 * 8 + j] = M[163 * 8 + j] = t194 - 0.10476190476190476 * t193;
-            M[138 * 8 + j] = M[177 * 8 + j] = 0.10476190476190476 * t196 + t197;
-            M[139 * 8 + j] = M[191 * 8 + j] = t200 - 0.10476190476190476 * t199;
+                /* M(6,13) M(13,6) */
+            M[108 * 8 + j] = M[147 * 8 + j] = t126 - 0.10476190476190476 * t109; /* M(7,10) M(10,7) */
+            M[109 * 8 + j] = M[161 * 8 + j] = t135 - 0.10476190476190476 * t142; /* M(7,11) M(11,7) */
+            M[110 * 8 + j] = M[175 * 8 + j] = t153 + 0.10476190476190476 * t144; /* M(7,12) M(12,7) */
+            M[111 * 8 + j] = M[189 * 8 + j] = t163 + 0.10476190476190476 * t155; /* M(7,13) M(13,7) */
+            M[122 * 8 + j] = M[148 * 8 + j] = t172 - 0.10476190476190476 * t171; /* M(8,10) M(10,8) */
+            M[123 * 8 + j] = M[162 * 8 + j] = t175 - 0.10476190476190476 * t174; /* M(8,11) M(11,8) */
+            M[124 * 8 + j] = M[176 * 8 + j] = t178 - 0.10476190476190476 * t177; /* M(8,12) M(12,8) */
+            M[125 * 8 + j] = M[190 * 8 + j] = t181 - 0.10476190476190476 * t180; /* M(8,13) M(13,8) */
+            M[136 * 8 + j] = M[149 * 8 + j] = 0.10476190476190476 * t190 + t191; /* M(9,10) M(10,9) */
+            M[137 * 8 + j] = M[163 * 8 + j] = t194 - 0.10476190476190476 * t193; /* M(9,11) M(11,9) */
+            M[138 * 8 + j] = M[177 * 8 + j] = 0.10476190476190476 * t196 + t197; /* M(9,12) M(12,9) */
+            M[139 * 8 + j] = M[191 * 8 + j] = t200 - 0.10476190476190476 * t199; /* M(9,13) M(13,9) */
             const real t383 = 0.0380952380952381 * t303;
             const real t384 = 4.0 * t124 * t204;
             const real t385 = t383 + t384;
@@ -2618,16 +2549,20 @@ static void beam_first_order_inertia(size_t nblocks, const real *const *in, real
             const real t388 = t386 - t387;
             const real t389 = u_q_1 * t385 - 0.0380952380952381 * (u_q_2 * t299) - u_q_0 * t388;
             const real t390 = t383 - t384;
-            const real t391 = u_q_0 * t390 + 1.3333333333333333 * (u_q_2 * t313) - 0.0380952380952381 * (u_q_3 * t299);
+            const real t391 = u_q_0 * t390 + 1.3333333333333333 * (u_q_2 * t313) - 0.0380952380952381 * (u_q_3
+                * t299);
             const real t392 = t387 + t386;
-            const real t393 = 1.3333333333333333 * (u_q_1 * t313) + u_q_2 * t392 + 0.0380952380952381 * (u_q_0 * t299);
+            const real t393 = 1.3333333333333333 * (u_q_1 * t313) + u_q_2 * t392 + 0.0380952380952381 * (u_q_0
+                * t299);
             const real t394 = 0.0380952380952381 * (u_q_1 * t299) + u_q_3 * t388 + u_q_2 * t390;
             const real t395 = tq_0 * (u_q_3 * t385 + t393) + tq_1 * (t394 - 1.3333333333333333 * (u_q_0 * t313));
-            M[150 * 8 + j] = tq_3 * (t391 - u_q_1 * t392) + t395 + tq_2 * (t389 - 1.3333333333333333 * (u_q_3 * t313));
+            M[150 * 8 + j] = tq_3 * (t391 - u_q_1 * t392) + t395 + tq_2 * (t389 - 1.3333333333333333 * (u_q_3
+                * t313)); /* M(10,10) */
             const real t396 = 0.0380952380952381 * t330;
             const real t397 = 4.0 * t129 * t204;
             const real t398 = t396 - t397;
-            const real t399 = 1.3333333333333333 * (u_q_3 * t327) + u_q_1 * t398 - 0.0380952380952381 * (u_q_2 * t328);
+            const real t399 = 1.3333333333333333 * (u_q_3 * t327) + u_q_1 * t398 - 0.0380952380952381 * (u_q_2
+                * t328);
             const real t400 = 0.0380952380952381 * t323;
             const real t401 = 4.0 * t133 * t209;
             const real t402 = t400 - t401;
@@ -2638,9 +2573,11 @@ static void beam_first_order_inertia(size_t nblocks, const real *const *in, real
             const real t407 = t406 - 1.3333333333333333 * (u_q_2 * t327);
             const real t408 = 0.0380952380952381 * (u_q_0 * t328) + u_q_3 * t398 - u_q_2 * t405;
             const real t409 = t408 - 1.3333333333333333 * (u_q_1 * t327);
-            const real t410 = 1.3333333333333333 * (u_q_0 * t327) + u_q_3 * t402 + 0.0380952380952381 * (u_q_1 * t328);
+            const real t410 = 1.3333333333333333 * (u_q_0 * t327) + u_q_3 * t402 + 0.0380952380952381 * (u_q_1
+                * t328);
             const real t411 = u_q_2 * t404 + t410;
             M[151 * 8 + j] = M[164 * 8 + j] = tq_0 * t409 + tq_1 * t411 + tq_3 * t407 + tq_2 * t403;
+                /* M(10,11) M(11,10) */
             const real t412 = 0.0380952380952381 * t350;
             const real t413 = 4.0 * t151 * t204;
             const real t414 = t412 + t413;
@@ -2658,6 +2595,7 @@ static void beam_first_order_inertia(size_t nblocks, const real *const *in, real
             const real t426 = 1.3333333333333333 * (u_q_0 * t347) + u_q_2 * t420 + u_q_3 * t418;
             const real t427 = t426 - 0.0380952380952381 * (u_q_1 * t348);
             M[152 * 8 + j] = M[178 * 8 + j] = tq_0 * t425 + tq_1 * t427 + tq_3 * t423 + tq_2 * t419;
+                /* M(10,12) M(12,10) */
             const real t428 = 0.0380952380952381 * t368;
             const real t429 = 4.0 * t158 * t204;
             const real t430 = t428 - t429;
@@ -2668,19 +2606,25 @@ static void beam_first_order_inertia(size_t nblocks, const real *const *in, real
             const real t435 = t434 - 1.3333333333333333 * (u_q_3 * t373);
             const real t436 = t428 + t429;
             const real t437 = t431 + t432;
-            const real t438 = 1.3333333333333333 * (u_q_2 * t373) + u_q_1 * t437 + 0.0380952380952381 * (u_q_3 * t367);
+            const real t438 = 1.3333333333333333 * (u_q_2 * t373) + u_q_1 * t437 + 0.0380952380952381 * (u_q_3
+                * t367);
             const real t439 = u_q_0 * t436 + t438;
-            const real t440 = u_q_3 * t430 + 1.3333333333333333 * (u_q_1 * t373) - 0.0380952380952381 * (u_q_0 * t367);
+            const real t440 = u_q_3 * t430 + 1.3333333333333333 * (u_q_1 * t373) - 0.0380952380952381 * (u_q_0
+                * t367);
             const real t441 = t440 - u_q_2 * t437;
             const real t442 = u_q_2 * t436 + u_q_3 * t433 - 0.0380952380952381 * (u_q_1 * t367);
             const real t443 = t442 - 1.3333333333333333 * (u_q_0 * t373);
             M[153 * 8 + j] = M[192 * 8 + j] = tq_0 * t441 + tq_1 * t443 + tq_3 * t439 + tq_2 * t435;
-            M[165 * 8 + j] = tq_2 * t407 + tq_0 * t411 - tq_3 * t403 - tq_1 * t409;
+                /* M(10,13) M(13,10) */
+            M[165 * 8 + j] = tq_2 * t407 + tq_0 * t411 - tq_3 * t403 - tq_1 * t409; /* M(11,11) */
             M[166 * 8 + j] = M[179 * 8 + j] = tq_2 * t423 + tq_0 * t427 - tq_3 * t419 - tq_1 * t425;
+                /* M(11,12) M(12,11) */
             M[167 * 8 + j] = M[193 * 8 + j] = tq_2 * t439 + tq_0 * t443 - tq_3 * t435 - tq_1 * t441;
-            M[180 * 8 + j] = tq_0 * t419 + tq_3 * t427 - tq_1 * t423 - tq_2 * t425;
+                /* M(11,13) M(13,11) */
+            M[180 * 8 + j] = tq_0 * t419 + tq_3 * t427 - tq_1 * t423 - tq_2 * t425; /* M(12,12) */
             M[181 * 8 + j] = M[194 * 8 + j] = tq_0 * t435 + tq_3 * t443 - tq_1 * t439 - tq_2 * t441;
-            M[195 * 8 + j] = tq_0 * t439 + tq_1 * t435 - tq_2 * t443 - tq_3 * t441;
+                /* M(12,13) M(13,12) */
+            M[195 * 8 + j] = tq_0 * t439 + tq_1 * t435 - tq_2 * t443 - tq_3 * t441; /* M(13,13) */
             const real rp_vl0 = v[3 * 8 + j];
             const real rp_vl1 = v[4 * 8 + j];
             const real rp_vl2 = v[5 * 8 + j];
@@ -2917,21 +2861,28 @@ static void beam_first_order_inertia(size_t nblocks, const real *const *in, real
             const real t631 = l0 * t628;
             const real t632 = l0 * t630;
             const real t633 = l0 * t629;
-            const real t634 = 0.16666666666666666 * (u_p_1 * t631) + 0.16666666666666666 * (u_p_3 * t632 + u_p_2 * t633);
+            const real t634 = 0.16666666666666666 * (u_p_1 * t631) + 0.16666666666666666 * (u_p_3 * t632 + u_p_2
+                * t633);
             const real t635 = u_p_3 * t631 - (u_p_1 * t632 + u_p_0 * t633);
-            const real t636 = 0.16666666666666666 * (u_p_2 * t631) + 0.16666666666666666 * (u_p_0 * t632 - u_p_1 * t633);
+            const real t636 = 0.16666666666666666 * (u_p_2 * t631) + 0.16666666666666666 * (u_p_0 * t632 - u_p_1
+                * t633);
             const real t637 = tp_1 * t634 - 0.16666666666666666 * (tp_3 * t635) - tp_2 * t636;
-            const real t638 = 0.16666666666666666 * (u_p_2 * t632 - u_p_3 * t633) - 0.16666666666666666 * (u_p_0 * t631);
+            const real t638 = 0.16666666666666666 * (u_p_2 * t632 - u_p_3 * t633) - 0.16666666666666666 * (u_p_0
+                * t631);
             f[3 * 8 + j] = t637 - tp_0 * t638;
             f[4 * 8 + j] = tp_1 * t638 + tp_3 * t636 + tp_0 * t634 - 0.16666666666666666 * (tp_2 * t635);
             const real t639 = tp_2 * t638 + 0.16666666666666666 * (tp_1 * t635) + tp_3 * t634;
             f[5 * 8 + j] = t639 - tp_0 * t636;
             const real t640 = tp_3 * t638 - 0.16666666666666666 * (tp_0 * t635) - tp_1 * t636;
             f[6 * 8 + j] = t640 - tp_2 * t634;
-            const real t641 = 0.16666666666666666 * (u_q_1 * t633 - u_q_0 * t632) - 0.16666666666666666 * (u_q_2 * t631);
-            const real t642 = 0.16666666666666666 * (u_q_1 * t632 + u_q_0 * t633) - 0.16666666666666666 * (u_q_3 * t631);
-            const real t643 = 0.16666666666666666 * (u_q_0 * t631) + 0.16666666666666666 * (u_q_3 * t633 - u_q_2 * t632);
-            const real t644 = 0.16666666666666666 * (u_q_1 * t631) + 0.16666666666666666 * (u_q_3 * t632 + u_q_2 * t633);
+            const real t641 = 0.16666666666666666 * (u_q_1 * t633 - u_q_0 * t632) - 0.16666666666666666 * (u_q_2
+                * t631);
+            const real t642 = 0.16666666666666666 * (u_q_1 * t632 + u_q_0 * t633) - 0.16666666666666666 * (u_q_3
+                * t631);
+            const real t643 = 0.16666666666666666 * (u_q_0 * t631) + 0.16666666666666666 * (u_q_3 * t633 - u_q_2
+                * t632);
+            const real t644 = 0.16666666666666666 * (u_q_1 * t631) + 0.16666666666666666 * (u_q_3 * t632 + u_q_2
+                * t633);
             f[10 * 8 + j] = -(tq_0 * t643 + tq_1 * t644 + tq_3 * t642 + tq_2 * t641);
             f[11 * 8 + j] = tq_3 * t641 + tq_1 * t643 - tq_2 * t642 - tq_0 * t644;
             f[12 * 8 + j] = tq_1 * t642 + tq_2 * t643 - tq_0 * t641 - tq_3 * t644;
@@ -3272,10 +3223,10 @@ static void beam_first_order_tangent(size_t nblocks, const real *const *in, real
             const real t227 = u_p_0 * t149;
             const real t228 = t5 * (t225 - t226 - t227);
             const real t229 = t210 + t228;
-            R_x[0 * 8 + j] = tp_0 * t152 + tp_1 * t171 - tp_2 * t208 - tp_3 * t229;
-            R_x[1 * 8 + j] = tp_0 * t171 + tp_3 * t208 - tp_1 * t152 - tp_2 * t229;
-            R_x[2 * 8 + j] = tp_3 * t171 + tp_1 * t229 - tp_2 * t152 - tp_0 * t208;
-            R_x[3 * 8 + j] = -(tp_1 * t208 + tp_0 * t229 + tp_2 * t171 + tp_3 * t152);
+            R_x[0 * 8 + j] = tp_0 * t152 + tp_1 * t171 - tp_2 * t208 - tp_3 * t229; /* R_x(0,3) */
+            R_x[1 * 8 + j] = tp_0 * t171 + tp_3 * t208 - tp_1 * t152 - tp_2 * t229; /* R_x(0,4) */
+            R_x[2 * 8 + j] = tp_3 * t171 + tp_1 * t229 - tp_2 * t152 - tp_0 * t208; /* R_x(0,5) */
+            R_x[3 * 8 + j] = -(tp_1 * t208 + tp_0 * t229 + tp_2 * t171 + tp_3 * t152); /* R_x(0,6) */
             const real t230 = t76 * t2;
             const real t231 = 0.06190476190476191 * t230;
             const real t232 = u_q_3 * t12;
@@ -3383,10 +3334,10 @@ static void beam_first_order_tangent(size_t nblocks, const real *const *in, real
             const real t334 = t330 + t116 * t333 + t329 + t97 * t328 + t45 * t327 + t323;
             const real t335 = t5 * (t322 + t334 + t6 * t321);
             const real t336 = t319 + t335;
-            R_x[4 * 8 + j] = tq_2 * t266 + tq_3 * t287 - tq_0 * t317 - tq_1 * t336;
-            R_x[5 * 8 + j] = tq_1 * t317 + tq_2 * t287 - tq_0 * t336 - tq_3 * t266;
-            R_x[6 * 8 + j] = tq_2 * t317 + tq_0 * t266 - tq_3 * t336 - tq_1 * t287;
-            R_x[7 * 8 + j] = tq_1 * t266 + tq_0 * t287 + tq_2 * t336 + tq_3 * t317;
+            R_x[4 * 8 + j] = tq_2 * t266 + tq_3 * t287 - tq_0 * t317 - tq_1 * t336; /* R_x(0,10) */
+            R_x[5 * 8 + j] = tq_1 * t317 + tq_2 * t287 - tq_0 * t336 - tq_3 * t266; /* R_x(0,11) */
+            R_x[6 * 8 + j] = tq_2 * t317 + tq_0 * t266 - tq_3 * t336 - tq_1 * t287; /* R_x(0,12) */
+            R_x[7 * 8 + j] = tq_1 * t266 + tq_0 * t287 + tq_2 * t336 + tq_3 * t317; /* R_x(0,13) */
             const real t337 = t34 * t96 + t21 * t16 + 0.5 * (t146 * t123 + t127 * t107 + 2.0 * (t226 + t227));
             const real t338 = t5 * (t337 - t219 - t213);
             const real t339 = t210 - t338;
@@ -3399,10 +3350,10 @@ static void beam_first_order_tangent(size_t nblocks, const real *const *in, real
             const real t346 = t92 + 0.5 * (t146 * t224 + t127 * t221 - 2.0 * (t130 + t150));
             const real t347 = t5 * (t34 * t218 + t346 + t87 + t21 * t212);
             const real t348 = t4 - t347;
-            R_x[8 * 8 + j] = tp_2 * t345 + tp_3 * t348 + tp_1 * t342 + tp_0 * t339;
-            R_x[9 * 8 + j] = tp_0 * t342 + tp_2 * t348 - tp_1 * t339 - tp_3 * t345;
-            R_x[10 * 8 + j] = tp_3 * t342 + tp_0 * t345 - tp_2 * t339 - tp_1 * t348;
-            R_x[11 * 8 + j] = tp_1 * t345 + tp_0 * t348 - tp_3 * t339 - tp_2 * t342;
+            R_x[8 * 8 + j] = tp_2 * t345 + tp_3 * t348 + tp_1 * t342 + tp_0 * t339; /* R_x(1,3) */
+            R_x[9 * 8 + j] = tp_0 * t342 + tp_2 * t348 - tp_1 * t339 - tp_3 * t345; /* R_x(1,4) */
+            R_x[10 * 8 + j] = tp_3 * t342 + tp_0 * t345 - tp_2 * t339 - tp_1 * t348; /* R_x(1,5) */
+            R_x[11 * 8 + j] = tp_1 * t345 + tp_0 * t348 - tp_3 * t339 - tp_2 * t342; /* R_x(1,6) */
             const real t349 = t34 * t298 + t21 * t292 + 0.5 * (t146 * t312 + t127 * t305 + 2.0 * (t284 + t285));
             const real t350 = t5 * (t349 - t277 - t271);
             const real t351 = t268 + t350;
@@ -3415,10 +3366,10 @@ static void beam_first_order_tangent(size_t nblocks, const real *const *in, real
             const real t358 = t294 + 0.5 * (t146 * t282 + t127 * t279 - 2.0 * (t314 + t315));
             const real t359 = t5 * (t34 * t276 + t358 + t293 + t21 * t270);
             const real t360 = t289 + t359;
-            R_x[12 * 8 + j] = -(tq_2 * t357 + tq_3 * t360 + tq_1 * t354 + tq_0 * t351);
-            R_x[13 * 8 + j] = tq_1 * t351 + tq_3 * t357 - tq_0 * t354 - tq_2 * t360;
-            R_x[14 * 8 + j] = tq_2 * t351 + tq_1 * t360 - tq_3 * t354 - tq_0 * t357;
-            R_x[15 * 8 + j] = tq_3 * t351 + tq_2 * t354 - tq_1 * t357 - tq_0 * t360;
+            R_x[12 * 8 + j] = -(tq_2 * t357 + tq_3 * t360 + tq_1 * t354 + tq_0 * t351); /* R_x(1,10) */
+            R_x[13 * 8 + j] = tq_1 * t351 + tq_3 * t357 - tq_0 * t354 - tq_2 * t360; /* R_x(1,11) */
+            R_x[14 * 8 + j] = tq_2 * t351 + tq_1 * t360 - tq_3 * t354 - tq_0 * t357; /* R_x(1,12) */
+            R_x[15 * 8 + j] = tq_3 * t351 + tq_2 * t354 - tq_1 * t357 - tq_0 * t360; /* R_x(1,13) */
             const real t361 = t226 + t145 * t168 + t227 + 0.5 * (t54 * t162 + t63 * t156 - 2.0 * (t219 + t213));
             const real t362 = t5 * (t128 * t163 + t361);
             const real t363 = t210 - t362;
@@ -3431,10 +3382,10 @@ static void beam_first_order_tangent(size_t nblocks, const real *const *in, real
             const real t370 = t130 + t145 * t205 + t150 + 0.5 * (t54 * t188 + t63 * t179 - 2.0 * (t92 + t87));
             const real t371 = t5 * (t128 * t196 + t370);
             const real t372 = t4 + t371;
-            R_x[16 * 8 + j] = tp_1 * t363 + tp_3 * t366 - tp_0 * t369 - tp_2 * t372;
-            R_x[17 * 8 + j] = tp_3 * t372 + tp_2 * t366 + tp_0 * t363 + tp_1 * t369;
-            R_x[18 * 8 + j] = tp_2 * t369 + tp_3 * t363 - tp_0 * t372 - tp_1 * t366;
-            R_x[19 * 8 + j] = tp_3 * t369 + tp_0 * t366 - tp_2 * t363 - tp_1 * t372;
+            R_x[16 * 8 + j] = tp_1 * t363 + tp_3 * t366 - tp_0 * t369 - tp_2 * t372; /* R_x(2,3) */
+            R_x[17 * 8 + j] = tp_3 * t372 + tp_2 * t366 + tp_0 * t363 + tp_1 * t369; /* R_x(2,4) */
+            R_x[18 * 8 + j] = tp_2 * t369 + tp_3 * t363 - tp_0 * t372 - tp_1 * t366; /* R_x(2,5) */
+            R_x[19 * 8 + j] = tp_3 * t369 + tp_0 * t366 - tp_2 * t363 - tp_1 * t372; /* R_x(2,6) */
             const real t373 = t256 + t145 * t312 + t255 + 0.5 * (t54 * t298 + t63 * t292 + 2.0 * (t247 + t238));
             const real t374 = t5 * (t128 * t305 + t373);
             const real t375 = t231 - t374;
@@ -3447,10 +3398,10 @@ static void beam_first_order_tangent(size_t nblocks, const real *const *in, real
             const real t382 = t330 + t145 * t282 + t329 + 0.5 * (t54 * t276 + t63 * t270 + 2.0 * (t323 + t322));
             const real t383 = t5 * (t128 * t279 + t382);
             const real t384 = t319 + t383;
-            R_x[20 * 8 + j] = tq_0 * t375 + tq_2 * t378 - tq_1 * t381 - tq_3 * t384;
-            R_x[21 * 8 + j] = -(tq_3 * t378 + tq_2 * t384 + tq_0 * t381 + tq_1 * t375);
-            R_x[22 * 8 + j] = tq_0 * t378 + tq_1 * t384 - tq_2 * t375 - tq_3 * t381;
-            R_x[23 * 8 + j] = tq_2 * t381 + tq_1 * t378 - tq_3 * t375 - tq_0 * t384;
+            R_x[20 * 8 + j] = tq_0 * t375 + tq_2 * t378 - tq_1 * t381 - tq_3 * t384; /* R_x(2,10) */
+            R_x[21 * 8 + j] = -(tq_3 * t378 + tq_2 * t384 + tq_0 * t381 + tq_1 * t375); /* R_x(2,11) */
+            R_x[22 * 8 + j] = tq_0 * t378 + tq_1 * t384 - tq_2 * t375 - tq_3 * t381; /* R_x(2,12) */
+            R_x[23 * 8 + j] = tq_2 * t381 + tq_1 * t378 - tq_3 * t375 - tq_0 * t384; /* R_x(2,13) */
             const real t385 = q_ax * t2;
             const real t386 = p_ax * t2;
             const real t387 = l0 * l0 * t1;
@@ -3606,7 +3557,8 @@ static void beam_first_order_tangent(size_t nblocks, const real *const *in, real
             const real t533 = t419 + t522;
             const real t534 = u_p_3 * (t532 - t526) + u_p_2 * (t533 - t519) + ud_p_3 * t513;
             const real t535 = 2.0 * (t439 + u_p_1 * t502) + t534 + 0.0380952380952381 * (u_p_1 * t498);
-            const real t536 = t395 + t535 - u_p_0 * (t515 + t518) - ud_p_2 * t509 - 2.6666666666666665 * (ud_p_0 * t504);
+            const real t536 = t395 + t535 - u_p_0 * (t515 + t518) - ud_p_2 * t509 - 2.6666666666666665 * (ud_p_0
+                * t504);
             const real t537 = t536 - t443;
             const real t538 = 2.0 * (t501 - t500);
             const real t539 = t489 - t483;
@@ -3663,7 +3615,8 @@ static void beam_first_order_tangent(size_t nblocks, const real *const *in, real
             const real t590 = t589 - 2.6666666666666665 * (ud_p_0 * t549) - t491 - t495;
             const real t591 = t438 - t437;
             const real t592 = t575 - t574;
-            const real t593 = u_p_1 * (t554 - t550) + 2.0 * (t591 + u_p_2 * t592) + 0.0380952380952381 * (u_p_2 * t418);
+            const real t593 = u_p_1 * (t554 - t550) + 2.0 * (t591 + u_p_2 * t592) + 0.0380952380952381 * (u_p_2
+                * t418);
             const real t594 = t557 + t558;
             const real t595 = t443 + t593 - u_p_0 * (t564 + t587) - ud_p_0 * t572 - u_p_3 * (t594 + t556);
             const real t596 = t595 - ud_p_1 * t583 - 2.6666666666666665 * (ud_p_3 * t549);
@@ -3723,10 +3676,10 @@ static void beam_first_order_tangent(size_t nblocks, const real *const *in, real
             const real t650 = t649 - u_p_2 * (t643 + t622) - 2.6666666666666665 * (ud_p_2 * t634);
             const real t651 = t650 - 2.0 * (t591 + u_p_3 * t641) - t395;
             const real t652 = tp_2 * t647 + tp_3 * t651 + tp_1 * t640 + tp_0 * t635;
-            R_x[24 * 8 + j] = tp_2 * t603 + tp_3 * t652 + tp_1 * t548 + tp_0 * t497;
-            R_x[25 * 8 + j] = tp_0 * t548 + tp_2 * t652 - tp_1 * t497 - tp_3 * t603;
-            R_x[26 * 8 + j] = tp_3 * t548 + tp_0 * t603 - tp_2 * t497 - tp_1 * t652;
-            R_x[27 * 8 + j] = tp_1 * t603 + tp_0 * t652 - tp_3 * t497 - tp_2 * t548;
+            R_x[24 * 8 + j] = tp_2 * t603 + tp_3 * t652 + tp_1 * t548 + tp_0 * t497; /* R_x(3,3) */
+            R_x[25 * 8 + j] = tp_0 * t548 + tp_2 * t652 - tp_1 * t497 - tp_3 * t603; /* R_x(3,4) */
+            R_x[26 * 8 + j] = tp_3 * t548 + tp_0 * t603 - tp_2 * t497 - tp_1 * t652; /* R_x(3,5) */
+            R_x[27 * 8 + j] = tp_1 * t603 + tp_0 * t652 - tp_3 * t497 - tp_2 * t548; /* R_x(3,6) */
             const real t653 = ud_q_2 * t473;
             const real t654 = t15 * t295;
             const real t655 = 2.0 * t653 - t654;
@@ -3915,58 +3868,58 @@ static void beam_first_order_tangent(size_t nblocks, const real *const *in, real
             const real t838 = t837 - u_p_1 * (t808 + t807) - u_p_2 * (t831 + t818) - ud_p_1 * t801;
             const real t839 = t838 - 1.3333333333333333 * (ud_p_2 * t824);
             const real t840 = tp_2 * t836 + tp_3 * t839 + tp_1 * t830 + tp_0 * t825;
-            R_x[28 * 8 + j] = tq_2 * t797 + tq_3 * t840 + tq_1 * t750 + tq_0 * t705;
-            R_x[29 * 8 + j] = tq_0 * t750 + tq_2 * t840 - tq_1 * t705 - tq_3 * t797;
-            R_x[30 * 8 + j] = tq_3 * t750 + tq_0 * t797 - tq_2 * t705 - tq_1 * t840;
-            R_x[31 * 8 + j] = tq_1 * t797 + tq_0 * t840 - tq_3 * t705 - tq_2 * t750;
+            R_x[28 * 8 + j] = tq_2 * t797 + tq_3 * t840 + tq_1 * t750 + tq_0 * t705; /* R_x(3,10) */
+            R_x[29 * 8 + j] = tq_0 * t750 + tq_2 * t840 - tq_1 * t705 - tq_3 * t797; /* R_x(3,11) */
+            R_x[30 * 8 + j] = tq_3 * t750 + tq_0 * t797 - tq_2 * t705 - tq_1 * t840; /* R_x(3,12) */
+            R_x[31 * 8 + j] = tq_1 * t797 + tq_0 * t840 - tq_3 * t705 - tq_2 * t750; /* R_x(3,13) */
             const real t841 = tp_0 * t460 + tp_2 * t496 - tp_1 * t444 - tp_3 * t479;
             const real t842 = tp_0 * t537 + tp_2 * t547 - tp_1 * t531 - tp_3 * t543;
             const real t843 = tp_0 * t590 + tp_2 * t602 - tp_1 * t585 - tp_3 * t597;
             const real t844 = tp_0 * t640 + tp_2 * t651 - tp_1 * t635 - tp_3 * t647;
-            R_x[32 * 8 + j] = tp_2 * t843 + tp_3 * t844 + tp_1 * t842 + tp_0 * t841;
-            R_x[33 * 8 + j] = tp_0 * t842 + tp_2 * t844 - tp_1 * t841 - tp_3 * t843;
-            R_x[34 * 8 + j] = tp_3 * t842 + tp_0 * t843 - tp_2 * t841 - tp_1 * t844;
-            R_x[35 * 8 + j] = tp_1 * t843 + tp_0 * t844 - tp_3 * t841 - tp_2 * t842;
+            R_x[32 * 8 + j] = tp_2 * t843 + tp_3 * t844 + tp_1 * t842 + tp_0 * t841; /* R_x(4,3) */
+            R_x[33 * 8 + j] = tp_0 * t842 + tp_2 * t844 - tp_1 * t841 - tp_3 * t843; /* R_x(4,4) */
+            R_x[34 * 8 + j] = tp_3 * t842 + tp_0 * t843 - tp_2 * t841 - tp_1 * t844; /* R_x(4,5) */
+            R_x[35 * 8 + j] = tp_1 * t843 + tp_0 * t844 - tp_3 * t841 - tp_2 * t842; /* R_x(4,6) */
             const real t845 = tp_1 * t704 + tp_0 * t697 + tp_2 * t690 - tp_3 * t701;
             const real t846 = tp_0 * t741 + tp_2 * t749 - tp_1 * t736 - tp_3 * t746;
             const real t847 = tp_0 * t793 + tp_3 * t796 + tp_2 * t783 - tp_1 * t789;
             const real t848 = tp_0 * t830 + tp_2 * t839 - tp_1 * t825 - tp_3 * t836;
-            R_x[36 * 8 + j] = tq_2 * t847 + tq_3 * t848 + tq_1 * t846 + tq_0 * t845;
-            R_x[37 * 8 + j] = tq_0 * t846 + tq_2 * t848 - tq_1 * t845 - tq_3 * t847;
-            R_x[38 * 8 + j] = tq_3 * t846 + tq_0 * t847 - tq_2 * t845 - tq_1 * t848;
-            R_x[39 * 8 + j] = tq_1 * t847 + tq_0 * t848 - tq_3 * t845 - tq_2 * t846;
+            R_x[36 * 8 + j] = tq_2 * t847 + tq_3 * t848 + tq_1 * t846 + tq_0 * t845; /* R_x(4,10) */
+            R_x[37 * 8 + j] = tq_0 * t846 + tq_2 * t848 - tq_1 * t845 - tq_3 * t847; /* R_x(4,11) */
+            R_x[38 * 8 + j] = tq_3 * t846 + tq_0 * t847 - tq_2 * t845 - tq_1 * t848; /* R_x(4,12) */
+            R_x[39 * 8 + j] = tq_1 * t847 + tq_0 * t848 - tq_3 * t845 - tq_2 * t846; /* R_x(4,13) */
             const real t849 = tp_3 * t460 + tp_0 * t479 - tp_2 * t444 - tp_1 * t496;
             const real t850 = tp_3 * t537 + tp_0 * t543 - tp_2 * t531 - tp_1 * t547;
             const real t851 = tp_3 * t590 + tp_0 * t597 - tp_2 * t585 - tp_1 * t602;
             const real t852 = tp_3 * t640 + tp_0 * t647 - tp_2 * t635 - tp_1 * t651;
-            R_x[40 * 8 + j] = tp_2 * t851 + tp_3 * t852 + tp_1 * t850 + tp_0 * t849;
-            R_x[41 * 8 + j] = tp_0 * t850 + tp_2 * t852 - tp_1 * t849 - tp_3 * t851;
-            R_x[42 * 8 + j] = tp_3 * t850 + tp_0 * t851 - tp_2 * t849 - tp_1 * t852;
-            R_x[43 * 8 + j] = tp_1 * t851 + tp_0 * t852 - tp_3 * t849 - tp_2 * t850;
+            R_x[40 * 8 + j] = tp_2 * t851 + tp_3 * t852 + tp_1 * t850 + tp_0 * t849; /* R_x(5,3) */
+            R_x[41 * 8 + j] = tp_0 * t850 + tp_2 * t852 - tp_1 * t849 - tp_3 * t851; /* R_x(5,4) */
+            R_x[42 * 8 + j] = tp_3 * t850 + tp_0 * t851 - tp_2 * t849 - tp_1 * t852; /* R_x(5,5) */
+            R_x[43 * 8 + j] = tp_1 * t851 + tp_0 * t852 - tp_3 * t849 - tp_2 * t850; /* R_x(5,6) */
             const real t853 = tp_2 * t704 + tp_3 * t697 + tp_0 * t701 - tp_1 * t690;
             const real t854 = tp_3 * t741 + tp_0 * t746 - tp_2 * t736 - tp_1 * t749;
             const real t855 = tp_3 * t793 - tp_2 * t789 - tp_0 * t796 - tp_1 * t783;
             const real t856 = tp_3 * t830 + tp_0 * t836 - tp_2 * t825 - tp_1 * t839;
-            R_x[44 * 8 + j] = tq_2 * t855 + tq_3 * t856 + tq_1 * t854 + tq_0 * t853;
-            R_x[45 * 8 + j] = tq_0 * t854 + tq_2 * t856 - tq_1 * t853 - tq_3 * t855;
-            R_x[46 * 8 + j] = tq_3 * t854 + tq_0 * t855 - tq_2 * t853 - tq_1 * t856;
-            R_x[47 * 8 + j] = tq_1 * t855 + tq_0 * t856 - tq_3 * t853 - tq_2 * t854;
+            R_x[44 * 8 + j] = tq_2 * t855 + tq_3 * t856 + tq_1 * t854 + tq_0 * t853; /* R_x(5,10) */
+            R_x[45 * 8 + j] = tq_0 * t854 + tq_2 * t856 - tq_1 * t853 - tq_3 * t855; /* R_x(5,11) */
+            R_x[46 * 8 + j] = tq_3 * t854 + tq_0 * t855 - tq_2 * t853 - tq_1 * t856; /* R_x(5,12) */
+            R_x[47 * 8 + j] = tq_1 * t855 + tq_0 * t856 - tq_3 * t853 - tq_2 * t854; /* R_x(5,13) */
             const real t857 = tp_1 * t479 + tp_0 * t496 - tp_3 * t444 - tp_2 * t460;
             const real t858 = tp_1 * t543 + tp_0 * t547 - tp_3 * t531 - tp_2 * t537;
             const real t859 = tp_1 * t597 + tp_0 * t602 - tp_3 * t585 - tp_2 * t590;
             const real t860 = tp_1 * t647 + tp_0 * t651 - tp_3 * t635 - tp_2 * t640;
-            R_x[48 * 8 + j] = tp_2 * t859 + tp_3 * t860 + tp_1 * t858 + tp_0 * t857;
-            R_x[49 * 8 + j] = tp_0 * t858 + tp_2 * t860 - tp_1 * t857 - tp_3 * t859;
-            R_x[50 * 8 + j] = tp_3 * t858 + tp_0 * t859 - tp_2 * t857 - tp_1 * t860;
-            R_x[51 * 8 + j] = tp_1 * t859 + tp_0 * t860 - tp_3 * t857 - tp_2 * t858;
+            R_x[48 * 8 + j] = tp_2 * t859 + tp_3 * t860 + tp_1 * t858 + tp_0 * t857; /* R_x(6,3) */
+            R_x[49 * 8 + j] = tp_0 * t858 + tp_2 * t860 - tp_1 * t857 - tp_3 * t859; /* R_x(6,4) */
+            R_x[50 * 8 + j] = tp_3 * t858 + tp_0 * t859 - tp_2 * t857 - tp_1 * t860; /* R_x(6,5) */
+            R_x[51 * 8 + j] = tp_1 * t859 + tp_0 * t860 - tp_3 * t857 - tp_2 * t858; /* R_x(6,6) */
             const real t861 = tp_3 * t704 + tp_1 * t701 + tp_0 * t690 - tp_2 * t697;
             const real t862 = tp_1 * t746 + tp_0 * t749 - tp_3 * t736 - tp_2 * t741;
             const real t863 = tp_0 * t783 - tp_3 * t789 - tp_2 * t793 - tp_1 * t796;
             const real t864 = tp_1 * t836 + tp_0 * t839 - tp_3 * t825 - tp_2 * t830;
-            R_x[52 * 8 + j] = tq_2 * t863 + tq_3 * t864 + tq_1 * t862 + tq_0 * t861;
-            R_x[53 * 8 + j] = tq_0 * t862 + tq_2 * t864 - tq_1 * t861 - tq_3 * t863;
-            R_x[54 * 8 + j] = tq_3 * t862 + tq_0 * t863 - tq_2 * t861 - tq_1 * t864;
-            R_x[55 * 8 + j] = tq_1 * t863 + tq_0 * t864 - tq_3 * t861 - tq_2 * t862;
+            R_x[52 * 8 + j] = tq_2 * t863 + tq_3 * t864 + tq_1 * t862 + tq_0 * t861; /* R_x(6,10) */
+            R_x[53 * 8 + j] = tq_0 * t862 + tq_2 * t864 - tq_1 * t861 - tq_3 * t863; /* R_x(6,11) */
+            R_x[54 * 8 + j] = tq_3 * t862 + tq_0 * t863 - tq_2 * t861 - tq_1 * t864; /* R_x(6,12) */
+            R_x[55 * 8 + j] = tq_1 * t863 + tq_0 * t864 - tq_3 * t861 - tq_2 * t862; /* R_x(6,13) */
             const real t865 = 0.06190476190476191 * t3;
             const real t866 = t865 + t151;
             const real t867 = 0.06190476190476191 * t153;
@@ -3975,10 +3928,10 @@ static void beam_first_order_tangent(size_t nblocks, const real *const *in, real
             const real t870 = t207 - t869;
             const real t871 = 0.06190476190476191 * t209;
             const real t872 = t228 - t871;
-            R_x[56 * 8 + j] = tp_2 * t870 + tp_3 * t872 + tp_1 * t868 + tp_0 * t866;
-            R_x[57 * 8 + j] = tp_0 * t868 + tp_2 * t872 - tp_1 * t866 - tp_3 * t870;
-            R_x[58 * 8 + j] = tp_3 * t868 + tp_0 * t870 - tp_2 * t866 - tp_1 * t872;
-            R_x[59 * 8 + j] = tp_1 * t870 + tp_0 * t872 - tp_3 * t866 - tp_2 * t868;
+            R_x[56 * 8 + j] = tp_2 * t870 + tp_3 * t872 + tp_1 * t868 + tp_0 * t866; /* R_x(7,3) */
+            R_x[57 * 8 + j] = tp_0 * t868 + tp_2 * t872 - tp_1 * t866 - tp_3 * t870; /* R_x(7,4) */
+            R_x[58 * 8 + j] = tp_3 * t868 + tp_0 * t870 - tp_2 * t866 - tp_1 * t872; /* R_x(7,5) */
+            R_x[59 * 8 + j] = tp_1 * t870 + tp_0 * t872 - tp_3 * t866 - tp_2 * t868; /* R_x(7,6) */
             const real t873 = 0.10476190476190476 * t288;
             const real t874 = t316 - t873;
             const real t875 = 0.10476190476190476 * t318;
@@ -3987,42 +3940,42 @@ static void beam_first_order_tangent(size_t nblocks, const real *const *in, real
             const real t878 = t877 + t265;
             const real t879 = 0.10476190476190476 * t267;
             const real t880 = t879 + t286;
-            R_x[60 * 8 + j] = tq_2 * t878 + tq_3 * t880 + tq_1 * t876 + tq_0 * t874;
-            R_x[61 * 8 + j] = tq_0 * t876 + tq_2 * t880 - tq_1 * t874 - tq_3 * t878;
-            R_x[62 * 8 + j] = tq_3 * t876 + tq_0 * t878 - tq_2 * t874 - tq_1 * t880;
-            R_x[63 * 8 + j] = tq_1 * t878 + tq_0 * t880 - tq_3 * t874 - tq_2 * t876;
+            R_x[60 * 8 + j] = tq_2 * t878 + tq_3 * t880 + tq_1 * t876 + tq_0 * t874; /* R_x(7,10) */
+            R_x[61 * 8 + j] = tq_0 * t876 + tq_2 * t880 - tq_1 * t874 - tq_3 * t878; /* R_x(7,11) */
+            R_x[62 * 8 + j] = tq_3 * t876 + tq_0 * t878 - tq_2 * t874 - tq_1 * t880; /* R_x(7,12) */
+            R_x[63 * 8 + j] = tq_1 * t878 + tq_0 * t880 - tq_3 * t874 - tq_2 * t876; /* R_x(7,13) */
             const real t881 = t871 + t338;
             const real t882 = t869 + t341;
             const real t883 = t867 + t344;
             const real t884 = t865 + t347;
-            R_x[64 * 8 + j] = tp_2 * t883 + tp_3 * t884 + tp_1 * t882 + tp_0 * t881;
-            R_x[65 * 8 + j] = tp_0 * t882 + tp_2 * t884 - tp_1 * t881 - tp_3 * t883;
-            R_x[66 * 8 + j] = tp_3 * t882 + tp_0 * t883 - tp_2 * t881 - tp_1 * t884;
-            R_x[67 * 8 + j] = tp_1 * t883 + tp_0 * t884 - tp_3 * t881 - tp_2 * t882;
+            R_x[64 * 8 + j] = tp_2 * t883 + tp_3 * t884 + tp_1 * t882 + tp_0 * t881; /* R_x(8,3) */
+            R_x[65 * 8 + j] = tp_0 * t882 + tp_2 * t884 - tp_1 * t881 - tp_3 * t883; /* R_x(8,4) */
+            R_x[66 * 8 + j] = tp_3 * t882 + tp_0 * t883 - tp_2 * t881 - tp_1 * t884; /* R_x(8,5) */
+            R_x[67 * 8 + j] = tp_1 * t883 + tp_0 * t884 - tp_3 * t881 - tp_2 * t882; /* R_x(8,6) */
             const real t885 = t350 - t879;
             const real t886 = t353 - t877;
             const real t887 = t356 - t875;
             const real t888 = t359 - t873;
-            R_x[68 * 8 + j] = tq_2 * t887 + tq_3 * t888 + tq_1 * t886 + tq_0 * t885;
-            R_x[69 * 8 + j] = tq_0 * t886 + tq_2 * t888 - tq_1 * t885 - tq_3 * t887;
-            R_x[70 * 8 + j] = tq_3 * t886 + tq_0 * t887 - tq_2 * t885 - tq_1 * t888;
-            R_x[71 * 8 + j] = tq_1 * t887 + tq_0 * t888 - tq_3 * t885 - tq_2 * t886;
+            R_x[68 * 8 + j] = tq_2 * t887 + tq_3 * t888 + tq_1 * t886 + tq_0 * t885; /* R_x(8,10) */
+            R_x[69 * 8 + j] = tq_0 * t886 + tq_2 * t888 - tq_1 * t885 - tq_3 * t887; /* R_x(8,11) */
+            R_x[70 * 8 + j] = tq_3 * t886 + tq_0 * t887 - tq_2 * t885 - tq_1 * t888; /* R_x(8,12) */
+            R_x[71 * 8 + j] = tq_1 * t887 + tq_0 * t888 - tq_3 * t885 - tq_2 * t886; /* R_x(8,13) */
             const real t889 = t368 - t869;
             const real t890 = t871 + t362;
             const real t891 = t371 - t865;
             const real t892 = t867 + t365;
-            R_x[72 * 8 + j] = tp_2 * t891 + tp_3 * t892 + tp_1 * t890 + tp_0 * t889;
-            R_x[73 * 8 + j] = tp_0 * t890 + tp_2 * t892 - tp_1 * t889 - tp_3 * t891;
-            R_x[74 * 8 + j] = tp_3 * t890 + tp_0 * t891 - tp_2 * t889 - tp_1 * t892;
-            R_x[75 * 8 + j] = tp_1 * t891 + tp_0 * t892 - tp_3 * t889 - tp_2 * t890;
+            R_x[72 * 8 + j] = tp_2 * t891 + tp_3 * t892 + tp_1 * t890 + tp_0 * t889; /* R_x(9,3) */
+            R_x[73 * 8 + j] = tp_0 * t890 + tp_2 * t892 - tp_1 * t889 - tp_3 * t891; /* R_x(9,4) */
+            R_x[74 * 8 + j] = tp_3 * t890 + tp_0 * t891 - tp_2 * t889 - tp_1 * t892; /* R_x(9,5) */
+            R_x[75 * 8 + j] = tp_1 * t891 + tp_0 * t892 - tp_3 * t889 - tp_2 * t890; /* R_x(9,6) */
             const real t893 = t877 + t374;
             const real t894 = t380 - t879;
             const real t895 = t873 + t377;
             const real t896 = t383 - t875;
-            R_x[76 * 8 + j] = tq_2 * t895 + tq_3 * t896 + tq_1 * t894 + tq_0 * t893;
-            R_x[77 * 8 + j] = tq_0 * t894 + tq_2 * t896 - tq_1 * t893 - tq_3 * t895;
-            R_x[78 * 8 + j] = tq_3 * t894 + tq_0 * t895 - tq_2 * t893 - tq_1 * t896;
-            R_x[79 * 8 + j] = tq_1 * t895 + tq_0 * t896 - tq_3 * t893 - tq_2 * t894;
+            R_x[76 * 8 + j] = tq_2 * t895 + tq_3 * t896 + tq_1 * t894 + tq_0 * t893; /* R_x(9,10) */
+            R_x[77 * 8 + j] = tq_0 * t894 + tq_2 * t896 - tq_1 * t893 - tq_3 * t895; /* R_x(9,11) */
+            R_x[78 * 8 + j] = tq_3 * t894 + tq_0 * t895 - tq_2 * t893 - tq_1 * t896; /* R_x(9,12) */
+            R_x[79 * 8 + j] = tq_1 * t895 + tq_0 * t896 - tq_3 * t893 - tq_2 * t894; /* R_x(9,13) */
             const real t897 = ud_p_2 * t473;
             const real t898 = 2.0 * t897 - t423;
             const real t899 = 0.02857142857142857 * t425;
@@ -4135,10 +4088,10 @@ static void beam_first_order_tangent(size_t nblocks, const real *const *in, real
             const real t1006 = t1005 - u_q_1 * (t623 + t987) - u_q_2 * (t643 + t991) - ud_q_1 * t985;
             const real t1007 = t1006 - 1.3333333333333333 * (ud_q_2 * t634);
             const real t1008 = tq_2 * t1004 + tq_3 * t1007 + tq_1 * t1001 + tq_0 * t996;
-            R_x[80 * 8 + j] = tp_2 * t982 + tp_3 * t1008 + tp_1 * t954 + tp_0 * t927;
-            R_x[81 * 8 + j] = tp_0 * t954 + tp_2 * t1008 - tp_1 * t927 - tp_3 * t982;
-            R_x[82 * 8 + j] = tp_3 * t954 + tp_0 * t982 - tp_2 * t927 - tp_1 * t1008;
-            R_x[83 * 8 + j] = tp_1 * t982 + tp_0 * t1008 - tp_3 * t927 - tp_2 * t954;
+            R_x[80 * 8 + j] = tp_2 * t982 + tp_3 * t1008 + tp_1 * t954 + tp_0 * t927; /* R_x(10,3) */
+            R_x[81 * 8 + j] = tp_0 * t954 + tp_2 * t1008 - tp_1 * t927 - tp_3 * t982; /* R_x(10,4) */
+            R_x[82 * 8 + j] = tp_3 * t954 + tp_0 * t982 - tp_2 * t927 - tp_1 * t1008; /* R_x(10,5) */
+            R_x[83 * 8 + j] = tp_1 * t982 + tp_0 * t1008 - tp_3 * t927 - tp_2 * t954; /* R_x(10,6) */
             const real t1009 = 0.0380952380952381 * t394 - 0.10476190476190476 * t385 - 0.06190476190476191 * t386;
             const real t1010 = t1009 - 0.02857142857142857 * t390;
             const real t1011 = 0.0380952380952381 * t679;
@@ -4207,7 +4160,8 @@ static void beam_first_order_tangent(size_t nblocks, const real *const *in, real
             const real t1074 = t1018 + t1065;
             const real t1075 = u_q_3 * (t1073 - t723) + u_q_2 * (t1074 - t712) + ud_q_3 * t1062;
             const real t1076 = 2.0 * (t439 + u_q_1 * t721) + t1075 + t443 + 0.0380952380952381 * (u_q_1 * t717);
-            const real t1077 = t1010 + t1076 - u_q_0 * (t1063 + t710) - ud_q_2 * t1059 - 2.6666666666666665 * (ud_q_0 * t711);
+            const real t1077 = t1010 + t1076 - u_q_0 * (t1063 + t710) - ud_q_2 * t1059 - 2.6666666666666665 * (ud_q_0
+                * t711);
             const real t1078 = t1048 - t1049;
             const real t1079 = ud_q_1 * t1059 + u_q_1 * (t1066 - t712) + t495 + t1078 + u_q_2 * (t742 - t1055);
             const real t1080 = t1079 - u_q_0 * (t723 + t1073) - ud_q_0 * t1062 - u_q_3 * (t1063 + t744);
@@ -4286,58 +4240,58 @@ static void beam_first_order_tangent(size_t nblocks, const real *const *in, real
             const real t1153 = t1152 - 2.6666666666666665 * (ud_q_2 * t824) - 2.0 * (t591 + u_q_3 * t832);
             const real t1154 = t1153 - t1010 - t443;
             const real t1155 = tq_2 * t1150 + tq_3 * t1154 + tq_1 * t1146 + tq_0 * t1140;
-            R_x[84 * 8 + j] = tq_2 * t1122 + tq_3 * t1155 + tq_1 * t1087 + tq_0 * t1054;
-            R_x[85 * 8 + j] = tq_0 * t1087 + tq_2 * t1155 - tq_1 * t1054 - tq_3 * t1122;
-            R_x[86 * 8 + j] = tq_3 * t1087 + tq_0 * t1122 - tq_2 * t1054 - tq_1 * t1155;
-            R_x[87 * 8 + j] = tq_1 * t1122 + tq_0 * t1155 - tq_3 * t1054 - tq_2 * t1087;
+            R_x[84 * 8 + j] = tq_2 * t1122 + tq_3 * t1155 + tq_1 * t1087 + tq_0 * t1054; /* R_x(10,10) */
+            R_x[85 * 8 + j] = tq_0 * t1087 + tq_2 * t1155 - tq_1 * t1054 - tq_3 * t1122; /* R_x(10,11) */
+            R_x[86 * 8 + j] = tq_3 * t1087 + tq_0 * t1122 - tq_2 * t1054 - tq_1 * t1155; /* R_x(10,12) */
+            R_x[87 * 8 + j] = tq_1 * t1122 + tq_0 * t1155 - tq_3 * t1054 - tq_2 * t1087; /* R_x(10,13) */
             const real t1156 = tq_1 * t926 + tq_0 * t919 + tq_2 * t915 - tq_3 * t923;
             const real t1157 = tq_0 * t947 + tq_2 * t953 - tq_1 * t942 - tq_3 * t950;
             const real t1158 = tq_0 * t978 + tq_3 * t981 + tq_2 * t970 - tq_1 * t974;
             const real t1159 = tq_0 * t1001 + tq_2 * t1007 - tq_1 * t996 - tq_3 * t1004;
-            R_x[88 * 8 + j] = tp_2 * t1158 + tp_3 * t1159 + tp_1 * t1157 + tp_0 * t1156;
-            R_x[89 * 8 + j] = tp_0 * t1157 + tp_2 * t1159 - tp_1 * t1156 - tp_3 * t1158;
-            R_x[90 * 8 + j] = tp_3 * t1157 + tp_0 * t1158 - tp_2 * t1156 - tp_1 * t1159;
-            R_x[91 * 8 + j] = tp_1 * t1158 + tp_0 * t1159 - tp_3 * t1156 - tp_2 * t1157;
+            R_x[88 * 8 + j] = tp_2 * t1158 + tp_3 * t1159 + tp_1 * t1157 + tp_0 * t1156; /* R_x(11,3) */
+            R_x[89 * 8 + j] = tp_0 * t1157 + tp_2 * t1159 - tp_1 * t1156 - tp_3 * t1158; /* R_x(11,4) */
+            R_x[90 * 8 + j] = tp_3 * t1157 + tp_0 * t1158 - tp_2 * t1156 - tp_1 * t1159; /* R_x(11,5) */
+            R_x[91 * 8 + j] = tp_1 * t1158 + tp_0 * t1159 - tp_3 * t1156 - tp_2 * t1157; /* R_x(11,6) */
             const real t1160 = tq_0 * t1038 + tq_2 * t1053 - tq_1 * t1031 - tq_3 * t1046;
             const real t1161 = tq_0 * t1077 + tq_2 * t1086 - tq_1 * t1072 - tq_3 * t1081;
             const real t1162 = tq_0 * t1114 + tq_2 * t1121 - tq_1 * t1108 - tq_3 * t1118;
             const real t1163 = tq_0 * t1146 + tq_2 * t1154 - tq_1 * t1140 - tq_3 * t1150;
-            R_x[92 * 8 + j] = tq_2 * t1162 + tq_3 * t1163 + tq_1 * t1161 + tq_0 * t1160;
-            R_x[93 * 8 + j] = tq_0 * t1161 + tq_2 * t1163 - tq_1 * t1160 - tq_3 * t1162;
-            R_x[94 * 8 + j] = tq_3 * t1161 + tq_0 * t1162 - tq_2 * t1160 - tq_1 * t1163;
-            R_x[95 * 8 + j] = tq_1 * t1162 + tq_0 * t1163 - tq_3 * t1160 - tq_2 * t1161;
+            R_x[92 * 8 + j] = tq_2 * t1162 + tq_3 * t1163 + tq_1 * t1161 + tq_0 * t1160; /* R_x(11,10) */
+            R_x[93 * 8 + j] = tq_0 * t1161 + tq_2 * t1163 - tq_1 * t1160 - tq_3 * t1162; /* R_x(11,11) */
+            R_x[94 * 8 + j] = tq_3 * t1161 + tq_0 * t1162 - tq_2 * t1160 - tq_1 * t1163; /* R_x(11,12) */
+            R_x[95 * 8 + j] = tq_1 * t1162 + tq_0 * t1163 - tq_3 * t1160 - tq_2 * t1161; /* R_x(11,13) */
             const real t1164 = tq_2 * t926 + tq_3 * t919 + tq_0 * t923 - tq_1 * t915;
             const real t1165 = tq_3 * t947 + tq_0 * t950 - tq_2 * t942 - tq_1 * t953;
             const real t1166 = tq_3 * t978 - tq_2 * t974 - tq_0 * t981 - tq_1 * t970;
             const real t1167 = tq_3 * t1001 + tq_0 * t1004 - tq_2 * t996 - tq_1 * t1007;
-            R_x[96 * 8 + j] = tp_2 * t1166 + tp_3 * t1167 + tp_1 * t1165 + tp_0 * t1164;
-            R_x[97 * 8 + j] = tp_0 * t1165 + tp_2 * t1167 - tp_1 * t1164 - tp_3 * t1166;
-            R_x[98 * 8 + j] = tp_3 * t1165 + tp_0 * t1166 - tp_2 * t1164 - tp_1 * t1167;
-            R_x[99 * 8 + j] = tp_1 * t1166 + tp_0 * t1167 - tp_3 * t1164 - tp_2 * t1165;
+            R_x[96 * 8 + j] = tp_2 * t1166 + tp_3 * t1167 + tp_1 * t1165 + tp_0 * t1164; /* R_x(12,3) */
+            R_x[97 * 8 + j] = tp_0 * t1165 + tp_2 * t1167 - tp_1 * t1164 - tp_3 * t1166; /* R_x(12,4) */
+            R_x[98 * 8 + j] = tp_3 * t1165 + tp_0 * t1166 - tp_2 * t1164 - tp_1 * t1167; /* R_x(12,5) */
+            R_x[99 * 8 + j] = tp_1 * t1166 + tp_0 * t1167 - tp_3 * t1164 - tp_2 * t1165; /* R_x(12,6) */
             const real t1168 = tq_3 * t1038 + tq_0 * t1046 - tq_2 * t1031 - tq_1 * t1053;
             const real t1169 = tq_3 * t1077 + tq_0 * t1081 - tq_2 * t1072 - tq_1 * t1086;
             const real t1170 = tq_3 * t1114 + tq_0 * t1118 - tq_2 * t1108 - tq_1 * t1121;
             const real t1171 = tq_3 * t1146 + tq_0 * t1150 - tq_2 * t1140 - tq_1 * t1154;
-            R_x[100 * 8 + j] = tq_2 * t1170 + tq_3 * t1171 + tq_1 * t1169 + tq_0 * t1168;
-            R_x[101 * 8 + j] = tq_0 * t1169 + tq_2 * t1171 - tq_1 * t1168 - tq_3 * t1170;
-            R_x[102 * 8 + j] = tq_3 * t1169 + tq_0 * t1170 - tq_2 * t1168 - tq_1 * t1171;
-            R_x[103 * 8 + j] = tq_1 * t1170 + tq_0 * t1171 - tq_3 * t1168 - tq_2 * t1169;
+            R_x[100 * 8 + j] = tq_2 * t1170 + tq_3 * t1171 + tq_1 * t1169 + tq_0 * t1168; /* R_x(12,10) */
+            R_x[101 * 8 + j] = tq_0 * t1169 + tq_2 * t1171 - tq_1 * t1168 - tq_3 * t1170; /* R_x(12,11) */
+            R_x[102 * 8 + j] = tq_3 * t1169 + tq_0 * t1170 - tq_2 * t1168 - tq_1 * t1171; /* R_x(12,12) */
+            R_x[103 * 8 + j] = tq_1 * t1170 + tq_0 * t1171 - tq_3 * t1168 - tq_2 * t1169; /* R_x(12,13) */
             const real t1172 = tq_3 * t926 + tq_1 * t923 + tq_0 * t915 - tq_2 * t919;
             const real t1173 = tq_1 * t950 + tq_0 * t953 - tq_3 * t942 - tq_2 * t947;
             const real t1174 = tq_0 * t970 - tq_3 * t974 - tq_2 * t978 - tq_1 * t981;
             const real t1175 = tq_1 * t1004 + tq_0 * t1007 - tq_3 * t996 - tq_2 * t1001;
-            R_x[104 * 8 + j] = tp_2 * t1174 + tp_3 * t1175 + tp_1 * t1173 + tp_0 * t1172;
-            R_x[105 * 8 + j] = tp_0 * t1173 + tp_2 * t1175 - tp_1 * t1172 - tp_3 * t1174;
-            R_x[106 * 8 + j] = tp_3 * t1173 + tp_0 * t1174 - tp_2 * t1172 - tp_1 * t1175;
-            R_x[107 * 8 + j] = tp_1 * t1174 + tp_0 * t1175 - tp_3 * t1172 - tp_2 * t1173;
+            R_x[104 * 8 + j] = tp_2 * t1174 + tp_3 * t1175 + tp_1 * t1173 + tp_0 * t1172; /* R_x(13,3) */
+            R_x[105 * 8 + j] = tp_0 * t1173 + tp_2 * t1175 - tp_1 * t1172 - tp_3 * t1174; /* R_x(13,4) */
+            R_x[106 * 8 + j] = tp_3 * t1173 + tp_0 * t1174 - tp_2 * t1172 - tp_1 * t1175; /* R_x(13,5) */
+            R_x[107 * 8 + j] = tp_1 * t1174 + tp_0 * t1175 - tp_3 * t1172 - tp_2 * t1173; /* R_x(13,6) */
             const real t1176 = tq_1 * t1046 + tq_0 * t1053 - tq_3 * t1031 - tq_2 * t1038;
             const real t1177 = tq_1 * t1081 + tq_0 * t1086 - tq_3 * t1072 - tq_2 * t1077;
             const real t1178 = tq_1 * t1118 + tq_0 * t1121 - tq_3 * t1108 - tq_2 * t1114;
             const real t1179 = tq_1 * t1150 + tq_0 * t1154 - tq_3 * t1140 - tq_2 * t1146;
-            R_x[108 * 8 + j] = tq_2 * t1178 + tq_3 * t1179 + tq_1 * t1177 + tq_0 * t1176;
-            R_x[109 * 8 + j] = tq_0 * t1177 + tq_2 * t1179 - tq_1 * t1176 - tq_3 * t1178;
-            R_x[110 * 8 + j] = tq_3 * t1177 + tq_0 * t1178 - tq_2 * t1176 - tq_1 * t1179;
-            R_x[111 * 8 + j] = tq_1 * t1178 + tq_0 * t1179 - tq_3 * t1176 - tq_2 * t1177;
+            R_x[108 * 8 + j] = tq_2 * t1178 + tq_3 * t1179 + tq_1 * t1177 + tq_0 * t1176; /* R_x(13,10) */
+            R_x[109 * 8 + j] = tq_0 * t1177 + tq_2 * t1179 - tq_1 * t1176 - tq_3 * t1178; /* R_x(13,11) */
+            R_x[110 * 8 + j] = tq_3 * t1177 + tq_0 * t1178 - tq_2 * t1176 - tq_1 * t1179; /* R_x(13,12) */
+            R_x[111 * 8 + j] = tq_1 * t1178 + tq_0 * t1179 - tq_3 * t1176 - tq_2 * t1177; /* R_x(13,13) */
             const real t1180 = t5 * t99;
             const real t1181 = t97 * t1180;
             const real t1182 = t5 * t8;
@@ -4348,13 +4302,13 @@ static void beam_first_order_tangent(size_t nblocks, const real *const *in, real
             const real t1187 = t8 * t1186;
             const real t1188 = t5 * (t97 * t1185 + t6 * t1187 + t45 * t1183 + t116 * t1181);
             const real t1189 = 1.2 * t1188;
-            R_v[0 * 8 + j] = R_v[105 * 8 + j] = t1189;
+            R_v[0 * 8 + j] = R_v[105 * 8 + j] = t1189; /* R_v(0,0) R_v(7,7) */
             const real t1190 = 1.2 * (t21 * t1187 + t34 * t1183) + 0.6 * (t146 * t1181 + t127 * t1185);
             const real t1191 = t5 * t1190;
-            R_v[1 * 8 + j] = R_v[106 * 8 + j] = t1191;
+            R_v[1 * 8 + j] = R_v[106 * 8 + j] = t1191; /* R_v(0,1) R_v(7,8) */
             const real t1192 = 1.2 * (t128 * t1185 + t145 * t1181) + 0.6 * (t54 * t1183 + t63 * t1187);
             const real t1193 = t5 * t1192;
-            R_v[2 * 8 + j] = R_v[107 * 8 + j] = t1193;
+            R_v[2 * 8 + j] = R_v[107 * 8 + j] = t1193; /* R_v(0,2) R_v(7,9) */
             const real t1194 = t5 * t129;
             const real t1195 = 1.2 * (chord_x * t1181) + t1194;
             const real t1196 = t100 * t1184;
@@ -4401,13 +4355,13 @@ static void beam_first_order_tangent(size_t nblocks, const real *const *in, real
             const real t1237 = u_p_0 * t1222;
             const real t1238 = u_p_2 * t1230;
             const real t1239 = t1233 + t1234 - t1236 - t1237 - t1238;
-            R_v[3 * 8 + j] = tp_2 * t1232 + tp_3 * t1239 + tp_1 * t1221 + tp_0 * t1214;
-            R_v[4 * 8 + j] = tp_0 * t1221 + tp_2 * t1239 - tp_1 * t1214 - tp_3 * t1232;
-            R_v[5 * 8 + j] = tp_3 * t1221 + tp_0 * t1232 - tp_2 * t1214 - tp_1 * t1239;
-            R_v[6 * 8 + j] = tp_1 * t1232 + tp_0 * t1239 - tp_3 * t1214 - tp_2 * t1221;
-            R_v[7 * 8 + j] = R_v[98 * 8 + j] = -t1189;
-            R_v[8 * 8 + j] = R_v[99 * 8 + j] = -t1191;
-            R_v[9 * 8 + j] = R_v[100 * 8 + j] = -t1193;
+            R_v[3 * 8 + j] = tp_2 * t1232 + tp_3 * t1239 + tp_1 * t1221 + tp_0 * t1214; /* R_v(0,3) */
+            R_v[4 * 8 + j] = tp_0 * t1221 + tp_2 * t1239 - tp_1 * t1214 - tp_3 * t1232; /* R_v(0,4) */
+            R_v[5 * 8 + j] = tp_3 * t1221 + tp_0 * t1232 - tp_2 * t1214 - tp_1 * t1239; /* R_v(0,5) */
+            R_v[6 * 8 + j] = tp_1 * t1232 + tp_0 * t1239 - tp_3 * t1214 - tp_2 * t1221; /* R_v(0,6) */
+            R_v[7 * 8 + j] = R_v[98 * 8 + j] = -t1189; /* R_v(0,7) R_v(7,0) */
+            R_v[8 * 8 + j] = R_v[99 * 8 + j] = -t1191; /* R_v(0,8) R_v(7,1) */
+            R_v[9 * 8 + j] = R_v[100 * 8 + j] = -t1193; /* R_v(0,9) R_v(7,2) */
             const real t1240 = u_q_1 * t1203;
             const real t1241 = u_q_3 * t1197;
             const real t1242 = ud_q_0 * t2;
@@ -4432,10 +4386,10 @@ static void beam_first_order_tangent(size_t nblocks, const real *const *in, real
             const real t1261 = u_q_0 * t1222;
             const real t1262 = u_q_2 * t1230;
             const real t1263 = 0.12380952380952381 * t1259 + t1260 + t1258 - t1261 - t1262;
-            R_v[10 * 8 + j] = tq_2 * t1257 + tq_3 * t1263 + tq_1 * t1251 + tq_0 * t1245;
-            R_v[11 * 8 + j] = tq_0 * t1251 + tq_2 * t1263 - tq_1 * t1245 - tq_3 * t1257;
-            R_v[12 * 8 + j] = tq_3 * t1251 + tq_0 * t1257 - tq_2 * t1245 - tq_1 * t1263;
-            R_v[13 * 8 + j] = tq_1 * t1257 + tq_0 * t1263 - tq_3 * t1245 - tq_2 * t1251;
+            R_v[10 * 8 + j] = tq_2 * t1257 + tq_3 * t1263 + tq_1 * t1251 + tq_0 * t1245; /* R_v(0,10) */
+            R_v[11 * 8 + j] = tq_0 * t1251 + tq_2 * t1263 - tq_1 * t1245 - tq_3 * t1257; /* R_v(0,11) */
+            R_v[12 * 8 + j] = tq_3 * t1251 + tq_0 * t1257 - tq_2 * t1245 - tq_1 * t1263; /* R_v(0,12) */
+            R_v[13 * 8 + j] = tq_1 * t1257 + tq_0 * t1263 - tq_3 * t1245 - tq_2 * t1251; /* R_v(0,13) */
             const real t1264 = t5 * t34;
             const real t1265 = t8 * t1264;
             const real t1266 = t21 * t1182;
@@ -4445,13 +4399,13 @@ static void beam_first_order_tangent(size_t nblocks, const real *const *in, real
             const real t1270 = t99 * t1269;
             const real t1271 = 1.2 * (t6 * t1265 + t45 * t1266) + 0.6 * (t97 * t1268 + t1270 * t116);
             const real t1272 = t5 * t1271;
-            R_v[14 * 8 + j] = R_v[119 * 8 + j] = t1272;
+            R_v[14 * 8 + j] = R_v[119 * 8 + j] = t1272; /* R_v(1,0) R_v(8,7) */
             const real t1273 = 1.2 * (t21 * t1265 + t34 * t1266) + 0.3 * (t146 * t1270 + t127 * t1268);
             const real t1274 = t5 * t1273;
-            R_v[15 * 8 + j] = R_v[120 * 8 + j] = t1274;
+            R_v[15 * 8 + j] = R_v[120 * 8 + j] = t1274; /* R_v(1,1) R_v(8,8) */
             const real t1275 = t5 * (t1270 * t145 + t128 * t1268 + t63 * t1265 + t54 * t1266);
             const real t1276 = 0.6 * t1275;
-            R_v[16 * 8 + j] = R_v[121 * 8 + j] = t1276;
+            R_v[16 * 8 + j] = R_v[121 * 8 + j] = t1276; /* R_v(1,2) R_v(8,9) */
             const real t1277 = 0.6 * (chord_x * t1270);
             const real t1278 = 0.5 * t100 * t1267;
             const real t1279 = t1277 + t1278;
@@ -4488,13 +4442,13 @@ static void beam_first_order_tangent(size_t nblocks, const real *const *in, real
             const real t1310 = u_p_0 * t1301;
             const real t1311 = u_p_2 * t1305;
             const real t1312 = t1200 + t1309 + t1308 - t1310 - t1311;
-            R_v[17 * 8 + j] = tp_2 * t1307 + tp_3 * t1312 + tp_1 * t1298 + tp_0 * t1293;
-            R_v[18 * 8 + j] = tp_0 * t1298 + tp_2 * t1312 - tp_1 * t1293 - tp_3 * t1307;
-            R_v[19 * 8 + j] = tp_3 * t1298 + tp_0 * t1307 - tp_2 * t1293 - tp_1 * t1312;
-            R_v[20 * 8 + j] = tp_1 * t1307 + tp_0 * t1312 - tp_3 * t1293 - tp_2 * t1298;
-            R_v[21 * 8 + j] = R_v[112 * 8 + j] = -t1272;
-            R_v[22 * 8 + j] = R_v[113 * 8 + j] = -t1274;
-            R_v[23 * 8 + j] = R_v[114 * 8 + j] = -t1276;
+            R_v[17 * 8 + j] = tp_2 * t1307 + tp_3 * t1312 + tp_1 * t1298 + tp_0 * t1293; /* R_v(1,3) */
+            R_v[18 * 8 + j] = tp_0 * t1298 + tp_2 * t1312 - tp_1 * t1293 - tp_3 * t1307; /* R_v(1,4) */
+            R_v[19 * 8 + j] = tp_3 * t1298 + tp_0 * t1307 - tp_2 * t1293 - tp_1 * t1312; /* R_v(1,5) */
+            R_v[20 * 8 + j] = tp_1 * t1307 + tp_0 * t1312 - tp_3 * t1293 - tp_2 * t1298; /* R_v(1,6) */
+            R_v[21 * 8 + j] = R_v[112 * 8 + j] = -t1272; /* R_v(1,7) R_v(8,0) */
+            R_v[22 * 8 + j] = R_v[113 * 8 + j] = -t1274; /* R_v(1,8) R_v(8,1) */
+            R_v[23 * 8 + j] = R_v[114 * 8 + j] = -t1276; /* R_v(1,9) R_v(8,2) */
             const real t1313 = u_q_3 * t1279;
             const real t1314 = 0.5 * t100 * t1269;
             const real t1315 = 0.06190476190476191 * t2;
@@ -4518,10 +4472,10 @@ static void beam_first_order_tangent(size_t nblocks, const real *const *in, real
             const real t1333 = u_q_0 * t1301;
             const real t1334 = u_q_2 * t1305;
             const real t1335 = ud_q_0 * t1316 + t1332 + t1331 - t1333 - t1334;
-            R_v[24 * 8 + j] = tq_2 * t1330 + tq_3 * t1335 + tq_1 * t1325 + tq_0 * t1320;
-            R_v[25 * 8 + j] = tq_0 * t1325 + tq_2 * t1335 - tq_1 * t1320 - tq_3 * t1330;
-            R_v[26 * 8 + j] = tq_3 * t1325 + tq_0 * t1330 - tq_2 * t1320 - tq_1 * t1335;
-            R_v[27 * 8 + j] = tq_1 * t1330 + tq_0 * t1335 - tq_3 * t1320 - tq_2 * t1325;
+            R_v[24 * 8 + j] = tq_2 * t1330 + tq_3 * t1335 + tq_1 * t1325 + tq_0 * t1320; /* R_v(1,10) */
+            R_v[25 * 8 + j] = tq_0 * t1325 + tq_2 * t1335 - tq_1 * t1320 - tq_3 * t1330; /* R_v(1,11) */
+            R_v[26 * 8 + j] = tq_3 * t1325 + tq_0 * t1330 - tq_2 * t1320 - tq_1 * t1335; /* R_v(1,12) */
+            R_v[27 * 8 + j] = tq_1 * t1330 + tq_0 * t1335 - tq_3 * t1320 - tq_2 * t1325; /* R_v(1,13) */
             const real t1336 = t5 * t145;
             const real t1337 = t99 * t1336;
             const real t1338 = t128 * t1180;
@@ -4531,13 +4485,13 @@ static void beam_first_order_tangent(size_t nblocks, const real *const *in, real
             const real t1342 = t8 * t1341;
             const real t1343 = 1.2 * (t97 * t1337 + t116 * t1338) + 0.6 * (t6 * t1340 + t1342 * t45);
             const real t1344 = t5 * t1343;
-            R_v[28 * 8 + j] = R_v[133 * 8 + j] = t1344;
+            R_v[28 * 8 + j] = R_v[133 * 8 + j] = t1344; /* R_v(2,0) R_v(9,7) */
             const real t1345 = t5 * (t21 * t1340 + t34 * t1342 + t127 * t1337 + t146 * t1338);
             const real t1346 = 0.6 * t1345;
-            R_v[29 * 8 + j] = R_v[134 * 8 + j] = t1346;
+            R_v[29 * 8 + j] = R_v[134 * 8 + j] = t1346; /* R_v(2,1) R_v(9,8) */
             const real t1347 = 0.3 * (t54 * t1342 + t63 * t1340) + 1.2 * (t128 * t1337 + t145 * t1338);
             const real t1348 = t5 * t1347;
-            R_v[30 * 8 + j] = R_v[135 * 8 + j] = t1348;
+            R_v[30 * 8 + j] = R_v[135 * 8 + j] = t1348; /* R_v(2,2) R_v(9,9) */
             const real t1349 = 0.6 * (chord_y * t1342);
             const real t1350 = t1194 + 1.2 * (chord_z * t1338);
             const real t1351 = t1349 - t1350;
@@ -4574,13 +4528,13 @@ static void beam_first_order_tangent(size_t nblocks, const real *const *in, real
             const real t1382 = u_p_0 * t1373;
             const real t1383 = u_p_2 * t1377;
             const real t1384 = t1217 + t1381 + t1380 - t1382 - t1383;
-            R_v[31 * 8 + j] = tp_2 * t1379 + tp_3 * t1384 + tp_1 * t1370 + tp_0 * t1365;
-            R_v[32 * 8 + j] = tp_0 * t1370 + tp_2 * t1384 - tp_1 * t1365 - tp_3 * t1379;
-            R_v[33 * 8 + j] = tp_3 * t1370 + tp_0 * t1379 - tp_2 * t1365 - tp_1 * t1384;
-            R_v[34 * 8 + j] = tp_1 * t1379 + tp_0 * t1384 - tp_3 * t1365 - tp_2 * t1370;
-            R_v[35 * 8 + j] = R_v[126 * 8 + j] = -t1344;
-            R_v[36 * 8 + j] = R_v[127 * 8 + j] = -t1346;
-            R_v[37 * 8 + j] = R_v[128 * 8 + j] = -t1348;
+            R_v[31 * 8 + j] = tp_2 * t1379 + tp_3 * t1384 + tp_1 * t1370 + tp_0 * t1365; /* R_v(2,3) */
+            R_v[32 * 8 + j] = tp_0 * t1370 + tp_2 * t1384 - tp_1 * t1365 - tp_3 * t1379; /* R_v(2,4) */
+            R_v[33 * 8 + j] = tp_3 * t1370 + tp_0 * t1379 - tp_2 * t1365 - tp_1 * t1384; /* R_v(2,5) */
+            R_v[34 * 8 + j] = tp_1 * t1379 + tp_0 * t1384 - tp_3 * t1365 - tp_2 * t1370; /* R_v(2,6) */
+            R_v[35 * 8 + j] = R_v[126 * 8 + j] = -t1344; /* R_v(2,7) R_v(9,0) */
+            R_v[36 * 8 + j] = R_v[127 * 8 + j] = -t1346; /* R_v(2,8) R_v(9,1) */
+            R_v[37 * 8 + j] = R_v[128 * 8 + j] = -t1348; /* R_v(2,9) R_v(9,2) */
             const real t1385 = u_q_1 * t1351;
             const real t1386 = u_q_3 * t1355;
             const real t1387 = 0.5 * t15 * t1341;
@@ -4603,10 +4557,10 @@ static void beam_first_order_tangent(size_t nblocks, const real *const *in, real
             const real t1404 = u_q_0 * t1373;
             const real t1405 = u_q_2 * t1377;
             const real t1406 = ud_q_1 * t1388 + t1403 + t1402 - t1404 - t1405;
-            R_v[38 * 8 + j] = tq_2 * t1401 + tq_3 * t1406 + tq_1 * t1396 + tq_0 * t1391;
-            R_v[39 * 8 + j] = tq_0 * t1396 + tq_2 * t1406 - tq_1 * t1391 - tq_3 * t1401;
-            R_v[40 * 8 + j] = tq_3 * t1396 + tq_0 * t1401 - tq_2 * t1391 - tq_1 * t1406;
-            R_v[41 * 8 + j] = tq_1 * t1401 + tq_0 * t1406 - tq_3 * t1391 - tq_2 * t1396;
+            R_v[38 * 8 + j] = tq_2 * t1401 + tq_3 * t1406 + tq_1 * t1396 + tq_0 * t1391; /* R_v(2,10) */
+            R_v[39 * 8 + j] = tq_0 * t1396 + tq_2 * t1406 - tq_1 * t1391 - tq_3 * t1401; /* R_v(2,11) */
+            R_v[40 * 8 + j] = tq_3 * t1396 + tq_0 * t1401 - tq_2 * t1391 - tq_1 * t1406; /* R_v(2,12) */
+            R_v[41 * 8 + j] = tq_1 * t1401 + tq_0 * t1406 - tq_3 * t1391 - tq_2 * t1396; /* R_v(2,13) */
             const real t1407 = 1.2 * (t99 * t214) + 2.0 * t204;
             const real t1408 = 1.2 * t185 + 2.0 * t187;
             const real t1409 = u_p_0 * t15;
@@ -4643,7 +4597,7 @@ static void beam_first_order_tangent(size_t nblocks, const real *const *in, real
             const real t1440 = t1435 + t116 * t1436 + t97 * t1434 - t45 * t1437 - t1438 - t6 * t1439;
             const real t1441 = t5 * t1440;
             const real t1442 = tp_3 * t1441;
-            R_v[42 * 8 + j] = t1415 - t1424 - t1433 - t1442;
+            R_v[42 * 8 + j] = t1415 - t1424 - t1433 - t1442; /* R_v(3,0) */
             const real t1443 = 0.5 * (t146 * t1410 + t127 * t1407) + t1431 + t1429 + t21 * t1408;
             const real t1444 = t5 * (t34 * t1409 + t1443);
             const real t1445 = tp_2 * t1444;
@@ -4656,7 +4610,7 @@ static void beam_first_order_tangent(size_t nblocks, const real *const *in, real
             const real t1452 = 0.5 * (t146 * t1436 + t127 * t1434) + t1418 - t34 * t1437;
             const real t1453 = t5 * (t1452 - t1422 - t21 * t1439);
             const real t1454 = tp_3 * t1453;
-            R_v[43 * 8 + j] = t1445 - t1448 - t1451 - t1454;
+            R_v[43 * 8 + j] = t1445 - t1448 - t1451 - t1454; /* R_v(3,1) */
             const real t1455 = 0.5 * (t54 * t1419 + t63 * t1417) + t128 * t1416 - t145 * t1420;
             const real t1456 = t5 * (t1455 - t1412 - t1411);
             const real t1457 = 0.5 * (t54 * t1427 + t63 * t1426) + t1438 + t128 * t1425 + t145 * t1428;
@@ -4666,8 +4620,8 @@ static void beam_first_order_tangent(size_t nblocks, const real *const *in, real
             const real t1461 = t145 * t1436 + t128 * t1434 - 0.5 * (t54 * t1437 + t63 * t1439);
             const real t1462 = t5 * (t1461 - t1429 - t1431);
             const real t1463 = tp_2 * t1460 + tp_3 * t1462 + tp_1 * t1458 + tp_0 * t1456;
-            R_v[51 * 8 + j] = t1463;
-            R_v[44 * 8 + j] = -t1463;
+            R_v[51 * 8 + j] = t1463; /* R_v(3,9) */
+            R_v[44 * 8 + j] = -t1463; /* R_v(3,2) */
             const real t1464 = chord_x * t1419;
             const real t1465 = t423 - 8.0 * t422;
             const real t1466 = t1464 - t1465;
@@ -4826,12 +4780,12 @@ static void beam_first_order_tangent(size_t nblocks, const real *const *in, real
             const real t1619 = t1476 + t1574 + t1575 + u_p_2 * (t1543 + t1606) + u_p_1 * t1605;
             const real t1620 = t1619 - 2.0 * u_p_3 * t1608 - u_p_0 * t1607;
             const real t1621 = tp_2 * t1618 + tp_3 * t1620 + tp_1 * t1616 + tp_0 * t1614;
-            R_v[45 * 8 + j] = tp_2 * t1611 + tp_3 * t1621 + tp_1 * t1586 + tp_0 * t1570;
-            R_v[46 * 8 + j] = tp_0 * t1586 + tp_2 * t1621 - tp_1 * t1570 - tp_3 * t1611;
-            R_v[47 * 8 + j] = tp_3 * t1586 + tp_0 * t1611 - tp_2 * t1570 - tp_1 * t1621;
-            R_v[48 * 8 + j] = tp_1 * t1611 + tp_0 * t1621 - tp_3 * t1570 - tp_2 * t1586;
-            R_v[49 * 8 + j] = t1424 + t1442 + t1433 - t1415;
-            R_v[50 * 8 + j] = t1448 + t1454 + t1451 - t1445;
+            R_v[45 * 8 + j] = tp_2 * t1611 + tp_3 * t1621 + tp_1 * t1586 + tp_0 * t1570; /* R_v(3,3) */
+            R_v[46 * 8 + j] = tp_0 * t1586 + tp_2 * t1621 - tp_1 * t1570 - tp_3 * t1611; /* R_v(3,4) */
+            R_v[47 * 8 + j] = tp_3 * t1586 + tp_0 * t1611 - tp_2 * t1570 - tp_1 * t1621; /* R_v(3,5) */
+            R_v[48 * 8 + j] = tp_1 * t1611 + tp_0 * t1621 - tp_3 * t1570 - tp_2 * t1586; /* R_v(3,6) */
+            R_v[49 * 8 + j] = t1424 + t1442 + t1433 - t1415; /* R_v(3,7) */
+            R_v[50 * 8 + j] = t1448 + t1454 + t1451 - t1445; /* R_v(3,8) */
             const real t1622 = t423 - 4.0 * t897;
             const real t1623 = t1464 - t1622;
             const real t1624 = 1.3333333333333333 * t435;
@@ -4928,120 +4882,120 @@ static void beam_first_order_tangent(size_t nblocks, const real *const *in, real
             const real t1715 = u_q_1 * t1700 + t1714 - 0.05714285714285714 * (ud_q_3 * t1478);
             const real t1716 = t1715 - 2.0 * u_q_3 * t1608 - u_q_0 * t1701;
             const real t1717 = tp_2 * t1713 + tp_3 * t1716 + tp_1 * t1710 + tp_0 * t1707;
-            R_v[52 * 8 + j] = tq_2 * t1705 + tq_3 * t1717 + tq_1 * t1686 + tq_0 * t1672;
-            R_v[53 * 8 + j] = tq_0 * t1686 + tq_2 * t1717 - tq_1 * t1672 - tq_3 * t1705;
-            R_v[54 * 8 + j] = tq_3 * t1686 + tq_0 * t1705 - tq_2 * t1672 - tq_1 * t1717;
-            R_v[55 * 8 + j] = tq_1 * t1705 + tq_0 * t1717 - tq_3 * t1672 - tq_2 * t1686;
+            R_v[52 * 8 + j] = tq_2 * t1705 + tq_3 * t1717 + tq_1 * t1686 + tq_0 * t1672; /* R_v(3,10) */
+            R_v[53 * 8 + j] = tq_0 * t1686 + tq_2 * t1717 - tq_1 * t1672 - tq_3 * t1705; /* R_v(3,11) */
+            R_v[54 * 8 + j] = tq_3 * t1686 + tq_0 * t1705 - tq_2 * t1672 - tq_1 * t1717; /* R_v(3,12) */
+            R_v[55 * 8 + j] = tq_1 * t1705 + tq_0 * t1717 - tq_3 * t1672 - tq_2 * t1686; /* R_v(3,13) */
             const real t1718 = tp_1 * t1423;
             const real t1719 = tp_0 * t1432;
             const real t1720 = tp_3 * t1414;
             const real t1721 = tp_2 * t1441;
-            R_v[56 * 8 + j] = t1718 - t1719 - t1720 - t1721;
+            R_v[56 * 8 + j] = t1718 - t1719 - t1720 - t1721; /* R_v(4,0) */
             const real t1722 = tp_1 * t1447;
             const real t1723 = tp_0 * t1450;
             const real t1724 = tp_3 * t1444;
             const real t1725 = tp_2 * t1453;
-            R_v[57 * 8 + j] = t1722 - t1723 - t1724 - t1725;
+            R_v[57 * 8 + j] = t1722 - t1723 - t1724 - t1725; /* R_v(4,1) */
             const real t1726 = tp_1 * t1456;
             const real t1727 = tp_3 * t1460;
             const real t1728 = tp_0 * t1458;
             const real t1729 = tp_2 * t1462;
-            R_v[58 * 8 + j] = t1726 + t1727 - t1728 - t1729;
+            R_v[58 * 8 + j] = t1726 + t1727 - t1728 - t1729; /* R_v(4,2) */
             const real t1730 = tp_0 * t1511 + tp_2 * t1569 - tp_1 * t1488 - tp_3 * t1541;
             const real t1731 = tp_0 * t1578 + tp_2 * t1585 - tp_1 * t1573 - tp_3 * t1581;
             const real t1732 = tp_0 * t1598 + tp_2 * t1610 - tp_1 * t1592 - tp_3 * t1604;
             const real t1733 = tp_0 * t1616 + tp_2 * t1620 - tp_1 * t1614 - tp_3 * t1618;
-            R_v[59 * 8 + j] = tp_2 * t1732 + tp_3 * t1733 + tp_1 * t1731 + tp_0 * t1730;
-            R_v[60 * 8 + j] = tp_0 * t1731 + tp_2 * t1733 - tp_1 * t1730 - tp_3 * t1732;
-            R_v[61 * 8 + j] = tp_3 * t1731 + tp_0 * t1732 - tp_2 * t1730 - tp_1 * t1733;
-            R_v[62 * 8 + j] = tp_1 * t1732 + tp_0 * t1733 - tp_3 * t1730 - tp_2 * t1731;
-            R_v[63 * 8 + j] = t1719 + t1721 + t1720 - t1718;
-            R_v[64 * 8 + j] = t1723 + t1725 + t1724 - t1722;
-            R_v[65 * 8 + j] = t1728 + t1729 - t1726 - t1727;
+            R_v[59 * 8 + j] = tp_2 * t1732 + tp_3 * t1733 + tp_1 * t1731 + tp_0 * t1730; /* R_v(4,3) */
+            R_v[60 * 8 + j] = tp_0 * t1731 + tp_2 * t1733 - tp_1 * t1730 - tp_3 * t1732; /* R_v(4,4) */
+            R_v[61 * 8 + j] = tp_3 * t1731 + tp_0 * t1732 - tp_2 * t1730 - tp_1 * t1733; /* R_v(4,5) */
+            R_v[62 * 8 + j] = tp_1 * t1732 + tp_0 * t1733 - tp_3 * t1730 - tp_2 * t1731; /* R_v(4,6) */
+            R_v[63 * 8 + j] = t1719 + t1721 + t1720 - t1718; /* R_v(4,7) */
+            R_v[64 * 8 + j] = t1723 + t1725 + t1724 - t1722; /* R_v(4,8) */
+            R_v[65 * 8 + j] = t1728 + t1729 - t1726 - t1727; /* R_v(4,9) */
             const real t1734 = tp_2 * t1661 + tp_0 * t1647 - tp_1 * t1634 - tp_3 * t1671;
             const real t1735 = tp_0 * t1678 + tp_2 * t1685 - tp_1 * t1675 - tp_3 * t1682;
             const real t1736 = tp_0 * t1695 + tp_2 * t1704 - tp_1 * t1690 - tp_3 * t1699;
             const real t1737 = tp_0 * t1710 + tp_2 * t1716 - tp_1 * t1707 - tp_3 * t1713;
-            R_v[66 * 8 + j] = tq_2 * t1736 + tq_3 * t1737 + tq_1 * t1735 + tq_0 * t1734;
-            R_v[67 * 8 + j] = tq_0 * t1735 + tq_2 * t1737 - tq_1 * t1734 - tq_3 * t1736;
-            R_v[68 * 8 + j] = tq_3 * t1735 + tq_0 * t1736 - tq_2 * t1734 - tq_1 * t1737;
-            R_v[69 * 8 + j] = tq_1 * t1736 + tq_0 * t1737 - tq_3 * t1734 - tq_2 * t1735;
+            R_v[66 * 8 + j] = tq_2 * t1736 + tq_3 * t1737 + tq_1 * t1735 + tq_0 * t1734; /* R_v(4,10) */
+            R_v[67 * 8 + j] = tq_0 * t1735 + tq_2 * t1737 - tq_1 * t1734 - tq_3 * t1736; /* R_v(4,11) */
+            R_v[68 * 8 + j] = tq_3 * t1735 + tq_0 * t1736 - tq_2 * t1734 - tq_1 * t1737; /* R_v(4,12) */
+            R_v[69 * 8 + j] = tq_1 * t1736 + tq_0 * t1737 - tq_3 * t1734 - tq_2 * t1735; /* R_v(4,13) */
             const real t1738 = tp_0 * t1414;
             const real t1739 = tp_2 * t1423;
             const real t1740 = tp_1 * t1441;
             const real t1741 = tp_3 * t1432;
-            R_v[70 * 8 + j] = t1739 + t1740 + t1738 - t1741;
+            R_v[70 * 8 + j] = t1739 + t1740 + t1738 - t1741; /* R_v(5,0) */
             const real t1742 = tp_0 * t1444;
             const real t1743 = tp_2 * t1447;
             const real t1744 = tp_1 * t1453;
             const real t1745 = tp_3 * t1450;
-            R_v[71 * 8 + j] = t1743 + t1744 + t1742 - t1745;
+            R_v[71 * 8 + j] = t1743 + t1744 + t1742 - t1745; /* R_v(5,1) */
             const real t1746 = tp_2 * t1456;
             const real t1747 = tp_1 * t1462;
             const real t1748 = tp_3 * t1458;
             const real t1749 = tp_0 * t1460;
-            R_v[72 * 8 + j] = t1746 + t1747 - t1748 - t1749;
+            R_v[72 * 8 + j] = t1746 + t1747 - t1748 - t1749; /* R_v(5,2) */
             const real t1750 = tp_3 * t1511 + tp_0 * t1541 - tp_2 * t1488 - tp_1 * t1569;
             const real t1751 = tp_3 * t1578 + tp_0 * t1581 - tp_2 * t1573 - tp_1 * t1585;
             const real t1752 = tp_3 * t1598 + tp_0 * t1604 - tp_2 * t1592 - tp_1 * t1610;
             const real t1753 = tp_3 * t1616 + tp_0 * t1618 - tp_2 * t1614 - tp_1 * t1620;
-            R_v[73 * 8 + j] = tp_2 * t1752 + tp_3 * t1753 + tp_1 * t1751 + tp_0 * t1750;
-            R_v[74 * 8 + j] = tp_0 * t1751 + tp_2 * t1753 - tp_1 * t1750 - tp_3 * t1752;
-            R_v[75 * 8 + j] = tp_3 * t1751 + tp_0 * t1752 - tp_2 * t1750 - tp_1 * t1753;
-            R_v[76 * 8 + j] = tp_1 * t1752 + tp_0 * t1753 - tp_3 * t1750 - tp_2 * t1751;
-            R_v[77 * 8 + j] = t1741 - t1739 - t1738 - t1740;
-            R_v[78 * 8 + j] = t1745 - t1743 - t1742 - t1744;
-            R_v[79 * 8 + j] = t1748 + t1749 - t1746 - t1747;
+            R_v[73 * 8 + j] = tp_2 * t1752 + tp_3 * t1753 + tp_1 * t1751 + tp_0 * t1750; /* R_v(5,3) */
+            R_v[74 * 8 + j] = tp_0 * t1751 + tp_2 * t1753 - tp_1 * t1750 - tp_3 * t1752; /* R_v(5,4) */
+            R_v[75 * 8 + j] = tp_3 * t1751 + tp_0 * t1752 - tp_2 * t1750 - tp_1 * t1753; /* R_v(5,5) */
+            R_v[76 * 8 + j] = tp_1 * t1752 + tp_0 * t1753 - tp_3 * t1750 - tp_2 * t1751; /* R_v(5,6) */
+            R_v[77 * 8 + j] = t1741 - t1739 - t1738 - t1740; /* R_v(5,7) */
+            R_v[78 * 8 + j] = t1745 - t1743 - t1742 - t1744; /* R_v(5,8) */
+            R_v[79 * 8 + j] = t1748 + t1749 - t1746 - t1747; /* R_v(5,9) */
             const real t1754 = tp_3 * t1647 + tp_0 * t1671 - tp_2 * t1634 - tp_1 * t1661;
             const real t1755 = tp_3 * t1678 + tp_0 * t1682 - tp_2 * t1675 - tp_1 * t1685;
             const real t1756 = tp_3 * t1695 + tp_0 * t1699 - tp_2 * t1690 - tp_1 * t1704;
             const real t1757 = tp_3 * t1710 + tp_0 * t1713 - tp_2 * t1707 - tp_1 * t1716;
-            R_v[80 * 8 + j] = tq_2 * t1756 + tq_3 * t1757 + tq_1 * t1755 + tq_0 * t1754;
-            R_v[81 * 8 + j] = tq_0 * t1755 + tq_2 * t1757 - tq_1 * t1754 - tq_3 * t1756;
-            R_v[82 * 8 + j] = tq_3 * t1755 + tq_0 * t1756 - tq_2 * t1754 - tq_1 * t1757;
-            R_v[83 * 8 + j] = tq_1 * t1756 + tq_0 * t1757 - tq_3 * t1754 - tq_2 * t1755;
+            R_v[80 * 8 + j] = tq_2 * t1756 + tq_3 * t1757 + tq_1 * t1755 + tq_0 * t1754; /* R_v(5,10) */
+            R_v[81 * 8 + j] = tq_0 * t1755 + tq_2 * t1757 - tq_1 * t1754 - tq_3 * t1756; /* R_v(5,11) */
+            R_v[82 * 8 + j] = tq_3 * t1755 + tq_0 * t1756 - tq_2 * t1754 - tq_1 * t1757; /* R_v(5,12) */
+            R_v[83 * 8 + j] = tq_1 * t1756 + tq_0 * t1757 - tq_3 * t1754 - tq_2 * t1755; /* R_v(5,13) */
             const real t1758 = tp_2 * t1432;
             const real t1759 = tp_3 * t1423;
             const real t1760 = tp_1 * t1414;
             const real t1761 = tp_0 * t1441;
-            R_v[84 * 8 + j] = t1759 + t1760 + t1758 - t1761;
+            R_v[84 * 8 + j] = t1759 + t1760 + t1758 - t1761; /* R_v(6,0) */
             const real t1762 = tp_2 * t1450;
             const real t1763 = tp_3 * t1447;
             const real t1764 = tp_1 * t1444;
             const real t1765 = tp_0 * t1453;
-            R_v[85 * 8 + j] = t1763 + t1764 + t1762 - t1765;
+            R_v[85 * 8 + j] = t1763 + t1764 + t1762 - t1765; /* R_v(6,1) */
             const real t1766 = tp_3 * t1456;
             const real t1767 = tp_2 * t1458;
             const real t1768 = tp_1 * t1460;
             const real t1769 = tp_0 * t1462;
-            R_v[86 * 8 + j] = t1766 + t1767 - t1768 - t1769;
+            R_v[86 * 8 + j] = t1766 + t1767 - t1768 - t1769; /* R_v(6,2) */
             const real t1770 = tp_1 * t1541 + tp_0 * t1569 - tp_3 * t1488 - tp_2 * t1511;
             const real t1771 = tp_1 * t1581 + tp_0 * t1585 - tp_3 * t1573 - tp_2 * t1578;
             const real t1772 = tp_1 * t1604 + tp_0 * t1610 - tp_3 * t1592 - tp_2 * t1598;
             const real t1773 = tp_1 * t1618 + tp_0 * t1620 - tp_3 * t1614 - tp_2 * t1616;
-            R_v[87 * 8 + j] = tp_2 * t1772 + tp_3 * t1773 + tp_1 * t1771 + tp_0 * t1770;
-            R_v[88 * 8 + j] = tp_0 * t1771 + tp_2 * t1773 - tp_1 * t1770 - tp_3 * t1772;
-            R_v[89 * 8 + j] = tp_3 * t1771 + tp_0 * t1772 - tp_2 * t1770 - tp_1 * t1773;
-            R_v[90 * 8 + j] = tp_1 * t1772 + tp_0 * t1773 - tp_3 * t1770 - tp_2 * t1771;
-            R_v[91 * 8 + j] = t1761 - t1759 - t1758 - t1760;
-            R_v[92 * 8 + j] = t1765 - t1763 - t1762 - t1764;
-            R_v[93 * 8 + j] = t1768 + t1769 - t1766 - t1767;
+            R_v[87 * 8 + j] = tp_2 * t1772 + tp_3 * t1773 + tp_1 * t1771 + tp_0 * t1770; /* R_v(6,3) */
+            R_v[88 * 8 + j] = tp_0 * t1771 + tp_2 * t1773 - tp_1 * t1770 - tp_3 * t1772; /* R_v(6,4) */
+            R_v[89 * 8 + j] = tp_3 * t1771 + tp_0 * t1772 - tp_2 * t1770 - tp_1 * t1773; /* R_v(6,5) */
+            R_v[90 * 8 + j] = tp_1 * t1772 + tp_0 * t1773 - tp_3 * t1770 - tp_2 * t1771; /* R_v(6,6) */
+            R_v[91 * 8 + j] = t1761 - t1759 - t1758 - t1760; /* R_v(6,7) */
+            R_v[92 * 8 + j] = t1765 - t1763 - t1762 - t1764; /* R_v(6,8) */
+            R_v[93 * 8 + j] = t1768 + t1769 - t1766 - t1767; /* R_v(6,9) */
             const real t1774 = tp_0 * t1661 + tp_1 * t1671 - tp_3 * t1634 - tp_2 * t1647;
             const real t1775 = tp_1 * t1682 + tp_0 * t1685 - tp_3 * t1675 - tp_2 * t1678;
             const real t1776 = tp_1 * t1699 + tp_0 * t1704 - tp_3 * t1690 - tp_2 * t1695;
             const real t1777 = tp_1 * t1713 + tp_0 * t1716 - tp_3 * t1707 - tp_2 * t1710;
-            R_v[94 * 8 + j] = tq_2 * t1776 + tq_3 * t1777 + tq_1 * t1775 + tq_0 * t1774;
-            R_v[95 * 8 + j] = tq_0 * t1775 + tq_2 * t1777 - tq_1 * t1774 - tq_3 * t1776;
-            R_v[96 * 8 + j] = tq_3 * t1775 + tq_0 * t1776 - tq_2 * t1774 - tq_1 * t1777;
-            R_v[97 * 8 + j] = tq_1 * t1776 + tq_0 * t1777 - tq_3 * t1774 - tq_2 * t1775;
+            R_v[94 * 8 + j] = tq_2 * t1776 + tq_3 * t1777 + tq_1 * t1775 + tq_0 * t1774; /* R_v(6,10) */
+            R_v[95 * 8 + j] = tq_0 * t1775 + tq_2 * t1777 - tq_1 * t1774 - tq_3 * t1776; /* R_v(6,11) */
+            R_v[96 * 8 + j] = tq_3 * t1775 + tq_0 * t1776 - tq_2 * t1774 - tq_1 * t1777; /* R_v(6,12) */
+            R_v[97 * 8 + j] = tq_1 * t1776 + tq_0 * t1777 - tq_3 * t1774 - tq_2 * t1775; /* R_v(6,13) */
             const real t1778 = 0.12380952380952381 * t1199 + t1213 + t1208 - t1198 - t1204;
             const real t1779 = 0.12380952380952381 * t1216 + t1220 + t1219 - t1215 - t1218;
             const real t1780 = t1231 + t1229 - 0.12380952380952381 * t1226 - t1223 - t1225;
             const real t1781 = t1238 + t1237 - 0.12380952380952381 * t1235 - t1233 - t1234;
-            R_v[101 * 8 + j] = tp_2 * t1780 + tp_3 * t1781 + tp_1 * t1779 + tp_0 * t1778;
-            R_v[102 * 8 + j] = tp_0 * t1779 + tp_2 * t1781 - tp_1 * t1778 - tp_3 * t1780;
-            R_v[103 * 8 + j] = tp_3 * t1779 + tp_0 * t1780 - tp_2 * t1778 - tp_1 * t1781;
-            R_v[104 * 8 + j] = tp_1 * t1780 + tp_0 * t1781 - tp_3 * t1778 - tp_2 * t1779;
+            R_v[101 * 8 + j] = tp_2 * t1780 + tp_3 * t1781 + tp_1 * t1779 + tp_0 * t1778; /* R_v(7,3) */
+            R_v[102 * 8 + j] = tp_0 * t1779 + tp_2 * t1781 - tp_1 * t1778 - tp_3 * t1780; /* R_v(7,4) */
+            R_v[103 * 8 + j] = tp_3 * t1779 + tp_0 * t1780 - tp_2 * t1778 - tp_1 * t1781; /* R_v(7,5) */
+            R_v[104 * 8 + j] = tp_1 * t1780 + tp_0 * t1781 - tp_3 * t1778 - tp_2 * t1779; /* R_v(7,6) */
             const real t1782 = 0.20952380952380953 * t1242;
             const real t1783 = t1243 + t1244 - t1782 - t1241 - t1240;
             const real t1784 = 0.20952380952380953 * t1248;
@@ -5050,42 +5004,42 @@ static void beam_first_order_tangent(size_t nblocks, const real *const *in, real
             const real t1787 = t1786 + t1256 + t1255 - t1254 - t1252;
             const real t1788 = 0.20952380952380953 * t1259;
             const real t1789 = t1788 + t1261 + t1262 - t1260 - t1258;
-            R_v[108 * 8 + j] = tq_2 * t1787 + tq_3 * t1789 + tq_1 * t1785 + tq_0 * t1783;
-            R_v[109 * 8 + j] = tq_0 * t1785 + tq_2 * t1789 - tq_1 * t1783 - tq_3 * t1787;
-            R_v[110 * 8 + j] = tq_3 * t1785 + tq_0 * t1787 - tq_2 * t1783 - tq_1 * t1789;
-            R_v[111 * 8 + j] = tq_1 * t1787 + tq_0 * t1789 - tq_3 * t1783 - tq_2 * t1785;
+            R_v[108 * 8 + j] = tq_2 * t1787 + tq_3 * t1789 + tq_1 * t1785 + tq_0 * t1783; /* R_v(7,10) */
+            R_v[109 * 8 + j] = tq_0 * t1785 + tq_2 * t1789 - tq_1 * t1783 - tq_3 * t1787; /* R_v(7,11) */
+            R_v[110 * 8 + j] = tq_3 * t1785 + tq_0 * t1787 - tq_2 * t1783 - tq_1 * t1789; /* R_v(7,12) */
+            R_v[111 * 8 + j] = tq_1 * t1787 + tq_0 * t1789 - tq_3 * t1783 - tq_2 * t1785; /* R_v(7,13) */
             const real t1790 = t1292 + t1288 - ud_p_3 * t1316 - t1280 - t1284;
             const real t1791 = t1296 + t1297 - t1294 - ud_p_2 * t1316 - t1295;
             const real t1792 = t1306 + t1304 - ud_p_1 * t1316 - t1302 - t1300;
             const real t1793 = t1310 + t1311 - t1309 - ud_p_0 * t1316 - t1308;
-            R_v[115 * 8 + j] = tp_2 * t1792 + tp_3 * t1793 + tp_1 * t1791 + tp_0 * t1790;
-            R_v[116 * 8 + j] = tp_0 * t1791 + tp_2 * t1793 - tp_1 * t1790 - tp_3 * t1792;
-            R_v[117 * 8 + j] = tp_3 * t1791 + tp_0 * t1792 - tp_2 * t1790 - tp_1 * t1793;
-            R_v[118 * 8 + j] = tp_1 * t1792 + tp_0 * t1793 - tp_3 * t1790 - tp_2 * t1791;
+            R_v[115 * 8 + j] = tp_2 * t1792 + tp_3 * t1793 + tp_1 * t1791 + tp_0 * t1790; /* R_v(8,3) */
+            R_v[116 * 8 + j] = tp_0 * t1791 + tp_2 * t1793 - tp_1 * t1790 - tp_3 * t1792; /* R_v(8,4) */
+            R_v[117 * 8 + j] = tp_3 * t1791 + tp_0 * t1792 - tp_2 * t1790 - tp_1 * t1793; /* R_v(8,5) */
+            R_v[118 * 8 + j] = tp_1 * t1792 + tp_0 * t1793 - tp_3 * t1790 - tp_2 * t1791; /* R_v(8,6) */
             const real t1794 = t1319 + t1318 - t1788 - t1313 - t1317;
             const real t1795 = t1323 + t1324 - t1321 - t1786 - t1322;
             const real t1796 = t1329 + t1328 - t1784 - t1327 - t1326;
             const real t1797 = t1333 + t1334 - t1332 - t1782 - t1331;
-            R_v[122 * 8 + j] = tq_2 * t1796 + tq_3 * t1797 + tq_1 * t1795 + tq_0 * t1794;
-            R_v[123 * 8 + j] = tq_0 * t1795 + tq_2 * t1797 - tq_1 * t1794 - tq_3 * t1796;
-            R_v[124 * 8 + j] = tq_3 * t1795 + tq_0 * t1796 - tq_2 * t1794 - tq_1 * t1797;
-            R_v[125 * 8 + j] = tq_1 * t1796 + tq_0 * t1797 - tq_3 * t1794 - tq_2 * t1795;
+            R_v[122 * 8 + j] = tq_2 * t1796 + tq_3 * t1797 + tq_1 * t1795 + tq_0 * t1794; /* R_v(8,10) */
+            R_v[123 * 8 + j] = tq_0 * t1795 + tq_2 * t1797 - tq_1 * t1794 - tq_3 * t1796; /* R_v(8,11) */
+            R_v[124 * 8 + j] = tq_3 * t1795 + tq_0 * t1796 - tq_2 * t1794 - tq_1 * t1797; /* R_v(8,12) */
+            R_v[125 * 8 + j] = tq_1 * t1796 + tq_0 * t1797 - tq_3 * t1794 - tq_2 * t1795; /* R_v(8,13) */
             const real t1798 = t1364 + t1360 + ud_p_2 * t1388 - t1356 - t1352;
             const real t1799 = t1369 + t1368 - t1366 - ud_p_3 * t1388 - t1367;
             const real t1800 = t1378 + t1376 + ud_p_0 * t1388 - t1374 - t1372;
             const real t1801 = t1383 + t1382 - t1381 - ud_p_1 * t1388 - t1380;
-            R_v[129 * 8 + j] = tp_2 * t1800 + tp_3 * t1801 + tp_1 * t1799 + tp_0 * t1798;
-            R_v[130 * 8 + j] = tp_0 * t1799 + tp_2 * t1801 - tp_1 * t1798 - tp_3 * t1800;
-            R_v[131 * 8 + j] = tp_3 * t1799 + tp_0 * t1800 - tp_2 * t1798 - tp_1 * t1801;
-            R_v[132 * 8 + j] = tp_1 * t1800 + tp_0 * t1801 - tp_3 * t1798 - tp_2 * t1799;
+            R_v[129 * 8 + j] = tp_2 * t1800 + tp_3 * t1801 + tp_1 * t1799 + tp_0 * t1798; /* R_v(9,3) */
+            R_v[130 * 8 + j] = tp_0 * t1799 + tp_2 * t1801 - tp_1 * t1798 - tp_3 * t1800; /* R_v(9,4) */
+            R_v[131 * 8 + j] = tp_3 * t1799 + tp_0 * t1800 - tp_2 * t1798 - tp_1 * t1801; /* R_v(9,5) */
+            R_v[132 * 8 + j] = tp_1 * t1800 + tp_0 * t1801 - tp_3 * t1798 - tp_2 * t1799; /* R_v(9,6) */
             const real t1802 = t1390 + t1786 + t1389 - t1386 - t1385;
             const real t1803 = t1395 + t1394 - t1392 - t1788 - t1393;
             const real t1804 = t1782 + t1399 + t1400 - t1398 - t1397;
             const real t1805 = t1405 + t1404 - t1403 - t1784 - t1402;
-            R_v[136 * 8 + j] = tq_2 * t1804 + tq_3 * t1805 + tq_1 * t1803 + tq_0 * t1802;
-            R_v[137 * 8 + j] = tq_0 * t1803 + tq_2 * t1805 - tq_1 * t1802 - tq_3 * t1804;
-            R_v[138 * 8 + j] = tq_3 * t1803 + tq_0 * t1804 - tq_2 * t1802 - tq_1 * t1805;
-            R_v[139 * 8 + j] = tq_1 * t1804 + tq_0 * t1805 - tq_3 * t1802 - tq_2 * t1803;
+            R_v[136 * 8 + j] = tq_2 * t1804 + tq_3 * t1805 + tq_1 * t1803 + tq_0 * t1802; /* R_v(9,10) */
+            R_v[137 * 8 + j] = tq_0 * t1803 + tq_2 * t1805 - tq_1 * t1802 - tq_3 * t1804; /* R_v(9,11) */
+            R_v[138 * 8 + j] = tq_3 * t1803 + tq_0 * t1804 - tq_2 * t1802 - tq_1 * t1805; /* R_v(9,12) */
+            R_v[139 * 8 + j] = tq_1 * t1804 + tq_0 * t1805 - tq_3 * t1802 - tq_2 * t1803; /* R_v(9,13) */
             const real t1806 = 1.2 * (t99 * t272) + 2.0 * t262;
             const real t1807 = 1.2 * t243 + 2.0 * t245;
             const real t1808 = u_q_0 * t15;
@@ -5122,7 +5076,7 @@ static void beam_first_order_tangent(size_t nblocks, const real *const *in, real
             const real t1839 = t1834 + t116 * t1835 + t97 * t1833 - t45 * t1836 - t1837 - t6 * t1838;
             const real t1840 = t5 * t1839;
             const real t1841 = tq_3 * t1840;
-            R_v[140 * 8 + j] = t1814 - t1823 - t1832 - t1841;
+            R_v[140 * 8 + j] = t1814 - t1823 - t1832 - t1841; /* R_v(10,0) */
             const real t1842 = 0.5 * (t146 * t1809 + t127 * t1806) + t1830 + t1828 + t21 * t1807;
             const real t1843 = t5 * (t34 * t1808 + t1842);
             const real t1844 = tq_2 * t1843;
@@ -5135,7 +5089,7 @@ static void beam_first_order_tangent(size_t nblocks, const real *const *in, real
             const real t1851 = 0.5 * (t146 * t1835 + t127 * t1833) + t1817 - t34 * t1836;
             const real t1852 = t5 * (t1851 - t1821 - t21 * t1838);
             const real t1853 = tq_3 * t1852;
-            R_v[141 * 8 + j] = t1844 - t1847 - t1850 - t1853;
+            R_v[141 * 8 + j] = t1844 - t1847 - t1850 - t1853; /* R_v(10,1) */
             const real t1854 = 0.5 * (t54 * t1818 + t63 * t1816) + t128 * t1815 - t145 * t1819;
             const real t1855 = t5 * (t1854 - t1811 - t1810);
             const real t1856 = 0.5 * (t54 * t1826 + t63 * t1825) + t1837 + t128 * t1824 + t145 * t1827;
@@ -5145,8 +5099,8 @@ static void beam_first_order_tangent(size_t nblocks, const real *const *in, real
             const real t1860 = t145 * t1835 + t128 * t1833 - 0.5 * (t54 * t1836 + t63 * t1838);
             const real t1861 = t5 * (t1860 - t1828 - t1830);
             const real t1862 = tq_2 * t1859 + tq_3 * t1861 + tq_1 * t1857 + tq_0 * t1855;
-            R_v[149 * 8 + j] = t1862;
-            R_v[142 * 8 + j] = -t1862;
+            R_v[149 * 8 + j] = t1862; /* R_v(10,9) */
+            R_v[142 * 8 + j] = -t1862; /* R_v(10,2) */
             const real t1863 = chord_x * t1818;
             const real t1864 = t654 - 4.0 * t653;
             const real t1865 = t1863 - t1864;
@@ -5290,12 +5244,12 @@ static void beam_first_order_tangent(size_t nblocks, const real *const *in, real
             const real t2003 = u_p_1 * t1986 + t2002 - 0.05714285714285714 * (ud_p_3 * t1871);
             const real t2004 = t2003 - 2.0 * u_p_3 * t1989 - u_p_0 * t1988;
             const real t2005 = tq_2 * t2001 + tq_3 * t2004 + tq_1 * t1998 + tq_0 * t1995;
-            R_v[143 * 8 + j] = tp_2 * t1993 + tp_3 * t2005 + tp_1 * t1966 + tp_0 * t1952;
-            R_v[144 * 8 + j] = tp_0 * t1966 + tp_2 * t2005 - tp_1 * t1952 - tp_3 * t1993;
-            R_v[145 * 8 + j] = tp_3 * t1966 + tp_0 * t1993 - tp_2 * t1952 - tp_1 * t2005;
-            R_v[146 * 8 + j] = tp_1 * t1993 + tp_0 * t2005 - tp_3 * t1952 - tp_2 * t1966;
-            R_v[147 * 8 + j] = t1823 + t1841 + t1832 - t1814;
-            R_v[148 * 8 + j] = t1847 + t1853 + t1850 - t1844;
+            R_v[143 * 8 + j] = tp_2 * t1993 + tp_3 * t2005 + tp_1 * t1966 + tp_0 * t1952; /* R_v(10,3) */
+            R_v[144 * 8 + j] = tp_0 * t1966 + tp_2 * t2005 - tp_1 * t1952 - tp_3 * t1993; /* R_v(10,4) */
+            R_v[145 * 8 + j] = tp_3 * t1966 + tp_0 * t1993 - tp_2 * t1952 - tp_1 * t2005; /* R_v(10,5) */
+            R_v[146 * 8 + j] = tp_1 * t1993 + tp_0 * t2005 - tp_3 * t1952 - tp_2 * t1966; /* R_v(10,6) */
+            R_v[147 * 8 + j] = t1823 + t1841 + t1832 - t1814; /* R_v(10,7) */
+            R_v[148 * 8 + j] = t1847 + t1853 + t1850 - t1844; /* R_v(10,8) */
             const real t2006 = t654 - 8.0 * t1021;
             const real t2007 = t1863 - t2006;
             const real t2008 = 2.6666666666666665 * t689;
@@ -5394,125 +5348,124 @@ static void beam_first_order_tangent(size_t nblocks, const real *const *in, real
             const real t2101 = t2011 + t2064 + t2065 + u_q_2 * (t2047 + t1987) + u_q_1 * t2089;
             const real t2102 = t2101 - 2.0 * u_q_3 * t1989 - u_q_0 * t2090;
             const real t2103 = tq_2 * t2100 + tq_3 * t2102 + tq_1 * t2098 + tq_0 * t2096;
-            R_v[150 * 8 + j] = tq_2 * t2093 + tq_3 * t2103 + tq_1 * t2076 + tq_0 * t2060;
-            R_v[151 * 8 + j] = tq_0 * t2076 + tq_2 * t2103 - tq_1 * t2060 - tq_3 * t2093;
-            R_v[152 * 8 + j] = tq_3 * t2076 + tq_0 * t2093 - tq_2 * t2060 - tq_1 * t2103;
-            R_v[153 * 8 + j] = tq_1 * t2093 + tq_0 * t2103 - tq_3 * t2060 - tq_2 * t2076;
+            R_v[150 * 8 + j] = tq_2 * t2093 + tq_3 * t2103 + tq_1 * t2076 + tq_0 * t2060; /* R_v(10,10) */
+            R_v[151 * 8 + j] = tq_0 * t2076 + tq_2 * t2103 - tq_1 * t2060 - tq_3 * t2093; /* R_v(10,11) */
+            R_v[152 * 8 + j] = tq_3 * t2076 + tq_0 * t2093 - tq_2 * t2060 - tq_1 * t2103; /* R_v(10,12) */
+            R_v[153 * 8 + j] = tq_1 * t2093 + tq_0 * t2103 - tq_3 * t2060 - tq_2 * t2076; /* R_v(10,13) */
             const real t2104 = tq_1 * t1822;
             const real t2105 = tq_0 * t1831;
             const real t2106 = tq_3 * t1813;
             const real t2107 = tq_2 * t1840;
-            R_v[154 * 8 + j] = t2104 - t2105 - t2106 - t2107;
+            R_v[154 * 8 + j] = t2104 - t2105 - t2106 - t2107; /* R_v(11,0) */
             const real t2108 = tq_1 * t1846;
             const real t2109 = tq_0 * t1849;
             const real t2110 = tq_3 * t1843;
             const real t2111 = tq_2 * t1852;
-            R_v[155 * 8 + j] = t2108 - t2109 - t2110 - t2111;
+            R_v[155 * 8 + j] = t2108 - t2109 - t2110 - t2111; /* R_v(11,1) */
             const real t2112 = tq_1 * t1855;
             const real t2113 = tq_3 * t1859;
             const real t2114 = tq_0 * t1857;
             const real t2115 = tq_2 * t1861;
-            R_v[156 * 8 + j] = t2112 + t2113 - t2114 - t2115;
+            R_v[156 * 8 + j] = t2112 + t2113 - t2114 - t2115; /* R_v(11,2) */
             const real t2116 = tq_2 * t1932 + tq_0 * t1909 - tq_1 * t1887 - tq_3 * t1951;
             const real t2117 = tq_0 * t1958 + tq_2 * t1965 - tq_1 * t1955 - tq_3 * t1962;
             const real t2118 = tq_0 * t1979 + tq_2 * t1992 - tq_1 * t1972 - tq_3 * t1985;
             const real t2119 = tq_0 * t1998 + tq_2 * t2004 - tq_1 * t1995 - tq_3 * t2001;
-            R_v[157 * 8 + j] = tp_2 * t2118 + tp_3 * t2119 + tp_1 * t2117 + tp_0 * t2116;
-            R_v[158 * 8 + j] = tp_0 * t2117 + tp_2 * t2119 - tp_1 * t2116 - tp_3 * t2118;
-            R_v[159 * 8 + j] = tp_3 * t2117 + tp_0 * t2118 - tp_2 * t2116 - tp_1 * t2119;
-            R_v[160 * 8 + j] = tp_1 * t2118 + tp_0 * t2119 - tp_3 * t2116 - tp_2 * t2117;
-            R_v[161 * 8 + j] = t2105 + t2107 + t2106 - t2104;
-            R_v[162 * 8 + j] = t2109 + t2111 + t2110 - t2108;
-            R_v[163 * 8 + j] = t2114 + t2115 - t2112 - t2113;
+            R_v[157 * 8 + j] = tp_2 * t2118 + tp_3 * t2119 + tp_1 * t2117 + tp_0 * t2116; /* R_v(11,3) */
+            R_v[158 * 8 + j] = tp_0 * t2117 + tp_2 * t2119 - tp_1 * t2116 - tp_3 * t2118; /* R_v(11,4) */
+            R_v[159 * 8 + j] = tp_3 * t2117 + tp_0 * t2118 - tp_2 * t2116 - tp_1 * t2119; /* R_v(11,5) */
+            R_v[160 * 8 + j] = tp_1 * t2118 + tp_0 * t2119 - tp_3 * t2116 - tp_2 * t2117; /* R_v(11,6) */
+            R_v[161 * 8 + j] = t2105 + t2107 + t2106 - t2104; /* R_v(11,7) */
+            R_v[162 * 8 + j] = t2109 + t2111 + t2110 - t2108; /* R_v(11,8) */
+            R_v[163 * 8 + j] = t2114 + t2115 - t2112 - t2113; /* R_v(11,9) */
             const real t2120 = tq_0 * t2029 + tq_2 * t2059 - tq_1 * t2018 - tq_3 * t2045;
             const real t2121 = tq_0 * t2068 + tq_2 * t2075 - tq_1 * t2063 - tq_3 * t2071;
             const real t2122 = tq_0 * t2084 + tq_2 * t2092 - tq_1 * t2080 - tq_3 * t2088;
             const real t2123 = tq_0 * t2098 + tq_2 * t2102 - tq_1 * t2096 - tq_3 * t2100;
-            R_v[164 * 8 + j] = tq_2 * t2122 + tq_3 * t2123 + tq_1 * t2121 + tq_0 * t2120;
-            R_v[165 * 8 + j] = tq_0 * t2121 + tq_2 * t2123 - tq_1 * t2120 - tq_3 * t2122;
-            R_v[166 * 8 + j] = tq_3 * t2121 + tq_0 * t2122 - tq_2 * t2120 - tq_1 * t2123;
-            R_v[167 * 8 + j] = tq_1 * t2122 + tq_0 * t2123 - tq_3 * t2120 - tq_2 * t2121;
+            R_v[164 * 8 + j] = tq_2 * t2122 + tq_3 * t2123 + tq_1 * t2121 + tq_0 * t2120; /* R_v(11,10) */
+            R_v[165 * 8 + j] = tq_0 * t2121 + tq_2 * t2123 - tq_1 * t2120 - tq_3 * t2122; /* R_v(11,11) */
+            R_v[166 * 8 + j] = tq_3 * t2121 + tq_0 * t2122 - tq_2 * t2120 - tq_1 * t2123; /* R_v(11,12) */
+            R_v[167 * 8 + j] = tq_1 * t2122 + tq_0 * t2123 - tq_3 * t2120 - tq_2 * t2121; /* R_v(11,13) */
             const real t2124 = tq_0 * t1813;
             const real t2125 = tq_2 * t1822;
             const real t2126 = tq_1 * t1840;
             const real t2127 = tq_3 * t1831;
-            R_v[168 * 8 + j] = t2125 + t2126 + t2124 - t2127;
+            R_v[168 * 8 + j] = t2125 + t2126 + t2124 - t2127; /* R_v(12,0) */
             const real t2128 = tq_0 * t1843;
             const real t2129 = tq_2 * t1846;
             const real t2130 = tq_1 * t1852;
             const real t2131 = tq_3 * t1849;
-            R_v[169 * 8 + j] = t2129 + t2130 + t2128 - t2131;
+            R_v[169 * 8 + j] = t2129 + t2130 + t2128 - t2131; /* R_v(12,1) */
             const real t2132 = tq_2 * t1855;
             const real t2133 = tq_1 * t1861;
             const real t2134 = tq_3 * t1857;
             const real t2135 = tq_0 * t1859;
-            R_v[170 * 8 + j] = t2132 + t2133 - t2134 - t2135;
+            R_v[170 * 8 + j] = t2132 + t2133 - t2134 - t2135; /* R_v(12,2) */
             const real t2136 = tq_3 * t1909 + tq_0 * t1951 - tq_2 * t1887 - tq_1 * t1932;
             const real t2137 = tq_3 * t1958 + tq_0 * t1962 - tq_2 * t1955 - tq_1 * t1965;
             const real t2138 = tq_3 * t1979 + tq_0 * t1985 - tq_2 * t1972 - tq_1 * t1992;
             const real t2139 = tq_3 * t1998 + tq_0 * t2001 - tq_2 * t1995 - tq_1 * t2004;
-            R_v[171 * 8 + j] = tp_2 * t2138 + tp_3 * t2139 + tp_1 * t2137 + tp_0 * t2136;
-            R_v[172 * 8 + j] = tp_0 * t2137 + tp_2 * t2139 - tp_1 * t2136 - tp_3 * t2138;
-            R_v[173 * 8 + j] = tp_3 * t2137 + tp_0 * t2138 - tp_2 * t2136 - tp_1 * t2139;
-            R_v[174 * 8 + j] = tp_1 * t2138 + tp_0 * t2139 - tp_3 * t2136 - tp_2 * t2137;
-            R_v[175 * 8 + j] = t2127 - t2125 - t2124 - t2126;
-            R_v[176 * 8 + j] = t2131 - t2129 - t2128 - t2130;
-            R_v[177 * 8 + j] = t2134 + t2135 - t2132 - t2133;
+            R_v[171 * 8 + j] = tp_2 * t2138 + tp_3 * t2139 + tp_1 * t2137 + tp_0 * t2136; /* R_v(12,3) */
+            R_v[172 * 8 + j] = tp_0 * t2137 + tp_2 * t2139 - tp_1 * t2136 - tp_3 * t2138; /* R_v(12,4) */
+            R_v[173 * 8 + j] = tp_3 * t2137 + tp_0 * t2138 - tp_2 * t2136 - tp_1 * t2139; /* R_v(12,5) */
+            R_v[174 * 8 + j] = tp_1 * t2138 + tp_0 * t2139 - tp_3 * t2136 - tp_2 * t2137; /* R_v(12,6) */
+            R_v[175 * 8 + j] = t2127 - t2125 - t2124 - t2126; /* R_v(12,7) */
+            R_v[176 * 8 + j] = t2131 - t2129 - t2128 - t2130; /* R_v(12,8) */
+            R_v[177 * 8 + j] = t2134 + t2135 - t2132 - t2133; /* R_v(12,9) */
             const real t2140 = tq_3 * t2029 + tq_0 * t2045 - tq_2 * t2018 - tq_1 * t2059;
             const real t2141 = tq_3 * t2068 + tq_0 * t2071 - tq_2 * t2063 - tq_1 * t2075;
             const real t2142 = tq_3 * t2084 + tq_0 * t2088 - tq_2 * t2080 - tq_1 * t2092;
             const real t2143 = tq_3 * t2098 + tq_0 * t2100 - tq_2 * t2096 - tq_1 * t2102;
-            R_v[178 * 8 + j] = tq_2 * t2142 + tq_3 * t2143 + tq_1 * t2141 + tq_0 * t2140;
-            R_v[179 * 8 + j] = tq_0 * t2141 + tq_2 * t2143 - tq_1 * t2140 - tq_3 * t2142;
-            R_v[180 * 8 + j] = tq_3 * t2141 + tq_0 * t2142 - tq_2 * t2140 - tq_1 * t2143;
-            R_v[181 * 8 + j] = tq_1 * t2142 + tq_0 * t2143 - tq_3 * t2140 - tq_2 * t2141;
+            R_v[178 * 8 + j] = tq_2 * t2142 + tq_3 * t2143 + tq_1 * t2141 + tq_0 * t2140; /* R_v(12,10) */
+            R_v[179 * 8 + j] = tq_0 * t2141 + tq_2 * t2143 - tq_1 * t2140 - tq_3 * t2142; /* R_v(12,11) */
+            R_v[180 * 8 + j] = tq_3 * t2141 + tq_0 * t2142 - tq_2 * t2140 - tq_1 * t2143; /* R_v(12,12) */
+            R_v[181 * 8 + j] = tq_1 * t2142 + tq_0 * t2143 - tq_3 * t2140 - tq_2 * t2141; /* R_v(12,13) */
             const real t2144 = tq_2 * t1831;
             const real t2145 = tq_3 * t1822;
             const real t2146 = tq_1 * t1813;
             const real t2147 = tq_0 * t1840;
-            R_v[182 * 8 + j] = t2145 + t2146 + t2144 - t2147;
+            R_v[182 * 8 + j] = t2145 + t2146 + t2144 - t2147; /* R_v(13,0) */
             const real t2148 = tq_2 * t1849;
             const real t2149 = tq_3 * t1846;
             const real t2150 = tq_1 * t1843;
             const real t2151 = tq_0 * t1852;
-            R_v[183 * 8 + j] = t2149 + t2150 + t2148 - t2151;
+            R_v[183 * 8 + j] = t2149 + t2150 + t2148 - t2151; /* R_v(13,1) */
             const real t2152 = tq_3 * t1855;
             const real t2153 = tq_2 * t1857;
             const real t2154 = tq_1 * t1859;
             const real t2155 = tq_0 * t1861;
-            R_v[184 * 8 + j] = t2152 + t2153 - t2154 - t2155;
+            R_v[184 * 8 + j] = t2152 + t2153 - t2154 - t2155; /* R_v(13,2) */
             const real t2156 = tq_0 * t1932 + tq_1 * t1951 - tq_3 * t1887 - tq_2 * t1909;
             const real t2157 = tq_1 * t1962 + tq_0 * t1965 - tq_3 * t1955 - tq_2 * t1958;
             const real t2158 = tq_1 * t1985 + tq_0 * t1992 - tq_3 * t1972 - tq_2 * t1979;
             const real t2159 = tq_1 * t2001 + tq_0 * t2004 - tq_3 * t1995 - tq_2 * t1998;
-            R_v[185 * 8 + j] = tp_2 * t2158 + tp_3 * t2159 + tp_1 * t2157 + tp_0 * t2156;
-            R_v[186 * 8 + j] = tp_0 * t2157 + tp_2 * t2159 - tp_1 * t2156 - tp_3 * t2158;
-            R_v[187 * 8 + j] = tp_3 * t2157 + tp_0 * t2158 - tp_2 * t2156 - tp_1 * t2159;
-            R_v[188 * 8 + j] = tp_1 * t2158 + tp_0 * t2159 - tp_3 * t2156 - tp_2 * t2157;
-            R_v[189 * 8 + j] = t2147 - t2145 - t2144 - t2146;
-            R_v[190 * 8 + j] = t2151 - t2149 - t2148 - t2150;
-            R_v[191 * 8 + j] = t2154 + t2155 - t2152 - t2153;
+            R_v[185 * 8 + j] = tp_2 * t2158 + tp_3 * t2159 + tp_1 * t2157 + tp_0 * t2156; /* R_v(13,3) */
+            R_v[186 * 8 + j] = tp_0 * t2157 + tp_2 * t2159 - tp_1 * t2156 - tp_3 * t2158; /* R_v(13,4) */
+            R_v[187 * 8 + j] = tp_3 * t2157 + tp_0 * t2158 - tp_2 * t2156 - tp_1 * t2159; /* R_v(13,5) */
+            R_v[188 * 8 + j] = tp_1 * t2158 + tp_0 * t2159 - tp_3 * t2156 - tp_2 * t2157; /* R_v(13,6) */
+            R_v[189 * 8 + j] = t2147 - t2145 - t2144 - t2146; /* R_v(13,7) */
+            R_v[190 * 8 + j] = t2151 - t2149 - t2148 - t2150; /* R_v(13,8) */
+            R_v[191 * 8 + j] = t2154 + t2155 - t2152 - t2153; /* R_v(13,9) */
             const real t2160 = tq_1 * t2045 + tq_0 * t2059 - tq_3 * t2018 - tq_2 * t2029;
             const real t2161 = tq_1 * t2071 + tq_0 * t2075 - tq_3 * t2063 - tq_2 * t2068;
             const real t2162 = tq_1 * t2088 + tq_0 * t2092 - tq_3 * t2080 - tq_2 * t2084;
             const real t2163 = tq_1 * t2100 + tq_0 * t2102 - tq_3 * t2096 - tq_2 * t2098;
-            R_v[192 * 8 + j] = tq_2 * t2162 + tq_3 * t2163 + tq_1 * t2161 + tq_0 * t2160;
-            R_v[193 * 8 + j] = tq_0 * t2161 + tq_2 * t2163 - tq_1 * t2160 - tq_3 * t2162;
-            R_v[194 * 8 + j] = tq_3 * t2161 + tq_0 * t2162 - tq_2 * t2160 - tq_1 * t2163;
-            R_v[195 * 8 + j] = tq_1 * t2162 + tq_0 * t2163 - tq_3 * t2160 - tq_2 * t2161;
+            R_v[192 * 8 + j] = tq_2 * t2162 + tq_3 * t2163 + tq_1 * t2161 + tq_0 * t2160; /* R_v(13,10) */
+            R_v[193 * 8 + j] = tq_0 * t2161 + tq_2 * t2163 - tq_1 * t2160 - tq_3 * t2162; /* R_v(13,11) */
+            R_v[194 * 8 + j] = tq_3 * t2161 + tq_0 * t2162 - tq_2 * t2160 - tq_1 * t2163; /* R_v(13,12) */
+            R_v[195 * 8 + j] = tq_1 * t2162 + tq_0 * t2163 - tq_3 * t2160 - tq_2 * t2161; /* R_v(13,13) */
         }
     }
 }
 
 const flexel_element flexel_beam_first_order = {
     .name = "beam_first_order",
-    .digest = "dae5a50ddfb004c8",
+    .digest = "5084fd7c9f6b1a03",
     .n = 14,
     .m = 6,
     .k = 0,
     .np = 18,
     .position = beam_first_order_position,
-    .velocity = beam_first_order_velocity,
     .acceleration = beam_first_order_acceleration,
     .rates = beam_first_order_rates,
     .kinematics = beam_first_order_kinematics,

@@ -34,7 +34,7 @@ static void body_inertia(size_t nblocks, const real *const *in, real *const *out
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real mass = p[0 * 8 + j];
-            M[0 * 8 + j] = M[5 * 8 + j] = M[10 * 8 + j] = mass;
+            M[0 * 8 + j] = M[5 * 8 + j] = M[10 * 8 + j] = mass; /* M(0,0) M(1,1) M(2,2) */
             const real r_l0 = x[3 * 8 + j];
             const real c_x = p[1 * 8 + j];
             const real r_l2 = x[5 * 8 + j];
@@ -43,19 +43,20 @@ static void body_inertia(size_t nblocks, const real *const *in, real *const *out
             const real c_y = p[2 * 8 + j];
             const real t0 = mass * (r_l0 * c_x + r_l2 * c_z - r_l3 * c_y);
             const real t1 = 2.0 * t0;
-            M[1 * 8 + j] = M[9 * 8 + j] = M[15 * 8 + j] = M[37 * 8 + j] = t1;
+            M[1 * 8 + j] = M[9 * 8 + j] = M[15 * 8 + j] = M[37 * 8 + j] = t1; /* M(0,3) M(1,6) M(3,0) M(6,1) */
             const real r_l1 = x[4 * 8 + j];
             const real t2 = mass * (r_l1 * c_x + r_l3 * c_z + r_l2 * c_y);
             M[2 * 8 + j] = M[8 * 8 + j] = M[14 * 8 + j] = M[22 * 8 + j] = M[30 * 8 + j] = M[38 * 8 + j] = 2.0 * t2;
+                /* M(0,4) M(1,5) M(2,6) M(4,0) M(5,1) M(6,2) */
             const real t3 = mass * (r_l1 * c_y + r_l0 * c_z - r_l2 * c_x);
             const real t4 = 2.0 * t3;
-            M[3 * 8 + j] = M[11 * 8 + j] = M[17 * 8 + j] = M[29 * 8 + j] = t4;
+            M[3 * 8 + j] = M[11 * 8 + j] = M[17 * 8 + j] = M[29 * 8 + j] = t4; /* M(0,5) M(2,3) M(3,2) M(5,0) */
             const real t5 = mass * (r_l3 * c_x + r_l0 * c_y - r_l1 * c_z);
             const real t6 = 2.0 * t5;
-            M[6 * 8 + j] = M[12 * 8 + j] = M[16 * 8 + j] = M[24 * 8 + j] = t6;
-            M[4 * 8 + j] = M[36 * 8 + j] = -t6;
-            M[7 * 8 + j] = M[23 * 8 + j] = -t4;
-            M[13 * 8 + j] = M[31 * 8 + j] = -t1;
+            M[6 * 8 + j] = M[12 * 8 + j] = M[16 * 8 + j] = M[24 * 8 + j] = t6; /* M(1,3) M(2,4) M(3,1) M(4,2) */
+            M[4 * 8 + j] = M[36 * 8 + j] = -t6; /* M(0,6) M(6,0) */
+            M[7 * 8 + j] = M[23 * 8 + j] = -t4; /* M(1,4) M(4,1) */
+            M[13 * 8 + j] = M[31 * 8 + j] = -t1; /* M(2,5) M(5,2) */
             const real J_xy = p[7 * 8 + j];
             const real t7 = 4.0 * r_l1 * J_xy;
             const real J_yy = p[5 * 8 + j];
@@ -80,7 +81,8 @@ static void body_inertia(size_t nblocks, const real *const *in, real *const *out
             const real t22 = 4.0 * c_x * t5;
             const real t23 = 4.0 * c_y * t0;
             const real t24 = r_l0 * (t18 + t19) + r_l3 * (4.0 * r_l3 * J_zz + t22 + t21 + t20 - t23);
-            M[18 * 8 + j] = r_l1 * (t12 + t15 + t11 + 4.0 * r_l1 * J_xx) + t24 + r_l2 * (t8 + t9 + 4.0 * r_l2 * J_yy + t7 - t10);
+            M[18 * 8 + j] = r_l1 * (t12 + t15 + t11 + 4.0 * r_l1 * J_xx) + t24 + r_l2 * (t8 + t9 + 4.0 * r_l2 * J_yy
+                + t7 - t10); /* M(3,3) */
             const real t25 = 4.0 * c_x * t2;
             const real t26 = 4.0 * c_z * t2;
             const real t27 = 4.0 * r_l0 * J_xy;
@@ -92,7 +94,7 @@ static void body_inertia(size_t nblocks, const real *const *in, real *const *out
             const real t33 = 4.0 * r_l0 * J_xz;
             const real t34 = 4.0 * r_l2 * J_zz + t33 - t8;
             const real t35 = 4.0 * c_y * t2;
-            M[19 * 8 + j] = M[25 * 8 + j] = t32 - r_l3 * (t10 + t35 + t34);
+            M[19 * 8 + j] = M[25 * 8 + j] = t32 - r_l3 * (t10 + t35 + t34); /* M(3,4) M(4,3) */
             const real t36 = t35 - t9;
             const real t37 = 4.0 * r_l0 * J_yz;
             const real t38 = t12 + t37 - 4.0 * r_l1 * J_zz;
@@ -102,30 +104,30 @@ static void body_inertia(size_t nblocks, const real *const *in, real *const *out
             const real t42 = r_l3 * (t25 - t13 - t38) + r_l2 * (t39 - t41) + r_l0 * (t10 + t36);
             const real t43 = t23 + t26;
             const real t44 = t27 + 4.0 * r_l3 * J_xx - t20;
-            M[20 * 8 + j] = M[32 * 8 + j] = t42 - r_l1 * (t43 + t44);
+            M[20 * 8 + j] = M[32 * 8 + j] = t42 - r_l1 * (t43 + t44); /* M(3,5) M(5,3) */
             const real t45 = t17 + t19;
             const real t46 = t40 + 4.0 * r_l0 * J_zz - t29;
             const real t47 = t7 + t33 - 4.0 * r_l2 * J_xx;
             const real t48 = r_l3 * (t45 - t46) + r_l1 * (t36 - t47) + r_l0 * (t43 - t22);
             const real t49 = t37 + 4.0 * r_l1 * J_yy - t11;
-            M[21 * 8 + j] = M[39 * 8 + j] = t48 - r_l2 * (t49 + t25 + t14);
+            M[21 * 8 + j] = M[39 * 8 + j] = t48 - r_l2 * (t49 + t25 + t14); /* M(3,6) M(6,3) */
             const real t50 = r_l1 * (t15 + t25) + r_l2 * (t35 + t34 - t10) + r_l0 * (t18 + t31);
-            M[26 * 8 + j] = r_l3 * (t22 + t26 - t28) + t50;
+            M[26 * 8 + j] = r_l3 * (t22 + t26 - t28) + t50; /* M(4,4) */
             const real t51 = t13 + t25;
             const real t52 = r_l1 * (t10 - t36) + r_l2 * (t51 + t38) + r_l3 * (t16 - t19 - t41);
-            M[27 * 8 + j] = M[33 * 8 + j] = r_l0 * (t44 - t43) + t52;
+            M[27 * 8 + j] = M[33 * 8 + j] = r_l0 * (t44 - t43) + t52; /* M(4,5) M(5,4) */
             const real t53 = t19 - t17;
             const real t54 = r_l2 * (t46 + t53) + r_l3 * (t25 - t14 - t49) + r_l0 * (t47 + t36);
-            M[28 * 8 + j] = M[40 * 8 + j] = t54 - r_l1 * (t22 + t43);
+            M[28 * 8 + j] = M[40 * 8 + j] = t54 - r_l1 * (t22 + t43); /* M(4,6) M(6,4) */
             const real t55 = t26 - t23;
             const real t56 = r_l0 * (t41 + t39) + r_l3 * (t55 + t44) + r_l1 * (t51 - t38);
             const real t57 = t9 + t35;
-            M[34 * 8 + j] = t56 - r_l2 * (t10 - t57);
+            M[34 * 8 + j] = t56 - r_l2 * (t10 - t57); /* M(5,5) */
             const real t58 = t49 - t14;
             const real t59 = r_l1 * (t53 - t46) + r_l0 * (t58 - t25) + r_l3 * (t47 + t57);
-            M[35 * 8 + j] = M[41 * 8 + j] = t59 - r_l2 * (t55 - t22);
+            M[35 * 8 + j] = M[41 * 8 + j] = t59 - r_l2 * (t55 - t22); /* M(5,6) M(6,5) */
             const real t60 = r_l3 * (t22 + t55) + r_l0 * (t46 + t45) + r_l2 * (t57 - t47);
-            M[42 * 8 + j] = r_l1 * (t25 + t58) + t60;
+            M[42 * 8 + j] = r_l1 * (t25 + t58) + t60; /* M(6,6) */
             const real r_vl0 = v[3 * 8 + j];
             const real t61 = r_vl0 * r_vl0;
             const real r_vl1 = v[4 * 8 + j];
@@ -294,13 +296,16 @@ static void body_inertia(size_t nblocks, const real *const *in, real *const *out
             const real t199 = r_l0 * r_l1;
             const real t200 = r_l2 * r_l3;
             const real p_z = x[2 * 8 + j];
-            const real t201 = p_z + 2.0 * (c_x * (t197 - t198) + c_y * (t199 + t200)) + c_z * (t193 + t194 - t195 - t196);
+            const real t201 = p_z + 2.0 * (c_x * (t197 - t198) + c_y * (t199 + t200)) + c_z * (t193 + t194 - t195
+                - t196);
             const real p_x = x[0 * 8 + j];
             const real t202 = r_l1 * r_l2;
             const real t203 = r_l0 * r_l3;
-            const real t204 = p_x + c_x * (t193 + t195 - t196 - t194) + 2.0 * (c_y * (t202 - t203) + c_z * (t198 + t197));
+            const real t204 = p_x + c_x * (t193 + t195 - t196 - t194) + 2.0 * (c_y * (t202 - t203) + c_z * (t198
+                + t197));
             const real p_y = x[1 * 8 + j];
-            const real t205 = p_y + 2.0 * (c_x * (t203 + t202) + c_z * (t200 - t199)) + c_y * (t193 + t196 - t195 - t194);
+            const real t205 = p_y + 2.0 * (c_x * (t203 + t202) + c_z * (t200 - t199)) + c_y * (t193 + t196 - t195
+                - t194);
             const real t206 = mass * (gravity_x * t204 + gravity_y * t205 + gravity_z * t201);
             U[0 * 8 + j] = -t206;
         }
@@ -335,16 +340,17 @@ static void body_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t4 = mass * c_z;
             const real r_al2 = a[5 * 8 + j];
             const real t5 = 2.0 * r_al2 * t4;
-            R_x[0 * 8 + j] = R_x[7 * 8 + j] = -(t1 - (t3 + t5));
+            R_x[0 * 8 + j] = R_x[7 * 8 + j] = -(t1 - (t3 + t5)); /* R_x(0,3) R_x(1,6) */
             const real r_al1 = a[4 * 8 + j];
             R_x[1 * 8 + j] = R_x[6 * 8 + j] = R_x[11 * 8 + j] = 2.0 * (r_al1 * t2 + r_al3 * t4 + r_al2 * t0);
+                /* R_x(0,4) R_x(1,5) R_x(2,6) */
             const real t6 = 2.0 * (r_al1 * t0 + r_al0 * t4 - r_al2 * t2);
-            R_x[2 * 8 + j] = R_x[8 * 8 + j] = t6;
+            R_x[2 * 8 + j] = R_x[8 * 8 + j] = t6; /* R_x(0,5) R_x(2,3) */
             const real t7 = 2.0 * (r_al1 * t4 - r_al3 * t2 - r_al0 * t0);
-            R_x[3 * 8 + j] = t7;
-            R_x[4 * 8 + j] = R_x[9 * 8 + j] = -t7;
-            R_x[5 * 8 + j] = -t6;
-            R_x[10 * 8 + j] = -(t3 - t1 + t5);
+            R_x[3 * 8 + j] = t7; /* R_x(0,6) */
+            R_x[4 * 8 + j] = R_x[9 * 8 + j] = -t7; /* R_x(1,3) R_x(2,4) */
+            R_x[5 * 8 + j] = -t6; /* R_x(1,4) */
+            R_x[10 * 8 + j] = -(t3 - t1 + t5); /* R_x(2,5) */
             const real r_l3 = x[6 * 8 + j];
             const real r_l0 = x[3 * 8 + j];
             const real r_l1 = x[4 * 8 + j];
@@ -454,7 +460,7 @@ static void body_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t94 = 8.0 * t93;
             const real t95 = r_vl1 * J_xx;
             const real t96 = t92 + t94 + 8.0 * t95;
-            R_x[12 * 8 + j] = t86 - r_vl2 * t91 - r_vl1 * t96;
+            R_x[12 * 8 + j] = t86 - r_vl2 * t91 - r_vl1 * t96; /* R_x(3,3) */
             const real t97 = t10 - t16;
             const real t98 = 2.0 * c_z * t70;
             const real t99 = 2.0 * c_y * t68;
@@ -471,7 +477,7 @@ static void body_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t110 = 2.0 * J_xx * t109;
             const real t111 = t110 + t106 + t110 + t108 + t108 + t106;
             const real t112 = r_vl2 * t85 + t104 + r_vl0 * t96 - t111 - r_al1 * (t31 + t32);
-            R_x[13 * 8 + j] = t112 - r_vl3 * t91;
+            R_x[13 * 8 + j] = t112 - r_vl3 * t91; /* R_x(3,4) */
             const real t113 = t23 + t24;
             const real t114 = 2.0 * c_x * t68;
             const real t115 = 2.0 * c_z * t73;
@@ -485,7 +491,7 @@ static void body_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t123 = 2.0 * J_yz * t105;
             const real t124 = t122 + t121 + t123 + t123 + t122 + t121;
             const real t125 = t29 - t30;
-            R_x[14 * 8 + j] = t120 - t124 - r_al2 * (t125 - t32) - r_vl1 * t85;
+            R_x[14 * 8 + j] = t120 - t124 - r_al2 * (t125 - t32) - r_vl1 * t85; /* R_x(3,5) */
             const real t126 = 2.0 * c_y * t73;
             const real t127 = 2.0 * c_x * t70;
             const real t128 = t126 - t127;
@@ -498,7 +504,7 @@ static void body_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t135 = 2.0 * J_zz * t105;
             const real t136 = t134 + t133 + t135 + t135 + t134 + t133;
             const real t137 = r_al2 * (t113 - t28) + t132 + r_vl0 * t85 + r_vl1 * t91 - t136;
-            R_x[15 * 8 + j] = t137 - r_vl2 * t96;
+            R_x[15 * 8 + j] = t137 - r_vl2 * t96; /* R_x(3,6) */
             const real t138 = 8.0 * r_vl2 * J_xz;
             const real t139 = r_vl0 * J_xx;
             const real t140 = r_vl3 * J_xy;
@@ -530,20 +536,20 @@ static void body_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t166 = 2.0 * c_x * t159;
             const real t167 = t111 + t103 + t100 + r_al0 * (t166 - t25) + r_al3 * (t163 - t165);
             const real t168 = r_al2 * (t161 - t10) + t167 + r_al1 * (t31 + t152) + r_vl3 * t149;
-            R_x[16 * 8 + j] = r_vl2 * t146 + t168 + r_vl1 * t142;
+            R_x[16 * 8 + j] = r_vl2 * t146 + t168 + r_vl1 * t142; /* R_x(4,3) */
             const real t169 = t164 - t75;
             const real t170 = 2.0 * (t72 - t74) + t66 + r_al1 * (t25 + t166) + r_al2 * (t169 - t163);
             const real t171 = r_al3 * (t10 + t161) + t170 + r_vl3 * t146 + r_al0 * (t31 - t152);
-            R_x[17 * 8 + j] = t171 - t62 - r_vl2 * t149 - r_vl0 * t142;
+            R_x[17 * 8 + j] = t171 - t62 - r_vl2 * t149 - r_vl0 * t142; /* R_x(4,4) */
             const real t172 = t129 + t130;
             const real t173 = t136 + t172 + r_al1 * (t163 + t169) + r_vl1 * t149 + r_al0 * (t160 - t10 - t154);
             const real t174 = t127 + t126;
             const real t175 = t173 - t174 - r_al2 * (t166 + t113) - r_al3 * (t152 + t125);
-            R_x[18 * 8 + j] = t175 - r_vl0 * t146 - r_vl3 * t142;
+            R_x[18 * 8 + j] = t175 - r_vl0 * t146 - r_vl3 * t142; /* R_x(4,5) */
             const real t176 = t119 + t117 + r_al3 * (t113 - t166) + r_al1 * (t10 + t160 - t154);
             const real t177 = t114 + t115;
             const real t178 = r_vl2 * t142 + t176 + r_al2 * (t152 - t125) - t124 - t177;
-            R_x[19 * 8 + j] = t178 - r_al0 * (t163 + t165) - r_vl0 * t149 - r_vl1 * t146;
+            R_x[19 * 8 + j] = t178 - r_al0 * (t163 + t165) - r_vl0 * t149 - r_vl1 * t146; /* R_x(4,6) */
             const real t179 = t144 + 8.0 * r_vl3 * J_xx;
             const real t180 = t179 - t84;
             const real t181 = t141 + 8.0 * r_vl0 * J_yy;
@@ -566,23 +572,23 @@ static void body_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t198 = t124 + t117;
             const real t199 = t116 + t198 + r_al0 * (t75 + t197) + r_al3 * (t195 + t196);
             const real t200 = r_al2 * (t193 - t32) + t199 + r_al1 * (t189 - t190) + r_vl3 * t188;
-            R_x[20 * 8 + j] = r_vl2 * t184 + t200 + r_vl1 * t180 - t119;
+            R_x[20 * 8 + j] = r_vl2 * t184 + t200 + r_vl1 * t180 - t119; /* R_x(5,3) */
             const real t201 = t23 + t166;
             const real t202 = t172 + r_al1 * (t75 - t197) + r_al2 * (t201 - t195) + r_vl3 * t184;
             const real t203 = r_al3 * (t32 + t193) + t202 - t136 - t174 - r_al0 * (t189 + t190);
-            R_x[21 * 8 + j] = t203 - r_vl2 * t188 - r_vl0 * t180;
+            R_x[21 * 8 + j] = t203 - r_vl2 * t188 - r_vl0 * t180; /* R_x(5,4) */
             const real t204 = t16 + t160;
             const real t205 = t71 - t69;
             const real t206 = 2.0 * (t74 - t205) + r_al1 * (t195 + t201) + r_al0 * (t29 - t32 - t192);
             const real t207 = t52 - t61;
             const real t208 = t164 - t79;
             const real t209 = r_vl1 * t188 + t206 + r_al3 * (t204 - t189) - t207 - t66 - r_al2 * (t75 - t208);
-            R_x[22 * 8 + j] = t209 - r_vl0 * t184 - r_vl3 * t180;
+            R_x[22 * 8 + j] = t209 - r_vl0 * t184 - r_vl3 * t180; /* R_x(5,5) */
             const real t210 = t101 + t102;
             const real t211 = t111 + t210 + r_al0 * (t196 - t195) + r_al1 * (t29 + t32 - t192);
             const real t212 = t99 + t98;
             const real t213 = r_vl2 * t180 + t211 + r_al2 * (t189 + t204) - t212 - r_al3 * (t75 + t208);
-            R_x[23 * 8 + j] = t213 - r_vl0 * t188 - r_vl1 * t184;
+            R_x[23 * 8 + j] = t213 - r_vl0 * t188 - r_vl1 * t184; /* R_x(5,6) */
             const real t214 = r_vl2 * J_xx;
             const real t215 = t90 + t148 - 8.0 * t214;
             const real t216 = r_vl1 * J_yy;
@@ -596,39 +602,39 @@ static void body_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t224 = t30 - t32;
             const real t225 = t136 + t131 + t128 + r_al0 * (t190 - t10) + r_al3 * (t223 + t224);
             const real t226 = r_al2 * (t222 - t166) + t225 + r_al1 * (t220 + t197) + r_vl3 * t219;
-            R_x[24 * 8 + j] = r_vl2 * t217 + t226 + r_vl1 * t215;
+            R_x[24 * 8 + j] = r_vl2 * t217 + t226 + r_vl1 * t215; /* R_x(6,3) */
             const real t227 = t119 + t198 + r_al3 * (t222 + t166) + r_al0 * (t197 - t220);
             const real t228 = t30 + t32;
             const real t229 = r_vl3 * t217 + t227 - t177 - r_al1 * (t10 + t190) - r_al2 * (t223 + t228);
-            R_x[25 * 8 + j] = t229 - r_vl2 * t219 - r_vl0 * t215;
+            R_x[25 * 8 + j] = t229 - r_vl2 * t219 - r_vl0 * t215; /* R_x(6,4) */
             const real t230 = t210 + r_al1 * (t223 - t228) + r_al3 * (t208 - t220) + r_vl1 * t219;
             const real t231 = t230 - t111 - t212 - r_al2 * (t204 - t10) - r_al0 * (t221 + t166 + t24);
-            R_x[26 * 8 + j] = t231 - r_vl0 * t217 - r_vl3 * t215;
+            R_x[26 * 8 + j] = t231 - r_vl0 * t217 - r_vl3 * t215; /* R_x(6,5) */
             const real t232 = 2.0 * (t205 + t74) + t207 + r_al3 * (t10 + t204) + r_al0 * (t224 - t223);
             const real t233 = r_al1 * (t166 - t24 - t221) + t232 + r_al2 * (t220 + t208);
-            R_x[27 * 8 + j] = r_vl2 * t215 + t233 - t66 - r_vl0 * t219 - r_vl1 * t217;
+            R_x[27 * 8 + j] = r_vl2 * t215 + t233 - t66 - r_vl0 * t219 - r_vl1 * t217; /* R_x(6,6) */
             const real t234 = r_vl0 * t2 + r_vl2 * t4 - r_vl3 * t0;
             const real t235 = 4.0 * t234;
-            R_v[0 * 8 + j] = R_v[7 * 8 + j] = t235;
+            R_v[0 * 8 + j] = R_v[7 * 8 + j] = t235; /* R_v(0,3) R_v(1,6) */
             const real t236 = r_vl1 * t2 + r_vl2 * t0 + r_vl3 * t4;
-            R_v[1 * 8 + j] = R_v[6 * 8 + j] = R_v[11 * 8 + j] = 4.0 * t236;
+            R_v[1 * 8 + j] = R_v[6 * 8 + j] = R_v[11 * 8 + j] = 4.0 * t236; /* R_v(0,4) R_v(1,5) R_v(2,6) */
             const real t237 = r_vl1 * t0 + r_vl0 * t4 - r_vl2 * t2;
             const real t238 = 4.0 * t237;
-            R_v[2 * 8 + j] = R_v[8 * 8 + j] = t238;
+            R_v[2 * 8 + j] = R_v[8 * 8 + j] = t238; /* R_v(0,5) R_v(2,3) */
             const real t239 = r_vl1 * t4 - r_vl3 * t2 - r_vl0 * t0;
             const real t240 = 4.0 * t239;
-            R_v[3 * 8 + j] = t240;
-            R_v[4 * 8 + j] = R_v[9 * 8 + j] = -t240;
-            R_v[5 * 8 + j] = -t238;
-            R_v[10 * 8 + j] = -t235;
+            R_v[3 * 8 + j] = t240; /* R_v(0,6) */
+            R_v[4 * 8 + j] = R_v[9 * 8 + j] = -t240; /* R_v(1,3) R_v(2,4) */
+            R_v[5 * 8 + j] = -t238; /* R_v(1,4) */
+            R_v[10 * 8 + j] = -t235; /* R_v(2,5) */
             const real t241 = 2.0 * r_vl3 * c_y;
             const real t242 = 2.0 * r_vl2 * c_z;
             const real t243 = t241 + t242 - t241 - t242;
-            R_v[12 * 8 + j] = mass * t243;
+            R_v[12 * 8 + j] = mass * t243; /* R_v(3,0) */
             const real t244 = 2.0 * r_vl3 * c_x;
             const real t245 = 2.0 * r_vl1 * c_z;
             const real t246 = t244 + t245 - t245 - t244;
-            R_v[13 * 8 + j] = mass * t246;
+            R_v[13 * 8 + j] = mass * t246; /* R_v(3,1) */
             const real t247 = 4.0 * t81;
             const real t248 = t82 + t247 + t84 + t247;
             const real t249 = r_l0 * t2 + r_l2 * t4 - r_l3 * t0;
@@ -642,7 +648,7 @@ static void body_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t257 = t253 + r_l1 * t256 + r_l2 * t252 + 2.0 * (t249 * t243 - t250 * t246);
             const real t258 = 4.0 * t14 * t234;
             const real t259 = 8.0 * t8 * t239;
-            R_v[14 * 8 + j] = r_l3 * t248 + t257 - t258 - t259;
+            R_v[14 * 8 + j] = r_l3 * t248 + t257 - t258 - t259; /* R_v(3,3) */
             const real t260 = r_l0 * r_vl0;
             const real t261 = r_l3 * r_vl3;
             const real t262 = r_l1 * r_vl1;
@@ -684,7 +690,7 @@ static void body_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t294 = t290 + 2.0 * (t291 * t243 - t292 * t246) + r_l3 * t252 - t293;
             const real t295 = 8.0 * t21 * t239;
             const real t296 = 8.0 * t8 * t237;
-            R_v[15 * 8 + j] = t294 - t295 - t296 - r_l0 * t256 - r_l2 * t248;
+            R_v[15 * 8 + j] = t294 - t295 - t296 - r_l0 * t256 - r_l2 * t248; /* R_v(3,4) */
             const real t297 = 8.0 * t8 * t236;
             const real t298 = 4.0 * t14 * t237;
             const real t299 = t297 + 2.0 * (t291 * t246 + t292 * t243) + r_l1 * t248 - t298;
@@ -700,7 +706,7 @@ static void body_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t307 = 2.0 * c_z * t306;
             const real t308 = t304 + t307 + t304 + t300 - t300 - t307;
             const real t309 = 8.0 * t21 * t234;
-            R_v[16 * 8 + j] = t299 - t308 - t309 - r_l3 * t256 - r_l0 * t252;
+            R_v[16 * 8 + j] = t299 - t308 - t309 - r_l3 * t256 - r_l0 * t252; /* R_v(3,5) */
             const real t310 = 8.0 * t8 * t234;
             const real t311 = 8.0 * t21 * t236;
             const real t312 = t310 + t311 + 2.0 * (t249 * t246 + t250 * t243) + r_l2 * t256;
@@ -710,15 +716,15 @@ static void body_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t316 = 2.0 * J_zz * t282;
             const real t317 = t315 + t314 + t316 + t316 + t315 + t314;
             const real t318 = 2.0 * t317;
-            R_v[17 * 8 + j] = t312 - t313 - t318 - r_l1 * t252 - r_l0 * t248;
+            R_v[17 * 8 + j] = t312 - t313 - t318 - r_l1 * t252 - r_l0 * t248; /* R_v(3,6) */
             const real t319 = 2.0 * r_vl2 * c_y;
             const real t320 = 2.0 * r_vl3 * c_z;
             const real t321 = t319 + t320 - t319 - t320;
-            R_v[18 * 8 + j] = mass * t321;
+            R_v[18 * 8 + j] = mass * t321; /* R_v(4,0) */
             const real t322 = 2.0 * r_vl2 * c_x;
             const real t323 = 2.0 * r_vl0 * c_z;
             const real t324 = t322 + t323 - t322 - t323;
-            R_v[19 * 8 + j] = mass * t324;
+            R_v[19 * 8 + j] = mass * t324; /* R_v(4,1) */
             const real t325 = 4.0 * t158 * t234;
             const real t326 = t325 + t296 + t295 + 2.0 * (t249 * t321 - t250 * t324) - t290;
             const real t327 = 4.0 * t139;
@@ -729,24 +735,24 @@ static void body_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t332 = t82 + t330 + t330 - t331 - t331;
             const real t333 = 4.0 * t147;
             const real t334 = t148 + t333 + t333 - t87;
-            R_v[20 * 8 + j] = t326 - r_l1 * t329 - r_l2 * t332 - r_l3 * t334;
+            R_v[20 * 8 + j] = t326 - r_l1 * t329 - r_l2 * t332 - r_l3 * t334; /* R_v(4,3) */
             const real t335 = 4.0 * t158 * t236 + t253;
             const real t336 = r_l0 * t329 + t335 + r_l2 * t334 + 2.0 * (t291 * t321 - t292 * t324);
-            R_v[21 * 8 + j] = t336 - t259 - r_l3 * t332;
+            R_v[21 * 8 + j] = t336 - t259 - r_l3 * t332; /* R_v(4,4) */
             const real t337 = 4.0 * t158 * t237;
             const real t338 = t337 + r_l3 * t329 + 2.0 * (t291 * t324 + t292 * t321) + r_l0 * t332;
             const real t339 = 2.0 * c_x * t280 + 2.0 * c_y * t306;
             const real t340 = t339 - t317 - t317 - t339;
-            R_v[22 * 8 + j] = t338 - t340 - t310 - t311 - r_l1 * t334;
+            R_v[22 * 8 + j] = t338 - t340 - t310 - t311 - r_l1 * t334; /* R_v(4,5) */
             const real t341 = 4.0 * t158 * t239;
             const real t342 = t341 + t297 + r_l1 * t332 + r_l0 * t334 + 2.0 * (t249 * t324 + t250 * t321);
-            R_v[23 * 8 + j] = t342 - t308 - t309 - r_l2 * t329;
+            R_v[23 * 8 + j] = t342 - t308 - t309 - r_l2 * t329; /* R_v(4,6) */
             const real t343 = 2.0 * r_vl1 * c_y;
             const real t344 = t343 + t323 - t323 - t343;
-            R_v[24 * 8 + j] = mass * t344;
+            R_v[24 * 8 + j] = mass * t344; /* R_v(5,0) */
             const real t345 = 2.0 * r_vl1 * c_x;
             const real t346 = t345 + t320 - t320 - t345;
-            R_v[25 * 8 + j] = mass * t346;
+            R_v[25 * 8 + j] = mass * t346; /* R_v(5,1) */
             const real t347 = t12 - t11 + t13;
             const real t348 = t309 + t308 + 2.0 * (t249 * t344 - t250 * t346) - 4.0 * t347 * t237;
             const real t349 = 4.0 * t83;
@@ -755,20 +761,20 @@ static void body_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t352 = t181 - t351 - t351;
             const real t353 = 4.0 * t187;
             const real t354 = t186 - t353 - t353;
-            R_v[26 * 8 + j] = t348 - t341 - r_l1 * t350 - r_l2 * t352 - r_l3 * t354;
+            R_v[26 * 8 + j] = t348 - t341 - r_l1 * t350 - r_l2 * t352 - r_l3 * t354; /* R_v(5,3) */
             const real t355 = t340 + t311 + r_l0 * t350 + r_l2 * t354 + 2.0 * (t291 * t344 - t292 * t346);
-            R_v[27 * 8 + j] = 4.0 * t347 * t239 + t355 - t337 - r_l3 * t352;
+            R_v[27 * 8 + j] = 4.0 * t347 * t239 + t355 - t337 - r_l3 * t352; /* R_v(5,4) */
             const real t356 = r_l3 * t350 + t335 + 2.0 * (t291 * t346 + t292 * t344) + r_l0 * t352;
-            R_v[28 * 8 + j] = 4.0 * t347 * t234 + t356 - r_l1 * t354;
+            R_v[28 * 8 + j] = 4.0 * t347 * t234 + t356 - r_l1 * t354; /* R_v(5,5) */
             const real t357 = 2.0 * t289;
             const real t358 = t357 + t325 + t295 + r_l1 * t352 + r_l0 * t354 + 2.0 * (t249 * t346 + t250 * t344);
-            R_v[29 * 8 + j] = t358 - 4.0 * t347 * t236 - r_l2 * t350;
+            R_v[29 * 8 + j] = t358 - 4.0 * t347 * t236 - r_l2 * t350; /* R_v(5,6) */
             const real t359 = 2.0 * r_vl0 * c_y;
             const real t360 = t359 + t245 - t245 - t359;
-            R_v[30 * 8 + j] = mass * t360;
+            R_v[30 * 8 + j] = mass * t360; /* R_v(6,0) */
             const real t361 = 2.0 * r_vl0 * c_x;
             const real t362 = t361 + t242 - t361 - t242;
-            R_v[31 * 8 + j] = mass * t362;
+            R_v[31 * 8 + j] = mass * t362; /* R_v(6,1) */
             const real t363 = t156 + t155 + t157;
             const real t364 = t318 + 4.0 * t363 * t237 + 2.0 * (t249 * t360 - t250 * t362);
             const real t365 = 4.0 * t89;
@@ -778,20 +784,20 @@ static void body_tangent(size_t nblocks, const real *const *in, real *const *out
             const real t369 = t185 + t368 + t368 - t255 - t255;
             const real t370 = 4.0 * t218;
             const real t371 = t183 + t370 + t370 - t138;
-            R_v[32 * 8 + j] = t313 + t364 - t310 - r_l1 * t367 - r_l2 * t369 - r_l3 * t371;
+            R_v[32 * 8 + j] = t313 + t364 - t310 - r_l1 * t367 - r_l2 * t369 - r_l3 * t371; /* R_v(6,3) */
             const real t372 = r_l0 * t367 + t308 + r_l2 * t371 + 2.0 * (t291 * t360 - t292 * t362);
-            R_v[33 * 8 + j] = t298 + t372 - 4.0 * t363 * t239 - t297 - r_l3 * t369;
+            R_v[33 * 8 + j] = t298 + t372 - 4.0 * t363 * t239 - t297 - r_l3 * t369; /* R_v(6,4) */
             const real t373 = r_l3 * t367 + 2.0 * (t291 * t362 + t292 * t360) + r_l0 * t369;
-            R_v[34 * 8 + j] = t373 - t293 - t357 - 4.0 * t363 * t234 - t296 - r_l1 * t371;
+            R_v[34 * 8 + j] = t373 - t293 - t357 - 4.0 * t363 * t234 - t296 - r_l1 * t371; /* R_v(6,5) */
             const real t374 = 4.0 * t363 * t236 + r_l1 * t369 + r_l0 * t371 + 2.0 * (t249 * t362 + t250 * t360);
-            R_v[35 * 8 + j] = t374 - t258 - t259 - r_l2 * t367;
+            R_v[35 * 8 + j] = t374 - t258 - t259 - r_l2 * t367; /* R_v(6,6) */
         }
     }
 }
 
 const flexel_element flexel_body = {
     .name = "body",
-    .digest = "7085a03aa04dcef2",
+    .digest = "9ec7b2a5d2b975a6",
     .n = 7,
     .m = 0,
     .k = 0,

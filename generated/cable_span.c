@@ -24,44 +24,10 @@ static void cable_span_position(size_t nblocks, const real *const *in, real *con
         for (size_t j = 0; j < 8; j++) {
             const real l0 = p[0 * 8 + j];
             V[0 * 8 + j] = V[2 * 8 + j] = V[4 * 8 + j] = V[6 * 8 + j] = V[8 * 8 + j] = V[10 * 8 + j] = 0.5 * l0;
+                /* V(0,0) V(0,6) V(1,1) V(1,7) V(2,2) V(2,8) */
             const real t0 = 0.08333333333333333 * (l0 * l0);
-            V[1 * 8 + j] = V[5 * 8 + j] = V[9 * 8 + j] = t0;
-            V[3 * 8 + j] = V[7 * 8 + j] = V[11 * 8 + j] = -t0;
-        }
-    }
-}
-
-/* velocity: 21 operations.
- * in:  x (12), v (12), p (1)
- * out: ed (0), s (3) */
-FLEXEL_CLONES
-static void cable_span_velocity(size_t nblocks, const real *const *in, real *const *out)
-{
-    for (size_t b = 0; b < nblocks; b++) {
-        const real *restrict v = in[1] + b * (12 * 8);
-        const real *restrict p = in[2] + b * (1 * 8);
-        real *restrict s = out[1] + b * (3 * 8);
-#pragma omp simd
-        for (size_t j = 0; j < 8; j++) {
-            const real p_vx = v[0 * 8 + j];
-            const real q_vx = v[6 * 8 + j];
-            const real dp_vx = v[3 * 8 + j];
-            const real dq_vx = v[9 * 8 + j];
-            const real l0 = p[0 * 8 + j];
-            const real t0 = 0.5 * (p_vx + q_vx) + 0.08333333333333333 * (l0 * (dp_vx - dq_vx));
-            s[0 * 8 + j] = l0 * t0;
-            const real p_vy = v[1 * 8 + j];
-            const real q_vy = v[7 * 8 + j];
-            const real dp_vy = v[4 * 8 + j];
-            const real dq_vy = v[10 * 8 + j];
-            const real t1 = 0.5 * (p_vy + q_vy) + 0.08333333333333333 * (l0 * (dp_vy - dq_vy));
-            s[1 * 8 + j] = l0 * t1;
-            const real p_vz = v[2 * 8 + j];
-            const real q_vz = v[8 * 8 + j];
-            const real dp_vz = v[5 * 8 + j];
-            const real dq_vz = v[11 * 8 + j];
-            const real t2 = 0.5 * (p_vz + q_vz) + 0.08333333333333333 * (l0 * (dp_vz - dq_vz));
-            s[2 * 8 + j] = l0 * t2;
+            V[1 * 8 + j] = V[5 * 8 + j] = V[9 * 8 + j] = t0; /* V(0,3) V(1,4) V(2,5) */
+            V[3 * 8 + j] = V[7 * 8 + j] = V[11 * 8 + j] = -t0; /* V(0,9) V(1,10) V(2,11) */
         }
     }
 }
@@ -104,13 +70,12 @@ static void cable_span_stiffness(size_t nblocks, const real *const *in, real *co
 
 const flexel_element flexel_cable_span = {
     .name = "cable_span",
-    .digest = "7e554948f71f970a",
+    .digest = "2056656ec90a6f36",
     .n = 12,
     .m = 0,
     .k = 3,
     .np = 1,
     .position = cable_span_position,
-    .velocity = cable_span_velocity,
     .acceleration = cable_span_acceleration,
     .rates = cable_span_rates,
     .kinematics = cable_span_kinematics,

@@ -5,41 +5,47 @@
  *
  *   kernel(nblocks, in, out)
  *
- * Elements come in blocks of FLEXEL_BLOCK = 8. An array argument with r rows has the shape [nblocks][r][8], C order,
- * contiguous; no alignment is asked for. in[i] and out[i] point to the arrays in the order of the table below. Inputs and
- * outputs must not overlap. Of an output array only the structural nonzeros are stored, as rows, in row-major order of
- * the full array; their flat indices are in table.py. An array without rows is never touched and may be NULL.
- * Incomplete blocks are filled up by the caller with any valid element (a copy of the last one, say).
+ * Elements come in blocks of FLEXEL_BLOCK = 8. An array argument with r rows has the shape [nblocks][r][8],
+ * C order, contiguous; no alignment is asked for. in[i] and out[i] point to the arrays in the order of the table
+ *   below.
+ * Inputs and outputs must not overlap. Of an output array only the structural nonzeros are stored, as rows, in
+ *   row-major
+ * order of the full array; their flat indices are in table.py, and beside each entry of a matrix a comment has its
+ *   row
+ * and column, counted from zero: De(5,3). An array without rows is never touched and may be NULL. Incomplete blocks
+ *   are
+ * filled up by the caller with any valid element (a copy of the last one, say).
  *
- * x coordinates (n), v = dx/dt rates (n), a = dv/dt accelerations (n), p parameters (np), e deformations (m) and their
- * rates ed (m), s slips (k), linear in v; sigma, tau generalized stresses dual to e and s (m, k). SI units, radians;
- * the unit of every coordinate, parameter and deformation is in the head comment of the element's file.
+ * x coordinates (n), v = dx/dt rates (n), a = dv/dt accelerations (n), p parameters (np), e deformations (m) with
+ *   rates
+ * De v, s slips (k), linear in v; sigma, tau generalized stresses dual to e and s (m, k). SI units, radians; the unit
+ *   of
+ * every coordinate, parameter and deformation is in the head comment of the element's file.
  *
  * Elements
  *
  *   kernel        in                out (full shapes)
  *   position      x p               e (m), De (m,n) = de/dx, V (k,n) = ds/dv
- *   velocity      x v p             ed (m) = De v, s (k)
  *   acceleration  x v p             g (m) = D2e(v,v), gs (k) = (ds/dx) v
- *   inertia       x v p             M (n,n), h (n), f (n), U (1): kinetic energy v'M v/2, h = (dM/dt) v - d(v'M v)/dx/2,
- *                                   potential U of the body forces, f = -dU/dx
+ *   inertia       x v p             M (n,n), h (n), f (n), U (1): kinetic energy v'M v/2,
+ *                                   h = (dM/dt) v - d(v'M v)/dx/2, potential U of the body forces, f = -dU/dx
  *   rates         x v p             Phi_x (m+k,n) = dPhi/dx of Phi = [De v; s]
  *   kinematics    x v a p           Psi_x (m+k,n), Psi_v (m+k,n): derivatives by x and v of
  *                                   Psi = dPhi/dt = [D2e(v,v) + De a; (ds/dx) v + V a]
  *   stiffness     x sigma tau p     K (n,n) = d(De'sigma + V'tau)/dx at fixed sigma and tau
  *   tangent       x v a p           R_x (n,n), R_v (n,n): derivatives of M a + h - f
  *
- * An element without mass and potential has NULL for inertia and tangent; one without deformations and slips has NULL for
- * the others. Angles are principal values.
+ * An element without mass and potential has NULL for inertia and tangent; one without deformations and slips has NULL
+ * for the others. Angles are principal values.
  *
  * Laws
  *
- *   law           e ed s z t p      sigma (m), tau (k), zd (nz) rates of the internal states z (nz), U (1) stored energy,
- *                                   P (1) dissipated power sigma.ed + tau.s - dU/dt; t (1) is the time
+ *   law           e ed s z t p      sigma (m), tau (k), zd (nz) rates of the internal states z (nz), U (1) stored
+ *                                   energy, P (1) dissipated power sigma.ed + tau.s - dU/dt; t (1) is the time
  *   tangent       e ed s z t p      J (m+k+nz, 2m+k+nz) = d(sigma,tau,zd)/d(e,ed,s,z)
  *
- * Everything is written for a type `real`, double by default. Compiled with -Dreal="double complex" the same kernels take
- * complex arguments (for complex-step differentiation); functions that are not analytic (atan2, abs, min, max,
+ * Everything is written for a type `real`, double by default. Compiled with -Dreal="double complex" the same kernels
+ * take complex arguments (for complex-step differentiation); functions that are not analytic (atan2, abs, min, max,
  * comparisons) are then continued analytically from the real axis. */
 #ifndef FLEXEL_KERNELS_H
 #define FLEXEL_KERNELS_H
@@ -118,14 +124,16 @@ static inline real real_max(real a, real b)
 
 #define FLEXEL_BLOCK 8
 
+/* cdef: begin */
 typedef void (*flexel_kernel)(size_t nblocks, const real *const *in, real *const *out);
 
-/* n coordinates, m deformations, k slips, np parameters. The digest is that of the file it was compiled from; table.py has
- * the same, so that a table and an extension of different derivations are told apart. */
+/* n coordinates, m deformations, k slips, np parameters. The digest is that of the file it was compiled from;
+ *   table.py
+ * has the same, so that a table and an extension of different derivations are distinguished. */
 typedef struct {
     const char *name, *digest;
     int n, m, k, np;
-    flexel_kernel position, velocity, acceleration, inertia, rates, kinematics, stiffness, tangent;
+    flexel_kernel position, acceleration, inertia, rates, kinematics, stiffness, tangent;
 } flexel_element;
 
 typedef struct {
@@ -133,17 +141,6 @@ typedef struct {
     int m, k, nz, np;
     flexel_kernel law, tangent;
 } flexel_law;
-
-/* One call of a kernel, prepared once and run many times. */
-typedef struct {
-    flexel_kernel kernel;
-    size_t nblocks;
-    const real *const *in;
-    real *const *out;
-} flexel_call;
-
-/* Run n calls, one after another (system.c). */
-void flexel_run(size_t n, const flexel_call *calls);
 
 extern const flexel_element flexel_point_mass;
 extern const flexel_element flexel_body;
@@ -218,5 +215,6 @@ extern const flexel_law flexel_law_hertz_coulomb_2;
 extern const flexel_law flexel_law_hertz_bristle_1;
 extern const flexel_law flexel_law_hertz_bristle_2;
 extern const flexel_law flexel_law_journal;
+/* cdef: end */
 
 #endif

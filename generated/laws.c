@@ -57,16 +57,16 @@ static void linear_1_tangent(size_t nblocks, const real *const *in, real *const 
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real S = p[1 * 8 + j];
-            J[0 * 8 + j] = S;
+            J[0 * 8 + j] = S; /* J(0,0) */
             const real D = p[2 * 8 + j];
-            J[1 * 8 + j] = D;
+            J[1 * 8 + j] = D; /* J(0,1) */
         }
     }
 }
 
 const flexel_law flexel_law_linear_1 = {
     .name = "linear_1",
-    .digest = "4b9e482f4904d47c",
+    .digest = "3c2fc714472fd69e",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -142,24 +142,24 @@ static void linear_2_tangent(size_t nblocks, const real *const *in, real *const 
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real S_11 = p[2 * 8 + j];
-            J[0 * 8 + j] = S_11;
+            J[0 * 8 + j] = S_11; /* J(0,0) */
             const real S_12 = p[3 * 8 + j];
-            J[1 * 8 + j] = J[4 * 8 + j] = S_12;
+            J[1 * 8 + j] = J[4 * 8 + j] = S_12; /* J(0,1) J(1,0) */
             const real D_11 = p[5 * 8 + j];
-            J[2 * 8 + j] = D_11;
+            J[2 * 8 + j] = D_11; /* J(0,2) */
             const real D_12 = p[6 * 8 + j];
-            J[3 * 8 + j] = J[6 * 8 + j] = D_12;
+            J[3 * 8 + j] = J[6 * 8 + j] = D_12; /* J(0,3) J(1,2) */
             const real S_22 = p[4 * 8 + j];
-            J[5 * 8 + j] = S_22;
+            J[5 * 8 + j] = S_22; /* J(1,1) */
             const real D_22 = p[7 * 8 + j];
-            J[7 * 8 + j] = D_22;
+            J[7 * 8 + j] = D_22; /* J(1,3) */
         }
     }
 }
 
 const flexel_law flexel_law_linear_2 = {
     .name = "linear_2",
-    .digest = "4b9e482f4904d47c",
+    .digest = "3c2fc714472fd69e",
     .m = 2,
     .k = 0,
     .nz = 0,
@@ -230,7 +230,8 @@ static void linear_3_law(size_t nblocks, const real *const *in, real *const *out
             const real t7 = preload_1 + 0.5 * t2;
             const real t8 = preload_2 + 0.5 * t4;
             U[0 * 8 + j] = e_1 * t7 + e_2 * t8 + e_0 * t6;
-            const real t9 = e_2 * (ed_0 * S_13 + ed_1 * S_23 + ed_2 * S_33) + e_0 * (ed_0 * S_11 + ed_1 * S_12 + ed_2 * S_13);
+            const real t9 = e_2 * (ed_0 * S_13 + ed_1 * S_23 + ed_2 * S_33) + e_0 * (ed_0 * S_11 + ed_1 * S_12 + ed_2
+                * S_13);
             const real t10 = 0.5 * (e_1 * (ed_0 * S_12 + ed_1 * S_22 + ed_2 * S_23) + t9);
             P[0 * 8 + j] = ed_2 * (t5 - t8) + ed_0 * (t1 - t6) + ed_1 * (t3 - t7) - t10;
         }
@@ -249,36 +250,36 @@ static void linear_3_tangent(size_t nblocks, const real *const *in, real *const 
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real S_11 = p[3 * 8 + j];
-            J[0 * 8 + j] = S_11;
+            J[0 * 8 + j] = S_11; /* J(0,0) */
             const real S_12 = p[4 * 8 + j];
-            J[1 * 8 + j] = J[6 * 8 + j] = S_12;
+            J[1 * 8 + j] = J[6 * 8 + j] = S_12; /* J(0,1) J(1,0) */
             const real S_13 = p[5 * 8 + j];
-            J[2 * 8 + j] = J[12 * 8 + j] = S_13;
+            J[2 * 8 + j] = J[12 * 8 + j] = S_13; /* J(0,2) J(2,0) */
             const real D_11 = p[9 * 8 + j];
-            J[3 * 8 + j] = D_11;
+            J[3 * 8 + j] = D_11; /* J(0,3) */
             const real D_12 = p[10 * 8 + j];
-            J[4 * 8 + j] = J[9 * 8 + j] = D_12;
+            J[4 * 8 + j] = J[9 * 8 + j] = D_12; /* J(0,4) J(1,3) */
             const real D_13 = p[11 * 8 + j];
-            J[5 * 8 + j] = J[15 * 8 + j] = D_13;
+            J[5 * 8 + j] = J[15 * 8 + j] = D_13; /* J(0,5) J(2,3) */
             const real S_22 = p[6 * 8 + j];
-            J[7 * 8 + j] = S_22;
+            J[7 * 8 + j] = S_22; /* J(1,1) */
             const real S_23 = p[7 * 8 + j];
-            J[8 * 8 + j] = J[13 * 8 + j] = S_23;
+            J[8 * 8 + j] = J[13 * 8 + j] = S_23; /* J(1,2) J(2,1) */
             const real D_22 = p[12 * 8 + j];
-            J[10 * 8 + j] = D_22;
+            J[10 * 8 + j] = D_22; /* J(1,4) */
             const real D_23 = p[13 * 8 + j];
-            J[11 * 8 + j] = J[16 * 8 + j] = D_23;
+            J[11 * 8 + j] = J[16 * 8 + j] = D_23; /* J(1,5) J(2,4) */
             const real S_33 = p[8 * 8 + j];
-            J[14 * 8 + j] = S_33;
+            J[14 * 8 + j] = S_33; /* J(2,2) */
             const real D_33 = p[14 * 8 + j];
-            J[17 * 8 + j] = D_33;
+            J[17 * 8 + j] = D_33; /* J(2,5) */
         }
     }
 }
 
 const flexel_law flexel_law_linear_3 = {
     .name = "linear_3",
-    .digest = "4b9e482f4904d47c",
+    .digest = "3c2fc714472fd69e",
     .m = 3,
     .k = 0,
     .nz = 0,
@@ -390,52 +391,52 @@ static void linear_4_tangent(size_t nblocks, const real *const *in, real *const 
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real S_11 = p[4 * 8 + j];
-            J[0 * 8 + j] = S_11;
+            J[0 * 8 + j] = S_11; /* J(0,0) */
             const real S_12 = p[5 * 8 + j];
-            J[1 * 8 + j] = J[8 * 8 + j] = S_12;
+            J[1 * 8 + j] = J[8 * 8 + j] = S_12; /* J(0,1) J(1,0) */
             const real S_13 = p[6 * 8 + j];
-            J[2 * 8 + j] = J[16 * 8 + j] = S_13;
+            J[2 * 8 + j] = J[16 * 8 + j] = S_13; /* J(0,2) J(2,0) */
             const real S_14 = p[7 * 8 + j];
-            J[3 * 8 + j] = J[24 * 8 + j] = S_14;
+            J[3 * 8 + j] = J[24 * 8 + j] = S_14; /* J(0,3) J(3,0) */
             const real D_11 = p[14 * 8 + j];
-            J[4 * 8 + j] = D_11;
+            J[4 * 8 + j] = D_11; /* J(0,4) */
             const real D_12 = p[15 * 8 + j];
-            J[5 * 8 + j] = J[12 * 8 + j] = D_12;
+            J[5 * 8 + j] = J[12 * 8 + j] = D_12; /* J(0,5) J(1,4) */
             const real D_13 = p[16 * 8 + j];
-            J[6 * 8 + j] = J[20 * 8 + j] = D_13;
+            J[6 * 8 + j] = J[20 * 8 + j] = D_13; /* J(0,6) J(2,4) */
             const real D_14 = p[17 * 8 + j];
-            J[7 * 8 + j] = J[28 * 8 + j] = D_14;
+            J[7 * 8 + j] = J[28 * 8 + j] = D_14; /* J(0,7) J(3,4) */
             const real S_22 = p[8 * 8 + j];
-            J[9 * 8 + j] = S_22;
+            J[9 * 8 + j] = S_22; /* J(1,1) */
             const real S_23 = p[9 * 8 + j];
-            J[10 * 8 + j] = J[17 * 8 + j] = S_23;
+            J[10 * 8 + j] = J[17 * 8 + j] = S_23; /* J(1,2) J(2,1) */
             const real S_24 = p[10 * 8 + j];
-            J[11 * 8 + j] = J[25 * 8 + j] = S_24;
+            J[11 * 8 + j] = J[25 * 8 + j] = S_24; /* J(1,3) J(3,1) */
             const real D_22 = p[18 * 8 + j];
-            J[13 * 8 + j] = D_22;
+            J[13 * 8 + j] = D_22; /* J(1,5) */
             const real D_23 = p[19 * 8 + j];
-            J[14 * 8 + j] = J[21 * 8 + j] = D_23;
+            J[14 * 8 + j] = J[21 * 8 + j] = D_23; /* J(1,6) J(2,5) */
             const real D_24 = p[20 * 8 + j];
-            J[15 * 8 + j] = J[29 * 8 + j] = D_24;
+            J[15 * 8 + j] = J[29 * 8 + j] = D_24; /* J(1,7) J(3,5) */
             const real S_33 = p[11 * 8 + j];
-            J[18 * 8 + j] = S_33;
+            J[18 * 8 + j] = S_33; /* J(2,2) */
             const real S_34 = p[12 * 8 + j];
-            J[19 * 8 + j] = J[26 * 8 + j] = S_34;
+            J[19 * 8 + j] = J[26 * 8 + j] = S_34; /* J(2,3) J(3,2) */
             const real D_33 = p[21 * 8 + j];
-            J[22 * 8 + j] = D_33;
+            J[22 * 8 + j] = D_33; /* J(2,6) */
             const real D_34 = p[22 * 8 + j];
-            J[23 * 8 + j] = J[30 * 8 + j] = D_34;
+            J[23 * 8 + j] = J[30 * 8 + j] = D_34; /* J(2,7) J(3,6) */
             const real S_44 = p[13 * 8 + j];
-            J[27 * 8 + j] = S_44;
+            J[27 * 8 + j] = S_44; /* J(3,3) */
             const real D_44 = p[23 * 8 + j];
-            J[31 * 8 + j] = D_44;
+            J[31 * 8 + j] = D_44; /* J(3,7) */
         }
     }
 }
 
 const flexel_law flexel_law_linear_4 = {
     .name = "linear_4",
-    .digest = "4b9e482f4904d47c",
+    .digest = "3c2fc714472fd69e",
     .m = 4,
     .k = 0,
     .nz = 0,
@@ -567,72 +568,72 @@ static void linear_5_tangent(size_t nblocks, const real *const *in, real *const 
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real S_11 = p[5 * 8 + j];
-            J[0 * 8 + j] = S_11;
+            J[0 * 8 + j] = S_11; /* J(0,0) */
             const real S_12 = p[6 * 8 + j];
-            J[1 * 8 + j] = J[10 * 8 + j] = S_12;
+            J[1 * 8 + j] = J[10 * 8 + j] = S_12; /* J(0,1) J(1,0) */
             const real S_13 = p[7 * 8 + j];
-            J[2 * 8 + j] = J[20 * 8 + j] = S_13;
+            J[2 * 8 + j] = J[20 * 8 + j] = S_13; /* J(0,2) J(2,0) */
             const real S_14 = p[8 * 8 + j];
-            J[3 * 8 + j] = J[30 * 8 + j] = S_14;
+            J[3 * 8 + j] = J[30 * 8 + j] = S_14; /* J(0,3) J(3,0) */
             const real S_15 = p[9 * 8 + j];
-            J[4 * 8 + j] = J[40 * 8 + j] = S_15;
+            J[4 * 8 + j] = J[40 * 8 + j] = S_15; /* J(0,4) J(4,0) */
             const real D_11 = p[20 * 8 + j];
-            J[5 * 8 + j] = D_11;
+            J[5 * 8 + j] = D_11; /* J(0,5) */
             const real D_12 = p[21 * 8 + j];
-            J[6 * 8 + j] = J[15 * 8 + j] = D_12;
+            J[6 * 8 + j] = J[15 * 8 + j] = D_12; /* J(0,6) J(1,5) */
             const real D_13 = p[22 * 8 + j];
-            J[7 * 8 + j] = J[25 * 8 + j] = D_13;
+            J[7 * 8 + j] = J[25 * 8 + j] = D_13; /* J(0,7) J(2,5) */
             const real D_14 = p[23 * 8 + j];
-            J[8 * 8 + j] = J[35 * 8 + j] = D_14;
+            J[8 * 8 + j] = J[35 * 8 + j] = D_14; /* J(0,8) J(3,5) */
             const real D_15 = p[24 * 8 + j];
-            J[9 * 8 + j] = J[45 * 8 + j] = D_15;
+            J[9 * 8 + j] = J[45 * 8 + j] = D_15; /* J(0,9) J(4,5) */
             const real S_22 = p[10 * 8 + j];
-            J[11 * 8 + j] = S_22;
+            J[11 * 8 + j] = S_22; /* J(1,1) */
             const real S_23 = p[11 * 8 + j];
-            J[12 * 8 + j] = J[21 * 8 + j] = S_23;
+            J[12 * 8 + j] = J[21 * 8 + j] = S_23; /* J(1,2) J(2,1) */
             const real S_24 = p[12 * 8 + j];
-            J[13 * 8 + j] = J[31 * 8 + j] = S_24;
+            J[13 * 8 + j] = J[31 * 8 + j] = S_24; /* J(1,3) J(3,1) */
             const real S_25 = p[13 * 8 + j];
-            J[14 * 8 + j] = J[41 * 8 + j] = S_25;
+            J[14 * 8 + j] = J[41 * 8 + j] = S_25; /* J(1,4) J(4,1) */
             const real D_22 = p[25 * 8 + j];
-            J[16 * 8 + j] = D_22;
+            J[16 * 8 + j] = D_22; /* J(1,6) */
             const real D_23 = p[26 * 8 + j];
-            J[17 * 8 + j] = J[26 * 8 + j] = D_23;
+            J[17 * 8 + j] = J[26 * 8 + j] = D_23; /* J(1,7) J(2,6) */
             const real D_24 = p[27 * 8 + j];
-            J[18 * 8 + j] = J[36 * 8 + j] = D_24;
+            J[18 * 8 + j] = J[36 * 8 + j] = D_24; /* J(1,8) J(3,6) */
             const real D_25 = p[28 * 8 + j];
-            J[19 * 8 + j] = J[46 * 8 + j] = D_25;
+            J[19 * 8 + j] = J[46 * 8 + j] = D_25; /* J(1,9) J(4,6) */
             const real S_33 = p[14 * 8 + j];
-            J[22 * 8 + j] = S_33;
+            J[22 * 8 + j] = S_33; /* J(2,2) */
             const real S_34 = p[15 * 8 + j];
-            J[23 * 8 + j] = J[32 * 8 + j] = S_34;
+            J[23 * 8 + j] = J[32 * 8 + j] = S_34; /* J(2,3) J(3,2) */
             const real S_35 = p[16 * 8 + j];
-            J[24 * 8 + j] = J[42 * 8 + j] = S_35;
+            J[24 * 8 + j] = J[42 * 8 + j] = S_35; /* J(2,4) J(4,2) */
             const real D_33 = p[29 * 8 + j];
-            J[27 * 8 + j] = D_33;
+            J[27 * 8 + j] = D_33; /* J(2,7) */
             const real D_34 = p[30 * 8 + j];
-            J[28 * 8 + j] = J[37 * 8 + j] = D_34;
+            J[28 * 8 + j] = J[37 * 8 + j] = D_34; /* J(2,8) J(3,7) */
             const real D_35 = p[31 * 8 + j];
-            J[29 * 8 + j] = J[47 * 8 + j] = D_35;
+            J[29 * 8 + j] = J[47 * 8 + j] = D_35; /* J(2,9) J(4,7) */
             const real S_44 = p[17 * 8 + j];
-            J[33 * 8 + j] = S_44;
+            J[33 * 8 + j] = S_44; /* J(3,3) */
             const real S_45 = p[18 * 8 + j];
-            J[34 * 8 + j] = J[43 * 8 + j] = S_45;
+            J[34 * 8 + j] = J[43 * 8 + j] = S_45; /* J(3,4) J(4,3) */
             const real D_44 = p[32 * 8 + j];
-            J[38 * 8 + j] = D_44;
+            J[38 * 8 + j] = D_44; /* J(3,8) */
             const real D_45 = p[33 * 8 + j];
-            J[39 * 8 + j] = J[48 * 8 + j] = D_45;
+            J[39 * 8 + j] = J[48 * 8 + j] = D_45; /* J(3,9) J(4,8) */
             const real S_55 = p[19 * 8 + j];
-            J[44 * 8 + j] = S_55;
+            J[44 * 8 + j] = S_55; /* J(4,4) */
             const real D_55 = p[34 * 8 + j];
-            J[49 * 8 + j] = D_55;
+            J[49 * 8 + j] = D_55; /* J(4,9) */
         }
     }
 }
 
 const flexel_law flexel_law_linear_5 = {
     .name = "linear_5",
-    .digest = "4b9e482f4904d47c",
+    .digest = "3c2fc714472fd69e",
     .m = 5,
     .k = 0,
     .nz = 0,
@@ -794,96 +795,96 @@ static void linear_6_tangent(size_t nblocks, const real *const *in, real *const 
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real S_11 = p[6 * 8 + j];
-            J[0 * 8 + j] = S_11;
+            J[0 * 8 + j] = S_11; /* J(0,0) */
             const real S_12 = p[7 * 8 + j];
-            J[1 * 8 + j] = J[12 * 8 + j] = S_12;
+            J[1 * 8 + j] = J[12 * 8 + j] = S_12; /* J(0,1) J(1,0) */
             const real S_13 = p[8 * 8 + j];
-            J[2 * 8 + j] = J[24 * 8 + j] = S_13;
+            J[2 * 8 + j] = J[24 * 8 + j] = S_13; /* J(0,2) J(2,0) */
             const real S_14 = p[9 * 8 + j];
-            J[3 * 8 + j] = J[36 * 8 + j] = S_14;
+            J[3 * 8 + j] = J[36 * 8 + j] = S_14; /* J(0,3) J(3,0) */
             const real S_15 = p[10 * 8 + j];
-            J[4 * 8 + j] = J[48 * 8 + j] = S_15;
+            J[4 * 8 + j] = J[48 * 8 + j] = S_15; /* J(0,4) J(4,0) */
             const real S_16 = p[11 * 8 + j];
-            J[5 * 8 + j] = J[60 * 8 + j] = S_16;
+            J[5 * 8 + j] = J[60 * 8 + j] = S_16; /* J(0,5) J(5,0) */
             const real D_11 = p[27 * 8 + j];
-            J[6 * 8 + j] = D_11;
+            J[6 * 8 + j] = D_11; /* J(0,6) */
             const real D_12 = p[28 * 8 + j];
-            J[7 * 8 + j] = J[18 * 8 + j] = D_12;
+            J[7 * 8 + j] = J[18 * 8 + j] = D_12; /* J(0,7) J(1,6) */
             const real D_13 = p[29 * 8 + j];
-            J[8 * 8 + j] = J[30 * 8 + j] = D_13;
+            J[8 * 8 + j] = J[30 * 8 + j] = D_13; /* J(0,8) J(2,6) */
             const real D_14 = p[30 * 8 + j];
-            J[9 * 8 + j] = J[42 * 8 + j] = D_14;
+            J[9 * 8 + j] = J[42 * 8 + j] = D_14; /* J(0,9) J(3,6) */
             const real D_15 = p[31 * 8 + j];
-            J[10 * 8 + j] = J[54 * 8 + j] = D_15;
+            J[10 * 8 + j] = J[54 * 8 + j] = D_15; /* J(0,10) J(4,6) */
             const real D_16 = p[32 * 8 + j];
-            J[11 * 8 + j] = J[66 * 8 + j] = D_16;
+            J[11 * 8 + j] = J[66 * 8 + j] = D_16; /* J(0,11) J(5,6) */
             const real S_22 = p[12 * 8 + j];
-            J[13 * 8 + j] = S_22;
+            J[13 * 8 + j] = S_22; /* J(1,1) */
             const real S_23 = p[13 * 8 + j];
-            J[14 * 8 + j] = J[25 * 8 + j] = S_23;
+            J[14 * 8 + j] = J[25 * 8 + j] = S_23; /* J(1,2) J(2,1) */
             const real S_24 = p[14 * 8 + j];
-            J[15 * 8 + j] = J[37 * 8 + j] = S_24;
+            J[15 * 8 + j] = J[37 * 8 + j] = S_24; /* J(1,3) J(3,1) */
             const real S_25 = p[15 * 8 + j];
-            J[16 * 8 + j] = J[49 * 8 + j] = S_25;
+            J[16 * 8 + j] = J[49 * 8 + j] = S_25; /* J(1,4) J(4,1) */
             const real S_26 = p[16 * 8 + j];
-            J[17 * 8 + j] = J[61 * 8 + j] = S_26;
+            J[17 * 8 + j] = J[61 * 8 + j] = S_26; /* J(1,5) J(5,1) */
             const real D_22 = p[33 * 8 + j];
-            J[19 * 8 + j] = D_22;
+            J[19 * 8 + j] = D_22; /* J(1,7) */
             const real D_23 = p[34 * 8 + j];
-            J[20 * 8 + j] = J[31 * 8 + j] = D_23;
+            J[20 * 8 + j] = J[31 * 8 + j] = D_23; /* J(1,8) J(2,7) */
             const real D_24 = p[35 * 8 + j];
-            J[21 * 8 + j] = J[43 * 8 + j] = D_24;
+            J[21 * 8 + j] = J[43 * 8 + j] = D_24; /* J(1,9) J(3,7) */
             const real D_25 = p[36 * 8 + j];
-            J[22 * 8 + j] = J[55 * 8 + j] = D_25;
+            J[22 * 8 + j] = J[55 * 8 + j] = D_25; /* J(1,10) J(4,7) */
             const real D_26 = p[37 * 8 + j];
-            J[23 * 8 + j] = J[67 * 8 + j] = D_26;
+            J[23 * 8 + j] = J[67 * 8 + j] = D_26; /* J(1,11) J(5,7) */
             const real S_33 = p[17 * 8 + j];
-            J[26 * 8 + j] = S_33;
+            J[26 * 8 + j] = S_33; /* J(2,2) */
             const real S_34 = p[18 * 8 + j];
-            J[27 * 8 + j] = J[38 * 8 + j] = S_34;
+            J[27 * 8 + j] = J[38 * 8 + j] = S_34; /* J(2,3) J(3,2) */
             const real S_35 = p[19 * 8 + j];
-            J[28 * 8 + j] = J[50 * 8 + j] = S_35;
+            J[28 * 8 + j] = J[50 * 8 + j] = S_35; /* J(2,4) J(4,2) */
             const real S_36 = p[20 * 8 + j];
-            J[29 * 8 + j] = J[62 * 8 + j] = S_36;
+            J[29 * 8 + j] = J[62 * 8 + j] = S_36; /* J(2,5) J(5,2) */
             const real D_33 = p[38 * 8 + j];
-            J[32 * 8 + j] = D_33;
+            J[32 * 8 + j] = D_33; /* J(2,8) */
             const real D_34 = p[39 * 8 + j];
-            J[33 * 8 + j] = J[44 * 8 + j] = D_34;
+            J[33 * 8 + j] = J[44 * 8 + j] = D_34; /* J(2,9) J(3,8) */
             const real D_35 = p[40 * 8 + j];
-            J[34 * 8 + j] = J[56 * 8 + j] = D_35;
+            J[34 * 8 + j] = J[56 * 8 + j] = D_35; /* J(2,10) J(4,8) */
             const real D_36 = p[41 * 8 + j];
-            J[35 * 8 + j] = J[68 * 8 + j] = D_36;
+            J[35 * 8 + j] = J[68 * 8 + j] = D_36; /* J(2,11) J(5,8) */
             const real S_44 = p[21 * 8 + j];
-            J[39 * 8 + j] = S_44;
+            J[39 * 8 + j] = S_44; /* J(3,3) */
             const real S_45 = p[22 * 8 + j];
-            J[40 * 8 + j] = J[51 * 8 + j] = S_45;
+            J[40 * 8 + j] = J[51 * 8 + j] = S_45; /* J(3,4) J(4,3) */
             const real S_46 = p[23 * 8 + j];
-            J[41 * 8 + j] = J[63 * 8 + j] = S_46;
+            J[41 * 8 + j] = J[63 * 8 + j] = S_46; /* J(3,5) J(5,3) */
             const real D_44 = p[42 * 8 + j];
-            J[45 * 8 + j] = D_44;
+            J[45 * 8 + j] = D_44; /* J(3,9) */
             const real D_45 = p[43 * 8 + j];
-            J[46 * 8 + j] = J[57 * 8 + j] = D_45;
+            J[46 * 8 + j] = J[57 * 8 + j] = D_45; /* J(3,10) J(4,9) */
             const real D_46 = p[44 * 8 + j];
-            J[47 * 8 + j] = J[69 * 8 + j] = D_46;
+            J[47 * 8 + j] = J[69 * 8 + j] = D_46; /* J(3,11) J(5,9) */
             const real S_55 = p[24 * 8 + j];
-            J[52 * 8 + j] = S_55;
+            J[52 * 8 + j] = S_55; /* J(4,4) */
             const real S_56 = p[25 * 8 + j];
-            J[53 * 8 + j] = J[64 * 8 + j] = S_56;
+            J[53 * 8 + j] = J[64 * 8 + j] = S_56; /* J(4,5) J(5,4) */
             const real D_55 = p[45 * 8 + j];
-            J[58 * 8 + j] = D_55;
+            J[58 * 8 + j] = D_55; /* J(4,10) */
             const real D_56 = p[46 * 8 + j];
-            J[59 * 8 + j] = J[70 * 8 + j] = D_56;
+            J[59 * 8 + j] = J[70 * 8 + j] = D_56; /* J(4,11) J(5,10) */
             const real S_66 = p[26 * 8 + j];
-            J[65 * 8 + j] = S_66;
+            J[65 * 8 + j] = S_66; /* J(5,5) */
             const real D_66 = p[47 * 8 + j];
-            J[71 * 8 + j] = D_66;
+            J[71 * 8 + j] = D_66; /* J(5,11) */
         }
     }
 }
 
 const flexel_law flexel_law_linear_6 = {
     .name = "linear_6",
-    .digest = "4b9e482f4904d47c",
+    .digest = "3c2fc714472fd69e",
     .m = 6,
     .k = 0,
     .nz = 0,
@@ -1005,40 +1006,40 @@ static void diagonal_7_tangent(size_t nblocks, const real *const *in, real *cons
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real S_0 = p[7 * 8 + j];
-            J[0 * 8 + j] = S_0;
+            J[0 * 8 + j] = S_0; /* J(0,0) */
             const real D_0 = p[14 * 8 + j];
-            J[1 * 8 + j] = D_0;
+            J[1 * 8 + j] = D_0; /* J(0,7) */
             const real S_1 = p[8 * 8 + j];
-            J[2 * 8 + j] = S_1;
+            J[2 * 8 + j] = S_1; /* J(1,1) */
             const real D_1 = p[15 * 8 + j];
-            J[3 * 8 + j] = D_1;
+            J[3 * 8 + j] = D_1; /* J(1,8) */
             const real S_2 = p[9 * 8 + j];
-            J[4 * 8 + j] = S_2;
+            J[4 * 8 + j] = S_2; /* J(2,2) */
             const real D_2 = p[16 * 8 + j];
-            J[5 * 8 + j] = D_2;
+            J[5 * 8 + j] = D_2; /* J(2,9) */
             const real S_3 = p[10 * 8 + j];
-            J[6 * 8 + j] = S_3;
+            J[6 * 8 + j] = S_3; /* J(3,3) */
             const real D_3 = p[17 * 8 + j];
-            J[7 * 8 + j] = D_3;
+            J[7 * 8 + j] = D_3; /* J(3,10) */
             const real S_4 = p[11 * 8 + j];
-            J[8 * 8 + j] = S_4;
+            J[8 * 8 + j] = S_4; /* J(4,4) */
             const real D_4 = p[18 * 8 + j];
-            J[9 * 8 + j] = D_4;
+            J[9 * 8 + j] = D_4; /* J(4,11) */
             const real S_5 = p[12 * 8 + j];
-            J[10 * 8 + j] = S_5;
+            J[10 * 8 + j] = S_5; /* J(5,5) */
             const real D_5 = p[19 * 8 + j];
-            J[11 * 8 + j] = D_5;
+            J[11 * 8 + j] = D_5; /* J(5,12) */
             const real S_6 = p[13 * 8 + j];
-            J[12 * 8 + j] = S_6;
+            J[12 * 8 + j] = S_6; /* J(6,6) */
             const real D_6 = p[20 * 8 + j];
-            J[13 * 8 + j] = D_6;
+            J[13 * 8 + j] = D_6; /* J(6,13) */
         }
     }
 }
 
 const flexel_law flexel_law_diagonal_7 = {
     .name = "diagonal_7",
-    .digest = "4b9e482f4904d47c",
+    .digest = "3c2fc714472fd69e",
     .m = 7,
     .k = 0,
     .nz = 0,
@@ -1218,64 +1219,64 @@ static void diagonal_13_tangent(size_t nblocks, const real *const *in, real *con
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real S_0 = p[13 * 8 + j];
-            J[0 * 8 + j] = S_0;
+            J[0 * 8 + j] = S_0; /* J(0,0) */
             const real D_0 = p[26 * 8 + j];
-            J[1 * 8 + j] = D_0;
+            J[1 * 8 + j] = D_0; /* J(0,13) */
             const real S_1 = p[14 * 8 + j];
-            J[2 * 8 + j] = S_1;
+            J[2 * 8 + j] = S_1; /* J(1,1) */
             const real D_1 = p[27 * 8 + j];
-            J[3 * 8 + j] = D_1;
+            J[3 * 8 + j] = D_1; /* J(1,14) */
             const real S_2 = p[15 * 8 + j];
-            J[4 * 8 + j] = S_2;
+            J[4 * 8 + j] = S_2; /* J(2,2) */
             const real D_2 = p[28 * 8 + j];
-            J[5 * 8 + j] = D_2;
+            J[5 * 8 + j] = D_2; /* J(2,15) */
             const real S_3 = p[16 * 8 + j];
-            J[6 * 8 + j] = S_3;
+            J[6 * 8 + j] = S_3; /* J(3,3) */
             const real D_3 = p[29 * 8 + j];
-            J[7 * 8 + j] = D_3;
+            J[7 * 8 + j] = D_3; /* J(3,16) */
             const real S_4 = p[17 * 8 + j];
-            J[8 * 8 + j] = S_4;
+            J[8 * 8 + j] = S_4; /* J(4,4) */
             const real D_4 = p[30 * 8 + j];
-            J[9 * 8 + j] = D_4;
+            J[9 * 8 + j] = D_4; /* J(4,17) */
             const real S_5 = p[18 * 8 + j];
-            J[10 * 8 + j] = S_5;
+            J[10 * 8 + j] = S_5; /* J(5,5) */
             const real D_5 = p[31 * 8 + j];
-            J[11 * 8 + j] = D_5;
+            J[11 * 8 + j] = D_5; /* J(5,18) */
             const real S_6 = p[19 * 8 + j];
-            J[12 * 8 + j] = S_6;
+            J[12 * 8 + j] = S_6; /* J(6,6) */
             const real D_6 = p[32 * 8 + j];
-            J[13 * 8 + j] = D_6;
+            J[13 * 8 + j] = D_6; /* J(6,19) */
             const real S_7 = p[20 * 8 + j];
-            J[14 * 8 + j] = S_7;
+            J[14 * 8 + j] = S_7; /* J(7,7) */
             const real D_7 = p[33 * 8 + j];
-            J[15 * 8 + j] = D_7;
+            J[15 * 8 + j] = D_7; /* J(7,20) */
             const real S_8 = p[21 * 8 + j];
-            J[16 * 8 + j] = S_8;
+            J[16 * 8 + j] = S_8; /* J(8,8) */
             const real D_8 = p[34 * 8 + j];
-            J[17 * 8 + j] = D_8;
+            J[17 * 8 + j] = D_8; /* J(8,21) */
             const real S_9 = p[22 * 8 + j];
-            J[18 * 8 + j] = S_9;
+            J[18 * 8 + j] = S_9; /* J(9,9) */
             const real D_9 = p[35 * 8 + j];
-            J[19 * 8 + j] = D_9;
+            J[19 * 8 + j] = D_9; /* J(9,22) */
             const real S_10 = p[23 * 8 + j];
-            J[20 * 8 + j] = S_10;
+            J[20 * 8 + j] = S_10; /* J(10,10) */
             const real D_10 = p[36 * 8 + j];
-            J[21 * 8 + j] = D_10;
+            J[21 * 8 + j] = D_10; /* J(10,23) */
             const real S_11 = p[24 * 8 + j];
-            J[22 * 8 + j] = S_11;
+            J[22 * 8 + j] = S_11; /* J(11,11) */
             const real D_11 = p[37 * 8 + j];
-            J[23 * 8 + j] = D_11;
+            J[23 * 8 + j] = D_11; /* J(11,24) */
             const real S_12 = p[25 * 8 + j];
-            J[24 * 8 + j] = S_12;
+            J[24 * 8 + j] = S_12; /* J(12,12) */
             const real D_12 = p[38 * 8 + j];
-            J[25 * 8 + j] = D_12;
+            J[25 * 8 + j] = D_12; /* J(12,25) */
         }
     }
 }
 
 const flexel_law flexel_law_diagonal_13 = {
     .name = "diagonal_13",
-    .digest = "4b9e482f4904d47c",
+    .digest = "3c2fc714472fd69e",
     .m = 13,
     .k = 0,
     .nz = 0,
@@ -1328,14 +1329,14 @@ static void viscous_1_tangent(size_t nblocks, const real *const *in, real *const
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real C = p[0 * 8 + j];
-            J[0 * 8 + j] = C;
+            J[0 * 8 + j] = C; /* J(0,0) */
         }
     }
 }
 
 const flexel_law flexel_law_viscous_1 = {
     .name = "viscous_1",
-    .digest = "4b9e482f4904d47c",
+    .digest = "3c2fc714472fd69e",
     .m = 0,
     .k = 1,
     .nz = 0,
@@ -1393,18 +1394,18 @@ static void viscous_2_tangent(size_t nblocks, const real *const *in, real *const
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real C_11 = p[0 * 8 + j];
-            J[0 * 8 + j] = C_11;
+            J[0 * 8 + j] = C_11; /* J(0,0) */
             const real C_12 = p[1 * 8 + j];
-            J[1 * 8 + j] = J[2 * 8 + j] = C_12;
+            J[1 * 8 + j] = J[2 * 8 + j] = C_12; /* J(0,1) J(1,0) */
             const real C_22 = p[2 * 8 + j];
-            J[3 * 8 + j] = C_22;
+            J[3 * 8 + j] = C_22; /* J(1,1) */
         }
     }
 }
 
 const flexel_law flexel_law_viscous_2 = {
     .name = "viscous_2",
-    .digest = "4b9e482f4904d47c",
+    .digest = "3c2fc714472fd69e",
     .m = 0,
     .k = 2,
     .nz = 0,
@@ -1468,24 +1469,24 @@ static void viscous_3_tangent(size_t nblocks, const real *const *in, real *const
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real C_11 = p[0 * 8 + j];
-            J[0 * 8 + j] = C_11;
+            J[0 * 8 + j] = C_11; /* J(0,0) */
             const real C_12 = p[1 * 8 + j];
-            J[1 * 8 + j] = J[3 * 8 + j] = C_12;
+            J[1 * 8 + j] = J[3 * 8 + j] = C_12; /* J(0,1) J(1,0) */
             const real C_13 = p[2 * 8 + j];
-            J[2 * 8 + j] = J[6 * 8 + j] = C_13;
+            J[2 * 8 + j] = J[6 * 8 + j] = C_13; /* J(0,2) J(2,0) */
             const real C_22 = p[3 * 8 + j];
-            J[4 * 8 + j] = C_22;
+            J[4 * 8 + j] = C_22; /* J(1,1) */
             const real C_23 = p[4 * 8 + j];
-            J[5 * 8 + j] = J[7 * 8 + j] = C_23;
+            J[5 * 8 + j] = J[7 * 8 + j] = C_23; /* J(1,2) J(2,1) */
             const real C_33 = p[5 * 8 + j];
-            J[8 * 8 + j] = C_33;
+            J[8 * 8 + j] = C_33; /* J(2,2) */
         }
     }
 }
 
 const flexel_law flexel_law_viscous_3 = {
     .name = "viscous_3",
-    .digest = "4b9e482f4904d47c",
+    .digest = "3c2fc714472fd69e",
     .m = 0,
     .k = 3,
     .nz = 0,
@@ -1532,12 +1533,14 @@ static void spring_curve_law(size_t nblocks, const real *const *in, real *const 
             const real coefficients_65 = p[96 * 8 + j];
             const real breaks_12 = p[12 * 8 + j];
             const real coefficients_60 = p[91 * 8 + j];
-            const real t1 = real_lt(e_, breaks_12) ? coefficients_60 : (real_lt(e_, breaks_13) ? coefficients_65 : t0);
+            const real t1 = real_lt(e_, breaks_12) ? coefficients_60 : (real_lt(e_, breaks_13) ? coefficients_65
+                : t0);
             const real breaks_11 = p[11 * 8 + j];
             const real coefficients_55 = p[86 * 8 + j];
             const real breaks_10 = p[10 * 8 + j];
             const real coefficients_50 = p[81 * 8 + j];
-            const real t2 = real_lt(e_, breaks_10) ? coefficients_50 : (real_lt(e_, breaks_11) ? coefficients_55 : t1);
+            const real t2 = real_lt(e_, breaks_10) ? coefficients_50 : (real_lt(e_, breaks_11) ? coefficients_55
+                : t1);
             const real breaks_9 = p[9 * 8 + j];
             const real coefficients_45 = p[76 * 8 + j];
             const real breaks_8 = p[8 * 8 + j];
@@ -1592,22 +1595,28 @@ static void spring_curve_law(size_t nblocks, const real *const *in, real *const 
             const real t14 = real_lt(e_, breaks_14) ? coefficients_71 : coefficients_76;
             const real coefficients_66 = p[97 * 8 + j];
             const real coefficients_61 = p[92 * 8 + j];
-            const real t15 = real_lt(e_, breaks_12) ? coefficients_61 : (real_lt(e_, breaks_13) ? coefficients_66 : t14);
+            const real t15 = real_lt(e_, breaks_12) ? coefficients_61 : (real_lt(e_, breaks_13) ? coefficients_66
+                : t14);
             const real coefficients_56 = p[87 * 8 + j];
             const real coefficients_51 = p[82 * 8 + j];
-            const real t16 = real_lt(e_, breaks_10) ? coefficients_51 : (real_lt(e_, breaks_11) ? coefficients_56 : t15);
+            const real t16 = real_lt(e_, breaks_10) ? coefficients_51 : (real_lt(e_, breaks_11) ? coefficients_56
+                : t15);
             const real coefficients_46 = p[77 * 8 + j];
             const real coefficients_41 = p[72 * 8 + j];
-            const real t17 = real_lt(e_, breaks_8) ? coefficients_41 : (real_lt(e_, breaks_9) ? coefficients_46 : t16);
+            const real t17 = real_lt(e_, breaks_8) ? coefficients_41 : (real_lt(e_, breaks_9) ? coefficients_46
+                : t16);
             const real coefficients_36 = p[67 * 8 + j];
             const real coefficients_31 = p[62 * 8 + j];
-            const real t18 = real_lt(e_, breaks_6) ? coefficients_31 : (real_lt(e_, breaks_7) ? coefficients_36 : t17);
+            const real t18 = real_lt(e_, breaks_6) ? coefficients_31 : (real_lt(e_, breaks_7) ? coefficients_36
+                : t17);
             const real coefficients_26 = p[57 * 8 + j];
             const real coefficients_21 = p[52 * 8 + j];
-            const real t19 = real_lt(e_, breaks_4) ? coefficients_21 : (real_lt(e_, breaks_5) ? coefficients_26 : t18);
+            const real t19 = real_lt(e_, breaks_4) ? coefficients_21 : (real_lt(e_, breaks_5) ? coefficients_26
+                : t18);
             const real coefficients_16 = p[47 * 8 + j];
             const real coefficients_11 = p[42 * 8 + j];
-            const real t20 = real_lt(e_, breaks_2) ? coefficients_11 : (real_lt(e_, breaks_3) ? coefficients_16 : t19);
+            const real t20 = real_lt(e_, breaks_2) ? coefficients_11 : (real_lt(e_, breaks_3) ? coefficients_16
+                : t19);
             const real coefficients_6 = p[37 * 8 + j];
             const real coefficients_1 = p[32 * 8 + j];
             const real c1 = real_lt(e_, breaks_0) ? coefficients_1 : (real_lt(e_, breaks_1) ? coefficients_6 : t20);
@@ -1616,22 +1625,28 @@ static void spring_curve_law(size_t nblocks, const real *const *in, real *const 
             const real t21 = real_lt(e_, breaks_14) ? coefficients_72 : coefficients_77;
             const real coefficients_67 = p[98 * 8 + j];
             const real coefficients_62 = p[93 * 8 + j];
-            const real t22 = real_lt(e_, breaks_12) ? coefficients_62 : (real_lt(e_, breaks_13) ? coefficients_67 : t21);
+            const real t22 = real_lt(e_, breaks_12) ? coefficients_62 : (real_lt(e_, breaks_13) ? coefficients_67
+                : t21);
             const real coefficients_57 = p[88 * 8 + j];
             const real coefficients_52 = p[83 * 8 + j];
-            const real t23 = real_lt(e_, breaks_10) ? coefficients_52 : (real_lt(e_, breaks_11) ? coefficients_57 : t22);
+            const real t23 = real_lt(e_, breaks_10) ? coefficients_52 : (real_lt(e_, breaks_11) ? coefficients_57
+                : t22);
             const real coefficients_47 = p[78 * 8 + j];
             const real coefficients_42 = p[73 * 8 + j];
-            const real t24 = real_lt(e_, breaks_8) ? coefficients_42 : (real_lt(e_, breaks_9) ? coefficients_47 : t23);
+            const real t24 = real_lt(e_, breaks_8) ? coefficients_42 : (real_lt(e_, breaks_9) ? coefficients_47
+                : t23);
             const real coefficients_37 = p[68 * 8 + j];
             const real coefficients_32 = p[63 * 8 + j];
-            const real t25 = real_lt(e_, breaks_6) ? coefficients_32 : (real_lt(e_, breaks_7) ? coefficients_37 : t24);
+            const real t25 = real_lt(e_, breaks_6) ? coefficients_32 : (real_lt(e_, breaks_7) ? coefficients_37
+                : t24);
             const real coefficients_27 = p[58 * 8 + j];
             const real coefficients_22 = p[53 * 8 + j];
-            const real t26 = real_lt(e_, breaks_4) ? coefficients_22 : (real_lt(e_, breaks_5) ? coefficients_27 : t25);
+            const real t26 = real_lt(e_, breaks_4) ? coefficients_22 : (real_lt(e_, breaks_5) ? coefficients_27
+                : t25);
             const real coefficients_17 = p[48 * 8 + j];
             const real coefficients_12 = p[43 * 8 + j];
-            const real t27 = real_lt(e_, breaks_2) ? coefficients_12 : (real_lt(e_, breaks_3) ? coefficients_17 : t26);
+            const real t27 = real_lt(e_, breaks_2) ? coefficients_12 : (real_lt(e_, breaks_3) ? coefficients_17
+                : t26);
             const real coefficients_7 = p[38 * 8 + j];
             const real coefficients_2 = p[33 * 8 + j];
             const real c2 = real_lt(e_, breaks_0) ? coefficients_2 : (real_lt(e_, breaks_1) ? coefficients_7 : t27);
@@ -1640,22 +1655,28 @@ static void spring_curve_law(size_t nblocks, const real *const *in, real *const 
             const real t28 = real_lt(e_, breaks_14) ? coefficients_73 : coefficients_78;
             const real coefficients_68 = p[99 * 8 + j];
             const real coefficients_63 = p[94 * 8 + j];
-            const real t29 = real_lt(e_, breaks_12) ? coefficients_63 : (real_lt(e_, breaks_13) ? coefficients_68 : t28);
+            const real t29 = real_lt(e_, breaks_12) ? coefficients_63 : (real_lt(e_, breaks_13) ? coefficients_68
+                : t28);
             const real coefficients_58 = p[89 * 8 + j];
             const real coefficients_53 = p[84 * 8 + j];
-            const real t30 = real_lt(e_, breaks_10) ? coefficients_53 : (real_lt(e_, breaks_11) ? coefficients_58 : t29);
+            const real t30 = real_lt(e_, breaks_10) ? coefficients_53 : (real_lt(e_, breaks_11) ? coefficients_58
+                : t29);
             const real coefficients_48 = p[79 * 8 + j];
             const real coefficients_43 = p[74 * 8 + j];
-            const real t31 = real_lt(e_, breaks_8) ? coefficients_43 : (real_lt(e_, breaks_9) ? coefficients_48 : t30);
+            const real t31 = real_lt(e_, breaks_8) ? coefficients_43 : (real_lt(e_, breaks_9) ? coefficients_48
+                : t30);
             const real coefficients_38 = p[69 * 8 + j];
             const real coefficients_33 = p[64 * 8 + j];
-            const real t32 = real_lt(e_, breaks_6) ? coefficients_33 : (real_lt(e_, breaks_7) ? coefficients_38 : t31);
+            const real t32 = real_lt(e_, breaks_6) ? coefficients_33 : (real_lt(e_, breaks_7) ? coefficients_38
+                : t31);
             const real coefficients_28 = p[59 * 8 + j];
             const real coefficients_23 = p[54 * 8 + j];
-            const real t33 = real_lt(e_, breaks_4) ? coefficients_23 : (real_lt(e_, breaks_5) ? coefficients_28 : t32);
+            const real t33 = real_lt(e_, breaks_4) ? coefficients_23 : (real_lt(e_, breaks_5) ? coefficients_28
+                : t32);
             const real coefficients_18 = p[49 * 8 + j];
             const real coefficients_13 = p[44 * 8 + j];
-            const real t34 = real_lt(e_, breaks_2) ? coefficients_13 : (real_lt(e_, breaks_3) ? coefficients_18 : t33);
+            const real t34 = real_lt(e_, breaks_2) ? coefficients_13 : (real_lt(e_, breaks_3) ? coefficients_18
+                : t33);
             const real coefficients_8 = p[39 * 8 + j];
             const real coefficients_3 = p[34 * 8 + j];
             const real c3 = real_lt(e_, breaks_0) ? coefficients_3 : (real_lt(e_, breaks_1) ? coefficients_8 : t34);
@@ -1664,22 +1685,28 @@ static void spring_curve_law(size_t nblocks, const real *const *in, real *const 
             const real t35 = real_lt(e_, breaks_14) ? coefficients_74 : coefficients_79;
             const real coefficients_69 = p[100 * 8 + j];
             const real coefficients_64 = p[95 * 8 + j];
-            const real t36 = real_lt(e_, breaks_12) ? coefficients_64 : (real_lt(e_, breaks_13) ? coefficients_69 : t35);
+            const real t36 = real_lt(e_, breaks_12) ? coefficients_64 : (real_lt(e_, breaks_13) ? coefficients_69
+                : t35);
             const real coefficients_59 = p[90 * 8 + j];
             const real coefficients_54 = p[85 * 8 + j];
-            const real t37 = real_lt(e_, breaks_10) ? coefficients_54 : (real_lt(e_, breaks_11) ? coefficients_59 : t36);
+            const real t37 = real_lt(e_, breaks_10) ? coefficients_54 : (real_lt(e_, breaks_11) ? coefficients_59
+                : t36);
             const real coefficients_49 = p[80 * 8 + j];
             const real coefficients_44 = p[75 * 8 + j];
-            const real t38 = real_lt(e_, breaks_8) ? coefficients_44 : (real_lt(e_, breaks_9) ? coefficients_49 : t37);
+            const real t38 = real_lt(e_, breaks_8) ? coefficients_44 : (real_lt(e_, breaks_9) ? coefficients_49
+                : t37);
             const real coefficients_39 = p[70 * 8 + j];
             const real coefficients_34 = p[65 * 8 + j];
-            const real t39 = real_lt(e_, breaks_6) ? coefficients_34 : (real_lt(e_, breaks_7) ? coefficients_39 : t38);
+            const real t39 = real_lt(e_, breaks_6) ? coefficients_34 : (real_lt(e_, breaks_7) ? coefficients_39
+                : t38);
             const real coefficients_29 = p[60 * 8 + j];
             const real coefficients_24 = p[55 * 8 + j];
-            const real t40 = real_lt(e_, breaks_4) ? coefficients_24 : (real_lt(e_, breaks_5) ? coefficients_29 : t39);
+            const real t40 = real_lt(e_, breaks_4) ? coefficients_24 : (real_lt(e_, breaks_5) ? coefficients_29
+                : t39);
             const real coefficients_19 = p[50 * 8 + j];
             const real coefficients_14 = p[45 * 8 + j];
-            const real t41 = real_lt(e_, breaks_2) ? coefficients_14 : (real_lt(e_, breaks_3) ? coefficients_19 : t40);
+            const real t41 = real_lt(e_, breaks_2) ? coefficients_14 : (real_lt(e_, breaks_3) ? coefficients_19
+                : t40);
             const real coefficients_9 = p[40 * 8 + j];
             const real coefficients_4 = p[35 * 8 + j];
             const real c4 = real_lt(e_, breaks_0) ? coefficients_4 : (real_lt(e_, breaks_1) ? coefficients_9 : t41);
@@ -1743,12 +1770,14 @@ static void spring_curve_tangent(size_t nblocks, const real *const *in, real *co
             const real coefficients_66 = p[97 * 8 + j];
             const real breaks_12 = p[12 * 8 + j];
             const real coefficients_61 = p[92 * 8 + j];
-            const real t1 = real_lt(e_, breaks_12) ? coefficients_61 : (real_lt(e_, breaks_13) ? coefficients_66 : t0);
+            const real t1 = real_lt(e_, breaks_12) ? coefficients_61 : (real_lt(e_, breaks_13) ? coefficients_66
+                : t0);
             const real breaks_11 = p[11 * 8 + j];
             const real coefficients_56 = p[87 * 8 + j];
             const real breaks_10 = p[10 * 8 + j];
             const real coefficients_51 = p[82 * 8 + j];
-            const real t2 = real_lt(e_, breaks_10) ? coefficients_51 : (real_lt(e_, breaks_11) ? coefficients_56 : t1);
+            const real t2 = real_lt(e_, breaks_10) ? coefficients_51 : (real_lt(e_, breaks_11) ? coefficients_56
+                : t1);
             const real breaks_9 = p[9 * 8 + j];
             const real coefficients_46 = p[77 * 8 + j];
             const real breaks_8 = p[8 * 8 + j];
@@ -1803,22 +1832,28 @@ static void spring_curve_tangent(size_t nblocks, const real *const *in, real *co
             const real t14 = real_lt(e_, breaks_14) ? coefficients_72 : coefficients_77;
             const real coefficients_67 = p[98 * 8 + j];
             const real coefficients_62 = p[93 * 8 + j];
-            const real t15 = real_lt(e_, breaks_12) ? coefficients_62 : (real_lt(e_, breaks_13) ? coefficients_67 : t14);
+            const real t15 = real_lt(e_, breaks_12) ? coefficients_62 : (real_lt(e_, breaks_13) ? coefficients_67
+                : t14);
             const real coefficients_57 = p[88 * 8 + j];
             const real coefficients_52 = p[83 * 8 + j];
-            const real t16 = real_lt(e_, breaks_10) ? coefficients_52 : (real_lt(e_, breaks_11) ? coefficients_57 : t15);
+            const real t16 = real_lt(e_, breaks_10) ? coefficients_52 : (real_lt(e_, breaks_11) ? coefficients_57
+                : t15);
             const real coefficients_47 = p[78 * 8 + j];
             const real coefficients_42 = p[73 * 8 + j];
-            const real t17 = real_lt(e_, breaks_8) ? coefficients_42 : (real_lt(e_, breaks_9) ? coefficients_47 : t16);
+            const real t17 = real_lt(e_, breaks_8) ? coefficients_42 : (real_lt(e_, breaks_9) ? coefficients_47
+                : t16);
             const real coefficients_37 = p[68 * 8 + j];
             const real coefficients_32 = p[63 * 8 + j];
-            const real t18 = real_lt(e_, breaks_6) ? coefficients_32 : (real_lt(e_, breaks_7) ? coefficients_37 : t17);
+            const real t18 = real_lt(e_, breaks_6) ? coefficients_32 : (real_lt(e_, breaks_7) ? coefficients_37
+                : t17);
             const real coefficients_27 = p[58 * 8 + j];
             const real coefficients_22 = p[53 * 8 + j];
-            const real t19 = real_lt(e_, breaks_4) ? coefficients_22 : (real_lt(e_, breaks_5) ? coefficients_27 : t18);
+            const real t19 = real_lt(e_, breaks_4) ? coefficients_22 : (real_lt(e_, breaks_5) ? coefficients_27
+                : t18);
             const real coefficients_17 = p[48 * 8 + j];
             const real coefficients_12 = p[43 * 8 + j];
-            const real t20 = real_lt(e_, breaks_2) ? coefficients_12 : (real_lt(e_, breaks_3) ? coefficients_17 : t19);
+            const real t20 = real_lt(e_, breaks_2) ? coefficients_12 : (real_lt(e_, breaks_3) ? coefficients_17
+                : t19);
             const real coefficients_7 = p[38 * 8 + j];
             const real coefficients_2 = p[33 * 8 + j];
             const real c2 = real_lt(e_, breaks_0) ? coefficients_2 : (real_lt(e_, breaks_1) ? coefficients_7 : t20);
@@ -1827,22 +1862,28 @@ static void spring_curve_tangent(size_t nblocks, const real *const *in, real *co
             const real t21 = real_lt(e_, breaks_14) ? coefficients_73 : coefficients_78;
             const real coefficients_68 = p[99 * 8 + j];
             const real coefficients_63 = p[94 * 8 + j];
-            const real t22 = real_lt(e_, breaks_12) ? coefficients_63 : (real_lt(e_, breaks_13) ? coefficients_68 : t21);
+            const real t22 = real_lt(e_, breaks_12) ? coefficients_63 : (real_lt(e_, breaks_13) ? coefficients_68
+                : t21);
             const real coefficients_58 = p[89 * 8 + j];
             const real coefficients_53 = p[84 * 8 + j];
-            const real t23 = real_lt(e_, breaks_10) ? coefficients_53 : (real_lt(e_, breaks_11) ? coefficients_58 : t22);
+            const real t23 = real_lt(e_, breaks_10) ? coefficients_53 : (real_lt(e_, breaks_11) ? coefficients_58
+                : t22);
             const real coefficients_48 = p[79 * 8 + j];
             const real coefficients_43 = p[74 * 8 + j];
-            const real t24 = real_lt(e_, breaks_8) ? coefficients_43 : (real_lt(e_, breaks_9) ? coefficients_48 : t23);
+            const real t24 = real_lt(e_, breaks_8) ? coefficients_43 : (real_lt(e_, breaks_9) ? coefficients_48
+                : t23);
             const real coefficients_38 = p[69 * 8 + j];
             const real coefficients_33 = p[64 * 8 + j];
-            const real t25 = real_lt(e_, breaks_6) ? coefficients_33 : (real_lt(e_, breaks_7) ? coefficients_38 : t24);
+            const real t25 = real_lt(e_, breaks_6) ? coefficients_33 : (real_lt(e_, breaks_7) ? coefficients_38
+                : t24);
             const real coefficients_28 = p[59 * 8 + j];
             const real coefficients_23 = p[54 * 8 + j];
-            const real t26 = real_lt(e_, breaks_4) ? coefficients_23 : (real_lt(e_, breaks_5) ? coefficients_28 : t25);
+            const real t26 = real_lt(e_, breaks_4) ? coefficients_23 : (real_lt(e_, breaks_5) ? coefficients_28
+                : t25);
             const real coefficients_18 = p[49 * 8 + j];
             const real coefficients_13 = p[44 * 8 + j];
-            const real t27 = real_lt(e_, breaks_2) ? coefficients_13 : (real_lt(e_, breaks_3) ? coefficients_18 : t26);
+            const real t27 = real_lt(e_, breaks_2) ? coefficients_13 : (real_lt(e_, breaks_3) ? coefficients_18
+                : t26);
             const real coefficients_8 = p[39 * 8 + j];
             const real coefficients_3 = p[34 * 8 + j];
             const real c3 = real_lt(e_, breaks_0) ? coefficients_3 : (real_lt(e_, breaks_1) ? coefficients_8 : t27);
@@ -1851,36 +1892,42 @@ static void spring_curve_tangent(size_t nblocks, const real *const *in, real *co
             const real t28 = real_lt(e_, breaks_14) ? coefficients_74 : coefficients_79;
             const real coefficients_69 = p[100 * 8 + j];
             const real coefficients_64 = p[95 * 8 + j];
-            const real t29 = real_lt(e_, breaks_12) ? coefficients_64 : (real_lt(e_, breaks_13) ? coefficients_69 : t28);
+            const real t29 = real_lt(e_, breaks_12) ? coefficients_64 : (real_lt(e_, breaks_13) ? coefficients_69
+                : t28);
             const real coefficients_59 = p[90 * 8 + j];
             const real coefficients_54 = p[85 * 8 + j];
-            const real t30 = real_lt(e_, breaks_10) ? coefficients_54 : (real_lt(e_, breaks_11) ? coefficients_59 : t29);
+            const real t30 = real_lt(e_, breaks_10) ? coefficients_54 : (real_lt(e_, breaks_11) ? coefficients_59
+                : t29);
             const real coefficients_49 = p[80 * 8 + j];
             const real coefficients_44 = p[75 * 8 + j];
-            const real t31 = real_lt(e_, breaks_8) ? coefficients_44 : (real_lt(e_, breaks_9) ? coefficients_49 : t30);
+            const real t31 = real_lt(e_, breaks_8) ? coefficients_44 : (real_lt(e_, breaks_9) ? coefficients_49
+                : t30);
             const real coefficients_39 = p[70 * 8 + j];
             const real coefficients_34 = p[65 * 8 + j];
-            const real t32 = real_lt(e_, breaks_6) ? coefficients_34 : (real_lt(e_, breaks_7) ? coefficients_39 : t31);
+            const real t32 = real_lt(e_, breaks_6) ? coefficients_34 : (real_lt(e_, breaks_7) ? coefficients_39
+                : t31);
             const real coefficients_29 = p[60 * 8 + j];
             const real coefficients_24 = p[55 * 8 + j];
-            const real t33 = real_lt(e_, breaks_4) ? coefficients_24 : (real_lt(e_, breaks_5) ? coefficients_29 : t32);
+            const real t33 = real_lt(e_, breaks_4) ? coefficients_24 : (real_lt(e_, breaks_5) ? coefficients_29
+                : t32);
             const real coefficients_19 = p[50 * 8 + j];
             const real coefficients_14 = p[45 * 8 + j];
-            const real t34 = real_lt(e_, breaks_2) ? coefficients_14 : (real_lt(e_, breaks_3) ? coefficients_19 : t33);
+            const real t34 = real_lt(e_, breaks_2) ? coefficients_14 : (real_lt(e_, breaks_3) ? coefficients_19
+                : t33);
             const real coefficients_9 = p[40 * 8 + j];
             const real coefficients_4 = p[35 * 8 + j];
             const real c4 = real_lt(e_, breaks_0) ? coefficients_4 : (real_lt(e_, breaks_1) ? coefficients_9 : t34);
             const real t35 = y * c4;
             const real t36 = c3 + t35;
             const real t37 = c2 + y * t36;
-            J[0 * 8 + j] = c1 + y * (t37 + y * (t35 + t36) + t37);
+            J[0 * 8 + j] = c1 + y * (t37 + y * (t35 + t36) + t37); /* J(0,0) */
         }
     }
 }
 
 const flexel_law flexel_law_spring_curve = {
     .name = "spring_curve",
-    .digest = "4b9e482f4904d47c",
+    .digest = "3c2fc714472fd69e",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -1924,32 +1971,38 @@ static void damper_curve_law(size_t nblocks, const real *const *in, real *const 
             const real coefficients_65 = p[96 * 8 + j];
             const real breaks_12 = p[12 * 8 + j];
             const real coefficients_60 = p[91 * 8 + j];
-            const real t1 = real_lt(ed_, breaks_12) ? coefficients_60 : (real_lt(ed_, breaks_13) ? coefficients_65 : t0);
+            const real t1 = real_lt(ed_, breaks_12) ? coefficients_60 : (real_lt(ed_, breaks_13) ? coefficients_65
+                : t0);
             const real breaks_11 = p[11 * 8 + j];
             const real coefficients_55 = p[86 * 8 + j];
             const real breaks_10 = p[10 * 8 + j];
             const real coefficients_50 = p[81 * 8 + j];
-            const real t2 = real_lt(ed_, breaks_10) ? coefficients_50 : (real_lt(ed_, breaks_11) ? coefficients_55 : t1);
+            const real t2 = real_lt(ed_, breaks_10) ? coefficients_50 : (real_lt(ed_, breaks_11) ? coefficients_55
+                : t1);
             const real breaks_9 = p[9 * 8 + j];
             const real coefficients_45 = p[76 * 8 + j];
             const real breaks_8 = p[8 * 8 + j];
             const real coefficients_40 = p[71 * 8 + j];
-            const real t3 = real_lt(ed_, breaks_8) ? coefficients_40 : (real_lt(ed_, breaks_9) ? coefficients_45 : t2);
+            const real t3 = real_lt(ed_, breaks_8) ? coefficients_40 : (real_lt(ed_, breaks_9) ? coefficients_45
+                : t2);
             const real breaks_7 = p[7 * 8 + j];
             const real coefficients_35 = p[66 * 8 + j];
             const real breaks_6 = p[6 * 8 + j];
             const real coefficients_30 = p[61 * 8 + j];
-            const real t4 = real_lt(ed_, breaks_6) ? coefficients_30 : (real_lt(ed_, breaks_7) ? coefficients_35 : t3);
+            const real t4 = real_lt(ed_, breaks_6) ? coefficients_30 : (real_lt(ed_, breaks_7) ? coefficients_35
+                : t3);
             const real breaks_5 = p[5 * 8 + j];
             const real coefficients_25 = p[56 * 8 + j];
             const real breaks_4 = p[4 * 8 + j];
             const real coefficients_20 = p[51 * 8 + j];
-            const real t5 = real_lt(ed_, breaks_4) ? coefficients_20 : (real_lt(ed_, breaks_5) ? coefficients_25 : t4);
+            const real t5 = real_lt(ed_, breaks_4) ? coefficients_20 : (real_lt(ed_, breaks_5) ? coefficients_25
+                : t4);
             const real breaks_3 = p[3 * 8 + j];
             const real coefficients_15 = p[46 * 8 + j];
             const real breaks_2 = p[2 * 8 + j];
             const real coefficients_10 = p[41 * 8 + j];
-            const real t6 = real_lt(ed_, breaks_2) ? coefficients_10 : (real_lt(ed_, breaks_3) ? coefficients_15 : t5);
+            const real t6 = real_lt(ed_, breaks_2) ? coefficients_10 : (real_lt(ed_, breaks_3) ? coefficients_15
+                : t5);
             const real breaks_1 = p[1 * 8 + j];
             const real coefficients_5 = p[36 * 8 + j];
             const real breaks_0 = p[0 * 8 + j];
@@ -1958,7 +2011,8 @@ static void damper_curve_law(size_t nblocks, const real *const *in, real *const 
             const real origins_14 = p[29 * 8 + j];
             const real origins_15 = p[30 * 8 + j];
             const real origins_13 = p[28 * 8 + j];
-            const real t7 = real_lt(ed_, breaks_13) ? origins_13 : (real_lt(ed_, breaks_14) ? origins_14 : origins_15);
+            const real t7 = real_lt(ed_, breaks_13) ? origins_13 : (real_lt(ed_, breaks_14) ? origins_14
+                : origins_15);
             const real origins_12 = p[27 * 8 + j];
             const real origins_11 = p[26 * 8 + j];
             const real t8 = real_lt(ed_, breaks_11) ? origins_11 : (real_lt(ed_, breaks_12) ? origins_12 : t7);
@@ -1984,22 +2038,28 @@ static void damper_curve_law(size_t nblocks, const real *const *in, real *const 
             const real t14 = real_lt(ed_, breaks_14) ? coefficients_71 : coefficients_76;
             const real coefficients_66 = p[97 * 8 + j];
             const real coefficients_61 = p[92 * 8 + j];
-            const real t15 = real_lt(ed_, breaks_12) ? coefficients_61 : (real_lt(ed_, breaks_13) ? coefficients_66 : t14);
+            const real t15 = real_lt(ed_, breaks_12) ? coefficients_61 : (real_lt(ed_, breaks_13) ? coefficients_66
+                : t14);
             const real coefficients_56 = p[87 * 8 + j];
             const real coefficients_51 = p[82 * 8 + j];
-            const real t16 = real_lt(ed_, breaks_10) ? coefficients_51 : (real_lt(ed_, breaks_11) ? coefficients_56 : t15);
+            const real t16 = real_lt(ed_, breaks_10) ? coefficients_51 : (real_lt(ed_, breaks_11) ? coefficients_56
+                : t15);
             const real coefficients_46 = p[77 * 8 + j];
             const real coefficients_41 = p[72 * 8 + j];
-            const real t17 = real_lt(ed_, breaks_8) ? coefficients_41 : (real_lt(ed_, breaks_9) ? coefficients_46 : t16);
+            const real t17 = real_lt(ed_, breaks_8) ? coefficients_41 : (real_lt(ed_, breaks_9) ? coefficients_46
+                : t16);
             const real coefficients_36 = p[67 * 8 + j];
             const real coefficients_31 = p[62 * 8 + j];
-            const real t18 = real_lt(ed_, breaks_6) ? coefficients_31 : (real_lt(ed_, breaks_7) ? coefficients_36 : t17);
+            const real t18 = real_lt(ed_, breaks_6) ? coefficients_31 : (real_lt(ed_, breaks_7) ? coefficients_36
+                : t17);
             const real coefficients_26 = p[57 * 8 + j];
             const real coefficients_21 = p[52 * 8 + j];
-            const real t19 = real_lt(ed_, breaks_4) ? coefficients_21 : (real_lt(ed_, breaks_5) ? coefficients_26 : t18);
+            const real t19 = real_lt(ed_, breaks_4) ? coefficients_21 : (real_lt(ed_, breaks_5) ? coefficients_26
+                : t18);
             const real coefficients_16 = p[47 * 8 + j];
             const real coefficients_11 = p[42 * 8 + j];
-            const real t20 = real_lt(ed_, breaks_2) ? coefficients_11 : (real_lt(ed_, breaks_3) ? coefficients_16 : t19);
+            const real t20 = real_lt(ed_, breaks_2) ? coefficients_11 : (real_lt(ed_, breaks_3) ? coefficients_16
+                : t19);
             const real coefficients_6 = p[37 * 8 + j];
             const real coefficients_1 = p[32 * 8 + j];
             const real c1 = real_lt(ed_, breaks_0) ? coefficients_1 : (real_lt(ed_, breaks_1) ? coefficients_6 : t20);
@@ -2008,22 +2068,28 @@ static void damper_curve_law(size_t nblocks, const real *const *in, real *const 
             const real t21 = real_lt(ed_, breaks_14) ? coefficients_72 : coefficients_77;
             const real coefficients_67 = p[98 * 8 + j];
             const real coefficients_62 = p[93 * 8 + j];
-            const real t22 = real_lt(ed_, breaks_12) ? coefficients_62 : (real_lt(ed_, breaks_13) ? coefficients_67 : t21);
+            const real t22 = real_lt(ed_, breaks_12) ? coefficients_62 : (real_lt(ed_, breaks_13) ? coefficients_67
+                : t21);
             const real coefficients_57 = p[88 * 8 + j];
             const real coefficients_52 = p[83 * 8 + j];
-            const real t23 = real_lt(ed_, breaks_10) ? coefficients_52 : (real_lt(ed_, breaks_11) ? coefficients_57 : t22);
+            const real t23 = real_lt(ed_, breaks_10) ? coefficients_52 : (real_lt(ed_, breaks_11) ? coefficients_57
+                : t22);
             const real coefficients_47 = p[78 * 8 + j];
             const real coefficients_42 = p[73 * 8 + j];
-            const real t24 = real_lt(ed_, breaks_8) ? coefficients_42 : (real_lt(ed_, breaks_9) ? coefficients_47 : t23);
+            const real t24 = real_lt(ed_, breaks_8) ? coefficients_42 : (real_lt(ed_, breaks_9) ? coefficients_47
+                : t23);
             const real coefficients_37 = p[68 * 8 + j];
             const real coefficients_32 = p[63 * 8 + j];
-            const real t25 = real_lt(ed_, breaks_6) ? coefficients_32 : (real_lt(ed_, breaks_7) ? coefficients_37 : t24);
+            const real t25 = real_lt(ed_, breaks_6) ? coefficients_32 : (real_lt(ed_, breaks_7) ? coefficients_37
+                : t24);
             const real coefficients_27 = p[58 * 8 + j];
             const real coefficients_22 = p[53 * 8 + j];
-            const real t26 = real_lt(ed_, breaks_4) ? coefficients_22 : (real_lt(ed_, breaks_5) ? coefficients_27 : t25);
+            const real t26 = real_lt(ed_, breaks_4) ? coefficients_22 : (real_lt(ed_, breaks_5) ? coefficients_27
+                : t25);
             const real coefficients_17 = p[48 * 8 + j];
             const real coefficients_12 = p[43 * 8 + j];
-            const real t27 = real_lt(ed_, breaks_2) ? coefficients_12 : (real_lt(ed_, breaks_3) ? coefficients_17 : t26);
+            const real t27 = real_lt(ed_, breaks_2) ? coefficients_12 : (real_lt(ed_, breaks_3) ? coefficients_17
+                : t26);
             const real coefficients_7 = p[38 * 8 + j];
             const real coefficients_2 = p[33 * 8 + j];
             const real c2 = real_lt(ed_, breaks_0) ? coefficients_2 : (real_lt(ed_, breaks_1) ? coefficients_7 : t27);
@@ -2032,22 +2098,28 @@ static void damper_curve_law(size_t nblocks, const real *const *in, real *const 
             const real t28 = real_lt(ed_, breaks_14) ? coefficients_73 : coefficients_78;
             const real coefficients_68 = p[99 * 8 + j];
             const real coefficients_63 = p[94 * 8 + j];
-            const real t29 = real_lt(ed_, breaks_12) ? coefficients_63 : (real_lt(ed_, breaks_13) ? coefficients_68 : t28);
+            const real t29 = real_lt(ed_, breaks_12) ? coefficients_63 : (real_lt(ed_, breaks_13) ? coefficients_68
+                : t28);
             const real coefficients_58 = p[89 * 8 + j];
             const real coefficients_53 = p[84 * 8 + j];
-            const real t30 = real_lt(ed_, breaks_10) ? coefficients_53 : (real_lt(ed_, breaks_11) ? coefficients_58 : t29);
+            const real t30 = real_lt(ed_, breaks_10) ? coefficients_53 : (real_lt(ed_, breaks_11) ? coefficients_58
+                : t29);
             const real coefficients_48 = p[79 * 8 + j];
             const real coefficients_43 = p[74 * 8 + j];
-            const real t31 = real_lt(ed_, breaks_8) ? coefficients_43 : (real_lt(ed_, breaks_9) ? coefficients_48 : t30);
+            const real t31 = real_lt(ed_, breaks_8) ? coefficients_43 : (real_lt(ed_, breaks_9) ? coefficients_48
+                : t30);
             const real coefficients_38 = p[69 * 8 + j];
             const real coefficients_33 = p[64 * 8 + j];
-            const real t32 = real_lt(ed_, breaks_6) ? coefficients_33 : (real_lt(ed_, breaks_7) ? coefficients_38 : t31);
+            const real t32 = real_lt(ed_, breaks_6) ? coefficients_33 : (real_lt(ed_, breaks_7) ? coefficients_38
+                : t31);
             const real coefficients_28 = p[59 * 8 + j];
             const real coefficients_23 = p[54 * 8 + j];
-            const real t33 = real_lt(ed_, breaks_4) ? coefficients_23 : (real_lt(ed_, breaks_5) ? coefficients_28 : t32);
+            const real t33 = real_lt(ed_, breaks_4) ? coefficients_23 : (real_lt(ed_, breaks_5) ? coefficients_28
+                : t32);
             const real coefficients_18 = p[49 * 8 + j];
             const real coefficients_13 = p[44 * 8 + j];
-            const real t34 = real_lt(ed_, breaks_2) ? coefficients_13 : (real_lt(ed_, breaks_3) ? coefficients_18 : t33);
+            const real t34 = real_lt(ed_, breaks_2) ? coefficients_13 : (real_lt(ed_, breaks_3) ? coefficients_18
+                : t33);
             const real coefficients_8 = p[39 * 8 + j];
             const real coefficients_3 = p[34 * 8 + j];
             const real c3 = real_lt(ed_, breaks_0) ? coefficients_3 : (real_lt(ed_, breaks_1) ? coefficients_8 : t34);
@@ -2056,22 +2128,28 @@ static void damper_curve_law(size_t nblocks, const real *const *in, real *const 
             const real t35 = real_lt(ed_, breaks_14) ? coefficients_74 : coefficients_79;
             const real coefficients_69 = p[100 * 8 + j];
             const real coefficients_64 = p[95 * 8 + j];
-            const real t36 = real_lt(ed_, breaks_12) ? coefficients_64 : (real_lt(ed_, breaks_13) ? coefficients_69 : t35);
+            const real t36 = real_lt(ed_, breaks_12) ? coefficients_64 : (real_lt(ed_, breaks_13) ? coefficients_69
+                : t35);
             const real coefficients_59 = p[90 * 8 + j];
             const real coefficients_54 = p[85 * 8 + j];
-            const real t37 = real_lt(ed_, breaks_10) ? coefficients_54 : (real_lt(ed_, breaks_11) ? coefficients_59 : t36);
+            const real t37 = real_lt(ed_, breaks_10) ? coefficients_54 : (real_lt(ed_, breaks_11) ? coefficients_59
+                : t36);
             const real coefficients_49 = p[80 * 8 + j];
             const real coefficients_44 = p[75 * 8 + j];
-            const real t38 = real_lt(ed_, breaks_8) ? coefficients_44 : (real_lt(ed_, breaks_9) ? coefficients_49 : t37);
+            const real t38 = real_lt(ed_, breaks_8) ? coefficients_44 : (real_lt(ed_, breaks_9) ? coefficients_49
+                : t37);
             const real coefficients_39 = p[70 * 8 + j];
             const real coefficients_34 = p[65 * 8 + j];
-            const real t39 = real_lt(ed_, breaks_6) ? coefficients_34 : (real_lt(ed_, breaks_7) ? coefficients_39 : t38);
+            const real t39 = real_lt(ed_, breaks_6) ? coefficients_34 : (real_lt(ed_, breaks_7) ? coefficients_39
+                : t38);
             const real coefficients_29 = p[60 * 8 + j];
             const real coefficients_24 = p[55 * 8 + j];
-            const real t40 = real_lt(ed_, breaks_4) ? coefficients_24 : (real_lt(ed_, breaks_5) ? coefficients_29 : t39);
+            const real t40 = real_lt(ed_, breaks_4) ? coefficients_24 : (real_lt(ed_, breaks_5) ? coefficients_29
+                : t39);
             const real coefficients_19 = p[50 * 8 + j];
             const real coefficients_14 = p[45 * 8 + j];
-            const real t41 = real_lt(ed_, breaks_2) ? coefficients_14 : (real_lt(ed_, breaks_3) ? coefficients_19 : t40);
+            const real t41 = real_lt(ed_, breaks_2) ? coefficients_14 : (real_lt(ed_, breaks_3) ? coefficients_19
+                : t40);
             const real coefficients_9 = p[40 * 8 + j];
             const real coefficients_4 = p[35 * 8 + j];
             const real c4 = real_lt(ed_, breaks_0) ? coefficients_4 : (real_lt(ed_, breaks_1) ? coefficients_9 : t41);
@@ -2103,32 +2181,38 @@ static void damper_curve_tangent(size_t nblocks, const real *const *in, real *co
             const real coefficients_66 = p[97 * 8 + j];
             const real breaks_12 = p[12 * 8 + j];
             const real coefficients_61 = p[92 * 8 + j];
-            const real t1 = real_lt(ed_, breaks_12) ? coefficients_61 : (real_lt(ed_, breaks_13) ? coefficients_66 : t0);
+            const real t1 = real_lt(ed_, breaks_12) ? coefficients_61 : (real_lt(ed_, breaks_13) ? coefficients_66
+                : t0);
             const real breaks_11 = p[11 * 8 + j];
             const real coefficients_56 = p[87 * 8 + j];
             const real breaks_10 = p[10 * 8 + j];
             const real coefficients_51 = p[82 * 8 + j];
-            const real t2 = real_lt(ed_, breaks_10) ? coefficients_51 : (real_lt(ed_, breaks_11) ? coefficients_56 : t1);
+            const real t2 = real_lt(ed_, breaks_10) ? coefficients_51 : (real_lt(ed_, breaks_11) ? coefficients_56
+                : t1);
             const real breaks_9 = p[9 * 8 + j];
             const real coefficients_46 = p[77 * 8 + j];
             const real breaks_8 = p[8 * 8 + j];
             const real coefficients_41 = p[72 * 8 + j];
-            const real t3 = real_lt(ed_, breaks_8) ? coefficients_41 : (real_lt(ed_, breaks_9) ? coefficients_46 : t2);
+            const real t3 = real_lt(ed_, breaks_8) ? coefficients_41 : (real_lt(ed_, breaks_9) ? coefficients_46
+                : t2);
             const real breaks_7 = p[7 * 8 + j];
             const real coefficients_36 = p[67 * 8 + j];
             const real breaks_6 = p[6 * 8 + j];
             const real coefficients_31 = p[62 * 8 + j];
-            const real t4 = real_lt(ed_, breaks_6) ? coefficients_31 : (real_lt(ed_, breaks_7) ? coefficients_36 : t3);
+            const real t4 = real_lt(ed_, breaks_6) ? coefficients_31 : (real_lt(ed_, breaks_7) ? coefficients_36
+                : t3);
             const real breaks_5 = p[5 * 8 + j];
             const real coefficients_26 = p[57 * 8 + j];
             const real breaks_4 = p[4 * 8 + j];
             const real coefficients_21 = p[52 * 8 + j];
-            const real t5 = real_lt(ed_, breaks_4) ? coefficients_21 : (real_lt(ed_, breaks_5) ? coefficients_26 : t4);
+            const real t5 = real_lt(ed_, breaks_4) ? coefficients_21 : (real_lt(ed_, breaks_5) ? coefficients_26
+                : t4);
             const real breaks_3 = p[3 * 8 + j];
             const real coefficients_16 = p[47 * 8 + j];
             const real breaks_2 = p[2 * 8 + j];
             const real coefficients_11 = p[42 * 8 + j];
-            const real t6 = real_lt(ed_, breaks_2) ? coefficients_11 : (real_lt(ed_, breaks_3) ? coefficients_16 : t5);
+            const real t6 = real_lt(ed_, breaks_2) ? coefficients_11 : (real_lt(ed_, breaks_3) ? coefficients_16
+                : t5);
             const real breaks_1 = p[1 * 8 + j];
             const real coefficients_6 = p[37 * 8 + j];
             const real breaks_0 = p[0 * 8 + j];
@@ -2137,7 +2221,8 @@ static void damper_curve_tangent(size_t nblocks, const real *const *in, real *co
             const real origins_14 = p[29 * 8 + j];
             const real origins_15 = p[30 * 8 + j];
             const real origins_13 = p[28 * 8 + j];
-            const real t7 = real_lt(ed_, breaks_13) ? origins_13 : (real_lt(ed_, breaks_14) ? origins_14 : origins_15);
+            const real t7 = real_lt(ed_, breaks_13) ? origins_13 : (real_lt(ed_, breaks_14) ? origins_14
+                : origins_15);
             const real origins_12 = p[27 * 8 + j];
             const real origins_11 = p[26 * 8 + j];
             const real t8 = real_lt(ed_, breaks_11) ? origins_11 : (real_lt(ed_, breaks_12) ? origins_12 : t7);
@@ -2163,22 +2248,28 @@ static void damper_curve_tangent(size_t nblocks, const real *const *in, real *co
             const real t14 = real_lt(ed_, breaks_14) ? coefficients_72 : coefficients_77;
             const real coefficients_67 = p[98 * 8 + j];
             const real coefficients_62 = p[93 * 8 + j];
-            const real t15 = real_lt(ed_, breaks_12) ? coefficients_62 : (real_lt(ed_, breaks_13) ? coefficients_67 : t14);
+            const real t15 = real_lt(ed_, breaks_12) ? coefficients_62 : (real_lt(ed_, breaks_13) ? coefficients_67
+                : t14);
             const real coefficients_57 = p[88 * 8 + j];
             const real coefficients_52 = p[83 * 8 + j];
-            const real t16 = real_lt(ed_, breaks_10) ? coefficients_52 : (real_lt(ed_, breaks_11) ? coefficients_57 : t15);
+            const real t16 = real_lt(ed_, breaks_10) ? coefficients_52 : (real_lt(ed_, breaks_11) ? coefficients_57
+                : t15);
             const real coefficients_47 = p[78 * 8 + j];
             const real coefficients_42 = p[73 * 8 + j];
-            const real t17 = real_lt(ed_, breaks_8) ? coefficients_42 : (real_lt(ed_, breaks_9) ? coefficients_47 : t16);
+            const real t17 = real_lt(ed_, breaks_8) ? coefficients_42 : (real_lt(ed_, breaks_9) ? coefficients_47
+                : t16);
             const real coefficients_37 = p[68 * 8 + j];
             const real coefficients_32 = p[63 * 8 + j];
-            const real t18 = real_lt(ed_, breaks_6) ? coefficients_32 : (real_lt(ed_, breaks_7) ? coefficients_37 : t17);
+            const real t18 = real_lt(ed_, breaks_6) ? coefficients_32 : (real_lt(ed_, breaks_7) ? coefficients_37
+                : t17);
             const real coefficients_27 = p[58 * 8 + j];
             const real coefficients_22 = p[53 * 8 + j];
-            const real t19 = real_lt(ed_, breaks_4) ? coefficients_22 : (real_lt(ed_, breaks_5) ? coefficients_27 : t18);
+            const real t19 = real_lt(ed_, breaks_4) ? coefficients_22 : (real_lt(ed_, breaks_5) ? coefficients_27
+                : t18);
             const real coefficients_17 = p[48 * 8 + j];
             const real coefficients_12 = p[43 * 8 + j];
-            const real t20 = real_lt(ed_, breaks_2) ? coefficients_12 : (real_lt(ed_, breaks_3) ? coefficients_17 : t19);
+            const real t20 = real_lt(ed_, breaks_2) ? coefficients_12 : (real_lt(ed_, breaks_3) ? coefficients_17
+                : t19);
             const real coefficients_7 = p[38 * 8 + j];
             const real coefficients_2 = p[33 * 8 + j];
             const real c2 = real_lt(ed_, breaks_0) ? coefficients_2 : (real_lt(ed_, breaks_1) ? coefficients_7 : t20);
@@ -2187,22 +2278,28 @@ static void damper_curve_tangent(size_t nblocks, const real *const *in, real *co
             const real t21 = real_lt(ed_, breaks_14) ? coefficients_73 : coefficients_78;
             const real coefficients_68 = p[99 * 8 + j];
             const real coefficients_63 = p[94 * 8 + j];
-            const real t22 = real_lt(ed_, breaks_12) ? coefficients_63 : (real_lt(ed_, breaks_13) ? coefficients_68 : t21);
+            const real t22 = real_lt(ed_, breaks_12) ? coefficients_63 : (real_lt(ed_, breaks_13) ? coefficients_68
+                : t21);
             const real coefficients_58 = p[89 * 8 + j];
             const real coefficients_53 = p[84 * 8 + j];
-            const real t23 = real_lt(ed_, breaks_10) ? coefficients_53 : (real_lt(ed_, breaks_11) ? coefficients_58 : t22);
+            const real t23 = real_lt(ed_, breaks_10) ? coefficients_53 : (real_lt(ed_, breaks_11) ? coefficients_58
+                : t22);
             const real coefficients_48 = p[79 * 8 + j];
             const real coefficients_43 = p[74 * 8 + j];
-            const real t24 = real_lt(ed_, breaks_8) ? coefficients_43 : (real_lt(ed_, breaks_9) ? coefficients_48 : t23);
+            const real t24 = real_lt(ed_, breaks_8) ? coefficients_43 : (real_lt(ed_, breaks_9) ? coefficients_48
+                : t23);
             const real coefficients_38 = p[69 * 8 + j];
             const real coefficients_33 = p[64 * 8 + j];
-            const real t25 = real_lt(ed_, breaks_6) ? coefficients_33 : (real_lt(ed_, breaks_7) ? coefficients_38 : t24);
+            const real t25 = real_lt(ed_, breaks_6) ? coefficients_33 : (real_lt(ed_, breaks_7) ? coefficients_38
+                : t24);
             const real coefficients_28 = p[59 * 8 + j];
             const real coefficients_23 = p[54 * 8 + j];
-            const real t26 = real_lt(ed_, breaks_4) ? coefficients_23 : (real_lt(ed_, breaks_5) ? coefficients_28 : t25);
+            const real t26 = real_lt(ed_, breaks_4) ? coefficients_23 : (real_lt(ed_, breaks_5) ? coefficients_28
+                : t25);
             const real coefficients_18 = p[49 * 8 + j];
             const real coefficients_13 = p[44 * 8 + j];
-            const real t27 = real_lt(ed_, breaks_2) ? coefficients_13 : (real_lt(ed_, breaks_3) ? coefficients_18 : t26);
+            const real t27 = real_lt(ed_, breaks_2) ? coefficients_13 : (real_lt(ed_, breaks_3) ? coefficients_18
+                : t26);
             const real coefficients_8 = p[39 * 8 + j];
             const real coefficients_3 = p[34 * 8 + j];
             const real c3 = real_lt(ed_, breaks_0) ? coefficients_3 : (real_lt(ed_, breaks_1) ? coefficients_8 : t27);
@@ -2211,36 +2308,42 @@ static void damper_curve_tangent(size_t nblocks, const real *const *in, real *co
             const real t28 = real_lt(ed_, breaks_14) ? coefficients_74 : coefficients_79;
             const real coefficients_69 = p[100 * 8 + j];
             const real coefficients_64 = p[95 * 8 + j];
-            const real t29 = real_lt(ed_, breaks_12) ? coefficients_64 : (real_lt(ed_, breaks_13) ? coefficients_69 : t28);
+            const real t29 = real_lt(ed_, breaks_12) ? coefficients_64 : (real_lt(ed_, breaks_13) ? coefficients_69
+                : t28);
             const real coefficients_59 = p[90 * 8 + j];
             const real coefficients_54 = p[85 * 8 + j];
-            const real t30 = real_lt(ed_, breaks_10) ? coefficients_54 : (real_lt(ed_, breaks_11) ? coefficients_59 : t29);
+            const real t30 = real_lt(ed_, breaks_10) ? coefficients_54 : (real_lt(ed_, breaks_11) ? coefficients_59
+                : t29);
             const real coefficients_49 = p[80 * 8 + j];
             const real coefficients_44 = p[75 * 8 + j];
-            const real t31 = real_lt(ed_, breaks_8) ? coefficients_44 : (real_lt(ed_, breaks_9) ? coefficients_49 : t30);
+            const real t31 = real_lt(ed_, breaks_8) ? coefficients_44 : (real_lt(ed_, breaks_9) ? coefficients_49
+                : t30);
             const real coefficients_39 = p[70 * 8 + j];
             const real coefficients_34 = p[65 * 8 + j];
-            const real t32 = real_lt(ed_, breaks_6) ? coefficients_34 : (real_lt(ed_, breaks_7) ? coefficients_39 : t31);
+            const real t32 = real_lt(ed_, breaks_6) ? coefficients_34 : (real_lt(ed_, breaks_7) ? coefficients_39
+                : t31);
             const real coefficients_29 = p[60 * 8 + j];
             const real coefficients_24 = p[55 * 8 + j];
-            const real t33 = real_lt(ed_, breaks_4) ? coefficients_24 : (real_lt(ed_, breaks_5) ? coefficients_29 : t32);
+            const real t33 = real_lt(ed_, breaks_4) ? coefficients_24 : (real_lt(ed_, breaks_5) ? coefficients_29
+                : t32);
             const real coefficients_19 = p[50 * 8 + j];
             const real coefficients_14 = p[45 * 8 + j];
-            const real t34 = real_lt(ed_, breaks_2) ? coefficients_14 : (real_lt(ed_, breaks_3) ? coefficients_19 : t33);
+            const real t34 = real_lt(ed_, breaks_2) ? coefficients_14 : (real_lt(ed_, breaks_3) ? coefficients_19
+                : t33);
             const real coefficients_9 = p[40 * 8 + j];
             const real coefficients_4 = p[35 * 8 + j];
             const real c4 = real_lt(ed_, breaks_0) ? coefficients_4 : (real_lt(ed_, breaks_1) ? coefficients_9 : t34);
             const real t35 = y * c4;
             const real t36 = c3 + t35;
             const real t37 = c2 + y * t36;
-            J[0 * 8 + j] = c1 + y * (t37 + y * (t35 + t36) + t37);
+            J[0 * 8 + j] = c1 + y * (t37 + y * (t35 + t36) + t37); /* J(0,1) */
         }
     }
 }
 
 const flexel_law flexel_law_damper_curve = {
     .name = "damper_curve",
-    .digest = "4b9e482f4904d47c",
+    .digest = "3c2fc714472fd69e",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -2312,16 +2415,16 @@ static void stop_tangent(size_t nblocks, const real *const *in, real *const *out
             const real damping = p[2 * 8 + j];
             const real t1 = 1.0 + ed_ * damping;
             const real stiffness = p[1 * 8 + j];
-            J[0 * 8 + j] = stiffness * real_max(0.0, t1) * (real_le(t0, 0.0) ? 0.0 : 1.0);
+            J[0 * 8 + j] = stiffness * real_max(0.0, t1) * (real_le(t0, 0.0) ? 0.0 : 1.0); /* J(0,0) */
             const real t2 = stiffness * real_max(0.0, t0) * (real_le(t1, 0.0) ? 0.0 : 1.0);
-            J[1 * 8 + j] = damping * t2;
+            J[1 * 8 + j] = damping * t2; /* J(0,1) */
         }
     }
 }
 
 const flexel_law flexel_law_stop = {
     .name = "stop",
-    .digest = "4b9e482f4904d47c",
+    .digest = "3c2fc714472fd69e",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -2389,15 +2492,15 @@ static void vertical_tyre_tangent(size_t nblocks, const real *const *in, real *c
             const real stiffness = p[0 * 8 + j];
             const real t0 = real_le(deflection_rate * damping + deflection * stiffness, 0.0) ? 0.0 : 1.0;
             const real t1 = real_lt(0.0, deflection) ? t0 : 0.0;
-            J[0 * 8 + j] = stiffness * t1;
-            J[1 * 8 + j] = damping * t1;
+            J[0 * 8 + j] = stiffness * t1; /* J(0,0) */
+            J[1 * 8 + j] = damping * t1; /* J(0,1) */
         }
     }
 }
 
 const flexel_law flexel_law_vertical_tyre = {
     .name = "vertical_tyre",
-    .digest = "4b9e482f4904d47c",
+    .digest = "3c2fc714472fd69e",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -2505,8 +2608,8 @@ static void linear_tyre_tangent(size_t nblocks, const real *const *in, real *con
             const real t0 = real_le(deflection_rate * damping + deflection * stiffness, 0.0) ? 0.0 : 1.0;
             const real t1 = real_lt(0.0, deflection) ? 1.0 : 0.0;
             const real t2 = t0 * t1;
-            J[0 * 8 + j] = stiffness * t2;
-            J[1 * 8 + j] = damping * t2;
+            J[0 * 8 + j] = stiffness * t2; /* J(0,0) */
+            J[1 * 8 + j] = damping * t2; /* J(0,2) */
             const real forward = s[0 * 8 + j];
             const real speed = real_abs(forward);
             const real standstill = p[5 * 8 + j];
@@ -2518,7 +2621,7 @@ static void linear_tyre_tangent(size_t nblocks, const real *const *in, real *con
             const real fade = t5 * t6;
             const real t7 = fade * t1;
             const real camber_stiffness = p[3 * 8 + j];
-            J[2 * 8 + j] = camber_stiffness * t7;
+            J[2 * 8 + j] = camber_stiffness * t7; /* J(4,1) */
             const real camber = e[1 * 8 + j];
             t8[j] = camber * camber_stiffness;
             const real t9 = 1.0 / real_max(standstill, speed);
@@ -2532,12 +2635,12 @@ static void linear_tyre_tangent(size_t nblocks, const real *const *in, real *con
             const real t16 = t9 * t15 * t9;
             t17[j] = t7 * t16;
             const real t18 = t9 * t14;
-            J[4 * 8 + j] = t7 * t18;
+            J[4 * 8 + j] = t7 * t18; /* J(4,5) */
             const real trail = p[4 * 8 + j];
             const real t19 = trail * t7;
-            J[5 * 8 + j] = -(camber_stiffness * t19);
+            J[5 * 8 + j] = -(camber_stiffness * t19); /* J(5,1) */
             t20[j] = t19 * t16;
-            J[7 * 8 + j] = -(t18 * t19);
+            J[7 * 8 + j] = -(t18 * t19); /* J(5,5) */
         }
         for (size_t j = 0; j < 8; j++) {
             t10[j] = real_atan(tan_alpha[j]);
@@ -2548,16 +2651,16 @@ static void linear_tyre_tangent(size_t nblocks, const real *const *in, real *con
             const real deflection = e[0 * 8 + j];
             const real Fy = real_lt(0.0, deflection) ? -(t8[j] + cornering * t10[j]) : 0.0;
             const real t13 = Fy * t12[j];
-            J[3 * 8 + j] = -(2.0 * t13 + t17[j]);
+            J[3 * 8 + j] = -(2.0 * t13 + t17[j]); /* J(4,4) */
             const real trail = p[4 * 8 + j];
-            J[6 * 8 + j] = 2.0 * trail * t13 + t20[j];
+            J[6 * 8 + j] = 2.0 * trail * t13 + t20[j]; /* J(5,4) */
         }
     }
 }
 
 const flexel_law flexel_law_linear_tyre = {
     .name = "linear_tyre",
-    .digest = "4b9e482f4904d47c",
+    .digest = "3c2fc714472fd69e",
     .m = 2,
     .k = 4,
     .nz = 0,
@@ -2675,7 +2778,8 @@ static void calspan_tyre_tangent(size_t nblocks, const real *const *in, real *co
         const real *restrict s = in[2] + b * (4 * 8);
         const real *restrict p = in[5] + b * (14 * 8);
         real *restrict J = out[0] + b * (12 * 8);
-        real t1[8], fade[8], t8[8], t9[8], t10[8], t11[8], t12[8], tan_alpha[8], t13[8], C_alpha[8], C_gamma[8], t18[8], t28[8], t32[8], t34[8], t35[8], t36[8], t37[8], t43[8], t44[8], t45[8], t46[8], t50[8];
+        real t1[8], fade[8], t8[8], t9[8], t10[8], t11[8], t12[8], tan_alpha[8], t13[8], C_alpha[8], C_gamma[8],
+            t18[8], t28[8], t32[8], t34[8], t35[8], t36[8], t37[8], t43[8], t44[8], t45[8], t46[8], t50[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real deflection_rate = ed[0 * 8 + j];
@@ -2684,8 +2788,8 @@ static void calspan_tyre_tangent(size_t nblocks, const real *const *in, real *co
             const real stiffness = p[0 * 8 + j];
             const real t0 = deflection_rate * damping + deflection * stiffness;
             t1[j] = (real_le(t0, 0.0) ? 0.0 : 1.0) * (real_lt(0.0, deflection) ? 1.0 : 0.0);
-            J[0 * 8 + j] = stiffness * t1[j];
-            J[1 * 8 + j] = damping * t1[j];
+            J[0 * 8 + j] = stiffness * t1[j]; /* J(0,0) */
+            J[1 * 8 + j] = damping * t1[j]; /* J(0,2) */
             const real forward = s[0 * 8 + j];
             const real speed = real_abs(forward);
             const real standstill = p[13 * 8 + j];
@@ -2762,18 +2866,18 @@ static void calspan_tyre_tangent(size_t nblocks, const real *const *in, real *co
             const real t40 = t10[j] * t33 * t10[j] * t32[j] * t1[j] * t20 + t8[j] * t39;
             const real t41 = fade[j] * t27 + t31 * t40;
             const real stiffness = p[0 * 8 + j];
-            J[2 * 8 + j] = -(stiffness * t41);
+            J[2 * 8 + j] = -(stiffness * t41); /* J(4,0) */
             const real t42 = C_gamma[j] * t38;
-            J[3 * 8 + j] = t42 * t31;
+            J[3 * 8 + j] = t42 * t31; /* J(4,1) */
             const real damping = p[1 * 8 + j];
-            J[4 * 8 + j] = -(damping * t41);
+            J[4 * 8 + j] = -(damping * t41); /* J(4,2) */
             const real Fy = t28[j] * t26;
             const real t47 = t12[j] * t38;
             const real sideways = s[1 * 8 + j];
             const real t48 = t12[j] * t47 * t46[j] * sideways * t43[j] * t45[j];
-            J[5 * 8 + j] = -(2.0 * t44[j] * Fy + t48 * t31);
+            J[5 * 8 + j] = -(2.0 * t44[j] * Fy + t48 * t31); /* J(4,4) */
             const real t49 = t45[j] * t47;
-            J[6 * 8 + j] = t49 * t31;
+            J[6 * 8 + j] = t49 * t31; /* J(4,5) */
             const real AF_2 = p[12 * 8 + j];
             const real t51 = t50[j] + AF_2 * real_abs(Fy);
             const real t52 = fade[j] * Fy;
@@ -2781,19 +2885,19 @@ static void calspan_tyre_tangent(size_t nblocks, const real *const *in, real *co
             const real t54 = t30 * t53;
             const real AF_1 = p[11 * 8 + j];
             const real t55 = t54 * t40 + AF_1 * t52 * t1[j] + t53 * t27;
-            J[7 * 8 + j] = -(stiffness * t55);
-            J[8 * 8 + j] = t42 * t54;
-            J[9 * 8 + j] = -(damping * t55);
+            J[7 * 8 + j] = -(stiffness * t55); /* J(5,0) */
+            J[8 * 8 + j] = t42 * t54; /* J(5,1) */
+            J[9 * 8 + j] = -(damping * t55); /* J(5,2) */
             const real Mz = Fy * t51;
-            J[10 * 8 + j] = -(2.0 * t44[j] * Mz + t48 * t54);
-            J[11 * 8 + j] = t49 * t54;
+            J[10 * 8 + j] = -(2.0 * t44[j] * Mz + t48 * t54); /* J(5,4) */
+            J[11 * 8 + j] = t49 * t54; /* J(5,5) */
         }
     }
 }
 
 const flexel_law flexel_law_calspan_tyre = {
     .name = "calspan_tyre",
-    .digest = "4b9e482f4904d47c",
+    .digest = "3c2fc714472fd69e",
     .m = 2,
     .k = 4,
     .nz = 0,
@@ -2845,7 +2949,8 @@ static void magic_formula_law(size_t nblocks, const real *const *in, real *const
         real *restrict zd = out[2] + b * (2 * 8);
         real *restrict U = out[3] + b * (1 * 8);
         real *restrict P = out[4] + b * (1 * 8);
-        real Fz[8], mu[8], t3[8], slip_x[8], t4[8], t5[8], t6[8], t7[8], t8[8], t9[8], slip_y[8], t10[8], t11[8], b_[8], t12[8], t13[8], t14[8], t15[8], t16[8], t19[8], t21[8], t22[8];
+        real Fz[8], mu[8], t3[8], slip_x[8], t4[8], t5[8], t6[8], t7[8], t8[8], t9[8], slip_y[8], t10[8], t11[8],
+            b_[8], t12[8], t13[8], t14[8], t15[8], t16[8], t19[8], t21[8], t22[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real deflection_rate = ed[0 * 8 + j];
@@ -2963,7 +3068,10 @@ static void magic_formula_tangent(size_t nblocks, const real *const *in, real *c
         const real *restrict z = in[3] + b * (2 * 8);
         const real *restrict p = in[5] + b * (16 * 8);
         real *restrict J = out[0] + b * (23 * 8);
-        real t1[8], t2[8], Fz[8], t6[8], slip_x[8], t8[8], t10[8], t11[8], t12[8], t13[8], t14[8], t15[8], t16[8], slip_y[8], b_[8], t18[8], t19[8], t20[8], t21[8], t22[8], t23[8], t24[8], t25[8], t28[8], t29[8], t30[8], t31[8], t33[8], t34[8], t35[8], t37[8], t38[8], t40[8], t42[8], t43[8], t45[8], t48[8], t50[8], t52[8], t57[8], t59[8], t61[8], t63[8], t65[8];
+        real t1[8], t2[8], Fz[8], t6[8], slip_x[8], t8[8], t10[8], t11[8], t12[8], t13[8], t14[8], t15[8], t16[8],
+            slip_y[8], b_[8], t18[8], t19[8], t20[8], t21[8], t22[8], t23[8], t24[8], t25[8], t28[8], t29[8], t30[8],
+            t31[8], t33[8], t34[8], t35[8], t37[8], t38[8], t40[8], t42[8], t43[8], t45[8], t48[8], t50[8], t52[8],
+            t57[8], t59[8], t61[8], t63[8], t65[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real deflection_rate = ed[0 * 8 + j];
@@ -2972,8 +3080,8 @@ static void magic_formula_tangent(size_t nblocks, const real *const *in, real *c
             const real stiffness = p[0 * 8 + j];
             const real t0 = deflection_rate * damping + deflection * stiffness;
             t1[j] = (real_le(t0, 0.0) ? 0.0 : 1.0) * (real_lt(0.0, deflection) ? 1.0 : 0.0);
-            J[0 * 8 + j] = stiffness * t1[j];
-            J[1 * 8 + j] = damping * t1[j];
+            J[0 * 8 + j] = stiffness * t1[j]; /* J(0,0) */
+            J[1 * 8 + j] = damping * t1[j]; /* J(0,2) */
             const real shape_0 = p[10 * 8 + j];
             t2[j] = 1.0 / shape_0;
             Fz[j] = real_lt(0.0, deflection) ? real_max(0.0, t0) : 0.0;
@@ -3025,16 +3133,16 @@ static void magic_formula_tangent(size_t nblocks, const real *const *in, real *c
             const real t66 = 1.0 / relaxation_0;
             const real forward = s[0 * 8 + j];
             const real t67 = real_lt(forward, 0.0) ? -1.0 : 1.0;
-            J[17 * 8 + j] = -(t66 * (1.0 + kappa * t67));
+            J[17 * 8 + j] = -(t66 * (1.0 + kappa * t67)); /* J(7,4) */
             const real rolling_radius = p[3 * 8 + j];
-            J[18 * 8 + j] = rolling_radius * t66;
+            J[18 * 8 + j] = rolling_radius * t66; /* J(7,5) */
             const real speed = real_abs(forward);
-            J[19 * 8 + j] = -(speed * t66);
+            J[19 * 8 + j] = -(speed * t66); /* J(7,9) */
             const real relaxation_1 = p[15 * 8 + j];
             const real t68 = 1.0 / relaxation_1;
-            J[21 * 8 + j] = t68;
-            J[20 * 8 + j] = -(tan_alpha * t68 * t67);
-            J[22 * 8 + j] = -(speed * t68);
+            J[21 * 8 + j] = t68; /* J(8,7) */
+            J[20 * 8 + j] = -(tan_alpha * t68 * t67); /* J(8,4) */
+            J[22 * 8 + j] = -(speed * t68); /* J(8,10) */
         }
         for (size_t j = 0; j < 8; j++) {
             t11[j] = real_atan(t10[j]);
@@ -3100,36 +3208,36 @@ static void magic_formula_tangent(size_t nblocks, const real *const *in, real *c
             const real t46 = t1[j] * (t31[j] * t32 + t29[j] * t39) + t41 * t45[j];
             const real t47 = t26 * t30[j] + slip_x[j] * t46;
             const real stiffness = p[0 * 8 + j];
-            J[2 * 8 + j] = -(stiffness * t47);
+            J[2 * 8 + j] = -(stiffness * t47); /* J(4,0) */
             const real t49 = t48[j] * t41;
-            J[3 * 8 + j] = -(slip_x[j] * t49);
+            J[3 * 8 + j] = -(slip_x[j] * t49); /* J(4,1) */
             const real damping = p[1 * 8 + j];
-            J[4 * 8 + j] = -(damping * t47);
+            J[4 * 8 + j] = -(damping * t47); /* J(4,2) */
             const real t51 = t50[j] * t39;
-            J[5 * 8 + j] = -(t50[j] * t26 + slip_x[j] * t51);
+            J[5 * 8 + j] = -(t50[j] * t26 + slip_x[j] * t51); /* J(4,9) */
             const real t53 = t52[j] * t41;
-            J[6 * 8 + j] = -(slip_x[j] * t53);
+            J[6 * 8 + j] = -(slip_x[j] * t53); /* J(4,10) */
             const real t54 = share * t45[j] + slip_y[j] * t46;
-            J[7 * 8 + j] = stiffness * t54;
-            J[8 * 8 + j] = t48[j] * share + slip_y[j] * t49;
-            J[9 * 8 + j] = damping * t54;
-            J[10 * 8 + j] = slip_y[j] * t51;
-            J[11 * 8 + j] = t52[j] * share + slip_y[j] * t53;
+            J[7 * 8 + j] = stiffness * t54; /* J(5,0) */
+            J[8 * 8 + j] = t48[j] * share + slip_y[j] * t49; /* J(5,1) */
+            J[9 * 8 + j] = damping * t54; /* J(5,2) */
+            J[10 * 8 + j] = slip_y[j] * t51; /* J(5,9) */
+            J[11 * 8 + j] = t52[j] * share + slip_y[j] * t53; /* J(5,10) */
             const real t60 = t59[j] * share;
             const real t62 = slip_y[j] * share;
             const real t64 = t61[j] * t46 + t62 * t63[j] + t60 * t45[j];
-            J[12 * 8 + j] = -(stiffness * t64);
-            J[13 * 8 + j] = -(t48[j] * t60 + t61[j] * t49);
-            J[14 * 8 + j] = -(damping * t64);
-            J[15 * 8 + j] = -(t61[j] * t51);
-            J[16 * 8 + j] = t62 * t65[j] * Fz[j] * t57[j] - t52[j] * t60 - t61[j] * t53;
+            J[12 * 8 + j] = -(stiffness * t64); /* J(6,0) */
+            J[13 * 8 + j] = -(t48[j] * t60 + t61[j] * t49); /* J(6,1) */
+            J[14 * 8 + j] = -(damping * t64); /* J(6,2) */
+            J[15 * 8 + j] = -(t61[j] * t51); /* J(6,9) */
+            J[16 * 8 + j] = t62 * t65[j] * Fz[j] * t57[j] - t52[j] * t60 - t61[j] * t53; /* J(6,10) */
         }
     }
 }
 
 const flexel_law flexel_law_magic_formula = {
     .name = "magic_formula",
-    .digest = "4b9e482f4904d47c",
+    .digest = "3c2fc714472fd69e",
     .m = 2,
     .k = 5,
     .nz = 2,
@@ -3233,16 +3341,16 @@ static void hertz_tangent(size_t nblocks, const real *const *in, real *const *ou
             const real e_0 = e[0 * 8 + j];
             const real elastic = real_lt(e_0, 0.0) ? stiffness * t4[j] : 0.0;
             const real t5 = real_le(elastic * t3[j], 0.0) ? 0.0 : 1.0;
-            J[0 * 8 + j] = exponent * t2[j] * (t3[j] * t5 * t0[j] * stiffness) * t0[j];
+            J[0 * 8 + j] = exponent * t2[j] * (t3[j] * t5 * t0[j] * stiffness) * t0[j]; /* J(0,0) */
             const real dissipation = p[2 * 8 + j];
-            J[1 * 8 + j] = elastic * t5 * dissipation;
+            J[1 * 8 + j] = elastic * t5 * dissipation; /* J(0,1) */
         }
     }
 }
 
 const flexel_law flexel_law_hertz = {
     .name = "hertz",
-    .digest = "4b9e482f4904d47c",
+    .digest = "3c2fc714472fd69e",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -3257,7 +3365,8 @@ const flexel_law flexel_law_hertz = {
  * energy = stiffness d^(exponent + 1)/(exponent + 1)
  * tau = friction N s/sqrt(s.s + slip_speed^2)
  *
- * Source: Hunt and Crossley 1975, J. Appl. Mech. 42:440; Lankarani and Nikravesh 1990, J. Mech. Des. 112:369; Coulomb's friction, regularized
+ * Source: Hunt and Crossley 1975, J. Appl. Mech. 42:440; Lankarani and Nikravesh 1990, J. Mech. Des. 112:369;
+ *   Coulomb's friction, regularized
  *
  * 1 deformations, 1 slips
  * p (5):
@@ -3368,24 +3477,24 @@ static void hertz_coulomb_1_tangent(size_t nblocks, const real *const *in, real 
             const real t3 = real_le(t2, 0.0) ? 0.0 : 1.0;
             const real exponent = p[1 * 8 + j];
             const real t7 = exponent * t6[j] * t4[j] * stiffness * t4[j] * t1[j];
-            J[0 * 8 + j] = t3 * t7;
+            J[0 * 8 + j] = t3 * t7; /* J(0,0) */
             const real dissipation = p[2 * 8 + j];
             const real t8 = dissipation * elastic;
-            J[1 * 8 + j] = t3 * t8;
+            J[1 * 8 + j] = t3 * t8; /* J(0,1) */
             const real t11 = t10[j] * t3 * t9[j];
-            J[2 * 8 + j] = -(t7 * t11);
-            J[3 * 8 + j] = -(t8 * t11);
+            J[2 * 8 + j] = -(t7 * t11); /* J(1,0) */
+            J[3 * 8 + j] = -(t8 * t11); /* J(1,1) */
             const real N = real_max(0.0, t2);
             const real friction = p[3 * 8 + j];
             const real factor = N * t10[j] * friction;
-            J[4 * 8 + j] = factor - N * t12[j] * t9[j];
+            J[4 * 8 + j] = factor - N * t12[j] * t9[j]; /* J(1,2) */
         }
     }
 }
 
 const flexel_law flexel_law_hertz_coulomb_1 = {
     .name = "hertz_coulomb_1",
-    .digest = "4b9e482f4904d47c",
+    .digest = "3c2fc714472fd69e",
     .m = 1,
     .k = 1,
     .nz = 0,
@@ -3400,7 +3509,8 @@ const flexel_law flexel_law_hertz_coulomb_1 = {
  * energy = stiffness d^(exponent + 1)/(exponent + 1)
  * tau = friction N s/sqrt(s.s + slip_speed^2)
  *
- * Source: Hunt and Crossley 1975, J. Appl. Mech. 42:440; Lankarani and Nikravesh 1990, J. Mech. Des. 112:369; Coulomb's friction, regularized
+ * Source: Hunt and Crossley 1975, J. Appl. Mech. 42:440; Lankarani and Nikravesh 1990, J. Mech. Des. 112:369;
+ *   Coulomb's friction, regularized
  *
  * 1 deformations, 2 slips
  * p (5):
@@ -3519,36 +3629,36 @@ static void hertz_coulomb_2_tangent(size_t nblocks, const real *const *in, real 
             const real t3 = real_le(t2, 0.0) ? 0.0 : 1.0;
             const real exponent = p[1 * 8 + j];
             const real t7 = exponent * t6[j] * t4[j] * stiffness * t4[j] * t1[j];
-            J[0 * 8 + j] = t3 * t7;
+            J[0 * 8 + j] = t3 * t7; /* J(0,0) */
             const real dissipation = p[2 * 8 + j];
             const real t8 = dissipation * elastic;
-            J[1 * 8 + j] = t3 * t8;
+            J[1 * 8 + j] = t3 * t8; /* J(0,1) */
             const real t12 = t11[j] * t3;
             const real t13 = t7 * t12;
-            J[2 * 8 + j] = -(t9[j] * t13);
+            J[2 * 8 + j] = -(t9[j] * t13); /* J(1,0) */
             const real t14 = t8 * t12;
-            J[3 * 8 + j] = -(t9[j] * t14);
+            J[3 * 8 + j] = -(t9[j] * t14); /* J(1,1) */
             const real N = real_max(0.0, t2);
             const real friction = p[3 * 8 + j];
             const real factor = N * t11[j] * friction;
             const real t16 = N * t15[j];
             const real s_0 = s[0 * 8 + j];
             const real t17 = s_0 * t16;
-            J[4 * 8 + j] = factor - t9[j] * t17;
+            J[4 * 8 + j] = factor - t9[j] * t17; /* J(1,2) */
             const real s_1 = s[1 * 8 + j];
             const real t18 = s_1 * t16;
-            J[5 * 8 + j] = -(t9[j] * t18);
-            J[6 * 8 + j] = -(t19[j] * t13);
-            J[7 * 8 + j] = -(t19[j] * t14);
-            J[8 * 8 + j] = -(t19[j] * t17);
-            J[9 * 8 + j] = factor - t19[j] * t18;
+            J[5 * 8 + j] = -(t9[j] * t18); /* J(1,3) */
+            J[6 * 8 + j] = -(t19[j] * t13); /* J(2,0) */
+            J[7 * 8 + j] = -(t19[j] * t14); /* J(2,1) */
+            J[8 * 8 + j] = -(t19[j] * t17); /* J(2,2) */
+            J[9 * 8 + j] = factor - t19[j] * t18; /* J(2,3) */
         }
     }
 }
 
 const flexel_law flexel_law_hertz_coulomb_2 = {
     .name = "hertz_coulomb_2",
-    .digest = "4b9e482f4904d47c",
+    .digest = "3c2fc714472fd69e",
     .m = 1,
     .k = 2,
     .nz = 0,
@@ -3564,7 +3674,8 @@ const flexel_law flexel_law_hertz_coulomb_2 = {
  * dz/dt = s - bristle_stiffness |s| z/friction in contact, -release z when open
  * tau = N (bristle_stiffness z + bristle_damping dz/dt)
  *
- * Source: Hunt and Crossley 1975, J. Appl. Mech. 42:440; Lankarani and Nikravesh 1990, J. Mech. Des. 112:369; Dahl 1968; Canudas de Wit et al. 1995, IEEE Trans. Autom. Control 40:419
+ * Source: Hunt and Crossley 1975, J. Appl. Mech. 42:440; Lankarani and Nikravesh 1990, J. Mech. Des. 112:369; Dahl
+ *   1968; Canudas de Wit et al. 1995, IEEE Trans. Autom. Control 40:419
  *
  * 1 deformations, 1 slips, z: z_0 [m]
  * p (7):
@@ -3689,10 +3800,10 @@ static void hertz_bristle_1_tangent(size_t nblocks, const real *const *in, real 
             t12[j] = bristle_damping * zd_0 + z_0 * bristle_stiffness;
             const real t13 = 0.5 * 1.0 / t10 * (real_lt(0.0, square) ? 2.0 * s_0 : 0.0);
             const real t14 = real_lt(e_0, 0.0) ? 1.0 - t11 * (real_lt(0.0, square) ? t13 : 0.0) * z_0 : 0.0;
-            J[6 * 8 + j] = t14;
+            J[6 * 8 + j] = t14; /* J(2,2) */
             t15[j] = bristle_damping * t14;
             const real t16 = real_lt(e_0, 0.0) ? -sliding : -release;
-            J[7 * 8 + j] = t16;
+            J[7 * 8 + j] = t16; /* J(2,3) */
             t17[j] = bristle_stiffness + bristle_damping * t16;
         }
         for (size_t j = 0; j < 8; j++) {
@@ -3710,22 +3821,22 @@ static void hertz_bristle_1_tangent(size_t nblocks, const real *const *in, real 
             const real t6 = elastic * t0[j];
             const real t7 = real_le(t6, 0.0) ? 0.0 : 1.0;
             const real t8 = t0[j] * t4 * t7;
-            J[0 * 8 + j] = -t8;
+            J[0 * 8 + j] = -t8; /* J(0,0) */
             const real dissipation = p[2 * 8 + j];
             const real t9 = dissipation * elastic * t7;
-            J[1 * 8 + j] = t9;
-            J[2 * 8 + j] = t12[j] * t8;
-            J[3 * 8 + j] = -(t12[j] * t9);
+            J[1 * 8 + j] = t9; /* J(0,1) */
+            J[2 * 8 + j] = t12[j] * t8; /* J(1,0) */
+            J[3 * 8 + j] = -(t12[j] * t9); /* J(1,1) */
             const real N = real_max(0.0, t6);
-            J[4 * 8 + j] = N * t15[j];
-            J[5 * 8 + j] = N * t17[j];
+            J[4 * 8 + j] = N * t15[j]; /* J(1,2) */
+            J[5 * 8 + j] = N * t17[j]; /* J(1,3) */
         }
     }
 }
 
 const flexel_law flexel_law_hertz_bristle_1 = {
     .name = "hertz_bristle_1",
-    .digest = "4b9e482f4904d47c",
+    .digest = "3c2fc714472fd69e",
     .m = 1,
     .k = 1,
     .nz = 1,
@@ -3741,7 +3852,8 @@ const flexel_law flexel_law_hertz_bristle_1 = {
  * dz/dt = s - bristle_stiffness |s| z/friction in contact, -release z when open
  * tau = N (bristle_stiffness z + bristle_damping dz/dt)
  *
- * Source: Hunt and Crossley 1975, J. Appl. Mech. 42:440; Lankarani and Nikravesh 1990, J. Mech. Des. 112:369; Dahl 1968; Canudas de Wit et al. 1995, IEEE Trans. Autom. Control 40:419
+ * Source: Hunt and Crossley 1975, J. Appl. Mech. 42:440; Lankarani and Nikravesh 1990, J. Mech. Des. 112:369; Dahl
+ *   1968; Canudas de Wit et al. 1995, IEEE Trans. Autom. Control 40:419
  *
  * 1 deformations, 2 slips, z: z_0 [m], z_1 [m]
  * p (7):
@@ -3883,11 +3995,11 @@ static void hertz_bristle_2_tangent(size_t nblocks, const real *const *in, real 
             const real zd_1 = real_lt(e_0, 0.0) ? s_1 - z_1 * sliding : -(z_1 * release);
             t21[j] = bristle_damping * zd_1 + z_1 * bristle_stiffness;
             t22[j] = z_1 * t4[j];
-            J[12 * 8 + j] = t4[j] - t17[j] * t16[j];
-            J[13 * 8 + j] = -(t17[j] * t19[j]);
-            J[14 * 8 + j] = J[17 * 8 + j] = -t20[j];
-            J[15 * 8 + j] = -(t22[j] * t16[j]);
-            J[16 * 8 + j] = t4[j] - t22[j] * t19[j];
+            J[12 * 8 + j] = t4[j] - t17[j] * t16[j]; /* J(3,2) */
+            J[13 * 8 + j] = -(t17[j] * t19[j]); /* J(3,3) */
+            J[14 * 8 + j] = J[17 * 8 + j] = -t20[j]; /* J(3,4) J(4,5) */
+            J[15 * 8 + j] = -(t22[j] * t16[j]); /* J(4,2) */
+            J[16 * 8 + j] = t4[j] - t22[j] * t19[j]; /* J(4,3) */
         }
         for (size_t j = 0; j < 8; j++) {
             const real exponent = p[1 * 8 + j];
@@ -3903,33 +4015,33 @@ static void hertz_bristle_2_tangent(size_t nblocks, const real *const *in, real 
             const real t3 = real_le(t2, 0.0) ? 0.0 : 1.0;
             const real exponent = p[1 * 8 + j];
             const real t7 = exponent * t6[j] * t4[j] * stiffness * t4[j] * t1[j] * t3;
-            J[0 * 8 + j] = t7;
+            J[0 * 8 + j] = t7; /* J(0,0) */
             const real dissipation = p[2 * 8 + j];
             const real t8 = dissipation * elastic * t3;
-            J[1 * 8 + j] = t8;
-            J[2 * 8 + j] = -(t11[j] * t7);
-            J[3 * 8 + j] = -(t11[j] * t8);
+            J[1 * 8 + j] = t8; /* J(0,1) */
+            J[2 * 8 + j] = -(t11[j] * t7); /* J(1,0) */
+            J[3 * 8 + j] = -(t11[j] * t8); /* J(1,1) */
             const real N = real_max(0.0, t2);
             const real bristle_damping = p[5 * 8 + j];
             const real t12 = bristle_damping * N;
             const real t13 = t4[j] * t12;
             const real t18 = t12 * t17[j];
-            J[4 * 8 + j] = t13 - t16[j] * t18;
-            J[5 * 8 + j] = -(t19[j] * t18);
+            J[4 * 8 + j] = t13 - t16[j] * t18; /* J(1,2) */
+            J[5 * 8 + j] = -(t19[j] * t18); /* J(1,3) */
             const real bristle_stiffness = p[4 * 8 + j];
-            J[6 * 8 + j] = J[11 * 8 + j] = bristle_stiffness * N - t12 * t20[j];
-            J[7 * 8 + j] = -(t21[j] * t7);
-            J[8 * 8 + j] = -(t21[j] * t8);
+            J[6 * 8 + j] = J[11 * 8 + j] = bristle_stiffness * N - t12 * t20[j]; /* J(1,4) J(2,5) */
+            J[7 * 8 + j] = -(t21[j] * t7); /* J(2,0) */
+            J[8 * 8 + j] = -(t21[j] * t8); /* J(2,1) */
             const real t23 = t12 * t22[j];
-            J[9 * 8 + j] = -(t16[j] * t23);
-            J[10 * 8 + j] = t13 - t19[j] * t23;
+            J[9 * 8 + j] = -(t16[j] * t23); /* J(2,2) */
+            J[10 * 8 + j] = t13 - t19[j] * t23; /* J(2,3) */
         }
     }
 }
 
 const flexel_law flexel_law_hertz_bristle_2 = {
     .name = "hertz_bristle_2",
-    .digest = "4b9e482f4904d47c",
+    .digest = "3c2fc714472fd69e",
     .m = 1,
     .k = 2,
     .nz = 2,
@@ -4006,9 +4118,9 @@ static void journal_tangent(size_t nblocks, const real *const *in, real *const *
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real stiffness = p[0 * 8 + j];
-            J[0 * 8 + j] = J[2 * 8 + j] = stiffness;
+            J[0 * 8 + j] = J[2 * 8 + j] = stiffness; /* J(0,0) J(1,1) */
             const real damping = p[1 * 8 + j];
-            J[1 * 8 + j] = J[3 * 8 + j] = damping;
+            J[1 * 8 + j] = J[3 * 8 + j] = damping; /* J(0,3) J(1,4) */
             const real ed_0 = ed[0 * 8 + j];
             const real e_0 = e[0 * 8 + j];
             const real N1 = ed_0 * damping + e_0 * stiffness;
@@ -4026,20 +4138,20 @@ static void journal_tangent(size_t nblocks, const real *const *in, real *const *
             const real friction_radius = p[2 * 8 + j];
             const real t4 = friction_radius * t3;
             const real t5 = N1 * t4 * t2;
-            J[4 * 8 + j] = stiffness * t5;
+            J[4 * 8 + j] = stiffness * t5; /* J(2,0) */
             const real t6 = N2 * t4 * t2;
-            J[5 * 8 + j] = stiffness * t6;
-            J[6 * 8 + j] = damping * t5;
-            J[7 * 8 + j] = damping * t6;
+            J[5 * 8 + j] = stiffness * t6; /* J(2,1) */
+            J[6 * 8 + j] = damping * t5; /* J(2,3) */
+            J[7 * 8 + j] = damping * t6; /* J(2,4) */
             const real N = real_lt(0.0, square) ? t1 : 0.0;
-            J[8 * 8 + j] = N * (t4 - ed_2 * friction_radius * ed_2 * t3 * t3 * t3);
+            J[8 * 8 + j] = N * (t4 - ed_2 * friction_radius * ed_2 * t3 * t3 * t3); /* J(2,5) */
         }
     }
 }
 
 const flexel_law flexel_law_journal = {
     .name = "journal",
-    .digest = "4b9e482f4904d47c",
+    .digest = "3c2fc714472fd69e",
     .m = 3,
     .k = 0,
     .nz = 0,

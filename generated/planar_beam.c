@@ -7,7 +7,8 @@
  *    the shear-corrected (phi_z) cubic shapes
  * U = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)
  *
- * Source: SPACAR95 manual (Schwab and Meijaard 2000), PLBEAM, PLBEAMNL; signs of the spatial beam's b5, b6; Meijaard 1996, Nonlinear Dyn. 9
+ * Source: SPACAR95 manual (Schwab and Meijaard 2000), PLBEAM, PLBEAMNL; signs of the spatial beam's b5, b6; Meijaard
+ *   1996, Nonlinear Dyn. 9
  *
  * x (6): p_x, p_y, rp_angle, q_x, q_y, rq_angle
  * e (3): elongation [m], bend1 [m], bend2 [m]
@@ -33,7 +34,8 @@ static void planar_beam_position(size_t nblocks, const real *const *in, real *co
         const real *restrict p = in[1] + b * (8 * 8);
         real *restrict e = out[0] + b * (3 * 8);
         real *restrict De = out[1] + b * (16 * 8);
-        real l[8], t0[8], t1[8], cos_p[8], el_y[8], sin_p[8], el_x[8], t3[8], cos_q[8], sin_q[8], t8[8], t9[8], t15[8], t16[8];
+        real l[8], t0[8], t1[8], cos_p[8], el_y[8], sin_p[8], el_x[8], t3[8], cos_q[8], sin_q[8], t8[8], t9[8],
+            t15[8], t16[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real q_x = x[3 * 8 + j];
@@ -78,99 +80,31 @@ static void planar_beam_position(size_t nblocks, const real *const *in, real *co
             e[0 * 8 + j] = l[j] + t5 - l0;
             e[2 * 8 + j] = -t4;
             const real t10 = l0 * (cos_p[j] * t8[j] - sin_p[j] * t9[j]);
-            De[6 * 8 + j] = t10;
+            De[6 * 8 + j] = t10; /* De(1,0) */
             const real t11 = l0 * (cos_q[j] * t8[j] - sin_q[j] * t9[j]);
-            De[13 * 8 + j] = t11;
+            De[13 * 8 + j] = t11; /* De(2,3) */
             const real t12 = t0[j] * (4.0 * (b5 * t10 + t4 * t11) - t4 * t10 - b5 * t11);
             const real t13 = 0.03333333333333333 * t12 - el_x[j];
-            De[0 * 8 + j] = t13;
+            De[0 * 8 + j] = t13; /* De(0,0) */
             const real t17 = l0 * (cos_p[j] * t15[j] - sin_p[j] * t16[j]);
-            De[7 * 8 + j] = t17;
+            De[7 * 8 + j] = t17; /* De(1,1) */
             const real t18 = l0 * (cos_q[j] * t15[j] - sin_q[j] * t16[j]);
-            De[14 * 8 + j] = t18;
+            De[14 * 8 + j] = t18; /* De(2,4) */
             const real t19 = t0[j] * (4.0 * (b5 * t17 + t4 * t18) - t4 * t17 - b5 * t18);
             const real t20 = 0.03333333333333333 * t19 - el_y[j];
-            De[1 * 8 + j] = t20;
+            De[1 * 8 + j] = t20; /* De(0,1) */
             const real t21 = l0 * (sin_p[j] * el_y[j] + cos_p[j] * el_x[j]);
-            De[2 * 8 + j] = 0.03333333333333333 * (t21 * (t4 - 4.0 * b5) * t0[j]);
-            De[3 * 8 + j] = -t13;
-            De[4 * 8 + j] = -t20;
+            De[2 * 8 + j] = 0.03333333333333333 * (t21 * (t4 - 4.0 * b5) * t0[j]); /* De(0,2) */
+            De[3 * 8 + j] = -t13; /* De(0,3) */
+            De[4 * 8 + j] = -t20; /* De(0,4) */
             const real t22 = l0 * (sin_q[j] * el_y[j] + cos_q[j] * el_x[j]);
-            De[15 * 8 + j] = t22;
-            De[5 * 8 + j] = 0.03333333333333333 * (t22 * (b5 - 4.0 * t4) * t0[j]);
-            De[8 * 8 + j] = -t21;
-            De[9 * 8 + j] = -t10;
-            De[10 * 8 + j] = -t17;
-            De[11 * 8 + j] = -t11;
-            De[12 * 8 + j] = -t18;
-        }
-    }
-}
-
-/* velocity: 68 operations.
- * in:  x (6), v (6), p (8)
- * out: ed (3), s (0) */
-FLEXEL_CLONES
-static void planar_beam_velocity(size_t nblocks, const real *const *in, real *const *out)
-{
-    for (size_t b = 0; b < nblocks; b++) {
-        const real *restrict x = in[0] + b * (6 * 8);
-        const real *restrict v = in[1] + b * (6 * 8);
-        const real *restrict p = in[2] + b * (8 * 8);
-        real *restrict ed = out[0] + b * (3 * 8);
-        real t3[8], t4[8], t5[8], cos_p[8], el_y[8], sin_p[8], el_x[8], t7[8], t9[8], t11[8], cos_q[8], sin_q[8];
-#pragma omp simd
-        for (size_t j = 0; j < 8; j++) {
-            const real q_x = x[3 * 8 + j];
-            const real p_x = x[0 * 8 + j];
-            const real d_x = q_x - p_x;
-            const real q_y = x[4 * 8 + j];
-            const real p_y = x[1 * 8 + j];
-            const real d_y = q_y - p_y;
-            const real l = real_sqrt(d_x * d_x + d_y * d_y);
-            const real t0 = 1.0 / l;
-            const real q_vx = v[3 * 8 + j];
-            const real p_vx = v[0 * 8 + j];
-            const real t1 = q_vx - p_vx;
-            const real q_vy = v[4 * 8 + j];
-            const real p_vy = v[1 * 8 + j];
-            const real t2 = q_vy - p_vy;
-            t3[j] = t0 * (d_x * t1 + d_y * t2);
-            const real l0 = p[0 * 8 + j];
-            t4[j] = 1.0 / l0;
-            const real rp_angle = x[2 * 8 + j];
-            const real alpha0 = p[1 * 8 + j];
-            t5[j] = rp_angle + alpha0;
-            el_y[j] = d_y * t0;
-            el_x[j] = d_x * t0;
-            const real t6 = t0 * t0 * t3[j];
-            t7[j] = t0 * t2 - d_y * t6;
-            t9[j] = t0 * t1 - d_x * t6;
-            const real rq_angle = x[5 * 8 + j];
-            const real alphaq0 = p[2 * 8 + j];
-            t11[j] = rq_angle + alphaq0;
-        }
-        for (size_t j = 0; j < 8; j++) {
-            cos_p[j] = real_cos(t5[j]);
-            sin_p[j] = real_sin(t5[j]);
-            cos_q[j] = real_cos(t11[j]);
-            sin_q[j] = real_sin(t11[j]);
-        }
-#pragma omp simd
-        for (size_t j = 0; j < 8; j++) {
-            const real l0 = p[0 * 8 + j];
-            const real b5 = l0 * (cos_p[j] * el_y[j] - sin_p[j] * el_x[j]);
-            const real rp_vangle = v[2 * 8 + j];
-            const real t8 = cos_p[j] * t7[j] - rp_vangle * (sin_p[j] * el_y[j] + cos_p[j] * el_x[j]);
-            const real t10 = l0 * (t8 - sin_p[j] * t9[j]);
-            ed[1 * 8 + j] = t10;
-            const real t12 = l0 * (cos_q[j] * el_y[j] - sin_q[j] * el_x[j]);
-            const real rq_vangle = v[5 * 8 + j];
-            const real t13 = cos_q[j] * t7[j] - rq_vangle * (sin_q[j] * el_y[j] + cos_q[j] * el_x[j]);
-            const real t14 = l0 * (t13 - sin_q[j] * t9[j]);
-            const real t15 = t4[j] * (4.0 * (b5 * t10 + t12 * t14) - t12 * t10 - b5 * t14);
-            ed[0 * 8 + j] = t3[j] + 0.03333333333333333 * t15;
-            ed[2 * 8 + j] = -t14;
+            De[15 * 8 + j] = t22; /* De(2,5) */
+            De[5 * 8 + j] = 0.03333333333333333 * (t22 * (b5 - 4.0 * t4) * t0[j]); /* De(0,5) */
+            De[8 * 8 + j] = -t21; /* De(1,2) */
+            De[9 * 8 + j] = -t10; /* De(1,3) */
+            De[10 * 8 + j] = -t17; /* De(1,4) */
+            De[11 * 8 + j] = -t11; /* De(2,0) */
+            De[12 * 8 + j] = -t18; /* De(2,1) */
         }
     }
 }
@@ -186,7 +120,8 @@ static void planar_beam_acceleration(size_t nblocks, const real *const *in, real
         const real *restrict v = in[1] + b * (6 * 8);
         const real *restrict p = in[2] + b * (8 * 8);
         real *restrict g = out[0] + b * (3 * 8);
-        real t7[8], t8[8], t9[8], cos_q[8], el_y[8], sin_q[8], el_x[8], t11[8], cos_p[8], sin_p[8], t15[8], t16[8], t17[8], t18[8];
+        real t7[8], t8[8], t9[8], cos_q[8], el_y[8], sin_q[8], el_x[8], t11[8], cos_p[8], sin_p[8], t15[8], t16[8],
+            t17[8], t18[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real q_x = x[3 * 8 + j];
@@ -269,7 +204,9 @@ static void planar_beam_rates(size_t nblocks, const real *const *in, real *const
         const real *restrict v = in[1] + b * (6 * 8);
         const real *restrict p = in[2] + b * (8 * 8);
         real *restrict Phi_x = out[0] + b * (16 * 8);
-        real d_x[8], d_y[8], t0[8], t1[8], t2[8], t3[8], t4[8], cos_p[8], el_y[8], sin_p[8], el_x[8], t6[8], cos_q[8], sin_q[8], t7[8], t11[8], t12[8], t14[8], t15[8], t23[8], t24[8], t26[8], t37[8], t38[8], t47[8], t51[8], t53[8], t54[8], t57[8], t58[8];
+        real d_x[8], d_y[8], t0[8], t1[8], t2[8], t3[8], t4[8], cos_p[8], el_y[8], sin_p[8], el_x[8], t6[8], cos_q[8],
+            sin_q[8], t7[8], t11[8], t12[8], t14[8], t15[8], t23[8], t24[8], t26[8], t37[8], t38[8], t47[8], t51[8],
+            t53[8], t54[8], t57[8], t58[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real q_x = x[3 * 8 + j];
@@ -358,36 +295,36 @@ static void planar_beam_rates(size_t nblocks, const real *const *in, real *const
             const real t44 = 0.03333333333333333 * (t9 * t40 + t19 * t42 + d_y[j] * t43 - d_x[j] * t34);
             const real t45 = t12[j] + t44;
             const real t46 = t2[j] + t35 - t37[j] * t45;
-            Phi_x[3 * 8 + j] = t46;
-            Phi_x[0 * 8 + j] = -t46;
+            Phi_x[3 * 8 + j] = t46; /* Phi_x(0,3) */
+            Phi_x[0 * 8 + j] = -t46; /* Phi_x(0,0) */
             const real t48 = t47[j] * t16 - t0[j] * t25 - cos_p[j] * t14[j];
             const real t49 = t47[j] * t20 - t0[j] * t29 - cos_q[j] * t14[j];
             const real t50 = 0.03333333333333333 * (t9 * t48 + t19 * t49 + t0[j] * t43);
             const real t52 = t23[j] + t50 - t51[j] * t45;
-            Phi_x[4 * 8 + j] = t52;
-            Phi_x[1 * 8 + j] = -t52;
+            Phi_x[4 * 8 + j] = t52; /* Phi_x(0,4) */
+            Phi_x[1 * 8 + j] = -t52; /* Phi_x(0,1) */
             const real t55 = sin_p[j] * t53[j] + cos_p[j] * t54[j];
             const real t56 = (sin_p[j] * el_y[j] + cos_p[j] * el_x[j]) * t32 + t9 * t55;
-            Phi_x[2 * 8 + j] = -(0.03333333333333333 * t56);
+            Phi_x[2 * 8 + j] = -(0.03333333333333333 * t56); /* Phi_x(0,2) */
             const real t59 = sin_q[j] * t57[j] + cos_q[j] * t58[j];
             const real t60 = (sin_q[j] * el_y[j] + cos_q[j] * el_x[j]) * t33 + t19 * t59;
-            Phi_x[5 * 8 + j] = -(0.03333333333333333 * t60);
+            Phi_x[5 * 8 + j] = -(0.03333333333333333 * t60); /* Phi_x(0,5) */
             const real t61 = l0 * t40;
             const real t62 = l0 * t18 - t37[j] * t61;
-            Phi_x[9 * 8 + j] = t62;
-            Phi_x[6 * 8 + j] = -t62;
+            Phi_x[9 * 8 + j] = t62; /* Phi_x(1,3) */
+            Phi_x[6 * 8 + j] = -t62; /* Phi_x(1,0) */
             const real t63 = l0 * t48 - t51[j] * t61;
-            Phi_x[10 * 8 + j] = t63;
-            Phi_x[7 * 8 + j] = -t63;
-            Phi_x[8 * 8 + j] = -(l0 * t55);
+            Phi_x[10 * 8 + j] = t63; /* Phi_x(1,4) */
+            Phi_x[7 * 8 + j] = -t63; /* Phi_x(1,1) */
+            Phi_x[8 * 8 + j] = -(l0 * t55); /* Phi_x(1,2) */
             const real t64 = l0 * t42;
             const real t65 = t37[j] * t64 - l0 * t22;
-            Phi_x[13 * 8 + j] = t65;
-            Phi_x[11 * 8 + j] = -t65;
+            Phi_x[13 * 8 + j] = t65; /* Phi_x(2,3) */
+            Phi_x[11 * 8 + j] = -t65; /* Phi_x(2,0) */
             const real t66 = t51[j] * t64 - l0 * t49;
-            Phi_x[14 * 8 + j] = t66;
-            Phi_x[12 * 8 + j] = -t66;
-            Phi_x[15 * 8 + j] = l0 * t59;
+            Phi_x[14 * 8 + j] = t66; /* Phi_x(2,4) */
+            Phi_x[12 * 8 + j] = -t66; /* Phi_x(2,1) */
+            Phi_x[15 * 8 + j] = l0 * t59; /* Phi_x(2,5) */
         }
     }
 }
@@ -405,7 +342,11 @@ static void planar_beam_kinematics(size_t nblocks, const real *const *in, real *
         const real *restrict p = in[3] + b * (8 * 8);
         real *restrict Psi_x = out[0] + b * (16 * 8);
         real *restrict Psi_v = out[1] + b * (16 * 8);
-        real d_x[8], d_y[8], t0[8], t2[8], t3[8], t4[8], t6[8], t7[8], t8[8], sin_p[8], t9[8], cos_p[8], t10[8], t11[8], el_y[8], el_x[8], t14[8], t15[8], t18[8], cos_q[8], sin_q[8], t29[8], t30[8], t38[8], t41[8], t42[8], t43[8], t50[8], t55[8], t66[8], t70[8], t71[8], t74[8], t76[8], t77[8], t79[8], t93[8], t95[8], t96[8], t97[8], t106[8], t110[8], t112[8], t114[8], t115[8], t116[8], t117[8], t120[8], t122[8], t125[8], t126[8], t129[8], t131[8];
+        real d_x[8], d_y[8], t0[8], t2[8], t3[8], t4[8], t6[8], t7[8], t8[8], sin_p[8], t9[8], cos_p[8], t10[8],
+            t11[8], el_y[8], el_x[8], t14[8], t15[8], t18[8], cos_q[8], sin_q[8], t29[8], t30[8], t38[8], t41[8],
+            t42[8], t43[8], t50[8], t55[8], t66[8], t70[8], t71[8], t74[8], t76[8], t77[8], t79[8], t93[8], t95[8],
+            t96[8], t97[8], t106[8], t110[8], t112[8], t114[8], t115[8], t116[8], t117[8], t120[8], t122[8], t125[8],
+            t126[8], t129[8], t131[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real q_x = x[3 * 8 + j];
@@ -473,7 +414,8 @@ static void planar_beam_kinematics(size_t nblocks, const real *const *in, real *
             t93[j] = d_x[j] * t92;
             t95[j] = 4.0 * t53 + 2.0 * t54;
             t96[j] = t34 + t31;
-            t97[j] = 2.0 * (t1 * t34 + 2.0 * t0[j] * t35 + t1 * t31) + 4.0 * (t0[j] * t32 - (t5 * t6[j] + t4[j] * t36));
+            t97[j] = 2.0 * (t1 * t34 + 2.0 * t0[j] * t35 + t1 * t31) + 4.0 * (t0[j] * t32 - (t5 * t6[j] + t4[j]
+                * t36));
             t106[j] = 0.5 * (4.0 * t10[j] * t36 + 2.0 * t1 * t70[j]) - t1 * t76[j];
             t110[j] = t1 * t10[j];
             t112[j] = d_y[j] * t92;
@@ -541,7 +483,8 @@ static void planar_beam_kinematics(size_t nblocks, const real *const *in, real *
             const real t62 = d_x[j] * t13;
             const real t63 = d_y[j] * t12;
             const real t64 = t60 + 0.5 * t40 * t55[j] - t61 - t62 - t63;
-            const real t65 = 0.016666666666666666 * (d_x[j] * t25 - d_y[j] * t51) - 0.03333333333333333 * (t45 * t59 + t28 * t64);
+            const real t65 = 0.016666666666666666 * (d_x[j] * t25 - d_y[j] * t51) - 0.03333333333333333 * (t45 * t59
+                + t28 * t64);
             const real t67 = t65 - t66[j];
             const real rq_aangle = a[5 * 8 + j];
             const real t68 = cos_q[j] * rq_aangle;
@@ -561,9 +504,11 @@ static void planar_beam_kinematics(size_t nblocks, const real *const *in, real *
             const real t87 = l0 * t86;
             const real t88 = t7[j] * (t75 + 4.0 * (t81 - t84) - t87);
             const real t89 = t7[j] * (t84 + 4.0 * (t87 - t75) - t81);
-            const real t90 = t7[j] * (t13 * t23 + t20 * t24) + t69 * t28 + t68 * t45 + l0 * (sin_p[j] * t88 + sin_q[j] * t89);
+            const real t90 = t7[j] * (t13 * t23 + t20 * t24) + t69 * t28 + t68 * t45 + l0 * (sin_p[j] * t88 + sin_q[j]
+                * t89);
             const real t91 = t42[j] + 2.0 * t50[j] * t67 + t49 - t41[j] - 0.03333333333333333 * (t0[j] * t90);
-            const real t94 = l0 * (cos_p[j] * t88 + cos_q[j] * t89) - (t7[j] * (t12 * t23 + t19 * t24) + t78 * t28 + t85 * t45);
+            const real t94 = l0 * (cos_p[j] * t88 + cos_q[j] * t89) - (t7[j] * (t12 * t23 + t19 * t24) + t78 * t28
+                + t85 * t45);
             const real t98 = cos_p[j] * t30[j] + d_x[j] * t39 + 0.5 * t40 * t97[j] - sin_p[j] * t29[j];
             const real t99 = t98 - d_y[j] * t82 - 2.0 * (t2[j] * t13 + t3[j] * t12);
             const real t100 = sin_q[j] * t29[j] + d_y[j] * t72 + 2.0 * (t2[j] * t20 + t3[j] * t19);
@@ -572,45 +517,45 @@ static void planar_beam_kinematics(size_t nblocks, const real *const *in, real *
             const real t103 = t96[j] + t102 + t95[j] * t67 + 0.03333333333333333 * (d_y[j] * t94);
             const real t104 = t103 - 0.03333333333333333 * (d_x[j] * t90);
             const real t105 = t91 - t93[j] * t104;
-            Psi_x[3 * 8 + j] = t105;
-            Psi_x[0 * 8 + j] = -t105;
+            Psi_x[3 * 8 + j] = t105; /* Psi_x(0,3) */
+            Psi_x[0 * 8 + j] = -t105; /* Psi_x(0,0) */
             const real t107 = 2.0 * t12 * t6[j] - cos_p[j] * t38[j] - t40 * t106[j] - t0[j] * t82;
             const real t108 = t0[j] * t72 + cos_q[j] * t38[j] + t46 * t106[j] - 2.0 * t19 * t6[j];
             const real t109 = 0.03333333333333333 * (t28 * t107 - t45 * t108 - t6[j] * t51);
             const real t111 = t76[j] + 0.03333333333333333 * (t0[j] * t94) + 2.0 * t110[j] * t67;
             const real t113 = t109 + t111 - t70[j] - t112[j] * t104;
-            Psi_x[4 * 8 + j] = t113;
-            Psi_x[1 * 8 + j] = -t113;
+            Psi_x[4 * 8 + j] = t113; /* Psi_x(0,4) */
+            Psi_x[1 * 8 + j] = -t113; /* Psi_x(0,1) */
             const real t118 = sin_p[j] * t116[j] + cos_p[j] * t117[j];
             const real t123 = cos_p[j] * t120[j] + sin_p[j] * t122[j];
             const real t124 = t7[j] * t118 * t23 + t28 * t123 + (cos_p[j] * t114[j] + sin_p[j] * t115[j]) * t88;
-            Psi_x[2 * 8 + j] = -(0.03333333333333333 * t124);
+            Psi_x[2 * 8 + j] = -(0.03333333333333333 * t124); /* Psi_x(0,2) */
             const real t127 = sin_q[j] * t125[j] + cos_q[j] * t126[j];
             const real t132 = cos_q[j] * t129[j] + sin_q[j] * t131[j];
             const real t133 = t7[j] * t127 * t24 + t45 * t132 + (cos_q[j] * t114[j] + sin_q[j] * t115[j]) * t89;
-            Psi_x[5 * 8 + j] = -(0.03333333333333333 * t133);
+            Psi_x[5 * 8 + j] = -(0.03333333333333333 * t133); /* Psi_x(0,5) */
             const real t134 = l0 * t69;
             const real t135 = l0 * t64;
             const real t136 = l0 * t78;
             const real t137 = l0 * t99 - d_x[j] * t134 - d_y[j] * t136 - t95[j] * t135;
             const real t138 = l0 * t44 - t0[j] * t134 - 2.0 * t50[j] * t135 - t93[j] * t137;
-            Psi_x[9 * 8 + j] = t138;
-            Psi_x[6 * 8 + j] = -t138;
+            Psi_x[9 * 8 + j] = t138; /* Psi_x(1,3) */
+            Psi_x[6 * 8 + j] = -t138; /* Psi_x(1,0) */
             const real t139 = l0 * t107 - t0[j] * t136 - 2.0 * t110[j] * t135 - t112[j] * t137;
-            Psi_x[10 * 8 + j] = t139;
-            Psi_x[7 * 8 + j] = -t139;
-            Psi_x[8 * 8 + j] = -(l0 * t123);
+            Psi_x[10 * 8 + j] = t139; /* Psi_x(1,4) */
+            Psi_x[7 * 8 + j] = -t139; /* Psi_x(1,1) */
+            Psi_x[8 * 8 + j] = -(l0 * t123); /* Psi_x(1,2) */
             const real t140 = l0 * t59;
             const real t141 = l0 * t68;
             const real t142 = l0 * t85;
             const real t143 = d_y[j] * t142 + l0 * t101 + d_x[j] * t141 + t95[j] * t140;
             const real t144 = t0[j] * t141 + l0 * t48 + 2.0 * t50[j] * t140 - t93[j] * t143;
-            Psi_x[13 * 8 + j] = t144;
-            Psi_x[11 * 8 + j] = -t144;
+            Psi_x[13 * 8 + j] = t144; /* Psi_x(2,3) */
+            Psi_x[11 * 8 + j] = -t144; /* Psi_x(2,0) */
             const real t145 = t0[j] * t142 + l0 * t108 + 2.0 * t110[j] * t140 - t112[j] * t143;
-            Psi_x[14 * 8 + j] = t145;
-            Psi_x[12 * 8 + j] = -t145;
-            Psi_x[15 * 8 + j] = l0 * t132;
+            Psi_x[14 * 8 + j] = t145; /* Psi_x(2,4) */
+            Psi_x[12 * 8 + j] = -t145; /* Psi_x(2,1) */
+            Psi_x[15 * 8 + j] = l0 * t132; /* Psi_x(2,5) */
             const real t146 = sin_p[j] * t6[j] + t50[j] * t40 - t0[j] * t13;
             const real t147 = sin_q[j] * t6[j] + t50[j] * t46 - t0[j] * t20;
             const real t148 = t7[j] * (4.0 * t17 - t22);
@@ -623,34 +568,34 @@ static void planar_beam_kinematics(size_t nblocks, const real *const *in, real *
             const real t155 = 0.03333333333333333 * (t28 * t152 + t45 * t153 + d_y[j] * t154 - d_x[j] * t150);
             const real t156 = t4[j] + t155;
             const real t157 = 2.0 * (t14[j] + t151 - t93[j] * t156);
-            Psi_v[3 * 8 + j] = t157;
-            Psi_v[0 * 8 + j] = -t157;
+            Psi_v[3 * 8 + j] = t157; /* Psi_v(0,3) */
+            Psi_v[0 * 8 + j] = -t157; /* Psi_v(0,0) */
             const real t158 = t110[j] * t40 - t0[j] * t12 - cos_p[j] * t6[j];
             const real t159 = t110[j] * t46 - t0[j] * t19 - cos_q[j] * t6[j];
             const real t160 = 0.03333333333333333 * (t28 * t158 + t45 * t159 + t0[j] * t154);
             const real t161 = 2.0 * (t10[j] + t160 - t112[j] * t156);
-            Psi_v[4 * 8 + j] = t161;
-            Psi_v[1 * 8 + j] = -t161;
+            Psi_v[4 * 8 + j] = t161; /* Psi_v(0,4) */
+            Psi_v[1 * 8 + j] = -t161; /* Psi_v(0,1) */
             const real t162 = (sin_p[j] * el_y[j] + cos_p[j] * el_x[j]) * t148 + t28 * t118;
-            Psi_v[2 * 8 + j] = -(0.06666666666666667 * t162);
+            Psi_v[2 * 8 + j] = -(0.06666666666666667 * t162); /* Psi_v(0,2) */
             const real t163 = (sin_q[j] * el_y[j] + cos_q[j] * el_x[j]) * t149 + t45 * t127;
-            Psi_v[5 * 8 + j] = -(0.06666666666666667 * t163);
+            Psi_v[5 * 8 + j] = -(0.06666666666666667 * t163); /* Psi_v(0,5) */
             const real t164 = l0 * t152;
             const real t165 = 2.0 * (l0 * t146 - t93[j] * t164);
-            Psi_v[9 * 8 + j] = t165;
-            Psi_v[6 * 8 + j] = -t165;
+            Psi_v[9 * 8 + j] = t165; /* Psi_v(1,3) */
+            Psi_v[6 * 8 + j] = -t165; /* Psi_v(1,0) */
             const real t166 = 2.0 * (l0 * t158 - t112[j] * t164);
-            Psi_v[10 * 8 + j] = t166;
-            Psi_v[7 * 8 + j] = -t166;
-            Psi_v[8 * 8 + j] = -(2.0 * l0 * t118);
+            Psi_v[10 * 8 + j] = t166; /* Psi_v(1,4) */
+            Psi_v[7 * 8 + j] = -t166; /* Psi_v(1,1) */
+            Psi_v[8 * 8 + j] = -(2.0 * l0 * t118); /* Psi_v(1,2) */
             const real t167 = l0 * t153;
             const real t168 = 2.0 * (t93[j] * t167 - l0 * t147);
-            Psi_v[13 * 8 + j] = t168;
-            Psi_v[11 * 8 + j] = -t168;
+            Psi_v[13 * 8 + j] = t168; /* Psi_v(2,3) */
+            Psi_v[11 * 8 + j] = -t168; /* Psi_v(2,0) */
             const real t169 = 2.0 * (t112[j] * t167 - l0 * t159);
-            Psi_v[14 * 8 + j] = t169;
-            Psi_v[12 * 8 + j] = -t169;
-            Psi_v[15 * 8 + j] = 2.0 * l0 * t127;
+            Psi_v[14 * 8 + j] = t169; /* Psi_v(2,4) */
+            Psi_v[12 * 8 + j] = -t169; /* Psi_v(2,1) */
+            Psi_v[15 * 8 + j] = 2.0 * l0 * t127; /* Psi_v(2,5) */
         }
     }
 }
@@ -666,7 +611,8 @@ static void planar_beam_stiffness(size_t nblocks, const real *const *in, real *c
         const real *restrict sigma = in[1] + b * (3 * 8);
         const real *restrict p = in[3] + b * (8 * 8);
         real *restrict K = out[0] + b * (36 * 8);
-        real d_x[8], d_y[8], t0[8], t1[8], t2[8], t3[8], t4[8], sin_q[8], cos_q[8], t7[8], t8[8], t10[8], sin_p[8], t13[8], cos_p[8], el_y[8], el_x[8];
+        real d_x[8], d_y[8], t0[8], t1[8], t2[8], t3[8], t4[8], sin_q[8], cos_q[8], t7[8], t8[8], t10[8], sin_p[8],
+            t13[8], cos_p[8], el_y[8], el_x[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real q_x = x[3 * 8 + j];
@@ -743,37 +689,37 @@ static void planar_beam_stiffness(size_t nblocks, const real *const *in, real *c
             const real t42 = t2[j] * t35 - t3[j] * t41;
             const real t43 = t0[j] * t40;
             const real t44 = t43 + t3[j] * t35 + d_x[j] * t42 + t20 * t24 + t6 * t18;
-            K[0 * 8 + j] = K[21 * 8 + j] = t44;
+            K[0 * 8 + j] = K[21 * 8 + j] = t44; /* K(0,0) K(3,3) */
             const real t45 = t0[j] * t16 + d_y[j] * t17;
             const real t46 = t0[j] * t22 + d_y[j] * t23;
             const real t47 = d_y[j] * t42 + t20 * t46 + t6 * t45 - t3[j] * t38;
-            K[1 * 8 + j] = K[6 * 8 + j] = K[22 * 8 + j] = K[27 * 8 + j] = t47;
+            K[1 * 8 + j] = K[6 * 8 + j] = K[22 * 8 + j] = K[27 * 8 + j] = t47; /* K(0,1) K(1,0) K(3,4) K(4,3) */
             const real t48 = t3[j] * t37 + t13[j] * t34;
             const real t49 = sin_p[j] * el_y[j] + cos_p[j] * el_x[j];
             const real t50 = d_x[j] * t48 - t0[j] * t37 - t49 * t24;
-            K[15 * 8 + j] = K[20 * 8 + j] = t50;
-            K[2 * 8 + j] = K[12 * 8 + j] = -t50;
-            K[3 * 8 + j] = K[18 * 8 + j] = -t44;
-            K[4 * 8 + j] = K[9 * 8 + j] = K[19 * 8 + j] = K[24 * 8 + j] = -t47;
+            K[15 * 8 + j] = K[20 * 8 + j] = t50; /* K(2,3) K(3,2) */
+            K[2 * 8 + j] = K[12 * 8 + j] = -t50; /* K(0,2) K(2,0) */
+            K[3 * 8 + j] = K[18 * 8 + j] = -t44; /* K(0,3) K(3,0) */
+            K[4 * 8 + j] = K[9 * 8 + j] = K[19 * 8 + j] = K[24 * 8 + j] = -t47; /* K(0,4) K(1,3) K(3,1) K(4,0) */
             const real t51 = t3[j] * t36 + t13[j] * t31;
             const real t52 = sin_q[j] * el_y[j] + cos_q[j] * el_x[j];
             const real t53 = d_x[j] * t51 - t0[j] * t36 - t52 * t18;
-            K[23 * 8 + j] = K[33 * 8 + j] = t53;
-            K[5 * 8 + j] = K[30 * 8 + j] = -t53;
+            K[23 * 8 + j] = K[33 * 8 + j] = t53; /* K(3,5) K(5,3) */
+            K[5 * 8 + j] = K[30 * 8 + j] = -t53; /* K(0,5) K(5,0) */
             const real t54 = t43 + (cos_p[j] * t0[j] + t13[j] * t19) * t46 + (cos_q[j] * t0[j] + t13[j] * t5) * t45;
             const real t55 = t54 - t13[j] * t38 - d_y[j] * (t2[j] * t38 + t13[j] * t41);
-            K[7 * 8 + j] = K[28 * 8 + j] = t55;
+            K[7 * 8 + j] = K[28 * 8 + j] = t55; /* K(1,1) K(4,4) */
             const real t56 = d_y[j] * t48 - t0[j] * t34 - t49 * t46;
-            K[16 * 8 + j] = K[26 * 8 + j] = t56;
-            K[8 * 8 + j] = K[13 * 8 + j] = -t56;
-            K[10 * 8 + j] = K[25 * 8 + j] = -t55;
+            K[16 * 8 + j] = K[26 * 8 + j] = t56; /* K(2,4) K(4,2) */
+            K[8 * 8 + j] = K[13 * 8 + j] = -t56; /* K(1,2) K(2,1) */
+            K[10 * 8 + j] = K[25 * 8 + j] = -t55; /* K(1,4) K(4,1) */
             const real t57 = d_y[j] * t51 - t0[j] * t31 - t52 * t45;
-            K[29 * 8 + j] = K[34 * 8 + j] = t57;
-            K[11 * 8 + j] = K[31 * 8 + j] = -t57;
-            K[14 * 8 + j] = 0.13333333333333333 * (t49 * t49 * t8[j]) - t27 * t33;
+            K[29 * 8 + j] = K[34 * 8 + j] = t57; /* K(4,5) K(5,4) */
+            K[11 * 8 + j] = K[31 * 8 + j] = -t57; /* K(1,5) K(5,1) */
+            K[14 * 8 + j] = 0.13333333333333333 * (t49 * t49 * t8[j]) - t27 * t33; /* K(2,2) */
             const real t58 = t52 * t8[j];
-            K[17 * 8 + j] = K[32 * 8 + j] = -(0.03333333333333333 * (t49 * t58));
-            K[35 * 8 + j] = 0.13333333333333333 * (t52 * t58) - t25 * t30;
+            K[17 * 8 + j] = K[32 * 8 + j] = -(0.03333333333333333 * (t49 * t58)); /* K(2,5) K(5,2) */
+            K[35 * 8 + j] = 0.13333333333333333 * (t52 * t58) - t25 * t30; /* K(5,5) */
         }
     }
 }
@@ -792,7 +738,10 @@ static void planar_beam_inertia(size_t nblocks, const real *const *in, real *con
         real *restrict h = out[1] + b * (6 * 8);
         real *restrict f = out[2] + b * (6 * 8);
         real *restrict U = out[3] + b * (1 * 8);
-        real t0[8], t1[8], t2[8], sin_p[8], t3[8], sin_q[8], t5[8], t6[8], t7[8], cos_p[8], cos_q[8], t13[8], t14[8], t16[8], t18[8], t24[8], t27[8], t29[8], t38[8], t39[8], t40[8], t51[8], t54[8], t56[8], t58[8], t59[8], t60[8], t63[8], t64[8], t69[8], t71[8], t72[8], t75[8], t77[8], t78[8], t79[8], t84[8], t88[8], t89[8], t90[8], t92[8];
+        real t0[8], t1[8], t2[8], sin_p[8], t3[8], sin_q[8], t5[8], t6[8], t7[8], cos_p[8], cos_q[8], t13[8], t14[8],
+            t16[8], t18[8], t24[8], t27[8], t29[8], t38[8], t39[8], t40[8], t51[8], t54[8], t56[8], t58[8], t59[8],
+            t60[8], t63[8], t64[8], t69[8], t71[8], t72[8], t75[8], t77[8], t78[8], t79[8], t84[8], t88[8], t89[8],
+            t90[8], t92[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real l0 = p[0 * 8 + j];
@@ -870,38 +819,38 @@ static void planar_beam_inertia(size_t nblocks, const real *const *in, real *con
             const real t4 = sin_p[j] + sin_q[j];
             const real t8 = t4 * t7[j];
             const real t9 = 0.3 * (t4 * t8);
-            M[0 * 8 + j] = M[21 * 8 + j] = t1[j] + t9;
+            M[0 * 8 + j] = M[21 * 8 + j] = t1[j] + t9; /* M(0,0) M(3,3) */
             const real t10 = cos_p[j] + cos_q[j];
             const real t11 = t10 * t7[j];
             const real t12 = 0.3 * (t4 * t11);
-            M[4 * 8 + j] = M[24 * 8 + j] = t12;
-            M[1 * 8 + j] = M[6 * 8 + j] = M[22 * 8 + j] = M[27 * 8 + j] = -t12;
+            M[4 * 8 + j] = M[24 * 8 + j] = t12; /* M(0,4) M(4,0) */
+            M[1 * 8 + j] = M[6 * 8 + j] = M[22 * 8 + j] = M[27 * 8 + j] = -t12; /* M(0,1) M(1,0) M(3,4) M(4,3) */
             const real t15 = 0.25 * t4 * t14[j];
             const real t17 = sin_p[j] * t16[j];
-            M[2 * 8 + j] = M[12 * 8 + j] = t15 - 0.05238095238095238 * t17;
-            M[3 * 8 + j] = M[18 * 8 + j] = t18[j] - t9;
+            M[2 * 8 + j] = M[12 * 8 + j] = t15 - 0.05238095238095238 * t17; /* M(0,2) M(2,0) */
+            M[3 * 8 + j] = M[18 * 8 + j] = t18[j] - t9; /* M(0,3) M(3,0) */
             const real t19 = sin_q[j] * t16[j];
-            M[5 * 8 + j] = M[30 * 8 + j] = 0.030952380952380953 * t19 + t15;
+            M[5 * 8 + j] = M[30 * 8 + j] = 0.030952380952380953 * t19 + t15; /* M(0,5) M(5,0) */
             const real t20 = 0.3 * (t10 * t11);
-            M[7 * 8 + j] = M[28 * 8 + j] = t1[j] + t20;
+            M[7 * 8 + j] = M[28 * 8 + j] = t1[j] + t20; /* M(1,1) M(4,4) */
             const real t21 = cos_p[j] * t16[j];
             const real t22 = 0.25 * t10 * t14[j];
-            M[8 * 8 + j] = M[13 * 8 + j] = 0.05238095238095238 * t21 - t22;
-            M[9 * 8 + j] = M[19 * 8 + j] = 0.3 * (t10 * t8);
-            M[10 * 8 + j] = M[25 * 8 + j] = t18[j] - t20;
+            M[8 * 8 + j] = M[13 * 8 + j] = 0.05238095238095238 * t21 - t22; /* M(1,2) M(2,1) */
+            M[9 * 8 + j] = M[19 * 8 + j] = 0.3 * (t10 * t8); /* M(1,3) M(3,1) */
+            M[10 * 8 + j] = M[25 * 8 + j] = t18[j] - t20; /* M(1,4) M(4,1) */
             const real t23 = cos_q[j] * t16[j];
-            M[11 * 8 + j] = M[31 * 8 + j] = -(0.030952380952380953 * t23 + t22);
+            M[11 * 8 + j] = M[31 * 8 + j] = -(0.030952380952380953 * t23 + t22); /* M(1,5) M(5,1) */
             const real t25 = 0.004761904761904762 * (t24[j] * (cos_p[j] * cos_p[j] + sin_p[j] * sin_p[j]));
-            M[14 * 8 + j] = 2.0 * (t25 + t27[j]);
-            M[15 * 8 + j] = M[20 * 8 + j] = -(0.030952380952380953 * t17 + t15);
-            M[16 * 8 + j] = M[26 * 8 + j] = 0.030952380952380953 * t21 + t22;
+            M[14 * 8 + j] = 2.0 * (t25 + t27[j]); /* M(2,2) */
+            M[15 * 8 + j] = M[20 * 8 + j] = -(0.030952380952380953 * t17 + t15); /* M(2,3) M(3,2) */
+            M[16 * 8 + j] = M[26 * 8 + j] = 0.030952380952380953 * t21 + t22; /* M(2,4) M(4,2) */
             const real t30 = sin_q[j] * t24[j];
             const real t31 = 0.007142857142857143 * (sin_p[j] * t30 + cos_p[j] * cos_q[j] * t24[j]);
-            M[17 * 8 + j] = M[32 * 8 + j] = t29[j] - t31;
-            M[23 * 8 + j] = M[33 * 8 + j] = 0.05238095238095238 * t19 - t15;
-            M[29 * 8 + j] = M[34 * 8 + j] = t22 - 0.05238095238095238 * t23;
+            M[17 * 8 + j] = M[32 * 8 + j] = t29[j] - t31; /* M(2,5) M(5,2) */
+            M[23 * 8 + j] = M[33 * 8 + j] = 0.05238095238095238 * t19 - t15; /* M(3,5) M(5,3) */
+            M[29 * 8 + j] = M[34 * 8 + j] = t22 - 0.05238095238095238 * t23; /* M(4,5) M(5,4) */
             const real t32 = 0.004761904761904762 * (t24[j] * (cos_q[j] * cos_q[j] + sin_q[j] * sin_q[j]));
-            M[35 * 8 + j] = 2.0 * (t32 + t27[j]);
+            M[35 * 8 + j] = 2.0 * (t32 + t27[j]); /* M(5,5) */
             const real rq_vangle = v[5 * 8 + j];
             const real t33 = rq_vangle * cos_q[j];
             const real t34 = t33 * t16[j];
@@ -932,7 +881,8 @@ static void planar_beam_inertia(size_t nblocks, const real *const *in, real *con
             const real t67 = t36 * t30 + sin_p[j] * t24[j] * t33;
             const real t68 = t65 + 0.007142857142857143 * (t63[j] * t66 - rq_vangle * t67);
             const real t70 = 0.25 * t46 * t13[j];
-            const real t73 = 0.009523809523809525 * (sin_p[j] * t58[j]) - t71[j] - 0.007142857142857143 * (t72[j] * t30);
+            const real t73 = 0.009523809523809525 * (sin_p[j] * t58[j]) - t71[j] - 0.007142857142857143 * (t72[j]
+                * t30);
             const real t74 = t39[j] * t42;
             h[2 * 8 + j] = t57 + t68 - t43 * t16[j] * t59[j] - t49 * t69[j] - t70 - cos_p[j] * (t73 - t74);
             h[3 * 8 + j] = 0.05238095238095238 * t35 - 0.030952380952380953 * t50 - t48;
@@ -942,7 +892,8 @@ static void planar_beam_inertia(size_t nblocks, const real *const *in, real *con
             const real t81 = sin_q[j] * (t80 - 0.007142857142857143 * (cos_p[j] * t64[j]));
             const real t82 = 0.01904761904761905 * (t63[j] * (sin_q[j] * t33 - cos_q[j] * t44));
             const real t83 = t81 + t82 + t34 * t77[j] + t76 + t44 * t16[j] * t75[j] - t70;
-            const real t85 = 0.009523809523809525 * (sin_q[j] * t78[j]) + t84[j] - 0.007142857142857143 * (sin_p[j] * t72[j] * t24[j]);
+            const real t85 = 0.009523809523809525 * (sin_q[j] * t78[j]) + t84[j] - 0.007142857142857143 * (sin_p[j]
+                * t72[j] * t24[j]);
             h[5 * 8 + j] = t83 - cos_q[j] * (t85 - t74);
             f[2 * 8 + j] = 0.08333333333333333 * (cos_p[j] * t88[j] - sin_p[j] * t89[j]);
             f[5 * 8 + j] = 0.08333333333333333 * (sin_q[j] * t89[j] - cos_q[j] * t88[j]);
@@ -969,7 +920,10 @@ static void planar_beam_tangent(size_t nblocks, const real *const *in, real *con
         const real *restrict p = in[3] + b * (8 * 8);
         real *restrict R_x = out[0] + b * (12 * 8);
         real *restrict R_v = out[1] + b * (36 * 8);
-        real t0[8], cos_p[8], t1[8], t2[8], t3[8], t4[8], cos_q[8], t6[8], t7[8], sin_p[8], sin_q[8], t11[8], t16[8], t18[8], t19[8], t24[8], t27[8], t32[8], t46[8], t48[8], t51[8], t52[8], t53[8], t54[8], t55[8], t60[8], t63[8], t70[8], t72[8], t73[8], t94[8], t95[8], t98[8], t109[8], t111[8], t117[8], t131[8], t132[8], t135[8], t137[8], t140[8], t142[8], t145[8], t161[8], t166[8], t167[8], t169[8], t172[8], t173[8];
+        real t0[8], cos_p[8], t1[8], t2[8], t3[8], t4[8], cos_q[8], t6[8], t7[8], sin_p[8], sin_q[8], t11[8], t16[8],
+            t18[8], t19[8], t24[8], t27[8], t32[8], t46[8], t48[8], t51[8], t52[8], t53[8], t54[8], t55[8], t60[8],
+            t63[8], t70[8], t72[8], t73[8], t94[8], t95[8], t98[8], t109[8], t111[8], t117[8], t131[8], t132[8],
+            t135[8], t137[8], t140[8], t142[8], t145[8], t161[8], t166[8], t167[8], t169[8], t172[8], t173[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real rp_angle = x[2 * 8 + j];
@@ -1079,7 +1033,7 @@ static void planar_beam_tangent(size_t nblocks, const real *const *in, real *con
             const real rp_aangle = a[2 * 8 + j];
             const real t34 = t8 * t32[j];
             const real t35 = rp_aangle * t33 - rp_vangle * t34;
-            R_x[0 * 8 + j] = t30 - 0.05238095238095238 * t35;
+            R_x[0 * 8 + j] = t30 - 0.05238095238095238 * t35; /* R_x(0,2) */
             const real t36 = cos_q[j] * t32[j];
             const real rq_aangle = a[5 * 8 + j];
             const real t37 = t9 * t32[j];
@@ -1090,13 +1044,13 @@ static void planar_beam_tangent(size_t nblocks, const real *const *in, real *con
             const real t42 = sin_q[j] * t7[j] + cos_q[j] * t11[j];
             const real t43 = t24[j] * t42;
             const real t44 = cos_q[j] * t20 - 0.3 * (t15 * t41 + t14 * t43) - t9 * t29;
-            R_x[1 * 8 + j] = 0.030952380952380953 * t38 + t44;
+            R_x[1 * 8 + j] = 0.030952380952380953 * t38 + t44; /* R_x(0,5) */
             const real t45 = sin_p[j] * t20 + 0.3 * (t5 * t23 - t10 * t26) + t12 * t29;
             const real t47 = t12 * t46[j] + sin_p[j] * rp_aangle * t32[j];
-            R_x[2 * 8 + j] = t45 - 0.05238095238095238 * t47;
+            R_x[2 * 8 + j] = t45 - 0.05238095238095238 * t47; /* R_x(1,2) */
             const real t49 = t13 * t48[j] + sin_q[j] * rq_aangle * t32[j];
             const real t50 = sin_q[j] * t20 + 0.3 * (t5 * t41 - t10 * t43) + t13 * t29;
-            R_x[3 * 8 + j] = 0.030952380952380953 * t49 + t50;
+            R_x[3 * 8 + j] = 0.030952380952380953 * t49 + t50; /* R_x(1,5) */
             const real t56 = sin_q[j] * t55[j];
             const real t57 = t11[j] * t29;
             const real t58 = 0.3 * (t7[j] * t26);
@@ -1116,14 +1070,15 @@ static void planar_beam_tangent(size_t nblocks, const real *const *in, real *con
             const real q_ay = a[4 * 8 + j];
             const real p_vy = v[1 * 8 + j];
             const real p_ay = a[1 * 8 + j];
-            const real t77 = 0.030952380952380953 * (q_vy * t12 + sin_p[j] * q_ay) + 0.05238095238095238 * (p_vy * t12 + sin_p[j] * p_ay);
+            const real t77 = 0.030952380952380953 * (q_vy * t12 + sin_p[j] * q_ay) + 0.05238095238095238 * (p_vy * t12
+                + sin_p[j] * p_ay);
             const real t78 = 0.25 * t18[j] * t22;
             const real q_ax = a[3 * 8 + j];
             const real q_vx = v[3 * 8 + j];
             const real t79 = t76 - t32[j] * t77 - t78 - 0.030952380952380953 * (q_ax * t33 - q_vx * t34);
             const real p_ax = a[0 * 8 + j];
             const real p_vx = v[0 * 8 + j];
-            R_x[4 * 8 + j] = t79 - 0.05238095238095238 * (p_ax * t33 - p_vx * t34);
+            R_x[4 * 8 + j] = t79 - 0.05238095238095238 * (p_ax * t33 - p_vx * t34); /* R_x(2,2) */
             const real t80 = cos_p[j] * t13 - sin_q[j] * t8;
             const real t81 = cos_p[j] * sin_q[j];
             const real t82 = cos_q[j] * t55[j];
@@ -1134,71 +1089,77 @@ static void planar_beam_tangent(size_t nblocks, const real *const *in, real *con
             const real t87 = sin_p[j] * (0.007142857142857143 * (sin_q[j] * t73[j]) - t86);
             const real t88 = 0.25 * t18[j] * t40;
             const real t89 = 0.3 * (t11[j] * t43);
-            R_x[5 * 8 + j] = 0.007142857142857143 * t85 + t87 - t88 - cos_p[j] * (t89 - 0.007142857142857143 * (t54[j] * t82));
-            R_x[6 * 8 + j] = -(0.030952380952380953 * t35 + t30);
-            R_x[7 * 8 + j] = 0.05238095238095238 * t38 - t44;
-            R_x[8 * 8 + j] = -(0.030952380952380953 * t47 + t45);
-            R_x[9 * 8 + j] = 0.05238095238095238 * t49 - t50;
+            R_x[5 * 8 + j] = 0.007142857142857143 * t85 + t87 - t88 - cos_p[j] * (t89 - 0.007142857142857143 * (t54[j]
+                * t82)); /* R_x(2,5) */
+            R_x[6 * 8 + j] = -(0.030952380952380953 * t35 + t30); /* R_x(3,2) */
+            R_x[7 * 8 + j] = 0.05238095238095238 * t38 - t44; /* R_x(3,5) */
+            R_x[8 * 8 + j] = -(0.030952380952380953 * t47 + t45); /* R_x(4,2) */
+            R_x[9 * 8 + j] = 0.05238095238095238 * t49 - t50; /* R_x(4,5) */
             const real t90 = t55[j] * (rp_vangle * t62 + rp_aangle * t64) - rp_vangle * t66;
             const real t91 = sin_q[j] * (0.007142857142857143 * (sin_p[j] * t73[j]) - t58);
             const real t92 = 0.007142857142857143 * (t90 - rp_aangle * t67) + t91 - t78;
             const real t93 = t75 - 0.007142857142857143 * (cos_p[j] * t54[j] * t55[j]);
-            R_x[10 * 8 + j] = t92 - cos_q[j] * t93;
+            R_x[10 * 8 + j] = t92 - cos_q[j] * t93; /* R_x(5,2) */
             const real t96 = t95[j] - 0.007142857142857143 * (sin_p[j] * t54[j] * t55[j]);
             const real t99 = t71 - t98[j] - 0.007142857142857143 * (cos_p[j] * t73[j]);
             const real t100 = t55[j] * (rp_vangle * t80 + rp_aangle * t81) - rp_vangle * t83;
-            const real t101 = 0.05238095238095238 * (q_vy * t13 + sin_q[j] * q_ay) + 0.030952380952380953 * (p_vy * t13 + sin_q[j] * p_ay);
-            const real t102 = 0.05238095238095238 * (q_ax * t36 - q_vx * t37) + 0.030952380952380953 * (p_ax * t36 - p_vx * t37);
+            const real t101 = 0.05238095238095238 * (q_vy * t13 + sin_q[j] * q_ay) + 0.030952380952380953 * (p_vy
+                * t13 + sin_q[j] * p_ay);
+            const real t102 = 0.05238095238095238 * (q_ax * t36 - q_vx * t37) + 0.030952380952380953 * (p_ax * t36
+                - p_vx * t37);
             const real t103 = t32[j] * t101 + t102 + 0.007142857142857143 * (t100 - rp_aangle * t84);
             const real t104 = cos_q[j] * (t99 - t89 - t72[j]) + t103 + sin_q[j] * (t96 - t57 - t86 - t51[j]);
-            R_x[11 * 8 + j] = t104 - t88;
+            R_x[11 * 8 + j] = t104 - t88; /* R_x(5,5) */
             const real t105 = t15 * t24[j];
             const real t106 = 0.6 * (t14 * t105);
-            R_v[0 * 8 + j] = R_v[21 * 8 + j] = t106;
+            R_v[0 * 8 + j] = R_v[21 * 8 + j] = t106; /* R_v(0,0) R_v(3,3) */
             const real t107 = t5 * t24[j];
             const real t108 = 0.3 * (t10 * t105 - t14 * t107);
             R_v[1 * 8 + j] = R_v[6 * 8 + j] = R_v[22 * 8 + j] = R_v[27 * 8 + j] = t108;
+                /* R_v(0,1) R_v(1,0) R_v(3,4) R_v(4,3) */
             const real t110 = 0.25 * t14 * t109[j];
             const real t112 = t29 - t111[j];
             const real t113 = cos_p[j] * t112;
             const real t114 = t12 * t32[j];
             const real t115 = 0.05238095238095238 * t114;
             const real t116 = 0.3 * (t105 * t25);
-            R_v[2 * 8 + j] = t110 + t113 - t115 - t116;
-            R_v[3 * 8 + j] = R_v[18 * 8 + j] = -t106;
+            R_v[2 * 8 + j] = t110 + t113 - t115 - t116; /* R_v(0,2) */
+            R_v[3 * 8 + j] = R_v[18 * 8 + j] = -t106; /* R_v(0,3) R_v(3,0) */
             R_v[4 * 8 + j] = R_v[9 * 8 + j] = R_v[19 * 8 + j] = R_v[24 * 8 + j] = -t108;
+                /* R_v(0,4) R_v(1,3) R_v(3,1) R_v(4,0) */
             const real t118 = t117[j] + t29;
             const real t119 = cos_q[j] * t118;
             const real t120 = t13 * t32[j];
             const real t121 = 0.030952380952380953 * t120 + t110;
             const real t122 = 0.3 * (t105 * t42);
-            R_v[5 * 8 + j] = t119 + t121 - t122;
+            R_v[5 * 8 + j] = t119 + t121 - t122; /* R_v(0,5) */
             const real t123 = 0.6 * (t10 * t107);
-            R_v[10 * 8 + j] = R_v[25 * 8 + j] = t123;
-            R_v[7 * 8 + j] = R_v[28 * 8 + j] = -t123;
+            R_v[10 * 8 + j] = R_v[25 * 8 + j] = t123; /* R_v(1,4) R_v(4,1) */
+            R_v[7 * 8 + j] = R_v[28 * 8 + j] = -t123; /* R_v(1,1) R_v(4,4) */
             const real t124 = 0.3 * (t107 * t25);
             const real t125 = 0.25 * t10 * t109[j];
             const real t126 = sin_p[j] * t112;
             const real t127 = 0.05238095238095238 * t34;
-            R_v[8 * 8 + j] = t125 + t126 + t124 - t127;
+            R_v[8 * 8 + j] = t125 + t126 + t124 - t127; /* R_v(1,2) */
             const real t128 = 0.3 * (t107 * t42);
             const real t129 = 0.030952380952380953 * t37;
             const real t130 = sin_q[j] * t118;
-            R_v[11 * 8 + j] = t129 + t130 + t125 + t128;
-            R_v[12 * 8 + j] = t110 + t116 - t115 - t113;
-            R_v[13 * 8 + j] = t125 - t127 - t126 - t124;
+            R_v[11 * 8 + j] = t129 + t130 + t125 + t128; /* R_v(1,5) */
+            R_v[12 * 8 + j] = t110 + t116 - t115 - t113; /* R_v(2,0) */
+            R_v[13 * 8 + j] = t125 - t127 - t126 - t124; /* R_v(2,1) */
             const real t133 = 0.01904761904761905 * (cos_p[j] * t132[j] - t12 * t55[j]);
             const real t138 = 0.01904761904761905 * (t55[j] * (sin_p[j] * t12 - cos_p[j] * t8));
             const real t143 = sin_p[j] * t55[j];
             const real t144 = 0.01904761904761905 * (rp_vangle * t143 - sin_p[j] * t132[j]);
-            R_v[14 * 8 + j] = t138 + cos_p[j] * (t142[j] + t144 + t140[j] - t52[j]) + sin_p[j] * (t131[j] + t133 - t135[j] - t137[j]);
+            R_v[14 * 8 + j] = t138 + cos_p[j] * (t142[j] + t144 + t140[j] - t52[j]) + sin_p[j] * (t131[j] + t133
+                - t135[j] - t137[j]); /* R_v(2,2) */
             const real t146 = t145[j] + t29;
             const real t147 = cos_p[j] * t146;
             const real t148 = 0.030952380952380953 * t114;
-            R_v[15 * 8 + j] = t147 - t148 - t116 - t110;
+            R_v[15 * 8 + j] = t147 - t148 - t116 - t110; /* R_v(2,3) */
             const real t149 = sin_p[j] * t146 + t124;
             const real t150 = 0.030952380952380953 * t34;
-            R_v[16 * 8 + j] = t149 - t150 - t125;
+            R_v[16 * 8 + j] = t149 - t150 - t125; /* R_v(2,4) */
             const real t151 = t12 * t56;
             const real t152 = t55[j] * (cos_q[j] * t8 + cos_p[j] * t9) - t151 - sin_p[j] * t65;
             const real t153 = 0.007142857142857143 * t152;
@@ -1208,38 +1169,38 @@ static void planar_beam_tangent(size_t nblocks, const real *const *in, real *con
             const real t157 = 0.007142857142857143 * (t13 * t143);
             const real t158 = 0.007142857142857143 * (t132[j] * t64);
             const real t159 = 0.25 * t109[j] * t42;
-            R_v[17 * 8 + j] = t155 + t156 + t154 + t153 - t157 - t158 - t159;
-            R_v[20 * 8 + j] = t116 - t110 - t148 - t147;
+            R_v[17 * 8 + j] = t155 + t156 + t154 + t153 - t157 - t158 - t159; /* R_v(2,5) */
+            R_v[20 * 8 + j] = t116 - t110 - t148 - t147; /* R_v(3,2) */
             const real t160 = 0.05238095238095238 * t120;
             const real t162 = t161[j] - t29;
             const real t163 = cos_q[j] * t162;
-            R_v[23 * 8 + j] = t160 + t163 + t122 - t110;
-            R_v[26 * 8 + j] = -(t150 + t149 + t125);
+            R_v[23 * 8 + j] = t160 + t163 + t122 - t110; /* R_v(3,5) */
+            R_v[26 * 8 + j] = -(t150 + t149 + t125); /* R_v(4,2) */
             const real t164 = 0.05238095238095238 * t37;
             const real t165 = sin_q[j] * t162;
-            R_v[29 * 8 + j] = t164 + t165 - t125 - t128;
-            R_v[30 * 8 + j] = t122 + t121 - t119;
-            R_v[31 * 8 + j] = t129 + t125 - t130 - t128;
-            R_v[32 * 8 + j] = t157 + t159 + t153 + t158 - t155 - t154 - t156;
-            R_v[33 * 8 + j] = t160 - t163 - t122 - t110;
-            R_v[34 * 8 + j] = t164 + t128 - t165 - t125;
+            R_v[29 * 8 + j] = t164 + t165 - t125 - t128; /* R_v(4,5) */
+            R_v[30 * 8 + j] = t122 + t121 - t119; /* R_v(5,0) */
+            R_v[31 * 8 + j] = t129 + t125 - t130 - t128; /* R_v(5,1) */
+            R_v[32 * 8 + j] = t157 + t159 + t153 + t158 - t155 - t154 - t156; /* R_v(5,2) */
+            R_v[33 * 8 + j] = t160 - t163 - t122 - t110; /* R_v(5,3) */
+            R_v[34 * 8 + j] = t164 + t128 - t165 - t125; /* R_v(5,4) */
             const real t168 = 0.01904761904761905 * (cos_q[j] * t60[j] - rq_vangle * t82);
             const real t170 = 0.01904761904761905 * (t55[j] * (sin_q[j] * t13 - cos_q[j] * t9));
             const real t171 = 0.01904761904761905 * (rq_vangle * t56 - sin_q[j] * t60[j]);
-            R_v[35 * 8 + j] = t170 + cos_q[j] * (t94[j] + t171 - t172[j] - t173[j]) + sin_q[j] * (t167[j] + t168 + t166[j] - t169[j]);
+            R_v[35 * 8 + j] = t170 + cos_q[j] * (t94[j] + t171 - t172[j] - t173[j]) + sin_q[j] * (t167[j] + t168
+                + t166[j] - t169[j]); /* R_v(5,5) */
         }
     }
 }
 
 const flexel_element flexel_planar_beam = {
     .name = "planar_beam",
-    .digest = "362e2945d153049e",
+    .digest = "0f0ece63c0b6dd53",
     .n = 6,
     .m = 3,
     .k = 0,
     .np = 8,
     .position = planar_beam_position,
-    .velocity = planar_beam_velocity,
     .acceleration = planar_beam_acceleration,
     .rates = planar_beam_rates,
     .kinematics = planar_beam_kinematics,

@@ -45,9 +45,9 @@ static void planar_beam3_position(size_t nblocks, const real *const *in, real *c
         }
         for (size_t j = 0; j < 8; j++) {
             cos_p[j] = real_cos(t0[j]);
-            De[3 * 8 + j] = De[9 * 8 + j] = cos_p[j];
+            De[3 * 8 + j] = De[9 * 8 + j] = cos_p[j]; /* De(0,3) De(1,4) */
             sin_p[j] = real_sin(t0[j]);
-            De[4 * 8 + j] = De[5 * 8 + j] = sin_p[j];
+            De[4 * 8 + j] = De[5 * 8 + j] = sin_p[j]; /* De(0,4) De(1,0) */
         }
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
@@ -58,55 +58,10 @@ static void planar_beam3_position(size_t nblocks, const real *const *in, real *c
             const real d0_y = p[2 * 8 + j];
             const real t3 = sin_p[j] * d_x[j];
             e[1 * 8 + j] = t2 - d0_y - t3;
-            De[0 * 8 + j] = De[6 * 8 + j] = -cos_p[j];
-            De[1 * 8 + j] = De[8 * 8 + j] = -sin_p[j];
-            De[2 * 8 + j] = t2 - t3;
-            De[7 * 8 + j] = -t1;
-        }
-    }
-}
-
-/* velocity: 23 operations.
- * in:  x (5), v (5), p (8)
- * out: ed (2), s (0) */
-FLEXEL_CLONES
-static void planar_beam3_velocity(size_t nblocks, const real *const *in, real *const *out)
-{
-    for (size_t b = 0; b < nblocks; b++) {
-        const real *restrict x = in[0] + b * (5 * 8);
-        const real *restrict v = in[1] + b * (5 * 8);
-        const real *restrict p = in[2] + b * (8 * 8);
-        real *restrict ed = out[0] + b * (2 * 8);
-        real t0[8], cos_p[8], t1[8], d_x[8], sin_p[8], d_y[8], t4[8];
-#pragma omp simd
-        for (size_t j = 0; j < 8; j++) {
-            const real rp_angle = x[2 * 8 + j];
-            const real alpha0 = p[0 * 8 + j];
-            t0[j] = rp_angle + alpha0;
-            const real q_vx = v[3 * 8 + j];
-            const real p_vx = v[0 * 8 + j];
-            t1[j] = q_vx - p_vx;
-            const real q_x = x[3 * 8 + j];
-            const real p_x = x[0 * 8 + j];
-            d_x[j] = q_x - p_x;
-            const real q_y = x[4 * 8 + j];
-            const real p_y = x[1 * 8 + j];
-            d_y[j] = q_y - p_y;
-            const real q_vy = v[4 * 8 + j];
-            const real p_vy = v[1 * 8 + j];
-            t4[j] = q_vy - p_vy;
-        }
-        for (size_t j = 0; j < 8; j++) {
-            cos_p[j] = real_cos(t0[j]);
-            sin_p[j] = real_sin(t0[j]);
-        }
-#pragma omp simd
-        for (size_t j = 0; j < 8; j++) {
-            const real rp_vangle = v[2 * 8 + j];
-            const real t2 = rp_vangle * sin_p[j];
-            const real t3 = rp_vangle * cos_p[j];
-            ed[0 * 8 + j] = cos_p[j] * t1[j] - d_x[j] * t2 + (d_y[j] * t3 + sin_p[j] * t4[j]);
-            ed[1 * 8 + j] = cos_p[j] * t4[j] - d_y[j] * t2 - (d_x[j] * t3 + sin_p[j] * t1[j]);
+            De[0 * 8 + j] = De[6 * 8 + j] = -cos_p[j]; /* De(0,0) De(1,1) */
+            De[1 * 8 + j] = De[8 * 8 + j] = -sin_p[j]; /* De(0,1) De(1,3) */
+            De[2 * 8 + j] = t2 - t3; /* De(0,2) */
+            De[7 * 8 + j] = -t1; /* De(1,2) */
         }
     }
 }
@@ -196,14 +151,14 @@ static void planar_beam3_rates(size_t nblocks, const real *const *in, real *cons
         for (size_t j = 0; j < 8; j++) {
             const real rp_vangle = v[2 * 8 + j];
             const real t1 = rp_vangle * sin_p[j];
-            Phi_x[0 * 8 + j] = Phi_x[6 * 8 + j] = t1;
+            Phi_x[0 * 8 + j] = Phi_x[6 * 8 + j] = t1; /* Phi_x(0,0) Phi_x(1,1) */
             const real t2 = rp_vangle * cos_p[j];
-            Phi_x[4 * 8 + j] = Phi_x[5 * 8 + j] = t2;
-            Phi_x[1 * 8 + j] = Phi_x[8 * 8 + j] = -t2;
-            Phi_x[2 * 8 + j] = cos_p[j] * t3[j] - d_y[j] * t1 - (d_x[j] * t2 + sin_p[j] * t4[j]);
-            Phi_x[3 * 8 + j] = Phi_x[9 * 8 + j] = -t1;
+            Phi_x[4 * 8 + j] = Phi_x[5 * 8 + j] = t2; /* Phi_x(0,4) Phi_x(1,0) */
+            Phi_x[1 * 8 + j] = Phi_x[8 * 8 + j] = -t2; /* Phi_x(0,1) Phi_x(1,3) */
+            Phi_x[2 * 8 + j] = cos_p[j] * t3[j] - d_y[j] * t1 - (d_x[j] * t2 + sin_p[j] * t4[j]); /* Phi_x(0,2) */
+            Phi_x[3 * 8 + j] = Phi_x[9 * 8 + j] = -t1; /* Phi_x(0,3) Phi_x(1,4) */
             const real t5 = cos_p[j] * t4[j] - d_x[j] * t1 + (d_y[j] * t2 + sin_p[j] * t3[j]);
-            Phi_x[7 * 8 + j] = -t5;
+            Phi_x[7 * 8 + j] = -t5; /* Phi_x(1,2) */
         }
     }
 }
@@ -256,26 +211,26 @@ static void planar_beam3_kinematics(size_t nblocks, const real *const *in, real 
             const real t1 = rp_vangle * cos_p[j];
             const real rp_aangle = a[2 * 8 + j];
             const real t2 = rp_vangle * t1 + sin_p[j] * rp_aangle;
-            Psi_x[0 * 8 + j] = Psi_x[6 * 8 + j] = t2;
+            Psi_x[0 * 8 + j] = Psi_x[6 * 8 + j] = t2; /* Psi_x(0,0) Psi_x(1,1) */
             const real t3 = rp_vangle * sin_p[j];
             const real t4 = cos_p[j] * rp_aangle - rp_vangle * t3;
-            Psi_x[4 * 8 + j] = Psi_x[5 * 8 + j] = t4;
-            Psi_x[1 * 8 + j] = Psi_x[8 * 8 + j] = -t4;
+            Psi_x[4 * 8 + j] = Psi_x[5 * 8 + j] = t4; /* Psi_x(0,4) Psi_x(1,0) */
+            Psi_x[1 * 8 + j] = Psi_x[8 * 8 + j] = -t4; /* Psi_x(0,1) Psi_x(1,3) */
             const real t8 = cos_p[j] * t5[j] - 2.0 * (t3 * t6[j] + t1 * t7[j]) - d_x[j] * t4;
-            Psi_x[2 * 8 + j] = t8 - d_y[j] * t2 - sin_p[j] * t9[j];
-            Psi_x[3 * 8 + j] = Psi_x[9 * 8 + j] = -t2;
+            Psi_x[2 * 8 + j] = t8 - d_y[j] * t2 - sin_p[j] * t9[j]; /* Psi_x(0,2) */
+            Psi_x[3 * 8 + j] = Psi_x[9 * 8 + j] = -t2; /* Psi_x(0,3) Psi_x(1,4) */
             const real t10 = d_x[j] * t2 - 2.0 * (t1 * t6[j] - t3 * t7[j]) - d_y[j] * t4;
-            Psi_x[7 * 8 + j] = t10 - cos_p[j] * t9[j] - sin_p[j] * t5[j];
+            Psi_x[7 * 8 + j] = t10 - cos_p[j] * t9[j] - sin_p[j] * t5[j]; /* Psi_x(1,2) */
             const real t11 = 2.0 * t3;
-            Psi_v[0 * 8 + j] = Psi_v[6 * 8 + j] = t11;
+            Psi_v[0 * 8 + j] = Psi_v[6 * 8 + j] = t11; /* Psi_v(0,0) Psi_v(1,1) */
             const real t12 = 2.0 * t1;
-            Psi_v[4 * 8 + j] = Psi_v[5 * 8 + j] = t12;
-            Psi_v[1 * 8 + j] = Psi_v[8 * 8 + j] = -t12;
+            Psi_v[4 * 8 + j] = Psi_v[5 * 8 + j] = t12; /* Psi_v(0,4) Psi_v(1,0) */
+            Psi_v[1 * 8 + j] = Psi_v[8 * 8 + j] = -t12; /* Psi_v(0,1) Psi_v(1,3) */
             const real t13 = cos_p[j] * t6[j] - d_y[j] * t3 - d_x[j] * t1 - sin_p[j] * t7[j];
-            Psi_v[2 * 8 + j] = 2.0 * t13;
-            Psi_v[3 * 8 + j] = Psi_v[9 * 8 + j] = -t11;
+            Psi_v[2 * 8 + j] = 2.0 * t13; /* Psi_v(0,2) */
+            Psi_v[3 * 8 + j] = Psi_v[9 * 8 + j] = -t11; /* Psi_v(0,3) Psi_v(1,4) */
             const real t14 = cos_p[j] * t7[j] + sin_p[j] * t6[j] + d_y[j] * t1 - d_x[j] * t3;
-            Psi_v[7 * 8 + j] = -(2.0 * t14);
+            Psi_v[7 * 8 + j] = -(2.0 * t14); /* Psi_v(1,2) */
         }
     }
 }
@@ -317,12 +272,12 @@ static void planar_beam3_stiffness(size_t nblocks, const real *const *in, real *
             const real sigma_across = sigma[1 * 8 + j];
             const real sigma_along = sigma[0 * 8 + j];
             const real t1 = cos_p[j] * sigma_across + sin_p[j] * sigma_along;
-            K[0 * 8 + j] = K[2 * 8 + j] = t1;
+            K[0 * 8 + j] = K[2 * 8 + j] = t1; /* K(0,2) K(2,0) */
             const real t2 = cos_p[j] * sigma_along - sin_p[j] * sigma_across;
-            K[6 * 8 + j] = K[8 * 8 + j] = t2;
-            K[1 * 8 + j] = K[3 * 8 + j] = -t2;
-            K[4 * 8 + j] = -(sin_p[j] * t3[j] + cos_p[j] * t4[j]);
-            K[5 * 8 + j] = K[7 * 8 + j] = -t1;
+            K[6 * 8 + j] = K[8 * 8 + j] = t2; /* K(2,4) K(4,2) */
+            K[1 * 8 + j] = K[3 * 8 + j] = -t2; /* K(1,2) K(2,1) */
+            K[4 * 8 + j] = -(sin_p[j] * t3[j] + cos_p[j] * t4[j]); /* K(2,2) */
+            K[5 * 8 + j] = K[7 * 8 + j] = -t1; /* K(2,3) K(3,2) */
         }
     }
 }
@@ -345,9 +300,11 @@ static void planar_beam3_inertia(size_t nblocks, const real *const *in, real *co
             const real rhoA = p[4 * 8 + j];
             const real t0 = l0 * rhoA;
             M[0 * 8 + j] = M[2 * 8 + j] = M[6 * 8 + j] = M[8 * 8 + j] = 0.3333333333333333 * t0;
+                /* M(0,0) M(1,1) M(3,3) M(4,4) */
             M[1 * 8 + j] = M[3 * 8 + j] = M[5 * 8 + j] = M[7 * 8 + j] = 0.16666666666666666 * t0;
+                /* M(0,3) M(1,4) M(3,0) M(4,1) */
             const real rhoJ = p[5 * 8 + j];
-            M[4 * 8 + j] = l0 * rhoJ;
+            M[4 * 8 + j] = l0 * rhoJ; /* M(2,2) */
             const real gravity_x = p[6 * 8 + j];
             f[0 * 8 + j] = f[2 * 8 + j] = 0.5 * gravity_x * t0;
             const real gravity_y = p[7 * 8 + j];
@@ -373,13 +330,12 @@ static void planar_beam3_tangent(size_t nblocks, const real *const *in, real *co
 
 const flexel_element flexel_planar_beam3 = {
     .name = "planar_beam3",
-    .digest = "408e6bce41b88145",
+    .digest = "fdc7aab0023accfd",
     .n = 5,
     .m = 2,
     .k = 0,
     .np = 8,
     .position = planar_beam3_position,
-    .velocity = planar_beam3_velocity,
     .acceleration = planar_beam3_acceleration,
     .rates = planar_beam3_rates,
     .kinematics = planar_beam3_kinematics,

@@ -28,7 +28,7 @@ static void planar_beam_span_position(size_t nblocks, const real *const *in, rea
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real l0 = p[0 * 8 + j];
-            V[0 * 8 + j] = V[2 * 8 + j] = V[4 * 8 + j] = V[6 * 8 + j] = 0.5 * l0;
+            V[0 * 8 + j] = V[2 * 8 + j] = V[4 * 8 + j] = V[6 * 8 + j] = 0.5 * l0; /* V(0,0) V(0,3) V(1,1) V(1,4) */
             const real rp_angle = x[2 * 8 + j];
             const real alpha0 = p[1 * 8 + j];
             t0[j] = rp_angle + alpha0;
@@ -45,56 +45,10 @@ static void planar_beam_span_position(size_t nblocks, const real *const *in, rea
         }
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
-            V[1 * 8 + j] = -(0.08333333333333333 * (sin_p[j] * t1[j]));
-            V[3 * 8 + j] = 0.08333333333333333 * (sin_q[j] * t1[j]);
-            V[5 * 8 + j] = 0.08333333333333333 * (cos_p[j] * t1[j]);
-            V[7 * 8 + j] = -(0.08333333333333333 * (cos_q[j] * t1[j]));
-        }
-    }
-}
-
-/* velocity: 24 operations.
- * in:  x (6), v (6), p (3)
- * out: ed (0), s (2) */
-FLEXEL_CLONES
-static void planar_beam_span_velocity(size_t nblocks, const real *const *in, real *const *out)
-{
-    for (size_t b = 0; b < nblocks; b++) {
-        const real *restrict x = in[0] + b * (6 * 8);
-        const real *restrict v = in[1] + b * (6 * 8);
-        const real *restrict p = in[2] + b * (3 * 8);
-        real *restrict s = out[1] + b * (2 * 8);
-        real t0[8], t1[8], sin_q[8], t2[8], sin_p[8], t4[8], cos_p[8], cos_q[8];
-#pragma omp simd
-        for (size_t j = 0; j < 8; j++) {
-            const real p_vx = v[0 * 8 + j];
-            const real q_vx = v[3 * 8 + j];
-            t0[j] = 0.5 * (p_vx + q_vx);
-            const real rq_angle = x[5 * 8 + j];
-            const real alphaq0 = p[2 * 8 + j];
-            t1[j] = rq_angle + alphaq0;
-            const real rp_angle = x[2 * 8 + j];
-            const real alpha0 = p[1 * 8 + j];
-            t2[j] = rp_angle + alpha0;
-            const real p_vy = v[1 * 8 + j];
-            const real q_vy = v[4 * 8 + j];
-            t4[j] = 0.5 * (p_vy + q_vy);
-        }
-        for (size_t j = 0; j < 8; j++) {
-            sin_q[j] = real_sin(t1[j]);
-            sin_p[j] = real_sin(t2[j]);
-            cos_p[j] = real_cos(t2[j]);
-            cos_q[j] = real_cos(t1[j]);
-        }
-#pragma omp simd
-        for (size_t j = 0; j < 8; j++) {
-            const real rq_vangle = v[5 * 8 + j];
-            const real rp_vangle = v[2 * 8 + j];
-            const real l0 = p[0 * 8 + j];
-            const real t3 = 0.08333333333333333 * (l0 * (rq_vangle * sin_q[j] - rp_vangle * sin_p[j]));
-            s[0 * 8 + j] = l0 * (t0[j] + t3);
-            const real t5 = 0.08333333333333333 * (l0 * (rp_vangle * cos_p[j] - rq_vangle * cos_q[j]));
-            s[1 * 8 + j] = l0 * (t4[j] + t5);
+            V[1 * 8 + j] = -(0.08333333333333333 * (sin_p[j] * t1[j])); /* V(0,2) */
+            V[3 * 8 + j] = 0.08333333333333333 * (sin_q[j] * t1[j]); /* V(0,5) */
+            V[5 * 8 + j] = 0.08333333333333333 * (cos_p[j] * t1[j]); /* V(1,2) */
+            V[7 * 8 + j] = -(0.08333333333333333 * (cos_q[j] * t1[j])); /* V(1,5) */
         }
     }
 }
@@ -172,11 +126,11 @@ static void planar_beam_span_rates(size_t nblocks, const real *const *in, real *
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real rp_vangle = v[2 * 8 + j];
-            Phi_x[0 * 8 + j] = -(0.08333333333333333 * (rp_vangle * cos_p[j] * t1[j]));
+            Phi_x[0 * 8 + j] = -(0.08333333333333333 * (rp_vangle * cos_p[j] * t1[j])); /* Phi_x(0,2) */
             const real rq_vangle = v[5 * 8 + j];
-            Phi_x[1 * 8 + j] = 0.08333333333333333 * (rq_vangle * cos_q[j] * t1[j]);
-            Phi_x[2 * 8 + j] = -(0.08333333333333333 * (rp_vangle * sin_p[j] * t1[j]));
-            Phi_x[3 * 8 + j] = 0.08333333333333333 * (rq_vangle * sin_q[j] * t1[j]);
+            Phi_x[1 * 8 + j] = 0.08333333333333333 * (rq_vangle * cos_q[j] * t1[j]); /* Phi_x(0,5) */
+            Phi_x[2 * 8 + j] = -(0.08333333333333333 * (rp_vangle * sin_p[j] * t1[j])); /* Phi_x(1,2) */
+            Phi_x[3 * 8 + j] = 0.08333333333333333 * (rq_vangle * sin_q[j] * t1[j]); /* Phi_x(1,5) */
         }
     }
 }
@@ -222,17 +176,17 @@ static void planar_beam_span_kinematics(size_t nblocks, const real *const *in, r
         }
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
-            Psi_x[0 * 8 + j] = 0.08333333333333333 * (sin_p[j] * t2[j] - cos_p[j] * t3[j]);
-            Psi_x[1 * 8 + j] = 0.08333333333333333 * (cos_q[j] * t5[j] - sin_q[j] * t6[j]);
+            Psi_x[0 * 8 + j] = 0.08333333333333333 * (sin_p[j] * t2[j] - cos_p[j] * t3[j]); /* Psi_x(0,2) */
+            Psi_x[1 * 8 + j] = 0.08333333333333333 * (cos_q[j] * t5[j] - sin_q[j] * t6[j]); /* Psi_x(0,5) */
             const real t7 = 0.08333333333333333 * (sin_p[j] * t3[j] + cos_p[j] * t2[j]);
-            Psi_x[2 * 8 + j] = -t7;
-            Psi_x[3 * 8 + j] = 0.08333333333333333 * (sin_q[j] * t5[j] + cos_q[j] * t6[j]);
+            Psi_x[2 * 8 + j] = -t7; /* Psi_x(1,2) */
+            Psi_x[3 * 8 + j] = 0.08333333333333333 * (sin_q[j] * t5[j] + cos_q[j] * t6[j]); /* Psi_x(1,5) */
             const real rp_vangle = v[2 * 8 + j];
-            Psi_v[0 * 8 + j] = -(0.16666666666666666 * (rp_vangle * cos_p[j] * t1[j]));
+            Psi_v[0 * 8 + j] = -(0.16666666666666666 * (rp_vangle * cos_p[j] * t1[j])); /* Psi_v(0,2) */
             const real rq_vangle = v[5 * 8 + j];
-            Psi_v[1 * 8 + j] = 0.16666666666666666 * (rq_vangle * cos_q[j] * t1[j]);
-            Psi_v[2 * 8 + j] = -(0.16666666666666666 * (rp_vangle * sin_p[j] * t1[j]));
-            Psi_v[3 * 8 + j] = 0.16666666666666666 * (rq_vangle * sin_q[j] * t1[j]);
+            Psi_v[1 * 8 + j] = 0.16666666666666666 * (rq_vangle * cos_q[j] * t1[j]); /* Psi_v(0,5) */
+            Psi_v[2 * 8 + j] = -(0.16666666666666666 * (rp_vangle * sin_p[j] * t1[j])); /* Psi_v(1,2) */
+            Psi_v[3 * 8 + j] = 0.16666666666666666 * (rq_vangle * sin_q[j] * t1[j]); /* Psi_v(1,5) */
         }
     }
 }
@@ -273,21 +227,20 @@ static void planar_beam_span_stiffness(size_t nblocks, const real *const *in, re
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real t4 = 0.08333333333333333 * (sin_p[j] * t2[j] + cos_p[j] * t3[j]);
-            K[0 * 8 + j] = -t4;
-            K[1 * 8 + j] = 0.08333333333333333 * (sin_q[j] * t2[j] + cos_q[j] * t3[j]);
+            K[0 * 8 + j] = -t4; /* K(2,2) */
+            K[1 * 8 + j] = 0.08333333333333333 * (sin_q[j] * t2[j] + cos_q[j] * t3[j]); /* K(5,5) */
         }
     }
 }
 
 const flexel_element flexel_planar_beam_span = {
     .name = "planar_beam_span",
-    .digest = "2b3f5c8c0e27ce9f",
+    .digest = "4ba5773cef72f8f5",
     .n = 6,
     .m = 0,
     .k = 2,
     .np = 3,
     .position = planar_beam_span_position,
-    .velocity = planar_beam_span_velocity,
     .acceleration = planar_beam_span_acceleration,
     .rates = planar_beam_span_rates,
     .kinematics = planar_beam_span_kinematics,

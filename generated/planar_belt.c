@@ -3,9 +3,11 @@
  * d = xq - xp, psi its angle counted from psi0 (less than half a turn away)
  * free_length = sqrt(d.d - (radius_p - radius_q)^2), of the common tangent on the left of d
  * theta = psi - atan2(radius_p - radius_q, free_length), turn of the points of contact
- * elongation = free_length + radius_p (angle_p - theta) - radius_q (angle_q - theta) - zero
+ * elongation = free_length + radius_p (angle_p - theta) - radius_q (angle_q - theta) - zero,
+ * period 2 pi (radius_p - radius_q): a turn of the line of centres, whose angle is a principal value
  *
- * Source: SPACAR95 manual (Schwab and Meijaard 2000), PLBELT; terms in theta from the geometry: without them the tension would not act along the belt
+ * Source: SPACAR95 manual (Schwab and Meijaard 2000), PLBELT; terms in theta from the geometry: without them the
+ *   tension would not act along the belt
  *
  * x (6): p_x, p_y, rp_angle, q_x, q_y, rq_angle
  * e (1): elongation [m]
@@ -38,7 +40,7 @@ static void planar_belt_position(size_t nblocks, const real *const *in, real *co
             const real p_y = x[1 * 8 + j];
             d_y[j] = q_y - p_y;
             const real radius_p = p[0 * 8 + j];
-            De[2 * 8 + j] = radius_p;
+            De[2 * 8 + j] = radius_p; /* De(0,2) */
             const real radius_q = p[1 * 8 + j];
             step[j] = radius_p - radius_q;
             const real t0 = step[j] * step[j];
@@ -47,7 +49,7 @@ static void planar_belt_position(size_t nblocks, const real *const *in, real *co
             const real t7 = 1.0 / free_length[j] * (1.0 - 1.0 / (t0 + t1) * t0);
             t8[j] = d_x[j] * t7;
             t11[j] = d_y[j] * t7;
-            De[5 * 8 + j] = -radius_q;
+            De[5 * 8 + j] = -radius_q; /* De(0,5) */
         }
         for (size_t j = 0; j < 8; j++) {
             const real psi0 = p[2 * 8 + j];
@@ -63,11 +65,11 @@ static void planar_belt_position(size_t nblocks, const real *const *in, real *co
             const real t6 = t2[j] * t5;
             const real t9 = t3[j] * t5;
             const real t10 = t8[j] + sin_0[j] * t9 + cos_0[j] * t6;
-            De[3 * 8 + j] = t10;
-            De[0 * 8 + j] = -t10;
+            De[3 * 8 + j] = t10; /* De(0,3) */
+            De[0 * 8 + j] = -t10; /* De(0,0) */
             const real t12 = t11[j] + sin_0[j] * t6 - cos_0[j] * t9;
-            De[4 * 8 + j] = t12;
-            De[1 * 8 + j] = -t12;
+            De[4 * 8 + j] = t12; /* De(0,4) */
+            De[1 * 8 + j] = -t12; /* De(0,1) */
         }
         for (size_t j = 0; j < 8; j++) {
             psi[j] = real_atan2(t2[j], t3[j]);
@@ -81,61 +83,6 @@ static void planar_belt_position(size_t nblocks, const real *const *in, real *co
             const real rq_angle = x[5 * 8 + j];
             const real radius_q = p[1 * 8 + j];
             e[0 * 8 + j] = free_length[j] + radius_p * (rp_angle - theta) - zero - radius_q * (rq_angle - theta);
-        }
-    }
-}
-
-/* velocity: 49 operations.
- * in:  x (6), v (6), p (4)
- * out: ed (1), s (0) */
-FLEXEL_CLONES
-static void planar_belt_velocity(size_t nblocks, const real *const *in, real *const *out)
-{
-    for (size_t b = 0; b < nblocks; b++) {
-        const real *restrict x = in[0] + b * (6 * 8);
-        const real *restrict v = in[1] + b * (6 * 8);
-        const real *restrict p = in[2] + b * (4 * 8);
-        real *restrict ed = out[0] + b * (1 * 8);
-        real d_x[8], d_y[8], t2[8], t3[8], t4[8], cos_0[8], sin_0[8], t8[8];
-#pragma omp simd
-        for (size_t j = 0; j < 8; j++) {
-            const real q_x = x[3 * 8 + j];
-            const real p_x = x[0 * 8 + j];
-            d_x[j] = q_x - p_x;
-            const real q_y = x[4 * 8 + j];
-            const real p_y = x[1 * 8 + j];
-            d_y[j] = q_y - p_y;
-            const real radius_p = p[0 * 8 + j];
-            const real radius_q = p[1 * 8 + j];
-            const real step = radius_p - radius_q;
-            const real t0 = step * step;
-            const real t1 = d_x[j] * d_x[j] + d_y[j] * d_y[j] - t0;
-            const real free_length = real_sqrt(t1);
-            const real q_vx = v[3 * 8 + j];
-            const real p_vx = v[0 * 8 + j];
-            t2[j] = q_vx - p_vx;
-            const real q_vy = v[4 * 8 + j];
-            const real p_vy = v[1 * 8 + j];
-            t3[j] = q_vy - p_vy;
-            t4[j] = 1.0 / free_length * (d_x[j] * t2[j] + d_y[j] * t3[j]);
-            t8[j] = 1.0 / (t0 + t1) * step * t4[j];
-        }
-        for (size_t j = 0; j < 8; j++) {
-            const real psi0 = p[2 * 8 + j];
-            cos_0[j] = real_cos(psi0);
-            sin_0[j] = real_sin(psi0);
-        }
-#pragma omp simd
-        for (size_t j = 0; j < 8; j++) {
-            const real t5 = d_y[j] * cos_0[j] - d_x[j] * sin_0[j];
-            const real t6 = d_x[j] * cos_0[j] + d_y[j] * sin_0[j];
-            const real t7 = t6 * (cos_0[j] * t3[j] - sin_0[j] * t2[j]) - t5 * (cos_0[j] * t2[j] + sin_0[j] * t3[j]);
-            const real t9 = 1.0 / (t5 * t5 + t6 * t6) * t7 + t8[j];
-            const real rp_vangle = v[2 * 8 + j];
-            const real radius_p = p[0 * 8 + j];
-            const real rq_vangle = v[5 * 8 + j];
-            const real radius_q = p[1 * 8 + j];
-            ed[0 * 8 + j] = t4[j] + radius_p * (rp_vangle - t9) - radius_q * (rq_vangle - t9);
         }
     }
 }
@@ -256,11 +203,11 @@ static void planar_belt_rates(size_t nblocks, const real *const *in, real *const
             const real t17 = t13 * t14 + 2.0 * t12 * t16;
             const real t18 = t13 * t15 - 2.0 * t11 * t16;
             const real t19 = t10[j] - cos_0[j] * t17 - sin_0[j] * t18;
-            Phi_x[2 * 8 + j] = t19;
-            Phi_x[0 * 8 + j] = -t19;
+            Phi_x[2 * 8 + j] = t19; /* Phi_x(0,3) */
+            Phi_x[0 * 8 + j] = -t19; /* Phi_x(0,0) */
             const real t22 = cos_0[j] * t18 + t21[j] + t20[j] - sin_0[j] * t17;
-            Phi_x[3 * 8 + j] = t22;
-            Phi_x[1 * 8 + j] = -t22;
+            Phi_x[3 * 8 + j] = t22; /* Phi_x(0,4) */
+            Phi_x[1 * 8 + j] = -t22; /* Phi_x(0,1) */
         }
     }
 }
@@ -278,7 +225,8 @@ static void planar_belt_kinematics(size_t nblocks, const real *const *in, real *
         const real *restrict p = in[3] + b * (4 * 8);
         real *restrict Psi_x = out[0] + b * (4 * 8);
         real *restrict Psi_v = out[1] + b * (4 * 8);
-        real d_x[8], d_y[8], step[8], t6[8], t7[8], t9[8], t20[8], t25[8], cos_0[8], sin_0[8], t45[8], t48[8], t52[8], t53[8];
+        real d_x[8], d_y[8], step[8], t6[8], t7[8], t9[8], t20[8], t25[8], cos_0[8], sin_0[8], t45[8], t48[8], t52[8],
+            t53[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real q_x = x[3 * 8 + j];
@@ -357,19 +305,19 @@ static void planar_belt_kinematics(size_t nblocks, const real *const *in, real *
             const real t42 = 2.0 * (t33 * t34 - t27 * t40 - t31 * t41) - t28 * t39;
             const real t43 = t28 * t36 - 2.0 * (t26 * t40 + t33 * t35 + t30 * t41);
             const real t44 = t25[j] + cos_0[j] * t42 - sin_0[j] * t43;
-            Psi_x[2 * 8 + j] = t44;
-            Psi_x[0 * 8 + j] = -t44;
+            Psi_x[2 * 8 + j] = t44; /* Psi_x(0,3) */
+            Psi_x[0 * 8 + j] = -t44; /* Psi_x(0,0) */
             const real t46 = t45[j] + cos_0[j] * t43 + sin_0[j] * t42;
-            Psi_x[3 * 8 + j] = t46;
-            Psi_x[1 * 8 + j] = -t46;
+            Psi_x[3 * 8 + j] = t46; /* Psi_x(0,4) */
+            Psi_x[1 * 8 + j] = -t46; /* Psi_x(0,1) */
             const real t49 = t28 * t34 + 2.0 * t27 * t41;
             const real t50 = t28 * t35 - 2.0 * t26 * t41;
             const real t51 = 2.0 * (t48[j] - cos_0[j] * t49 - sin_0[j] * t50);
-            Psi_v[2 * 8 + j] = t51;
-            Psi_v[0 * 8 + j] = -t51;
+            Psi_v[2 * 8 + j] = t51; /* Psi_v(0,3) */
+            Psi_v[0 * 8 + j] = -t51; /* Psi_v(0,0) */
             const real t54 = 2.0 * (t52[j] + cos_0[j] * t50 + t53[j] - sin_0[j] * t49);
-            Psi_v[3 * 8 + j] = t54;
-            Psi_v[1 * 8 + j] = -t54;
+            Psi_v[3 * 8 + j] = t54; /* Psi_v(0,4) */
+            Psi_v[1 * 8 + j] = -t54; /* Psi_v(0,1) */
         }
     }
 }
@@ -431,29 +379,28 @@ static void planar_belt_stiffness(size_t nblocks, const real *const *in, real *c
             const real t16 = t9 * t6[j];
             const real t17 = sin_0[j] * t15 + cos_0[j] * t16;
             const real t20 = t8[j] + 2.0 * ((sin_0[j] * t13 - cos_0[j] * t14) * t17 - t19[j]);
-            K[0 * 8 + j] = K[10 * 8 + j] = t20;
+            K[0 * 8 + j] = K[10 * 8 + j] = t20; /* K(0,0) K(3,3) */
             const real t21 = t11 * t6[j] * (cos_0[j] * cos_0[j] + sin_0[j] * sin_0[j]);
             const real t22 = cos_0[j] * t13 + sin_0[j] * t14;
             const real t25 = t21 - 2.0 * (t22 * t17 + t24[j]);
-            K[1 * 8 + j] = K[4 * 8 + j] = K[11 * 8 + j] = K[14 * 8 + j] = t25;
-            K[2 * 8 + j] = K[8 * 8 + j] = -t20;
-            K[3 * 8 + j] = K[6 * 8 + j] = K[9 * 8 + j] = K[12 * 8 + j] = -t25;
+            K[1 * 8 + j] = K[4 * 8 + j] = K[11 * 8 + j] = K[14 * 8 + j] = t25; /* K(0,1) K(1,0) K(3,4) K(4,3) */
+            K[2 * 8 + j] = K[8 * 8 + j] = -t20; /* K(0,3) K(3,0) */
+            K[3 * 8 + j] = K[6 * 8 + j] = K[9 * 8 + j] = K[12 * 8 + j] = -t25; /* K(0,4) K(1,3) K(3,1) K(4,0) */
             const real t27 = t8[j] - 2.0 * (t22 * (sin_0[j] * t16 - cos_0[j] * t15) + t26[j]);
-            K[5 * 8 + j] = K[15 * 8 + j] = t27;
-            K[7 * 8 + j] = K[13 * 8 + j] = -t27;
+            K[5 * 8 + j] = K[15 * 8 + j] = t27; /* K(1,1) K(4,4) */
+            K[7 * 8 + j] = K[13 * 8 + j] = -t27; /* K(1,4) K(4,1) */
         }
     }
 }
 
 const flexel_element flexel_planar_belt = {
     .name = "planar_belt",
-    .digest = "152600f1af549654",
+    .digest = "9b08aa4e2767ad0c",
     .n = 6,
     .m = 1,
     .k = 0,
     .np = 4,
     .position = planar_belt_position,
-    .velocity = planar_belt_velocity,
     .acceleration = planar_belt_acceleration,
     .rates = planar_belt_rates,
     .kinematics = planar_belt_kinematics,

@@ -34,7 +34,7 @@ static void planar_body_inertia(size_t nblocks, const real *const *in, real *con
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real mass = p[0 * 8 + j];
-            M[0 * 8 + j] = M[2 * 8 + j] = mass;
+            M[0 * 8 + j] = M[2 * 8 + j] = mass; /* M(0,0) M(1,1) */
             const real r_vangle = v[2 * 8 + j];
             t5[j] = r_vangle * mass;
             const real gravity_x = p[4 * 8 + j];
@@ -60,12 +60,12 @@ static void planar_body_inertia(size_t nblocks, const real *const *in, real *con
             const real b_y = c_x * sin_r[j] + c_y * cos_r[j];
             const real mass = p[0 * 8 + j];
             const real t0 = mass * b_y;
-            M[1 * 8 + j] = M[4 * 8 + j] = -t0;
+            M[1 * 8 + j] = M[4 * 8 + j] = -t0; /* M(0,2) M(2,0) */
             const real b_x = c_x * cos_r[j] - c_y * sin_r[j];
             const real t1 = mass * b_x;
-            M[3 * 8 + j] = M[5 * 8 + j] = t1;
+            M[3 * 8 + j] = M[5 * 8 + j] = t1; /* M(1,2) M(2,1) */
             const real J_ = p[3 * 8 + j];
-            M[6 * 8 + j] = J_ + b_x * t1 + b_y * t0;
+            M[6 * 8 + j] = J_ + b_x * t1 + b_y * t0; /* M(2,2) */
             const real r_vangle = v[2 * 8 + j];
             const real t2 = r_vangle * cos_r[j];
             const real t3 = r_vangle * sin_r[j];
@@ -136,12 +136,12 @@ static void planar_body_tangent(size_t nblocks, const real *const *in, real *con
             const real t3 = b_x * r_aangle - r_vangle * t2;
             const real mass = p[0 * 8 + j];
             const real t4 = mass * t3;
-            R_x[0 * 8 + j] = -t4;
+            R_x[0 * 8 + j] = -t4; /* R_x(0,2) */
             const real t5 = c_x * t1 - c_y * t0;
             const real b_y = c_x * sin_r[j] + c_y * cos_r[j];
             const real t6 = r_vangle * t5 + b_y * r_aangle;
             const real t7 = mass * t6;
-            R_x[1 * 8 + j] = -t7;
+            R_x[1 * 8 + j] = -t7; /* R_x(1,2) */
             const real t8 = r_vangle * b_x;
             const real t9 = mass * t8;
             const real p_vy = v[1 * 8 + j];
@@ -161,23 +161,23 @@ static void planar_body_tangent(size_t nblocks, const real *const *in, real *con
             const real t22 = t20 + t21 + t2 * (t12 + t13) + b_y * t4 + t5 * (t9 - t10);
             const real p_ay = a[1 * 8 + j];
             const real p_ax = a[0 * 8 + j];
-            R_x[2 * 8 + j] = t22 - mass * (b_y * (p_ay + t3) + b_x * (p_ax - t6)) - b_x * t7;
+            R_x[2 * 8 + j] = t22 - mass * (b_y * (p_ay + t3) + b_x * (p_ax - t6)) - b_x * t7; /* R_x(2,2) */
             const real t23 = t8 + t5;
-            R_v[0 * 8 + j] = -(mass * t23);
+            R_v[0 * 8 + j] = -(mass * t23); /* R_v(0,2) */
             const real t24 = t11 + t2;
-            R_v[1 * 8 + j] = -(mass * t24);
+            R_v[1 * 8 + j] = -(mass * t24); /* R_v(1,2) */
             const real t25 = t8 - t5;
-            R_v[2 * 8 + j] = mass * t25;
+            R_v[2 * 8 + j] = mass * t25; /* R_v(2,0) */
             const real t26 = t11 - t2;
-            R_v[3 * 8 + j] = mass * t26;
-            R_v[4 * 8 + j] = mass * (b_y * (t23 - t25) + b_x * (t26 - t24));
+            R_v[3 * 8 + j] = mass * t26; /* R_v(2,1) */
+            R_v[4 * 8 + j] = mass * (b_y * (t23 - t25) + b_x * (t26 - t24)); /* R_v(2,2) */
         }
     }
 }
 
 const flexel_element flexel_planar_body = {
     .name = "planar_body",
-    .digest = "6cf6f684a8c218f0",
+    .digest = "572d04c3f070df03",
     .n = 3,
     .m = 0,
     .k = 0,

@@ -61,7 +61,7 @@ static void planar_cable_line_position(size_t nblocks, const real *const *in, re
         for (size_t j = 0; j < 8; j++) {
             cos_r[j] = real_cos(t5[j]);
             sin_r[j] = real_sin(t5[j]);
-            De[8 * 8 + j] = sin_r[j];
+            De[8 * 8 + j] = sin_r[j]; /* De(0,8) */
         }
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
@@ -71,101 +71,25 @@ static void planar_cable_line_position(size_t nblocks, const real *const *in, re
             const real t7 = d_x[j] * sin_r[j];
             e[0 * 8 + j] = t6 - offset_y - rope_radius - t7;
             const real t8 = n0[j] * sin_r[j];
-            V[1 * 8 + j] = t8;
-            De[0 * 8 + j] = -t8;
-            De[1 * 8 + j] = V[0 * 8 + j] = n0[j] * cos_r[j];
+            V[1 * 8 + j] = t8; /* V(0,1) */
+            De[0 * 8 + j] = -t8; /* De(0,0) */
+            De[1 * 8 + j] = V[0 * 8 + j] = n0[j] * cos_r[j]; /* De(0,1) V(0,0) */
             const real t9 = n1[j] * sin_r[j];
-            V[3 * 8 + j] = t9;
-            De[2 * 8 + j] = -t9;
-            De[3 * 8 + j] = V[2 * 8 + j] = n1[j] * cos_r[j];
+            V[3 * 8 + j] = t9; /* V(0,3) */
+            De[2 * 8 + j] = -t9; /* De(0,2) */
+            De[3 * 8 + j] = V[2 * 8 + j] = n1[j] * cos_r[j]; /* De(0,3) V(0,2) */
             const real t10 = n2[j] * sin_r[j];
-            V[5 * 8 + j] = t10;
-            De[4 * 8 + j] = -t10;
-            De[5 * 8 + j] = V[4 * 8 + j] = n2[j] * cos_r[j];
+            V[5 * 8 + j] = t10; /* V(0,5) */
+            De[4 * 8 + j] = -t10; /* De(0,4) */
+            De[5 * 8 + j] = V[4 * 8 + j] = n2[j] * cos_r[j]; /* De(0,5) V(0,4) */
             const real t11 = t4[j] * sin_r[j];
-            De[6 * 8 + j] = t11;
-            De[7 * 8 + j] = V[6 * 8 + j] = -(t4[j] * cos_r[j]);
-            De[9 * 8 + j] = V[8 * 8 + j] = -cos_r[j];
-            De[10 * 8 + j] = -(d_y[j] * sin_r[j] + d_x[j] * cos_r[j]);
-            V[7 * 8 + j] = -t11;
-            V[9 * 8 + j] = -sin_r[j];
-            V[10 * 8 + j] = t6 - t7;
-        }
-    }
-}
-
-/* velocity: 67 operations.
- * in:  x (11), v (11), p (6)
- * out: ed (1), s (1) */
-FLEXEL_CLONES
-static void planar_cable_line_velocity(size_t nblocks, const real *const *in, real *const *out)
-{
-    for (size_t b = 0; b < nblocks; b++) {
-        const real *restrict x = in[0] + b * (11 * 8);
-        const real *restrict v = in[1] + b * (11 * 8);
-        const real *restrict p = in[2] + b * (6 * 8);
-        real *restrict ed = out[0] + b * (1 * 8);
-        real *restrict s = out[1] + b * (1 * 8);
-        real t0[8], cos_r[8], t8[8], sin_r[8], d_y[8], d_x[8], t14[8], sliding_x[8], sliding_y[8];
-#pragma omp simd
-        for (size_t j = 0; j < 8; j++) {
-            const real r_angle = x[10 * 8 + j];
-            const real alpha0 = p[2 * 8 + j];
-            t0[j] = r_angle + alpha0;
-            const real xi = p[1 * 8 + j];
-            const real t1 = 1.0 - xi;
-            const real t2 = t1 * t1;
-            const real t3 = 2.0 * xi;
-            const real n0 = t2 * (1.0 + t3);
-            const real p_vy = v[1 * 8 + j];
-            const real t4 = xi * xi;
-            const real n2 = t4 * (3.0 - t3);
-            const real q_vy = v[5 * 8 + j];
-            const real l0 = p[0 * 8 + j];
-            const real n1 = l0 * t2 * xi;
-            const real dp_vy = v[3 * 8 + j];
-            const real c_vy = v[9 * 8 + j];
-            const real t5 = q_vy * n2 + dp_vy * n1 + p_vy * n0 - c_vy;
-            const real t6 = l0 * t1 * t4;
-            const real dq_vy = v[7 * 8 + j];
-            const real t7 = dq_vy * t6;
-            t8[j] = t5 - t7;
-            const real p_y = x[1 * 8 + j];
-            const real q_y = x[5 * 8 + j];
-            const real dp_y = x[3 * 8 + j];
-            const real c_y = x[9 * 8 + j];
-            const real dq_y = x[7 * 8 + j];
-            d_y[j] = q_y * n2 + dp_y * n1 + p_y * n0 - c_y - dq_y * t6;
-            const real p_x = x[0 * 8 + j];
-            const real q_x = x[4 * 8 + j];
-            const real dp_x = x[2 * 8 + j];
-            const real c_x = x[8 * 8 + j];
-            const real dq_x = x[6 * 8 + j];
-            d_x[j] = q_x * n2 + dp_x * n1 + p_x * n0 - c_x - dq_x * t6;
-            const real p_vx = v[0 * 8 + j];
-            const real t10 = p_vx * n0;
-            const real q_vx = v[4 * 8 + j];
-            const real t11 = q_vx * n2;
-            const real dp_vx = v[2 * 8 + j];
-            const real t12 = dp_vx * n1;
-            const real c_vx = v[8 * 8 + j];
-            const real dq_vx = v[6 * 8 + j];
-            const real t13 = dq_vx * t6;
-            t14[j] = t11 + t12 + t10 - c_vx - t13;
-            const real r_vangle = v[10 * 8 + j];
-            sliding_x[j] = t10 + t11 + t12 + r_vangle * d_y[j] - c_vx - t13;
-            sliding_y[j] = t5 - r_vangle * d_x[j] - t7;
-        }
-        for (size_t j = 0; j < 8; j++) {
-            cos_r[j] = real_cos(t0[j]);
-            sin_r[j] = real_sin(t0[j]);
-        }
-#pragma omp simd
-        for (size_t j = 0; j < 8; j++) {
-            const real r_vangle = v[10 * 8 + j];
-            const real t9 = cos_r[j] * t8[j] - r_vangle * (sin_r[j] * d_y[j] + cos_r[j] * d_x[j]);
-            ed[0 * 8 + j] = t9 - sin_r[j] * t14[j];
-            s[0 * 8 + j] = cos_r[j] * sliding_x[j] + sin_r[j] * sliding_y[j];
+            De[6 * 8 + j] = t11; /* De(0,6) */
+            De[7 * 8 + j] = V[6 * 8 + j] = -(t4[j] * cos_r[j]); /* De(0,7) V(0,6) */
+            De[9 * 8 + j] = V[8 * 8 + j] = -cos_r[j]; /* De(0,9) V(0,8) */
+            De[10 * 8 + j] = -(d_y[j] * sin_r[j] + d_x[j] * cos_r[j]); /* De(0,10) */
+            V[7 * 8 + j] = -t11; /* V(0,7) */
+            V[9 * 8 + j] = -sin_r[j]; /* V(0,9) */
+            V[10 * 8 + j] = t6 - t7; /* V(0,10) */
         }
     }
 }
@@ -261,7 +185,8 @@ static void planar_cable_line_rates(size_t nblocks, const real *const *in, real 
         const real *restrict v = in[1] + b * (11 * 8);
         const real *restrict p = in[2] + b * (6 * 8);
         real *restrict Phi_x = out[0] + b * (22 * 8);
-        real n0[8], t3[8], cos_r[8], sin_r[8], n1[8], n2[8], t10[8], d_x[8], t14[8], t20[8], sliding_y[8], sliding_x[8];
+        real n0[8], t3[8], cos_r[8], sin_r[8], n1[8], n2[8], t10[8], d_x[8], t14[8], t20[8], sliding_y[8],
+            sliding_x[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real xi = p[1 * 8 + j];
@@ -320,28 +245,28 @@ static void planar_cable_line_rates(size_t nblocks, const real *const *in, real 
         for (size_t j = 0; j < 8; j++) {
             const real r_vangle = v[10 * 8 + j];
             const real t4 = r_vangle * cos_r[j];
-            Phi_x[8 * 8 + j] = t4;
+            Phi_x[8 * 8 + j] = t4; /* Phi_x(0,8) */
             const real t5 = n0[j] * t4;
-            Phi_x[12 * 8 + j] = t5;
-            Phi_x[0 * 8 + j] = -t5;
+            Phi_x[12 * 8 + j] = t5; /* Phi_x(1,1) */
+            Phi_x[0 * 8 + j] = -t5; /* Phi_x(0,0) */
             const real t6 = r_vangle * sin_r[j];
-            Phi_x[9 * 8 + j] = Phi_x[19 * 8 + j] = t6;
-            Phi_x[1 * 8 + j] = Phi_x[11 * 8 + j] = -(n0[j] * t6);
+            Phi_x[9 * 8 + j] = Phi_x[19 * 8 + j] = t6; /* Phi_x(0,9) Phi_x(1,8) */
+            Phi_x[1 * 8 + j] = Phi_x[11 * 8 + j] = -(n0[j] * t6); /* Phi_x(0,1) Phi_x(1,0) */
             const real t7 = t4 * n1[j];
-            Phi_x[14 * 8 + j] = t7;
-            Phi_x[2 * 8 + j] = -t7;
-            Phi_x[3 * 8 + j] = Phi_x[13 * 8 + j] = -(t6 * n1[j]);
+            Phi_x[14 * 8 + j] = t7; /* Phi_x(1,3) */
+            Phi_x[2 * 8 + j] = -t7; /* Phi_x(0,2) */
+            Phi_x[3 * 8 + j] = Phi_x[13 * 8 + j] = -(t6 * n1[j]); /* Phi_x(0,3) Phi_x(1,2) */
             const real t9 = n2[j] * t4;
-            Phi_x[16 * 8 + j] = t9;
-            Phi_x[4 * 8 + j] = -t9;
-            Phi_x[5 * 8 + j] = Phi_x[15 * 8 + j] = -(n2[j] * t6);
+            Phi_x[16 * 8 + j] = t9; /* Phi_x(1,5) */
+            Phi_x[4 * 8 + j] = -t9; /* Phi_x(0,4) */
+            Phi_x[5 * 8 + j] = Phi_x[15 * 8 + j] = -(n2[j] * t6); /* Phi_x(0,5) Phi_x(1,4) */
             const real t11 = t4 * t10[j];
-            Phi_x[6 * 8 + j] = t11;
-            Phi_x[7 * 8 + j] = Phi_x[17 * 8 + j] = t6 * t10[j];
-            Phi_x[10 * 8 + j] = t6 * d_x[j] - sin_r[j] * t14[j] - cos_r[j] * t20[j];
-            Phi_x[18 * 8 + j] = -t11;
-            Phi_x[20 * 8 + j] = -t4;
-            Phi_x[21 * 8 + j] = cos_r[j] * sliding_y[j] - sin_r[j] * sliding_x[j];
+            Phi_x[6 * 8 + j] = t11; /* Phi_x(0,6) */
+            Phi_x[7 * 8 + j] = Phi_x[17 * 8 + j] = t6 * t10[j]; /* Phi_x(0,7) Phi_x(1,6) */
+            Phi_x[10 * 8 + j] = t6 * d_x[j] - sin_r[j] * t14[j] - cos_r[j] * t20[j]; /* Phi_x(0,10) */
+            Phi_x[18 * 8 + j] = -t11; /* Phi_x(1,7) */
+            Phi_x[20 * 8 + j] = -t4; /* Phi_x(1,9) */
+            Phi_x[21 * 8 + j] = cos_r[j] * sliding_y[j] - sin_r[j] * sliding_x[j]; /* Phi_x(1,10) */
         }
     }
 }
@@ -359,7 +284,8 @@ static void planar_cable_line_kinematics(size_t nblocks, const real *const *in, 
         const real *restrict p = in[3] + b * (6 * 8);
         real *restrict Psi_x = out[0] + b * (22 * 8);
         real *restrict Psi_v = out[1] + b * (22 * 8);
-        real n0[8], t3[8], cos_r[8], sin_r[8], n1[8], n2[8], t12[8], d_x[8], t18[8], d_y[8], t24[8], t34[8], t35[8], t36[8], t37[8], t38[8], t44[8];
+        real n0[8], t3[8], cos_r[8], sin_r[8], n1[8], n2[8], t12[8], d_x[8], t18[8], d_y[8], t24[8], t34[8], t35[8],
+            t36[8], t37[8], t38[8], t44[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real xi = p[1 * 8 + j];
@@ -448,51 +374,51 @@ static void planar_cable_line_kinematics(size_t nblocks, const real *const *in, 
             const real r_vangle = v[10 * 8 + j];
             const real t4 = r_vangle * sin_r[j];
             const real t5 = cos_r[j] * r_aangle - r_vangle * t4;
-            Psi_x[8 * 8 + j] = t5;
+            Psi_x[8 * 8 + j] = t5; /* Psi_x(0,8) */
             const real t6 = n0[j] * t5;
-            Psi_x[12 * 8 + j] = t6;
-            Psi_x[0 * 8 + j] = -t6;
+            Psi_x[12 * 8 + j] = t6; /* Psi_x(1,1) */
+            Psi_x[0 * 8 + j] = -t6; /* Psi_x(0,0) */
             const real t7 = r_vangle * cos_r[j];
             const real t8 = r_vangle * t7 + sin_r[j] * r_aangle;
-            Psi_x[9 * 8 + j] = Psi_x[19 * 8 + j] = t8;
-            Psi_x[1 * 8 + j] = Psi_x[11 * 8 + j] = -(n0[j] * t8);
+            Psi_x[9 * 8 + j] = Psi_x[19 * 8 + j] = t8; /* Psi_x(0,9) Psi_x(1,8) */
+            Psi_x[1 * 8 + j] = Psi_x[11 * 8 + j] = -(n0[j] * t8); /* Psi_x(0,1) Psi_x(1,0) */
             const real t9 = n1[j] * t5;
-            Psi_x[14 * 8 + j] = t9;
-            Psi_x[2 * 8 + j] = -t9;
-            Psi_x[3 * 8 + j] = Psi_x[13 * 8 + j] = -(n1[j] * t8);
+            Psi_x[14 * 8 + j] = t9; /* Psi_x(1,3) */
+            Psi_x[2 * 8 + j] = -t9; /* Psi_x(0,2) */
+            Psi_x[3 * 8 + j] = Psi_x[13 * 8 + j] = -(n1[j] * t8); /* Psi_x(0,3) Psi_x(1,2) */
             const real t11 = n2[j] * t5;
-            Psi_x[16 * 8 + j] = t11;
-            Psi_x[4 * 8 + j] = -t11;
-            Psi_x[5 * 8 + j] = Psi_x[15 * 8 + j] = -(n2[j] * t8);
+            Psi_x[16 * 8 + j] = t11; /* Psi_x(1,5) */
+            Psi_x[4 * 8 + j] = -t11; /* Psi_x(0,4) */
+            Psi_x[5 * 8 + j] = Psi_x[15 * 8 + j] = -(n2[j] * t8); /* Psi_x(0,5) Psi_x(1,4) */
             const real t13 = t12[j] * t5;
-            Psi_x[6 * 8 + j] = t13;
-            Psi_x[7 * 8 + j] = Psi_x[17 * 8 + j] = t12[j] * t8;
-            Psi_x[10 * 8 + j] = cos_r[j] * t24[j] - sin_r[j] * t34[j];
-            Psi_x[18 * 8 + j] = -t13;
-            Psi_x[20 * 8 + j] = -t5;
-            Psi_x[21 * 8 + j] = cos_r[j] * t36[j] - sin_r[j] * t38[j];
+            Psi_x[6 * 8 + j] = t13; /* Psi_x(0,6) */
+            Psi_x[7 * 8 + j] = Psi_x[17 * 8 + j] = t12[j] * t8; /* Psi_x(0,7) Psi_x(1,6) */
+            Psi_x[10 * 8 + j] = cos_r[j] * t24[j] - sin_r[j] * t34[j]; /* Psi_x(0,10) */
+            Psi_x[18 * 8 + j] = -t13; /* Psi_x(1,7) */
+            Psi_x[20 * 8 + j] = -t5; /* Psi_x(1,9) */
+            Psi_x[21 * 8 + j] = cos_r[j] * t36[j] - sin_r[j] * t38[j]; /* Psi_x(1,10) */
             const real t39 = 2.0 * n0[j] * t7;
-            Psi_v[12 * 8 + j] = t39;
-            Psi_v[0 * 8 + j] = -t39;
-            Psi_v[1 * 8 + j] = Psi_v[11 * 8 + j] = -(2.0 * n0[j] * t4);
+            Psi_v[12 * 8 + j] = t39; /* Psi_v(1,1) */
+            Psi_v[0 * 8 + j] = -t39; /* Psi_v(0,0) */
+            Psi_v[1 * 8 + j] = Psi_v[11 * 8 + j] = -(2.0 * n0[j] * t4); /* Psi_v(0,1) Psi_v(1,0) */
             const real t40 = 2.0 * t7 * n1[j];
-            Psi_v[14 * 8 + j] = t40;
-            Psi_v[2 * 8 + j] = -t40;
-            Psi_v[3 * 8 + j] = Psi_v[13 * 8 + j] = -(2.0 * t4 * n1[j]);
+            Psi_v[14 * 8 + j] = t40; /* Psi_v(1,3) */
+            Psi_v[2 * 8 + j] = -t40; /* Psi_v(0,2) */
+            Psi_v[3 * 8 + j] = Psi_v[13 * 8 + j] = -(2.0 * t4 * n1[j]); /* Psi_v(0,3) Psi_v(1,2) */
             const real t41 = 2.0 * n2[j] * t7;
-            Psi_v[16 * 8 + j] = t41;
-            Psi_v[4 * 8 + j] = -t41;
-            Psi_v[5 * 8 + j] = Psi_v[15 * 8 + j] = -(2.0 * n2[j] * t4);
+            Psi_v[16 * 8 + j] = t41; /* Psi_v(1,5) */
+            Psi_v[4 * 8 + j] = -t41; /* Psi_v(0,4) */
+            Psi_v[5 * 8 + j] = Psi_v[15 * 8 + j] = -(2.0 * n2[j] * t4); /* Psi_v(0,5) Psi_v(1,4) */
             const real t42 = 2.0 * t7 * t12[j];
-            Psi_v[6 * 8 + j] = t42;
-            Psi_v[7 * 8 + j] = Psi_v[17 * 8 + j] = 2.0 * t4 * t12[j];
+            Psi_v[6 * 8 + j] = t42; /* Psi_v(0,6) */
+            Psi_v[7 * 8 + j] = Psi_v[17 * 8 + j] = 2.0 * t4 * t12[j]; /* Psi_v(0,7) Psi_v(1,6) */
             const real t43 = 2.0 * t7;
-            Psi_v[8 * 8 + j] = t43;
-            Psi_v[9 * 8 + j] = Psi_v[19 * 8 + j] = 2.0 * t4;
-            Psi_v[10 * 8 + j] = 2.0 * (t4 * d_x[j] - sin_r[j] * t18[j] - cos_r[j] * t44[j]);
-            Psi_v[18 * 8 + j] = -t42;
-            Psi_v[20 * 8 + j] = -t43;
-            Psi_v[21 * 8 + j] = cos_r[j] * t37[j] - sin_r[j] * t35[j] - t7 * d_x[j] - t4 * d_y[j];
+            Psi_v[8 * 8 + j] = t43; /* Psi_v(0,8) */
+            Psi_v[9 * 8 + j] = Psi_v[19 * 8 + j] = 2.0 * t4; /* Psi_v(0,9) Psi_v(1,8) */
+            Psi_v[10 * 8 + j] = 2.0 * (t4 * d_x[j] - sin_r[j] * t18[j] - cos_r[j] * t44[j]); /* Psi_v(0,10) */
+            Psi_v[18 * 8 + j] = -t42; /* Psi_v(1,7) */
+            Psi_v[20 * 8 + j] = -t43; /* Psi_v(1,9) */
+            Psi_v[21 * 8 + j] = cos_r[j] * t37[j] - sin_r[j] * t35[j] - t7 * d_x[j] - t4 * d_y[j]; /* Psi_v(1,10) */
         }
     }
 }
@@ -548,33 +474,32 @@ static void planar_cable_line_stiffness(size_t nblocks, const real *const *in, r
             const real tau_tangential = tau[0 * 8 + j];
             const real t4 = sin_r[j] * tau_tangential;
             const real t5 = cos_r[j] * sigma_gap + t4;
-            K[8 * 8 + j] = K[18 * 8 + j] = t5;
-            K[0 * 8 + j] = K[10 * 8 + j] = -(n0[j] * t5);
+            K[8 * 8 + j] = K[18 * 8 + j] = t5; /* K(8,10) K(10,8) */
+            K[0 * 8 + j] = K[10 * 8 + j] = -(n0[j] * t5); /* K(0,10) K(10,0) */
             const real t6 = cos_r[j] * tau_tangential;
             const real t7 = sin_r[j] * sigma_gap - t6;
-            K[9 * 8 + j] = K[19 * 8 + j] = t7;
-            K[1 * 8 + j] = K[11 * 8 + j] = -(n0[j] * t7);
-            K[2 * 8 + j] = K[12 * 8 + j] = -(n1[j] * t5);
-            K[3 * 8 + j] = K[13 * 8 + j] = -(n1[j] * t7);
-            K[4 * 8 + j] = K[14 * 8 + j] = -(n2[j] * t5);
-            K[5 * 8 + j] = K[15 * 8 + j] = -(n2[j] * t7);
-            K[6 * 8 + j] = K[16 * 8 + j] = t9[j] * t5;
-            K[7 * 8 + j] = K[17 * 8 + j] = t9[j] * t7;
+            K[9 * 8 + j] = K[19 * 8 + j] = t7; /* K(9,10) K(10,9) */
+            K[1 * 8 + j] = K[11 * 8 + j] = -(n0[j] * t7); /* K(1,10) K(10,1) */
+            K[2 * 8 + j] = K[12 * 8 + j] = -(n1[j] * t5); /* K(2,10) K(10,2) */
+            K[3 * 8 + j] = K[13 * 8 + j] = -(n1[j] * t7); /* K(3,10) K(10,3) */
+            K[4 * 8 + j] = K[14 * 8 + j] = -(n2[j] * t5); /* K(4,10) K(10,4) */
+            K[5 * 8 + j] = K[15 * 8 + j] = -(n2[j] * t7); /* K(5,10) K(10,5) */
+            K[6 * 8 + j] = K[16 * 8 + j] = t9[j] * t5; /* K(6,10) K(10,6) */
+            K[7 * 8 + j] = K[17 * 8 + j] = t9[j] * t7; /* K(7,10) K(10,7) */
             const real t10 = sigma_gap * (cos_r[j] * d_y[j] - sin_r[j] * d_x[j]) + d_x[j] * t6;
-            K[20 * 8 + j] = -(d_y[j] * t4 + t10);
+            K[20 * 8 + j] = -(d_y[j] * t4 + t10); /* K(10,10) */
         }
     }
 }
 
 const flexel_element flexel_planar_cable_line = {
     .name = "planar_cable_line",
-    .digest = "ba1dc5a65c6fdea4",
+    .digest = "34481bf531d08858",
     .n = 11,
     .m = 1,
     .k = 1,
     .np = 6,
     .position = planar_cable_line_position,
-    .velocity = planar_cable_line_velocity,
     .acceleration = planar_cable_line_acceleration,
     .rates = planar_cable_line_rates,
     .kinematics = planar_cable_line_kinematics,

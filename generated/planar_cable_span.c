@@ -23,39 +23,10 @@ static void planar_cable_span_position(size_t nblocks, const real *const *in, re
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real l0 = p[0 * 8 + j];
-            V[0 * 8 + j] = V[2 * 8 + j] = V[4 * 8 + j] = V[6 * 8 + j] = 0.5 * l0;
+            V[0 * 8 + j] = V[2 * 8 + j] = V[4 * 8 + j] = V[6 * 8 + j] = 0.5 * l0; /* V(0,0) V(0,4) V(1,1) V(1,5) */
             const real t0 = 0.08333333333333333 * (l0 * l0);
-            V[1 * 8 + j] = V[5 * 8 + j] = t0;
-            V[3 * 8 + j] = V[7 * 8 + j] = -t0;
-        }
-    }
-}
-
-/* velocity: 14 operations.
- * in:  x (8), v (8), p (1)
- * out: ed (0), s (2) */
-FLEXEL_CLONES
-static void planar_cable_span_velocity(size_t nblocks, const real *const *in, real *const *out)
-{
-    for (size_t b = 0; b < nblocks; b++) {
-        const real *restrict v = in[1] + b * (8 * 8);
-        const real *restrict p = in[2] + b * (1 * 8);
-        real *restrict s = out[1] + b * (2 * 8);
-#pragma omp simd
-        for (size_t j = 0; j < 8; j++) {
-            const real p_vx = v[0 * 8 + j];
-            const real q_vx = v[4 * 8 + j];
-            const real dp_vx = v[2 * 8 + j];
-            const real dq_vx = v[6 * 8 + j];
-            const real l0 = p[0 * 8 + j];
-            const real t0 = 0.5 * (p_vx + q_vx) + 0.08333333333333333 * (l0 * (dp_vx - dq_vx));
-            s[0 * 8 + j] = l0 * t0;
-            const real p_vy = v[1 * 8 + j];
-            const real q_vy = v[5 * 8 + j];
-            const real dp_vy = v[3 * 8 + j];
-            const real dq_vy = v[7 * 8 + j];
-            const real t1 = 0.5 * (p_vy + q_vy) + 0.08333333333333333 * (l0 * (dp_vy - dq_vy));
-            s[1 * 8 + j] = l0 * t1;
+            V[1 * 8 + j] = V[5 * 8 + j] = t0; /* V(0,2) V(1,3) */
+            V[3 * 8 + j] = V[7 * 8 + j] = -t0; /* V(0,6) V(1,7) */
         }
     }
 }
@@ -98,13 +69,12 @@ static void planar_cable_span_stiffness(size_t nblocks, const real *const *in, r
 
 const flexel_element flexel_planar_cable_span = {
     .name = "planar_cable_span",
-    .digest = "0b6db2958d79cc9f",
+    .digest = "0d6a34fcdefb0998",
     .n = 8,
     .m = 0,
     .k = 2,
     .np = 1,
     .position = planar_cable_span_position,
-    .velocity = planar_cable_span_velocity,
     .acceleration = planar_cable_span_acceleration,
     .rates = planar_cable_span_rates,
     .kinematics = planar_cable_span_kinematics,

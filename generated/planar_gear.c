@@ -41,8 +41,8 @@ static void planar_gear_position(size_t nblocks, const real *const *in, real *co
             const real q_x = x[3 * 8 + j];
             const real p_x = x[0 * 8 + j];
             d_x[j] = q_x - p_x;
-            De[2 * 8 + j] = radius_p * t0;
-            De[5 * 8 + j] = radius_q * t0;
+            De[2 * 8 + j] = radius_p * t0; /* De(0,2) */
+            De[5 * 8 + j] = radius_q * t0; /* De(0,5) */
         }
         for (size_t j = 0; j < 8; j++) {
             const real offset0 = p[2 * 8 + j];
@@ -57,11 +57,11 @@ static void planar_gear_position(size_t nblocks, const real *const *in, real *co
             const real t5 = t3[j] * t4;
             const real t6 = t2[j] * t4;
             const real t7 = sin_0[j] * t5 + cos_0[j] * t6;
-            De[3 * 8 + j] = t7;
-            De[0 * 8 + j] = -t7;
+            De[3 * 8 + j] = t7; /* De(0,3) */
+            De[0 * 8 + j] = -t7; /* De(0,0) */
             const real t8 = sin_0[j] * t6 - cos_0[j] * t5;
-            De[4 * 8 + j] = t8;
-            De[1 * 8 + j] = -t8;
+            De[4 * 8 + j] = t8; /* De(0,4) */
+            De[1 * 8 + j] = -t8; /* De(0,1) */
         }
         for (size_t j = 0; j < 8; j++) {
             psi[j] = real_atan2(t2[j], t3[j]);
@@ -69,53 +69,6 @@ static void planar_gear_position(size_t nblocks, const real *const *in, real *co
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             e[0 * 8 + j] = t1[j] - psi[j];
-        }
-    }
-}
-
-/* velocity: 33 operations.
- * in:  x (6), v (6), p (3)
- * out: ed (1), s (0) */
-FLEXEL_CLONES
-static void planar_gear_velocity(size_t nblocks, const real *const *in, real *const *out)
-{
-    for (size_t b = 0; b < nblocks; b++) {
-        const real *restrict x = in[0] + b * (6 * 8);
-        const real *restrict v = in[1] + b * (6 * 8);
-        const real *restrict p = in[2] + b * (3 * 8);
-        real *restrict ed = out[0] + b * (1 * 8);
-        real t0[8], d_y[8], cos_0[8], d_x[8], sin_0[8], t3[8], t4[8];
-#pragma omp simd
-        for (size_t j = 0; j < 8; j++) {
-            const real radius_p = p[0 * 8 + j];
-            const real radius_q = p[1 * 8 + j];
-            const real rp_vangle = v[2 * 8 + j];
-            const real rq_vangle = v[5 * 8 + j];
-            t0[j] = 1.0 / (radius_p + radius_q) * (rp_vangle * radius_p + rq_vangle * radius_q);
-            const real q_y = x[4 * 8 + j];
-            const real p_y = x[1 * 8 + j];
-            d_y[j] = q_y - p_y;
-            const real q_x = x[3 * 8 + j];
-            const real p_x = x[0 * 8 + j];
-            d_x[j] = q_x - p_x;
-            const real q_vx = v[3 * 8 + j];
-            const real p_vx = v[0 * 8 + j];
-            t3[j] = q_vx - p_vx;
-            const real q_vy = v[4 * 8 + j];
-            const real p_vy = v[1 * 8 + j];
-            t4[j] = q_vy - p_vy;
-        }
-        for (size_t j = 0; j < 8; j++) {
-            const real offset0 = p[2 * 8 + j];
-            cos_0[j] = real_cos(offset0);
-            sin_0[j] = real_sin(offset0);
-        }
-#pragma omp simd
-        for (size_t j = 0; j < 8; j++) {
-            const real t1 = d_y[j] * cos_0[j] - d_x[j] * sin_0[j];
-            const real t2 = d_x[j] * cos_0[j] + d_y[j] * sin_0[j];
-            const real t5 = t1 * (cos_0[j] * t3[j] + sin_0[j] * t4[j]) - t2 * (cos_0[j] * t4[j] - sin_0[j] * t3[j]);
-            ed[0 * 8 + j] = t0[j] + 1.0 / (t1 * t1 + t2 * t2) * t5;
         }
     }
 }
@@ -210,11 +163,11 @@ static void planar_gear_rates(size_t nblocks, const real *const *in, real *const
             const real t10 = t1 * t7;
             const real t11 = t2 * t5 - t10 - t10;
             const real t12 = cos_0[j] * t9 + sin_0[j] * t11;
-            Phi_x[0 * 8 + j] = t12;
+            Phi_x[0 * 8 + j] = t12; /* Phi_x(0,0) */
             const real t13 = cos_0[j] * t11 - sin_0[j] * t9;
-            Phi_x[3 * 8 + j] = t13;
-            Phi_x[1 * 8 + j] = -t13;
-            Phi_x[2 * 8 + j] = -t12;
+            Phi_x[3 * 8 + j] = t13; /* Phi_x(0,4) */
+            Phi_x[1 * 8 + j] = -t13; /* Phi_x(0,1) */
+            Phi_x[2 * 8 + j] = -t12; /* Phi_x(0,3) */
         }
     }
 }
@@ -279,21 +232,21 @@ static void planar_gear_kinematics(size_t nblocks, const real *const *in, real *
             const real t19 = t3 * t16;
             const real t20 = t7 * t15 - (t5 * t9 + 2.0 * t2 * t11) - t19 - t19;
             const real t21 = cos_0[j] * t18 - sin_0[j] * t20;
-            Psi_x[2 * 8 + j] = t21;
-            Psi_x[0 * 8 + j] = -t21;
+            Psi_x[2 * 8 + j] = t21; /* Psi_x(0,3) */
+            Psi_x[0 * 8 + j] = -t21; /* Psi_x(0,0) */
             const real t22 = sin_0[j] * t18 + cos_0[j] * t20;
-            Psi_x[3 * 8 + j] = t22;
-            Psi_x[1 * 8 + j] = -t22;
+            Psi_x[3 * 8 + j] = t22; /* Psi_x(0,4) */
+            Psi_x[1 * 8 + j] = -t22; /* Psi_x(0,1) */
             const real t23 = t4 * t11;
             const real t24 = t7 * t2 + t23 + t23;
             const real t25 = t3 * t11;
             const real t26 = t7 * t5 - t25 - t25;
             const real t27 = 2.0 * (cos_0[j] * t24 + sin_0[j] * t26);
-            Psi_v[0 * 8 + j] = t27;
+            Psi_v[0 * 8 + j] = t27; /* Psi_v(0,0) */
             const real t28 = 2.0 * (cos_0[j] * t26 - sin_0[j] * t24);
-            Psi_v[3 * 8 + j] = t28;
-            Psi_v[1 * 8 + j] = -t28;
-            Psi_v[2 * 8 + j] = -t27;
+            Psi_v[3 * 8 + j] = t28; /* Psi_v(0,4) */
+            Psi_v[1 * 8 + j] = -t28; /* Psi_v(0,1) */
+            Psi_v[2 * 8 + j] = -t27; /* Psi_v(0,3) */
         }
     }
 }
@@ -340,30 +293,29 @@ static void planar_gear_stiffness(size_t nblocks, const real *const *in, real *c
             const real t10 = t0 * t3 * sigma_mesh;
             const real t11 = t9 + 2.0 * cos_0[j] * t10;
             const real t12 = sin_0[j] * t8 - cos_0[j] * t11;
-            K[0 * 8 + j] = K[10 * 8 + j] = t12;
+            K[0 * 8 + j] = K[10 * 8 + j] = t12; /* K(0,0) K(3,3) */
             const real t13 = t9 + 2.0 * cos_0[j] * t5;
             const real t14 = 2.0 * sin_0[j] * t10 - t7;
             const real t15 = sin_0[j] * t13 + cos_0[j] * t14;
-            K[3 * 8 + j] = K[12 * 8 + j] = t15;
-            K[1 * 8 + j] = K[4 * 8 + j] = K[11 * 8 + j] = K[14 * 8 + j] = -t15;
-            K[2 * 8 + j] = K[8 * 8 + j] = -t12;
+            K[3 * 8 + j] = K[12 * 8 + j] = t15; /* K(0,4) K(4,0) */
+            K[1 * 8 + j] = K[4 * 8 + j] = K[11 * 8 + j] = K[14 * 8 + j] = -t15; /* K(0,1) K(1,0) K(3,4) K(4,3) */
+            K[2 * 8 + j] = K[8 * 8 + j] = -t12; /* K(0,3) K(3,0) */
             const real t16 = cos_0[j] * t13 - sin_0[j] * t14;
-            K[5 * 8 + j] = K[15 * 8 + j] = t16;
-            K[6 * 8 + j] = K[9 * 8 + j] = cos_0[j] * t8 + sin_0[j] * t11;
-            K[7 * 8 + j] = K[13 * 8 + j] = -t16;
+            K[5 * 8 + j] = K[15 * 8 + j] = t16; /* K(1,1) K(4,4) */
+            K[6 * 8 + j] = K[9 * 8 + j] = cos_0[j] * t8 + sin_0[j] * t11; /* K(1,3) K(3,1) */
+            K[7 * 8 + j] = K[13 * 8 + j] = -t16; /* K(1,4) K(4,1) */
         }
     }
 }
 
 const flexel_element flexel_planar_gear = {
     .name = "planar_gear",
-    .digest = "a3ec170d343f7d9c",
+    .digest = "4973d6eac5494df8",
     .n = 6,
     .m = 1,
     .k = 0,
     .np = 3,
     .position = planar_gear_position,
-    .velocity = planar_gear_velocity,
     .acceleration = planar_gear_acceleration,
     .rates = planar_gear_rates,
     .kinematics = planar_gear_kinematics,

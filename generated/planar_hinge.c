@@ -28,26 +28,8 @@ static void planar_hinge_position(size_t nblocks, const real *const *in, real *c
             const real offset0 = p[0 * 8 + j];
             const real p_angle = x[0 * 8 + j];
             e[0 * 8 + j] = q_angle - offset0 - p_angle;
-            De[0 * 8 + j] = -1.0;
-            De[1 * 8 + j] = 1.0;
-        }
-    }
-}
-
-/* velocity: 1 operations.
- * in:  x (2), v (2), p (1)
- * out: ed (1), s (0) */
-FLEXEL_CLONES
-static void planar_hinge_velocity(size_t nblocks, const real *const *in, real *const *out)
-{
-    for (size_t b = 0; b < nblocks; b++) {
-        const real *restrict v = in[1] + b * (2 * 8);
-        real *restrict ed = out[0] + b * (1 * 8);
-#pragma omp simd
-        for (size_t j = 0; j < 8; j++) {
-            const real q_vangle = v[1 * 8 + j];
-            const real p_vangle = v[0 * 8 + j];
-            ed[0 * 8 + j] = q_vangle - p_vangle;
+            De[0 * 8 + j] = -1.0; /* De(0,0) */
+            De[1 * 8 + j] = 1.0; /* De(0,1) */
         }
     }
 }
@@ -90,13 +72,12 @@ static void planar_hinge_stiffness(size_t nblocks, const real *const *in, real *
 
 const flexel_element flexel_planar_hinge = {
     .name = "planar_hinge",
-    .digest = "6ba42158e941d963",
+    .digest = "cefa0eb05f82b7f7",
     .n = 2,
     .m = 1,
     .k = 0,
     .np = 1,
     .position = planar_hinge_position,
-    .velocity = planar_hinge_velocity,
     .acceleration = planar_hinge_acceleration,
     .rates = planar_hinge_rates,
     .kinematics = planar_hinge_kinematics,

@@ -28,7 +28,7 @@ static void planar_point_mass_inertia(size_t nblocks, const real *const *in, rea
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real mass = p[0 * 8 + j];
-            M[0 * 8 + j] = M[1 * 8 + j] = mass;
+            M[0 * 8 + j] = M[1 * 8 + j] = mass; /* M(0,0) M(1,1) */
             const real gravity_x = p[1 * 8 + j];
             f[0 * 8 + j] = mass * gravity_x;
             const real gravity_y = p[2 * 8 + j];
@@ -51,7 +51,7 @@ static void planar_point_mass_tangent(size_t nblocks, const real *const *in, rea
 
 const flexel_element flexel_planar_point_mass = {
     .name = "planar_point_mass",
-    .digest = "f22588a68588a407",
+    .digest = "3422bb7cc702242c",
     .n = 2,
     .m = 0,
     .k = 0,

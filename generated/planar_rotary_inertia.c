@@ -23,7 +23,7 @@ static void planar_rotary_inertia_inertia(size_t nblocks, const real *const *in,
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real J_ = p[0 * 8 + j];
-            M[0 * 8 + j] = J_;
+            M[0 * 8 + j] = J_; /* M(0,0) */
         }
     }
 }
@@ -39,7 +39,7 @@ static void planar_rotary_inertia_tangent(size_t nblocks, const real *const *in,
 
 const flexel_element flexel_planar_rotary_inertia = {
     .name = "planar_rotary_inertia",
-    .digest = "a6168cc2e6815af8",
+    .digest = "06363f1ff712d34e",
     .n = 1,
     .m = 0,
     .k = 0,

@@ -31,7 +31,7 @@ static void planar_slope_clamp_position(size_t nblocks, const real *const *in, r
         }
         for (size_t j = 0; j < 8; j++) {
             cos_r[j] = real_cos(t0[j]);
-            De[2 * 8 + j] = cos_r[j];
+            De[2 * 8 + j] = cos_r[j]; /* De(0,2) */
             sin_r[j] = real_sin(t0[j]);
         }
 #pragma omp simd
@@ -39,43 +39,8 @@ static void planar_slope_clamp_position(size_t nblocks, const real *const *in, r
             const real d_y = x[2 * 8 + j];
             const real d_x = x[1 * 8 + j];
             e[0 * 8 + j] = d_y * cos_r[j] - d_x * sin_r[j];
-            De[0 * 8 + j] = -(d_y * sin_r[j] + d_x * cos_r[j]);
-            De[1 * 8 + j] = -sin_r[j];
-        }
-    }
-}
-
-/* velocity: 11 operations.
- * in:  x (3), v (3), p (1)
- * out: ed (1), s (0) */
-FLEXEL_CLONES
-static void planar_slope_clamp_velocity(size_t nblocks, const real *const *in, real *const *out)
-{
-    for (size_t b = 0; b < nblocks; b++) {
-        const real *restrict x = in[0] + b * (3 * 8);
-        const real *restrict v = in[1] + b * (3 * 8);
-        const real *restrict p = in[2] + b * (1 * 8);
-        real *restrict ed = out[0] + b * (1 * 8);
-        real t0[8], cos_r[8], sin_r[8];
-#pragma omp simd
-        for (size_t j = 0; j < 8; j++) {
-            const real r_angle = x[0 * 8 + j];
-            const real alpha0 = p[0 * 8 + j];
-            t0[j] = r_angle + alpha0;
-        }
-        for (size_t j = 0; j < 8; j++) {
-            cos_r[j] = real_cos(t0[j]);
-            sin_r[j] = real_sin(t0[j]);
-        }
-#pragma omp simd
-        for (size_t j = 0; j < 8; j++) {
-            const real d_vy = v[2 * 8 + j];
-            const real d_y = x[2 * 8 + j];
-            const real d_x = x[1 * 8 + j];
-            const real r_vangle = v[0 * 8 + j];
-            const real t1 = d_vy * cos_r[j] - r_vangle * (d_y * sin_r[j] + d_x * cos_r[j]);
-            const real d_vx = v[1 * 8 + j];
-            ed[0 * 8 + j] = t1 - d_vx * sin_r[j];
+            De[0 * 8 + j] = -(d_y * sin_r[j] + d_x * cos_r[j]); /* De(0,0) */
+            De[1 * 8 + j] = -sin_r[j]; /* De(0,1) */
         }
     }
 }
@@ -150,9 +115,9 @@ static void planar_slope_clamp_rates(size_t nblocks, const real *const *in, real
             const real t1 = r_vangle * sin_r[j];
             const real d_x = x[1 * 8 + j];
             const real d_vy = v[2 * 8 + j];
-            Phi_x[0 * 8 + j] = d_x * t1 - d_vy * sin_r[j] - cos_r[j] * t2[j];
-            Phi_x[1 * 8 + j] = -(r_vangle * cos_r[j]);
-            Phi_x[2 * 8 + j] = -t1;
+            Phi_x[0 * 8 + j] = d_x * t1 - d_vy * sin_r[j] - cos_r[j] * t2[j]; /* Phi_x(0,0) */
+            Phi_x[1 * 8 + j] = -(r_vangle * cos_r[j]); /* Phi_x(0,1) */
+            Phi_x[2 * 8 + j] = -t1; /* Phi_x(0,2) */
         }
     }
 }
@@ -195,18 +160,18 @@ static void planar_slope_clamp_kinematics(size_t nblocks, const real *const *in,
         }
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
-            Psi_x[0 * 8 + j] = cos_r[j] * t1[j] - sin_r[j] * t3[j];
+            Psi_x[0 * 8 + j] = cos_r[j] * t1[j] - sin_r[j] * t3[j]; /* Psi_x(0,0) */
             const real r_vangle = v[0 * 8 + j];
             const real t4 = r_vangle * sin_r[j];
             const real r_aangle = a[0 * 8 + j];
-            Psi_x[1 * 8 + j] = r_vangle * t4 - cos_r[j] * r_aangle;
+            Psi_x[1 * 8 + j] = r_vangle * t4 - cos_r[j] * r_aangle; /* Psi_x(0,1) */
             const real t5 = r_vangle * cos_r[j];
-            Psi_x[2 * 8 + j] = -(r_vangle * t5 + sin_r[j] * r_aangle);
+            Psi_x[2 * 8 + j] = -(r_vangle * t5 + sin_r[j] * r_aangle); /* Psi_x(0,2) */
             const real d_x = x[1 * 8 + j];
             const real d_vy = v[2 * 8 + j];
-            Psi_v[0 * 8 + j] = 2.0 * (d_x * t4 - d_vy * sin_r[j] - cos_r[j] * t6[j]);
-            Psi_v[1 * 8 + j] = -(2.0 * t5);
-            Psi_v[2 * 8 + j] = -(2.0 * t4);
+            Psi_v[0 * 8 + j] = 2.0 * (d_x * t4 - d_vy * sin_r[j] - cos_r[j] * t6[j]); /* Psi_v(0,0) */
+            Psi_v[1 * 8 + j] = -(2.0 * t5); /* Psi_v(0,1) */
+            Psi_v[2 * 8 + j] = -(2.0 * t4); /* Psi_v(0,2) */
         }
     }
 }
@@ -238,22 +203,21 @@ static void planar_slope_clamp_stiffness(size_t nblocks, const real *const *in, 
             const real d_y = x[2 * 8 + j];
             const real d_x = x[1 * 8 + j];
             const real sigma_across = sigma[0 * 8 + j];
-            K[0 * 8 + j] = -((d_y * cos_r[j] - d_x * sin_r[j]) * sigma_across);
-            K[1 * 8 + j] = K[3 * 8 + j] = -(cos_r[j] * sigma_across);
-            K[2 * 8 + j] = K[4 * 8 + j] = -(sin_r[j] * sigma_across);
+            K[0 * 8 + j] = -((d_y * cos_r[j] - d_x * sin_r[j]) * sigma_across); /* K(0,0) */
+            K[1 * 8 + j] = K[3 * 8 + j] = -(cos_r[j] * sigma_across); /* K(0,1) K(1,0) */
+            K[2 * 8 + j] = K[4 * 8 + j] = -(sin_r[j] * sigma_across); /* K(0,2) K(2,0) */
         }
     }
 }
 
 const flexel_element flexel_planar_slope_clamp = {
     .name = "planar_slope_clamp",
-    .digest = "e0d85b77a082ab2e",
+    .digest = "1f88e7ec809e9cf8",
     .n = 3,
     .m = 1,
     .k = 0,
     .np = 1,
     .position = planar_slope_clamp_position,
-    .velocity = planar_slope_clamp_velocity,
     .acceleration = planar_slope_clamp_acceleration,
     .rates = planar_slope_clamp_rates,
     .kinematics = planar_slope_clamp_kinematics,

@@ -39,39 +39,11 @@ static void planar_truss_position(size_t nblocks, const real *const *in, real *c
             e[0 * 8 + j] = l - l0;
             const real t0 = 1.0 / l;
             const real t1 = d_x * t0;
-            De[2 * 8 + j] = t1;
-            De[0 * 8 + j] = -t1;
+            De[2 * 8 + j] = t1; /* De(0,2) */
+            De[0 * 8 + j] = -t1; /* De(0,0) */
             const real t2 = d_y * t0;
-            De[3 * 8 + j] = t2;
-            De[1 * 8 + j] = -t2;
-        }
-    }
-}
-
-/* velocity: 13 operations.
- * in:  x (4), v (4), p (4)
- * out: ed (1), s (0) */
-FLEXEL_CLONES
-static void planar_truss_velocity(size_t nblocks, const real *const *in, real *const *out)
-{
-    for (size_t b = 0; b < nblocks; b++) {
-        const real *restrict x = in[0] + b * (4 * 8);
-        const real *restrict v = in[1] + b * (4 * 8);
-        real *restrict ed = out[0] + b * (1 * 8);
-#pragma omp simd
-        for (size_t j = 0; j < 8; j++) {
-            const real q_x = x[2 * 8 + j];
-            const real p_x = x[0 * 8 + j];
-            const real d_x = q_x - p_x;
-            const real q_y = x[3 * 8 + j];
-            const real p_y = x[1 * 8 + j];
-            const real d_y = q_y - p_y;
-            const real l = real_sqrt(d_x * d_x + d_y * d_y);
-            const real q_vx = v[2 * 8 + j];
-            const real p_vx = v[0 * 8 + j];
-            const real q_vy = v[3 * 8 + j];
-            const real p_vy = v[1 * 8 + j];
-            ed[0 * 8 + j] = 1.0 / l * (d_x * (q_vx - p_vx) + d_y * (q_vy - p_vy));
+            De[3 * 8 + j] = t2; /* De(0,3) */
+            De[1 * 8 + j] = -t2; /* De(0,1) */
         }
     }
 }
@@ -136,11 +108,11 @@ static void planar_truss_rates(size_t nblocks, const real *const *in, real *cons
             const real t2 = q_vy - p_vy;
             const real t3 = t0 * (d_x * t1 + d_y * t2) * t0 * t0;
             const real t4 = t0 * t1 - d_x * t3;
-            Phi_x[2 * 8 + j] = t4;
-            Phi_x[0 * 8 + j] = -t4;
+            Phi_x[2 * 8 + j] = t4; /* Phi_x(0,2) */
+            Phi_x[0 * 8 + j] = -t4; /* Phi_x(0,0) */
             const real t5 = t0 * t2 - d_y * t3;
-            Phi_x[3 * 8 + j] = t5;
-            Phi_x[1 * 8 + j] = -t5;
+            Phi_x[3 * 8 + j] = t5; /* Phi_x(0,3) */
+            Phi_x[1 * 8 + j] = -t5; /* Phi_x(0,1) */
         }
     }
 }
@@ -187,17 +159,17 @@ static void planar_truss_kinematics(size_t nblocks, const real *const *in, real 
             const real t10 = t7 * t3;
             const real t11 = t10 + t2 * t8;
             const real t12 = t0 * t1 - 0.5 * d_x * t3 * t9 - t4 * t11;
-            Psi_x[2 * 8 + j] = t12;
-            Psi_x[0 * 8 + j] = -t12;
+            Psi_x[2 * 8 + j] = t12; /* Psi_x(0,2) */
+            Psi_x[0 * 8 + j] = -t12; /* Psi_x(0,0) */
             const real t13 = t0 * t6 - 0.5 * d_y * t3 * t9 - t5 * t11;
-            Psi_x[3 * 8 + j] = t13;
-            Psi_x[1 * 8 + j] = -t13;
+            Psi_x[3 * 8 + j] = t13; /* Psi_x(0,3) */
+            Psi_x[1 * 8 + j] = -t13; /* Psi_x(0,1) */
             const real t14 = 2.0 * (t0 * t4 - d_x * t10);
-            Psi_v[2 * 8 + j] = t14;
-            Psi_v[0 * 8 + j] = -t14;
+            Psi_v[2 * 8 + j] = t14; /* Psi_v(0,2) */
+            Psi_v[0 * 8 + j] = -t14; /* Psi_v(0,0) */
             const real t15 = 2.0 * (t0 * t5 - d_y * t10);
-            Psi_v[3 * 8 + j] = t15;
-            Psi_v[1 * 8 + j] = -t15;
+            Psi_v[3 * 8 + j] = t15; /* Psi_v(0,3) */
+            Psi_v[1 * 8 + j] = -t15; /* Psi_v(0,1) */
         }
     }
 }
@@ -227,15 +199,15 @@ static void planar_truss_stiffness(size_t nblocks, const real *const *in, real *
             const real t2 = sigma_elongation * t1;
             const real t3 = t1 * t2 * t1;
             const real t4 = t2 - t0 * t3;
-            K[0 * 8 + j] = K[10 * 8 + j] = t4;
+            K[0 * 8 + j] = K[10 * 8 + j] = t4; /* K(0,0) K(2,2) */
             const real t5 = d_y * t3;
             const real t6 = d_x * t5;
-            K[3 * 8 + j] = K[6 * 8 + j] = K[9 * 8 + j] = K[12 * 8 + j] = t6;
-            K[1 * 8 + j] = K[4 * 8 + j] = K[11 * 8 + j] = K[14 * 8 + j] = -t6;
-            K[2 * 8 + j] = K[8 * 8 + j] = -t4;
+            K[3 * 8 + j] = K[6 * 8 + j] = K[9 * 8 + j] = K[12 * 8 + j] = t6; /* K(0,3) K(1,2) K(2,1) K(3,0) */
+            K[1 * 8 + j] = K[4 * 8 + j] = K[11 * 8 + j] = K[14 * 8 + j] = -t6; /* K(0,1) K(1,0) K(2,3) K(3,2) */
+            K[2 * 8 + j] = K[8 * 8 + j] = -t4; /* K(0,2) K(2,0) */
             const real t7 = t2 - d_y * t5;
-            K[5 * 8 + j] = K[15 * 8 + j] = t7;
-            K[7 * 8 + j] = K[13 * 8 + j] = -t7;
+            K[5 * 8 + j] = K[15 * 8 + j] = t7; /* K(1,1) K(3,3) */
+            K[7 * 8 + j] = K[13 * 8 + j] = -t7; /* K(1,3) K(3,1) */
         }
     }
 }
@@ -258,7 +230,9 @@ static void planar_truss_inertia(size_t nblocks, const real *const *in, real *co
             const real rhoA = p[1 * 8 + j];
             const real t0 = l0 * rhoA;
             M[0 * 8 + j] = M[2 * 8 + j] = M[5 * 8 + j] = M[7 * 8 + j] = 0.3333333333333333 * t0;
+                /* M(0,0) M(1,1) M(2,2) M(3,3) */
             M[1 * 8 + j] = M[3 * 8 + j] = M[4 * 8 + j] = M[6 * 8 + j] = 0.16666666666666666 * t0;
+                /* M(0,2) M(1,3) M(2,0) M(3,1) */
             const real gravity_x = p[2 * 8 + j];
             f[0 * 8 + j] = f[2 * 8 + j] = 0.5 * gravity_x * t0;
             const real gravity_y = p[3 * 8 + j];
@@ -284,13 +258,12 @@ static void planar_truss_tangent(size_t nblocks, const real *const *in, real *co
 
 const flexel_element flexel_planar_truss = {
     .name = "planar_truss",
-    .digest = "82d68f1d0a51ef46",
+    .digest = "fc0670bb60ae7523",
     .n = 4,
     .m = 1,
     .k = 0,
     .np = 4,
     .position = planar_truss_position,
-    .velocity = planar_truss_velocity,
     .acceleration = planar_truss_acceleration,
     .rates = planar_truss_rates,
     .kinematics = planar_truss_kinematics,

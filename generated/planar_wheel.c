@@ -30,52 +30,17 @@ static void planar_wheel_position(size_t nblocks, const real *const *in, real *c
             const real alpha0 = p[1 * 8 + j];
             t0[j] = r_angle + alpha0;
             const real radius = p[0 * 8 + j];
-            V[2 * 8 + j] = -radius;
+            V[2 * 8 + j] = -radius; /* V(0,3) */
         }
         for (size_t j = 0; j < 8; j++) {
             const real cos_r = real_cos(t0[j]);
-            V[0 * 8 + j] = V[4 * 8 + j] = cos_r;
+            V[0 * 8 + j] = V[4 * 8 + j] = cos_r; /* V(0,0) V(1,1) */
             sin_r[j] = real_sin(t0[j]);
-            V[1 * 8 + j] = sin_r[j];
+            V[1 * 8 + j] = sin_r[j]; /* V(0,1) */
         }
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
-            V[3 * 8 + j] = -sin_r[j];
-        }
-    }
-}
-
-/* velocity: 11 operations.
- * in:  x (4), v (4), p (2)
- * out: ed (0), s (2) */
-FLEXEL_CLONES
-static void planar_wheel_velocity(size_t nblocks, const real *const *in, real *const *out)
-{
-    for (size_t b = 0; b < nblocks; b++) {
-        const real *restrict x = in[0] + b * (4 * 8);
-        const real *restrict v = in[1] + b * (4 * 8);
-        const real *restrict p = in[2] + b * (2 * 8);
-        real *restrict s = out[1] + b * (2 * 8);
-        real t0[8], cos_r[8], sin_r[8], t1[8];
-#pragma omp simd
-        for (size_t j = 0; j < 8; j++) {
-            const real r_angle = x[2 * 8 + j];
-            const real alpha0 = p[1 * 8 + j];
-            t0[j] = r_angle + alpha0;
-            const real s_vangle = v[3 * 8 + j];
-            const real radius = p[0 * 8 + j];
-            t1[j] = s_vangle * radius;
-        }
-        for (size_t j = 0; j < 8; j++) {
-            cos_r[j] = real_cos(t0[j]);
-            sin_r[j] = real_sin(t0[j]);
-        }
-#pragma omp simd
-        for (size_t j = 0; j < 8; j++) {
-            const real p_vx = v[0 * 8 + j];
-            const real p_vy = v[1 * 8 + j];
-            s[0 * 8 + j] = p_vx * cos_r[j] + p_vy * sin_r[j] - t1[j];
-            s[1 * 8 + j] = p_vy * cos_r[j] - p_vx * sin_r[j];
+            V[3 * 8 + j] = -sin_r[j]; /* V(1,0) */
         }
     }
 }
@@ -141,8 +106,8 @@ static void planar_wheel_rates(size_t nblocks, const real *const *in, real *cons
         for (size_t j = 0; j < 8; j++) {
             const real p_vy = v[1 * 8 + j];
             const real p_vx = v[0 * 8 + j];
-            Phi_x[0 * 8 + j] = p_vy * cos_r[j] - p_vx * sin_r[j];
-            Phi_x[1 * 8 + j] = -(p_vx * cos_r[j] + p_vy * sin_r[j]);
+            Phi_x[0 * 8 + j] = p_vy * cos_r[j] - p_vx * sin_r[j]; /* Phi_x(0,2) */
+            Phi_x[1 * 8 + j] = -(p_vx * cos_r[j] + p_vy * sin_r[j]); /* Phi_x(1,2) */
         }
     }
 }
@@ -179,15 +144,15 @@ static void planar_wheel_kinematics(size_t nblocks, const real *const *in, real 
             const real t1 = r_vangle * sin_r[j];
             const real p_vy = v[1 * 8 + j];
             const real t2 = r_vangle * cos_r[j];
-            Psi_v[1 * 8 + j] = t2;
+            Psi_v[1 * 8 + j] = t2; /* Psi_v(0,1) */
             const real p_vx = v[0 * 8 + j];
-            Psi_x[0 * 8 + j] = cos_r[j] * p_ay - sin_r[j] * p_ax - (p_vy * t1 + p_vx * t2);
+            Psi_x[0 * 8 + j] = cos_r[j] * p_ay - sin_r[j] * p_ax - (p_vy * t1 + p_vx * t2); /* Psi_x(0,2) */
             const real t3 = p_vy * t2 - p_vx * t1 + (cos_r[j] * p_ax + sin_r[j] * p_ay);
-            Psi_x[1 * 8 + j] = -t3;
-            Psi_v[0 * 8 + j] = Psi_v[4 * 8 + j] = -t1;
-            Psi_v[2 * 8 + j] = p_vy * cos_r[j] - p_vx * sin_r[j];
-            Psi_v[3 * 8 + j] = -t2;
-            Psi_v[5 * 8 + j] = -(p_vx * cos_r[j] + p_vy * sin_r[j]);
+            Psi_x[1 * 8 + j] = -t3; /* Psi_x(1,2) */
+            Psi_v[0 * 8 + j] = Psi_v[4 * 8 + j] = -t1; /* Psi_v(0,0) Psi_v(1,1) */
+            Psi_v[2 * 8 + j] = p_vy * cos_r[j] - p_vx * sin_r[j]; /* Psi_v(0,2) */
+            Psi_v[3 * 8 + j] = -t2; /* Psi_v(1,0) */
+            Psi_v[5 * 8 + j] = -(p_vx * cos_r[j] + p_vy * sin_r[j]); /* Psi_v(1,2) */
         }
     }
 }
@@ -218,21 +183,20 @@ static void planar_wheel_stiffness(size_t nblocks, const real *const *in, real *
         for (size_t j = 0; j < 8; j++) {
             const real tau_lateral = tau[1 * 8 + j];
             const real tau_longitudinal = tau[0 * 8 + j];
-            K[0 * 8 + j] = -(cos_r[j] * tau_lateral + sin_r[j] * tau_longitudinal);
-            K[1 * 8 + j] = cos_r[j] * tau_longitudinal - sin_r[j] * tau_lateral;
+            K[0 * 8 + j] = -(cos_r[j] * tau_lateral + sin_r[j] * tau_longitudinal); /* K(0,2) */
+            K[1 * 8 + j] = cos_r[j] * tau_longitudinal - sin_r[j] * tau_lateral; /* K(1,2) */
         }
     }
 }
 
 const flexel_element flexel_planar_wheel = {
     .name = "planar_wheel",
-    .digest = "fb21d158a818ac2c",
+    .digest = "55d3a7be73bd2035",
     .n = 4,
     .m = 0,
     .k = 2,
     .np = 2,
     .position = planar_wheel_position,
-    .velocity = planar_wheel_velocity,
     .acceleration = planar_wheel_acceleration,
     .rates = planar_wheel_rates,
     .kinematics = planar_wheel_kinematics,

@@ -28,7 +28,7 @@ static void point_mass_inertia(size_t nblocks, const real *const *in, real *cons
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real mass = p[0 * 8 + j];
-            M[0 * 8 + j] = M[1 * 8 + j] = M[2 * 8 + j] = mass;
+            M[0 * 8 + j] = M[1 * 8 + j] = M[2 * 8 + j] = mass; /* M(0,0) M(1,1) M(2,2) */
             const real gravity_x = p[1 * 8 + j];
             f[0 * 8 + j] = mass * gravity_x;
             const real gravity_y = p[2 * 8 + j];
@@ -55,7 +55,7 @@ static void point_mass_tangent(size_t nblocks, const real *const *in, real *cons
 
 const flexel_element flexel_point_mass = {
     .name = "point_mass",
-    .digest = "c85cdc28358d7673",
+    .digest = "78cb25e6fd02b60b",
     .n = 3,
     .m = 0,
     .k = 0,

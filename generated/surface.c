@@ -47,45 +47,9 @@ static void surface_position(size_t nblocks, const real *const *in, real *const 
             const real t6 = p_x * (t2 + t3 + t1 + linear_x) + p_y * (t4 + t5 + linear_y);
             const real constant = p[9 * 8 + j];
             e[0 * 8 + j] = p_z * (linear_z + t0) + t6 + constant;
-            De[0 * 8 + j] = linear_x + 2.0 * t1 + t2 + t3;
-            De[1 * 8 + j] = linear_y + 2.0 * t4 + p_x * quadratic_xy + t5;
-            De[2 * 8 + j] = linear_z + 2.0 * t0 + p_x * quadratic_xz + p_y * quadratic_yz;
-        }
-    }
-}
-
-/* velocity: 30 operations.
- * in:  x (3), v (3), p (10)
- * out: ed (1), s (0) */
-FLEXEL_CLONES
-static void surface_velocity(size_t nblocks, const real *const *in, real *const *out)
-{
-    for (size_t b = 0; b < nblocks; b++) {
-        const real *restrict x = in[0] + b * (3 * 8);
-        const real *restrict v = in[1] + b * (3 * 8);
-        const real *restrict p = in[2] + b * (10 * 8);
-        real *restrict ed = out[0] + b * (1 * 8);
-#pragma omp simd
-        for (size_t j = 0; j < 8; j++) {
-            const real p_vy = v[1 * 8 + j];
-            const real linear_y = p[7 * 8 + j];
-            const real p_vx = v[0 * 8 + j];
-            const real linear_x = p[6 * 8 + j];
-            const real p_vz = v[2 * 8 + j];
-            const real linear_z = p[8 * 8 + j];
-            const real p_y = x[1 * 8 + j];
-            const real p_x = x[0 * 8 + j];
-            const real quadratic_xy = p[3 * 8 + j];
-            const real p_z = x[2 * 8 + j];
-            const real quadratic_xz = p[4 * 8 + j];
-            const real quadratic_yz = p[5 * 8 + j];
-            const real quadratic_xx = p[0 * 8 + j];
-            const real quadratic_zz = p[2 * 8 + j];
-            const real quadratic_yy = p[1 * 8 + j];
-            const real t0 = p_z * quadratic_zz * p_vz + p_y * quadratic_yy * p_vy + p_x * quadratic_xx * p_vx;
-            const real t1 = quadratic_yz * (p_z * p_vy + p_y * p_vz) + 2.0 * t0 + quadratic_xz * (p_z * p_vx + p_x * p_vz);
-            const real t2 = quadratic_xy * (p_y * p_vx + p_x * p_vy) + t1 + p_vz * linear_z;
-            ed[0 * 8 + j] = p_vx * linear_x + t2 + p_vy * linear_y;
+            De[0 * 8 + j] = linear_x + 2.0 * t1 + t2 + t3; /* De(0,0) */
+            De[1 * 8 + j] = linear_y + 2.0 * t4 + p_x * quadratic_xy + t5; /* De(0,1) */
+            De[2 * 8 + j] = linear_z + 2.0 * t0 + p_x * quadratic_xz + p_y * quadratic_yz; /* De(0,2) */
         }
     }
 }
@@ -136,12 +100,12 @@ static void surface_rates(size_t nblocks, const real *const *in, real *const *ou
             const real quadratic_xy = p[3 * 8 + j];
             const real p_vx = v[0 * 8 + j];
             const real quadratic_xx = p[0 * 8 + j];
-            Phi_x[0 * 8 + j] = p_vz * quadratic_xz + p_vy * quadratic_xy + 2.0 * p_vx * quadratic_xx;
+            Phi_x[0 * 8 + j] = p_vz * quadratic_xz + p_vy * quadratic_xy + 2.0 * p_vx * quadratic_xx; /* Phi_x(0,0) */
             const real quadratic_yy = p[1 * 8 + j];
             const real quadratic_yz = p[5 * 8 + j];
-            Phi_x[1 * 8 + j] = p_vz * quadratic_yz + p_vx * quadratic_xy + 2.0 * p_vy * quadratic_yy;
+            Phi_x[1 * 8 + j] = p_vz * quadratic_yz + p_vx * quadratic_xy + 2.0 * p_vy * quadratic_yy; /* Phi_x(0,1) */
             const real quadratic_zz = p[2 * 8 + j];
-            Phi_x[2 * 8 + j] = p_vx * quadratic_xz + p_vy * quadratic_yz + 2.0 * p_vz * quadratic_zz;
+            Phi_x[2 * 8 + j] = p_vx * quadratic_xz + p_vy * quadratic_yz + 2.0 * p_vz * quadratic_zz; /* Phi_x(0,2) */
         }
     }
 }
@@ -166,21 +130,21 @@ static void surface_kinematics(size_t nblocks, const real *const *in, real *cons
             const real p_ay = a[1 * 8 + j];
             const real quadratic_xz = p[4 * 8 + j];
             const real p_az = a[2 * 8 + j];
-            Psi_x[0 * 8 + j] = quadratic_xy * p_ay + quadratic_xz * p_az + 2.0 * quadratic_xx * p_ax;
+            Psi_x[0 * 8 + j] = quadratic_xy * p_ay + quadratic_xz * p_az + 2.0 * quadratic_xx * p_ax; /* Psi_x(0,0) */
             const real quadratic_yy = p[1 * 8 + j];
             const real quadratic_yz = p[5 * 8 + j];
-            Psi_x[1 * 8 + j] = quadratic_xy * p_ax + quadratic_yz * p_az + 2.0 * quadratic_yy * p_ay;
+            Psi_x[1 * 8 + j] = quadratic_xy * p_ax + quadratic_yz * p_az + 2.0 * quadratic_yy * p_ay; /* Psi_x(0,1) */
             const real quadratic_zz = p[2 * 8 + j];
-            Psi_x[2 * 8 + j] = quadratic_xz * p_ax + quadratic_yz * p_ay + 2.0 * quadratic_zz * p_az;
+            Psi_x[2 * 8 + j] = quadratic_xz * p_ax + quadratic_yz * p_ay + 2.0 * quadratic_zz * p_az; /* Psi_x(0,2) */
             const real p_vz = v[2 * 8 + j];
             const real p_vy = v[1 * 8 + j];
             const real p_vx = v[0 * 8 + j];
             const real t0 = p_vz * quadratic_xz + p_vy * quadratic_xy + 2.0 * p_vx * quadratic_xx;
-            Psi_v[0 * 8 + j] = 2.0 * t0;
+            Psi_v[0 * 8 + j] = 2.0 * t0; /* Psi_v(0,0) */
             const real t1 = p_vz * quadratic_yz + p_vx * quadratic_xy + 2.0 * p_vy * quadratic_yy;
-            Psi_v[1 * 8 + j] = 2.0 * t1;
+            Psi_v[1 * 8 + j] = 2.0 * t1; /* Psi_v(0,1) */
             const real t2 = p_vx * quadratic_xz + p_vy * quadratic_yz + 2.0 * p_vz * quadratic_zz;
-            Psi_v[2 * 8 + j] = 2.0 * t2;
+            Psi_v[2 * 8 + j] = 2.0 * t2; /* Psi_v(0,2) */
         }
     }
 }
@@ -199,30 +163,29 @@ static void surface_stiffness(size_t nblocks, const real *const *in, real *const
         for (size_t j = 0; j < 8; j++) {
             const real quadratic_xx = p[0 * 8 + j];
             const real sigma_height = sigma[0 * 8 + j];
-            K[0 * 8 + j] = 2.0 * quadratic_xx * sigma_height;
+            K[0 * 8 + j] = 2.0 * quadratic_xx * sigma_height; /* K(0,0) */
             const real quadratic_xy = p[3 * 8 + j];
-            K[1 * 8 + j] = K[3 * 8 + j] = quadratic_xy * sigma_height;
+            K[1 * 8 + j] = K[3 * 8 + j] = quadratic_xy * sigma_height; /* K(0,1) K(1,0) */
             const real quadratic_xz = p[4 * 8 + j];
-            K[2 * 8 + j] = K[6 * 8 + j] = quadratic_xz * sigma_height;
+            K[2 * 8 + j] = K[6 * 8 + j] = quadratic_xz * sigma_height; /* K(0,2) K(2,0) */
             const real quadratic_yy = p[1 * 8 + j];
-            K[4 * 8 + j] = 2.0 * quadratic_yy * sigma_height;
+            K[4 * 8 + j] = 2.0 * quadratic_yy * sigma_height; /* K(1,1) */
             const real quadratic_yz = p[5 * 8 + j];
-            K[5 * 8 + j] = K[7 * 8 + j] = quadratic_yz * sigma_height;
+            K[5 * 8 + j] = K[7 * 8 + j] = quadratic_yz * sigma_height; /* K(1,2) K(2,1) */
             const real quadratic_zz = p[2 * 8 + j];
-            K[8 * 8 + j] = 2.0 * quadratic_zz * sigma_height;
+            K[8 * 8 + j] = 2.0 * quadratic_zz * sigma_height; /* K(2,2) */
         }
     }
 }
 
 const flexel_element flexel_surface = {
     .name = "surface",
-    .digest = "fbe7bace4591c9b1",
+    .digest = "82396fec8a27a987",
     .n = 3,
     .m = 1,
     .k = 0,
     .np = 10,
     .position = surface_position,
-    .velocity = surface_velocity,
     .acceleration = surface_acceleration,
     .rates = surface_rates,
     .kinematics = surface_kinematics,

@@ -3,23 +3,25 @@
 Written by `flexel derive`; do not edit.
 """
 
-from flexel.generated.spec import (
+from flexel.derive.spec import (
     DeformationSpec,
     ElementSpec,
     InternalSpec,
     KernelSpec,
     LawSpec,
+    LimitSpec,
     NodeSpec,
     OutputSpec,
     ParameterSpec,
     SlipSpec,
+    TermSpec,
 )
 
 ELEMENTS: dict[str, ElementSpec] = {
     # element point_mass
     "point_mass": ElementSpec(
         name="point_mass",
-        digest="c85cdc28358d7673",
+        digest="78cb25e6fd02b60b",
         doc="T = mass v.v/2\nU = -mass gravity.x",
         source="textbook mechanics",
         nodes=(
@@ -51,11 +53,13 @@ ELEMENTS: dict[str, ElementSpec] = {
                 0,
             ),
         },
+        family="body",
+        picture="mass",
     ),
     # element body
     "body": ElementSpec(
         name="body",
-        digest="7085a03aa04dcef2",
+        digest="9ec7b2a5d2b975a6",
         doc="vc = xdot + d(R(lambda) c)/dt, velocity of the mass centre\nw = 2 (conj(lambda) o lambdadot), angular velocity in body axes\nT = mass vc.vc/2 + w.J w/2\nU = -mass gravity.(x + R(lambda) c)",
         source="Schwab and Meijaard 2006, DETC2006-99307",
         nodes=(
@@ -90,11 +94,13 @@ ELEMENTS: dict[str, ElementSpec] = {
                 1337,
             ),
         },
+        family="body",
+        picture="body",
     ),
     # element rotary_inertia
     "rotary_inertia": ElementSpec(
         name="rotary_inertia",
-        digest="1f0f73ff467a44c7",
+        digest="6ef75d325a937985",
         doc="w = 2 (conj(lambda) o lambdadot), angular velocity in body axes\nT = w.J w/2",
         source="Schwab and Meijaard 2006, DETC2006-99307",
         nodes=(
@@ -125,11 +131,12 @@ ELEMENTS: dict[str, ElementSpec] = {
                 536,
             ),
         },
+        family="body",
     ),
     # element norm
     "norm": ElementSpec(
         name="norm",
-        digest="3c8b6eaec716cd66",
+        digest="7a229f46635c78bf",
         doc="norm = lambda.lambda - 1",
         source="Schwab and Meijaard 2006, DETC2006-99307",
         nodes=(
@@ -137,7 +144,7 @@ ELEMENTS: dict[str, ElementSpec] = {
         ),
         parameters=(),
         deformations=(
-            DeformationSpec("norm", "1", False, False),
+            DeformationSpec("norm", "1", False, kind="norm"),
         ),
         slips=(),
         kernels={
@@ -149,14 +156,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (0, 4), ()),
                 ),
                 12,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (1,), (0,)),
-                    OutputSpec("s", (0,), ()),
-                ),
-                8,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -189,11 +188,12 @@ ELEMENTS: dict[str, ElementSpec] = {
                 1,
             ),
         },
+        family="norm",
     ),
     # element truss
     "truss": ElementSpec(
         name="truss",
-        digest="7c3720beb3f5cb02",
+        digest="1e9195dd3cf86bd4",
         doc="elongation = |xq - xp| - l0\nT = rhoA l0/6 (vp.vp + vp.vq + vq.vq), uniform bar\nU = -rhoA l0 gravity.(xp + xq)/2",
         source="van der Werff and Jonker 1984, NATO ASI F9, p. 381",
         nodes=(
@@ -206,7 +206,7 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("gravity", 3, "m/s^2", "acceleration of gravity"),
         ),
         deformations=(
-            DeformationSpec("elongation", "m", False, False),
+            DeformationSpec("elongation", "m", False),
         ),
         slips=(),
         kernels={
@@ -218,14 +218,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (0, 6), ()),
                 ),
                 17,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (1,), (0,)),
-                    OutputSpec("s", (0,), ()),
-                ),
-                19,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -276,11 +268,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                 0,
             ),
         },
+        family="truss",
+        picture="bar",
+        span="bar_span",
     ),
     # element hinge
     "hinge": ElementSpec(
         name="hinge",
-        digest="dadc382dc2a6c903",
+        digest="ddc66782e222dab5",
         doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nc = conj(u_p) o u_q\nangle = 2 atan2(c1, c0), period 2 pi\nbend1 = ez_p.ex_q,  bend2 = -ey_p.ex_q",
         source="van der Werff and Jonker 1984; SPACAR95 manual (Schwab and Meijaard 2000), HINGE",
         nodes=(
@@ -292,9 +287,9 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("tq", 4, "1", "unit quaternion from the body frame of node q to the element's triad there"),
         ),
         deformations=(
-            DeformationSpec("angle", "rad", True, True),
-            DeformationSpec("bend1", "1", False, False),
-            DeformationSpec("bend2", "1", False, False),
+            DeformationSpec("angle", "rad", True, period=(TermSpec(6.283185307179586),)),
+            DeformationSpec("bend1", "1", False),
+            DeformationSpec("bend2", "1", False),
         ),
         slips=(),
         kernels={
@@ -306,14 +301,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (0, 8), ()),
                 ),
                 412,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (3,), (0, 1, 2)),
-                    OutputSpec("s", (0,), ()),
-                ),
-                284,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -346,11 +333,13 @@ ELEMENTS: dict[str, ElementSpec] = {
                 1035,
             ),
         },
+        family="hinge",
+        picture="hinge",
     ),
     # element bearing
     "bearing": ElementSpec(
         name="bearing",
-        digest="130427e0d17764ae",
+        digest="f1966cfd294e2e34",
         doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nc = conj(u_p) o u_q\nangle = 2 atan2(c1, c0), period 2 pi\nbend1 = ez_p.ex_q,  bend2 = -ey_p.ex_q\nd = xq - xp\n(axial, radial1, radial2) = R(u_p)' d - d0",
         source="SPACAR95 manual (Schwab and Meijaard 2000), BEARING",
         nodes=(
@@ -365,12 +354,12 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("d0", 3, "m", "components of xq - xp on the triad at p when the deformations are zero"),
         ),
         deformations=(
-            DeformationSpec("angle", "rad", True, True),
-            DeformationSpec("bend1", "1", False, False),
-            DeformationSpec("bend2", "1", False, False),
-            DeformationSpec("axial", "m", False, False),
-            DeformationSpec("radial1", "m", False, False),
-            DeformationSpec("radial2", "m", False, False),
+            DeformationSpec("angle", "rad", True, period=(TermSpec(6.283185307179586),)),
+            DeformationSpec("bend1", "1", False),
+            DeformationSpec("bend2", "1", False),
+            DeformationSpec("axial", "m", False),
+            DeformationSpec("radial1", "m", False),
+            DeformationSpec("radial2", "m", False),
         ),
         slips=(),
         kernels={
@@ -382,14 +371,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (0, 14), ()),
                 ),
                 536,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (6,), tuple(range(6))),
-                    OutputSpec("s", (0,), ()),
-                ),
-                336,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -422,11 +403,13 @@ ELEMENTS: dict[str, ElementSpec] = {
                 1150,
             ),
         },
+        family="bearing",
+        picture="bearing",
     ),
     # element beam3
     "beam3": ElementSpec(
         name="beam3",
-        digest="e7b0b0ad07f4d7f0",
+        digest="ce631facb7caf5d3",
         doc="triad ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp; d = xq - xp\n(along, across1, across2) = R(u_p)' d - d0\nw_p = angular velocity of the triad, in its own axes\nT = rhoA l0/6 (vp.vp + vp.vq + vq.vq) + l0/2 sum rhoJ_i w_i^2, uniform bar\nU = -rhoA l0 gravity.(xp + xq)/2",
         source="Meijaard, Papadopoulos, Ruina and Schwab 2007, supplement, PINBODY; UT SPACAR, RBEAM",
         nodes=(
@@ -443,9 +426,9 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("gravity", 3, "m/s^2", "acceleration of gravity"),
         ),
         deformations=(
-            DeformationSpec("along", "m", False, False),
-            DeformationSpec("across1", "m", False, False),
-            DeformationSpec("across2", "m", False, False),
+            DeformationSpec("along", "m", False),
+            DeformationSpec("across1", "m", False),
+            DeformationSpec("across2", "m", False),
         ),
         slips=(),
         kernels={
@@ -457,14 +440,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (0, 10), ()),
                 ),
                 172,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (3,), (0, 1, 2)),
-                    OutputSpec("s", (0,), ()),
-                ),
-                164,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -515,11 +490,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                 845,
             ),
         },
+        family="link",
+        picture="bar",
+        span="bar_span",
     ),
     # element beam
     "beam": ElementSpec(
         name="beam",
-        digest="d04fce21896d1200",
+        digest="06076628734987f6",
         doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nd = xq - xp, l = |d|, el = d/l\nb1 = l - l0                 b2 = l0 (ez_p.ey_q - ey_p.ez_q)/2\nb3 = -l0 ez_p.el            b4 = l0 ez_q.el\nb5 = l0 ey_p.el             b6 = -l0 ey_q.el\nelongation = b1 + (2 b3^2 + b3 b4 + 2 b4^2 + 2 b5^2 + b5 b6 + 2 b6^2)/(30 l0)\ntorsion = b2 + (b4 b5 - b3 b6)/l0\nbend1, bend2 = b3 + k, b4 - k with k = b2 (b5 + b6)/(6 l0)\nbend3, bend4 = b5 - h, b6 + h with h = b2 (b3 + b4)/(6 l0)\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_y, phi_z) cubic shapes, torsion linear; w_p, w_q angular velocities in the triads\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
         source="Meijaard 1996, Nonlinear Dyn. 9; Jonker and Meijaard 2013, Int. J. Non-Linear Mech. 53; Przemieniecki 1968 (mass with rotary inertia)",
         nodes=(
@@ -539,12 +517,12 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("gravity", 3, "m/s^2", "acceleration of gravity"),
         ),
         deformations=(
-            DeformationSpec("elongation", "m", False, False),
-            DeformationSpec("torsion", "m", False, False),
-            DeformationSpec("bend1", "m", False, False),
-            DeformationSpec("bend2", "m", False, False),
-            DeformationSpec("bend3", "m", False, False),
-            DeformationSpec("bend4", "m", False, False),
+            DeformationSpec("elongation", "m", False),
+            DeformationSpec("torsion", "m", False),
+            DeformationSpec("bend1", "m", False),
+            DeformationSpec("bend2", "m", False),
+            DeformationSpec("bend3", "m", False),
+            DeformationSpec("bend4", "m", False),
         ),
         slips=(),
         kernels={
@@ -556,14 +534,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (0, 14), ()),
                 ),
                 870,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (6,), tuple(range(6))),
-                    OutputSpec("s", (0,), ()),
-                ),
-                423,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -614,11 +584,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                 8280,
             ),
         },
+        family="beam",
+        picture="beam",
+        span="beam_span",
     ),
     # element beam_first_order
     "beam_first_order": ElementSpec(
         name="beam_first_order",
-        digest="dae5a50ddfb004c8",
+        digest="5084fd7c9f6b1a03",
         doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nd = xq - xp, l = |d|, el = d/l\nb1 = l - l0                 b2 = l0 (ez_p.ey_q - ey_p.ez_q)/2\nb3 = -l0 ez_p.el            b4 = l0 ez_q.el\nb5 = l0 ey_p.el             b6 = -l0 ey_q.el\nelongation, torsion, bend1, bend2, bend3, bend4 = b1, b2, b3, b4, b5, b6\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_y, phi_z) cubic shapes, torsion linear; w_p, w_q angular velocities in the triads\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
         source="Meijaard 1996, Nonlinear Dyn. 9; Jonker and Meijaard 2013, Int. J. Non-Linear Mech. 53; Przemieniecki 1968 (mass with rotary inertia)",
         nodes=(
@@ -638,12 +611,12 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("gravity", 3, "m/s^2", "acceleration of gravity"),
         ),
         deformations=(
-            DeformationSpec("elongation", "m", False, False),
-            DeformationSpec("torsion", "m", False, False),
-            DeformationSpec("bend1", "m", False, False),
-            DeformationSpec("bend2", "m", False, False),
-            DeformationSpec("bend3", "m", False, False),
-            DeformationSpec("bend4", "m", False, False),
+            DeformationSpec("elongation", "m", False),
+            DeformationSpec("torsion", "m", False),
+            DeformationSpec("bend1", "m", False),
+            DeformationSpec("bend2", "m", False),
+            DeformationSpec("bend3", "m", False),
+            DeformationSpec("bend4", "m", False),
         ),
         slips=(),
         kernels={
@@ -655,14 +628,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (0, 14), ()),
                 ),
                 551,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (6,), tuple(range(6))),
-                    OutputSpec("s", (0,), ()),
-                ),
-                338,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -713,11 +678,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                 8280,
             ),
         },
+        family="beam",
+        picture="beam",
+        span="beam_span",
     ),
     # element wheel
     "wheel": ElementSpec(
         name="wheel",
-        digest="a09215249236d753",
+        digest="c0b8f4837442dae8",
         doc="w hub, c contact point, d = xc - xw, a = R(lambda) axle, n = normal, ra = d x a\nradius = (d.d - R^2)/(2 R),  plane = a.d,  surface = n.xc - height,  lowest = n.ra\nomega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x d, the material point in contact\nlongitudinal = ra.vc/|ra|,  lateral = (n x ra).vc/|n x ra|,  spin = omega.n",
         source="Meijaard, Papadopoulos, Ruina and Schwab 2007, Proc. R. Soc. A 463:1955, supplement, WHEEL",
         nodes=(
@@ -732,10 +700,10 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("height", 1, "m", "distance of the road from the origin along its normal"),
         ),
         deformations=(
-            DeformationSpec("radius", "m", False, False),
-            DeformationSpec("plane", "m", False, False),
-            DeformationSpec("surface", "m", False, False),
-            DeformationSpec("lowest", "m", False, False),
+            DeformationSpec("radius", "m", False),
+            DeformationSpec("plane", "m", False),
+            DeformationSpec("surface", "m", False),
+            DeformationSpec("lowest", "m", False),
         ),
         slips=(
             SlipSpec("longitudinal", "m/s", False),
@@ -751,14 +719,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (3, 10), (0, 1, 2, 3, 4, 5, 6, 10, 11, 12, 13, 14, 15, 16, 23, 24, 25, 26)),
                 ),
                 319,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (4,), (0, 1, 2, 3)),
-                    OutputSpec("s", (3,), (0, 1, 2)),
-                ),
-                231,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -791,11 +751,13 @@ ELEMENTS: dict[str, ElementSpec] = {
                 807,
             ),
         },
+        family="wheel",
+        picture="wheel",
     ),
     # element surface
     "surface": ElementSpec(
         name="surface",
-        digest="fbe7bace4591c9b1",
+        digest="82396fec8a27a987",
         doc="height = quadratic.(x^2, y^2, z^2, x y, x z, y z) + linear.(x, y, z) + constant",
         source="SPACAR95 manual (Schwab and Meijaard 2000), SURFACE",
         nodes=(
@@ -807,7 +769,7 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("constant", 1, "m", "constant term"),
         ),
         deformations=(
-            DeformationSpec("height", "m", False, False),
+            DeformationSpec("height", "m", False),
         ),
         slips=(),
         kernels={
@@ -819,14 +781,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (0, 3), ()),
                 ),
                 33,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (1,), (0,)),
-                    OutputSpec("s", (0,), ()),
-                ),
-                30,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -859,11 +813,12 @@ ELEMENTS: dict[str, ElementSpec] = {
                 9,
             ),
         },
+        family="surface",
     ),
     # element toroidal_wheel
     "toroidal_wheel": ElementSpec(
         name="toroidal_wheel",
-        digest="719a02075867f239",
+        digest="3f07eb2a0344c818",
         doc="w hub, c contact point, d = xc + crown n - xw from the hub to the centre of the tube above the contact,\na = R(lambda) axle, n = normal, ra = d x a, rim = R - crown\nradius = (d.d - rim^2)/(2 rim),  plane = a.d,  surface = n.xc - height,  lowest = n.ra\nomega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x (xc - xw), the material point in contact\nlongitudinal = ra.vc/|ra|,  lateral = (n x ra).vc/|n x ra|,  spin = omega.n",
         source="Schwab and Meijaard 1999, ASME DETC99/VIB-8223 (wheel element); the crown lifts the contact off the rim's circle",
         nodes=(
@@ -879,10 +834,10 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("height", 1, "m", "distance of the road from the origin along its normal"),
         ),
         deformations=(
-            DeformationSpec("radius", "m", False, False),
-            DeformationSpec("plane", "m", False, False),
-            DeformationSpec("surface", "m", False, False),
-            DeformationSpec("lowest", "m", False, False),
+            DeformationSpec("radius", "m", False),
+            DeformationSpec("plane", "m", False),
+            DeformationSpec("surface", "m", False),
+            DeformationSpec("lowest", "m", False),
         ),
         slips=(
             SlipSpec("longitudinal", "m/s", False),
@@ -898,14 +853,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (3, 10), (0, 1, 2, 3, 4, 5, 6, 10, 11, 12, 13, 14, 15, 16, 23, 24, 25, 26)),
                 ),
                 326,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (4,), (0, 1, 2, 3)),
-                    OutputSpec("s", (3,), (0, 1, 2)),
-                ),
-                238,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -938,11 +885,13 @@ ELEMENTS: dict[str, ElementSpec] = {
                 814,
             ),
         },
+        family="wheel",
+        picture="wheel",
     ),
     # element tyre
     "tyre": ElementSpec(
         name="tyre",
-        digest="e61199d22fd11528",
+        digest="b88bbbe386d482df",
         doc="w wheel centre, a = R(lambda) axle, n = normal of the road below w, h = distance of w from the tangent plane\nan = |a x n|,  ex = a x n/an forward,  ey = n x ex sideways\nlength = (h - crown)/an in the plane of the wheel\nr = -length (n - (a.n) a)/an - crown n, from the centre to the contact point\ndeflection = R - crown - (h - crown)/an;  drop = R - h;  camber = atan2(a.n, an)\nomega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x r, the material point in contact\nforward = ex.xdot_w,  sideways = ey.xdot_w,  rolling = omega.a,\nlongitudinal = ex.vc,  lateral = ey.vc,  spin = omega.n",
         source="Frik, Leister, Schwartz 1993, Vehicle System Dynamics 22 suppl. (frames and slip angle of the wheel)",
         nodes=(
@@ -957,9 +906,9 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("height", 1, "m", "distance of the road from the origin along its normal"),
         ),
         deformations=(
-            DeformationSpec("deflection", "m", False, True),
-            DeformationSpec("drop", "m", False, True),
-            DeformationSpec("camber", "rad", False, True),
+            DeformationSpec("deflection", "m", True),
+            DeformationSpec("drop", "m", True),
+            DeformationSpec("camber", "rad", True),
         ),
         slips=(
             SlipSpec("forward", "m/s", True),
@@ -978,14 +927,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (6, 7), (0, 1, 2, 7, 8, 9, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 38, 39, 40, 41)),
                 ),
                 337,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (3,), (0, 1, 2)),
-                    OutputSpec("s", (6,), tuple(range(6))),
-                ),
-                254,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -1018,11 +959,13 @@ ELEMENTS: dict[str, ElementSpec] = {
                 1226,
             ),
         },
+        family="tyre",
+        picture="tyre",
     ),
     # element tyre_on_road
     "tyre_on_road": ElementSpec(
         name="tyre_on_road",
-        digest="dfe009c5651e32a6",
+        digest="20f7aca61131af30",
         doc="road: z = height + amplitude (1 - cos(2 pi s/wavelength))/2 with s = heading.(x, y) - start between 0 and\nwaves wavelength, z = height elsewhere (C1 at the ends, smooth between);  z up\nthe springs count the vertical distance, so that their force is normal to the road\nw wheel centre, a = R(lambda) axle, n = normal of the road below w, h = distance of w from the tangent plane\nan = |a x n|,  ex = a x n/an forward,  ey = n x ex sideways\nlength = (h - crown)/an in the plane of the wheel\nr = -length (n - (a.n) a)/an - crown n, from the centre to the contact point\ndeflection = R - crown - ((w_z - z) - crown)/an;  drop = R - (w_z - z);  camber = atan2(a.n, an)\nomega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x r, the material point in contact\nforward = ex.xdot_w,  sideways = ey.xdot_w,  rolling = omega.a,\nlongitudinal = ex.vc,  lateral = ey.vc,  spin = omega.n\ngrade = slope of the road along ex, rise for horizontal length times |horizontal part of ex|",
         source="Frik, Leister, Schwartz 1993, Vehicle System Dynamics 22 suppl. (frames and slip angle of the wheel)",
         nodes=(
@@ -1041,10 +984,10 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("heading", 2, "1", "horizontal unit vector along which the road rises"),
         ),
         deformations=(
-            DeformationSpec("deflection", "m", False, True),
-            DeformationSpec("drop", "m", False, True),
-            DeformationSpec("camber", "rad", False, True),
-            DeformationSpec("grade", "1", False, True),
+            DeformationSpec("deflection", "m", True),
+            DeformationSpec("drop", "m", True),
+            DeformationSpec("camber", "rad", True),
+            DeformationSpec("grade", "1", True),
         ),
         slips=(
             SlipSpec("forward", "m/s", True),
@@ -1063,14 +1006,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (6, 7), (0, 1, 2, 7, 8, 9, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 38, 39, 40, 41)),
                 ),
                 533,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (4,), (0, 1, 2, 3)),
-                    OutputSpec("s", (6,), tuple(range(6))),
-                ),
-                361,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -1103,11 +1038,13 @@ ELEMENTS: dict[str, ElementSpec] = {
                 1857,
             ),
         },
+        family="tyre",
+        picture="tyre",
     ),
     # element axle_slip
     "axle_slip": ElementSpec(
         name="axle_slip",
-        digest="491f09bc558813a8",
+        digest="ae57ec23269adb6c",
         doc="lateral = mean of ey.vc of the two wheels, each as in the element tyre; zero: an axle that rolls without\nslipping sideways in the mean",
         source="Schwab, talk on SPACAR (zero lateral slip of the road vehicle)",
         nodes=(
@@ -1135,14 +1072,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (1, 14), tuple(range(14))),
                 ),
                 252,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (0,), ()),
-                    OutputSpec("s", (1,), (0,)),
-                ),
-                270,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -1175,11 +1104,12 @@ ELEMENTS: dict[str, ElementSpec] = {
                 1228,
             ),
         },
+        family="tyre",
     ),
     # element rotation
     "rotation": ElementSpec(
         name="rotation",
-        digest="90e9bc3b757317e8",
+        digest="8bfd64251a679de0",
         doc="(wx, wy, wz) = 2 (lambdadot o conj(lambda)), angular velocity in global axes",
         source="Schwab and Meijaard 2006, DETC2006-99307",
         nodes=(
@@ -1201,14 +1131,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (3, 4), tuple(range(12))),
                 ),
                 7,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (0,), ()),
-                    OutputSpec("s", (3,), (0, 1, 2)),
-                ),
-                24,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -1241,11 +1163,12 @@ ELEMENTS: dict[str, ElementSpec] = {
                 6,
             ),
         },
+        family="sensor",
     ),
     # element body_rotation
     "body_rotation": ElementSpec(
         name="body_rotation",
-        digest="e8ddafe8d118b8f6",
+        digest="7b449a58d5624bcd",
         doc="u = lambda o t\n(wx, wy, wz) = 2 (conj(u) o udot), angular velocity in the axes of R(u)",
         source="Schwab and Meijaard 2006, DETC2006-99307",
         nodes=(
@@ -1269,14 +1192,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (3, 4), tuple(range(12))),
                 ),
                 92,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (0,), ()),
-                    OutputSpec("s", (3,), (0, 1, 2)),
-                ),
-                80,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -1309,11 +1224,12 @@ ELEMENTS: dict[str, ElementSpec] = {
                 86,
             ),
         },
+        family="sensor",
     ),
     # element body_velocity
     "body_velocity": ElementSpec(
         name="body_velocity",
-        digest="a79d16accc4bfcef",
+        digest="16d8f605347afe64",
         doc="(vx, vy, vz) = R(lambda)' xdot_p, velocity of the point in the axes of the frame",
         source="textbook mechanics",
         nodes=(
@@ -1336,14 +1252,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (3, 7), (0, 1, 2, 7, 8, 9, 14, 15, 16)),
                 ),
                 31,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (0,), ()),
-                    OutputSpec("s", (3,), (0, 1, 2)),
-                ),
-                43,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -1376,11 +1284,12 @@ ELEMENTS: dict[str, ElementSpec] = {
                 27,
             ),
         },
+        family="sensor",
     ),
     # element bar_span
     "bar_span": ElementSpec(
         name="bar_span",
-        digest="a86c5d8cd144bdfb",
+        digest="b2403969448b569b",
         doc="(x, y, z) = l0 (vp + vq)/2, rate of the integral of position over a straight bar",
         source="textbook mechanics (consistent nodal forces)",
         nodes=(
@@ -1405,14 +1314,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (3, 6), (0, 3, 7, 10, 14, 17)),
                 ),
                 1,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (0,), ()),
-                    OutputSpec("s", (3,), (0, 1, 2)),
-                ),
-                9,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -1445,11 +1346,12 @@ ELEMENTS: dict[str, ElementSpec] = {
                 0,
             ),
         },
+        family="span",
     ),
     # element beam_span
     "beam_span": ElementSpec(
         name="beam_span",
-        digest="4e10cdff35b6c03c",
+        digest="c733ae483e0ba226",
         doc="(x, y, z) = l0 ((vp + vq)/2 + l0 (exdot_p - exdot_q)/12), rate of the integral of position over the\nbeam's cubic Hermite interpolation; ex: first columns of R(lambda_p o tp), R(lambda_q o tq)",
         source="textbook mechanics (consistent nodal forces)",
         nodes=(
@@ -1478,14 +1380,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (3, 14), (0, 3, 4, 5, 6, 7, 10, 11, 12, 13, 15, 17, 18, 19, 20, 22, 24, 25, 26, 27, 30, 31, 32, 33, 34, 37, 38, 39, 40, 41)),
                 ),
                 169,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (0,), ()),
-                    OutputSpec("s", (3,), (0, 1, 2)),
-                ),
-                175,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -1518,11 +1412,12 @@ ELEMENTS: dict[str, ElementSpec] = {
                 326,
             ),
         },
+        family="span",
     ),
     # element planar_point_mass
     "planar_point_mass": ElementSpec(
         name="planar_point_mass",
-        digest="f22588a68588a407",
+        digest="3422bb7cc702242c",
         doc="T = mass v.v/2\nU = -mass gravity.x",
         source="textbook mechanics",
         nodes=(
@@ -1554,11 +1449,13 @@ ELEMENTS: dict[str, ElementSpec] = {
                 0,
             ),
         },
+        family="body",
+        picture="mass",
     ),
     # element planar_body
     "planar_body": ElementSpec(
         name="planar_body",
-        digest="6cf6f684a8c218f0",
+        digest="572d04c3f070df03",
         doc="b = R(angle) c,  vc = xdot + angledot (-b_y, b_x), velocity of the mass centre\nT = mass vc.vc/2 + J angledot^2/2\nU = -mass gravity.(x + b)",
         source="textbook mechanics",
         nodes=(
@@ -1593,11 +1490,13 @@ ELEMENTS: dict[str, ElementSpec] = {
                 90,
             ),
         },
+        family="body",
+        picture="body",
     ),
     # element planar_rotary_inertia
     "planar_rotary_inertia": ElementSpec(
         name="planar_rotary_inertia",
-        digest="a6168cc2e6815af8",
+        digest="06363f1ff712d34e",
         doc="T = J angledot^2/2",
         source="textbook mechanics",
         nodes=(
@@ -1628,11 +1527,12 @@ ELEMENTS: dict[str, ElementSpec] = {
                 0,
             ),
         },
+        family="body",
     ),
     # element planar_truss
     "planar_truss": ElementSpec(
         name="planar_truss",
-        digest="82d68f1d0a51ef46",
+        digest="fc0670bb60ae7523",
         doc="elongation = |xq - xp| - l0\nT = rhoA l0/6 (vp.vp + vp.vq + vq.vq), uniform bar\nU = -rhoA l0 gravity.(xp + xq)/2",
         source="van der Werff and Jonker 1984, NATO ASI F9, p. 381",
         nodes=(
@@ -1645,7 +1545,7 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("gravity", 2, "m/s^2", "acceleration of gravity"),
         ),
         deformations=(
-            DeformationSpec("elongation", "m", False, False),
+            DeformationSpec("elongation", "m", False),
         ),
         slips=(),
         kernels={
@@ -1657,14 +1557,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (0, 4), ()),
                 ),
                 12,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (1,), (0,)),
-                    OutputSpec("s", (0,), ()),
-                ),
-                13,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -1715,11 +1607,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                 0,
             ),
         },
+        family="truss",
+        picture="bar",
+        span="planar_bar_span",
     ),
     # element planar_hinge
     "planar_hinge": ElementSpec(
         name="planar_hinge",
-        digest="6ba42158e941d963",
+        digest="cefa0eb05f82b7f7",
         doc="angle = angle_q - angle_p - offset0 (counts turns)",
         source="SPACAR95 manual (Schwab and Meijaard 2000), PLHINGE",
         nodes=(
@@ -1730,7 +1625,7 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("offset0", 1, "rad", "difference of the angles when the deformation is zero"),
         ),
         deformations=(
-            DeformationSpec("angle", "rad", False, True),
+            DeformationSpec("angle", "rad", True),
         ),
         slips=(),
         kernels={
@@ -1742,14 +1637,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (0, 2), ()),
                 ),
                 2,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (1,), (0,)),
-                    OutputSpec("s", (0,), ()),
-                ),
-                1,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -1782,11 +1669,13 @@ ELEMENTS: dict[str, ElementSpec] = {
                 0,
             ),
         },
+        family="hinge",
+        picture="hinge",
     ),
     # element planar_beam
     "planar_beam": ElementSpec(
         name="planar_beam",
-        digest="362e2945d153049e",
+        digest="0f0ece63c0b6dd53",
         doc="ex, ey: directions of the element at p (angle_p + alpha0) and q (angle_q + alphaq0)\nd = xq - xp, l = |d|, el = d/l;  b1 = l - l0,  b5 = l0 ey_p.el,  b6 = -l0 ey_q.el\nelongation = b1 + (2 b5^2 + b5 b6 + 2 b6^2)/(30 l0),  bend1 = b5,  bend2 = b6\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_z) cubic shapes\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
         source="SPACAR95 manual (Schwab and Meijaard 2000), PLBEAM, PLBEAMNL; signs of the spatial beam's b5, b6; Meijaard 1996, Nonlinear Dyn. 9",
         nodes=(
@@ -1805,9 +1694,9 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("gravity", 2, "m/s^2", "acceleration of gravity"),
         ),
         deformations=(
-            DeformationSpec("elongation", "m", False, False),
-            DeformationSpec("bend1", "m", False, False),
-            DeformationSpec("bend2", "m", False, False),
+            DeformationSpec("elongation", "m", False),
+            DeformationSpec("bend1", "m", False),
+            DeformationSpec("bend2", "m", False),
         ),
         slips=(),
         kernels={
@@ -1819,14 +1708,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (0, 6), ()),
                 ),
                 107,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (3,), (0, 1, 2)),
-                    OutputSpec("s", (0,), ()),
-                ),
-                68,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -1877,11 +1758,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                 539,
             ),
         },
+        family="beam",
+        picture="beam",
+        span="planar_beam_span",
     ),
     # element planar_beam_first_order
     "planar_beam_first_order": ElementSpec(
         name="planar_beam_first_order",
-        digest="2c6ce5fe0749f4e7",
+        digest="fe1610ecc31c49af",
         doc="ex, ey: directions of the element at p (angle_p + alpha0) and q (angle_q + alphaq0)\nd = xq - xp, l = |d|, el = d/l;  b1 = l - l0,  b5 = l0 ey_p.el,  b6 = -l0 ey_q.el\nelongation = b1,  bend1 = b5,  bend2 = b6\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_z) cubic shapes\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
         source="SPACAR95 manual (Schwab and Meijaard 2000), PLBEAM, PLBEAMNL; signs of the spatial beam's b5, b6; Meijaard 1996, Nonlinear Dyn. 9",
         nodes=(
@@ -1900,9 +1784,9 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("gravity", 2, "m/s^2", "acceleration of gravity"),
         ),
         deformations=(
-            DeformationSpec("elongation", "m", False, False),
-            DeformationSpec("bend1", "m", False, False),
-            DeformationSpec("bend2", "m", False, False),
+            DeformationSpec("elongation", "m", False),
+            DeformationSpec("bend1", "m", False),
+            DeformationSpec("bend2", "m", False),
         ),
         slips=(),
         kernels={
@@ -1914,14 +1798,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (0, 6), ()),
                 ),
                 65,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (3,), (0, 1, 2)),
-                    OutputSpec("s", (0,), ()),
-                ),
-                48,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -1972,11 +1848,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                 539,
             ),
         },
+        family="beam",
+        picture="beam",
+        span="planar_beam_span",
     ),
     # element planar_beam3
     "planar_beam3": ElementSpec(
         name="planar_beam3",
-        digest="408e6bce41b88145",
+        digest="fdc7aab0023accfd",
         doc="ex, ey: directions of the element (angle_p + alpha0); d = xq - xp\nalong = ex.d - d0_x,  across = ey.d - d0_y\nT = rhoA l0/6 (vp.vp + vp.vq + vq.vq) + l0/2 rhoJ angledot^2, uniform bar\nU = -rhoA l0 gravity.(xp + xq)/2",
         source="planar counterpart of beam3",
         nodes=(
@@ -1993,8 +1872,8 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("gravity", 2, "m/s^2", "acceleration of gravity"),
         ),
         deformations=(
-            DeformationSpec("along", "m", False, False),
-            DeformationSpec("across", "m", False, False),
+            DeformationSpec("along", "m", False),
+            DeformationSpec("across", "m", False),
         ),
         slips=(),
         kernels={
@@ -2006,14 +1885,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (0, 5), ()),
                 ),
                 17,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (2,), (0, 1)),
-                    OutputSpec("s", (0,), ()),
-                ),
-                23,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -2064,11 +1935,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                 0,
             ),
         },
+        family="link",
+        picture="bar",
+        span="planar_bar_span",
     ),
     # element planar_bearing
     "planar_bearing": ElementSpec(
         name="planar_bearing",
-        digest="8713668dd3810443",
+        digest="7925b4ae9c03247c",
         doc="ex, ey: directions of the element (angle_p + alpha0); d = xq - xp\nalong = ex.d - d0_x,  across = ey.d - d0_y,  angle = angle_q - angle_p - offset0 (counts turns)",
         source="SPACAR95 manual (Schwab and Meijaard 2000), PLBEAR",
         nodes=(
@@ -2083,9 +1957,9 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("offset0", 1, "rad", "difference of the angles when the deformation is zero"),
         ),
         deformations=(
-            DeformationSpec("along", "m", False, False),
-            DeformationSpec("across", "m", False, False),
-            DeformationSpec("angle", "rad", False, True),
+            DeformationSpec("along", "m", False),
+            DeformationSpec("across", "m", False),
+            DeformationSpec("angle", "rad", True),
         ),
         slips=(),
         kernels={
@@ -2097,14 +1971,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (0, 6), ()),
                 ),
                 19,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (3,), (0, 1, 2)),
-                    OutputSpec("s", (0,), ()),
-                ),
-                24,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -2137,12 +2003,13 @@ ELEMENTS: dict[str, ElementSpec] = {
                 23,
             ),
         },
+        family="bearing",
     ),
     # element planar_belt
     "planar_belt": ElementSpec(
         name="planar_belt",
-        digest="152600f1af549654",
-        doc="d = xq - xp, psi its angle counted from psi0 (less than half a turn away)\nfree_length = sqrt(d.d - (radius_p - radius_q)^2), of the common tangent on the left of d\ntheta = psi - atan2(radius_p - radius_q, free_length), turn of the points of contact\nelongation = free_length + radius_p (angle_p - theta) - radius_q (angle_q - theta) - zero",
+        digest="9b08aa4e2767ad0c",
+        doc="d = xq - xp, psi its angle counted from psi0 (less than half a turn away)\nfree_length = sqrt(d.d - (radius_p - radius_q)^2), of the common tangent on the left of d\ntheta = psi - atan2(radius_p - radius_q, free_length), turn of the points of contact\nelongation = free_length + radius_p (angle_p - theta) - radius_q (angle_q - theta) - zero,\nperiod 2 pi (radius_p - radius_q): a turn of the line of centres, whose angle is a principal value",
         source="SPACAR95 manual (Schwab and Meijaard 2000), PLBELT; terms in theta from the geometry: without them the tension would not act along the belt",
         nodes=(
             NodeSpec("p", "planar_point"),
@@ -2157,7 +2024,7 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("zero", 1, "m", "length without strain, angles and turn taken as zero"),
         ),
         deformations=(
-            DeformationSpec("elongation", "m", False, False),
+            DeformationSpec("elongation", "m", False, period=(TermSpec(6.283185307179586, powers=(("radius_p", 0, 1),)), TermSpec(-6.283185307179586, powers=(("radius_q", 0, 1),)))),
         ),
         slips=(),
         kernels={
@@ -2169,14 +2036,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (0, 6), ()),
                 ),
                 53,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (1,), (0,)),
-                    OutputSpec("s", (0,), ()),
-                ),
-                49,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -2209,11 +2068,13 @@ ELEMENTS: dict[str, ElementSpec] = {
                 77,
             ),
         },
+        family="belt",
+        picture="belt",
     ),
     # element planar_gear
     "planar_gear": ElementSpec(
         name="planar_gear",
-        digest="a3ec170d343f7d9c",
+        digest="4973d6eac5494df8",
         doc="d = xq - xp, psi its angle counted from offset0, period 2 pi\nmesh = (radius_p angle_p + radius_q angle_q)/(radius_p + radius_q) - psi, an angle, so that any number\nof turns of the line of centres can be counted; (radius_p + radius_q) mesh is the displacement of the teeth",
         source="rolling of the pitch circles, radius_p (angle_p - psi) + radius_q (angle_q - psi) = const; UT SPACAR, GEAR",
         nodes=(
@@ -2228,7 +2089,7 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("offset0", 1, "rad", "difference of the angles when the deformation is zero"),
         ),
         deformations=(
-            DeformationSpec("mesh", "rad", True, False),
+            DeformationSpec("mesh", "rad", False, period=(TermSpec(6.283185307179586),)),
         ),
         slips=(),
         kernels={
@@ -2240,14 +2101,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (0, 6), ()),
                 ),
                 34,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (1,), (0,)),
-                    OutputSpec("s", (0,), ()),
-                ),
-                33,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -2280,11 +2133,13 @@ ELEMENTS: dict[str, ElementSpec] = {
                 53,
             ),
         },
+        family="gear",
+        picture="gears",
     ),
     # element planar_wheel
     "planar_wheel": ElementSpec(
         name="planar_wheel",
-        digest="fb21d158a818ac2c",
+        digest="55d3a7be73bd2035",
         doc="ex, ey: direction of travel (angle_r + alpha0) and its normal; angle_s is the turn about the axle\nlongitudinal = ex.v - radius angledot_s,  lateral = ey.v",
         source="SPACAR95 manual (Schwab and Meijaard 2000), PLWHEEL",
         nodes=(
@@ -2310,14 +2165,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (2, 4), (0, 1, 3, 4, 5)),
                 ),
                 5,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (0,), ()),
-                    OutputSpec("s", (2,), (0, 1)),
-                ),
-                11,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -2350,11 +2197,13 @@ ELEMENTS: dict[str, ElementSpec] = {
                 10,
             ),
         },
+        family="wheel",
+        picture="disc",
     ),
     # element planar_body_velocity
     "planar_body_velocity": ElementSpec(
         name="planar_body_velocity",
-        digest="f28d34cdc337f22d",
+        digest="36cfeccaceffa584",
         doc="(vx, vy) = R(angle)' xdot_p, velocity of the point in the axes of the angle node",
         source="textbook mechanics",
         nodes=(
@@ -2376,14 +2225,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (2, 3), (0, 1, 3, 4)),
                 ),
                 3,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (0,), ()),
-                    OutputSpec("s", (2,), (0, 1)),
-                ),
-                8,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -2416,11 +2257,12 @@ ELEMENTS: dict[str, ElementSpec] = {
                 9,
             ),
         },
+        family="sensor",
     ),
     # element planar_bar_span
     "planar_bar_span": ElementSpec(
         name="planar_bar_span",
-        digest="54fd3e8820f139ba",
+        digest="6d544293988bba62",
         doc="(x, y, z) = l0 (vp + vq)/2, rate of the integral of position over a straight bar",
         source="textbook mechanics (consistent nodal forces)",
         nodes=(
@@ -2444,14 +2286,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (2, 4), (0, 2, 5, 7)),
                 ),
                 1,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (0,), ()),
-                    OutputSpec("s", (2,), (0, 1)),
-                ),
-                6,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -2484,11 +2318,12 @@ ELEMENTS: dict[str, ElementSpec] = {
                 0,
             ),
         },
+        family="span",
     ),
     # element planar_beam_span
     "planar_beam_span": ElementSpec(
         name="planar_beam_span",
-        digest="2b3f5c8c0e27ce9f",
+        digest="4ba5773cef72f8f5",
         doc="(x, y) = l0 ((vp + vq)/2 + l0 (exdot_p - exdot_q)/12), rate of the integral of position over the\nbeam's cubic Hermite interpolation; ex: directions of the element at p and q",
         source="textbook mechanics (consistent nodal forces)",
         nodes=(
@@ -2516,14 +2351,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (2, 6), (0, 2, 3, 5, 7, 8, 10, 11)),
                 ),
                 18,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (0,), ()),
-                    OutputSpec("s", (2,), (0, 1)),
-                ),
-                24,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -2556,11 +2383,12 @@ ELEMENTS: dict[str, ElementSpec] = {
                 18,
             ),
         },
+        family="span",
     ),
     # element cable
     "cable": ElementSpec(
         name="cable",
-        digest="49a5e6dd4fb5947f",
+        digest="1918e9102c28433d",
         doc="r(s): cubic Hermite curve with slopes dp, dq = dr/ds by the undeformed arc length s at the ends\nstrain = (r'.r' - 1)/2 at 4 Gauss points of (0, l0); curvature = (r' x r'')/|r'|^3 at 3 Gauss points\nwork: EA strain and EI curvature, each times its Gauss weight (of sum l0), are the stresses of a rope\nT = rhoA/2 int rdot.rdot ds (constant mass matrix),  U = -rhoA gravity.int r ds",
         source="Berzeri and Shabana 2000, J. Sound Vib. 235:539; Gerstmayr and Shabana 2006, Nonlinear Dyn. 45:109",
         nodes=(
@@ -2575,19 +2403,19 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("gravity", 3, "m/s^2", "acceleration of gravity"),
         ),
         deformations=(
-            DeformationSpec("strain1", "1", False, True),
-            DeformationSpec("strain2", "1", False, True),
-            DeformationSpec("strain3", "1", False, True),
-            DeformationSpec("strain4", "1", False, True),
-            DeformationSpec("curvature1x", "1/m", False, True),
-            DeformationSpec("curvature1y", "1/m", False, True),
-            DeformationSpec("curvature1z", "1/m", False, True),
-            DeformationSpec("curvature2x", "1/m", False, True),
-            DeformationSpec("curvature2y", "1/m", False, True),
-            DeformationSpec("curvature2z", "1/m", False, True),
-            DeformationSpec("curvature3x", "1/m", False, True),
-            DeformationSpec("curvature3y", "1/m", False, True),
-            DeformationSpec("curvature3z", "1/m", False, True),
+            DeformationSpec("strain1", "1", True),
+            DeformationSpec("strain2", "1", True),
+            DeformationSpec("strain3", "1", True),
+            DeformationSpec("strain4", "1", True),
+            DeformationSpec("curvature1x", "1/m", True),
+            DeformationSpec("curvature1y", "1/m", True),
+            DeformationSpec("curvature1z", "1/m", True),
+            DeformationSpec("curvature2x", "1/m", True),
+            DeformationSpec("curvature2y", "1/m", True),
+            DeformationSpec("curvature2z", "1/m", True),
+            DeformationSpec("curvature3x", "1/m", True),
+            DeformationSpec("curvature3y", "1/m", True),
+            DeformationSpec("curvature3z", "1/m", True),
         ),
         slips=(),
         kernels={
@@ -2599,14 +2427,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (0, 12), ()),
                 ),
                 640,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (13,), tuple(range(13))),
-                    OutputSpec("s", (0,), ()),
-                ),
-                492,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -2657,11 +2477,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                 0,
             ),
         },
+        family="cable",
+        picture="rope",
+        span="cable_span",
     ),
     # element slope_clamp
     "slope_clamp": ElementSpec(
         name="slope_clamp",
-        digest="ccd55d0ed9dcfc59",
+        digest="08bac3743f07f08a",
         doc="triad ex, ey, ez: columns of R(lambda o t);  across_y = ey.d,  across_z = ez.d",
         source="textbook mechanics",
         nodes=(
@@ -2672,8 +2495,8 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("t", 4, "1", "unit quaternion from the body frame to a triad whose first axis is the held direction"),
         ),
         deformations=(
-            DeformationSpec("across_y", "1", False, False),
-            DeformationSpec("across_z", "1", False, False),
+            DeformationSpec("across_y", "1", False),
+            DeformationSpec("across_z", "1", False),
         ),
         slips=(),
         kernels={
@@ -2685,14 +2508,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (0, 7), ()),
                 ),
                 133,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (2,), (0, 1)),
-                    OutputSpec("s", (0,), ()),
-                ),
-                136,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -2725,11 +2540,12 @@ ELEMENTS: dict[str, ElementSpec] = {
                 263,
             ),
         },
+        family="clamp",
     ),
     # element cable_span
     "cable_span": ElementSpec(
         name="cable_span",
-        digest="7e554948f71f970a",
+        digest="2056656ec90a6f36",
         doc="l0 ((vp + vq)/2 + l0 (dpdot - dqdot)/12), rate of the integral of position over a cable's cubic curve",
         source="textbook mechanics (consistent nodal forces)",
         nodes=(
@@ -2756,14 +2572,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (3, 12), (0, 3, 6, 9, 13, 16, 19, 22, 26, 29, 32, 35)),
                 ),
                 4,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (0,), ()),
-                    OutputSpec("s", (3,), (0, 1, 2)),
-                ),
-                21,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -2796,11 +2604,12 @@ ELEMENTS: dict[str, ElementSpec] = {
                 0,
             ),
         },
+        family="span",
     ),
     # element cable_cylinder
     "cable_cylinder": ElementSpec(
         name="cable_cylinder",
-        digest="0cdf624fa3c16aa0",
+        digest="5cc2e911fc9eff72",
         doc="x: point at the fraction xi of the cable's cubic curve; triad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\ndistance = |(yy, yz)| from the axle ex, (ny, nz) = (yy, yz)/distance\ngap = distance - radius - rope_radius,  tangential = ny ydot_z - nz ydot_y,  axial = ydot_x",
         source="textbook mechanics",
         nodes=(
@@ -2820,7 +2629,7 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("rope_radius", 1, "m", "outer radius of the rope"),
         ),
         deformations=(
-            DeformationSpec("gap", "m", False, True),
+            DeformationSpec("gap", "m", True, kind="gap"),
         ),
         slips=(
             SlipSpec("tangential", "m/s", True),
@@ -2836,14 +2645,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 394,
             ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (1,), (0,)),
-                    OutputSpec("s", (2,), (0, 1)),
-                ),
-                268,
-            ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
                 (
@@ -2857,7 +2658,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                 (
                     OutputSpec("Phi_x", (3, 19), tuple(range(57))),
                 ),
-                764,
+                763,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -2875,11 +2676,13 @@ ELEMENTS: dict[str, ElementSpec] = {
                 2726,
             ),
         },
+        family="contact",
+        picture="contact",
     ),
     # element cable_plane
     "cable_plane": ElementSpec(
         name="cable_plane",
-        digest="d8df0a8058654fca",
+        digest="b7de6a0384ec301b",
         doc="x: point at the fraction xi of the cable's cubic curve; triad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\ngap = yz - rope_radius, the plane is z = 0;  x = ydot_x,  y = ydot_y",
         source="textbook mechanics",
         nodes=(
@@ -2898,7 +2701,7 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("rope_radius", 1, "m", "outer radius of the rope"),
         ),
         deformations=(
-            DeformationSpec("gap", "m", False, True),
+            DeformationSpec("gap", "m", True, kind="gap"),
         ),
         slips=(
             SlipSpec("x", "m/s", True),
@@ -2913,14 +2716,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (2, 19), tuple(range(38))),
                 ),
                 333,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (1,), (0,)),
-                    OutputSpec("s", (2,), (0, 1)),
-                ),
-                225,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -2953,11 +2748,13 @@ ELEMENTS: dict[str, ElementSpec] = {
                 1353,
             ),
         },
+        family="contact",
+        picture="contact",
     ),
     # element cable_v_groove
     "cable_v_groove": ElementSpec(
         name="cable_v_groove",
-        digest="80b8cb8524369dc0",
+        digest="27301701c7786658",
         doc="x: point at the fraction xi of the cable's cubic curve; triad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\ndistance = |(yy, yz)| from the axle ex, h = distance - radius - rope_radius; two flanks of half the angle beta\ngap1 = h sin beta - yx cos beta,  gap2 = h sin beta + yx cos beta: both closed at h = 0 in the middle\ntangential as for a cylinder,  across1, across2 = hdot cos beta +- ydot_x sin beta, up the flanks",
         source="textbook mechanics",
         nodes=(
@@ -2978,8 +2775,8 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("rope_radius", 1, "m", "outer radius of the rope"),
         ),
         deformations=(
-            DeformationSpec("gap1", "m", False, True),
-            DeformationSpec("gap2", "m", False, True),
+            DeformationSpec("gap1", "m", True, kind="gap"),
+            DeformationSpec("gap2", "m", True, kind="gap"),
         ),
         slips=(
             SlipSpec("tangential", "m/s", True),
@@ -2995,14 +2792,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (3, 19), tuple(range(57))),
                 ),
                 575,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (2,), (0, 1)),
-                    OutputSpec("s", (3,), (0, 1, 2)),
-                ),
-                293,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -3035,11 +2824,13 @@ ELEMENTS: dict[str, ElementSpec] = {
                 2801,
             ),
         },
+        family="contact",
+        picture="contact",
     ),
     # element cable_round_groove
     "cable_round_groove": ElementSpec(
         name="cable_round_groove",
-        digest="3e6954f14ac7ecd0",
+        digest="08ed2e071f19468b",
         doc="x: point at the fraction xi of the cable's cubic curve; triad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\nw = (radius + groove_radius - distance from the axle ex, yx), from the centre of the round bottom to the rope\ngap = groove_radius - rope_radius - n.w, n = w/|w| on the bottom, (sin beta, +-cos beta) on the flanks that\ncontinue it;  tangential as for a cylinder,  across = n_0 ydot_x + n_1 distancedot, along the groove's profile",
         source="textbook mechanics",
         nodes=(
@@ -3061,7 +2852,7 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("rope_radius", 1, "m", "outer radius of the rope"),
         ),
         deformations=(
-            DeformationSpec("gap", "m", False, True),
+            DeformationSpec("gap", "m", True, kind="gap"),
         ),
         slips=(
             SlipSpec("tangential", "m/s", True),
@@ -3076,14 +2867,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (2, 19), tuple(range(38))),
                 ),
                 478,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (1,), (0,)),
-                    OutputSpec("s", (2,), (0, 1)),
-                ),
-                320,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -3116,11 +2899,13 @@ ELEMENTS: dict[str, ElementSpec] = {
                 3268,
             ),
         },
+        family="contact",
+        picture="contact",
     ),
     # element planar_cable
     "planar_cable": ElementSpec(
         name="planar_cable",
-        digest="2852ed273422cfd2",
+        digest="4bbdd74f127b2020",
         doc="r(s): cubic Hermite curve with slopes dp, dq = dr/ds by the undeformed arc length s at the ends\nstrain = (r'.r' - 1)/2 at 4 Gauss points of (0, l0); curvature = (r' x r'')/|r'|^3 at 3 Gauss points\nwork: EA strain and EI curvature, each times its Gauss weight (of sum l0), are the stresses of a rope\nT = rhoA/2 int rdot.rdot ds (constant mass matrix),  U = -rhoA gravity.int r ds",
         source="Berzeri and Shabana 2000, J. Sound Vib. 235:539; Gerstmayr and Shabana 2006, Nonlinear Dyn. 45:109",
         nodes=(
@@ -3135,13 +2920,13 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("gravity", 2, "m/s^2", "acceleration of gravity"),
         ),
         deformations=(
-            DeformationSpec("strain1", "1", False, True),
-            DeformationSpec("strain2", "1", False, True),
-            DeformationSpec("strain3", "1", False, True),
-            DeformationSpec("strain4", "1", False, True),
-            DeformationSpec("curvature1", "1/m", False, True),
-            DeformationSpec("curvature2", "1/m", False, True),
-            DeformationSpec("curvature3", "1/m", False, True),
+            DeformationSpec("strain1", "1", True),
+            DeformationSpec("strain2", "1", True),
+            DeformationSpec("strain3", "1", True),
+            DeformationSpec("strain4", "1", True),
+            DeformationSpec("curvature1", "1/m", True),
+            DeformationSpec("curvature2", "1/m", True),
+            DeformationSpec("curvature3", "1/m", True),
         ),
         slips=(),
         kernels={
@@ -3153,14 +2938,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (0, 8), ()),
                 ),
                 302,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (7,), tuple(range(7))),
-                    OutputSpec("s", (0,), ()),
-                ),
-                286,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -3211,11 +2988,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                 0,
             ),
         },
+        family="cable",
+        picture="rope",
+        span="planar_cable_span",
     ),
     # element planar_slope_clamp
     "planar_slope_clamp": ElementSpec(
         name="planar_slope_clamp",
-        digest="e0d85b77a082ab2e",
+        digest="1f88e7ec809e9cf8",
         doc="ex, ey: directions at angle + alpha0;  across = ey.d",
         source="planar counterpart of slope_clamp",
         nodes=(
@@ -3226,7 +3006,7 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("alpha0", 1, "rad", "initial direction of the element minus the angle of node p"),
         ),
         deformations=(
-            DeformationSpec("across", "1", False, False),
+            DeformationSpec("across", "1", False),
         ),
         slips=(),
         kernels={
@@ -3236,14 +3016,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("e", (1,), (0,)),
                     OutputSpec("De", (1, 3), (0, 1, 2)),
                     OutputSpec("V", (0, 3), ()),
-                ),
-                11,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (1,), (0,)),
-                    OutputSpec("s", (0,), ()),
                 ),
                 11,
             ),
@@ -3278,11 +3050,12 @@ ELEMENTS: dict[str, ElementSpec] = {
                 12,
             ),
         },
+        family="clamp",
     ),
     # element planar_cable_span
     "planar_cable_span": ElementSpec(
         name="planar_cable_span",
-        digest="0b6db2958d79cc9f",
+        digest="0d6a34fcdefb0998",
         doc="l0 ((vp + vq)/2 + l0 (dpdot - dqdot)/12), rate of the integral of position over a cable's cubic curve",
         source="textbook mechanics (consistent nodal forces)",
         nodes=(
@@ -3308,14 +3081,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (2, 8), (0, 2, 4, 6, 9, 11, 13, 15)),
                 ),
                 4,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (0,), ()),
-                    OutputSpec("s", (2,), (0, 1)),
-                ),
-                14,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -3348,11 +3113,12 @@ ELEMENTS: dict[str, ElementSpec] = {
                 0,
             ),
         },
+        family="span",
     ),
     # element planar_cable_circle
     "planar_cable_circle": ElementSpec(
         name="planar_cable_circle",
-        digest="8d8817f8dc85f856",
+        digest="a5a5cf784f2df773",
         doc="x: point at the fraction xi of the cable's cubic curve;  ex, ey: directions at angle + alpha0\nw = xdot - xcdot - angledot ez x (x - xc), the velocity seen from the body\na = x - xc - offset_x ex - offset_y ey\ngap = |a| - radius - rope_radius,  tangential = (ax wy - ay wx)/|a|, counterclockwise",
         source="planar counterpart of contact in space",
         nodes=(
@@ -3372,7 +3138,7 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("rope_radius", 1, "m", "outer radius of the rope"),
         ),
         deformations=(
-            DeformationSpec("gap", "m", False, True),
+            DeformationSpec("gap", "m", True, kind="gap"),
         ),
         slips=(
             SlipSpec("tangential", "m/s", True),
@@ -3387,14 +3153,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 72,
             ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (1,), (0,)),
-                    OutputSpec("s", (1,), (0,)),
-                ),
-                88,
-            ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
                 (
@@ -3408,7 +3166,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                 (
                     OutputSpec("Phi_x", (2, 11), tuple(range(22))),
                 ),
-                164,
+                163,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -3426,11 +3184,13 @@ ELEMENTS: dict[str, ElementSpec] = {
                 391,
             ),
         },
+        family="contact",
+        picture="contact",
     ),
     # element planar_cable_line
     "planar_cable_line": ElementSpec(
         name="planar_cable_line",
-        digest="ba1dc5a65c6fdea4",
+        digest="34481bf531d08858",
         doc="x: point at the fraction xi of the cable's cubic curve;  ex, ey: directions at angle + alpha0\nw = xdot - xcdot - angledot ez x (x - xc), the velocity seen from the body\ngap = ey.(x - xc) - offset_y - rope_radius,  tangential = ex.w",
         source="planar counterpart of contact in space",
         nodes=(
@@ -3449,7 +3209,7 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("rope_radius", 1, "m", "outer radius of the rope"),
         ),
         deformations=(
-            DeformationSpec("gap", "m", False, True),
+            DeformationSpec("gap", "m", True, kind="gap"),
         ),
         slips=(
             SlipSpec("tangential", "m/s", True),
@@ -3463,14 +3223,6 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("V", (1, 11), tuple(range(11))),
                 ),
                 56,
-            ),
-            "velocity": KernelSpec(
-                ("x", "v", "p"),
-                (
-                    OutputSpec("ed", (1,), (0,)),
-                    OutputSpec("s", (1,), (0,)),
-                ),
-                67,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -3503,6 +3255,8 @@ ELEMENTS: dict[str, ElementSpec] = {
                 60,
             ),
         },
+        family="contact",
+        picture="contact",
     ),
     # end
 }
@@ -3511,15 +3265,15 @@ LAWS: dict[str, LawSpec] = {
     # law linear_1
     "linear_1": LawSpec(
         name="linear_1",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=1,
         slips=0,
         states=(),
         parameters=(
             ParameterSpec("preload", 1, "N or N m", "stress at zero deformation"),
-            ParameterSpec("S", 1, "N/m or N m", "stiffness, upper triangle, row by row"),
-            ParameterSpec("D", 1, "N s/m or N m s", "damping, upper triangle, row by row"),
+            ParameterSpec("S", 1, "N/m or N m", "stiffness, upper triangle, row by row", sign=("semidefinite",)),
+            ParameterSpec("D", 1, "N s/m or N m s", "damping, upper triangle, row by row", sign=("semidefinite",)),
         ),
         kernels={
             "law": KernelSpec(
@@ -3545,15 +3299,15 @@ LAWS: dict[str, LawSpec] = {
     # law linear_2
     "linear_2": LawSpec(
         name="linear_2",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=2,
         slips=0,
         states=(),
         parameters=(
             ParameterSpec("preload", 2, "N or N m", "stress at zero deformation"),
-            ParameterSpec("S", 3, "N/m or N m", "stiffness, upper triangle, row by row"),
-            ParameterSpec("D", 3, "N s/m or N m s", "damping, upper triangle, row by row"),
+            ParameterSpec("S", 3, "N/m or N m", "stiffness, upper triangle, row by row", sign=("semidefinite",)),
+            ParameterSpec("D", 3, "N s/m or N m s", "damping, upper triangle, row by row", sign=("semidefinite",)),
         ),
         kernels={
             "law": KernelSpec(
@@ -3579,15 +3333,15 @@ LAWS: dict[str, LawSpec] = {
     # law linear_3
     "linear_3": LawSpec(
         name="linear_3",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=3,
         slips=0,
         states=(),
         parameters=(
             ParameterSpec("preload", 3, "N or N m", "stress at zero deformation"),
-            ParameterSpec("S", 6, "N/m or N m", "stiffness, upper triangle, row by row"),
-            ParameterSpec("D", 6, "N s/m or N m s", "damping, upper triangle, row by row"),
+            ParameterSpec("S", 6, "N/m or N m", "stiffness, upper triangle, row by row", sign=("semidefinite",)),
+            ParameterSpec("D", 6, "N s/m or N m s", "damping, upper triangle, row by row", sign=("semidefinite",)),
         ),
         kernels={
             "law": KernelSpec(
@@ -3613,15 +3367,15 @@ LAWS: dict[str, LawSpec] = {
     # law linear_4
     "linear_4": LawSpec(
         name="linear_4",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=4,
         slips=0,
         states=(),
         parameters=(
             ParameterSpec("preload", 4, "N or N m", "stress at zero deformation"),
-            ParameterSpec("S", 10, "N/m or N m", "stiffness, upper triangle, row by row"),
-            ParameterSpec("D", 10, "N s/m or N m s", "damping, upper triangle, row by row"),
+            ParameterSpec("S", 10, "N/m or N m", "stiffness, upper triangle, row by row", sign=("semidefinite",)),
+            ParameterSpec("D", 10, "N s/m or N m s", "damping, upper triangle, row by row", sign=("semidefinite",)),
         ),
         kernels={
             "law": KernelSpec(
@@ -3647,15 +3401,15 @@ LAWS: dict[str, LawSpec] = {
     # law linear_5
     "linear_5": LawSpec(
         name="linear_5",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=5,
         slips=0,
         states=(),
         parameters=(
             ParameterSpec("preload", 5, "N or N m", "stress at zero deformation"),
-            ParameterSpec("S", 15, "N/m or N m", "stiffness, upper triangle, row by row"),
-            ParameterSpec("D", 15, "N s/m or N m s", "damping, upper triangle, row by row"),
+            ParameterSpec("S", 15, "N/m or N m", "stiffness, upper triangle, row by row", sign=("semidefinite",)),
+            ParameterSpec("D", 15, "N s/m or N m s", "damping, upper triangle, row by row", sign=("semidefinite",)),
         ),
         kernels={
             "law": KernelSpec(
@@ -3681,15 +3435,15 @@ LAWS: dict[str, LawSpec] = {
     # law linear_6
     "linear_6": LawSpec(
         name="linear_6",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=6,
         slips=0,
         states=(),
         parameters=(
             ParameterSpec("preload", 6, "N or N m", "stress at zero deformation"),
-            ParameterSpec("S", 21, "N/m or N m", "stiffness, upper triangle, row by row"),
-            ParameterSpec("D", 21, "N s/m or N m s", "damping, upper triangle, row by row"),
+            ParameterSpec("S", 21, "N/m or N m", "stiffness, upper triangle, row by row", sign=("semidefinite",)),
+            ParameterSpec("D", 21, "N s/m or N m s", "damping, upper triangle, row by row", sign=("semidefinite",)),
         ),
         kernels={
             "law": KernelSpec(
@@ -3715,15 +3469,15 @@ LAWS: dict[str, LawSpec] = {
     # law diagonal_7
     "diagonal_7": LawSpec(
         name="diagonal_7",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="sigma_i = preload_i + S_i e_i + D_i ed_i\nenergy = sum of preload_i e_i + S_i e_i^2/2",
         deformations=7,
         slips=0,
         states=(),
         parameters=(
             ParameterSpec("preload", 7, "N or N m", "stress at zero deformation"),
-            ParameterSpec("S", 7, "N/m or N m", "stiffness of each deformation"),
-            ParameterSpec("D", 7, "N s/m or N m s", "damping of each deformation"),
+            ParameterSpec("S", 7, "N/m or N m", "stiffness of each deformation", sign=("not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative")),
+            ParameterSpec("D", 7, "N s/m or N m s", "damping of each deformation", sign=("not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative")),
         ),
         kernels={
             "law": KernelSpec(
@@ -3749,15 +3503,15 @@ LAWS: dict[str, LawSpec] = {
     # law diagonal_13
     "diagonal_13": LawSpec(
         name="diagonal_13",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="sigma_i = preload_i + S_i e_i + D_i ed_i\nenergy = sum of preload_i e_i + S_i e_i^2/2",
         deformations=13,
         slips=0,
         states=(),
         parameters=(
             ParameterSpec("preload", 13, "N or N m", "stress at zero deformation"),
-            ParameterSpec("S", 13, "N/m or N m", "stiffness of each deformation"),
-            ParameterSpec("D", 13, "N s/m or N m s", "damping of each deformation"),
+            ParameterSpec("S", 13, "N/m or N m", "stiffness of each deformation", sign=("not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative")),
+            ParameterSpec("D", 13, "N s/m or N m s", "damping of each deformation", sign=("not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative")),
         ),
         kernels={
             "law": KernelSpec(
@@ -3783,13 +3537,13 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_1
     "viscous_1": LawSpec(
         name="viscous_1",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="tau = C s",
         deformations=0,
         slips=1,
         states=(),
         parameters=(
-            ParameterSpec("C", 1, "N s/m or N m s", "viscosity, upper triangle, row by row"),
+            ParameterSpec("C", 1, "N s/m or N m s", "viscosity, upper triangle, row by row", sign=("semidefinite",)),
         ),
         kernels={
             "law": KernelSpec(
@@ -3815,13 +3569,13 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_2
     "viscous_2": LawSpec(
         name="viscous_2",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="tau = C s",
         deformations=0,
         slips=2,
         states=(),
         parameters=(
-            ParameterSpec("C", 3, "N s/m or N m s", "viscosity, upper triangle, row by row"),
+            ParameterSpec("C", 3, "N s/m or N m s", "viscosity, upper triangle, row by row", sign=("semidefinite",)),
         ),
         kernels={
             "law": KernelSpec(
@@ -3847,13 +3601,13 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_3
     "viscous_3": LawSpec(
         name="viscous_3",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="tau = C s",
         deformations=0,
         slips=3,
         states=(),
         parameters=(
-            ParameterSpec("C", 6, "N s/m or N m s", "viscosity, upper triangle, row by row"),
+            ParameterSpec("C", 6, "N s/m or N m s", "viscosity, upper triangle, row by row", sign=("semidefinite",)),
         ),
         kernels={
             "law": KernelSpec(
@@ -3879,7 +3633,7 @@ LAWS: dict[str, LawSpec] = {
     # law spring_curve
     "spring_curve": LawSpec(
         name="spring_curve",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="y = x - origin, sum of c_i y^i in the piece in which x lies (x < next break), end pieces beyond\nsigma = that sum with x = e;  energy = its integral",
         deformations=1,
         slips=0,
@@ -3914,7 +3668,7 @@ LAWS: dict[str, LawSpec] = {
     # law damper_curve
     "damper_curve": LawSpec(
         name="damper_curve",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="y = x - origin, sum of c_i y^i in the piece in which x lies (x < next break), end pieces beyond\nsigma = that sum with x = the rate of e",
         deformations=1,
         slips=0,
@@ -3948,15 +3702,15 @@ LAWS: dict[str, LawSpec] = {
     # law stop
     "stop": LawSpec(
         name="stop",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="depth = max(0, e - gap);  sigma = stiffness depth max(0, 1 + damping edot), never pulling",
         deformations=1,
         slips=0,
         states=(),
         parameters=(
             ParameterSpec("gap", 1, "m or rad", "deformation at which it is touched"),
-            ParameterSpec("stiffness", 1, "N/m or N m/rad", "stiffness once touched"),
-            ParameterSpec("damping", 1, "s/m or s/rad", "loss relative to the elastic force, for unit rate"),
+            ParameterSpec("stiffness", 1, "N/m or N m/rad", "stiffness once touched", sign=("not negative",)),
+            ParameterSpec("damping", 1, "s/m or s/rad", "loss relative to the elastic force, for unit rate", sign=("not negative",)),
         ),
         kernels={
             "law": KernelSpec(
@@ -3982,14 +3736,14 @@ LAWS: dict[str, LawSpec] = {
     # law vertical_tyre
     "vertical_tyre": LawSpec(
         name="vertical_tyre",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="sigma = Fz\nFz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0",
         deformations=1,
         slips=0,
         states=(),
         parameters=(
-            ParameterSpec("stiffness", 1, "N/m", "vertical stiffness"),
-            ParameterSpec("damping", 1, "N s/m", "vertical damping while the tyre is pressed"),
+            ParameterSpec("stiffness", 1, "N/m", "vertical stiffness", sign=("not negative",)),
+            ParameterSpec("damping", 1, "N s/m", "vertical damping while the tyre is pressed", sign=("not negative",)),
         ),
         kernels={
             "law": KernelSpec(
@@ -4015,18 +3769,18 @@ LAWS: dict[str, LawSpec] = {
     # law linear_tyre
     "linear_tyre": LawSpec(
         name="linear_tyre",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="Fz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0\nslip angle alpha = atan(sideways/max(|forward|, standstill)), of the wheel's centre\ntau(lateral) = -fade Fy, tau(spin) = -fade Mz;  fade = 3 u^2 - 2 u^3, u = min(1, |forward|/standstill)\nFy = -cornering alpha - camber_stiffness camber while pressed, whatever the load;  Mz = -trail Fy",
         deformations=2,
         slips=4,
         states=(),
         parameters=(
-            ParameterSpec("stiffness", 1, "N/m", "vertical stiffness"),
-            ParameterSpec("damping", 1, "N s/m", "vertical damping while the tyre is pressed"),
-            ParameterSpec("cornering", 1, "N/rad", "cornering stiffness"),
+            ParameterSpec("stiffness", 1, "N/m", "vertical stiffness", sign=("not negative",)),
+            ParameterSpec("damping", 1, "N s/m", "vertical damping while the tyre is pressed", sign=("not negative",)),
+            ParameterSpec("cornering", 1, "N/rad", "cornering stiffness", sign=("not negative",)),
             ParameterSpec("camber_stiffness", 1, "N/rad", "camber stiffness"),
             ParameterSpec("trail", 1, "m", "pneumatic trail"),
-            ParameterSpec("standstill", 1, "m/s", "forward speed below which side forces fade out"),
+            ParameterSpec("standstill", 1, "m/s", "forward speed below which side forces fade out", sign=("positive",)),
         ),
         kernels={
             "law": KernelSpec(
@@ -4052,19 +3806,19 @@ LAWS: dict[str, LawSpec] = {
     # law calspan_tyre
     "calspan_tyre": LawSpec(
         name="calspan_tyre",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="Fz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0\nslip angle alpha = atan(sideways/max(|forward|, standstill)), of the wheel's centre\ntau(lateral) = -fade Fy, tau(spin) = -fade Mz;  fade = 3 u^2 - 2 u^3, u = min(1, |forward|/standstill)\nF = min(Fz, A2): beyond the load A2 the data end, friction and stiffnesses keep their values there\nmu = SN (B1 F + B3 + B4 F^2),  C_alpha = A0 + A1 F (1 - F/A2),  C_gamma = A3 F (1 - F/A4)\nslip = -(C_alpha alpha + C_gamma camber)/(mu Fz), at most 3\nFy = mu Fz (slip - slip |slip|/3 + slip^3/27),  Mz = (AF1 Fz + AF2 |Fy|) Fy,  Fx = 0",
         deformations=2,
         slips=4,
         states=(),
         parameters=(
-            ParameterSpec("stiffness", 1, "N/m", "vertical stiffness"),
-            ParameterSpec("damping", 1, "N s/m", "vertical damping while the tyre is pressed"),
-            ParameterSpec("A", 5, "N/rad, 1/rad, N, 1/rad, N", "A0 ... A4: cornering and camber stiffness over the load"),
-            ParameterSpec("B", 3, "1/N, 1, 1/N^2", "B1, B3, B4: friction over the load"),
-            ParameterSpec("SN", 1, "1", "skid number of the road relative to that of the test"),
+            ParameterSpec("stiffness", 1, "N/m", "vertical stiffness", sign=("not negative",)),
+            ParameterSpec("damping", 1, "N s/m", "vertical damping while the tyre is pressed", sign=("not negative",)),
+            ParameterSpec("A", 5, "N/rad, 1/rad, N, 1/rad, N", "A0 ... A4: cornering and camber stiffness over the load", sign=("any", "any", "positive", "any", "not zero")),
+            ParameterSpec("B", 3, "1/N, 1, 1/N^2", "B1, B3, B4: friction over the load", sign=("any", "positive", "any")),
+            ParameterSpec("SN", 1, "1", "skid number of the road relative to that of the test", sign=("positive",)),
             ParameterSpec("AF", 2, "m/N", "AF1, AF2: aligning moment"),
-            ParameterSpec("standstill", 1, "m/s", "forward speed below which side forces fade out"),
+            ParameterSpec("standstill", 1, "m/s", "forward speed below which side forces fade out", sign=("positive",)),
         ),
         kernels={
             "law": KernelSpec(
@@ -4086,11 +3840,12 @@ LAWS: dict[str, LawSpec] = {
                 179,
             ),
         },
+        limit=LimitSpec("A", 2, "friction and stiffnesses keep their values beyond"),
     ),
     # law magic_formula
     "magic_formula": LawSpec(
         name="magic_formula",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="Fz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0\nlx kappadot = Re rolling - forward - |forward| kappa\nly (tan alpha)dot = lateral - |forward| tan alpha,  lateral of the contact point\nmu = mu0 + mu1 min(1, Fz/Fz0 - 1),  Kx = kx Fz,  Ky = c1 Fz0 sin(2 atan(Fz/(c2 Fz0))),  Kg = kg Fz\nx = Kx kappa/(mu Fz),  y = (Ky tan alpha + Kg camber)/(mu Fz),  slip = |(x, y)|,  b = slip/C\n(Fx, Fy) = mu Fz sin(C atan(b - E (b - atan b))) (x, -y)/slip, combined slip by similarity\nMz = -t0 Fz/Fz0 cos(atan(B tan alpha)) Fy;  tau(longitudinal, lateral, spin) = -(Fx, Fy, Mz)",
         deformations=2,
         slips=5,
@@ -4099,17 +3854,17 @@ LAWS: dict[str, LawSpec] = {
             InternalSpec("tan_alpha", "1"),
         ),
         parameters=(
-            ParameterSpec("stiffness", 1, "N/m", "vertical stiffness"),
-            ParameterSpec("damping", 1, "N s/m", "vertical damping while the tyre is pressed"),
-            ParameterSpec("load0", 1, "N", "nominal load Fz0"),
-            ParameterSpec("rolling_radius", 1, "m", "effective radius of free rolling"),
-            ParameterSpec("friction", 2, "1", "mu at the nominal load, and its change for one more nominal load"),
-            ParameterSpec("slip_stiffness", 1, "1", "longitudinal stiffness Kx relative to the load"),
-            ParameterSpec("cornering", 2, "1", "largest cornering stiffness over load0, and the load of it over load0"),
+            ParameterSpec("stiffness", 1, "N/m", "vertical stiffness", sign=("not negative",)),
+            ParameterSpec("damping", 1, "N s/m", "vertical damping while the tyre is pressed", sign=("not negative",)),
+            ParameterSpec("load0", 1, "N", "nominal load Fz0", sign=("positive",)),
+            ParameterSpec("rolling_radius", 1, "m", "effective radius of free rolling", sign=("positive",)),
+            ParameterSpec("friction", 2, "1", "mu at the nominal load, and its change for one more nominal load", sign=("positive", "any")),
+            ParameterSpec("slip_stiffness", 1, "1", "longitudinal stiffness Kx relative to the load", sign=("not negative",)),
+            ParameterSpec("cornering", 2, "1", "largest cornering stiffness over load0, and the load of it over load0", sign=("not negative", "positive")),
             ParameterSpec("camber_stiffness", 1, "1/rad", "camber stiffness relative to the load"),
-            ParameterSpec("shape", 2, "1", "C and E of the sine of the Magic Formula"),
+            ParameterSpec("shape", 2, "1", "C and E of the sine of the Magic Formula", sign=("positive", "any")),
             ParameterSpec("trail", 2, "m, 1", "pneumatic trail at the nominal load, and how it falls with the slip (B)"),
-            ParameterSpec("relaxation", 2, "m", "relaxation lengths, longitudinal and lateral"),
+            ParameterSpec("relaxation", 2, "m", "relaxation lengths, longitudinal and lateral", sign=("positive", "positive")),
         ),
         kernels={
             "law": KernelSpec(
@@ -4135,15 +3890,15 @@ LAWS: dict[str, LawSpec] = {
     # law hertz
     "hertz": LawSpec(
         name="hertz",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1)",
         deformations=1,
         slips=0,
         states=(),
         parameters=(
-            ParameterSpec("stiffness", 1, "N/m^exponent", "normal force per penetration^exponent"),
-            ParameterSpec("exponent", 1, "1", "exponent of the penetration, 3/2 for Hertz, at least 1"),
-            ParameterSpec("dissipation", 1, "s/m", "relative growth of the normal force per speed of approach"),
+            ParameterSpec("stiffness", 1, "N/m^exponent", "normal force per penetration^exponent", sign=("not negative",)),
+            ParameterSpec("exponent", 1, "1", "exponent of the penetration, 3/2 for Hertz, at least 1", sign=("at least one",)),
+            ParameterSpec("dissipation", 1, "s/m", "relative growth of the normal force per speed of approach", sign=("not negative",)),
         ),
         kernels={
             "law": KernelSpec(
@@ -4169,17 +3924,17 @@ LAWS: dict[str, LawSpec] = {
     # law hertz_coulomb_1
     "hertz_coulomb_1": LawSpec(
         name="hertz_coulomb_1",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1)\ntau = friction N s/sqrt(s.s + slip_speed^2)",
         deformations=1,
         slips=1,
         states=(),
         parameters=(
-            ParameterSpec("stiffness", 1, "N/m^exponent", "normal force per penetration^exponent"),
-            ParameterSpec("exponent", 1, "1", "exponent of the penetration, 3/2 for Hertz, at least 1"),
-            ParameterSpec("dissipation", 1, "s/m", "relative growth of the normal force per speed of approach"),
-            ParameterSpec("friction", 1, "1", "coefficient of friction"),
-            ParameterSpec("slip_speed", 1, "m/s", "speed of sliding at which 71 % of the friction acts"),
+            ParameterSpec("stiffness", 1, "N/m^exponent", "normal force per penetration^exponent", sign=("not negative",)),
+            ParameterSpec("exponent", 1, "1", "exponent of the penetration, 3/2 for Hertz, at least 1", sign=("at least one",)),
+            ParameterSpec("dissipation", 1, "s/m", "relative growth of the normal force per speed of approach", sign=("not negative",)),
+            ParameterSpec("friction", 1, "1", "coefficient of friction", sign=("not negative",)),
+            ParameterSpec("slip_speed", 1, "m/s", "speed of sliding at which 71 % of the friction acts", sign=("positive",)),
         ),
         kernels={
             "law": KernelSpec(
@@ -4205,17 +3960,17 @@ LAWS: dict[str, LawSpec] = {
     # law hertz_coulomb_2
     "hertz_coulomb_2": LawSpec(
         name="hertz_coulomb_2",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1)\ntau = friction N s/sqrt(s.s + slip_speed^2)",
         deformations=1,
         slips=2,
         states=(),
         parameters=(
-            ParameterSpec("stiffness", 1, "N/m^exponent", "normal force per penetration^exponent"),
-            ParameterSpec("exponent", 1, "1", "exponent of the penetration, 3/2 for Hertz, at least 1"),
-            ParameterSpec("dissipation", 1, "s/m", "relative growth of the normal force per speed of approach"),
-            ParameterSpec("friction", 1, "1", "coefficient of friction"),
-            ParameterSpec("slip_speed", 1, "m/s", "speed of sliding at which 71 % of the friction acts"),
+            ParameterSpec("stiffness", 1, "N/m^exponent", "normal force per penetration^exponent", sign=("not negative",)),
+            ParameterSpec("exponent", 1, "1", "exponent of the penetration, 3/2 for Hertz, at least 1", sign=("at least one",)),
+            ParameterSpec("dissipation", 1, "s/m", "relative growth of the normal force per speed of approach", sign=("not negative",)),
+            ParameterSpec("friction", 1, "1", "coefficient of friction", sign=("not negative",)),
+            ParameterSpec("slip_speed", 1, "m/s", "speed of sliding at which 71 % of the friction acts", sign=("positive",)),
         ),
         kernels={
             "law": KernelSpec(
@@ -4241,7 +3996,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz_bristle_1
     "hertz_bristle_1": LawSpec(
         name="hertz_bristle_1",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1) + stiffness d^exponent bristle_stiffness z.z/2\ndz/dt = s - bristle_stiffness |s| z/friction in contact, -release z when open\ntau = N (bristle_stiffness z + bristle_damping dz/dt)",
         deformations=1,
         slips=1,
@@ -4249,13 +4004,13 @@ LAWS: dict[str, LawSpec] = {
             InternalSpec("z_0", "m"),
         ),
         parameters=(
-            ParameterSpec("stiffness", 1, "N/m^exponent", "normal force per penetration^exponent"),
-            ParameterSpec("exponent", 1, "1", "exponent of the penetration, 3/2 for Hertz, at least 1"),
-            ParameterSpec("dissipation", 1, "s/m", "relative growth of the normal force per speed of approach"),
-            ParameterSpec("friction", 1, "1", "coefficient of friction"),
-            ParameterSpec("bristle_stiffness", 1, "1/m", "friction per normal force and deflection of the bristles"),
-            ParameterSpec("bristle_damping", 1, "s/m", "friction per normal force and rate of deflection"),
-            ParameterSpec("release", 1, "1/s", "rate at which bristles straighten while the gap is open"),
+            ParameterSpec("stiffness", 1, "N/m^exponent", "normal force per penetration^exponent", sign=("not negative",)),
+            ParameterSpec("exponent", 1, "1", "exponent of the penetration, 3/2 for Hertz, at least 1", sign=("at least one",)),
+            ParameterSpec("dissipation", 1, "s/m", "relative growth of the normal force per speed of approach", sign=("not negative",)),
+            ParameterSpec("friction", 1, "1", "coefficient of friction", sign=("positive",)),
+            ParameterSpec("bristle_stiffness", 1, "1/m", "friction per normal force and deflection of the bristles", sign=("not negative",)),
+            ParameterSpec("bristle_damping", 1, "s/m", "friction per normal force and rate of deflection", sign=("not negative",)),
+            ParameterSpec("release", 1, "1/s", "rate at which bristles straighten while the gap is open", sign=("not negative",)),
         ),
         kernels={
             "law": KernelSpec(
@@ -4281,7 +4036,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz_bristle_2
     "hertz_bristle_2": LawSpec(
         name="hertz_bristle_2",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1) + stiffness d^exponent bristle_stiffness z.z/2\ndz/dt = s - bristle_stiffness |s| z/friction in contact, -release z when open\ntau = N (bristle_stiffness z + bristle_damping dz/dt)",
         deformations=1,
         slips=2,
@@ -4290,13 +4045,13 @@ LAWS: dict[str, LawSpec] = {
             InternalSpec("z_1", "m"),
         ),
         parameters=(
-            ParameterSpec("stiffness", 1, "N/m^exponent", "normal force per penetration^exponent"),
-            ParameterSpec("exponent", 1, "1", "exponent of the penetration, 3/2 for Hertz, at least 1"),
-            ParameterSpec("dissipation", 1, "s/m", "relative growth of the normal force per speed of approach"),
-            ParameterSpec("friction", 1, "1", "coefficient of friction"),
-            ParameterSpec("bristle_stiffness", 1, "1/m", "friction per normal force and deflection of the bristles"),
-            ParameterSpec("bristle_damping", 1, "s/m", "friction per normal force and rate of deflection"),
-            ParameterSpec("release", 1, "1/s", "rate at which bristles straighten while the gap is open"),
+            ParameterSpec("stiffness", 1, "N/m^exponent", "normal force per penetration^exponent", sign=("not negative",)),
+            ParameterSpec("exponent", 1, "1", "exponent of the penetration, 3/2 for Hertz, at least 1", sign=("at least one",)),
+            ParameterSpec("dissipation", 1, "s/m", "relative growth of the normal force per speed of approach", sign=("not negative",)),
+            ParameterSpec("friction", 1, "1", "coefficient of friction", sign=("positive",)),
+            ParameterSpec("bristle_stiffness", 1, "1/m", "friction per normal force and deflection of the bristles", sign=("not negative",)),
+            ParameterSpec("bristle_damping", 1, "s/m", "friction per normal force and rate of deflection", sign=("not negative",)),
+            ParameterSpec("release", 1, "1/s", "rate at which bristles straighten while the gap is open", sign=("not negative",)),
         ),
         kernels={
             "law": KernelSpec(
@@ -4322,16 +4077,16 @@ LAWS: dict[str, LawSpec] = {
     # law journal
     "journal": LawSpec(
         name="journal",
-        digest="4b9e482f4904d47c",
+        digest="3c2fc714472fd69e",
         doc="N_i = stiffness e_i + damping ed_i in two directions (i = 0, 1), N = |(N_0, N_1)|\ntorque = friction_radius N w/sqrt(w^2 + slip_speed^2) on the angle e_2, w = ed_2",
         deformations=3,
         slips=0,
         states=(),
         parameters=(
-            ParameterSpec("stiffness", 1, "N/m", "radial stiffness"),
-            ParameterSpec("damping", 1, "N s/m", "radial damping"),
-            ParameterSpec("friction_radius", 1, "m", "coefficient of friction times the radius of the journal"),
-            ParameterSpec("slip_speed", 1, "rad/s", "speed of turning at which 71 % of the friction acts"),
+            ParameterSpec("stiffness", 1, "N/m", "radial stiffness", sign=("not negative",)),
+            ParameterSpec("damping", 1, "N s/m", "radial damping", sign=("not negative",)),
+            ParameterSpec("friction_radius", 1, "m", "coefficient of friction times the radius of the journal", sign=("not negative",)),
+            ParameterSpec("slip_speed", 1, "rad/s", "speed of turning at which 71 % of the friction acts", sign=("positive",)),
         ),
         kernels={
             "law": KernelSpec(

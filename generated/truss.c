@@ -42,48 +42,14 @@ static void truss_position(size_t nblocks, const real *const *in, real *const *o
             e[0 * 8 + j] = l - l0;
             const real t0 = 1.0 / l;
             const real t1 = d_x * t0;
-            De[3 * 8 + j] = t1;
-            De[0 * 8 + j] = -t1;
+            De[3 * 8 + j] = t1; /* De(0,3) */
+            De[0 * 8 + j] = -t1; /* De(0,0) */
             const real t2 = d_y * t0;
-            De[4 * 8 + j] = t2;
-            De[1 * 8 + j] = -t2;
+            De[4 * 8 + j] = t2; /* De(0,4) */
+            De[1 * 8 + j] = -t2; /* De(0,1) */
             const real t3 = d_z * t0;
-            De[5 * 8 + j] = t3;
-            De[2 * 8 + j] = -t3;
-        }
-    }
-}
-
-/* velocity: 19 operations.
- * in:  x (6), v (6), p (5)
- * out: ed (1), s (0) */
-FLEXEL_CLONES
-static void truss_velocity(size_t nblocks, const real *const *in, real *const *out)
-{
-    for (size_t b = 0; b < nblocks; b++) {
-        const real *restrict x = in[0] + b * (6 * 8);
-        const real *restrict v = in[1] + b * (6 * 8);
-        real *restrict ed = out[0] + b * (1 * 8);
-#pragma omp simd
-        for (size_t j = 0; j < 8; j++) {
-            const real q_y = x[4 * 8 + j];
-            const real p_y = x[1 * 8 + j];
-            const real d_y = q_y - p_y;
-            const real q_x = x[3 * 8 + j];
-            const real p_x = x[0 * 8 + j];
-            const real d_x = q_x - p_x;
-            const real q_z = x[5 * 8 + j];
-            const real p_z = x[2 * 8 + j];
-            const real d_z = q_z - p_z;
-            const real l = real_sqrt(d_x * d_x + d_z * d_z + d_y * d_y);
-            const real q_vy = v[4 * 8 + j];
-            const real p_vy = v[1 * 8 + j];
-            const real q_vx = v[3 * 8 + j];
-            const real p_vx = v[0 * 8 + j];
-            const real q_vz = v[5 * 8 + j];
-            const real p_vz = v[2 * 8 + j];
-            const real t0 = d_x * (q_vx - p_vx) + d_z * (q_vz - p_vz) + d_y * (q_vy - p_vy);
-            ed[0 * 8 + j] = 1.0 / l * t0;
+            De[5 * 8 + j] = t3; /* De(0,5) */
+            De[2 * 8 + j] = -t3; /* De(0,2) */
         }
     }
 }
@@ -160,14 +126,14 @@ static void truss_rates(size_t nblocks, const real *const *in, real *const *out)
             const real t3 = q_vz - p_vz;
             const real t4 = t1 * (d_x * t0 + d_z * t3 + d_y * t2) * t1 * t1;
             const real t5 = t0 * t1 - d_x * t4;
-            Phi_x[3 * 8 + j] = t5;
-            Phi_x[0 * 8 + j] = -t5;
+            Phi_x[3 * 8 + j] = t5; /* Phi_x(0,3) */
+            Phi_x[0 * 8 + j] = -t5; /* Phi_x(0,0) */
             const real t6 = t2 * t1 - d_y * t4;
-            Phi_x[4 * 8 + j] = t6;
-            Phi_x[1 * 8 + j] = -t6;
+            Phi_x[4 * 8 + j] = t6; /* Phi_x(0,4) */
+            Phi_x[1 * 8 + j] = -t6; /* Phi_x(0,1) */
             const real t7 = t3 * t1 - d_z * t4;
-            Phi_x[5 * 8 + j] = t7;
-            Phi_x[2 * 8 + j] = -t7;
+            Phi_x[5 * 8 + j] = t7; /* Phi_x(0,5) */
+            Phi_x[2 * 8 + j] = -t7; /* Phi_x(0,2) */
         }
     }
 }
@@ -224,23 +190,23 @@ static void truss_kinematics(size_t nblocks, const real *const *in, real *const 
             const real t13 = t2 * t2 + t4 * t4 + t3 * t3 + (d_x * t1 + d_y * t12 + d_z * t11);
             const real t14 = 2.0 * t13 - t5 * (2.0 * t6 * t5 + 4.0 * t0 * t9);
             const real t15 = t0 * t1 - t2 * t10 - 0.5 * d_x * t14 * t7;
-            Psi_x[3 * 8 + j] = t15;
-            Psi_x[0 * 8 + j] = -t15;
+            Psi_x[3 * 8 + j] = t15; /* Psi_x(0,3) */
+            Psi_x[0 * 8 + j] = -t15; /* Psi_x(0,0) */
             const real t16 = t0 * t12 - t4 * t10 - 0.5 * d_y * t14 * t7;
-            Psi_x[4 * 8 + j] = t16;
-            Psi_x[1 * 8 + j] = -t16;
+            Psi_x[4 * 8 + j] = t16; /* Psi_x(0,4) */
+            Psi_x[1 * 8 + j] = -t16; /* Psi_x(0,1) */
             const real t17 = t0 * t11 - t3 * t10 - 0.5 * d_z * t14 * t7;
-            Psi_x[5 * 8 + j] = t17;
-            Psi_x[2 * 8 + j] = -t17;
+            Psi_x[5 * 8 + j] = t17; /* Psi_x(0,5) */
+            Psi_x[2 * 8 + j] = -t17; /* Psi_x(0,2) */
             const real t18 = 2.0 * (t0 * t2 - d_x * t8);
-            Psi_v[3 * 8 + j] = t18;
-            Psi_v[0 * 8 + j] = -t18;
+            Psi_v[3 * 8 + j] = t18; /* Psi_v(0,3) */
+            Psi_v[0 * 8 + j] = -t18; /* Psi_v(0,0) */
             const real t19 = 2.0 * (t0 * t4 - d_y * t8);
-            Psi_v[4 * 8 + j] = t19;
-            Psi_v[1 * 8 + j] = -t19;
+            Psi_v[4 * 8 + j] = t19; /* Psi_v(0,4) */
+            Psi_v[1 * 8 + j] = -t19; /* Psi_v(0,1) */
             const real t20 = 2.0 * (t0 * t3 - d_z * t8);
-            Psi_v[5 * 8 + j] = t20;
-            Psi_v[2 * 8 + j] = -t20;
+            Psi_v[5 * 8 + j] = t20; /* Psi_v(0,5) */
+            Psi_v[2 * 8 + j] = -t20; /* Psi_v(0,2) */
         }
     }
 }
@@ -273,25 +239,25 @@ static void truss_stiffness(size_t nblocks, const real *const *in, real *const *
             const real t2 = sigma_elongation * t1;
             const real t3 = t1 * t2 * t1;
             const real t4 = t2 - t0 * t3;
-            K[0 * 8 + j] = K[21 * 8 + j] = t4;
+            K[0 * 8 + j] = K[21 * 8 + j] = t4; /* K(0,0) K(3,3) */
             const real t5 = d_y * t3;
             const real t6 = d_x * t5;
-            K[4 * 8 + j] = K[9 * 8 + j] = K[19 * 8 + j] = K[24 * 8 + j] = t6;
-            K[1 * 8 + j] = K[6 * 8 + j] = K[22 * 8 + j] = K[27 * 8 + j] = -t6;
+            K[4 * 8 + j] = K[9 * 8 + j] = K[19 * 8 + j] = K[24 * 8 + j] = t6; /* K(0,4) K(1,3) K(3,1) K(4,0) */
+            K[1 * 8 + j] = K[6 * 8 + j] = K[22 * 8 + j] = K[27 * 8 + j] = -t6; /* K(0,1) K(1,0) K(3,4) K(4,3) */
             const real t7 = d_z * t3;
             const real t8 = d_x * t7;
-            K[5 * 8 + j] = K[15 * 8 + j] = K[20 * 8 + j] = K[30 * 8 + j] = t8;
-            K[2 * 8 + j] = K[12 * 8 + j] = K[23 * 8 + j] = K[33 * 8 + j] = -t8;
-            K[3 * 8 + j] = K[18 * 8 + j] = -t4;
+            K[5 * 8 + j] = K[15 * 8 + j] = K[20 * 8 + j] = K[30 * 8 + j] = t8; /* K(0,5) K(2,3) K(3,2) K(5,0) */
+            K[2 * 8 + j] = K[12 * 8 + j] = K[23 * 8 + j] = K[33 * 8 + j] = -t8; /* K(0,2) K(2,0) K(3,5) K(5,3) */
+            K[3 * 8 + j] = K[18 * 8 + j] = -t4; /* K(0,3) K(3,0) */
             const real t9 = t2 - d_y * t5;
-            K[7 * 8 + j] = K[28 * 8 + j] = t9;
+            K[7 * 8 + j] = K[28 * 8 + j] = t9; /* K(1,1) K(4,4) */
             const real t10 = d_y * t7;
-            K[11 * 8 + j] = K[16 * 8 + j] = K[26 * 8 + j] = K[31 * 8 + j] = t10;
-            K[8 * 8 + j] = K[13 * 8 + j] = K[29 * 8 + j] = K[34 * 8 + j] = -t10;
-            K[10 * 8 + j] = K[25 * 8 + j] = -t9;
+            K[11 * 8 + j] = K[16 * 8 + j] = K[26 * 8 + j] = K[31 * 8 + j] = t10; /* K(1,5) K(2,4) K(4,2) K(5,1) */
+            K[8 * 8 + j] = K[13 * 8 + j] = K[29 * 8 + j] = K[34 * 8 + j] = -t10; /* K(1,2) K(2,1) K(4,5) K(5,4) */
+            K[10 * 8 + j] = K[25 * 8 + j] = -t9; /* K(1,4) K(4,1) */
             const real t11 = t2 - d_z * t7;
-            K[14 * 8 + j] = K[35 * 8 + j] = t11;
-            K[17 * 8 + j] = K[32 * 8 + j] = -t11;
+            K[14 * 8 + j] = K[35 * 8 + j] = t11; /* K(2,2) K(5,5) */
+            K[17 * 8 + j] = K[32 * 8 + j] = -t11; /* K(2,5) K(5,2) */
         }
     }
 }
@@ -313,8 +279,10 @@ static void truss_inertia(size_t nblocks, const real *const *in, real *const *ou
             const real l0 = p[0 * 8 + j];
             const real rhoA = p[1 * 8 + j];
             const real t0 = l0 * rhoA;
-            M[0 * 8 + j] = M[2 * 8 + j] = M[4 * 8 + j] = M[7 * 8 + j] = M[9 * 8 + j] = M[11 * 8 + j] = 0.3333333333333333 * t0;
-            M[1 * 8 + j] = M[3 * 8 + j] = M[5 * 8 + j] = M[6 * 8 + j] = M[8 * 8 + j] = M[10 * 8 + j] = 0.16666666666666666 * t0;
+            M[0 * 8 + j] = M[2 * 8 + j] = M[4 * 8 + j] = M[7 * 8 + j] = M[9 * 8 + j] = M[11 * 8 + j]
+                = 0.3333333333333333 * t0; /* M(0,0) M(1,1) M(2,2) M(3,3) M(4,4) M(5,5) */
+            M[1 * 8 + j] = M[3 * 8 + j] = M[5 * 8 + j] = M[6 * 8 + j] = M[8 * 8 + j] = M[10 * 8 + j]
+                = 0.16666666666666666 * t0; /* M(0,3) M(1,4) M(2,5) M(3,0) M(4,1) M(5,2) */
             const real gravity_x = p[2 * 8 + j];
             f[0 * 8 + j] = f[3 * 8 + j] = 0.5 * gravity_x * t0;
             const real gravity_y = p[3 * 8 + j];
@@ -344,13 +312,12 @@ static void truss_tangent(size_t nblocks, const real *const *in, real *const *ou
 
 const flexel_element flexel_truss = {
     .name = "truss",
-    .digest = "7c3720beb3f5cb02",
+    .digest = "1e9195dd3cf86bd4",
     .n = 6,
     .m = 1,
     .k = 0,
     .np = 5,
     .position = truss_position,
-    .velocity = truss_velocity,
     .acceleration = truss_acceleration,
     .rates = truss_rates,
     .kinematics = truss_kinematics,

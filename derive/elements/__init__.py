@@ -1,6 +1,6 @@
 """The table of elements: one file for each element or close family. A new one is a file and a line."""
 
-from flexel.derive.element import Element
+from flexel.derive.declare import Element
 from flexel.derive.elements.beam import BEAM, BEAM_FIRST_ORDER
 from flexel.derive.elements.beam3 import BEAM3
 from flexel.derive.elements.bearing import BEARING

@@ -2,11 +2,11 @@
 
 from sympy import Expr, Matrix, Rational
 
-from flexel.derive.element import Deformation, Element, Frame, Let, Node, Point
+from flexel.derive.declare import Deformation, Element, Frame, Let, Node, Point
+from flexel.derive.declare.rotation import HALF, body_angular_velocity, dot, norm, product, triad_rate
+from flexel.derive.declare.shape import hermite_energy, hermite_mean, rotary_energy
 from flexel.derive.elements.parameters import GRAVITY, L0, PHI_Y, PHI_Z, RHOA, RHOJ, TP, TQ
 from flexel.derive.elements.triads import Triad, named_quaternion, named_triad
-from flexel.derive.rotation import HALF, body_angular_velocity, dot, norm, product, triad_rate
-from flexel.derive.shape import hermite_energy, hermite_mean, rotary_energy
 
 _FIRST = """\
 triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq
@@ -92,6 +92,9 @@ def _beam(name: str, second: bool) -> Element:
     names = ("elongation", "torsion", "bend1", "bend2", "bend3", "bend4")
     return Element(
         name=name,
+        family="beam",
+        picture="beam",
+        span="beam_span",
         nodes=nodes,
         parameters=(L0, TP, TQ, RHOA, RHOJ, PHI_Y, PHI_Z, GRAVITY),
         let=let.entries,

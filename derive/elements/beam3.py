@@ -1,10 +1,10 @@
 """Rigid three-node beam: two points and one orientation (SPACAR's PINBODY with a beam's mass)."""
 
-from flexel.derive.element import Deformation, Element, Frame, Let, Point
+from flexel.derive.declare import Deformation, Element, Frame, Let, Point
+from flexel.derive.declare.rotation import HALF, body_angular_velocity, components, dot, product
+from flexel.derive.declare.shape import linear_energy
 from flexel.derive.elements.parameters import D0, GRAVITY, L0, RHOA, RHOJ, TP
 from flexel.derive.elements.triads import named_quaternion, named_triad
-from flexel.derive.rotation import HALF, body_angular_velocity, components, dot, product
-from flexel.derive.shape import linear_energy
 
 
 def _beam3() -> Element:
@@ -18,6 +18,9 @@ def _beam3() -> Element:
     rotary = sum(j * w[i] ** 2 for i, j in enumerate(RHOJ.symbols))
     return Element(
         name="beam3",
+        family="link",
+        picture="bar",
+        span="bar_span",
         nodes=(p, rp, q),
         parameters=(TP, D0, L0, RHOA, RHOJ, GRAVITY),
         let=let.entries,

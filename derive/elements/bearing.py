@@ -1,10 +1,10 @@
 """Bearing: a hinge that also measures the relative displacement of its two points."""
 
-from flexel.derive.element import Deformation, Element, Frame, Let, Point
+from flexel.derive.declare import Deformation, Element, Frame, Let, Point
+from flexel.derive.declare.rotation import components
 from flexel.derive.elements.hinge import HINGE_DOC, hinge_deformations
 from flexel.derive.elements.parameters import D0, TP, TQ
 from flexel.derive.elements.triads import named_quaternion, named_triad
-from flexel.derive.rotation import components
 
 
 def _bearing() -> Element:
@@ -17,6 +17,8 @@ def _bearing() -> Element:
     relative = components(triads[0], d) - D0.vector
     return Element(
         name="bearing",
+        family="bearing",
+        picture="bearing",
         nodes=(p, rp, q, rq),
         parameters=(TP, TQ, D0),
         let=let.entries,

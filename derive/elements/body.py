@@ -2,9 +2,9 @@
 
 from sympy import Matrix
 
-from flexel.derive.element import Element, Frame, Let, Parameter, Point
+from flexel.derive.declare import Element, Frame, Let, Parameter, Point
+from flexel.derive.declare.rotation import HALF, body_angular_velocity, combination, dot, triad, triad_rate
 from flexel.derive.elements.parameters import GRAVITY, MASS
-from flexel.derive.rotation import HALF, body_angular_velocity, combination, dot, triad, triad_rate
 
 
 def _point_mass() -> Element:
@@ -12,6 +12,8 @@ def _point_mass() -> Element:
     mass, g = MASS.symbol, GRAVITY.vector
     return Element(
         name="point_mass",
+        family="body",
+        picture="mass",
         nodes=(p,),
         parameters=(MASS, GRAVITY),
         kinetic_energy=HALF * mass * dot(p.v, p.v),
@@ -39,6 +41,8 @@ def _body() -> Element:
     vc = let.vector("vc", p.v + combination(triad_rate(r.x, r.v), offset.vector))
     return Element(
         name="body",
+        family="body",
+        picture="body",
         nodes=(p, r),
         parameters=(MASS, offset, tensor, GRAVITY),
         let=let.entries,

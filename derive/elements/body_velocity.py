@@ -2,8 +2,8 @@
 
 from sympy import Matrix, cos, sin
 
-from flexel.derive.element import Element, Frame, PlanarAngle, PlanarPoint, Point, Slip
-from flexel.derive.rotation import dot, triad
+from flexel.derive.declare import Element, Frame, PlanarAngle, PlanarPoint, Point, Slip
+from flexel.derive.declare.rotation import dot, triad
 
 
 def _slips(components: list[object]) -> tuple[Slip, ...]:
@@ -14,6 +14,7 @@ def _body_velocity() -> Element:
     p, r = Point("p"), Frame("r")
     return Element(
         name="body_velocity",
+        family="sensor",
         nodes=(p, r),
         slips=_slips([dot(e, p.v) for e in triad(r.x)]),
         doc="(vx, vy, vz) = R(lambda)' xdot_p, velocity of the point in the axes of the frame",
@@ -27,6 +28,7 @@ def _planar_body_velocity() -> Element:
     axes = (Matrix([c, s]), Matrix([-s, c]))
     return Element(
         name="planar_body_velocity",
+        family="sensor",
         nodes=(p, r),
         slips=_slips([dot(e, p.v) for e in axes]),
         doc="(vx, vy) = R(angle)' xdot_p, velocity of the point in the axes of the angle node",

@@ -2,7 +2,7 @@
 
 from sympy import Expr, Matrix
 
-from flexel.derive.element import (
+from flexel.derive.declare import (
     Deformation,
     Element,
     Let,
@@ -13,9 +13,9 @@ from flexel.derive.element import (
     Point,
     Slope,
 )
+from flexel.derive.declare.rotation import HALF, cross, dot
+from flexel.derive.declare.shape import gauss_points, hermite_energy, hermite_mean, hermite_slopes
 from flexel.derive.elements.parameters import GRAVITY, L0, PLANAR_GRAVITY, RHOA
-from flexel.derive.rotation import HALF, cross, dot
-from flexel.derive.shape import gauss_points, hermite_energy, hermite_mean, hermite_slopes
 
 AXIAL_POINTS = 4
 BENDING_POINTS = 3
@@ -59,6 +59,9 @@ def _cable(name: str, nodes: tuple[Node, Node, Node, Node], gravity: Parameter) 
     mean = hermite_mean(p.x, l0 * dp.x, q.x, l0 * dq.x)
     return Element(
         name=name,
+        family="cable",
+        picture="rope",
+        span=f"{name}_span",
         nodes=nodes,
         parameters=(L0, RHOA, gravity),
         let=let.entries,

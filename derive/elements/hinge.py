@@ -1,11 +1,11 @@
 """Hinge between two frames."""
 
-from sympy import Matrix, atan2
+from sympy import Matrix, atan2, pi
 
-from flexel.derive.element import Deformation, Element, Frame, Let
+from flexel.derive.declare import Deformation, Element, Frame, Let
+from flexel.derive.declare.rotation import conjugate, dot, product
 from flexel.derive.elements.parameters import TP, TQ
 from flexel.derive.elements.triads import Triad, named_quaternion, named_triad
-from flexel.derive.rotation import conjugate, dot, product
 
 HINGE_DOC = (
     "triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\n"
@@ -30,7 +30,7 @@ def hinge_deformations(let: Let, u_p: Matrix, u_q: Matrix, p: Triad, q: Triad) -
     c = product(conjugate(u_p), u_q)
     c0, c1 = let.scalar("c0", c[0]), let.scalar("c1", c[1])
     return (
-        Deformation("angle", "rad", 2 * atan2(c1, c0), angle=True, free=True),
+        Deformation("angle", "rad", 2 * atan2(c1, c0), free=True, period=2 * pi),
         Deformation("bend1", "1", dot(p[2], q[0])),
         Deformation("bend2", "1", -dot(p[1], q[0])),
     )
@@ -44,6 +44,8 @@ def _hinge() -> Element:
     deformations = hinge_deformations(let, u_p, u_q, *triads)
     return Element(
         name="hinge",
+        family="hinge",
+        picture="hinge",
         nodes=(p, q),
         parameters=(TP, TQ),
         let=let.entries,

@@ -1,6 +1,6 @@
 """Parameters that several elements share, each with its unit and meaning written once."""
 
-from flexel.derive.element import Parameter
+from flexel.derive.declare import Parameter
 
 L0 = Parameter("l0", 1, "m", "undeformed length")
 RHOA = Parameter("rhoA", 1, "kg/m", "mass per length")

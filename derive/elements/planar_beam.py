@@ -2,11 +2,11 @@
 
 from sympy import Matrix
 
-from flexel.derive.element import Deformation, Element, Let, Parameter, PlanarAngle, PlanarPoint
+from flexel.derive.declare import Deformation, Element, Let, Parameter, PlanarAngle, PlanarPoint
+from flexel.derive.declare.rotation import HALF, dot, norm
+from flexel.derive.declare.shape import hermite_energy, hermite_mean, rotary_energy
 from flexel.derive.elements.parameters import L0, PLANAR_GRAVITY, RHOA
 from flexel.derive.elements.triads import named_directions
-from flexel.derive.rotation import HALF, dot, norm
-from flexel.derive.shape import hermite_energy, hermite_mean, rotary_energy
 
 ALPHA0 = Parameter("alpha0", 1, "rad", "initial direction of the element minus the angle of node p")
 ALPHAQ0 = Parameter("alphaq0", 1, "rad", "initial direction of the element minus the angle of node q")
@@ -43,6 +43,9 @@ def _planar_beam(name: str, second: bool) -> Element:
     centre = hermite_mean(p.x, l0 * ex_p, q.x, l0 * ex_q)
     return Element(
         name=name,
+        family="beam",
+        picture="beam",
+        span="planar_beam_span",
         nodes=(p, rp, q, rq),
         parameters=(L0, ALPHA0, ALPHAQ0, RHOA, PLANAR_RHOJ, PLANAR_PHI, PLANAR_GRAVITY),
         let=let.entries,

@@ -1,11 +1,11 @@
 """Rigid three-node beam (rigid link) in the plane: two points and one angle."""
 
-from flexel.derive.element import Deformation, Element, Let, Parameter, PlanarAngle, PlanarPoint
+from flexel.derive.declare import Deformation, Element, Let, Parameter, PlanarAngle, PlanarPoint
+from flexel.derive.declare.rotation import HALF, dot
+from flexel.derive.declare.shape import linear_energy
 from flexel.derive.elements.parameters import L0, PLANAR_GRAVITY, RHOA
 from flexel.derive.elements.planar_beam import ALPHA0, PLANAR_RHOJ
 from flexel.derive.elements.triads import named_directions
-from flexel.derive.rotation import HALF, dot
-from flexel.derive.shape import linear_energy
 
 PLANAR_D0 = Parameter(
     "d0", 2, "m", "components of xq - xp on ex, ey when the deformations are zero", ("x", "y")
@@ -20,6 +20,9 @@ def _planar_beam3() -> Element:
     d = let.vector("d", q.x - p.x)
     return Element(
         name="planar_beam3",
+        family="link",
+        picture="bar",
+        span="planar_bar_span",
         nodes=(p, rp, q),
         parameters=(ALPHA0, PLANAR_D0, L0, RHOA, PLANAR_RHOJ, PLANAR_GRAVITY),
         let=let.entries,

@@ -1,11 +1,11 @@
 """Bearing in the plane: relative displacement of two points, in the axes of the first, and relative angle."""
 
-from flexel.derive.element import Deformation, Element, Let, PlanarAngle, PlanarPoint
+from flexel.derive.declare import Deformation, Element, Let, PlanarAngle, PlanarPoint
+from flexel.derive.declare.rotation import dot
 from flexel.derive.elements.planar_beam import ALPHA0
 from flexel.derive.elements.planar_beam3 import PLANAR_D0
 from flexel.derive.elements.planar_hinge import OFFSET0
 from flexel.derive.elements.triads import named_directions
-from flexel.derive.rotation import dot
 
 
 def _planar_bearing() -> Element:
@@ -15,6 +15,7 @@ def _planar_bearing() -> Element:
     d = let.vector("d", q.x - p.x)
     return Element(
         name="planar_bearing",
+        family="bearing",
         nodes=(p, rp, q, rq),
         parameters=(ALPHA0, PLANAR_D0, OFFSET0),
         let=let.entries,

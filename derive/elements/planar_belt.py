@@ -1,10 +1,10 @@
 """Belt between two pulleys in the plane: one of its straight parts."""
 
-from sympy import atan2, sqrt
+from sympy import atan2, pi, sqrt
 
-from flexel.derive.element import Deformation, Element, Let, Parameter, PlanarAngle, PlanarPoint
+from flexel.derive.declare import Deformation, Element, Let, Parameter, PlanarAngle, PlanarPoint
+from flexel.derive.declare.rotation import dot
 from flexel.derive.elements.triads import line_angle
-from flexel.derive.rotation import dot
 
 RADIUS_P = Parameter(
     "radius_p", 1, "m", "radius of the pulley at p, positive if the belt leaves it on the left"
@@ -27,15 +27,25 @@ def _planar_belt() -> Element:
     wound = RADIUS_P.symbol * (rp.x[0] - theta) - RADIUS_Q.symbol * (rq.x[0] - theta)
     return Element(
         name="planar_belt",
+        family="belt",
+        picture="belt",
         nodes=(p, rp, q, rq),
         parameters=(RADIUS_P, RADIUS_Q, PSI0, ZERO),
         let=let.entries,
-        deformations=(Deformation("elongation", "m", free + wound - ZERO.symbol),),
+        deformations=(
+            Deformation(
+                "elongation",
+                "m",
+                free + wound - ZERO.symbol,
+                period=2 * pi * (RADIUS_P.symbol - RADIUS_Q.symbol),
+            ),
+        ),
         doc=(
             "d = xq - xp, psi its angle counted from psi0 (less than half a turn away)\n"
             "free_length = sqrt(d.d - (radius_p - radius_q)^2), of the common tangent on the left of d\n"
             "theta = psi - atan2(radius_p - radius_q, free_length), turn of the points of contact\n"
-            "elongation = free_length + radius_p (angle_p - theta) - radius_q (angle_q - theta) - zero"
+            "elongation = free_length + radius_p (angle_p - theta) - radius_q (angle_q - theta) - zero,\n"
+            "period 2 pi (radius_p - radius_q): a turn of the line of centres, whose angle is a principal value"
         ),
         source="SPACAR95 manual (Schwab and Meijaard 2000), PLBELT; terms in theta from the geometry: without "
         "them the tension would not act along the belt",

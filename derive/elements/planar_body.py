@@ -2,9 +2,9 @@
 
 from sympy import Matrix, cos, sin
 
-from flexel.derive.element import Element, Let, Parameter, PlanarAngle, PlanarPoint
+from flexel.derive.declare import Element, Let, Parameter, PlanarAngle, PlanarPoint
+from flexel.derive.declare.rotation import HALF, dot
 from flexel.derive.elements.parameters import MASS, PLANAR_GRAVITY
-from flexel.derive.rotation import HALF, dot
 
 
 def _planar_point_mass() -> Element:
@@ -12,6 +12,8 @@ def _planar_point_mass() -> Element:
     mass, g = MASS.symbol, PLANAR_GRAVITY.vector
     return Element(
         name="planar_point_mass",
+        family="body",
+        picture="mass",
         nodes=(p,),
         parameters=(MASS, PLANAR_GRAVITY),
         kinetic_energy=HALF * mass * dot(p.v, p.v),
@@ -32,6 +34,8 @@ def _planar_body() -> Element:
     vc = let.vector("vc", p.v + Matrix([-b[1], b[0]]) * r.v[0])
     return Element(
         name="planar_body",
+        family="body",
+        picture="body",
         nodes=(p, r),
         parameters=(MASS, offset, inertia, PLANAR_GRAVITY),
         let=let.entries,

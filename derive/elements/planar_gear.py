@@ -1,6 +1,8 @@
 """Pair of gears in the plane, on centres that may move."""
 
-from flexel.derive.element import Deformation, Element, Let, Parameter, PlanarAngle, PlanarPoint
+from sympy import pi
+
+from flexel.derive.declare import Deformation, Element, Let, Parameter, PlanarAngle, PlanarPoint
 from flexel.derive.elements.planar_hinge import OFFSET0
 from flexel.derive.elements.triads import line_angle
 
@@ -16,10 +18,14 @@ def _planar_gear() -> Element:
     psi = let.scalar("psi", line_angle(let, d, OFFSET0.symbol))
     return Element(
         name="planar_gear",
+        family="gear",
+        picture="gears",
         nodes=(p, rp, q, rq),
         parameters=(PITCH_P, PITCH_Q, OFFSET0),
         let=let.entries,
-        deformations=(Deformation("mesh", "rad", (a * rp.x[0] + b * rq.x[0]) / (a + b) - psi, angle=True),),
+        deformations=(
+            Deformation("mesh", "rad", (a * rp.x[0] + b * rq.x[0]) / (a + b) - psi, period=2 * pi),
+        ),
         doc=(
             "d = xq - xp, psi its angle counted from offset0, period 2 pi\n"
             "mesh = (radius_p angle_p + radius_q angle_q)/(radius_p + radius_q) - psi, an angle, so that any number\n"

@@ -1,6 +1,6 @@
 """Hinge between two angles in the plane."""
 
-from flexel.derive.element import Deformation, Element, Parameter, PlanarAngle
+from flexel.derive.declare import Deformation, Element, Parameter, PlanarAngle
 
 OFFSET0 = Parameter("offset0", 1, "rad", "difference of the angles when the deformation is zero")
 
@@ -9,6 +9,8 @@ def _planar_hinge() -> Element:
     p, q = PlanarAngle("p"), PlanarAngle("q")
     return Element(
         name="planar_hinge",
+        family="hinge",
+        picture="hinge",
         nodes=(p, q),
         parameters=(OFFSET0,),
         deformations=(Deformation("angle", "rad", q.x[0] - p.x[0] - OFFSET0.symbol, free=True),),

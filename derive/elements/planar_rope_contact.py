@@ -5,7 +5,7 @@ The planar counterparts of the cylinder and of the plane in ``rope_contact``.
 
 from sympy import Expr, Matrix
 
-from flexel.derive.element import (
+from flexel.derive.declare import (
     Deformation,
     Element,
     Let,
@@ -15,12 +15,12 @@ from flexel.derive.element import (
     PlanarSlope,
     Slip,
 )
+from flexel.derive.declare.rotation import dot, norm
+from flexel.derive.declare.shape import hermite_weights
 from flexel.derive.elements.parameters import L0
 from flexel.derive.elements.planar_beam import ALPHA0
 from flexel.derive.elements.rope_contact import RADIUS, ROPE_RADIUS, XI
 from flexel.derive.elements.triads import named_directions
-from flexel.derive.rotation import dot, norm
-from flexel.derive.shape import hermite_weights
 
 PLANAR_OFFSET = Parameter("offset", 2, "m", "origin of the circle or line from c, on ex and ey", ("x", "y"))
 
@@ -38,10 +38,12 @@ def _planar_contact(name: str, parameters: tuple[Parameter, ...], doc: str) -> E
     gap, tangential = (_circle if RADIUS in parameters else _line)(let, d, sliding, ex, ey)
     return Element(
         name=name,
+        family="contact",
+        picture="contact",
         nodes=(*cable, c, r),
         parameters=(L0, XI, ALPHA0, PLANAR_OFFSET, *parameters),
         let=let.entries,
-        deformations=(Deformation("gap", "m", gap, free=True),),
+        deformations=(Deformation("gap", "m", gap, free=True, kind="gap"),),
         slips=(Slip("tangential", "m/s", tangential, free=True),),
         doc=(
             "x: point at the fraction xi of the cable's cubic curve;  ex, ey: directions at angle + alpha0\n"

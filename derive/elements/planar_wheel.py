@@ -1,9 +1,9 @@
 """Wheel or knife edge that rolls on the plane itself, upright: two slips and no deformations."""
 
-from flexel.derive.element import Element, Let, Parameter, PlanarAngle, PlanarPoint, Slip
+from flexel.derive.declare import Element, Let, Parameter, PlanarAngle, PlanarPoint, Slip
+from flexel.derive.declare.rotation import dot
 from flexel.derive.elements.planar_beam import ALPHA0
 from flexel.derive.elements.triads import named_directions
-from flexel.derive.rotation import dot
 
 ROLLING_RADIUS = Parameter("radius", 1, "m", "radius of the wheel")
 
@@ -14,6 +14,8 @@ def _planar_wheel() -> Element:
     ex, ey = named_directions(let, r, ALPHA0, "r")
     return Element(
         name="planar_wheel",
+        family="wheel",
+        picture="disc",
         nodes=(p, r, s),
         parameters=(ROLLING_RADIUS, ALPHA0),
         let=let.entries,

@@ -10,10 +10,10 @@ from collections.abc import Callable
 
 from sympy import Expr, Matrix, Piecewise, sqrt
 
-from flexel.derive.element import Deformation, Element, Frame, Let, Parameter, Point, Slip, Slope
+from flexel.derive.declare import Deformation, Element, Frame, Let, Parameter, Point, Slip, Slope
+from flexel.derive.declare.rotation import body_angular_velocity, components, cross, norm, product, triad
+from flexel.derive.declare.shape import hermite_weights
 from flexel.derive.elements.parameters import L0
-from flexel.derive.rotation import body_angular_velocity, components, cross, norm, product, triad
-from flexel.derive.shape import hermite_weights
 
 XI = Parameter("xi", 1, "1", "place along the element, from 0 at p to 1 at q")
 T = Parameter("t", 4, "1", "unit quaternion from the body frame to the surface's triad ex, ey, ez")
@@ -33,7 +33,7 @@ Surface = Callable[[Let, Matrix, Matrix], Modes]
 
 
 def _gap(expr: Expr, name: str = "gap") -> Deformation:
-    return Deformation(name, "m", expr, free=True)
+    return Deformation(name, "m", expr, free=True, kind="gap")
 
 
 def _slip(name: str, expr: Expr) -> Slip:
@@ -58,6 +58,8 @@ def _contact(name: str, parameters: tuple[Parameter, ...], surface: Surface, doc
     deformations, slips = surface(let, y, yd)
     return Element(
         name=name,
+        family="contact",
+        picture="contact",
         nodes=(*cable, c, r),
         parameters=(L0, XI, T, OFFSET, *parameters),
         let=let.entries,

@@ -2,8 +2,8 @@
 
 from sympy import Matrix
 
-from flexel.derive.element import Element, Frame, Let, Parameter, PlanarAngle
-from flexel.derive.rotation import HALF, body_angular_velocity, dot
+from flexel.derive.declare import Element, Frame, Let, Parameter, PlanarAngle
+from flexel.derive.declare.rotation import HALF, body_angular_velocity, dot
 
 TENSOR = Parameter(
     "J", 6, "kg m^2", "inertia tensor in body axes (tensor components)", ("xx", "yy", "zz", "xy", "xz", "yz")
@@ -18,6 +18,7 @@ def _rotary_inertia() -> Element:
     w = let.vector("w", body_angular_velocity(r.x, r.v))
     return Element(
         name="rotary_inertia",
+        family="body",
         nodes=(r,),
         parameters=(TENSOR,),
         let=let.entries,
@@ -31,6 +32,7 @@ def _planar_rotary_inertia() -> Element:
     r = PlanarAngle("r")
     return Element(
         name="planar_rotary_inertia",
+        family="body",
         nodes=(r,),
         parameters=(MOMENT,),
         kinetic_energy=HALF * MOMENT.symbol * r.v[0] ** 2,

@@ -6,8 +6,8 @@ none).
 
 from sympy import Matrix
 
-from flexel.derive.element import Element, Frame, Parameter, Slip
-from flexel.derive.rotation import angular_velocity, body_angular_velocity, product
+from flexel.derive.declare import Element, Frame, Parameter, Slip
+from flexel.derive.declare.rotation import angular_velocity, body_angular_velocity, product
 
 T = Parameter("t", 4, "1", "unit quaternion from the body frame to the triad")
 
@@ -20,6 +20,7 @@ def _rotation() -> Element:
     r = Frame("r")
     return Element(
         name="rotation",
+        family="sensor",
         nodes=(r,),
         slips=_slips(angular_velocity(r.x, r.v)),
         doc="(wx, wy, wz) = 2 (lambdadot o conj(lambda)), angular velocity in global axes",
@@ -32,6 +33,7 @@ def _body_rotation() -> Element:
     u, ud = product(r.x, T.vector), product(r.v, T.vector)
     return Element(
         name="body_rotation",
+        family="sensor",
         nodes=(r,),
         parameters=(T,),
         slips=_slips(body_angular_velocity(u, ud)),

@@ -1,9 +1,9 @@
 """Direction of a cable's end held by a body: the slope stays along an axis of the body, free to stretch."""
 
-from flexel.derive.element import Deformation, Element, Frame, Let, Parameter, PlanarAngle, PlanarSlope, Slope
+from flexel.derive.declare import Deformation, Element, Frame, Let, Parameter, PlanarAngle, PlanarSlope, Slope
+from flexel.derive.declare.rotation import dot, product, triad
 from flexel.derive.elements.planar_beam import ALPHA0
 from flexel.derive.elements.triads import named_directions
-from flexel.derive.rotation import dot, product, triad
 
 T = Parameter(
     "t", 4, "1", "unit quaternion from the body frame to a triad whose first axis is the held direction"
@@ -17,6 +17,7 @@ def _slope_clamp() -> Element:
     _, ey, ez = triad(u)
     return Element(
         name="slope_clamp",
+        family="clamp",
         nodes=(r, d),
         parameters=(T,),
         let=let.entries,
@@ -32,6 +33,7 @@ def _planar_slope_clamp() -> Element:
     _, ey = named_directions(let, r, ALPHA0, "r")
     return Element(
         name="planar_slope_clamp",
+        family="clamp",
         nodes=(r, d),
         parameters=(ALPHA0,),
         let=let.entries,

@@ -6,7 +6,7 @@ nodal forces are consistent with the interpolation, may depend on time, and have
 
 from sympy import Matrix
 
-from flexel.derive.element import (
+from flexel.derive.declare import (
     Element,
     Frame,
     Let,
@@ -18,11 +18,11 @@ from flexel.derive.element import (
     Slip,
     Slope,
 )
+from flexel.derive.declare.rotation import HALF, product, triad_rate
+from flexel.derive.declare.shape import hermite_mean
 from flexel.derive.elements.parameters import L0, TP, TQ
 from flexel.derive.elements.planar_beam import ALPHA0, ALPHAQ0
 from flexel.derive.elements.triads import named_directions
-from flexel.derive.rotation import HALF, product, triad_rate
-from flexel.derive.shape import hermite_mean
 
 _SOURCE = "textbook mechanics (consistent nodal forces)"
 
@@ -34,6 +34,7 @@ def _slips(rate: Matrix) -> tuple[Slip, ...]:
 def _bar_span(name: str, p: Node, q: Node) -> Element:
     return Element(
         name=name,
+        family="span",
         nodes=(p, q),
         parameters=(L0,),
         slips=_slips(HALF * L0.symbol * (p.v + q.v)),
@@ -49,6 +50,7 @@ def _beam_span() -> Element:
     exd_p, exd_q = (triad_rate(u, ud)[0] for u, ud in ends)
     return Element(
         name="beam_span",
+        family="span",
         nodes=(p, rp, q, rq),
         parameters=(L0, TP, TQ),
         slips=_slips(l0 * hermite_mean(p.v, l0 * exd_p, q.v, l0 * exd_q)),
@@ -64,6 +66,7 @@ def _cable_span(name: str, p: Node, dp: Node, q: Node, dq: Node) -> Element:
     l0 = L0.symbol
     return Element(
         name=name,
+        family="span",
         nodes=(p, dp, q, dq),
         parameters=(L0,),
         slips=_slips(l0 * hermite_mean(p.v, l0 * dp.v, q.v, l0 * dq.v)),
@@ -80,6 +83,7 @@ def _planar_beam_span() -> Element:
     ey_q = named_directions(let, rq, ALPHAQ0, "q")[1]
     return Element(
         name="planar_beam_span",
+        family="span",
         nodes=(p, rp, q, rq),
         parameters=(L0, ALPHA0, ALPHAQ0),
         let=let.entries,

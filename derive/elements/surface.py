@@ -1,7 +1,7 @@
 """Surface of second degree on which a point stays."""
 
-from flexel.derive.element import Deformation, Element, Parameter, Point
-from flexel.derive.rotation import dot
+from flexel.derive.declare import Deformation, Element, Parameter, Point
+from flexel.derive.declare.rotation import dot
 
 QUADRATIC = Parameter(
     "quadratic",
@@ -21,6 +21,7 @@ def _surface() -> Element:
     g = sum(c * term for c, term in zip(QUADRATIC.symbols, terms, strict=True))
     return Element(
         name="surface",
+        family="surface",
         nodes=(p,),
         parameters=(QUADRATIC, LINEAR, CONSTANT),
         deformations=(Deformation("height", "m", g + dot(LINEAR.vector, p.x) + CONSTANT.symbol),),

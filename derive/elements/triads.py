@@ -2,8 +2,8 @@
 
 from sympy import Expr, Matrix, atan2, cos, sin
 
-from flexel.derive.element import Let, Node, Parameter
-from flexel.derive.rotation import product, triad
+from flexel.derive.declare import Let, Node, Parameter
+from flexel.derive.declare.rotation import product, triad
 
 Triad = tuple[Matrix, Matrix, Matrix]
 

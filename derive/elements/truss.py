@@ -2,18 +2,21 @@
 
 import sympy as sp
 
-from flexel.derive.element import Deformation, Element, Let, Node, Parameter, PlanarPoint, Point
+from flexel.derive.declare import Deformation, Element, Let, Node, Parameter, PlanarPoint, Point
+from flexel.derive.declare.rotation import dot, norm
+from flexel.derive.declare.shape import linear_energy
 from flexel.derive.elements.parameters import GRAVITY, L0, PLANAR_GRAVITY, RHOA
-from flexel.derive.rotation import dot, norm
-from flexel.derive.shape import linear_energy
 
 
-def _truss(name: str, p: Node, q: Node, gravity: Parameter) -> Element:
+def _truss(name: str, p: Node, q: Node, gravity: Parameter, span: str) -> Element:
     let = Let()
     l0, mass = L0.symbol, RHOA.symbol * L0.symbol
     l = let.scalar("l", norm(let.vector("d", q.x - p.x)))  # noqa: E741 (the mathematics' letter)
     return Element(
         name=name,
+        family="truss",
+        picture="bar",
+        span=span,
         nodes=(p, q),
         parameters=(L0, RHOA, gravity),
         let=let.entries,
@@ -29,5 +32,5 @@ def _truss(name: str, p: Node, q: Node, gravity: Parameter) -> Element:
     )
 
 
-TRUSS = _truss("truss", Point("p"), Point("q"), GRAVITY)
-PLANAR_TRUSS = _truss("planar_truss", PlanarPoint("p"), PlanarPoint("q"), PLANAR_GRAVITY)
+TRUSS = _truss("truss", Point("p"), Point("q"), GRAVITY, "bar_span")
+PLANAR_TRUSS = _truss("planar_truss", PlanarPoint("p"), PlanarPoint("q"), PLANAR_GRAVITY, "planar_bar_span")

@@ -10,9 +10,9 @@ from dataclasses import dataclass
 import sympy as sp
 from sympy import Expr, Matrix, Piecewise, Rational, cos, pi, sin, sqrt
 
-from flexel.derive.element import Deformation, Element, Frame, Let, Node, Parameter, Point, Slip
+from flexel.derive.declare import Deformation, Element, Frame, Let, Node, Parameter, Point, Slip
+from flexel.derive.declare.rotation import angular_velocity, combination, cross, dot, norm, triad
 from flexel.derive.elements.wheel import AXLE, CROWN, HEIGHT, NORMAL
-from flexel.derive.rotation import angular_velocity, combination, cross, dot, norm, triad
 
 RADIUS = Parameter("radius", 1, "m", "radius of the unloaded tyre")
 AMPLITUDE = Parameter("amplitude", 1, "m", "height of the waves of the road, trough to crest")
@@ -105,6 +105,8 @@ def _tyre(name: str, road: Road, let: Let, w: Node, frame: Node) -> Element:
         deformations.append(Deformation("grade", "1", grade, free=True))
     return Element(
         name=name,
+        family="tyre",
+        picture="tyre",
         nodes=(w, frame),
         parameters=(RADIUS, CROWN, AXLE, *road.parameters),
         let=let.entries,
@@ -149,6 +151,7 @@ def _axle_slip() -> Element:
         lateral.append(dot(ey, w.v + cross(omega, r)))
     return Element(
         name="axle_slip",
+        family="tyre",
         nodes=tuple(node for end in ends for node in end),
         parameters=(*ROLL_AXLES, NORMAL, HEIGHT),
         let=let.entries,

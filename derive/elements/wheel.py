@@ -2,8 +2,8 @@
 
 from sympy import Expr, Matrix
 
-from flexel.derive.element import Deformation, Element, Frame, Let, Parameter, Point, Slip
-from flexel.derive.rotation import angular_velocity, combination, cross, dot, norm, triad
+from flexel.derive.declare import Deformation, Element, Frame, Let, Parameter, Point, Slip
+from flexel.derive.declare.rotation import angular_velocity, combination, cross, dot, norm, triad
 
 RADIUS = Parameter("radius", 1, "m", "radius of the rim")
 AXLE = Parameter("axle", 3, "1", "unit vector along the axle in body axes", ("x", "y", "z"))
@@ -42,6 +42,8 @@ def _rolling(name: str, crown: Parameter | None, doc: str, source: str) -> Eleme
     slips = _slips(let, (w.v, frame.x, frame.v), arm, ra)
     return Element(
         name=name,
+        family="wheel",
+        picture="wheel",
         nodes=(w, frame, c),
         parameters=(RADIUS, *([crown] if crown else []), AXLE, NORMAL, HEIGHT),
         let=let.entries,

@@ -1,10 +1,10 @@
 """The table of laws: constitutive functions without geometry.
 
-This room may import the rooms beside it. A law is attached by the runtime to any list of deformations and
-slips, so it has its own small numbers m of deformations, k of slips and nz of internal states.
+A law is attached by the runtime to any list of deformations and slips, so it has its own small numbers m of
+deformations, k of slips and nz of internal states.
 """
 
-from flexel.derive.element import Law
+from flexel.derive.declare import Law
 from flexel.derive.laws.contact import CONTACT
 from flexel.derive.laws.journal import JOURNAL
 from flexel.derive.laws.linear import LINEAR

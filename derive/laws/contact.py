@@ -2,27 +2,44 @@
 
 The force of the gap g is sigma = -N with N >= 0; a gap that is open carries nothing. Stiffness is a force per
 penetration to the power of the exponent; for a point of a rope the runtime multiplies it by the length that the point
-stands for. This room may import sympy and ``flexel.derive.element``.
+stands for.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import sympy as sp
 from sympy import Expr, Symbol
 
-from flexel.derive.element import Internal, Law, Let, Parameter, symbol
+from flexel.derive.declare import Internal, Law, Let, Parameter, symbol
 
-STIFFNESS = Parameter("stiffness", 1, "N/m^exponent", "normal force per penetration^exponent")
-EXPONENT = Parameter("exponent", 1, "1", "exponent of the penetration, 3/2 for Hertz, at least 1")
-DISSIPATION = Parameter("dissipation", 1, "s/m", "relative growth of the normal force per speed of approach")
-FRICTION = Parameter("friction", 1, "1", "coefficient of friction")
-SLIP_SPEED = Parameter("slip_speed", 1, "m/s", "speed of sliding at which 71 % of the friction acts")
-BRISTLES = Parameter(
-    "bristle_stiffness", 1, "1/m", "friction per normal force and deflection of the bristles"
+STIFFNESS = Parameter(
+    "stiffness", 1, "N/m^exponent", "normal force per penetration^exponent", sign="not negative"
 )
-BRISTLE_DAMPING = Parameter("bristle_damping", 1, "s/m", "friction per normal force and rate of deflection")
-RELEASE = Parameter("release", 1, "1/s", "rate at which bristles straighten while the gap is open")
+EXPONENT = Parameter(
+    "exponent", 1, "1", "exponent of the penetration, 3/2 for Hertz, at least 1", sign="at least one"
+)
+DISSIPATION = Parameter(
+    "dissipation", 1, "s/m", "relative growth of the normal force per speed of approach", sign="not negative"
+)
+FRICTION = Parameter("friction", 1, "1", "coefficient of friction", sign="not negative")
+SLIP_SPEED = Parameter(
+    "slip_speed", 1, "m/s", "speed of sliding at which 71 % of the friction acts", sign="positive"
+)
+GRIP = replace(FRICTION, sign="positive")  # bristles divide by it
+BRISTLES = Parameter(
+    "bristle_stiffness",
+    1,
+    "1/m",
+    "friction per normal force and deflection of the bristles",
+    sign="not negative",
+)
+BRISTLE_DAMPING = Parameter(
+    "bristle_damping", 1, "s/m", "friction per normal force and rate of deflection", sign="not negative"
+)
+RELEASE = Parameter(
+    "release", 1, "1/s", "rate at which bristles straighten while the gap is open", sign="not negative"
+)
 
 NORMAL = (STIFFNESS, EXPONENT, DISSIPATION)
 _DOC = (
@@ -114,7 +131,7 @@ def _bristle(k: int) -> Law:
     moving = square > 0  # the root has no derivative at zero; the speed there is zero with its derivative
     safe = let.scalar("safe", sp.Piecewise((square, moving), (1, True)))  # SymPy takes roots of pieces apart
     speed = let.scalar("speed", sp.Piecewise((sp.sqrt(safe), moving), (0, True)))
-    sliding = let.scalar("sliding", stiffness * speed / FRICTION.symbol)
+    sliding = let.scalar("sliding", stiffness * speed / GRIP.symbol)
     closed = c.e < 0
     rates = [
         let.scalar(f"zd_{i}", sp.Piecewise((s[i] - sliding * z[i], closed), (-RELEASE.symbol * z[i], True)))
@@ -128,7 +145,7 @@ def _bristle(k: int) -> Law:
             "dz/dt = s - bristle_stiffness |s| z/friction in contact, -release z when open\n"
             "tau = N (bristle_stiffness z + bristle_damping dz/dt)"
         ),
-        parameters=(*NORMAL, FRICTION, BRISTLES, BRISTLE_DAMPING, RELEASE),
+        parameters=(*NORMAL, GRIP, BRISTLES, BRISTLE_DAMPING, RELEASE),
         e=(c.e,),
         ed=(c.ed,),
         s=s,

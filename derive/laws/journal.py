@@ -1,16 +1,17 @@
-"""Law of a journal bearing: an elastic shell, and friction in proportion to the load that it carries.
-
-This room may import sympy and ``flexel.derive.element``.
-"""
+"""Law of a journal bearing: an elastic shell, and friction in proportion to the load that it carries."""
 
 import sympy as sp
 
-from flexel.derive.element import Law, Let, Parameter, symbol
+from flexel.derive.declare import Law, Let, Parameter, symbol
 
-STIFFNESS = Parameter("stiffness", 1, "N/m", "radial stiffness")
-DAMPING = Parameter("damping", 1, "N s/m", "radial damping")
-ARM = Parameter("friction_radius", 1, "m", "coefficient of friction times the radius of the journal")
-SPEED = Parameter("slip_speed", 1, "rad/s", "speed of turning at which 71 % of the friction acts")
+STIFFNESS = Parameter("stiffness", 1, "N/m", "radial stiffness", sign="not negative")
+DAMPING = Parameter("damping", 1, "N s/m", "radial damping", sign="not negative")
+ARM = Parameter(
+    "friction_radius", 1, "m", "coefficient of friction times the radius of the journal", sign="not negative"
+)
+SPEED = Parameter(
+    "slip_speed", 1, "rad/s", "speed of turning at which 71 % of the friction acts", sign="positive"
+)
 
 
 def _journal() -> Law:

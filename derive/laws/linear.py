@@ -1,12 +1,9 @@
-"""Linear laws: visco-elastic ones of deformations, viscous ones of slips.
-
-This room may import sympy and ``flexel.derive.element``.
-"""
+"""Linear laws: visco-elastic ones of deformations, viscous ones of slips."""
 
 import sympy as sp
 from sympy import Expr, Matrix
 
-from flexel.derive.element import Law, Parameter, symbol
+from flexel.derive.declare import Law, Parameter, symbol
 
 
 def _symmetric(values: tuple[sp.Symbol, ...], size: int) -> Matrix:
@@ -19,7 +16,7 @@ def _symmetric(values: tuple[sp.Symbol, ...], size: int) -> Matrix:
 def _triangle(name: str, size: int, unit: str, doc: str) -> Parameter:
     """Parameter that holds the upper triangle of a symmetric matrix."""
     names = tuple(f"{i + 1}{j + 1}" for i in range(size) for j in range(i, size))
-    return Parameter(name, len(names), unit, doc + ", upper triangle, row by row", names)
+    return Parameter(name, len(names), unit, doc + ", upper triangle, row by row", names, sign="semidefinite")
 
 
 def _linear(m: int) -> Law:
@@ -49,8 +46,8 @@ def _linear(m: int) -> Law:
 def _diagonal(m: int) -> Law:
     """Linear visco-elastic law of m deformations that do not act on one another, with preload."""
     preload = Parameter("preload", m, "N or N m", "stress at zero deformation")
-    stiffness = Parameter("S", m, "N/m or N m", "stiffness of each deformation")
-    damping = Parameter("D", m, "N s/m or N m s", "damping of each deformation")
+    stiffness = Parameter("S", m, "N/m or N m", "stiffness of each deformation", sign="not negative")
+    damping = Parameter("D", m, "N s/m or N m s", "damping of each deformation", sign="not negative")
     e = tuple(symbol(f"e_{i}") for i in range(m))
     ed = tuple(symbol(f"ed_{i}") for i in range(m))
     preloads, S = preload.symbols, stiffness.symbols

@@ -1,13 +1,12 @@
 """Laws of springs and dampers given by curves: polynomial pieces of a deformation or of its rate, and one-sided stops.
 
 A curve has up to `PIECES` pieces of degree up to four, each in powers of the distance from where it begins, so that
-no digits cancel; the runtime makes the pieces and checks that they join. This room may import sympy and
-``flexel.derive.element``.
+no digits cancel; the runtime makes the pieces and checks that they join.
 """
 
 from sympy import Expr, Max, Piecewise, Rational, Symbol
 
-from flexel.derive.element import Law, Let, Parameter, symbol
+from flexel.derive.declare import Law, Let, Parameter, symbol
 
 PIECES, DEGREE = 16, 4
 BREAKS = Parameter(
@@ -53,8 +52,14 @@ def _curve(name: str, x: Symbol, doc: str, stored: bool) -> Law:
 def _stop() -> Law:
     gap, k, d = (
         Parameter("gap", 1, "m or rad", "deformation at which it is touched"),
-        Parameter("stiffness", 1, "N/m or N m/rad", "stiffness once touched"),
-        Parameter("damping", 1, "s/m or s/rad", "loss relative to the elastic force, for unit rate"),
+        Parameter("stiffness", 1, "N/m or N m/rad", "stiffness once touched", sign="not negative"),
+        Parameter(
+            "damping",
+            1,
+            "s/m or s/rad",
+            "loss relative to the elastic force, for unit rate",
+            sign="not negative",
+        ),
     )
     e, ed = symbol("e"), symbol("ed")
     depth = Max(0, e - gap.symbol)

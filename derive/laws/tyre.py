@@ -3,16 +3,18 @@
 They act on the element ``tyre``: a load from its deflection, a side force from the slip and the camber, put on the
 contact point. The benchmark's tyres take the slip of the wheel's centre, the Magic Formula that of the contact point,
 which is another one while the wheel leans over. All forces vanish when the wheel lifts off; side forces fade out below
-a standstill speed, where no slip angle exists. This room may import sympy and ``flexel.derive.element``.
+a standstill speed, where no slip angle exists.
 """
 
 from sympy import Abs, Expr, Max, Min, Piecewise, Rational, Symbol, atan, cos, sin, sqrt
 
-from flexel.derive.element import Internal, Law, Let, Parameter, symbol
+from flexel.derive.declare import Internal, Law, Let, Limit, Parameter, symbol
 
-STIFFNESS = Parameter("stiffness", 1, "N/m", "vertical stiffness")
-DAMPING = Parameter("damping", 1, "N s/m", "vertical damping while the tyre is pressed")
-STANDSTILL = Parameter("standstill", 1, "m/s", "forward speed below which side forces fade out")
+STIFFNESS = Parameter("stiffness", 1, "N/m", "vertical stiffness", sign="not negative")
+DAMPING = Parameter("damping", 1, "N s/m", "vertical damping while the tyre is pressed", sign="not negative")
+STANDSTILL = Parameter(
+    "standstill", 1, "m/s", "forward speed below which side forces fade out", sign="positive"
+)
 LEAST_LOAD = Rational(1, 1000)  # [N] in the denominator of what is relative to the load
 
 PRESS, PRESS_RATE = symbol("deflection"), symbol("deflection_rate")
@@ -46,7 +48,13 @@ def _slip_angle(let: Let) -> tuple[Symbol, Symbol]:
 
 
 def _side_law(
-    name: str, doc: str, parameters: tuple[Parameter, ...], let: Let, results: tuple[Expr, ...], source: str
+    name: str,
+    doc: str,
+    parameters: tuple[Parameter, ...],
+    let: Let,
+    results: tuple[Expr, ...],
+    source: str,
+    limit: Limit | None = None,
 ) -> Law:
     """Law of load and side force; `results` are Fz, its energy, Fy, Mz and the fading at standstill."""
     Fz, energy, Fy, Mz, fade = results
@@ -62,6 +70,7 @@ def _side_law(
         energy=energy,
         source=source,
         let=let.entries,
+        limit=limit,
     )
 
 
@@ -85,7 +94,7 @@ def _vertical() -> Law:
 
 def _linear() -> Law:
     C, Cg, trail = (
-        Parameter("cornering", 1, "N/rad", "cornering stiffness"),
+        Parameter("cornering", 1, "N/rad", "cornering stiffness", sign="not negative"),
         Parameter("camber_stiffness", 1, "N/rad", "camber stiffness"),
         Parameter("trail", 1, "m", "pneumatic trail"),
     )
@@ -103,10 +112,21 @@ def _linear() -> Law:
 
 def _calspan() -> Law:
     A = Parameter(
-        "A", 5, "N/rad, 1/rad, N, 1/rad, N", "A0 ... A4: cornering and camber stiffness over the load"
+        "A",
+        5,
+        "N/rad, 1/rad, N, 1/rad, N",
+        "A0 ... A4: cornering and camber stiffness over the load",
+        sign=("any", "any", "positive", "any", "not zero"),
     )
-    B = Parameter("B", 3, "1/N, 1, 1/N^2", "B1, B3, B4: friction over the load", ("1", "3", "4"))
-    SN = Parameter("SN", 1, "1", "skid number of the road relative to that of the test")
+    B = Parameter(
+        "B",
+        3,
+        "1/N, 1, 1/N^2",
+        "B1, B3, B4: friction over the load",
+        ("1", "3", "4"),
+        sign=("any", "positive", "any"),
+    )
+    SN = Parameter("SN", 1, "1", "skid number of the road relative to that of the test", sign="positive")
     AF = Parameter("AF", 2, "m/N", "AF1, AF2: aligning moment", ("1", "2"))
     (A0, A1, A2, A3, A4), (B1, B3, B4), (AF1, AF2) = A.symbols, B.symbols, AF.symbols
     let = Let()
@@ -127,19 +147,34 @@ def _calspan() -> Law:
         "Fy = mu Fz (slip - slip |slip|/3 + slip^3/27),  Mz = (AF1 Fz + AF2 |Fy|) Fy,  Fx = 0"
     )
     source = "CALSPAN tyre as in Frik, Leister, Schwartz 1993, Vehicle System Dynamics 22 suppl."
-    return _side_law("calspan_tyre", doc, (A, B, SN, AF), let, (Fz, energy, Fy, Mz, fade), source)
+    limit = Limit(A2, "friction and stiffnesses keep their values beyond")
+    return _side_law("calspan_tyre", doc, (A, B, SN, AF), let, (Fz, energy, Fy, Mz, fade), source, limit)
 
 
 _MAGIC = (
-    Parameter("load0", 1, "N", "nominal load Fz0"),
-    Parameter("rolling_radius", 1, "m", "effective radius of free rolling"),
-    Parameter("friction", 2, "1", "mu at the nominal load, and its change for one more nominal load"),
-    Parameter("slip_stiffness", 1, "1", "longitudinal stiffness Kx relative to the load"),
-    Parameter("cornering", 2, "1", "largest cornering stiffness over load0, and the load of it over load0"),
+    Parameter("load0", 1, "N", "nominal load Fz0", sign="positive"),
+    Parameter("rolling_radius", 1, "m", "effective radius of free rolling", sign="positive"),
+    Parameter(
+        "friction",
+        2,
+        "1",
+        "mu at the nominal load, and its change for one more nominal load",
+        sign=("positive", "any"),
+    ),
+    Parameter(
+        "slip_stiffness", 1, "1", "longitudinal stiffness Kx relative to the load", sign="not negative"
+    ),
+    Parameter(
+        "cornering",
+        2,
+        "1",
+        "largest cornering stiffness over load0, and the load of it over load0",
+        sign=("not negative", "positive"),
+    ),
     Parameter("camber_stiffness", 1, "1/rad", "camber stiffness relative to the load"),
-    Parameter("shape", 2, "1", "C and E of the sine of the Magic Formula"),
+    Parameter("shape", 2, "1", "C and E of the sine of the Magic Formula", sign=("positive", "any")),
     Parameter("trail", 2, "m, 1", "pneumatic trail at the nominal load, and how it falls with the slip (B)"),
-    Parameter("relaxation", 2, "m", "relaxation lengths, longitudinal and lateral"),
+    Parameter("relaxation", 2, "m", "relaxation lengths, longitudinal and lateral", sign="positive"),
 )
 
 

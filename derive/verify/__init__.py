@@ -3,8 +3,7 @@
 Every output of every kernel of every element and law, at random configurations and in batches of several
 sizes, is compared (a) with differences of the compiled kernel one order below it and (b) with differences of
 the undifferentiated definition in 60 digits. Nothing of the differentiation in ``flexel.derive`` is used for
-either. This is one of the two rooms of ``derive`` that may see ``flexel.generated``, and it does so only when
-a function runs.
+either.
 """
 
 import json
@@ -12,21 +11,18 @@ import sys
 import time
 from collections.abc import Iterable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import click
 from tqdm import tqdm
 
-from flexel.derive.element import Element, Law
+from flexel.derive.declare import Element, Law
 from flexel.derive.elements import ELEMENTS
 from flexel.derive.laws import LAWS
+from flexel.derive.spec import ElementSpec, LawSpec
 from flexel.derive.verify.check import element_rows, law_rows
 from flexel.derive.verify.compiled import Compiled, generated_elements
 from flexel.derive.verify.report import Row, Verification
 from flexel.derive.verify.samples import NOTHING, Ranges
-
-if TYPE_CHECKING:
-    from flexel.generated.spec import ElementSpec, LawSpec
 
 __all__ = ["Row", "Verification", "main", "verify", "verify_generated"]
 
@@ -34,7 +30,7 @@ NAMES: dict[str, Element | Law] = {e.name: e for e in ELEMENTS} | {f"law_{law.na
 
 
 def verify(
-    spec: "ElementSpec | LawSpec", address: int, definition: Element | Law, ranges: Ranges = NOTHING
+    spec: ElementSpec | LawSpec, address: int, definition: Element | Law, ranges: Ranges = NOTHING
 ) -> list[Row]:
     """Verify one element or law, built in or a user's own.
 

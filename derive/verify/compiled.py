@@ -1,17 +1,16 @@
 """Calls compiled kernels on arrays, whatever shared object they live in.
 
 Works on any pair of a spec (as in ``flexel.generated.table``) and the address of a ``flexel_element`` or
-``flexel_law``. It may import numpy, and ``flexel.generated`` when a function needs it.
+``flexel_law``.
 """
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-if TYPE_CHECKING:
-    from flexel.generated.spec import ElementSpec, LawSpec
+from flexel.derive.spec import ElementSpec, LawSpec
 
 Array = NDArray[np.float64]
 BLOCK = 8
@@ -36,9 +35,8 @@ class Compiled:
         Address of the ``flexel_element`` or ``flexel_law``.
     """
 
-    def __init__(self, spec: "ElementSpec | LawSpec", address: int) -> None:
+    def __init__(self, spec: ElementSpec | LawSpec, address: int) -> None:
         from flexel.generated._kernels import ffi
-        from flexel.generated.spec import ElementSpec
 
         self.spec = spec
         self._ffi: Any = ffi
@@ -92,7 +90,7 @@ class Compiled:
         return self._ffi.new("double *[]", pointers)
 
 
-def generated_elements() -> dict[str, tuple["ElementSpec | LawSpec", int]]:
+def generated_elements() -> dict[str, tuple[ElementSpec | LawSpec, int]]:
     """Spec and address of every element and law in ``flexel.generated``, laws as ``law_<name>``."""
     from flexel.generated._kernels import ffi, lib
     from flexel.generated.table import ELEMENTS, LAWS

@@ -14,7 +14,7 @@ from typing import Any
 import mpmath
 import sympy as sp
 
-from flexel.derive.element import TIME, Element, Law
+from flexel.derive.declare import TIME, Element, Law
 
 DIGITS = 60
 CONTEXT = Context(prec=DIGITS)

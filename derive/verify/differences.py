@@ -3,7 +3,7 @@
 Central differences with two steps of Richardson's extrapolation (error of order h^6), from three initial
 steps; of the three, each entry takes the one that the extrapolation itself changed least. A whole stencil is
 one call of the compiled kernel. Outputs of the lowest order (e, V, s, M, U, and a law's stresses) have no
-kernel below them and are missing here; they are compared with the definition. This room may import numpy.
+kernel below them and are missing here; they are compared with the definition.
 """
 
 from collections.abc import Callable, Mapping
@@ -20,12 +20,10 @@ _STEPS = (2e-3, 2e-4, 2e-5)
 _FRACTIONS = (1.0, 0.5, 0.25)
 _SIXTH = (1 / 45, -20 / 45, 64 / 45)
 _FOURTH = (0.0, -1 / 3, 4 / 3)
-_NO_ANGLES = np.zeros(1, dtype=bool)
+_NO_PERIODS = np.zeros((1, 1))
 
 
-def along(
-    function: Callable[[Data], Array], data: Data, motion: Data, angles: NDArray[np.bool_] = _NO_ANGLES
-) -> Array:
+def along(function: Callable[[Data], Array], data: Data, motion: Data, periods: Array = _NO_PERIODS) -> Array:
     """Derivative of a kernel's output along a motion of its inputs.
 
     Parameters
@@ -34,10 +32,10 @@ def along(
         From inputs (count, rows) to an output (count, ...).
     data, motion : mapping
         Inputs, and the rates of some of them.
-    angles : ndarray of bool, optional
-        Which entries of the output (along its last axis) have the period 2 pi.
+    periods : ndarray (count, ...), optional
+        Periods of the entries of the output, zero where there is none.
     """
-    tried = [_extrapolated(function, data, motion, angles, step) for step in _STEPS]
+    tried = [_extrapolated(function, data, motion, periods, step) for step in _STEPS]
     best, uncertainty = tried[0]
     for other, its_uncertainty in tried[1:]:
         best = np.where(its_uncertainty < uncertainty, other, best)
@@ -46,7 +44,7 @@ def along(
 
 
 def _extrapolated(
-    function: Callable[[Data], Array], data: Data, motion: Data, angles: NDArray[np.bool_], step: float
+    function: Callable[[Data], Array], data: Data, motion: Data, periods: Array, step: float
 ) -> tuple[Array, Array]:
     """Derivative along a motion from one initial step, and the change in the last extrapolation."""
     steps = [sign * fraction * step for fraction in _FRACTIONS for sign in (1.0, -1.0)]
@@ -59,22 +57,22 @@ def _extrapolated(
     sixth, fourth = np.zeros((2, *values.shape[1:]))
     for i, fraction in enumerate(_FRACTIONS):
         difference = values[2 * i] - values[2 * i + 1]
-        if angles.any():
-            difference = difference - 2 * np.pi * np.round(difference / (2 * np.pi)) * angles
+        if periods.any():
+            turns = np.divide(difference, periods, out=np.zeros_like(difference), where=periods > 0)
+            difference = difference - periods * np.round(turns)
         difference /= 2 * fraction * step
         sixth += _SIXTH[i] * difference
         fourth += _FOURTH[i] * difference
     return sixth, np.abs(sixth - fourth)
 
 
-def jacobian(
-    function: Callable[[Data], Array], data: Data, name: str, angles: NDArray[np.bool_] = _NO_ANGLES
-) -> Array:
+def jacobian(function: Callable[[Data], Array], data: Data, name: str, periods: Array = _NO_PERIODS) -> Array:
     """Derivative of a kernel's output by one of its inputs, (count, ..., rows of the input)."""
     count, rows = data[name].shape
     repeated = {key: np.repeat(values, rows, axis=0) for key, values in data.items()}
     directions = np.tile(np.eye(rows), (count, 1))
-    columns = along(function, repeated, {name: directions}, angles)
+    repeating = np.repeat(periods, rows, axis=0) if periods.any() else periods
+    columns = along(function, repeated, {name: directions}, repeating)
     return np.moveaxis(columns.reshape(count, rows, *columns.shape[1:]), 1, -1)
 
 
@@ -88,16 +86,15 @@ class Differences:
         Inputs of all kernels, each (count, rows).
     """
 
-    def __init__(self, compiled: Compiled, data: Data, angles: NDArray[np.bool_]) -> None:
+    def __init__(self, compiled: Compiled, data: Data, periods: Array) -> None:
         self.call = compiled
         self.data = data
-        self.angles = angles
+        self.periods = periods
 
     def outputs(self, kernel: str) -> dict[str, Array]:
         """What can be had from the kernels below."""
         table: dict[str, Callable[[], dict[str, Array]]] = {
             "position": self._position,
-            "velocity": self._velocity,
             "acceleration": self._acceleration,
             "inertia": self._inertia,
             "rates": self._rates,
@@ -111,26 +108,18 @@ class Differences:
         return lambda data: self.call(kernel, data)[name]
 
     def _position(self) -> dict[str, Array]:
-        return {"De": jacobian(self._output("position", "e"), self.data, "x", self.angles)}
-
-    def _velocity(self) -> dict[str, Array]:
-        data = self.data
-        V = self.call("position", data)["V"]
-        return {
-            "ed": along(self._output("position", "e"), data, {"x": data["v"]}, self.angles),
-            "s": np.einsum("bij,bj->bi", V, data["v"]),
-        }
+        return {"De": jacobian(self._output("position", "e"), self.data, "x", self.periods)}
 
     def _acceleration(self) -> dict[str, Array]:
-        motion = {"x": self.data["v"]}
-        return {
-            "g": along(self._output("velocity", "ed"), self.data, motion),
-            "gs": along(self._output("velocity", "s"), self.data, motion),
-        }
+        rates = along(self._mode_rates, self.data, {"x": self.data["v"]})
+        m = self.periods.shape[1]
+        return {"g": rates[:, :m], "gs": rates[:, m:]}
 
     def _mode_rates(self, data: Data) -> Array:
-        velocity = self.call("velocity", data)
-        return np.hstack([velocity["ed"], velocity["s"]])
+        """De v and V v."""
+        position = self.call("position", data)
+        B = np.concatenate([position["De"], position["V"]], axis=1)
+        return np.asarray(np.einsum("bij,bj->bi", B, data["v"]))
 
     def _mode_accelerations(self, data: Data) -> Array:
         position, acceleration = self.call("position", data), self.call("acceleration", data)

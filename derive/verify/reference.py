@@ -2,7 +2,7 @@
 
 Central differences with a step of 1e-12 in 60 digits: the truncation error is about 1e-24, and rounding stays
 below that for third derivatives too. Energies are quadratic in the rates, so their rate derivatives are exact
-differences with a step of one. This room may import numpy, and the definitions beside it.
+differences with a step of one.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -78,7 +78,6 @@ class Reference:
         """The outputs of a kernel by name; entries that were not asked for are not-a-number."""
         table: dict[str, Callable[[], dict[str, Array]]] = {
             "position": self._position,
-            "velocity": self._velocity,
             "acceleration": self._acceleration,
             "inertia": self._inertia,
             "rates": self._rates,
@@ -93,9 +92,6 @@ class Reference:
         d, x = self.d, self.x
         V = np.array([_array(d.s(x, _unit(d.n, i))) for i in self.every]).T.reshape(d.k, d.n)
         return {"e": _array(d.D(x)), "De": _columns(d.D, x, d.m, self.every), "V": V}
-
-    def _velocity(self) -> dict[str, Array]:
-        return {"ed": _array(self._deformation_rates(self.x, self.v)), "s": _array(self.d.s(self.x, self.v))}
 
     def _acceleration(self) -> dict[str, Array]:
         zero = [Decimal(0)] * self.d.n

@@ -1,6 +1,6 @@
 """Random configurations: anywhere, with large rotations, and near zero deformation.
 
-This room may import numpy and sympy. Values follow from the kind of a node and the size and unit of a parameter, so
+Values follow from the kind of a node and the size and unit of a parameter, so
 that a user's own element is sampled like the built-in ones, unless ranges are given; the seed is the element's
 name.
 """
@@ -13,7 +13,7 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from flexel.derive.element import TIME, Element, Law, Parameter
+from flexel.derive.declare import TIME, Element, Law, Parameter
 from flexel.derive.verify.compiled import Compiled
 
 Array = NDArray[np.float64]

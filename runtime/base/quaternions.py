@@ -1,7 +1,7 @@
 """Numerical Euler parameters and triads for the declaration of models.
 
 Quaternions are arrays (4,) with the scalar first, lambda = (lambda0, lambda1, lambda2, lambda3).
-The symbolic counterpart, used to derive the kernels, is `flexel.derive.rotation`.
+The symbolic counterpart, used to derive the kernels, is `flexel.derive.declare.rotation`.
 """
 
 from __future__ import annotations

@@ -15,7 +15,7 @@ from flexel.base.arguments import array, new_name, unknown, vector
 from flexel.base.arrays import Array, Vector
 from flexel.base.errors import ModelError
 from flexel.base.time_functions import TimeFunction
-from flexel.generated.spec import ElementSpec
+from flexel.derive.spec import ElementSpec
 from flexel.generated.table import ELEMENTS
 from flexel.structure.instances import Instance, LawInstance
 from flexel.structure.loads import Load

@@ -115,8 +115,8 @@ def _law(owner: str, m: int, na: int, nz: int, places: tuple[int, ...]) -> Any:
     """The compiled law of a controller that acts on the first `na` of m deformations and measures those in `places`."""
     import sympy
 
+    from flexel.derive import Internal, Law, Parameter, symbol
     from flexel.derive.compile import CompilationError, CompilerMissingError, compile_law
-    from flexel.derive.element import Internal, Law, Parameter, symbol
 
     ny = len(places)
     sizes = {"P": (na, ny), "D": (na, ny), "C": (na, nz), "A": (nz, nz), "B": (nz, ny), "B_rate": (nz, ny)}

@@ -37,9 +37,9 @@ def formula_law(name: str, stress: Callable[..., Any], energy: Callable[..., Any
     """
     import sympy
 
-    from flexel.derive.branches import check_branches
+    from flexel.derive import Law, symbol
+    from flexel.derive.check.branches import check_branches
     from flexel.derive.compile import CompilationError, CompilerMissingError, compile_law
-    from flexel.derive.element import Law, symbol
 
     e, ed = symbol("e"), symbol("ed")
     sigma = _formula(name, "stress", stress, e, ed)

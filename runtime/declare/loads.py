@@ -74,12 +74,12 @@ class Loading(Declarations):
         if beam not in self.instances:
             raise ModelError(f"{owner}: {unknown(str(beam), self.instances, 'element')}")
         loaded = self.instances[beam]
-        if loaded.spec.name not in _SPANS:
+        if not loaded.spec.span:
             raise ModelError(f"{owner}: a {loaded.spec.name} has no span; load a beam, truss or cable")
-        spec = ELEMENTS[_SPANS[loaded.spec.name]]
+        spec = ELEMENTS[loaded.spec.span]
         name = f"{beam}.span"
         if name not in self.instances:
-            nodes = (loaded.nodes[0], loaded.nodes[-1]) if spec.name.endswith("bar_span") else loaded.nodes
+            nodes = (loaded.nodes[0], loaded.nodes[-1]) if len(spec.nodes) == 2 else loaded.nodes
             values = {z.name: loaded.parameters[z.name] for z in spec.parameters}
             self.instances[name] = Instance(name, spec, nodes, values)
         axes = [slip.name for slip in spec.slips]
@@ -112,21 +112,6 @@ def _follower_slips(model: Declarations, point: Node, frame: Any, owner: str) ->
         spec = ELEMENTS["planar_body_velocity" if planar else "body_velocity"]
         model.instances[name] = Instance(name, spec, (point.name, body.name), {})
     return [f"{name}.{v}" for v in (("vx", "vy") if planar else ("vx", "vy", "vz"))]
-
-
-# element that carries the load of a span, and the parameters it takes from the beam
-_SPANS = {
-    "truss": "bar_span",
-    "beam3": "bar_span",
-    "beam": "beam_span",
-    "beam_first_order": "beam_span",
-    "planar_truss": "planar_bar_span",
-    "planar_beam3": "planar_bar_span",
-    "planar_beam": "planar_beam_span",
-    "planar_beam_first_order": "planar_beam_span",
-    "cable": "cable_span",
-    "planar_cable": "planar_cable_span",
-}
 
 
 def _components(value: Any, size: int, owner: str) -> list[Any]:

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from flexel.base.arguments import number, unknown
 from flexel.base.errors import ModelError
 from flexel.declare.declarations import Declarations
-from flexel.generated.spec import DeformationSpec, ElementSpec
+from flexel.derive.spec import DeformationSpec, ElementSpec
 from flexel.structure.instances import Instance
 from flexel.structure.nodes import COMPONENTS
 
@@ -64,7 +64,7 @@ class RelationMethods(Declarations):
             source="",
             nodes=(),
             parameters=(),
-            deformations=(DeformationSpec("relation", units[next(iter(found))], False, False),),
+            deformations=(DeformationSpec("relation", units[next(iter(found))], False),),
             slips=(),
             kernels={},
         )

@@ -36,8 +36,9 @@ def check_laws(structure: Structure) -> None:
 
 def refuse_norm(structure: Structure, name: str, owner: str) -> None:
     """The norm of Euler parameters has no role, law or load of its own."""
-    if structure.find(name, owner) < structure.m and name.endswith(".norm"):
-        frame = name.removesuffix(".norm")
+    structure.find(name, owner)
+    if structure.is_norm(name):
+        frame = name.rpartition(".")[0]
         raise ModelError(
             f"{owner}: '{name}' is the norm of the Euler parameters of frame '{frame}', which always holds; name "
             "another quantity"

@@ -14,7 +14,7 @@ from flexel.base.errors import ModelError
 from flexel.declare.declarations import Declarations
 from flexel.declare.formulas import formula_law
 from flexel.declare.signs import check_signs, refuse_negative
-from flexel.generated.spec import LawSpec
+from flexel.derive.spec import LawSpec
 from flexel.generated.table import ELEMENTS, LAWS
 from flexel.structure.instances import Instance, LawInstance
 from flexel.structure.nodes import COMPONENTS, Node
@@ -172,8 +172,7 @@ class Springs(Declarations):
         if missing := [f"{z.name} [{z.unit}] ({z.doc})" for z in spec.parameters if z.name not in parameters]:
             raise ModelError(f"{owner}: parameters are missing: {', '.join(missing)}")
         values = {z: np.atleast_1d(array(value, owner, f"parameter {z}")) for z, value in parameters.items()}
-        if spec is LAWS.get(spec.name):
-            check_signs(spec.name, values, owner)
+        check_signs(spec, values, owner)
         start = numbers(initial or {}, owner, "initial value")
         states = [z.name for z in spec.states]
         for wrong in [z for z in start if z not in states]:

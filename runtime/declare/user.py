@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING, TypeVar
 
 from flexel.base.errors import CompilerError, ElementError, ModelError
 from flexel.declare.declarations import Declarations
-from flexel.generated.spec import ElementSpec
+from flexel.derive.spec import ElementSpec
 from flexel.structure.nodes import Node
 
 if TYPE_CHECKING:
+    from flexel.derive import Element, Law
     from flexel.derive.compile import CompiledElement, CompiledLaw
-    from flexel.derive.element import Element, Law
 
 Made = TypeVar("Made")
 

@@ -15,8 +15,8 @@ import numpy as np
 
 from flexel.base.arrays import Array, Index
 from flexel.base.errors import FlexelError
+from flexel.derive.spec import ElementSpec, LawSpec
 from flexel.generated._kernels import ffi, lib
-from flexel.generated.spec import ElementSpec, LawSpec
 
 LANES = 8  # elements in a block, see generated/kernels.h
 

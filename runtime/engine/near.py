@@ -67,11 +67,9 @@ class NearContacts:
 def _is_contact(batch: Batch) -> bool:
     """A contact has gaps for deformations, a cable's length, and no mass."""
     spec = batch.spec
-    names = [d.name for d in getattr(spec, "deformations", ())]
+    kinds = [d.kind for d in getattr(spec, "deformations", ())]
     lengths = any(p.name == "l0" for p in spec.parameters)
-    return (
-        bool(names) and all(z.startswith("gap") for z in names) and lengths and "inertia" not in spec.kernels
-    )
+    return bool(kinds) and all(z == "gap" for z in kinds) and lengths and "inertia" not in spec.kernels
 
 
 def _all(far: Mask, law: Batch) -> Mask:

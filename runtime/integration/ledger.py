@@ -12,7 +12,7 @@ from flexel.mechanics.balance import Balance, Saddle
 class Ledger:
     """Work and losses of a motion, by the trapezoidal rule over its steps.
 
-    A contact is a law whose first deformation is called gap, or gap1 and gap2 on the flanks of a V groove.
+    A contact is a law whose first deformation is a gap.
 
     Attributes
     ----------
@@ -22,12 +22,12 @@ class Ledger:
 
     def __init__(self, saddle: Saddle) -> None:
         self._saddle = saddle
-        names = saddle.structure.names
+        kinds = saddle.structure.kinds
         laws = saddle.local.laws
         self._contact = np.zeros(laws.count, dtype=bool)
         self._gap = np.zeros(laws.count, dtype=np.intp)
         for numbers, quantities in laws.instances():
-            self._contact[numbers] = [names[q].rsplit(".", 1)[-1].startswith("gap") for q in quantities]
+            self._contact[numbers] = [kinds[q] == "gap" for q in quantities]
             self._gap[numbers] = quantities
         self._touching = np.zeros(0, dtype=bool)
         self._power = np.zeros(2)

@@ -7,20 +7,14 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from flexel.base.errors import RangeWarning
+from flexel.derive.spec import LawSpec, LimitSpec
+from flexel.engine.assembly import Batch
 from flexel.mechanics.core import Core
-
-if TYPE_CHECKING:
-    from flexel.engine.assembly import Batch
-    from flexel.structure.state import State
-
-# law: the parameter, and its entry, that is the largest stress of the law's first deformation in its data; and what
-# the law does beyond
-LARGEST_STRESS = {"calspan_tyre": ("A", 2, "friction and stiffnesses keep their values beyond")}
+from flexel.structure.state import State
 
 
 def outside(system: Core, states: Sequence[State]) -> list[str]:
@@ -28,8 +22,8 @@ def outside(system: Core, states: Sequence[State]) -> list[str]:
     return [
         line
         for law in system.evaluation.laws
-        if law.spec.name in LARGEST_STRESS
-        for line in _outside(system, law, states)
+        if isinstance(law.spec, LawSpec) and law.spec.limit
+        for line in _outside(system, law, law.spec.limit, states)
     ]
 
 
@@ -40,15 +34,14 @@ def warn_outside(system: Core, states: Sequence[State]) -> None:
         warnings.warn("; ".join(found), RangeWarning, stacklevel=4)
 
 
-def _outside(system: Core, law: Batch, states: Sequence[State]) -> Iterator[str]:
+def _outside(system: Core, law: Batch, end: LimitSpec, states: Sequence[State]) -> Iterator[str]:
     name, quantities = law.spec.name, law.inputs["e"][:, 0]
-    parameter, entry, beyond = LARGEST_STRESS[name]
-    limits = law.parameter(parameter)[:, entry]
+    limits = law.parameter(end.parameter)[:, end.component]
     histories = np.array([state.stress[quantities] for state in states]).T
     for quantity, limit, history in zip(quantities, limits, histories, strict=True):
         worst = int(np.argmax(history))
         if history[worst] > limit:
             yield (
                 f"{system.structure.names[quantity]}: {history[worst]:.0f} N at t = {states[worst].t:g} s, data of the "
-                f"{name} end at {limit:.0f} N; {beyond}"
+                f"{name} end at {limit:.0f} N; {end.beyond}"
             )

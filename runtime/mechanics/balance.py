@@ -163,7 +163,7 @@ class Saddle:
         self.z = self.structure.z0  # internal states of laws: held, or where an implicit step starts
         self.step: ImplicitStep | None = None
         self._sizes: Array | None = None  # of the rows of J, found again with every tangent
-        self._angles = self.structure.angle[self.roles.holonomic]
+        self._period = self.structure.period[self.roles.holonomic]
 
     def multipliers(self, state: State) -> Array:
         """Multipliers of the constraints at a state: stresses less those of laws and loads."""
@@ -209,7 +209,7 @@ class Saddle:
             return np.zeros(0)
         kinematics = self.system.kinematics
         target = kinematics.target(kinematics.roles.motion(t), np.zeros(0))
-        return wrap(kinematics.values(e, x)[rows] - target, self._angles)
+        return wrap(kinematics.values(e, x)[rows] - target, self._period)
 
     def _row_sizes(self, J: Array) -> Array:
         """Largest entry of the row of each quantity in J."""

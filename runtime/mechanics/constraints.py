@@ -18,7 +18,6 @@ from flexel.declare.declarations import Declarations
 from flexel.declare.resolution import norms, resolve_roles
 from flexel.engine.evaluate import Evaluation
 from flexel.mechanics.diagnose import null_space
-from flexel.mechanics.stress import BEAMS
 from flexel.structure.roles import Roles
 from flexel.structure.state import State
 from flexel.structure.structure import Structure, assemble_structure
@@ -107,7 +106,7 @@ def _named(structure: Structure, rows: Index, space: Array) -> list[dict[str, fl
         share = vector / vector[int(np.argmax(np.abs(vector)))]
         order = [i for i in np.argsort(-np.abs(share), kind="stable") if abs(share[i]) > SHOWN]
         named = {structure.names[rows[i]]: float(share[i]) for i in order}
-        found.append({z: v for z, v in named.items() if not z.endswith(".norm")} or named)
+        found.append({z: v for z, v in named.items() if not structure.is_norm(z)} or named)
     return found
 
 
@@ -115,7 +114,10 @@ def _releases(structure: Structure, rows: Index, C: Array) -> list[str]:
     """Conditions to give up, each the one with the largest share in what is redundant still."""
     bending = {z.split(".")[0] for law in structure.laws for z in law.deformations}
     flexible = {
-        d for z in structure.instances if z.spec.name in BEAMS and z.name in bending for d in z.deformations
+        d
+        for z in structure.instances
+        if z.spec.family == "beam" and z.name in bending
+        for d in z.deformations
     }
     usable = [i for i in range(rows.size) if structure.names[rows[i]] in flexible]
     usable = usable or [i for i in range(rows.size) if rows[i] < structure.m]

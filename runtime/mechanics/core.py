@@ -55,7 +55,7 @@ class Core:
         still = np.zeros(self.structure.n)
         self._last = Moment(start.t, start.x, still, start.e, np.zeros(self.structure.m))
         self._wound = bool(self.structure.relations) or any(  # where an angle's turns matter to the forces
-            self.structure.angle[self.structure.index[z]]
+            self.structure.period[self.structure.index[z]]
             for law in self.structure.laws
             for z in law.deformations
         )
@@ -109,7 +109,7 @@ class Core:
     def counts(self) -> dict[str, int]:
         """Numbers of coordinates, deformations (Euler-parameter norms not counted), slips and freedoms."""
         s, r = self.structure, self.roles
-        norms = sum(instance.spec.name == "norm" for instance in s.instances)
+        norms = s.kinds.count("norm")
         return {
             "coordinates": s.n,
             "free coordinates": s.nf,

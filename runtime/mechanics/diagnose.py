@@ -47,7 +47,7 @@ def largest(structure: Structure, rows: Index, vector: Array, limit: int = 6) ->
     weight = np.abs(vector) / max(float(np.max(np.abs(vector))), 1e-300)
     order = [i for i in np.argsort(-weight, kind="stable") if weight[i] > 0.05]
     names = [structure.names[rows[i]] for i in order]
-    return [name for name in names if not name.endswith(".norm")][:limit] or names[:limit]
+    return [name for name in names if not structure.is_norm(name)][:limit] or names[:limit]
 
 
 def quoted(names: list[str]) -> str:

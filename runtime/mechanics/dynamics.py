@@ -233,5 +233,5 @@ def with_multipliers(
 def drift(kinematics: Kinematics, e: Array, x: Array) -> float:
     """Largest violation of the rigid conditions, relative to their natural scales."""
     rows = kinematics.roles.rigid
-    held = wrap(kinematics.values(e, x)[rows], kinematics.structure.angle[rows])
+    held = wrap(kinematics.values(e, x)[rows], kinematics.structure.period[rows])
     return float(np.max(np.abs(held) / kinematics.scales(rows), initial=0.0))

@@ -35,7 +35,7 @@ def first_position(model: Declarations, kinematics: Kinematics, t: float) -> Con
         [kinematics.target(kinematics.roles.motion(t), np.zeros(0)), np.array(list(wanted.values()))]
     )
     e_near = e
-    change = wrap(goal - start, structure.angle[rows]) / kinematics.scales(rows)
+    change = wrap(goal - start, structure.period[rows]) / kinematics.scales(rows)
     steps = max(1, int(np.ceil(np.max(np.abs(change), initial=0.0) / STEP)))
     for i in range(1, steps + 1):
         part = start + (goal - start) * i / steps
@@ -52,12 +52,12 @@ def _nearest(
 ) -> tuple[Array, Array]:
     """Coordinates that meet the rows, and their deformations with turns counted from `near`."""
     structure, nf = kinematics.structure, kinematics.structure.nf
-    scale, angle = kinematics.scales(rows), structure.angle[rows]
+    scale, period = kinematics.scales(rows), structure.period[rows]
     x, best, stalled = x.copy(), np.inf, 0
     for _ in range(60):
         e, J = kinematics.evaluate(x)
         e = near = unwrap(structure, e, near)
-        residual = wrap(kinematics.values(e, x)[rows] - goal, angle)
+        residual = wrap(kinematics.values(e, x)[rows] - goal, period)
         error = float(np.max(np.abs(residual) / scale, initial=0.0))
         if error < 1e-13 or (error < 1e-11 and error > 0.5 * best):
             return x, near

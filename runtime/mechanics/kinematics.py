@@ -55,17 +55,22 @@ def natural_scales(structure: Structure) -> Array:
     return np.array([size if unit == "m" else 1.0 for unit in structure.units])
 
 
-def wrap(residual: Array, angle: Any) -> Array:
-    """Differences of angles brought to (-pi, pi]; other entries unchanged."""
-    return np.where(angle, np.remainder(residual + np.pi, 2 * np.pi) - np.pi, residual)
+def turns(difference: Array, period: Array) -> Array:
+    """The whole periods in differences of quantities; zero where a quantity has none."""
+    return period * np.round(np.divide(difference, period, out=np.zeros_like(difference), where=period > 0))
+
+
+def wrap(residual: Array, period: Array) -> Array:
+    """Differences of quantities without whole periods; those without a period unchanged."""
+    return residual - turns(residual, period)
 
 
 def unwrap(structure: Structure, e: Array, reference: Array) -> Array:
-    """Deformations with the turns that bring angles nearest to a reference."""
-    angle = structure.angle[: structure.m]
-    if not angle.any():
+    """Deformations with the whole periods that bring those that wind nearest to a reference."""
+    period = structure.period[: structure.m]
+    if not period.any():
         return e
-    found = np.asarray(e + 2 * np.pi * np.where(angle, np.round((reference - e) / (2 * np.pi)), 0.0))
+    found = e + turns(reference - e, period)
     return structure.relations.shifted(e, found) if structure.relations else found
 
 
@@ -80,7 +85,8 @@ class Kinematics:
         self._scale = natural_scales(self.structure)
         rows = roles.position_rows
         self._weight = 1.0 / self._scale[rows]
-        self._angles = np.flatnonzero(self.structure.angle[rows])
+        self._winding = np.flatnonzero(self.structure.period[rows])
+        self._period = self.structure.period[rows][self._winding]
         self._step_weight = 1.0 / self._scale[self.structure.m + self.structure.k :][: self.structure.nf]
         self._room: Array | None = None
         self.forget()
@@ -205,9 +211,8 @@ class Kinematics:
 
     def _residual(self, e: Array, x: Array, target: Array) -> Array:
         residual = self.values(e, x)[self.roles.position_rows] - target
-        if self._angles.size:
-            difference = residual[self._angles]
-            residual[self._angles] -= 2 * np.pi * np.round(difference / (2 * np.pi))
+        if self._winding.size:
+            residual[self._winding] -= turns(residual[self._winding], self._period)
         return residual
 
     def _predict(self, guess: Array, target: Array) -> Array:

@@ -21,8 +21,6 @@ from flexel.declare.sections import SectionForces, StressPoint
 from flexel.structure.instances import Instance
 from flexel.structure.state import State
 
-BEAMS = ("beam", "beam_first_order", "planar_beam", "planar_beam_first_order")
-
 
 @dataclass(frozen=True)
 class BeamStress:
@@ -89,7 +87,7 @@ def _end(state: State, instance: Instance, f: Array, k: int, side: str) -> tuple
     """Force and moment (3,) on one end in global axes, and the section's axes (3, 3)."""
     s, (point, frame) = state.structure, instance.nodes[2 * k : 2 * k + 2]
     force, turn = f[s.places(point)], f[s.places(frame)]
-    if instance.spec.name.startswith("planar"):
+    if instance.spec.planar:
         name = "alpha0" if side == "p" else "alphaq0"
         angle = state.position(frame)[0] + float(np.ravel(instance.parameters[name])[0])
         c, z = np.cos(angle), np.sin(angle)
@@ -126,14 +124,14 @@ def largest_stress(state: State) -> BeamStress:
     ModelError
         If there is none.
     """
-    beams = [z.name for z in state.structure.instances if z.profile is not None and z.spec.name in BEAMS]
+    beams = [z.name for z in state.structure.instances if z.profile is not None and z.spec.family == "beam"]
     if not beams:
         raise ModelError("no beam has a section; give one to m.beam(…, section=, material=)")
     return max((beam_stress(state, z) for z in beams), key=lambda z: z.mises)
 
 
 def _find(state: State, beam: str) -> Instance:
-    known = {z.name: z for z in state.structure.instances if z.spec.name in BEAMS}
+    known = {z.name: z for z in state.structure.instances if z.spec.family == "beam"}
     if beam not in known:
         raise ModelError(unknown(str(beam), known, "beam with two frames"))
     return known[beam]

@@ -13,7 +13,7 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.quaternions import conjugate, matrix, product
-from flexel.pictures.painters import CONTACTS, PAINTERS, WHEELS, bar
+from flexel.pictures.painters import PAINTERS, rolls
 from flexel.pictures.rope_painters import sheaves
 from flexel.pictures.shape import Shape, Sketch, place
 from flexel.structure.instances import Instance
@@ -26,13 +26,13 @@ def shapes(state: State, sketches: Sequence[Sketch] = ()) -> list[Shape]:
     """All parts of the model at a state, elements in their order, then sketches, then the nodes."""
     shown = [z for z in state.structure.instances if "." not in z.name]  # the others only measure
     # a body that has a sketch or is a wheel needs no box
-    outlined = {sketch.frame for sketch in sketches} | {z.nodes[1] for z in shown if z.spec.name in WHEELS}
+    outlined = {sketch.frame for sketch in sketches} | {z.nodes[1] for z in shown if rolls(z)}
     found: list[Shape] = []
     state = replace(state, evaluation=_Geometry(state.evaluation))
     for instance in shown:
         boxed = outlined.isdisjoint(instance.nodes)
         found += [z for z in _element(state, instance) if boxed or z.style != "box"]
-    found += sheaves(state, (z for z in shown if z.spec.name in CONTACTS))
+    found += sheaves(state, (z for z in shown if z.spec.family == "contact"))
     found += [_sketch(state, sketch) for sketch in sketches]
     for node in state.structure.nodes:
         if node.kind.endswith("point") and "." not in node.name:
@@ -60,7 +60,7 @@ def roads(state: State) -> list[tuple[Array, float]]:
     """Unit normal and height of every plane on which a wheel rolls, each once."""
     found: dict[tuple[float, ...], tuple[Array, float]] = {}
     for instance in state.structure.instances:
-        if instance.spec.name in WHEELS and "normal" in instance.parameters:
+        if rolls(instance) and "normal" in instance.parameters:
             normal, height = instance.parameters["normal"], float(instance.parameters["height"][0])
             found[(*normal.tolist(), height)] = (np.asarray(normal, dtype=float), height)
     return list(found.values())
@@ -84,8 +84,7 @@ def planar(state: State) -> bool:
 
 def _element(state: State, instance: Instance) -> Iterator[Shape]:
     """Shapes of one element; norms and sensors have none."""
-    kind = instance.spec.name.removesuffix("_first_order")
-    yield from PAINTERS.get(kind, bar)(state, instance)
+    yield from PAINTERS[instance.spec.picture](state, instance)
 
 
 def _sketch(state: State, sketch: Sketch) -> Shape:

@@ -1,6 +1,6 @@
 """What each kind of element looks like at a state: a table of functions that give its shapes.
 
-A new kind of element is drawn by one function and one line in `PAINTERS`.
+A new picture is one function and one line in `PAINTERS`.
 """
 
 from __future__ import annotations
@@ -62,7 +62,7 @@ def beam(state: State, instance: Instance) -> Iterator[Shape]:
     """The axis of a beam as the cubic through its end points and end directions."""
     p, rp, q, rq = instance.nodes
     l0 = float(instance.parameters["l0"][0])
-    if instance.spec.name.startswith("planar"):
+    if instance.spec.planar:
         starts = [float(instance.parameters[a][0]) for a in ("alpha0", "alphaq0")]
         triads = [turned(float(state.position(r)[0]) + a) for r, a in zip((rp, rq), starts, strict=True)]
     else:
@@ -153,7 +153,7 @@ def hinge(state: State, instance: Instance) -> Iterator[Shape]:
     held = [_points(state.structure, r) for r in instance.nodes]
     found = [z for z in held[1] if z in held[0]] or held[1] or held[0]
     if found:
-        planar = instance.spec.name.startswith("planar")
+        planar = instance.spec.planar
         turn = None if planar else product(state.position(instance.nodes[0]), instance.parameters["tp"])
         axis = np.array([0.0, 0.0, 1.0]) if turn is None else matrix(turn)[:, 0]
         yield _pin(state, instance, found[0], axis)
@@ -176,10 +176,15 @@ def _points(structure: Structure, frame: str) -> list[str]:
         frames = [n for n in instance.nodes if n not in ends]
         if len(frames) == len(ends):  # each end has its own
             ends = [ends[frames.index(frame)]]
-        elif instance.spec.name in WHEELS:
+        elif rolls(instance):
             ends = ends[:1]
         found += [z for z in ends if "." not in z]
     return found
+
+
+def rolls(instance: Instance) -> bool:
+    """Whether an element is a wheel or tyre with a hub and a frame."""
+    return instance.spec.picture in ("wheel", "tyre")
 
 
 def _axial(state: State, instance: Instance) -> dict[str, Array]:
@@ -202,31 +207,20 @@ def _bending(state: State, instance: Instance) -> dict[str, Array]:
     return found
 
 
-CONTACTS = (
-    *("cable_cylinder", "cable_plane", "cable_v_groove", "cable_round_groove"),
-    *("planar_cable_circle", "planar_cable_line"),
-)
-WHEELS = ("wheel", "toroidal_wheel", "tyre", "tyre_on_road")
+# by the word that an element's declaration has for its picture
 PAINTERS: dict[str, Callable[[State, Instance], Iterator[Shape]]] = {
-    "truss": bar,
-    "planar_truss": bar,
-    "beam3": bar,
-    "planar_beam3": bar,
-    "bearing": bearing,
-    "hinge": hinge,
-    "planar_hinge": hinge,
+    "": bar,
+    "bar": bar,
     "beam": beam,
-    "planar_beam": beam,
-    "cable": rope,
-    "planar_cable": rope,
-    **dict.fromkeys(("wheel", "toroidal_wheel"), wheel),
-    **dict.fromkeys(("tyre", "tyre_on_road"), tyre),
-    **dict.fromkeys(CONTACTS, contact),
+    "bearing": bearing,
+    "belt": planar_painters.belt,
     "body": body,
-    "planar_body": body,
-    "point_mass": mass,
-    "planar_point_mass": mass,
-    "planar_belt": planar_painters.belt,
-    "planar_gear": planar_painters.gears,
-    "planar_wheel": planar_painters.wheel,
+    "contact": contact,
+    "disc": planar_painters.wheel,
+    "gears": planar_painters.gears,
+    "hinge": hinge,
+    "mass": mass,
+    "rope": rope,
+    "tyre": tyre,
+    "wheel": wheel,
 }

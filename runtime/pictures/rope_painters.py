@@ -68,7 +68,7 @@ def _sheave(state: State, instance: Instance) -> Iterator[Shape]:
     z = instance.parameters
     body, frame = instance.nodes[4:6]
     radius, half = float(z["radius"][0]), WIDTH / 2 * float(z["rope_radius"][0])
-    if instance.spec.name.startswith("planar"):
+    if instance.spec.planar:
         R = turned(float(state.position(frame)[0]) + float(z["alpha0"][0]))
         axle, spoke = R[:, 2], R[:, 0]
     else:

@@ -23,7 +23,6 @@ from flexel.structure.state import State
 
 # Places on (-1, 1) and weights of sum 2.
 AXIAL, BENDING = (np.polynomial.legendre.leggauss(k) for k in (4, 3))
-KINDS = ("cable", "planar_cable")
 
 
 class Cables(Beams, Nodes):
@@ -248,7 +247,7 @@ def gauss_tension(state: State, rows: Index, l0: Array) -> Array:
 
 
 def _cables(state: State) -> dict[str, Instance]:
-    return {z.name: z for z in state.structure.instances if z.spec.name in KINDS}
+    return {z.name: z for z in state.structure.instances if z.spec.family == "cable"}
 
 
 def find_cable(state: State, cable: str) -> Instance:

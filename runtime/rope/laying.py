@@ -168,7 +168,7 @@ def _gaps(surface: Surface, places: Array, rope_radius: float) -> Array:
     along = off @ surface.axle
     radial = np.linalg.norm(off - along[:, None] * surface.axle, axis=1)
     gaps: Array = radial - surface.radius - rope_radius
-    return gaps if surface.element == "cable_cylinder" else gaps[np.abs(along) < rope_radius]
+    return gaps if "flank" not in surface.parameters else gaps[np.abs(along) < rope_radius]
 
 
 def _shares(path: Path, refine: float) -> tuple[Array, Array]:

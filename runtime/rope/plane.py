@@ -105,7 +105,7 @@ class RopePlane:
                 found.append(Circle(place.name, self.flat[i], 0.0))
                 continue
             R = place.radius + rope_radius
-            if place.element == "cable_v_groove":  # both flanks share the load
+            if len(place.gaps) == 2:  # both flanks share the load
                 sine = float(place.parameters["flank"][0])
                 deep = depth(tension / R / (2 * sine)) / sine
             else:

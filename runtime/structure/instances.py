@@ -10,7 +10,7 @@ import numpy as np
 from flexel.base.arguments import array
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
-from flexel.generated.spec import ElementSpec, LawSpec
+from flexel.derive.spec import ElementSpec, LawSpec
 
 
 @dataclass(frozen=True)

@@ -7,12 +7,11 @@ Every deformation, slip and coordinate is one *quantity* with one index in the s
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
 from flexel.base.arguments import unknown
 from flexel.base.arrays import Array, Index
@@ -34,8 +33,10 @@ class Structure:
         Coordinates, free coordinates, deformations, slips.
     names : tuple of str (m + k + n)
         Names of the quantities in the stacked order.
-    angle : ndarray of bool (m + k + n)
-        Quantities that repeat after 2 pi.
+    period : ndarray (m + k + n)
+        After which a quantity repeats, zero for none: 2 pi for an angle.
+    kinds : tuple of str (m)
+        What a deformation is: "gap" of a contact, "norm" of a frame's Euler parameters, or "".
     internal : mapping of str to int
         Names of the laws' internal states z, with their indices in z (nz,); they are no quantities.
     internal_units : tuple of str (nz)
@@ -50,7 +51,8 @@ class Structure:
     nf: int
     names: tuple[str, ...]
     units: tuple[str, ...]
-    angle: NDArray[np.bool_]
+    period: Array
+    kinds: tuple[str, ...]
     coordinate_of: Mapping[str, int]
     m: int
     k: int
@@ -80,6 +82,11 @@ class Structure:
             return self.index[name]
         raise ModelError(f"{owner}: " * bool(owner) + unknown(str(name), self.index))
 
+    def is_norm(self, name: str) -> bool:
+        """Whether a quantity is the norm of a frame's Euler parameters."""
+        i = self.index[name]
+        return i < self.m and self.kinds[i] == "norm"
+
     @cached_property
     def _by_name(self) -> dict[str, Node]:
         return {node.name: node for node in self.nodes}
@@ -93,6 +100,12 @@ class Structure:
     def places(self, name: str) -> Index:
         """Indices in x of all coordinates of a node."""
         return np.array([self.coordinate_of[c] for c in self.node(name).coordinates], dtype=np.intp)
+
+
+def _periods(instances: Iterable[Instance]) -> Iterator[float]:
+    """Of all deformations, with the parameters of their elements."""
+    for z in instances:
+        yield from (d.repeats(z.parameters) for d in z.spec.deformations)
 
 
 def assemble_structure(
@@ -131,7 +144,8 @@ def assemble_structure(
         nf=int(np.sum(~fixed)),
         names=names,
         units=tuple(units),
-        angle=np.array([d.angle for d in specs] + [False] * (len(slips) + len(coordinates)), dtype=bool),
+        period=np.array([*_periods(instances), *[0.0] * (len(slips) + len(coordinates))]),
+        kinds=tuple(d.kind for d in specs),
         coordinate_of={name: i for i, name in enumerate(coordinates)},
         m=len(deformations),
         k=len(slips),

@@ -9,7 +9,7 @@ import sympy
 
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError, FlexelError, IncompleteWarning
-from flexel.derive.branches import check_branches
+from flexel.derive.check.branches import check_branches
 from flexel.model import Model
 
 

@@ -13,7 +13,7 @@ from scipy.integrate import solve_ivp
 
 import flexel as fx
 from flexel.derive import Deformation, Element, Law, Let, Parameter, Point, Slip, symbol
-from flexel.derive.rotation import dot, norm
+from flexel.derive.declare.rotation import dot, norm
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "writing-an-element.md"
 BLOCKS = re.findall(r"```python\n(.*?)```", PAGE.read_text(encoding="utf-8"), re.DOTALL)

@@ -10,7 +10,7 @@ import pytest
 import sympy as sp
 
 from flexel.derive.compile import CompilerMissingError, cache_directory, compile_element, compile_law
-from flexel.derive.element import Deformation, Element, Law, Let, Parameter, Point, symbol
+from flexel.derive.declare import Deformation, Element, Law, Let, Parameter, Point, symbol
 
 _KERNEL = ctypes.CFUNCTYPE(
     None,

@@ -10,7 +10,7 @@ import pytest
 import sympy as sp
 from scipy.integrate import solve_ivp
 
-from flexel.derive.element import Law
+from flexel.derive.declare import Law
 from flexel.derive.laws.contact import CONTACT
 
 DATA = json.loads((Path(__file__).parents[1] / "data" / "rope_analytic.json").read_text())["hertz_bounce"]

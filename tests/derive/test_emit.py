@@ -8,17 +8,17 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
-from flexel.derive import emit as emitting
 from flexel.derive.__main__ import main
 from flexel.derive.elements import ELEMENTS
-from flexel.derive.emit import Emitted, baseline, check, emit, risen, stale, write
+from flexel.derive.emit import emit as emitting
+from flexel.derive.emit.emit import Emitted, baseline, check, emit, risen, stale, write
 
 FEW = tuple(element for element in ELEMENTS if element.name in ("truss", "hinge", "planar_beam"))
 STRICT = ("-std=c11", "-O0", "-fopenmp-simd", "-Wall", "-Wextra", "-Wpedantic", "-Werror")
 PRINT = """
 import hashlib
 from flexel.derive.elements import ELEMENTS
-from flexel.derive.emit import emit
+from flexel.derive.emit.emit import emit
 files = emit(ELEMENTS[:7] + ELEMENTS[9:]).files
 print(hashlib.sha256(repr(sorted(files.items())).encode()).hexdigest())
 """

@@ -8,11 +8,11 @@ from fractions import Fraction
 import pytest
 import sympy as sp
 
-from flexel.derive.differentiate import elimination, forward, gradient
-from flexel.derive.layers import hessian, jacobian, linear_layer, pulled_jacobian
-from flexel.derive.lower import Lowering, LoweringError
-from flexel.derive.narrowest import narrowest
-from flexel.derive.program import Program
+from flexel.derive.program.differentiate import elimination, forward, gradient
+from flexel.derive.program.layers import hessian, jacobian, linear_layer, pulled_jacobian
+from flexel.derive.program.lower import Lowering, LoweringError
+from flexel.derive.program.narrowest import narrowest
+from flexel.derive.program.program import Program
 
 X = sp.symbols("x0:4", real=True)
 P = sp.symbols("p0:2", real=True)

@@ -7,8 +7,7 @@ from typing import Any
 import mpmath
 import numpy as np
 import pytest
-from mpmath import cos, mpf, sin, sqrt
-from test_elements import (
+from element_numbers import (
     BY_NAME,
     TINY,
     Vector,
@@ -19,13 +18,11 @@ from test_elements import (
     plus,
     product,
     rates_of_deformations,
-    rng,
     rotated,
     rotation,
     unit,
 )
-
-__all__ = ["rng"]  # the fixture
+from mpmath import cos, mpf, sin, sqrt
 
 SURFACES = ["cable_cylinder", "cable_plane", "cable_v_groove", "cable_round_groove"]
 STILL = [1, 0, 0, 0]
@@ -222,7 +219,7 @@ def test_friction_of_a_wound_rope_turns_the_drum_as_its_tension_does(rng: random
 
 
 def test_gauss_points_are_those_of_numpy() -> None:
-    from flexel.derive.shape import gauss_points
+    from flexel.derive.declare.shape import gauss_points
 
     for count in (3, 4):
         places, _ = np.polynomial.legendre.leggauss(count)

@@ -7,8 +7,8 @@ import pytest
 from scipy.linalg import expm
 
 import flexel as fx
+from flexel.derive import TIME, Internal, Law, Parameter, symbol
 from flexel.derive.compile import CompiledLaw, compile_law
-from flexel.derive.element import TIME, Internal, Law, Parameter, symbol
 from flexel.linear.orbits import orbit
 from flexel.mechanics.modes import sort_eigenvalues
 

@@ -12,8 +12,8 @@ from mechanisms import slider_crank
 from scipy.io import loadmat
 
 import flexel as fx
+from flexel.derive import Internal, Law, Parameter, symbol
 from flexel.derive.compile import compile_law
-from flexel.derive.element import Internal, Law, Parameter, symbol
 from flexel.examples.bicycle import bicycle, kick
 from flexel.pictures.drawing import shapes
 
@@ -344,7 +344,7 @@ def test_missing_files_unknown_suffixes_and_other_versions_are_named(
         motion.save(tmp_path / "kick.pkl")
     header = json.dumps({"format": "flexel result 99"})
     np.savez(tmp_path / "later.npz", header=np.array(header))
-    with pytest.raises(fx.ModelError, match="its header is not of the format 'flexel result 1'"):
+    with pytest.raises(fx.ModelError, match="its header is not of the format 'flexel result 2'"):
         fx.load(tmp_path / "later.npz")
 
 

@@ -12,7 +12,7 @@ from flexel.base.arrays import Array
 from flexel.base.units import force_unit, rate_unit
 from flexel.declare.materials import Material, Profile
 from flexel.declare.sections import Circle, IBeam, Rectangle, Tube
-from flexel.generated.spec import (
+from flexel.derive.spec import (
     DeformationSpec,
     ElementSpec,
     InternalSpec,
@@ -20,6 +20,7 @@ from flexel.generated.spec import (
     NodeSpec,
     ParameterSpec,
     SlipSpec,
+    TermSpec,
 )
 from flexel.generated.table import ELEMENTS
 from flexel.structure.instances import Instance, LawInstance
@@ -58,13 +59,24 @@ def _element(z: Instance) -> dict[str, Any]:
         "type": z.spec.name,
         "nodes": z.nodes,
         "ends": [(node.name, node.kind) for node in z.spec.nodes],
-        "deformations": [(d.name, d.unit, d.angle, d.free) for d in z.spec.deformations],
+        "deformations": [_deformation(d) for d in z.spec.deformations],
+        "family": z.spec.family,
+        "picture": z.spec.picture,
         "slips": [(s.name, s.unit, s.free) for s in z.spec.slips],
         "parameters": _numbers(z.parameters),
         "mass_damping": z.mass_damping,
         "terms": None if z.terms is None else dict(z.terms),
         "profile": _profile(z.profile),
     }
+
+
+def _deformation(d: DeformationSpec) -> tuple[object, ...]:
+    return d.name, d.unit, d.free, [(term.factor, term.powers) for term in d.period], d.kind
+
+
+def _deformation_spec(name: str, unit: str, free: bool, period: Any, kind: str) -> DeformationSpec:
+    terms = tuple(TermSpec(factor, tuple((z, i, n) for z, i, n in powers)) for factor, powers in period)
+    return DeformationSpec(name, unit, free, terms, kind)
 
 
 def _profile(profile: object) -> dict[str, Any] | None:
@@ -115,9 +127,11 @@ def _spec(z: Mapping[str, Any], values: Mapping[str, Array]) -> ElementSpec:
         source="",
         nodes=tuple(NodeSpec(*end) for end in z["ends"]),
         parameters=tuple(ParameterSpec(name, value.size, "", "") for name, value in values.items()),
-        deformations=tuple(DeformationSpec(*d) for d in z["deformations"]),
+        deformations=tuple(_deformation_spec(*d) for d in z["deformations"]),
         slips=tuple(SlipSpec(*s) for s in z["slips"]),
         kernels={},
+        family=z["family"],
+        picture=z["picture"],
     )
     known = ELEMENTS.get(spec.name)
     return known if known is not None and _outside(known) == _outside(spec) else spec

@@ -22,7 +22,7 @@ from flexel.base.errors import FlexelError, ModelError
 from flexel.results.saved.record import Record, Variable, require
 from flexel.results.saved.tables_of_runs import refuse_table
 
-FORMAT = "flexel result 1"
+FORMAT = "flexel result 2"
 TITLES = {"value": "{}", "rate": "{}'", "acceleration": "{}''", "force": "force:{}"}
 HEADER = "header"
 LONGEST = 63  # letters in a name of a Matlab variable

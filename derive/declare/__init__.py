@@ -1,0 +1,29 @@
+"""Declarations of elements and laws: what their pages are written with, and what is checked at once."""
+
+from flexel.derive.declare.element import Element
+from flexel.derive.declare.law import Internal, Law, Limit
+from flexel.derive.declare.let import Let
+from flexel.derive.declare.modes import Deformation, Slip
+from flexel.derive.declare.nodes import Frame, Node, PlanarAngle, PlanarPoint, PlanarSlope, Point, Slope
+from flexel.derive.declare.parameters import Parameter
+from flexel.derive.declare.symbols import TIME, symbol
+
+__all__ = [
+    "TIME",
+    "Deformation",
+    "Element",
+    "Frame",
+    "Internal",
+    "Law",
+    "Let",
+    "Limit",
+    "Node",
+    "Parameter",
+    "PlanarAngle",
+    "PlanarPoint",
+    "PlanarSlope",
+    "Point",
+    "Slip",
+    "Slope",
+    "symbol",
+]

@@ -1,0 +1,154 @@
+"""What an element is: frozen data, with the mathematics and its source beside it.
+
+An element is written as a few plain SymPy expressions in its nodes' coordinates ``x`` and rates ``v`` and in its
+parameters; everything else (derivatives, mass matrix, tangents) is obtained by ``flexel.derive.program``.
+"""
+
+from dataclasses import dataclass
+
+import sympy as sp
+from sympy import Expr, Matrix, Symbol
+
+from flexel.derive.declare.checks import (
+    check_functions,
+    check_list,
+    check_name,
+    check_scalar,
+    check_symbols,
+    check_text,
+    check_unique,
+    rate_degrees,
+)
+from flexel.derive.declare.modes import Deformation, Slip
+from flexel.derive.declare.nodes import Node
+from flexel.derive.declare.parameters import Parameter
+from flexel.derive.declare.winding import check_period
+from flexel.derive.declare.words import FAMILIES, PICTURES, check_word
+
+
+@dataclass(frozen=True)
+class Element:
+    """An element *is* its functions D, V, T and U of the coordinates of its nodes.
+
+    Parameters
+    ----------
+    name : str
+        A name in C.
+    nodes : tuple of Node
+        Their coordinates, one after another, are x (n).
+    parameters : tuple of Parameter
+    let : tuple of (Symbol, Expr)
+        Named intermediates, each in terms of x, v, parameters and earlier ones.
+    deformations : tuple of Deformation
+        e = D(x), m of them.
+    slips : tuple of Slip
+        s = V(x) v, k of them.
+    kinetic_energy : Expr
+        T = v'M(x)v / 2 [J].
+    potential : Expr
+        U(x) of the body forces [J].
+    doc : str
+        The mathematics in a few lines of plain text; head comment of the generated C.
+    source : str
+        Author, year, equation.
+    family : str, optional
+        What analyses treat it as, one of `flexel.derive.declare.words.FAMILIES`.
+    picture : str, optional
+        What paints it, one of `flexel.derive.declare.words.PICTURES`; by default a line through its points.
+    span : str, optional
+        Name of the built-in element that carries a load along its length: on its nodes, or on the first and the last of
+        them, with parameters that it has itself.
+
+    Raises
+    ------
+    ValueError
+        A name is used twice or is not a name in C, a unit or a meaning is missing, an expression is not scalar or
+        contains an unknown symbol or function, D or U depends on v, a slip is not linear or T not quadratic
+        in v.
+    """
+
+    name: str
+    nodes: tuple[Node, ...]
+    parameters: tuple[Parameter, ...] = ()
+    let: tuple[tuple[Symbol, Expr], ...] = ()
+    deformations: tuple[Deformation, ...] = ()
+    slips: tuple[Slip, ...] = ()
+    kinetic_energy: Expr = sp.S.Zero
+    potential: Expr = sp.S.Zero
+    doc: str = ""
+    source: str = ""
+    family: str = ""
+    picture: str = ""
+    span: str = ""
+
+    def __post_init__(self) -> None:
+        owner = f"element '{self.name}'"
+        kinds = {"nodes": Node, "parameters": Parameter, "deformations": Deformation, "slips": Slip}
+        for what, kind in kinds.items():
+            check_list(owner, what, getattr(self, what), kind)
+        check_name(owner, self.name)
+        if not self.nodes:
+            raise ValueError(f"{owner} has no nodes")
+        symbols = [*self.x, *self.v, *self.parameter_symbols, *(s for s, _ in self.let)]
+        for s in symbols:
+            check_name(owner, s.name)
+        check_unique(owner, [s.name for s in symbols])
+        check_unique(owner, [d.name for d in self.deformations] + [s.name for s in self.slips])
+        check_unique(owner, [node.name for node in self.nodes])
+        check_unique(owner, [p.name for p in self.parameters])
+        check_word(owner, "family", self.family, FAMILIES)
+        check_word(owner, "picture", self.picture, PICTURES)
+        self._check_expressions(owner)
+
+    def _check_expressions(self, owner: str) -> None:
+        degrees = dict.fromkeys([*self.x, *self.parameter_symbols], frozenset({0}))
+        degrees.update(dict.fromkeys(self.v, frozenset({1})))
+        moving = {*self.x}  # what changes with the coordinates
+
+        def check(what: str, expr: object, allowed: int, fact: str) -> None:
+            check_scalar(owner, what, expr)
+            check_symbols(owner, what, expr, degrees)
+            if not rate_degrees(expr, degrees) <= {allowed}:
+                raise ValueError(f"{owner}: {what} {fact}")
+            check_functions(owner, what, expr)
+
+        for s, expr in self.let:
+            check_scalar(owner, f"let '{s}'", expr)
+            check_symbols(owner, f"let '{s}'", expr, degrees)
+            check_functions(owner, f"let '{s}'", expr)
+            degrees[s] = rate_degrees(expr, degrees)
+            if not moving.isdisjoint(expr.free_symbols):
+                moving.add(s)
+        modes: tuple[Deformation | Slip, ...] = (*self.deformations, *self.slips)
+        for mode in modes:
+            if not mode.unit:
+                raise ValueError(f"{owner}: '{mode.name}' has no unit; give an SI unit, or '1'")
+        for d in self.deformations:
+            check(f"deformation '{d.name}'", d.expr, 0, "depends on rates; declare it as a slip")
+            if moving.isdisjoint(d.expr.free_symbols):
+                raise ValueError(
+                    f"{owner}: deformation '{d.name}' depends on no coordinate; use those of its nodes"
+                )
+            check_period(owner, d, self.let, self.parameters)
+        for slip in self.slips:
+            check(f"slip '{slip.name}'", slip.expr, 1, "is not linear in the rates")
+        check("the kinetic energy", self.kinetic_energy, 2, "is not quadratic in the rates")
+        check("the potential", self.potential, 0, "depends on rates")
+        if not (modes or self.kinetic_energy or self.potential):
+            raise ValueError(f"{owner}: it has no deformation, slip or energy; declare one")
+        check_text(owner, "the element", self.doc)
+
+    @property
+    def x(self) -> Matrix:
+        """Coordinates of all nodes, column (n, 1)."""
+        return Matrix([c for node in self.nodes for c in node.x])
+
+    @property
+    def v(self) -> Matrix:
+        """Their rates, column (n, 1)."""
+        return Matrix([c for node in self.nodes for c in node.v])
+
+    @property
+    def parameter_symbols(self) -> tuple[Symbol, ...]:
+        """All parameters, flattened in declared order."""
+        return tuple(s for p in self.parameters for s in p.symbols)

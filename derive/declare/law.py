@@ -1,0 +1,150 @@
+"""What a law is: stresses, internal states and stored energy, with the source beside them."""
+
+from dataclasses import dataclass
+
+import sympy as sp
+from sympy import Expr, Symbol
+
+from flexel.derive.declare.checks import (
+    check_functions,
+    check_list,
+    check_name,
+    check_scalar,
+    check_symbols,
+    check_text,
+    check_unique,
+)
+from flexel.derive.declare.parameters import Parameter
+from flexel.derive.declare.symbols import TIME, symbol
+
+
+@dataclass(frozen=True)
+class Internal:
+    """Internal state z of a law (a bristle's deflection, a lagging slip), with its rate."""
+
+    name: str
+    unit: str
+    rate: Expr
+
+    @property
+    def symbol(self) -> Symbol:
+        """The symbol that stands for its value."""
+        return symbol(self.name)
+
+
+@dataclass(frozen=True)
+class Limit:
+    """Where a law's data end: the largest stress of its first deformation, and what it does beyond.
+
+    Parameters
+    ----------
+    parameter : Symbol
+        The parameter, or the component of one, that is the largest stress.
+    beyond : str
+        What the law does there, in a few words.
+    """
+
+    parameter: Symbol
+    beyond: str
+
+
+@dataclass(frozen=True)
+class Law:
+    """Constitutive law: (sigma, tau, dz/dt) and the stored energy as functions of (e, ed, s, z, t) and parameters.
+
+    Parameters
+    ----------
+    name, doc : str
+    parameters : tuple of Parameter
+    e, ed : tuple of Symbol, (m,)
+        Deformations and their rates.
+    s : tuple of Symbol, (k,)
+        Slips.
+    sigma : tuple of Expr, (m,)
+    tau : tuple of Expr, (k,)
+    energy : Expr
+        Stored energy U(e, z) [J]; zero if the law stores none.
+    source : str
+    states : tuple of Internal, (nz,)
+        Internal states with their rates.
+    let : tuple of (Symbol, Expr)
+        Named intermediates, each in terms of the arguments, parameters and earlier ones.
+    limit : Limit, optional
+        Where its data end.
+
+    Raises
+    ------
+    ValueError
+        A name is used twice or is not a name in C, a unit or a stress is missing, an expression is not scalar or
+        contains an unknown symbol, the energy depends on rates.
+
+    Notes
+    -----
+    The time is the symbol `TIME`.
+    """
+
+    name: str
+    doc: str
+    parameters: tuple[Parameter, ...]
+    e: tuple[Symbol, ...]
+    ed: tuple[Symbol, ...]
+    s: tuple[Symbol, ...]
+    sigma: tuple[Expr, ...]
+    tau: tuple[Expr, ...]
+    energy: Expr = sp.S.Zero
+    source: str = ""
+    states: tuple[Internal, ...] = ()
+    let: tuple[tuple[Symbol, Expr], ...] = ()
+    limit: Limit | None = None
+
+    def __post_init__(self) -> None:
+        owner = f"law '{self.name}'"
+        kinds = {"parameters": Parameter, "states": Internal, "e": Symbol, "ed": Symbol, "s": Symbol}
+        for what, kind in {**kinds, "sigma": object, "tau": object}.items():
+            check_list(owner, what, getattr(self, what), kind)
+        check_name(owner, self.name)
+        symbols = [*self.e, *self.ed, *self.s, *self.z, TIME, *self.parameter_symbols]
+        for s in (*symbols, *(s for s, _ in self.let)):
+            check_name(owner, s.name)
+        check_unique(owner, [s.name for s in (*symbols, *(s for s, _ in self.let))])
+        check_unique(owner, [p.name for p in self.parameters])
+        if not len(self.e) == len(self.ed) == len(self.sigma) or len(self.s) != len(self.tau):
+            raise ValueError(f"{owner}: give a stress for each deformation (with its rate) and slip")
+        if self.limit is not None and self.limit.parameter not in self.parameter_symbols:
+            raise ValueError(
+                f"{owner}: the limit {self.limit.parameter} is not one of its parameters; declare it"
+            )
+        self._check_expressions(owner, symbols)
+
+    def _check_expressions(self, owner: str, symbols: list[Symbol]) -> None:
+        def check(what: str, expr: object) -> None:
+            check_scalar(owner, what, expr)
+            check_symbols(owner, what, expr, known)
+            check_functions(owner, what, expr)
+
+        known, on_rates = set(symbols), {*self.ed, *self.s, TIME}
+        for s, expr in self.let:
+            check(f"let '{s}'", expr)
+            known.add(s)
+            if expr.free_symbols & on_rates:
+                on_rates.add(s)
+        for i, expr in enumerate((*self.sigma, *self.tau)):
+            check(f"stress {i + 1}", expr)
+        for state in self.states:
+            check(f"the rate of '{state.name}'", state.rate)
+            if not state.unit:
+                raise ValueError(f"{owner}: '{state.name}' has no unit; give an SI unit, or '1'")
+        check("the energy", self.energy)
+        if self.energy.free_symbols & on_rates:
+            raise ValueError(f"{owner}: the energy depends on rates, slips or the time; it is one of (e, z)")
+        check_text(owner, "the law", self.doc)
+
+    @property
+    def z(self) -> tuple[Symbol, ...]:
+        """Internal states (nz,)."""
+        return tuple(state.symbol for state in self.states)
+
+    @property
+    def parameter_symbols(self) -> tuple[Symbol, ...]:
+        """All parameters, flattened in declared order."""
+        return tuple(s for p in self.parameters for s in p.symbols)

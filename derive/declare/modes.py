@@ -1,0 +1,45 @@
+"""Deformations and slips: what an element measures, and what laws and conditions act on."""
+
+from dataclasses import dataclass
+
+from sympy import Expr
+
+from flexel.derive.declare.words import KINDS, check_word
+
+
+@dataclass(frozen=True)
+class Deformation:
+    """Generalized deformation e = D(x).
+
+    Parameters
+    ----------
+    name, unit : str
+    expr : Expr
+    free : bool, optional
+        Whether it is free at first; otherwise rigid.
+    period : Expr, optional
+        By which it jumps where a turn is complete: 2 pi, or a sum of products of powers of parameters. Zero says that
+        it never jumps, although an atan2 in it could.
+    kind : str, optional
+        The gap of a contact ("gap") or the norm of a frame's Euler parameters ("norm").
+    """
+
+    name: str
+    unit: str
+    expr: Expr
+    free: bool = False
+    period: Expr | int | float | None = None
+    kind: str = ""
+
+    def __post_init__(self) -> None:
+        check_word(f"deformation '{self.name}'", "kind", self.kind, KINDS)
+
+
+@dataclass(frozen=True)
+class Slip:
+    """Generalized slip s = V(x) v, linear in the rates; `free` says it is free by default (else zero)."""
+
+    name: str
+    unit: str
+    expr: Expr
+    free: bool = False

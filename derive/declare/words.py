@@ -1,0 +1,45 @@
+"""The words in which a declaration says what an element is for: small vocabularies, checked at once."""
+
+from collections.abc import Iterable
+
+# What analyses treat alike. "" is an element of none of these, as a user's own by default; one that names a family has
+# the nodes and parameters of the built-in elements in it.
+FAMILIES = (
+    "",
+    *("body", "norm", "truss", "link", "beam", "cable", "hinge", "bearing", "clamp"),
+    *("wheel", "surface", "tyre", "belt", "gear", "contact", "sensor", "span"),
+)
+# What paints an element; "" is the line through its points.
+PICTURES = (
+    "",
+    *(
+        "bar",
+        "beam",
+        "bearing",
+        "belt",
+        "body",
+        "contact",
+        "disc",
+        "gears",
+        "hinge",
+        "mass",
+        "rope",
+        "tyre",
+        "wheel",
+    ),
+)
+# What a deformation is, apart from a measure: the gap of a contact (open where positive), or the norm of a frame's
+# Euler parameters (which always holds).
+KINDS = ("", "gap", "norm")
+# What the numbers of a parameter must be; "semidefinite": together the upper triangle of a matrix, row by row, that has
+# no negative eigenvalue.
+SIGNS = ("any", "positive", "not negative", "not zero", "at least one")
+MATRIX_SIGNS = ("semidefinite",)
+
+
+def check_word(owner: str, what: str, word: object, known: Iterable[str]) -> None:
+    """Raise ValueError for a word that is not in a vocabulary."""
+    words = list(known)
+    if word not in words:
+        shown = ", ".join(f"'{z}'" for z in words)
+        raise ValueError(f"{owner}: {what} '{word}' is unknown; there are {shown}")

@@ -1,0 +1,1 @@
+"""From programs to text: C, the table of specifications, and the files of ``generated/``."""

@@ -1,0 +1,171 @@
+"""The text of every file in ``generated/``, and writing and checking that folder.
+
+The same elements give the same bytes on every machine and for every hash seed. Nothing here
+imports ``flexel.generated``, so that it works when the compiled kernels are missing.
+"""
+
+import json
+import re
+from collections.abc import Callable, Collection, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from flexel.derive.declare import Element, Law
+from flexel.derive.elements import ELEMENTS
+from flexel.derive.emit.entries import table_entry
+from flexel.derive.emit.source import digest_of, element_source, laws_source, render
+from flexel.derive.emit.specification import element_spec, law_spec
+from flexel.derive.laws import LAWS
+from flexel.derive.program.kernels import Derived, derive_element, derive_law
+
+# -O2 gives the same speed as -O3 (the loops are marked for vectorization) in three quarters of the time.
+# Never -ffast-math: on the link line it changes denormals for the whole process.
+FLAGS = ("-O2", "-fno-math-errno", "-fno-trapping-math", "-fopenmp-simd", "-ffp-contract=off")
+BASELINE = Path(__file__).with_name("operations.json")
+_ENTRY = re.compile(r"^    # (element|law) (\w+)\n(.*?)\n(?=    # )", re.MULTILINE | re.DOTALL)
+
+Counts = dict[str, dict[str, int]]
+
+
+@dataclass(frozen=True)
+class Emitted:
+    """Files of ``generated/`` (name to text) and the operation counts of what was derived for them."""
+
+    files: dict[str, str]
+    operations: Counts
+
+
+def _silent(name: str) -> None:
+    """No progress display."""
+
+
+def _entries_in(folder: Path | None) -> dict[str, str]:
+    """Entries of an existing table, by name."""
+    path = folder / "table.py" if folder else None
+    if path is None or not path.exists():
+        return {}
+    return {name: entry for _, name, entry in _ENTRY.findall(path.read_text(encoding="utf-8"))}
+
+
+def _counts(derived: Derived) -> dict[str, int]:
+    return {name: kernel.operations for name, kernel in derived.kernels.items()}
+
+
+def emit(
+    elements: Sequence[Element] = ELEMENTS,
+    laws: Sequence[Law] = LAWS,
+    only: Collection[str] = (),
+    folder: Path | None = None,
+    progress: Callable[[str], None] = _silent,
+) -> Emitted:
+    """Derive elements and laws and print them.
+
+    Parameters
+    ----------
+    elements, laws : sequence
+        All there are.
+    only : collection of str
+        Names of elements to derive; all and the laws by default. The entries of the others are taken from the
+        table in `folder`; those that are not there are derived as well.
+    folder : Path, optional
+    progress : callable
+        Called with each name before it is derived.
+    """
+    kept = _entries_in(folder) if only else {}
+    files: dict[str, str] = {}
+    counts: Counts = {}
+    entries: dict[str, str] = {}
+    for element in elements:
+        if element.name in kept and element.name not in only:
+            entries[element.name] = kept[element.name]
+            continue
+        progress(element.name)
+        derived = derive_element(element)
+        source = element_source(element, derived)
+        files[f"{element.name}.c"] = source
+        entries[element.name] = table_entry(element_spec(element, derived, digest_of(source)))
+        counts[element.name] = _counts(derived)
+    law_entries = {law.name: kept[law.name] for law in laws if law.name in kept}
+    if len(law_entries) < len(laws):
+        progress("laws")
+        all_derived = [derive_law(law) for law in laws]
+        source = laws_source(laws, all_derived)
+        files["laws.c"] = source
+        pairs = zip(laws, all_derived, strict=True)
+        law_entries = {law.name: table_entry(law_spec(law, d, digest_of(source))) for law, d in pairs}
+        counts.update({law.name: _counts(d) for law, d in zip(laws, all_derived, strict=True)})
+    return Emitted({**files, **_common(entries, law_entries)}, counts)
+
+
+def _common(elements: dict[str, str], laws: dict[str, str]) -> dict[str, str]:
+    """The files that do not belong to one element."""
+    flags = "[" + ", ".join(f'"{flag}"' for flag in FLAGS) + "]"
+    return {
+        "__init__.py": render("init.py.jinja"),
+        "build.py": render("build.py.jinja", flags=flags),
+        "kernels.h": render("kernels.h.jinja", elements=elements, laws=laws),
+        "table.py": render("table.py.jinja", elements=elements, laws=laws),
+    }
+
+
+def stale(folder: Path) -> list[str]:
+    """Files in the folder that a complete derivation would not write; compiled ones are nobody's business here."""
+    known = {f"{element.name}.c" for element in ELEMENTS} | {"laws.c", *_common({}, {})}
+    return sorted(
+        path.name
+        for path in folder.glob("*")
+        if path.suffix in (".c", ".h", ".py") and path.name not in known
+    )
+
+
+def write(folder: Path, emitted: Emitted | None = None) -> list[str]:
+    """Write the files that differ, remove stale ones; returns the names of both."""
+    files = (emitted or emit()).files
+    folder.mkdir(parents=True, exist_ok=True)
+    changed = _differing(folder, files)
+    for name in changed:
+        (folder / name).write_text(files[name], encoding="utf-8")
+    removed = stale(folder)
+    for name in removed:
+        (folder / name).unlink()
+    return sorted(changed + removed)
+
+
+def check(folder: Path, emitted: Emitted | None = None) -> list[str]:
+    """Names of files that differ from what the derivation gives, are missing or are stale."""
+    return sorted(_differing(folder, (emitted or emit()).files) + stale(folder))
+
+
+def _differing(folder: Path, files: dict[str, str]) -> list[str]:
+    def same(name: str) -> bool:
+        path = folder / name
+        return path.exists() and path.read_bytes() == files[name].encode()
+
+    return [name for name in files if not same(name)]
+
+
+# -- the baseline of operation counts
+
+
+def baseline() -> Counts:
+    """The committed operation counts."""
+    counts: Counts = json.loads(BASELINE.read_text(encoding="utf-8")) if BASELINE.exists() else {}
+    return counts
+
+
+def risen(counts: Counts, reference: Counts) -> list[str]:
+    """Kernels that take more operations than in the baseline, or are not in it: one line of text for each."""
+    return [
+        f"{name}.{kernel}: {count} operations, baseline {reference.get(name, {}).get(kernel, 'missing')}"
+        for name, kernels in counts.items()
+        for kernel, count in kernels.items()
+        if count > reference.get(name, {}).get(kernel, -1)
+    ]
+
+
+def update_baseline(counts: Counts) -> None:
+    """Rewrite the baseline; names that were not derived keep theirs."""
+    names = [element.name for element in ELEMENTS] + [law.name for law in LAWS]
+    merged = {**baseline(), **counts}
+    text = json.dumps({name: merged[name] for name in names if name in merged}, indent=2)
+    BASELINE.write_text(text + "\n", encoding="utf-8")

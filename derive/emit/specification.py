@@ -1,0 +1,88 @@
+"""The specification of what was derived: what the runtime reads of an element or a law."""
+
+from flexel.derive.declare import Deformation, Element, Law, Parameter
+from flexel.derive.declare.winding import period_terms
+from flexel.derive.declare.words import MATRIX_SIGNS
+from flexel.derive.program.kernels import Derived
+from flexel.derive.spec import (
+    DeformationSpec,
+    ElementSpec,
+    InternalSpec,
+    KernelSpec,
+    LawSpec,
+    LimitSpec,
+    NodeSpec,
+    OutputSpec,
+    ParameterSpec,
+    SlipSpec,
+    TermSpec,
+)
+
+
+def element_spec(element: Element, derived: Derived, digest: str) -> ElementSpec:
+    """The specification of an element, with the digest of its C."""
+    return ElementSpec(
+        name=element.name,
+        digest=digest,
+        doc=element.doc,
+        source=element.source,
+        nodes=tuple(NodeSpec(node.name, node.kind) for node in element.nodes),
+        parameters=_parameters(element.parameters),
+        deformations=tuple(_deformation(d, element.parameters) for d in element.deformations),
+        slips=tuple(SlipSpec(s.name, s.unit, s.free) for s in element.slips),
+        kernels=_kernels(derived),
+        family=element.family,
+        picture=element.picture,
+        span=element.span,
+    )
+
+
+def law_spec(law: Law, derived: Derived, digest: str) -> LawSpec:
+    """The specification of a law, with the digest of its C."""
+    return LawSpec(
+        name=law.name,
+        digest=digest,
+        doc=law.doc,
+        deformations=len(law.e),
+        slips=len(law.s),
+        states=tuple(InternalSpec(z.name, z.unit) for z in law.states),
+        parameters=_parameters(law.parameters),
+        kernels=_kernels(derived),
+        limit=_limit(law),
+    )
+
+
+def _deformation(d: Deformation, parameters: tuple[Parameter, ...]) -> DeformationSpec:
+    period = tuple(TermSpec(*term) for term in period_terms(d, parameters))
+    return DeformationSpec(d.name, d.unit, d.free, period, d.kind)
+
+
+def _limit(law: Law) -> LimitSpec | None:
+    if law.limit is None:
+        return None
+    for parameter in law.parameters:
+        if law.limit.parameter in parameter.symbols:
+            component = parameter.symbols.index(law.limit.parameter)
+            return LimitSpec(parameter.name, component, law.limit.beyond)
+    raise AssertionError("a declared limit is one of the law's parameters")
+
+
+def _sign(parameter: Parameter) -> tuple[str, ...]:
+    """One word for each component; none where all may be anything."""
+    sign = parameter.sign
+    if sign == "any":
+        return ()
+    return sign if isinstance(sign, tuple) else (sign,) if sign in MATRIX_SIGNS else (sign,) * parameter.size
+
+
+def _parameters(parameters: tuple[Parameter, ...]) -> tuple[ParameterSpec, ...]:
+    return tuple(ParameterSpec(p.name, p.size, p.unit, p.doc, _sign(p)) for p in parameters)
+
+
+def _kernels(derived: Derived) -> dict[str, KernelSpec]:
+    return {
+        name: KernelSpec(
+            tuple(k.inputs), tuple(OutputSpec(o.name, o.shape, o.nonzeros) for o in k.outputs), k.operations
+        )
+        for name, k in derived.kernels.items()
+    }

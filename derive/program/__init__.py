@@ -1,0 +1,1 @@
+"""Straight-line programs: built from expressions, differentiated, and made into the kernels of elements and laws."""

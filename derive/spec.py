@@ -1,0 +1,162 @@
+"""What the runtime knows of elements and laws: the classes of the entries of ``generated/table.py``.
+
+Plain Python: the one module of ``derive`` that the runtime imports, without SymPy.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from math import isqrt, prod
+from typing import Any
+
+Parameters = Mapping[str, Any]  # arrays or sequences of numbers
+_NEGLIGIBLE = 1e-9  # of a period, relative to the largest of its terms
+
+
+def triangle(size: int) -> int | None:
+    """Rows of a symmetric matrix whose upper triangle has so many entries; None if there is no such matrix."""
+    rows = (isqrt(8 * size + 1) - 1) // 2
+    return rows if rows * (rows + 1) == 2 * size else None
+
+
+@dataclass(frozen=True)
+class NodeSpec:
+    """Node of an element; kind is "point", "frame", "slope" or "planar_point", "planar_angle", "planar_slope"."""
+
+    name: str
+    kind: str
+
+    @property
+    def planar(self) -> bool:
+        """Whether it is a node in the plane."""
+        return self.kind.startswith("planar_")
+
+
+@dataclass(frozen=True)
+class ParameterSpec:
+    """Parameter of an element or a law, with its number of components.
+
+    sign: what each component must be ("positive", "not negative", "not zero", "at least one", "any"), () for any; or
+    ("semidefinite",) for the upper triangle of a matrix without negative eigenvalues.
+    """
+
+    name: str
+    size: int
+    unit: str
+    doc: str
+    sign: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class TermSpec:
+    """A number times powers of components of parameters, (name, component, exponent) each."""
+
+    factor: float
+    powers: tuple[tuple[str, int, int], ...] = ()
+
+    def value(self, parameters: Parameters) -> float:
+        """Its value for values of the parameters."""
+        return self.factor * prod(float(parameters[z][i]) ** n for z, i, n in self.powers)
+
+
+@dataclass(frozen=True)
+class DeformationSpec:
+    """Deformation; free: free by default (else rigid), period: a sum, kind: "gap" of a contact, "norm" of a frame."""
+
+    name: str
+    unit: str
+    free: bool
+    period: tuple[TermSpec, ...] = ()
+    kind: str = ""
+
+    def repeats(self, parameters: Parameters) -> float:
+        """The length after which it repeats, for values of the parameters; zero if it does not."""
+        terms = [term.value(parameters) for term in self.period]
+        length = abs(sum(terms))
+        # equal radii, say: a difference that is rounding is no period
+        return length if length > _NEGLIGIBLE * max(map(abs, terms), default=0.0) else 0.0
+
+
+@dataclass(frozen=True)
+class SlipSpec:
+    """Slip; free: free by default (else zero)."""
+
+    name: str
+    unit: str
+    free: bool
+
+
+@dataclass(frozen=True)
+class OutputSpec:
+    """Output array of a kernel: its full shape and the flat indices of the entries that are stored."""
+
+    name: str
+    shape: tuple[int, ...]
+    nonzeros: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class KernelSpec:
+    """Kernel: the arrays it reads and writes, in order, and its number of operations for one element."""
+
+    inputs: tuple[str, ...]
+    outputs: tuple[OutputSpec, ...]
+    operations: int
+
+
+@dataclass(frozen=True)
+class ElementSpec:
+    """Element: what `flexel_element` in kernels.h does not say.
+
+    The words family and picture are those of `flexel.derive.declare.words`; span is the name of the element that
+    carries a load along the length.
+    """
+
+    name: str
+    digest: str
+    doc: str
+    source: str
+    nodes: tuple[NodeSpec, ...]
+    parameters: tuple[ParameterSpec, ...]
+    deformations: tuple[DeformationSpec, ...]
+    slips: tuple[SlipSpec, ...]
+    kernels: dict[str, KernelSpec]
+    family: str = ""
+    picture: str = ""
+    span: str = ""
+
+    @property
+    def planar(self) -> bool:
+        """Whether it is an element in the plane."""
+        return all(node.planar for node in self.nodes)
+
+
+@dataclass(frozen=True)
+class InternalSpec:
+    """Internal state of a law."""
+
+    name: str
+    unit: str
+
+
+@dataclass(frozen=True)
+class LimitSpec:
+    """Where a law's data end: the parameter's component that is the largest stress, and what the law does beyond."""
+
+    parameter: str
+    component: int
+    beyond: str
+
+
+@dataclass(frozen=True)
+class LawSpec:
+    """Law of so many deformations and slips, with its internal states; kernels are "law" and "tangent"."""
+
+    name: str
+    digest: str
+    doc: str
+    deformations: int
+    slips: int
+    states: tuple[InternalSpec, ...]
+    parameters: tuple[ParameterSpec, ...]
+    kernels: dict[str, KernelSpec]
+    limit: LimitSpec | None = None

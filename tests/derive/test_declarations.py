@@ -1,0 +1,144 @@
+"""What a page says of its element beside the mathematics: words from small vocabularies, periods, spans."""
+
+from typing import Any
+
+import pytest
+import sympy as sp
+
+from flexel.derive.declare import (
+    Deformation,
+    Element,
+    Let,
+    Limit,
+    Parameter,
+    PlanarAngle,
+    PlanarPoint,
+)
+from flexel.derive.declare.words import FAMILIES, PICTURES, SIGNS
+from flexel.derive.elements import ELEMENTS
+from flexel.derive.laws import LAWS
+from flexel.derive.spec import DeformationSpec, TermSpec, triangle
+from flexel.generated.table import ELEMENTS as TABLE
+from flexel.generated.table import LAWS as LAW_TABLE
+
+p, q = PlanarPoint("p"), PlanarAngle("q")
+h = Parameter("h", 2, "m", "two lengths")
+
+
+def element(deformation: Deformation, **fields: Any) -> Element:
+    let = Let()
+    let.scalar("r", sp.sqrt(p.x.dot(p.x)))
+    let.scalar("theta", sp.atan2(p.x[1], p.x[0]))
+    return Element("own", (p, q), (h,), let.entries, (deformation,), doc="something of its own", **fields)
+
+
+theta, r = sp.Symbol("theta", real=True), sp.Symbol("r", real=True)
+
+
+@pytest.mark.parametrize(
+    ("fields", "words"),
+    [
+        ({"family": "beem"}, "element 'own': family 'beem' is unknown; there are .*'beam'"),
+        ({"picture": "photo"}, "element 'own': picture 'photo' is unknown; there are .*'wheel'"),
+    ],
+)
+def test_an_unknown_word_names_the_element_and_lists_the_known_ones(fields: Any, words: str) -> None:
+    with pytest.raises(ValueError, match=words):
+        element(Deformation("d", "m", p.x[0]), **fields)
+
+
+def test_kinds_and_signs_are_checked_too() -> None:
+    with pytest.raises(
+        ValueError, match="deformation 'd': kind 'gab' is unknown; there are '', 'gap', 'norm'"
+    ):
+        Deformation("d", "m", p.x[0], kind="gab")
+    with pytest.raises(ValueError, match="parameter 'k': sign 'plus' is unknown; there are .*'positive'"):
+        Parameter("k", 1, "1", "number", sign="plus")
+    with pytest.raises(ValueError, match="parameter 'k': 1 signs of 2 components; give one for each"):
+        Parameter("k", 2, "1", "numbers", sign=("any",))
+    with pytest.raises(ValueError, match="parameter 'S': 4 components are no upper triangle"):
+        Parameter("S", 4, "1", "matrix", sign="semidefinite")
+
+
+def test_an_element_of_ones_own_is_of_no_family_and_has_no_picture() -> None:
+    own = element(Deformation("d", "m", p.x[0]))
+    assert (own.family, own.picture, own.span, own.deformations[0].kind) == ("", "", "", "")
+
+
+@pytest.mark.parametrize("family", [z for z in FAMILIES if z])
+def test_every_family_has_members(family: str) -> None:
+    assert any(z.family == family for z in ELEMENTS)
+
+
+@pytest.mark.parametrize("picture", [z for z in PICTURES if z])
+def test_every_picture_shows_something(picture: str) -> None:
+    assert any(z.picture == picture for z in ELEMENTS)
+
+
+@pytest.mark.parametrize("sign", SIGNS)
+def test_every_sign_is_asked_for(sign: str) -> None:
+    words = {
+        w for law in LAWS for z in law.parameters for w in ([z.sign] if isinstance(z.sign, str) else z.sign)
+    }
+    assert sign in words
+
+
+@pytest.mark.parametrize("name", [z.name for z in ELEMENTS if z.span])
+def test_a_span_takes_nodes_and_parameters_of_what_it_loads(name: str) -> None:
+    loaded, span = TABLE[name], TABLE[TABLE[name].span]
+    kinds = [z.kind for z in loaded.nodes]
+    assert [z.kind for z in span.nodes] in (kinds, [kinds[0], kinds[-1]])
+    assert {(z.name, z.size) for z in span.parameters} <= {(z.name, z.size) for z in loaded.parameters}
+
+
+def test_a_limit_is_a_parameter_of_its_law() -> None:
+    assert LAW_TABLE["calspan_tyre"].limit is not None
+    assert [z.name for z in LAW_TABLE.values() if z.limit] == ["calspan_tyre"]
+    law = LAWS[0]
+    with pytest.raises(ValueError, match=f"law '{law.name}': the limit x is not one of its parameters"):
+        type(law)(**{**vars(law), "limit": Limit(sp.Symbol("x"), "nothing")})
+
+
+# -- what winds
+
+
+def test_an_angle_whose_cut_reaches_a_deformation_needs_a_period() -> None:
+    with pytest.raises(ValueError, match=r"element 'own': deformation 'd' jumps .* its cut; give .*period="):
+        element(Deformation("d", "rad", theta - q.x[0]))
+    element(Deformation("d", "rad", theta - q.x[0], period=2 * sp.pi))
+
+
+def test_a_period_that_is_not_the_jump_is_refused() -> None:
+    h0, h1 = h.symbols
+    with pytest.raises(
+        ValueError, match="element 'own': deformation 'd' jumps by .* no whole number of the period"
+    ):
+        element(Deformation("d", "m", q.x[0] - h0 * theta, period=2 * sp.pi * h1))
+    element(Deformation("d", "m", q.x[0] - h0 * theta, period=2 * sp.pi * h0))
+    element(Deformation("d", "m", q.x[0] - 3 * h0 * theta, period=2 * sp.pi * h0))
+
+
+def test_an_angle_inside_a_periodic_function_or_away_from_its_cut_needs_none() -> None:
+    element(Deformation("d", "m", r - h.symbols[0] * sp.cos(theta - q.x[0])))
+    element(Deformation("d", "rad", sp.atan2(p.x[1], sp.sqrt(1 + p.x[0] ** 2)) - q.x[0]))
+    element(Deformation("d", "rad", sp.atan2(p.x[1], r) - q.x[0]))
+    element(Deformation("d", "rad", theta - q.x[0], period=0))
+
+
+def test_a_period_is_a_sum_of_products_of_parameters() -> None:
+    with pytest.raises(ValueError, match="the period .* is no sum of products of whole powers of parameters"):
+        element(Deformation("d", "rad", q.x[0], period=sp.sqrt(h.symbols[0])))
+    with pytest.raises(ValueError, match="the period of 'd' contains q_angle"):
+        element(Deformation("d", "rad", q.x[0], period=q.x[0]))
+
+
+def test_the_runtime_finds_a_period_without_sympy() -> None:
+    terms = (TermSpec(2.0, (("h", 0, 1), ("h", 1, -1))), TermSpec(-1.0, (("a", 0, 1),)))
+    spec = DeformationSpec("d", "m", True, terms)
+    assert spec.repeats({"h": (3.0, 2.0), "a": [1.0]}) == 2.0
+    assert spec.repeats({"h": (3.0, 2.0), "a": [4.0]}) == 1.0  # whatever the sign
+    assert spec.repeats({"h": (3.0, 2.0), "a": [3.0 * (1 + 1e-15)]}) == 0.0  # a difference that is rounding
+
+
+def test_a_triangle_has_so_many_rows() -> None:
+    assert [triangle(n) for n in range(1, 11)] == [1, None, 2, None, None, 3, None, None, None, 4]

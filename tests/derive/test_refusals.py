@@ -1,0 +1,84 @@
+"""Linear laws, and what a declaration may not contain."""
+
+from typing import Any
+
+import pytest
+import sympy as sp
+
+from flexel.derive.declare import (
+    Deformation,
+    Element,
+    Frame,
+    Law,
+    Parameter,
+    PlanarAngle,
+    PlanarPoint,
+    Point,
+    Slip,
+    symbol,
+)
+from flexel.derive.laws.linear import LINEAR
+
+
+@pytest.mark.parametrize("law", LINEAR, ids=lambda law: law.name)
+def test_stored_energy_is_the_potential_of_the_stresses_at_rest(law: Law) -> None:
+    at_rest = {rate: 0 for rate in (*law.ed, *law.s)}
+    for e, sigma in zip(law.e, law.sigma, strict=True):
+        assert sp.expand(sp.diff(law.energy, e) - sigma.subs(at_rest)) == 0
+
+
+@pytest.mark.parametrize("law", LINEAR, ids=lambda law: law.name)
+def test_laws_of_the_table_are_symmetric(law: Law) -> None:
+    for outputs, inputs in ((law.sigma, law.e), (law.sigma, law.ed), (law.tau, law.s)):
+        jacobian = sp.Matrix(outputs).jacobian(inputs) if outputs else sp.zeros(0)
+        assert jacobian == jacobian.T
+
+
+P, R = Point("p"), Frame("r")
+LENGTH = sp.sqrt(P.x.dot(P.x))
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"deformations": (Deformation("d", "m", LENGTH - symbol("l0")),)}, "'d' contains l0"),
+        ({"deformations": (Deformation("d", "m", P.x),)}, "'d' is not a scalar"),
+        ({"deformations": (Deformation("d", "", LENGTH),)}, "'d' has no unit"),
+        ({"deformations": (Deformation("d", "m", P.v[0]),)}, "'d' depends on rates"),
+        (
+            {"deformations": (Deformation("d", "m", LENGTH), Deformation("d", "m", LENGTH))},
+            "'d' is used twice",
+        ),
+        ({"slips": (Slip("s", "m/s", P.v[0] ** 2),)}, "'s' is not linear"),
+        ({"slips": (Slip("s", "m/s", P.v[0] + 1),)}, "'s' is not linear"),
+        ({"slips": (Slip("s", "m/s", sp.sqrt(P.v[0] ** 2)),)}, "'s' is not linear"),
+        ({"kinetic_energy": P.v[0]}, "kinetic energy is not quadratic"),
+        ({"potential": P.v[0]}, "potential depends on rates"),
+        ({"parameters": (Parameter("p_x", 1, "m", "clash"),)}, "'p_x' is used twice"),
+        ({"parameters": (Parameter("double", 1, "m", "word of C"),)}, "'double' cannot be a name"),
+        ({"nodes": (P, P)}, "is used twice"),
+        ({"nodes": ()}, "has no nodes"),
+        ({"let": ((symbol("l"), symbol("k")),)}, "let 'l' contains k"),
+    ],
+)
+def test_a_wrong_declaration_is_refused_by_name(arguments: dict[str, Any], message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        Element(**({"name": "wrong", "nodes": (P,)} | arguments))
+
+
+def test_a_parameter_needs_a_unit() -> None:
+    with pytest.raises(ValueError, match="no unit"):
+        Parameter("k", 1, "", "stiffness")
+
+
+def test_a_law_gives_a_stress_for_each_deformation() -> None:
+    e, ed = symbol("e"), symbol("ed")
+    with pytest.raises(ValueError, match="a stress for each deformation"):
+        Law(name="wrong", doc="", parameters=(), e=(e,), ed=(ed,), s=(), sigma=(), tau=())
+
+
+def test_coordinates_have_readable_names() -> None:
+    assert [s.name for s in Point("p").x] == ["p_x", "p_y", "p_z"]
+    assert [s.name for s in Frame("r").v] == ["r_vl0", "r_vl1", "r_vl2", "r_vl3"]
+    assert [s.name for s in PlanarPoint("p").v] == ["p_vx", "p_vy"]
+    assert [s.name for s in PlanarAngle("r").x] == ["r_angle"]
