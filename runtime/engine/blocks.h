@@ -2,8 +2,8 @@
  *
  * Rows and columns come in an order in which square diagonal blocks follow one another, block k from start[k] to
  * start[k + 1], and no entry lies to the right of them. The blocks lie one after another in `diagonal`, row by row;
- * the entries to the left of them, row r from first[r] to first[r + 1], have their columns in `column` and their values
- * in `beside`. Right-hand sides x are [rows][n], C order, and are overwritten by the solution. */
+ * the entries to the left of them, row r from first[r] to first[r + 1], have their columns in `column` and their
+ * values in `beside`. Right-hand sides x are [rows][n], C order, and are overwritten by the solution. */
 #ifndef FLEXEL_BLOCKS_H
 #define FLEXEL_BLOCKS_H
 
