@@ -1,26 +1,21 @@
 /* The contract between the kernels and whoever calls them. Written by `flexel derive`; do not edit.
  *
- * Knows nothing of Python. An element is a table of kernels; a kernel computes a set of output arrays from a set of
- * input arrays, for many elements of the same kind at once.
+ * Knows nothing of Python. An element is a table of kernels; a kernel computes a set of output arrays from a set
+ * of input arrays, for many elements of the same kind at once.
  *
  *   kernel(nblocks, in, out)
  *
- * Elements come in blocks of FLEXEL_BLOCK = 8. An array argument with r rows has the shape [nblocks][r][8],
- * C order, contiguous; no alignment is asked for. in[i] and out[i] point to the arrays in the order of the table
- *   below.
- * Inputs and outputs must not overlap. Of an output array only the structural nonzeros are stored, as rows, in
- *   row-major
- * order of the full array; their flat indices are in table.py, and beside each entry of a matrix a comment has its
- *   row
- * and column, counted from zero: De(5,3). An array without rows is never touched and may be NULL. Incomplete blocks
- *   are
- * filled up by the caller with any valid element (a copy of the last one, say).
+ * Elements come in blocks of FLEXEL_BLOCK = 8. An array argument with r rows has the shape
+ * [nblocks][r][8], C order, contiguous; no alignment is asked for. in[i] and out[i] point to the arrays
+ * in the order of the table below. Inputs and outputs must not overlap. Of an output array only the structural
+ * nonzeros are stored, as rows, in row-major order of the full array; their flat indices are in table.py, and
+ * beside each entry of a matrix a comment has its row and column, counted from zero: De(5,3). An array without
+ * rows is never touched and may be NULL. Incomplete blocks are filled up by the caller with any valid element (a
+ * copy of the last one, say).
  *
  * x coordinates (n), v = dx/dt rates (n), a = dv/dt accelerations (n), p parameters (np), e deformations (m) with
- *   rates
- * De v, s slips (k), linear in v; sigma, tau generalized stresses dual to e and s (m, k). SI units, radians; the unit
- *   of
- * every coordinate, parameter and deformation is in the head comment of the element's file.
+ * rates De v, s slips (k), linear in v; sigma, tau generalized stresses dual to e and s (m, k). SI units, radians;
+ * the unit of every coordinate, parameter and deformation is in the head comment of the element's file.
  *
  * Elements
  *
@@ -35,8 +30,8 @@
  *   stiffness     x sigma tau p     K (n,n) = d(De'sigma + V'tau)/dx at fixed sigma and tau
  *   tangent       x v a p           R_x (n,n), R_v (n,n): derivatives of M a + h - f
  *
- * An element without mass and potential has NULL for inertia and tangent; one without deformations and slips has NULL
- * for the others. Angles are principal values.
+ * An element without mass and potential has NULL for inertia and tangent; one without deformations and slips has
+ * NULL for the others. Angles are principal values.
  *
  * Laws
  *
@@ -44,9 +39,9 @@
  *                                   energy, P (1) dissipated power sigma.ed + tau.s - dU/dt; t (1) is the time
  *   tangent       e ed s z t p      J (m+k+nz, 2m+k+nz) = d(sigma,tau,zd)/d(e,ed,s,z)
  *
- * Everything is written for a type `real`, double by default. Compiled with -Dreal="double complex" the same kernels
- * take complex arguments (for complex-step differentiation); functions that are not analytic (atan2, abs, min, max,
- * comparisons) are then continued analytically from the real axis. */
+ * Everything is written for a type `real`, double by default. Compiled with -Dreal="double complex" the same
+ * kernels take complex arguments (for complex-step differentiation); functions that are not analytic (atan2, abs,
+ * min, max, comparisons) are then continued analytically from the real axis. */
 #ifndef FLEXEL_KERNELS_H
 #define FLEXEL_KERNELS_H
 
@@ -128,8 +123,7 @@ static inline real real_max(real a, real b)
 typedef void (*flexel_kernel)(size_t nblocks, const real *const *in, real *const *out);
 
 /* n coordinates, m deformations, k slips, np parameters. The digest is that of the file it was compiled from;
- *   table.py
- * has the same, so that a table and an extension of different derivations are distinguished. */
+ * table.py has the same, so that a table and an extension of different derivations are distinguished. */
 typedef struct {
     const char *name, *digest;
     int n, m, k, np;

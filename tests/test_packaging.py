@@ -1,6 +1,7 @@
 """What is installed is what is in the checkout: every module, template and C file."""
 
 import os
+import runpy
 import shutil
 import subprocess
 import sys
@@ -65,6 +66,10 @@ def test_the_wheel_holds_every_file(tree: Path, tmp_path: Path) -> None:
         folder, _, rest = name.partition("/")
         wanted.add(f"{FOLDERS[folder]}/{rest}")
     assert wanted - installed == set()
+    # laid out like this the extension is built from a wheel's files, too
+    built = runpy.run_path(str(tmp_path / "flexel" / "generated" / "build.py"))
+    assert Path(built["ENGINE"]) == tmp_path / "flexel" / "engine"
+    assert {"kernels.h", "blocks.h", "system.h"} <= {Path(header).name for header in built["HEADERS"]}
 
 
 def test_the_sdist_holds_every_file(tree: Path, tmp_path: Path) -> None:

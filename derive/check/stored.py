@@ -1,4 +1,4 @@
-"""The stored energy of a law must belong to its stress, where a mistake can be told from what is meant.
+"""The stored energy of a law must belong to its stress, where a mistake differs from what may be meant.
 
 A law of one deformation without internal states and time stores what its elastic stress does: the stress at rest may
 differ from the slope of the energy by a constant (an actuator) and no more. Several deformations may have stresses
