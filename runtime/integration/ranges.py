@@ -44,7 +44,7 @@ def _outside(system: Core, law: Batch, states: Sequence[State]) -> Iterator[str]
     name, quantities = law.spec.name, law.inputs["e"][:, 0]
     parameter, entry, beyond = LARGEST_STRESS[name]
     limits = law.parameter(parameter)[:, entry]
-    histories = np.array([state.stress[quantities] for state in states]).T
+    histories = np.array([state.stresses[quantities] for state in states]).T
     for quantity, limit, history in zip(quantities, limits, histories, strict=True):
         worst = int(np.argmax(history))
         if history[worst] > limit:

@@ -171,7 +171,7 @@ class Saddle:
         e, J = state.e, self.local.position(state.x)[1]
         laws = self.local.laws.forces(e, self.local.rates(J, state.v), state.z, state.t).stress
         applied = self.system.loads.at(state.t)[1]
-        return np.concatenate([state.stress - laws - applied, -state.reactions])[self.force_rows]
+        return np.concatenate([state.stresses - laws - applied, -state.reactions])[self.force_rows]
 
     def balance(self, t: float, x: Array, v: Array, a: Array, mu: Array, e_near: Array) -> Balance:
         """Unbalance at (x, v, a, mu) and time t; angles are counted from `e_near`."""
@@ -284,7 +284,7 @@ class Saddle:
             a=b.a,
             e=b.e,
             rates=np.concatenate([b.w, b.v]),
-            stress=b.stress,
+            stresses=b.stress,
             reactions=reactions,
             roles=self.roles,
             evaluation=self.system.evaluation,

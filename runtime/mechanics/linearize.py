@@ -46,7 +46,9 @@ def linearize(kinematics: Kinematics, state: State) -> Linearization:
     J = state.J
     c = Configuration(state.t, state.x, state.e, J)
     m, k, nz = structure.m, structure.k, structure.nz
-    T = kinematics.evaluation.tangents(state.x, state.v, state.a, J, state.e, state.stress, state.z, state.t)
+    T = kinematics.evaluation.tangents(
+        state.x, state.v, state.a, J, state.e, state.stresses, state.z, state.t
+    )
     X = transfer_functions(kinematics, c, T)
     mass, *_ = kinematics.evaluation.inertia(state.x, state.v)
     M, r_x, r_v = mass[:nf, :nf], T.r_x[:nf, :nf], T.r_v[:nf, :nf]

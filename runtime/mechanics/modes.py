@@ -35,14 +35,19 @@ class Mode:
         return "+".join(z for z in order if self.participation[z] >= 0.25 * self.participation[order[0]])
 
     @property
-    def frequency(self) -> float:
+    def omega(self) -> float:
         """Undamped natural frequency |eigenvalue| [rad/s]."""
         return abs(self.eigenvalue)
 
     @property
+    def hertz(self) -> float:
+        """Undamped natural frequency [Hz]."""
+        return self.omega / (2 * np.pi)
+
+    @property
     def damping(self) -> float:
         """Damping ratio -Re/|.|; 0 for a zero eigenvalue."""
-        return -self.eigenvalue.real / self.frequency if self.frequency else 0.0
+        return -self.eigenvalue.real / self.omega if self.omega else 0.0
 
 
 @dataclass(frozen=True)

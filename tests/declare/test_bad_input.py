@@ -844,7 +844,7 @@ ANALYSES = {
         lambda s: s.simulate(1, start=pendulum().build().initial), "simulate", "another model", "of this one"
     ),
     "start no state": system(
-        lambda s: s.simulate(1, start=3), "simulate", "int is no state", "system.initial"
+        lambda s: s.simulate(1, start=3), "simulate", "int is not a state", "system.initial"
     ),
     "linearize another model": system(
         lambda s: s.linearize(pendulum().build().initial), "linearize", "another model", "of this one"
@@ -928,10 +928,10 @@ STATICS = {
     "of another model": Case(
         lambda: strut().equilibrium(start=strut().rest), ("equilibrium", "another model", "of this one")
     ),
-    "from a number": Case(lambda: strut().equilibrium(start=3), ("int is no state", "system.initial")),
+    "from a number": Case(lambda: strut().equilibrium(start=3), ("int is not a state", "system.initial")),
     "at a text": Case(lambda: strut().equilibrium(t="a"), ("time t", "give real")),
-    "path to a text": Case(lambda: strut().static_path("a"), ("t_end", "give real")),
-    "path to nowhere": Case(lambda: strut().static_path(0.0), ("t_end", "give another")),
+    "path to a text": Case(lambda: strut().static_path(t_end="a"), ("t_end", "give real")),
+    "path to nowhere": Case(lambda: strut().static_path(t_end=0.0), ("t_end", "give another")),
     "buckling without load": Case(lambda: strut().buckling(increment={}), ("buckling", "name at least one")),
     "buckling under no load": Case(
         lambda: strut().buckling(increment={"A.x": 0.0}), ("buckling", "name at least")
@@ -1028,9 +1028,9 @@ def test_results_that_do_not_exist_are_told_with_those_that_do(tmp_path: Any) ->
     with pytest.raises(ModelError, match="mode 7: there are 2, numbered from 0"):
         lin.plot_mode(7)
     with pytest.raises(ModelError, match="periodic: period 0 is not positive"):
-        system.periodic(0.0, 3)
+        system.periodic(period=0.0, harmonics=3)
     with pytest.raises(ModelError, match="periodic: 0 harmonics asked for"):
-        system.periodic(1.0, 0)
+        system.periodic(period=1.0, harmonics=0)
     with pytest.raises(ModelError, match="read_spacar '.*none.dat': there is no such file"):
         read_spacar(tmp_path / "none.dat")
     pytest.importorskip("matplotlib", reason="drawing needs matplotlib: pip install 'flexel[plot]'")

@@ -26,7 +26,7 @@ NAMES = [
     "rear.longitudinal'",
     "head.z",
 ]
-ARRAYS = ("x", "v", "a", "e", "J", "stress", "reactions", "z", "zd", "Phi_v")
+ARRAYS = ("x", "v", "a", "e", "J", "stresses", "reactions", "z", "zd", "Phi_v")
 
 
 def ride(duration: float, samples: int, **options: Any) -> fx.Motion:

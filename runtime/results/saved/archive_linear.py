@@ -143,12 +143,13 @@ def to_pandas(lin: Linearization) -> Any:
             "mode": z.name,
             "real part": z.eigenvalue.real,
             "imaginary part": z.eigenvalue.imag,
-            "frequency": z.frequency,
+            "omega": z.omega,
+            "hertz": z.hertz,
             "damping ratio": z.damping,
         }
         | z.participation
         for z in lin.modes()
     ]
     frame = pandas.DataFrame(rows).set_index("mode")
-    frame.attrs["units"] = {"real part": "1/s", "imaginary part": "rad/s", "frequency": "rad/s"}
+    frame.attrs["units"] = {"real part": "1/s", "imaginary part": "rad/s", "omega": "rad/s", "hertz": "Hz"}
     return frame
