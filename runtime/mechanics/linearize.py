@@ -15,7 +15,8 @@ from flexel.engine.evaluate import Tangents
 from flexel.engine.solvers import Factorization
 from flexel.mechanics.dynamics import solve_mass
 from flexel.mechanics.kinematics import Configuration, Kinematics
-from flexel.mechanics.linearization import Linearization, Transfer
+from flexel.mechanics.linearization import Linearization
+from flexel.mechanics.transfer import Transfer
 from flexel.structure.state import State, own_state
 
 

@@ -13,7 +13,8 @@ from typing import Any
 import numpy as np
 
 from flexel.engine.evaluate import Tangents
-from flexel.mechanics.linearization import Linearization, Transfer
+from flexel.mechanics.linearization import Linearization
+from flexel.mechanics.transfer import Transfer
 from flexel.results.saved.archive import ROLES, StoredGeometry, roles_from, roles_in_names
 from flexel.results.saved.description import described, structure_of
 from flexel.results.saved.files import write
