@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 from timing import Row, best
 
-from flexel.engine.assembly import LANES, blocks
+from flexel.engine.lanes import LANES, blocks
 from flexel.generated._kernels import ffi, lib
 from flexel.generated.table import ELEMENTS
 from flexel.structure.nodes import COMPONENTS

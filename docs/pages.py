@@ -43,14 +43,11 @@ HOMES = {  # sections of the page of public names: title and modules
         "flexel.integration.explicit",
         "flexel.results.motion",
     ),
-    "Linearization": ("flexel.mechanics.linearize",),
+    "Linearization": ("flexel.mechanics.linearization", "flexel.mechanics.modes"),
     "Errors": ("flexel.base.errors",),
 }
-RETURNED = {  # what public names give, or take as options: not names of the package itself
-    "flexel.results.periodic": ("PeriodicSolution",),
-    "flexel.mechanics.linearize": ("Mode",),
-    "flexel.statics.stability": ("Vibration", "BucklingMode"),
-    "flexel.pictures.plot": ("root_loci", "View", "Sketch"),
+RETURNED = {  # functions and options of pictures that are not names of the package itself
+    "flexel.pictures.plot": ("root_loci", "Sketch"),
     "flexel.pictures.view": ("scene_data", "view_modes"),
 }
 DECLARATIONS = (
@@ -203,7 +200,7 @@ def api_page() -> str:
     for title, entries in sections.items():
         text += f"\n## {title}\n\n```{{eval-rst}}\n" + "\n".join(entries) + "```\n"
     given = [directive(name, module) for module, names in RETURNED.items() for name in names]
-    text += "\n## What these return or take\n\n```{eval-rst}\n" + "\n".join(given) + "```\n"
+    text += "\n## Pictures\n\n```{eval-rst}\n" + "\n".join(given) + "```\n"
     text += "\n## Declaring elements and laws\n\n```{eval-rst}\n"
     return text + "\n".join(f".. automodule:: {module}\n   :members:\n" for module in DECLARATIONS) + "```\n"
 

@@ -70,7 +70,7 @@ def whirl_reference(spin: float) -> Array:
 
 def rest_frequencies(system: fx.System, count: int = 3) -> Array:
     """Lowest frequencies (count,) about the state of rest."""
-    return np.array([z.frequency for z in system.vibrations(count=count)])
+    return np.array([z.omega for z in system.vibrations(count=count)])
 
 
 def square_frequencies(height: float, supports: str, n: int) -> Array:

@@ -11,13 +11,12 @@ from typing import Any
 
 import numpy as np
 
-from flexel import State
+from flexel import State, View
 from flexel.base.arrays import Array
 from flexel.examples import beams_data as data
 from flexel.examples import beams_dynamic as dynamic
 from flexel.examples import beams_static as static
 from flexel.pictures.figures import COLOURS, figure, save
-from flexel.pictures.plot import View
 from flexel.results.report import Quantity
 
 ELEMENTS = 16

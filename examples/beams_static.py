@@ -59,7 +59,7 @@ def bend_states(n: int, second_order: bool = True) -> tuple[fx.State, ...]:
     system = models.bend(n, second_order)
     states: list[fx.State] = []
     for load, *_ in data.BEND_TIPS:
-        states.append(system.equilibrium(load, states[-1] if states else None))
+        states.append(system.equilibrium(states[-1] if states else None, t=load))
     return tuple(states)
 
 
@@ -73,7 +73,7 @@ def princeton_tips(degrees: float, n: int, second_order: bool = True) -> Array:
     """u, edgewise and flatwise deflection, twist (loads, 4) of the Princeton beam."""
     system, state, rows = models.princeton(n, degrees, second_order), None, []
     for load in sorted({row[0] for row in data.PRINCETON_TIPS}):
-        state = system.equilibrium(load, state)
+        state = system.equilibrium(state, t=load)
         R = matrix(state.position(f"R{n}"))
         twist = np.arctan2(R[2, 1] - R[1, 2], R[1, 1] + R[2, 2])
         rows.append([*(state.position(f"P{n}") - [data.PRINCETON_LENGTH, 0, 0]), twist])
@@ -83,7 +83,7 @@ def princeton_tips(degrees: float, n: int, second_order: bool = True) -> Array:
 @cache
 def post_buckled(load: float, n: int, second_order: bool = True) -> fx.State:
     """The cantilever column under `load` times its Euler load."""
-    path = models.bent_column(n, load * np.pi**2 / 4, second_order).static_path(1.0)
+    path = models.bent_column(n, load * np.pi**2 / 4, second_order).static_path(t_end=1.0)
     if path.message:
         raise fx.PositionError(path.message)
     end: fx.State = path[-1]
@@ -100,7 +100,7 @@ def critical_load(system: fx.System, low: float, high: float) -> float:
     """The load parameter between two at which the lowest frequency about equilibrium falls to zero."""
 
     def stiffness(load: float) -> float:
-        lowest = system.vibrations(system.equilibrium(load), count=1)[0].frequency
+        lowest = system.vibrations(system.equilibrium(t=load), count=1)[0].omega
         return lowest * abs(lowest)
 
     return float(brentq(stiffness, low, high, xtol=1e-11 * abs(high), rtol=1e-11))

@@ -10,11 +10,12 @@ from pathlib import Path
 
 import numpy as np
 
+from flexel import View
 from flexel.base.arrays import Array
 from flexel.examples import bicycle_data as data
 from flexel.examples.bicycle import Results, eigenvalues, kick, manoeuvre_m1
 from flexel.pictures.figures import COLOURS, figure, save
-from flexel.pictures.plot import Sketch, View, draw, root_loci
+from flexel.pictures.plot import Sketch, draw, root_loci
 from flexel.pictures.scene import canvas
 
 FASTEST = 10.0  # of the root loci [m/s]

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from flexel import View
 from flexel.base.arrays import Array
 from flexel.base.errors import LinearizationError
 from flexel.base.quaternions import matrix
@@ -32,7 +33,7 @@ from flexel.examples.cardan import (
 from flexel.examples.cardan_table import bearing_moment
 from flexel.linear.periodic import Coefficients
 from flexel.pictures.figures import COLOURS, figure, save
-from flexel.pictures.plot import Sketch, View
+from flexel.pictures.plot import Sketch
 
 CHART_ANGLES = np.linspace(5.0, 45.0, 6)  # degrees
 CHART_SPEEDS = np.concatenate(  # close together near 1/3, 1/2 and 1

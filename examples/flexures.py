@@ -22,7 +22,6 @@ from flexel.base.arrays import Array
 from flexel.base.quaternions import turn
 from flexel.declare.materials import MATERIALS, Profile
 from flexel.examples import flexures_exact as exact
-from flexel.mechanics.stress import BeamStress
 from flexel.results.report import Report
 
 ELEMENTS = 16  # of each leaf spring
@@ -164,7 +163,7 @@ class Station:
         With the drive's force constant, and with its travel held.
     frequencies : ndarray (6,)
         [rad/s]
-    stress : BeamStress
+    stress : fx.BeamStress
         The largest.
     buckling : (float, float)
         Smallest payload in -x and in +x [N] that buckles it here.
@@ -176,7 +175,7 @@ class Station:
     free: fx.Compliance
     held: fx.Compliance
     frequencies: Array
-    stress: BeamStress
+    stress: fx.BeamStress
     buckling: tuple[float, float]
     state: fx.State
 
@@ -190,10 +189,10 @@ def station(system: fx.System, d: Design, state: fx.State) -> Station:
         drive=state.t,
         travel=state[d.drive],
         shift=state.position(d.point) - system.rest.position(d.point),
-        free=fx.body_compliance(system, d.point, d.frame, state),
-        held=fx.body_compliance(system, d.point, d.frame, state, hold=[d.drive]),
-        frequencies=np.array([z.frequency for z in system.vibrations(state, 6)]),
-        stress=fx.largest_stress(state),
+        free=system.compliance(d.point, d.frame, state),
+        held=system.compliance(d.point, d.frame, state, hold=[d.drive]),
+        frequencies=np.array([z.omega for z in system.vibrations(state, count=6)]),
+        stress=state.largest_stress(),
         buckling=(push, pull),
         state=state,
     )
@@ -202,9 +201,9 @@ def station(system: fx.System, d: Design, state: fx.State) -> Station:
 def over_range(make: Maker, d: Design, steps: int = 16) -> list[Station]:
     """Stations from rest to the largest drive."""
     system = make().build()
-    state, found = system.equilibrium(0.0), []
+    state, found = system.equilibrium(t=0.0), []
     for drive in np.linspace(0.0, d.largest_drive, steps + 1):
-        state = system.equilibrium(float(drive), state)
+        state = system.equilibrium(state, t=float(drive))
         found.append(station(system, d, state))
     return found
 
@@ -212,20 +211,20 @@ def over_range(make: Maker, d: Design, steps: int = 16) -> list[Station]:
 def coarse_end(make: Maker, d: Design) -> Station:
     """The end of the range with half the elements, to tell how far the mesh has converged."""
     system = make(elements=ELEMENTS // 2).build()
-    half = system.equilibrium(d.largest_drive / 2)
-    return station(system, d, system.equilibrium(d.largest_drive, half))
+    half = system.equilibrium(t=d.largest_drive / 2)
+    return station(system, d, system.equilibrium(half, t=d.largest_drive))
 
 
 def small(make: Maker, d: Design) -> Station:
     """A station so near to rest that leading terms suffice: a thousandth of the range."""
     system = make().build()
-    return station(system, d, system.equilibrium(d.largest_drive / 1000))
+    return station(system, d, system.equilibrium(t=d.largest_drive / 1000))
 
 
 def drive_stiffness(make: Maker, d: Design, payload: float) -> float:
     """Stiffness of the drive at rest under a payload."""
     system = make(payload).build()
-    free = fx.body_compliance(system, d.point, d.frame, system.equilibrium(0.0))
+    free = system.compliance(d.point, d.frame, system.equilibrium(t=0.0))
     return free.stiffness()["y" if make is guide else "turn z"]
 
 

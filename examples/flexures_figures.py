@@ -46,7 +46,7 @@ def modes(make: Callable[..., fx.Model], d: Design, out: Path) -> Path:
     system = make().build()
     state = system.equilibrium()
     path = out / f"flexures_{d.case}_modes.html"
-    return view_modes(state, path, system.vibrations(state, 6), title=f"Modes of the {d.case} at rest")
+    return view_modes(state, path, system.vibrations(state, count=6), title=f"Modes of the {d.case} at rest")
 
 
 def overview(results: Results, d: Design, path: Path, title: str) -> None:
@@ -75,7 +75,7 @@ def overview(results: Results, d: Design, path: Path, title: str) -> None:
 def _constrained(d: Design) -> str:
     """What is over-constrained if the leaf springs are thought rigid in their own planes."""
     make = next(make for make, design in CASES if design is d)
-    found = fx.constraint_report(make(flexible=IDEAL, elements=1))
+    found = make(flexible=IDEAL, elements=1).constraint_report()
     names = "; ".join(", ".join(z) for z in found.redundant)
     times = {1: "once", 2: "twice"}.get(len(found.redundant), f"{len(found.redundant)} times")
     return (

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import numpy as np
 
-import flexel as fx
 from flexel.examples import flexures_exact as exact
 from flexel.examples.flexures import (
     BENDING,
@@ -126,7 +125,7 @@ def constraint_rows(make: Maker, d: Design) -> list[Quantity]:
     rows = []
     for name, flexible, redundant in (("", IDEAL, 1), ("_torsion_rigid", BENDING, 3)):
         m = make(flexible=flexible, elements=1)
-        found = fx.constraint_report(m)
+        found = m.constraint_report()
         named = {"redundant": [sorted(z) for z in found.redundant], "release": found.release}
         of = "elongation, bend1, bend2" + (", torsion" if name else "")
         source = f"closed form: count, {of} of both leaf springs rigid; release {', '.join(found.release)}"
@@ -134,7 +133,7 @@ def constraint_rows(make: Maker, d: Design) -> list[Quantity]:
             Quantity(f"{d.case}_overconstraint{name}", len(found.redundant), redundant, 0, "", source, named)
         )
         m.release(*found.release)
-        freedoms = m.build().counts["freedoms"] if not fx.constraint_report(m).redundant else -1
+        freedoms = m.build().counts["freedoms"] if not m.constraint_report().redundant else -1
         rows.append(
             Quantity(
                 f"{d.case}_freedoms_after_release{name}", freedoms, 1, 0, "", "the motion it is made for"

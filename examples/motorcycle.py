@@ -21,7 +21,6 @@ from flexel.examples import bicycle
 from flexel.examples.bicycle_data import BENCHMARK, EIGENVALUES, PAPER
 from flexel.examples.differences import mismatch
 from flexel.mechanics.linearization import Linearization
-from flexel.mechanics.modes import Mode
 from flexel.results.report import Quantity, Report
 
 GRAVITY = 9.81
@@ -110,14 +109,14 @@ def straight(system: fx.System, speed: float) -> fx.State:
     return system.steady(system.state_at(rates=rates), unknown=PLANE)
 
 
-def lateral_modes(lin: Linearization) -> dict[str, Mode]:
+def lateral_modes(lin: Linearization) -> dict[str, fx.Mode]:
     """Weave, wobble and capsize among the modes that lean, steer and yaw.
 
     Wobble is the fastest oscillation, weave the least damped of the clearly slower ones, capsize the least stable
     motion that does not oscillate.
     """
     modes = [
-        z for z in lin.modes() if sum(z.participation[name] for name in LATERAL) > 0.5 and z.frequency > 1e-3
+        z for z in lin.modes() if sum(z.participation[name] for name in LATERAL) > 0.5 and z.omega > 1e-3
     ]
     swinging = [z for z in modes if z.eigenvalue.imag > 1.0]
     wobble = max(swinging, key=lambda z: z.eigenvalue.imag)
@@ -131,13 +130,13 @@ def lateral_modes(lin: Linearization) -> dict[str, Mode]:
     return found
 
 
-def loci(speeds: tuple[float, ...] = SPEEDS, crown: float = 1.0) -> list[dict[str, Mode]]:
+def loci(speeds: tuple[float, ...] = SPEEDS, crown: float = 1.0) -> list[dict[str, fx.Mode]]:
     """Lateral modes at each speed, linearized anew about steady running."""
     system = motorcycle(crown=crown)
     return [lateral_modes(system.linearize(straight(system, v))) for v in speeds]
 
 
-def unstable_range(found: list[dict[str, Mode]], name: str) -> list[float]:
+def unstable_range(found: list[dict[str, fx.Mode]], name: str) -> list[float]:
     """Speeds [m/s] between which a mode grows, read off its real part over `SPEEDS`; empty where it never does."""
     points = [(v, z[name].eigenvalue.real) for v, z in zip(SPEEDS, found, strict=True) if name in z]
     growing = [v for v, real in points if real > 0]
@@ -230,7 +229,7 @@ def confirmations() -> list[Quantity]:
     ]  # fmt: skip
 
 
-def picture(found: dict[str, list[dict[str, Mode]]], out: Path) -> Path:
+def picture(found: dict[str, list[dict[str, fx.Mode]]], out: Path) -> Path:
     """Real and imaginary parts of the lateral modes over the speed."""
     from flexel.pictures.figures import COLOURS, figure, save
 

@@ -44,7 +44,7 @@ def catenary_errors(n: int) -> tuple[float, float]:
 def chain_error(n: int, share: float | None = None) -> float:
     """Largest relative error of the four lowest frequencies of a hanging chain, of a share of its payload's mass."""
     payload = 0.0 if share is None else 1.5 * CHAIN / share
-    found = [z.frequency for z in models.hanging_chain(n, CHAIN, payload).vibrations(count=4)]
+    found = [z.omega for z in models.hanging_chain(n, CHAIN, payload).vibrations(count=4)]
     given = (
         exact.chain_frequencies(CHAIN, 4)
         if share is None

@@ -132,7 +132,7 @@ def light_rope_error(count: int) -> float:
 def axial_frequencies(share: float, n: int) -> Array:
     """Three lowest frequencies along a rope with a share of its payload's mass, over sqrt(k/payload)."""
     system = models.straight(n, 1.0, payload=1.0 / share, EA=1.0, mass=1.0).build()
-    return np.asarray([z.frequency for z in system.vibrations(count=3)] / np.sqrt(share))
+    return np.asarray([z.omega for z in system.vibrations(count=3)] / np.sqrt(share))
 
 
 def axial_error(n: int) -> float:

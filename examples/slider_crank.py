@@ -101,7 +101,7 @@ def omega0(elements: int, second_order: bool = True) -> float:
     m.angle("r0")
     _rod(m, elements, 0.0, second_order, spatial=False)
     m.fix(f"p{elements}.y")
-    return m.build().vibrations(count=1)[0].frequency
+    return m.build().vibrations(count=1)[0].omega
 
 
 # -- the midpoint ---------------------------------------------------------------------------------

@@ -11,12 +11,12 @@ from typing import Any
 
 import numpy as np
 
+from flexel import View
 from flexel.base.arrays import Array
 from flexel.examples import slider_crank_data as data
 from flexel.examples.slider_crank import CONVERGED, Results, deflection, omega0
 from flexel.linear import periodic
 from flexel.pictures.figures import COLOURS, figure, save
-from flexel.pictures.plot import View
 
 ENLARGED = 4.0  # deflection in the picture of the mechanism
 LABEL = "midpoint deflection / l"

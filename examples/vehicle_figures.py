@@ -10,11 +10,12 @@ from pathlib import Path
 
 import numpy as np
 
+from flexel import View
 from flexel.examples import vehicle_data as data
 from flexel.examples.vehicle_runs import LOCI, Results
 from flexel.examples.vehicle_signals import history, load_histories
 from flexel.pictures.figures import COLOURS, figure, save
-from flexel.pictures.plot import View, animate, draw, root_loci
+from flexel.pictures.plot import animate, draw, root_loci
 from flexel.pictures.scene import canvas
 
 LABELS = {

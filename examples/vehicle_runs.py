@@ -19,7 +19,7 @@ from flexel.examples.differences import state_matrix
 from flexel.examples.vehicle import BODY, SUSPENSION, vehicle
 from flexel.mechanics.core import Core
 from flexel.mechanics.linearization import Linearization
-from flexel.mechanics.modes import Mode, sort_eigenvalues
+from flexel.mechanics.modes import sort_eigenvalues
 
 SPEEDS = (10, 20, 30)  # of the steering manoeuvres [m/s]
 BUMP_SPEEDS = (5, 10)
@@ -85,7 +85,7 @@ def moving(lin: Linearization) -> Array:
     return np.asarray(sort_eigenvalues(w[np.argsort(np.abs(w))[4:]]))
 
 
-def mode_name(mode: Mode) -> str:
+def mode_name(mode: fx.Mode) -> str:
     """What moves in a mode: wheels hopping in one of four patterns, or the body in one of its freedoms."""
     share = sum(mode.participation.get(z, 0.0) for z in SUSPENSION)
     if share > 0.5:

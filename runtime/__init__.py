@@ -24,15 +24,18 @@ if TYPE_CHECKING:
     from flexel.base.time_functions import Harmonic, Polynomial, Ramp, Table
     from flexel.declare.curves import Curve
     from flexel.declare.materials import Material
-    from flexel.declare.sections import Circle, IBeam, Rectangle, Tube
+    from flexel.declare.sections import Circle, IBeam, Rectangle, SectionForces, StressPoint, Tube
     from flexel.declare.user import compile_element, compile_law
     from flexel.declare.wheels import Waves
     from flexel.integration.explicit import Event
-    from flexel.mechanics.constraints import constraint_report
+    from flexel.mechanics.constraints import ConstraintReport
     from flexel.mechanics.linearization import Linearization
-    from flexel.mechanics.stress import beam_stress, largest_stress, section_forces
+    from flexel.mechanics.modes import Mode, Reduced
+    from flexel.mechanics.stress import BeamStress
     from flexel.model import Model
+    from flexel.pictures.scene import View
     from flexel.results.motion import Motion
+    from flexel.results.periodic import PeriodicSolution
     from flexel.results.saved.loading import load
     from flexel.rope.contacts import Contact
     from flexel.rope.impact import hunt_crossley, lankarani_nikravesh
@@ -40,17 +43,21 @@ if TYPE_CHECKING:
     from flexel.rope.surfaces import RoundGroove, VGroove
     from flexel.rope.wire_rope import WireRope
     from flexel.spacar.reading import Spacar, read_spacar
-    from flexel.statics.compliance import Compliance, body_compliance
+    from flexel.statics.compliance import Compliance
+    from flexel.statics.stability import BucklingMode, Vibration
     from flexel.structure.state import State
     from flexel.system import System
 
 __version__ = "0.1.0"
 
 __all__ = [
+    "BeamStress",
+    "BucklingMode",
     "Circle",
     "CompilerError",
     "Compliance",
     "ConstraintError",
+    "ConstraintReport",
     "Contact",
     "Curve",
     "DynamicsError",
@@ -63,43 +70,48 @@ __all__ = [
     "Linearization",
     "LinearizationError",
     "Material",
+    "Mode",
     "Model",
     "ModelError",
     "Motion",
+    "PeriodicSolution",
     "Polynomial",
     "PositionError",
     "Ramp",
     "RangeWarning",
     "Rectangle",
+    "Reduced",
     "Rope",
     "RoundGroove",
+    "SectionForces",
     "Spacar",
     "State",
+    "StressPoint",
     "System",
     "Table",
     "Tube",
     "VGroove",
+    "Vibration",
+    "View",
     "Waves",
     "WireRope",
-    "beam_stress",
-    "body_compliance",
     "compile_element",
     "compile_law",
-    "constraint_report",
     "hunt_crossley",
     "lankarani_nikravesh",
-    "largest_stress",
     "load",
     "read_spacar",
-    "section_forces",
     "turn",
 ]
 
 _HOMES = {
+    "BeamStress": "flexel.mechanics.stress",
+    "BucklingMode": "flexel.statics.stability",
     "Circle": "flexel.declare.sections",
     "CompilerError": "flexel.base.errors",
     "Compliance": "flexel.statics.compliance",
     "ConstraintError": "flexel.base.errors",
+    "ConstraintReport": "flexel.mechanics.constraints",
     "Contact": "flexel.rope.contacts",
     "Curve": "flexel.declare.curves",
     "DynamicsError": "flexel.base.errors",
@@ -112,35 +124,37 @@ _HOMES = {
     "Linearization": "flexel.mechanics.linearization",
     "LinearizationError": "flexel.base.errors",
     "Material": "flexel.declare.materials",
+    "Mode": "flexel.mechanics.modes",
     "Model": "flexel.model",
     "ModelError": "flexel.base.errors",
     "Motion": "flexel.results.motion",
+    "PeriodicSolution": "flexel.results.periodic",
     "Polynomial": "flexel.base.time_functions",
     "PositionError": "flexel.base.errors",
     "Ramp": "flexel.base.time_functions",
     "RangeWarning": "flexel.base.errors",
     "Rectangle": "flexel.declare.sections",
+    "Reduced": "flexel.mechanics.modes",
     "Rope": "flexel.rope.ropes",
     "RoundGroove": "flexel.rope.surfaces",
+    "SectionForces": "flexel.declare.sections",
     "Spacar": "flexel.spacar.reading",
     "State": "flexel.structure.state",
+    "StressPoint": "flexel.declare.sections",
     "System": "flexel.system",
     "Table": "flexel.base.time_functions",
     "Tube": "flexel.declare.sections",
     "VGroove": "flexel.rope.surfaces",
+    "Vibration": "flexel.statics.stability",
+    "View": "flexel.pictures.scene",
     "Waves": "flexel.declare.wheels",
     "WireRope": "flexel.rope.wire_rope",
-    "beam_stress": "flexel.mechanics.stress",
-    "body_compliance": "flexel.statics.compliance",
     "compile_element": "flexel.declare.user",
     "compile_law": "flexel.declare.user",
-    "constraint_report": "flexel.mechanics.constraints",
     "hunt_crossley": "flexel.rope.impact",
     "lankarani_nikravesh": "flexel.rope.impact",
-    "largest_stress": "flexel.mechanics.stress",
     "load": "flexel.results.saved.loading",
     "read_spacar": "flexel.spacar.reading",
-    "section_forces": "flexel.mechanics.stress",
     "turn": "flexel.base.quaternions",
 }
 

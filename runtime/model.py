@@ -16,6 +16,7 @@ from flexel.declare.loads import Loading
 from flexel.declare.relations import RelationMethods
 from flexel.declare.user import UserElements
 from flexel.declare.wheels import Wheels
+from flexel.mechanics.constraints import ConstraintReport, report_of_model
 from flexel.rope.ropes import Ropes
 from flexel.system import System
 
@@ -58,3 +59,22 @@ class Model(
             Initial values that the constraints do not admit.
         """
         return build(self, t)
+
+    def constraint_report(self) -> ConstraintReport:
+        """Over-constraint and under-constraint of the mechanism as drawn, counted and named.
+
+        Unlike `build` it does not refuse such a mechanism, and it needs no consistent initial values.
+
+        Raises
+        ------
+        ModelError
+            Unknown names, contradicting roles.
+
+        Examples
+        --------
+        >>> print(m.constraint_report())  # doctest: +SKIP
+        1 degree(s) of freedom left by the rigid conditions
+        over-constrained: 'a.bend1' 1.00, 'b.bend1' -1.00
+        release 'a.bend1'
+        """
+        return report_of_model(self)

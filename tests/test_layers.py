@@ -30,7 +30,7 @@ LAYERS = (
     "commands",
     "__main__",
 )
-# Methods of results that import what is above them when they are called: plot, view, save, to_control.
+# Methods of results that import from higher layers when they are called: plot, view, save, to_control, stress.
 EXCEPTIONS = {
     ("flexel.mechanics.linearization", "flexel.linear.sensors"),  # state_space
     ("flexel.mechanics.linearization", "flexel.pictures.deflected"),  # plot_mode
@@ -45,6 +45,9 @@ EXCEPTIONS = {
     ("flexel.results.motion", "flexel.results.saved.archive"),  # save
     ("flexel.results.motion", "flexel.results.saved.tables"),  # to_xarray, to_pandas
     ("flexel.results.periodic", "flexel.pictures.graphs"),  # plot_spectrum
+    ("flexel.structure.state", "flexel.declare.sections"),  # section_forces: the class that it returns
+    ("flexel.structure.state", "flexel.mechanics.constraints"),  # constraint_report
+    ("flexel.structure.state", "flexel.mechanics.stress"),  # section_forces, stress, largest_stress
 }
 LONGEST = 300  # lines of a file
 MOST = 8  # modules in the root

@@ -5,12 +5,13 @@ from __future__ import annotations
 import warnings
 from collections.abc import Mapping, Sequence
 
+from flexel.base.arrays import Array
 from flexel.base.errors import IncompleteWarning
 from flexel.integration.explicit import Integration
 from flexel.mechanics.core import Core
 from flexel.results.motion import Motion
+from flexel.statics import compliance, stability
 from flexel.statics import equilibrium as statics
-from flexel.statics import stability
 from flexel.statics.steady import steady_motion
 from flexel.structure.state import State
 
@@ -19,7 +20,7 @@ class Equilibria(Core):
     """Statics of a system, and steady motion."""
 
     def equilibrium(
-        self, t: float | None = None, start: State | None = None, *, hold: Sequence[str] = ()
+        self, start: State | None = None, *, t: float | None = None, hold: Sequence[str] = ()
     ) -> State:
         """State of rest in which all forces balance, kinematic coordinates held.
 
@@ -28,10 +29,10 @@ class Equilibria(Core):
 
         Parameters
         ----------
-        t : float, optional
-            Time [s] at which loads and prescribed motions are taken; that of `start` by default.
         start : State, optional
             Where to look from; the initial configuration by default.
+        t : float, optional
+            Time [s] at which loads and prescribed motions are taken; that of `start` by default.
         hold : sequence of str
             Coordinates and deformations that are held at their values in `start` by whatever force it takes
             (``state.force(name)``), such as sheaves that nothing else keeps from turning.
@@ -47,11 +48,28 @@ class Equilibria(Core):
         """
         return statics.equilibrium(self, t, start or self.rest, hold)
 
-    def static_path(self, t_end: float, start: State | None = None) -> Motion:
+    def static_path(self, start: State | None = None, *, t_end: float) -> Motion:
         """Equilibria while the time, here the load parameter, goes to `t_end`; past limit points by arc length.
 
-        The start must be in equilibrium (see `equilibrium`).  If the path cannot be continued, what was reached
-        is returned with an IncompleteWarning, and ``message`` says where it stopped and why.
+        Parameters
+        ----------
+        start : State, optional
+            A state of equilibrium (see `equilibrium`); the initial configuration by default.
+        t_end : float
+            Time [s] at the end of the path, other than that of the start.
+
+        Raises
+        ------
+        ModelError
+            If `t_end` is not a number or is the time of the start.
+        PositionError, DynamicsError
+            If the start is not in equilibrium.
+
+        Warns
+        -----
+        IncompleteWarning
+            If the path cannot be continued: what was reached is returned, and ``message`` says where it stopped and
+            why.
         """
         states_, message = statics.static_path(self, t_end, start or self.rest)
         if message:
@@ -70,21 +88,63 @@ class Equilibria(Core):
             A state of rest, with its preload; the unloaded initial configuration by default.
         increment : mapping of name to generalized force
             The loads that are multiplied, e.g. ``{"tip.z": -1.0}``.
+        count : int
+            Number of modes, at most.
 
         Raises
         ------
+        ModelError
+            If the increment is zero or names an unknown or fixed quantity.
         DynamicsError
             If the state is unstable already.
         """
         return stability.buckling(self, state or self.rest, increment, count)
 
-    def vibrations(self, state: State | None = None, count: int = 10) -> list[stability.Vibration]:
-        """Lowest natural frequencies [rad/s] and modes about a state of rest, damping left out.
+    def vibrations(self, state: State | None = None, *, count: int = 10) -> list[stability.Vibration]:
+        """Lowest natural frequencies and modes about a state of rest, without damping.
 
-        The state is the equilibrium nearest to the initial configuration, if none is given.
         Unlike ``linearize(state).modes()`` this needs no choice of independent coordinates.
+
+        Parameters
+        ----------
+        state : State, optional
+            A state of rest; the equilibrium nearest to the initial configuration by default.
+        count : int
+            Number of modes, at most.
         """
         return stability.vibrations(self, state or self.equilibrium(), count)
+
+    def compliance(
+        self,
+        point: str,
+        frame: str,
+        state: State | None = None,
+        *,
+        offset: Sequence[float] | Array | None = None,
+        hold: Sequence[str] = (),
+    ) -> compliance.Compliance:
+        """Compliance of the body that a point and a frame belong to, at a state of rest.
+
+        Parameters
+        ----------
+        point, frame : str
+            Nodes of the body.
+        state : State, optional
+            With its preload; the unloaded initial configuration by default.
+        offset : sequence of float (3,) or (2,), optional
+            From the point to where forces act and displacements are taken, in the frame's axes [m].
+        hold : sequence of str
+            Coordinates or deformations that are held as well as the prescribed ones, such as that of a drive.
+
+        Raises
+        ------
+        ModelError
+            Nodes that are not a point and a frame; names that cannot be held.
+        DynamicsError
+            If nothing resists a motion; names it.
+        """
+        state = self.rest if state is None else state
+        return compliance.compliance(self, point, frame, state, offset=offset, hold=hold)
 
     def steady(
         self,

@@ -18,10 +18,10 @@ class PeriodicMotions(Core):
 
     def periodic(
         self,
+        start: PeriodicSolution | None = None,
+        *,
         period: float,
         harmonics: int,
-        *,
-        start: PeriodicSolution | None = None,
         samples: int | None = None,
         accuracy: float | None = None,
     ) -> PeriodicSolution:
@@ -29,11 +29,12 @@ class PeriodicMotions(Core):
 
         Parameters
         ----------
+        start : PeriodicSolution, optional
+            A neighbouring solution with as many harmonics to start from; the linearized one by default.
         period : float
             [s]
         harmonics : int
-        start : PeriodicSolution, optional
-            A neighbouring solution with as many harmonics to start from; the linearized one by default.
+            Number of harmonics of the Fourier series.
         samples : int, optional
             Times in the period; 4 per harmonic and 4 more by default.
         accuracy : float, optional

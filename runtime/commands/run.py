@@ -163,9 +163,7 @@ def _report(motion: Motion, wish: Wish) -> None:
     if wish.linearize:
         click.echo(f"modes about t = {last.t:g} s: frequency [rad/s], damping ratio, eigenvalue [1/s]")
         for mode in motion.system.linearize(last).modes():
-            click.echo(
-                f"  {mode.name:<24} {mode.frequency:12.6g} {mode.damping:12.6g}   {mode.eigenvalue:.6g}"
-            )
+            click.echo(f"  {mode.name:<24} {mode.omega:12.6g} {mode.damping:12.6g}   {mode.eigenvalue:.6g}")
 
 
 def _keep(motion: Motion, wish: Wish, stem: str) -> None:

@@ -68,7 +68,7 @@ class Beams(Springs):
             Shear stiffness k G A [N] for deflection in y and z; none means no shear deformation.
         section, material : Section and Material (or its name, such as "steel")
             Give all stiffnesses, shear included, the mass and the rotary inertia, instead of the numbers; the
-            stresses of the section are found by `flexel.beam_stress`.
+            stresses of the section are found by `State.stress`.
         flexible : sequence of str, optional
             With a section: the modes that deform, of elongation, torsion, bend1 ... bend4; all by default.
         initial_strain : float

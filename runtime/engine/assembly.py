@@ -16,9 +16,8 @@ import numpy as np
 from flexel.base.arrays import Array, Index
 from flexel.base.errors import FlexelError
 from flexel.derive.spec import ElementSpec, LawSpec
+from flexel.engine.lanes import LANES, blocks, lanes
 from flexel.generated._kernels import ffi, lib
-
-LANES = 8  # elements in a block, see generated/kernels.h
 
 
 @dataclass(frozen=True)
@@ -96,14 +95,6 @@ def kernel_struct(spec: ElementSpec | LawSpec, address: object) -> Any:
     return struct
 
 
-def blocks(values: Any) -> Any:
-    """Rows (elements, r) laid out as (blocks, r, 8), the last lanes repeating the last element."""
-    size, rows = values.shape
-    count = -(-size // LANES)
-    padded = np.concatenate([values, np.repeat(values[-1:], count * LANES - size, axis=0)])
-    return np.ascontiguousarray(padded.reshape(count, LANES, rows).transpose(0, 2, 1))
-
-
 class Stage:
     """One kernel kind, run over all batches that have it.
 
@@ -170,7 +161,7 @@ class Stage:
                 place = placement(batch, out.name)
                 nonzeros = np.array(out.nonzeros, dtype=np.intp)
                 _, sources, targets = pieces.setdefault(place.array, (place, [], []))
-                sources.append(_lanes(batch.size, nonzeros.size, starts[out.name]))
+                sources.append(lanes(batch.size, nonzeros.size, starts[out.name]))
                 targets.append(place.places[:, nonzeros].ravel())
         table: dict[str, Any] = {}
         for name, (place, s, t) in pieces.items():
@@ -301,9 +292,3 @@ def _output_starts(active: list[Batch], kind: str) -> tuple[list[dict[str, int]]
             place += len(out.nonzeros) * -(-batch.size // LANES) * LANES
         starts.append(found)
     return starts, place
-
-
-def _lanes(size: int, rows: int, start: int) -> Index:
-    """Buffer indices (elements x rows, flat) of the rows of one output, element by element."""
-    element = np.arange(size)[:, None]
-    return (start + (element // LANES * rows + np.arange(rows)) * LANES + element % LANES).ravel()

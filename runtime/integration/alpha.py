@@ -21,8 +21,9 @@ from flexel.engine.assembly import summed
 from flexel.engine.local import Local
 from flexel.engine.locallaws import ImplicitStep
 from flexel.engine.near import ALARM, NearContacts
-from flexel.mechanics.balance import Balance, Matrix, Saddle, SaddlePattern
+from flexel.mechanics.balance import Balance, Saddle
 from flexel.mechanics.core import Core
+from flexel.mechanics.saddle import Matrix, SaddlePattern
 from flexel.structure.state import State
 
 MAX_ITERATIONS = 20

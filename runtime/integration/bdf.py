@@ -17,8 +17,9 @@ from flexel.base.errors import FlexelError
 from flexel.engine.locallaws import ImplicitStep
 from flexel.integration.alpha import Point
 from flexel.integration.steps import Control, Run
-from flexel.mechanics.balance import Balance, Matrix, Saddle, SaddlePattern
+from flexel.mechanics.balance import Balance, Saddle
 from flexel.mechanics.core import Core
+from flexel.mechanics.saddle import Matrix, SaddlePattern
 from flexel.structure.state import State
 
 FREE = 1e20  # absolute tolerance of what is left out of the error control

@@ -37,7 +37,7 @@ def warn_outside(system: Core, states: Sequence[State]) -> None:
 def _outside(system: Core, law: Batch, end: LimitSpec, states: Sequence[State]) -> Iterator[str]:
     name, quantities = law.spec.name, law.inputs["e"][:, 0]
     limits = law.parameter(end.parameter)[:, end.component]
-    histories = np.array([state.stress[quantities] for state in states]).T
+    histories = np.array([state.stresses[quantities] for state in states]).T
     for quantity, limit, history in zip(quantities, limits, histories, strict=True):
         worst = int(np.argmax(history))
         if history[worst] > limit:

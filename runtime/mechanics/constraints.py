@@ -13,7 +13,6 @@ import numpy as np
 from scipy.linalg import qr
 
 from flexel.base.arrays import Array, Index
-from flexel.base.errors import ModelError
 from flexel.declare.declarations import Declarations
 from flexel.declare.resolution import norms, resolve_roles
 from flexel.engine.evaluate import Evaluation
@@ -47,7 +46,7 @@ class ConstraintReport:
     release: list[str]
 
     def __str__(self) -> str:
-        lines = [f"{self.freedoms} freedom(s) left by the rigid conditions"]
+        lines = [f"{self.freedoms} degree(s) of freedom left by the rigid conditions"]
         lines += [f"over-constrained: {_shares(z)}" for z in self.redundant]
         lines += [f"nothing resists: {_shares(z)}" for z in self.motions]
         if self.release:
@@ -55,22 +54,20 @@ class ConstraintReport:
         return "\n".join(lines)
 
 
-def constraint_report(mechanism: Declarations | State) -> ConstraintReport:
-    """Over- and under-constraint of a model as drawn, or of a state of a built system.
+def report_of_model(model: Declarations) -> ConstraintReport:
+    """Over- and under-constraint of a model as drawn; see `Model.constraint_report`."""
+    elements = [*model.instances.values(), *norms(model)]
+    structure = assemble_structure(model.nodes.values(), elements, model.laws)
+    _, J = Evaluation(structure).position(structure.x0)
+    return _report(structure, resolve_roles(model, structure), J)
 
-    Examples
-    --------
-    >>> print(fx.constraint_report(m))  # doctest: +SKIP
-    1 freedom(s) left by the rigid conditions
-    over-constrained: 'a.bend1' 1.00, 'b.bend1' -1.00
-    release 'a.bend1'
-    """
-    if isinstance(mechanism, State):
-        structure, roles, J = mechanism.structure, mechanism.roles, mechanism.J
-    elif isinstance(mechanism, Declarations):
-        structure, roles, J = _drawn(mechanism)
-    else:
-        raise ModelError(f"constraint_report: {mechanism!r} is neither a Model nor a State; give one of them")
+
+def report_of_state(state: State) -> ConstraintReport:
+    """Over- and under-constraint at a state; see `State.constraint_report`."""
+    return _report(state.structure, state.roles, state.J)
+
+
+def _report(structure: Structure, roles: Roles, J: Array) -> ConstraintReport:
     rows, nf = roles.holonomic, structure.nf
     C = J[rows, :nf]
     right, left = null_space(C, nf)
@@ -84,13 +81,6 @@ def constraint_report(mechanism: Declarations | State) -> ConstraintReport:
         redundant=_named(structure, rows, left),
         release=_releases(structure, rows, C),
     )
-
-
-def _drawn(model: Declarations) -> tuple[Structure, Roles, Array]:
-    elements = [*model.instances.values(), *norms(model)]
-    structure = assemble_structure(model.nodes.values(), elements, model.laws)
-    _, J = Evaluation(structure).position(structure.x0)
-    return structure, resolve_roles(model, structure), J
 
 
 def _named(structure: Structure, rows: Index, space: Array) -> list[dict[str, float]]:

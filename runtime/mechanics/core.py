@@ -112,15 +112,15 @@ class Core:
         norms = s.kinds.count("norm")
         return {
             "coordinates": s.n,
-            "free coordinates": s.nf,
+            "free_coordinates": s.nf,
             "deformations": s.m - norms,
             "norms": norms,
             "slips": s.k,
             "freedoms": r.nd,
             "kinematic_coordinates": r.nq - r.nd,
-            "rigid deformations": r.rigid.size - norms,
+            "rigid_deformations": r.rigid.size - norms,
             "prescribed": r.prescribed.size,
-            "zero slips": r.zero.size,
+            "zero_slips": r.zero.size,
         }
 
     def __repr__(self) -> str:

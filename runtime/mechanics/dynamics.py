@@ -217,7 +217,7 @@ def with_multipliers(
         a=a,
         e=e,
         rates=c.J @ v,
-        stress=given.stress + multiplier[:first],
+        stresses=given.stress + multiplier[:first],
         reactions=reactions,
         roles=roles,
         evaluation=kinematics.evaluation,

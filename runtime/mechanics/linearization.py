@@ -12,36 +12,15 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from scipy.linalg import eig
 
 from flexel.base.arguments import names as checked_names
 from flexel.base.arrays import Array, ComplexArray
 from flexel.base.errors import LinearizationError, ModelError
 from flexel.base.units import rate_unit
 from flexel.engine.evaluate import Tangents
-from flexel.mechanics.modes import Mode, Reduced, sort_eigenvalues
+from flexel.mechanics.modes import Mode, Reduced, modes_of, sort_eigenvalues
+from flexel.mechanics.transfer import Transfer
 from flexel.structure.state import State
-
-_eig: Any = eig
-
-
-@dataclass(frozen=True)
-class Transfer:
-    """Transfer functions at a state, for the freedoms and the prescribed motions u side by side.
-
-    Attributes
-    ----------
-    G, N, A_q : ndarray (nf, nq + nu)
-        Derivatives of x, v, a with respect to (q, u) at fixed rates of the rest.
-    H, A_v : ndarray (nf, nd + nu)
-        Derivatives of v and a with respect to (q_d', u'); H is also that of a to (q_d'', u'').
-    """
-
-    G: Array
-    N: Array
-    H: Array
-    A_q: Array
-    A_v: Array
 
 
 @dataclass(frozen=True)
@@ -119,22 +98,7 @@ class Linearization:
 
     def modes(self) -> list[Mode]:
         """Modes, sorted as the eigenvalues, one for each complex pair (the one with positive imaginary part)."""
-        w, left, right = _eig(self.state_matrix, left=True, right=True)
-        scale = float(np.max(np.abs(w), initial=1e-300))
-        keep = [i for i in range(w.size) if w[i].imag >= -1e-12 * scale]
-        keep.sort(key=lambda i: (round(w[i].real / scale, 11), w[i].imag))
-        return [self._mode(complex(w[i]), left[:, i], right[:, i]) for i in keep]
-
-    def _mode(self, value: complex, left: ComplexArray, right: ComplexArray) -> Mode:
-        nd = len(self.dynamic)
-        displacement = right[nd:]
-        names = self.freedoms + self.internal
-        pivot = displacement[int(np.argmax(np.abs(displacement)))]
-        share = np.abs(left.conj() * right)
-        share = np.concatenate([share[:nd] + share[nd : 2 * nd], share[2 * nd :]])
-        total = float(share.sum()) or 1.0
-        shape = {n: complex(z / pivot) for n, z in zip(names, displacement, strict=True)}
-        return Mode(value, shape, {n: float(z / total) for n, z in zip(names, share, strict=True)})
+        return modes_of(self.state_matrix, self.freedoms + self.internal, len(self.dynamic))
 
     def reduced(self, names: Sequence[str], tolerance: float = 1e-9) -> Reduced:
         """Second-order equations of the named dynamic freedoms, after a check that they are decoupled.

@@ -15,7 +15,8 @@ from flexel.engine.evaluate import Tangents
 from flexel.engine.solvers import Factorization
 from flexel.mechanics.dynamics import solve_mass
 from flexel.mechanics.kinematics import Configuration, Kinematics
-from flexel.mechanics.linearization import Linearization, Transfer
+from flexel.mechanics.linearization import Linearization
+from flexel.mechanics.transfer import Transfer
 from flexel.structure.state import State, own_state
 
 
@@ -46,7 +47,9 @@ def linearize(kinematics: Kinematics, state: State) -> Linearization:
     J = state.J
     c = Configuration(state.t, state.x, state.e, J)
     m, k, nz = structure.m, structure.k, structure.nz
-    T = kinematics.evaluation.tangents(state.x, state.v, state.a, J, state.e, state.stress, state.z, state.t)
+    T = kinematics.evaluation.tangents(
+        state.x, state.v, state.a, J, state.e, state.stresses, state.z, state.t
+    )
     X = transfer_functions(kinematics, c, T)
     mass, *_ = kinematics.evaluation.inertia(state.x, state.v)
     M, r_x, r_v = mass[:nf, :nf], T.r_x[:nf, :nf], T.r_v[:nf, :nf]

@@ -6,8 +6,11 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from scipy.linalg import eig
 
 from flexel.base.arrays import Array, ComplexArray
+
+_eig: Any = eig
 
 
 @dataclass(frozen=True)
@@ -35,14 +38,19 @@ class Mode:
         return "+".join(z for z in order if self.participation[z] >= 0.25 * self.participation[order[0]])
 
     @property
-    def frequency(self) -> float:
+    def omega(self) -> float:
         """Undamped natural frequency |eigenvalue| [rad/s]."""
         return abs(self.eigenvalue)
 
     @property
+    def hertz(self) -> float:
+        """Undamped natural frequency [Hz]."""
+        return self.omega / (2 * np.pi)
+
+    @property
     def damping(self) -> float:
         """Damping ratio -Re/|.|; 0 for a zero eigenvalue."""
-        return -self.eigenvalue.real / self.frequency if self.frequency else 0.0
+        return -self.eigenvalue.real / self.omega if self.omega else 0.0
 
 
 @dataclass(frozen=True)
@@ -64,6 +72,28 @@ class Reduced:
     def eigenvalues(self) -> ComplexArray:
         """The 2 n eigenvalues [1/s], sorted by real, then imaginary part."""
         return sort_eigenvalues(np.linalg.eigvals(self.state_matrix))
+
+
+def modes_of(state_matrix: Array, names: tuple[str, ...], nd: int) -> list[Mode]:
+    """Modes of first-order equations for (q_d', q_d, q_k, z), one for each complex pair, sorted as the eigenvalues.
+
+    The `names` are those of (q_d, q_k, z); the first `nd` of them are dynamic.
+    """
+    w, left, right = _eig(state_matrix, left=True, right=True)
+    scale = float(np.max(np.abs(w), initial=1e-300))
+    keep = [i for i in range(w.size) if w[i].imag >= -1e-12 * scale]
+    keep.sort(key=lambda i: (round(w[i].real / scale, 11), w[i].imag))
+    return [_mode(complex(w[i]), left[:, i], right[:, i], names, nd) for i in keep]
+
+
+def _mode(value: complex, left: ComplexArray, right: ComplexArray, names: tuple[str, ...], nd: int) -> Mode:
+    displacement = right[nd:]
+    pivot = displacement[int(np.argmax(np.abs(displacement)))]
+    share = np.abs(left.conj() * right)
+    share = np.concatenate([share[:nd] + share[nd : 2 * nd], share[2 * nd :]])
+    total = float(share.sum()) or 1.0
+    shape = {n: complex(z / pivot) for n, z in zip(names, displacement, strict=True)}
+    return Mode(value, shape, {n: float(z / total) for n, z in zip(names, share, strict=True)})
 
 
 def sort_eigenvalues(values: Any) -> ComplexArray:

@@ -62,17 +62,11 @@ def rotation_rows(q: Array) -> Array:
 
 
 def section_forces(state: State, beam: str) -> tuple[SectionForces, SectionForces]:
-    """Forces in the sections at both ends of a beam, in the section's axes there.
-
-    Raises
-    ------
-    ModelError
-        If there is no beam of that name with two frames.
-    """
+    """Forces in the sections at both ends of a beam; see `State.section_forces`."""
     instance = _find(state, beam)
     s = state.structure
     rows = np.array([s.index[z] for z in instance.deformations])
-    f = state.J[rows].T @ state.stress[rows]
+    f = state.J[rows].T @ state.stresses[rows]
     ends = []
     for k, (side, sign) in enumerate((("p", -1.0), ("q", 1.0))):
         force, moment, R = _end(state, instance, f, k, side)
@@ -98,13 +92,7 @@ def _end(state: State, instance: Instance, f: Array, k: int, side: str) -> tuple
 
 
 def beam_stress(state: State, beam: str) -> BeamStress:
-    """Largest equivalent stress in the end sections of a beam that was given a section and a material.
-
-    Raises
-    ------
-    ModelError
-        If it is no beam, or has no section.
-    """
+    """Largest equivalent stress in the end sections of a beam; see `State.stress`."""
     profile = _find(state, beam).profile
     if not isinstance(profile, Profile):
         raise ModelError(f"beam '{beam}' has no section, only stiffnesses; give it section= and material=")
@@ -117,13 +105,7 @@ def beam_stress(state: State, beam: str) -> BeamStress:
 
 
 def largest_stress(state: State) -> BeamStress:
-    """The most stressed of all beams that have a section and two frames.
-
-    Raises
-    ------
-    ModelError
-        If there is none.
-    """
+    """The largest equivalent stress in all beams; see `State.largest_stress`."""
     beams = [z.name for z in state.structure.instances if z.profile is not None and z.spec.family == "beam"]
     if not beams:
         raise ModelError("no beam has a section; give one to m.beam(…, section=, material=)")

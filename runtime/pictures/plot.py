@@ -17,7 +17,7 @@ from flexel.base.arrays import Array
 from flexel.pictures.animation import animate
 from flexel.pictures.drawing import Sketch
 from flexel.pictures.figures import COLOURS, figure, save
-from flexel.pictures.scene import View, draw
+from flexel.pictures.scene import draw
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
     from flexel.results.motion import Motion
 
-__all__ = ["Sketch", "View", "animate", "branches", "draw", "plot_histories", "root_loci"]
+__all__ = ["Sketch", "animate", "branches", "draw", "plot_histories", "root_loci"]
 
 
 # -- time histories -------------------------------------------------------------------------------

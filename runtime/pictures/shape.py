@@ -153,7 +153,7 @@ def resultant(state: State, instance: Instance, points: Sequence[str]) -> Array:
     """Force (3,) of an element on some of its points, taken together [N]."""
     s = state.structure
     rows = [s.index[z] for z in (*instance.deformations, *instance.slips)]
-    stress = state.stress[rows]
+    stress = state.stresses[rows]
     if not stress.any():  # an open contact
         return np.zeros(3)
     f = -(state.J[rows].T @ stress)

@@ -243,7 +243,7 @@ def axial_rows(state: State, cables: Sequence[str]) -> tuple[Index, Array]:
 def gauss_tension(state: State, rows: Index, l0: Array) -> Array:
     """Tension (cables, 4) [N] at the Gauss points of the cables that `axial_rows` found."""
     stretch = np.sqrt(1 + 2 * state.e[rows])
-    return np.asarray(state.stress[rows] * stretch / (AXIAL[1] * l0[:, None] / 2))
+    return np.asarray(state.stresses[rows] * stretch / (AXIAL[1] * l0[:, None] / 2))
 
 
 def _cables(state: State) -> dict[str, Instance]:

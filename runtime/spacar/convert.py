@@ -125,7 +125,7 @@ def _analysis(file: Spacar) -> list[str]:
         lines += [
             "state = None",
             f"for i in range({file.steps + 1}):",
-            f"    state = system.equilibrium(i / {file.steps}, state)",
+            f"    state = system.equilibrium(state, t=i / {file.steps})",
         ]
     else:
         lines += ["state = system.equilibrium()"]

@@ -116,7 +116,7 @@ class LinearModels(SpacarFile):
 
     def frequencies(self, state: State | None = None, count: int = 10) -> list[Vibration]:
         """Lowest natural frequencies [rad/s] and modes; about the static equilibrium if no state is given."""
-        return self.system.vibrations(state, count)
+        return self.system.vibrations(state, count=count)
 
     def buckling(self, count: int = 5) -> list[BucklingMode]:
         """Multipliers of the file's loads at which the mechanism buckles, from its unloaded equilibrium.
@@ -152,5 +152,5 @@ class LinearModels(SpacarFile):
         system = self.variant(load_steps=True)
         states: list[State] = []
         for i in range(self.steps + 1):
-            states.append(system.equilibrium(i / self.steps, states[-1] if states else None))
+            states.append(system.equilibrium(states[-1] if states else None, t=i / self.steps))
         return system, states

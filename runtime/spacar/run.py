@@ -174,8 +174,8 @@ def _static(file: Spacar) -> Analysis:
     state = file.system.equilibrium()
     lines, results = _state_lines(file, state), _histories(file, [state], np.array([state.t]))
     modes = file.frequencies(state)
-    results["frequencies"] = np.array([z.frequency for z in modes])
-    lines += ["natural frequencies [rad/s]", *(f"  {z.frequency: .9e}" for z in modes)]
+    results["frequencies"] = np.array([z.omega for z in modes])
+    lines += ["natural frequencies [rad/s]", *(f"  {z.omega: .9e}" for z in modes)]
     if file.model.loads:
         results["multipliers"] = np.array([z.multiplier for z in file.buckling()])
         lines += ["load multipliers of buckling", *(f"  {z: .9e}" for z in results["multipliers"])]

@@ -80,36 +80,29 @@ class Compliance:
         return np.asarray(np.linalg.inv(C / np.outer(scale, scale)) / np.outer(scale, scale))
 
 
-def body_compliance(
+def compliance(
     system: Core,
     point: str,
     frame: str,
-    state: State | None = None,
+    state: State,
     *,
-    offset: Sequence[float] | Array | None = None,
-    hold: Sequence[str] = (),
+    offset: Sequence[float] | Array | None,
+    hold: Sequence[str],
 ) -> Compliance:
-    """Compliance of the body that a point and a frame belong to, at a state of rest.
+    """Compliance of the body that a point and a frame belong to; see `System.compliance`.
 
     Parameters
     ----------
     point, frame : str
         Nodes of the body.
-    state : State, optional
-        With its preload; the unloaded initial configuration by default.
+    state : State
+        A state of rest, with its preload.
     offset : sequence of float (3,) or (2,), optional
-        From the point to where forces act and displacements are taken, in the frame's axes.
+        From the point to where forces act [m].
     hold : sequence of str
-        Coordinates or deformations kept in place meanwhile, such as that of a drive, beside prescribed ones.
-
-    Raises
-    ------
-    ModelError
-        Nodes that are not a point and a frame; names that cannot be held.
-    DynamicsError
-        If nothing resists a motion; names it.
+        Coordinates or deformations that are held.
     """
-    state = system.rest if state is None else own_state(system.structure, state, "compliance")
+    own_state(system.structure, state, "compliance")
     s = system.structure
     for name, kinds in ((point, ("point", "planar_point")), (frame, ("frame", "planar_angle"))):
         if s.node(name).kind not in kinds:

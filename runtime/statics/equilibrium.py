@@ -20,9 +20,10 @@ from flexel.base.arguments import names, number
 from flexel.base.arrays import Array, Index
 from flexel.base.errors import ModelError, PositionError
 from flexel.engine.finite import TangentError
-from flexel.mechanics.balance import Balance, Matrix, Saddle, SaddlePattern
+from flexel.mechanics.balance import Balance, Saddle
 from flexel.mechanics.core import Core
 from flexel.mechanics.diagnose import quoted
+from flexel.mechanics.saddle import Matrix, SaddlePattern
 from flexel.structure.state import State, own_state
 
 MAX_ITERATIONS = 20

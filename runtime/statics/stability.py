@@ -81,13 +81,24 @@ def buckling(system: Core, state: State, increment: Mapping[str, float], count: 
 
 @dataclass(frozen=True)
 class Vibration:
-    """An undamped free vibration about equilibrium: angular frequency [rad/s] and shape.
+    """An undamped free vibration about equilibrium.
 
-    A negative square of the frequency, an unstable equilibrium, is given as a negative frequency -|ω|.
+    Attributes
+    ----------
+    omega : float
+        Angular frequency [rad/s].  A negative square, which means that the equilibrium is unstable, is given as a
+        negative frequency -|ω|.
+    shape : dict of str to float
+        Change of each coordinate, the largest one 1.
     """
 
-    frequency: float
+    omega: float
     shape: dict[str, float]
+
+    @property
+    def hertz(self) -> float:
+        """Frequency [Hz], negative as `omega` is where the equilibrium is unstable."""
+        return self.omega / (2 * np.pi)
 
 
 def vibrations(system: Core, state: State, count: int) -> list[Vibration]:

@@ -77,7 +77,7 @@ def _force_scale(system: Core, state: State, H: np.ndarray) -> float:
     """Size of the forces that balance one another in the reduced equations."""
     M, h, f, _ = system.evaluation.inertia(state.x, state.v)
     nf = system.structure.nf
-    parts = np.concatenate([h[:nf], f[:nf], state.stress @ state.J[: state.stress.size, :nf]])
+    parts = np.concatenate([h[:nf], f[:nf], state.stresses @ state.J[: state.stresses.size, :nf]])
     reach = float(np.max(np.abs(H), initial=0.0))
     return max(float(np.max(np.abs(parts), initial=0.0)) * reach, float(np.max(np.abs(M))) * 1e-3, 1e-300)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 
@@ -11,6 +11,11 @@ from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.structure.roles import Roles
 from flexel.structure.structure import Structure
+
+if TYPE_CHECKING:
+    from flexel.declare.sections import SectionForces
+    from flexel.mechanics.constraints import ConstraintReport
+    from flexel.mechanics.stress import BeamStress
 
 
 @dataclass(frozen=True)
@@ -52,7 +57,7 @@ class State:
         Generalized deformations; angles over any number of turns.
     rates : ndarray (m + k + n,)
         Rates of all quantities.
-    stress : ndarray (m + k,)
+    stresses : ndarray (m + k,)
         Generalized stresses sigma and tau: of laws, of loads, and of rigid, prescribed and rolling constraints.
     reactions : ndarray (n,)
         Generalized forces on fixed and prescribed coordinates.
@@ -73,7 +78,7 @@ class State:
     a: Array
     e: Array
     rates: Array = field(repr=False)
-    stress: Array
+    stresses: Array
     reactions: Array
     roles: Roles = field(repr=False)
     evaluation: Geometry = field(repr=False)
@@ -132,7 +137,7 @@ class State:
         """Generalized stress of a deformation or slip, or the reaction on a fixed or prescribed coordinate."""
         i = self.structure.find(name)
         first = self.structure.m + self.structure.k
-        return float(self.stress[i] if i < first else self.reactions[i - first])
+        return float(self.stresses[i] if i < first else self.reactions[i - first])
 
     def position(self, node: str) -> Array:
         """Coordinates of a node, as many as its kind has."""
@@ -142,12 +147,54 @@ class State:
         """Rates of a node's coordinates."""
         return np.asarray(self.v[self.structure.places(node)])
 
+    def section_forces(self, beam: str) -> tuple[SectionForces, SectionForces]:
+        """Forces [N] and moments [N m] in the sections at both ends, p and q, of a beam, in the section's axes there.
+
+        Raises
+        ------
+        ModelError
+            If there is no beam of that name with two frames.
+        """
+        from flexel.mechanics.stress import section_forces
+
+        return section_forces(self, beam)
+
+    def stress(self, beam: str) -> BeamStress:
+        """Largest equivalent stress [Pa] in the end sections of a beam that has a section and a material.
+
+        Raises
+        ------
+        ModelError
+            If there is no beam of that name with two frames, or it has no section.
+        """
+        from flexel.mechanics.stress import beam_stress
+
+        return beam_stress(self, beam)
+
+    def largest_stress(self) -> BeamStress:
+        """The largest equivalent stress [Pa] in all beams that have a section and two frames.
+
+        Raises
+        ------
+        ModelError
+            If no beam has a section.
+        """
+        from flexel.mechanics.stress import largest_stress
+
+        return largest_stress(self)
+
+    def constraint_report(self) -> ConstraintReport:
+        """Over-constraint and under-constraint of the mechanism in this state; see `Model.constraint_report`."""
+        from flexel.mechanics.constraints import report_of_state
+
+        return report_of_state(self)
+
 
 def own_state(structure: Structure, state: object, owner: str) -> State:
     """The state, if it is one of this model; a ModelError that names the owner otherwise."""
     if not isinstance(state, State):
         raise ModelError(
-            f"{owner}: {type(state).__name__} is no state; give one, such as system.initial or motion[-1]"
+            f"{owner}: {type(state).__name__} is not a state; give one, such as system.initial or motion[-1]"
         )
     if state.structure is not structure:
         raise ModelError(

@@ -260,7 +260,7 @@ def test_a_static_path_that_leads_to_where_a_law_has_no_tangent_keeps_what_it_re
     m.law("strut.elongation", lambda e, ed: 100 * sympy.sqrt(e))
     m.initial("strut.elongation", 0.01)
     with pytest.warns(IncompleteWarning, match=r"path stopped .*'strut\.elongation'"):
-        motion = m.build().static_path(2.0)
+        motion = m.build().static_path(t_end=2.0)
     assert len(motion) > 2
     assert motion["strut.elongation"] == pytest.approx(((1 - motion.t) / 10) ** 2, abs=1e-9)
 

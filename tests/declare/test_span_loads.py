@@ -89,7 +89,7 @@ def test_a_following_end_force_bends_a_beam_and_stays_normal_to_it(planar: bool)
     m = cantilever(4, planar)
     F = 1.0
     m.load("P4", (0, lambda t: F * t) if planar else (0, lambda t: F * t, 0), follower="R4")
-    path = m.build().static_path(1.0)
+    path = m.build().static_path(t_end=1.0)
     assert path.message == ""
     state = path[-1]
     angle = state["R4.angle"] if planar else 2 * np.arctan2(state["R4.lambda3"], state["R4.lambda0"])

@@ -139,6 +139,6 @@ def test_xarray_and_pandas_have_names_along_rows_and_columns() -> None:
     assert lin.units == {"C.x": "m", "pivot.angle": "rad", "C.x'": "m/s", "pivot.angle'": "rad/s"}
     modes = lin.to_pandas()
     swing = modes[modes["imaginary part"] > 0]
-    assert swing["frequency"].iloc[0] == pytest.approx(np.sqrt(9.81 * 2.5 / 2), rel=1e-12)
+    assert swing["omega"].iloc[0] == pytest.approx(np.sqrt(9.81 * 2.5 / 2), rel=1e-12)
     assert swing["damping ratio"].iloc[0] > 0
-    assert modes.attrs["units"]["frequency"] == "rad/s"
+    assert modes.attrs["units"]["omega"] == "rad/s"

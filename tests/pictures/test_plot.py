@@ -12,7 +12,7 @@ from flexel.base.quaternions import matrix
 from flexel.examples.bicycle import bicycle, kick
 from flexel.pictures import drawing, plot
 from flexel.pictures.figures import save
-from flexel.pictures.plot import View, animate, draw
+from flexel.pictures.plot import animate, draw
 from flexel.pictures.scene import display_axes
 
 
@@ -83,7 +83,7 @@ def test_up_is_normal_to_the_road_or_against_gravity(motion: fx.Motion) -> None:
 
 def test_spatial_and_planar_models_are_drawn(motion: fx.Motion, tmp_path: Path) -> None:
     """The same function draws both; a planar model gets plain axes with equal scales."""
-    axes = draw(motion[-1], view=View(centre="head", span=2.0))
+    axes = draw(motion[-1], view=fx.View(centre="head", span=2.0))
     assert axes.name == "3d"
     save(axes.figure, tmp_path / "bicycle.png")
     flat = draw(pendulum().initial)

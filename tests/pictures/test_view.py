@@ -15,7 +15,6 @@ import flexel as fx
 from flexel.base.quaternions import matrix
 from flexel.examples.bicycle import bicycle, kick
 from flexel.pictures.drawing import shapes
-from flexel.pictures.plot import View
 from flexel.pictures.view import mode_data, page, scene_data, view_motion, write_page
 
 
@@ -196,7 +195,7 @@ def test_modes_are_the_linear_displacements() -> None:
     """The tip of the first mode of a cantilever moves across by 1, no vertex along or sideways."""
     system = cantilever()
     state = system.equilibrium()
-    scene = mode_data(state, system.vibrations(state, 2))
+    scene = mode_data(state, system.vibrations(state, count=2))
     assert [z["text"].endswith("Hz") for z in scene["modes"]] == [True, True]
     leaf = parts(scene, "beam", "leaf")[0]
     first = unpacked(leaf["modes"], 3 * 17)[0].reshape(17, 3)
@@ -229,7 +228,7 @@ def test_mistakes_are_told(ride: fx.Motion, tmp_path: Path) -> None:
     with pytest.raises(fx.ModelError, match="frames is 1; give a whole number, 2 or more"):
         scene_data(ride, frames=1)
     with pytest.raises(fx.ModelError, match="unknown node 'haed'; did you mean head"):
-        scene_data(ride, view=View(centre="haed"))
+        scene_data(ride, view=fx.View(centre="haed"))
     with pytest.raises(fx.ModelError, match="no states from 0.0015"):
         still = cantilever()
         scene_data(still.simulate_stiff(1e-3, progress=False), between=(0.0015, 0.002))

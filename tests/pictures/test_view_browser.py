@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 import flexel as fx
 from flexel.examples.bicycle import bicycle, kick
-from flexel.pictures.plot import Sketch, View
+from flexel.pictures.plot import Sketch
 from flexel.pictures.view import page, scene_data, view_modes
 
 pytestmark = pytest.mark.skipif(PROGRAM is None, reason=MISSING)
@@ -115,7 +115,7 @@ def test_every_control_is_reached_by_tab_and_has_a_name(
 def test_the_scrubber_follow_trace_and_colour(ride: fx.Motion, tmp_path: Path, fresh: Browser) -> None:
     """Scrubbing goes to its time; a followed node stays in the middle; a trace and colours are to be seen."""
     sketch = Sketch("rear hub", "rear frame", [(0, 0, -0.3), (0.3, 0, -0.9)])
-    fresh.open(ride.view(tmp_path / "ride.html", view=View(sketches=[sketch])), "#t=0")
+    fresh.open(ride.view(tmp_path / "ride.html", view=fx.View(sketches=[sketch])), "#t=0")
     fresh.choose("#scrub", "0.5")
     assert fresh.value("document.querySelector('#time').textContent") == "0.50 s"
     for box in ("road", "forces", "outlines"):
@@ -147,7 +147,10 @@ def test_colour_by_bending_moment(tmp_path: Path, fresh: Browser) -> None:
     state = system.equilibrium()
     fresh.open(
         view_modes(
-            state, tmp_path / "arm.html", system.vibrations(state, 1), view=View(azimuth=-90, elevation=0)
+            state,
+            tmp_path / "arm.html",
+            system.vibrations(state, count=1),
+            view=fx.View(azimuth=-90, elevation=0),
         )
     )
     fresh.click("#play")
@@ -164,8 +167,8 @@ def test_the_amplitude_slider_scales_a_mode(tmp_path: Path, fresh: Browser) -> N
     """At the largest displacement of the first bending mode the strip's tip is as far off as the slider says."""
     system = cantilever()
     state = system.equilibrium()
-    view = View(azimuth=-90, elevation=90)
-    fresh.open(view_modes(state, tmp_path / "modes.html", system.vibrations(state, 2), view=view))
+    view = fx.View(azimuth=-90, elevation=90)
+    fresh.open(view_modes(state, tmp_path / "modes.html", system.vibrations(state, count=2), view=view))
     assert fresh.value("document.querySelectorAll('#mode option').length") == 2
     fresh.choose("#scrub", "0")  # the phase at which it is farthest
     heights = []
@@ -202,7 +205,9 @@ def test_dragging_turns_and_wheel_zooms(swing: fx.Motion, tmp_path: Path, fresh:
 def test_on_a_phone(ride: fx.Motion, tmp_path: Path, fresh: Browser) -> None:
     """Nothing is wider than the screen, what is to be touched is large enough, and two fingers zoom."""
     fresh.resize(360, 640, phone=True)
-    fresh.open(ride.view(tmp_path / "ride.html", frames=11, title="Ride", view=View(centre="head")), "#t=0")
+    fresh.open(
+        ride.view(tmp_path / "ride.html", frames=11, title="Ride", view=fx.View(centre="head")), "#t=0"
+    )
     assert fresh.value("document.scrollingElement.scrollWidth") == 360
     assert fresh.value("document.querySelector('#panel').open") is False
     for name in ("#play", "#scrub", "#speed"):

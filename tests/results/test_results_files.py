@@ -26,7 +26,7 @@ NAMES = [
     "rear.longitudinal'",
     "head.z",
 ]
-ARRAYS = ("x", "v", "a", "e", "J", "stress", "reactions", "z", "zd", "Phi_v")
+ARRAYS = ("x", "v", "a", "e", "J", "stresses", "reactions", "z", "zd", "Phi_v")
 
 
 def ride(duration: float, samples: int, **options: Any) -> fx.Motion:
@@ -317,7 +317,7 @@ def test_nothing_in_a_file_is_executed(motion: fx.Motion, tmp_path: Path) -> Non
     text = motion.save(tmp_path / "kick.csv").read_text().splitlines()
     (tmp_path / "trap.csv").write_text("\n".join([text[0], text[1], text[2].replace("0.0", "exit()", 1)]))
     for name in ("trap.npz", "pickle.npz", "trap.csv"):
-        with pytest.raises(fx.ModelError, match="no result saved by flexel, or it is damaged") as told:
+        with pytest.raises(fx.ModelError, match="not a result saved by flexel, or it is damaged") as told:
             fx.load(tmp_path / name)
         assert "unsafely" not in str(told.value)  # NumPy would advise to load a pickle
 

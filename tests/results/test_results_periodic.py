@@ -14,7 +14,7 @@ from flexel.results.periodic import PeriodicSolution
 
 @pytest.fixture(scope="module")
 def solution() -> PeriodicSolution:
-    return oscillator(0.6, cubic=0.2).periodic(2 * np.pi / 0.6, 7)
+    return oscillator(0.6, cubic=0.2).periodic(period=2 * np.pi / 0.6, harmonics=7)
 
 
 @pytest.mark.parametrize("suffix", [".npz", ".nc", ".mat", ".csv"])

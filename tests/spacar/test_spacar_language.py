@@ -244,7 +244,7 @@ def test_bearing_and_hinge_modes_have_their_own_order(tmp_path: Path) -> None:
     )
     assert found.deformations[1, 1] == ("bearing1.axial", 1.0)
     assert found.deformations[1, 4] == ("bearing1.angle", 1.0)
-    assert np.allclose([z.frequency for z in found.frequencies()], [2.0, 2.0])
+    assert np.allclose([z.omega for z in found.frequencies()], [2.0, 2.0])
     assert "modes 1 to 3 are read as the displacements" in found.notes[0]
 
 

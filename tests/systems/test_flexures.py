@@ -85,7 +85,7 @@ def test_compliance_is_symmetric_and_positive_at_every_station(results: example.
 def test_the_drive_compliance_is_the_slope_of_the_travel(results: example.Results) -> None:
     system = example.pivot().build()
     start = results.pivot[-1]
-    near = [system.equilibrium(start.drive + z, system.equilibrium(start.drive)) for z in (-1e-5, 1e-5)]
+    near = [system.equilibrium(system.equilibrium(t=start.drive), t=start.drive + z) for z in (-1e-5, 1e-5)]
     slope = (near[1]["turn.angle"] - near[0]["turn.angle"]) / 2e-5
     assert start.free.matrix[5, 5] == pytest.approx(slope, rel=1e-5)
 
@@ -103,7 +103,7 @@ def test_stiffness_under_payload_converges_with_the_elements() -> None:
 
     def error(n: int) -> float:
         system = example.pivot(payload, elements=n).build()
-        found = fx.body_compliance(system, "axis", "body frame", system.equilibrium(0.0))
+        found = system.compliance("axis", "body frame", system.equilibrium(t=0.0))
         return abs(found.stiffness()["turn z"] / expected - 1)
 
     e = [error(n) for n in (2, 4, 8)]
@@ -123,7 +123,7 @@ def test_over_constraint_is_refused_by_name_and_cured_by_the_named_releases(
     make: example.Maker, d: example.Design
 ) -> None:
     m = make(flexible=example.BENDING, elements=1)
-    found = fx.constraint_report(m)
+    found = m.constraint_report()
     assert len(found.redundant) == 3
     assert any(z.endswith(".torsion") for named in found.redundant for z in named)
     with pytest.raises(fx.ConstraintError, match="over-constrained: 3 rigid"):
@@ -152,8 +152,8 @@ def test_support_stiffness_of_the_bent_guide_converges_to_that_of_curved_bars() 
 
     def errors(n: int) -> np.ndarray:
         system = example.guide(elements=n).build()
-        state = system.equilibrium(1.25)
-        found = fx.body_compliance(system, d.point, d.frame, state, hold=[d.drive]).stiffness()
+        state = system.equilibrium(t=1.25)
+        found = system.compliance(d.point, d.frame, state, hold=[d.drive]).stiffness()
         expected = exact.bent_guide(d.profile, d.length, example.SPACING, state[d.drive])
         return np.array([found[z] / expected[z] - 1 for z in ("z", "turn x", "turn y")])
 

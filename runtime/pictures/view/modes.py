@@ -49,7 +49,7 @@ def mode_data(
     """
     state = about.state if isinstance(about, Linearization) else own_state_of(about)
     if modes is None and isinstance(about, Linearization):
-        modes = sorted(about.modes(), key=lambda z: z.frequency)[:COUNT]
+        modes = sorted(about.modes(), key=lambda z: z.omega)[:COUNT]
     if not modes:
         raise ModelError(
             "view of modes: there are none; give those of system.vibrations(state), or a linearization"
@@ -140,8 +140,8 @@ def packed_pairs(pairs: Sequence[tuple[Array, Array]]) -> str:
 def _words(i: int, mode: Mode | Vibration) -> dict[str, str]:
     """Name and description of a mode."""
     if isinstance(mode, Vibration):
-        hertz = abs(mode.frequency) / (2 * np.pi)
-        text = f"{hertz:.4g} Hz" if mode.frequency >= 0 else f"unstable, {abs(mode.frequency):.4g} 1/s"
+        hertz = abs(mode.omega) / (2 * np.pi)
+        text = f"{hertz:.4g} Hz" if mode.omega >= 0 else f"unstable, {abs(mode.omega):.4g} 1/s"
         return {"name": f"{i + 1}: {text}", "text": text}
     w = mode.eigenvalue
     text = f"{w.real:.3g} ± {abs(w.imag):.4g}i 1/s" if w.imag else f"{w.real:.4g} 1/s"

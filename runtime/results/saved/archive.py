@@ -116,7 +116,7 @@ def _packed(states: Sequence[State], dim: str, choices: _Choices) -> dict[str, V
         "value": [z.values for z in states],
         "rate": [z.rates for z in states],
         "acceleration": [np.concatenate([z.Phi_v[: m + k], z.a]) for z in states],
-        "force": [np.concatenate([z.stress, z.reactions]) for z in states],
+        "force": [np.concatenate([z.stresses, z.reactions]) for z in states],
     }
     found = {"time": Variable((dim,), np.array([z.t for z in states]), "s", "time")}
     found |= {name: Variable((dim, "quantity"), np.array(rows)) for name, rows in tables.items()}
@@ -180,7 +180,7 @@ def _unpacked(structure: Structure, roles: Sequence[Roles], arrays: Mapping[str,
             a=acceleration[i, first:],
             e=value[i, :m],
             evaluation=geometry,
-            stress=force[i, :first],
+            stresses=force[i, :first],
             reactions=force[i, first:],
             roles=roles[int(arrays["choice"][i])],
             energy=Energy(*map(float, arrays["energy"][i])),

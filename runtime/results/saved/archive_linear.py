@@ -13,7 +13,8 @@ from typing import Any
 import numpy as np
 
 from flexel.engine.evaluate import Tangents
-from flexel.mechanics.linearization import Linearization, Transfer
+from flexel.mechanics.linearization import Linearization
+from flexel.mechanics.transfer import Transfer
 from flexel.results.saved.archive import ROLES, StoredGeometry, roles_from, roles_in_names
 from flexel.results.saved.description import described, structure_of
 from flexel.results.saved.files import write
@@ -143,12 +144,13 @@ def to_pandas(lin: Linearization) -> Any:
             "mode": z.name,
             "real part": z.eigenvalue.real,
             "imaginary part": z.eigenvalue.imag,
-            "frequency": z.frequency,
+            "omega": z.omega,
+            "hertz": z.hertz,
             "damping ratio": z.damping,
         }
         | z.participation
         for z in lin.modes()
     ]
     frame = pandas.DataFrame(rows).set_index("mode")
-    frame.attrs["units"] = {"real part": "1/s", "imaginary part": "rad/s", "frequency": "rad/s"}
+    frame.attrs["units"] = {"real part": "1/s", "imaginary part": "rad/s", "omega": "rad/s", "hertz": "Hz"}
     return frame

@@ -1,0 +1,170 @@
+"""Second-order jets: numbers with their first and second rates, on which operators and NumPy functions work."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+
+def _power(u: float, n: float) -> tuple[float, float, float]:
+    return u**n, n * u ** (n - 1) if n else 0.0, n * (n - 1) * u ** (n - 2) if n not in (0, 1) else 0.0
+
+
+def _tan(u: float) -> tuple[float, float, float]:
+    y = np.tan(u)
+    return y, 1 + y * y, 2 * y * (1 + y * y)
+
+
+def _tanh(u: float) -> tuple[float, float, float]:
+    y = np.tanh(u)
+    return y, 1 - y * y, -2 * y * (1 - y * y)
+
+
+def _arcsin(u: float) -> tuple[float, float, float]:
+    w = 1 - u * u
+    return np.arcsin(u), w**-0.5, u * w**-1.5
+
+
+def _arccos(u: float) -> tuple[float, float, float]:
+    y, d, dd = _arcsin(u)
+    return np.pi / 2 - y, -d, -dd
+
+
+# value, first and second derivative of each NumPy function that a jet understands
+_UNARY: dict[Any, Callable[[float], tuple[float, float, float]]] = {
+    np.sin: lambda u: (np.sin(u), np.cos(u), -np.sin(u)),
+    np.cos: lambda u: (np.cos(u), -np.sin(u), -np.cos(u)),
+    np.tan: _tan,
+    np.exp: lambda u: (np.exp(u), np.exp(u), np.exp(u)),
+    np.expm1: lambda u: (np.expm1(u), np.exp(u), np.exp(u)),
+    np.log: lambda u: (np.log(u), 1 / u, -1 / u**2),
+    np.log1p: lambda u: (np.log1p(u), 1 / (1 + u), -1 / (1 + u) ** 2),
+    np.sqrt: lambda u: _power(u, 0.5),
+    np.square: lambda u: (u * u, 2 * u, 2.0),
+    np.reciprocal: lambda u: (1 / u, -1 / u**2, 2 / u**3),
+    np.sinh: lambda u: (np.sinh(u), np.cosh(u), np.sinh(u)),
+    np.cosh: lambda u: (np.cosh(u), np.sinh(u), np.cosh(u)),
+    np.tanh: _tanh,
+    np.arcsin: _arcsin,
+    np.arccos: _arccos,
+    np.arctan: lambda u: (np.arctan(u), 1 / (1 + u * u), -2 * u / (1 + u * u) ** 2),
+    np.absolute: lambda u: (abs(u), float(np.sign(u)), 0.0),
+    np.negative: lambda u: (-u, -1.0, 0.0),
+    np.positive: lambda u: (u, 1.0, 0.0),
+}
+
+
+class Jet:
+    """A number with its first and second rate; arithmetic follows the chain rule.
+
+    Parameters
+    ----------
+    value, rate, acceleration : float
+    """
+
+    __slots__ = ("acceleration", "rate", "value")
+
+    def __init__(self, value: float, rate: float = 0.0, acceleration: float = 0.0) -> None:
+        self.value, self.rate, self.acceleration = float(value), float(rate), float(acceleration)
+
+    def chain(self, y: float, d: float, dd: float) -> Jet:
+        """The jet of f(self) from f, f' and f'' at the value."""
+        return Jet(y, d * self.rate, dd * self.rate**2 + d * self.acceleration)
+
+    def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **kwargs: Any) -> Any:
+        if method != "__call__" or kwargs:
+            return NotImplemented
+        if ufunc in _UNARY:
+            return self.chain(*_UNARY[ufunc](self.value))
+        operator = _BINARY.get(ufunc)
+        if operator is None:
+            raise TypeError(f"numpy.{ufunc.__name__} has no rates here; give the triple (u, u', u'') instead")
+        return operator(*(z if isinstance(z, Jet) else Jet(z) for z in inputs))
+
+    def __float__(self) -> float:
+        raise TypeError(
+            "a function of time was given to math.* or float(); use numpy functions (np.sin, not math.sin), "
+            "so that its rates can be derived"
+        )
+
+    def __add__(self, o: Any) -> Jet:
+        o = as_jet(o)
+        return Jet(self.value + o.value, self.rate + o.rate, self.acceleration + o.acceleration)
+
+    def __mul__(self, o: Any) -> Jet:
+        o = as_jet(o)
+        return Jet(
+            self.value * o.value,
+            self.rate * o.value + self.value * o.rate,
+            self.acceleration * o.value + 2 * self.rate * o.rate + self.value * o.acceleration,
+        )
+
+    def __pow__(self, n: Any) -> Jet:
+        if isinstance(n, Jet):
+            if n.rate == 0 and n.acceleration == 0:
+                return self.chain(*_power(self.value, n.value))
+            return np.exp(n * np.log(self))  # type: ignore[no-any-return]
+        return self.chain(*_power(self.value, float(n)))
+
+    def __rpow__(self, base: float) -> Jet:
+        return np.exp(self * float(np.log(base)))  # type: ignore[no-any-return]
+
+    def __neg__(self) -> Jet:
+        return Jet(-self.value, -self.rate, -self.acceleration)
+
+    def __pos__(self) -> Jet:
+        return self
+
+    def __sub__(self, o: Any) -> Jet:
+        return self + (-as_jet(o))
+
+    def __rsub__(self, o: Any) -> Jet:
+        return as_jet(o) + (-self)
+
+    def __truediv__(self, o: Any) -> Jet:
+        return self * as_jet(o) ** -1
+
+    def __rtruediv__(self, o: Any) -> Jet:
+        return as_jet(o) * self**-1
+
+    def __abs__(self) -> Jet:
+        return self.chain(*_UNARY[np.absolute](self.value))
+
+    def __lt__(self, o: Any) -> bool:
+        return self.value < as_jet(o).value
+
+    def __le__(self, o: Any) -> bool:
+        return self.value <= as_jet(o).value
+
+    def __gt__(self, o: Any) -> bool:
+        return self.value > as_jet(o).value
+
+    def __ge__(self, o: Any) -> bool:
+        return self.value >= as_jet(o).value
+
+    __radd__ = __add__
+    __rmul__ = __mul__
+
+
+def as_jet(value: Any) -> Jet:
+    """The jet of a number or a jet; a number has no rates."""
+    if isinstance(value, np.ndarray) and value.shape == ():  # from np.where
+        value = value.item()
+    return value if isinstance(value, Jet) else Jet(value)
+
+
+_BINARY: dict[Any, Callable[[Jet, Jet], Any]] = {
+    np.add: lambda a, b: a + b,
+    np.subtract: lambda a, b: a - b,
+    np.multiply: lambda a, b: a * b,
+    np.true_divide: lambda a, b: a / b,
+    np.power: lambda a, b: a**b,
+    np.less: lambda a, b: a < b,
+    np.less_equal: lambda a, b: a <= b,
+    np.greater: lambda a, b: a > b,
+    np.greater_equal: lambda a, b: a >= b,
+    np.maximum: lambda a, b: a if a >= b else b,
+    np.minimum: lambda a, b: a if a <= b else b,
+}

@@ -1,0 +1,26 @@
+"""Transfer functions: how all coordinates, rates and accelerations follow from the degrees of freedom."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from flexel.base.arrays import Array
+
+
+@dataclass(frozen=True)
+class Transfer:
+    """Transfer functions at a state, for the degrees of freedom and the prescribed motions u side by side.
+
+    Attributes
+    ----------
+    G, N, A_q : ndarray (nf, nq + nu)
+        Derivatives of x, v, a with respect to (q, u) at fixed rates of the rest.
+    H, A_v : ndarray (nf, nd + nu)
+        Derivatives of v and a with respect to (q_d', u'); H is also that of a to (q_d'', u'').
+    """
+
+    G: Array
+    N: Array
+    H: Array
+    A_q: Array
+    A_v: Array

@@ -1,0 +1,183 @@
+"""Mistakes in springs, laws and formulas."""
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy
+from mistakes import Case, built, check, each, pendulum
+
+from flexel.base.errors import CompilerError
+
+LAWS = {
+    "spring unknown": built(lambda m: m.spring("pivot.a", 1), "'pivot.a'", "did you mean pivot.angle"),
+    "spring on an element": built(lambda m: m.spring("pivot", 1), "'pivot'", "did you mean pivot."),
+    "spring on Euler parameters": built(
+        lambda m: m.spring("R1.lambda1", 1), "'R1.lambda1'", "measure an angle"
+    ),
+    "spring on a fixed coordinate": built(lambda m: m.spring("O.x", 1), "'O.x' is fixed", "remove spring"),
+    "spring to itself": built(lambda m: m.spring("A.x", 1, to="A.x"), "'A.x'", "name another one"),
+    "spring to nothing": built(lambda m: m.spring("A.x", 1, to="pivot.a"), "'pivot.a'", "did you mean"),
+    "spring on a norm": built(lambda m: m.spring("R1.norm", 1), "'R1.norm'", "name another"),
+    "spring on a slip": built(
+        lambda m: (m.angular_velocity("R1"), m.spring("R1.omega.wx", 1)), "'R1.omega.wx' is not a deformation"
+    ),
+    "spring None": built(lambda m: m.spring("pivot.angle", None), "'pivot.angle'", "stiffness", "give real"),
+    "spring negative": built(
+        lambda m: m.spring("pivot.angle", -1), "'pivot.angle'", "stiffness", "zero or a positive"
+    ),
+    "spring preload NaN": built(
+        lambda m: m.spring("pivot.angle", 1, preload=math.nan), "preload", "give finite"
+    ),
+    "spring preload text": built(lambda m: m.spring("pivot.angle", 1, preload="x"), "preload", "give real"),
+    "viscous on a deformation": built(
+        lambda m: m.viscous("pivot.angle", 1), "'pivot.angle' is not a slip", "m.spring(…, 0, damping)"
+    ),
+    "viscous on a coordinate": built(lambda m: m.viscous("A.x", 1), "'A.x' is not a slip", "m.spring"),
+    "viscous negative": built(lambda m: m.viscous("R1.omega.wx", -1), "'R1.omega.wx'", "damping", "zero or"),
+    "linear law on nothing": built(lambda m: m.linear_law([], []), "0 deformations", "name 1 to 6"),
+    "linear law on seven": built(
+        lambda m: m.linear_law([f"d.{i}" for i in range(7)], np.eye(7)), "7 deformations", "name 1 to 6"
+    ),
+    "linear law twice on one": built(
+        lambda m: m.linear_law(["pivot.angle"] * 2, np.eye(2)), "'pivot.angle'", "each once"
+    ),
+    "linear law of wrong shape": built(
+        lambda m: m.linear_law(["pivot.angle", "pivot.bend1"], np.eye(3)),
+        "stiffness",
+        "(3, 3)",
+        "give (2, 2)",
+    ),
+    "linear law not symmetric": built(
+        lambda m: m.linear_law(["pivot.angle", "pivot.bend1"], [[1, 2], [3, 4]]),
+        "not symmetric",
+        "make it so",
+    ),
+    "linear law indefinite": built(
+        lambda m: m.linear_law(["pivot.angle", "pivot.bend1"], [[1, 2], [2, 1]]),
+        "negative eigenvalue",
+        "correct it",
+    ),
+    "linear law with two preloads": built(
+        lambda m: m.linear_law(["pivot.angle"], [[1]], preload=[1, 2]), "preload", "give 1 numbers"
+    ),
+    "linear law without stiffness": built(
+        lambda m: m.linear_law(["pivot.angle"], None), "stiffness", "give real"
+    ),
+    "linear law on a number": built(lambda m: m.linear_law(3, [[1]]), "3 is not a list", "write ['…'"),
+    "linear law on a text": built(
+        lambda m: m.linear_law("pivot.angle", [[1]]), "'pivot.angle'", "write ['…'"
+    ),
+    "law in a list": built(lambda m: m.attach([], ["pivot.angle"]), "unknown law '[]'", "known: "),
+    "law in a mapping": built(lambda m: m.attach({}, ["pivot.angle"]), "unknown law '{}'", "known: "),
+    "attached stop that pulls": built(
+        lambda m: m.attach("stop", ["pivot.angle"], gap=0.1, stiffness=-1, damping=0),
+        "law 'stop' on 'pivot.angle'",
+        "stiffness -1",
+        "give zero or",
+    ),
+    "attached contact of exponent 1/2": built(
+        lambda m: m.attach("hertz", ["pivot.angle"], stiffness=1, exponent=0.5, dissipation=0),
+        "law 'hertz' on 'pivot.angle'",
+        "exponent 0.5",
+        "give 1",
+    ),
+    "attached linear law that pushes": built(
+        lambda m: m.attach("linear_1", ["pivot.angle"], preload=0, S=-1, D=0),
+        "law 'linear_1' on 'pivot.angle'",
+        "negative eigenvalue",
+        "m.law",
+    ),
+    "formula with math.sin": built(
+        lambda m: m.law("pivot.angle", lambda e, ed: math.sin(e)), "'pivot.angle'", "sympy.sin"
+    ),
+    "formula with np.sin": built(
+        lambda m: m.law("pivot.angle", lambda e, ed: np.sin(e)), "'pivot.angle'", "sympy.sin"
+    ),
+    "formula with a branch": built(
+        lambda m: m.law("pivot.angle", lambda e, ed: e if e > 0 else 0), "'pivot.angle'", "sympy.Piecewise"
+    ),
+    "formula with a symbol": built(
+        lambda m: m.law("pivot.angle", lambda e, ed: sympy.Symbol("k") * e),
+        "'pivot.angle'",
+        "e*k",
+        "insert the numbers",
+    ),
+    "formula with an open case": built(
+        lambda m: m.law("pivot.angle", lambda e, ed: sympy.Piecewise((1e5 * e, e > 0))),
+        "'pivot.angle'",
+        "no value on one side of e = 0",
+        "condition True",
+    ),
+    "formula that jumps": built(
+        lambda m: m.law("pivot.angle", lambda e, ed: sympy.Piecewise((0, e < 0.1), (100, True))),
+        "'pivot.angle'",
+        "jumps at e = 0.1",
+        "let the pieces join",
+    ),
+    "formula with a step": built(
+        lambda m: m.law("pivot.angle", lambda e, ed: 1e4 * sympy.Heaviside(e)), "jumps at e = 0", "smooth"
+    ),
+    "formula of dry friction": built(
+        lambda m: m.law("pivot.angle", lambda e, ed: 5 * sympy.sign(ed), energy=lambda e: 0 * e),
+        "'pivot.angle'",
+        "jumps at ed = 0",
+        "tanh(ed/v)",
+    ),
+    "formula None": built(
+        lambda m: m.law("pivot.angle", lambda e, ed: None), "'pivot.angle'", "insert the numbers"
+    ),
+    "formula as text": built(lambda m: m.law("pivot.angle", lambda e, ed: "3**"), "'pivot.angle'", "failed"),
+    "formula of one": built(lambda m: m.law("pivot.angle", lambda e: e), "'pivot.angle'", "e, ed"),
+    "no formula": built(lambda m: m.law("pivot.angle", 3.0), "'pivot.angle'", "write lambda e, ed"),
+    "formula infinite": built(
+        lambda m: m.law("pivot.angle", lambda e, ed: e / sympy.Integer(0)),
+        "'pivot.angle'",
+        "correct the formula",
+    ),
+    "formula complex": built(
+        lambda m: m.law("pivot.angle", lambda e, ed: e * sympy.I), "'pivot.angle'", "not real", "correct"
+    ),
+    "formula without energy": built(
+        lambda m: m.law("pivot.angle", lambda e, ed: e**3 * sympy.exp(sympy.sin(e**2))),
+        "'pivot.angle'",
+        "energy=",
+    ),
+    "energy infinite": built(lambda m: m.law("pivot.angle", lambda e, ed: 1 / e), "'pivot.angle'", "energy="),
+    "energy of another law": built(
+        lambda m: m.law("pivot.angle", lambda e, ed: e, energy=lambda e: e**3),
+        "'pivot.angle'",
+        "3*e**2",
+        "correct one",
+    ),
+    "energy not callable": built(
+        lambda m: m.law("pivot.angle", lambda e, ed: e, energy=3), "'pivot.angle'", "write lambda e"
+    ),
+    "unknown function": built(
+        lambda m: m.law("pivot.angle", lambda e, ed: sympy.gamma(e), energy=lambda e: sympy.loggamma(e)),
+        "'pivot.angle'",
+    ),
+    "formula on unknown": built(
+        lambda m: m.linear_law(["pivot.agle"], [[1.0]]), "'pivot.agle'", "did you mean pivot.angle"
+    ),
+}
+
+
+@each(LAWS)
+def test_a_mistake_in_a_law_is_named_with_its_remedy(case: Case) -> None:
+    check(case)
+
+
+def test_missing_compiler_is_named_and_matters_for_formulas_only(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Any
+) -> None:
+    monkeypatch.setenv("CC", "/nowhere/cc")
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    m = pendulum()
+    m.spring("pivot.angle", 2.0)
+    m.build().simulate(0.01, samples=2)
+    with pytest.raises(
+        CompilerError, match=r"law on 'rod.along': no C compiler '/nowhere/cc'.*apt install gcc"
+    ):
+        m.law("rod.along", lambda e, ed: 3 * e + e**3)

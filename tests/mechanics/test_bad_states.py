@@ -1,0 +1,58 @@
+"""Mistakes in what is asked of states, of the choice of degrees of freedom, and of steady motion."""
+
+import math
+
+from mistakes import Case, check, each, pendulum, system
+
+from flexel.base.errors import ConstraintError, PositionError
+
+STATES = {
+    "value of an unknown": system(lambda s: s.state_at({"q": 1}), "state_at", "'q'", "known: "),
+    "value of no freedom": system(
+        lambda s: s.state_at({"A.x": 1}), "'A.x' is not a freedom", "'pivot.angle'"
+    ),
+    "value as text": system(lambda s: s.state_at({"pivot.angle": "a"}), "'pivot.angle'", "give real"),
+    "value None": system(lambda s: s.state_at({"pivot.angle": None}), "'pivot.angle'", "give real"),
+    "value NaN": system(lambda s: s.state_at({"pivot.angle": math.nan}), "'pivot.angle'", "give finite"),
+    "values as a list": system(lambda s: s.state_at([1.0]), "state_at", "by name"),
+    "rate None": system(lambda s: s.state_at(rates={"pivot.angle": None}), "'pivot.angle'", "give real"),
+    "rate unknown": system(lambda s: s.state_at(rates={"pit": 1}), "'pit'", "did you mean"),
+    "rate of a fixed coordinate": system(
+        lambda s: s.state_at(rates={"O.x": 1}), "'O.x' cannot be 1", "give at most", error=PositionError
+    ),
+    "at no time": system(lambda s: s.state_at(t=math.nan), "state_at", "time t", "give finite"),
+    "state of another model": system(
+        lambda s: s.state_at(start=pendulum().build().initial), "state_at", "another model", "of this one"
+    ),
+    "steady of an unknown": system(lambda s: s.steady(unknown=["q"]), "'q'", "name one of them"),
+    "steady rate unknown": system(lambda s: s.steady(unknown_rates=["q"]), "'q'", "name one of them"),
+    "steady of another model": system(
+        lambda s: s.steady(pendulum().build().initial), "another model", "of this one"
+    ),
+    "freedoms unknown": system(lambda s: s.use_freedoms(["q"]), "use_freedoms", "'q'", "known: "),
+    "freedoms as text": system(lambda s: s.use_freedoms("pivot.angle"), "use_freedoms", "write ['…'"),
+    "freedom fixed": system(lambda s: s.use_freedoms(["O.x"]), "'O.x' is fixed", "name coordinates"),
+    "freedom rigid": system(
+        lambda s: s.use_freedoms(["rod.along"]),
+        "'rod.along' is constrained",
+        "name others",
+        error=ConstraintError,
+    ),
+    "state of an unknown": system(
+        lambda s: s.initial["pivot.agle"], "'pivot.agle'", "did you mean pivot.angle"
+    ),
+    "rate of an unknown": system(
+        lambda s: s.initial.rate("pivot.agle"), "'pivot.agle'", "did you mean pivot.angle"
+    ),
+    "position of an element": system(lambda s: s.initial.position("rod"), "'rod'", "known: O, A"),
+    "motion of an unknown": system(
+        lambda s: s.simulate(0.01, samples=2)["pivot.agle"], "'pivot.agle'", "did you mean pivot.angle"
+    ),
+    "motion after its end": system(lambda s: s.simulate(0.01, samples=2).at(5), "5 s", "0…0.01"),
+    "motion at NaN": system(lambda s: s.simulate(0.01, samples=2).at(math.nan), "nan", "finite"),
+}
+
+
+@each(STATES)
+def test_a_mistake_in_a_state_is_named_with_its_remedy(case: Case) -> None:
+    check(case)
