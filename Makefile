@@ -6,7 +6,6 @@ VENV ?= .venv
 VENV_LINT ?= .venv-lint
 OUT ?= out
 PYTEST ?= -n 2 --durations=10
-CAMPAIGN ?= campaign
 TYPED := build/typed
 
 PIP := $(VENV)/bin/pip install --quiet --disable-pip-version-check
@@ -14,7 +13,7 @@ SETUP := pyproject.toml setup.py
 SOURCES := $(SETUP) $(wildcard generated/*.[ch] runtime/engine/*.[ch] generated/build.py)
 WARNINGS := -std=c11 -O2 -fopenmp-simd -DFLEXEL_NO_CLONES -Wall -Wextra -Wpedantic -Werror -Igenerated -Iruntime/engine
 
-.PHONY: demo test test-all sample docs lint types check strict wheel venv clean prerequisites
+.PHONY: demo test test-all docs lint types check strict wheel venv clean prerequisites
 
 demo: $(VENV)/installed-plot
 	$(VENV)/bin/flexel derive
@@ -26,12 +25,9 @@ demo: $(VENV)/installed-plot
 test: $(VENV)/installed-test
 	$(VENV)/bin/python -m pytest -m "not campaign" $(PYTEST)
 
-# With the long campaigns; CAMPAIGN names a sample of them (an expression for pytest's -k) to be run alone.
+# With the long campaigns; PYTEST="-n 2 -m campaign -k adding" runs a sample of them alone.
 test-all: $(VENV)/installed-test
 	$(VENV)/bin/python -m pytest $(PYTEST)
-
-sample: $(VENV)/installed-test
-	$(VENV)/bin/python -m pytest -m campaign -k "$(CAMPAIGN)" $(PYTEST)
 
 # Pages of docs/ and those that docs/pages.py writes about elements, laws and public names; a warning is an error.
 docs: $(VENV)/installed-docs
