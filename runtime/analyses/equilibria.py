@@ -45,7 +45,7 @@ class Equilibria(Core):
         DynamicsError
             If nothing resists a motion; names it.
         """
-        return statics.equilibrium(self, t, start or self.rest, hold)
+        return statics.equilibrium(self, t, start or self.at_rest, hold)
 
     def static_path(self, t_end: float, start: State | None = None) -> Motion:
         """Equilibria while the time, here the load parameter, goes to `t_end`; past limit points by arc length.
@@ -53,7 +53,7 @@ class Equilibria(Core):
         The start must be in equilibrium (see `equilibrium`).  If the path cannot be continued, what was reached
         is returned with an IncompleteWarning, and ``message`` says where it stopped and why.
         """
-        states_, message = statics.static_path(self, t_end, start or self.rest)
+        states_, message = statics.static_path(self, t_end, start or self.at_rest)
         if message:
             warnings.warn(message, IncompleteWarning, stacklevel=2)
         counts = {"steps": len(states_) - 1, "evaluations": 0, "rechoices": 0}
@@ -76,7 +76,7 @@ class Equilibria(Core):
         DynamicsError
             If the state is unstable already.
         """
-        return stability.buckling(self, state or self.rest, increment, count)
+        return stability.buckling(self, state or self.at_rest, increment, count)
 
     def vibrations(self, state: State | None = None, count: int = 10) -> list[stability.Vibration]:
         """Lowest natural frequencies [rad/s] and modes about a state of rest, damping left out.

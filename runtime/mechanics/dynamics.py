@@ -185,7 +185,7 @@ def saddle_accelerations(
     if not factors.regular:
         raise DynamicsError(
             "the mass matrix is singular: a motion moves no mass; give its bodies mass and inertia, or start from rest "
-            "(start=system.rest)"
+            "(start=system.at_rest)"
         )
     solution = factors.solve(np.concatenate([given.F[:nf], kinematics.convective(c, v)[:count]]))
     return np.concatenate([solution[:nf], np.zeros(s.n - nf)]), solution[nf:]

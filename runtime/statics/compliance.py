@@ -109,7 +109,7 @@ def body_compliance(
     DynamicsError
         If nothing resists a motion; names it.
     """
-    state = system.rest if state is None else own_state(system.structure, state, "compliance")
+    state = system.at_rest if state is None else own_state(system.structure, state, "compliance")
     s = system.structure
     for name, kinds in ((point, ("point", "planar_point")), (frame, ("frame", "planar_angle"))):
         if s.node(name).kind not in kinds:

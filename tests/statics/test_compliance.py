@@ -186,7 +186,7 @@ def test_a_free_body_is_under_constrained_and_its_motions_are_named() -> None:
 
 
 def test_a_state_is_reported_on_too() -> None:
-    state = guide(None).build().rest
+    state = guide(None).build().at_rest
     assert fx.constraint_report(state).freedoms == 6
     with pytest.raises(fx.ModelError, match="neither a Model nor a State"):
         fx.constraint_report(3)  # type: ignore[arg-type]
