@@ -6,7 +6,7 @@ import warnings
 from collections.abc import Mapping, Sequence
 
 from flexel.base.errors import IncompleteWarning
-from flexel.integration.explicit import Integration
+from flexel.integration.outcome import Integration
 from flexel.mechanics.core import Core
 from flexel.results.motion import Motion
 from flexel.statics import path, stability
