@@ -29,7 +29,10 @@ def measure() -> list[Row]:
         Row("bicycle: root loci, 100 speeds", best(loci, repeat=3), 0.3, 30e-3),
         Row(
             "bicycle: manoeuvre M1, 5 s, error 1e-6",
-            best(lambda: system.simulate(5.0, start=start, samples=2, rtol=1e-7, atol=1e-9), repeat=3),
+            best(
+                lambda: system.simulate(5.0, start=start, samples=2, method="DOP853", rtol=1e-7, atol=1e-9),
+                repeat=3,
+            ),
             0.1,
             7e-3,
         ),

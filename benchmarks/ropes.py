@@ -27,12 +27,14 @@ def rope(n: int, element: float = 0.1) -> fx.System:
 
 def moved(system: fx.System, duration: float, newton: str = "full") -> Callable[[], object]:
     """Work that integrates a motion."""
-    return lambda: system.simulate_stiff(duration, step=H, samples=2, newton=newton, progress=False)
+    return lambda: system.simulate(
+        duration, method="generalized-alpha", step=H, samples=2, newton=newton, progress=False
+    )
 
 
 def fall(machine: fx.System) -> object:
     """One second of Atwood's machine in some 240 steps, with the fall of 2000 steps to 1e-5."""
-    return machine.simulate_stiff(1.0, tolerance=5e-3, samples=11, progress=False)
+    return machine.simulate(1.0, method="generalized-alpha", rtol=5e-3, samples=11, progress=False)
 
 
 def measure() -> list[Row]:

@@ -40,7 +40,7 @@ HOMES = {  # sections of the page of public names: title and modules
     "Systems, states and motions": (
         "flexel.system",
         "flexel.structure.state",
-        "flexel.integration.explicit",
+        "flexel.integration.events",
         "flexel.results.motion",
     ),
     "Linearization": ("flexel.mechanics.linearization", "flexel.mechanics.modes"),

@@ -145,7 +145,7 @@ def kick(system: fx.System, speed: float, seconds: float = KICK_SECONDS, rtol: f
     """The nonlinear motion after a kick from the side: rolling upright with a roll rate of 0.05 rad/s."""
     start = rolling(system, speed, data.ROLL_RATE)
     times = np.linspace(0.0, seconds, round(40 * seconds) + 1)
-    return system.simulate(seconds, start=start, times=times, rtol=rtol, atol=rtol / 100)
+    return system.simulate(seconds, start=start, times=times, method="DOP853", rtol=rtol, atol=rtol / 100)
 
 
 def energy_drift(motion: fx.Motion) -> float:

@@ -72,7 +72,9 @@ def free_run(b: float = B30, rtol: float = 1e-11) -> fx.Motion:
     m.independent("in.angle")
     m.initial("in.angle", 0.0, data.FIRST_SPEED)
     times = [0.0, *(row[0] for row in data.FREE_RUN)]
-    return m.build().simulate(times[-1], times=times, rtol=rtol, atol=rtol / 10, progress=False)
+    return m.build().simulate(
+        times[-1], times=times, method="DOP853", rtol=rtol, atol=rtol / 10, progress=False
+    )
 
 
 def elastic_shaft(b: float, speed: float, stiffness: float, damping: float = 0.0) -> fx.System:

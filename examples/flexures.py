@@ -188,7 +188,7 @@ def station(system: fx.System, d: Design, state: fx.State) -> Station:
     return Station(
         drive=state.t,
         travel=state[d.drive],
-        shift=state.position(d.point) - system.rest.position(d.point),
+        shift=state.position(d.point) - system.at_rest.position(d.point),
         free=system.compliance(d.point, d.frame, state),
         held=system.compliance(d.point, d.frame, state, hold=[d.drive]),
         frequencies=np.array([z.omega for z in system.vibrations(state, count=6)]),

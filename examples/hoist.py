@@ -53,8 +53,12 @@ def simulate(data: Hoist = HOIST, end: float | None = None) -> Results:
     model = hoist_model.hoist(data)
     duration = data.end if end is None else end
     begin = time.perf_counter()
-    motion = model.system.simulate_stiff(
-        duration, start=model.start, step=STEP, samples=int(duration * SAMPLES_PER_SECOND) + 1
+    motion = model.system.simulate(
+        duration,
+        method="generalized-alpha",
+        start=model.start,
+        step=STEP,
+        samples=int(duration * SAMPLES_PER_SECOND) + 1,
     )
     return Results(model, motion, drum_tension(model, motion), time.perf_counter() - begin)
 

@@ -151,7 +151,9 @@ def manoeuvre(gains: Gains, seconds: float = 3.0, samples: int = 301, tolerance:
     The implicit method follows it: bending vibrations of the links that nobody looks at make the loop stiff.
     """
     shoulder, elbow = (move(a, b, SECONDS) for a, b in zip(START, END, strict=True))
-    return manipulator(shoulder, elbow, gains).simulate_stiff(seconds, samples=samples, tolerance=tolerance)
+    return manipulator(shoulder, elbow, gains).simulate(
+        seconds, method="generalized-alpha", samples=samples, rtol=tolerance
+    )
 
 
 def tip_error(motion: fx.Motion) -> Array:

@@ -32,7 +32,7 @@ TAKEN = "one freedom; the drum takes up "
 def wound_up(n: int) -> tuple[Array, Array, Array]:
     """Times, depth of the load [m] and tension at the load over its weight, 3 s, every 0.05 s."""
     system, _ = models.winding_hoist(n, SPEED)
-    motion = system.simulate_stiff(3.0, samples=61, step=0.05 / n, progress=False)
+    motion = system.simulate(3.0, method="generalized-alpha", samples=61, step=0.05 / n, progress=False)
     pulls = [cable_tension(state, f"rope{n + 3}")[1][-1] for state in motion]
     return motion.t, -motion["load.y"], np.array(pulls) / (1000.0 * models.G)
 
@@ -75,7 +75,9 @@ def hoist() -> list[Quantity]:
 def lifted(arm: float, n: int) -> tuple[float, float]:
     """Speed ratio and mechanical advantage of the tackle, when its end is pulled evenly."""
     system, rope = models.tackle(n, arm)
-    motion = system.simulate_stiff(0.5, samples=26, step=4e-3, radius=0.5, progress=False)
+    motion = system.simulate(
+        0.5, method="generalized-alpha", samples=26, step=4e-3, spectral_radius=0.5, progress=False
+    )
     steady = [state for state in motion if state.t > 0.25]
     weight = (10.0 + 0.1) * models.G  # load and movable sheave
     pull = float(rope.tension(steady)[1][:, -1].mean())
@@ -110,7 +112,9 @@ def sliding_error(n: int) -> float:
     """Largest error of the fall over the fall at the end."""
     ahead, length = 0.1, 1.4
     system, _ = models.sliding(n, length, ahead)
-    motion = system.simulate_stiff(0.6, samples=31, step=2e-3, radius=0.5, progress=False)
+    motion = system.simulate(
+        0.6, method="generalized-alpha", samples=31, step=2e-3, spectral_radius=0.5, progress=False
+    )
     given = exact.sliding_fall(motion.t, ahead, length)
     return float(abs(motion["B.y"][0] - motion["B.y"] - given).max() / given[-1])
 

@@ -33,7 +33,9 @@ BALL = {"stiffness": 30769230769.23077, "mass": 0.03288200310757317, "speed": 1.
 def capstan_ratio(friction: float, degrees: float, n: int) -> float:
     """Tension at the held end over that at the pulled end, when the drum has slid for long."""
     system = models.capstan(n, friction, np.radians(degrees))
-    motion = system.simulate_stiff(0.4, samples=3, tolerance=1e-2, radius=0.0, progress=False)
+    motion = system.simulate(
+        0.4, method="generalized-alpha", samples=3, rtol=1e-2, spectral_radius=0.0, progress=False
+    )
     return float(np.hypot(motion[-1].force("rope_p0.x"), motion[-1].force("rope_p0.y")))
 
 
@@ -69,7 +71,9 @@ def capstan() -> list[Quantity]:
 def atwood_motion(n: int, mass: float, duration: float = 0.3) -> tuple[fx.Motion, Rope]:
     """Atwood's machine from rest with a rope of a mass per length."""
     system, rope = models.atwood(n, mass=mass, **ATWOOD)
-    return system.simulate_stiff(duration, samples=31, step=2e-3, radius=0.5, progress=False), rope
+    return system.simulate(
+        duration, method="generalized-alpha", samples=31, step=2e-3, spectral_radius=0.5, progress=False
+    ), rope
 
 
 def atwood_error(n: int, mass: float) -> float:
@@ -100,7 +104,9 @@ def impact(steps: int, dissipation: float = 0.0) -> tuple[Array, Array, Array]:
     h = exact.hertz(**BALL)[1] / steps
     count = round(1.25 * steps)
     system = models.bouncing(height=1e-6, dissipation=dissipation, **BALL)
-    motion = system.simulate_stiff(count * h, samples=count + 1, step=h, radius=1.0, progress=False)
+    motion = system.simulate(
+        count * h, method="generalized-alpha", samples=count + 1, step=h, spectral_radius=1.0, progress=False
+    )
     return motion.t, motion["rope_p0.y"], motion["rope_p0.y'"]
 
 

@@ -26,7 +26,9 @@ SOFT_SOURCE = "E = 0.7e6 (Berzeri and Shabana 2000), against half the elements"
 def pendulum(E: float, n: int, step: float = 1e-3) -> fx.Motion:
     """The pendulum of n elements that falls from the horizontal for 1 s, sampled every 0.05 s."""
     system = models.falling(n, E, **data.PENDULUM)
-    return system.simulate_stiff(1.0, samples=21, step=step, radius=0.9, progress=False)
+    return system.simulate(
+        1.0, method="generalized-alpha", samples=21, step=step, spectral_radius=0.9, progress=False
+    )
 
 
 def tip(E: float, n: int, step: float = 1e-3) -> Array:
@@ -49,7 +51,9 @@ def soft_change(n: int) -> float:
 
 def swing_error(count: int, h: float = 5e-4) -> float:
     """Largest energy that does not add up over the largest kinetic energy, of a rope that falls and swings freely."""
-    motion = models.swinging(2).simulate_stiff(count * h, samples=101, step=h, radius=1.0, progress=False)
+    motion = models.swinging(2).simulate(
+        count * h, method="generalized-alpha", samples=101, step=h, spectral_radius=1.0, progress=False
+    )
     balance = motion.energy_balance()
     return float(np.abs(balance["error"]).max() / balance["kinetic"].max())
 

@@ -222,7 +222,7 @@ def analyse() -> Results:
             steering[v, tyres] = steer(float(v), tyres)
             seconds[f"ramp_{v}_{tyres.replace(' ', '_')}"] = time.process_time() - began
     return Results(
-        nominal=still.rest,
+        nominal=still.at_rest,
         equilibrium=at_rest(still),
         in_plane=at_rest(vehicle()),
         linear=lin,

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from flexel.declare.sections import Circle, IBeam, Rectangle, SectionForces, StressPoint, Tube
     from flexel.declare.user import compile_element, compile_law
     from flexel.declare.wheels import Waves
-    from flexel.integration.explicit import Event
+    from flexel.integration.events import Event
     from flexel.mechanics.constraints import ConstraintReport
     from flexel.mechanics.linearization import Linearization
     from flexel.mechanics.modes import Mode, Reduced
@@ -116,7 +116,7 @@ _HOMES = {
     "Curve": "flexel.declare.curves",
     "DynamicsError": "flexel.base.errors",
     "ElementError": "flexel.base.errors",
-    "Event": "flexel.integration.explicit",
+    "Event": "flexel.integration.events",
     "FlexelError": "flexel.base.errors",
     "Harmonic": "flexel.base.time_functions",
     "IBeam": "flexel.declare.sections",

@@ -7,11 +7,10 @@ from collections.abc import Mapping, Sequence
 
 from flexel.base.arrays import Array
 from flexel.base.errors import IncompleteWarning
-from flexel.integration.explicit import Integration
+from flexel.integration.outcome import Integration
 from flexel.mechanics.core import Core
 from flexel.results.motion import Motion
-from flexel.statics import compliance, stability
-from flexel.statics import equilibrium as statics
+from flexel.statics import compliance, path, stability
 from flexel.statics.steady import steady_motion
 from flexel.structure.state import State
 
@@ -25,7 +24,7 @@ class Equilibria(Core):
         """State of rest in which all forces balance, kinematic coordinates held.
 
         Newton's method on the analytic tangent; where it fails, the forces that are out of balance at the start
-        are taken on gradually, past limit points if need be.
+        are applied incrementally, past limit points if need be.
 
         Parameters
         ----------
@@ -42,11 +41,11 @@ class Equilibria(Core):
         ModelError
             If a name to be held is unknown, or is held, prescribed or fixed already.
         PositionError
-            If none is found; says how far the loads could be taken on.
+            If none is found; says how far the loads could be increased.
         DynamicsError
             If nothing resists a motion; names it.
         """
-        return statics.equilibrium(self, t, start or self.rest, hold)
+        return path.equilibrium(self, t, start or self.at_rest, hold)
 
     def static_path(self, start: State | None = None, *, t_end: float) -> Motion:
         """Equilibria while the time, here the load parameter, goes to `t_end`; past limit points by arc length.
@@ -71,11 +70,11 @@ class Equilibria(Core):
             If the path cannot be continued: what was reached is returned, and ``message`` says where it stopped and
             why.
         """
-        states_, message = statics.static_path(self, t_end, start or self.rest)
+        states, message = path.static_path(self, t_end, start or self.at_rest)
         if message:
             warnings.warn(message, IncompleteWarning, stacklevel=2)
-        counts = {"steps": len(states_) - 1, "evaluations": 0, "rechoices": 0}
-        return Motion(self, Integration(states_, [], [], counts, message))
+        counts = {"steps": len(states) - 1, "evaluations": 0, "rechoices": 0}
+        return Motion(self, Integration(states, [], [], counts, message))
 
     def buckling(
         self, state: State | None = None, *, increment: Mapping[str, float], count: int = 5
@@ -98,7 +97,7 @@ class Equilibria(Core):
         DynamicsError
             If the state is unstable already.
         """
-        return stability.buckling(self, state or self.rest, increment, count)
+        return stability.buckling(self, state or self.at_rest, increment, count)
 
     def vibrations(self, state: State | None = None, *, count: int = 10) -> list[stability.Vibration]:
         """Lowest natural frequencies and modes about a state of rest, without damping.
@@ -143,7 +142,7 @@ class Equilibria(Core):
         DynamicsError
             If nothing resists a motion; names it.
         """
-        state = self.rest if state is None else state
+        state = self.at_rest if state is None else state
         return compliance.compliance(self, point, frame, state, offset=offset, hold=hold)
 
     def steady(

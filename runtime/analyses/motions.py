@@ -1,32 +1,21 @@
-"""Motions: explicit and implicit integration, and motions that are fully prescribed."""
+"""Motions: one call for all integrators, and for motions that are fully prescribed."""
 
 from __future__ import annotations
 
-import warnings
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
 
-from flexel.base.arguments import step_limit
 from flexel.base.arrays import Array
-from flexel.base.errors import FlexelError, IncompleteWarning, ModelError, PositionError
-from flexel.integration.bdf import Bdf
-from flexel.integration.explicit import (
-    Event,
-    Integration,
-    Integrator,
-    Segment,
-    longest_step,
-    stored_times,
-    turning_weights,
-)
+from flexel.base.errors import FlexelError
+from flexel.integration import methods
+from flexel.integration.events import Event, checked
+from flexel.integration.outcome import Integration, stored_times
 from flexel.integration.ranges import warn_outside
-from flexel.integration.steps import Control, GeneralizedAlpha, Run
 from flexel.mechanics.core import Core
-from flexel.mechanics.states import Moment, state_of
 from flexel.results.motion import Motion
-from flexel.structure.state import State, own_state
+from flexel.structure.state import State
 
 
 class Motions(Core):
@@ -39,33 +28,68 @@ class Motions(Core):
         start: State | None = None,
         times: Sequence[float] | Array | None = None,
         samples: int = 201,
-        method: str = "DOP853",
-        rtol: float = 1e-9,
-        atol: float = 1e-11,
+        method: str = methods.AUTO,
+        rtol: float | None = None,
+        atol: float | None = None,
+        step: float | None = None,
+        first_step: float | None = None,
         max_step: float = np.inf,
+        spectral_radius: float | None = None,
+        newton: str | None = None,
+        max_order: int | None = None,
         events: Sequence[Event] = (),
         progress: bool | None = None,
-        rechoose: bool = True,
+        rechoose: bool | None = None,
     ) -> Motion:
-        """Forward dynamics; with no freedoms left, the prescribed motion and its driving forces.
+        """Forward dynamics; with every motion prescribed, its positions and driving forces.
+
+        Explicit methods integrate the degrees of freedom; they find events and give states at any time (`Motion.at`).
+        The generalized-alpha method integrates all coordinates together with the constraint forces, at a cost per step
+        that grows linearly with the number of elements; it is for stiff and large models, and gives the energy balance.
+        Where one of its steps does not converge it is halved, and a few times where a contact begins.
 
         Parameters
         ----------
         duration : float
             Length of the motion [s].
         start : State, optional
-            The initial state by default.
+            The initial state by default; without its accelerations where a degree of freedom lacks inertia and the
+            method is implicit.
         times : array_like, optional
             Times [s] at which states are kept; `samples` equidistant ones by default.
+        samples : int
+            Number of stored states.
         method : str
-            DOP853, RK45, LSODA, Radau or BDF.
-        rtol, atol, max_step : float
-            Of the integrator.
+            DOP853, RK45, LSODA, Radau or BDF of SciPy in minimal coordinates ("explicit" below); generalized-alpha;
+            sundials, the backward differentiation formulas of SUNDIALS, for comparison (needs the optional package
+            scikit-sundae); or auto.  This takes DOP853, but generalized-alpha where a degree of freedom lacks inertia,
+            where the largest eigenvalue of the linearized start times the duration exceeds 3e4, or above 300 degrees of
+            freedom; with events always DOP853.  ``motion.message`` says which and why.
+        rtol : float, optional
+            Local error in one step: explicit, relative to each variable, 1e-9 by default; generalized-alpha, of
+            the coordinates in their natural scales, 1e-6; sundials, relative to each coordinate and rate, 1e-6.
+        atol : float, optional
+            Absolute local error in natural scales (the size of the model for lengths, one for the rest, the same in a
+            second for rates): explicit, 1e-11 by default; generalized-alpha, added to `rtol`, zero by default;
+            sundials, that of `rtol` by default.
+        step : float, optional
+            Of generalized-alpha: constant step [s] in place of one that follows from the tolerances.
+        first_step, max_step : float
+            [s]; the first step of generalized-alpha is a thousandth of the duration by default.
+        spectral_radius : float, optional
+            Of generalized-alpha, at infinite frequency: 0 (all high frequencies damped at once) to below 1; 1 (no
+            damping) is possible without constraints; 0.8 by default.
+        newton : str, optional
+            Of generalized-alpha: full (default), a new tangent at every iteration; modified, the last one is kept
+            while it serves.
+        max_order : int, optional
+            Of sundials, 1 to 5, by default 2; higher orders are slow on structures with little damping.
         events : sequence of Event
+            Of explicit methods.
         progress : bool, optional
             Progress bar on stderr; by default where stderr is a terminal.
-        rechoose : bool
-            Change the freedoms when they become ill-conditioned.
+        rechoose : bool, optional
+            Of explicit methods: change the degrees of freedom when they become ill-conditioned; yes by default.
 
         Returns
         -------
@@ -73,7 +97,9 @@ class Motions(Core):
 
         Raises
         ------
-        ModelError, PositionError, DynamicsError
+        ModelError
+            An option that the method does not have; a load or a prescribed motion that has no value.
+        PositionError, DynamicsError
             Where the motion cannot go on, with what was computed until then as ``error.motion``.
 
         Warns
@@ -81,157 +107,35 @@ class Motions(Core):
         RangeWarning
             Where the data of a law were left at a stored time, by name.
         """
-        start = self.initial if start is None else own_state(self.structure, start, "simulate")
-        grid = stored_times(start, duration, times, samples, "simulate")
-        if self.roles.nq == 0:
-            return _motion(self, _follow(self, start, grid))
+        longest = None if max_step is np.inf else max_step
+        options = methods.Options(
+            rtol, atol, step, first_step, longest, spectral_radius, newton, max_order, checked(events) or None, rechoose
+        )  # fmt: skip
+        methods.check(method, options)
+        begin = methods.start_of(self, method, start, options)
+        grid = stored_times(begin, duration, times, samples, "simulate")
+        why = ""
+        if method == methods.AUTO:
+            method, why = methods.automatic(self, begin, float(duration), options)
         chosen = self.roles
-        if start.roles is not chosen:
-            if self.condition(start) > 1e-3 * self.condition(start, start.roles):
-                start = self.state(start.t, start.x, start.v, start.e, start.z)
-            else:  # the motion has led to where the chosen freedoms are of no use
-                self.use(start.roles)
         try:
-            run = Integrator(self, start, grid, method, rtol, atol, max_step, events, progress, rechoose)
+            run = methods.run_of(self, method, begin, grid, float(duration), options)
             try:
-                found = run.run()
+                found = run.run(progress)
             except FlexelError as error:
-                error.motion = Motion(self, run.kept(str(error), complete=False))
+                error.motion = Motion(self, _explained(run.kept(str(error)), why))
                 raise
         finally:
             self.use(chosen)
-        return _motion(self, found)
+        return _motion(self, _explained(found, why))
 
-    def simulate_stiff(
-        self,
-        duration: float,
-        *,
-        start: State | None = None,
-        times: Sequence[float] | Array | None = None,
-        samples: int = 201,
-        tolerance: float = 1e-6,
-        radius: float = 0.8,
-        step: float | None = None,
-        first_step: float | None = None,
-        max_step: float = np.inf,
-        newton: str = "full",
-        method: str = "alpha",
-        max_order: int = 2,
-        progress: bool | None = None,
-    ) -> Motion:
-        """Implicit dynamics of a stiff model by the generalized-alpha method, whatever the freedoms.
 
-        The cost of a step grows linearly with the number of elements.  Where a step does not converge it is halved,
-        and a few times where a contact begins.  If the integration cannot go on, the motion up to there is returned
-        with an IncompleteWarning, and ``message`` says why; its last state can be started from again.
-
-        Parameters
-        ----------
-        duration : float
-            Length of the motion [s].
-        start : State, optional
-            The initial state by default; a state of rest serves where a freedom has no inertia.
-        times : array_like, optional
-            Times [s] at which states are kept; `samples` equidistant ones by default.
-        tolerance : float
-            Local error of the coordinates in their natural scales, in one step.
-        radius : float
-            Spectral radius at infinite frequency, 0 (all high frequencies damped at once) to below 1; 1 (no damping) is
-            possible without constraints.
-        step : float, optional
-            Constant step [s] in place of one that follows from the tolerance.
-        first_step, max_step : float
-            [s]; the first is a thousandth of the duration by default.
-        newton : str
-            full: a new tangent at every iteration; modified: the last one is kept while it serves.
-        method : str
-            alpha, or bdf: the backward differentiation formulas of SUNDIALS, for comparison (needs the optional package
-            scikit-sundae; radius, step and newton are then without meaning, and first_step is its own choice by
-            default).
-        max_order : int
-            Of bdf, 1 to 5; orders above 2 are slow on structures with little damping.
-
-        Returns
-        -------
-        Motion
-            With `Motion.energy_balance`, and statistics of steps, iterations and factorizations.
-
-        Raises
-        ------
-        ModelError, DynamicsError
-            Where a load or a prescribed motion has no value, with what was computed until then as ``error.motion``.
-        """
-        owner = "simulate_stiff"
-        start = self.initial if start is None else own_state(self.structure, start, owner)
-        grid = stored_times(start, duration, times, samples, owner)
-        tolerance = step_limit(tolerance, owner, "tolerance")
-        first = duration / 1000 if first_step is None else step_limit(first_step, owner, "first_step")
-        control = Control(tolerance, first, step_limit(max_step, owner, "max_step"))
-        if step is not None:
-            control = Control(np.inf, *(step_limit(step, owner, "step"),) * 2)
-        run: Run
-        if method == "alpha":
-            run = GeneralizedAlpha(self, start, radius, newton, control)
-        elif method == "bdf":
-            if step is not None:
-                raise ModelError(
-                    "simulate_stiff: bdf chooses its own steps; leave step out, or limit them with max_step"
-                )
-            if max_order not in range(1, 6):
-                raise ModelError(
-                    f"simulate_stiff: max_order {max_order!r} of bdf; give a whole number from 1 to 5"
-                )
-            run = Bdf(self, start, duration, Control(tolerance, first_step or 0.0, max_step), max_order)
-        else:
-            raise ModelError(f"simulate_stiff: method {method!r} is unknown; choose alpha or bdf")
-        try:
-            found = run.run(grid, progress)
-        except FlexelError as error:
-            error.motion = Motion(self, run.kept(str(error)))
-            raise
-        if not found.complete:
-            warnings.warn(found.message, IncompleteWarning, stacklevel=2)
-        return _motion(self, found)
+def _explained(found: Integration, why: str) -> Integration:
+    """The result, whose message says how the method was chosen."""
+    return replace(found, message=f"{found.message} ({why})") if why else found
 
 
 def _motion(system: Core, found: Integration) -> Motion:
     """The motion, with a warning of what has left the data of its law."""
     warn_outside(system, found.states)
     return Motion(system, found)
-
-
-def _follow(system: Core, start: State, grid: Array) -> Integration:
-    """States of a fully prescribed motion; long steps are halved until the position is found."""
-    found, none = [start], np.zeros(0)
-    segments: list[Segment] = []
-    weights = turning_weights(system.structure)
-    dense: Callable[[float], Array] = lambda t: none  # noqa: E731 (a fully prescribed motion has no state)
-    for t in grid[1:]:
-        last, step = found[-1], float(t) - found[-1].t
-        while last.t < t:
-            step = min(step, longest_step(last, weights))
-            try:
-                here = Moment.of(last)
-                ahead = replace(here, x=last.x + min(step, float(t) - last.t) * last.v)
-                state = state_of(
-                    system.kinematics, system.loads, min(last.t + step, float(t)), none, none, last.z, ahead
-                )
-            except FlexelError as error:
-                step /= 2
-                if not isinstance(error, PositionError) or step < 1e-6 * (grid[-1] - grid[0]):
-                    reached = [*found, last] if last.t > found[-1].t else found
-                    error.motion = Motion(system, _followed(reached, segments, str(error), complete=False))
-                    raise
-                continue
-            ends = Moment.of(last), Moment.of(state)
-            segments.append(Segment(last.t, state.t, system.roles, dense, *ends))
-            last = state
-        found.append(last)
-    return _followed(found, segments)
-
-
-def _followed(
-    found: list[State], segments: list[Segment], message: str = "", complete: bool = True
-) -> Integration:
-    counts = {"steps": len(segments), "evaluations": 0, "rechoices": 0}
-    return Integration(found, [], segments, counts, message, complete=complete)

@@ -6,7 +6,7 @@ import numpy as np
 
 from flexel.base.arguments import positive
 from flexel.base.errors import ModelError
-from flexel.integration.explicit import Integration
+from flexel.integration.outcome import Integration
 from flexel.linear.periodic import periodic_motion
 from flexel.mechanics.core import Core
 from flexel.results.motion import Motion

@@ -16,8 +16,7 @@ if TYPE_CHECKING:
     from flexel.model import Model
     from flexel.results.motion import Motion
 
-STIFF = "stiff"
-METHODS = ("DOP853", "RK45", "LSODA", "Radau", "BDF", STIFF)
+METHODS = ("auto", "DOP853", "RK45", "LSODA", "Radau", "BDF", "generalized-alpha", "sundials")
 DIALECTS = ("delft", "twente")
 FORMATS = ("npz", "nc", "mat", "csv")
 
@@ -37,7 +36,9 @@ class Wish:
 @click.argument("file", type=click.Path(exists=True, dir_okay=False, path_type=Path), metavar="MODEL")
 @click.option("--time", type=float, metavar="SECONDS", help="Length of the motion.")
 @click.option("--samples", type=int, metavar="N", help="Number of stored states.")
-@click.option("--method", type=click.Choice(METHODS), help="Integrator; `stiff` is the implicit one.")
+@click.option(
+    "--method", type=click.Choice(METHODS), help="Of integration; auto, the default, chooses by the model."
+)
 @click.option(
     "--out",
     type=click.Path(file_okay=False, path_type=Path),
@@ -86,8 +87,8 @@ def run(
 
     A SPACAR file is read as data and never executed; results are printed in SPACAR's numbering and signs, and written
     where --out says, a motion also as MODEL_motion.npz for `flexel view`. Without --mode a file with TIMESTEP is
-    simulated, one with load steps takes these on, and for any other the equilibrium, its frequencies and its buckling
-    loads are found.
+    simulated, one with load steps is loaded by these, and for any other the equilibrium, its frequencies and its
+    buckling loads are found.
 
     Ctrl-C stops a simulation; what was computed is saved, and the exit status is 130.
     """
@@ -124,7 +125,7 @@ def _run_python(file: Path, wish: Wish) -> Motion | None:
     from flexel.results.motion import Motion
 
     names = names_of(file)
-    # now, so that a folder that cannot be made is told before the work
+    # now, so that a folder that cannot be made is reported before the work
     wish.out.mkdir(parents=True, exist_ok=True)
     if callable(names.get("main")):
         if wish.simulate:
@@ -138,7 +139,7 @@ def _run_python(file: Path, wish: Wish) -> Motion | None:
 
 
 def simulated(model: Model, options: Mapping[str, Any], file: Path) -> Motion:
-    """The motion of a model, with options of `System.simulate`; method `stiff` is `System.simulate_stiff`."""
+    """The motion of a model, with options of `System.simulate`."""
     with told_by_line(file):
         system = model.build()
     click.echo(repr(system))
@@ -146,11 +147,8 @@ def simulated(model: Model, options: Mapping[str, Any], file: Path) -> Motion:
         raise click.UsageError(
             f"{file} does not say how long to simulate; give --time SECONDS, or write simulate = {{'duration': 2.0}}."
         )
-    kept = {name: value for name, value in options.items() if (name, value) != ("method", STIFF)}
     with told_by_line(file):
-        return (system.simulate_stiff if "method" not in kept and "method" in options else system.simulate)(
-            **kept
-        )
+        return system.simulate(**options)
 
 
 def _report(motion: Motion, wish: Wish) -> None:

@@ -1,27 +1,25 @@
 """Forward dynamics in minimal coordinates with SciPy's integrators, with events and a change of coordinates.
 
 The integrator is stepped here, so that after every step the condition of the chosen coordinates can be
-looked at, events located on the dense output, and progress shown.  When the coordinates become
+looked at and events located on the dense output.  When the coordinates become
 ill-conditioned the model is re-parametrized and the integration goes on from the same x and v.
 """
 
 from __future__ import annotations
 
-import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from scipy.integrate import BDF, DOP853, LSODA, RK45, Radau
-from scipy.optimize import brentq
-from tqdm import tqdm
 
-from flexel.base.arguments import array, number, step_limit
 from flexel.base.arrays import Array
-from flexel.base.errors import ConstraintError, DynamicsError, FlexelError, ModelError, PositionError
-from flexel.mechanics.states import Moment, between, state_of
-from flexel.structure.roles import Roles
+from flexel.base.errors import ConstraintError, DynamicsError, FlexelError, PositionError
+from flexel.integration.driver import DenseRun
+from flexel.integration.events import Event
+from flexel.integration.outcome import Segment
+from flexel.mechanics.states import Moment, state_of
 from flexel.structure.state import State
 from flexel.structure.structure import Structure
 
@@ -32,107 +30,25 @@ FIRST = 1e-4  # first step, relative to the time left, after one that was out of
 MOST_SHORT = 100  # steps of that length in a row before the integration gives up
 RETRY = "out of reach"
 TRAVEL = 1.0  # of an Euler parameter in one step: more than two radians could lead to another branch or turn
-INSTANT = 1e-9  # of the times: an event that is found this soon is the one that the motion starts from
-LOCATED = 1e-13  # accuracy of the time of an event [s]
 BETTER = 1.5  # a new choice must improve the condition by this factor
 
 
 @dataclass(frozen=True)
-class Event:
-    """Something that happens when a function of the state passes through zero.
+class Tolerances:
+    """Accuracy and steps of an explicit integration.
 
-    Parameters
+    Attributes
     ----------
-    name : str
-    function : callable(State) -> float
-    terminal : bool
-        Stop the simulation there.
-    direction : int
-        +1: only upward passages; -1: only downward; 0: both.
-
-    Notes
-    -----
-    A motion that starts at an event, such as from its state, does not meet it again at once.
+    rtol, atol : float
+        Local error relative to y = (q, q_d', z), and in natural scales.
+    first_step, max_step : float
+        Steps [s]; by default the integrator finds its first.
     """
 
-    name: str
-    function: Callable[[State], float]
-    terminal: bool = False
-    direction: int = 0
-
-    def __post_init__(self) -> None:
-        if not callable(self.function):
-            raise ModelError(
-                f"event '{self.name}': {self.function!r} is no function; give one of a State, lambda s: s['A.z']"
-            )
-        if self.direction not in (-1, 0, 1):
-            raise ModelError(
-                f"event '{self.name}': direction {self.direction!r} is unknown; give 1 (up), -1 (down) or 0 (both)"
-            )
-
-
-@dataclass(frozen=True)
-class Segment:
-    """A step of the integration: its choice of freedoms, its dense output y(t) = (q, q_d', z) and its ends."""
-
-    t0: float
-    t1: float
-    roles: Roles
-    dense: Any
-    first: Moment
-    last: Moment
-
-    def state(self, system: Any, t: float) -> State:
-        """Complete state at a time within the step."""
-        q, qd, z = np.split(self.dense(t), [self.roles.nq, self.roles.nq + self.roles.nd])
-        near = between(self.first, self.last, t)
-        return state_of(system.kinematics_of(self.roles), system.loads, t, q, qd, z, near)
-
-
-@dataclass(frozen=True)
-class Integration:
-    """What an integration gives: states at the asked times, events, pieces with dense output, counts.
-
-    An implicit one also gives its energy ledger at these times, and says whether it reached the end.
-    """
-
-    states: list[State]
-    events: list[tuple[str, State]]
-    segments: list[Segment]
-    statistics: dict[str, int]
-    message: str
-    ledger: dict[str, list[float]] | None = None
-    complete: bool = True
-
-
-def stored_times(start: State, duration: Any, times: Any, samples: Any, owner: str) -> Array:
-    """Times at which states are kept, from the start on.
-
-    Raises
-    ------
-    ModelError
-        A duration that is not positive, times that do not increase or lie outside the motion.
-    """
-    span = number(duration, owner, "duration")
-    if span <= 0:
-        raise ModelError(f"{owner}: duration {span:g} s is not positive; give a positive time")
-    if times is None:
-        if not isinstance(samples, (int, np.integer)) or samples < 2:
-            raise ModelError(f"{owner}: {samples!r} samples asked for; give a whole number, 2 or more")
-        return np.linspace(start.t, start.t + span, int(samples))
-    grid = array(times, owner, "times")
-    if grid.ndim != 1 or not grid.size or np.any(np.diff(grid) <= 0) or grid[0] < start.t:
-        raise ModelError(f"{owner}: times must be a list that increases from {start.t:g} s; sort them")
-    if grid[-1] > start.t + span * (1 + 1e-12):
-        raise ModelError(
-            f"{owner}: time {grid[-1]:g} s lies after the end of the motion, {start.t + span:g} s; lengthen the "
-            "duration"
-        )
-    return np.concatenate([[start.t], grid]) if grid[0] > start.t else grid
-
-
-def _value(event: Event, state: State) -> float:
-    return number(event.function(state), f"event '{event.name}' at t = {state.t:g} s", "value")
+    rtol: float
+    atol: float
+    first_step: float | None = None
+    max_step: float = np.inf
 
 
 def turning_weights(structure: Structure) -> Array:
@@ -147,8 +63,22 @@ def longest_step(state: State, weights: Array) -> float:
     return 2 * TRAVEL / max(v + float(np.sqrt(v * v + 2 * a * TRAVEL)), 1e-300)
 
 
-class Integrator:
-    """One run of the forward dynamics of a system."""
+class Explicit(DenseRun):
+    """One run of an explicit integrator, or of an implicit one of SciPy, in minimal coordinates.
+
+    Parameters
+    ----------
+    system : Core
+    start : State
+    times : ndarray
+        At which states are kept.
+    method : str
+        One of METHODS.
+    tolerances : Tolerances
+    events : sequence of Event
+    rechoose : bool
+        Change the degrees of freedom when they become ill-conditioned.
+    """
 
     def __init__(
         self,
@@ -156,92 +86,58 @@ class Integrator:
         start: State,
         times: Array,
         method: str,
-        rtol: float,
-        atol: float,
-        max_step: float,
+        tolerances: Tolerances,
         events: Sequence[Event],
-        progress: bool | None,
         rechoose: bool,
     ) -> None:
-        if not isinstance(method, str) or method not in METHODS:
-            raise ModelError(f"simulate: method {method!r} is unknown; choose one of {', '.join(METHODS)}")
-        if isinstance(events, Event) or not all(isinstance(z, Event) for z in events):
-            raise ModelError(
-                f"simulate: events {events!r} are not a list of Events; write [Event(name, function)]"
-            )
-        self.system = system
-        self.times = times
-        self.options = {
-            "rtol": step_limit(rtol, "simulate", "rtol", 1e-13),
-            "atol": step_limit(atol, "simulate", "atol"),
-            "max_step": step_limit(max_step, "simulate", "max_step"),
-        }
+        super().__init__(system, start, times, events)
         self.method = METHODS[method]
-        self.events = events
-        self.rechoose = rechoose
-        self.progress = sys.stderr.isatty() if progress is None else progress
-        self.state = start
+        self.tolerances, self.rechoose = tolerances, rechoose
         self._end = Moment.of(start)
-        self._first_step: float | None = None
-        self._values: list[float] = []
+        self._first_step = tolerances.first_step
         self._short = 0
         self._turning = turning_weights(system.structure)
-        self.result = Integration([start], [], [], {"steps": 0, "evaluations": 0, "rechoices": 0}, "")
+        self._counts = {"steps": 0, "evaluations": 0, "rechoices": 0}
+        self._solver: Any = None
+        self._reference = 1.0
 
-    def run(self) -> Integration:
-        """Integrate to the last time; an interrupt (Ctrl-C) keeps what was computed."""
-        message = "reached the end"
-        bar = tqdm(
-            total=float(self.times[-1] - self.times[0]), disable=not self.progress, unit="s", leave=False
-        )
-        bar.bar_format = "{l_bar}{bar}| {n:.3g}/{total:.3g} s [{elapsed}<{remaining}]"
-        try:
-            while self.state.t < self.times[-1]:
-                stopped = self._segment(bar)
-                if stopped:
-                    message = f"stopped by event '{stopped.name}'"
-                    return self.kept(message)
-        except KeyboardInterrupt:
-            kept = self.kept("")
-            message = f"interrupted at t = {kept.states[-1].t:g} s; the motion up to there is kept"
-        finally:
-            bar.close()
-        return replace(self.result, message=message)
+    @property
+    def statistics(self) -> dict[str, int]:
+        """Counts of what was done."""
+        running = 0 if self._solver is None else self._solver.nfev
+        return self._counts | {"evaluations": self._counts["evaluations"] + running}
 
-    def kept(self, message: str, complete: bool = True) -> Integration:
-        """What has been computed, up to the last step or the event that ended it."""
-        if self.state.t > self.result.states[-1].t:
-            self.result.states.append(self.state)
-        return replace(self.result, message=message, complete=complete)
+    def advance(self) -> str | None:
+        """One step, or the shortening of one that led out of reach."""
+        solver = self._solver = self._solver or self._fresh()
+        solver.max_step = self._longest()
+        message = self._step(solver)
+        if message == RETRY:
+            self._leave()
+            return None
+        if solver.status == "failed":
+            raise DynamicsError(f"integration failed at t = {solver.t:g} s: {message}; {self._trouble()}")
+        ended = self._accept(solver)
+        if ended is None and self.rechoose and self._rechosen():
+            self._leave()
+        return ended
 
-    def _segment(self, bar: Any) -> Event | None:
-        """Integrate with one choice of freedoms; returns the terminal event, if one occurred."""
-        system, roles = self.system, self.system.roles
+    def _fresh(self) -> Any:
+        """A solver that goes on from the present state in the present degrees of freedom."""
+        system, given = self.system, self.tolerances
         y0 = np.concatenate([self.state.q, self.state.qd, self.state.z])
         system.warm(self.state)
-        options = self.options | {"max_step": self._longest()}
+        atol = given.atol * natural_scales_of_y(system)
+        options: dict[str, Any] = {"rtol": given.rtol, "atol": atol, "max_step": self._longest()}
         if self._first_step:
-            options["first_step"] = min(self._first_step, options["max_step"])
-        solver = self._solver(y0, options)
-        reference = system.condition(self.state)
-        self._values = [_value(event, self.state) for event in self.events]
-        stopped: Event | None = None
-        while solver.status == "running" and stopped is None:
-            solver.max_step = self._longest()
-            message = self._step(solver)
-            if message == RETRY:
-                break
-            if solver.status == "failed":
-                raise DynamicsError(
-                    f"integration failed at t = {solver.t:g} s: {message}; {self._trouble(roles)}"
-                )
-            stopped = self._accept(solver, roles, bar)
-            if stopped is None and self.rechoose and self._rechosen(reference):
-                break
-        self.result.statistics["evaluations"] += solver.nfev
-        return stopped
+            left = float(self.times[-1]) - self.state.t
+            options["first_step"] = min(self._first_step, options["max_step"], left)
+        solver = self._started(y0, options)
+        self._reference = system.condition(self.state)
+        self.begin()
+        return solver
 
-    def _solver(self, y0: Array, options: dict[str, float]) -> Any:
+    def _started(self, y0: Array, options: dict[str, Any]) -> Any:
         """A SciPy solver; with a short first step where the one that it tries by itself leads out of reach."""
         begin = self.system.rhs, self.state.t, y0, float(self.times[-1])
         try:
@@ -253,43 +149,42 @@ class Integrator:
             short = min(FIRST * (begin[-1] - begin[1]), options["max_step"])
             return self.method(*begin, **options, first_step=short)
 
-    def _accept(self, solver: Any, roles: Roles, bar: Any) -> Event | None:
-        """Keep what the last step gave; returns a terminal event within it."""
-        system, t0, t1 = self.system, float(solver.t_old), float(solver.t)
+    def _leave(self) -> None:
+        """Go on with another solver."""
+        self._counts["evaluations"] += self._solver.nfev
+        self._solver = None
+
+    def _accept(self, solver: Any) -> str | None:
+        """Keep what the last step gave; returns the message of a terminal event within it."""
+        system, roles, t0, t1 = self.system, self.system.roles, float(solver.t_old), float(solver.t)
         dense = solver.dense_output()
         q, qd, z = np.split(dense(t1), [roles.nq, roles.nq + roles.nd])
         near = replace(Moment.of(self.state), x=system.position_guess)
-        state = state_of(system.kinematics_of(roles), system.loads, t1, q, qd, z, near)
+        state = state_of(system.kinematics, system.loads, t1, q, qd, z, near)
         step = Segment(t0, t1, roles, dense, self._end, Moment.of(state))
-        found, self._values = self._events(step, state, self._values)
-        terminal = next((z for z in found if z[0].terminal), None)
-        end = terminal[1].t if terminal else t1
-        self._store(step, end)
-        self.result.events.extend((event.name, z) for event, z in found if z.t <= end)
-        self.result.segments.append(replace(step, t1=end))
-        self.result.statistics["steps"] += 1
+        ended = self.accept(step, state)
+        self._counts["steps"] += 1
         self._end = step.last
-        bar.update(end - t0)
-        self.state = terminal[1] if terminal else state
-        short = t1 - t0 < SHORTEST * float(np.ptp(self.times)) and t1 < self.times[-1]
+        short = t1 - t0 < SHORTEST * self._span and t1 < self.times[-1]
         self._short = self._short + 1 if short else 0
         if self._short > MOST_SHORT:
-            raise DynamicsError(f"the steps have become too short at t = {t1:g} s; {self._trouble(roles)}")
-        return terminal[0] if terminal else None
+            raise DynamicsError(f"the steps have become too short at t = {t1:g} s; {self._trouble()}")
+        return ended
 
-    def _trouble(self, roles: Roles) -> str:
+    def _trouble(self) -> str:
         """What may be the matter where the integration cannot go on."""
-        names = self.system.kinematics.names
+        names, roles = self.system.kinematics.names, self.system.roles
         driven = f", check what drives {names(roles.prescribed)}" if roles.prescribed.size else ""
         return (
-            f"freedoms {names(roles.dynamic)}, condition {self.system.condition(self.state, roles):.2g}: the motion is "
-            "not smooth there, or the position is singular (gimbal lock of frames without inertia); give those frames "
-            f"inertia, choose other freedoms{driven}, or end the motion before {self.state.t:g} s"
+            f"degrees of freedom {names(roles.dynamic)}, condition {self.system.condition(self.state, roles):.2g}: the "
+            "motion is not smooth there, or the position is singular (gimbal lock of frames without inertia); give "
+            f"those frames inertia, choose other degrees of freedom{driven}, or end the motion before "
+            f"{self.state.t:g} s"
         )
 
     def _longest(self) -> float:
         """Longest step [s] in which no frame turns farther than a position can be followed."""
-        return min(self.options["max_step"], longest_step(self.state, self._turning))
+        return min(self.tolerances.max_step, longest_step(self.state, self._turning))
 
     def _step(self, solver: Any) -> str | None:
         """One step; RETRY where a stage led out of reach, so that a shorter first step is to be tried."""
@@ -298,7 +193,7 @@ class Integrator:
         except (PositionError, ConstraintError) as error:
             tried = float(getattr(solver, "h_abs", None) or 1e-3 * (solver.t_bound - solver.t))
             self._first_step = min(tried, self._first_step or np.inf) / 8
-            if self._first_step < SHORTEST * max(abs(solver.t_bound), float(np.ptp(self.times))):
+            if self._first_step < SHORTEST * max(abs(solver.t_bound), self._span):
                 error.add_note(f"the motion was computed up to t = {solver.t:g} s")
                 raise
             return RETRY
@@ -308,40 +203,21 @@ class Integrator:
         self._first_step = None
         return message
 
-    def _store(self, step: Segment, end: float) -> None:
-        done = len(self.result.states)
-        while done < self.times.size and self.times[done] <= end:
-            self.result.states.append(step.state(self.system, float(self.times[done])))
-            done += 1
-
-    def _events(
-        self, step: Segment, last: State, before: list[float]
-    ) -> tuple[list[tuple[Event, State]], list[float]]:
-        """Passages through zero within the last step, in the order of time, and the functions at its end."""
-        after = [_value(event, last) for event in self.events]
-        found: list[tuple[Event, State]] = []
-        begun = float(self.times[0]) + INSTANT * float(np.ptp(self.times)) + 10 * LOCATED
-        for event, g0, g1 in zip(self.events, before, after, strict=True):
-            if (g0 < 0 <= g1 or g1 <= 0 < g0) and (event.direction == 0 or event.direction * (g1 - g0) > 0):
-                ends = {step.t0: g0, step.t1: g1}  # as found before, so that brentq sees the same signs
-
-                def function(t: float, event: Event = event, ends: dict[float, float] = ends) -> float:
-                    return ends[t] if t in ends else _value(event, step.state(self.system, t))
-
-                t = float(brentq(function, step.t0, step.t1, xtol=LOCATED, rtol=8.9e-16))
-                if t > begun:
-                    found.append((event, step.state(self.system, t)))
-        return sorted(found, key=lambda z: z[1].t), after
-
-    def _rechosen(self, reference: float) -> bool:
-        """Take other freedoms if the present ones became ill-conditioned and others are clearly better."""
+    def _rechosen(self) -> bool:
+        """Take other degrees of freedom if the present ones became ill-conditioned and others are clearly better."""
         system = self.system
         condition = system.condition(self.state)
-        if condition > ILL_CONDITIONED * reference:
+        if condition > ILL_CONDITIONED * self._reference:
             return False
         changed = system.rechoose(self.state, BETTER * condition)
         if changed is None:
             return False
         self.state = changed
-        self.result.statistics["rechoices"] += 1
+        self._counts["rechoices"] += 1
         return True
+
+
+def natural_scales_of_y(system: Any) -> Array:
+    """Natural scales of y = (q, q_d', z): rates change by theirs in a second, internal states of laws have one."""
+    roles, scales = system.roles, system.kinematics.scales
+    return np.concatenate([scales(roles.freedoms), scales(roles.dynamic), np.ones(system.structure.nz)])

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from flexel.base.arrays import Array
-from flexel.integration.alpha import Point
+from flexel.integration.scheme import Point
 from flexel.mechanics.balance import Balance, Saddle
 
 
@@ -68,8 +68,8 @@ class Ledger:
         begun = float(depth[closed & ~self._touching].max(initial=0.0))
         return begun if begun > depth[closed & self._touching].max(initial=0.0) else 0.0
 
-    def conjured(self, b: Balance, h: float) -> bool:
-        """Whether most of the energy at the end of a step has come from nowhere.
+    def spurious(self, b: Balance, h: float) -> bool:
+        """Whether most of the energy at the end of a step is spurious: neither there before nor put in.
 
         Newton's method has then found another solution of a long step than the one that goes on from its beginning: a
         rope that has sprung off its sheave, for instance.  Less than what the largest force does over a thousandth of

@@ -119,7 +119,7 @@ def orbit(
         raise LinearizationError(
             f"periodic motion: period {period:g} s, {samples} samples; both must be positive and finite"
         )
-    state = start or system.rest
+    state = start or system.at_rest
     t = state.t + np.arange(samples) * period / samples
     q0, nd = state.q, system.roles.nd
     still = np.zeros((samples, nd))

@@ -80,11 +80,11 @@ def periodic_motion(
     omega, size = 2 * np.pi / period, np.inf
     if start is None:
         X = np.array(orbit(system, period, ns).coefficients.harmonic_balance(k).X)
-        X[k] += system.rest.q
+        X[k] += system.at_rest.q
     else:
         X = np.array(start)
     for _ in range(MAX_ITERATIONS):
-        found = orbit(system, period, ns, lambda t, X=X: fourier_sum(X, omega, t - system.rest.t))  # type: ignore[misc]
+        found = orbit(system, period, ns, lambda t, X=X: fourier_sum(X, omega, t - system.at_rest.t))  # type: ignore[misc]
         step = found.coefficients.harmonic_balance(k)
         size, last = float(np.abs(step.X).max()), size
         X = X + step.X

@@ -35,7 +35,7 @@ class Core:
     structure : Structure
         Names and index maps.
     roles : Roles
-        The constraints and the present choice of freedoms.
+        The constraints and the present choice of degrees of freedom.
     """
 
     def __init__(
@@ -69,21 +69,29 @@ class Core:
         Raises
         ------
         DynamicsError
-            If a freedom has no inertia; `rest` needs none.
+            If a degree of freedom has no inertia; `at_rest` and `unaccelerated` need none.
         """
         c, v = self._start
         return dynamics.complete(self.kinematics, self.loads, c, v, c.e, self.structure.z0)
 
+    @property
+    def unaccelerated(self) -> State:
+        """The initial state without accelerations and constraint forces: where nothing says what they are."""
+        return self._without_accelerations(self._start[1])
+
     @cached_property
-    def rest(self) -> State:
+    def at_rest(self) -> State:
         """The initial configuration without motion and constraint forces: where statics starts."""
-        c, still, z = self._start[0], np.zeros(self.structure.n), self.structure.z0
-        given = dynamics.forces(self.kinematics, self.loads, c, still, c.e, z)
-        none = np.zeros(len(self.structure.names))
-        return dynamics.with_multipliers(self.kinematics, self.loads, c, still, still, c.e, z, given, none)
+        return self._without_accelerations(np.zeros(self.structure.n))
+
+    def _without_accelerations(self, v: Array) -> State:
+        c, z = self._start[0], self.structure.z0
+        given = dynamics.forces(self.kinematics, self.loads, c, v, c.e, z)
+        a, none = np.zeros(self.structure.n), np.zeros(len(self.structure.names))
+        return dynamics.with_multipliers(self.kinematics, self.loads, c, v, a, c.e, z, given, none)
 
     def use(self, roles: Roles) -> None:
-        """Describe the motion by the freedoms in `roles`, which must be right; see `use_freedoms`."""
+        """Describe the motion by the degrees of freedom in `roles`, which must be right; see `use_coordinates`."""
         self.roles = roles
         self.kinematics = self.kinematics_of(roles)
 
@@ -97,17 +105,17 @@ class Core:
 
     @property
     def dynamic(self) -> tuple[str, ...]:
-        """Names of the dynamic freedoms q_d."""
+        """Names of the dynamic degrees of freedom q_d."""
         return tuple(self.structure.names[i] for i in self.roles.dynamic)
 
     @property
     def kinematic(self) -> tuple[str, ...]:
-        """Names of the kinematic freedoms q_k."""
+        """Names of the kinematic degrees of freedom q_k."""
         return tuple(self.structure.names[i] for i in self.roles.kinematic)
 
     @cached_property
     def counts(self) -> dict[str, int]:
-        """Numbers of coordinates, deformations (Euler-parameter norms not counted), slips and freedoms."""
+        """Numbers of coordinates, deformations (Euler-parameter norms not counted), slips, degrees of freedom."""
         s, r = self.structure, self.roles
         norms = s.kinds.count("norm")
         return {
@@ -147,13 +155,8 @@ class Core:
         kinematics, nq = self.kinematics, self.roles.nq
         qd, z = y[nq : nq + self.roles.nd], y[nq + self.roles.nd :]
         last = self._last
-        c = kinematics.position(t, y[:nq], last.x, last.turns(t))
-        B = kinematics.velocity_matrix(c)
-        v = kinematics.velocity(c, B, qd)
-        e, ed = c.e, last.ed
-        if self._wound:
-            ed = c.J[: self.structure.m] @ v
-            e = states.with_turns(kinematics, c, y[:nq], last.e + (t - last.t) * (last.ed + ed) / 2)
+        c, B, v = states.placed(kinematics, t, y[:nq], qd, last.x, last.turns(t))
+        e, ed = states.turned(kinematics, c, v, y[:nq], last) if self._wound else (c.e, last.ed)
         self._last = Moment(t, c.x, v, e, ed)
         F = dynamics.forces(kinematics, self.loads, c, v, e, z)
         motion = dynamics.accelerations(kinematics, c, B, v, F)
@@ -162,9 +165,7 @@ class Core:
     def residual(self, t: float, q: Array, qd: Array, qdd: Array, guess: State) -> Array:
         """Unbalanced generalized forces H'(M a + h - f + De' sigma + V' tau) (nd,); zero in a true motion."""
         kinematics, nf = self.kinematics, self.structure.nf
-        c = kinematics.position(t, q, guess.x, guess.e)
-        B = kinematics.velocity_matrix(c)
-        v = kinematics.velocity(c, B, qd)
+        c, B, v = states.placed(kinematics, t, q, qd, guess.x, guess.e)
         F = dynamics.forces(kinematics, self.loads, c, v, unwrap(self.structure, c.e, guess.e), guess.z)
         H, g = dynamics.unit_solutions(kinematics, B), B.solve(kinematics.convective(c, v))
         return np.asarray(H.T @ (F.M[:nf, :nf] @ (H @ qdd + g) - F.F[:nf]))
@@ -204,12 +205,12 @@ class Core:
         t: float | None = None,
         start: State | None = None,
     ) -> State:
-        """Consistent state with given values and rates of the named freedoms, others as in `start`.
+        """Consistent state with given values and rates of the named degrees of freedom, others as in `start`.
 
         Parameters
         ----------
         values : mapping of name to value
-            Values of freedoms (dynamic or kinematic) and of laws' internal states.
+            Values of degrees of freedom (dynamic or kinematic) and of laws' internal states.
         rates : mapping of name to rate
             Rates of any quantities; together they must be possible.
         t : float, optional
@@ -219,7 +220,7 @@ class Core:
         Raises
         ------
         ModelError, PositionError
-            A name that is no freedom; an unreachable position; inconsistent rates, by name.
+            A name that is not a degree of freedom; an unreachable position; inconsistent rates, by name.
         """
         return states.state_at(self.kinematics, self.loads, values or {}, rates, t, start or self.initial)
 
@@ -236,7 +237,7 @@ class Core:
         return found
 
     def rechoose(self, state: State, needed: float) -> State | None:
-        """Take the best freedoms at a state, if their condition reaches `needed`; the same state in them."""
+        """Take the best degrees of freedom at a state, if their condition reaches `needed`; the same state in them."""
         try:
             roles = choose_freedoms(self.kinematics, state.J, None, None)
         except ConstraintError:  # a singular position has no better choice: keep the present one
@@ -246,9 +247,9 @@ class Core:
         self.use(roles)
         return self.state(state.t, state.x, state.v, state.e, state.z)
 
-    def use_freedoms(self, dynamic: Sequence[str], kinematic: Sequence[str] | None = None) -> None:
-        """Describe the motion from now on by the named freedoms; checked at the initial state."""
-        rows = [named_freedoms(self.structure, z, "use_freedoms") for z in (dynamic, kinematic)]
+    def use_coordinates(self, dynamic: Sequence[str], kinematic: Sequence[str] | None = None) -> None:
+        """Take the named quantities as degrees of freedom from now on; checked at the initial state."""
+        rows = [named_freedoms(self.structure, z, "use_coordinates") for z in (dynamic, kinematic)]
         self.use(choose_freedoms(self.kinematics, self._start[0].J, *rows))
         self.__dict__.pop("initial", None)
-        self.__dict__.pop("rest", None)
+        self.__dict__.pop("at_rest", None)

@@ -25,6 +25,10 @@ from flexel.structure.state import Energy, State
 _posv: Any = get_lapack_funcs("posv", dtype=np.float64)
 
 
+class InertiaError(DynamicsError):
+    """A motion moves no mass, so that its acceleration is not determined."""
+
+
 @dataclass(frozen=True)
 class Forces:
     """Inertia and forces at a configuration with velocities; letters as in the formulation.
@@ -92,7 +96,7 @@ def accelerations(
     Raises
     ------
     DynamicsError
-        If the reduced mass matrix is not positive definite: names the freedom without inertia.
+        If the reduced mass matrix is not positive definite: names the degree of freedom without inertia.
     """
     nf, nd = kinematics.structure.nf, kinematics.roles.nd
     both = np.zeros((nf, nd + 1))
@@ -124,8 +128,8 @@ def solve_mass(kinematics: Kinematics, Mr: Array, rhs: Array) -> Array:
     if info:
         w, V = np.linalg.eigh(Mr)
         culprit = kinematics.roles.dynamic[int(np.argmax(np.abs(V[:, 0])))]
-        raise DynamicsError(
-            f"reduced mass matrix is not positive definite (smallest eigenvalue {w[0]:.3g}): the freedom "
+        raise InertiaError(
+            f"reduced mass matrix is not positive definite (smallest eigenvalue {w[0]:.3g}): the degree of freedom "
             f"{kinematics.names([culprit])} moves no mass; give its bodies mass and inertia, or prescribe it"
         )
     return np.asarray(x)
@@ -183,9 +187,9 @@ def saddle_accelerations(
     C = c.J[np.concatenate([roles.holonomic, roles.zero])][:, :nf]
     factors = factorize(block_array([[given.M[:nf, :nf], C.T], [C, coo_array((count, count))]]))
     if not factors.regular:
-        raise DynamicsError(
+        raise InertiaError(
             "the mass matrix is singular: a motion moves no mass; give its bodies mass and inertia, or start from rest "
-            "(start=system.rest)"
+            "(start=system.at_rest)"
         )
     solution = factors.solve(np.concatenate([given.F[:nf], kinematics.convective(c, v)[:count]]))
     return np.concatenate([solution[:nf], np.zeros(s.n - nf)]), solution[nf:]

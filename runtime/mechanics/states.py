@@ -15,7 +15,7 @@ from scipy.sparse import block_array, eye_array, vstack
 from flexel.base.arguments import number, numbers
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError, PositionError
-from flexel.engine.solvers import factorize
+from flexel.engine.solvers import Solvable, factorize
 from flexel.mechanics import dynamics
 from flexel.mechanics.kinematics import Configuration, Kinematics, unwrap
 from flexel.structure.loads import Loads
@@ -76,6 +76,21 @@ def between(first: Moment, last: Moment, t: float) -> Moment:
     return Moment(t, x, first.v, e, first.ed)
 
 
+def placed(
+    kinematics: Kinematics, t: float, q: Array, qd: Array, guess: Array, turns: Array
+) -> tuple[Configuration, Solvable, Array]:
+    """Configuration at time t with degrees of freedom q, its velocity matrix, and the rates v (n,) that q_d' give."""
+    c = kinematics.position(t, q, guess, turns)
+    B = kinematics.velocity_matrix(c)
+    return c, B, kinematics.velocity(c, B, qd)
+
+
+def turned(kinematics: Kinematics, c: Configuration, v: Array, q: Array, near: Moment) -> tuple[Array, Array]:
+    """Deformations with their turns, counted from those of a moment nearby moved on with the rates; and their rates."""
+    ed = c.J[: near.e.size] @ v
+    return with_turns(kinematics, c, q, near.e + (c.t - near.t) * (near.ed + ed) / 2), ed
+
+
 def state_of(
     kinematics: Kinematics,
     loads: Loads,
@@ -100,12 +115,8 @@ def state_of(
     ------
     PositionError, ConstraintError, DynamicsError
     """
-    c = kinematics.position(t, q, near.x, near.turns(t))
-    v = kinematics.velocity(c, kinematics.velocity_matrix(c), qd)
-    predicted = near.e
-    if t != near.t:
-        predicted = near.e + (t - near.t) * (near.ed + c.J[: near.e.size] @ v) / 2
-    return dynamics.complete(kinematics, loads, c, v, with_turns(kinematics, c, q, predicted), z, qdd)
+    c, _, v = placed(kinematics, t, q, qd, near.x, near.turns(t))
+    return dynamics.complete(kinematics, loads, c, v, turned(kinematics, c, v, q, near)[0], z, qdd)
 
 
 def state_at(
@@ -129,7 +140,7 @@ def state_at(
         i = structure.find(name, "state_at")
         if i not in roles.freedoms:
             raise ModelError(
-                f"'{name}' is not a freedom; values can be given to {kinematics.names(roles.freedoms)}"
+                f"'{name}' is not a degree of freedom; values can be given to {kinematics.names(roles.freedoms)}"
             )
         q[list(roles.freedoms).index(i)] = value
     near = Moment.of(start).still(time)
@@ -176,7 +187,7 @@ def consistent_rates(kinematics: Kinematics, c: Configuration, rates: Mapping[st
 
 
 def smallest(S: Any, J: Any, roles: Roles, rows: Any, wanted: Array) -> Array:
-    """Rates S v (nd,) of the freedoms, smallest in size, that change the given rows of rates as wanted.
+    """Rates S v (nd,) of the degrees of freedom, smallest in size, that change the given rows of rates as wanted.
 
     For large models: v from the sparse conditions of the constrained least squares.
     """

@@ -18,7 +18,7 @@ from flexel.structure.state import State
 from flexel.structure.structure import Structure
 
 if TYPE_CHECKING:
-    from flexel.integration.explicit import Integration
+    from flexel.integration.outcome import Integration
 
 
 class Motion(Sequence[State]):
@@ -176,7 +176,9 @@ class Motion(Sequence[State]):
             If the motion has no ledger of its losses.
         """
         if self.ledger is None:
-            raise ModelError("this motion has no energy balance; integrate with simulate_stiff for one")
+            raise ModelError(
+                'this motion has no energy balance; simulate with method="generalized-alpha" for one'
+            )
         return energy_balance(self.energy, self.ledger)
 
     @property

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -10,10 +11,13 @@ from flexel.base.arguments import names
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError, PositionError
 from flexel.mechanics.core import Core
+from flexel.mechanics.newton import newton, shortened
 from flexel.structure.state import State
 
 TOLERANCE = 1e-13  # of the unbalanced forces, relative to the largest of the forces that balance
+STALLED = 1e-10  # of the same, where rounding lets it go no further
 MAX_ITERATIONS = 30
+LONGEST = 0.3  # change of a coordinate in one step
 HALVINGS = 6  # of a step that leads out of reach
 
 
@@ -30,28 +34,61 @@ def steady_motion(
     named = freedoms if unknown is None else names(unknown, "steady")
     columns = [_place(freedoms, z) for z in named]
     speeds = [_place(freedoms[:nd], z) for z in names(unknown_rates, "steady")]
-    state = start if rates is None else _with_rates(system, start, rates)
-    best = np.inf
-    for _ in range(MAX_ITERATIONS):
+    first = start if rates is None else _with_rates(system, start, rates)
+
+    def evaluate(state: State) -> tuple[Unbalance, float]:
         lin = system.linearize(state)
         qdd = np.array([state.acceleration(z) for z in freedoms[:nd]])
-        unbalance = -lin.M @ qdd
         scale = _force_scale(system, state, lin.transfer.H[:, :nd])
         L = np.hstack([lin.Z_q[:, columns], lin.Z_v[:, speeds], lin.Z_z])
-        lags = np.abs(state.zd) / max(float(np.max(np.abs(L), initial=0.0)), 1.0)
-        error = float(np.max(np.concatenate([np.abs(unbalance) / scale, lags]), initial=0.0))
-        if error < TOLERANCE or (error < 1e-10 and error > 0.5 * best):
-            return state
-        best = min(best, error)
-        A = np.vstack([np.hstack([lin.K[:, columns], lin.C[:, speeds], lin.Z]) / scale, L])
-        step = np.linalg.lstsq(A, -np.concatenate([unbalance / scale, state.zd]), rcond=1e-10)[0]
-        step *= min(1.0, 0.3 / max(float(np.max(np.abs(step[: len(columns)]), initial=0.0)), 1e-300))
-        state = _moved(system, state, (columns, speeds), step)
+        forces = np.hstack([lin.K[:, columns], lin.C[:, speeds], lin.Z]) / scale
+        found = Unbalance(-lin.M @ qdd / scale, state.zd, forces, L)
+        return found, found.size
+
+    def move(state: State, unbalance: Unbalance) -> State:
+        step = unbalance.step()
+        size = float(np.max(np.abs(step[: len(columns)]), initial=0.0))
+        return _moved(system, state, (columns, speeds), shortened(step, size, LONGEST))
+
+    found = newton(first, evaluate, move, tolerance=TOLERANCE, stalled=STALLED, most=MAX_ITERATIONS)
+    if found.converged:
+        return found.point
     raise PositionError(
-        f"no steady motion found near the start after {MAX_ITERATIONS} iterations (unbalanced forces "
-        f"{error:.3g} of the acting ones at {dict(zip(freedoms, np.round(state.q, 6), strict=True))}); start nearer, "
-        "or name other unknowns"
+        f"no steady motion found near the start after {found.iterations} iterations (unbalanced forces "
+        f"{found.error:.3g} of the acting ones at {dict(zip(freedoms, np.round(found.point.q, 6), strict=True))}); "
+        "start nearer, or name other unknowns"
     )
+
+
+@dataclass(frozen=True)
+class Unbalance:
+    """The equations of steady motion at a state.
+
+    Attributes
+    ----------
+    forces : ndarray (nd,)
+        Unbalanced forces, relative to those that balance.
+    lag : ndarray (nz,)
+        Rates of internal states of laws.
+    by_forces, by_lag : ndarray
+        Their derivatives by the unknowns: coordinates, rates, internal states.
+    """
+
+    forces: Array
+    lag: Array
+    by_forces: Array
+    by_lag: Array
+
+    @property
+    def size(self) -> float:
+        """Largest relative error."""
+        lags = np.abs(self.lag) / max(float(np.max(np.abs(self.by_lag), initial=0.0)), 1.0)
+        return float(np.max(np.concatenate([np.abs(self.forces), lags]), initial=0.0))
+
+    def step(self) -> Array:
+        """The smallest change of the unknowns that removes it."""
+        A = np.vstack([self.by_forces, self.by_lag])
+        return np.asarray(np.linalg.lstsq(A, -np.concatenate([self.forces, self.lag]), rcond=1e-10)[0])
 
 
 def _moved(system: Core, state: State, places: tuple[list[int], list[int]], step: Array) -> State:
@@ -73,7 +110,7 @@ def _moved(system: Core, state: State, places: tuple[list[int], list[int]], step
     return state
 
 
-def _force_scale(system: Core, state: State, H: np.ndarray) -> float:
+def _force_scale(system: Core, state: State, H: Array) -> float:
     """Size of the forces that balance one another in the reduced equations."""
     M, h, f, _ = system.evaluation.inertia(state.x, state.v)
     nf = system.structure.nf

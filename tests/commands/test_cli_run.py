@@ -47,7 +47,18 @@ def test_a_model_is_built_simulated_and_saved(tmp_path: Path) -> None:
 
 def test_the_command_line_comes_before_the_file(tmp_path: Path) -> None:
     file = written(tmp_path, PENDULUM)
-    options = ("--time", 0.2, "--samples", 5, "--method", "stiff", "--format", "csv", "--format", "mat")
+    options = (
+        "--time",
+        0.2,
+        "--samples",
+        5,
+        "--method",
+        "generalized-alpha",
+        "--format",
+        "csv",
+        "--format",
+        "mat",
+    )
     result = run(file, *options, "--out", tmp_path)
     assert result.exit_code == 0, result.output
     assert sorted(z.name for z in tmp_path.iterdir()) == ["pendulum.csv", "pendulum.mat", "pendulum.py"]
@@ -145,7 +156,7 @@ def test_wrong_arguments_are_answered(tmp_path: Path) -> None:
         ((tmp_path / "missing.py",), "does not exist"),
         ((written(tmp_path, "", "model.txt"),), "give MODEL.py"),
         ((untimed, "--out", tmp_path), "give --time SECONDS"),
-        ((untimed, "--method", "Euler"), "'Euler' is not one of 'DOP853'"),
+        ((untimed, "--method", "Euler"), "'Euler' is not one of 'auto', 'DOP853'"),
         ((untimed, "--time", "long"), "'long' is not a valid float"),
         ((untimed, "--time", 0.1, "--plot", "pivot.angel", "--out", tmp_path), "pivot.angle"),
     ):
@@ -184,13 +195,13 @@ def test_ctrl_c_keeps_the_motion_so_far(tmp_path: Path) -> None:
 
 def test_ctrl_c_in_a_spacar_file_says_so_and_keeps_the_motion(tmp_path: Path, checkout: Path) -> None:
     text = (checkout / "tests" / "data" / "slider_crank.dat").read_text()
-    file = written(tmp_path, text.replace("TIMESTEP 100 5.0", "TIMESTEP 20000 1000.0"), "crank.dat")
+    file = written(tmp_path, text.replace("TIMESTEP 100 5.0", "TIMESTEP 20000 20.0"), "crank.dat")
     command = [sys.executable, "-c", INTERRUPTING, str(file), str(tmp_path)]
     answer = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
     assert answer.returncode == 130, answer.stderr
     assert "interrupted at t = " in answer.stdout and "Traceback" not in answer.stderr
     motion = fx.load(tmp_path / "crank_motion.npz")
-    assert isinstance(motion, fx.Motion) and 0 < motion.t[-1] < 1000
+    assert isinstance(motion, fx.Motion) and 0 < motion.t[-1] < 20
 
 
 # the interrupt comes when the motion has begun, however slow the machine
@@ -199,13 +210,13 @@ import os, signal, sys
 from flexel.commands.main import main
 from flexel.integration import explicit
 
-accept = explicit.Integrator._accept
+accept = explicit.Explicit._accept
 
 def interrupted(self, *arguments):
     if len(self.result.states) > 5:
         os.kill(os.getpid(), signal.SIGINT)
     return accept(self, *arguments)
 
-explicit.Integrator._accept = interrupted
+explicit.Explicit._accept = interrupted
 main(["run", sys.argv[1], "--out", sys.argv[2]])
 """

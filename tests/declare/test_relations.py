@@ -39,7 +39,7 @@ def test_a_screw_turns_many_times_without_slipping() -> None:
 
 
 def test_the_implicit_method_counts_the_turns_of_a_screw_too() -> None:
-    motion = screw(angle=30.0).build().simulate_stiff(2.0, tolerance=1e-8)
+    motion = screw(angle=30.0).build().simulate(2.0, method="generalized-alpha", rtol=1e-8)
     acceleration = -2.0 * 9.81 * PITCH / (0.02 + 2.0 * PITCH**2)
     assert motion["guide.angle"][-1] == pytest.approx(30 * 2.0 + acceleration * 2.0, abs=1e-3)
     assert motion["guide.axial"] == pytest.approx(PITCH * motion["guide.angle"], abs=1e-10)
@@ -110,7 +110,7 @@ def test_the_linearization_of_an_elastic_relation_is_that_of_the_equations() -> 
 
 
 def test_energy_goes_only_into_the_damper_of_a_relation() -> None:
-    motion = elastic().build().simulate_stiff(1.0, step=2e-3, radius=0.9)
+    motion = elastic().build().simulate(1.0, method="generalized-alpha", step=2e-3, spectral_radius=0.9)
     balance = motion.energy_balance()
     assert balance["dissipated"][-1] > 0.1
     assert np.max(np.abs(balance["error"])) < 2e-3 * np.ptp(balance["kinetic"])

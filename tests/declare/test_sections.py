@@ -224,7 +224,7 @@ def test_impossible_sections_and_materials_are_named(make: object, message: str)
 
 
 def test_stress_needs_a_beam_with_a_section() -> None:
-    state = leaf(EA=1.0).build().rest
+    state = leaf(EA=1.0).build().at_rest
     with pytest.raises(fx.ModelError, match="beam 'b' has no section"):
         state.stress("b")
     with pytest.raises(fx.ModelError, match="unknown beam with two frames 'c'; known: b"):

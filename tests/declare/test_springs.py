@@ -87,4 +87,4 @@ def test_what_a_spring_measures_with_is_not_drawn() -> None:
 
     m = masses()
     m.spring("A.x", 7.0)
-    assert not [z for z in shapes(m.build().rest) if "." in z.name]
+    assert not [z for z in shapes(m.build().at_rest) if "." in z.name]

@@ -6,7 +6,7 @@ import pytest
 from mistakes import Case, check, drawing, each, pendulum, system
 
 from flexel.base.errors import DynamicsError
-from flexel.integration.explicit import Event
+from flexel.integration.events import Event
 
 E1 = Event("e", lambda state: 1.0)
 SIMULATIONS = {
@@ -15,7 +15,7 @@ SIMULATIONS = {
     "duration NaN": system(lambda s: s.simulate(math.nan), "simulate", "duration", "give finite"),
     "negative duration": system(lambda s: s.simulate(-1), "simulate", "duration -1", "give a positive"),
     "duration as text": system(lambda s: s.simulate("1"), "simulate", "duration", "give real"),
-    "unknown method": system(lambda s: s.simulate(1, method="RK4"), "'RK4'", "choose one of DOP853"),
+    "unknown method": system(lambda s: s.simulate(1, method="RK4"), "'RK4'", "choose one of auto, DOP853"),
     "method in small letters": system(lambda s: s.simulate(1, method="radau"), "'radau'", "choose one of"),
     "method None": system(lambda s: s.simulate(1, method=None), "method None", "choose one of"),
     "times backwards": system(lambda s: s.simulate(1, times=[0, 0.5, 0.4]), "times", "sort them"),
@@ -41,7 +41,7 @@ SIMULATIONS = {
         "give 1 (up)",
     ),
     "event without a function": system(
-        lambda s: s.simulate(1, events=[Event("e", 3.0)]), "event 'e'", "3.0 is no function", "lambda s"
+        lambda s: s.simulate(1, events=[Event("e", 3.0)]), "event 'e'", "3.0 is not a function", "lambda s"
     ),
     "event of nothing": system(
         lambda s: s.simulate(1, events=[Event("e", lambda z: None)]), "event 'e'", "give real"

@@ -9,7 +9,7 @@ from flexel.base.errors import ConstraintError, PositionError
 STATES = {
     "value of an unknown": system(lambda s: s.state_at({"q": 1}), "state_at", "'q'", "known: "),
     "value of no freedom": system(
-        lambda s: s.state_at({"A.x": 1}), "'A.x' is not a freedom", "'pivot.angle'"
+        lambda s: s.state_at({"A.x": 1}), "'A.x' is not a degree of freedom", "'pivot.angle'"
     ),
     "value as text": system(lambda s: s.state_at({"pivot.angle": "a"}), "'pivot.angle'", "give real"),
     "value None": system(lambda s: s.state_at({"pivot.angle": None}), "'pivot.angle'", "give real"),
@@ -29,11 +29,11 @@ STATES = {
     "steady of another model": system(
         lambda s: s.steady(pendulum().build().initial), "another model", "of this one"
     ),
-    "freedoms unknown": system(lambda s: s.use_freedoms(["q"]), "use_freedoms", "'q'", "known: "),
-    "freedoms as text": system(lambda s: s.use_freedoms("pivot.angle"), "use_freedoms", "write ['…'"),
-    "freedom fixed": system(lambda s: s.use_freedoms(["O.x"]), "'O.x' is fixed", "name coordinates"),
+    "freedoms unknown": system(lambda s: s.use_coordinates(["q"]), "use_coordinates", "'q'", "known: "),
+    "freedoms as text": system(lambda s: s.use_coordinates("pivot.angle"), "use_coordinates", "write ['…'"),
+    "freedom fixed": system(lambda s: s.use_coordinates(["O.x"]), "'O.x' is fixed", "name coordinates"),
     "freedom rigid": system(
-        lambda s: s.use_freedoms(["rod.along"]),
+        lambda s: s.use_coordinates(["rod.along"]),
         "'rod.along' is constrained",
         "name others",
         error=ConstraintError,

@@ -270,7 +270,7 @@ def test_eigenvalues_do_not_depend_on_the_chosen_freedoms() -> None:
     s = m.build()
     rest = s.equilibrium()
     w = s.linearize(rest).eigenvalues()
-    s.use_freedoms(["output.angle"])
+    s.use_coordinates(["output.angle"])
     assert worst(s.linearize(rest).eigenvalues(), w) < 1e-12
 
 

@@ -69,8 +69,8 @@ def test_a_mode_shape_is_drawn_a_tenth_of_the_model_large(tmp_path: Path) -> Non
     lin, first = system.linearize(), system.vibrations(count=1)[0]
     X = coordinates_of(system.structure, first.shape)
     i = system.structure.coordinate_of["A.y"]
-    assert abs(X[i]) * mode_size(system.rest, X) == pytest.approx(0.2, rel=1e-3)
-    drawn = plot_shape(system.rest, first.shape, tmp_path / "mode.png")
+    assert abs(X[i]) * mode_size(system.at_rest, X) == pytest.approx(0.2, rel=1e-3)
+    drawn = plot_shape(system.at_rest, first.shape, tmp_path / "mode.png")
     assert np.abs(drawn.axes[0].lines[2].get_ydata()).max() == pytest.approx(0.2, rel=1e-3)
     assert lin.plot_mode(0, tmp_path / "mode2.png", phases=(0.0, 1.0)).axes[0].get_legend() is not None
     assert lin.plot(tmp_path / "poles.png").axes[0].get_xlabel() == "real part [1/s]"

@@ -181,8 +181,11 @@ def test_a_rope_that_does_not_fit_into_its_groove_is_refused(radius: float) -> N
             lambda m, r: m.cable_line("c", lambda u: "ab", 4, EA=1.0, EI=0.0),
             "cable line 'c': path .* is not numeric",
         ),
-        (lambda m, r: m.build().simulate_stiff(0.1, radius="a"), "radius 'a' is not numeric"),
-        (lambda m, r: m.build().simulate_stiff(0.1, method="bdf", max_order=7), "max_order 7 of bdf"),
+        (
+            lambda m, r: m.build().simulate(0.1, method="generalized-alpha", spectral_radius="a"),
+            "spectral_radius 'a' is not numeric",
+        ),
+        (lambda m, r: m.build().simulate(0.1, method="sundials", max_order=7), "max_order 7 of sundials"),
     ],
 )
 def test_other_bad_input_is_named(call: Callable[[fx.Model, Rope], Any], message: str) -> None:
@@ -225,7 +228,9 @@ def fallen(request: pytest.FixtureRequest) -> fx.Motion:
     m.contact(rope, "S", fx.Contact(1e8, dissipation=1.0), rope_radius=0.001)
     for point in rope.points:
         m.initial(f"{point.name}.y", rate=-1.0)
-    return m.build().simulate_stiff(0.01, samples=6, radius=0.5, step=5e-4, progress=False)
+    return m.build().simulate(
+        0.01, method="generalized-alpha", samples=6, spectral_radius=0.5, step=5e-4, progress=False
+    )
 
 
 def test_every_kind_of_groove_counts_as_a_contact(fallen: fx.Motion) -> None:

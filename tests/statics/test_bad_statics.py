@@ -16,7 +16,7 @@ def strut() -> System:
 
 STATICS = {
     "of another model": Case(
-        lambda: strut().equilibrium(start=strut().rest), ("equilibrium", "another model", "of this one")
+        lambda: strut().equilibrium(start=strut().at_rest), ("equilibrium", "another model", "of this one")
     ),
     "from a number": Case(lambda: strut().equilibrium(start=3), ("int is not a state", "system.initial")),
     "at a text": Case(lambda: strut().equilibrium(t="a"), ("time t", "give real")),

@@ -186,5 +186,5 @@ def test_a_free_body_is_under_constrained_and_its_motions_are_named() -> None:
 
 
 def test_a_state_is_reported_on_too() -> None:
-    state = guide(None).build().rest
+    state = guide(None).build().at_rest
     assert state.constraint_report().freedoms == 6

@@ -43,7 +43,7 @@ def test_the_data_are_those_of_the_file(benchmark: dict[str, Any]) -> None:
         "tie rod end": "tie_rod_upright_end",
         "hub": "wheel_centre",
     }
-    rest = vehicle().rest
+    rest = vehicle().at_rest
     for corner in CORNERS:
         axle, side = corner.split()
         points = benchmark["nominal_points_in_chassis_frame"][f"{axle}_{'ym' if side == 'right' else 'yp'}"]
@@ -75,7 +75,7 @@ def test_tables_of_springs_and_dampers_are_their_curves(benchmark: dict[str, Any
 
 
 def test_nominal_forces_are_the_published_ones() -> None:
-    found = vehicle_table.suspension_forces(vehicle(deflection="drop").rest)
+    found = vehicle_table.suspension_forces(vehicle(deflection="drop").at_rest)
     assert found["leaf_front"] == pytest.approx(-2728.9, abs=0.05)
     assert found["unit_rear"] == pytest.approx(-128.0, abs=0.05)
     assert found["tyre_front"] == pytest.approx(3829.6, abs=0.11)

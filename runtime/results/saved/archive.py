@@ -138,7 +138,7 @@ def _packed(states: Sequence[State], dim: str, choices: _Choices) -> dict[str, V
 
 def motion_of(record: Record) -> Motion:
     """The motion in a record, every name as it was."""
-    from flexel.integration.explicit import Integration
+    from flexel.integration.outcome import Integration
     from flexel.results.motion import Motion
 
     structure = structure_of(record.header["structure"])

@@ -15,8 +15,8 @@ import numpy as np
 from flexel.base.arrays import Array
 from flexel.base.errors import FlexelError
 from flexel.engine.locallaws import ImplicitStep
-from flexel.integration.alpha import Point
-from flexel.integration.steps import Control, Run
+from flexel.integration.scheme import Point
+from flexel.integration.steps import Control, ImplicitRun
 from flexel.mechanics.balance import Balance, Saddle
 from flexel.mechanics.core import Core
 from flexel.mechanics.saddle import Matrix, SaddlePattern
@@ -116,18 +116,27 @@ class DifferentialAlgebraic(Saddle):
         out[:] = np.concatenate([found[:nf], cj * found[:nf] - r1, found[nf:], r4 / cj])
 
 
-class Bdf(Run):
+class Sundials(ImplicitRun):
     """One run of IDA."""
 
-    def __init__(self, system: Core, start: State, duration: float, control: Control, max_order: int) -> None:
+    def __init__(
+        self,
+        system: Core,
+        start: State,
+        times: Array,
+        duration: float,
+        control: Control,
+        atol: float,
+        max_order: int,
+    ) -> None:
         try:
             from sksundae.ida import IDA, IDAPrecond
         except ImportError as error:
             raise FlexelError(
-                "method 'bdf' needs scikit-sundae, which is not installed; pip install 'flexel[sundials]'"
+                "method 'sundials' needs scikit-sundae, which is not installed; pip install 'flexel[sundials]'"
             ) from error
         self.equations = equations = DifferentialAlgebraic(system, start, PULL / duration)
-        super().__init__(equations, start)
+        super().__init__(equations, start, times)
         self._steps = 0
         nc = equations.ends[2:4]
         self._solver = IDA(
@@ -136,7 +145,7 @@ class Bdf(Run):
             first_step=control.first,
             max_step=0.0 if np.isinf(control.longest) else control.longest,
             rtol=control.tolerance,
-            atol=equations.tolerances(control.tolerance, duration),
+            atol=equations.tolerances(atol, duration),
             linsolver="gmres",
             krylov_dim=KRYLOV,
             max_order=max_order,
@@ -157,16 +166,16 @@ class Bdf(Run):
             "rechoices": 0,
         }
 
-    def advance(self, until: float) -> bool:
-        """One step of IDA; False if it reports a failure."""
-        equations, old = self.equations, self.point
+    def advance(self) -> None:
+        """One step of IDA."""
+        equations, old, until = self.equations, self.point, self.until
         if not self._started:
             self._solver.init_step(old.t, *equations.start_values(old.mu))
             self._started = True
         found = self._solver.step(until, method="onestep", tstop=until)
         t = float(np.ravel(found.t)[-1])
         if not found.success or t <= old.t:
-            return False
+            raise self.failure()
         y, yp = np.ravel(found.y), np.ravel(found.yp)
         b = equations.at(t, y, yp)
         equations.near = b.e
@@ -174,4 +183,3 @@ class Bdf(Run):
         self.accept(
             Point(t, b.x, b.v, b.a, b.a, equations.split(y)[2], b.e, b.laws.z, b.laws.zd, b.laws.zd), b
         )
-        return True

@@ -1,0 +1,104 @@
+"""Events: functions of the state that pass through zero, located on the dense output of a step."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from scipy.optimize import brentq
+
+from flexel.base.arguments import number
+from flexel.base.errors import ModelError
+from flexel.integration.outcome import Segment
+from flexel.structure.state import State
+
+INSTANT = 1e-9  # of the times: an event that is found this soon is the one that the motion starts from
+LOCATED = 1e-13  # accuracy of the time of an event [s]
+
+
+@dataclass(frozen=True)
+class Event:
+    """Something that happens when a function of the state passes through zero.
+
+    Parameters
+    ----------
+    name : str
+    function : callable(State) -> float
+    terminal : bool
+        Stop the simulation there.
+    direction : int
+        +1: only upward passages; -1: only downward; 0: both.
+
+    Notes
+    -----
+    A motion that starts at an event, such as from its state, does not meet it again at once.
+    """
+
+    name: str
+    function: Callable[[State], float]
+    terminal: bool = False
+    direction: int = 0
+
+    def __post_init__(self) -> None:
+        if not callable(self.function):
+            raise ModelError(
+                f"event '{self.name}': {self.function!r} is not a function; give one of a State, lambda s: s['A.z']"
+            )
+        if self.direction not in (-1, 0, 1):
+            raise ModelError(
+                f"event '{self.name}': direction {self.direction!r} is unknown; give 1 (up), -1 (down) or 0 (both)"
+            )
+
+
+def checked(events: Any) -> tuple[Event, ...]:
+    """The events that a user gives, or a ModelError."""
+    listed = () if isinstance(events, Event) else tuple(events)
+    if isinstance(events, Event) or not all(isinstance(z, Event) for z in listed):
+        raise ModelError(
+            f"simulate: events {events!r} are not a list of Events; write [Event(name, function)]"
+        )
+    return listed
+
+
+def value(event: Event, state: State) -> float:
+    """The function of an event at a state."""
+    return number(event.function(state), f"event '{event.name}' at t = {state.t:g} s", "value")
+
+
+def passages(
+    system: Any,
+    events: Sequence[Event],
+    step: Segment,
+    last: State,
+    before: Sequence[float],
+    times: tuple[float, float],
+) -> tuple[list[tuple[Event, State]], list[float]]:
+    """Passages through zero within a step, in the order of time, and the functions at its end.
+
+    Parameters
+    ----------
+    system : Core
+    events : sequence of Event
+    step : Segment
+    last : State
+        At the end of the step.
+    before : sequence of float
+        The functions at the beginning of the step.
+    times : tuple of float
+        When the motion started, and its duration [s].
+    """
+    after = [value(event, last) for event in events]
+    found: list[tuple[Event, State]] = []
+    begun = times[0] + INSTANT * times[1] + 10 * LOCATED
+    for event, g0, g1 in zip(events, before, after, strict=True):
+        if (g0 < 0 <= g1 or g1 <= 0 < g0) and (event.direction == 0 or event.direction * (g1 - g0) > 0):
+            ends = {step.t0: g0, step.t1: g1}  # as found before, so that brentq sees the same signs
+
+            def function(t: float, event: Event = event, ends: dict[float, float] = ends) -> float:
+                return ends[t] if t in ends else value(event, step.state(system, t))
+
+            t = float(brentq(function, step.t0, step.t1, xtol=LOCATED, rtol=8.9e-16))
+            if t > begun:
+                found.append((event, step.state(system, t)))
+    return sorted(found, key=lambda z: z[1].t), after

@@ -1,0 +1,193 @@
+"""The methods of `System.simulate`: which options each has, which one is taken by default, and a run of each."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from flexel.base.arguments import step_limit
+from flexel.base.arrays import Array
+from flexel.base.errors import FlexelError, ModelError
+from flexel.integration.driver import Run
+from flexel.integration.events import Event
+from flexel.integration.explicit import METHODS, Explicit, Tolerances
+from flexel.integration.followed import Followed
+from flexel.integration.steps import Control, GeneralizedAlpha
+from flexel.integration.sundials import Sundials
+from flexel.mechanics.core import Core
+from flexel.mechanics.dynamics import InertiaError
+from flexel.structure.state import State, own_state
+
+AUTO, EXPLICIT, ALPHA, SUNDIALS = "auto", "DOP853", "generalized-alpha", "sundials"
+_STEPS = frozenset({"rtol", "atol", "first_step", "max_step"})
+_DENSE = _STEPS | {"events", "rechoose"}
+OPTIONS: dict[str, frozenset[str]] = {  # of each method; the remaining ones are those of all
+    AUTO: _DENSE,
+    **dict.fromkeys(METHODS, _DENSE),
+    ALPHA: _STEPS | {"step", "spectral_radius", "newton"},
+    SUNDIALS: _STEPS | {"max_order"},
+}
+RTOL, ATOL, IMPLICIT_RTOL = 1e-9, 1e-11, 1e-6
+RADIUS, NEWTON, MAX_ORDER = 0.8, "full", 2
+STIFF = 3e4  # max |λ| times the duration from which a motion is integrated implicitly
+MANY = 300  # degrees of freedom above which it is too, whatever their eigenvalues
+
+
+@dataclass(frozen=True)
+class Options:
+    """What a user asks of a method; None is what has not been given."""
+
+    rtol: Any = None
+    atol: Any = None
+    step: Any = None
+    first_step: Any = None
+    max_step: Any = None
+    spectral_radius: Any = None
+    newton: Any = None
+    max_order: Any = None
+    events: tuple[Event, ...] | None = None
+    rechoose: bool | None = None
+
+    def number(self, name: str, default: float, least: float = 0.0) -> float:
+        """A positive option, or a ModelError."""
+        given = getattr(self, name)
+        return default if given is None else step_limit(given, "simulate", name, least)
+
+    @property
+    def first(self) -> float | None:
+        """The first step [s]."""
+        return None if self.first_step is None else self.number("first_step", 0.0)
+
+
+def check(method: Any, options: Options) -> None:
+    """Refuse a method that does not exist, and options that it does not have.
+
+    Raises
+    ------
+    ModelError
+        Names the option, the method, and those that have it.
+    """
+    if not isinstance(method, str) or method not in OPTIONS:
+        raise ModelError(f"simulate: method {method!r} is unknown; choose one of {', '.join(OPTIONS)}")
+    given = [name for name, value in vars(options).items() if value is not None]
+    for name in given:
+        if name not in OPTIONS[method]:
+            having = [z for z in OPTIONS if name in OPTIONS[z]]
+            raise ModelError(
+                f"simulate: {name} is not an option of method '{method}'; choose a method that has it: "
+                f"{', '.join(having)}"
+            )
+    beside = [name for name in given if name in _STEPS]
+    if options.step is not None and beside:
+        raise ModelError(
+            f"simulate: step is constant, which leaves {', '.join(beside)} without meaning; give one or the other"
+        )
+
+
+def start_of(system: Core, method: str, start: Any, options: Options) -> State:
+    """The state that a motion starts from; implicit methods need no accelerations."""
+    if start is not None:
+        return own_state(system.structure, start, "simulate")
+    try:
+        return system.initial
+    except InertiaError:
+        if method in METHODS or options.events:
+            raise
+        return system.unaccelerated
+
+
+def automatic(system: Core, start: State, duration: float, options: Options) -> tuple[str, str]:
+    """The method that suits a motion, and why."""
+    if system.roles.nq == 0:
+        return EXPLICIT, "not integrated: every motion is prescribed"
+    if options.events:
+        return _because(EXPLICIT, "events are given")
+    if system.roles.nd > MANY:
+        return _because(ALPHA, f"{system.roles.nd} degrees of freedom, above {MANY}")
+    try:
+        fastest = float(np.max(np.abs(system.linearize(start).eigenvalues()), initial=0.0))
+    except InertiaError:
+        return _because(ALPHA, "a degree of freedom lacks inertia")
+    except (FlexelError, np.linalg.LinAlgError):
+        return _because(EXPLICIT, "the start cannot be linearized")
+    turns = fastest * duration
+    stiff = turns > STIFF
+    return _because(
+        ALPHA if stiff else EXPLICIT,
+        f"max|λ|·duration = {turns:.2g} at the start, {'above' if stiff else 'at most'} {STIFF:g}",
+    )
+
+
+def _because(method: str, why: str) -> tuple[str, str]:
+    return method, f"{method}, chosen because {why}"
+
+
+def run_of(system: Core, method: str, start: State, times: Array, duration: float, options: Options) -> Run:
+    """A run of a method.
+
+    Parameters
+    ----------
+    system : Core
+        An explicit method may leave it with the degrees of freedom of the start.
+    method : str
+        Any but auto.
+    start : State
+    times : ndarray
+        At which states are kept.
+    duration : float
+        [s]
+    options : Options
+        Checked ones.
+    """
+    if method == ALPHA:
+        return _alpha(system, start, times, duration, options)
+    if method == SUNDIALS:
+        return _sundials(system, start, times, duration, options)
+    events = options.events or ()
+    tolerances = Tolerances(
+        options.number("rtol", RTOL, 1e-13),
+        options.number("atol", ATOL),
+        options.first,
+        options.number("max_step", np.inf),
+    )
+    if system.roles.nq == 0:
+        return Followed(system, start, times, events)
+    own = _in_own_roles(system, start)
+    return Explicit(system, own, times, method, tolerances, events, options.rechoose is not False)
+
+
+def _in_own_roles(system: Core, start: State) -> State:
+    """The start in the system's degrees of freedom, or the system in those of the start where these serve better."""
+    if start.roles is system.roles:
+        return start
+    if system.condition(start) > 1e-3 * system.condition(start, start.roles):
+        return system.state(start.t, start.x, start.v, start.e, start.z)
+    system.use(start.roles)  # the motion has led to where the chosen ones are of no use
+    return start
+
+
+def _alpha(system: Core, start: State, times: Array, duration: float, options: Options) -> Run:
+    """A run of the generalized-alpha method, which measures every coordinate by its natural scale."""
+    if options.step is not None:
+        step = options.number("step", 0.0)
+        control = Control(np.inf, step, step)
+    else:
+        tolerance = options.number("rtol", IMPLICIT_RTOL)
+        if options.atol is not None:
+            tolerance += options.number("atol", 0.0)
+        longest = options.number("max_step", np.inf)
+        control = Control(tolerance, options.first or duration / 1000, longest)
+    radius = RADIUS if options.spectral_radius is None else options.spectral_radius
+    return GeneralizedAlpha(system, start, times, radius, options.newton or NEWTON, control)
+
+
+def _sundials(system: Core, start: State, times: Array, duration: float, options: Options) -> Run:
+    """A run of IDA."""
+    order = MAX_ORDER if options.max_order is None else options.max_order
+    if order not in range(1, 6):
+        raise ModelError(f"simulate: max_order {order!r} of sundials; give a whole number from 1 to 5")
+    rtol = options.number("rtol", IMPLICIT_RTOL)
+    control = Control(rtol, options.first or 0.0, options.number("max_step", np.inf))
+    return Sundials(system, start, times, duration, control, options.number("atol", rtol), int(order))

@@ -1,0 +1,79 @@
+"""The generalized-alpha scheme: its coefficients, and the point at which an implicit integration stands.
+
+Source: Chung and Hulbert (1993); Jansen, Whiting and Hulbert (2000) for first order; Arnold and Brüls (2007).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from flexel.base.arguments import number
+from flexel.base.arrays import Array
+from flexel.base.errors import ModelError
+from flexel.structure.state import State
+
+
+@dataclass(frozen=True)
+class Scheme:
+    """Coefficients of the generalized-alpha method with a given spectral radius at infinite frequency."""
+
+    alpha_m: float
+    alpha_f: float
+    beta: float
+    gamma: float
+    lag_m: float
+    lag_gamma: float
+
+    @classmethod
+    def with_radius(cls, radius: float, constrained: bool = True) -> Scheme:
+        """The optimal scheme of second order; near radius 1 keeps energy, 0 damps high frequencies at once.
+
+        Radius 1 needs a system without constraints: with them its accelerations and multipliers grow without bound.
+        """
+        radius = number(radius, "simulate", "spectral_radius")
+        if not (0 <= radius < 1 or (radius == 1 and not constrained)):
+            raise ModelError(
+                f"simulate: spectral_radius {radius} lies outside 0 ≤ radius < 1 (1 without constraints); 0.8 is a "
+                "good value"
+            )
+        m, f = (2 * radius - 1) / (radius + 1), radius / (radius + 1)
+        gamma = 0.5 - m + f
+        lag = (3 * radius - 1) / (2 * (radius + 1))
+        return cls(m, f, 0.25 * (gamma + 0.5) ** 2, gamma, lag, 0.5 - lag + f)
+
+    def rates(self, h: float) -> tuple[float, float]:
+        """Derivatives (gamma', beta') of the rates and of the accelerations by the coordinates, step h."""
+        return self.gamma / (h * self.beta), (1 - self.alpha_m) / (h * h * self.beta * (1 - self.alpha_f))
+
+
+@dataclass
+class Point:
+    """Where the integration stands.
+
+    Attributes
+    ----------
+    x, v, a, w : ndarray (n,)
+        Coordinates, rates, accelerations and the method's own accelerations.
+    mu : ndarray
+        Multipliers.
+    e : ndarray (m,)
+        Deformations with their turns.
+    z, zd, zw : ndarray (nz,)
+        Internal states of laws, their rates, and the method's own rates.
+    """
+
+    t: float
+    x: Array
+    v: Array
+    a: Array
+    w: Array
+    mu: Array
+    e: Array
+    z: Array
+    zd: Array
+    zw: Array
+
+    @classmethod
+    def at(cls, s: State, mu: Array) -> Point:
+        """The point at a state with known multipliers."""
+        return cls(s.t, s.x.copy(), s.v.copy(), s.a.copy(), s.a.copy(), mu, s.e, s.z, s.zd, s.zd)
