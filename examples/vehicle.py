@@ -119,18 +119,18 @@ def corner(m: fx.Model, axle: str, side: str, rack: Any, road: fx.Waves | None) 
     m.frame(named("upright"))
     m.frame(named("wheel"))
     for part in ("link pivot", "arm pivot", "unit top"):
-        m.fixed_point(named(f"{part} seat"), "chassis", "body", named(part))
+        m.body_point(named(f"{part} seat"), "chassis", "body", named(part))
     in_chassis(m, named("rack"), named("rack end"))
     if rack is not None:
         m.prescribe(named("rack.across1"), rack)
     up = (s, 0, 0)  # hinge angles grow as the wheel goes up
     m.hinge(named("link"), "body", named("leaf end"), axis=up)
     m.hinge(named("arm"), "body", named("lower arm"), axis=up)
-    m.fixed_point(named("upper link"), named("link pivot"), named("leaf end"), named("upper ball"))
-    m.fixed_point(named("arm ball"), named("arm pivot"), named("lower arm"), named("lower ball"))
-    m.fixed_point(named("arm unit"), named("arm pivot"), named("lower arm"), named("unit foot"))
+    m.body_point(named("upper link"), named("link pivot"), named("leaf end"), named("upper ball"))
+    m.body_point(named("arm ball"), named("arm pivot"), named("lower arm"), named("lower ball"))
+    m.body_point(named("arm unit"), named("arm pivot"), named("lower arm"), named("unit foot"))
     for part in ("upper ball", "tie rod end", "hub"):
-        m.fixed_point(named(f"upright {part}"), named("lower ball"), named("upright"), named(part))
+        m.body_point(named(f"upright {part}"), named("lower ball"), named("upright"), named(part))
     m.truss(named("tie rod"), named("rack end"), named("tie rod end"))
     m.hinge(named("spin"), named("upright"), named("wheel"), axis=(0, 1, 0))
     offset = (0, -s * data.ARM_CENTRE, 0)
@@ -151,7 +151,7 @@ def in_chassis(m: fx.Model, name: str, point: str) -> None:
     d0 = m.nodes[point].x0 - m.nodes["chassis"].x0
     none = np.zeros(3)
     values = {"tp": np.eye(4)[0], "d0": d0, "l0": np.linalg.norm(d0), "rhoA": 0.0, "rhoJ": none}
-    m.add(name, "beam3", ["chassis", "body", point], values)
+    m.element(name, "beam3", "chassis", "body", point, **values)
 
 
 def length(m: fx.Model, p: str, q: str) -> float:

@@ -24,7 +24,8 @@ if TYPE_CHECKING:
     from flexel.base.time_functions import Harmonic, Polynomial, Ramp, Table
     from flexel.declare.curves import Curve
     from flexel.declare.materials import Material
-    from flexel.declare.sections import Circle, IBeam, Rectangle, Tube
+    from flexel.declare.round_sections import Circle, Tube
+    from flexel.declare.sections import IBeam, Rectangle
     from flexel.declare.user import compile_element, compile_law
     from flexel.declare.wheels import Waves
     from flexel.integration.explicit import Event
@@ -35,7 +36,6 @@ if TYPE_CHECKING:
     from flexel.results.motion import Motion
     from flexel.results.saved.loading import load
     from flexel.rope.contacts import Contact
-    from flexel.rope.impact import hunt_crossley, lankarani_nikravesh
     from flexel.rope.ropes import Rope
     from flexel.rope.surfaces import RoundGroove, VGroove
     from flexel.rope.wire_rope import WireRope
@@ -86,8 +86,6 @@ __all__ = [
     "compile_element",
     "compile_law",
     "constraint_report",
-    "hunt_crossley",
-    "lankarani_nikravesh",
     "largest_stress",
     "load",
     "read_spacar",
@@ -96,7 +94,7 @@ __all__ = [
 ]
 
 _HOMES = {
-    "Circle": "flexel.declare.sections",
+    "Circle": "flexel.declare.round_sections",
     "CompilerError": "flexel.base.errors",
     "Compliance": "flexel.statics.compliance",
     "ConstraintError": "flexel.base.errors",
@@ -126,7 +124,7 @@ _HOMES = {
     "State": "flexel.structure.state",
     "System": "flexel.system",
     "Table": "flexel.base.time_functions",
-    "Tube": "flexel.declare.sections",
+    "Tube": "flexel.declare.round_sections",
     "VGroove": "flexel.rope.surfaces",
     "Waves": "flexel.declare.wheels",
     "WireRope": "flexel.rope.wire_rope",
@@ -135,8 +133,6 @@ _HOMES = {
     "compile_element": "flexel.declare.user",
     "compile_law": "flexel.declare.user",
     "constraint_report": "flexel.mechanics.constraints",
-    "hunt_crossley": "flexel.rope.impact",
-    "lankarani_nikravesh": "flexel.rope.impact",
     "largest_stress": "flexel.mechanics.stress",
     "load": "flexel.results.saved.loading",
     "read_spacar": "flexel.spacar.reading",

@@ -13,13 +13,13 @@ from flexel.declare.curves import Curves
 from flexel.declare.feedback import Feedback
 from flexel.declare.joints import Joints
 from flexel.declare.loads import Loading
-from flexel.declare.user import UserElements
+from flexel.declare.user import Elements
 from flexel.declare.wheels import Wheels
 from flexel.rope.ropes import Ropes
 from flexel.system import System
 
 
-class Model(Ropes, Joints, Wheels, Couplings, Curves, Feedback, Loading, Bodies, UserElements):
+class Model(Ropes, Joints, Wheels, Couplings, Curves, Feedback, Loading, Bodies, Elements):
     """A mechanism to be declared.
 
     Parameters

@@ -37,7 +37,7 @@ class Joints(Beams):
         Its elongation may be prescribed or independent: a hydraulic cylinder.
         """
         owner = f"truss '{name}'"
-        planar, nodes = self.resolve(owner, (p, "point"), (q, "point"))
+        planar, nodes = self._find_nodes(owner, (p, "point"), (q, "point"))
         k = 0.0 if stiffness is None else positive(stiffness, owner, "stiffness")
         d = not_negative(damping, owner, "damping")
         if stiffness is None and d:
@@ -47,7 +47,7 @@ class Joints(Beams):
             )
         l0 = span(nodes[0].x0, nodes[1].x0, owner)[1]
         rhoA = np.array([not_negative(mass_per_length, owner, "mass_per_length")])
-        self.add(name, "planar_truss" if planar else "truss", nodes, {"l0": np.array([l0]), "rhoA": rhoA})
+        self._place(name, "planar_truss" if planar else "truss", nodes, {"l0": np.array([l0]), "rhoA": rhoA})
         if stiffness is not None:
             self.spring(f"{name}.elongation", k, d)
 
@@ -73,15 +73,15 @@ class Joints(Beams):
             deformations: a flexible hinge.
         """
         owner = f"hinge '{name}'"
-        planar, nodes = self.resolve(owner, (p, "frame"), (q, "frame"))
+        planar, nodes = self._find_nodes(owner, (p, "frame"), (q, "frame"))
         if nodes[0] is nodes[1]:
             raise ModelError(f"{owner}: both its frames are '{nodes[0].name}'; give those of the two bodies")
         if planar:
-            self.add(name, "planar_hinge", nodes, {"offset0": nodes[1].x0 - nodes[0].x0})
+            self._place(name, "planar_hinge", nodes, {"offset0": nodes[1].x0 - nodes[0].x0})
         else:
             if axis is None:
                 raise ModelError(f"{owner}: a spatial hinge needs an axis; give axis=(x, y, z)")
-            self.add(name, "hinge", nodes, hinge_triads(nodes[0].x0, nodes[1].x0, axis, owner))
+            self._place(name, "hinge", nodes, hinge_triads(nodes[0].x0, nodes[1].x0, axis, owner))
         modes = ("angle",) if planar else ("angle", "bend1", "bend2")
         _joint_springs(self, name, modes, stiffness, damping)
 
@@ -100,20 +100,20 @@ class Joints(Beams):
         In space the displacements are measured along and across the axis, in the plane in the axes of the first angle.
         """
         owner = f"bearing '{name}'"
-        planar, nodes = self.resolve(owner, (p, "point"), (rp, "frame"), (q, "point"), (rq, "frame"))
+        planar, nodes = self._find_nodes(owner, (p, "point"), (rp, "frame"), (q, "point"), (rq, "frame"))
         d = nodes[2].x0 - nodes[0].x0
         if planar:
             phi_p, phi_q = nodes[1].x0, nodes[3].x0
             values = {"alpha0": np.zeros(1), "d0": _turned_back(phi_p, d), "offset0": phi_q - phi_p}
-            self.add(name, "planar_bearing", nodes, values)
+            self._place(name, "planar_bearing", nodes, values)
             return
         if axis is None:
             raise ModelError(f"{owner}: a spatial bearing needs an axis; give axis=(x, y, z)")
         t = triad(unit(axis, owner, "axis"), None, owner)
         values = hinge_triads(nodes[1].x0, nodes[3].x0, axis, owner)
-        self.add(name, "bearing", nodes, values | {"d0": matrix(t).T @ d})
+        self._place(name, "bearing", nodes, values | {"d0": matrix(t).T @ d})
 
-    def fixed_point(
+    def body_point(
         self, name: str, p: Node | str, frame: Node | str, q: Node | str, *, body_axes: bool = False
     ) -> None:
         """Hold the point q at its drawn place in the body (p, frame): SPACAR's PINBODY, without mass.
@@ -127,7 +127,7 @@ class Joints(Beams):
         if not body_axes:
             self.beam(name, p, frame, q, rigid=True)
             return
-        planar, nodes = self.resolve(f"fixed point '{name}'", (p, "point"), (frame, "frame"), (q, "point"))
+        planar, nodes = self._find_nodes(f"body point '{name}'", (p, "point"), (frame, "frame"), (q, "point"))
         d, r = nodes[2].x0 - nodes[0].x0, nodes[1].x0
         zero = np.zeros(1)
         if planar:
@@ -135,7 +135,7 @@ class Joints(Beams):
         else:
             still = np.array([1.0, 0.0, 0.0, 0.0])
             values = {"tp": still, "d0": matrix(r).T @ d, "l0": zero, "rhoA": zero, "rhoJ": np.zeros(3)}
-        self.add(name, "planar_beam3" if planar else "beam3", nodes, values)
+        self._place(name, "planar_beam3" if planar else "beam3", nodes, values)
 
 
 def hinge_triads(rp: Array, rq: Array, axis: Any, owner: str) -> dict[str, Array]:

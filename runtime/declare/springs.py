@@ -261,4 +261,4 @@ def _add_displacement(model: Declarations, element: str, node: Node) -> None:
     spec = ELEMENTS[kind]
     values = {z.name: np.eye(z.size)[0] if z.name == "tp" else np.zeros(z.size) for z in spec.parameters}
     model.instances[element] = Instance(element, spec, tuple(z.name for z in ends), values)
-    model.roles |= {z: "free" for z in model.instances[element].deformations if z not in model.roles}
+    model._roles |= {z: "free" for z in model.instances[element].deformations if z not in model._roles}

@@ -116,7 +116,7 @@ def test_a_prescribed_motion_goes_on_to_the_same_digits(tmp_path: Path) -> None:
 
     def driven() -> fx.System:
         m = slider_crank("")
-        m.rates.clear()
+        m._rates.clear()
         m.prescribe("crank hinge.angle", lambda t: 9.0 * t + 0.2 * np.sin(3 * t))
         return m.build()
 
