@@ -87,7 +87,7 @@ def motorcycle(speed: float = 0.0, crown: float = 1.0) -> fx.System:
     m.spring("fork.along", k, c, preload=-preload)
     k, c, preload = SWING_SPRING
     m.spring("swing.angle", k, c, preload=preload)
-    m.spring("steer.angle", 0.0, STEERING_DAMPER)
+    m.spring("steer.angle", damping=STEERING_DAMPER)
     m.independent("frame.x", *LATERAL, *PLANE, "rear spin.angle", "front spin.angle")
     m.initial("frame.x", rate=speed)
     for axle in RADIUS:

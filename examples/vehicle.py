@@ -137,11 +137,12 @@ def corner(m: fx.Model, axle: str, side: str, rack: Any, road: fx.Waves | None) 
     m.body(named("arm mass"), named("lower ball"), named("lower arm"), offset=offset, **data.ARM)
     m.body(named("wheel mass"), named("hub"), named("wheel"), **data.WHEEL)
     m.truss(named("unit"), named("unit top"), named("unit foot"))
-    m.spring_curve(named("unit.elongation"), UNIT_SPRING, at=length(m, named("unit top"), named("unit foot")))
-    m.damper_curve(named("unit.elongation"), UNIT_DAMPER)
+    m.spring(
+        named("unit.elongation"), UNIT_SPRING, UNIT_DAMPER, free_length=0.0
+    )  # curve of the length itself
     in_chassis(m, named("leaf"), named("upper ball"))
     m.release(named("leaf.along"), named("leaf.across1"))
-    m.spring_curve(named("leaf.across2"), LEAF, at=data.LEAF_FREE - data.LEAF_LENGTH)
+    m.spring(named("leaf.across2"), LEAF, free_length=data.LEAF_LENGTH - data.LEAF_FREE)
     hub, wheel = named("hub"), named("wheel")
     m.tyre(named("tyre"), hub, wheel, radius=data.RADIUS[axle], axle=(0, 1, 0), road=road)
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 from flexel.build import build
 from flexel.declare.bodies import Bodies
 from flexel.declare.couplings import Couplings
-from flexel.declare.curves import Curves
 from flexel.declare.feedback import Feedback
 from flexel.declare.joints import Joints
 from flexel.declare.loads import Loading
@@ -19,7 +18,7 @@ from flexel.rope.ropes import Ropes
 from flexel.system import System
 
 
-class Model(Ropes, Joints, Wheels, Couplings, Curves, Feedback, Loading, Bodies, Elements):
+class Model(Ropes, Joints, Wheels, Couplings, Feedback, Loading, Bodies, Elements):
     """A mechanism to be declared.
 
     Parameters

@@ -43,7 +43,7 @@ class Joints(Beams):
         if stiffness is None and d:
             raise ModelError(
                 f"{owner}: damping without stiffness leaves the bar rigid; give a stiffness, or make a dashpot with "
-                f"m.spring('{name}.elongation', 0, damping)"
+                f"m.spring('{name}.elongation', damping=…)"
             )
         l0 = span(nodes[0].x0, nodes[1].x0, owner)[1]
         rhoA = np.array([not_negative(mass_per_length, owner, "mass_per_length")])

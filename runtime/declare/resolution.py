@@ -25,12 +25,15 @@ def check_laws(structure: Structure) -> None:
         owner = f"law on '{law.name}'"
         for name in law.deformations:
             if structure.find(name, owner) >= m:
-                raise ModelError(f"{owner}: '{name}' is not a deformation; springs and formulas act on these")
+                raise ModelError(
+                    f"{owner}: '{name}' is not a deformation; springs and formulas act on these (declare an element "
+                    "before the damper on its slip)"
+                )
             refuse_norm(structure, name, owner)
         for name in law.slips:
             if not m <= structure.find(name, owner) < m + k:
                 raise ModelError(
-                    f"{owner}: '{name}' is not a slip; use m.spring(…, 0, damping) on deformations"
+                    f"{owner}: '{name}' is not a slip; use m.spring(…, damping=…) on deformations"
                 )
 
 

@@ -17,7 +17,7 @@ from flexel.declare.beams import Beams
 from flexel.declare.materials import Material, Profile, profile_of
 from flexel.declare.nodes import Nodes
 from flexel.generated.table import LAWS
-from flexel.structure.instances import Instance, LawInstance
+from flexel.structure.instances import Instance
 from flexel.structure.nodes import Node
 from flexel.structure.state import State
 
@@ -129,7 +129,7 @@ class Cables(Beams, Nodes):
         D[4:] *= not_negative(bending_damping, owner, "bending_damping")
         values = {"preload": np.zeros(S.size), "S": S, "D": D}
         modes = self.instances[name].deformations
-        self.laws.append(LawInstance(name, LAWS[f"diagonal_{S.size}"], modes, (), values))
+        self._add_law(owner, LAWS[f"diagonal_{S.size}"], modes, values, label=name)
 
     def clamp(self, name: str, frame: Node | str, slope: Node | str) -> None:
         """Hold the direction of a cable's end in a body, as drawn; its stretch stays free.

@@ -16,7 +16,6 @@ from flexel.declare.declarations import Declarations
 from flexel.generated.table import LAWS
 from flexel.rope.cable_lines import CableLine, CableLines, contact_radius
 from flexel.rope.impact import dissipation
-from flexel.structure.instances import LawInstance
 from flexel.structure.surfaces import Surface
 
 RELEASE = 1e3  # rate [1/s] at which the bristles of an open contact straighten
@@ -229,11 +228,9 @@ def _attach(model: CableLines, points: list[ContactPoint], contact: Contact) -> 
     for point in points:
         for gap, slips in point.surface.gaps:
             law, values = contact.law(len(slips), point.weight)
-            spec = LAWS[law]
-            acting = tuple(f"{point.element}.{z}" for z in slips) if spec.slips else ()
-            gaps = (f"{point.element}.{gap}",)
-            z0 = (0.0,) * len(spec.states)
-            model.laws.append(LawInstance(f"{point.element} {gap}", spec, gaps, acting, values, None, z0))
+            spec, label = LAWS[law], f"{point.element} {gap}"
+            on = [f"{point.element}.{z}" for z in ((gap, *slips) if spec.slips else (gap,))]
+            model._add_law(f"contact '{label}'", spec, on, values, label=label)
 
 
 def find_surface(model: Declarations, surface: Any, owner: str) -> Surface:

@@ -92,8 +92,10 @@ def law_calls(entry: ElementEntry) -> list[Call]:
         grid = np.ix_([i - 1 for i in used], [i - 1 for i in used])
         ours = np.outer(factors, factors)
         line = entry.lines.get("ESTIFF") or entry.lines["EDAMPP"]
-        rows = {"D": _rows(D[grid] * ours)} if np.any(D[grid]) else {}
-        calls.append(Call("linear_law", (list(names), _rows(S[grid] * ours)), rows, line))
+        given = {"stiffness": _numbers(S[grid] * ours)}
+        if np.any(D[grid]):
+            given["damping"] = _numbers(D[grid] * ours)
+        calls.append(Call("spring", (names[0] if len(used) == 1 else list(names),), given, line))
     others = [
         name
         for i in sorted(entry.free)
@@ -104,8 +106,9 @@ def law_calls(entry: ElementEntry) -> list[Call]:
     return calls
 
 
-def _rows(A: Array) -> list[list[float]]:
-    return [[float(z) for z in row] for row in A]
+def _numbers(A: Array) -> float | list[list[float]]:
+    """A matrix as `Model.spring` takes it: rows, or its number where there is one alone."""
+    return float(A[0, 0]) if A.size == 1 else [[float(z) for z in row] for row in A]
 
 
 # -- types ---------------------------------------------------------------------------------------

@@ -174,7 +174,7 @@ def test_coupled_linear_law_has_its_matrix() -> None:
     S = np.array([[5.0, 1.0, 0.5], [1.0, 4.0, -0.3], [0.5, -0.3, 6.0]])
     D = 0.01 * S @ S
     preload = np.array([0.3, -0.1, 0.2])
-    m.linear_law(names, S, D, preload)
+    m.spring(names, S, D, preload=preload)
     m.independent(*names)
     s = m.build()
     e, ed = np.array([0.1, 0.02, -0.03]), np.array([0.2, -0.1, 0.3])
@@ -199,7 +199,7 @@ def rolling(release: bool, drag: float | None) -> Model:
     if release:
         m.release("w.longitudinal", "w.lateral")
     if drag is not None:
-        m.viscous("w.longitudinal", drag)
+        m.spring("w.longitudinal", damping=drag)
     return m
 
 

@@ -123,9 +123,9 @@ def sliding() -> Model:
     """The disc with viscous resistance along and across instead of pure rolling, and a twisting moment."""
     m = disc(1.3, (1.0, 0.2, 4.0))
     m._dynamic, m._kinematic = None, None
-    m.viscous("wheel.longitudinal", 2.5)
-    m.viscous("wheel.lateral", 1.5)
-    m.viscous("wheel.spin", 0.4)
+    m.spring("wheel.longitudinal", damping=2.5)
+    m.spring("wheel.lateral", damping=1.5)
+    m.spring("wheel.spin", damping=0.4)
     m.independent("yaw.angle", "lean.angle", "roll.angle", "contact.x", "contact.y")
     m.initial("contact.x", rate=1.0)
     m.initial("contact.y", rate=-0.5)
@@ -159,7 +159,7 @@ def planar() -> Model:
     m.truss("tie", A, B, mass_per_length=0.5)
     m.body("tip", B, "r2", mass=0.4, inertia=0.05, offset=(0.1, -0.1))
     m.independent("base.angle", "link.elongation", "link.bend1", "link.bend2", "B.x")
-    for i, z in enumerate(m.dynamic or []):
+    for i, z in enumerate(m._dynamic or []):
         m.initial(z, rate=0.4 * (-1) ** i)
     return m
 

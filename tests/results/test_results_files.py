@@ -195,7 +195,7 @@ def test_internal_states_of_laws_go_on(tmp_path: Path, monkeypatch: pytest.Monke
         m.fix("A.y", "A.z")
         m.truss("bar", "O", "A")
         m.point_mass("mass", "A", 2.0)
-        m.attach(law, ["bar.elongation"], name="damper", k=50.0)
+        m.law(["bar.elongation"], law, name="damper", k=50.0)
         m.initial("A.x", 1.1)
         return m.build()
 
