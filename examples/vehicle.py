@@ -2,7 +2,8 @@
 
 A rigid chassis on four independently suspended wheels: lower arm, upright with inclined kingpin, end of the transverse
 leaf spring as upper link, tie rod to the rack, spring-damper unit, and a compliant tyre. One function builds a corner;
-the rear is the front mirrored. 10 freedoms with the rack and the wheel spins prescribed, 8 without lateral slip.
+the rear is the front mirrored. 10 degrees of freedom with the rack and the wheel spins
+prescribed, 8 without lateral slip.
 Imports numpy and flexel; what is done with the model is in `flexel.examples.vehicle_runs`.
 """
 
@@ -153,11 +154,6 @@ def in_chassis(m: fx.Model, name: str, point: str) -> None:
     none = np.zeros(3)
     values = {"tp": np.eye(4)[0], "d0": d0, "l0": np.linalg.norm(d0), "rhoA": 0.0, "rhoJ": none}
     m.element(name, "beam3", "chassis", "body", point, **values)
-
-
-def length(m: fx.Model, p: str, q: str) -> float:
-    """Distance of two points as drawn."""
-    return float(np.linalg.norm(m.nodes[q].x0 - m.nodes[p].x0))
 
 
 def tyre_forces(m: fx.Model, axle: str, side: str, tyres: str, deflection: str) -> None:

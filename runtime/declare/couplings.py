@@ -1,4 +1,4 @@
-"""Belts, gears, surfaces, rolling wheels in the plane, rotary inertia: the methods of `Model` for them."""
+"""Belts, gears, surfaces to move on, rolling wheels in the plane, rotary inertia: the methods of `Model` for them."""
 
 from __future__ import annotations
 
@@ -39,6 +39,8 @@ class Couplings(Springs):
 
         Parameters
         ----------
+        p, angle_p, q, angle_q : node
+            Centre and angle of each pulley.
         radius_p, radius_q : float
             Radii [m]; positive for the part that lies on the left when one looks from p to q, negative on the right,
             of two signs for a crossed belt.
@@ -96,6 +98,8 @@ class Couplings(Springs):
 
         Parameters
         ----------
+        p, angle_p, q, angle_q : node
+            Centre and angle of each gear.
         radius_p, radius_q : float
             Pitch radii [m], or numbers of teeth; that of an internal gear is negative.
 
@@ -130,6 +134,7 @@ class Couplings(Springs):
 
         Parameters
         ----------
+        point : node
         quadratic : sequence of float (6,) or array (3, 3)
             Factors of x², y², z², xy, xz, yz [1/m], or a symmetric matrix A for x'A x.
         linear : sequence of float (3,)
@@ -155,7 +160,7 @@ class Couplings(Springs):
         }
         if not np.any(values["quadratic"]) and not np.any(values["linear"]):
             raise ModelError(
-                f"{owner}: all its factors are zero, which is no surface; give quadratic or linear ones"
+                f"{owner}: all its factors are zero, which is not a surface; give quadratic or linear ones"
             )
         self._place(name, "surface", [node], values)
 
@@ -173,6 +178,8 @@ class Couplings(Springs):
 
         Parameters
         ----------
+        point : node
+            Centre of the wheel.
         heading, spin : node
             Angles of the wheel about the normal of the plane and about its axle.
         radius : float

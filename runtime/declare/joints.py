@@ -32,9 +32,20 @@ class Joints(Beams):
         damping: float = 0.0,
         mass_per_length: float = 0.0,
     ) -> None:
-        """Join two points by a bar; rigid unless a stiffness EA / length [N/m] is given.
+        """Join two points by a bar; rigid unless a stiffness is given.
 
         Its elongation may be prescribed or independent: a hydraulic cylinder.
+
+        Parameters
+        ----------
+        p, q : node
+            Points at its ends.
+        stiffness : float, optional
+            EA / length [N/m].
+        damping : float
+            [N s/m], with a stiffness.
+        mass_per_length : float
+            [kg/m]
         """
         owner = f"truss '{name}'"
         planar, nodes = self._find_nodes(owner, (p, "point"), (q, "point"))
@@ -66,6 +77,8 @@ class Joints(Beams):
 
         Parameters
         ----------
+        p, q : node
+            Orientations of the two bodies.
         axis : sequence of float (3,)
             Direction of the axis in global axes as drawn; not needed in a planar model.
         stiffness, damping : float or three of them
@@ -98,6 +111,15 @@ class Joints(Beams):
         """Join two bodies by a hinge that also holds the points p and q together, as drawn; the angle is free.
 
         In space the displacements are measured along and across the axis, in the plane in the axes of the first angle.
+
+        Parameters
+        ----------
+        p, q : node
+            Points of the two bodies.
+        rp, rq : node
+            Their orientations.
+        axis : sequence of float (3,)
+            Direction of the axis in global axes as drawn; not needed in a planar model.
         """
         owner = f"bearing '{name}'"
         planar, nodes = self._find_nodes(owner, (p, "point"), (rp, "frame"), (q, "point"), (rq, "frame"))
@@ -120,6 +142,10 @@ class Joints(Beams):
 
         Parameters
         ----------
+        p, frame : node
+            A point of the body, and its orientation.
+        q : node
+            The point that moves with it.
         body_axes : bool
             Measure the displacements (along, across1, across2), where they are released, in the frame's own axes
             instead of along and across the line from p to q.

@@ -89,17 +89,17 @@ class Nodes(Declarations):
         self._motions[name] = as_function(motion, f"prescribe '{name}'")
 
     def independent(self, *names: str) -> None:
-        """Name the dynamic freedoms q_d; without any, the program chooses."""
+        """Name the dynamic degrees of freedom q_d; without any, the program chooses."""
         self._dynamic = [*(self._dynamic or []), *quantities(names, "independent")]
 
     def kinematic(self, *names: str) -> None:
-        """Name the kinematic freedoms q_k of a non-holonomic system; without any, the program chooses."""
+        """Name the kinematic coordinates q_k of a non-holonomic system; without any, the program chooses."""
         self._kinematic = [*(self._kinematic or []), *quantities(names, "kinematic")]
 
     def initial(self, name: str, value: float | None = None, rate: float | None = None) -> None:
         """Initial value and rate of a coordinate or deformation (a slip: rate only).
 
-        Rates that nothing given determines are zero for the freedoms; name these with `independent`, or give
+        Rates that nothing given determines are zero for the degrees of freedom; name these with `independent`, or give
         enough rates, where it matters which they are.
         """
         owner = f"initial '{name}'"

@@ -54,7 +54,10 @@ def compile_element(
 
 
 def compile_law(law: Law, ranges: Mapping[str, tuple[float, float]] | None = None) -> CompiledLaw:
-    """Derive, compile and verify a law of your own; parameters and errors as in `compile_element`."""
+    """Derive, compile and verify a law of your own; parameters and errors as in `compile_element`.
+
+    It is attached by ``m.law(on, compiled, …)``.
+    """
     from flexel.derive import Law as Declared
     from flexel.derive.accept import accepted_law
 
@@ -72,7 +75,7 @@ def _by_name(owner: str, ranges: Mapping[str, tuple[float, float]] | None) -> di
 
 
 def _made(owner: str, make: Callable[[], Made]) -> Made:
-    """What is made, with the errors of the derivation told as those of flexel."""
+    """What is made, with the errors of the derivation reported as those of flexel."""
     from flexel.derive.compile import CompilationError, CompilerMissingError
 
     try:

@@ -95,6 +95,10 @@ class Wheels(Declarations):
 
         Parameters
         ----------
+        hub, frame : node
+            Centre and orientation of the wheel.
+        contact : node
+            The point where it touches the road.
         radius : float
             From the axle to the outermost circle [m].
         axle : sequence of float (3,)

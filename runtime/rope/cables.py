@@ -163,6 +163,13 @@ class Cables(Beams, Nodes):
 
         The point's connection is the rigid link `name`, that of the direction the clamp ``name direction``.  A cable
         that ends in a body's own point needs no anchor, and one that ends at a beam or point mass shares its point.
+
+        Parameters
+        ----------
+        point, frame : node
+            A point of the body, and its orientation.
+        end, slope : node
+            Of the cable's end.
         """
         self.beam(name, point, frame, end, rigid=True)
         if slope is None:

@@ -35,9 +35,9 @@ class Rope(CableLine):
     radius : float
         Of the rope [m].
     path : Path
-        As laid, in the plane of the sheaves.
+        Initial one, in the plane of the sheaves.
     tension0 : float
-        That it was laid with [N].
+        In the initial configuration [N].
     contacts : dict of str to list of ContactPoint
         For each sheave or drum.
     """
@@ -170,14 +170,15 @@ class Ropes(Contacts, Surfaces):
         length : float, optional
             Undeformed [m]; gives the tension, instead of it.
         tension : float, optional
-            Uniform tension as laid [N], 0 by default; the rope then lies as deep in its sheaves as it carries.
+            Uniform tension in the initial configuration [N], 0 by default; the rope lies as deep in its sheaves as it
+            carries.
         turns : float or pair of float
-            Turns of rope that lie on the drum as laid, before the first straight part (behind the last one for a drum
+            Turns of rope that lie on the drum at first, before the first straight part (behind the last one for a drum
             at the end of the path); a pair for drums at both ends, which otherwise have as many each.
         refine : float
-            Elements are shorter by this factor where the rope lies on sheaves as laid.
+            Elements are shorter by this factor where the rope lies on sheaves in the initial configuration.
         also : sequence of str
-            Further surfaces that the rope may touch; as laid it is clear of them.
+            Further surfaces that the rope may touch; in the initial configuration it is clear of them.
         **properties
             EA, EI, mass_per_length, section, material, damping, bending_damping of `Model.cable`.
 

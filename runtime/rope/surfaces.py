@@ -107,7 +107,14 @@ class Surfaces(Declarations):
     def plane(
         self, name: str, point: Node | str, frame: Node | str, normal: Any = (0.0, 0.0, 1.0)
     ) -> Surface:
-        """Declare a plane through a point of a body, with its normal towards the rope, as drawn.
+        """Declare a plane through a point of a body.
+
+        Parameters
+        ----------
+        point, frame : node
+            A point of the plane, and the orientation of the body.
+        normal : sequence of float (3,)
+            Towards the rope, in global axes as drawn; of two numbers in a planar model.
 
         Raises
         ------

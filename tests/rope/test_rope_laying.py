@@ -107,7 +107,9 @@ def obstacle(kind: str) -> fx.Model:
 
 @pytest.mark.parametrize("kind", ["plane", "sheave", "groove"])
 def test_a_rope_is_not_laid_through_other_surfaces(kind: str) -> None:
-    with pytest.raises(fx.ModelError, match=r"rope 'r': as laid it runs \S+ m deep into 'O'"):
+    with pytest.raises(
+        fx.ModelError, match=r"rope 'r': in its initial configuration it runs \S+ m deep into 'O'"
+    ):
         laid(obstacle(kind), tension=10.0, also=["O"])
 
 
