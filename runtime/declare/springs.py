@@ -163,6 +163,8 @@ class Springs(Laws):
 
         Parameters
         ----------
+        name : str
+            A deformation, which becomes free.
         gap : float
             Deformation at which it is touched.
         stiffness : float
@@ -172,9 +174,9 @@ class Springs(Laws):
         """
         owner = f"stop on '{name}'"
         values = {
-            "gap": number(gap, owner, "gap"),
+            "gap": gap,
             "stiffness": positive(stiffness, owner, "stiffness"),  # a stop without one stops nothing
-            "damping": not_negative(damping, owner, "damping"),
+            "damping": damping,
         }
         self._add_law(owner, LAWS["stop"], [name], values)
 
