@@ -49,7 +49,7 @@ def hoist(data: Hoist = HOIST) -> Model:
     m.frame("drum")
     m.hinge("drive", "ground", "drum", axis=(0, 0, 1))
     m.prescribe("drive.angle", tuple(lambda t, i=i: data.angle(t)[i] for i in range(3)))
-    m.sheave("drum", "drum axle", "drum", data.drum_radius)
+    m.sheave("drum", "drum axle", "drum", radius=data.drum_radius)
     m.point("block", (2 * R, -data.depth, 0))
     m.fix("block.x", "block.z")
     m.point_mass("load", "block", data.load)
@@ -66,7 +66,7 @@ def hoist(data: Hoist = HOIST) -> Model:
         ["drum", *SHEAVES, "anchor"],
         data.elements,
         contact=CONTACT,
-        rope_radius=data.rope_radius,
+        radius=data.rope_radius,
         tension=data.first_load * data.weight / 4,
         turns=data.turns,
         EA=data.EA,
@@ -94,4 +94,4 @@ def _sheave(m: fx.Model, data: Hoist, name: str, carrier: str, place: tuple[floa
         friction_radius=data.friction_radius,
         slip_speed=TURNING,
     )
-    m.sheave(name, f"{name} axle", name, data.sheave_radius, groove=GROOVE)
+    m.sheave(name, f"{name} axle", name, radius=data.sheave_radius, groove=GROOVE)

@@ -70,9 +70,9 @@ def motorcycle(speed: float = 0.0, crown: float = 1.0) -> fx.System:
     m.hinge("pitch", "leaned", "body", axis=(0, 1, 0))
     m.hinge("steer", "body", "front body", axis=axis)
     m.hinge("swing", "body", "arm", axis=(0, 1, 0))
-    m.fixed_point("steering head", "frame", "body", "head")
-    m.fixed_point("swing pivot", "frame", "body", "pivot")
-    m.fixed_point("swinging arm", "pivot", "arm", "rear hub")
+    m.body_point("steering head", "frame", "body", "head")
+    m.body_point("swing pivot", "frame", "body", "pivot")
+    m.body_point("swinging arm", "pivot", "arm", "rear hub")
     telescope(m, "fork", "head", "front body", "front hub", axis)
     for axle, frame in (("rear", "arm"), ("front", "front body")):
         hub, wheel = f"{axle} hub", f"{axle} wheel"
@@ -86,7 +86,7 @@ def motorcycle(speed: float = 0.0, crown: float = 1.0) -> fx.System:
     m.spring("fork.along", k, c, preload=-preload)
     k, c, preload = SWING_SPRING
     m.spring("swing.angle", k, c, preload=preload)
-    m.spring("steer.angle", 0.0, STEERING_DAMPER)
+    m.spring("steer.angle", damping=STEERING_DAMPER)
     m.independent("frame.x", *LATERAL, *PLANE, "rear spin.angle", "front spin.angle")
     m.initial("frame.x", rate=speed)
     for axle in RADIUS:
@@ -99,7 +99,7 @@ def telescope(m: fx.Model, name: str, p: str, frame: str, q: str, axis: Array) -
     t = triad(axis, None, name)
     d0 = matrix(t).T @ (m.nodes[q].x0 - m.nodes[p].x0)
     values = {"tp": in_frame(m.nodes[frame].x0, t), "d0": d0, "l0": np.linalg.norm(d0)}
-    m.add(name, "beam3", [p, frame, q], values | {"rhoA": 0.0, "rhoJ": np.zeros(3)})
+    m.element(name, "beam3", p, frame, q, **values, rhoA=0.0, rhoJ=np.zeros(3))
 
 
 def straight(system: fx.System, speed: float) -> fx.State:

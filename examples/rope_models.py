@@ -83,7 +83,7 @@ def turning_wheel(m: fx.Model, inertia: float | None = None, radius: float = WHE
     m.hinge("axle", "G", "F")
     if inertia is not None:
         m.body("wheel", "C", "F", mass=1.0, inertia=inertia)
-    m.sheave("S", "C", "F", radius)
+    m.sheave("S", "C", "F", radius=radius)
 
 
 def run_up(speed: float, begin: float, end: float) -> RunUp:
@@ -139,7 +139,7 @@ def capstan(n: int, friction: float, angle: float) -> fx.System:
         mass_per_length=0.01,
         damping=1e-3,
     )
-    m.contact(rope, "S", contact, rope_radius=THIN)
+    m.rope_contact(rope, "S", contact, radius=THIN)
     m.fix(rope.points[0])
     m.load(rope.points[-1], path.parts[-1].at(np.zeros(1))[1][0])
     m.prescribe("axle.angle", run_up(-10.0, 0.0, 0.02))
@@ -167,7 +167,7 @@ def atwood(
     m.point_mass("m2", B, m2)
     contact = fx.Contact(stiffness, friction=0.5, slip_speed=1e-2, dissipation=10.0)
     rope = m.rope(
-        "rope", [A, "S", B], n, contact=contact, rope_radius=THIN, tension=(m1 + m2) / 2 * G, EA=EA, EI=1e-5,
+        "rope", [A, "S", B], n, contact=contact, radius=THIN, tension=(m1 + m2) / 2 * G, EA=EA, EI=1e-5,
         mass_per_length=mass, damping=1e-3,
     )  # fmt: skip
     return m.build(), rope
@@ -190,7 +190,7 @@ def winding_hoist(n: int, speed: float) -> tuple[fx.System, RunUp]:
     )  # fmt: skip
     m.anchor("start", "C", "F", rope.points[0], rope.slopes[0])
     contact = fx.Contact(1e12, friction=3.0, slip_speed=1e-2, dissipation=10.0)
-    m.contact(rope, "S", contact, rope_radius=THIN, only=rope.elements[:n])
+    m.rope_contact(rope, "S", contact, radius=THIN, only=rope.elements[:n])
     motion = run_up(speed, 1.0, 2.0)
     m.prescribe("axle.angle", motion)
     return m.build(), motion
@@ -216,12 +216,12 @@ def tackle(n: int, arm: float, load: float = 10.0) -> tuple[fx.System, Rope]:
             "journal", [f"journal{i}.{z}" for z in ("along", "across", "angle")], stiffness=1e6, damping=1e3,
             friction_radius=arm, slip_speed=1e-2,
         )  # fmt: skip
-        m.sheave(f"S{i}", f"C{i}", f"F{i}", R - THIN)
+        m.sheave(f"S{i}", f"C{i}", f"F{i}", radius=R - THIN)
     start = m.point("anchor", (-3 * R, 0), fixed=True)
     end = m.point("P", (R, -drop / 2))
     contact = fx.Contact(1e9, friction=0.5, slip_speed=1e-2, dissipation=10.0)
     rope = m.rope(
-        "rope", [start, ("S2", 1), ("S1", -1), end], n, contact=contact, rope_radius=THIN, tension=load * G / 2,
+        "rope", [start, ("S2", 1), ("S1", -1), end], n, contact=contact, radius=THIN, tension=load * G / 2,
         EA=1e6, EI=1e-5, mass_per_length=0.01, damping=1e-3,
     )  # fmt: skip
     m.fix("P.x")
@@ -234,11 +234,11 @@ def sliding(n: int, length: float, ahead: float) -> tuple[fx.System, Rope]:
     """A rope over a smooth round edge, which hangs lower by twice `ahead` at the end B than at the end A."""
     m, R, a = fx.Model(gravity=(0, -G)), WHEEL, THIN
     edge, still = m.point("C", (0, 0), fixed=True), m.angle("still", fixed=True)
-    m.sheave("edge", edge, still, R - a)
+    m.sheave("edge", edge, still, radius=R - a)
     side = (length - np.pi * R) / 2
     A, B = m.point("A", (-R, ahead - side)), m.point("B", (R, -ahead - side))
     rope = m.rope(
-        "rope", [A, "edge", B], n, contact=fx.Contact(1e8, dissipation=10.0), rope_radius=a, tension=G * side / 2,
+        "rope", [A, "edge", B], n, contact=fx.Contact(1e8, dissipation=10.0), radius=a, tension=G * side / 2,
         EA=1e5, EI=1e-5, mass_per_length=1.0, damping=1e-3,
     )  # fmt: skip
     return m.build(), rope
@@ -260,5 +260,5 @@ def bouncing(
         m.initial(f"{p.name}.y", rate=-speed)
     m.fix("rope_p0.x", "rope_p1.x", *rope.slopes)
     contact = fx.Contact(stiffness, dissipation=dissipation, points=1, places="equidistant", per="point")
-    m.contact(rope, "plane", contact, rope_radius=0.0)
+    m.rope_contact(rope, "plane", contact, radius=0.0)
     return m.build()

@@ -2,7 +2,8 @@
 
 A rigid chassis on four independently suspended wheels: lower arm, upright with inclined kingpin, end of the transverse
 leaf spring as upper link, tie rod to the rack, spring-damper unit, and a compliant tyre. One function builds a corner;
-the rear is the front mirrored. 10 freedoms with the rack and the wheel spins prescribed, 8 without lateral slip.
+the rear is the front mirrored. 10 degrees of freedom with the rack and the wheel spins
+prescribed, 8 without lateral slip.
 Imports numpy and flexel; what is done with the model is in `flexel.examples.vehicle_runs`.
 """
 
@@ -119,29 +120,30 @@ def corner(m: fx.Model, axle: str, side: str, rack: Any, road: fx.Waves | None) 
     m.frame(named("upright"))
     m.frame(named("wheel"))
     for part in ("link pivot", "arm pivot", "unit top"):
-        m.fixed_point(named(f"{part} seat"), "chassis", "body", named(part))
+        m.body_point(named(f"{part} seat"), "chassis", "body", named(part))
     in_chassis(m, named("rack"), named("rack end"))
     if rack is not None:
         m.prescribe(named("rack.across1"), rack)
     up = (s, 0, 0)  # hinge angles grow as the wheel goes up
     m.hinge(named("link"), "body", named("leaf end"), axis=up)
     m.hinge(named("arm"), "body", named("lower arm"), axis=up)
-    m.fixed_point(named("upper link"), named("link pivot"), named("leaf end"), named("upper ball"))
-    m.fixed_point(named("arm ball"), named("arm pivot"), named("lower arm"), named("lower ball"))
-    m.fixed_point(named("arm unit"), named("arm pivot"), named("lower arm"), named("unit foot"))
+    m.body_point(named("upper link"), named("link pivot"), named("leaf end"), named("upper ball"))
+    m.body_point(named("arm ball"), named("arm pivot"), named("lower arm"), named("lower ball"))
+    m.body_point(named("arm unit"), named("arm pivot"), named("lower arm"), named("unit foot"))
     for part in ("upper ball", "tie rod end", "hub"):
-        m.fixed_point(named(f"upright {part}"), named("lower ball"), named("upright"), named(part))
+        m.body_point(named(f"upright {part}"), named("lower ball"), named("upright"), named(part))
     m.truss(named("tie rod"), named("rack end"), named("tie rod end"))
     m.hinge(named("spin"), named("upright"), named("wheel"), axis=(0, 1, 0))
     offset = (0, -s * data.ARM_CENTRE, 0)
     m.body(named("arm mass"), named("lower ball"), named("lower arm"), offset=offset, **data.ARM)
     m.body(named("wheel mass"), named("hub"), named("wheel"), **data.WHEEL)
     m.truss(named("unit"), named("unit top"), named("unit foot"))
-    m.spring_curve(named("unit.elongation"), UNIT_SPRING, at=length(m, named("unit top"), named("unit foot")))
-    m.damper_curve(named("unit.elongation"), UNIT_DAMPER)
+    m.spring(
+        named("unit.elongation"), UNIT_SPRING, UNIT_DAMPER, free_length=0.0
+    )  # curve of the length itself
     in_chassis(m, named("leaf"), named("upper ball"))
     m.release(named("leaf.along"), named("leaf.across1"))
-    m.spring_curve(named("leaf.across2"), LEAF, at=data.LEAF_FREE - data.LEAF_LENGTH)
+    m.spring(named("leaf.across2"), LEAF, free_length=data.LEAF_LENGTH - data.LEAF_FREE)
     hub, wheel = named("hub"), named("wheel")
     m.tyre(named("tyre"), hub, wheel, radius=data.RADIUS[axle], axle=(0, 1, 0), road=road)
 
@@ -151,12 +153,7 @@ def in_chassis(m: fx.Model, name: str, point: str) -> None:
     d0 = m.nodes[point].x0 - m.nodes["chassis"].x0
     none = np.zeros(3)
     values = {"tp": np.eye(4)[0], "d0": d0, "l0": np.linalg.norm(d0), "rhoA": 0.0, "rhoJ": none}
-    m.add(name, "beam3", ["chassis", "body", point], values)
-
-
-def length(m: fx.Model, p: str, q: str) -> float:
-    """Distance of two points as drawn."""
-    return float(np.linalg.norm(m.nodes[q].x0 - m.nodes[p].x0))
+    m.element(name, "beam3", "chassis", "body", point, **values)
 
 
 def tyre_forces(m: fx.Model, axle: str, side: str, tyres: str, deflection: str) -> None:

@@ -24,7 +24,8 @@ if TYPE_CHECKING:
     from flexel.base.time_functions import Harmonic, Polynomial, Ramp, Table
     from flexel.declare.curves import Curve
     from flexel.declare.materials import Material
-    from flexel.declare.sections import Circle, IBeam, Rectangle, SectionForces, StressPoint, Tube
+    from flexel.declare.round_sections import Circle, Tube
+    from flexel.declare.sections import IBeam, Rectangle, SectionForces, StressPoint
     from flexel.declare.user import compile_element, compile_law
     from flexel.declare.wheels import Waves
     from flexel.integration.events import Event
@@ -38,7 +39,6 @@ if TYPE_CHECKING:
     from flexel.results.periodic import PeriodicSolution
     from flexel.results.saved.loading import load
     from flexel.rope.contacts import Contact
-    from flexel.rope.impact import hunt_crossley, lankarani_nikravesh
     from flexel.rope.ropes import Rope
     from flexel.rope.surfaces import RoundGroove, VGroove
     from flexel.rope.wire_rope import WireRope
@@ -97,8 +97,6 @@ __all__ = [
     "WireRope",
     "compile_element",
     "compile_law",
-    "hunt_crossley",
-    "lankarani_nikravesh",
     "load",
     "read_spacar",
     "turn",
@@ -107,7 +105,7 @@ __all__ = [
 _HOMES = {
     "BeamStress": "flexel.mechanics.stress",
     "BucklingMode": "flexel.statics.stability",
-    "Circle": "flexel.declare.sections",
+    "Circle": "flexel.declare.round_sections",
     "CompilerError": "flexel.base.errors",
     "Compliance": "flexel.statics.compliance",
     "ConstraintError": "flexel.base.errors",
@@ -143,7 +141,7 @@ _HOMES = {
     "StressPoint": "flexel.declare.sections",
     "System": "flexel.system",
     "Table": "flexel.base.time_functions",
-    "Tube": "flexel.declare.sections",
+    "Tube": "flexel.declare.round_sections",
     "VGroove": "flexel.rope.surfaces",
     "Vibration": "flexel.statics.stability",
     "View": "flexel.pictures.scene",
@@ -151,8 +149,6 @@ _HOMES = {
     "WireRope": "flexel.rope.wire_rope",
     "compile_element": "flexel.declare.user",
     "compile_law": "flexel.declare.user",
-    "hunt_crossley": "flexel.rope.impact",
-    "lankarani_nikravesh": "flexel.rope.impact",
     "load": "flexel.results.saved.loading",
     "read_spacar": "flexel.spacar.reading",
     "turn": "flexel.base.quaternions",

@@ -31,7 +31,7 @@ def build(model: Declarations, t: float) -> System:
     loads.at(t)  # a load that fails is found here, not in the middle of a motion
     kinematics = Kinematics(evaluation, roles)
     c = first_position(model, kinematics, t)
-    dynamic = named_freedoms(structure, model.dynamic, "independent")
-    kinematic = named_freedoms(structure, model.kinematic_names, "kinematic")
+    dynamic = named_freedoms(structure, model._dynamic, "independent")
+    kinematic = named_freedoms(structure, model._kinematic, "kinematic")
     chosen = choose_freedoms(kinematics, c.J, dynamic, kinematic)
-    return System(evaluation, loads, chosen, c, model.rates)
+    return System(evaluation, loads, chosen, c, model._rates)

@@ -9,21 +9,18 @@ from __future__ import annotations
 from flexel.build import build
 from flexel.declare.bodies import Bodies
 from flexel.declare.couplings import Couplings
-from flexel.declare.curves import Curves
 from flexel.declare.feedback import Feedback
 from flexel.declare.joints import Joints
 from flexel.declare.loads import Loading
 from flexel.declare.relations import RelationMethods
-from flexel.declare.user import UserElements
+from flexel.declare.user import Elements
 from flexel.declare.wheels import Wheels
 from flexel.mechanics.constraints import ConstraintReport, report_of_model
 from flexel.rope.ropes import Ropes
 from flexel.system import System
 
 
-class Model(
-    Ropes, Joints, Wheels, Couplings, Curves, Feedback, Loading, Bodies, UserElements, RelationMethods
-):
+class Model(Ropes, Joints, Wheels, Couplings, Feedback, Loading, Bodies, Elements, RelationMethods):
     """A mechanism to be declared.
 
     Parameters

@@ -97,7 +97,7 @@ class Beams(Springs):
         """
         owner = f"beam '{name}'"
         ends = [(p, "point"), (frame_p, "frame"), (q, "point")]
-        planar, nodes = self.resolve(owner, *ends, *([] if frame_q is None else [(frame_q, "frame")]))
+        planar, nodes = self._find_nodes(owner, *ends, *([] if frame_q is None else [(frame_q, "frame")]))
         numbers = {"EA": EA, "GJ": GJ, "EIy": EIy, "EIz": EIz, "GAy": GAy, "GAz": GAz}
         given = {key: positive(z, owner, key) for key, z in numbers.items() if z is not None}
         profile = None
@@ -121,7 +121,7 @@ class Beams(Springs):
         mass = _mass(owner, planar, mass_per_length, inertia_per_length)
         if frame_q is None:
             shape = _planar_offset(nodes) if planar else _offset(nodes, direction, owner)
-            self.add(name, "planar_beam3" if planar else "beam3", nodes, shape | mass)
+            self._place(name, "planar_beam3" if planar else "beam3", nodes, shape | mass)
             self.instances[name] = replace(self.instances[name], profile=profile)
             return
         shape = _planar_triads(nodes, owner) if planar else _triads(nodes, direction, owner)
@@ -129,14 +129,14 @@ class Beams(Springs):
         phi_y, phi_z = shear_numbers(l0, given)
         shear = {"phi_z": phi_y} if planar else {"phi_y": phi_y, "phi_z": phi_z}
         element = ("planar_beam" if planar else "beam") + ("" if second_order else "_first_order")
-        self.add(name, element, nodes, shape | mass | {key: np.array([z]) for key, z in shear.items()})
+        self._place(name, element, nodes, shape | mass | {key: np.array([z]) for key, z in shear.items()})
         self.instances[name] = replace(self.instances[name], profile=profile)
         modes = [d.name for d in ELEMENTS[element].deformations]
         free, S = beam_stiffness(l0, modes, given, phi_y, phi_z)
         e0 = _initial_deformations(owner, planar, l0, free, initial_strain, initial_curvature)
         if given:
             D = not_negative(damping, owner, "damping") * S
-            self.linear_law([f"{name}.{z}" for z in free], S, D, -S @ e0)
+            self._add_linear(owner, [f"{name}.{z}" for z in free], S, D, -S @ e0)
 
 
 def _profile(owner: str, section: Any, material: Any, stated: Sequence[str]) -> Profile:

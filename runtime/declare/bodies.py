@@ -20,9 +20,9 @@ class Bodies(Declarations):
     def point_mass(self, name: str, point: Node | str, mass: float) -> None:
         """Put a mass [kg] at a point."""
         owner = f"point mass '{name}'"
-        planar, (p,) = self.resolve(owner, (point, "point"))
+        planar, (p,) = self._find_nodes(owner, (point, "point"))
         element = "planar_point_mass" if planar else "point_mass"
-        self.add(name, element, [p], {"mass": np.array([positive(mass, owner, "mass")])})
+        self._place(name, element, [p], {"mass": np.array([positive(mass, owner, "mass")])})
 
     def body(
         self,
@@ -52,12 +52,12 @@ class Bodies(Declarations):
             Mass or inertia that no body has.
         """
         owner = f"body '{name}'"
-        planar, nodes = self.resolve(owner, (point, "point"), (frame, "frame"))
+        planar, nodes = self._find_nodes(owner, (point, "point"), (frame, "frame"))
         size = 2 if planar else 3
         c = np.zeros(size) if offset is None else vector(offset, owner, "offset", size)
         J = np.array([positive(inertia, owner, "inertia")]) if planar else inertia_tensor(inertia, owner)
         values = {"mass": np.array([positive(mass, owner, "mass")]), "c": c, "J": J}
-        self.add(name, "planar_body" if planar else "body", nodes, values)
+        self._place(name, "planar_body" if planar else "body", nodes, values)
 
 
 def inertia_tensor(value: Any, owner: str) -> Array:

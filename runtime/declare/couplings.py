@@ -1,4 +1,4 @@
-"""Belts, gears, surfaces, rolling wheels in the plane, rotary inertia: the methods of `Model` for them."""
+"""Belts, gears, surfaces to move on, rolling wheels in the plane, rotary inertia: the methods of `Model` for them."""
 
 from __future__ import annotations
 
@@ -39,6 +39,8 @@ class Couplings(Springs):
 
         Parameters
         ----------
+        p, angle_p, q, angle_q : node
+            Centre and angle of each pulley.
         radius_p, radius_q : float
             Radii [m]; positive for the part that lies on the left when one looks from p to q, negative on the right,
             of two signs for a crossed belt.
@@ -74,14 +76,14 @@ class Couplings(Springs):
             "psi0": np.array([np.arctan2(e[1], e[0])]),
             "zero": zero,
         }
-        self.add(name, "planar_belt", nodes, values)
+        self._place(name, "planar_belt", nodes, values)
         d = not_negative(damping, owner, "damping")
         if stiffness is not None:
             self.spring(f"{name}.elongation", positive(stiffness, owner, "stiffness"), d)
         elif d:
             raise ModelError(f"{owner}: damping has no effect without stiffness; give one, or drop it")
 
-    def gears(
+    def gear(
         self,
         name: str,
         p: Node | str,
@@ -96,6 +98,8 @@ class Couplings(Springs):
 
         Parameters
         ----------
+        p, angle_p, q, angle_q : node
+            Centre and angle of each gear.
         radius_p, radius_q : float
             Pitch radii [m], or numbers of teeth; that of an internal gear is negative.
 
@@ -104,7 +108,7 @@ class Couplings(Springs):
         ModelError
             Radii that are zero or add up to zero.
         """
-        owner = f"gears '{name}'"
+        owner = f"gear '{name}'"
         nodes = _ends(self, owner, (p, angle_p, q, angle_q))
         a, b = number(radius_p, owner, "radius_p"), number(radius_q, owner, "radius_q")
         if not a or not b or not a + b:
@@ -115,9 +119,9 @@ class Couplings(Springs):
         together = (a * nodes[1].x0 + b * nodes[3].x0) / (a + b)
         offset = np.arctan2(e[1], e[0]) - together
         values = {"radius_p": np.array([a]), "radius_q": np.array([b]), "offset0": offset}
-        self.add(name, "planar_gear", nodes, values)
+        self._place(name, "planar_gear", nodes, values)
 
-    def surface(
+    def quadric(
         self,
         name: str,
         point: Node | str,
@@ -130,6 +134,7 @@ class Couplings(Springs):
 
         Parameters
         ----------
+        point : node
         quadratic : sequence of float (6,) or array (3, 3)
             Factors of x², y², z², xy, xz, yz [1/m], or a symmetric matrix A for x'A x.
         linear : sequence of float (3,)
@@ -142,8 +147,8 @@ class Couplings(Springs):
         The deformation ``height`` is the value of the polynomial less that of the drawing, so that a point drawn
         beside the surface stays on the parallel one.
         """
-        owner = f"surface '{name}'"
-        node = self.of_kind(point, ("point",), owner)
+        owner = f"quadric '{name}'"
+        node = self._find_of_kind(point, ("point",), owner)
         A = array(quadratic, owner, "quadratic")
         if A.shape == (3, 3):
             S = (A + A.T) / 2
@@ -155,9 +160,9 @@ class Couplings(Springs):
         }
         if not np.any(values["quadratic"]) and not np.any(values["linear"]):
             raise ModelError(
-                f"{owner}: all its factors are zero, which is no surface; give quadratic or linear ones"
+                f"{owner}: all its factors are zero, which is not a surface; give quadratic or linear ones"
             )
-        self.add(name, "surface", [node], values)
+        self._place(name, "surface", [node], values)
 
     def planar_wheel(
         self,
@@ -173,6 +178,8 @@ class Couplings(Springs):
 
         Parameters
         ----------
+        point : node
+            Centre of the wheel.
         heading, spin : node
             Angles of the wheel about the normal of the plane and about its axle.
         radius : float
@@ -182,10 +189,10 @@ class Couplings(Springs):
         """
         owner = f"planar wheel '{name}'"
         given = (point, "planar_point"), (heading, "planar_angle"), (spin, "planar_angle")
-        nodes = [self.of_kind(node, (kind,), owner) for node, kind in given]
+        nodes = [self._find_of_kind(node, (kind,), owner) for node, kind in given]
         t = unit(direction, owner, "direction", 2)
         alpha0 = np.arctan2(t[1], t[0]) - nodes[1].x0
-        self.add(
+        self._place(
             name,
             "planar_wheel",
             nodes,
@@ -202,9 +209,9 @@ class Couplings(Springs):
             the inertia of a whole body; one number in a planar model.
         """
         owner = f"rotary inertia '{name}'"
-        node = self.of_kind(frame, ("frame", "planar_angle"), owner)
+        node = self._find_of_kind(frame, ("frame", "planar_angle"), owner)
         if node.kind == "planar_angle":
-            self.add(
+            self._place(
                 name, "planar_rotary_inertia", [node], {"J": np.array([positive(inertia, owner, "inertia")])}
             )
             return
@@ -219,8 +226,8 @@ class Couplings(Springs):
         if np.linalg.eigvalsh(J)[0] < -1e-12 * np.max(np.abs(J)):
             raise ModelError(f"{owner}: a principal moment of {J.tolist()} is negative; check the signs")
         six = np.array([J[0, 0], J[1, 1], J[2, 2], J[0, 1], J[0, 2], J[1, 2]])
-        self.add(name, "rotary_inertia", [node], {"J": six})
+        self._place(name, "rotary_inertia", [node], {"J": six})
 
 
 def _ends(model: Springs, owner: str, given: Sequence[Node | str]) -> list[Node]:
-    return [model.of_kind(node, (kind,), owner) for node, kind in zip(given, PLANAR_ENDS, strict=True)]
+    return [model._find_of_kind(node, (kind,), owner) for node, kind in zip(given, PLANAR_ENDS, strict=True)]

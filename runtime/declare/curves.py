@@ -1,4 +1,4 @@
-"""Curves of springs and dampers in polynomial pieces, one-sided stops, and the methods of `Model` that attach them.
+"""Curves of springs and dampers in polynomial pieces.
 
 Polynomials are re-expanded in exact arithmetic, so that terms of a million newtons that cancel to a hundred lose no
 digits.
@@ -14,10 +14,9 @@ from typing import Any
 
 import numpy as np
 
-from flexel.base.arguments import array, not_negative, number, positive
+from flexel.base.arguments import array, number
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
-from flexel.declare.springs import Springs
 from flexel.generated.table import LAWS
 
 _SIZES = {z.name: z.size for z in LAWS["spring_curve"].parameters}
@@ -160,12 +159,12 @@ def _checked_pieces(pieces: Any) -> tuple[tuple[float, ...], ...]:
     try:
         rows = list(pieces)
     except TypeError as error:
-        raise ModelError(f"curve: pieces {pieces!r} are no list; give [[c0, c1, …], …]") from error
+        raise ModelError(f"curve: pieces {pieces!r} are not a list; give [[c0, c1, …], …]") from error
     found = []
     for i, row in enumerate(rows, 1):
         c = array(row, "curve", f"piece {i}")
         if c.ndim != 1:
-            raise ModelError(f"curve: piece {i} {row!r} is no list of coefficients; give [c0, c1, …]")
+            raise ModelError(f"curve: piece {i} {row!r} is not a list of coefficients; give [c0, c1, …]")
         if not 1 <= c.size <= TERMS:
             raise ModelError(f"curve: piece {i} has {c.size} coefficients; give 1 to {TERMS}")
         found.append(tuple(c.tolist()))
@@ -192,64 +191,3 @@ def _expanded(piece: Sequence[Any], origin: Fraction) -> list[Fraction]:
 
 def _about_zero(piece: Sequence[float], origin: float) -> list[float]:
     return [float(z) for z in _expanded(piece, -Fraction(float(origin)))]
-
-
-class Curves(Springs):
-    """Springs and dampers by curves, and stops."""
-
-    def spring_curve(self, name: str, curve: Curve, at: float = 0.0) -> None:
-        """Attach a spring σ = curve(at + e) to a deformation, which becomes free.
-
-        Parameters
-        ----------
-        at : float
-            The curve's variable where the deformation is zero, such as the length of a strut as drawn.
-        """
-        owner = f"spring curve on '{name}'"
-        values: dict[str, Any] = {**_checked(curve, owner).parameters(number(at, owner, "at"))}
-        self.attach("spring_curve", [name], **values)
-
-    def damper_curve(self, name: str, curve: Curve) -> None:
-        """Attach a damper σ = curve(ė) to a deformation, which becomes free.
-
-        Raises
-        ------
-        ModelError
-            If the force at rest is not zero.
-        """
-        values: dict[str, Any] = {**_checked(curve, f"damper curve on '{name}'").parameters(0.0)}
-        if not curve.rests():
-            raise ModelError(
-                f"damper curve on '{name}': it gives {curve(0.0):g} at rest; a damper gives nothing there"
-            )
-        del values["stored"]
-        self.attach("damper_curve", [name], **values)
-
-    def stop(self, name: str, gap: float, stiffness: float, damping: float = 0.0) -> None:
-        """Attach a one-sided stop: σ = stiffness (e - gap) (1 + damping ė) beyond the gap, never pulling.
-
-        Parameters
-        ----------
-        gap : float
-            Deformation at which it is touched.
-        stiffness : float
-            [N/m or N m/rad]
-        damping : float
-            Loss relative to the elastic force, for unit rate [s/m or s/rad].
-        """
-        owner = f"stop on '{name}'"
-        self.attach(
-            "stop",
-            [name],
-            gap=number(gap, owner, "gap"),
-            stiffness=positive(stiffness, owner, "stiffness"),  # a stop without one stops nothing
-            damping=not_negative(damping, owner, "damping"),
-        )
-
-
-def _checked(curve: object, owner: str) -> Curve:
-    if not isinstance(curve, Curve):
-        raise ModelError(
-            f"{owner}: {curve!r} is no curve; give fx.Curve(pieces, breaks) or fx.Curve.through(x, y)"
-        )
-    return curve

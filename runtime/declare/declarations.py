@@ -32,6 +32,13 @@ class Declarations:
     ----------
     gravity : sequence of float (3,) or (2,)
         Acceleration of gravity [m/s²]; of three components the first two serve planar elements.
+
+    Attributes
+    ----------
+    nodes, instances, surfaces : dict
+        What has been declared so far, by name: nodes, elements, and surfaces for ropes.  To be read only.
+    laws, loads : list
+        As declared; to be read only.
     """
 
     def __init__(self, gravity: Vector = (0.0, 0.0, 0.0)) -> None:
@@ -42,14 +49,14 @@ class Declarations:
         self.laws: list[LawInstance] = []
         self.surfaces: dict[str, Surface] = {}
         self.loads: list[Load] = []
-        self.motions: dict[str, TimeFunction] = {}
-        self.roles: dict[str, str] = {}  # "rigid" or "free", as the user said
-        self.dynamic: list[str] | None = None
-        self.kinematic_names: list[str] | None = None
-        self.values: dict[str, float] = {}
-        self.rates: dict[str, float] = {}
+        self._motions: dict[str, TimeFunction] = {}
+        self._roles: dict[str, str] = {}  # "rigid" or "free", as the user said
+        self._dynamic: list[str] | None = None
+        self._kinematic: list[str] | None = None
+        self._values: dict[str, float] = {}
+        self._rates: dict[str, float] = {}
 
-    def _node(self, name: str, kind: str, x0: Array, fixed: bool) -> Node:
+    def _new_node(self, name: str, kind: str, x0: Array, fixed: bool) -> Node:
         self._new_name(name, kind)
         node = Node(name, kind, x0, np.full(x0.size, bool(fixed)))
         self.nodes[name] = node
@@ -60,7 +67,7 @@ class Declarations:
         if name in self.nodes or name in self.instances:
             raise ModelError(f"{kind} '{name}': this name is taken; choose another")
 
-    def node(self, node: Node | str, owner: str) -> Node:
+    def _find_node(self, node: Node | str, owner: str) -> Node:
         """The node of that name, or a node of this model; a ModelError that names the owner otherwise."""
         if not isinstance(node, (Node, str)):
             raise ModelError(f"{owner}: {node!r} is not a node; give its name, or what m.point(…) returned")
@@ -74,57 +81,58 @@ class Declarations:
             )
         return found
 
-    def of_kind(self, node: Node | str, kinds: tuple[str, ...], owner: str) -> Node:
+    def _find_of_kind(self, node: Node | str, kinds: tuple[str, ...], owner: str) -> Node:
         """The named node, if it is of one of the kinds; a ModelError that names the owner otherwise."""
-        found = self.node(node, owner)
+        found = self._find_node(node, owner)
         if found.kind not in kinds:
             raise ModelError(
                 f"{owner}: node '{found.name}' is a {found.kind}; it needs a {' or '.join(kinds)}"
             )
         return found
 
-    def resolve(self, owner: str, *nodes: tuple[Node | str, str]) -> tuple[bool, list[Node]]:
+    def _find_nodes(self, owner: str, *nodes: tuple[Node | str, str]) -> tuple[bool, list[Node]]:
         """Nodes of the asked kinds, all spatial or all planar, and whether they are planar."""
-        planar = self.node(nodes[0][0], owner).kind.startswith("planar")
-        return planar, [self.of_kind(n, (PLANAR[k] if planar else k,), owner) for n, k in nodes]
+        planar = self._find_node(nodes[0][0], owner).kind.startswith("planar")
+        return planar, [self._find_of_kind(n, (PLANAR[k] if planar else k,), owner) for n, k in nodes]
 
-    def add(
-        self, name: str, element: str, nodes: Sequence[Node | str], parameters: Mapping[str, Any]
-    ) -> None:
-        """An element of the table by its type, with its parameters as the kernels take them.
-
-        The methods below are more comfortable; this one serves types that have no method.
-        """
-        if element not in ELEMENTS:
-            raise ModelError(f"'{name}': {unknown(str(element), ELEMENTS, 'element type')}")
-        self.place(name, ELEMENTS[element], nodes, parameters)
-
-    def place(
+    def _place(
         self,
         name: str,
-        spec: ElementSpec,
+        kind: str | ElementSpec,
         nodes: Sequence[Node | str],
         parameters: Mapping[str, Any],
         kernels: object = None,
     ) -> None:
-        """An element of this specification; `kernels` is the address of a user's own, none for a built-in one."""
+        """Put an element between nodes: every element with a name of the user's is made here.
+
+        Parameters
+        ----------
+        name : str
+        kind : str or ElementSpec
+            Its type in the table of elements, or the specification of a compiled one.
+        nodes : sequence of Node or str
+        parameters : mapping of str to array_like
+            All of them; the gravity is the model's, where none is given.
+        kernels : object
+            Address of a compiled element's kernels; none for a built-in one.
+        """
+        spec = kind if isinstance(kind, ElementSpec) else ELEMENTS[kind]
         self._new_name(name, spec.name)
         owner = f"{spec.name} '{name}'"
-        if isinstance(nodes, str) or len(nodes) != len(spec.nodes):
+        if len(nodes) != len(spec.nodes):
             ends = ", ".join(f"{z.name} ({z.kind})" for z in spec.nodes)
-            raise ModelError(f"{owner}: its nodes are {nodes!r}; give a list of {len(spec.nodes)}: {ends}")
-        members = [self.of_kind(n, (z.kind,), owner) for n, z in zip(nodes, spec.nodes, strict=True)]
+            given = ", ".join(repr(getattr(z, "name", z)) for z in nodes)
+            raise ModelError(f"{owner}: its nodes are {given}; give {len(spec.nodes)}: {ends}")
+        members = [self._find_of_kind(n, (z.kind,), owner) for n, z in zip(nodes, spec.nodes, strict=True)]
         sizes = {z.name: z.size for z in spec.parameters}
-        wrong = sorted((sizes.keys() ^ parameters.keys()) - {"gravity"})
+        values = {"gravity": self.gravity[: sizes["gravity"]]} if "gravity" in sizes else {}
+        values |= parameters
+        wrong = sorted(sizes.keys() ^ values.keys())
         if wrong:
             raise ModelError(
                 f"{owner}: parameter(s) {', '.join(wrong)} missing or unknown; it takes {', '.join(sizes)}"
             )
-        values = dict(parameters)
-        if "gravity" in sizes and (kernels is None or "gravity" not in parameters):
-            values["gravity"] = self.gravity[: sizes["gravity"]]
-        if kernels is not None:
-            values = {z: array(values[z], owner, f"parameter {z}").reshape(-1) for z in sizes}
+        values = {z: array(values[z], owner, f"parameter {z}").reshape(-1) for z in sizes}
         instance = Instance(name, spec, tuple(n.name for n in members), values, kernels)
-        _ = instance.p  # checks sizes and finiteness now, where the caller can see it
+        _ = instance.p  # checks the sizes now, where the caller can see it
         self.instances[name] = instance

@@ -15,12 +15,12 @@ import numpy as np
 from flexel.base.arguments import array, names, numbers, quantities
 from flexel.base.arrays import Array
 from flexel.base.errors import CompilerError, ModelError
-from flexel.declare.springs import Springs
+from flexel.declare.laws import Laws
 
 UNITS = {"P": "N/m or N m", "D": "N s/m or N m s", "C": "N or N m", "A": "1/s", "B": "1/s", "B_rate": "1"}
 
 
-class Feedback(Springs):
+class Feedback(Laws):
     """Controllers as laws."""
 
     def feedback(
@@ -99,7 +99,8 @@ class Feedback(Springs):
         places = [on.index(z) for z in measure]
         parameters: dict[str, Any] = {key: z.ravel() for key, z in gains.items() if z.size}
         parameters["r"] = np.array([r.get(z, 0.0) for z in measure])
-        self.attach(_law(owner, len(on), na, nz, tuple(places)), on, name=name, **parameters)
+        compiled = _law(owner, len(on), na, nz, tuple(places))
+        self._add_law(owner, compiled.spec, on, parameters, kernels=compiled.address, label=name)
 
 
 def _matrix(value: Any, owner: str, key: str, shape: tuple[int, int]) -> Array:

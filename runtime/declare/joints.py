@@ -32,22 +32,33 @@ class Joints(Beams):
         damping: float = 0.0,
         mass_per_length: float = 0.0,
     ) -> None:
-        """Join two points by a bar; rigid unless a stiffness EA / length [N/m] is given.
+        """Join two points by a bar; rigid unless a stiffness is given.
 
         Its elongation may be prescribed or independent: a hydraulic cylinder.
+
+        Parameters
+        ----------
+        p, q : node
+            Points at its ends.
+        stiffness : float, optional
+            EA / length [N/m].
+        damping : float
+            [N s/m], with a stiffness.
+        mass_per_length : float
+            [kg/m]
         """
         owner = f"truss '{name}'"
-        planar, nodes = self.resolve(owner, (p, "point"), (q, "point"))
+        planar, nodes = self._find_nodes(owner, (p, "point"), (q, "point"))
         k = 0.0 if stiffness is None else positive(stiffness, owner, "stiffness")
         d = not_negative(damping, owner, "damping")
         if stiffness is None and d:
             raise ModelError(
                 f"{owner}: damping without stiffness leaves the bar rigid; give a stiffness, or make a dashpot with "
-                f"m.spring('{name}.elongation', 0, damping)"
+                f"m.spring('{name}.elongation', damping=…)"
             )
         l0 = span(nodes[0].x0, nodes[1].x0, owner)[1]
         rhoA = np.array([not_negative(mass_per_length, owner, "mass_per_length")])
-        self.add(name, "planar_truss" if planar else "truss", nodes, {"l0": np.array([l0]), "rhoA": rhoA})
+        self._place(name, "planar_truss" if planar else "truss", nodes, {"l0": np.array([l0]), "rhoA": rhoA})
         if stiffness is not None:
             self.spring(f"{name}.elongation", k, d)
 
@@ -66,6 +77,8 @@ class Joints(Beams):
 
         Parameters
         ----------
+        p, q : node
+            Orientations of the two bodies.
         axis : sequence of float (3,)
             Direction of the axis in global axes as drawn; not needed in a planar model.
         stiffness, damping : float or three of them
@@ -73,15 +86,15 @@ class Joints(Beams):
             deformations: a flexible hinge.
         """
         owner = f"hinge '{name}'"
-        planar, nodes = self.resolve(owner, (p, "frame"), (q, "frame"))
+        planar, nodes = self._find_nodes(owner, (p, "frame"), (q, "frame"))
         if nodes[0] is nodes[1]:
             raise ModelError(f"{owner}: both its frames are '{nodes[0].name}'; give those of the two bodies")
         if planar:
-            self.add(name, "planar_hinge", nodes, {"offset0": nodes[1].x0 - nodes[0].x0})
+            self._place(name, "planar_hinge", nodes, {"offset0": nodes[1].x0 - nodes[0].x0})
         else:
             if axis is None:
                 raise ModelError(f"{owner}: a spatial hinge needs an axis; give axis=(x, y, z)")
-            self.add(name, "hinge", nodes, hinge_triads(nodes[0].x0, nodes[1].x0, axis, owner))
+            self._place(name, "hinge", nodes, hinge_triads(nodes[0].x0, nodes[1].x0, axis, owner))
         modes = ("angle",) if planar else ("angle", "bend1", "bend2")
         _joint_springs(self, name, modes, stiffness, damping)
 
@@ -98,28 +111,41 @@ class Joints(Beams):
         """Join two bodies by a hinge that also holds the points p and q together, as drawn; the angle is free.
 
         In space the displacements are measured along and across the axis, in the plane in the axes of the first angle.
+
+        Parameters
+        ----------
+        p, q : node
+            Points of the two bodies.
+        rp, rq : node
+            Their orientations.
+        axis : sequence of float (3,)
+            Direction of the axis in global axes as drawn; not needed in a planar model.
         """
         owner = f"bearing '{name}'"
-        planar, nodes = self.resolve(owner, (p, "point"), (rp, "frame"), (q, "point"), (rq, "frame"))
+        planar, nodes = self._find_nodes(owner, (p, "point"), (rp, "frame"), (q, "point"), (rq, "frame"))
         d = nodes[2].x0 - nodes[0].x0
         if planar:
             phi_p, phi_q = nodes[1].x0, nodes[3].x0
             values = {"alpha0": np.zeros(1), "d0": _turned_back(phi_p, d), "offset0": phi_q - phi_p}
-            self.add(name, "planar_bearing", nodes, values)
+            self._place(name, "planar_bearing", nodes, values)
             return
         if axis is None:
             raise ModelError(f"{owner}: a spatial bearing needs an axis; give axis=(x, y, z)")
         t = triad(unit(axis, owner, "axis"), None, owner)
         values = hinge_triads(nodes[1].x0, nodes[3].x0, axis, owner)
-        self.add(name, "bearing", nodes, values | {"d0": matrix(t).T @ d})
+        self._place(name, "bearing", nodes, values | {"d0": matrix(t).T @ d})
 
-    def fixed_point(
+    def body_point(
         self, name: str, p: Node | str, frame: Node | str, q: Node | str, *, body_axes: bool = False
     ) -> None:
         """Hold the point q at its drawn place in the body (p, frame): SPACAR's PINBODY, without mass.
 
         Parameters
         ----------
+        p, frame : node
+            A point of the body, and its orientation.
+        q : node
+            The point that moves with it.
         body_axes : bool
             Measure the displacements (along, across1, across2), where they are released, in the frame's own axes
             instead of along and across the line from p to q.
@@ -127,7 +153,7 @@ class Joints(Beams):
         if not body_axes:
             self.beam(name, p, frame, q, rigid=True)
             return
-        planar, nodes = self.resolve(f"fixed point '{name}'", (p, "point"), (frame, "frame"), (q, "point"))
+        planar, nodes = self._find_nodes(f"body point '{name}'", (p, "point"), (frame, "frame"), (q, "point"))
         d, r = nodes[2].x0 - nodes[0].x0, nodes[1].x0
         zero = np.zeros(1)
         if planar:
@@ -135,7 +161,7 @@ class Joints(Beams):
         else:
             still = np.array([1.0, 0.0, 0.0, 0.0])
             values = {"tp": still, "d0": matrix(r).T @ d, "l0": zero, "rhoA": zero, "rhoJ": np.zeros(3)}
-        self.add(name, "planar_beam3" if planar else "beam3", nodes, values)
+        self._place(name, "planar_beam3" if planar else "beam3", nodes, values)
 
 
 def hinge_triads(rp: Array, rq: Array, axis: Any, owner: str) -> dict[str, Array]:

@@ -39,7 +39,7 @@ class Loading(Declarations):
                 raise ModelError(f"load on '{target}': follower loads act on frames; leave follower out")
             self.loads.append(Load(target, as_function(value, f"load on '{target}'")))
             return
-        node = self.node(target, "load")
+        node = self._find_node(target, "load")
         owner = f"load on '{node.name}'"
         _check_follower(node, follower, owner)
         if np.all(node.fixed):
@@ -90,7 +90,7 @@ class Loading(Declarations):
 
     def angular_velocity(self, frame: Node | str, body_axes: bool = False) -> str:
         """Measure a frame's angular velocity; its components are the slips ``<returned name>.wx``, ``wy``, ``wz``."""
-        return sensor(self, self.of_kind(frame, ("frame",), "angular_velocity"), body_axes)
+        return sensor(self, self._find_of_kind(frame, ("frame",), "angular_velocity"), body_axes)
 
 
 def _check_follower(node: Node, follower: bool | Node | str, owner: str) -> None:
@@ -106,7 +106,7 @@ def _check_follower(node: Node, follower: bool | Node | str, owner: str) -> None
 def _follower_slips(model: Declarations, point: Node, frame: Any, owner: str) -> list[str]:
     """Slips of the element that measures a point's velocity in a frame's axes; made when first needed."""
     planar = point.kind == "planar_point"
-    body = model.of_kind(frame, ("planar_angle" if planar else "frame",), owner)
+    body = model._find_of_kind(frame, ("planar_angle" if planar else "frame",), owner)
     name = f"{point.name}.in {body.name}"
     if name not in model.instances:
         spec = ELEMENTS["planar_body_velocity" if planar else "body_velocity"]

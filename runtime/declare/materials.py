@@ -77,7 +77,7 @@ def material_of(material: Material | str, owner: str) -> Material:
         return material
     if not isinstance(material, str):
         raise ModelError(
-            f"{owner}: {material!r} is no material; give a Material or one of {', '.join(MATERIALS)}"
+            f"{owner}: {material!r} is not a material; give a Material or one of {', '.join(MATERIALS)}"
         )
     if material not in MATERIALS:
         raise ModelError(f"{owner}: {unknown(material, MATERIALS, 'material')}")
@@ -114,7 +114,7 @@ def profile_of(section: object, material: Material | str | None, owner: str) -> 
     """Section and material together, both checked."""
     if not isinstance(section, Section):
         raise ModelError(
-            f"{owner}: {section!r} is no section; give Rectangle, Circle, Tube or IBeam, or an object with their "
+            f"{owner}: {section!r} is not a section; give Rectangle, Circle, Tube or IBeam, or an object with their "
             "properties"
         )
     if material is None:

@@ -30,7 +30,7 @@ class Nodes(Declarations):
         x0 = array(position, owner, "position")
         planar = x0.shape == (2,)
         x0 = vector(x0, owner, "position", 2 if planar else 3)
-        return self._node(name, "planar_point" if planar else "point", x0, fixed)
+        return self._new_node(name, "planar_point" if planar else "point", x0, fixed)
 
     def frame(self, name: str, orientation: Vector = (1.0, 0.0, 0.0, 0.0), fixed: bool = False) -> Node:
         """An orientation node with Euler parameters (λ0, λ1, λ2, λ3) of norm one.
@@ -44,11 +44,13 @@ class Nodes(Declarations):
         norm = float(np.linalg.norm(x0))
         if abs(norm - 1) > 1e-6:
             raise ModelError(f"{owner}: Euler parameters {x0.tolist()} have norm {norm:g}; divide them by it")
-        return self._node(name, "frame", x0 / norm, fixed)
+        return self._new_node(name, "frame", x0 / norm, fixed)
 
     def angle(self, name: str, value: float = 0.0, fixed: bool = False) -> Node:
         """An orientation node of a planar model, an angle [rad]."""
-        return self._node(name, "planar_angle", np.array([number(value, f"angle '{name}'", "value")]), fixed)
+        return self._new_node(
+            name, "planar_angle", np.array([number(value, f"angle '{name}'", "value")]), fixed
+        )
 
     def fix(self, *names: Node | str) -> None:
         """Hold nodes or single coordinates at their drawn values."""
@@ -58,7 +60,7 @@ class Nodes(Declarations):
                 raise ModelError(
                     f"fix: '{node}' is an element; hold its deformations with m.rigid('{node}.…')"
                 )
-            target = self.node(node, "fix")
+            target = self._find_node(node, "fix")
             components = COMPONENTS[target.kind]
             if component and component not in components:
                 raise ModelError(
@@ -69,11 +71,11 @@ class Nodes(Declarations):
 
     def release(self, *names: str) -> None:
         """Make deformations or slips free: no constraint, stress from laws and loads only."""
-        self.roles.update(dict.fromkeys(quantities(names, "release"), "free"))
+        self._roles.update(dict.fromkeys(quantities(names, "release"), "free"))
 
     def rigid(self, *names: str) -> None:
         """Hold deformations (or slips) at zero."""
-        self.roles.update(dict.fromkeys(quantities(names, "rigid"), "rigid"))
+        self._roles.update(dict.fromkeys(quantities(names, "rigid"), "rigid"))
 
     def prescribe(self, name: str, motion: Any) -> None:
         """Give a coordinate or deformation a motion u(t), in place of any that it had been given before.
@@ -84,20 +86,20 @@ class Nodes(Declarations):
             A callable is called with a second-order jet: operators and NumPy functions give u, u' and u''.
         """
         quantities([name], "prescribe")
-        self.motions[name] = as_function(motion, f"prescribe '{name}'")
+        self._motions[name] = as_function(motion, f"prescribe '{name}'")
 
     def independent(self, *names: str) -> None:
-        """Name the dynamic freedoms q_d; without any, the program chooses."""
-        self.dynamic = [*(self.dynamic or []), *quantities(names, "independent")]
+        """Name the dynamic degrees of freedom q_d; without any, the program chooses."""
+        self._dynamic = [*(self._dynamic or []), *quantities(names, "independent")]
 
     def kinematic(self, *names: str) -> None:
-        """Name the kinematic freedoms q_k of a non-holonomic system; without any, the program chooses."""
-        self.kinematic_names = [*(self.kinematic_names or []), *quantities(names, "kinematic")]
+        """Name the kinematic coordinates q_k of a non-holonomic system; without any, the program chooses."""
+        self._kinematic = [*(self._kinematic or []), *quantities(names, "kinematic")]
 
     def initial(self, name: str, value: float | None = None, rate: float | None = None) -> None:
         """Initial value and rate of a coordinate or deformation (a slip: rate only).
 
-        Rates that nothing given determines are zero for the freedoms; name these with `independent`, or give
+        Rates that nothing given determines are zero for the degrees of freedom; name these with `independent`, or give
         enough rates, where it matters which they are.
         """
         owner = f"initial '{name}'"
@@ -105,6 +107,6 @@ class Nodes(Declarations):
         if value is None and rate is None:
             raise ModelError(f"{owner}: neither a value nor a rate; give one of them")
         if value is not None:
-            self.values[name] = number(value, owner, "value")
+            self._values[name] = number(value, owner, "value")
         if rate is not None:
-            self.rates[name] = number(rate, owner, "rate")
+            self._rates[name] = number(rate, owner, "rate")

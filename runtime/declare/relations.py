@@ -74,7 +74,7 @@ class RelationMethods(Declarations):
             for instance in self.instances.values()
             for z, d in zip(instance.deformations, instance.spec.deformations, strict=True)
         }
-        return tuple(z for z in found if not held.get(z, True) and z not in self.roles)
+        return tuple(z for z in found if not held.get(z, True) and z not in self._roles)
 
     def _unit_of(self, term: str, owner: str) -> str:
         """Unit of a deformation or coordinate that a relation may have for a term."""

@@ -25,12 +25,15 @@ def check_laws(structure: Structure) -> None:
         owner = f"law on '{law.name}'"
         for name in law.deformations:
             if structure.find(name, owner) >= m:
-                raise ModelError(f"{owner}: '{name}' is not a deformation; springs and formulas act on these")
+                raise ModelError(
+                    f"{owner}: '{name}' is not a deformation; springs and formulas act on these (declare an element "
+                    "before the damper on its slip)"
+                )
             refuse_norm(structure, name, owner)
         for name in law.slips:
             if not m <= structure.find(name, owner) < m + k:
                 raise ModelError(
-                    f"{owner}: '{name}' is not a slip; use m.spring(…, 0, damping) on deformations"
+                    f"{owner}: '{name}' is not a slip; use m.spring(…, damping=…) on deformations"
                 )
 
 
@@ -56,29 +59,29 @@ def resolve_roles(model: Declarations, structure: Structure) -> Roles:
         role |= {z: "free" for z in instance.terms or {} if role.get(z) == "rigid"}
     for law in structure.laws:
         role.update(dict.fromkeys((*law.deformations, *law.slips), "free"))
-        contradicted = [z for z in (*law.deformations, *law.slips) if model.roles.get(z) == "rigid"]
+        contradicted = [z for z in (*law.deformations, *law.slips) if model._roles.get(z) == "rigid"]
         if contradicted:
             raise ModelError(f"'{contradicted[0]}' is rigid and also has a law; take one of them back")
-    for name, wish in model.roles.items():
+    for name, wish in model._roles.items():
         if structure.find(name, "rigid or release") >= structure.m + structure.k:
             raise ModelError(
                 f"'{name}' is a coordinate; rigid and free are roles of deformations and slips, use fix"
             )
         refuse_norm(structure, name, "rigid or release")
         role[name] = wish
-    for name in [*(model.dynamic or []), *(model.kinematic_names or []), *model.motions]:
+    for name in [*(model._dynamic or []), *(model._kinematic or []), *model._motions]:
         structure.find(name, "independent, kinematic or prescribe")
         refuse_norm(structure, name, "independent, kinematic or prescribe")
-        if model.roles.get(name) == "rigid":
+        if model._roles.get(name) == "rigid":
             raise ModelError(f"'{name}' is rigid and also independent or prescribed; take one of them back")
         role[name] = "free"
     rigid = [structure.index[z] for z, wish in role.items() if wish == "rigid"]
-    prescribed = [structure.find(z) for z in model.motions]
+    prescribed = [structure.find(z) for z in model._motions]
     empty = np.zeros(0, dtype=np.intp)
     return Roles(
         rigid=np.array(sorted(i for i in rigid if i < structure.m), dtype=np.intp),
         prescribed=np.array(prescribed, dtype=np.intp),
-        motions=tuple(model.motions.values()),
+        motions=tuple(model._motions.values()),
         zero=np.array(sorted(i for i in rigid if i >= structure.m), dtype=np.intp),
         dynamic=empty,
         kinematic=empty,
@@ -88,7 +91,7 @@ def resolve_roles(model: Declarations, structure: Structure) -> Roles:
 def check_names(model: Declarations, structure: Structure, roles: Roles) -> None:
     """Contradictions between roles, loads and initial values, by name."""
     first, nf = structure.m + structure.k, structure.nf
-    for name in model.motions:
+    for name in model._motions:
         i = structure.find(name)
         if structure.m <= i < first:
             raise ModelError(
@@ -96,8 +99,8 @@ def check_names(model: Declarations, structure: Structure, roles: Roles) -> None
             )
         if i >= first + nf:
             raise ModelError(f"prescribe: '{name}' is fixed; release the node, or do not prescribe it")
-    for name in model.dynamic or []:
-        if name in model.motions or name in (model.kinematic_names or []):
+    for name in model._dynamic or []:
+        if name in model._motions or name in (model._kinematic or []):
             raise ModelError(f"'{name}' is independent and also prescribed or kinematic; choose one")
     for load in model.loads:
         refuse_norm(structure, load.name, "load")
@@ -105,13 +108,13 @@ def check_names(model: Declarations, structure: Structure, roles: Roles) -> None
             raise ModelError(
                 f"load on '{load.name}': this coordinate is fixed and cannot move; remove load or fixing"
             )
-    for name in model.values:
+    for name in model._values:
         i = structure.find(name, "initial")
         if i in roles.rigid or i in roles.prescribed or i >= first + nf or structure.m <= i < first:
             raise ModelError(
                 f"initial value of '{name}': it is rigid, prescribed, fixed or a slip; take it back"
             )
-    for name in model.rates:
+    for name in model._rates:
         i = structure.find(name, "initial")
         if i in roles.rigid or i in roles.prescribed or i in roles.zero or i >= first + nf:
             raise ModelError(

@@ -14,7 +14,7 @@ from typing import Protocol, runtime_checkable
 
 import numpy as np
 
-from flexel.base.arguments import not_negative, positive
+from flexel.base.arguments import positive
 from flexel.base.errors import ModelError
 
 CATALAN = 0.915965594177219  # sum of (-1)^k / (2 k + 1)^2
@@ -148,75 +148,6 @@ class Rectangle:
             StressPoint("face y", axial + bz, abs(f.T) * ty + 1.5 * abs(f.Vz) / self.A),
             StressPoint("face z", axial + by, abs(f.T) * tz + 1.5 * abs(f.Vy) / self.A),
         ]
-
-
-@dataclass(frozen=True)
-class Tube:
-    """Circular tube; `inner` = 0 is the solid circle.
-
-    Parameters
-    ----------
-    outer, inner : float
-        Diameters [m].
-    """
-
-    outer: float
-    inner: float = 0.0
-
-    def __post_init__(self) -> None:
-        owner = type(self).__name__
-        positive(self.outer, owner, "outer")
-        if not_negative(self.inner, owner, "inner") >= self.outer:
-            raise ModelError(
-                f"{owner}: inner {self.inner:g} is not less than outer {self.outer:g}; swap them"
-            )
-
-    @property
-    def A(self) -> float:
-        """Area [m²]."""
-        return np.pi * (self.outer**2 - self.inner**2) / 4
-
-    @property
-    def Iy(self) -> float:
-        """Second moment of area about y [m⁴]."""
-        return np.pi * (self.outer**4 - self.inner**4) / 64
-
-    @property
-    def Iz(self) -> float:
-        """Second moment of area about z [m⁴]."""
-        return self.Iy
-
-    @property
-    def J(self) -> float:
-        """Torsion constant [m⁴]: the polar moment."""
-        return 2 * self.Iy
-
-    def shear_factors(self, nu: float) -> tuple[float, float]:
-        """Both 6 (1+nu) (1+m²)² / ((7+6nu) (1+m²)² + (20+12nu) m²), m = inner/outer (Cowper 1966)."""
-        m2 = (self.inner / self.outer) ** 2
-        k = 6 * (1 + nu) * (1 + m2) ** 2 / ((7 + 6 * nu) * (1 + m2) ** 2 + (20 + 12 * nu) * m2)
-        return k, k
-
-    def stresses(self, f: SectionForces) -> list[StressPoint]:
-        """Outer fibre in the plane of bending, and at the neutral axis with the largest shear."""
-        axial, r = abs(f.N) / self.A, self.outer / 2
-        twist = abs(f.T) * r / self.J
-        a, b = self.outer, self.inner
-        peak = 4 / 3 * (a * a + a * b + b * b) / (a * a + b * b)
-        return [
-            StressPoint("outer fibre", axial + np.hypot(f.My, f.Mz) * r / self.Iy, twist),
-            StressPoint("neutral axis", axial, twist + peak * float(np.hypot(f.Vy, f.Vz)) / self.A),
-        ]
-
-
-@dataclass(frozen=True)
-class Circle(Tube):
-    """Solid circle of the diameter `outer` [m]."""
-
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        if self.inner:
-            raise ModelError("Circle: it is solid; use Tube for one with an inner diameter")
 
 
 @dataclass(frozen=True)

@@ -1,100 +1,141 @@
-"""Springs, dampers and laws: the methods of `Model` that give free deformations and slips their stress."""
+"""Springs, dampers and stops: the methods of `Model` that give free deformations and slips their forces."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
-from flexel.base.arguments import array, names, not_negative, number, numbers, quantities, unknown
+from flexel.base.arguments import array, not_negative, number, positive, unknown, vector
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
+from flexel.base.transactions import whole_or_nothing
+from flexel.declare.curves import Curve
 from flexel.declare.declarations import Declarations
-from flexel.declare.formulas import formula_law
-from flexel.declare.signs import check_signs, refuse_negative
-from flexel.derive.spec import LawSpec
-from flexel.generated.table import ELEMENTS, LAWS
-from flexel.structure.instances import Instance, LawInstance
-from flexel.structure.nodes import COMPONENTS, Node
+from flexel.declare.displacements import displacement
+from flexel.declare.formulas import of_both
+from flexel.declare.laws import Laws
+from flexel.declare.signs import refuse_negative
+from flexel.generated.table import LAWS
 
-LARGEST = 6  # deformations of one linear law
+DEFORMATIONS, SLIPS = 6, 3  # of one linear law, at most
+Given = float | Sequence[Sequence[float]] | Array | Curve | Callable[..., Any]
 
 
-class Springs(Declarations):
-    """Springs, dampers and laws."""
+class Springs(Laws):
+    """Springs, dampers and stops."""
 
-    def linear_law(self, on: Sequence[str], S: Any, D: Any = None, preload: Any = None) -> None:
-        """Attach σ = preload + S e + D ė to up to six deformations, which become free.
-
-        Parameters
-        ----------
-        on : sequence of str (m,)
-            Deformations.
-        S, D : array_like (m, m)
-            Stiffness and damping, symmetric and without negative eigenvalues.
-        preload : array_like (m,)
-
-        Raises
-        ------
-        ModelError
-        """
-        on = names(on, "linear law")
-        owner, m = f"linear law on {', '.join(repr(z) for z in on)}", len(on)
-        if not 1 <= m <= LARGEST or len(set(on)) < m:
-            raise ModelError(f"{owner}: {m} deformations named; name 1 to {LARGEST}, each once")
-        upper = np.triu_indices(m)
-        values = {
-            "preload": np.zeros(m) if preload is None else array(preload, owner, "preload"),
-            "S": _symmetric(S, owner, "stiffness", m)[upper],
-            "D": _symmetric(np.zeros((m, m)) if D is None else D, owner, "damping", m)[upper],
-        }
-        if values["preload"].shape != (m,):
-            raise ModelError(f"{owner}: preload has shape {values['preload'].shape}; give {m} numbers")
-        self.laws.append(LawInstance(" ".join(on), LAWS[f"linear_{m}"], on, (), values))
-
+    @whole_or_nothing
     def spring(
         self,
-        name: str,
-        stiffness: float,
-        damping: float = 0.0,
-        preload: float = 0.0,
+        on: str | tuple[str, str] | list[str],
+        stiffness: Given | None = None,
+        damping: Given | None = None,
         *,
-        to: str | None = None,
+        free_length: Any = None,
+        preload: Any = None,
     ) -> None:
-        """Attach a linear spring and damper: force = preload + stiffness e + damping ė, against the growth of e.
+        """Attach a spring, a damper or both: force = preload + stiffness e + damping ė, against the growth of e.
 
         Parameters
         ----------
-        name : str
+        on : str, tuple of two str, or list of str
             A deformation; or a coordinate of a point or planar angle, counted from its drawn value, for a spring to
-            the ground.
-        stiffness, damping, preload : float
-            Stiffness 0 leaves a mere damper.
-        to : str, optional
-            A second deformation or coordinate; e is then the first less the second.
+            the ground; or a slip, which takes damping alone.  A pair: the first less the second.  A list: up to six
+            (or three slips) that matrices couple.  All become free.
+        stiffness : float, matrix, Curve or callable, optional
+            A number [N/m or N m/rad]; for a list a symmetric matrix without negative eigenvalues; a `Curve`; or a
+            formula of e, or of e and ed, as in `law`.  None makes a mere damper.
+        damping : float, matrix, Curve or callable, optional
+            The same for the rate: a curve that is zero at rest, or a formula of the rate.
+        free_length : float or sequence of float, optional
+            Where the spring has no force: for the ``elongation`` of a bar or beam its length [m], for any other
+            deformation its value, for a pair the difference.  Curves and formulas are functions of e less this value,
+            or of the length less this length; with ``free_length=0`` of the length itself.
+        preload : float or sequence of float, optional
+            Force as drawn [N or N m], in place of a free length.
 
         Raises
         ------
         ModelError
+            A name that takes no such spring, negative stiffness or damping, free length and preload together.
 
         Examples
         --------
+        >>> m.spring("strut.elongation", 2e4, 300.0, free_length=0.42)  # doctest: +SKIP
         >>> m.spring("A.x", 200.0)  # to the ground  # doctest: +SKIP
-        >>> m.spring("left.angle", 0.0, damping=0.3, to="right.angle")  # doctest: +SKIP
+        >>> m.spring(("left.angle", "right.angle"), damping=0.3)  # doctest: +SKIP
+        >>> m.spring(["mount.along", "mount.across"], [[800, 50], [50, 200]])  # doctest: +SKIP
+        >>> m.spring("strut.elongation", fx.Curve([[0, 3e4]]), fx.Curve.through(speeds, forces))  # doctest: +SKIP
+        >>> m.spring("strut.elongation", lambda e: 2e4 * e + 3e6 * e**3)  # doctest: +SKIP
         """
-        quantities([name] if to is None else [name, to], "spring")
-        owner = f"spring on '{name}'" if to is None else f"spring between '{name}' and '{to}'"
-        k, d = not_negative(stiffness, owner, "stiffness"), not_negative(damping, owner, "damping")
-        force = number(preload, owner, "preload")
-        if to == name:
+        target = _target(on)
+        if stiffness is None and damping is None and preload is None:
+            raise ModelError(f"{target.owner}: neither stiffness nor damping; give one of them")
+        if _on_slips(self, target):
+            for what, value in (("stiffness", stiffness), ("free_length", free_length), ("preload", preload)):
+                if value is not None and not (np.isscalar(value) and value == 0):
+                    raise ModelError(
+                        f"{target.owner}: a slip has only a rate and takes no {what}; give damping alone"
+                    )
+            self._damp_slips(target, 0.0 if damping is None else damping)
+            return
+        places = tuple(displacement(self, z, target.owner) for z in target.names)
+        target = replace(target, names=places)
+        if len(places) > DEFORMATIONS:
             raise ModelError(
-                f"{owner}: a quantity does not change against itself; name another one, or leave out to"
+                f"{target.owner}: {len(places)} deformations; name 1 to {DEFORMATIONS}, each once"
             )
-        on = [displacement(self, z, owner) for z in ([name] if to is None else [name, to])]
-        share = np.array([1.0, -1.0])[: len(on)]
-        self.linear_law(on, k * np.outer(share, share), d * np.outer(share, share), force * share)
+        free = _free(self, target, free_length, stiffness, preload)
+        if _shaped(target, stiffness):
+            if preload is not None:
+                raise ModelError(f"{target.owner}: a curve or formula holds its own preload; add it there")
+            self._add_shaped(target, stiffness, float(free[0]))
+            stiffness = None
+        if _shaped(target, damping):
+            self._add_damper(target, damping)
+            damping = None
+        if stiffness is None and damping is None and preload is None:
+            return
+        S, D = target.matrix(stiffness, "stiffness"), target.matrix(damping, "damping")
+        force = target.forces(preload) if free_length is None else -S @ free
+        self._add_linear(target.owner, places, S, D, force)
+
+    def _add_shaped(self, target: _Target, shape: Any, free: float) -> None:
+        """A spring by a curve or formula, of the deformation less the free one."""
+        if isinstance(shape, Curve):
+            self._add_law(target.owner, LAWS["spring_curve"], target.names, shape.parameters(-free))
+            return
+        force = of_both(shape)
+        self._add_formula(target.owner, target.names, (lambda e, ed: force(e - free, ed)) if free else force)
+
+    def _add_damper(self, target: _Target, shape: Any) -> None:
+        """A damper by a curve or formula of the rate."""
+        if not isinstance(shape, Curve):
+            self._add_formula(target.owner, target.names, lambda e, ed: shape(ed))
+            return
+        if not shape.rests():
+            raise ModelError(
+                f"{target.owner}: damping gives {shape(0.0):g} at rest; a damper gives nothing there"
+            )
+        values = shape.parameters(0.0)
+        del values["stored"]
+        self._add_law(target.owner, LAWS["damper_curve"], target.names, values)
+
+    def _damp_slips(self, target: _Target, damping: Any) -> None:
+        """Viscous resistance to one to three slips."""
+        k = len(target.names)
+        if k > SLIPS:
+            raise ModelError(f"{target.owner}: {k} slips; name 1 to {SLIPS}, each once")
+        if isinstance(damping, Curve) or callable(damping):
+            raise ModelError(
+                f"{target.owner}: a slip takes a number or matrix for damping; for more compile a law with "
+                "fx.compile_law"
+            )
+        C = target.matrix(damping, "damping")
+        self._add_law(target.owner, LAWS[f"viscous_{k}"], target.names, {"C": C[np.triu_indices(k)]})
 
     def mass_damping(self, element: str, rate: float) -> None:
         """Resist the motion of an element by `rate` [1/s] times its momentum: Rayleigh's mass-proportional part.
@@ -117,100 +158,127 @@ class Springs(Declarations):
         share = not_negative(rate, owner, "rate")
         self.instances[element] = replace(self.instances[element], mass_damping=share)
 
-    def viscous(self, name: str, damping: float) -> None:
-        """Attach a viscous resistance to one slip, τ = damping s; the slip becomes free."""
-        quantities([name], "viscous")
-        values = {"C": np.array([not_negative(damping, f"damper on '{name}'", "damping")])}
-        self.laws.append(LawInstance(name, LAWS["viscous_1"], (), (name,), values))
-
-    def attach(
-        self,
-        law: Any,
-        on: Sequence[str],
-        *,
-        name: str | None = None,
-        initial: Mapping[str, float] | None = None,
-        **parameters: Any,
-    ) -> None:
-        """Attach a law of several deformations and slips together, built in or compiled; they become free.
+    def stop(self, name: str, gap: float, stiffness: float, damping: float = 0.0) -> None:
+        """Attach a one-sided stop: σ = stiffness (e - gap) (1 + damping ė) beyond the gap, never pulling.
 
         Parameters
         ----------
-        law : str or compiled law
-            Name in the table of laws, or what `flexel.derive.compile.compile_law` gives.
-        on : sequence of str
-            As many deformations as the law has, then as many slips, in the law's order.
-        name : str, optional
-            What its internal states are called by, ``name.state``; the names in `on`, joined, by default.
-        initial : mapping of str to float, optional
-            Initial values of internal states; zero by default.
-        **parameters
-            Value of each of the law's parameters.
-
-        Raises
-        ------
-        ModelError
-            An unknown law, parameter or state; a number of names or values that does not fit; a value of a built-in
-            law's parameter that has no physical sense.
-
-        Examples
-        --------
-        >>> m.attach("viscous_2", ["tyre.longitudinal", "tyre.lateral"], C=[900, 0, 700])  # doctest: +SKIP
+        name : str
+            A deformation, which becomes free.
+        gap : float
+            Deformation at which it is touched.
+        stiffness : float
+            [N/m or N m/rad]
+        damping : float
+            Loss relative to the elastic force, for unit rate [s/m or s/rad].
         """
-        on = names(on, "attach")
-        quantities(on, "attach")
-        spec = LAWS.get(law) if isinstance(law, str) else getattr(law, "spec", None)
-        if not isinstance(spec, LawSpec):
-            raise ModelError(f"attach: {unknown(str(law), LAWS, 'law')}")
-        owner = f"law '{spec.name}' on {', '.join(repr(z) for z in on)}"
-        m, k = spec.deformations, spec.slips
-        if len(on) != m + k or len(set(on)) < len(on):
-            raise ModelError(f"{owner}: {len(on)} names; give {m} deformations, then {k} slips, each once")
-        sizes = {z.name: z.size for z in spec.parameters}
-        for wrong in [z for z in parameters if z not in sizes]:
-            raise ModelError(f"{owner}: {unknown(wrong, sizes, 'parameter')}")
-        if missing := [f"{z.name} [{z.unit}] ({z.doc})" for z in spec.parameters if z.name not in parameters]:
-            raise ModelError(f"{owner}: parameters are missing: {', '.join(missing)}")
-        values = {z: np.atleast_1d(array(value, owner, f"parameter {z}")) for z, value in parameters.items()}
-        check_signs(spec, values, owner)
-        start = numbers(initial or {}, owner, "initial value")
-        states = [z.name for z in spec.states]
-        for wrong in [z for z in start if z not in states]:
-            raise ModelError(f"{owner}: {unknown(wrong, states, 'internal state')}")
-        z0 = tuple(start.get(z, 0.0) for z in states)
-        address = getattr(law, "address", None)
-        label = " ".join(on) if name is None else name
-        instance = LawInstance(label, spec, tuple(on[:m]), tuple(on[m:]), values, address, z0)
-        if states and any(z.name == label and z.spec.states for z in self.laws):
-            raise ModelError(
-                f"{owner}: there is a law '{label}' with internal states already; give another name"
-            )
-        self.laws.append(instance)
+        owner = f"stop on '{name}'"
+        values = {
+            "gap": gap,
+            "stiffness": positive(stiffness, owner, "stiffness"),  # a stop without one stops nothing
+            "damping": damping,
+        }
+        self._add_law(owner, LAWS["stop"], [name], values)
 
-    def law(self, name: str, stress: Callable[..., Any], energy: Callable[..., Any] | None = None) -> None:
-        """Attach a nonlinear spring given by a formula: σ = stress(e, ė) on one deformation.
 
-        Parameters
-        ----------
-        stress : callable(e, ed)
-            Called once with SymPy symbols; returns an expression.  Its tangent is derived and compiled.
-        energy : callable(e), optional
-            Stored energy [J]; the integral of the elastic part by default, where SymPy finds it.
+@dataclass(frozen=True)
+class _Target:
+    """What a spring acts on: its names, and the shares of one quantity in them; no shares for a list."""
 
-        Raises
-        ------
-        ModelError
-            If the formula is not one of e and its rate, or the energy does not belong to it.
-        CompilerError
-            If no C compiler is found (only user-defined laws and elements need one).
+    owner: str
+    names: tuple[str, ...]
+    shares: tuple[float, ...] | None
 
-        Examples
-        --------
-        >>> m.law("strut.elongation", lambda e, ed: 2e4 * e + 3e6 * e**3 + 40 * ed)  # doctest: +SKIP
-        """
-        quantities([name], "law")
-        compiled = formula_law(name, stress, energy)
-        self.laws.append(LawInstance(name, compiled.spec, (name,), (), {}, compiled.address))
+    def matrix(self, value: Any, what: str) -> Array:
+        """Stiffness or damping (m, m); zero for none."""
+        m = len(self.names)
+        if value is None:
+            return np.zeros((m, m))
+        if self.shares is None:
+            return _symmetric(value, self.owner, what, m)
+        return not_negative(value, self.owner, what) * np.outer(self.shares, self.shares)
+
+    def forces(self, preload: Any) -> Array:
+        """Preload (m,); zero for none."""
+        if preload is None:
+            return np.zeros(len(self.names))
+        if self.shares is None:
+            return vector(preload, self.owner, "preload", len(self.names))
+        return number(preload, self.owner, "preload") * np.array(self.shares)
+
+
+def _target(on: Any) -> _Target:
+    """One name, a pair or a list, checked."""
+    if isinstance(on, str):
+        return _Target(f"spring on '{on}'", (on,), (1.0,))
+    if not isinstance(on, (tuple, list)) or not on or not all(isinstance(z, str) for z in on):
+        raise ModelError(
+            f"spring: {on!r:.60} is not the name of a quantity; give one, a pair ('first', 'second') for their "
+            "difference, or a list ['…', '…'] with matrices"
+        )
+    pair = isinstance(on, tuple)
+    shown = " and ".join(f"'{z}'" for z in on) if pair else ", ".join(f"'{z}'" for z in on)
+    owner = f"spring between {shown}" if pair else f"spring on {shown}"
+    if pair and len(on) != 2:
+        raise ModelError(
+            f"{owner}: a pair has two names and {len(on)} are given; couple more by a list and matrices"
+        )
+    if len(set(on)) < len(on):
+        remedy = "a quantity does not change against itself; name another one" if pair else "name each once"
+        raise ModelError(f"{owner}: a name is given twice; {remedy}")
+    return _Target(owner, tuple(on), (1.0, -1.0) if pair else None)
+
+
+def _on_slips(model: Declarations, target: _Target) -> bool:
+    """Whether the names are slips of elements; a ModelError for some that are and others that are not."""
+    found = []
+    for name in target.names:
+        instance = model.instances.get(name.rpartition(".")[0])
+        found.append(instance is not None and name in instance.slips)
+    if any(found) and not all(found):
+        slip = target.names[found.index(True)]
+        raise ModelError(f"{target.owner}: '{slip}' is a slip and not all are; give it a damper of its own")
+    return any(found)
+
+
+def _shaped(target: _Target, value: Any) -> bool:
+    """Whether a stiffness or damping is a curve or formula; on one deformation only."""
+    shaped = isinstance(value, Curve) or callable(value)
+    if shaped and len(target.names) > 1:
+        raise ModelError(
+            f"{target.owner}: a curve or formula acts on one deformation; measure the difference by an element, or "
+            "compile a law with fx.compile_law"
+        )
+    return shaped
+
+
+def _free(model: Declarations, target: _Target, free_length: Any, stiffness: Any, preload: Any) -> Array:
+    """Values (m,) of the deformations at which the spring has no force; of a pair the first takes it all."""
+    m, owner = len(target.names), target.owner
+    if free_length is None:
+        return np.zeros(m)
+    if stiffness is None:
+        raise ModelError(f"{owner}: free_length without a stiffness has no effect; give one, or drop it")
+    if preload is not None:
+        raise ModelError(
+            f"{owner}: free_length and preload are both given; drop one, it follows from the other"
+        )
+    if target.shares is None:
+        given = vector(free_length, owner, "free_length", m)
+    else:
+        given = np.concatenate([[number(free_length, owner, "free_length")], np.zeros(m - 1)])
+    if target.shares is not None and m > 1:
+        return given
+    return np.array([_deformation(model, *z, owner) for z in zip(target.names, given, strict=True)])
+
+
+def _deformation(model: Declarations, name: str, free: float, owner: str) -> float:
+    """The value of a deformation at its free length: less the length as drawn for a bar or beam."""
+    element, _, deformation = name.rpartition(".")
+    instance = model.instances.get(element)
+    if deformation != "elongation" or instance is None or "l0" not in instance.parameters:
+        return free
+    return not_negative(free, owner, "free_length") - float(instance.parameters["l0"][0])
 
 
 def _symmetric(value: Any, owner: str, what: str, m: int) -> Array:
@@ -224,40 +292,3 @@ def _symmetric(value: Any, owner: str, what: str, m: int) -> Array:
         )
     refuse_negative(A, owner, what)
     return (A + A.T) / 2
-
-
-def displacement(model: Declarations, name: str, owner: str) -> str:
-    """The deformation that is a coordinate less its drawn value; other names are returned as they are.
-
-    It is one of an element without mass from a fixed node, ``<node>.drawn``; made when first needed.
-    """
-    node, _, component = name.partition(".")
-    if node not in model.nodes or component not in COMPONENTS[model.nodes[node].kind]:
-        return name
-    found = model.nodes[node]
-    if found.kind == "frame":
-        raise ModelError(
-            f"{owner}: Euler parameters such as '{name}' carry no springs; measure an angle with m.hinge(…), all of "
-            "it released, and take its angle"
-        )
-    if found.fixed[COMPONENTS[found.kind].index(component)]:
-        raise ModelError(f"{owner}: '{name}' is fixed and cannot move; remove spring or fixing")
-    element = f"{node}.displacement"
-    if element not in model.instances:
-        _add_displacement(model, element, found)
-    spec = model.instances[element].spec
-    return f"{element}.{spec.deformations[COMPONENTS[found.kind].index(component)].name}"
-
-
-def _add_displacement(model: Declarations, element: str, node: Node) -> None:
-    """The element whose deformations, all free, are the displacements of a point or an angle in global axes."""
-    drawn = Node(f"{node.name}.drawn", node.kind, node.x0, np.ones(node.x0.size, dtype=bool))
-    axes_kind, axes = ("frame", np.eye(4)[0]) if node.kind == "point" else ("planar_angle", np.zeros(1))
-    still = Node(f"{node.name}.axes", axes_kind, axes, np.ones(axes.size, dtype=bool))
-    kind = {"point": "beam3", "planar_point": "planar_beam3", "planar_angle": "planar_hinge"}[node.kind]
-    ends = (drawn, node) if node.kind == "planar_angle" else (drawn, still, node)
-    model.nodes |= {z.name: z for z in ends if z is not node}
-    spec = ELEMENTS[kind]
-    values = {z.name: np.eye(z.size)[0] if z.name == "tp" else np.zeros(z.size) for z in spec.parameters}
-    model.instances[element] = Instance(element, spec, tuple(z.name for z in ends), values)
-    model.roles |= {z: "free" for z in model.instances[element].deformations if z not in model.roles}

@@ -8,9 +8,11 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, TypeVar
 
+from flexel.base.arguments import unknown
 from flexel.base.errors import CompilerError, ElementError, ModelError
 from flexel.declare.declarations import Declarations
 from flexel.derive.spec import ElementSpec
+from flexel.generated.table import ELEMENTS
 from flexel.structure.nodes import Node
 
 if TYPE_CHECKING:
@@ -52,7 +54,10 @@ def compile_element(
 
 
 def compile_law(law: Law, ranges: Mapping[str, tuple[float, float]] | None = None) -> CompiledLaw:
-    """Derive, compile and verify a law of your own; parameters and errors as in `compile_element`."""
+    """Derive, compile and verify a law of your own; parameters and errors as in `compile_element`.
+
+    It is attached by ``m.law(on, compiled, …)``.
+    """
     from flexel.derive import Law as Declared
     from flexel.derive.accept import accepted_law
 
@@ -70,7 +75,7 @@ def _by_name(owner: str, ranges: Mapping[str, tuple[float, float]] | None) -> di
 
 
 def _made(owner: str, make: Callable[[], Made]) -> Made:
-    """What is made, with the errors of the derivation told as those of flexel."""
+    """What is made, with the errors of the derivation reported as those of flexel."""
     from flexel.derive.compile import CompilationError, CompilerMissingError
 
     try:
@@ -82,34 +87,45 @@ def _made(owner: str, make: Callable[[], Made]) -> Made:
         raise ElementError(text if owner in text else f"{owner}: {text}") from error
 
 
-class UserElements(Declarations):
-    """Elements of the user's own."""
+class Elements(Declarations):
+    """Elements by their type: built-in ones, and the user's own."""
 
-    def element(self, name: str, compiled: CompiledElement, *nodes: Node | str, **parameters: object) -> None:
-        """Add an element of your own, between nodes of the kinds that its definition names, in that order.
+    def element(
+        self, name: str, kind: str | CompiledElement, /, *nodes: Node | str, **parameters: object
+    ) -> None:
+        """Add an element by its type, between nodes of the kinds that its definition names, in that order.
+
+        Most built-in elements have a more comfortable method of their own, such as `beam` or `hinge`.
 
         Parameters
         ----------
         name : str
-        compiled : CompiledElement
-            What `flexel.compile_element` returned.
+        kind : str or CompiledElement
+            Name of a built-in element, or what `flexel.compile_element` returned.
         *nodes : Node or str
         **parameters : float or array_like
-            Each parameter by name; one called ``gravity`` is the model's, if it is not given.
+            Each parameter by name, as the definition takes it; the gravity is the model's, where none is given.
 
         Raises
         ------
         ModelError
-            A node of another kind, a parameter that is missing, unknown or of another size.
+            An unknown type, a node of another kind, a parameter that is missing, unknown or of another size.
 
         Examples
         --------
+        >>> m.element("bar", "truss", "A", "B", l0=0.5, rhoA=0.8)  # doctest: +SKIP
         >>> cam = fx.compile_element(CAM)  # doctest: +SKIP
         >>> m.element("cam", cam, "shaft", "tappet", base=0.03, lift=0.01)  # doctest: +SKIP
         >>> m.release("cam.gap")  # doctest: +SKIP
         """
-        if not isinstance(getattr(compiled, "spec", None), ElementSpec) or not hasattr(compiled, "address"):
+        if isinstance(kind, str):
+            if kind not in ELEMENTS:
+                raise ModelError(f"element '{name}': {unknown(kind, ELEMENTS, 'element type')}")
+            self._place(name, kind, nodes, parameters)
+            return
+        if not isinstance(getattr(kind, "spec", None), ElementSpec) or not hasattr(kind, "address"):
             raise ModelError(
-                f"element '{name}': {compiled!r} is not a compiled element; give what fx.compile_element(…) returned"
+                f"element '{name}': {kind!r} is not a compiled element; give what fx.compile_element(…) returned, or "
+                "the name of a built-in one"
             )
-        self.place(name, compiled.spec, nodes, parameters, compiled.address)
+        self._place(name, kind.spec, nodes, parameters, kind.address)

@@ -95,6 +95,10 @@ class Wheels(Declarations):
 
         Parameters
         ----------
+        hub, frame : node
+            Centre and orientation of the wheel.
+        contact : node
+            The point where it touches the road.
         radius : float
             From the axle to the outermost circle [m].
         axle : sequence of float (3,)
@@ -115,7 +119,8 @@ class Wheels(Declarations):
         """
         owner = f"wheel '{name}'"
         nodes = [
-            self.of_kind(n, (k,), owner) for n, k in ((hub, "point"), (frame, "frame"), (contact, "point"))
+            self._find_of_kind(n, (k,), owner)
+            for n, k in ((hub, "point"), (frame, "frame"), (contact, "point"))
         ]
         xw, rw, xc = (n.x0 for n in nodes)
         if np.linalg.norm(xc - xw) < 1e-12:
@@ -126,7 +131,7 @@ class Wheels(Declarations):
         rounded = _crown(owner, crown, radius)
         if rounded["crown"][0]:
             values |= rounded
-        self.add(name, "toroidal_wheel" if "crown" in values else "wheel", nodes, values)
+        self._place(name, "toroidal_wheel" if "crown" in values else "wheel", nodes, values)
 
     def tyre(
         self,
@@ -170,7 +175,7 @@ class Wheels(Declarations):
         ``longitudinal`` and ``lateral`` of the contact point, ``spin`` about the normal.
         """
         owner = f"tyre '{name}'"
-        nodes = [self.of_kind(n, (k,), owner) for n, k in ((hub, "point"), (frame, "frame"))]
+        nodes = [self._find_of_kind(n, (k,), owner) for n, k in ((hub, "point"), (frame, "frame"))]
         if road is not None and not isinstance(road, Waves):
             raise ModelError(f"{owner}: road {road!r} is not known; give fx.Waves(amplitude, wavelength)")
         if road is not None and (np.any(vector(normal, owner, "road normal", 3) != UP) or height):
@@ -181,7 +186,7 @@ class Wheels(Declarations):
         values |= _crown(owner, crown, radius)
         values |= _plane(owner, normal, height) if road is None else road.parameters(owner)
         _check_above(owner, nodes[0].x0, values, road)
-        self.add(name, "tyre" if road is None else "tyre_on_road", nodes, values)
+        self._place(name, "tyre" if road is None else "tyre_on_road", nodes, values)
 
     def axle_slip(
         self,
@@ -207,14 +212,14 @@ class Wheels(Declarations):
             if not isinstance(given, (tuple, list)) or len(given) != 2:
                 raise ModelError(f"{owner}: {side} {given!r} is not a hub and its frame; give (hub, frame)")
         nodes = [
-            self.of_kind(n, (kind,), owner)
+            self._find_of_kind(n, (kind,), owner)
             for wheel_ in (left, right)
             for n, kind in zip(wheel_, ("point", "frame"), strict=True)
         ]
         values = _plane(owner, normal, height)
         for end, frame in (("p", nodes[1]), ("q", nodes[3])):
             values[f"axle_{end}"] = _rim(owner, frame.x0, 1.0, axle, normal)["axle"]
-        self.add(name, "axle_slip", nodes, values)
+        self._place(name, "axle_slip", nodes, values)
 
 
 def _rim(owner: str, frame: Array, radius: float, axle: Vector, normal: Vector) -> dict[str, Array]:

@@ -25,9 +25,9 @@ def first_position(model: Declarations, kinematics: Kinematics, t: float) -> Con
     x = structure.x0.copy()
     e, J = kinematics.evaluate(x)
     drawn = kinematics.values(e, x)
-    wanted = {structure.find(z): drawn[structure.find(z)] for z in (model.dynamic or [])}
-    wanted |= {structure.find(z): drawn[structure.find(z)] for z in (model.kinematic_names or [])}
-    wanted |= {structure.find(z): value for z, value in model.values.items()}
+    wanted = {structure.find(z): drawn[structure.find(z)] for z in (model._dynamic or [])}
+    wanted |= {structure.find(z): drawn[structure.find(z)] for z in (model._kinematic or [])}
+    wanted |= {structure.find(z): value for z, value in model._values.items()}
     rows = np.concatenate([roles.holonomic, np.array(list(wanted), dtype=np.intp)])
     start = drawn[rows]
     start[: roles.rigid.size] = 0.0

@@ -10,7 +10,8 @@ import numpy as np
 from flexel.base.arrays import Array
 from flexel.base.quaternions import matrix
 from flexel.declare.materials import Profile
-from flexel.declare.sections import IBeam, Rectangle, Section, Tube
+from flexel.declare.round_sections import Circle, Tube
+from flexel.declare.sections import IBeam, Rectangle, Section
 from flexel.rope.wire_rope import WireRope
 from flexel.structure.instances import Instance
 from flexel.structure.state import State
@@ -126,9 +127,7 @@ def outline_of(section: Section) -> Array:
     """Outline (k, 2) of a section; a circle of the same area for a kind of the user's own."""
     if isinstance(section, Rectangle):
         return rectangle(section.height, section.width)
-    if isinstance(section, Tube):
-        return circle(section.outer / 2)
-    if isinstance(section, WireRope):
+    if isinstance(section, (Circle, Tube, WireRope)):
         return circle(section.diameter / 2)
     if isinstance(section, IBeam):
         h, b, w = section.height / 2, section.width / 2, section.web / 2

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from flexel.base.arguments import array, number, positive
+from flexel.base.arguments import array, not_negative, number, positive
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.base.transactions import whole_or_nothing
@@ -31,6 +31,8 @@ class CableLine:
     points, slopes : tuple of Node (n + 1,)
     s : ndarray (n + 1,)
         Undeformed arc length of the nodes [m].
+    radius : float, optional
+        At which it touches surfaces [m]: half the diameter of its section; none where it has no round section.
     """
 
     name: str
@@ -38,6 +40,7 @@ class CableLine:
     points: tuple[Node, ...]
     slopes: tuple[Node, ...]
     s: Array
+    radius: float | None
 
     def __repr__(self) -> str:
         """In a line: a rope has hundreds of nodes."""
@@ -116,7 +119,28 @@ class CableLines(Cables):
             elements.append(f"{name}{i + 1}")
             ends = nodes[i], slopes[i], nodes[i + 1], slopes[i + 1]
             self.cable(elements[-1], *ends, float(s[i + 1] - s[i]), **properties)
-        return CableLine(name, tuple(elements), tuple(nodes), tuple(slopes), s)
+        radius = section_radius(properties.get("section"))
+        return CableLine(name, tuple(elements), tuple(nodes), tuple(slopes), s, radius)
+
+
+def section_radius(section: object) -> float | None:
+    """Half the outer diameter [m] of a round section; none for another."""
+    diameter = getattr(section, "diameter", None)
+    return None if diameter is None else float(diameter) / 2
+
+
+def contact_radius(own: float | None, given: float | None, owner: str) -> float:
+    """Radius [m] at which a rope touches: that of its section, or the one that is given where there is none."""
+    if given is None:
+        if own is None:
+            raise ModelError(f"{owner}: its radius is not known; give radius=…, or a section with a diameter")
+        return own
+    radius = not_negative(given, owner, "radius")
+    if own is not None and abs(radius - own) > 1e-9 * own:
+        raise ModelError(
+            f"{owner}: radius {radius:g} m contradicts that of the rope's section, {own:g} m; leave radius out"
+        )
+    return radius
 
 
 def _fractions(owner: str, n: int | None, at: Any) -> Array:
@@ -167,7 +191,7 @@ def _end(model: Cables, owner: str, given: Node | str | None, place: Array) -> N
     """The node that was given for an end, if it lies there."""
     if given is None:
         return None
-    node = model.of_kind(given, ("point", "planar_point"), owner)
+    node = model._find_of_kind(given, ("point", "planar_point"), owner)
     if node.x0.shape != place.shape or np.linalg.norm(node.x0 - place) > 1e-9 * (1 + np.linalg.norm(place)):
         raise ModelError(
             f"{owner}: node '{node.name}' at {node.x0.tolist()} is not where the path ends, {place.tolist()}; move one"

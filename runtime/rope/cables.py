@@ -17,7 +17,7 @@ from flexel.declare.beams import Beams
 from flexel.declare.materials import Material, Profile, profile_of
 from flexel.declare.nodes import Nodes
 from flexel.generated.table import LAWS
-from flexel.structure.instances import Instance, LawInstance
+from flexel.structure.instances import Instance
 from flexel.structure.nodes import Node
 from flexel.structure.state import State
 
@@ -36,7 +36,7 @@ class Cables(Beams, Nodes):
         direction : sequence of float (3,) or (2,)
             Along the cable, of any length.
         fixed : bool
-            Hold direction and stretch; `clamp_slope` holds the direction alone.
+            Hold direction and stretch; `clamp` holds the direction alone.
         stretch : float
             Length of the slope as drawn: one where the cable is not stretched.
 
@@ -55,7 +55,7 @@ class Cables(Beams, Nodes):
                 f"{owner}: its direction {d.tolist()} has no length; give a vector along the cable"
             )
         x0 = positive(stretch, owner, "stretch") * d / length
-        return self._node(name, "planar_slope" if planar else "slope", x0, fixed)
+        return self._new_node(name, "planar_slope" if planar else "slope", x0, fixed)
 
     @whole_or_nothing
     def cable(
@@ -103,7 +103,7 @@ class Cables(Beams, Nodes):
         """
         owner = f"cable '{name}'"
         kinds = ((p, "point"), (slope_p, "slope"), (q, "point"), (slope_q, "slope"))
-        planar, nodes = self.resolve(owner, *kinds)
+        planar, nodes = self._find_nodes(owner, *kinds)
         span(nodes[0].x0, nodes[2].x0, owner)
         l0 = drawn_length(*(z.x0 for z in nodes)) if length is None else positive(length, owner, "length")
         profile = None
@@ -120,7 +120,7 @@ class Cables(Beams, Nodes):
             [not_negative(0.0 if mass_per_length is None else mass_per_length, owner, "mass_per_length")]
         )
         element = "planar_cable" if planar else "cable"
-        self.add(name, element, nodes, {"l0": np.array([l0]), "rhoA": mass})
+        self._place(name, element, nodes, {"l0": np.array([l0]), "rhoA": mass})
         self.instances[name] = replace(self.instances[name], profile=profile)
         S = weights(l0, positive(EA, owner, "EA"), not_negative(EI, owner, "EI"), planar)
         D = S.copy()
@@ -128,9 +128,9 @@ class Cables(Beams, Nodes):
         D[4:] *= not_negative(bending_damping, owner, "bending_damping")
         values = {"preload": np.zeros(S.size), "S": S, "D": D}
         modes = self.instances[name].deformations
-        self.laws.append(LawInstance(name, LAWS[f"diagonal_{S.size}"], modes, (), values))
+        self._add_law(owner, LAWS[f"diagonal_{S.size}"], modes, values, label=name)
 
-    def clamp_slope(self, name: str, frame: Node | str, slope: Node | str) -> None:
+    def clamp(self, name: str, frame: Node | str, slope: Node | str) -> None:
         """Hold the direction of a cable's end in a body, as drawn; its stretch stays free.
 
         Parameters
@@ -141,13 +141,13 @@ class Cables(Beams, Nodes):
             Of the cable's end.
         """
         owner = f"clamp '{name}'"
-        planar, (r, d) = self.resolve(owner, (frame, "frame"), (slope, "slope"))
+        planar, (r, d) = self._find_nodes(owner, (frame, "frame"), (slope, "slope"))
         if planar:
             alpha0 = np.arctan2(d.x0[1], d.x0[0]) - r.x0
-            self.add(name, "planar_slope_clamp", (r, d), {"alpha0": alpha0})
+            self._place(name, "planar_slope_clamp", (r, d), {"alpha0": alpha0})
             return
         t = triad(d.x0 / np.linalg.norm(d.x0), None, owner)
-        self.add(name, "slope_clamp", (r, d), {"t": in_frame(r.x0, t)})
+        self._place(name, "slope_clamp", (r, d), {"t": in_frame(r.x0, t)})
 
     @whole_or_nothing
     def anchor(
@@ -162,11 +162,18 @@ class Cables(Beams, Nodes):
 
         The point's connection is the rigid link `name`, that of the direction the clamp ``name direction``.  A cable
         that ends in a body's own point needs no anchor, and one that ends at a beam or point mass shares its point.
+
+        Parameters
+        ----------
+        point, frame : node
+            A point of the body, and its orientation.
+        end, slope : node
+            Of the cable's end.
         """
         self.beam(name, point, frame, end, rigid=True)
         if slope is None:
             return
-        self.clamp_slope(f"{name} direction", frame, slope)
+        self.clamp(f"{name} direction", frame, slope)
 
 
 def _profile(owner: str, section: Any, material: Any, EA: float | None, mass: float | None) -> Profile:

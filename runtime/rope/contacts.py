@@ -14,8 +14,8 @@ from flexel.base.errors import ModelError
 from flexel.base.transactions import whole_or_nothing
 from flexel.declare.declarations import Declarations
 from flexel.generated.table import LAWS
-from flexel.rope.cable_lines import CableLine, CableLines
-from flexel.structure.instances import LawInstance
+from flexel.rope.cable_lines import CableLine, CableLines, contact_radius
+from flexel.rope.impact import dissipation
 from flexel.structure.surfaces import Surface
 
 RELEASE = 1e3  # rate [1/s] at which the bristles of an open contact straighten
@@ -32,7 +32,7 @@ class Contact:
     exponent : float
         3/2 as for Hertz's point contact.
     dissipation : float
-        Growth of the normal force per speed of approach [s/m]; see `fx.hunt_crossley`, `fx.lankarani_nikravesh`.
+        Growth of the normal force per speed of approach [s/m]; `restitution` finds it from an impact.
     friction : float
         Coefficient of friction.
     slip_speed : float
@@ -79,6 +79,33 @@ class Contact:
                 f"contact: places {self.places!r}, per {self.per!r}; choose 'gauss' or 'equidistant', "
                 "'length' or 'point'"
             )
+
+    @classmethod
+    def restitution(
+        cls, stiffness: float, restitution: float, speed: float, *, law: str = "hunt-crossley", **others: Any
+    ) -> Contact:
+        """Make a contact whose dissipation follows from a coefficient of restitution.
+
+        Parameters
+        ----------
+        stiffness : float
+            As of the class.
+        restitution : float
+            Speed of departure over speed of approach, 0 to 1; trustworthy from about 0.8 on.
+        speed : float
+            Of approach, at which this holds [m/s].
+        law : "hunt-crossley" or "lankarani-nikravesh"
+            Source of the dissipation factor: 3 (1 - e)/(2 v) or 3 (1 - e²)/(4 v).
+        **others
+            Exponent, friction and the rest, as of the class.
+
+        Examples
+        --------
+        >>> import flexel as fx
+        >>> fx.Contact.restitution(1e8, 0.9, 0.5, law="lankarani-nikravesh").dissipation
+        0.285
+        """
+        return cls(stiffness, dissipation=dissipation(restitution, speed, law), **others)
 
     def rule(self) -> tuple[Array, Array]:
         """Places on (0, 1) and weights of sum 1 of the points of an element."""
@@ -131,13 +158,13 @@ class Contacts(CableLines):
     """Contact of cables with surfaces."""
 
     @whole_or_nothing
-    def contact(
+    def rope_contact(
         self,
         cables: CableLine,
         surface: Surface | str,
         contact: Contact,
         *,
-        rope_radius: float,
+        radius: float | None = None,
         only: Sequence[str] | None = None,
     ) -> list[ContactPoint]:
         """Let cables touch a surface: elements ``cable@surface#i``, with a gap, slips along the surface, and their law.
@@ -149,8 +176,8 @@ class Contacts(CableLines):
         surface : Surface or str
             A sheave, drum or plane.
         contact : Contact
-        rope_radius : float
-            [m]
+        radius : float, optional
+            Of the rope [m]; where its section has a diameter, it is half of that and need not be given.
         only : sequence of str, optional
             Names of elements of the cable that may touch; all by default.
 
@@ -165,12 +192,12 @@ class Contacts(CableLines):
         """
         if not isinstance(cables, CableLine):
             raise ModelError(
-                f"contact: {cables!r} is no rope; give what m.rope(…) or m.cable_line(…) returned"
+                f"rope_contact: {cables!r} is not a rope; give what m.rope(…) or m.cable_line(…) returned"
             )
         found = find_surface(self, surface, f"contact of '{cables.name}'")
         owner = f"contact of '{cables.name}' with '{found.name}'"
         check_contact(contact, owner)
-        a = not_negative(rope_radius, owner, "rope_radius")
+        a = contact_radius(cables.radius, radius, owner)
         groove = float(found.parameters.get("groove_radius", [np.inf])[0])
         if a >= groove:
             raise ModelError(
@@ -190,7 +217,7 @@ class Contacts(CableLines):
             for j in range(contact.points):
                 element = f"{name}@{found.name}#{j + 1}"
                 own = {"l0": np.array([l0]), "xi": xi[j : j + 1], "rope_radius": np.array([a])}
-                self.add(element, found.element, nodes, found.parameters | own)
+                self._place(element, found.element, nodes, found.parameters | own)
                 made.append(ContactPoint(element, found, name, float(xi[j]), s0 + xi[j] * l0, weight[j] * l0))
         _attach(self, made, contact)
         return made
@@ -201,11 +228,9 @@ def _attach(model: CableLines, points: list[ContactPoint], contact: Contact) -> 
     for point in points:
         for gap, slips in point.surface.gaps:
             law, values = contact.law(len(slips), point.weight)
-            spec = LAWS[law]
-            acting = tuple(f"{point.element}.{z}" for z in slips) if spec.slips else ()
-            gaps = (f"{point.element}.{gap}",)
-            z0 = (0.0,) * len(spec.states)
-            model.laws.append(LawInstance(f"{point.element} {gap}", spec, gaps, acting, values, None, z0))
+            spec, label = LAWS[law], f"{point.element} {gap}"
+            on = [f"{point.element}.{z}" for z in ((gap, *slips) if spec.slips else (gap,))]
+            model._add_law(f"contact '{label}'", spec, on, values, label=label)
 
 
 def find_surface(model: Declarations, surface: Any, owner: str) -> Surface:
@@ -219,4 +244,4 @@ def find_surface(model: Declarations, surface: Any, owner: str) -> Surface:
 def check_contact(contact: Any, owner: str) -> None:
     """A ModelError for anything but a Contact, such as its stiffness alone."""
     if not isinstance(contact, Contact):
-        raise ModelError(f"{owner}: contact {contact!r} is none; give fx.Contact(stiffness, …)")
+        raise ModelError(f"{owner}: contact {contact!r} is not a Contact; give fx.Contact(stiffness, …)")

@@ -142,7 +142,7 @@ def dead_turns(plane: RopePlane, turns: Any) -> tuple[float, float]:
 def check_clear(
     plane: RopePlane, path: Path, surfaces: Sequence[Surface], rope_radius: float, depths: Mapping[str, float]
 ) -> None:
-    """The rope as laid must not run through a surface: no deeper than it presses into those of its path."""
+    """The rope must not run through a surface at first: no deeper than it presses into those of its path."""
     places = plane.place(path.at(np.linspace(0, path.length, SAMPLES))[0])
     for surface in surfaces:
         depth = -float(_gaps(surface, places, rope_radius).min(initial=np.inf))
@@ -154,7 +154,8 @@ def check_clear(
                 else "which is not on its path; put it into the path, or move it"
             )
             raise ModelError(
-                f"{plane.owner}: as laid it runs {depth:.3g} m deep into '{surface.name}', {remedy}"
+                f"{plane.owner}: in its initial configuration it runs {depth:.3g} m deep into '{surface.name}', "
+                f"{remedy}"
             )
 
 

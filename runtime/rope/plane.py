@@ -38,7 +38,7 @@ class RopePlane:
                     )
                 self.items.append((surface, sense))
             else:
-                point = model.of_kind(place, ("point", "planar_point"), owner)
+                point = model._find_of_kind(place, ("point", "planar_point"), owner)
                 if sense:
                     raise ModelError(
                         f"{owner}: '{point.name}' is a point, with no sense of wrap; leave it out"

@@ -12,7 +12,7 @@ from flexel.base.arguments import names, not_negative, positive
 from flexel.base.arrays import Array, Index
 from flexel.base.errors import ModelError
 from flexel.base.transactions import whole_or_nothing
-from flexel.rope.cable_lines import CableLine
+from flexel.rope.cable_lines import CableLine, contact_radius, section_radius
 from flexel.rope.cables import AXIAL, axial_rows, gauss_tension
 from flexel.rope.contacts import Contact, ContactPoint, Contacts, check_contact, find_surface
 from flexel.rope.laying import Laying, check_clear, stretched
@@ -32,20 +32,20 @@ class Rope(CableLine):
 
     Attributes
     ----------
-    path : Path
-        As laid, in the plane of the sheaves.
-    tension0 : float
-        That it was laid with [N].
-    contacts : dict of str to list of ContactPoint
-        For each sheave or drum.
     radius : float
         Of the rope [m].
+    path : Path
+        Initial one, in the plane of the sheaves.
+    tension0 : float
+        In the initial configuration [N].
+    contacts : dict of str to list of ContactPoint
+        For each sheave or drum.
     """
 
+    radius: float
     path: Path
     tension0: float
     contacts: dict[str, list[ContactPoint]]
-    radius: float
 
     def tension(self, states: State | Sequence[State], mean: bool = False) -> tuple[Array, Array]:
         """Undeformed arc length s (ns,) [m] and tension (ns,) or (nt, ns) [N] along the rope.
@@ -111,7 +111,7 @@ class Rope(CableLine):
         listed = [states] if isinstance(states, State) else states
         known = isinstance(listed, Sequence) and len(listed) and all(isinstance(z, State) for z in listed)
         if not known:
-            raise ModelError(f"rope '{self.name}': {states!r:.60} is no state; give a state, or a motion")
+            raise ModelError(f"rope '{self.name}': {states!r:.60} is not a state; give a state, or a motion")
         first = listed[0].structure
         rows, l0 = axial_rows(listed[0], self.elements)
         same = all(z.structure is first or z.structure.names == first.names for z in listed)
@@ -146,7 +146,7 @@ class Ropes(Contacts, Surfaces):
         n: int,
         *,
         contact: Contact,
-        rope_radius: float,
+        radius: float | None = None,
         length: float | None = None,
         tension: float | None = None,
         turns: float | tuple[float, float] = 0.0,
@@ -165,19 +165,20 @@ class Ropes(Contacts, Surfaces):
         n : int
             Number of elements.
         contact : Contact
-        rope_radius : float
-            [m]
+        radius : float, optional
+            Of the rope [m]; where its section has a diameter, it is half of that and need not be given.
         length : float, optional
             Undeformed [m]; gives the tension, instead of it.
         tension : float, optional
-            Uniform tension as laid [N], 0 by default; the rope then lies as deep in its sheaves as it carries.
+            Uniform tension in the initial configuration [N], 0 by default; the rope lies as deep in its sheaves as it
+            carries.
         turns : float or pair of float
-            Turns of rope that lie on the drum as laid, before the first straight part (behind the last one for a drum
+            Turns of rope that lie on the drum at first, before the first straight part (behind the last one for a drum
             at the end of the path); a pair for drums at both ends, which otherwise have as many each.
         refine : float
-            Elements are shorter by this factor where the rope lies on sheaves as laid.
+            Elements are shorter by this factor where the rope lies on sheaves in the initial configuration.
         also : sequence of str
-            Further surfaces that the rope may touch; as laid it is clear of them.
+            Further surfaces that the rope may touch; in the initial configuration it is clear of them.
         **properties
             EA, EI, mass_per_length, section, material, damping, bending_damping of `Model.cable`.
 
@@ -194,15 +195,15 @@ class Ropes(Contacts, Surfaces):
 
         Examples
         --------
-        >>> rope = m.rope("rope", ["drum", "sheave", "end"], 56, contact=fx.Contact(1e9), rope_radius=0.01,
-        ...               tension=1e4, turns=1, EA=1e7, EI=10, mass_per_length=2)  # doctest: +SKIP
+        >>> rope = m.rope("rope", ["drum", "sheave", "end"], 56, contact=fx.Contact(1e9), tension=1e4, turns=1,
+        ...               section=fx.WireRope(0.02), material="wire rope")  # doctest: +SKIP
         """
         owner = f"rope '{name}'"
         check_contact(contact, owner)
         plane = RopePlane(self, owner, path)
         others = [find_surface(self, z, owner) for z in names(also, f"{owner}: also")]
         EA = _axial_stiffness(self, owner, properties)
-        radius = not_negative(rope_radius, owner, "rope_radius")
+        radius = contact_radius(section_radius(properties.get("section")), radius, owner)
         if length is not None and tension is not None:
             raise ModelError(f"{owner}: both length and tension are given; drop one")
         count = _count(owner, n)
@@ -216,10 +217,10 @@ class Ropes(Contacts, Surfaces):
         _check_lengths(owner, plane, s, count)
         others = [z for z in others if z.name not in plane.names]
         check_clear(plane, laid, [*plane.surfaces, *others], radius, laying.depths(T))
-        line = _lay(self, name, plane, laid, s, stretch, properties)
+        line = _lay(self, name, plane, laid, s, stretch, radius, properties)
         touched = dict.fromkeys([*plane.names, *(z.name for z in others)])
-        contacts = {z: self.contact(line, z, contact, rope_radius=radius) for z in touched}
-        return Rope(line.name, line.elements, line.points, line.slopes, line.s, laid, T, contacts, radius)
+        contacts = {z: self.rope_contact(line, z, contact) for z in touched}
+        return Rope(line.name, line.elements, line.points, line.slopes, line.s, radius, laid, T, contacts)
 
 
 def _count(owner: str, n: Any) -> int:
@@ -259,6 +260,7 @@ def _lay(
     path: Path,
     s: Array,
     stretch: float,
+    radius: float,
     properties: dict[str, Any],
 ) -> CableLine:
     """Points, slopes and elements of the rope on its path; its ends held as the path says."""
@@ -279,4 +281,4 @@ def _lay(
         drum = plane.drums[i]
         if drum is not None:
             model.anchor(f"{name} {label}", drum.point, drum.frame, points[i], slopes[i])
-    return CableLine(name, tuple(elements), tuple(points), tuple(slopes), s)
+    return CableLine(name, tuple(elements), tuple(points), tuple(slopes), s, radius)

@@ -57,8 +57,8 @@ class Surfaces(Declarations):
         name: str,
         point: Node | str,
         frame: Node | str,
-        radius: float,
         *,
+        radius: float,
         axle: Any = (0.0, 0.0, 1.0),
         groove: RoundGroove | VGroove | None = None,
     ) -> Surface:
@@ -82,12 +82,12 @@ class Surfaces(Declarations):
 
         Examples
         --------
-        >>> m.sheave("sheave", "S", "RS", 0.5, groove=fx.RoundGroove(0.0098))  # doctest: +SKIP
+        >>> m.sheave("sheave", "S", "RS", radius=0.5, groove=fx.RoundGroove(0.0098))  # doctest: +SKIP
         """
         owner = f"sheave '{name}'"
         _new(self, name, owner)
         R = positive(radius, owner, "radius")
-        planar, (c, r) = self.resolve(owner, (point, "point"), (frame, "frame"))
+        planar, (c, r) = self._find_nodes(owner, (point, "point"), (frame, "frame"))
         values = {"radius": np.array([R])}
         if planar:
             if groove is not None:
@@ -107,7 +107,14 @@ class Surfaces(Declarations):
     def plane(
         self, name: str, point: Node | str, frame: Node | str, normal: Any = (0.0, 0.0, 1.0)
     ) -> Surface:
-        """Declare a plane through a point of a body, with its normal towards the rope, as drawn.
+        """Declare a plane through a point of a body.
+
+        Parameters
+        ----------
+        point, frame : node
+            A point of the plane, and the orientation of the body.
+        normal : sequence of float (3,)
+            Towards the rope, in global axes as drawn; of two numbers in a planar model.
 
         Raises
         ------
@@ -116,7 +123,7 @@ class Surfaces(Declarations):
         """
         owner = f"plane '{name}'"
         _new(self, name, owner)
-        planar, (c, r) = self.resolve(owner, (point, "point"), (frame, "frame"))
+        planar, (c, r) = self._find_nodes(owner, (point, "point"), (frame, "frame"))
         if planar:
             n = unit(np.atleast_1d(array(normal, owner, "normal"))[:2], owner, "normal", 2)
             values = {"alpha0": np.arctan2(-n[0], n[1]) - r.x0, "offset": np.zeros(2)}

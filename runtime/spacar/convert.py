@@ -19,8 +19,8 @@ SECTIONS = {
     "rotary_inertia": "masses of nodes",
     "load": "loads",
     "prescribe": "prescribed motions",
-    "independent": "freedoms",
-    "kinematic": "freedoms",
+    "independent": "degrees of freedom",
+    "kinematic": "degrees of freedom",
     "initial": "initial values",
     "angular_velocity": "inputs of the linear model",
 }

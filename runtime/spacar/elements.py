@@ -92,8 +92,10 @@ def law_calls(entry: ElementEntry) -> list[Call]:
         grid = np.ix_([i - 1 for i in used], [i - 1 for i in used])
         ours = np.outer(factors, factors)
         line = entry.lines.get("ESTIFF") or entry.lines["EDAMPP"]
-        rows = {"D": _rows(D[grid] * ours)} if np.any(D[grid]) else {}
-        calls.append(Call("linear_law", (list(names), _rows(S[grid] * ours)), rows, line))
+        given = {"stiffness": _numbers(S[grid] * ours)}
+        if np.any(D[grid]):
+            given["damping"] = _numbers(D[grid] * ours)
+        calls.append(Call("spring", (names[0] if len(used) == 1 else list(names),), given, line))
     others = [
         name
         for i in sorted(entry.free)
@@ -104,8 +106,9 @@ def law_calls(entry: ElementEntry) -> list[Call]:
     return calls
 
 
-def _rows(A: Array) -> list[list[float]]:
-    return [[float(z) for z in row] for row in A]
+def _numbers(A: Array) -> float | list[list[float]]:
+    """A matrix as `Model.spring` takes it: rows, or its number where there is one alone."""
+    return float(A[0, 0]) if A.size == 1 else [[float(z) for z in row] for row in A]
 
 
 # -- types ---------------------------------------------------------------------------------------
@@ -186,10 +189,10 @@ def _truss(entry: ElementEntry, dialect: str) -> list[Call]:
     if l0 <= 0:
         raise entry.lines["LENGTH0"].error(f"the length {l0:g} is not positive; correct it")
     length(entry)  # it must have a direction, however long it is without strain
-    values = {"l0": [l0], "rhoA": [options.get("mass_per_length", 0.0)]}
+    values = {"l0": l0, "rhoA": options.get("mass_per_length", 0.0)}
     kind = "planar_truss" if entry.line.keyword == "PLTRUSS" else "truss"
     return [
-        Call("add", (entry.name, kind, list(entry.ends), values), {}, entry.lines["LENGTH0"]),
+        Call("element", (entry.name, kind, *entry.ends), values, entry.lines["LENGTH0"]),
         *law_calls(entry),
     ]
 
@@ -211,7 +214,7 @@ def _bearing(entry: ElementEntry, dialect: str) -> list[Call]:
 
 def _body_point(entry: ElementEntry, dialect: str) -> list[Call]:
     options = {"body_axes": True} if entry.free else {}
-    return [Call("fixed_point", (entry.name, *entry.ends), options, entry.line), *law_calls(entry)]
+    return [Call("body_point", (entry.name, *entry.ends), options, entry.line), *law_calls(entry)]
 
 
 def _wheel(entry: ElementEntry, dialect: str) -> list[Call]:
@@ -245,13 +248,13 @@ def _gear(entry: ElementEntry, dialect: str) -> list[Call]:
     options = dict(zip(("radius_p", "radius_q"), entry.numbers, strict=True))
     if not sum(entry.numbers):  # the factor between their deformation and ours
         raise entry.line.error("the radii are opposite, so that the centres coincide; correct one of them")
-    return [Call("gears", (entry.name, *entry.ends), options, entry.line), *law_calls(entry)]
+    return [Call("gear", (entry.name, *entry.ends), options, entry.line), *law_calls(entry)]
 
 
 def _surface(entry: ElementEntry, dialect: str) -> list[Call]:
     xx, yy, zz, xy, yz, xz, *rest = entry.numbers
     options = {"quadratic": (xx, yy, zz, xy, xz, yz), "linear": tuple(rest[:3]), "constant": rest[3]}
-    return [Call("surface", (entry.name, *entry.ends), options, entry.line), *law_calls(entry)]
+    return [Call("quadric", (entry.name, *entry.ends), options, entry.line), *law_calls(entry)]
 
 
 BEAMS = ("BEAM", "BEAMNL", "PLBEAM", "PLBEAMNL")

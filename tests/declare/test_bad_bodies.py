@@ -19,29 +19,31 @@ BODIES = {
         lambda m: m.body("b", "A", "R1", mass=1, inertia=1, offset=(1, 2, 3)), "body 'b'", "offset", "give 2"
     ),
     "unknown type": draw(
-        lambda m: m.add("e", "wheelie", ["O"], {}), "'e'", "'wheelie'", "did you mean wheel"
+        lambda m: m.element("e", "wheelie", "O"), "element 'e'", "'wheelie'", "did you mean wheel"
     ),
     "too few nodes": draw(
-        lambda m: m.add("e", "truss", ["O"], {"l0": 1}), "truss 'e'", "list of 2: p (point)"
+        lambda m: m.element("e", "truss", "O", l0=1), "truss 'e'", "its nodes are 'O'; give 2: p (point)"
     ),
-    "nodes as text": draw(lambda m: m.add("e", "truss", "OA", {"l0": 1}), "truss 'e'", "give a list of 2"),
+    "nodes in a list": draw(
+        lambda m: m.element("e", "truss", ["O", "A"], l0=1), "truss 'e'", "its nodes are ['O', 'A']; give 2"
+    ),
     "unknown parameter": draw(
-        lambda m: m.add("e", "truss", ["O", "A"], {"l0": 1, "rhoA": 0, "E": 1}),
+        lambda m: m.element("e", "truss", "O", "A", l0=1, rhoA=0, E=1),
         "truss 'e'",
         "E",
         "it takes l0",
     ),
     "missing parameter": draw(
-        lambda m: m.add("e", "truss", ["O", "A"], {"l0": 1}), "truss 'e'", "rhoA missing", "it takes l0"
+        lambda m: m.element("e", "truss", "O", "A", l0=1), "truss 'e'", "rhoA missing", "it takes l0"
     ),
     "parameter of wrong size": draw(
-        lambda m: m.add("e", "truss", ["O", "A"], {"l0": (1, 2), "rhoA": 0}), "truss 'e'", "l0", "needs 1"
+        lambda m: m.element("e", "truss", "O", "A", l0=(1, 2), rhoA=0), "truss 'e'", "l0", "needs 1"
     ),
     "parameter as text": draw(
-        lambda m: m.add("e", "truss", ["O", "A"], {"l0": "a", "rhoA": 0}), "truss 'e'", "l0", "give"
+        lambda m: m.element("e", "truss", "O", "A", l0="a", rhoA=0), "truss 'e'", "l0", "give"
     ),
     "parameter NaN": draw(
-        lambda m: m.add("e", "truss", ["O", "A"], {"l0": math.nan, "rhoA": 0}),
+        lambda m: m.element("e", "truss", "O", "A", l0=math.nan, rhoA=0),
         "truss 'e'",
         "l0",
         "give finite",

@@ -103,7 +103,7 @@ ELEMENTS = {
         lambda m: m.truss("t", "O", "A", damping=3.0),
         "truss 't'",
         "damping",
-        "m.spring('t.elongation', 0, damping)",
+        "m.spring('t.elongation', damping=…)",
     ),
     "truss of negative damping": draw(
         lambda m: m.truss("t", "O", "A", stiffness=1.0, damping=-3.0),

@@ -9,6 +9,7 @@ import sympy
 from mistakes import Case, built, check, each, pendulum
 
 from flexel.base.errors import CompilerError
+from flexel.declare.curves import Curve
 
 LAWS = {
     "spring unknown": built(lambda m: m.spring("pivot.a", 1), "'pivot.a'", "did you mean pivot.angle"),
@@ -17,13 +18,104 @@ LAWS = {
         lambda m: m.spring("R1.lambda1", 1), "'R1.lambda1'", "measure an angle"
     ),
     "spring on a fixed coordinate": built(lambda m: m.spring("O.x", 1), "'O.x' is fixed", "remove spring"),
-    "spring to itself": built(lambda m: m.spring("A.x", 1, to="A.x"), "'A.x'", "name another one"),
-    "spring to nothing": built(lambda m: m.spring("A.x", 1, to="pivot.a"), "'pivot.a'", "did you mean"),
+    "spring to itself": built(lambda m: m.spring(("A.x", "A.x"), 1), "'A.x'", "name another one"),
+    "spring to nothing": built(lambda m: m.spring(("A.x", "pivot.a"), 1), "'pivot.a'", "did you mean"),
     "spring on a norm": built(lambda m: m.spring("R1.norm", 1), "'R1.norm'", "name another"),
     "spring on a slip": built(
-        lambda m: (m.angular_velocity("R1"), m.spring("R1.omega.wx", 1)), "'R1.omega.wx' is not a deformation"
+        lambda m: (m.angular_velocity("R1"), m.spring("R1.omega.wx", 1)),
+        "spring on 'R1.omega.wx': a slip",
+        "no stiffness",
+        "give damping alone",
     ),
-    "spring None": built(lambda m: m.spring("pivot.angle", None), "'pivot.angle'", "stiffness", "give real"),
+    "free length on a slip": built(
+        lambda m: (m.angular_velocity("R1"), m.spring("R1.omega.wx", damping=1, free_length=1)),
+        "spring on 'R1.omega.wx': a slip",
+        "no free_length",
+    ),
+    "slip and deformation": built(
+        lambda m: (m.angular_velocity("R1"), m.spring(["R1.omega.wx", "pivot.angle"], damping=np.eye(2))),
+        "spring on 'R1.omega.wx', 'pivot.angle'",
+        "'R1.omega.wx' is a slip",
+        "a damper of its own",
+    ),
+    "curve on a slip": built(
+        lambda m: (m.angular_velocity("R1"), m.spring("R1.omega.wx", damping=Curve([[0, 1]]))),
+        "spring on 'R1.omega.wx'",
+        "takes a number or matrix",
+    ),
+    "four slips": built(
+        lambda m: (
+            m.wheel("w", "O", "R1", m.point("W", (0, 0, -1)), radius=1, axle=(0, 1, 0)),
+            m.angular_velocity("R1"),
+            m.spring(
+                ["w.longitudinal", "w.lateral", "w.spin", "R1.omega.wx"],
+                damping=np.eye(4),
+            ),
+        ),
+        "4 slips; name 1 to 3",
+    ),
+    "damper on a slip that comes later": built(
+        lambda m: (m.spring("R1.omega.wx", damping=1), m.angular_velocity("R1")),
+        "'R1.omega.wx' is not a deformation",
+        "before the damper on its slip",
+    ),
+    "spring of nothing": built(
+        lambda m: m.spring("pivot.angle"), "spring on 'pivot.angle'", "give one of them"
+    ),
+    "spring by number": built(lambda m: m.spring(3, 1), "spring: 3 is not the name", "give one, a pair"),
+    "spring by nothing": built(lambda m: m.spring([], np.eye(0)), "spring: [] is not the name", "give one"),
+    "spring between three": built(
+        lambda m: m.spring(("A.x", "A.y", "A.z"), 1),
+        "spring between 'A.x' and 'A.y' and 'A.z'",
+        "3 are given",
+        "a list and matrices",
+    ),
+    "free length and preload": built(
+        lambda m: m.spring("pivot.angle", 1, free_length=0.1, preload=2),
+        "spring on 'pivot.angle': free_length and preload are both given",
+        "drop one",
+    ),
+    "free length of a damper": built(
+        lambda m: m.spring("pivot.angle", damping=1, free_length=0.1),
+        "spring on 'pivot.angle': free_length without a stiffness",
+        "drop it",
+    ),
+    "negative free length": built(
+        lambda m: (m.truss("t", "O", "A"), m.spring("t.elongation", 1, free_length=-0.1)),
+        "spring on 't.elongation'",
+        "free_length -0.1",
+        "zero or a positive",
+    ),
+    "preload of a curve": built(
+        lambda m: m.spring("pivot.angle", Curve([[0, 1]]), preload=1),
+        "spring on 'pivot.angle'",
+        "its own preload",
+        "add it there",
+    ),
+    "curve between two": built(
+        lambda m: m.spring(("A.x", "A.y"), Curve([[0, 1]])),
+        "spring between 'A.x' and 'A.y'",
+        "one deformation",
+    ),
+    "formula of two": built(
+        lambda m: m.spring(["A.x", "A.y"], lambda e: e),
+        "spring on 'A.x', 'A.y'",
+        "one deformation",
+        "fx.compile",
+    ),
+    "damper with a force at rest": built(
+        lambda m: m.spring("pivot.angle", damping=Curve([[4, 1]])),
+        "spring on 'pivot.angle': damping gives 4 at rest",
+    ),
+    "spring text": built(lambda m: m.spring("pivot.angle", "stiff"), "spring on 'pivot.angle'", "give real"),
+    "matrix of one": built(lambda m: m.spring("pivot.angle", np.eye(2)), "stiffness", "give one number"),
+    "numbers for a list": built(
+        lambda m: m.spring(["A.x", "A.y"], 3.0),
+        "spring on 'A.x', 'A.y'",
+        "stiffness has shape ()",
+        "give (2, 2)",
+    ),
+    "spring None": built(lambda m: m.spring("pivot.angle", None), "'pivot.angle'", "give one of them"),
     "spring negative": built(
         lambda m: m.spring("pivot.angle", -1), "'pivot.angle'", "stiffness", "zero or a positive"
     ),
@@ -32,42 +124,64 @@ LAWS = {
     ),
     "spring preload text": built(lambda m: m.spring("pivot.angle", 1, preload="x"), "preload", "give real"),
     "viscous on a deformation": built(
-        lambda m: m.viscous("pivot.angle", 1), "'pivot.angle' is not a slip", "m.spring(…, 0, damping)"
+        lambda m: m.attach("viscous_1", ["pivot.angle"], C=1.0),
+        "'pivot.angle' is not a slip",
+        "m.spring(…, damping=…)",
     ),
-    "viscous on a coordinate": built(lambda m: m.viscous("A.x", 1), "'A.x' is not a slip", "m.spring"),
-    "viscous negative": built(lambda m: m.viscous("R1.omega.wx", -1), "'R1.omega.wx'", "damping", "zero or"),
-    "linear law on nothing": built(lambda m: m.linear_law([], []), "0 deformations", "name 1 to 6"),
+    "viscous negative": built(
+        lambda m: (m.angular_velocity("R1"), m.spring("R1.omega.wx", damping=-1)),
+        "spring on 'R1.omega.wx'",
+        "damping",
+        "zero or",
+    ),
     "linear law on seven": built(
-        lambda m: m.linear_law([f"d.{i}" for i in range(7)], np.eye(7)), "7 deformations", "name 1 to 6"
+        lambda m: m.spring([f"d.{i}" for i in range(7)], np.eye(7)), "7 deformations", "name 1 to 6"
     ),
     "linear law twice on one": built(
-        lambda m: m.linear_law(["pivot.angle"] * 2, np.eye(2)), "'pivot.angle'", "each once"
+        lambda m: m.spring(["pivot.angle"] * 2, np.eye(2)), "'pivot.angle'", "each once"
     ),
     "linear law of wrong shape": built(
-        lambda m: m.linear_law(["pivot.angle", "pivot.bend1"], np.eye(3)),
+        lambda m: m.spring(["pivot.angle", "pivot.bend1"], np.eye(3)),
         "stiffness",
         "(3, 3)",
         "give (2, 2)",
     ),
     "linear law not symmetric": built(
-        lambda m: m.linear_law(["pivot.angle", "pivot.bend1"], [[1, 2], [3, 4]]),
+        lambda m: m.spring(["pivot.angle", "pivot.bend1"], [[1, 2], [3, 4]]),
         "not symmetric",
         "make it so",
     ),
     "linear law indefinite": built(
-        lambda m: m.linear_law(["pivot.angle", "pivot.bend1"], [[1, 2], [2, 1]]),
+        lambda m: m.spring(["pivot.angle", "pivot.bend1"], [[1, 2], [2, 1]]),
         "negative eigenvalue",
         "correct it",
     ),
     "linear law with two preloads": built(
-        lambda m: m.linear_law(["pivot.angle"], [[1]], preload=[1, 2]), "preload", "give 1 numbers"
+        lambda m: m.spring(["pivot.angle"], [[1]], preload=[1, 2]), "preload", "give 1 numbers"
     ),
-    "linear law without stiffness": built(
-        lambda m: m.linear_law(["pivot.angle"], None), "stiffness", "give real"
+    "formula with a parameter": built(
+        lambda m: m.law("pivot.angle", lambda e: e, k=3.0),
+        "law on 'pivot.angle': a formula takes no k",
+        "insert the numbers",
     ),
-    "linear law on a number": built(lambda m: m.linear_law(3, [[1]]), "3 is not a list", "write ['…'"),
-    "linear law on a text": built(
-        lambda m: m.linear_law("pivot.angle", [[1]]), "'pivot.angle'", "write ['…'"
+    "formula with an initial value": built(
+        lambda m: m.law("pivot.angle", lambda e: e, initial={"z": 1.0}), "takes no initial", "insert"
+    ),
+    "formula on two": built(
+        lambda m: m.law(["A.x", "A.y"], lambda e: e), "law on 'A.x', 'A.y'", "2 are named", "fx.compile_law"
+    ),
+    "built-in law by m.law": built(
+        lambda m: m.law("pivot.angle", "stop"), "law on 'pivot.angle': 'stop' is text", "m.attach('stop', …)"
+    ),
+    "attached on one of two": built(
+        lambda m: m.attach("linear_2", ["pivot.angle"], preload=0, S=1, D=0),
+        "law 'linear_2' on 'pivot.angle'",
+        "1 names; give 2 deformations",
+    ),
+    "attached with too few numbers": built(
+        lambda m: m.attach("linear_2", ["pivot.angle", "pivot.bend1"], preload=[0, 0], S=1, D=[0, 0, 0]),
+        "law 'linear_2'",
+        "parameter S has 1 numbers; it needs 3",
     ),
     "law in a list": built(lambda m: m.attach([], ["pivot.angle"]), "unknown law '[]'", "known: "),
     "law in a mapping": built(lambda m: m.attach({}, ["pivot.angle"]), "unknown law '{}'", "known: "),
@@ -129,7 +243,6 @@ LAWS = {
         lambda m: m.law("pivot.angle", lambda e, ed: None), "'pivot.angle'", "insert the numbers"
     ),
     "formula as text": built(lambda m: m.law("pivot.angle", lambda e, ed: "3**"), "'pivot.angle'", "failed"),
-    "formula of one": built(lambda m: m.law("pivot.angle", lambda e: e), "'pivot.angle'", "e, ed"),
     "no formula": built(lambda m: m.law("pivot.angle", 3.0), "'pivot.angle'", "write lambda e, ed"),
     "formula infinite": built(
         lambda m: m.law("pivot.angle", lambda e, ed: e / sympy.Integer(0)),
@@ -148,7 +261,7 @@ LAWS = {
     "energy of another law": built(
         lambda m: m.law("pivot.angle", lambda e, ed: e, energy=lambda e: e**3),
         "'pivot.angle'",
-        "3*e**2",
+        "the derivative of the energy e**3",
         "correct one",
     ),
     "energy not callable": built(
@@ -159,7 +272,7 @@ LAWS = {
         "'pivot.angle'",
     ),
     "formula on unknown": built(
-        lambda m: m.linear_law(["pivot.agle"], [[1.0]]), "'pivot.agle'", "did you mean pivot.angle"
+        lambda m: m.spring(["pivot.agle"], [[1.0]]), "'pivot.agle'", "did you mean pivot.angle"
     ),
 }
 

@@ -19,7 +19,7 @@ def drive() -> fx.Model:
 
 
 def test_belt_and_gears_turn_the_second_disc_in_the_ratio_of_the_radii() -> None:
-    for method, sign in (("belt", 1.0), ("gears", -1.0)):
+    for method, sign in (("belt", 1.0), ("gear", -1.0)):
         m = drive()
         getattr(m, method)("pair", "P", "p", "Q", "q", radius_p=0.1, radius_q=0.25)
         m.prescribe("p.angle", fx.Harmonic(4.0, 3.0, offset=0.3))
@@ -71,8 +71,8 @@ def test_planetary_gear_counts_any_number_of_turns_of_its_arm() -> None:
     m.angle("planet")
     m.angle("ring")
     m.beam("link", "sun", "arm", "pin", rigid=True)
-    m.gears("inner", "sun", "still", "pin", "planet", radius_p=20, radius_q=10)
-    m.gears("outer", "sun", "ring", "pin", "planet", radius_p=40, radius_q=-10)
+    m.gear("inner", "sun", "still", "pin", "planet", radius_p=20, radius_q=10)
+    m.gear("outer", "sun", "ring", "pin", "planet", radius_p=40, radius_q=-10)
     m.prescribe("arm.angle", lambda t: 5.0 * t)
     end = m.build().simulate(6.0)[-1]
     assert abs(end["planet.angle"] - 30.0 * (1 + 20 / 10)) < 1e-10
@@ -83,7 +83,7 @@ def test_point_on_a_sphere_is_a_spherical_pendulum() -> None:
     m = fx.Model(gravity=(0, 0, -9.81))
     m.point("A", (0.6, 0, -0.8))
     m.point_mass("bob", "A", 2.0)
-    m.surface("sphere", "A", quadratic=np.eye(3), constant=-1.0)
+    m.quadric("sphere", "A", quadratic=np.eye(3), constant=-1.0)
     m.initial("A.y", rate=np.sqrt(9.81 / 0.8) * 0.6)  # conical: w² = g / (L cos)
     motion = m.build().simulate(2.0)
     assert np.max(np.abs(motion["A.z"] + 0.8)) < 1e-8
@@ -117,7 +117,7 @@ def test_planar_bearing_on_springs_has_the_frequencies_of_its_springs() -> None:
     m.angle("q", 0.2)
     m.body("block", "Q", "q", mass=2.0, inertia=0.1)
     m.bearing("mount", "P", "p", "Q", "q")
-    m.linear_law(["mount.along", "mount.across", "mount.angle"], np.diag([800.0, 200.0, 2.5]))
+    m.spring(["mount.along", "mount.across", "mount.angle"], np.diag([800.0, 200.0, 2.5]))
     found = [z.omega for z in m.build().vibrations()]
     assert np.allclose(found, [5.0, 10.0, 20.0], rtol=1e-12)
     along = m.build().initial
@@ -151,7 +151,7 @@ def test_fixed_point_in_body_axes_measures_along_them() -> None:
     m.frame("R", fx.turn((0, 0, 1), np.pi / 2), fixed=True)
     m.point("Q", (0.3, 0.4, 0.1))
     m.point_mass("bob", "Q", 1.0)
-    m.fixed_point("place", "P", "R", "Q", body_axes=True)
+    m.body_point("place", "P", "R", "Q", body_axes=True)
     m.prescribe("place.along", lambda t: 0.1 * t)
     m.prescribe("place.across1", lambda t: 0.2 * t)
     end = m.build().simulate(1.0)[-1]
@@ -164,14 +164,14 @@ def test_wrong_couplings_are_refused_by_name() -> None:
         m.belt("b", "P", "p", "Q", "q", radius_p=0.9, radius_q=0.1)
     with pytest.raises(fx.ModelError, match="belt 'b': damping has no effect without stiffness"):
         m.belt("b", "P", "p", "Q", "q", radius_p=0.1, radius_q=0.1, damping=1.0)
-    with pytest.raises(fx.ModelError, match="gears 'g': pitch radii 0.1 and -0.1 do not mesh"):
-        m.gears("g", "P", "p", "Q", "q", radius_p=0.1, radius_q=-0.1)
+    with pytest.raises(fx.ModelError, match="gear 'g': pitch radii 0.1 and -0.1 do not mesh"):
+        m.gear("g", "P", "p", "Q", "q", radius_p=0.1, radius_q=-0.1)
     with pytest.raises(fx.ModelError, match="belt 'c': node 'p' is a planar_angle; it needs a planar_point"):
         m.belt("c", "p", "p", "Q", "q", radius_p=0.1, radius_q=0.1)
     space = fx.Model()
     space.point("A", (0, 0, 0))
     space.frame("R")
-    with pytest.raises(fx.ModelError, match="surface 's': all its factors are zero"):
-        space.surface("s", "A")
+    with pytest.raises(fx.ModelError, match="quadric 's': all its factors are zero"):
+        space.quadric("s", "A")
     with pytest.raises(fx.ModelError, match="rotary inertia 'J': a principal moment .* is negative"):
         space.rotary_inertia("J", "R", (1, -1, 1, 0, 0, 0))

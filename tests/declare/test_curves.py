@@ -27,7 +27,7 @@ def bar(length: float = 1.0) -> fx.Model:
 def test_a_polynomial_of_the_length_loses_no_digits() -> None:
     length = 0.44055648
     m = bar(length)
-    m.spring_curve("bar.elongation", fx.Curve([POLYNOMIAL]), at=length)
+    m.spring("bar.elongation", fx.Curve([POLYNOMIAL]), free_length=0.0)
     s = m.build()
     for e in (0.0, -0.0057, 0.0213):
         Z = Decimal(length) + Decimal(e)
@@ -39,7 +39,7 @@ def test_a_polynomial_of_the_length_loses_no_digits() -> None:
 def test_the_energy_of_a_curve_is_the_work_done_on_it() -> None:
     spring = fx.Curve([[-130.0, 150.0], [-45.0, 50.0], [-107.5, 100.0]], breaks=[0.85, 1.25])
     m = bar()
-    m.spring_curve("bar.elongation", spring, at=1.0)
+    m.spring("bar.elongation", spring, free_length=0.0)
     m.initial("A.x", rate=2.5)
     motion = m.build().simulate(4.0, rtol=1e-10, atol=1e-12)
     assert motion["A.x"].min() < 0.85 < 1.25 < motion["A.x"].max()  # through all three pieces
@@ -64,7 +64,7 @@ def test_a_damper_acts_on_the_rate() -> None:
                       breaks=[-0.2, 0.21])  # fmt: skip
     for rate, force in ((-1.5, -3182.87), (0.1, 1234.72255), (0.5, 2736.5273)):
         m = bar()
-        m.damper_curve("bar.elongation", damper)
+        m.spring("bar.elongation", damping=damper)
         m.initial("A.x", rate=rate)
         s = m.build().initial
         assert s.force("bar.elongation") == pytest.approx(force, rel=1e-6)
@@ -95,12 +95,8 @@ def test_curves_that_cannot_be_are_refused() -> None:
         fx.Curve([[0.0], [0.0]])
     with pytest.raises(fx.ModelError, match="piece 1 has 6 coefficients; give 1 to 5"):
         fx.Curve([[0.0] * 6])
-    with pytest.raises(fx.ModelError, match=r"damper curve on 'bar.elongation': it gives 4 at rest"):
-        bar().damper_curve("bar.elongation", fx.Curve([[4.0, 1.0]]))
-    with pytest.raises(
-        fx.ModelError, match=r"spring curve on 'bar.elongation': 3.0 is no curve; give fx.Curve"
-    ):
-        bar().spring_curve("bar.elongation", 3.0)  # type: ignore[arg-type]
+    with pytest.raises(fx.ModelError, match=r"spring on 'bar.elongation': damping gives 4 at rest"):
+        bar().spring("bar.elongation", damping=fx.Curve([[4.0, 1.0]]))
 
 
 def test_a_break_in_free_play_joins_up_to_rounding() -> None:
@@ -111,7 +107,7 @@ def test_a_break_in_free_play_joins_up_to_rounding() -> None:
 
 def test_a_damper_through_a_table_gives_nothing_at_rest_up_to_rounding() -> None:
     m = bar()
-    m.damper_curve("bar.elongation", fx.Curve.through([-0.3, -0.1, 0.1, 0.3], [-700, -350, 350, 700]))
+    m.spring("bar.elongation", damping=fx.Curve.through([-0.3, -0.1, 0.1, 0.3], [-700, -350, 350, 700]))
     m.initial("bar.elongation", rate=0.1)
     assert m.build().initial.force("bar.elongation") == pytest.approx(350.0)
 
@@ -119,10 +115,13 @@ def test_a_damper_through_a_table_gives_nothing_at_rest_up_to_rounding() -> None
 @pytest.mark.parametrize(
     ("given", "message"),
     [
-        ((3.0,), "pieces 3.0 are no list; give"),
-        ((None,), "pieces None are no list; give"),
-        (([0, 1], [0.0]), "piece 1 0 is no list of coefficients; give"),
-        (([[[0, 1e5], [0, 0]]],), r"piece 1 \[\[0, 100000.0\], \[0, 0\]\] is no list of coefficients; give"),
+        ((3.0,), "pieces 3.0 are not a list; give"),
+        ((None,), "pieces None are not a list; give"),
+        (([0, 1], [0.0]), "piece 1 0 is not a list of coefficients; give"),
+        (
+            ([[[0, 1e5], [0, 0]]],),
+            r"piece 1 \[\[0, 100000.0\], \[0, 0\]\] is not a list of coefficients; give",
+        ),
     ],
 )
 def test_pieces_that_are_no_lists_are_refused(given: Any, message: str) -> None:

@@ -8,7 +8,9 @@ import pytest
 import sympy
 
 from flexel.base.arrays import Array
-from flexel.base.errors import DynamicsError, FlexelError, IncompleteWarning
+from flexel.base.errors import DynamicsError, FlexelError, IncompleteWarning, ModelError
+from flexel.declare.user import compile_law
+from flexel.derive import Law, Parameter, symbol
 from flexel.derive.check.branches import check_branches
 from flexel.model import Model
 
@@ -128,13 +130,14 @@ def test_two_formulas_in_one_model_keep_apart() -> None:
     assert np.max(np.abs(np.array(stress) - [0.2, 0.608, -0.6])) < 1e-14
 
 
-def test_formulas_are_compiled_once(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_formulas_are_compiled_and_verified_once(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     for number in (1.25, 1.25, 2.5):
         m = slider()
         m.law("strut.elongation", lambda e, ed, k=number: k * e + sympy.sin(e))
         m.build()
     assert len(list(tmp_path.rglob("*.so"))) == 2
+    assert len(list(tmp_path.rglob("*.verified"))) == 2  # as what fx.compile_law makes
 
 
 @pytest.mark.parametrize("planar", [True, False])
@@ -174,7 +177,7 @@ def test_coupled_linear_law_has_its_matrix() -> None:
     S = np.array([[5.0, 1.0, 0.5], [1.0, 4.0, -0.3], [0.5, -0.3, 6.0]])
     D = 0.01 * S @ S
     preload = np.array([0.3, -0.1, 0.2])
-    m.linear_law(names, S, D, preload)
+    m.spring(names, S, D, preload=preload)
     m.independent(*names)
     s = m.build()
     e, ed = np.array([0.1, 0.02, -0.03]), np.array([0.2, -0.1, 0.3])
@@ -199,7 +202,7 @@ def rolling(release: bool, drag: float | None) -> Model:
     if release:
         m.release("w.longitudinal", "w.lateral")
     if drag is not None:
-        m.viscous("w.longitudinal", drag)
+        m.spring("w.longitudinal", damping=drag)
     return m
 
 
@@ -301,3 +304,50 @@ def test_dashpot_alone_makes_the_truss_free() -> None:
     m.initial("strut.elongation", rate=1.0)
     t = np.linspace(0, 0.4, 5)
     assert np.max(np.abs(history(m) - 2 / 5 * (1 - np.exp(-2.5 * t)))) < 1e-9
+
+
+@pytest.mark.parametrize(
+    "formula",
+    [
+        lambda e, ed: 1e8 * e**7 + 3 * ed,  # differences over a wide range lose digits
+        lambda e, ed: sympy.sqrt(sympy.Rational(1, 100) - e),  # real on one side only
+        lambda e: sympy.exp(50 * e) - 1,
+        lambda e: sympy.tan(40 * e),
+    ],
+)
+def test_a_formula_is_verified_where_it_is_real(formula: Any) -> None:
+    m = slider()
+    m.law("strut.elongation", formula)
+    m.initial("strut.elongation", 0.005)
+    assert np.isfinite(m.build().initial.force("strut.elongation"))
+
+
+def test_a_compiled_law_is_attached_like_a_formula() -> None:
+    e, ed = symbol("e"), symbol("ed")
+    k = Parameter("k", 1, "N/m", "stiffness")
+    cubic = compile_law(
+        Law(
+            "own_cubic",
+            "k e + e**3",
+            (k,),
+            (e,),
+            (ed,),
+            (),
+            (k.symbol * e + e**3,),
+            (),
+            k.symbol * e**2 / 2 + e**4 / 4,
+        )
+    )
+    forces = []
+    for given in ({"law": cubic, "k": 3.0}, {"law": lambda e: 3 * e + e**3}):
+        m = slider()
+        m.law("strut.elongation", **given)  # type: ignore[arg-type]
+        m.initial("strut.elongation", 0.2)
+        forces.append(m.build().initial.force("strut.elongation"))
+    assert forces == pytest.approx([0.608, 0.608])
+    with pytest.raises(ModelError, match="law 'own_cubic' on 'strut.elongation': parameters are missing: k"):
+        slider().law("strut.elongation", cubic)
+    with pytest.raises(ModelError, match="a compiled law has its own energy; leave energy out"):
+        slider().law("strut.elongation", cubic, energy=lambda e: e**2)
+    with pytest.raises(ModelError, match=r"attach: this law is a compiled one; use m.law\(on, law"):
+        slider().attach(cubic, ["strut.elongation"], k=3.0)  # type: ignore[arg-type]

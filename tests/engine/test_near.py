@@ -17,7 +17,7 @@ def falling_rope() -> fx.System:
     s = np.linspace(0, 1, 25)
     line = np.column_stack([0.9 * s, 0.02 * np.sin(2 * np.pi * s)])
     rope = m.cable_line("rope", line, 24, EA=1e3, EI=1e-3, mass_per_length=0.1, damping=1e-3)
-    m.contact(rope, "floor", fx.Contact(1e5, dissipation=1.0), rope_radius=5e-3)
+    m.rope_contact(rope, "floor", fx.Contact(1e5, dissipation=1.0), radius=5e-3)
     return m.build()
 
 

@@ -53,7 +53,7 @@ def oscillator(law: CompiledLaw, initial: float = 0.0) -> fx.Model:
     m.fix("A.y", "A.z")
     m.truss("bar", "O", "A")
     m.point_mass("mass", "A", MASS)
-    m.attach(law, ["bar.elongation"], name="damper", k=K, lag=LAG, initial={"creep": initial})
+    m.law(["bar.elongation"], law, name="damper", k=K, lag=LAG, initial={"creep": initial})
     return m
 
 
@@ -131,7 +131,7 @@ def test_what_is_missing_or_unknown_is_named(change: dict[str, object], message:
     given: dict[str, object] = {"k": K, "lag": LAG} | change
     given = {name: value for name, value in given.items() if value is not None}
     with pytest.raises(fx.ModelError, match=message):
-        m.attach(maxwell(), ["bar.elongation"], **given)  # type: ignore[arg-type]
+        m.law(["bar.elongation"], maxwell(), **given)  # type: ignore[arg-type]
 
 
 def test_periodic_motion_says_that_it_has_no_place_for_internal_states() -> None:
@@ -149,13 +149,13 @@ def test_an_internal_state_cannot_have_the_name_of_a_coordinate() -> None:
     m.point("O", (0, 0, 0), fixed=True)
     m.point("hub", (1, 0, 0))
     m.truss("bar", "O", "hub")
-    m.attach(law, ["bar.elongation"], name="hub")
+    m.law(["bar.elongation"], law, name="hub")
     with pytest.raises(fx.ModelError, match=r"law 'hub': its internal state 'hub.x' has the name of a coord"):
         m.build()
 
 
 def test_an_internal_state_whose_rate_is_not_finite_is_named() -> None:
     m = oscillator(maxwell())
-    m.attach(maxwell(), ["bar.elongation"], name="empty", k=1.0, lag=0.0)
+    m.law(["bar.elongation"], maxwell(), name="empty", k=1.0, lag=0.0)
     with pytest.raises(fx.DynamicsError, match=r"rate of 'empty.creep' at t = 0 s is not finite"):
         _ = m.build().initial

@@ -82,9 +82,9 @@ TURN, TROLLEY, FORCE = Knob(0.4, 1.7, -2.2), Knob(0.12, -0.6, 1.1), Knob(1.4)
 def driven_loop() -> Model:
     """The spatial four-bar with a prescribed crank and a flexible rocker hinge: no dynamic freedom but a spring."""
     m = rssr(universal=False)
-    m.dynamic = None
-    m.rates.clear()
-    m.values.clear()
+    m._dynamic = None
+    m._rates.clear()
+    m._values.clear()
     m.release("coupler bar.elongation")
     m.spring("coupler bar.elongation", 300.0, 2.0)
     m.prescribe("input.angle", CRANK)
@@ -122,10 +122,10 @@ PUSH = Knob(-0.7)
 def sliding() -> Model:
     """The disc with viscous resistance along and across instead of pure rolling, and a twisting moment."""
     m = disc(1.3, (1.0, 0.2, 4.0))
-    m.dynamic, m.kinematic_names = None, None
-    m.viscous("wheel.longitudinal", 2.5)
-    m.viscous("wheel.lateral", 1.5)
-    m.viscous("wheel.spin", 0.4)
+    m._dynamic, m._kinematic = None, None
+    m.spring("wheel.longitudinal", damping=2.5)
+    m.spring("wheel.lateral", damping=1.5)
+    m.spring("wheel.spin", damping=0.4)
     m.independent("yaw.angle", "lean.angle", "roll.angle", "contact.x", "contact.y")
     m.initial("contact.x", rate=1.0)
     m.initial("contact.y", rate=-0.5)
@@ -139,7 +139,7 @@ def tumbling() -> Model:
     P, R, Q = m.point("P", (0, 0, 0)), m.frame("R"), m.point("Q", (0.3, 0.4, -0.2))
     W = m.point("wall", (0.2, 0.3, 0.9), fixed=True)
     m.body("body", P, R, mass=2.0, inertia=(0.3, 0.5, 0.6, 0.05, 0.02, -0.04), offset=(0.05, -0.1, 0.1))
-    m.fixed_point("eye", P, R, Q)
+    m.body_point("eye", P, R, Q)
     m.truss("spring", W, Q, stiffness=50.0, damping=0.7)
     w = m.angular_velocity(R)
     for name, rate in ((f"{w}.wx", 1.0), (f"{w}.wy", -2.0), (f"{w}.wz", 3.0), ("P.x", 0.4), ("P.z", -0.3)):
@@ -159,7 +159,7 @@ def planar() -> Model:
     m.truss("tie", A, B, mass_per_length=0.5)
     m.body("tip", B, "r2", mass=0.4, inertia=0.05, offset=(0.1, -0.1))
     m.independent("base.angle", "link.elongation", "link.bend1", "link.bend2", "B.x")
-    for i, z in enumerate(m.dynamic or []):
+    for i, z in enumerate(m._dynamic or []):
         m.initial(z, rate=0.4 * (-1) ** i)
     return m
 
@@ -256,8 +256,8 @@ def test_loads_on_any_quantity_are_inputs() -> None:
 @pytest.mark.parametrize("name", ["loop", "planar", "flexible_arm"])
 def test_stiffness_is_symmetric_in_a_conservative_equilibrium(name: str) -> None:
     m = MODELS[name]()
-    m.rates.clear()
-    m.values.clear()
+    m._rates.clear()
+    m._values.clear()
     s = m.build()
     lin = s.linearize(s.equilibrium() if name == "loop" else s.steady())
     assert worst(lin.K, lin.K.T) < 1e-12
@@ -266,7 +266,7 @@ def test_stiffness_is_symmetric_in_a_conservative_equilibrium(name: str) -> None
 
 def test_eigenvalues_do_not_depend_on_the_chosen_freedoms() -> None:
     m = MODELS["loop"]()
-    m.rates.clear()
+    m._rates.clear()
     s = m.build()
     rest = s.equilibrium()
     w = s.linearize(rest).eigenvalues()
@@ -300,7 +300,7 @@ def test_mass_on_a_turntable_has_split_frequencies() -> None:
     O, P = m.point("O", (0, 0, 0), fixed=True), m.point("P", (0, 0, 0))
     ground, table = m.frame("ground", fixed=True), m.frame("table")
     m.hinge("turn", ground, table, axis=(0, 0, 1))
-    m.fixed_point("guide", O, table, P)
+    m.body_point("guide", O, table, P)
     for direction in ("along", "across1"):
         m.spring(f"guide.{direction}", 50.0)
     m.point_mass("mass", P, 2.0)

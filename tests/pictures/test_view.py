@@ -82,7 +82,7 @@ def test_a_belt_leaves_its_pulleys_at_a_tangent_and_gears_touch() -> None:
         m.point(name, (x, 0), fixed=True)
         m.angle(f"turn {name}")
     m.belt("belt", "A", "turn A", "B", "turn B", radius_p=0.1, radius_q=0.05, stiffness=100.0)
-    m.gears("gears", "B", "turn B", "C", "turn C", radius_p=0.2, radius_q=0.1)
+    m.gear("gears", "B", "turn B", "C", "turn C", radius_p=0.2, radius_q=0.1)
     m.body("pulley", "A", "turn A", mass=1.0, inertia=0.1)
     m.body("gear", "B", "turn B", mass=1.0, inertia=0.1)
     found = shapes(m.build().state_at({"turn A.angle": 0.3, "turn C.angle": 0.0}))
@@ -154,7 +154,7 @@ def rope_on_a_sheave() -> fx.System:
     }
     for name in ("touch", "touch too"):
         values = {key: np.array(z) for key, z in contact.items()}
-        m.add(name, "planar_cable_circle", ["p", "dp", "q", "dq", "axle", "turn"], values)
+        m.element(name, "planar_cable_circle", "p", "dp", "q", "dq", "axle", "turn", **values)
         m.spring(f"{name}.gap", 1e5)
     return m.build()
 

@@ -116,7 +116,7 @@ def test_a_prescribed_motion_goes_on_to_the_same_digits(tmp_path: Path) -> None:
 
     def driven() -> fx.System:
         m = slider_crank("")
-        m.rates.clear()
+        m._rates.clear()
         m.prescribe("crank hinge.angle", lambda t: 9.0 * t + 0.2 * np.sin(3 * t))
         return m.build()
 
@@ -195,7 +195,7 @@ def test_internal_states_of_laws_go_on(tmp_path: Path, monkeypatch: pytest.Monke
         m.fix("A.y", "A.z")
         m.truss("bar", "O", "A")
         m.point_mass("mass", "A", 2.0)
-        m.attach(law, ["bar.elongation"], name="damper", k=50.0)
+        m.law(["bar.elongation"], law, name="damper", k=50.0)
         m.initial("A.x", 1.1)
         return m.build()
 

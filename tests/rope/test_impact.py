@@ -3,18 +3,35 @@
 import pytest
 
 import flexel as fx
-from flexel.rope.impact import hunt_crossley, lankarani_nikravesh
+
+HC, LN = "hunt-crossley", "lankarani-nikravesh"
+
+
+def factor(e: float, v: float, law: str) -> float:
+    return fx.Contact.restitution(1e6, e, v, law=law).dissipation
 
 
 def test_both_factors_agree_near_restitution_one_and_vanish_there() -> None:
-    assert hunt_crossley(1.0, 2.0) == lankarani_nikravesh(1.0, 2.0) == 0.0
-    assert hunt_crossley(0.999, 2.0) == pytest.approx(lankarani_nikravesh(0.999, 2.0), rel=1e-3)
-    assert lankarani_nikravesh(0.5, 2.0) == pytest.approx(0.75 * 0.75 / 2.0)
+    assert factor(1.0, 2.0, HC) == factor(1.0, 2.0, LN) == 0.0
+    assert factor(0.999, 2.0, HC) == pytest.approx(factor(0.999, 2.0, LN), rel=1e-3)
+    assert factor(0.5, 2.0, LN) == pytest.approx(0.75 * 0.75 / 2.0)
+    assert factor(0.5, 2.0, HC) == pytest.approx(0.75 / 2.0)
+
+
+def test_the_rest_of_the_contact_is_as_given() -> None:
+    contact = fx.Contact.restitution(1e6, 0.9, 2.0, friction=0.2, points=3)
+    assert (contact.stiffness, contact.friction, contact.points) == (1e6, 0.2, 3)
+    assert contact.dissipation == factor(0.9, 2.0, HC)
 
 
 @pytest.mark.parametrize(
-    ("e", "v", "message"), [(1.2, 1.0, "not between 0 and 1"), (0.5, 0.0, "not positive")]
+    ("e", "v", "law", "message"),
+    [
+        (1.2, 1.0, HC, "contact: restitution 1.2 is not between 0 and 1"),
+        (0.5, 0.0, LN, "contact: speed of approach 0 is not positive"),
+        (0.5, 1.0, "hertz", "contact: unknown law of restitution 'hertz'"),
+    ],
 )
-def test_impossible_impacts_are_refused(e: float, v: float, message: str) -> None:
+def test_impossible_impacts_are_refused(e: float, v: float, law: str, message: str) -> None:
     with pytest.raises(fx.ModelError, match=message):
-        hunt_crossley(e, v)
+        factor(e, v, law)

@@ -12,7 +12,7 @@ from flexel.rope.laying import stretched
 from flexel.rope.ropes import Rope
 
 R, LEG = 0.2, 0.5
-GIVEN: dict[str, Any] = {"EA": 1e6, "EI": 1e-3, "mass_per_length": 0.1, "rope_radius": 0.01}
+GIVEN: dict[str, Any] = {"EA": 1e6, "EI": 1e-3, "mass_per_length": 0.1, "radius": 0.01}
 
 
 def sheave(groove: Any = None, planar: bool = True, radius: float = R, leg: float = LEG) -> fx.Model:
@@ -22,7 +22,7 @@ def sheave(groove: Any = None, planar: bool = True, radius: float = R, leg: floa
     (m.angle if planar else m.frame)("F", fixed=True)
     for name, x, y in (("C", 0, 0), ("A", -radius - 0.01, -leg), ("B", radius + 0.01, -leg)):
         m.point(name, np.resize([x, y, 0.0], flat), fixed=True)
-    m.sheave("S", "C", "F", radius, groove=groove)
+    m.sheave("S", "C", "F", radius=radius, groove=groove)
     return m
 
 
@@ -75,7 +75,7 @@ def test_the_wrap_of_a_thick_rope_is_counted_on_its_centre_line(planar: bool) ->
 def two_drums(**change: Any) -> Rope:
     m = sheave()
     m.point("D", (1.0, 0), fixed=True)
-    m.sheave("E", "D", "F", R)
+    m.sheave("E", "D", "F", radius=R)
     return laid(m, 100, path=["S", "E"], tension=10.0, **change)
 
 
@@ -90,7 +90,7 @@ def test_a_plane_below_a_rope_and_a_sheave_beside_it_are_no_obstacle() -> None:
     m.point("G", (0, -2.0), fixed=True)
     m.plane("ground", "G", "F", (0, 1))
     m.point("H", (1.0, -0.2), fixed=True)
-    m.sheave("guard", "H", "F", R)
+    m.sheave("guard", "H", "F", radius=R)
     assert set(laid(m, tension=10.0, also=["ground", "guard"]).contacts) == {"S", "ground", "guard"}
 
 
@@ -101,20 +101,22 @@ def obstacle(kind: str) -> fx.Model:
     if kind == "plane":
         m.plane("O", "H", "F", (0, 1))
     else:
-        m.sheave("O", "H", "F", 0.1, groove=fx.VGroove() if kind == "groove" else None)
+        m.sheave("O", "H", "F", radius=0.1, groove=fx.VGroove() if kind == "groove" else None)
     return m
 
 
 @pytest.mark.parametrize("kind", ["plane", "sheave", "groove"])
 def test_a_rope_is_not_laid_through_other_surfaces(kind: str) -> None:
-    with pytest.raises(fx.ModelError, match=r"rope 'r': as laid it runs \S+ m deep into 'O'"):
+    with pytest.raises(
+        fx.ModelError, match=r"rope 'r': in its initial configuration it runs \S+ m deep into 'O'"
+    ):
         laid(obstacle(kind), tension=10.0, also=["O"])
 
 
 def test_a_rope_is_not_laid_over_one_sheave_through_another_of_its_path() -> None:
     m = sheave()
     m.point("H", (0, 0.5 * R), fixed=True)
-    m.sheave("O", "H", "F", R)
+    m.sheave("O", "H", "F", radius=R)
     with pytest.raises(
         fx.ModelError, match=r"deep into '[SO]', where another sheave leads it; move them apart"
     ):
@@ -137,7 +139,7 @@ def test_a_rope_is_not_laid_over_one_sheave_through_another_of_its_path() -> Non
         ({"refine": "2"}, "refine '2' is not numeric"),
         ({"also": "S"}, "'S' is not a list of names"),
         ({"also": ["T"]}, "rope 'r': unknown sheave or plane 'T'"),
-        ({"contact": 1e9}, "contact 1000000000.0 is none; give fx.Contact"),
+        ({"contact": 1e9}, "contact 1000000000.0 is not a Contact; give fx.Contact"),
         ({"tension": 1e12}, "presses it into a sheave by more than half the radius; give less tension"),
         ({"tension": None, "length": 0.01}, "the length 0.01 m on a path of .* give a greater length"),
         ({"tension": None, "length": 3.0}, "hangs slack"),
@@ -172,11 +174,11 @@ def test_a_rope_that_does_not_fit_into_its_groove_is_refused(radius: float) -> N
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (lambda m, r: m.contact(r, "S", 1e9, rope_radius=0.01), "contact 1000000000.0 is none"),
-        (lambda m, r: m.contact("r", "S", fx.Contact(1e9), rope_radius=0.01), "'r' is no rope; give what"),
+        (lambda m, r: m.rope_contact(r, "S", 1e9, radius=0.01), "contact 1000000000.0 is not a Contact"),
+        (lambda m, r: m.rope_contact("r", "S", fx.Contact(1e9), radius=0.01), "'r' is not a rope; give what"),
         (lambda m, r: m.plane("g", "C", "F", 3), r"plane 'g': normal \[3\.0\] has shape"),
         (lambda m, r: m.plane("g", "C", "F", None), "plane 'g': normal None is not numeric"),
-        (lambda m, r: m.sheave("T.a", "C", "F", 0.1), "a name is text without dots"),
+        (lambda m, r: m.sheave("T.a", "C", "F", radius=0.1), "a name is text without dots"),
         (
             lambda m, r: m.cable_line("c", lambda u: "ab", 4, EA=1.0, EI=0.0),
             "cable line 'c': path .* is not numeric",
@@ -213,7 +215,7 @@ def test_all_questions_take_motions_and_refuse_what_is_no_state_of_the_rope() ->
         with pytest.raises(fx.ModelError, match="rope 'r': the states are of different models"):
             rope.tension(wrong)
     for nothing in ([], m):
-        with pytest.raises(fx.ModelError, match=r"rope 'r': .* is no state; give a state, or a motion"):
+        with pytest.raises(fx.ModelError, match=r"rope 'r': .* is not a state; give a state, or a motion"):
             longer.tension(nothing)  # type: ignore[arg-type]
 
 
@@ -223,9 +225,9 @@ def fallen(request: pytest.FixtureRequest) -> fx.Motion:
     m = fx.Model(gravity=(0, -9.81, 0))
     m.frame("F", fixed=True)
     m.point("C", (0, 0, 0), fixed=True)
-    m.sheave("S", "C", "F", 0.1, groove=request.param)
+    m.sheave("S", "C", "F", radius=0.1, groove=request.param)
     rope = m.cable_line("r", [(-0.3, 0.1015, 0), (0.3, 0.1015, 0)], 20, EA=1e4, EI=1e-3, mass_per_length=0.1)
-    m.contact(rope, "S", fx.Contact(1e8, dissipation=1.0), rope_radius=0.001)
+    m.rope_contact(rope, "S", fx.Contact(1e8, dissipation=1.0), radius=0.001)
     for point in rope.points:
         m.initial(f"{point.name}.y", rate=-1.0)
     return m.build().simulate(
@@ -250,3 +252,52 @@ def test_an_implicit_motion_is_animated_from_its_stored_states(fallen: fx.Motion
     path = fallen.animate(tmp_path / "fall.gif", fps=10, slower=50, size=(3, 2), progress=False)
     with Image.open(path) as picture:
         assert picture.n_frames > 1
+
+
+WIRE: dict[str, Any] = {"section": fx.WireRope(0.02), "material": "wire rope", "tension": 10.0}
+
+
+def over_a_sheave(**given: Any) -> fx.Rope:
+    """A rope over the upper half of a planar sheave of radius 0.1."""
+    m = fx.Model()
+    m.sheave("S", m.point("C", (0, 0), fixed=True), m.angle("F", fixed=True), radius=0.1)
+    A, B = m.point("A", (-0.11, -0.2)), m.point("B", (0.11, -0.2))
+    return m.rope("r", [A, "S", B], 14, contact=fx.Contact(1e9), **given)
+
+
+def test_the_radius_of_a_rope_is_that_of_its_section() -> None:
+    rope = over_a_sheave(**WIRE)
+    assert rope.radius == 0.01
+    assert over_a_sheave(**WIRE, radius=0.01).radius == 0.01  # said twice, and the same
+    bar = over_a_sheave(section=fx.Circle(0.02), material="steel", tension=10.0)
+    assert bar.radius == 0.01
+
+
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        (
+            {**WIRE, "radius": 0.02},
+            "rope 'r': radius 0.02 m contradicts that of the rope's section, 0.01 m; leave",
+        ),
+        ({"EA": 1e6, "EI": 0.0}, "rope 'r': its radius is not known; give radius=…, or a section with"),
+        ({**WIRE, "section": fx.Rectangle(0.02, 0.02)}, "rope 'r': its radius is not known"),
+    ],
+)
+def test_a_radius_that_is_missing_or_contradicts_the_section_is_refused(
+    given: dict[str, Any], message: str
+) -> None:
+    with pytest.raises(fx.ModelError, match=message):
+        over_a_sheave(**given)
+
+
+def test_a_line_of_cables_touches_at_the_radius_of_its_section() -> None:
+    m = fx.Model()
+    m.plane("floor", m.point("C", (0, 0), fixed=True), m.angle("F", fixed=True), (0, 1))
+    section = {"section": fx.WireRope(0.02), "material": "wire rope"}
+    line = m.cable_line("r", [(0, 0.5), (1, 0.5)], 2, **section)
+    touching = m.rope_contact(line, "floor", fx.Contact(1e8, points=1))
+    assert [m.instances[z.element].parameters["rope_radius"][0] for z in touching] == [0.01, 0.01]
+    bare = m.cable_line("s", [(0, 0.7), (1, 0.7)], 2, EA=1.0, EI=0.0)
+    with pytest.raises(fx.ModelError, match="contact of 's' with 'floor': its radius is not known"):
+        m.rope_contact(bare, "floor", fx.Contact(1e8))

@@ -98,7 +98,7 @@ def cantilever(n: int, load: float) -> fx.State:
     rope = m.cable_line("rope", [(0, 0, 0), (1, 0, 0)], n, EA=1e5, EI=1.0, mass_per_length=1.0)
     wall = m.frame("wall", fixed=True)
     m.fix(rope.points[0])
-    m.clamp_slope("clamp", wall, rope.slopes[0])
+    m.clamp("clamp", wall, rope.slopes[0])
     m.load(rope.points[-1], (0, 0, load))
     return m.build().equilibrium()
 
@@ -149,7 +149,7 @@ def test_planar_anchor_and_beam_share_the_rope_with_a_beam() -> None:
     still, turn = m.angle("still", fixed=True), m.angle("turn")
     m.beam("beam", wall, still, P, turn, EIz=1.0)
     rope = m.cable_line("rope", [(1, 0), (2, 0)], 2, start=P, end=Q, EA=1e6, EI=1.0, mass_per_length=1.0)
-    m.clamp_slope("joint", turn, rope.slopes[0])
+    m.clamp("joint", turn, rope.slopes[0])
     m.load(Q, (0, 1e-4))
     assert m.build().equilibrium().position("Q")[1] == pytest.approx(1e-4 * 8 / 3, rel=1e-4)
 

@@ -22,11 +22,11 @@ def over_a_sheave(
     m.angle("F")
     m.hinge("axle", "G", "F")
     m.prescribe("axle.angle", lambda t: turning * t)
-    m.sheave("S", "C", "F", R)
+    m.sheave("S", "C", "F", radius=R)
     A, B = m.point("A", (-R - THIN, -0.4)), m.point("B", (R + THIN, -0.4))
     m.fix(A, B)
     given: dict[str, Any] = {
-        "contact": contact, "rope_radius": THIN, "tension": T, "EA": 1e5, "EI": 1e-5, "mass_per_length": 0.01,
+        "contact": contact, "radius": THIN, "tension": T, "EA": 1e5, "EI": 1e-5, "mass_per_length": 0.01,
         "damping": 1e-3,
     }  # fmt: skip
     return m, m.rope("rope", [A, "S", B], n, **(given | change))
@@ -108,10 +108,10 @@ def test_bristles_hold_a_rope_that_is_pulled_less_than_the_capstan_allows() -> N
     m = fx.Model()
     m.point("C", (0, 0), fixed=True)
     m.angle("F", fixed=True)
-    m.sheave("S", "C", "F", R)
+    m.sheave("S", "C", "F", radius=R)
     A, B = m.point("A", (-R - THIN, -0.2)), m.point("B", (R + THIN, -0.2))
     contact = fx.Contact(1e10, friction=0.3, bristle_stiffness=3e3, bristle_damping=1.0, dissipation=10.0)
-    m.rope("rope", [A, "S", B], 16, contact=contact, rope_radius=THIN, tension=T, EA=1e5, EI=1e-5,
+    m.rope("rope", [A, "S", B], 16, contact=contact, radius=THIN, tension=T, EA=1e5, EI=1e-5,
            mass_per_length=0.01, damping=1e-3)  # fmt: skip
     m.load(A, (0, -T))
     m.load(B, (0, -1.2 * T))
@@ -133,7 +133,7 @@ def test_bristles_hold_a_rope_that_is_pulled_less_than_the_capstan_allows() -> N
         ({"tension": None, "length": 2.0}, "% more than its path, so that it hangs slack"),
         ({"length": 1.0}, "both length and tension"),
         ({"tension": -1.0}, "tension -1 is negative"),
-        ({"rope_radius": -1.0}, "rope_radius -1 is negative"),
+        ({"radius": -1.0}, "radius -1 is negative"),
         ({"also": ["T"]}, "unknown sheave or plane 'T'"),
     ],
 )
@@ -161,7 +161,7 @@ def test_path_through_a_sheave_is_refused_by_name() -> None:
     m = fx.Model()
     still = m.angle("still", fixed=True)
     for name, x, y in (("P", 0, 0.3), ("Q", 1, 0.3), ("between", 0.5, 0.4)):
-        m.sheave(name, m.point(name, (x, y), fixed=True), still, R)
+        m.sheave(name, m.point(name, (x, y), fixed=True), still, radius=R)
     A, B = m.point("A", (-R, -1)), m.point("B", (1 + R, -1))
     with pytest.raises(fx.ModelError, match="the rope would run through 'between'"):
         m.rope(
@@ -169,7 +169,7 @@ def test_path_through_a_sheave_is_refused_by_name() -> None:
             [A, ("P", -1), ("Q", -1), ("between", -1), B],
             60,
             contact=CONTACT,
-            rope_radius=THIN,
+            radius=THIN,
             EA=1.0,
             EI=1.0,
         )

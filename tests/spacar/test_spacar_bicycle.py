@@ -62,7 +62,7 @@ def bicycle(speed: float) -> System:
     for row in lines("hinge"):
         m.hinge(f"hinge{row[0]:.0f}", o(row[1]), o(row[2]), axis=row[3:])
     for row in lines("pinbody"):
-        m.fixed_point(f"pinbody{row[0]:.0f}", p(row[1]), o(row[2]), p(row[3]))
+        m.body_point(f"pinbody{row[0]:.0f}", p(row[1]), o(row[2]), p(row[3]))
     for row in lines("wheel"):
         radius = -lines("x")[int(row[1]) - 1][3]
         m.wheel(

@@ -371,14 +371,14 @@ def test_bearing_is_a_hinge_with_a_common_point() -> None:
         m.frame("R1")
         m.point("A", (0.1, 0, 0))
         m.point("B", (0.9, 0, -0.4))
-        m.fixed_point("arm", "O", "R0", "A") if bearing else m.fix("A")
+        m.body_point("arm", "O", "R0", "A") if bearing else m.fix("A")
         if bearing:
             m.point("A1", (0.1, 0.2, 0))  # on the axis: the bearing keeps the offset
             m.bearing("joint", "A", "R0", "A1", "R1", axis=(0, 1, 0))
-            m.fixed_point("end", "A1", "R1", "B")
+            m.body_point("end", "A1", "R1", "B")
         else:
             m.hinge("joint", "R0", "R1", axis=(0, 1, 0))
-            m.fixed_point("end", "A", "R1", "B")
+            m.body_point("end", "A", "R1", "B")
         m.body("plate", "B", "R1", mass=2.0, inertia=(0.1, 0.2, 0.15), offset=(0.1, 0.05, 0))
         m.independent("joint.angle")
         m.initial("joint.angle", 0.4)
@@ -406,7 +406,7 @@ def test_point_of_a_body_moves_with_it() -> None:
     m.point("P", (0.3, -0.2, 0.5))
     m.frame("R", (0.8, 0.0, 0.6, 0.0))
     m.point("Q", (1.0, 0.4, 0.1))
-    m.fixed_point("pin", "P", "R", "Q")
+    m.body_point("pin", "P", "R", "Q")
     m.body("b", "P", "R", mass=1.0, inertia=(1.0, 1.5, 2.0))
     m.angular_velocity("R")
     for axis, rate in zip("xyz", (0.3, -1.0, 2.0), strict=True):

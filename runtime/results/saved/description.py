@@ -11,7 +11,8 @@ import numpy as np
 from flexel.base.arrays import Array
 from flexel.base.units import force_unit, rate_unit
 from flexel.declare.materials import Material, Profile
-from flexel.declare.sections import Circle, IBeam, Rectangle, Tube
+from flexel.declare.round_sections import Circle, Tube
+from flexel.declare.sections import IBeam, Rectangle
 from flexel.derive.spec import (
     DeformationSpec,
     ElementSpec,

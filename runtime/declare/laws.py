@@ -1,0 +1,230 @@
+"""Laws: the one door by which every law enters a model, and the methods of `Model` that attach one as it is.
+
+Springs, beams, cables, contacts and controllers are laws too; their methods end here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from flexel.base.arguments import array, names, numbers, quantities, unknown
+from flexel.base.arrays import Array
+from flexel.base.errors import ModelError
+from flexel.declare.declarations import Declarations
+from flexel.declare.formulas import formula_law
+from flexel.declare.signs import check_signs
+from flexel.derive.spec import LawSpec
+from flexel.generated.table import LAWS
+from flexel.structure.instances import LawInstance
+
+if TYPE_CHECKING:
+    from flexel.derive.compile import CompiledLaw
+
+
+class Laws(Declarations):
+    """Laws, built in, compiled and by formula."""
+
+    def attach(
+        self,
+        law: str,
+        on: Sequence[str],
+        *,
+        name: str | None = None,
+        initial: Mapping[str, float] | None = None,
+        **parameters: Any,
+    ) -> None:
+        """Attach a built-in law of several deformations and slips together; they become free.
+
+        Parameters
+        ----------
+        law : str
+            Name in the table of laws.
+        on : sequence of str
+            As many deformations as the law has, then as many slips, in the law's order.
+        name : str, optional
+            What its internal states are called by, ``name.state``; the names in `on`, joined, by default.
+        initial : mapping of str to float, optional
+            Initial values of internal states; zero by default.
+        **parameters
+            Value of each of the law's parameters.
+
+        Raises
+        ------
+        ModelError
+            An unknown law, parameter or state; a number of names or values that does not fit; a value that has no
+            physical sense.
+
+        See Also
+        --------
+        law : Compiled laws and formulas.
+
+        Examples
+        --------
+        >>> m.attach("viscous_2", ["tyre.longitudinal", "tyre.lateral"], C=[900, 0, 700])  # doctest: +SKIP
+        """
+        on = names(on, "attach")
+        if _is_compiled(law):
+            raise ModelError("attach: this law is a compiled one; use m.law(on, law, …)")
+        spec = LAWS.get(law) if isinstance(law, str) else None
+        if spec is None:
+            raise ModelError(f"attach: {unknown(str(law), LAWS, 'law')}")
+        owner = f"law '{spec.name}' on {_listed(on)}"
+        self._add_law(owner, spec, on, parameters, initial=initial, label=name)
+
+    def law(
+        self,
+        on: str | Sequence[str],
+        law: CompiledLaw | Callable[..., Any],
+        *,
+        energy: Callable[..., Any] | None = None,
+        name: str | None = None,
+        initial: Mapping[str, float] | None = None,
+        **parameters: Any,
+    ) -> None:
+        """Attach a law of your own: a compiled one, or a formula σ = law(e, ė) on one deformation.
+
+        Parameters
+        ----------
+        on : str or sequence of str
+            A deformation; for a compiled law as many deformations as it has, then as many slips.  They become free.
+        law : CompiledLaw or callable
+            What `flexel.compile_law` returned; or a function of e, or of e and ed, that is called once with SymPy
+            symbols and returns an expression.  Its tangent is derived, and it is compiled and verified.
+        energy : callable(e), optional
+            Stored energy [J] of a formula; the integral of the elastic part by default, where SymPy finds it.
+        name : str, optional
+            What internal states are called by, ``name.state``; the names in `on`, joined, by default.
+        initial : mapping of str to float, optional
+            Initial values of internal states; zero by default.
+        **parameters
+            Value of each parameter of a compiled law.
+
+        Raises
+        ------
+        ModelError
+            A formula that is not one of e and its rate, or an energy that does not belong to it; names or parameters
+            that do not fit a compiled law.
+        CompilerError
+            If no C compiler is found (only user-defined laws and elements need one).
+
+        See Also
+        --------
+        attach : Built-in laws.
+
+        Examples
+        --------
+        >>> m.law("strut.elongation", lambda e, ed: 2e4 * e + 3e6 * e**3 + 40 * ed)  # doctest: +SKIP
+        >>> m.law(["strut.elongation"], fx.compile_law(DAMPER), lag=0.1, k=50.0)  # doctest: +SKIP
+        """
+        on = (on,) if isinstance(on, str) else names(on, "law")
+        owner = f"law on {_listed(on)}"
+        if isinstance(law, str):
+            raise ModelError(f"{owner}: {law!r} is text; attach a built-in law by m.attach({law!r}, …)")
+        if not _is_compiled(law):
+            if given := [*parameters, *(["initial"] if initial is not None else [])]:
+                raise ModelError(f"{owner}: a formula takes no {', '.join(given)}; insert the numbers")
+            self._add_formula(owner, on, law, energy, name)
+            return
+        compiled: Any = law
+        if energy is not None:
+            raise ModelError(f"{owner}: a compiled law has its own energy; leave energy out")
+        owner = f"law '{compiled.spec.name}' on {_listed(on)}"
+        self._add_law(
+            owner, compiled.spec, on, parameters, kernels=compiled.address, initial=initial, label=name
+        )
+
+    def _add_law(
+        self,
+        owner: str,
+        spec: LawSpec,
+        on: Sequence[str],
+        parameters: Mapping[str, Any],
+        *,
+        kernels: object = None,
+        initial: Mapping[str, float] | None = None,
+        label: str | None = None,
+    ) -> None:
+        """Add a law to the model, checked: every law comes by here.
+
+        Parameters
+        ----------
+        owner : str
+            Who asks for it, for messages.
+        spec : LawSpec
+        on : sequence of str
+            Deformations, then slips.
+        parameters : mapping of str to array_like
+        kernels : object
+            Address of a compiled law's kernels; none for a built-in law.
+        initial : mapping of str to float, optional
+        label : str, optional
+            Its name; the names in `on`, joined, by default.
+        """
+        m, k = spec.deformations, spec.slips
+        on = quantities(on, owner)
+        if len(on) != m + k or len(set(on)) < len(on):
+            raise ModelError(f"{owner}: {len(on)} names; give {m} deformations, then {k} slips, each once")
+        values = _checked_parameters(owner, spec, parameters)
+        check_signs(spec, values, owner)
+        start = numbers(initial or {}, owner, "initial value")
+        states = [z.name for z in spec.states]
+        for wrong in [z for z in start if z not in states]:
+            raise ModelError(f"{owner}: {unknown(wrong, states, 'internal state')}")
+        z0 = tuple(start.get(z, 0.0) for z in states)
+        label = " ".join(on) if label is None else label
+        if states and any(z.name == label and z.spec.states for z in self.laws):
+            raise ModelError(
+                f"{owner}: there is a law '{label}' with internal states already; give another name"
+            )
+        self.laws.append(LawInstance(label, spec, on[:m], on[m:], values, kernels, z0))
+
+    def _add_linear(self, owner: str, on: Sequence[str], S: Array, D: Array, preload: Array) -> None:
+        """Add σ = preload + S e + D ė on one to six deformations; S and D are symmetric."""
+        upper = np.triu_indices(len(on))
+        values = {"preload": preload, "S": S[upper], "D": D[upper]}
+        self._add_law(owner, LAWS[f"linear_{len(on)}"], on, values)
+
+    def _add_formula(
+        self,
+        owner: str,
+        on: Sequence[str],
+        stress: Any,
+        energy: Callable[..., Any] | None = None,
+        label: str | None = None,
+    ) -> None:
+        """Add a law that is a formula of one deformation and its rate."""
+        if len(on) != 1:
+            raise ModelError(
+                f"{owner}: a formula acts on one deformation and {len(on)} are named; compile a law of more with "
+                "fx.compile_law"
+            )
+        quantities(on, owner)
+        compiled = formula_law(owner, stress, energy)
+        self._add_law(owner, compiled.spec, on, {}, kernels=compiled.address, label=label)
+
+
+def _checked_parameters(owner: str, spec: LawSpec, parameters: Mapping[str, Any]) -> dict[str, Array]:
+    """Numbers for each of the law's parameters, of the right sizes."""
+    known = [z.name for z in spec.parameters]
+    for wrong in [z for z in parameters if z not in known]:
+        raise ModelError(f"{owner}: {unknown(wrong, known, 'parameter')}")
+    if missing := [f"{z.name} [{z.unit}] ({z.doc})" for z in spec.parameters if z.name not in parameters]:
+        raise ModelError(f"{owner}: parameters are missing: {', '.join(missing)}")
+    values = {}
+    for z in spec.parameters:
+        value = array(parameters[z.name], owner, f"parameter {z.name}").reshape(-1)
+        if value.size != z.size:
+            raise ModelError(f"{owner}: parameter {z.name} has {value.size} numbers; it needs {z.size}")
+        values[z.name] = value
+    return values
+
+
+def _is_compiled(law: object) -> bool:
+    return isinstance(getattr(law, "spec", None), LawSpec) and hasattr(law, "address")
+
+
+def _listed(on: Sequence[object]) -> str:
+    return ", ".join(repr(z) for z in on)
