@@ -153,18 +153,18 @@ class Equilibria(Core):
         unknown: Sequence[str] | None = None,
         unknown_rates: Sequence[str] = (),
     ) -> State:
-        """Steady motion or equilibrium: the state near `start` whose freedoms have no acceleration.
+        """Steady motion or equilibrium: the state near `start` in which nothing accelerates.
 
         Parameters
         ----------
         start : State, optional
             Where to look from; the initial state by default.
         rates : mapping of name to rate, optional
-            Given rates of the dynamic freedoms; those of `start` by default.
+            Given rates of the dynamic degrees of freedom; those of `start` by default.
         unknown : sequence of str, optional
-            Freedoms to be found; all by default (smallest change).
+            Degrees of freedom to be found; all by default (smallest change).
         unknown_rates : sequence of str
-            Dynamic freedoms whose rates are to be found too.
+            Dynamic degrees of freedom whose rates are to be found too.
 
         Raises
         ------
@@ -173,8 +173,8 @@ class Equilibria(Core):
 
         Notes
         -----
-        The rates that are held are those of the freedoms.  For a rotating structure name deformations as freedoms
-        (`Model.independent`) and prescribe the rotation: with global coordinates as freedoms a motion with these at
-        rest would be looked for.
+        The rates that are held are those of the degrees of freedom.  For a rotating structure name deformations as
+        degrees of freedom (`Model.independent`) and prescribe the rotation: with global coordinates in their place a
+        motion with these at rest would be looked for.
         """
         return steady_motion(self, start or self.initial, rates, unknown, unknown_rates)

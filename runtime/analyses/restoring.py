@@ -24,8 +24,8 @@ class Restoring(Core):
     def restore(self, saved: Motion | State, time: float | None = None, *, as_saved: bool = False) -> State:
         """A state of this system from a saved one: to simulate on from, linearize about, or draw.
 
-        Coordinates, rates, turns, internal states of laws and the choice of freedoms are those of the file, bit for
-        bit; accelerations, forces and energies are computed anew, with the loads that the model has now.
+        Coordinates, rates, turns, internal states of laws and the choice of degrees of freedom are those of the file,
+        bit for bit; accelerations, forces and energies are computed anew, with the loads that the model has now.
 
         Parameters
         ----------
@@ -34,8 +34,8 @@ class Restoring(Core):
         time : float, optional
             One of the stored times of a motion [s]; the last one by default.
         as_saved : bool
-            Take accelerations, forces and energies from the file too: where a freedom has no inertia they cannot be
-            computed from the state.
+            Take accelerations, forces and energies from the file too: where a degree of freedom has no inertia they
+            cannot be computed from the state.
 
         Raises
         ------
@@ -65,7 +65,8 @@ def _stored(saved: Any, time: float | None) -> State:
         return saved
     if not isinstance(saved, Motion):
         raise ModelError(
-            f"restore: {type(saved).__name__} is no motion or state; give what fx.load returned, or one of its states"
+            f"restore: {type(saved).__name__} is not a motion or a state; give what fx.load returned, or one of "
+            "its states"
         )
     if time is None:
         return saved[-1]  # type: ignore[no-any-return]
@@ -97,13 +98,14 @@ def _only_in(a: Structure, b: Structure) -> list[str]:
 
 
 def _check_freedoms(system: Core, rows: list[Index]) -> None:
-    """The saved freedoms must be as many as the model's, and none of them constrained."""
+    """The saved degrees of freedom must be as many as the model's, and none of them constrained."""
     roles, names = system.roles, system.structure.names
     taken = {*roles.rigid.tolist(), *roles.prescribed.tolist(), *roles.zero.tolist()}
     held = [names[i] for z in rows for i in z.tolist() if i in taken]
     if held or [z.size for z in rows] != [roles.nd, roles.nq - roles.nd]:
         found = tuple(names[i] for z in rows for i in z.tolist())
         raise ModelError(
-            f"restore: the saved state has the freedoms {found}, this model {system.dynamic + system.kinematic}"
+            f"restore: the saved state has the degrees of freedom {found}, this model "
+            f"{system.dynamic + system.kinematic}"
             f"{': ' + ', '.join(held) + ' is constrained now' if held else ''}; build it with the same constraints"
         )

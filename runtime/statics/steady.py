@@ -127,5 +127,7 @@ def _with_rates(system: Core, start: State, rates: Mapping[str, float]) -> State
 
 def _place(names: Sequence[str], name: str) -> int:
     if name not in names:
-        raise ModelError(f"steady: '{name}' is not among the freedoms {tuple(names)}; name one of them")
+        raise ModelError(
+            f"steady: '{name}' is not among the degrees of freedom {tuple(names)}; name one of them"
+        )
     return list(names).index(name)

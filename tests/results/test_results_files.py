@@ -234,7 +234,7 @@ def test_a_changed_load_counts_from_the_restart_on(tmp_path: Path) -> None:
         s.restore(read, 0.3)
     with pytest.raises(fx.ModelError, match=r"another model; .*system\.restore"):
         s.simulate(1.0, start=read[-1])
-    with pytest.raises(fx.ModelError, match="restore: str is no motion or state"):
+    with pytest.raises(fx.ModelError, match="restore: str is not a motion or a state"):
         s.restore("fall.npz")  # type: ignore[arg-type]
 
 
@@ -248,7 +248,9 @@ def test_a_state_of_another_model_is_refused_by_name(motion: fx.Motion, tmp_path
     held = slider_crank("")
     held.rates.clear()
     held.prescribe("crank hinge.angle", lambda t: 0 * t)
-    with pytest.raises(fx.ModelError, match=r"restore: the saved state has the freedoms \('B\.x',\)"):
+    with pytest.raises(
+        fx.ModelError, match=r"restore: the saved state has the degrees of freedom \('B\.x',\)"
+    ):
         held.build().restore(free)
 
 

@@ -1,0 +1,178 @@
+"""One call for all integrators: what each method takes, which one is chosen, and how a motion that fails ends."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+import flexel as fx
+from flexel.integration.explicit import METHODS
+from flexel.integration.methods import OPTIONS
+
+GIVEN: dict[str, Any] = {  # an option with a value that a method which has it accepts
+    "rtol": 1e-6,
+    "atol": 1e-8,
+    "first_step": 1e-3,
+    "max_step": 0.05,
+    "step": 0.01,
+    "spectral_radius": 0.5,
+    "newton": "modified",
+    "max_order": 3,
+    "events": [fx.Event("low", lambda z: z["P.x"] - 1.0)],
+    "rechoose": False,
+}
+
+
+def oscillator(stiffness: float = 100.0, size: float = 1.0) -> fx.System:
+    """A mass on a spring along x, drawn at its rest length, that moves at its size a second."""
+    m = fx.Model()
+    O, P = m.point("O", (0, 0), fixed=True), m.point("P", (size, 0))
+    m.fix("P.y")
+    m.truss("spring", O, P, stiffness=stiffness)
+    m.point_mass("mass", P, 1.0)
+    m.initial("P.x", rate=size)
+    return m.build()
+
+
+@pytest.mark.parametrize("method", OPTIONS)
+@pytest.mark.parametrize("name", GIVEN)
+def test_every_method_takes_its_options_and_refuses_those_of_others_by_name(method: str, name: str) -> None:
+    if method == "sundials" and name in OPTIONS[method]:
+        pytest.importorskip("sksundae", reason="needs scikit-sundae: pip install 'flexel[sundials]'")
+    system = oscillator()
+    if name in OPTIONS[method]:
+        motion = system.simulate(0.1, method=method, samples=3, **{name: GIVEN[name]})
+        assert motion.t[-1] == pytest.approx(0.1)
+        return
+    with pytest.raises(fx.ModelError) as caught:
+        system.simulate(0.1, method=method, **{name: GIVEN[name]})
+    message = str(caught.value)
+    assert message.startswith(f"simulate: {name} is not an option of method '{method}'")
+    assert all(z in message for z in OPTIONS if name in OPTIONS[z])
+
+
+@pytest.mark.parametrize("name", ["rtol", "atol", "first_step", "max_step"])
+def test_a_constant_step_leaves_no_meaning_to_tolerances_and_limits(name: str) -> None:
+    with pytest.raises(fx.ModelError, match=f"step is constant, which leaves {name} without meaning"):
+        oscillator().simulate(0.1, method="generalized-alpha", step=0.01, **{name: GIVEN[name]})
+
+
+def test_explicit_is_chosen_where_nothing_speaks_against_it() -> None:
+    motion = oscillator().simulate(1.0)
+    assert motion.message == (
+        "reached the end (DOP853, chosen because max|λ|·duration = 10 at the start, at most 30000)"
+    )
+    assert motion.dense
+
+
+def test_a_stiff_motion_is_integrated_implicitly() -> None:
+    """ω T = 1e4 rad/s · 4 s; of half the duration it is not."""
+    system = oscillator(stiffness=1e8)
+    motion = system.simulate(4.0, samples=3, rtol=1e-2)
+    assert "generalized-alpha, chosen because max|λ|·duration = 4e+04 at the start, above" in motion.message
+    assert motion.ledger is not None
+    assert "DOP853, chosen" in system.simulate(0.01, samples=3).message
+
+
+def test_what_lacks_inertia_is_integrated_implicitly_and_named_by_explicit_methods() -> None:
+    """A point without mass between two springs; the mass beyond them swings as on one of half the stiffness."""
+    m = fx.Model()
+    O, P, Q = m.point("O", (0, 0), fixed=True), m.point("P", (1, 0)), m.point("Q", (2, 0))
+    m.fix("P.y", "Q.y")
+    m.truss("first", O, P, stiffness=100.0)
+    m.truss("second", P, Q, stiffness=100.0)
+    m.point_mass("mass", Q, 1.0)
+    m.initial("Q.x", rate=0.1)
+    m.initial("P.x", rate=0.05)
+    system = m.build()
+    motion = system.simulate(0.5, samples=6)
+    assert "generalized-alpha, chosen because a degree of freedom lacks inertia" in motion.message
+    omega = np.sqrt(50.0)
+    np.testing.assert_allclose(motion["Q.x"], 2 + 0.1 / omega * np.sin(omega * motion.t), atol=1e-4)
+    np.testing.assert_allclose(motion["P.x"], 1 + 0.05 / omega * np.sin(omega * motion.t), atol=1e-4)
+    with pytest.raises(fx.DynamicsError, match="'first.elongation' moves no mass"):
+        system.simulate(0.5, method="DOP853")
+
+
+def test_many_degrees_of_freedom_are_integrated_implicitly_without_eigenvalues(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    m = fx.Model(gravity=(0, 0, -9.81))
+    for i in range(101):
+        m.point_mass(f"mass{i}", m.point(f"P{i}", (i, 0, 0)), 1.0)
+    system = m.build()
+    monkeypatch.setattr(type(system), "linearize", None)
+    motion = system.simulate(0.1, samples=3)
+    assert motion.message.endswith("(generalized-alpha, chosen because 303 degrees of freedom, above 300)")
+    assert motion["P7.z"][-1] == pytest.approx(-9.81 * 0.1**2 / 2, rel=1e-6)
+
+
+def test_events_make_the_choice_explicit() -> None:
+    system = oscillator(stiffness=1e8)
+    event = fx.Event("passage", lambda z: z["P.x"] - 1.0, terminal=True)
+    motion = system.simulate(4.0, events=[event])
+    assert motion.message == "stopped by event 'passage' (DOP853, chosen because events are given)"
+    assert motion.t[-1] == pytest.approx(np.pi / 1e4, rel=1e-3)
+
+
+def test_a_prescribed_motion_is_followed_with_its_events() -> None:
+    m = fx.Model()
+    m.point_mass("mass", m.point("P", (0.0, 0.0)), 1.0)
+    m.fix("P.y")
+    m.prescribe("P.x", lambda t: t * t)
+    system = m.build()
+    motion = system.simulate(1.0, samples=5)
+    assert motion.message == "reached the end (not integrated: every motion is prescribed)"
+    event = fx.Event("quarter", lambda z: z["P.x"] - 0.25, terminal=True)
+    stopped = system.simulate(1.0, samples=5, events=[event])
+    assert stopped.t[-1] == pytest.approx(0.5, abs=1e-12)
+    assert stopped.events[0][0] == "quarter"
+
+
+@pytest.mark.parametrize("method", [*METHODS, "generalized-alpha", "sundials"])
+def test_a_motion_that_cannot_go_on_raises_with_what_was_computed(method: str) -> None:
+    """A rod whose end is drawn beyond its length, beside a mass that flies freely; SUNDIALS may end a little before."""
+    if method == "sundials":
+        pytest.importorskip("sksundae", reason="needs scikit-sundae: pip install 'flexel[sundials]'")
+    m = fx.Model()
+    O, A = m.point("O", (0, 0), fixed=True), m.point("A", (1, 0))
+    m.truss("rod", O, A)
+    m.point_mass("mass", A, 1.0)
+    m.prescribe("A.y", lambda t: t)
+    m.point_mass("other", m.point("B", (3.0, 0.0)), 1.0)
+    m.initial("B.x", rate=1.0)
+    system = m.build()
+    with pytest.raises((fx.DynamicsError, fx.PositionError)) as caught:
+        system.simulate(2.0, method=method, samples=201, progress=False)
+    motion = caught.value.motion
+    assert motion is not None
+    assert 0.5 < motion.t[-1] <= 1.0 + 1e-9
+    assert motion.message.startswith(str(caught.value))
+    assert motion["B.x"][-1] == pytest.approx(3.0 + motion.t[-1], rel=1e-5)
+
+
+def test_a_motion_that_fails_under_a_chosen_method_says_which_it_was() -> None:
+    m = fx.Model()
+    m.point_mass("mass", m.point("P", (0.0, 0.0)), 1.0)
+    m.load("P.x", fx.Table([0.0, 0.1, 0.2, 0.3], [0.0, 1.0, 1.0, 1.0]))
+    with pytest.raises(fx.ModelError, match="outside") as caught:
+        m.build().simulate(0.5)
+    assert "DOP853, chosen because" in caught.value.motion.message
+
+
+@pytest.mark.parametrize("method", ["DOP853", "generalized-alpha"])
+def test_tolerances_scale_with_the_model(method: str) -> None:
+    """A model a thousand times as large takes the same steps, also where the absolute tolerance rules."""
+    options: dict[str, Any] = (
+        {"samples": 3, "rtol": 1e-12, "atol": 1e-6} if method == "DOP853" else {"atol": 1e-6}
+    )
+    small, large = (oscillator(size=z).simulate(1.0, method=method, **options) for z in (1.0, 1000.0))
+    assert small.statistics["steps"] == large.statistics["steps"]
+    np.testing.assert_allclose(1000 * small["P.x"], large["P.x"], rtol=1e-9)
+    loose = oscillator(size=1000.0).simulate(1.0, method=method, **(options | {"atol": 1e-4}))
+    assert loose.statistics["steps"] < large.statistics["steps"]
+
+
+def test_a_first_step_is_taken_where_it_is_given() -> None:
+    motion = oscillator().simulate(1.0, method="RK45", first_step=1e-4, samples=2)
+    assert motion._segments[0].t1 == pytest.approx(1e-4)
