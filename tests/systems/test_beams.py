@@ -1,15 +1,13 @@
 """Flexible beams: frequencies, deflections and stability of straight beams against exact rods, with their orders.
 
-Exact values: `tests/data/beam_frequencies.json`, `elastica_cantilever.json`, `buckling.json` (from the benchmark
+Exact values: `examples/data/beam_frequencies.json`, `elastica_cantilever.json`, `buckling.json` (from the benchmark
 collection, with their sources); frequencies that have a closed form stand here as such.  The bending frequencies
 converge with the fourth order (cubic Hermite mass, exact static shapes), with shear with the second (the slopes of
 the mass interpolation are those of the sections); large deflections with the second, because a bending deformation
 is the sine of an angle.
 """
 
-import json
 from collections.abc import Sequence
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -17,18 +15,13 @@ import pytest
 from scipy.optimize import brentq
 
 from flexel.base.arrays import Array
+from flexel.examples.published import published
 from flexel.model import Model
 from flexel.system import System
 
-DATA = Path(__file__).parent.parent / "data"
-FREQUENCIES: dict[str, Any] = json.loads((DATA / "beam_frequencies.json").read_text())
-ELASTICA = {
-    row["PL2_EI"]: row
-    for row in json.loads((DATA / "elastica_cantilever.json").read_text())["vertical_tip_load"]
-}
-LATERAL = float(
-    json.loads((DATA / "buckling.json").read_text())["lateral_buckling_cantilever"]["constant_4_0126"]
-)
+FREQUENCIES: dict[str, Any] = published("beam_frequencies")
+ELASTICA = {row["PL2_EI"]: row for row in published("elastica_cantilever")["vertical_tip_load"]}
+LATERAL = float(published("buckling")["lateral_buckling_cantilever"]["constant_4_0126"])
 ENDS = ("p", "frame_p", "q", "frame_q")
 
 

@@ -10,10 +10,11 @@ from mechanisms import rssr
 from scipy.optimize import brentq
 
 from flexel.base.errors import ConstraintError, PositionError
+from flexel.examples.published import published
 from flexel.model import Model
 
 DATA = Path(__file__).parent.parent / "data"
-HOOKE = json.loads((DATA / "hooke_joint.json").read_text())
+HOOKE = published("hooke_joint")
 
 
 def cardan(beta: float, J1: float = 0.3, J2: float = 0.5) -> Model:
