@@ -13,7 +13,7 @@ import flexel as fx
 from flexel.base.arrays import Array
 from flexel.examples import beams_data as data
 from flexel.examples import beams_models as models
-from flexel.examples.beams_static import converged, needed
+from flexel.examples.convergence import converged, needed
 from flexel.results.report import Quantity
 
 SPIN_TOLERANCE = 1e-7  # of the implicit integrator, for the spin-up beam

@@ -7,9 +7,7 @@ Imports numpy, scipy and flexel.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
 from functools import cache, partial
-from typing import Protocol
 
 import numpy as np
 from scipy.optimize import brentq
@@ -19,7 +17,7 @@ from flexel.base.arrays import Array
 from flexel.base.quaternions import matrix
 from flexel.examples import beams_data as data
 from flexel.examples import beams_models as models
-from flexel.examples.convergence import elements_needed, order, romberg
+from flexel.examples.convergence import MeshError, converged, needed, order, romberg
 from flexel.results.report import Quantity
 
 SHEAR_NOTE = (
@@ -136,69 +134,7 @@ def column_load(n: int, section: dict[str, float]) -> float:
     return critical_load(models.column(n, "clamped-free", **section), 1.0, 3.0)
 
 
-class MeshError(Protocol):
-    """Relative error on a mesh of n elements, with or without the second-order terms."""
-
-    def __call__(self, n: int, second_order: bool) -> float:
-        """The error."""
-
-
 # -- rows -----------------------------------------------------------------------------------------
-
-
-def converged(
-    name: str,
-    value: Callable[[int], Array | float],
-    reference: Array | float,
-    meshes: Sequence[int],
-    tolerances: tuple[float, float],
-    unit: str,
-    source: str,
-    order_tolerance: float | None = 0.03,
-) -> list[Quantity]:
-    """Rows of one result: on the finest mesh, the order there, and the limit extrapolated from the meshes.
-
-    Parameters
-    ----------
-    meshes : sequence of int
-        Numbers of elements, each twice the one before.
-    tolerances : (float, float)
-        Of the finest mesh, and of the limit.
-    order_tolerance : float, optional
-        The order is to be 2 within it; none where terms of the second and fourth order are of the same size.
-    """
-    found = [np.asarray(value(n)) for n in meshes]
-    size = float(np.max(np.abs(reference)))
-    errors = [float(np.max(np.abs(z - reference))) / size for z in found]
-    observed = order(errors)
-    mesh = {"elements": meshes[-1], "order": observed, "errors": errors}
-    limit = {"elements": list(meshes)}
-    comment = f"{source}; extrapolated from the meshes of " + ", ".join(map(str, meshes)) + " elements"
-    return [
-        Quantity(name, found[-1], reference, tolerances[0], unit, source, mesh),
-        Quantity(
-            f"{name}_order",
-            observed,
-            None if order_tolerance is None else 2.0,
-            (order_tolerance or 0.0) / 2,
-            "",
-            "order of convergence",
-            limit,
-        ),
-        Quantity(f"{name}_limit", romberg(found), reference, tolerances[1], unit, comment, limit),
-    ]
-
-
-def needed(name: str, error: MeshError, source: str, fewest: int = 1, terms: bool = True) -> Quantity:
-    """Row of the elements needed for 1 % and for 0.1 %, with and without the second-order terms."""
-    both: tuple[bool, ...] = (True, False) if terms else (True,)
-    found = [elements_needed(partial(error, second_order=z), (1e-2, 1e-3), fewest) for z in both]
-    more: dict[str, object] = {"elements_1pct": found[0][0], "elements_0.1pct": found[0][1]}
-    if terms:
-        more |= {"elements_1pct_first_order": found[1][0], "elements_0.1pct_first_order": found[1][1]}
-    counts = np.array([np.nan if n is None else n for row in found for n in row], dtype=float)
-    text = "elements for 1 %, 0.1 %" + ("; the same without second-order terms" if terms else "")
-    return Quantity(f"elements_for_{name}", counts, source=f"{text}: {source}", more=more)
 
 
 def large_deflections() -> list[Quantity]:

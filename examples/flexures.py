@@ -277,18 +277,6 @@ def analyse() -> Results:
     )
 
 
-def ends(d: Design) -> list[tuple[Array, Array]]:
-    """Axes of the leaf springs, and their ends seen from the reference point."""
-    if d is GUIDE:
-        return [(np.eye(3), np.array([d.length / 2, y, 0.0])) for y in (-SPACING / 2, SPACING / 2)]
-    found = []
-    for angle in (HALF_ANGLE, -HALF_ANGLE):
-        c, s = np.cos(angle), np.sin(angle)
-        axes = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1.0]])
-        found.append((axes, axes[:, 0] * d.length / 2))
-    return found
-
-
 # -- the table ------------------------------------------------------------------------------------
 
 

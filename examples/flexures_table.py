@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from flexel.base.arrays import Array
 from flexel.examples import flexures_exact as exact
 from flexel.examples.flexures import (
     BENDING,
@@ -23,11 +24,22 @@ from flexel.examples.flexures import (
     Maker,
     Results,
     critical,
-    ends,
     expected_stiffness,
     guided_directions,
 )
 from flexel.results.report import Quantity
+
+
+def ends(d: Design) -> list[tuple[Array, Array]]:
+    """Axes of the leaf springs, and their ends seen from the reference point."""
+    if d is GUIDE:
+        return [(np.eye(3), np.array([d.length / 2, y, 0.0])) for y in (-SPACING / 2, SPACING / 2)]
+    found = []
+    for angle in (HALF_ANGLE, -HALF_ANGLE):
+        c, s = np.cos(angle), np.sin(angle)
+        axes = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1.0]])
+        found.append((axes, axes[:, 0] * d.length / 2))
+    return found
 
 
 def rows(results: Results) -> list[Quantity]:

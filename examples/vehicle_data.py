@@ -1,4 +1,4 @@
-"""Published and recomputed numbers of the road vehicle: the IAVSD benchmark "Bombardier Iltis".
+"""Published and recomputed numbers of the road vehicle: the IAVSD benchmark "Bombardier Iltis", from `examples/data`.
 
 Lengths in m above the road with the chassis at its nominal height; x forward, y left, z up, origin below the mass
 centre of the chassis. Corners are named by what they physically are: y < 0 is right. Imports the standard library only.
@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from flexel.examples.published import published
+
 TALK = "Schwab, talk on SPACAR: 85 elements, 239 deformations, 70 nodes, 226 coordinates, 10 freedoms"
 TALK_COUNTS = {"elements": 85, "deformations": 239, "nodes": 70, "coordinates": 226, "freedoms": 10}
 PAPER = "Frik, Leister, Schwartz (1993) VSD 22 suppl. 215-253, as quoted in ovankerm/IAVSD_ILTIS"
@@ -16,9 +18,20 @@ RECOMPUTED = "stationary energy, recomputed by an independent script; agrees wit
 LEVER = "lever rule of the level vehicle (as the published loads are)"
 INDICATIVE = "independent symmetric model with 4 coordinates, indicative"
 
+_TABLES = published("iltis")
+_BODIES, _FORCES = _TABLES["bodies"], _TABLES["forces"]
+_UNIT, _TYRE = _FORCES["damper_unit"], _FORCES["tyre_vertical"]
+_COEFFICIENTS = _FORCES["tyre_horizontal_calspan"]["coefficients"]
+_REST = _TABLES["static_equilibrium"]["independent_check_this_extraction"]
+
+
+def _body(name: str, inertia: str = "inertia_diag") -> dict[str, Any]:
+    return {"mass": float(_BODIES[name]["mass"]), "inertia": tuple(_BODIES[name][inertia])}
+
+
 GRAVITY = 9.81
 HEIGHT = 0.57  # of the chassis' mass centre
-AXLES = {"front": 0.97, "rear": -1.047}
+AXLES: dict[str, float] = _TABLES["axle_x"]
 SIDES = {"right": -1.0, "left": 1.0}
 CORNERS = tuple(f"{axle} {side}" for axle in AXLES for side in SIDES)
 
@@ -35,24 +48,31 @@ POINTS = {
     "hub": (0.0, 0.615, 0.356),
 }
 
-CHASSIS: dict[str, Any] = {"mass": 1260.0, "inertia": (130.0, 1620.0, 1670.0)}
-ARM: dict[str, Any] = {"mass": 6.0, "inertia": (0.052099, 0.023235, 0.068864)}
-ARM_CENTRE = 0.16073  # from the lower ball along the arm
-WHEEL: dict[str, Any] = {"mass": 57.35, "inertia": (1.2402, 1.908, 1.2402)}
+CHASSIS = _body("chassis")
+ARM = _body("lower_arm", "inertia_diag_about_com")
+ARM_CENTRE: float = _BODIES["lower_arm"]["com"][1]  # from the lower ball along the arm
+WHEEL = _body("wheel_assembly")
 
-RADIUS = {"front": 0.364325, "rear": 0.363812}  # of the unloaded tyre
-TYRE_STIFFNESS = 460000.0
-LEAF_STIFFNESS, LEAF_STOP_STIFFNESS = 35906.0, 1e7
-LEAF_LENGTH, LEAF_FREE, LEAF_STOP = 0.076, 0.152, 0.006  # nominal, free, and at the stop
-UNIT_SPRING = (-4.0092e6, 2.8397e7, -6.7061e7, 5.2796e7)  # tension over the length, rising powers
+RADIUS: dict[str, float] = _TYRE["unloaded_radius"]  # of the unloaded tyre
+TYRE_STIFFNESS: float = _TYRE["stiffness"]
+_LEAF = _FORCES["leaf_spring"]
+LEAF_STIFFNESS, LEAF_STOP_STIFFNESS = (float(_LEAF[z]) for z in ("stiffness", "stop_stiffness"))
+LEAF_LENGTH, LEAF_FREE, LEAF_STOP = (
+    0.076,
+    float(_LEAF["free_length"]),
+    float(_LEAF["stop_length"]),
+)  # nominal, free, and at the stop
+UNIT_SPRING: tuple[float, ...] = tuple(
+    _UNIT["spring_polynomial_coeff_Z0_to_Z3"]
+)  # tension over the length, rising powers
 UNIT_DAMPER = ((-416.42, 1844.3), (0.0, 9945.627, 33955.72, -59832.25, -395651.0), (1919.1638, 1634.727))
 UNIT_DAMPER_BREAKS = (-0.2, 0.21)
 
 CALSPAN: dict[str, Any] = {
-    "A": (2625.0, 14.47, 12930.0, 2.29, 18175.0),
-    "B": (-0.464e-4, 1.216, 2.18e-11),
-    "SN": 1.0274,
-    "AF": (-0.171e-4, 0.171e-4),
+    "A": tuple(_COEFFICIENTS[f"A{i}"] for i in range(5)),
+    "B": tuple(_COEFFICIENTS[z] for z in ("B1", "B3", "B4")),
+    "SN": _COEFFICIENTS["SN"],
+    "AF": tuple(_COEFFICIENTS[z] for z in ("AF1", "AF2")),
 }
 LINEAR: dict[str, dict[str, Any]] = {
     "front": {"cornering": 41641.0, "camber_stiffness": 6925.0, "trail": 0.06553},
@@ -64,18 +84,24 @@ BUMP_HEIGHT, BUMP = 0.2, (5.0, 0.97)  # crest; wavelength and where it begins
 RAMP_RATE, RAMP_SECONDS = 0.004, 0.5  # of the rack
 ROUNDED = 0.01  # s: the corners of the ramp, so that the rack has an acceleration
 
-NOMINAL = {"leaf": -2728.9, "unit": -128.0, "tyre_front": 3829.6, "tyre_rear": 3593.6}
-EQUILIBRIUM = {
-    "drop": (-7.08335795371251e-3, "m"),
-    "pitch": (2.557498e-3, "rad"),
-    "tyre_front": (3831.3146, "N"),
-    "tyre_rear": (3591.9124, "N"),
-    "unit_front": (-335.2907, "N"),
-    "unit_rear": (-241.6373, "N"),
-    "leaf_front": (-3068.621, "N"),
-    "leaf_rear": (-2885.5121, "N"),
-    "link_front": (-1408.5104630794376, "N"),
-    "link_rear": (-1335.522363660857, "N"),
+_QUOTED = _TABLES["nominal_forces"]["benchmark_published_quoted"]
+NOMINAL: dict[str, float] = {
+    "leaf": _QUOTED["leaf_to_carrier"],
+    "unit": _QUOTED["damper_unit"],
+    "tyre_front": _QUOTED["front_tyre"],
+    "tyre_rear": _QUOTED["rear_tyre"],
+}
+EQUILIBRIUM: dict[str, tuple[float, str]] = {
+    "drop": (_REST["dz_mm"] / 1000, "m"),
+    "pitch": (_TABLES["static_equilibrium"]["robotran"]["pitch_rad"], "rad"),
+    "tyre_front": (_REST["tyre_front"], "N"),
+    "tyre_rear": (_REST["tyre_rear"], "N"),
+    "unit_front": (_REST["damper_front"], "N"),
+    "unit_rear": (_REST["damper_rear"], "N"),
+    "leaf_front": (_REST["leaf_front"], "N"),
+    "leaf_rear": (_REST["leaf_rear"], "N"),
+    "link_front": (_REST["upper_link_axial"][0], "N"),
+    "link_rear": (_REST["upper_link_axial"][1], "N"),
 }
 SYMMETRIC = (-29.81 + 81.96j, -29.66 + 82.89j, -4.91 + 11.10j, -3.93 + 9.50j)
 SYMMETRIC_NO_SIDE_FORCE = (-29.077 + 82.476j, -28.896 + 83.179j, -4.824 + 11.005j, -3.775 + 9.578j)

@@ -1,10 +1,12 @@
-"""Three floors, one contract: which room imports what, and when."""
+"""Three parts, one contract: which part imports what, and when.  Each test lists every violation."""
 
 import ast
 import subprocess
 import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cache
+from importlib import import_module
 from pathlib import Path
 
 import pytest
@@ -12,14 +14,13 @@ import pytest
 import flexel
 
 ROOT = Path(__file__).resolve().parent.parent
-FLOORS = ("derive", "generated", "runtime", "examples")
-FILES = [path for floor in FLOORS for path in sorted((ROOT / floor).rglob("*.py"))]
+PARTS = ("derive", "generated", "runtime", "examples")
 
-# The package of derive that may import the compiled kernels, inside functions only.
+# The package of derive that may import the generated kernels.
 SEES_GENERATED = ("derive/verify",)
 # The one module of derive that everything may import: plain Python.
 SPEC = "flexel.derive.spec."
-# The rooms of the runtime that may call derive, inside functions only: commands, a user's own elements.
+# The modules of the runtime that may call derive, inside functions only: commands, a user's own elements.
 CALLS_DERIVE = (
     "runtime/commands/derive.py",
     "runtime/commands/verify.py",
@@ -34,93 +35,97 @@ LAZY = {"sympy", "jinja2", "matplotlib", "xarray", "h5netcdf", "pandas", "contro
 
 @dataclass(frozen=True)
 class Import:
-    """One imported module, and whether it is imported with the file or only when a function runs."""
+    """An imported module, by which file, and whether with the file or only when a function runs."""
 
+    file: str
     module: str
     lazy: bool
 
+    def __str__(self) -> str:
+        return f"{self.file}: {self.module}"
 
-def imports(path: Path) -> Iterator[Import]:
-    """Yield every import of a file, those for type checkers apart."""
-    yield from _walk(ast.parse(path.read_text()), lazy=False)
+    @property
+    def head(self) -> str:
+        """The top-level package that is imported."""
+        return self.module.partition(".")[0]
+
+    @property
+    def part(self) -> str | None:
+        """The part of flexel that is imported; None for any other package."""
+        if self.head != "flexel":
+            return None
+        first = self.module.partition(".")[2].partition(".")[0]
+        return first if first in PARTS else "runtime"
 
 
-def _walk(node: ast.AST, lazy: bool) -> Iterator[Import]:
+@cache
+def imports(*parts: str) -> tuple[Import, ...]:
+    """All imports of the parts, those for type checkers apart."""
+    files = [path for part in parts for path in sorted((ROOT / part).rglob("*.py"))]
+    return tuple(
+        entry
+        for path in files
+        for entry in _walk(path.relative_to(ROOT).as_posix(), ast.parse(path.read_text()), lazy=False)
+    )
+
+
+def _walk(file: str, node: ast.AST, lazy: bool) -> Iterator[Import]:
     for child in ast.iter_child_nodes(node):
         if isinstance(child, ast.Import):
-            yield from (Import(alias.name, lazy) for alias in child.names)
+            yield from (Import(file, alias.name, lazy) for alias in child.names)
         elif isinstance(child, ast.ImportFrom):
-            assert child.level == 0, f"relative import in line {child.lineno}"
-            yield from (Import(f"{child.module}.{alias.name}", lazy) for alias in child.names)
+            dots = "." * child.level  # a relative import is refused below
+            yield from (Import(file, f"{dots}{child.module}.{alias.name}", lazy) for alias in child.names)
         elif isinstance(child, ast.Call) and ast.unparse(child.func).endswith("import_module"):
-            yield from (Import(a.value, lazy) for a in child.args[:1] if isinstance(a, ast.Constant))
+            yield from (Import(file, a.value, lazy) for a in child.args[:1] if isinstance(a, ast.Constant))
         elif not (isinstance(child, ast.If) and "TYPE_CHECKING" in ast.unparse(child.test)):
-            yield from _walk(child, lazy or isinstance(child, ast.FunctionDef | ast.AsyncFunctionDef))
+            yield from _walk(file, child, lazy or isinstance(child, ast.FunctionDef | ast.AsyncFunctionDef))
 
 
-def room(path: Path) -> str:
-    """Return the path inside the checkout."""
-    return path.relative_to(ROOT).as_posix()
+def test_no_import_is_relative() -> None:
+    assert [str(z) for z in imports(*PARTS) if z.module.startswith(".")] == []
 
 
-def floor(module: str) -> str | None:
-    """Return the floor that a module of flexel belongs to, None for anything else."""
-    head, _, rest = module.partition(".")
-    if head != "flexel":
-        return None
-    first = rest.partition(".")[0]
-    return first if first in FLOORS else "runtime"
+def test_derive_imports_no_other_part_and_starts_without_compiled_kernels() -> None:
+    """Deriving needs neither the runtime nor (except in one package) what was generated."""
+    found = imports("derive")
+    other = [
+        str(z)
+        for z in found
+        if z.part not in (None, "derive")
+        and not (z.part == "generated" and z.file.startswith(SEES_GENERATED))
+    ]
+    assert other == []
+    assert [str(z) for z in found if "_kernels" in z.module and not z.lazy] == []
 
 
-def on_floor(name: str) -> list[Path]:
-    """Return the files of one floor."""
-    return [path for path in FILES if room(path).startswith(name + "/")]
-
-
-@pytest.mark.parametrize("path", on_floor("derive"), ids=room)
-def test_derive_sees_no_other_floor(path: Path) -> None:
-    """Deriving needs neither the runtime nor (but for two rooms) what was generated."""
-    allowed = {None, "derive"} | ({"generated"} if room(path).startswith(SEES_GENERATED) else set())
-    assert [entry.module for entry in imports(path) if floor(entry.module) not in allowed] == []
-
-
-@pytest.mark.parametrize("path", on_floor("derive"), ids=room)
-def test_derive_starts_without_compiled_kernels(path: Path) -> None:
-    """No room of derive imports the extension itself while it is being imported."""
-    assert [e.module for e in imports(path) if "_kernels" in e.module and not e.lazy] == []
-
-
-@pytest.mark.parametrize("path", on_floor("generated"), ids=room)
-def test_generated_sees_only_itself(path: Path) -> None:
+def test_generated_imports_only_itself() -> None:
     """The builder imports nothing of flexel; the table imports its specification."""
-    found = [entry.module for entry in imports(path) if floor(entry.module) is not None]
-    assert [z for z in found if path.name == "build.py" or not z.startswith(SPEC)] == []
+    found = imports("generated")
+    assert [
+        str(z) for z in found if z.part not in (None, "generated") and not z.module.startswith(SPEC)
+    ] == []
+    assert [str(z) for z in found if z.file.endswith("/build.py") and z.part is not None] == []
 
 
-@pytest.mark.parametrize("path", on_floor("runtime") + on_floor("examples"), ids=room)
-def test_runtime_derives_only_lazily_and_only_in_named_rooms(path: Path) -> None:
+def test_runtime_and_examples_derive_only_when_called_and_only_in_named_modules() -> None:
     """A model runs without SymPy; commands and a user's own element call it when they need it."""
     symbolic = [
-        e
-        for e in imports(path)
-        if (floor(e.module) == "derive" and not e.module.startswith(SPEC))
-        or e.module.startswith(("sympy", "jinja2"))
+        z
+        for z in imports("runtime", "examples")
+        if (z.part == "derive" and not z.module.startswith(SPEC)) or z.module.startswith(("sympy", "jinja2"))
     ]
-    if room(path) in CALLS_DERIVE:
-        symbolic = [entry for entry in symbolic if not entry.lazy]
-    assert [entry.module for entry in symbolic] == []
+    assert [str(z) for z in symbolic if not (z.lazy and z.file in CALLS_DERIVE)] == []
 
 
-@pytest.mark.parametrize("path", on_floor("runtime") + on_floor("examples"), ids=room)
-def test_slow_and_optional_packages_are_imported_when_used(path: Path) -> None:
-    """Matplotlib and the other extras are imported inside functions."""
-    assert [e.module for e in imports(path) if not e.lazy and e.module.partition(".")[0] in LAZY] == []
+def test_slow_and_optional_packages_are_imported_when_used() -> None:
+    found = imports("runtime", "examples")
+    assert [str(z) for z in found if not z.lazy and z.head in LAZY] == []
 
 
-@pytest.mark.parametrize("path", on_floor("runtime"), ids=room)
-def test_runtime_does_not_know_the_examples(path: Path) -> None:
+def test_the_runtime_does_not_import_the_examples() -> None:
     """The published systems use flexel, not the other way round (the command line finds them by name)."""
-    assert [entry.module for entry in imports(path) if floor(entry.module) == "examples"] == []
+    assert [str(z) for z in imports("runtime") if z.part == "examples"] == []
 
 
 def test_the_specification_brings_no_sympy() -> None:
@@ -141,11 +146,12 @@ def test_import_flexel_is_light() -> None:
     assert min(float(run.stdout) for run in runs) < 0.3
 
 
-@pytest.mark.parametrize("name", flexel.__all__)
-def test_every_public_name_is_there(name: str) -> None:
-    """Each name of the table is found in its module, and `dir` shows it."""
-    assert getattr(flexel, name).__module__ == flexel._HOMES[name]
-    assert name in dir(flexel)
+def test_every_public_name_is_defined_in_its_module_and_listed() -> None:
+    homes = flexel._HOMES
+    found = {name: getattr(import_module(home), name, None) for name, home in homes.items()}
+    assert {name for name, value in found.items() if getattr(flexel, name) is not value} == set()
+    assert {n for n, value in found.items() if getattr(value, "__module__", None) != homes[n]} == set()
+    assert set(flexel.__all__) - set(dir(flexel)) == set()
 
 
 def test_type_checkers_see_the_same_names() -> None:
@@ -157,7 +163,6 @@ def test_type_checkers_see_the_same_names() -> None:
     assert sorted(typed) == sorted(flexel.__all__)
 
 
-def test_unknown_public_name_lists_the_known_ones() -> None:
-    """A misspelt name is answered with the names that exist."""
+def test_an_unknown_public_name_is_answered_with_the_known_ones() -> None:
     with pytest.raises(AttributeError, match="Moddel.*Model"):
         flexel.Moddel  # noqa: B018

@@ -1,10 +1,16 @@
-"""The layers of the runtime: a module imports from its own layer or from lower ones, and nothing goes in circles."""
+"""The layers of the runtime: a module imports from its own layer or from lower ones, nothing goes in circles.
+
+And no file that is written by hand has more than 300 lines.
+"""
 
 import ast
+import subprocess
 from collections.abc import Iterator
 from functools import cache
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
+
+import pytest
 
 ROOT = Path(__file__).resolve().parent.parent
 RUNTIME = ROOT / "runtime"
@@ -50,6 +56,9 @@ EXCEPTIONS = {
     ("flexel.structure.state", "flexel.mechanics.stress"),  # section_forces, stress, largest_stress
 }
 LONGEST = 300  # lines of a file
+KINDS = {".py", ".c", ".h", ".js", ".jinja"}
+DERIVED = "generated/"  # printed by `flexel derive`
+FOREIGN = {"runtime/pictures/view/three.module.min.js"}
 MOST = 8  # modules in the root
 
 
@@ -118,3 +127,16 @@ def test_no_module_imports_itself_by_way_of_others() -> None:
 
 def test_the_root_is_small() -> None:
     assert len(list(RUNTIME.glob("*.py"))) <= MOST
+
+
+def test_no_file_written_by_hand_is_longer_than_300_lines() -> None:
+    if not (ROOT / ".git").exists():
+        pytest.skip("not a checkout: there is no list of tracked files")
+    listed = subprocess.run(["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=True)
+    lengths = {
+        name: len((ROOT / name).read_text(encoding="utf-8").splitlines())
+        for name in listed.stdout.splitlines()
+        if Path(name).suffix in KINDS and not name.startswith(DERIVED) and name not in FOREIGN
+        if (ROOT / name).is_file()
+    }
+    assert {name: n for name, n in lengths.items() if n > LONGEST} == {}

@@ -6,7 +6,6 @@ in `flexel.examples`: body points instead of rigid beams, masses and weights on 
 prescribed, another choice of kinematic coordinates.
 """
 
-import json
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +14,7 @@ import pytest
 from scipy.linalg import expm
 
 from flexel.base.arrays import Array
+from flexel.examples.published import published as table
 from flexel.mechanics.linearization import Linearization
 from flexel.model import Model
 from flexel.system import System
@@ -98,7 +98,7 @@ def linearized() -> dict[float, Linearization]:
 
 @pytest.fixture(scope="module")
 def published() -> dict[str, Array]:
-    data: dict[str, Any] = json.loads((DATA / "bicycle_whipple.json").read_text())
+    data: dict[str, Any] = table("bicycle_whipple")
     return {key: np.array(value, dtype=float) for key, value in data["computed_matrices"].items()}
 
 

@@ -13,6 +13,7 @@ from click.testing import CliRunner
 import flexel as fx
 from flexel.base.arrays import Array
 from flexel.commands.main import main
+from flexel.examples.published import published as table
 from flexel.spacar.run import run_spacar
 
 DATA = Path(__file__).parent.parent / "data"
@@ -62,7 +63,7 @@ def test_the_manuals_slider_crank_reaches_the_printed_state(tmp_path: Path) -> N
 
 @pytest.fixture(scope="module")
 def published() -> dict[str, Array]:
-    data = json.loads((DATA / "bicycle_whipple.json").read_text())
+    data = table("bicycle_whipple")
     return {key: np.array(data["computed_matrices"][key], dtype=float) for key in ("M", "C1", "K0", "K2")}
 
 

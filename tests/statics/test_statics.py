@@ -1,14 +1,10 @@
 """Static equilibrium, load paths, buckling and vibrations: closed forms and convergence."""
 
-import json
-from pathlib import Path
-
 import numpy as np
 import pytest
 
 import flexel as fx
-
-DATA = Path(__file__).parents[1] / "data"
+from flexel.examples.published import published
 
 
 def cantilever(n: int, EA: float = 1e6) -> fx.Model:
@@ -23,7 +19,7 @@ def cantilever(n: int, EA: float = 1e6) -> fx.Model:
 
 
 def tip_error(n: int, load: float) -> float:
-    rows = json.loads((DATA / "elastica_cantilever.json").read_text())["vertical_tip_load"]
+    rows = published("elastica_cantilever")["vertical_tip_load"]
     exact = next(float(z["w_over_L"]) for z in rows if float(z["PL2_EI"]) == load)
     m = cantilever(n, EA=1e8)
     m.load(f"P{n}.z", lambda t: load * t)

@@ -1,7 +1,5 @@
-"""The published beam problems: data as in the benchmark files, rows within their tolerances, rates of convergence."""
+"""The published beam problems: rows within their tolerances, rates of convergence."""
 
-import json
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -13,38 +11,6 @@ from flexel.examples import beams_models as models
 from flexel.examples import beams_static as static
 from flexel.examples.convergence import elements_needed, order, romberg
 from flexel.results.report import Quantity
-
-
-@pytest.fixture(scope="module")
-def benchmark(checkout: Path) -> dict[str, Any]:
-    names = (
-        "elastica_cantilever", "beam_large_deflection", "buckling", "beam_frequencies", "spinup_beam",
-    )  # fmt: skip
-    return {z: json.loads((checkout / f"tests/data/{z}.json").read_text()) for z in names}
-
-
-def test_the_data_are_those_of_the_benchmark_files(benchmark: dict[str, Any]) -> None:
-    elastica = benchmark["elastica_cantilever"]
-    tips = {
-        float(z["PL2_EI"]): (float(z["w_over_L"]), float(z["u_over_L"]))
-        for z in elastica["vertical_tip_load"]
-    }
-    assert all(tips[load] == (w, u) for load, w, u in data.TIP_FORCE)
-    bend = benchmark["beam_large_deflection"]["bathe_bolourchi_45deg"]["results"]
-    assert [(z["P"], *z["tip"]) for z in bend if z["case"].startswith("J=1/6, ks=1")] == list(data.BEND_TIPS)
-    princeton = benchmark["beam_large_deflection"]["princeton_beam"]["results"]
-    keys = ("P", "theta_deg", "u", "edgewise_e2", "flatwise_e3", "twist_rad")
-    np.testing.assert_allclose(
-        [[z[k] for k in keys] for z in princeton], data.PRINCETON_TIPS, rtol=1e-15, atol=1e-15
-    )
-    frame = benchmark["buckling"]["right_angle_frame"]["results"]["J=b t^3/3"]
-    assert (frame["plus_x"][0], frame["minus_x"][0]) == data.FRAME_LOADS
-    rows = benchmark["beam_frequencies"]["rotating_cantilever"]["rows"]
-    blades = [[z["hub_radius_over_L"], z["eta"], *z["flap"], *z["lag_inextensible"]] for z in rows]
-    assert np.array_equal(np.array(blades, dtype=float), data.ROTATING_BLADES)
-    for case, table in (("Simo_VuQuoc", data.SPIN_SIMO_TIPS), ("Kane", data.SPIN_KANE_TIPS)):
-        reference = benchmark["spinup_beam"]["cases"][case]["reference"]
-        assert [(z["t"], z["u1"], z["u2"]) for z in reference] == list(table)
 
 
 def failures(rows: list[Quantity]) -> list[str]:

@@ -1,24 +1,21 @@
 """The universal joint: closed forms of kinematics, moments and linearization; flexible pins; instability."""
 
-import json
 from collections.abc import Mapping
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
 from flexel.examples import cardan as example
-from flexel.examples import cardan_data as data
 from flexel.examples import cardan_table
+from flexel.examples.published import published
 from flexel.linear import periodic
 from flexel.results.report import Quantity
 
 
 @pytest.fixture(scope="module")
-def benchmark(checkout: Path) -> dict[str, Any]:
-    found: dict[str, Any] = json.loads((checkout / "tests/data/hooke_joint.json").read_text())
-    return found
+def benchmark() -> dict[str, Any]:
+    return published("hooke_joint")
 
 
 @pytest.fixture(scope="module")
@@ -27,17 +24,6 @@ def rows() -> Mapping[str, Quantity]:
     return {
         row.name: row for part in (cardan_table.motion, cardan_table.flexibility) for row in part(results)
     }
-
-
-def test_the_data_are_those_of_the_file(benchmark: dict[str, Any]) -> None:
-    keys = ("theta1_deg", "theta2_deg", "ratio", "theta2dd_over_w1sq")
-    table = [[row[k] for k in keys] for row in benchmark["table_beta30_convA"]]
-    assert np.allclose(table, data.TABLE_30, rtol=0, atol=1e-15)
-    free = benchmark["free_run_reference"]
-    assert (free["J1"], free["J2"], free["w1_0"]) == (data.J1, data.J2, data.FIRST_SPEED)
-    assert [(z["t"], z["theta1"], z["w1"]) for z in free["rows"]] == list(data.FREE_RUN)
-    check = benchmark["mathieu_check"]
-    assert (check["eps"], tuple(check["edges_over_w0"])) == (data.EPS, data.EDGES)
 
 
 def test_every_quantity_is_within_its_tolerance(rows: Mapping[str, Quantity]) -> None:

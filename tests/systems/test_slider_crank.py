@@ -1,7 +1,5 @@
-"""The flexible slider-crank gives the reference numbers, and its own data agree with the benchmark file."""
+"""The flexible slider-crank gives the reference numbers."""
 
-import json
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -9,25 +7,13 @@ import pytest
 
 from flexel.examples import slider_crank as example
 from flexel.examples import slider_crank_data as data
+from flexel.examples.published import published
 from flexel.linear import periodic
 
 
 @pytest.fixture(scope="module")
-def benchmark(checkout: Path) -> dict[str, Any]:
-    found: dict[str, Any] = json.loads((checkout / "tests/data/slider_crank_flexible.json").read_text())
-    return found
-
-
-def test_the_data_are_those_of_the_file(benchmark: dict[str, Any]) -> None:
-    for key, value in data.DATA.items():
-        assert value == benchmark["data"]["slider_mass" if key == "slider" else key]
-    assert benchmark["omega0_exact_pinned"] == data.OMEGA0_EXACT
-    assert benchmark["omega0_two_element_consistent_mass"] == data.OMEGA0_TWO_ELEMENTS
-    for zeta, largest in data.TRANSIENT_MAX.items():
-        assert benchmark["transient"][str(zeta)]["max_abs"] == largest
-    for column, zeta in ((1, "0.01"), (2, "0.02")):
-        rows = [(z["Omega"], z["max_abs"]) for z in benchmark["periodic_sweep_nonlinear"][zeta]]
-        assert [(row[0], row[column]) for row in data.SWEEP] == rows
+def benchmark() -> dict[str, Any]:
+    return published("slider_crank_flexible")
 
 
 def test_the_pinned_rod_has_the_frequencies_of_the_talk_and_of_the_closed_form() -> None:
