@@ -57,7 +57,7 @@ def rotor(m: fx.Model, frame: str, inertia: float) -> None:
 
 
 def driven(b: float, torque: float = 0.0) -> fx.System:
-    """(a): the driving shaft turns at 1 rad/s against a torque on the driven one; no freedom is left."""
+    """(a): the driving shaft turns at 1 rad/s against a torque on the driven one; no degree of freedom is left."""
     m = joint(b)
     m.prescribe("in.angle", lambda t: t)
     m.load("out.angle", -torque)
@@ -78,7 +78,9 @@ def free_run(b: float = B30, rtol: float = 1e-11) -> fx.Motion:
 
 
 def elastic_shaft(b: float, speed: float, stiffness: float, damping: float = 0.0) -> fx.System:
-    """(a) driven at a steady speed through a torsionally elastic shaft; the freedom is the twist of the shaft."""
+    """(a) driven at a steady speed through a torsionally elastic shaft; the degree of freedom is the twist of the
+    shaft.
+    """
     m = joint(b, "motor shaft")
     m.spring("in.angle", stiffness, damping)
     m.prescribe("motor.angle", lambda t: speed * t)
@@ -92,7 +94,7 @@ def flexible(
 ) -> fx.System:
     """(b): pins with bending stiffness [N m/rad] and damping/stiffness [s], driving shaft at a steady speed.
 
-    The driven rotor has 1 kg m², the cross a small share of it, for its freedoms need some inertia.
+    The driven rotor has 1 kg m², the cross a small share of it, for its degrees of freedom need some inertia.
     """
     m = joint(b)
     m.prescribe("in.angle", lambda t: speed * t)

@@ -145,11 +145,9 @@ def constraint_rows(make: Maker, d: Design) -> list[Quantity]:
             Quantity(f"{d.case}_overconstraint{name}", len(found.redundant), redundant, 0, "", source, named)
         )
         m.release(*found.release)
-        freedoms = m.build().counts["freedoms"] if not m.constraint_report().redundant else -1
+        dofs = m.build().counts["degrees_of_freedom"] if not m.constraint_report().redundant else -1
         rows.append(
-            Quantity(
-                f"{d.case}_freedoms_after_release{name}", freedoms, 1, 0, "", "the motion it is made for"
-            )
+            Quantity(f"{d.case}_freedoms_after_release{name}", dofs, 1, 0, "", "the motion it is made for")
         )
     return rows
 

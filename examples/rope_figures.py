@@ -147,7 +147,7 @@ def winding_hoist(path: Path) -> None:
     labels = "depth of the load [m]", "tension over the weight"
     with figure(2, 1, (8.0, 5.5), sharex=True) as (drawn, axes):
         for panel, found, closed, label in zip(axes, (depth, tension), given, labels, strict=True):
-            panel.plot(fine, closed, color=COLOURS[5], lw=0.9, label="one freedom")
+            panel.plot(fine, closed, color=COLOURS[5], lw=0.9, label="one degree of freedom")
             panel.plot(t, found, "o", ms=3, color=COLOURS[0], label=f"{n + 3} elements on a drum")
             panel.set_ylabel(label)
         axes[1].legend()

@@ -22,7 +22,7 @@ LIFT = 0.2 * SPEED * 1.5  # of the hoist in 3 s [m]
 ARM = 0.005  # coefficient of friction times radius of the journals of the tackle [m]
 TACKLE = (24, 48)  # elements of the tackle's rope
 ADVANTAGE = "eta (1 - eta^n)/(1 - eta), eta = 1 and 0.905"
-TAKEN = "one freedom; the drum takes up "
+TAKEN = "one degree of freedom; the drum takes up "
 
 
 # -- winding hoist --------------------------------------------------------------------------------
@@ -38,7 +38,7 @@ def wound_up(n: int) -> tuple[Array, Array, Array]:
 
 
 def reduced(times: Array, stretched: bool) -> tuple[Array, Array]:
-    """Depth and tension over the weight of the hoist with one freedom."""
+    """Depth and tension over the weight of the hoist with one degree of freedom."""
     speed = models.run_up(SPEED, 1.0, 2.0)[1]
     x, pull = exact.reduced_hoist(times, 1000.0, 1e7, 10.0, 0.2, 0.04 / np.sqrt(1e3), speed, stretched)
     return x, pull / (1000.0 * models.G)
@@ -53,7 +53,8 @@ def hoist_errors(n: int, stretched: bool) -> tuple[float, float]:
 
 
 def hoist() -> list[Quantity]:
-    """The winding hoist beside models with one freedom; the order for the one that takes up what the rope does.
+    """The winding hoist beside models with one degree of freedom; the order for the one that takes up what the rope
+    does.
 
     The other, of an undeformed length, differs by the strain of the rope, a thousandth.
     """

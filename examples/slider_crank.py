@@ -122,7 +122,7 @@ def deflection(motion: fx.Motion | periodic.Orbit, elements: int) -> Array:
 
 
 def small_deflection(nominal: periodic.Orbit, elements: int) -> Array:
-    """Derivatives (ns, nd) of the same with respect to the freedoms, about the nominal motion."""
+    """Derivatives (ns, nd) of the same with respect to the degrees of freedom, about the nominal motion."""
     end, middle = f"p{elements}", f"p{elements // 2}"
     e = chord(nominal.coordinates("A"), nominal.coordinates(end))
     d = nominal.sensitivity(middle) - nominal.sensitivity(end) / 2

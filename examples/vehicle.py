@@ -86,13 +86,13 @@ def vehicle(
         if tyres == "zero slip":
             left, right = ((f"{axle} {side} hub", f"{axle} {side} wheel") for side in ("left", "right"))
             m.axle_slip(f"{axle} slip", left, right, axle=(0, 1, 0))
-    _freedoms(m, speed, tyres == "zero slip", driven)
+    _dofs(m, speed, tyres == "zero slip", driven)
     if thrust:
         m.load("chassis.x", thrust)
     return m.build()
 
 
-def _freedoms(m: fx.Model, speed: float, rolling: bool, driven: bool) -> None:
+def _dofs(m: fx.Model, speed: float, rolling: bool, driven: bool) -> None:
     """Body and suspension; rolling without lateral slip takes two of them, a driven chassis one."""
     kinematic = ("chassis.y", "yaw.angle") if rolling else ()
     m.independent(*(z for z in BODY if z not in kinematic and not (driven and z == "chassis.x")), *SUSPENSION)

@@ -10,8 +10,10 @@ from typing import Any
 
 from flexel.examples.published import published
 
-TALK = "Schwab, talk on SPACAR: 85 elements, 239 deformations, 70 nodes, 226 coordinates, 10 freedoms"
-TALK_COUNTS = {"elements": 85, "deformations": 239, "nodes": 70, "coordinates": 226, "freedoms": 10}
+TALK = (
+    "Schwab, talk on SPACAR: 85 elements, 239 deformations, 70 nodes, 226 coordinates, 10 degrees of freedom"
+)
+TALK_COUNTS = {"elements": 85, "deformations": 239, "nodes": 70, "coordinates": 226, "degrees_of_freedom": 10}
 PAPER = "Frik, Leister, Schwartz (1993) VSD 22 suppl. 215-253, as quoted in ovankerm/IAVSD_ILTIS"
 RERUN = "another program's run, not published (Robotran, ovankerm/IAVSD_ILTIS 81cd42c)"
 RECOMPUTED = "stationary energy, recomputed by an independent script; agrees with Robotran's printed digits"

@@ -47,12 +47,12 @@ def rounded_ramp() -> tuple[Callable[[float], float], Callable[[float], float], 
 
 
 def unknowns(system: fx.System) -> tuple[str, ...]:
-    """Freedoms that a steady straight motion determines."""
+    """Degrees of freedom that a steady straight motion determines."""
     return tuple(z for z in HEAVE if z in system.dynamic)
 
 
 def rates(system: fx.System, speed: float) -> dict[str, float]:
-    """Rates of the freedoms in straight running."""
+    """Rates of the degrees of freedom in straight running."""
     return {z: speed if z == "chassis.x" else 0.0 for z in system.dynamic}
 
 
@@ -86,7 +86,7 @@ def moving(lin: Linearization) -> Array:
 
 
 def mode_name(mode: fx.Mode) -> str:
-    """What moves in a mode: wheels hopping in one of four patterns, or the body in one of its freedoms."""
+    """What moves in a mode: wheels hopping in one of four patterns, or the body in one of its degrees of freedom."""
     share = sum(mode.participation.get(z, 0.0) for z in SUSPENSION)
     if share > 0.5:
         arms = np.array([mode.shape[z] for z in SUSPENSION])

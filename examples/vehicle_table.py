@@ -43,7 +43,7 @@ def quantities(results: Results) -> list[Quantity]:
 
 
 def counts(results: Results) -> list[Quantity]:
-    """Size of the model beside the talk's, which has other elements for the same 10 freedoms."""
+    """Size of the model beside the talk's, which has other elements for the same 10 degrees of freedom."""
     system = results.system
     s = system.structure
     found = system.counts
@@ -53,10 +53,10 @@ def counts(results: Results) -> list[Quantity]:
         "nodes": len(s.nodes),
         "coordinates": found["coordinates"],
     }
-    zero_slip = results.steering[30, "zero slip"].system.counts["freedoms"]
+    zero_slip = results.steering[30, "zero slip"].system.counts["degrees_of_freedom"]
     return [
-        Quantity("freedoms", found["freedoms"], 10, 0, "", data.TALK),
-        Quantity("freedoms_zero_slip", zero_slip, 8, 0, "", "one mean lateral slip of each axle is zero"),
+        Quantity("degrees_of_freedom", found["degrees_of_freedom"], 10, 0, "", data.TALK),
+        Quantity("dofs_zero_slip", zero_slip, 8, 0, "", "one mean lateral slip of each axle is zero"),
         *(Quantity(z, n, source=f"the talk's model has {data.TALK_COUNTS[z]}") for z, n in sizes.items()),
     ]
 
@@ -134,7 +134,7 @@ def linear(results: Results) -> list[Quantity]:
     growing = f"5 ... 40 m/s, {np.count_nonzero(rightmost > 0) or 'no'} speed(s) with a growing mode"
     indicative = "; toe and camber change differ there"
     return [
-        Quantity("eigenvalues_20", sort_eigenvalues(lin.eigenvalues()), unit="1/s", source="10 freedoms",
+        Quantity("eigenvalues_20", sort_eigenvalues(lin.eigenvalues()), unit="1/s", source="10 degrees of freedom",
                  more={"modes": modes}),
         Quantity("eigenvalues_20_symmetric", named(lin), list(data.SYMMETRIC), 1e-3, "1/s",
                  data.INDICATIVE + indicative),

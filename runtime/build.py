@@ -7,7 +7,7 @@ from flexel.base.errors import ModelError
 from flexel.declare.declarations import Declarations
 from flexel.declare.resolution import check_laws, check_names, norms, resolve_roles
 from flexel.engine.evaluate import Evaluation
-from flexel.mechanics.diagnose import choose_freedoms, named_freedoms
+from flexel.mechanics.diagnose import choose_dofs, named_dofs
 from flexel.mechanics.first_position import first_position
 from flexel.mechanics.kinematics import Kinematics
 from flexel.structure.loads import Loads
@@ -31,7 +31,7 @@ def build(model: Declarations, t: float) -> System:
     loads.at(t)  # a load that fails is found here, not in the middle of a motion
     kinematics = Kinematics(evaluation, roles)
     c = first_position(model, kinematics, t)
-    dynamic = named_freedoms(structure, model._dynamic, "independent")
-    kinematic = named_freedoms(structure, model._kinematic, "kinematic")
-    chosen = choose_freedoms(kinematics, c.J, dynamic, kinematic)
+    dynamic = named_dofs(structure, model._dynamic, "independent")
+    kinematic = named_dofs(structure, model._kinematic, "kinematic")
+    chosen = choose_dofs(kinematics, c.J, dynamic, kinematic)
     return System(evaluation, loads, chosen, c, model._rates)

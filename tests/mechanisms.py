@@ -103,7 +103,7 @@ def oscillator(speed: float, zeta: float = 0.05, cubic: float = 0.0, push: float
     return m.build()
 
 
-def slider_crank(freedom: str) -> fx.Model:
+def slider_crank(dof: str) -> fx.Model:
     """A crank on a fixed hinge that drives a slider over a longer rod, in the plane."""
     m = fx.Model(gravity=(0, -9.81))
     O, A, B = m.point("O", (0, 0), fixed=True), m.point("A", (0.0, 0.3)), m.point("B", (0.8, 0.0))
@@ -113,7 +113,7 @@ def slider_crank(freedom: str) -> fx.Model:
     m.beam("crank bar", O, crank, A, mass_per_length=3.0)
     m.beam("rod bar", A, rod, B, mass_per_length=2.0)
     m.point_mass("slider", B, 0.5)
-    if freedom:
-        m.independent(freedom)
+    if dof:
+        m.independent(dof)
     m.initial("crank hinge.angle", rate=12.0)
     return m

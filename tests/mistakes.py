@@ -45,7 +45,7 @@ def pendulum() -> Model:
 
 
 def double() -> Linearization:
-    """Linearization of a double pendulum, whose freedoms are coupled."""
+    """Linearization of a double pendulum, whose degrees of freedom are coupled."""
     m = pendulum()
     m.frame("R2")
     m.point("B", (2, 0, 0))

@@ -69,7 +69,9 @@ TURN, TROLLEY, FORCE = Knob(0.4, 1.7, -2.2), Knob(0.12, -0.6, 1.1), Knob(1.4)
 
 
 def driven_loop() -> Model:
-    """The spatial four-bar with a prescribed crank and a flexible rocker hinge: no dynamic freedom but a spring."""
+    """The spatial four-bar with a prescribed crank and a flexible rocker hinge: no dynamic degree of freedom but a
+    spring.
+    """
     m = rssr(universal=False)
     m._dynamic = None
     m._rates.clear()

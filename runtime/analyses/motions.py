@@ -64,7 +64,7 @@ class Motions(Core):
             sundials, the backward differentiation formulas of SUNDIALS, for comparison (needs the optional package
             scikit-sundae); or auto.  This takes DOP853, but generalized-alpha where a degree of freedom lacks inertia,
             where the largest eigenvalue of the linearized start times the duration exceeds 3e4, or above 300 degrees of
-            freedom; with events always DOP853.  ``motion.message`` says which and why.
+            degree of freedom; with events always DOP853.  ``motion.message`` says which and why.
         rtol : float, optional
             Local error in one step: explicit, relative to each variable, 1e-9 by default; generalized-alpha, of
             the coordinates in their natural scales, 1e-6; sundials, relative to each coordinate and rate, 1e-6.

@@ -47,8 +47,8 @@ class Restoring(Core):
         roles = self.roles
         rows = [state.roles.dynamic, state.roles.kinematic]
         if not all(np.array_equal(a, b) for a, b in zip(rows, (roles.dynamic, roles.kinematic), strict=True)):
-            _check_freedoms(self, rows)
-            roles = roles.with_freedoms(*rows)
+            _check_dofs(self, rows)
+            roles = roles.with_dofs(*rows)
         if as_saved:
             return replace(state, roles=roles, evaluation=self.evaluation)
         c = Configuration(state.t, state.x, state.e, self.evaluation.position(state.x)[1])
@@ -97,7 +97,7 @@ def _only_in(a: Structure, b: Structure) -> list[str]:
     return [z for z in (*a.names, *a.internal) if z not in b.index and z not in b.internal]
 
 
-def _check_freedoms(system: Core, rows: list[Index]) -> None:
+def _check_dofs(system: Core, rows: list[Index]) -> None:
     """The saved degrees of freedom must be as many as the model's, and none of them constrained."""
     roles, names = system.roles, system.structure.names
     taken = {*roles.rigid.tolist(), *roles.prescribed.tolist(), *roles.zero.tolist()}

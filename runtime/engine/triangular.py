@@ -1,9 +1,9 @@
 """Factorizations that use the order in which a mechanism is put together: block lower triangular form.
 
-The constraints of a mechanism whose joints are its freedoms determine one body after another: with rows and columns in
-that order the matrix has small diagonal blocks (a body, or the bodies of a closed loop) and nothing to the right of
-them. The form follows from the places of the entries alone, once; LU factors are needed of the diagonal blocks only,
-with row interchanges inside them. Source: Duff and Reid (1978), ACM Trans. Math. Softw. 4:137.
+The constraints of a mechanism whose joints are its degrees of freedom determine one body after another: with rows and
+columns in that order the matrix has small diagonal blocks (a body, or the bodies of a closed loop) and nothing to the
+right of them. The form follows from the places of the entries alone, once; LU factors are needed of the diagonal
+blocks only, with row interchanges inside them. Source: Duff and Reid (1978), ACM Trans. Math. Softw. 4:137.
 """
 
 from __future__ import annotations

@@ -220,4 +220,4 @@ class Explicit(DenseRun):
 def natural_scales_of_y(system: Any) -> Array:
     """Natural scales of y = (q, q_d', z): rates change by theirs in a second, internal states of laws have one."""
     roles, scales = system.roles, system.kinematics.scales
-    return np.concatenate([scales(roles.freedoms), scales(roles.dynamic), np.ones(system.structure.nz)])
+    return np.concatenate([scales(roles.dofs), scales(roles.dynamic), np.ones(system.structure.nz)])

@@ -68,7 +68,7 @@ class Coefficients:
     M, C, K : ndarray (ns, nd, nd)
     F : ndarray (ns, nd)
     names : tuple of str
-        The freedoms.
+        The degrees of freedom.
     """
 
     omega: float
@@ -134,8 +134,8 @@ class Coefficients:
         rcond = 0.0 if info else float(_gecon(lu, np.abs(matrix).sum(axis=0).max())[0])
         if not rcond > SINGULAR:
             raise LinearizationError(
-                f"harmonic balance at {self.omega:g} rad/s is singular: a resonance without damping, or a freedom that "
-                f"nothing holds, among {', '.join(self.names)}; add damping, or leave this speed out"
+                f"harmonic balance at {self.omega:g} rad/s is singular: a resonance without damping, or a degree of "
+                f"freedom that nothing holds, among {', '.join(self.names)}; add damping, or leave this speed out"
             )
         return np.asarray(scale * _getrs(lu, pivots, scale * rhs)[0])
 
@@ -208,7 +208,7 @@ class PeriodicVibration:
         return self.neglected / largest if largest else 0.0
 
     def at(self, t: Array) -> tuple[Array, Array, Array]:
-        """Freedoms, their rates and accelerations (nt, nd) at times t (nt,) from the start of the period."""
+        """Degrees of freedom, their rates and accelerations (nt, nd) at times t (nt,) from the start of the period."""
         return fourier_sum(self.X, self.coefficients.omega, t)
 
     def samples(self) -> tuple[Array, Array, Array]:

@@ -63,7 +63,9 @@ class Orbit:
         return np.array([state.position(node) for state in self.states])
 
     def sensitivity(self, node: str) -> Array:
-        """Derivatives (ns, …, nd) of a node's coordinates with respect to the freedoms; zero for fixed ones."""
+        """Derivatives (ns, …, nd) of a node's coordinates with respect to the degrees of freedom; zero for fixed
+        ones.
+        """
         structure, nd = self.states[0].structure, len(self.coefficients.names)
         places = structure.places(node)
         free = places < structure.nf
@@ -92,8 +94,8 @@ def orbit(
     samples : int
         Equidistant times, from that of `start` on.
     motion : callable, optional
-        Freedoms, rates and accelerations (ns, nd) at times (ns,); by default the freedoms are held at their
-        initial values, while the prescribed motions go on: the nominal motion.
+        Degrees of freedom, rates and accelerations (ns, nd) at times (ns,); by default the degrees of freedom are held
+        at their initial values, while the prescribed motions go on: the nominal motion.
     start : State, optional
         The initial state by default.
 

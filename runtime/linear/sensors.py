@@ -34,7 +34,7 @@ def state_space(
     loads = [z for z in inputs if z not in lin.prescribed]
     driven = [lin.prescribed.index(z) for z in inputs if z in lin.prescribed]
     place = {z: i for i, z in enumerate(inputs)}
-    nd, nq, nu = len(lin.dynamic), len(lin.freedoms), len(driven)
+    nd, nq, nu = len(lin.dynamic), len(lin.dofs), len(driven)
     nz = len(lin.internal)
     ns, ni = nd + nq + nz + 2 * nu, len(inputs)
     unit = np.eye(ns + ni)

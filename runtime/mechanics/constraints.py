@@ -30,7 +30,7 @@ class ConstraintReport:
 
     Attributes
     ----------
-    freedoms : int
+    dofs : int
         Independent motions that the rigid and prescribed conditions leave.
     motions : list of dict
         Those of them that no elastic law resists either (under-constraint), by coordinates, the largest 1.
@@ -40,13 +40,13 @@ class ConstraintReport:
         Conditions whose release leaves none redundant, of beams that are flexible otherwise where possible.
     """
 
-    freedoms: int
+    dofs: int
     motions: list[dict[str, float]]
     redundant: list[dict[str, float]]
     release: list[str]
 
     def __str__(self) -> str:
-        lines = [f"{self.freedoms} degree(s) of freedom left by the rigid conditions"]
+        lines = [f"{self.dofs} degree(s) of degree of freedom left by the rigid conditions"]
         lines += [f"over-constrained: {_shares(z)}" for z in self.redundant]
         lines += [f"nothing resists: {_shares(z)}" for z in self.motions]
         if self.release:
@@ -76,7 +76,7 @@ def _report(structure: Structure, roles: Roles, J: Array) -> ConstraintReport:
     loose, _ = null_space(J[still, :nf], nf)
     moving = np.arange(nf) + structure.m + structure.k
     return ConstraintReport(
-        freedoms=right.shape[1],
+        dofs=right.shape[1],
         motions=_named(structure, moving, loose),
         redundant=_named(structure, rows, left),
         release=_releases(structure, rows, C),

@@ -16,7 +16,7 @@ from flexel.base.errors import ConstraintError
 from flexel.engine.evaluate import Evaluation
 from flexel.engine.solvers import Factorization
 from flexel.mechanics import dynamics, states
-from flexel.mechanics.diagnose import choose_freedoms, named_freedoms
+from flexel.mechanics.diagnose import choose_dofs, named_dofs
 from flexel.mechanics.kinematics import Configuration, Kinematics, unwrap
 from flexel.mechanics.linearization import Linearization
 from flexel.mechanics.linearize import linearize
@@ -124,7 +124,7 @@ class Core:
             "deformations": s.m - norms,
             "norms": norms,
             "slips": s.k,
-            "freedoms": r.nd,
+            "degrees_of_freedom": r.nd,
             "kinematic_coordinates": r.nq - r.nd,
             "rigid_deformations": r.rigid.size - norms,
             "prescribed": r.prescribed.size,
@@ -134,8 +134,8 @@ class Core:
     def __repr__(self) -> str:
         c = self.counts
         return (
-            f"System({c['freedoms']} freedoms {self.dynamic}, {c['kinematic_coordinates']} kinematic coordinates "
-            f"{self.kinematic}, {c['coordinates']} coordinates, {c['deformations']} deformations)"
+            f"System({c['degrees_of_freedom']} degrees of freedom {self.dynamic}, {c['kinematic_coordinates']} "
+            f"kinematic coordinates {self.kinematic}, {c['coordinates']} coordinates, {c['deformations']} deformations)"
         )
 
     # -- evaluation ------------------------------------------------------------------------------
@@ -239,7 +239,7 @@ class Core:
     def rechoose(self, state: State, needed: float) -> State | None:
         """Take the best degrees of freedom at a state, if their condition reaches `needed`; the same state in them."""
         try:
-            roles = choose_freedoms(self.kinematics, state.J, None, None)
+            roles = choose_dofs(self.kinematics, state.J, None, None)
         except ConstraintError:  # a singular position has no better choice: keep the present one
             return None
         if self.condition(state, roles) < needed:
@@ -249,7 +249,7 @@ class Core:
 
     def use_coordinates(self, dynamic: Sequence[str], kinematic: Sequence[str] | None = None) -> None:
         """Take the named quantities as degrees of freedom from now on; checked at the initial state."""
-        rows = [named_freedoms(self.structure, z, "use_coordinates") for z in (dynamic, kinematic)]
-        self.use(choose_freedoms(self.kinematics, self._start[0].J, *rows))
+        rows = [named_dofs(self.structure, z, "use_coordinates") for z in (dynamic, kinematic)]
+        self.use(choose_dofs(self.kinematics, self._start[0].J, *rows))
         self.__dict__.pop("initial", None)
         self.__dict__.pop("at_rest", None)

@@ -84,7 +84,7 @@ def _report_redundancy(structure: Structure, roles: Roles, rows: Index, left: Ar
 
 
 def candidates(structure: Structure, roles: Roles) -> Index:
-    """Quantities that may serve as freedoms: free deformations and free coordinates without a role."""
+    """Quantities that may serve as degrees of freedom: free deformations and free coordinates without a role."""
     taken = set(roles.rigid) | set(roles.prescribed)
     first = structure.m + structure.k
     rows = [*range(structure.m), *range(first, first + structure.nf)]
@@ -120,8 +120,8 @@ def pick(kinematics: Kinematics, J: Array, space: Array, exclude: Index) -> Inde
     return np.sort(rows[pivots[: space.shape[1]]])
 
 
-def named_freedoms(structure: Structure, names: Sequence[str] | None, owner: str) -> Index | None:
-    """Quantity indices of named freedoms: coordinates that can move, or deformations; each once."""
+def named_dofs(structure: Structure, names: Sequence[str] | None, owner: str) -> Index | None:
+    """Quantity indices of named degrees of freedom: coordinates that can move, or deformations; each once."""
     if names is None:
         return None
     if len(set(checked_names(names, owner))) < len(names):
@@ -133,22 +133,20 @@ def named_freedoms(structure: Structure, names: Sequence[str] | None, owner: str
         if structure.m <= i < first or i >= first + structure.nf:
             what = "a slip" if i < first else "fixed"
             raise ModelError(
-                f"{owner}: '{name}' is {what} and no freedom; name coordinates that can move, or deformations"
+                f"{owner}: '{name}' is {what} and no degree of freedom; name coordinates that can move, or deformations"
             )
     return found
 
 
-def choose_freedoms(
-    kinematics: Kinematics, J: Array, dynamic: Index | None, kinematic: Index | None
-) -> Roles:
-    """Roles with all freedoms: those the user named, checked, or an automatic choice.
+def choose_dofs(kinematics: Kinematics, J: Array, dynamic: Index | None, kinematic: Index | None) -> Roles:
+    """Roles with all degrees of freedom: those the user named, checked, or an automatic choice.
 
     Parameters
     ----------
     J : ndarray (m + k + n, n)
         At the configuration that decides; of a large model as a sparse matrix.
     dynamic, kinematic : ndarray of int or None
-        Named freedoms; None leaves the choice to the program.
+        Named degrees of freedom; None leaves the choice to the program.
 
     Raises
     ------
@@ -171,7 +169,7 @@ def choose_freedoms(
         kinematic = pick(kinematics, J, null_space(J[held, :nf], nf)[0], dynamic)
     else:
         check_choice(kinematics, J, held, kinematic, "kinematic", "kinematic")
-    return roles.with_freedoms(dynamic, kinematic)
+    return roles.with_dofs(dynamic, kinematic)
 
 
 @dataclass(frozen=True)
@@ -201,7 +199,8 @@ def blocks(J: Any, rows: Index, nf: int) -> tuple[list[Block], Index]:
 
 
 def choose_by_blocks(kinematics: Kinematics, J: Any, dynamic: Index | None, kinematic: Index | None) -> Roles:
-    """Freedoms of a large model: named ones, or coordinates, chosen in each part of the constraints by itself.
+    """Degrees of freedom of a large model: named ones, or coordinates, chosen in each part of the constraints by
+    itself.
 
     Raises
     ------
@@ -228,7 +227,7 @@ def choose_by_blocks(kinematics: Kinematics, J: Any, dynamic: Index | None, kine
                 f"the {rows.size} conditions and named coordinates do not determine the {nf} coordinates of this "
                 "model; name none and let the program choose"
             )
-    return roles.with_freedoms(dynamic, kinematic)
+    return roles.with_dofs(dynamic, kinematic)
 
 
 def _left_free(kinematics: Kinematics, J: Any, rows: Index) -> Index:
@@ -252,7 +251,7 @@ def _left_free(kinematics: Kinematics, J: Any, rows: Index) -> Index:
 def check_choice(
     kinematics: Kinematics, J: Array, constraints: Index, chosen: Index, kind: str, method: str
 ) -> None:
-    """Raise if named freedoms are too many, too few or dependent, naming what is left or repeated."""
+    """Raise if named degrees of freedom are too many, too few or dependent, naming what is left or repeated."""
     structure, nf = kinematics.structure, kinematics.structure.nf
     rows = np.concatenate([constraints, chosen])
     right, left = null_space(J[rows, :nf], nf)

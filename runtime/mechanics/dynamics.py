@@ -146,8 +146,8 @@ def complete(
 ) -> State:
     """The complete state at a configuration with velocities: accelerations, stresses, reactions, energy.
 
-    With `qdd` (nd,) the motion is driven: the stresses of the freedoms that are deformations, and the reactions
-    of those that are coordinates, then hold what drives them.
+    With `qdd` (nd,) the motion is driven: the stresses of the degrees of freedom that are deformations, and the
+    reactions of those that are coordinates, then hold what drives them.
     """
     s, roles = kinematics.structure, kinematics.roles
     given = forces(kinematics, loads, c, v, e, z)

@@ -1,6 +1,6 @@
-"""The position, velocity and acceleration problem: from the freedoms q to the coordinates x and back.
+"""The position, velocity and acceleration problem: from the degrees of freedom q to the coordinates x and back.
 
-Position: c(x, t) = 0 and the freedoms at their values, by Newton's method with warm start, angles compared
+Position: c(x, t) = 0 and the degrees of freedom at their values, by Newton's method with warm start, angles compared
 modulo 2 pi.  Velocity: B v = (u', 0, q_d').  Acceleration: B a = (u'', 0, q_d'') - convective terms.  Source: van der
 Werff (1977); Jonker and Meijaard (1990); Schwab and Meijaard (2003) for the non-holonomic rows.
 """
@@ -75,7 +75,7 @@ def unwrap(structure: Structure, e: Array, reference: Array) -> Array:
 
 
 class Kinematics:
-    """The kinematic problems of one model for one choice of freedoms."""
+    """The kinematic problems of one model for one choice of degrees of freedom."""
 
     def __init__(self, evaluation: Evaluation, roles: Roles) -> None:
         self.evaluation = evaluation
@@ -153,13 +153,13 @@ class Kinematics:
         return y
 
     def position(self, t: float, q: Array, guess: Array, turns: Array | None = None) -> Configuration:
-        """Configuration at time t with freedoms q.
+        """Configuration at time t with degrees of freedom q.
 
         Parameters
         ----------
         t : float
         q : ndarray (nq,)
-            Values of the freedoms (q_d, q_k); angles over any number of turns.
+            Values of the degrees of freedom (q_d, q_k); angles over any number of turns.
         guess : ndarray (n,)
             Coordinates to start from.
         turns : ndarray (m,), optional
@@ -249,12 +249,12 @@ class Kinematics:
         Raises
         ------
         ConstraintError
-            If B is singular: the chosen freedoms do not determine the velocities here.
+            If B is singular: the chosen degrees of freedom do not determine the velocities here.
         """
         B = self._velocity_matrix(configuration.J)
         if not B.regular:
             raise ConstraintError(
-                f"the freedoms {self.names(self.roles.dynamic)} do not determine the velocities at "
+                f"the degrees of freedom {self.names(self.roles.dynamic)} do not determine the velocities at "
                 f"t = {configuration.t:g} s (singular position); choose other independent coordinates"
             )
         return B
@@ -270,7 +270,7 @@ class Kinematics:
         return factorize(J[roles.velocity_rows][:, :nf])
 
     def velocity(self, configuration: Configuration, B: Solvable, qd: Array) -> Array:
-        """Rates v (n,) of all coordinates for the rates q_d' (nd,) of the dynamic freedoms."""
+        """Rates v (n,) of all coordinates for the rates q_d' (nd,) of the dynamic degrees of freedom."""
         roles = self.roles
         rhs = np.zeros(self.structure.nf)
         if roles.motions:

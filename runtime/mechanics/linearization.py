@@ -31,7 +31,7 @@ class Linearization:
     ----------
     M, C : ndarray (nd, nd)
     K : ndarray (nd, nq)
-        Columns for dynamic, then kinematic freedoms.
+        Columns for dynamic, then kinematic degrees of freedom.
     A_k : ndarray (nk, nd), B_k : ndarray (nk, nq)
         𝒜 and ℬ of δq_k' = 𝒜 δq_d' + ℬ δq.
     Z : ndarray (nd, nz)
@@ -39,7 +39,7 @@ class Linearization:
     Z_v, Z_q, Z_z : ndarray (nz, nd), (nz, nq), (nz, nz)
         δz' = Z_v δq_d' + Z_q δq + Z_z δz.
     dynamic, kinematic, prescribed, internal : tuple of str
-        Names of the freedoms, of the prescribed motions and of the laws' internal states.
+        Names of the degrees of freedom, of the prescribed motions and of the laws' internal states.
     state : State
         Where it was linearized.
     """
@@ -70,14 +70,14 @@ class Linearization:
     mass: Array = field(repr=False)  # M (n, n) of all coordinates
 
     @property
-    def freedoms(self) -> tuple[str, ...]:
+    def dofs(self) -> tuple[str, ...]:
         """Names of q = (q_d, q_k)."""
         return self.dynamic + self.kinematic
 
     @property
     def states(self) -> tuple[str, ...]:
         """Names of the states (q_d', q_d, q_k, z)."""
-        return tuple(f"{z}'" for z in self.dynamic) + self.freedoms + self.internal
+        return tuple(f"{z}'" for z in self.dynamic) + self.dofs + self.internal
 
     @property
     def state_matrix(self) -> Array:
@@ -92,33 +92,35 @@ class Linearization:
         """All eigenvalues [1/s] of the state matrix, sorted by real, then imaginary part.
 
         The zeros of a non-holonomic system are defective and come out with large rounding errors; use
-        `reduced` for the freedoms of interest.
+        `reduced` for the degrees of freedom of interest.
         """
         return sort_eigenvalues(np.linalg.eigvals(self.state_matrix))
 
     def modes(self) -> list[Mode]:
         """Modes, sorted as the eigenvalues, one for each complex pair (the one with positive imaginary part)."""
-        return modes_of(self.state_matrix, self.freedoms + self.internal, len(self.dynamic))
+        return modes_of(self.state_matrix, self.dofs + self.internal, len(self.dynamic))
 
     def reduced(self, names: Sequence[str], tolerance: float = 1e-9) -> Reduced:
-        """Second-order equations of the named dynamic freedoms, after a check that they are decoupled.
+        """Second-order equations of the named dynamic degrees of freedom, after a check that they are decoupled.
 
         Raises
         ------
         LinearizationError
-            If another freedom enters their equations by more than `tolerance` of the largest entry.
+            If another degree of freedom enters their equations by more than `tolerance` of the largest entry.
         """
         if not checked_names(names, "reduced") or len(set(names)) < len(names):
-            raise LinearizationError(f"reduced: {names!r} given; name one dynamic freedom or more, each once")
+            raise LinearizationError(
+                f"reduced: {names!r} given; name one dynamic degree of freedom or more, each once"
+            )
         for name in names:
             if name not in self.dynamic:
                 raise LinearizationError(
-                    f"reduced: '{name}' is not a dynamic freedom; name some of {self.dynamic}"
+                    f"reduced: '{name}' is not a dynamic degree of freedom; name some of {self.dynamic}"
                 )
         i = [self.dynamic.index(name) for name in names]
         for matrix, label in ((self.M, "M"), (self.C, "C"), (self.K, "K"), (self.Z, "Z")):
             block = matrix[i]
-            columns = self.internal if label == "Z" else self.freedoms[: matrix.shape[1]]
+            columns = self.internal if label == "Z" else self.dofs[: matrix.shape[1]]
             for j, name in enumerate(columns):
                 largest = float(np.max(np.abs(self.K[i] if label == "Z" else block)))
                 if name not in names and np.max(np.abs(block[:, j])) > tolerance * largest:
@@ -166,7 +168,7 @@ class Linearization:
         Parameters
         ----------
         inputs, outputs : sequence of str
-            As in `state_space`; the outputs are the freedoms if none are named.
+            As in `state_space`; the outputs are the degrees of freedom if none are named.
         name : str
             Of the system, for `control.interconnect`.
 
@@ -212,7 +214,9 @@ class Linearization:
         return to_xarray(self)
 
     def to_pandas(self) -> Any:
-        """A pandas.DataFrame of the modes: eigenvalue, frequency, damping ratio, and the freedoms that take part."""
+        """A pandas.DataFrame of the modes: eigenvalue, frequency, damping ratio, and the degrees of freedom that
+        take part.
+        """
         from flexel.results.saved.archive_linear import to_pandas
 
         return to_pandas(self)
@@ -234,7 +238,7 @@ class Linearization:
         its rates.
         """
         s = self.state.structure
-        own = {name: s.units[s.index[name]] for name in (*self.freedoms, *self.prescribed)}
+        own = {name: s.units[s.index[name]] for name in (*self.dofs, *self.prescribed)}
         rates = {f"{name}'": rate_unit(own[name], 1) for name in self.dynamic}
         return own | rates | {name: s.internal_units[s.internal[name]] for name in self.internal}
 
@@ -254,9 +258,11 @@ class Linearization:
         return modes[number]
 
     def mode_shape(self, number: int) -> dict[str, complex]:
-        """Displacements of all free coordinates in a mode of `modes`, for pictures; freedoms of amplitude 1 at most."""
+        """Displacements of all free coordinates in a mode of `modes`, for pictures; degrees of freedom of amplitude
+        1 at most.
+        """
         mode = self.mode(number)
-        q = np.array([mode.shape[name] for name in self.freedoms])
+        q = np.array([mode.shape[name] for name in self.dofs])
         structure = self.state.structure
         x = self.transfer.G[:, : q.size] @ q
         first = structure.m + structure.k

@@ -27,7 +27,7 @@ def transfer_functions(kinematics: Kinematics, c: Configuration, T: Tangents) ->
     P = Factorization(c.J[roles.position_rows, :nf])
     if not P.regular:
         raise LinearizationError(
-            f"the freedoms {kinematics.names(roles.freedoms)} do not determine the position here; choose others"
+            f"the degrees of freedom {kinematics.names(roles.dofs)} do not determine the position here; choose others"
         )
     nr, nu, nd = roles.rigid.size, roles.prescribed.size, roles.nd
     unit = np.eye(nf)

@@ -22,9 +22,10 @@ class Mode:
     eigenvalue : complex
         [1/s]
     shape : dict of str to complex
-        Amplitude of each freedom and internal state of a law, the largest one 1.
+        Amplitude of each degree of freedom and internal state of a law, the largest one 1.
     participation : dict of str to float
-        Share of each of them (dynamic freedoms with their rates) in the mode, from left and right vectors; sums to 1.
+        Share of each of them (dynamic degrees of freedom with their rates) in the mode, from left and right vectors;
+        sums to 1.
     """
 
     eigenvalue: complex
@@ -33,7 +34,7 @@ class Mode:
 
     @property
     def name(self) -> str:
-        """The freedoms that take part most, joined by ``+``."""
+        """The degrees of freedom that take part most, joined by ``+``."""
         order = sorted(self.participation, key=lambda z: -self.participation[z])
         return "+".join(z for z in order if self.participation[z] >= 0.25 * self.participation[order[0]])
 
@@ -55,7 +56,7 @@ class Mode:
 
 @dataclass(frozen=True)
 class Reduced:
-    """Second-order equations of some freedoms, decoupled from the rest: M q'' + C q' + K q = 0."""
+    """Second-order equations of some degrees of freedom, decoupled from the rest: M q'' + C q' + K q = 0."""
 
     names: tuple[str, ...]
     M: Array

@@ -24,11 +24,11 @@ from flexel.structure.state import State, own_state
 from flexel.structure.structure import Structure
 
 
-def with_freedoms(structure: Structure, e: Array, q: Array, roles: Roles) -> Array:
+def with_dofs(structure: Structure, e: Array, q: Array, roles: Roles) -> Array:
     """Deformations in which the degrees of freedom take their own values, turns included."""
-    own = roles.freedoms < structure.m
+    own = roles.dofs < structure.m
     e = e.copy()
-    e[roles.freedoms[own]] = q[own]
+    e[roles.dofs[own]] = q[own]
     return e
 
 
@@ -38,7 +38,7 @@ def with_turns(kinematics: Kinematics, c: Configuration, q: Array, reference: Ar
     own = rows < structure.m
     known = reference.copy()
     known[rows[own]] = kinematics.target(kinematics.motion(c), q)[own]
-    return with_freedoms(structure, unwrap(structure, c.e, known), q, kinematics.roles)
+    return with_dofs(structure, unwrap(structure, c.e, known), q, kinematics.roles)
 
 
 @dataclass(frozen=True)
@@ -132,17 +132,17 @@ def state_at(
     own_state(structure, start, "state_at")
     wanted = numbers(values, "state_at", "value")
     time = start.t if t is None else number(t, "state_at", "time t")
-    q, z = np.array(start.values[roles.freedoms]), start.z.copy()
+    q, z = np.array(start.values[roles.dofs]), start.z.copy()
     for name, value in wanted.items():
         if name in structure.internal:
             z[structure.internal[name]] = value
             continue
         i = structure.find(name, "state_at")
-        if i not in roles.freedoms:
+        if i not in roles.dofs:
             raise ModelError(
-                f"'{name}' is not a degree of freedom; values can be given to {kinematics.names(roles.freedoms)}"
+                f"'{name}' is not a degree of freedom; values can be given to {kinematics.names(roles.dofs)}"
             )
-        q[list(roles.freedoms).index(i)] = value
+        q[list(roles.dofs).index(i)] = value
     near = Moment.of(start).still(time)
     qd = start.qd
     if rates is not None:
@@ -171,8 +171,8 @@ def consistent_rates(kinematics: Kinematics, c: Configuration, rates: Mapping[st
     if kinematics.large:
         qd = smallest(c.J[kinematics.roles.dynamic][:, :nf], c.J, kinematics.roles, J, missing)
     else:
-        by_freedoms = B.solve(np.ascontiguousarray(J.T), transposed=True)[nf - nd :].T
-        qd = np.linalg.lstsq(by_freedoms, missing, rcond=1e-12)[0]
+        by_dofs = B.solve(np.ascontiguousarray(J.T), transposed=True)[nf - nd :].T
+        qd = np.linalg.lstsq(by_dofs, missing, rcond=1e-12)[0]
     v = v0[:nf] + B.solve(np.concatenate([np.zeros(nf - nd), qd]))
     off = wanted - J @ v
     speeds = np.concatenate([wanted, v0, v, [1e-12]])

@@ -80,7 +80,7 @@ def plot_spectra(
     logarithmic: bool = True,
     limit: float | None = None,
 ) -> Figure:
-    """Amplitude spectra of named quantities (the freedoms by default), one panel for each unit.
+    """Amplitude spectra of named quantities (the degrees of freedom by default), one panel for each unit.
 
     Parameters
     ----------
@@ -91,7 +91,7 @@ def plot_spectra(
     limit : float, optional
         Largest frequency shown [Hz].
     """
-    found = {name: spectrum(motion, name, window) for name in names or motion.freedoms}
+    found = {name: spectrum(motion, name, window) for name in names or motion.dofs}
     units = list(dict.fromkeys(unit for _, _, unit in found.values()))
     size = (8.0, 1.2 + 2.2 * len(units))
     with figure(len(units), size=size, sharex=True, squeeze=False) as (drawn, axes):
@@ -164,7 +164,7 @@ def plot_poles(
 def plot_harmonics(
     vibration: PeriodicVibration, units: Sequence[str], path: str | Path | None = None
 ) -> Figure:
-    """Amplitudes of the harmonics of every freedom of a periodic motion, one panel for each unit."""
+    """Amplitudes of the harmonics of every degree of freedom of a periodic motion, one panel for each unit."""
     names, k = vibration.coefficients.names, vibration.harmonics
     amplitude = harmonic_amplitudes(vibration)
     kinds = list(dict.fromkeys(units))

@@ -38,7 +38,7 @@ def plot_histories(motion: Motion, names: Sequence[str], path: str | Path | None
     ----------
     names : sequence of str
         Quantities; ``"steer.angle'"`` is a rate, ``"steer.angle''"`` an acceleration, ``"force:rod.elongation"`` a
-        stress.  The freedoms of the motion by default.
+        stress.  The degrees of freedom of the motion by default.
     path : path, optional
         Where to write the figure; the suffix tells the format.
 
@@ -49,7 +49,7 @@ def plot_histories(motion: Motion, names: Sequence[str], path: str | Path | None
     FlexelError
         If matplotlib is not installed.
     """
-    chosen = tuple(names) or motion.freedoms
+    chosen = tuple(names) or motion.dofs
     series = {name: motion.series(name) for name in chosen}
     units = list(dict.fromkeys(unit for _, unit in series.values()))
     with figure(len(units), size=(8.0, 1.2 + 2.2 * len(units)), sharex=True, squeeze=False) as (drawn, axes):

@@ -30,8 +30,10 @@ def state_names(lin: Linearization, inputs: Sequence[str] = ()) -> tuple[str, ..
 def _labelled(
     lin: Linearization, inputs: Sequence[str], outputs: Sequence[str]
 ) -> tuple[Matrices, tuple[str, ...], tuple[str, ...], tuple[str, ...]]:
-    """Matrices with the names of states, inputs and outputs; the freedoms are the outputs if none are named."""
-    inputs, outputs = names(inputs, "inputs"), names(outputs, "outputs") or lin.freedoms
+    """Matrices with the names of states, inputs and outputs; the degrees of freedom are the outputs if none are
+    named.
+    """
+    inputs, outputs = names(inputs, "inputs"), names(outputs, "outputs") or lin.dofs
     if not inputs:
         raise LinearizationError(
             "state space: no input is named; name loads or prescribed motions, inputs=['motor.angle']"

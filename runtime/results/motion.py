@@ -84,8 +84,8 @@ class Motion(Sequence[State]):
         return self._states[0].structure
 
     @property
-    def freedoms(self) -> tuple[str, ...]:
-        """Names of the dynamic freedoms at the start."""
+    def dofs(self) -> tuple[str, ...]:
+        """Names of the dynamic degrees of freedom at the start."""
         return tuple(self.structure.names[i] for i in self._states[0].roles.dynamic)
 
     def series(self, name: str) -> tuple[Array, str]:

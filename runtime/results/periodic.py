@@ -28,7 +28,7 @@ class PeriodicSolution:
     motion : Motion
         States at equidistant times of one period.
     vibration : PeriodicVibration
-        Fourier coefficients of the freedoms, and the linearized equations along the motion.
+        Fourier coefficients of the degrees of freedom, and the linearized equations along the motion.
     """
 
     def __init__(self, motion: Motion, vibration: PeriodicVibration) -> None:
@@ -51,8 +51,8 @@ class PeriodicSolution:
         return 2 * np.pi / self.omega
 
     @property
-    def freedoms(self) -> tuple[str, ...]:
-        """Names of the freedoms."""
+    def dofs(self) -> tuple[str, ...]:
+        """Names of the degrees of freedom."""
         return self.vibration.coefficients.names
 
     def __getitem__(self, name: str) -> Array:
@@ -64,16 +64,16 @@ class PeriodicSolution:
         return self.motion.unit(name)
 
     def harmonics(self, name: str) -> ComplexArray:
-        """Complex amplitudes (k + 1,) of a freedom: the harmonic j is Re(a_j exp(i j ω t)), a_0 the mean.
+        """Complex amplitudes (k + 1,) of a degree of freedom: the harmonic j is Re(a_j exp(i j ω t)), a_0 the mean.
 
         Raises
         ------
         ModelError
-            A name that is no freedom.
+            A name that is no degree of freedom.
         """
-        if name not in self.freedoms:
-            raise ModelError(unknown(name, self.freedoms, "freedom"))
-        a = 2 * self.vibration.X[self.vibration.harmonics :, self.freedoms.index(name)]
+        if name not in self.dofs:
+            raise ModelError(unknown(name, self.dofs, "dof"))
+        a = 2 * self.vibration.X[self.vibration.harmonics :, self.dofs.index(name)]
         a[0] /= 2
         return np.asarray(a)
 
@@ -92,10 +92,10 @@ class PeriodicSolution:
         return self.motion.plot_phase(x, y, path=path)
 
     def plot_spectrum(self, path: str | Path | None = None) -> Any:
-        """Amplitudes of the harmonics of all freedoms."""
+        """Amplitudes of the harmonics of all degrees of freedom."""
         from flexel.pictures.graphs import plot_harmonics
 
-        return plot_harmonics(self.vibration, [self.unit(name) for name in self.freedoms], path)
+        return plot_harmonics(self.vibration, [self.unit(name) for name in self.dofs], path)
 
     def plot_shapes(self, *times: float, path: str | Path | None = None, **options: Any) -> Any:
         """The mechanism at the stored states nearest to the times."""
@@ -113,13 +113,13 @@ class PeriodicSolution:
         k, X = self.vibration.harmonics, self.vibration.X
         variables = dict(own.variables)
         for name in ("M", "C", "K"):
-            variables[name] = Variable(("time", "equation", "freedom"), getattr(c, name))
+            variables[name] = Variable(("time", "equation", "dof"), getattr(c, name))
         variables["F"] = Variable(("time", "equation"), c.F)
         parts = np.stack([X.real, X.imag], axis=-1)
         variables["fourier"] = Variable(
-            ("order", "freedom", "part"), parts, "", "coefficients of exp(i order ω t)"
+            ("order", "dof", "part"), parts, "", "coefficients of exp(i order ω t)"
         )
-        labels = {**own.labels, "equation": c.names, "freedom": c.names, "part": PARTS}
+        labels = {**own.labels, "equation": c.names, "dof": c.names, "part": PARTS}
         labels["order"] = tuple(str(j) for j in range(-k, k + 1))
         header = {**own.header, "omega": c.omega, "neglected": self.vibration.neglected}
         return Record("periodic", variables, labels, own.units, header)
@@ -141,7 +141,7 @@ class PeriodicSolution:
 def periodic_of(record: Record) -> PeriodicSolution:
     """The periodic solution in a record."""
     arrays = {name: z.values for name, z in record.variables.items()}
-    names, header = record.labels["freedom"], record.header
+    names, header = record.labels["dof"], record.header
     M, C, K, F = (np.asarray(arrays[name], dtype=float) for name in ("M", "C", "K", "F"))
     c = Coefficients(float(header["omega"]), M, C, K, F, names)
     X = arrays["fourier"][..., 0] + 1j * arrays["fourier"][..., 1]

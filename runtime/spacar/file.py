@@ -72,7 +72,7 @@ class SpacarFile:
         Raises
         ------
         ConstraintError
-            Freedoms that the file does not give a coordinate, or conditions that repeat one another.
+            Degrees of freedom that the file does not give a coordinate, or conditions that repeat one another.
         """
         return self._built(self.model, self.start)
 
@@ -81,8 +81,8 @@ class SpacarFile:
             return model.build(start)
         except ConstraintError as error:
             raise ConstraintError(
-                f"{self.path.name}: {error} (in the file: a freedom is named by DYNE or DYNX, a kinematic one by ENHC "
-                "or KINE, a given motion is INPUTE or INPUTX, RLSE releases and FIX holds)"
+                f"{self.path.name}: {error} (in the file: a degree of freedom is named by DYNE or DYNX, "
+                "a kinematic one by ENHC or KINE, a given motion is INPUTE or INPUTX, RLSE releases and FIX holds)"
             ) from error
         except ModelError as error:
             raise ModelError(f"{self.path.name}: {error}") from error

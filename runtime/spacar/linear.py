@@ -24,7 +24,7 @@ class Matrices:
     Attributes
     ----------
     coordinates : tuple of str
-        The freedoms: dynamic, then kinematic ones.
+        The degrees of freedom: dynamic, then kinematic ones.
     M0 : ndarray (nd, nd)
         Mass.
     C0, D0 : ndarray (nd, nd)
@@ -69,14 +69,14 @@ class LinearModels(SpacarFile):
         still = np.zeros(lin.state.x.size)
         # without rates and accelerations, but with all stresses, nothing dynamic is left
         rest = system.linearize(replace(lin.state, v=still, a=still))
-        f = np.array([self.factor(name) for name in lin.freedoms])
-        nd, nq, nf = len(lin.dynamic), len(lin.freedoms), lin.state.structure.nf
+        f = np.array([self.factor(name) for name in lin.dofs])
+        nd, nq, nf = len(lin.dynamic), len(lin.dofs), lin.state.structure.nf
         m, k = lin.state.structure.m, lin.state.structure.k
         dual, De = lin.state.J[: m + k, :nf] @ lin.transfer.H[:, :nd], lin.state.J[:m, :nf]
         material = dual.T @ lin.tangents.stress_e @ De @ lin.transfer.G[:, :nq]
         rows, columns = 1 / f[:nd, None], 1 / f[None, :]
         return Matrices(
-            coordinates=lin.freedoms,
+            coordinates=lin.dofs,
             M0=rows * lin.M * columns[:, :nd],
             C0=rows * (lin.C - rest.C) * columns[:, :nd],
             D0=rows * rest.C * columns[:, :nd],
@@ -90,7 +90,8 @@ class LinearModels(SpacarFile):
     ) -> tuple[Array, Array, Array, Array]:
         """Matrices A, B, C, D of the linear model with the file's inputs and outputs, in its signs.
 
-        The states are the rates of the dynamic freedoms, then all freedoms; an INPUTS is the stress itself.
+        The states are the rates of the dynamic degrees of freedom, then all degrees of freedom; an INPUTS is the
+        stress itself.
 
         Parameters
         ----------

@@ -72,9 +72,9 @@ def run_spacar(
         f"{file.path.name}: SPACAR, {file.dialect} dialect, mode {mode}",
         *(f"note: {z}" for z in file.notes),
     ]
-    freedoms = ", ".join(file.system.dynamic + file.system.kinematic) or "none"
+    dofs = ", ".join(file.system.dynamic + file.system.kinematic) or "none"
     ended = [] if motion is None else [motion.message]
-    report = [*head, f"freedoms: {freedoms}", *ended, "", *lines]
+    report = [*head, f"degrees of freedom: {dofs}", *ended, "", *lines]
     if out is not None:
         report += ["", *(f"wrote {z}" for z in _write(file, out, results, motion))]
     return Outcome("\n".join(report), motion)
@@ -181,7 +181,7 @@ def _static(file: Spacar) -> Analysis:
         lines += ["load multipliers of buckling", *(f"  {z: .9e}" for z in results["multipliers"])]
     try:
         found = file.matrices(state)
-    except DynamicsError as error:  # equilibria and frequencies need no mass for every freedom
+    except DynamicsError as error:  # equilibria and frequencies need no mass for every degree of freedom
         return [*lines, f"no matrices: {error}"], results, None
     return [*lines, *_linear_lines(found)], results | found.as_dict(), None
 

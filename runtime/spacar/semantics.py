@@ -60,7 +60,7 @@ def understand(sheet: Sheet, dialect: str) -> Draft:
         draft.calls.append(_mass(line, sheet.node(line)))
     draft.calls += _forces(sheet, draft)
     _motions(sheet, draft)
-    draft.calls += _freedoms(sheet)
+    draft.calls += _dofs(sheet)
     draft.calls += _initial(sheet)
     draft.inputs, draft.outputs, measured = terminals(sheet)
     draft.calls += measured
@@ -152,7 +152,7 @@ def _force(line: Line, node: NodeEntry, values: tuple[object, ...]) -> list[Call
     return [Call("load", (node.name, value), {}, line)]
 
 
-# -- motions, freedoms, initial values -----------------------------------------------------------
+# -- motions, degrees of freedom, initial values -----------------------------------------------------------
 
 
 def _motions(sheet: Sheet, draft: Draft) -> None:
@@ -212,7 +212,7 @@ def _motion(u: float, v: float, a: float, t0: float, factor: float) -> Polynomia
     return Polynomial(ours) if len(ours) > 1 else ours[0]
 
 
-def _freedoms(sheet: Sheet) -> list[Call]:
+def _dofs(sheet: Sheet) -> list[Call]:
     """Dynamic and kinematic coordinates; a coordinate that is named twice counts once."""
     dynamic: dict[str, Line] = {}
     kinematic: dict[str, Line] = {}

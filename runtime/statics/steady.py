@@ -29,16 +29,16 @@ def steady_motion(
     unknown_rates: Sequence[str],
 ) -> State:
     """State near `start` with q_d'' = 0 and internal states of laws at rest; see `System.steady`."""
-    freedoms = [system.structure.names[i] for i in system.roles.freedoms]
+    dofs = [system.structure.names[i] for i in system.roles.dofs]
     nd = system.roles.nd
-    named = freedoms if unknown is None else names(unknown, "steady")
-    columns = [_place(freedoms, z) for z in named]
-    speeds = [_place(freedoms[:nd], z) for z in names(unknown_rates, "steady")]
+    named = dofs if unknown is None else names(unknown, "steady")
+    columns = [_place(dofs, z) for z in named]
+    speeds = [_place(dofs[:nd], z) for z in names(unknown_rates, "steady")]
     first = start if rates is None else _with_rates(system, start, rates)
 
     def evaluate(state: State) -> tuple[Unbalance, float]:
         lin = system.linearize(state)
-        qdd = np.array([state.acceleration(z) for z in freedoms[:nd]])
+        qdd = np.array([state.acceleration(z) for z in dofs[:nd]])
         scale = _force_scale(system, state, lin.transfer.H[:, :nd])
         L = np.hstack([lin.Z_q[:, columns], lin.Z_v[:, speeds], lin.Z_z])
         forces = np.hstack([lin.K[:, columns], lin.C[:, speeds], lin.Z]) / scale
@@ -55,7 +55,7 @@ def steady_motion(
         return found.point
     raise PositionError(
         f"no steady motion found near the start after {found.iterations} iterations (unbalanced forces "
-        f"{found.error:.3g} of the acting ones at {dict(zip(freedoms, np.round(found.point.q, 6), strict=True))}); "
+        f"{found.error:.3g} of the acting ones at {dict(zip(dofs, np.round(found.point.q, 6), strict=True))}); "
         "start nearer, or name other unknowns"
     )
 
@@ -93,7 +93,7 @@ class Unbalance:
 
 def _moved(system: Core, state: State, places: tuple[list[int], list[int]], step: Array) -> State:
     """The state with its unknown values and rates changed by a step, shortened where the mechanism cannot follow."""
-    names, nd = [system.structure.names[i] for i in system.roles.freedoms], system.roles.nd
+    names, nd = [system.structure.names[i] for i in system.roles.dofs], system.roles.nd
     columns, speeds = places
     for shorter in range(HALVINGS + 1):
         part = step / 2**shorter

@@ -40,34 +40,34 @@ class Roles:
         return np.concatenate([self.rigid, self.prescribed])
 
     @cached_property
-    def freedoms(self) -> Index:
+    def dofs(self) -> Index:
         """Rows of q = (q_d, q_k)."""
         return np.concatenate([self.dynamic, self.kinematic])
 
     @cached_property
     def velocity_rows(self) -> Index:
-        """Rows of B: rigid, prescribed, zero slips, dynamic freedoms."""
+        """Rows of B: rigid, prescribed, zero slips, dynamic degrees of freedom."""
         return np.concatenate([self.holonomic, self.zero, self.dynamic])
 
     @cached_property
     def position_rows(self) -> Index:
-        """Rows of the matrix of the position problem: rigid, prescribed, all freedoms."""
-        return np.concatenate([self.holonomic, self.freedoms])
+        """Rows of the matrix of the position problem: rigid, prescribed, all degrees of freedom."""
+        return np.concatenate([self.holonomic, self.dofs])
 
     @property
     def nd(self) -> int:
-        """Number of dynamic freedoms."""
+        """Number of dynamic degrees of freedom."""
         return self.dynamic.size
 
     @property
     def nq(self) -> int:
-        """Number of freedoms, kinematic ones included."""
+        """Number of degrees of freedom, kinematic ones included."""
         return self.dynamic.size + self.kinematic.size
 
     def motion(self, t: float) -> Array:
         """Value, first and second rate (3, prescribed) of the prescribed motions at time t."""
         return np.array([f.rates(t) for f in self.motions]).reshape(-1, 3).T
 
-    def with_freedoms(self, dynamic: Index, kinematic: Index) -> Roles:
+    def with_dofs(self, dynamic: Index, kinematic: Index) -> Roles:
         """The same constraints with another choice of coordinates."""
         return replace(self, dynamic=dynamic, kinematic=kinematic)

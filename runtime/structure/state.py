@@ -62,7 +62,7 @@ class State:
     reactions : ndarray (n,)
         Generalized forces on fixed and prescribed coordinates.
     roles : Roles
-        The choice of freedoms that the state was found with.
+        The choice of degrees of freedom that the state was found with.
     energy : Energy
     drift : float
         Largest violation of the constraints, relative to their natural scales.
@@ -106,12 +106,12 @@ class State:
 
     @property
     def q(self) -> Array:
-        """Freedoms (q_d, q_k)."""
-        return self.values[self.roles.freedoms]
+        """Degrees of freedom (q_d, q_k)."""
+        return self.values[self.roles.dofs]
 
     @property
     def qd(self) -> Array:
-        """Rates of the dynamic freedoms (nd,)."""
+        """Rates of the dynamic degrees of freedom (nd,)."""
         return self.rates[self.roles.dynamic]
 
     def __getitem__(self, name: str) -> float:

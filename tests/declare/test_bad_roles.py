@@ -59,24 +59,24 @@ ROLES = {
     "independent and kinematic": built(
         lambda m: (m.kinematic("pivot.angle"), m.independent("pivot.angle")), "'pivot.angle'", "choose one"
     ),
-    "too many freedoms": built(
+    "too many degrees of freedom": built(
         lambda m: m.independent("pivot.angle", "A.z"),
         "2 dynamic",
         "has 1",
         "take 1 of",
         error=ConstraintError,
     ),
-    "too few freedoms": built(
+    "too few degrees of freedom": built(
         lambda m: (m.release("pivot.bend1"), m.independent("pivot.angle")),
         "under-constrained",
         "2 dynamic coordinate(s) are needed and 1 named",
         "m.independent",
         error=ConstraintError,
     ),
-    "no freedoms": built(
+    "no degrees of freedom": built(
         lambda m: m.independent(), "under-constrained", "or name none", error=ConstraintError
     ),
-    "a freedom that does not move": built(
+    "a degree of freedom that does not move": built(
         lambda m: m.independent("A.x"), "'A.x' cannot be", "for example 'pivot.angle'", error=ConstraintError
     ),
     "kinematic without need": built(

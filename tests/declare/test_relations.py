@@ -27,7 +27,7 @@ def screw(steepness: float = PITCH, **options: float) -> fx.Model:
 
 def test_a_screw_turns_many_times_without_slipping() -> None:
     s = screw().build()
-    assert s.counts["freedoms"] == 1
+    assert s.counts["degrees_of_freedom"] == 1
     motion = s.simulate(4.0, samples=41)
     turned = motion["guide.angle"]
     acceleration = -2.0 * 9.81 * PITCH / (0.02 + 2.0 * PITCH**2)
@@ -68,7 +68,7 @@ def differential() -> fx.Model:
 def test_a_differential_splits_its_moment_evenly() -> None:
     """Half of what is left of the moment accelerates each wheel; a coordinate serves as a term like a deformation."""
     s = differential().build()
-    assert s.counts["freedoms"] == 2
+    assert s.counts["degrees_of_freedom"] == 2
     state = s.initial
     # M = 0.5 c'' + 2 σ;  2 l'' = σ;  3 r'' = σ;  2 c'' = l'' + r''
     share = 7.0 / (2 + 0.5 * (1 / 2 + 1 / 3) / 2)

@@ -114,7 +114,7 @@ def test_a_section_gives_the_beam_its_stiffness_and_mass() -> None:
 def test_flexible_modes_can_be_chosen() -> None:
     m = leaf(section=SECTION, material="steel", flexible=["bend3", "bend4", "torsion"])
     assert m.laws[0].deformations == ("b.torsion", "b.bend3", "b.bend4")
-    assert m.build().counts["freedoms"] == 3
+    assert m.build().counts["degrees_of_freedom"] == 3
 
 
 def test_section_forces_balance_the_load_in_the_deformed_state() -> None:

@@ -66,7 +66,7 @@ def test_a_mistake_in_a_simulation_is_named_with_its_remedy(case: Case) -> None:
     check(case)
 
 
-def test_massless_freedom_is_named() -> None:
+def test_massless_dof_is_named() -> None:
     m = drawing()
     m.point_mass("b", "A", 1.0)
     with pytest.raises(DynamicsError, match=r"'R1\.lambda\d' moves no mass; give its bodies mass"):

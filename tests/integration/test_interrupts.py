@@ -51,7 +51,7 @@ def overstretched() -> fx.Model:
 
 @pytest.mark.parametrize("free", [False, True])
 def test_a_simulation_that_fails_leaves_what_it_computed(free: bool) -> None:
-    """With a freedom beside the driven crank, and without."""
+    """With a degree of freedom beside the driven crank, and without."""
     m = overstretched()
     if free:
         m.point_mass("other", m.point("B", (3.0, 0.0)), 1.0)

@@ -94,7 +94,7 @@ def test_what_lacks_inertia_is_integrated_implicitly_and_named_by_explicit_metho
         system.simulate(0.5, method="DOP853")
 
 
-def test_many_degrees_of_freedom_are_integrated_implicitly_without_eigenvalues(
+def test_many_degrees_of_dof_are_integrated_implicitly_without_eigenvalues(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     m = fx.Model(gravity=(0, 0, -9.81))

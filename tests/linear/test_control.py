@@ -134,7 +134,7 @@ def test_xarray_and_pandas_have_names_along_rows_and_columns() -> None:
     found = lin.to_xarray()
     assert found["M"].sel(dynamic="C.x", dynamic_column="pivot.angle") == lin.M[0, 1]
     assert np.array_equal(found["eigenvalue"], lin.eigenvalues())
-    assert found["K"].sel(freedom="pivot.angle")["freedom_unit"] == "rad"
+    assert found["K"].sel(dof="pivot.angle")["dof_unit"] == "rad"
     assert found["state_matrix"].sel(state="C.x'")["state_unit"] == "m/s"
     assert lin.units == {"C.x": "m", "pivot.angle": "rad", "C.x'": "m/s", "pivot.angle'": "rad/s"}
     modes = lin.to_pandas()

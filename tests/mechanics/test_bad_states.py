@@ -8,7 +8,7 @@ from flexel.base.errors import ConstraintError, PositionError
 
 STATES = {
     "value of an unknown": system(lambda s: s.state_at({"q": 1}), "state_at", "'q'", "known: "),
-    "value of no freedom": system(
+    "value of no degree of freedom": system(
         lambda s: s.state_at({"A.x": 1}), "'A.x' is not a degree of freedom", "'pivot.angle'"
     ),
     "value as text": system(lambda s: s.state_at({"pivot.angle": "a"}), "'pivot.angle'", "give real"),
@@ -29,10 +29,16 @@ STATES = {
     "steady of another model": system(
         lambda s: s.steady(pendulum().build().initial), "another model", "of this one"
     ),
-    "freedoms unknown": system(lambda s: s.use_coordinates(["q"]), "use_coordinates", "'q'", "known: "),
-    "freedoms as text": system(lambda s: s.use_coordinates("pivot.angle"), "use_coordinates", "write ['…'"),
-    "freedom fixed": system(lambda s: s.use_coordinates(["O.x"]), "'O.x' is fixed", "name coordinates"),
-    "freedom rigid": system(
+    "degrees of freedom unknown": system(
+        lambda s: s.use_coordinates(["q"]), "use_coordinates", "'q'", "known: "
+    ),
+    "degrees of freedom as text": system(
+        lambda s: s.use_coordinates("pivot.angle"), "use_coordinates", "write ['…'"
+    ),
+    "degree of freedom fixed": system(
+        lambda s: s.use_coordinates(["O.x"]), "'O.x' is fixed", "name coordinates"
+    ),
+    "degree of freedom rigid": system(
         lambda s: s.use_coordinates(["rod.along"]),
         "'rod.along' is constrained",
         "name others",

@@ -21,7 +21,7 @@ def test_stiffness_is_symmetric_in_a_conservative_equilibrium(name: str) -> None
     assert worst(lin.C, lin.C.T) < 1e-12
 
 
-def test_eigenvalues_do_not_depend_on_the_chosen_freedoms() -> None:
+def test_eigenvalues_do_not_depend_on_the_chosen_dofs() -> None:
     m = MODELS["loop"]()
     m._rates.clear()
     s = m.build()

@@ -1,4 +1,4 @@
-"""Automatic choice of freedoms, and the change of freedoms during a motion."""
+"""Automatic choice of degrees of freedom, and the change of degrees of freedom during a motion."""
 
 import numpy as np
 import pytest
@@ -10,7 +10,9 @@ from flexel.model import Model
 
 
 def test_slider_as_coordinate_passes_the_dead_centres() -> None:
-    """The program changes to another freedom near each dead centre; the motion is that of the crank's angle."""
+    """The program changes to another degree of freedom near each dead centre; the motion is that of the crank's
+    angle.
+    """
     s = slider_crank("B.x").build()
     assert s.dynamic == ("B.x",)
     motion = s.simulate(1.5, samples=31, rtol=1e-11, atol=1e-12)
@@ -32,7 +34,7 @@ def test_without_re_choice_the_slider_sticks_at_its_dead_centre_with_an_error() 
         s.simulate(3.0, rechoose=False, method="RK45", rtol=1e-4, atol=1e-6)
 
 
-def test_a_system_keeps_its_freedoms_after_a_motion_that_changed_them() -> None:
+def test_a_system_keeps_its_dofs_after_a_motion_that_changed_them() -> None:
     s = slider_crank("B.x").build()
     first = s.simulate(1.0, samples=5)
     assert s.dynamic == ("B.x",)
@@ -63,7 +65,7 @@ def test_program_chooses_joint_angles_before_coordinates() -> None:
     assert set(m.build().dynamic) == {"pivot.angle", "elbow.angle"}
 
 
-def test_free_body_gets_six_freedoms() -> None:
+def test_free_body_gets_six_dofs() -> None:
     m = Model()
     P, R = m.point("P", (1, 2, 3)), m.frame("R", (0.5, 0.5, 0.5, 0.5))
     m.body("body", P, R, mass=1.0, inertia=(1, 1, 1))
@@ -72,14 +74,14 @@ def test_free_body_gets_six_freedoms() -> None:
     assert {"P.x", "P.y", "P.z"} < set(s.dynamic)
 
 
-def test_freedoms_named_twice_over_are_refused_by_name() -> None:
+def test_dofs_named_twice_over_are_refused_by_name() -> None:
     m = slider_crank("B.x")
     m.independent("crank hinge.angle")
     with pytest.raises(ConstraintError, match=r"B\.x.*crank hinge\.angle|crank hinge\.angle.*B\.x"):
         m.build()
 
 
-def test_too_few_named_freedoms_are_refused_with_the_motion_that_is_left() -> None:
+def test_too_few_named_dofs_are_refused_with_the_motion_that_is_left() -> None:
     m = pendulum(mass_per_length=1.0)
     B, R2 = m.point("B", (2, 0, 0)), m.frame("R2")
     m.hinge("elbow", "R1", R2, axis=(0, 1, 0))

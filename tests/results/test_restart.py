@@ -31,7 +31,7 @@ def test_a_simulation_goes_on_from_a_file_bit_for_bit(tmp_path: Path, suffix: st
 
 
 def test_a_prescribed_motion_goes_on_to_the_same_digits(tmp_path: Path) -> None:
-    """Without freedoms the integrator has no part in it, and the break leaves no trace."""
+    """Without degrees of freedom the integrator has no part in it, and the break leaves no trace."""
 
     def driven() -> fx.System:
         m = slider_crank("")
@@ -50,8 +50,8 @@ def test_a_prescribed_motion_goes_on_to_the_same_digits(tmp_path: Path) -> None:
         assert np.max(np.abs(later[name] - whole[name][-51:])) < 1e-13 * scale, name
 
 
-def test_the_choice_of_freedoms_goes_on(tmp_path: Path) -> None:
-    """The slider was exchanged for another freedom near a dead centre; the file knows which."""
+def test_the_choice_of_dofs_goes_on(tmp_path: Path) -> None:
+    """The slider was exchanged for another degree of freedom near a dead centre; the file knows which."""
     s = slider_crank("B.x").build()
     first = s.simulate(0.1, samples=5)
     assert first.statistics["rechoices"] == 1

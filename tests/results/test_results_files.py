@@ -57,7 +57,7 @@ def test_a_motion_from_a_file_needs_no_model_to_be_looked_at(motion: fx.Motion, 
     for mine, theirs in zip(shapes(read[-1]), shapes(motion[-1]), strict=True):
         assert mine.name == theirs.name
         assert all(np.array_equal(a, b) for a, b in zip(mine.lines, theirs.lines, strict=True))
-    assert read.freedoms == ("lean.angle", "steer.angle", "rear spin.angle")
+    assert read.dofs == ("lean.angle", "steer.angle", "rear spin.angle")
     drawn = read.plot(path=tmp_path / "p.png")
     assert [axes.get_ylabel() for axes in drawn.axes] == ["[rad]"]
     with pytest.raises(fx.ModelError, match=r"did you mean lean\.angle"):

@@ -23,12 +23,12 @@ def test_a_periodic_solution_comes_back_from_a_file(
 ) -> None:
     read = fx.load(solution.save(tmp_path / f"orbit{suffix}"))
     assert isinstance(read, PeriodicSolution)
-    assert read.freedoms == ("P.x",)
+    assert read.dofs == ("P.x",)
     assert read.unit("P.x'") == "m/s"
     assert np.array_equal(read["P.x"], solution["P.x"])
     assert np.array_equal(read.harmonics("P.x"), solution.harmonics("P.x"))
     assert np.array_equal(read.multipliers(), solution.multipliers())
-    with pytest.raises(fx.ModelError, match="unknown freedom 'P.y'"):
+    with pytest.raises(fx.ModelError, match="unknown degree of freedom 'P.y'"):
         read.harmonics("P.y")
 
 

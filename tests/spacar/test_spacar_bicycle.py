@@ -130,7 +130,7 @@ def test_kinematic_coordinates_follow_the_rolling_wheels(linearized: dict[float,
     # the contact point moves where the rear wheel points: dy/dt = v psi; the yaw rate follows the steer angle,
     # d(psi)/dt = (v delta + c d(delta)/dt) cos(lambda) / w
     w, c, cos = 1.02, 0.08, np.cos(np.pi / 10)
-    free = list(lin.freedoms)
+    free = list(lin.dofs)
     assert abs(lin.B_k[across, free.index("hinge1.angle")] - 2.0) < 1e-12
     assert abs(lin.B_k[yaw, free.index(STEER)] - 2.0 * cos / w) < 1e-12
     assert abs(lin.A_k[yaw, lin.dynamic.index(STEER)] - c * cos / w) < 1e-12

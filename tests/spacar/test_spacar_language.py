@@ -233,7 +233,7 @@ def test_bearing_and_hinge_modes_have_their_own_order(tmp_path: Path) -> None:
     assert "modes 1 to 3 are read as the displacements" in found.notes[0]
 
 
-def test_missing_freedoms_are_told_in_the_words_of_the_file(tmp_path: Path) -> None:
+def test_missing_dofs_are_told_in_the_words_of_the_file(tmp_path: Path) -> None:
     found = file(tmp_path, *CRANK[:4], "RLSE 1 1", "DYNE 1 1")
     with pytest.raises(
         fx.ConstraintError, match="model.dat: under-constrained.*in the file: .* DYNE or DYNX"

@@ -153,7 +153,7 @@ def guide(flexible: list[str] | None) -> fx.Model:
 
 def test_two_leaf_springs_repeat_one_in_plane_bending() -> None:
     found = guide(["torsion", "bend3", "bend4"]).constraint_report()
-    assert found.freedoms == 1 and len(found.redundant) == 1 and not found.motions
+    assert found.dofs == 1 and len(found.redundant) == 1 and not found.motions
     assert set(found.redundant[0]) == {"a.bend1", "a.bend2", "b.bend1", "b.bend2"}
     assert "over-constrained: " in str(found)
 
@@ -167,13 +167,13 @@ def test_rigid_torsion_of_two_leaf_springs_is_named_and_its_release_makes_them_w
     with pytest.raises(fx.ConstraintError, match="torsion"):
         m.build()
     m.release(*found.release)
-    assert m.build().counts["freedoms"] == 1
+    assert m.build().counts["degrees_of_freedom"] == 1
     assert m.constraint_report().redundant == []
 
 
 def test_all_modes_flexible_leave_nothing_redundant() -> None:
     found = guide(None).constraint_report()
-    assert (found.freedoms, found.redundant, found.motions, found.release) == (6, [], [], [])
+    assert (found.dofs, found.redundant, found.motions, found.release) == (6, [], [], [])
 
 
 def test_a_free_body_is_under_constrained_and_its_motions_are_named() -> None:
@@ -187,4 +187,4 @@ def test_a_free_body_is_under_constrained_and_its_motions_are_named() -> None:
 
 def test_a_state_is_reported_on_too() -> None:
     state = guide(None).build().at_rest
-    assert state.constraint_report().freedoms == 6
+    assert state.constraint_report().dofs == 6

@@ -64,18 +64,24 @@ def test_measured_bicycles_are_those_of_the_file(whipple: dict[str, Any]) -> Non
 
 def test_the_report_has_every_name_of_the_list(rows: Mapping[str, Quantity]) -> None:
     wanted = "M C1 K0 K2 eigenvalues weave_speed capsize_speed M1_steer_5s M1_energy_drift kick_3.5 kick_4.5 kick_6.3"
-    assert {*wanted.split(), "freedoms", "kinematic_coordinates", "coordinates", "deformations"} <= set(rows)
+    assert {
+        *wanted.split(),
+        "degrees_of_freedom",
+        "kinematic_coordinates",
+        "coordinates",
+        "deformations",
+    } <= set(rows)
 
 
 def test_every_quantity_is_within_its_tolerance(rows: Mapping[str, Quantity]) -> None:
     assert {name: row.error for name, row in rows.items() if not row.ok} == {}
 
 
-def test_three_freedoms_and_four_kinematic_coordinates(system: fx.System) -> None:
+def test_three_dofs_and_four_kinematic_coordinates(system: fx.System) -> None:
     """Two wheels, two beams, six hinges: counted, not assumed."""
     kinds = [instance.spec.name for instance in system.structure.instances]
     assert [kinds.count(kind) for kind in ("wheel", "beam3", "hinge")] == [2, 2, 6]
-    assert system.counts["freedoms"] == 3
+    assert system.counts["degrees_of_freedom"] == 3
     assert system.counts["kinematic_coordinates"] == 4
 
 

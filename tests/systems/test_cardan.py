@@ -39,11 +39,11 @@ def test_the_closed_form_is_that_of_the_textbooks(benchmark: dict[str, Any]) -> 
         assert second == pytest.approx(row["theta2dd_over_w1sq"], abs=1e-14)
 
 
-def test_the_rigid_joint_has_one_freedom_and_no_redundant_constraint() -> None:
+def test_the_rigid_joint_has_one_dof_and_no_redundant_constraint() -> None:
     m = example.joint(0.7)
     example.rotor(m, "driving", 1.0)
     system = m.build()
-    assert system.counts["freedoms"] == 1
+    assert system.counts["degrees_of_freedom"] == 1
     assert sum(z.spec.name == "hinge" for z in system.structure.instances) == 4
 
 

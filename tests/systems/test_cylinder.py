@@ -49,7 +49,7 @@ def test_hydraulic_cylinder_moves_the_boom_and_its_force_follows_from_virtual_wo
         assert abs(-state.force("cylinder.elongation") - force) < 1e-9
 
 
-def test_hydraulic_cylinder_as_a_freedom_falls_as_the_boom_does() -> None:
+def test_hydraulic_cylinder_as_a_dof_falls_as_the_boom_does() -> None:
     m = cylinder(free=True)
     m.initial("cylinder.elongation", 0.1, rate=0.0)
     by_cylinder = m.build()

@@ -129,7 +129,7 @@ def test_over_constraint_is_refused_by_name_and_cured_by_the_named_releases(
     with pytest.raises(fx.ConstraintError, match="over-constrained: 3 rigid"):
         m.build()
     m.release(*found.release)
-    assert m.build().counts["freedoms"] == 1
+    assert m.build().counts["degrees_of_freedom"] == 1
 
 
 def test_figures_are_written(results: example.Results, tmp_path: Path) -> None:

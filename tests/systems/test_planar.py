@@ -147,7 +147,7 @@ def test_four_bar_of_rigid_links_and_a_prescribed_truss(planar: bool) -> None:
     drawn = np.hypot(1, 1.2)
     m.prescribe("cylinder.elongation", lambda t: -0.3 * t)
     s = m.build()
-    assert s.counts["freedoms"] == 0
+    assert s.counts["degrees_of_freedom"] == 0
     motion = s.simulate(1.0, samples=11)
     length = drawn - 0.3 * motion.t
     cosine = (1 + 1.2**2 - length**2) / (2 * 1.2)  # angle of the boom at O

@@ -106,7 +106,7 @@ def test_impact_without_dissipation_gives_the_speed_back() -> None:
     assert sheaves.impact(400)[2][-1] == pytest.approx(1.0, abs=1e-6)
 
 
-def test_hoist_with_one_freedom_is_that_of_the_table(benchmark: dict[str, Any]) -> None:
+def test_hoist_with_one_dof_is_that_of_the_table(benchmark: dict[str, Any]) -> None:
     rows = benchmark["hoist_reduced_1dof"]["reference"]
     t, x, tension = (np.array([row[z] for row in rows]) for z in ("t", "x", "T_over_mg"))
     depth, pull = hoists.reduced(t, stretched=False)
@@ -115,7 +115,7 @@ def test_hoist_with_one_freedom_is_that_of_the_table(benchmark: dict[str, Any]) 
 
 
 @pytest.mark.slow
-def test_winding_hoist_lifts_as_with_one_freedom() -> None:
+def test_winding_hoist_lifts_as_with_one_dof() -> None:
     """Each element that comes to lie on the drum bends at once, which keeps the order below two."""
     rows = hoists.hoist()
     assert failures(rows) == []

@@ -83,10 +83,10 @@ def test_the_rack_steers_the_wheels_as_the_data_say() -> None:
         assert np.degrees(np.arcsin(turned @ kingpin)) == pytest.approx(degrees, abs=1e-2)
 
 
-def test_there_are_ten_freedoms_and_eight_without_lateral_slip() -> None:
-    assert vehicle().counts["freedoms"] == 10
+def test_there_are_ten_dofs_and_eight_without_lateral_slip() -> None:
+    assert vehicle().counts["degrees_of_freedom"] == 10
     rolling = vehicle(10.0, tyres="zero slip")
-    assert (rolling.counts["freedoms"], rolling.counts["kinematic_coordinates"]) == (8, 2)
+    assert (rolling.counts["degrees_of_freedom"], rolling.counts["kinematic_coordinates"]) == (8, 2)
 
 
 @pytest.mark.parametrize("tyres", ["calspan", "linear", "zero slip"])
@@ -208,7 +208,7 @@ def test_a_motorcycle_weaves_wobbles_and_capsizes() -> None:
     assert 0 < fast["capsize"].eigenvalue.real < slow["capsize"].eigenvalue.real
     system = motorcycle.motorcycle()
     assert mismatch(system, motorcycle.straight(system, 30.0)) < 1e-8
-    assert system.counts["freedoms"] == 11
+    assert system.counts["degrees_of_freedom"] == 11
 
 
 def test_tyres_with_and_without_a_crown_carry_the_bicycle_of_the_benchmark() -> None:

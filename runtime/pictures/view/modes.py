@@ -83,7 +83,7 @@ def _coordinates(about: Linearization | State, state: State, mode: Mode | Vibrat
     s, shape = state.structure, {name: complex(z) for name, z in mode.shape.items()}
     found = np.zeros(s.n, dtype=complex)
     if isinstance(about, Linearization) and isinstance(mode, Mode):
-        q = np.array([shape[name] for name in about.freedoms])
+        q = np.array([shape[name] for name in about.dofs])
         found[: s.nf] = about.transfer.G[:, : q.size] @ q
         return found
     if isinstance(mode, Mode):

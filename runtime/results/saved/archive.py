@@ -1,7 +1,8 @@
 """Motions as records and back: what must be known of a mechanism to read, draw and continue its motion.
 
-A record holds every quantity with its rate, acceleration and force, the choices of freedoms, and a description of
-nodes, elements and laws; a motion made of it answers to the same names and is drawn like the one that was saved.
+A record holds every quantity with its rate, acceleration and force, the choices of degrees of freedom, and a
+description of nodes, elements and laws; a motion made of it answers to the same names and is drawn like the one that
+was saved.
 """
 
 from __future__ import annotations
@@ -132,7 +133,9 @@ def _packed(states: Sequence[State], dim: str, choices: _Choices) -> dict[str, V
         found["internal"] = Variable((dim, "internal_state"), np.array([z.z for z in states]))
         found["internal_rate"] = Variable((dim, "internal_state"), np.array([z.zd for z in states]))
     numbers = np.array([choices.number(z) for z in states])
-    found["choice"] = Variable((dim,), numbers, "", "which choice of freedoms the state is described by")
+    found["choice"] = Variable(
+        (dim,), numbers, "", "which choice of degrees of freedom the state is described by"
+    )
     return found
 
 

@@ -22,18 +22,18 @@ from flexel.results.saved.record import Record, Variable, require
 from flexel.structure.state import Energy, State
 from flexel.structure.structure import Structure
 
-# Names along rows and columns, where they are freedoms.
+# Names along rows and columns, where they are degrees of freedom.
 DIMS = {
     "M": ("dynamic", "dynamic_column"),
     "C": ("dynamic", "dynamic_column"),
-    "K": ("dynamic", "freedom"),
+    "K": ("dynamic", "dof"),
     "A_k": ("kinematic", "dynamic_column"),
-    "B_k": ("kinematic", "freedom"),
+    "B_k": ("kinematic", "dof"),
     **dict.fromkeys(("M_u", "C_u", "K_u"), ("dynamic", "prescribed")),
     **dict.fromkeys(("A_ku", "B_ku"), ("kinematic", "prescribed")),
     "Z": ("dynamic", "internal"),
     "Z_v": ("internal", "dynamic_column"),
-    "Z_q": ("internal", "freedom"),
+    "Z_q": ("internal", "dof"),
     "Z_z": ("internal", "internal_column"),
     **dict.fromkeys(("Z_vu", "Z_qu"), ("internal", "prescribed")),
     "state_matrix": ("state", "state_column"),
@@ -55,7 +55,7 @@ def record_of_linearization(lin: Linearization) -> Record:
         "dynamic": lin.dynamic,
         "dynamic_column": lin.dynamic,
         "kinematic": lin.kinematic,
-        "freedom": lin.freedoms,
+        "dof": lin.dofs,
         "prescribed": lin.prescribed,
         "internal": lin.internal,
         "internal_column": lin.internal,
@@ -129,10 +129,8 @@ def to_xarray(lin: Linearization) -> Any:
     found["eigenvalue"] = ("eigenvalue_number", lin.eigenvalues(), {"units": "1/s"})
     modes = lin.modes()
     found["mode_eigenvalue"] = ("mode", np.array([z.eigenvalue for z in modes]), {"units": "1/s"})
-    shapes = np.array([[z.shape[name] for name in lin.freedoms] for z in modes]).reshape(
-        -1, len(lin.freedoms)
-    )
-    found["mode_shape"] = (("mode", "freedom"), shapes)
+    shapes = np.array([[z.shape[name] for name in lin.dofs] for z in modes]).reshape(-1, len(lin.dofs))
+    found["mode_shape"] = (("mode", "dof"), shapes)
     return found
 
 
