@@ -103,7 +103,19 @@ class Saddle:
         return np.concatenate([state.stresses - laws - applied, -state.reactions])[self.force_rows]
 
     def balance(self, t: float, x: Array, v: Array, a: Array, mu: Array, e_near: Array) -> Balance:
-        """Unbalance at (x, v, a, mu) and time t; angles are counted from `e_near`."""
+        """Unbalance at a time, with the parts it is made of.
+
+        Parameters
+        ----------
+        t : float
+            Time [s].
+        x, v, a : ndarray (n,)
+            Coordinates, rates and accelerations.
+        mu : ndarray (nm,)
+            Multipliers of `force_rows`.
+        e_near : ndarray (m,)
+            Deformations nearby, from which the turns of angles are counted.
+        """
         s, local = self.structure, self.local
         principal, J = local.position(x)
         e = unwrap(s, principal, e_near)

@@ -163,7 +163,22 @@ class Core:
         return np.concatenate([qd, c.J[self.roles.kinematic] @ v, motion.qdd, F.zd])
 
     def residual(self, t: float, q: Array, qd: Array, qdd: Array, guess: State) -> Array:
-        """Unbalanced generalized forces H'(M a + h - f + De' sigma + V' tau) (nd,); zero in a true motion."""
+        """Residual of the equations of motion, H'(M a + h - f + De' sigma + V' tau) (nd,); zero in a true motion.
+
+        Parameters
+        ----------
+        t : float
+            Time [s].
+        q : ndarray (nq,), qd, qdd : ndarray (nd,)
+            Degrees of freedom (q_d, q_k), and the first and second rates of q_d.
+        guess : State
+            Nearby: where to look for the position, turns of angles, internal states of laws.
+
+        Raises
+        ------
+        PositionError
+            If the position cannot be reached.
+        """
         kinematics, nf = self.kinematics, self.structure.nf
         c, B, v = states.placed(kinematics, t, q, qd, guess.x, guess.e)
         F = dynamics.forces(kinematics, self.loads, c, v, unwrap(self.structure, c.e, guess.e), guess.z)
@@ -185,9 +200,23 @@ class Core:
     # -- states ----------------------------------------------------------------------------------
 
     def state(self, t: float, x: Array, v: Array, e: Array | None = None, z: Array | None = None) -> State:
-        """Complete state from coordinates and rates that satisfy the constraints; e counts the turns.
+        """Complete state from coordinates and rates that satisfy the constraints.
 
-        Internal states z (nz,) of laws have their initial values by default.
+        Parameters
+        ----------
+        t : float
+            Time [s].
+        x, v : ndarray (n,)
+            Coordinates and rates; rates of zero stand for those that prescribed motions ask for.
+        e : ndarray (m,), optional
+            Deformations near the true ones, from which the turns of angles are counted; principal values by default.
+        z : ndarray (nz,), optional
+            Internal states of laws; their initial values by default.
+
+        Raises
+        ------
+        DynamicsError
+            If a degree of freedom has no inertia; names it.
         """
         principal, J = self.kinematics.evaluate(x)
         e = principal if e is None else unwrap(self.structure, principal, e)

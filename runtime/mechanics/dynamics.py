@@ -59,7 +59,17 @@ class Forces:
 
 
 def forces(kinematics: Kinematics, loads: Loads, c: Configuration, v: Array, e: Array, z: Array) -> Forces:
-    """Mass matrix, given forces and potentials at (x, v, z); `e` holds the deformations with their turns."""
+    """Mass matrix, given forces and potentials at a configuration with rates.
+
+    Parameters
+    ----------
+    c : Configuration
+    v : ndarray (n,)
+    e : ndarray (m,)
+        Deformations with their turns.
+    z : ndarray (nz,)
+        Internal states of laws.
+    """
     s = kinematics.structure
     evaluation = kinematics.evaluation
     inertia = evaluation.sparse_inertia if kinematics.large else evaluation.inertia
@@ -91,7 +101,17 @@ class Acceleration:
 def accelerations(
     kinematics: Kinematics, c: Configuration, B: Solvable, v: Array, forces_: Forces
 ) -> Acceleration:
-    """Solve (H' M H) q_d'' = H' (F - M g) and give a (n,).
+    """Accelerations from (H' M H) q_d'' = H' (F - M g) and a = H q_d'' + g.
+
+    Parameters
+    ----------
+    c : Configuration
+    B : Solvable
+        Velocity matrix at c, factorized.
+    v : ndarray (n,)
+        Rates of the coordinates.
+    forces_ : Forces
+        Mass matrix and given forces.
 
     Raises
     ------
@@ -146,8 +166,27 @@ def complete(
 ) -> State:
     """The complete state at a configuration with velocities: accelerations, stresses, reactions, energy.
 
+<<<<<<< HEAD
     With `qdd` (nd,) the motion is driven: the stresses of the degrees of freedom that are deformations, and the
     reactions of those that are coordinates, then hold what drives them.
+=======
+    Parameters
+    ----------
+    c : Configuration
+    v : ndarray (n,)
+    e : ndarray (m,)
+        Deformations with their turns.
+    z : ndarray (nz,)
+        Internal states of laws.
+    qdd : ndarray (nd,), optional
+        Second rates of the dynamic degrees of freedom, where the motion is driven: stresses of those that are
+        deformations, and reactions of those that are coordinates, then hold what drives them.
+
+    Raises
+    ------
+    DynamicsError
+        If a degree of freedom has no inertia; names it.
+>>>>>>> results
     """
     s, roles = kinematics.structure, kinematics.roles
     given = forces(kinematics, loads, c, v, e, z)
@@ -176,6 +215,13 @@ def saddle_accelerations(
     kinematics: Kinematics, c: Configuration, v: Array, given: Forces
 ) -> tuple[Array, Array]:
     """Accelerations (n,) and multipliers of a large model, from the sparse matrix [M C'; C 0].
+
+    Parameters
+    ----------
+    c : Configuration
+    v : ndarray (n,)
+    given : Forces
+        Mass matrix and given forces.
 
     Raises
     ------
@@ -206,7 +252,27 @@ def with_multipliers(
     given: Forces,
     multiplier: Array,
 ) -> State:
-    """The state with known accelerations and multipliers (m + k + n,) of constraints, by quantity."""
+    """The state with known accelerations and multipliers of constraints.
+
+    Parameters
+    ----------
+    c : Configuration
+    v, a : ndarray (n,)
+        Rates and accelerations of the coordinates.
+    e : ndarray (m,)
+        Deformations with their turns.
+    z : ndarray (nz,)
+        Internal states of laws.
+    given : Forces
+        Mass matrix and given forces.
+    multiplier : ndarray (m + k + n,)
+        Multipliers by quantity, zero where there is no constraint.
+
+    Raises
+    ------
+    DynamicsError
+        If a force of a law is not finite; names it.
+    """
     s, roles = kinematics.structure, kinematics.roles
     first = s.m + s.k
     check_finite(s, given.stress, given.zd, c.t)

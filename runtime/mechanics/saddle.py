@@ -59,7 +59,17 @@ class SaddlePattern:
         return found[0], found[1], found[2]
 
     def assemble(self, K: Array, cross: Array, J: Array, held: Array, scaling: float = 1.0) -> Array:
-        """The matrix in its storage: scaled K (flat) and entries across elements, J for multipliers and held rows."""
+        """The matrix in its storage.
+
+        Parameters
+        ----------
+        K, cross : ndarray
+            Entries of the elements (flat, see `Local`) and those across elements.
+        J, held : ndarray
+            Flat J for the columns of the multipliers and for the rows that are held.
+        scaling : float
+            Factor on K and the entries across elements.
+        """
         own, across, left, lower = self._parts
         np.multiply(K, scaling, out=own)
         np.multiply(cross, scaling, out=across)

@@ -24,16 +24,48 @@ from flexel.structure.state import State, own_state
 from flexel.structure.structure import Structure
 
 
+<<<<<<< HEAD
 def with_dofs(structure: Structure, e: Array, q: Array, roles: Roles) -> Array:
     """Deformations in which the degrees of freedom take their own values, turns included."""
     own = roles.dofs < structure.m
+=======
+def unwrap(structure: Structure, e: Array, reference: Array) -> Array:
+    """Deformations with the turns that bring angles nearest to a reference."""
+    angle = structure.angle[: structure.m]
+    if not angle.any():
+        return e
+    return np.asarray(e + 2 * np.pi * np.where(angle, np.round((reference - e) / (2 * np.pi)), 0.0))
+
+
+def with_freedoms(structure: Structure, e: Array, q: Array, roles: Roles) -> Array:
+    """Deformations in which the degrees of freedom take their own values, turns included.
+
+    Parameters
+    ----------
+    e : ndarray (m,)
+        Deformations.
+    q : ndarray (nq,)
+        Degrees of freedom (q_d, q_k) of `roles`.
+    """
+    own = roles.freedoms < structure.m
+>>>>>>> results
     e = e.copy()
     e[roles.dofs[own]] = q[own]
     return e
 
 
 def with_turns(kinematics: Kinematics, c: Configuration, q: Array, reference: Array) -> Array:
-    """Deformations with their turns: what is given knows its own, other angles are nearest to a reference."""
+    """Deformations with their turns: what is given knows its own, other angles are nearest to a reference.
+
+    Parameters
+    ----------
+    c : Configuration
+        With deformations as principal values.
+    q : ndarray (nq,)
+        Degrees of freedom (q_d, q_k).
+    reference : ndarray (m,)
+        Deformations nearby.
+    """
     structure, rows = kinematics.structure, kinematics.roles.position_rows
     own = rows < structure.m
     known = reference.copy()
@@ -127,7 +159,17 @@ def state_at(
     t: float | None,
     start: State,
 ) -> State:
-    """Consistent state with given values and rates; see `System.state_at`."""
+    """Consistent state with given values and rates; see `System.state_at`.
+
+    Parameters
+    ----------
+    values, rates : mapping of name to number
+        Values of degrees of freedom and internal states; rates of any quantities.
+    t : float, optional
+        Time [s]; that of `start` by default.
+    start : State
+        Gives what is not named.
+    """
     structure, roles = kinematics.structure, kinematics.roles
     own_state(structure, start, "state_at")
     wanted = numbers(values, "state_at", "value")
@@ -190,6 +232,16 @@ def smallest(S: Any, J: Any, roles: Roles, rows: Any, wanted: Array) -> Array:
     """Rates S v (nd,) of the degrees of freedom, smallest in size, that change the given rows of rates as wanted.
 
     For large models: v from the sparse conditions of the constrained least squares.
+
+    Parameters
+    ----------
+    S : sparse (nd, nf)
+        Rows of J of the dynamic degrees of freedom.
+    J : sparse (m + k + n, n)
+    roles : Roles
+    rows : sparse (r, nf)
+        Rows of J whose rates are wanted.
+    wanted : ndarray (r,)
     """
     nf = S.shape[1]
     C = J[np.concatenate([roles.holonomic, roles.zero])][:, :nf]

@@ -110,7 +110,16 @@ def plot_spectra(
 
 
 def plot_phase(motion: Motion, x: str, y: str, path: str | Path | None = None) -> Figure:
-    """One quantity over another; the start is marked."""
+    """One quantity over another; the start is marked.
+
+    Parameters
+    ----------
+    motion : Motion
+    x, y : str
+        Quantities, their rates or forces, as in `Motion.series`.
+    path : path, optional
+        Where to write the figure.
+    """
     (across, unit_x), (up, unit_y) = motion.series(x), motion.series(y)
     with figure(size=(6.0, 5.0)) as (drawn, axes):
         axes.plot(across, up, color=COLOURS[0])

@@ -15,7 +15,19 @@ RIM = np.linspace(0, 2 * np.pi, 49)
 
 
 def disc(name: str, centre: Array, axes: Array, radius: float) -> Iterator[Shape]:
-    """A circle in the plane of the first two axes, with one spoke that shows the turning."""
+    """A circle in the plane of the first two axes, with one spoke that shows the turning.
+
+    Parameters
+    ----------
+    name : str
+        Of the element.
+    centre : ndarray (3,)
+        [m]
+    axes : ndarray (3, 3)
+        Unit vectors in columns.
+    radius : float
+        [m]; its sign does not matter.
+    """
     ring = abs(radius) * np.column_stack([np.cos(RIM), np.sin(RIM), 0 * RIM])
     yield Shape("rim", name, (centre + ring @ axes.T,), (centre, axes))
     yield Shape("valve", name, (np.array([centre, centre + abs(radius) * axes[:, 0]]),), (centre, axes))

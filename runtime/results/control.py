@@ -66,7 +66,16 @@ def signal_names(given: Sequence[str]) -> list[str]:
 def to_control(
     lin: Linearization, inputs: Sequence[str], outputs: Sequence[str] = (), *, name: str = "flexel"
 ) -> Any:
-    """A labelled `control.StateSpace` (needs python-control). See `Linearization.to_control`."""
+    """A labelled `control.StateSpace` (needs python-control); see `Linearization.to_control`.
+
+    Parameters
+    ----------
+    lin : Linearization
+    inputs, outputs : sequence of str
+        As in `Linearization.state_space`; the outputs are the degrees of freedom if none are named.
+    name : str
+        Of the system.
+    """
     control = require("control", "control")
     matrices, states, ins, outs = _labelled(lin, inputs, outputs)
     labels = {"states": signal_names(states), "inputs": signal_names(ins), "outputs": signal_names(outs)}
@@ -83,7 +92,21 @@ def to_scipy(lin: Linearization, inputs: Sequence[str], outputs: Sequence[str] =
 def save_state_space(
     lin: Linearization, path: str | Path, inputs: Sequence[str], outputs: Sequence[str] = ()
 ) -> Path:
-    """See `Linearization.save_state_space`."""
+    """Write A, B, C, D and their names to a .mat file; see `Linearization.save_state_space`.
+
+    Parameters
+    ----------
+    lin : Linearization
+    path : path
+        With the suffix .mat.
+    inputs, outputs : sequence of str
+        As in `Linearization.state_space`.
+
+    Raises
+    ------
+    ModelError
+        A suffix other than .mat.
+    """
     from scipy.io import savemat
 
     path = Path(path)

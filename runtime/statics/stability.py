@@ -43,7 +43,24 @@ class BucklingMode:
 
 
 def buckling(system: Core, state: State, increment: Mapping[str, float], count: int) -> list[BucklingMode]:
-    """Buckling multipliers of a load increment at a preloaded state; see `System.buckling`."""
+    """Buckling multipliers of a load increment at a preloaded state; see `System.buckling`.
+
+    Parameters
+    ----------
+    state : State
+        A state of rest, with its preload.
+    increment : mapping of name to generalized force
+        The loads that are multiplied.
+    count : int
+        Number of modes, at most.
+
+    Raises
+    ------
+    ModelError
+        If the increment is zero or names an unknown or fixed quantity.
+    DynamicsError
+        If the state is unstable already.
+    """
     problem = Rest(system, state)
     s = problem.structure
     q = problem.equations(state.t, state.x, problem.multipliers(state), state.e)

@@ -116,7 +116,16 @@ def _speed(duration: float) -> float:
 def common(
     state: State, table: Sequence[Sequence[Shape]], view: View, title: str, caption: str
 ) -> dict[str, Any]:
-    """What belongs to no part: axes, eye, roads, colours, size."""
+    """What belongs to no part: axes, eye, roads, colours, size.
+
+    Parameters
+    ----------
+    state : State
+    table : sequence of sequences of Shape
+        Shapes of the parts at each frame.
+    view : View
+    title, caption : str
+    """
     flat = drawing.planar(state)
     up = drawing.upward(state) if view.up is None else np.asarray(view.up, dtype=float)
     axes = np.array([(1.0, 0, 0), (0, 0, -1), (0, 1, 0)]) if flat else display_axes(up)
