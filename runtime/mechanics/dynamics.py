@@ -166,10 +166,6 @@ def complete(
 ) -> State:
     """The complete state at a configuration with velocities: accelerations, stresses, reactions, energy.
 
-<<<<<<< HEAD
-    With `qdd` (nd,) the motion is driven: the stresses of the degrees of freedom that are deformations, and the
-    reactions of those that are coordinates, then hold what drives them.
-=======
     Parameters
     ----------
     c : Configuration
@@ -186,7 +182,6 @@ def complete(
     ------
     DynamicsError
         If a degree of freedom has no inertia; names it.
->>>>>>> results
     """
     s, roles = kinematics.structure, kinematics.roles
     given = forces(kinematics, loads, c, v, e, z)

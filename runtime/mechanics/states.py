@@ -24,20 +24,7 @@ from flexel.structure.state import State, own_state
 from flexel.structure.structure import Structure
 
 
-<<<<<<< HEAD
 def with_dofs(structure: Structure, e: Array, q: Array, roles: Roles) -> Array:
-    """Deformations in which the degrees of freedom take their own values, turns included."""
-    own = roles.dofs < structure.m
-=======
-def unwrap(structure: Structure, e: Array, reference: Array) -> Array:
-    """Deformations with the turns that bring angles nearest to a reference."""
-    angle = structure.angle[: structure.m]
-    if not angle.any():
-        return e
-    return np.asarray(e + 2 * np.pi * np.where(angle, np.round((reference - e) / (2 * np.pi)), 0.0))
-
-
-def with_freedoms(structure: Structure, e: Array, q: Array, roles: Roles) -> Array:
     """Deformations in which the degrees of freedom take their own values, turns included.
 
     Parameters
@@ -47,8 +34,7 @@ def with_freedoms(structure: Structure, e: Array, q: Array, roles: Roles) -> Arr
     q : ndarray (nq,)
         Degrees of freedom (q_d, q_k) of `roles`.
     """
-    own = roles.freedoms < structure.m
->>>>>>> results
+    own = roles.dofs < structure.m
     e = e.copy()
     e[roles.dofs[own]] = q[own]
     return e
