@@ -117,3 +117,17 @@ def slider_crank(dof: str) -> fx.Model:
         m.independent(dof)
     m.initial("crank hinge.angle", rate=12.0)
     return m
+
+
+def slider(mass: float = 2.0, force: float = 0.0) -> fx.Model:
+    """A mass on a line, held by whatever law is put on the truss 'strut' (drawn 1 m long)."""
+    m = fx.Model()
+    m.point("O", (0, 0, 0), fixed=True)
+    m.point("A", (1, 0, 0))
+    m.fix("A.y", "A.z")
+    m.truss("strut", "O", "A")
+    m.point_mass("body", "A", mass)
+    if force:
+        m.load("A.x", force)
+    m.independent("strut.elongation")
+    return m

@@ -17,6 +17,7 @@ import numpy as np
 from flexel.base.arrays import Array, Index
 from flexel.engine.assembly import Batch, Place, Stage, summed
 from flexel.engine.groups import Group
+from flexel.engine.law_shapes import columns_of, coupled, rows_of
 from flexel.structure.structure import Structure
 
 MAX_ITERATIONS = 12  # for the internal states at given deformations
@@ -75,11 +76,11 @@ class LocalLaws:
         starts = np.cumsum([0, *(b.whole or b.size for b in laws)])
         self.count = int(starts[-1])
         self._first = {id(b): int(z) for b, z in zip(laws, starts[:-1], strict=True)}
-        codes = [self._pair_codes(b)[:, _coupled(b)].ravel() for b in laws]
+        codes = [self._pair_codes(b)[:, coupled(b)].ravel() for b in laws]
         self._codes = np.unique(np.concatenate(codes)) if codes else np.zeros(0, dtype=np.intp)
         self._size = self._codes.size  # values by pair have one more entry, zero, for what is not there
         self._lagging = [b for b in laws if b.inputs["z"].shape[1]]
-        widths = [b.size * _rows(b) * _columns(b) for b in self._lagging]
+        widths = [b.size * rows_of(b) * columns_of(b) for b in self._lagging]
         self._Z_starts = dict(zip((id(b) for b in self._lagging), np.cumsum([0, *widths]), strict=False))
         self._Z_size = sum(widths)
         self._index = [self._own(g) for g in groups]
@@ -108,7 +109,7 @@ class LocalLaws:
             one = self._first[id(batch)] + batch.numbers[:, None]
             return Place(name, (self.count,), one, False)
         if z.shape[1]:
-            size = _rows(batch) * _columns(batch)
+            size = rows_of(batch) * columns_of(batch)
             places = self._Z_starts[id(batch)] + np.arange(batch.size * size).reshape(batch.size, size)
             return Place("Z", (self._Z_size,), places, False)
         return Place("L", (2, self._size + 1), self._pair_places(batch), True)
@@ -236,7 +237,7 @@ class LocalLaws:
         flat = self._tangent.flat("Z", self._Z_size)
         found = []
         for b in self._lagging:
-            shape, first = (b.size, _rows(b), _columns(b)), self._Z_starts[id(b)]
+            shape, first = (b.size, rows_of(b), columns_of(b)), self._Z_starts[id(b)]
             found.append((b, flat[first : first + int(np.prod(shape))].reshape(shape)))
         return found
 
@@ -281,25 +282,3 @@ def _add(g: Group, K: Array, J: Array, phi: Array | None, S: Array, damping: Arr
 def _times(S: Array, A: Array) -> Array:
     """Products with matrices (elements, rows, rows), or with diagonals of them (elements, rows)."""
     return np.asarray(S[:, :, None] * A if S.ndim == 2 else S @ A)
-
-
-def _coupled(batch: Batch) -> Any:
-    """Which stresses (rows) of a law depend on which of its quantities (rows, rows), at all."""
-    m, z = batch.inputs["e"].shape[1], batch.inputs["z"].shape[1]
-    rows = m + batch.inputs["s"].shape[1]
-    (output,) = batch.spec.kernels["tangent"].outputs
-    i, j = np.divmod(np.array(output.nonzeros, dtype=np.intp), _columns(batch))
-    coupled = np.full((rows, rows), z > 0)
-    own = (i < rows) & (j < rows + m)
-    coupled[i[own], np.where(j[own] < m, j[own], j[own] - m)] = True
-    return coupled
-
-
-def _rows(batch: Batch) -> int:
-    """Rows of a law's tangent: stresses and rates of internal states."""
-    return sum(batch.inputs[z].shape[1] for z in ("e", "s", "z"))
-
-
-def _columns(batch: Batch) -> int:
-    """Columns of a law's tangent: deformations, their rates, slips and internal states."""
-    return _rows(batch) + int(batch.inputs["e"].shape[1])

@@ -16,7 +16,6 @@ from flexel.engine.finite import check_finite, check_tangent
 from flexel.engine.local import Inertia
 from flexel.engine.locallaws import ImplicitStep, LawForces
 from flexel.mechanics.core import Core
-from flexel.mechanics.dynamics import drift
 from flexel.mechanics.kinematics import unwrap, wrap
 from flexel.structure.state import Energy, State
 
@@ -231,7 +230,7 @@ class Saddle:
             roles=self.roles,
             evaluation=self.system.evaluation,
             energy=self.energy(b),
-            drift=drift(kinematics, b.e, b.x),
+            drift=kinematics.drift(b.e, b.x),
             z=b.laws.z,
             zd=b.laws.zd,
             dissipated=float(b.laws.dissipated.sum()),

@@ -18,7 +18,7 @@ from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError
 from flexel.engine.finite import check_finite
 from flexel.engine.solvers import Solvable, factorize
-from flexel.mechanics.kinematics import Configuration, Kinematics, wrap
+from flexel.mechanics.kinematics import Configuration, Kinematics
 from flexel.structure.loads import Loads
 from flexel.structure.state import Energy, State
 
@@ -287,16 +287,9 @@ def with_multipliers(
         roles=roles,
         evaluation=kinematics.evaluation,
         energy=Energy(float(v @ given.M @ v) / 2, potential, given.strain),
-        drift=drift(kinematics, e, c.x),
+        drift=kinematics.drift(e, c.x),
         z=z,
         zd=given.zd,
         dissipated=given.dissipated,
         Phi_v=kinematics.evaluation.convective(c.x, v) + c.J @ a,
     )
-
-
-def drift(kinematics: Kinematics, e: Array, x: Array) -> float:
-    """Largest violation of the rigid conditions, relative to their natural scales."""
-    rows = kinematics.roles.rigid
-    held = wrap(kinematics.values(e, x)[rows], kinematics.structure.period[rows])
-    return float(np.max(np.abs(held) / kinematics.scales(rows), initial=0.0))

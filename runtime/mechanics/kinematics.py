@@ -288,6 +288,12 @@ class Kinematics:
             rhs[self.roles.rigid.size : self.roles.holonomic.size] += self.motion(configuration)[2]
         return rhs
 
+    def drift(self, e: Array, x: Array) -> float:
+        """Largest violation of the rigid conditions, relative to their natural scales."""
+        rows = self.roles.rigid
+        held = wrap(self.values(e, x)[rows], self.structure.period[rows])
+        return float(np.max(np.abs(held) / self.scales(rows), initial=0.0))
+
     def names(self, rows: Any) -> str:
         """Names of quantities, for messages."""
         return ", ".join(f"'{self.structure.names[i]}'" for i in rows)

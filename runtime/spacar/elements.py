@@ -22,8 +22,8 @@ def element_calls(entry: ElementEntry, dialect: str) -> list[Call]:
     keyword = entry.line.keyword
     for given in entry.lines:
         if given not in USES.get(keyword, ()):
-            allowed = ", ".join(USES.get(keyword, ())) or "none of these"
-            raise entry.lines[given].error(f"a {keyword} takes {allowed}; take the line out")
+            allowed = ", ".join(USES.get(keyword, ())) or "none"
+            raise entry.lines[given].error(f"a {keyword} takes {allowed}; remove it")
     if keyword == "L2MIN1":
         return []
     return MAKERS[keyword](entry, dialect)
@@ -295,7 +295,6 @@ def node_calls(nodes: Sequence[NodeEntry]) -> list[Call]:
         options = {"fixed": True} if whole else {}
         calls.append(Call(methods[node.kind], (node.name, x if len(x) > 1 else x[0]), options))
         if node.fixed and not whole:
-            calls.append(
-                Call("fix", tuple(f"{node.name}.{node.components[i - 1]}" for i in sorted(node.fixed)))
-            )
+            held = tuple(f"{node.name}.{node.components[i - 1]}" for i in sorted(node.fixed))
+            calls.append(Call("fix", held))
     return calls

@@ -15,33 +15,7 @@ STEPS = 100  # of a file without TIMESTEP or ITERSTEP
 
 
 class Spacar(LinearModels):
-    """A SPACAR input file, understood.
-
-    Attributes
-    ----------
-    path : Path
-    dialect : str
-        "delft" or "twente".
-    model : Model
-        The model of the file; positions are called p1, p2 ..., orientations o1, o2 ..., elements by keyword and
-        number: hinge1, plbeam2.
-    start, duration : float
-        Of the motion [s]; no duration if the file has no TIMESTEP.
-    steps : int
-        Number of its stored steps, and of load steps.
-    max_step : float or None
-        HMAX [s].
-    coordinates : mapping of (node, i) to name
-        SPACAR's coordinates x of all nodes.
-    deformations : mapping of (element, i) to (name, factor)
-        SPACAR's deformations and slips; factor is theirs divided by ours (signs differ, see the tables).
-    inputs, outputs : tuple of Terminal
-        Of the linear model, in the order of their numbers.
-    linearized : bool
-        Whether the file asks for linearized equations: by LINE, or by inputs and outputs.
-    notes : tuple of str
-        What was read without effect, and what was assumed where the descriptions of the language leave it open.
-    """
+    """A SPACAR input file that was read, with its analyses; its attributes are those of `SpacarFile`."""
 
 
 def read_spacar(path: str | Path, dialect: str | None = None) -> Spacar:

@@ -6,27 +6,12 @@ from typing import Any
 import numpy as np
 import pytest
 import sympy
+from mechanisms import slider
 
 from flexel.base.arrays import Array
-from flexel.base.errors import DynamicsError, FlexelError, IncompleteWarning, ModelError
-from flexel.declare.user import compile_law
-from flexel.derive import Law, Parameter, symbol
+from flexel.base.errors import DynamicsError, FlexelError, IncompleteWarning
 from flexel.derive.check.branches import check_branches
 from flexel.model import Model
-
-
-def slider(mass: float = 2.0, force: float = 0.0) -> Model:
-    """A mass on a line, held by whatever law is put on the truss 'strut' (drawn 1 m long)."""
-    m = Model()
-    m.point("O", (0, 0, 0), fixed=True)
-    m.point("A", (1, 0, 0))
-    m.fix("A.y", "A.z")
-    m.truss("strut", "O", "A")
-    m.point_mass("body", "A", mass)
-    if force:
-        m.load("A.x", force)
-    m.independent("strut.elongation")
-    return m
 
 
 def test_duffing_spring_vibrates_with_its_tangent_stiffness_at_the_preloaded_state() -> None:
@@ -259,50 +244,3 @@ def test_dashpot_alone_makes_the_truss_free() -> None:
     m.initial("strut.elongation", rate=1.0)
     t = np.linspace(0, 0.4, 5)
     assert np.max(np.abs(history(m) - 2 / 5 * (1 - np.exp(-2.5 * t)))) < 1e-9
-
-
-@pytest.mark.parametrize(
-    "formula",
-    [
-        lambda e, ed: 1e8 * e**7 + 3 * ed,  # differences over a wide range lose digits
-        lambda e, ed: sympy.sqrt(sympy.Rational(1, 100) - e),  # real on one side only
-        lambda e: sympy.exp(50 * e) - 1,
-        lambda e: sympy.tan(40 * e),
-    ],
-)
-def test_a_formula_is_verified_where_it_is_real(formula: Any) -> None:
-    m = slider()
-    m.law("strut.elongation", formula)
-    m.initial("strut.elongation", 0.005)
-    assert np.isfinite(m.build().initial.force("strut.elongation"))
-
-
-def test_a_compiled_law_is_attached_like_a_formula() -> None:
-    e, ed = symbol("e"), symbol("ed")
-    k = Parameter("k", 1, "N/m", "stiffness")
-    cubic = compile_law(
-        Law(
-            "own_cubic",
-            "k e + e**3",
-            (k,),
-            (e,),
-            (ed,),
-            (),
-            (k.symbol * e + e**3,),
-            (),
-            k.symbol * e**2 / 2 + e**4 / 4,
-        )
-    )
-    forces = []
-    for given in ({"law": cubic, "k": 3.0}, {"law": lambda e: 3 * e + e**3}):
-        m = slider()
-        m.law("strut.elongation", **given)  # type: ignore[arg-type]
-        m.initial("strut.elongation", 0.2)
-        forces.append(m.build().initial.force("strut.elongation"))
-    assert forces == pytest.approx([0.608, 0.608])
-    with pytest.raises(ModelError, match="law 'own_cubic' on 'strut.elongation': parameters are missing: k"):
-        slider().law("strut.elongation", cubic)
-    with pytest.raises(ModelError, match="a compiled law has its own energy; leave energy out"):
-        slider().law("strut.elongation", cubic, energy=lambda e: e**2)
-    with pytest.raises(ModelError, match=r"attach: this law is a compiled one; use m.law\(on, law"):
-        slider().attach(cubic, ["strut.elongation"], k=3.0)  # type: ignore[arg-type]
