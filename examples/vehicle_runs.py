@@ -17,6 +17,7 @@ from flexel.base.arrays import Array
 from flexel.examples import vehicle_data as data
 from flexel.examples.differences import state_matrix
 from flexel.examples.vehicle import BODY, SUSPENSION, vehicle
+from flexel.integration.explicit import natural_scales_of_y
 from flexel.mechanics.core import Core
 from flexel.mechanics.linearization import Linearization
 from flexel.mechanics.modes import sort_eigenvalues
@@ -120,7 +121,7 @@ def steer(speed: float, tyres: str = "calspan", seconds: float = 5.0, rtol: floa
         method=METHOD,
         rechoose=False,
         rtol=rtol,
-        atol=rtol / 100,
+        atol=rtol / 100 / natural_scales_of_y(system),  # the same for metres and radians
     )
 
 
@@ -134,7 +135,7 @@ def sine_steer(millimetres: float, speed: float = 20.0, seconds: float = 3.0) ->
         method=METHOD,
         rechoose=False,
         rtol=RTOL,
-        atol=RTOL / 100,
+        atol=RTOL / 100 / natural_scales_of_y(system),
     )
 
 
@@ -157,7 +158,13 @@ def bump(
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", fx.RangeWarning)  # the table names the tyres that leave their data
         return system.simulate(
-            seconds, start=begin, times=grid, method=METHOD, rechoose=False, rtol=rtol, atol=rtol / 100
+            seconds,
+            start=begin,
+            times=grid,
+            method=METHOD,
+            rechoose=False,
+            rtol=rtol,
+            atol=rtol / 100 / natural_scales_of_y(system),
         )
 
 

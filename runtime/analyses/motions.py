@@ -30,7 +30,7 @@ class Motions(Core):
         samples: int = 201,
         method: str = methods.AUTO,
         rtol: float | None = None,
-        atol: float | None = None,
+        atol: float | Array | None = None,
         step: float | None = None,
         first_step: float | None = None,
         max_step: float = np.inf,
@@ -68,10 +68,10 @@ class Motions(Core):
         rtol : float, optional
             Local error in one step: explicit, relative to each variable, 1e-9 by default; generalized-alpha, of
             the coordinates in their natural scales, 1e-6; sundials, relative to each coordinate and rate, 1e-6.
-        atol : float, optional
+        atol : float or array_like, optional
             Absolute local error in natural scales (the size of the model for lengths, one for the rest, the same in a
-            second for rates): explicit, 1e-11 by default; generalized-alpha, added to `rtol`, zero by default;
-            sundials, that of `rtol` by default.
+            second for rates): explicit, 1e-11 by default, or one for each of (q, q_d', z) if these stay the same
+            (rechoose=False); generalized-alpha, added to `rtol`, zero by default; sundials, that of `rtol` by default.
         step : float, optional
             Of generalized-alpha: constant step [s] in place of one that follows from the tolerances.
         first_step, max_step : float

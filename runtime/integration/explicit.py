@@ -39,14 +39,16 @@ class Tolerances:
 
     Attributes
     ----------
-    rtol, atol : float
-        Local error relative to y = (q, q_d', z), and in natural scales.
+    rtol : float
+        Local error relative to y = (q, q_d', z).
+    atol : float or ndarray (ny,)
+        Local error in the natural scales of y.
     first_step, max_step : float
         Steps [s]; by default the integrator finds its first.
     """
 
     rtol: float
-    atol: float
+    atol: float | Array
     first_step: float | None = None
     max_step: float = np.inf
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from flexel.base.arguments import step_limit
+from flexel.base.arguments import step_limit, vector
 from flexel.base.arrays import Array
 from flexel.base.errors import FlexelError, ModelError
 from flexel.integration.driver import Run
@@ -148,7 +148,7 @@ def run_of(system: Core, method: str, start: State, times: Array, duration: floa
     events = options.events or ()
     tolerances = Tolerances(
         options.number("rtol", RTOL, 1e-13),
-        options.number("atol", ATOL),
+        _atol(system, options),
         options.first,
         options.number("max_step", np.inf),
     )
@@ -156,6 +156,21 @@ def run_of(system: Core, method: str, start: State, times: Array, duration: floa
         return Followed(system, start, times, events)
     own = _in_own_roles(system, start)
     return Explicit(system, own, times, method, tolerances, events, options.rechoose is not False)
+
+
+def _atol(system: Core, options: Options) -> float | Array:
+    """The absolute tolerance in natural scales, one for all variables or one for each."""
+    if options.atol is None or np.ndim(options.atol) == 0:
+        return options.number("atol", ATOL)
+    size = system.roles.nq + system.roles.nd + system.structure.nz
+    given = vector(options.atol, "simulate", "atol", size)
+    if options.rechoose is not False:
+        raise ModelError(
+            "simulate: atol of each variable, but these may be chosen anew during the motion; give rechoose=False too"
+        )
+    if np.any(given <= 0):
+        raise ModelError(f"simulate: atol {given.min():g} is too small; give more than 0")
+    return given
 
 
 def _in_own_roles(system: Core, start: State) -> State:

@@ -173,6 +173,19 @@ def test_tolerances_scale_with_the_model(method: str) -> None:
     assert loose.statistics["steps"] < large.statistics["steps"]
 
 
+def test_each_variable_may_have_its_absolute_tolerance() -> None:
+    system = oscillator(size=1000.0)
+    one, each = (
+        system.simulate(1.0, method="DOP853", samples=3, atol=z, rechoose=False) for z in (1e-9, [1e-9, 1e-9])
+    )
+    assert np.array_equal(one.x, each.x)
+    for wrong, words in (([1e-9], "has shape"), ([1e-9, -1.0], "too small")):
+        with pytest.raises(fx.ModelError, match=words):
+            system.simulate(1.0, method="DOP853", atol=wrong, rechoose=False)
+    with pytest.raises(fx.ModelError, match="rechoose=False"):
+        system.simulate(1.0, atol=[1e-9, 1e-9])
+
+
 def test_a_first_step_is_taken_where_it_is_given() -> None:
     motion = oscillator().simulate(1.0, method="RK45", first_step=1e-4, samples=2)
     assert motion._segments[0].t1 == pytest.approx(1e-4)
