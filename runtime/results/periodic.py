@@ -72,7 +72,7 @@ class PeriodicSolution:
             A name that is no degree of freedom.
         """
         if name not in self.dofs:
-            raise ModelError(unknown(name, self.dofs, "dof"))
+            raise ModelError(unknown(name, self.dofs, "degree of freedom"))
         a = 2 * self.vibration.X[self.vibration.harmonics :, self.dofs.index(name)]
         a[0] /= 2
         return np.asarray(a)

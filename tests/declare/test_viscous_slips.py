@@ -16,7 +16,7 @@ def rolling(release: bool, drag: float | None) -> Model:
     if release:
         m.release("w.longitudinal", "w.lateral")
     if drag is not None:
-        m.viscous("w.longitudinal", drag)
+        m.spring("w.longitudinal", damping=drag)
     return m
 
 

@@ -8,8 +8,8 @@ from mechanisms import slider_crank
 from rides import SUFFIXES, ride, same
 
 import flexel as fx
+from flexel.derive import Internal, Law, Parameter, symbol
 from flexel.derive.compile import compile_law
-from flexel.derive.element import Internal, Law, Parameter, symbol
 from flexel.examples.bicycle import bicycle
 
 # -- going on -------------------------------------------------------------------------------------
@@ -165,7 +165,7 @@ def test_a_state_of_another_model_is_refused_by_name(motion: fx.Motion, tmp_path
         slider_crank("").build().restore(read)
     free = slider_crank("B.x").build().simulate(0.05, samples=3)
     held = slider_crank("")
-    held.rates.clear()
+    held._rates.clear()
     held.prescribe("crank hinge.angle", lambda t: 0 * t)
     with pytest.raises(
         fx.ModelError, match=r"restore: the saved state has the degrees of freedom \('B\.x',\)"
