@@ -219,7 +219,7 @@ def counts(results: Results) -> list[Quantity]:
     """Size of the model."""
     found = results.system.counts
     return [
-        Quantity("degrees_of_freedom", found["degrees_of_freedom"], 3, 0, "", data.TALK),
+        Quantity("freedoms", found["degrees_of_freedom"], 3, 0, "", data.TALK),
         Quantity("kinematic_coordinates", found["kinematic_coordinates"], 4, 0, "", data.TALK),
         Quantity("coordinates", found["coordinates"]),
         Quantity("deformations", found["deformations"], source="Euler-parameter norms not counted"),

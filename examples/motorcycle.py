@@ -152,7 +152,7 @@ def reproduce(out: Path | None = None) -> Report:
     error = mismatch(system, straight(system, 30.0))
     counted = "six of the frame, steering, fork, swinging arm, spins"
     rows = [
-        Quantity("degrees_of_freedom", system.counts["degrees_of_freedom"], 11, 0, "", counted),
+        Quantity("freedoms", system.counts["degrees_of_freedom"], 11, 0, "", counted),
         Quantity("linearization_error", error, 0.0, 1e-8, "", "differences of the nonlinear equations"),
         *confirmations(),
     ]

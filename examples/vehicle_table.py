@@ -55,8 +55,8 @@ def counts(results: Results) -> list[Quantity]:
     }
     zero_slip = results.steering[30, "zero slip"].system.counts["degrees_of_freedom"]
     return [
-        Quantity("degrees_of_freedom", found["degrees_of_freedom"], 10, 0, "", data.TALK),
-        Quantity("dofs_zero_slip", zero_slip, 8, 0, "", "one mean lateral slip of each axle is zero"),
+        Quantity("freedoms", found["degrees_of_freedom"], 10, 0, "", data.TALK),
+        Quantity("freedoms_zero_slip", zero_slip, 8, 0, "", "one mean lateral slip of each axle is zero"),
         *(Quantity(z, n, source=f"the talk's model has {data.TALK_COUNTS[z]}") for z, n in sizes.items()),
     ]
 
