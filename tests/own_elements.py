@@ -3,7 +3,7 @@
 from typing import Any
 
 from flexel.derive import Deformation, Element, Let, Parameter, Point
-from flexel.derive.rotation import dot, norm
+from flexel.derive.declare.rotation import dot, norm
 
 
 def own_bar(**changes: Any) -> Element:
