@@ -70,7 +70,7 @@ class Model(Ropes, Joints, Wheels, Couplings, Feedback, Loading, Bodies, Element
         Examples
         --------
         >>> print(m.constraint_report())  # doctest: +SKIP
-        1 degree(s) of degree of freedom left by the rigid conditions
+        1 degree(s) of freedom left by the rigid conditions
         over-constrained: 'a.bend1' 1.00, 'b.bend1' -1.00
         release 'a.bend1'
         """

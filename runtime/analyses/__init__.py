@@ -1,1 +1,1 @@
-"""Analyses of a system, each family of methods on the core."""
+"""Analyses of a system: families of methods on top of the core."""

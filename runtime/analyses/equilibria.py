@@ -23,32 +23,32 @@ class Equilibria(Core):
     ) -> State:
         """State of rest in which all forces balance, kinematic coordinates held.
 
-        Newton's method on the analytic tangent; where it fails, the forces that are out of balance at the start
-        are applied incrementally, past limit points if need be.
+        Newton's method on the analytic tangent; if it fails, the residual forces at the start
+        are applied incrementally, past limit points if necessary.
 
         Parameters
         ----------
         start : State, optional
-            Where to look from; the initial configuration by default.
+            Starting point; the initial configuration by default.
         t : float, optional
-            Time [s] at which loads and prescribed motions are taken; that of `start` by default.
+            Time [s] at which loads and prescribed motions are evaluated; that of `start` by default.
         hold : sequence of str
-            Coordinates and deformations that are held at their values in `start` by whatever force it takes
-            (``state.force(name)``), such as sheaves that nothing else keeps from turning.
+            Coordinates and deformations held at their values in `start` by the necessary forces
+            (``state.force(name)``), such as sheaves that would otherwise turn freely.
 
         Raises
         ------
         ModelError
             If a name to be held is unknown, or is held, prescribed or fixed already.
         PositionError
-            If none is found; says how far the loads could be increased.
+            If none is found; reports how far the loads could be increased.
         DynamicsError
-            If nothing resists a motion; names it.
+            If a motion is unresisted; names it.
         """
         return path.equilibrium(self, t, start or self.at_rest, hold)
 
     def static_path(self, start: State | None = None, *, t_end: float) -> Motion:
-        """Equilibria while the time, here the load parameter, goes to `t_end`; past limit points by arc length.
+        """Equilibria while time, the load parameter, goes to `t_end`; past limit points by arc length.
 
         Parameters
         ----------
@@ -67,8 +67,8 @@ class Equilibria(Core):
         Warns
         -----
         IncompleteWarning
-            If the path cannot be continued: what was reached is returned, and ``message`` says where it stopped and
-            why.
+            If the path cannot be continued: the states so far are returned, and ``message`` says where and why it
+            stopped.
         """
         states, message = path.static_path(self, t_end, start or self.at_rest)
         if message:
@@ -79,7 +79,7 @@ class Equilibria(Core):
     def buckling(
         self, state: State | None = None, *, increment: Mapping[str, float], count: int = 5
     ) -> list[stability.BucklingMode]:
-        """Load multipliers at which equilibrium branches, with their shapes, nearest first.
+        """Load multipliers at which equilibrium bifurcates, with their shapes, nearest first.
 
         Parameters
         ----------
@@ -95,7 +95,7 @@ class Equilibria(Core):
         ModelError
             If the increment is zero or names an unknown or fixed quantity.
         DynamicsError
-            If the state is unstable already.
+            If the state is already unstable.
         """
         return stability.buckling(self, state or self.at_rest, increment, count)
 
@@ -129,18 +129,18 @@ class Equilibria(Core):
         point, frame : str
             Nodes of the body.
         state : State, optional
-            With its preload; the unloaded initial configuration by default.
+            A state of rest, with its preload; the unloaded initial configuration by default.
         offset : sequence of float (3,) or (2,), optional
             From the point to where forces act and displacements are taken, in the frame's axes [m].
         hold : sequence of str
-            Coordinates or deformations that are held as well as the prescribed ones, such as that of a drive.
+            Coordinates or deformations held in addition to the prescribed ones, such as that of a drive.
 
         Raises
         ------
         ModelError
             Nodes that are not a point and a frame; names that cannot be held.
         DynamicsError
-            If nothing resists a motion; names it.
+            If a motion is unresisted; names it.
         """
         state = self.at_rest if state is None else state
         return compliance.compliance(self, point, frame, state, offset=offset, hold=hold)
@@ -158,23 +158,23 @@ class Equilibria(Core):
         Parameters
         ----------
         start : State, optional
-            Where to look from; the initial state by default.
+            Starting point; the initial state by default.
         rates : mapping of name to rate, optional
             Given rates of the dynamic degrees of freedom; those of `start` by default.
         unknown : sequence of str, optional
-            Degrees of freedom to be found; all by default (smallest change).
+            Degrees of freedom to solve for; all by default (smallest change).
         unknown_rates : sequence of str
-            Dynamic degrees of freedom whose rates are to be found too.
+            Dynamic degrees of freedom whose rates are solved for too.
 
         Raises
         ------
         PositionError
-            If no steady motion is found near the start; says what was reached.
+            If no steady motion is found near the start; reports what was reached.
 
         Notes
         -----
         The rates that are held are those of the degrees of freedom.  For a rotating structure name deformations as
-        degrees of freedom (`Model.independent`) and prescribe the rotation: with global coordinates in their place a
-        motion with these at rest would be looked for.
+        degrees of freedom (`Model.independent`) and prescribe the rotation: with global coordinates the search would
+        be for a motion with these at rest.
         """
         return steady_motion(self, start or self.initial, rates, unknown, unknown_rates)

@@ -41,30 +41,30 @@ class Motions(Core):
         progress: bool | None = None,
         rechoose: bool | None = None,
     ) -> Motion:
-        """Forward dynamics; with every motion prescribed, its positions and driving forces.
+        """Forward dynamics; if every motion is prescribed, positions and driving forces.
 
-        Explicit methods integrate the degrees of freedom; they find events and give states at any time (`Motion.at`).
+        Explicit methods integrate the degrees of freedom; they locate events and give states at any time (`Motion.at`).
         The generalized-alpha method integrates all coordinates together with the constraint forces, at a cost per step
         that grows linearly with the number of elements; it is for stiff and large models, and gives the energy balance.
-        Where one of its steps does not converge it is halved, and a few times where a contact begins.
+        A step is halved if it does not converge, and up to a few times where a contact begins.
 
         Parameters
         ----------
         duration : float
             Length of the motion [s].
         start : State, optional
-            The initial state by default; without its accelerations where a degree of freedom lacks inertia and the
+            The initial state by default; without its accelerations if a degree of freedom has no inertia and the
             method is implicit.
         times : array_like, optional
-            Times [s] at which states are kept; `samples` equidistant ones by default.
+            Times [s] at which states are stored; `samples` equidistant ones by default.
         samples : int
             Number of stored states.
         method : str
             DOP853, RK45, LSODA, Radau or BDF of SciPy in minimal coordinates ("explicit" below); generalized-alpha;
             sundials, the backward differentiation formulas of SUNDIALS, for comparison (needs the optional package
-            scikit-sundae); or auto.  This takes DOP853, but generalized-alpha where a degree of freedom lacks inertia,
-            where the largest eigenvalue of the linearized start times the duration exceeds 3e4, or above 300 degrees of
-            degree of freedom; with events always DOP853.  ``motion.message`` says which and why.
+            scikit-sundae); or auto.  This chooses DOP853, but generalized-alpha if a degree of freedom has no inertia,
+            if the largest eigenvalue of the linearized start times the duration exceeds 3e4, or above 300 degrees
+            of freedom; with events always DOP853.  ``motion.message`` reports which and why.
         rtol : float, optional
             Local error in one step: explicit, relative to each variable, 1e-9 by default; generalized-alpha, of
             the coordinates in their natural scales, 1e-6; sundials, relative to each coordinate and rate, 1e-6.
@@ -73,23 +73,23 @@ class Motions(Core):
             second for rates): explicit, 1e-11 by default, or one for each of (q, q_d', z) if these stay the same
             (rechoose=False); generalized-alpha, added to `rtol`, zero by default; sundials, that of `rtol` by default.
         step : float, optional
-            Of generalized-alpha: constant step [s] in place of one that follows from the tolerances.
+            For generalized-alpha: constant step [s] instead of step control by the tolerances.
         first_step, max_step : float
             [s]; the first step of generalized-alpha is a thousandth of the duration by default.
         spectral_radius : float, optional
-            Of generalized-alpha, at infinite frequency: 0 (all high frequencies damped at once) to below 1; 1 (no
+            For generalized-alpha, at infinite frequency: 0 (all high frequencies damped at once) to below 1; 1 (no
             damping) is possible without constraints; 0.8 by default.
         newton : str, optional
-            Of generalized-alpha: full (default), a new tangent at every iteration; modified, the last one is kept
-            while it serves.
+            For generalized-alpha: full (default), a new tangent at every iteration; modified, the last one is kept
+            while the iteration converges.
         max_order : int, optional
-            Of sundials, 1 to 5, by default 2; higher orders are slow on structures with little damping.
+            For sundials, 1 to 5, by default 2; higher orders are slow on structures with little damping.
         events : sequence of Event
-            Of explicit methods.
+            For explicit methods.
         progress : bool, optional
             Progress bar on stderr; by default where stderr is a terminal.
         rechoose : bool, optional
-            Of explicit methods: change the degrees of freedom when they become ill-conditioned; yes by default.
+            For explicit methods: change the degrees of freedom when they become ill-conditioned; yes by default.
 
         Returns
         -------
@@ -98,14 +98,14 @@ class Motions(Core):
         Raises
         ------
         ModelError
-            An option that the method does not have; a load or a prescribed motion that has no value.
+            An option that the method does not have; a load or a prescribed motion without a value.
         PositionError, DynamicsError
-            Where the motion cannot go on, with what was computed until then as ``error.motion``.
+            If the motion cannot be continued; ``error.motion`` holds the motion so far.
 
         Warns
         -----
         RangeWarning
-            Where the data of a law were left at a stored time, by name.
+            If a quantity is outside the data of its law at a stored time, by name.
         """
         longest = None if max_step is np.inf else max_step
         options = methods.Options(
@@ -131,11 +131,11 @@ class Motions(Core):
 
 
 def _explained(found: Integration, why: str) -> Integration:
-    """The result, whose message says how the method was chosen."""
+    """The result, with a message that reports how the method was chosen."""
     return replace(found, message=f"{found.message} ({why})") if why else found
 
 
 def _motion(system: Core, found: Integration) -> Motion:
-    """The motion, with a warning of what has left the data of its law."""
+    """The motion, with a warning of quantities outside the data of their laws."""
     warn_outside(system, found.states)
     return Motion(system, found)

@@ -38,16 +38,16 @@ class PeriodicMotions(Core):
         samples : int, optional
             Times in the period; 4 per harmonic and 4 more by default.
         accuracy : float, optional
-            Largest permitted amplitude of the harmonics left out, relative to the largest amplitude.
+            Largest permitted amplitude of the neglected harmonics, relative to the largest amplitude.
 
         Raises
         ------
         ModelError, PositionError, LinearizationError
-            A period or a number of harmonics that is not positive; else as `flexel.linear.periodic.periodic_motion`.
+            A period or a number of harmonics that is not positive; or as `flexel.linear.periodic.periodic_motion`.
         """
         period = positive(period, "periodic", "period")
         if not isinstance(harmonics, (int, np.integer)) or harmonics < 1:
-            raise ModelError(f"periodic: {harmonics!r} harmonics asked for; give a whole number, 1 or more")
+            raise ModelError(f"periodic: {harmonics!r} harmonics requested; give a whole number, 1 or more")
         X = None if start is None else start.vibration.X
         orbit, vibration = periodic_motion(self, period, harmonics, X, samples, accuracy)
         counts = {"samples": len(orbit.states), "harmonics": harmonics}

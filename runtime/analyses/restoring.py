@@ -19,22 +19,22 @@ from flexel.structure.structure import Structure
 
 
 class Restoring(Core):
-    """States of a system from saved ones."""
+    """Restores states of a system from saved ones."""
 
     def restore(self, saved: Motion | State, time: float | None = None, *, as_saved: bool = False) -> State:
-        """A state of this system from a saved one: to simulate on from, linearize about, or draw.
+        """A state of this system from a saved one: to continue a simulation, linearize about, or draw.
 
         Coordinates, rates, turns, internal states of laws and the choice of degrees of freedom are those of the file,
-        bit for bit; accelerations, forces and energies are computed anew, with the loads that the model has now.
+        bit for bit; accelerations, forces and energies are recomputed with the current loads of the model.
 
         Parameters
         ----------
         saved : Motion or State
-            From `flexel.load`, or of another system of the same make.
+            From `flexel.load`, or of another system built in the same way.
         time : float, optional
             One of the stored times of a motion [s]; the last one by default.
         as_saved : bool
-            Take accelerations, forces and energies from the file too: where a degree of freedom has no inertia they
+            Take accelerations, forces and energies from the file too: if a degree of freedom has no inertia they
             cannot be computed from the state.
 
         Raises
@@ -60,12 +60,12 @@ def _stored(saved: Any, time: float | None) -> State:
     if isinstance(saved, State):
         if time is not None and time != saved.t:
             raise ModelError(
-                f"restore: the state is of t = {saved.t:g} s, not {time:g} s; give the motion instead"
+                f"restore: the state is at t = {saved.t:g} s, not {time:g} s; give the motion instead"
             )
         return saved
     if not isinstance(saved, Motion):
         raise ModelError(
-            f"restore: {type(saved).__name__} is not a motion or a state; give what fx.load returned, or one of "
+            f"restore: {type(saved).__name__} is not a motion or a state; give the result of fx.load, or one of "
             "its states"
         )
     if time is None:
@@ -78,7 +78,7 @@ def _stored(saved: Any, time: float | None) -> State:
 
 
 def _check_names(own: Structure, other: Structure) -> None:
-    """Both must have the same quantities in the same order."""
+    """Check that both have the same quantities in the same order."""
     differing = _only_in(own, other) or _only_in(other, own)
     if differing:
         raise ModelError(
@@ -87,7 +87,7 @@ def _check_names(own: Structure, other: Structure) -> None:
         )
     if own.names != other.names or tuple(own.internal) != tuple(other.internal):
         raise ModelError(
-            "restore: this model was declared in another order, or holds other coordinates, than the saved one; build "
+            "restore: this model was declared in another order, or has other coordinates, than the saved one; build "
             "the model that was saved"
         )
 
@@ -98,7 +98,7 @@ def _only_in(a: Structure, b: Structure) -> list[str]:
 
 
 def _check_dofs(system: Core, rows: list[Index]) -> None:
-    """The saved degrees of freedom must be as many as the model's, and none of them constrained."""
+    """Check that the saved degrees of freedom are as many as the model's, and none of them constrained."""
     roles, names = system.roles, system.structure.names
     taken = {*roles.rigid.tolist(), *roles.prescribed.tolist(), *roles.zero.tolist()}
     held = [names[i] for z in rows for i in z.tolist() if i in taken]

@@ -1,1 +1,1 @@
-"""What everything stands on: errors, checks of arguments, quaternions, units, functions of time."""
+"""The base layer: errors, checks of arguments, quaternions, units, functions of time."""

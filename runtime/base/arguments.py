@@ -1,4 +1,4 @@
-"""What a user hands over, checked before anything is computed: numbers, vectors, names."""
+"""Checks of user input before anything is computed: numbers, vectors, names."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def number(value: Any, owner: str, what: str) -> float:
 
 
 def numbers(values: Mapping[str, Any] | None, owner: str, what: str) -> dict[str, float]:
-    """Finite numbers by name, or a ModelError that names the owner and the one at fault."""
+    """Finite numbers by name, or a ModelError that names the owner and the offending entry."""
     if values is None:
         return {}
     if not isinstance(values, Mapping):
@@ -67,7 +67,7 @@ def names(given: Any, owner: str) -> tuple[str, ...]:
 
 
 def new_name(name: Any, kind: str) -> str:
-    """A name that quantities can be made of, or a ModelError."""
+    """A name from which quantity names can be formed, or a ModelError."""
     if not isinstance(name, str) or not re.fullmatch(r"[^\s.':][^.':]*", name):
         raise ModelError(f"{kind} {name!r}: a name is text without dots, colons or quotes; choose another")
     return name

@@ -1,4 +1,4 @@
-"""Names for the arrays that every module speaks of."""
+"""Array type aliases used by every module."""
 
 from __future__ import annotations
 

@@ -14,14 +14,14 @@ class FlexelError(Exception):
     Attributes
     ----------
     motion : Motion, optional
-        Of a simulation that failed under way: what was computed until then, to be looked at, saved, and started from.
+        For a simulation that failed: the motion computed so far, which can be inspected, saved and continued.
     """
 
     motion: Any = None
 
 
 class ModelError(FlexelError, ValueError):
-    """A declaration in the model is wrong: unknown or double name, impossible geometry, bad value."""
+    """A declaration in the model is wrong: unknown or duplicate name, impossible geometry, bad value."""
 
 
 class ConstraintError(FlexelError, ValueError):
@@ -37,7 +37,7 @@ class DynamicsError(FlexelError, RuntimeError):
 
 
 class IncompleteWarning(UserWarning):
-    """An analysis gave less than was asked: the message says what was reached and where it stopped."""
+    """An analysis is incomplete: the message says what was reached and where it stopped."""
 
 
 class RangeWarning(UserWarning):
@@ -45,12 +45,12 @@ class RangeWarning(UserWarning):
 
 
 class CompilerError(FlexelError, RuntimeError):
-    """A user-defined law or element cannot be compiled, for want of a C compiler or because it refuses."""
+    """A user-defined law or element cannot be compiled: there is no C compiler, or it reports an error."""
 
 
 class ElementError(FlexelError, ValueError):
-    """The definition of a user's own element or law is wrong, or fails its verification."""
+    """The definition of a user-defined element or law is wrong, or fails its verification."""
 
 
 class LinearizationError(FlexelError, ValueError):
-    """A linearization cannot be formed or reduced as asked."""
+    """A linearization cannot be formed or reduced as requested."""

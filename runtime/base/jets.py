@@ -1,4 +1,4 @@
-"""Second-order jets: numbers with their first and second rates, on which operators and NumPy functions work."""
+"""Second-order jets: numbers with their first and second rates; operators and NumPy functions accept them."""
 
 from __future__ import annotations
 

@@ -16,7 +16,7 @@ from flexel.base.errors import ModelError
 
 
 def product(p: Array, q: Array) -> Array:
-    """Quaternion product p o q: first turn by q, then by p."""
+    """Quaternion product p o q: rotate by q first, then by p."""
     p0, p1, p2, p3 = p
     q0, q1, q2, q3 = q
     return np.array(
@@ -30,12 +30,12 @@ def product(p: Array, q: Array) -> Array:
 
 
 def conjugate(p: Array) -> Array:
-    """The inverse turn of a unit quaternion."""
+    """The inverse of a unit quaternion."""
     return np.array([p[0], -p[1], -p[2], -p[3]])
 
 
 def matrix(q: Array) -> Array:
-    """Rotation matrix (3, 3) of a unit quaternion; its columns are the turned axes."""
+    """Rotation matrix (3, 3) of a unit quaternion; its columns are the rotated axes."""
     q0, q1, q2, q3 = q
     return np.array(
         [
@@ -85,7 +85,7 @@ def unit(direction: Any, owner: str, what: str, size: int = 3) -> Array:
 def triad(e_x: Array, hint: Any | None, owner: str) -> Array:
     """Unit quaternion of a triad whose x-axis is `e_x` and whose y-axis lies nearest to `hint`.
 
-    Without a hint the global axis farthest from `e_x` serves.
+    Without a hint, the global axis farthest from `e_x` is used.
     """
     if hint is None:
         h = np.zeros(3)
@@ -101,5 +101,5 @@ def triad(e_x: Array, hint: Any | None, owner: str) -> Array:
 
 
 def in_frame(frame: Array, triad: Array) -> Array:
-    """Triad, given in global axes, as seen from a body frame."""
+    """A triad given in global axes, expressed in a body frame."""
     return product(conjugate(frame), triad)

@@ -1,7 +1,7 @@
-"""Prescribed functions of time with their first and second rates, derived and never numerically differentiated.
+"""Prescribed functions of time with their first and second rates, derived exactly, never differentiated numerically.
 
-A function of time is called with a second-order jet (value, rate, acceleration), on which operators and
-NumPy functions work; or it is one of the ready-made classes here; or a triple of functions.
+A function of time is one of the classes below, a triple of functions, or a callable that takes a second-order
+jet (value, rate, acceleration); operators and NumPy functions work on jets.
 """
 
 from __future__ import annotations
@@ -44,10 +44,10 @@ class Formula:
             y = as_jet(self.function(Jet(t, 1.0, 0.0)))
         except FlexelError:
             raise
-        except Exception as error:  # whatever a user's function does
+        except Exception as error:  # a user's function may raise anything
             raise ModelError(
                 f"{self.owner}: the function failed at t = {t:g} s ({error}); it is called with one argument t and "
-                "must give one number, by operators and NumPy functions, or give the triple (u, u', u'')"
+                "must return one number, using operators and NumPy functions; or give the triple (u, u', u'')"
             ) from error
         return _finite((y.value, y.rate, y.acceleration), self.owner, t)
 
@@ -66,10 +66,10 @@ class Triple:
             values = float(u(t)), float(ud(t)), float(udd(t))
         except FlexelError:
             raise
-        except Exception as error:  # whatever a user's function does
+        except Exception as error:  # a user's function may raise anything
             raise ModelError(
                 f"{self.owner}: one of the functions (u, u', u'') failed at t = {t:g} s ({error}); each is called "
-                "with one number t and must give one number"
+                "with one number t and must return one number"
             ) from error
         return _finite(values, self.owner, t)
 
@@ -170,7 +170,7 @@ class Table:
         self._owner = ""
 
     def of(self, owner: str) -> Table:
-        """The same table, whose errors name what it moves."""
+        """The same table; its errors name the quantity that it moves."""
         found = copy.copy(self)
         found._owner = f"{owner}: "
         return found
@@ -194,9 +194,7 @@ def as_function(value: Any, owner: str) -> TimeFunction:
     if isinstance(value, TimeFunction) and not isinstance(value, type):
         return value
     if isinstance(value, type):
-        raise ModelError(
-            f"{owner}: {value.__name__} is a class; give one made with its numbers, {value.__name__}(…)"
-        )
+        raise ModelError(f"{owner}: {value.__name__} is a class; give an instance, {value.__name__}(…)")
     if isinstance(value, tuple):
         if len(value) != 3 or not all(callable(z) for z in value):
             raise ModelError(f"{owner}: {value!r} given; a tuple must hold the three functions (u, u', u'')")

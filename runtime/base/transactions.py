@@ -1,6 +1,6 @@
-"""Declarations of a model that are taken back as a whole when a part of them is refused.
+"""Declarations of a model that are undone as a whole when a part of them is refused.
 
-What lays a hundred elements must not leave fifty behind: the corrected call would find their names taken.
+A call that adds a hundred elements must not leave fifty behind: the corrected call would find their names taken.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ Declaration = TypeVar("Declaration", bound=Callable[..., Any])
 
 
 def whole_or_nothing(declare: Declaration) -> Declaration:
-    """A method of `Model` that adds names and laws, or raises and leaves those that there were."""
+    """A method of `Model` that adds names and laws, or raises and leaves the model unchanged."""
 
     @wraps(declare)
     def guarded(model: Any, *args: Any, **options: Any) -> Any:
@@ -29,7 +29,7 @@ def whole_or_nothing(declare: Declaration) -> Declaration:
 
 
 def _shorten(kept: dict[str, Any] | list[Any], count: int) -> None:
-    """Take the latest entries away until there are so many."""
+    """Remove the latest entries until `count` remain."""
     while len(kept) > count:
         if isinstance(kept, dict):
             kept.popitem()

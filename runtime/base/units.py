@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-# Powers of metre and second, and whether an angle is meant, by the units of the element table.
+# Powers of metre and second, and whether it is an angle, for the units of the element table.
 _POWERS = {"m": (1, 0, ""), "rad": (0, 0, "rad"), "1": (0, 0, ""), "-": (0, 0, ""),
            "m/s": (1, -1, ""), "rad/s": (0, -1, "rad"), "m^2/s": (2, -1, ""), "1/s": (0, -1, "")}  # fmt: skip
 _FORCES = {"m": "N", "m/s": "N", "m^2/s": "N/m"}
@@ -19,7 +19,7 @@ def rate_unit(unit: str, order: int) -> str:
     """
     if order == 0:
         return unit
-    if unit not in _POWERS:  # of a user's own element
+    if unit not in _POWERS:  # of a user-defined element
         return f"({unit})/s{_POWER_SIGNS[order]}"
     metres, seconds, angle = _POWERS[unit]
     top = f"m{_POWER_SIGNS[metres]}" if metres else angle or "1"

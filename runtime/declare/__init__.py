@@ -1,1 +1,1 @@
-"""What a user declares, by family; the methods of `Model`."""
+"""Declarations by family: the methods of `Model`."""

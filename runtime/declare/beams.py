@@ -1,4 +1,4 @@
-"""Beams: the method of `Model` that lays one between nodes, its reference triads and its stiffness."""
+"""Beams: the method of `Model` that adds one between nodes, its reference triads and its stiffness."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ class Beams(Springs):
         inertia_per_length: Any = None,
         second_order: bool = True,
     ) -> None:
-        """Lay a straight beam between two points; without a second frame, the rigid three-node beam.
+        """Add a straight beam between two points; without a second frame, the rigid three-node beam.
 
         Parameters
         ----------
@@ -72,10 +72,10 @@ class Beams(Springs):
         flexible : sequence of str, optional
             With a section: the modes that deform, of elongation, torsion, bend1 ... bend4; all by default.
         initial_strain : float
-            Elongation per length of the beam without stress.
+            Elongation per length of the unstressed beam.
         initial_curvature : sequence of float (3,), or float for a planar beam
-            Twist and curvatures about the section's y and z axes [1/m] of the beam without stress, uniform; it is
-            drawn straight and takes this shape when nothing holds it.
+            Uniform twist and curvatures about the section's y and z axes [1/m] of the unstressed beam; it is
+            drawn straight and takes this shape when unloaded.
         damping : float
             Kelvin–Voigt damping: ratio of damping to stiffness [s].
         mass_per_length : float
@@ -140,7 +140,7 @@ class Beams(Springs):
 
 
 def _profile(owner: str, section: Any, material: Any, stated: Sequence[str]) -> Profile:
-    """Section and material of a beam, given without numbers that they imply."""
+    """Section and material of a beam; numbers that they imply must not be given as well."""
     if section is None:
         what = "material" if material is not None else "flexible"
         raise ModelError(f"{owner}: {what} is given without a section; give section=Rectangle(…) or the like")
@@ -154,7 +154,7 @@ def _profile(owner: str, section: Any, material: Any, stated: Sequence[str]) -> 
 def _section_stiffness(
     owner: str, profile: Profile, flexible: Sequence[str] | None, planar: bool
 ) -> dict[str, float]:
-    """Stiffnesses of the modes that deform; a plane bends with both of its modes."""
+    """Stiffnesses of the flexible modes; bending in a plane takes both of its modes."""
     known = ("elongation", "bend1", "bend2") if planar else MODES
     chosen = known if flexible is None else names(flexible, f"{owner}: flexible")
     wrong = [z for z in chosen if z not in known]
@@ -165,7 +165,9 @@ def _section_stiffness(
     keys = {"elongation": "EA", "bend1": "EIz", "bend2": "EIz"} if planar else STIFFNESS_OF
     for a, b in (("bend1", "bend2"), ("bend3", "bend4")):
         if (a in chosen) != (b in chosen):
-            raise ModelError(f"{owner}: flexible has one of {a} and {b}; they bend in one plane, name both")
+            raise ModelError(
+                f"{owner}: flexible has only one of {a} and {b}; both bend in one plane, name both"
+            )
     wanted = {keys[z] for z in chosen}
     wanted |= {"GAy"} if "EIz" in wanted else set()
     wanted |= {"GAz"} if "EIy" in wanted else set()
@@ -175,7 +177,7 @@ def _section_stiffness(
 def _initial_deformations(
     owner: str, planar: bool, l0: float, free: Sequence[str], strain: Any, curvature: Any
 ) -> Array:
-    """Deformations of the beam without stress, for its flexible modes."""
+    """Deformations of the unstressed beam, for its flexible modes."""
     eps = number(strain, owner, "initial_strain")
     if curvature is None:
         k = np.zeros(3)
@@ -210,7 +212,7 @@ def _check_kind(owner: str, rigid: bool, given: Mapping[str, float], two_frames:
         raise ModelError(f"{owner}: neither rigid nor flexible; give rigid=True or EA, GJ, EIy, EIz")
     if flexible and not two_frames:
         raise ModelError(
-            f"{owner}: one frame makes it the rigid three-node beam; give a second frame to bend it"
+            f"{owner}: with one frame it is the rigid three-node beam; give a second frame to make it flexible"
         )
 
 
@@ -233,7 +235,7 @@ def _triads(nodes: Sequence[Node], direction: Any, owner: str) -> dict[str, Arra
 
 
 def _offset(nodes: Sequence[Node], direction: Any, owner: str) -> dict[str, Array]:
-    """Offset of q in the triad of the frame; with coinciding points, a mere connection."""
+    """Offset of q in the triad of the frame; zero for coinciding points, which it then only connects."""
     xp, rp, xq = (n.x0 for n in nodes)
     l0 = float(np.linalg.norm(xq - xp))
     t = triad((xq - xp) / l0, direction, owner) if l0 > 0 else rp
@@ -249,7 +251,7 @@ def _planar_triads(nodes: Sequence[Node], owner: str) -> dict[str, Array]:
 
 
 def _planar_offset(nodes: Sequence[Node]) -> dict[str, Array]:
-    """Offset of q seen from the frame's angle, for the planar rigid link."""
+    """Offset of q in the frame's axes, for the planar rigid link."""
     xp, phi, xq = (n.x0 for n in nodes)
     d = xq - xp
     l0 = float(np.linalg.norm(d))
@@ -279,7 +281,7 @@ def beam_stiffness(
     modes : sequence of str
         The element's deformations: six, or the three of a planar beam.
     given : mapping
-        EA, GJ, EIy, EIz; absent means that these modes are rigid.
+        EA, GJ, EIy, EIz; modes without a stiffness are rigid.
     """
     K = np.zeros((6, 6))
     if "EA" in given:

@@ -35,15 +35,15 @@ class Couplings(Springs):
         stiffness: float | None = None,
         damping: float = 0.0,
     ) -> None:
-        """Lay the straight part of a belt between two pulleys in the plane, without stretch as drawn.
+        """Add the straight part of a belt between two pulleys in the plane, unstretched as drawn.
 
         Parameters
         ----------
         p, angle_p, q, angle_q : node
             Centre and angle of each pulley.
         radius_p, radius_q : float
-            Radii [m]; positive for the part that lies on the left when one looks from p to q, negative on the right,
-            of two signs for a crossed belt.
+            Radii [m]; positive if the belt is on the left looking from p to q, negative if on the right; opposite
+            signs for a crossed belt.
         stiffness : float, optional
             EA / length [N/m]; without it the belt does not stretch.
         damping : float
@@ -56,7 +56,7 @@ class Couplings(Springs):
 
         Notes
         -----
-        The line of centres may turn by less than half a turn from where it is drawn.
+        The line of centres may turn by less than half a turn from its drawn direction.
         """
         owner = f"belt '{name}'"
         nodes = _ends(self, owner, (p, angle_p, q, angle_q))
@@ -64,7 +64,7 @@ class Couplings(Springs):
         e, distance = span(nodes[0].x0, nodes[2].x0, owner)
         if distance <= abs(a - b):
             raise ModelError(
-                f"{owner}: the centres are {distance:g} m apart, so that radii {a:g} and {b:g} leave no "
+                f"{owner}: the centres are {distance:g} m apart, so radii {a:g} and {b:g} have no common "
                 "tangent; move them"
             )
         length = np.sqrt(distance**2 - (a - b) ** 2)
@@ -94,7 +94,7 @@ class Couplings(Springs):
         radius_p: float,
         radius_q: float,
     ) -> None:
-        """Mesh two gears in the plane, in contact as drawn; their centres may move, on the arm of a planetary gear.
+        """Mesh two gears in the plane, in contact as drawn; their centres may move, as on a planet carrier.
 
         Parameters
         ----------
@@ -113,7 +113,7 @@ class Couplings(Springs):
         a, b = number(radius_p, owner, "radius_p"), number(radius_q, owner, "radius_q")
         if not a or not b or not a + b:
             raise ModelError(
-                f"{owner}: pitch radii {a:g} and {b:g} do not mesh; give two that add up to a distance"
+                f"{owner}: pitch radii {a:g} and {b:g} do not mesh; give two whose sum is not zero"
             )
         e, _ = span(nodes[0].x0, nodes[2].x0, owner)
         together = (a * nodes[1].x0 + b * nodes[3].x0) / (a + b)
@@ -144,8 +144,8 @@ class Couplings(Springs):
 
         Notes
         -----
-        The deformation ``height`` is the value of the polynomial less that of the drawing, so that a point drawn
-        beside the surface stays on the parallel one.
+        The deformation ``height`` is the value of the polynomial minus its value as drawn, so a point drawn
+        off the surface stays on the parallel one.
         """
         owner = f"quadric '{name}'"
         node = self._find_of_kind(point, ("point",), owner)
@@ -200,13 +200,13 @@ class Couplings(Springs):
         )
 
     def rotary_inertia(self, name: str, frame: Node | str, inertia: Any) -> None:
-        """Give an orientation node a rotary inertia of its own [kg m²], without mass.
+        """Give an orientation node a rotary inertia [kg m²] without mass.
 
         Parameters
         ----------
         inertia : array_like
-            In body axes: (xx, yy, zz, xy, xz, yz) as tensor components or a symmetric (3, 3), of which none need be
-            the inertia of a whole body; one number in a planar model.
+            In body axes: (xx, yy, zz, xy, xz, yz) as tensor components or a symmetric (3, 3), which need not be the
+            inertia of a real body; one number in a planar model.
         """
         owner = f"rotary inertia '{name}'"
         node = self._find_of_kind(frame, ("frame", "planar_angle"), owner)

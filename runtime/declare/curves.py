@@ -1,4 +1,4 @@
-"""Curves of springs and dampers in polynomial pieces.
+"""Piecewise polynomial curves of springs and dampers.
 
 Polynomials are re-expanded in exact arithmetic, so that terms of a million newtons that cancel to a hundred lose no
 digits.
@@ -22,25 +22,25 @@ from flexel.generated.table import LAWS
 _SIZES = {z.name: z.size for z in LAWS["spring_curve"].parameters}
 PIECES = _SIZES["origins"]
 TERMS = _SIZES["coefficients"] // PIECES
-NEVER = 1e300  # break that is never reached
+NEVER = 1e300  # a break that is never reached
 CONTINUOUS = 1e-6  # largest jump at a break, relative to the terms that sum up there: rounded data pass
 
 
 @dataclass(frozen=True)
 class Curve:
-    """A force as polynomials in pieces; beyond its ends the first and last piece go on.
+    """A force as a piecewise polynomial; the first and last piece are extrapolated.
 
     Parameters
     ----------
     pieces : sequence of sequences of float
-        Coefficients of each piece in rising powers of x, at most `TERMS`.
+        Coefficients of each piece in ascending powers of x, at most `TERMS`.
     breaks : sequence of float
         Where the next piece begins, one fewer than pieces.
 
     Raises
     ------
     ModelError
-        Too many pieces or powers, breaks that do not rise, a jump at a break.
+        Too many pieces or powers, breaks that are not increasing, a jump at a break.
 
     Examples
     --------
@@ -63,7 +63,7 @@ class Curve:
                 "neighbours"
             )
         if np.any(np.diff(breaks) <= 0):
-            raise ModelError(f"curve: breaks {breaks.tolist()} do not rise; sort them")
+            raise ModelError(f"curve: breaks {breaks.tolist()} are not increasing; sort them")
         object.__setattr__(self, "pieces", pieces)
         allowed = CONTINUOUS * self._size()
         for pair, b in self._joints():
@@ -74,7 +74,7 @@ class Curve:
                 )
 
     def _size(self) -> float:
-        """Largest sum of the sizes of the terms at a break; the force itself may be zero there, as in free play."""
+        """Largest sum of absolute terms at a break; the force itself may be zero there, as in free play."""
         terms = (
             sum(abs(c * float(b) ** k) for k, c in enumerate(piece))
             for pair, b in self._joints()
@@ -83,7 +83,7 @@ class Curve:
         return max(terms, default=0.0)
 
     def rests(self) -> bool:
-        """Whether the force at zero is zero to the accuracy that rounded data have."""
+        """Whether the force at zero is zero within the accuracy of rounded data."""
         return abs(self(0.0)) <= CONTINUOUS * self._size()
 
     def _joints(self) -> list[tuple[tuple[Sequence[float], Sequence[float]], float]]:
@@ -97,7 +97,7 @@ class Curve:
         Parameters
         ----------
         x, y : array_like (n,)
-            Rising places and forces there, 2 to `PIECES` - 1 of them.
+            Increasing places and the forces there, 2 to `PIECES` - 1 of them.
         """
         from scipy.interpolate import PchipInterpolator
 
@@ -107,7 +107,7 @@ class Curve:
                 f"curve: {places.size} places and {values.size} forces; give 2 to {PIECES - 1} of both, equally many"
             )
         if np.any(np.diff(places) <= 0):
-            raise ModelError(f"curve: places {places.tolist()} do not rise; sort them")
+            raise ModelError(f"curve: places {places.tolist()} are not increasing; sort them")
         p = PchipInterpolator(places, values)
         slopes = p.derivative()(places)
         local: list[tuple[float, Sequence[float]]] = [(places[0], [values[0], slopes[0]])]
@@ -176,7 +176,7 @@ def _sum(piece: Sequence[Any], x: Fraction) -> Fraction:
 
 
 def _value(piece: Sequence[float], x: Fraction) -> float:
-    """Value of a polynomial without rounding before the end."""
+    """Value of a polynomial, rounded only once at the end."""
     return float(_sum([Fraction(float(z)) for z in piece], x))
 
 

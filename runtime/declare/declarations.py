@@ -1,4 +1,4 @@
-"""What a model has declared: its nodes, elements, laws, loads, roles and initial values, by name.
+"""The declarations of a model: its nodes, elements, laws, loads, roles and initial values, by name.
 
 Everything has a name, and every name works everywhere.  Quantities are called ``node.coordinate``,
 ``element.deformation`` and ``element.slip``.
@@ -26,19 +26,19 @@ PLANAR = {"point": "planar_point", "frame": "planar_angle", "slope": "planar_slo
 
 
 class Declarations:
-    """The data of a model, and what every family of methods needs: nodes by name, elements with their parameters.
+    """The data of a model and helpers for every family of methods: nodes by name, elements with their parameters.
 
     Parameters
     ----------
     gravity : sequence of float (3,) or (2,)
-        Acceleration of gravity [m/s²]; of three components the first two serve planar elements.
+        Acceleration of gravity [m/s²]; planar elements use the first two components.
 
     Attributes
     ----------
     nodes, instances, surfaces : dict
-        What has been declared so far, by name: nodes, elements, and surfaces for ropes.  To be read only.
+        Declared so far, by name: nodes, elements, and surfaces for ropes.  Read-only.
     laws, loads : list
-        As declared; to be read only.
+        As declared.  Read-only.
     """
 
     def __init__(self, gravity: Vector = (0.0, 0.0, 0.0)) -> None:
@@ -50,7 +50,7 @@ class Declarations:
         self.surfaces: dict[str, Surface] = {}
         self.loads: list[Load] = []
         self._motions: dict[str, TimeFunction] = {}
-        self._roles: dict[str, str] = {}  # "rigid" or "free", as the user said
+        self._roles: dict[str, str] = {}  # "rigid" or "free", as declared
         self._dynamic: list[str] | None = None
         self._kinematic: list[str] | None = None
         self._values: dict[str, float] = {}
@@ -82,7 +82,7 @@ class Declarations:
         return found
 
     def _find_of_kind(self, node: Node | str, kinds: tuple[str, ...], owner: str) -> Node:
-        """The named node, if it is of one of the kinds; a ModelError that names the owner otherwise."""
+        """The named node, if its kind is accepted; a ModelError that names the owner otherwise."""
         found = self._find_node(node, owner)
         if found.kind not in kinds:
             raise ModelError(
@@ -91,7 +91,7 @@ class Declarations:
         return found
 
     def _find_nodes(self, owner: str, *nodes: tuple[Node | str, str]) -> tuple[bool, list[Node]]:
-        """Nodes of the asked kinds, all spatial or all planar, and whether they are planar."""
+        """Nodes of the required kinds, all spatial or all planar, and whether they are planar."""
         planar = self._find_node(nodes[0][0], owner).kind.startswith("planar")
         return planar, [self._find_of_kind(n, (PLANAR[k] if planar else k,), owner) for n, k in nodes]
 
@@ -103,7 +103,7 @@ class Declarations:
         parameters: Mapping[str, Any],
         kernels: object = None,
     ) -> None:
-        """Put an element between nodes: every element with a name of the user's is made here.
+        """Put an element between nodes: every user-named element is made here.
 
         Parameters
         ----------
@@ -112,7 +112,7 @@ class Declarations:
             Its type in the table of elements, or the specification of a compiled one.
         nodes : sequence of Node or str
         parameters : mapping of str to array_like
-            All of them; the gravity is the model's, where none is given.
+            All of them; the default for gravity is that of the model.
         kernels : object
             Address of a compiled element's kernels; none for a built-in one.
         """
@@ -134,5 +134,5 @@ class Declarations:
             )
         values = {z: array(values[z], owner, f"parameter {z}").reshape(-1) for z in sizes}
         instance = Instance(name, spec, tuple(n.name for n in members), values, kernels)
-        _ = instance.p  # checks the sizes now, where the caller can see it
+        _ = instance.p  # check the sizes here, so that the traceback shows the caller
         self.instances[name] = instance

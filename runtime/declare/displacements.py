@@ -12,9 +12,9 @@ from flexel.structure.nodes import COMPONENTS, Node
 
 
 def displacement(model: Declarations, name: str, owner: str) -> str:
-    """The deformation that is a coordinate less its drawn value; other names are returned as they are.
+    """The deformation equal to a coordinate minus its drawn value; other names are returned unchanged.
 
-    It is one of an element without mass from a fixed node, ``<node>.drawn``; made when first needed.
+    It belongs to a massless element from a fixed node, ``<node>.drawn``, created when first needed.
     """
     node, _, component = name.partition(".")
     if node not in model.nodes or component not in COMPONENTS[model.nodes[node].kind]:
@@ -22,8 +22,8 @@ def displacement(model: Declarations, name: str, owner: str) -> str:
     found = model.nodes[node]
     if found.kind == "frame":
         raise ModelError(
-            f"{owner}: Euler parameters such as '{name}' carry no springs; measure an angle with m.hinge(…), all of "
-            "it released, and take its angle"
+            f"{owner}: Euler parameters such as '{name}' carry no springs; measure an angle with a fully released "
+            "m.hinge(…) and use its angle"
         )
     if found.fixed[COMPONENTS[found.kind].index(component)]:
         raise ModelError(f"{owner}: '{name}' is fixed and cannot move; remove spring or fixing")

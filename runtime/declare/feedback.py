@@ -1,8 +1,8 @@
-"""Feedback controllers as laws: forces that follow measured deformations, their rates and a controller's own states.
+"""Feedback controllers as laws: forces from measured deformations, their rates and a controller's own states.
 
-A controller is a law like any other, so that the closed loop is simulated, linearized (analytically), steadied and
-saved with everything else.  The derivation is imported only when a controller is attached; controllers of one size
-are derived and compiled once.
+A controller is a law like any other, so the closed loop is simulated, linearized (analytically),
+solved for steady motions and saved like everything else.  The derivation is imported only when a controller is
+attached; controllers of one size are derived and compiled once.
 """
 
 from __future__ import annotations
@@ -53,13 +53,13 @@ class Feedback(Laws):
         C : array_like (na, nz), A : array_like (nz, nz), B, B_rate : array_like (nz, ny)
             Of a controller with its own states: integral action, a filter, an observer.
         reference : mapping of str to float
-            Values r of measured deformations, zero where none is given.  For a reference that moves, measure against a
+            Values r of measured deformations, zero where none is given.  For a moving reference, measure against a
             frame whose hinge is prescribed.
 
         Raises
         ------
         ModelError
-            Matrices that do not fit, names that are double or not measured.
+            Matrices of wrong shape, names that are duplicate or not measured.
         CompilerError
             If there is no C compiler.
 

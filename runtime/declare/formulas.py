@@ -14,10 +14,10 @@ import numpy as np
 
 from flexel.base.errors import CompilerError, ModelError
 
-# Half widths of the ranges in which a formula is looked at, the first one first.
+# Half widths of the ranges over which a formula is examined, in the order of trial.
 WIDTHS = (1.0, 0.1, 0.01, 10.0, 100.0)
-PLACES = 400  # of a range; zero is none of them
-FEWEST = 20  # neighbouring places where it is real and finite
+PLACES = 400  # sample places in a range; zero is not among them
+FEWEST = 20  # minimum number of neighbouring places where it is real and finite
 RATES = (-1.3, 0.7)
 
 
@@ -39,8 +39,8 @@ def formula_law(owner: str, stress: Any, energy: Callable[..., Any] | None = Non
     Raises
     ------
     ModelError
-        If the function does not give an expression of e and ed, jumps or has no value beyond an end of its pieces,
-        the energy does not belong to it, or the verification fails.
+        If the function does not return an expression of e and ed, jumps or has no value beyond an end of its pieces,
+        the energy does not match it, or the verification fails.
     CompilerError
         If there is no C compiler.
     """
@@ -82,7 +82,7 @@ def of_both(stress: Any) -> Any:
     try:
         parameters = inspect.signature(stress).parameters.values()
     except (TypeError, ValueError):
-        return stress  # said below, by what it gives
+        return stress  # reported below, from what it returns
     asked = [
         z
         for z in parameters
@@ -93,14 +93,14 @@ def of_both(stress: Any) -> Any:
 
 
 def _verified(law: Any) -> Any:
-    """The compiled law, verified over the first of the widths where it is real and keeps its digits."""
+    """The compiled law, verified over the first of the widths where it is real and numerically accurate."""
     from flexel.derive.accept import VerificationError, accepted_law
 
     *first, last = [z for z in (_real(law, width) for width in WIDTHS) if z] or [(-1.0, 1.0)]
     for between in first:
         try:
             return accepted_law(law, {"e": between})
-        except VerificationError:  # such as the differences of a high power, over a wide range
+        except VerificationError:  # such as numerical differences of a high power over a wide range
             continue
     return accepted_law(law, {"e": last})
 
@@ -119,7 +119,7 @@ def _real(law: Any, width: float) -> tuple[float, float] | None:
             values = [np.broadcast_to(z, places.shape) for rate in RATES for z in f(places, rate)]
             fine = np.all([np.isreal(z) & np.isfinite(z) for z in values], axis=0)
         except (TypeError, ValueError, NameError, AttributeError, KeyError, NotImplementedError):
-            return None  # a function that NumPy does not know: the derivation says what is wrong
+            return None  # a function unknown to NumPy: the derivation reports what is wrong
     ends = np.flatnonzero(np.diff(np.concatenate([[0], fine, [0]])))
     first, last = max(zip(ends[::2], ends[1::2] - 1, strict=True), key=np.ptp, default=(0, 0))
     return (float(places[first + 1]), float(places[last - 1])) if last - first >= FEWEST else None
@@ -135,7 +135,7 @@ def _formula(owner: str, what: str, function: Any, *symbols: Any) -> Any:
         )
     try:
         found = sympy.sympify(function(*symbols))
-    except Exception as error:  # whatever a user's function does
+    except Exception as error:  # a user's function may raise anything
         raise ModelError(
             f"{owner}: the {what} failed on the symbols {_listed(symbols)} ({error}); use SymPy functions "
             "(sympy.sin, sympy.Piecewise), not math or numpy ones"

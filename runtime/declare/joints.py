@@ -138,7 +138,7 @@ class Joints(Beams):
     def body_point(
         self, name: str, p: Node | str, frame: Node | str, q: Node | str, *, body_axes: bool = False
     ) -> None:
-        """Hold the point q at its drawn place in the body (p, frame): SPACAR's PINBODY, without mass.
+        """Hold the point q at its drawn place in the body (p, frame): SPACAR's PINBODY; massless.
 
         Parameters
         ----------
@@ -165,7 +165,7 @@ class Joints(Beams):
 
 
 def hinge_triads(rp: Array, rq: Array, axis: Any, owner: str) -> dict[str, Array]:
-    """Reference triads at both frames of a hinge about an axis in global directions of the drawing."""
+    """Reference triads at both frames of a hinge; its axis is given in global axes as drawn."""
     t = triad(unit(axis, owner, "axis"), None, owner)
     return {"tp": in_frame(rp, t), "tq": in_frame(rq, t)}
 
@@ -192,6 +192,6 @@ def _joint_springs(model: Beams, name: str, modes: Sequence[str], stiffness: Any
 
 
 def _turned_back(phi: Array, d: Array) -> Array:
-    """Components of d (2,) on axes turned by the angle phi (1,)."""
+    """Components of d (2,) in axes rotated by the angle phi (1,)."""
     c, s = np.cos(phi[0]), np.sin(phi[0])
     return np.array([c * d[0] + s * d[1], c * d[1] - s * d[0]])

@@ -1,6 +1,6 @@
-"""Laws: the one door by which every law enters a model, and the methods of `Model` that attach one as it is.
+"""Laws: the single entry point for every law of a model, and the methods of `Model` that attach a law directly.
 
-Springs, beams, cables, contacts and controllers are laws too; their methods end here.
+Springs, beams, cables, contacts and controllers are laws too; their methods call this module.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ class Laws(Declarations):
         on : sequence of str
             As many deformations as the law has, then as many slips, in the law's order.
         name : str, optional
-            What its internal states are called by, ``name.state``; the names in `on`, joined, by default.
+            Prefix of its internal states, ``name.state``; the names in `on`, joined, by default.
         initial : mapping of str to float, optional
             Initial values of internal states; zero by default.
         **parameters
@@ -54,8 +54,8 @@ class Laws(Declarations):
         Raises
         ------
         ModelError
-            An unknown law, parameter or state; a number of names or values that does not fit; a value that has no
-            physical sense.
+            An unknown law, parameter or state; a wrong number of names or values; a value that is not
+            physically meaningful.
 
         See Also
         --------
@@ -84,19 +84,19 @@ class Laws(Declarations):
         initial: Mapping[str, float] | None = None,
         **parameters: Any,
     ) -> None:
-        """Attach a law of your own: a compiled one, or a formula σ = law(e, ė) on one deformation.
+        """Attach a user-defined law: a compiled one, or a formula σ = law(e, ė) on one deformation.
 
         Parameters
         ----------
         on : str or sequence of str
             A deformation; for a compiled law as many deformations as it has, then as many slips.  They become free.
         law : CompiledLaw or callable
-            What `flexel.compile_law` returned; or a function of e, or of e and ed, that is called once with SymPy
+            The result of `flexel.compile_law`; or a function of e, or of e and ed, that is called once with SymPy
             symbols and returns an expression.  Its tangent is derived, and it is compiled and verified.
         energy : callable(e), optional
             Stored energy [J] of a formula; the integral of the elastic part by default, where SymPy finds it.
         name : str, optional
-            What internal states are called by, ``name.state``; the names in `on`, joined, by default.
+            Prefix of internal states, ``name.state``; the names in `on`, joined, by default.
         initial : mapping of str to float, optional
             Initial values of internal states; zero by default.
         **parameters
@@ -105,8 +105,8 @@ class Laws(Declarations):
         Raises
         ------
         ModelError
-            A formula that is not one of e and its rate, or an energy that does not belong to it; names or parameters
-            that do not fit a compiled law.
+            A formula of anything but e and its rate, or an energy that does not match it; names or parameters
+            that do not match a compiled law.
         CompilerError
             If no C compiler is found (only user-defined laws and elements need one).
 
@@ -147,12 +147,12 @@ class Laws(Declarations):
         initial: Mapping[str, float] | None = None,
         label: str | None = None,
     ) -> None:
-        """Add a law to the model, checked: every law comes by here.
+        """Check a law and add it to the model; every law is added here.
 
         Parameters
         ----------
         owner : str
-            Who asks for it, for messages.
+            The declaration that adds it, for messages.
         spec : LawSpec
         on : sequence of str
             Deformations, then slips.

@@ -96,7 +96,7 @@ class Loading(Declarations):
 def _check_follower(node: Node, follower: bool | Node | str, owner: str) -> None:
     """A frame's moment follows itself (True); a point's force follows a named frame; an angle's cannot follow."""
     if node.kind == "planar_angle" and follower:
-        raise ModelError(f"{owner}: a moment in the plane has no direction to follow; leave follower out")
+        raise ModelError(f"{owner}: a planar moment has no direction to follow; leave follower out")
     if node.kind == "frame" and not isinstance(follower, bool):
         raise ModelError(f"{owner}: a moment follows its own frame; write follower=True")
     if node.kind in ("point", "planar_point") and follower is True:
@@ -104,7 +104,7 @@ def _check_follower(node: Node, follower: bool | Node | str, owner: str) -> None
 
 
 def _follower_slips(model: Declarations, point: Node, frame: Any, owner: str) -> list[str]:
-    """Slips of the element that measures a point's velocity in a frame's axes; made when first needed."""
+    """Slips of the element that measures a point's velocity in a frame's axes; created when first needed."""
     planar = point.kind == "planar_point"
     body = model._find_of_kind(frame, ("planar_angle" if planar else "frame",), owner)
     name = f"{point.name}.in {body.name}"
@@ -127,7 +127,7 @@ def _components(value: Any, size: int, owner: str) -> list[Any]:
 
 
 def sensor(model: Declarations, frame: Node, body_axes: bool) -> str:
-    """The element that measures (and so can load) a frame's angular velocity; made when first needed."""
+    """The element that measures (and can load) a frame's angular velocity; created when first needed."""
     name = f"{frame.name}.{'body_omega' if body_axes else 'omega'}"
     if name not in model.instances:
         spec = ELEMENTS["body_rotation" if body_axes else "rotation"]

@@ -58,7 +58,7 @@ class Material:
         return self.G if self.G is not None else self.E / (2 * (1 + self.poisson))
 
 
-# Typical values at room temperature; a data sheet for the very alloy and temper wins.
+# Typical values at room temperature; prefer a data sheet for the specific alloy and temper.
 MATERIALS = {
     "steel": Material(E=210e9, rho=7850.0, nu=0.3),
     "stainless steel": Material(E=193e9, rho=8000.0, nu=0.29),  # AISI 304

@@ -24,7 +24,7 @@ class Nodes(Declarations):
         Raises
         ------
         ModelError
-            Double name, coordinates that are not two or three finite numbers.
+            Duplicate name, coordinates that are not two or three finite numbers.
         """
         owner = f"point '{name}'"
         x0 = array(position, owner, "position")
@@ -78,7 +78,7 @@ class Nodes(Declarations):
         self._roles.update(dict.fromkeys(quantities(names, "rigid"), "rigid"))
 
     def prescribe(self, name: str, motion: Any) -> None:
-        """Give a coordinate or deformation a motion u(t), in place of any that it had been given before.
+        """Give a coordinate or deformation a motion u(t); replaces any given earlier.
 
         Parameters
         ----------
@@ -89,18 +89,18 @@ class Nodes(Declarations):
         self._motions[name] = as_function(motion, f"prescribe '{name}'")
 
     def independent(self, *names: str) -> None:
-        """Name the dynamic degrees of freedom q_d; without any, the program chooses."""
+        """Name the dynamic degrees of freedom q_d; by default the program chooses them."""
         self._dynamic = [*(self._dynamic or []), *quantities(names, "independent")]
 
     def kinematic(self, *names: str) -> None:
-        """Name the kinematic coordinates q_k of a non-holonomic system; without any, the program chooses."""
+        """Name the kinematic coordinates q_k of a non-holonomic system; by default the program chooses them."""
         self._kinematic = [*(self._kinematic or []), *quantities(names, "kinematic")]
 
     def initial(self, name: str, value: float | None = None, rate: float | None = None) -> None:
         """Initial value and rate of a coordinate or deformation (a slip: rate only).
 
-        Rates that nothing given determines are zero for the degrees of freedom; name these with `independent`, or give
-        enough rates, where it matters which they are.
+        Rates that are not determined by the given ones are set to zero for the degrees of freedom.  Where this choice
+        matters, name these with `independent` or give enough rates.
         """
         owner = f"initial '{name}'"
         quantities([name], "initial")

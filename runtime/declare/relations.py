@@ -1,4 +1,4 @@
-"""Linear relations: the method of `Model` that screws, racks, gears, belts and differentials are made of."""
+"""Linear relations: the method of `Model` behind screws, racks, gears, belts and differentials."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class RelationMethods(Declarations):
     def relation(self, name: str, terms: Mapping[str, float]) -> tuple[str, ...]:
         """Relate deformations and coordinates linearly: Σ cᵢ (eᵢ - eᵢ as drawn) = 0, with counted turns.
 
-        The relation is a deformation, ``name.relation``, rigid by default; its stress is the force that it takes, and
+        The relation is a deformation, ``name.relation``, rigid by default; its stress is the constraint force, and
         it can be prescribed, independent, or free with a spring, like every other.  Angles are counted over any
         number of turns.
 
@@ -77,7 +77,7 @@ class RelationMethods(Declarations):
         return tuple(z for z in found if not held.get(z, True) and z not in self._roles)
 
     def _unit_of(self, term: str, owner: str) -> str:
-        """Unit of a deformation or coordinate that a relation may have for a term."""
+        """Unit of a deformation or coordinate that may be a term of a relation."""
         part, _, component = str(term).partition(".")
         if part in self.nodes and component in COMPONENTS[self.nodes[part].kind]:
             node = self.nodes[part]
@@ -88,7 +88,7 @@ class RelationMethods(Declarations):
             element = self.instances[part]
             if term in element.slips:
                 raise ModelError(
-                    f"{owner}: '{term}' is a slip, which has a rate and no value; name a deformation"
+                    f"{owner}: '{term}' is a slip, which has a rate but no value; name a deformation"
                 )
             if term in element.deformations:
                 return element.spec.deformations[element.deformations.index(term)].unit

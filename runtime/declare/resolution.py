@@ -1,4 +1,4 @@
-"""From what the user declared to the roles of all quantities, with every contradiction named."""
+"""Resolves the user's declarations into the roles of all quantities; every contradiction is reported."""
 
 from __future__ import annotations
 
@@ -38,18 +38,18 @@ def check_laws(structure: Structure) -> None:
 
 
 def refuse_norm(structure: Structure, name: str, owner: str) -> None:
-    """The norm of Euler parameters has no role, law or load of its own."""
+    """The norm of Euler parameters takes no role, law or load."""
     structure.find(name, owner)
     if structure.is_norm(name):
         frame = name.rpartition(".")[0]
         raise ModelError(
-            f"{owner}: '{name}' is the norm of the Euler parameters of frame '{frame}', which always holds; name "
+            f"{owner}: '{name}' is the norm of the Euler parameters of frame '{frame}', always constrained; name "
             "another quantity"
         )
 
 
 def resolve_roles(model: Declarations, structure: Structure) -> Roles:
-    """Rigid, prescribed and rolling conditions, from what the user said and the elements' defaults."""
+    """Rigid, prescribed and rolling conditions, from the declarations and the elements' defaults."""
     role = {}
     for instance in structure.instances:
         frees = [z.free for z in instance.spec.deformations] + [z.free for z in instance.spec.slips]
@@ -61,7 +61,7 @@ def resolve_roles(model: Declarations, structure: Structure) -> Roles:
         role.update(dict.fromkeys((*law.deformations, *law.slips), "free"))
         contradicted = [z for z in (*law.deformations, *law.slips) if model._roles.get(z) == "rigid"]
         if contradicted:
-            raise ModelError(f"'{contradicted[0]}' is rigid and also has a law; take one of them back")
+            raise ModelError(f"'{contradicted[0]}' is rigid and also has a law; remove one of them")
     for name, wish in model._roles.items():
         if structure.find(name, "rigid or release") >= structure.m + structure.k:
             raise ModelError(
@@ -73,7 +73,7 @@ def resolve_roles(model: Declarations, structure: Structure) -> Roles:
         structure.find(name, "independent, kinematic or prescribe")
         refuse_norm(structure, name, "independent, kinematic or prescribe")
         if model._roles.get(name) == "rigid":
-            raise ModelError(f"'{name}' is rigid and also independent or prescribed; take one of them back")
+            raise ModelError(f"'{name}' is rigid and also independent or prescribed; remove one of them")
         role[name] = "free"
     rigid = [structure.index[z] for z, wish in role.items() if wish == "rigid"]
     prescribed = [structure.find(z) for z in model._motions]
@@ -112,11 +112,12 @@ def check_names(model: Declarations, structure: Structure, roles: Roles) -> None
         i = structure.find(name, "initial")
         if i in roles.rigid or i in roles.prescribed or i >= first + nf or structure.m <= i < first:
             raise ModelError(
-                f"initial value of '{name}': it is rigid, prescribed, fixed or a slip; take it back"
+                f"initial value of '{name}': it is rigid, prescribed, fixed or a slip; remove the initial value"
             )
     for name in model._rates:
         i = structure.find(name, "initial")
         if i in roles.rigid or i in roles.prescribed or i in roles.zero or i >= first + nf:
             raise ModelError(
-                f"initial rate of '{name}': it is rigid, prescribed, fixed or a zero slip; take it back"
+                f"initial rate of '{name}': it is rigid, prescribed, fixed or a no-slip constraint; "
+                "remove the initial rate"
             )

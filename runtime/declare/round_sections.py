@@ -14,7 +14,7 @@ from flexel.declare.sections import SectionForces, StressPoint
 
 
 class _Round:
-    """What a circle and a tube have in common."""
+    """Common base of circle and tube."""
 
     @property
     def _diameters(self) -> tuple[float, float]:

@@ -22,7 +22,7 @@ CATALAN = 0.915965594177219  # sum of (-1)^k / (2 k + 1)^2
 
 @dataclass(frozen=True)
 class SectionForces:
-    """What one end section of a beam carries, in the section's axes.
+    """Internal forces in one end section of a beam, in the section's axes.
 
     Attributes
     ----------
@@ -56,7 +56,7 @@ class StressPoint:
 
 @runtime_checkable
 class Section(Protocol):
-    """What a beam asks of its section; any object with these serves."""
+    """Interface of a section; any object with these attributes can be used."""
 
     @property
     def A(self) -> float:
@@ -78,7 +78,7 @@ class Section(Protocol):
         """Shear factors k of deflection in y and in z, at Poisson's ratio nu."""
 
     def stresses(self, f: SectionForces) -> list[StressPoint]:
-        """Stresses at the places where one of the forces has its largest effect."""
+        """Stresses at the places where one of the forces has the largest effect."""
 
 
 @dataclass(frozen=True)

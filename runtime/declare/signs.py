@@ -1,6 +1,6 @@
-"""Signs that the parameters of laws must have: with others a law divides by zero or makes energy.
+"""Signs required of the parameters of laws: with others, a law divides by zero or creates energy.
 
-The words are those of the declarations, `flexel.derive.declare.words`.
+The words are defined in `flexel.derive.declare.words`.
 """
 
 from __future__ import annotations
@@ -20,13 +20,13 @@ Check = Callable[[Any, str, str], float]
 
 def _at_least_one(value: Any, owner: str, what: str) -> float:
     if value < 1:
-        raise ModelError(f"{owner}: {what} {value:g} is less than one; give 1, or 3/2 for Hertz")
+        raise ModelError(f"{owner}: {what} {value:g} is less than one; give 1, or 3/2 for Hertz contact")
     return float(value)
 
 
 def _not_zero(value: Any, owner: str, what: str) -> float:
     if value == 0:
-        raise ModelError(f"{owner}: {what} is zero and divides; give another value")
+        raise ModelError(f"{owner}: {what} is zero and would be divided by; give another value")
     return float(value)
 
 

@@ -47,7 +47,7 @@ class Springs(Laws):
             (or three slips) that matrices couple.  All become free.
         stiffness : float, matrix, Curve or callable, optional
             A number [N/m or N m/rad]; for a list a symmetric matrix without negative eigenvalues; a `Curve`; or a
-            formula of e, or of e and ed, as in `law`.  None makes a mere damper.
+            formula of e, or of e and ed, as in `law`.  None gives a damper without a spring.
         damping : float, matrix, Curve or callable, optional
             The same for the rate: a curve that is zero at rest, or a formula of the rate.
         free_length : float or sequence of float, optional
@@ -60,7 +60,7 @@ class Springs(Laws):
         Raises
         ------
         ModelError
-            A name that takes no such spring, negative stiffness or damping, free length and preload together.
+            A quantity that cannot carry this spring, negative stiffness or damping, free length and preload together.
 
         Examples
         --------
@@ -118,7 +118,7 @@ class Springs(Laws):
             return
         if not shape.rests():
             raise ModelError(
-                f"{target.owner}: damping gives {shape(0.0):g} at rest; a damper gives nothing there"
+                f"{target.owner}: damping gives {shape(0.0):g} at rest; the force of a damper must be zero there"
             )
         values = shape.parameters(0.0)
         del values["stored"]
@@ -138,15 +138,15 @@ class Springs(Laws):
         self._add_law(target.owner, LAWS[f"viscous_{k}"], target.names, {"C": C[np.triu_indices(k)]})
 
     def mass_damping(self, element: str, rate: float) -> None:
-        """Resist the motion of an element by `rate` [1/s] times its momentum: Rayleigh's mass-proportional part.
+        """Resist the motion of an element by `rate` [1/s] times its momentum: mass-proportional Rayleigh damping.
 
         The stiffness-proportional part is the `damping` of springs and beams.  The force is -rate M v, with M the
-        element's own consistent mass matrix; a whole mechanism that drifts is resisted too.
+        element's own consistent mass matrix; rigid-body motion of the whole mechanism is damped too.
 
         Raises
         ------
         ModelError
-            An unknown element, one without mass, a rate that is negative.
+            An unknown element, one without mass, a negative rate.
         """
         owner = f"mass_damping of '{element}'"
         if element not in self.instances:
@@ -166,7 +166,7 @@ class Springs(Laws):
         name : str
             A deformation, which becomes free.
         gap : float
-            Deformation at which it is touched.
+            Deformation at which contact begins.
         stiffness : float
             [N/m or N m/rad]
         damping : float
@@ -175,7 +175,7 @@ class Springs(Laws):
         owner = f"stop on '{name}'"
         values = {
             "gap": gap,
-            "stiffness": positive(stiffness, owner, "stiffness"),  # a stop without one stops nothing
+            "stiffness": positive(stiffness, owner, "stiffness"),  # a stop needs a stiffness
             "damping": damping,
         }
         self._add_law(owner, LAWS["stop"], [name], values)
@@ -183,7 +183,7 @@ class Springs(Laws):
 
 @dataclass(frozen=True)
 class _Target:
-    """What a spring acts on: its names, and the shares of one quantity in them; no shares for a list."""
+    """Target of a spring: its names, and the weight of each name in one quantity; no weights for a list."""
 
     owner: str
     names: tuple[str, ...]
@@ -230,14 +230,16 @@ def _target(on: Any) -> _Target:
 
 
 def _on_slips(model: Declarations, target: _Target) -> bool:
-    """Whether the names are slips of elements; a ModelError for some that are and others that are not."""
+    """Whether the names are slips of elements; a ModelError if some are and others are not."""
     found = []
     for name in target.names:
         instance = model.instances.get(name.rpartition(".")[0])
         found.append(instance is not None and name in instance.slips)
     if any(found) and not all(found):
         slip = target.names[found.index(True)]
-        raise ModelError(f"{target.owner}: '{slip}' is a slip and not all are; give it a damper of its own")
+        raise ModelError(
+            f"{target.owner}: '{slip}' is a slip but not all of them are; give it a separate damper"
+        )
     return any(found)
 
 
@@ -253,7 +255,7 @@ def _shaped(target: _Target, value: Any) -> bool:
 
 
 def _free(model: Declarations, target: _Target, free_length: Any, stiffness: Any, preload: Any) -> Array:
-    """Values (m,) of the deformations at which the spring has no force; of a pair the first takes it all."""
+    """Values (m,) of the deformations at which the spring has no force; for a pair, the first takes the whole value."""
     m, owner = len(target.names), target.owner
     if free_length is None:
         return np.zeros(m)
@@ -288,7 +290,7 @@ def _symmetric(value: Any, owner: str, what: str, m: int) -> Array:
     size = float(np.max(np.abs(A)))
     if np.max(np.abs(A - A.T)) > 1e-12 * size:
         raise ModelError(
-            f"{owner}: {what} {A.tolist()} is not symmetric; no energy belongs to it, make it so"
+            f"{owner}: {what} {A.tolist()} is not symmetric and has no energy; make it symmetric"
         )
     refuse_negative(A, owner, what)
     return (A + A.T) / 2

@@ -1,4 +1,4 @@
-"""The user's own elements and laws: from a definition in SymPy to a part of a model.
+"""User-defined elements and laws: from a SymPy definition to a part of a model.
 
 The derivation (SymPy, `flexel.derive`) is imported only when something is compiled.
 """
@@ -25,24 +25,24 @@ Made = TypeVar("Made")
 def compile_element(
     element: Element, ranges: Mapping[str, tuple[float, float]] | None = None
 ) -> CompiledElement:
-    """Derive, compile and verify an element of your own; use it with ``m.element(name, compiled, …)``.
+    """Derive, compile and verify a user-defined element; use it with ``m.element(name, compiled, …)``.
 
-    The first time takes a few seconds; then it comes from the cache, by content. Every output of every kernel is
+    The first call takes a few seconds; later ones use the cache, by content.  Every output of every kernel is
     compared with the definition, in 60 digits, at random configurations.
 
     Parameters
     ----------
     element : flexel.derive.Element
     ranges : mapping of str to (float, float), optional
-        Where the random coordinates (``p_x``) and parameters are taken from, for a definition that is not real
+        Ranges of the random coordinates (``p_x``) and parameters, for a definition that is not real
         everywhere; coordinates lie between -1 and 1, parameters between 0.5 and 1.5 otherwise.
 
     Raises
     ------
     ElementError
-        The definition is not one, or the verification fails.
+        The definition is invalid, or the verification fails.
     CompilerError
-        No C compiler, or one that refuses.
+        No C compiler, or it reports an error.
     """
     from flexel.derive import Element as Declared
     from flexel.derive.accept import accepted_element
@@ -54,9 +54,9 @@ def compile_element(
 
 
 def compile_law(law: Law, ranges: Mapping[str, tuple[float, float]] | None = None) -> CompiledLaw:
-    """Derive, compile and verify a law of your own; parameters and errors as in `compile_element`.
+    """Derive, compile and verify a user-defined law; parameters and errors as in `compile_element`.
 
-    It is attached by ``m.law(on, compiled, …)``.
+    Attach it with ``m.law(on, compiled, …)``.
     """
     from flexel.derive import Law as Declared
     from flexel.derive.accept import accepted_law
@@ -75,7 +75,7 @@ def _by_name(owner: str, ranges: Mapping[str, tuple[float, float]] | None) -> di
 
 
 def _made(owner: str, make: Callable[[], Made]) -> Made:
-    """What is made, with the errors of the derivation reported as those of flexel."""
+    """The compiled result; errors of the derivation are re-raised as flexel errors."""
     from flexel.derive.compile import CompilationError, CompilerMissingError
 
     try:
@@ -88,14 +88,14 @@ def _made(owner: str, make: Callable[[], Made]) -> Made:
 
 
 class Elements(Declarations):
-    """Elements by their type: built-in ones, and the user's own."""
+    """Elements by type: built-in and user-defined."""
 
     def element(
         self, name: str, kind: str | CompiledElement, /, *nodes: Node | str, **parameters: object
     ) -> None:
         """Add an element by its type, between nodes of the kinds that its definition names, in that order.
 
-        Most built-in elements have a more comfortable method of their own, such as `beam` or `hinge`.
+        Most built-in elements have a more convenient method, such as `beam` or `hinge`.
 
         Parameters
         ----------
@@ -104,7 +104,7 @@ class Elements(Declarations):
             Name of a built-in element, or what `flexel.compile_element` returned.
         *nodes : Node or str
         **parameters : float or array_like
-            Each parameter by name, as the definition takes it; the gravity is the model's, where none is given.
+            Each parameter by name, as in the definition; the default for gravity is that of the model.
 
         Raises
         ------
@@ -125,7 +125,7 @@ class Elements(Declarations):
             return
         if not isinstance(getattr(kind, "spec", None), ElementSpec) or not hasattr(kind, "address"):
             raise ModelError(
-                f"element '{name}': {kind!r} is not a compiled element; give what fx.compile_element(…) returned, or "
+                f"element '{name}': {kind!r} is not a compiled element; give the result of fx.compile_element(…), or "
                 "the name of a built-in one"
             )
         self._place(name, kind.spec, nodes, parameters, kind.address)

@@ -1,7 +1,7 @@
 """Wheels and tyres: the methods of `Model` that let a body roll on a road.
 
-A `wheel` is rigid and touches the road at a node of its own; a `tyre` is compliant, has no contact node, and waits for
-laws on its deflection, camber and velocities.
+A `wheel` is rigid and touches the road at its own contact node; a `tyre` is compliant, has no contact node, and
+needs laws on its deflection, camber and velocities.
 """
 
 from __future__ import annotations
@@ -24,10 +24,10 @@ UP = (0.0, 0.0, 1.0)
 
 @dataclass(frozen=True)
 class Waves:
-    """A road of cosine waves, flat before and behind; z is up.
+    """A road of cosine waves, flat before and after them; z is up.
 
     z = height + amplitude (1 - cos(2π s / wavelength)) / 2 while s = heading·(x, y) - start lies between 0 and
-    count wavelengths: one wave is a bump, many are a sine, a negative amplitude makes hollows.
+    count wavelengths.  One wave is a bump, many form a sine, a negative amplitude makes hollows.
 
     Parameters
     ----------
@@ -36,11 +36,11 @@ class Waves:
     start : float
         Where the first wave begins [m].
     count : int
-        How many waves there are; a part of one would end in a step.
+        Number of waves, whole: a fraction would end in a step.
     heading : sequence of float (2,)
         Horizontal direction along which the road rises and falls.
     height : float
-        Of the flat road [m].
+        Height of the flat road [m].
     """
 
     amplitude: float
@@ -61,7 +61,7 @@ class Waves:
         }
         if numbers["waves"] % 1:
             raise ModelError(
-                f"{owner}: count of waves {numbers['waves']:g} is not whole and the road would end in a step; give a "
+                f"{owner}: count of waves {numbers['waves']:g} is not whole, so the road would end in a step; give a "
                 "whole number"
             )
         heading = unit(self.heading, owner, "heading of the waves", 2)
@@ -146,16 +146,16 @@ class Wheels(Declarations):
         crown: float = 0.0,
         road: Waves | None = None,
     ) -> None:
-        """Put a compliant tyre on a wheel; everything of it is free until laws act on it.
+        """Put a compliant tyre on a wheel; all its quantities are free until laws act on them.
 
         Parameters
         ----------
         hub, frame : nodes
             Centre and orientation of the wheel.
         radius : float
-            Of the unloaded tyre [m].
+            Radius of the unloaded tyre [m].
         axle : sequence of float (3,)
-            Direction of the axle in global axes as drawn; with the road's normal up, the wheel's left.
+            Direction of the axle in global axes as drawn; with the road's normal up, to the wheel's left.
         normal, height : sequence of float (3,), float
             The plane road normal·x = height.
         crown : float
@@ -180,7 +180,7 @@ class Wheels(Declarations):
             raise ModelError(f"{owner}: road {road!r} is not known; give fx.Waves(amplitude, wavelength)")
         if road is not None and (np.any(vector(normal, owner, "road normal", 3) != UP) or height):
             raise ModelError(
-                f"{owner}: a plane and waves are both given; the waves have a height of their own, z is up"
+                f"{owner}: a plane and waves are both given; drop the plane: waves define their own height, z up"
             )
         values = _rim(owner, nodes[1].x0, radius, axle, normal)
         values |= _crown(owner, crown, radius)
@@ -198,7 +198,7 @@ class Wheels(Declarations):
         normal: Vector = UP,
         height: float = 0.0,
     ) -> None:
-        """Let two wheels on a plane road roll without slipping sideways in the mean; its slip ``lateral`` is zero.
+        """Let two wheels on a plane road roll without mean sideways slip; the slip ``lateral`` is zero.
 
         Parameters
         ----------
@@ -227,13 +227,13 @@ def _rim(owner: str, frame: Array, radius: float, axle: Vector, normal: Vector) 
     a = unit(axle, owner, "axle")
     if np.linalg.norm(np.cross(a, unit(normal, owner, "road normal"))) < 1e-6:
         raise ModelError(
-            f"{owner}: its axle {tuple(a.tolist())} is normal to the road, so that no point is lowest; tilt it"
+            f"{owner}: its axle {tuple(a.tolist())} is normal to the road, so no point is lowest; tilt it"
         )
     return {"radius": np.array([positive(radius, owner, "radius")]), "axle": matrix(frame).T @ a}
 
 
 def _check_above(owner: str, hub: Array, values: Mapping[str, Array], road: Waves | None) -> None:
-    """Raise a ModelError for a hub that lies below the road as drawn, where the tyre would be pressed downwards."""
+    """Raise a ModelError for a hub below the road as drawn, where the tyre would be pressed downwards."""
     above = values["normal"] @ hub - values["height"][0] if road is None else hub[2] - road.level(*hub[:2])
     if above <= 0:
         raise ModelError(

@@ -1,1 +1,1 @@
-"""Explicit and implicit motion, events, the energy balance."""
+"""Explicit and implicit time integration, events, the energy balance."""

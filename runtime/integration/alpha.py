@@ -25,10 +25,13 @@ from flexel.mechanics.saddle import Matrix, SaddlePattern
 from flexel.structure.state import State
 
 MAX_ITERATIONS = 20
-PATIENCE = 8  # iterations within which the error must have come down to a tenth
-CONVERGED, STALLED = 1e-11, 1e-8  # relative errors: good at once, and where rounding lets it go no further
-FORCES = 1e-2  # weight of the forces' relative unbalance beside the violation of conditions
-LOOSE = 1e-4  # local error beyond which the forces count less, down to a tenth: such steps are coarse anyway
+PATIENCE = 8  # iterations within which the error must drop to a tenth
+CONVERGED, STALLED = (
+    1e-11,
+    1e-8,
+)  # relative errors: accepted at once, and accepted when rounding stalls progress
+FORCES = 1e-2  # weight of the forces' relative residual against the violation of conditions
+LOOSE = 1e-4  # local error beyond which the forces are weighted less, down to a tenth: such steps are coarse anyway
 ROUGH = 0.1  # relative error of a prediction beyond which another is tried
 SHORTENINGS = 6  # of a Newton step, each to 40 %
 SLOW = 0.2  # a contraction weaker than this renews the iteration matrix
@@ -55,13 +58,15 @@ class Stepper(Saddle):
         self._forces = FORCES * max(min(LOOSE / tolerance, 1.0), 0.1) if 0 < tolerance < np.inf else FORCES
         self.evaluations = self.factorizations = self.iterations = 0
         self._matrix_step = 0.0
-        self._stiffness: Array = np.zeros(self.structure.nf)  # of each row, with what masses add
+        self._stiffness: Array = np.zeros(
+            self.structure.nf
+        )  # of each row, including the masses' contribution
         self._near = NearContacts(system.evaluation)
         self._chosen = not self._near.worthwhile
         self._use(self.local)
 
     def _use(self, local: Local) -> None:
-        """Evaluate with all elements, or with all but contacts that are far."""
+        """Evaluate all elements, or all except distant contacts."""
         self.local = local
         self.pattern = SaddlePattern(local, self.force_rows, self.force_rows, self._kind)
         self._rolling = np.zeros(local.columns_J.size, dtype=bool)
@@ -79,7 +84,7 @@ class Stepper(Saddle):
         return Point(p.t + h, x, v, a, w, p.mu.copy(), p.e, p.z, p.zd, p.zw)
 
     def _lag(self, p: Point, h: float) -> ImplicitStep | None:
-        """The internal states as the scheme wants them at the end of a step: known part, and share of their rates."""
+        """The internal states required by the scheme at the end of a step: known part, and factor of their rates."""
         if not p.z.size:
             return None
         c, f = self.scheme, self.scheme.alpha_f
@@ -99,10 +104,10 @@ class Stepper(Saddle):
         if gap > ALARM:
             return found
         self._use(self._near.choose(found[0].x))
-        return found if gap > 0 else self._solve(old, h)  # one that was left out has closed within the step
+        return found if gap > 0 else self._solve(old, h)  # an omitted contact has closed within the step
 
     def state(self, b: Balance) -> State:
-        """The complete state at a balance, contacts that were left out included."""
+        """The complete state at a balance, including omitted contacts."""
         own = self.local
         self.local, self.z, self.step = self.system.local, b.laws.z, None
         try:
@@ -141,9 +146,9 @@ class Stepper(Saddle):
         return None
 
     def _start_of(self, p: Point, old: Point, h: float) -> tuple[Point, Balance]:
-        """The predicted point, or that of an unaccelerated step where it is nearer to balance.
+        """The predicted point, or that of an unaccelerated step if its residual is smaller.
 
-        Accelerations of stiff parts that are not at rest lead far away.
+        Accelerations of stiff parts that are not at rest give poor predictions.
         """
         b = self._evaluate(p, old)
         if self._relative(b, h) < ROUGH:
@@ -155,13 +160,13 @@ class Stepper(Saddle):
         return (still, other) if self._size(other, h, b.scale) < self._size(b, h, b.scale) else (p, b)
 
     def _pushed(self, p: Point, old: Point, h: float) -> Array:
-        """What the predictor added to x + h v, over h²."""
+        """The predictor's increment beyond x + h v, over h²."""
         return (p.x - old.x - h * old.v) / (h * h)
 
     def _search(
         self, p: Point, old: Point, h: float, step: Array, b: Balance, last: float
     ) -> tuple[Point, Balance]:
-        """The point after a Newton step, shortened while that is farther from balance than the last one was.
+        """The point after a Newton step, shortened while its residual exceeds the previous one.
 
         Contacts that open and close, and friction that saturates, make the full step overshoot.
         """
@@ -201,7 +206,7 @@ class Stepper(Saddle):
         return self._size(b, h, b.scale)
 
     def _size(self, b: Balance, h: float, scale: float) -> float:
-        """Error of a balance relative to given forces, so that two can be compared."""
+        """Error of a balance relative to given forces, so that two balances can be compared."""
         held = np.concatenate([b.gap / self.scales[self.roles.holonomic], b.w[self.roles.zero] * h])
         return self.error(b, self._forces * b.r, held, self._stiffness, scale)
 
@@ -214,7 +219,7 @@ class Stepper(Saddle):
     def _tangent(
         self, b: Balance, rate: float, acceleration: float, scaling: float, *, first: bool
     ) -> Matrix:
-        """The iteration matrix, first rows and multipliers scaled by beta h²; the first of a step sizes its rows."""
+        """The iteration matrix, first rows and multipliers scaled by beta h²; the first of a step sets row scales."""
         self.factorizations += 1
         K, cross, phi = self.stiffness(b, rate, acceleration)
         held = b.J
@@ -229,7 +234,7 @@ class Stepper(Saddle):
         return Matrix(self.structure, self.pattern.pattern, stored)
 
     def _with_slips(self, J: Array, phi: Array, rate: float) -> Array:
-        """Flat J in which the rows of rolling slips are J + Phi_x / rate: what changes a slip by way of x and v."""
+        """Flat J in which the rows of rolling slips are J + Phi_x / rate: the change of a slip through x and v."""
         return J + np.where(self._rolling, phi, 0.0) / rate
 
     def error_of(self, old: Point, new: Point, h: float) -> Array:

@@ -1,4 +1,4 @@
-"""The driver of all integrations: steps until the end, a progress bar, interruption, and what is kept."""
+"""The driver of all integrations: steps until the end, progress bar, interruption, and stored states."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ BAR = "{l_bar}{bar}| {n:.3g}/{total:.3g} s [{elapsed}<{remaining}]"
 
 
 class Run(ABC):
-    """A motion on its way through given times, by any method.
+    """A motion being integrated over given times, by any method.
 
     Attributes
     ----------
     times : ndarray (nt,)
-        At which states are kept.
+        Times at which states are stored.
     result : Integration
-        What has been kept.
+        The results stored so far.
     """
 
     def __init__(self, start: State, times: Array) -> None:
@@ -36,34 +36,34 @@ class Run(ABC):
     @property
     @abstractmethod
     def t(self) -> float:
-        """How far the motion has come."""
+        """Current time of the motion."""
 
     @property
     @abstractmethod
     def statistics(self) -> dict[str, int]:
-        """Counts of what was done."""
+        """Counts of operations."""
 
     @abstractmethod
     def begin(self) -> None:
-        """Do what comes before the first step."""
+        """Prepare the first step."""
 
     @abstractmethod
     def advance(self) -> str | None:
-        """Take one step; a message where the motion is to end with it.
+        """Take one step; returns a message if the motion ends with it.
 
         Raises
         ------
         FlexelError
-            If the motion cannot go on.
+            If the motion cannot be continued.
         """
 
     @abstractmethod
     def keep(self) -> None:
-        """Keep the present state, unless it is kept already."""
+        """Store the current state, unless it is already stored."""
 
     @property
     def until(self) -> float:
-        """The next time at which a state is to be kept."""
+        """The next time at which a state is stored."""
         return float(self.times[len(self.result.states)])
 
     def run(self, progress: bool | None) -> Integration:
@@ -91,7 +91,7 @@ class Run(ABC):
         return self.kept(message or "reached the end")
 
     def kept(self, message: str) -> Integration:
-        """What has been computed, up to the last step or the event that ended it."""
+        """The results so far, up to the last step or the event that ended it."""
         self.keep()
         return replace(self.result, message=message, statistics=self.statistics)
 
@@ -102,7 +102,7 @@ class DenseRun(Run):
     Attributes
     ----------
     state : State
-        Where it stands.
+        Current state.
     """
 
     def __init__(self, system: Any, start: State, times: Array, events: Sequence[Event]) -> None:
@@ -112,21 +112,21 @@ class DenseRun(Run):
         self._span = float(times[-1] - times[0])
 
     def begin(self) -> None:
-        """Look where the functions of the events stand."""
+        """Evaluate the functions of the events."""
         self._values = [value(event, self.state) for event in self.events]
 
     @property
     def t(self) -> float:
-        """How far the motion has come."""
+        """Current time of the motion."""
         return self.state.t
 
     def keep(self) -> None:
-        """Keep the present state, unless it is kept already."""
+        """Store the current state, unless it is already stored."""
         if self.t > self.result.states[-1].t:
             self.result.states.append(self.state)
 
     def accept(self, step: Segment, state: State) -> str | None:
-        """Go on from the end of a step, or end at a terminal event within it: then its message."""
+        """Continue from the end of a step, or end at a terminal event within it and return its message."""
         times = float(self.times[0]), self._span
         found, self._values = passages(self.system, self.events, step, state, self._values, times)
         terminal = next((z for z in found if z[0].terminal), None)
@@ -138,7 +138,7 @@ class DenseRun(Run):
         return f"stopped by event '{terminal[0].name}'" if terminal else None
 
     def _store(self, step: Segment, last: State, end: float) -> None:
-        """Keep the states at the times that the step has passed."""
+        """Store the states at the times passed by the step."""
         states = self.result.states
         while len(states) < self.times.size and self.until <= end:
             states.append(self._at(step, last, self.until))

@@ -1,4 +1,4 @@
-"""Events: functions of the state that pass through zero, located on the dense output of a step."""
+"""Events: zero crossings of functions of the state, located on the dense output of a step."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from flexel.base.errors import ModelError
 from flexel.integration.outcome import Segment
 from flexel.structure.state import State
 
-INSTANT = 1e-9  # of the times: an event that is found this soon is the one that the motion starts from
+INSTANT = 1e-9  # relative to the times: an event found within this time is the one at which the motion starts
 LOCATED = 1e-13  # accuracy of the time of an event [s]
 
 
 @dataclass(frozen=True)
 class Event:
-    """Something that happens when a function of the state passes through zero.
+    """An event: a zero crossing of a function of the state.
 
     Parameters
     ----------
@@ -28,11 +28,11 @@ class Event:
     terminal : bool
         Stop the simulation there.
     direction : int
-        +1: only upward passages; -1: only downward; 0: both.
+        +1: only upward crossings; -1: only downward; 0: both.
 
     Notes
     -----
-    A motion that starts at an event, such as from its state, does not meet it again at once.
+    A motion that starts at an event, for example from its state, does not trigger it again immediately.
     """
 
     name: str
@@ -52,7 +52,7 @@ class Event:
 
 
 def checked(events: Any) -> tuple[Event, ...]:
-    """The events that a user gives, or a ModelError."""
+    """The user's events, or a ModelError."""
     listed = () if isinstance(events, Event) else tuple(events)
     if isinstance(events, Event) or not all(isinstance(z, Event) for z in listed):
         raise ModelError(
@@ -74,7 +74,7 @@ def passages(
     before: Sequence[float],
     times: tuple[float, float],
 ) -> tuple[list[tuple[Event, State]], list[float]]:
-    """Passages through zero within a step, in the order of time, and the functions at its end.
+    """Zero crossings within a step, in the order of time, and the functions at its end.
 
     Parameters
     ----------
@@ -93,7 +93,7 @@ def passages(
     begun = times[0] + INSTANT * times[1] + 10 * LOCATED
     for event, g0, g1 in zip(events, before, after, strict=True):
         if (g0 < 0 <= g1 or g1 <= 0 < g0) and (event.direction == 0 or event.direction * (g1 - g0) > 0):
-            ends = {step.t0: g0, step.t1: g1}  # as found before, so that brentq sees the same signs
+            ends = {step.t0: g0, step.t1: g1}  # the values found before, so that brentq sees the same signs
 
             def function(t: float, event: Event = event, ends: dict[float, float] = ends) -> float:
                 return ends[t] if t in ends else value(event, step.state(system, t))

@@ -1,8 +1,8 @@
 """Forward dynamics in minimal coordinates with SciPy's integrators, with events and a change of coordinates.
 
 The integrator is stepped here, so that after every step the condition of the chosen coordinates can be
-looked at and events located on the dense output.  When the coordinates become
-ill-conditioned the model is re-parametrized and the integration goes on from the same x and v.
+checked and events located on the dense output.  When the coordinates become
+ill-conditioned the model is re-parametrized and the integration continues from the same x and v.
 """
 
 from __future__ import annotations
@@ -25,11 +25,13 @@ from flexel.structure.structure import Structure
 
 METHODS: dict[str, Any] = {"DOP853": DOP853, "RK45": RK45, "Radau": Radau, "BDF": BDF, "LSODA": LSODA}
 ILL_CONDITIONED = 0.25  # condition of B or of the position matrix, relative to that at the last choice
-SHORTEST = 1e-8  # first step, relative to the times, below which a position counts as out of reach
-FIRST = 1e-4  # first step, relative to the time left, after one that was out of reach
+SHORTEST = 1e-8  # first step, relative to the times, below which a position counts as unreachable
+FIRST = 1e-4  # first step, relative to the time left, after an unreachable one
 MOST_SHORT = 100  # steps of that length in a row before the integration gives up
 RETRY = "out of reach"
-TRAVEL = 1.0  # of an Euler parameter in one step: more than two radians could lead to another branch or turn
+TRAVEL = (
+    1.0  # change of an Euler parameter per step: more than two radians could lead to another branch or turn
+)
 BETTER = 1.5  # a new choice must improve the condition by this factor
 
 
@@ -44,7 +46,7 @@ class Tolerances:
     atol : float or ndarray (ny,)
         Local error in the natural scales of y.
     first_step, max_step : float
-        Steps [s]; by default the integrator finds its first.
+        Steps [s]; by default the integrator chooses the first.
     """
 
     rtol: float
@@ -54,13 +56,13 @@ class Tolerances:
 
 
 def turning_weights(structure: Structure) -> Array:
-    """Weights (n,) that pick the coordinates of orientations: one for Euler parameters, half for planar angles."""
+    """Weights (n,) that select the coordinates of orientations: one for Euler parameters, half for planar angles."""
     weight = {"-": 1.0, "rad": 0.5}
     return np.array([weight.get(unit, 0.0) for unit in structure.units[structure.m + structure.k :]])
 
 
 def longest_step(state: State, weights: Array) -> float:
-    """Time [s] in which an orientation travels by TRAVEL, at the present rates and accelerations."""
+    """Time [s] in which an orientation changes by TRAVEL, at the current rates and accelerations."""
     v, a = (float(np.max(np.abs(z) * weights, initial=0.0)) for z in (state.v, state.a))
     return 2 * TRAVEL / max(v + float(np.sqrt(v * v + 2 * a * TRAVEL)), 1e-300)
 
@@ -110,7 +112,7 @@ class Explicit(DenseRun):
         return self._counts | {"evaluations": self._counts["evaluations"] + running}
 
     def advance(self) -> str | None:
-        """One step, or the shortening of one that led out of reach."""
+        """One step, or a shorter one after an unreachable position."""
         solver = self._solver = self._solver or self._fresh()
         solver.max_step = self._longest()
         message = self._step(solver)
@@ -125,7 +127,7 @@ class Explicit(DenseRun):
         return ended
 
     def _fresh(self) -> Any:
-        """A solver that goes on from the present state in the present degrees of freedom."""
+        """A solver that continues from the current state in the current degrees of freedom."""
         system, given = self.system, self.tolerances
         y0 = np.concatenate([self.state.q, self.state.qd, self.state.z])
         system.warm(self.state)
@@ -140,7 +142,7 @@ class Explicit(DenseRun):
         return solver
 
     def _started(self, y0: Array, options: dict[str, Any]) -> Any:
-        """A SciPy solver; with a short first step where the one that it tries by itself leads out of reach."""
+        """A SciPy solver; with a short first step if its own choice leads to an unreachable position."""
         begin = self.system.rhs, self.state.t, y0, float(self.times[-1])
         try:
             return self.method(*begin, **options)
@@ -152,12 +154,12 @@ class Explicit(DenseRun):
             return self.method(*begin, **options, first_step=short)
 
     def _leave(self) -> None:
-        """Go on with another solver."""
+        """Continue with another solver."""
         self._counts["evaluations"] += self._solver.nfev
         self._solver = None
 
     def _accept(self, solver: Any) -> str | None:
-        """Keep what the last step gave; returns the message of a terminal event within it."""
+        """Store the result of the last step; returns the message of a terminal event within it."""
         system, roles, t0, t1 = self.system, self.system.roles, float(solver.t_old), float(solver.t)
         dense = solver.dense_output()
         q, qd, z = np.split(dense(t1), [roles.nq, roles.nq + roles.nd])
@@ -174,7 +176,7 @@ class Explicit(DenseRun):
         return ended
 
     def _trouble(self) -> str:
-        """What may be the matter where the integration cannot go on."""
+        """Possible causes where the integration cannot continue."""
         names, roles = self.system.kinematics.names, self.system.roles
         driven = f", check what drives {names(roles.prescribed)}" if roles.prescribed.size else ""
         return (
@@ -185,11 +187,11 @@ class Explicit(DenseRun):
         )
 
     def _longest(self) -> float:
-        """Longest step [s] in which no frame turns farther than a position can be followed."""
+        """Longest step [s] in which no frame turns too far for its position to be followed."""
         return min(self.tolerances.max_step, longest_step(self.state, self._turning))
 
     def _step(self, solver: Any) -> str | None:
-        """One step; RETRY where a stage led out of reach, so that a shorter first step is to be tried."""
+        """One step; RETRY if a stage was unreachable, so that a shorter first step is tried."""
         try:
             message: str | None = solver.step()
         except (PositionError, ConstraintError) as error:
@@ -206,7 +208,7 @@ class Explicit(DenseRun):
         return message
 
     def _rechosen(self) -> bool:
-        """Take other degrees of freedom if the present ones became ill-conditioned and others are clearly better."""
+        """Change the degrees of freedom if they became ill-conditioned and others are clearly better."""
         system = self.system
         condition = system.condition(self.state)
         if condition > ILL_CONDITIONED * self._reference:
@@ -220,6 +222,6 @@ class Explicit(DenseRun):
 
 
 def natural_scales_of_y(system: Any) -> Array:
-    """Natural scales of y = (q, q_d', z): rates change by theirs in a second, internal states of laws have one."""
+    """Natural scales of y = (q, q_d', z): those of rates are per second, those of internal states of laws one."""
     roles, scales = system.roles, system.kinematics.scales
     return np.concatenate([scales(roles.dofs), scales(roles.dynamic), np.ones(system.structure.nz)])

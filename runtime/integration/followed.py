@@ -1,4 +1,4 @@
-"""Motions that are fully prescribed: positions at one time after another, no equations of motion to integrate."""
+"""Motions that are fully prescribed: a sequence of positions, without equations of motion to integrate."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from flexel.mechanics.core import Core
 from flexel.mechanics.states import Moment, state_of
 from flexel.structure.state import State
 
-SHORTEST = 1e-6  # step, relative to the times, below which a position counts as out of reach
+SHORTEST = 1e-6  # step, relative to the times, below which a position counts as unreachable
 NOTHING: Array = np.zeros(0)
 
 
 def _no_state(t: float) -> Array:
-    """The dense output: a fully prescribed motion has no q, q_d' or z of its own."""
+    """The dense output: a fully prescribed motion has no q, q_d' or z."""
     return NOTHING
 
 

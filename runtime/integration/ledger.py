@@ -1,4 +1,4 @@
-"""The energy ledger of an implicit integration: what is stored, lost and put in, and what does not add up."""
+"""The energy ledger of an implicit integration: stored, dissipated and supplied energy, and the discrepancy."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class Ledger:
         self.kept: dict[str, list[float]] = {"contact": [], "dissipated": [], "work": []}
 
     def begin(self, p: Point) -> None:
-        """Start at a point."""
+        """Start the ledger at a point."""
         saddle = self._saddle
         saddle.z, saddle.step = p.z, None
         self._enter(saddle.balance(p.t, p.x, p.v, p.a, p.mu, p.e))
@@ -52,14 +52,14 @@ class Ledger:
         self._sums = self._sums + h / 2 * (before + self._power)
 
     def keep(self) -> None:
-        """Store the present figures."""
+        """Store the current values."""
         for name, value in zip(self.kept, (self._stored, *self._sums), strict=True):
             self.kept[name].append(float(value))
 
     def new_penetration(self, b: Balance) -> float:
-        """Deepest penetration of the contacts that have begun in the step that ends in a balance; 0 if none has.
+        """Deepest penetration of the contacts that closed in the step that ends in a balance; 0 if none did.
 
-        Nor is it an impact if others that were closed before are deeper: a rope runs onto its sheave like that.
+        It is also 0, not an impact, if contacts closed before are deeper, as where a rope runs onto its sheave.
         """
         if not self._contact.any():
             return 0.0
@@ -69,11 +69,11 @@ class Ledger:
         return begun if begun > depth[closed & self._touching].max(initial=0.0) else 0.0
 
     def spurious(self, b: Balance, h: float) -> bool:
-        """Whether most of the energy at the end of a step is spurious: neither there before nor put in.
+        """Whether most of the energy at the end of a step is spurious: neither stored before nor supplied.
 
-        Newton's method has then found another solution of a long step than the one that goes on from its beginning: a
-        rope that has sprung off its sheave, for instance.  Less than what the largest force does over a thousandth of
-        the model's size does not count.
+        Newton's method has then found a solution of a long step that does not continue its beginning: a
+        rope that has jumped off its sheave.  Energy below the work of the largest force over a thousandth of the model's
+        size is ignored.
         """
         before = self._energy
         after, power = self._figures(b)
@@ -89,7 +89,7 @@ class Ledger:
         self._stored = float(b.laws.stored[self._contact].sum())
 
     def _figures(self, b: Balance) -> tuple[Array, Array]:
-        """Energies, and powers of losses and drives, at a balance; found once where it is asked about again."""
+        """Energies, and powers of losses and drives, at a balance; cached for repeated calls."""
         if self._found is None or self._found[0] is not b:
             self._found = b, self._energies(b), np.array([self._losses(b), self._drives(b)])
         return self._found[1:]
@@ -100,7 +100,7 @@ class Ledger:
         return np.array([energy.kinetic + energy.strain, energy.potential])
 
     def _losses(self, b: Balance) -> float:
-        """Power lost in laws and by mass-proportional damping [W]."""
+        """Power dissipated in laws and by mass-proportional damping [W]."""
         lost = float(b.laws.dissipated.sum())
         local = self._saddle.local
         return lost + float(b.v @ local.damping(b.inertia.M, b.v)) if local.damped else lost
@@ -116,7 +116,7 @@ class Ledger:
 
 
 def energy_balance(energy: dict[str, Array], kept: dict[str, list[float]]) -> dict[str, Array]:
-    """Energies over time and what does not add up; see `Motion.energy_balance`."""
+    """Energies over time and their discrepancy; see `Motion.energy_balance`."""
     contact, dissipated, work = (np.array(kept[z]) for z in ("contact", "dissipated", "work"))
     surplus = energy["total"] + dissipated - work
     return {

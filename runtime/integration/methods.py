@@ -1,4 +1,4 @@
-"""The methods of `System.simulate`: which options each has, which one is taken by default, and a run of each."""
+"""The methods of `System.simulate`: the options of each, the default method, and a run of each."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from flexel.structure.state import State, own_state
 AUTO, EXPLICIT, ALPHA, SUNDIALS = "auto", "DOP853", "generalized-alpha", "sundials"
 _STEPS = frozenset({"rtol", "atol", "first_step", "max_step"})
 _DENSE = _STEPS | {"events", "rechoose"}
-OPTIONS: dict[str, frozenset[str]] = {  # of each method; the remaining ones are those of all
+OPTIONS: dict[str, frozenset[str]] = {  # by method; the remaining options apply to all methods
     AUTO: _DENSE,
     **dict.fromkeys(METHODS, _DENSE),
     ALPHA: _STEPS | {"step", "spectral_radius", "newton"},
@@ -32,12 +32,12 @@ OPTIONS: dict[str, frozenset[str]] = {  # of each method; the remaining ones are
 RTOL, ATOL, IMPLICIT_RTOL = 1e-9, 1e-11, 1e-6
 RADIUS, NEWTON, MAX_ORDER = 0.8, "full", 2
 STIFF = 3e4  # max |λ| times the duration from which a motion is integrated implicitly
-MANY = 300  # degrees of freedom above which it is too, whatever their eigenvalues
+MANY = 300  # degrees of freedom above which it is integrated implicitly whatever its eigenvalues
 
 
 @dataclass(frozen=True)
 class Options:
-    """What a user asks of a method; None is what has not been given."""
+    """The user's options of a method; None if not given."""
 
     rtol: Any = None
     atol: Any = None
@@ -62,7 +62,7 @@ class Options:
 
 
 def check(method: Any, options: Options) -> None:
-    """Refuse a method that does not exist, and options that it does not have.
+    """Reject an unknown method, and options that it does not have.
 
     Raises
     ------
@@ -82,7 +82,7 @@ def check(method: Any, options: Options) -> None:
     beside = [name for name in given if name in _STEPS]
     if options.step is not None and beside:
         raise ModelError(
-            f"simulate: step is constant, which leaves {', '.join(beside)} without meaning; give one or the other"
+            f"simulate: step is constant, so {', '.join(beside)} would have no effect; give one or the other"
         )
 
 
@@ -99,7 +99,7 @@ def start_of(system: Core, method: str, start: Any, options: Options) -> State:
 
 
 def automatic(system: Core, start: State, duration: float, options: Options) -> tuple[str, str]:
-    """The method that suits a motion, and why."""
+    """The appropriate method for a motion, and why."""
     if system.roles.nq == 0:
         return EXPLICIT, "not integrated: every motion is prescribed"
     if options.events:
@@ -109,7 +109,7 @@ def automatic(system: Core, start: State, duration: float, options: Options) -> 
     try:
         fastest = float(np.max(np.abs(system.linearize(start).eigenvalues()), initial=0.0))
     except InertiaError:
-        return _because(ALPHA, "a degree of freedom lacks inertia")
+        return _because(ALPHA, "a degree of freedom has no inertia")
     except (FlexelError, np.linalg.LinAlgError):
         return _because(EXPLICIT, "the start cannot be linearized")
     turns = fastest * duration
@@ -130,7 +130,7 @@ def run_of(system: Core, method: str, start: State, times: Array, duration: floa
     Parameters
     ----------
     system : Core
-        An explicit method may leave it with the degrees of freedom of the start.
+        An explicit method may change its degrees of freedom to those of the start.
     method : str
         Any but auto.
     start : State
@@ -174,17 +174,17 @@ def _atol(system: Core, options: Options) -> float | Array:
 
 
 def _in_own_roles(system: Core, start: State) -> State:
-    """The start in the system's degrees of freedom, or the system in those of the start where these serve better."""
+    """The start in the system's degrees of freedom, or the system in those of the start if these are better."""
     if start.roles is system.roles:
         return start
     if system.condition(start) > 1e-3 * system.condition(start, start.roles):
         return system.state(start.t, start.x, start.v, start.e, start.z)
-    system.use(start.roles)  # the motion has led to where the chosen ones are of no use
+    system.use(start.roles)  # the chosen ones have become singular at this state
     return start
 
 
 def _alpha(system: Core, start: State, times: Array, duration: float, options: Options) -> Run:
-    """A run of the generalized-alpha method, which measures every coordinate by its natural scale."""
+    """A run of the generalized-alpha method, which scales every coordinate by its natural scale."""
     if options.step is not None:
         step = options.number("step", 0.0)
         control = Control(np.inf, step, step)

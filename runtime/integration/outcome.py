@@ -1,4 +1,4 @@
-"""What an integration gives, and the times at which it is kept."""
+"""The result of an integration, and the times at which it is stored."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class Segment:
 
 @dataclass(frozen=True)
 class Integration:
-    """What an integration gives: states at the asked times, events, pieces with dense output, counts.
+    """Result of an integration: states at the requested times, events, pieces with dense output, counts.
 
     An implicit one also gives its energy ledger at these times.
     """
@@ -49,7 +49,7 @@ class Integration:
 
 
 def stored_times(start: State, duration: Any, times: Any, samples: Any, owner: str) -> Array:
-    """Times at which states are kept, from the start on.
+    """Times at which states are stored, from the start on.
 
     Parameters
     ----------
@@ -59,9 +59,9 @@ def stored_times(start: State, duration: Any, times: Any, samples: Any, owner: s
     times : array_like or None
         The times [s]; None for equidistant ones.
     samples : int
-        How many these are.
+        Number of these.
     owner : str
-        Of which the errors speak.
+        Caller named in error messages.
 
     Raises
     ------
@@ -73,7 +73,7 @@ def stored_times(start: State, duration: Any, times: Any, samples: Any, owner: s
         raise ModelError(f"{owner}: duration {span:g} s is not positive; give a positive time")
     if times is None:
         if not isinstance(samples, (int, np.integer)) or samples < 2:
-            raise ModelError(f"{owner}: {samples!r} samples asked for; give a whole number, 2 or more")
+            raise ModelError(f"{owner}: {samples!r} samples requested; give a whole number, 2 or more")
         return np.linspace(start.t, start.t + span, int(samples))
     grid = array(times, owner, "times")
     if grid.ndim != 1 or not grid.size or np.any(np.diff(grid) <= 0) or grid[0] < start.t:

@@ -1,6 +1,6 @@
-"""Ranges of the data that laws were fitted to: which quantities of a motion have left them.
+"""Ranges of the data to which laws were fitted: which quantities of a motion have left them.
 
-A law goes on beyond its data as its definition says; whoever trusts the result should know that it did.
+Beyond its data a law is extrapolated as its definition says; the user is warned when this happens.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from flexel.structure.state import State
 
 
 def outside(system: Core, states: Sequence[State]) -> list[str]:
-    """What left the range of its law's data at a state, each with the largest stress and what the law does there."""
+    """Quantities outside the range of their law's data at a state, with the largest stress and the extrapolation."""
     return [
         line
         for law in system.evaluation.laws
@@ -28,7 +28,7 @@ def outside(system: Core, states: Sequence[State]) -> list[str]:
 
 
 def warn_outside(system: Core, states: Sequence[State]) -> None:
-    """Warn of everything that left the range of its law's data, at the place that called the analysis."""
+    """Warn, at the caller of the analysis, of every quantity that left the range of its law's data."""
     found = outside(system, states)
     if found:
         warnings.warn("; ".join(found), RangeWarning, stacklevel=4)

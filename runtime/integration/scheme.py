@@ -1,4 +1,4 @@
-"""The generalized-alpha scheme: its coefficients, and the point at which an implicit integration stands.
+"""The generalized-alpha scheme: its coefficients, and the current point of an implicit integration.
 
 Source: Chung and Hulbert (1993); Jansen, Whiting and Hulbert (2000) for first order; Arnold and Brüls (2007).
 """
@@ -26,7 +26,7 @@ class Scheme:
 
     @classmethod
     def with_radius(cls, radius: float, constrained: bool = True) -> Scheme:
-        """The optimal scheme of second order; near radius 1 keeps energy, 0 damps high frequencies at once.
+        """The optimal scheme of second order; a radius near 1 conserves energy, 0 damps high frequencies at once.
 
         Radius 1 needs a system without constraints: with them its accelerations and multipliers grow without bound.
         """
@@ -42,13 +42,13 @@ class Scheme:
         return cls(m, f, 0.25 * (gamma + 0.5) ** 2, gamma, lag, 0.5 - lag + f)
 
     def rates(self, h: float) -> tuple[float, float]:
-        """Derivatives (gamma', beta') of the rates and of the accelerations by the coordinates, step h."""
+        """Derivatives (gamma', beta') of the rates and accelerations with respect to the coordinates, for a step h."""
         return self.gamma / (h * self.beta), (1 - self.alpha_m) / (h * h * self.beta * (1 - self.alpha_f))
 
 
 @dataclass
 class Point:
-    """Where the integration stands.
+    """Current point of the integration.
 
     Attributes
     ----------

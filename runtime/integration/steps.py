@@ -1,4 +1,4 @@
-"""Implicit integration of stiff models: the control of its steps, and its energy ledger."""
+"""Implicit integration of stiff models: step control and energy ledger."""
 
 from __future__ import annotations
 
@@ -16,15 +16,15 @@ from flexel.mechanics.balance import Balance, Saddle
 from flexel.mechanics.core import Core
 from flexel.structure.state import State
 
-SHORTEST = 1e-10  # of the duration
-DEEP = 0.1  # of a new contact's penetration: a larger local error halves the step
-STEADY = 1.3  # growth of the step below which it stays as it is: every change disturbs the multipliers
-MOST_FALSE, MOST_HALVINGS = 8, 4  # on account of solutions with spurious energy, and of new contacts
+SHORTEST = 1e-10  # shortest step, over the duration
+DEEP = 0.1  # local error over a new contact's penetration above which the step is halved
+STEADY = 1.3  # growth factor below which the step is kept: every change disturbs the multipliers
+MOST_FALSE, MOST_HALVINGS = 8, 4  # step halvings because of spurious energy, and because of new contacts
 
 
 @dataclass(frozen=True)
 class Control:
-    """How the steps are chosen.
+    """Parameters of the step control.
 
     Attributes
     ----------
@@ -46,9 +46,9 @@ class ImplicitRun(Run):
     ----------
     ledger : Ledger
     point : Point
-        Where it stands.
+        Current point.
     shortest : float
-        Step [s] below which it cannot go on.
+        Step [s] below which it cannot continue.
     """
 
     def __init__(self, saddle: Saddle, start: State, times: Array) -> None:
@@ -62,7 +62,7 @@ class ImplicitRun(Run):
 
     @property
     def t(self) -> float:
-        """How far the motion has come."""
+        """Current time of the motion."""
         return self.point.t
 
     def begin(self) -> None:
@@ -70,7 +70,7 @@ class ImplicitRun(Run):
         self.ledger.begin(self.point)
 
     def accept(self, point: Point, balance: Balance) -> None:
-        """Go on from the end of a step."""
+        """Continue from the end of a step."""
         h, until = point.t - self.point.t, self.until
         self.point, self._balance = point, balance
         self.ledger.add(balance, h)
@@ -78,7 +78,7 @@ class ImplicitRun(Run):
             self.keep()
 
     def keep(self) -> None:
-        """Keep the present state, unless it is kept already."""
+        """Store the current state, unless it is already stored."""
         states = self.result.states
         if self._balance is not None and self.t > states[-1].t:
             states.append(self.saddle.state(self._balance))
@@ -87,8 +87,8 @@ class ImplicitRun(Run):
     def failure(self) -> DynamicsError:
         """The error of a step that cannot be taken."""
         return DynamicsError(
-            f"implicit integration cannot go on at t = {self.t:g} s (step below {self.shortest:.2g} s): the motion is "
-            "not smooth there, or a condition cannot be met; look at the last state of the motion, and start from "
+            f"implicit integration cannot continue at t = {self.t:g} s (step below {self.shortest:.2g} s): the motion "
+            "is not smooth there, or a condition cannot be met; inspect the last state of the motion, and start from "
             "there again after a change"
         )
 
@@ -146,7 +146,7 @@ class GeneralizedAlpha(ImplicitRun):
         self.accept(point, balance)
 
     def _error(self, old: Point, new: Point, b: Balance, h: float) -> float:
-        """Local error over the tolerance; infinite for a false solution, and where a contact has begun too deeply."""
+        """Local error over the tolerance; infinite for a spurious solution, and if a new contact is too deep."""
         stepper = self.stepper
         if self._false < MOST_FALSE and self.ledger.spurious(b, h):
             self._false += 1

@@ -1,7 +1,7 @@
 """Implicit integration by the backward differentiation formulas of SUNDIALS (IDA), a cross-check of the others.
 
 Coordinates, rates, multipliers and internal states z of laws are integrated with the constraints on the
-level of accelerations, stabilized so that violations die out quickly; the multipliers are left out of the
+level of accelerations, stabilized so that violations die out quickly; the multipliers are excluded from the
 error control.  The linear equations are solved by GMRES with the sparse saddle-point matrix as
 preconditioner.  Source: Hindmarsh et al. (2005); Baumgarte (1972) for the stabilization.
 """
@@ -22,7 +22,7 @@ from flexel.mechanics.core import Core
 from flexel.mechanics.saddle import Matrix, SaddlePattern
 from flexel.structure.state import State
 
-FREE = 1e20  # absolute tolerance of what is left out of the error control
+FREE = 1e20  # absolute tolerance of variables excluded from the error control
 PULL = 300.0  # rate at which violations of the constraints die out, times the duration of the motion
 KRYLOV = 12  # vectors of GMRES
 

@@ -1,6 +1,6 @@
-"""Floquet theory: how small disturbances of a periodic motion grow or die out over one period.
+"""Floquet theory: growth or decay of small disturbances of a periodic motion over one period.
 
-The transition matrix comes from an implicit Runge–Kutta method, so that strongly damped high modes cost no short
+The transition matrix comes from an implicit Runge–Kutta method, so strongly damped high modes need no short
 steps; its coefficients between the samples are those of the Fourier series.  Source: Floquet (1883); Hairer and
 Wanner, "Solving ordinary differential equations II", IV.5 (Radau IIA, order 5).
 """
@@ -22,7 +22,7 @@ WEIGHTS = np.array(
     ]
 )
 FIRST, MOST = 64, 4096  # steps per period
-BATCH = 64  # steps taken together, for memory
+BATCH = 64  # steps computed together; limits memory
 
 
 def multipliers(omega: float, M: Array, C: Array, K: Array, tolerance: float) -> ComplexArray:
@@ -33,9 +33,9 @@ def multipliers(omega: float, M: Array, C: Array, K: Array, tolerance: float) ->
     omega : float
         2 pi / period [rad/s].
     M, C, K : ndarray (ns, nd, nd)
-        At equidistant times of one period.
+        Samples at equidistant times of one period.
     tolerance : float
-        Of the transition matrix in (q', q omega), relative to its largest entry or one.
+        Error of the transition matrix in (q', q omega), relative to its largest entry or one.
 
     Raises
     ------
@@ -57,13 +57,13 @@ def multipliers(omega: float, M: Array, C: Array, K: Array, tolerance: float) ->
             w = np.linalg.eigvals(new).astype(complex)
             return np.asarray(w[np.lexsort((w.imag, -np.round(np.abs(w), 11)))])
     raise LinearizationError(
-        f"Floquet multipliers at {omega:g} rad/s: the transition matrix is known to {change:.1g} with {MOST} steps, "
-        f"{tolerance:.1g} was asked; the period is long compared with the vibrations"
+        f"Floquet multipliers at {omega:g} rad/s: the transition matrix is accurate to {change:.1g} with {MOST} steps, "
+        f"{tolerance:.1g} was requested; the period is long compared with the vibrations"
     )
 
 
 def transition(rates: Array, steps: int) -> Array:
-    """Transition matrix (n, n) of y' = A y over one turn of the phase, A (ns, n, n) sampled around it."""
+    """Transition matrix (n, n) of y' = A y over one period of the phase, with A (ns, n, n) sampled over it."""
     n, h = rates.shape[1], 2 * np.pi / steps
     phases = (np.arange(steps)[:, None] + NODES) * h
     Y, unit = np.eye(n), np.eye(3 * n)
@@ -77,7 +77,7 @@ def transition(rates: Array, steps: int) -> Array:
 
 
 def interpolated(samples: Array, phases: Array) -> Array:
-    """Values (np, …) at phases [rad] of what is given at equidistant samples (ns, …) of a turn."""
+    """Values (np, …) at phases [rad], interpolated from equidistant samples (ns, …) of one period."""
     ns = samples.shape[0]
     hat = np.fft.rfft(samples.reshape(ns, -1), axis=0) / ns
     hat[1 : (ns + 1) // 2] *= 2

@@ -1,6 +1,6 @@
 """Linear equations with periodic coefficients: Fourier series, harmonic balance, quasi-statics, Floquet multipliers.
 
-M q'' + C q' + K q = F, whose coefficients have one period, are sampled at equidistant times and expanded in Fourier
+The periodic coefficients of M q'' + C q' + K q = F are sampled at equidistant times and expanded in Fourier
 series.  Source: Schwab and Meijaard, "SPACAR" (2004), harmonic balance: (2k+1) nd linear equations; Floquet (1883).
 """
 
@@ -36,7 +36,7 @@ def cosine_sine(series: Array, count: int) -> Array:
     Raises
     ------
     LinearizationError
-        If the series is too short for so many harmonics.
+        If the series is too short for this number of harmonics.
     """
     c = np.fft.rfft(series) / series.size
     if 2 * count >= series.size:
@@ -53,7 +53,7 @@ def refined(series: Array, factor: int = 16) -> Array:
     n = series.size
     c = np.fft.rfft(series)
     if n % 2 == 0:
-        c[-1] /= 2  # half of it belongs to the negative frequency, which the longer series keeps apart
+        c[-1] /= 2  # half of it belongs to the negative frequency, which is separate in the longer series
     return np.asarray(np.fft.irfft(c, n * factor) * factor)
 
 
@@ -96,13 +96,13 @@ class Coefficients:
         Parameters
         ----------
         accuracy : float, optional
-            Largest permitted amplitude of what is left out, relative to the largest amplitude.
+            Largest permitted amplitude of the neglected harmonics, relative to the largest amplitude.
 
         Raises
         ------
         LinearizationError
             Too few samples for the harmonics; a singular balance (a resonance without damping); too few harmonics
-            for the accuracy, with what was reached in its attribute ``reached``.
+            for the accuracy; the attribute ``reached`` holds the best solution.
         """
         k, nd, ns = harmonics, self.F.shape[1], self.samples
         if k < 0 or ns < 4 * k + 1:
@@ -119,8 +119,8 @@ class Coefficients:
         found = PeriodicVibration(self, X, self._neglected(X, M, C, K))
         if accuracy is not None and found.error > accuracy:
             error = LinearizationError(
-                f"{k} harmonics at {self.omega:g} rad/s leave out about {found.error:.2g} of the largest amplitude; "
-                f"{accuracy:g} was asked: take more harmonics"
+                f"{k} harmonics at {self.omega:g} rad/s neglect about {found.error:.2g} of the largest amplitude; "
+                f"{accuracy:g} was requested: take more harmonics"
             )
             error.reached = found  # type: ignore[attr-defined]
             raise error
@@ -135,12 +135,12 @@ class Coefficients:
         if not rcond > SINGULAR:
             raise LinearizationError(
                 f"harmonic balance at {self.omega:g} rad/s is singular: a resonance without damping, or a degree of "
-                f"freedom that nothing holds, among {', '.join(self.names)}; add damping, or leave this speed out"
+                f"freedom without stiffness, among {', '.join(self.names)}; add damping, or omit this speed"
             )
         return np.asarray(scale * _getrs(lu, pivots, scale * rhs)[0])
 
     def _neglected(self, X: ComplexArray, M: ComplexArray, C: ComplexArray, K: ComplexArray) -> float:
-        """Amplitude of the harmonics left out: what the residual there drives, by the mean coefficients."""
+        """Amplitude of the neglected harmonics: the response to their residual with the mean coefficients."""
         k = X.shape[0] // 2
         w = PeriodicVibration(self, X, 0.0)
         q, qd, qdd = w.samples()
@@ -154,23 +154,23 @@ class Coefficients:
         return float(2 * np.abs(driven).max(axis=1).sum())
 
     def quasi_static(self) -> Array:
-        """Solution (ns, nd) of K q = F at every sampled time: what slow forces would do, no resonance in it."""
+        """Solution (ns, nd) of K q = F at every sampled time: the quasi-static response, without resonance."""
         try:
             return np.asarray(np.linalg.solve(self.K, self.F[..., None])[..., 0])
         except np.linalg.LinAlgError as error:
             raise LinearizationError(
-                f"the stiffness at {self.omega:g} rad/s is singular: nothing holds one of {', '.join(self.names)}"
+                f"the stiffness at {self.omega:g} rad/s is singular: one of {', '.join(self.names)} has no stiffness"
             ) from error
 
     def floquet_multipliers(self, tolerance: float = 1e-9) -> ComplexArray:
         """Eigenvalues (2 nd,) of the transition matrix of (q', q) over one period, largest modulus first.
 
-        Below one in modulus, all of them: small disturbances die out.
+        If all are below one in modulus, small disturbances decay.
 
         Parameters
         ----------
         tolerance : float
-            Of the transition matrix; the steps are halved until it changes by no more than that.
+            Error of the transition matrix; the steps are halved until its change is smaller.
 
         Raises
         ------
@@ -189,7 +189,7 @@ class PeriodicVibration:
     coefficients : Coefficients
     X : ndarray of complex (2k + 1, nd)
     neglected : float
-        Estimated amplitude of all harmonics left out.
+        Estimated amplitude of all neglected harmonics.
     """
 
     coefficients: Coefficients
@@ -203,7 +203,7 @@ class PeriodicVibration:
 
     @property
     def error(self) -> float:
-        """What is left out, relative to the largest amplitude."""
+        """Estimated amplitude of the neglected harmonics, relative to the largest amplitude."""
         largest = float(2 * np.abs(self.X).max(initial=0.0))
         return self.neglected / largest if largest else 0.0
 

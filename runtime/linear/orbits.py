@@ -1,6 +1,6 @@
-"""A periodic motion of a system, sampled and linearized along: the nominal motion, or any given one.
+"""A periodic motion of a system, sampled and linearized along its path: the nominal motion, or any given one.
 
-Nothing is differenced: states, coefficients and what the motion lacks in force come from the system itself.
+Nothing is differentiated numerically: states, coefficients and residual forces come from the system itself.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ from flexel.mechanics.states import Moment, state_of
 from flexel.structure.state import State
 
 
-def lacking_force(system: Core, state: State, lin: Linearization) -> Array:
-    """Generalized forces (nd,) that a driven motion lacks: H' (f - h - De' sigma - V' tau - M a) of what is given."""
+def residual_force(system: Core, state: State, lin: Linearization) -> Array:
+    """Residual generalized forces (nd,) of a driven motion: H' (f - h - De' sigma - V' tau - M a) of given forces."""
     c = Configuration(state.t, state.x, state.e, state.J)
     given = dynamics.forces(system.kinematics, system.loads, c, state.v, state.e, state.z)
     F = given.F - given.M @ state.a
@@ -41,7 +41,7 @@ class Orbit:
     states : list of State
     linearizations : list of Linearization
     coefficients : Coefficients
-        F is what the held or given motion lacks in force: zero if it is a true motion.
+        F is the residual force of the held or given motion: zero if it is an actual motion.
     """
 
     period: float
@@ -92,7 +92,7 @@ def orbit(
     period : float
         [s]
     samples : int
-        Equidistant times, from that of `start` on.
+        Number of equidistant times, from that of `start` on.
     motion : callable, optional
         Degrees of freedom, rates and accelerations (ns, nd) at times (ns,); by default the degrees of freedom are held
         at their initial values, while the prescribed motions go on: the nominal motion.
@@ -102,20 +102,20 @@ def orbit(
     Raises
     ------
     LinearizationError
-        A period that is not a positive time; a system with kinematic coordinates, whose values no periodicity
-        determines.
+        A period that is not a positive time; a system with kinematic coordinates, whose values are not determined
+        by periodicity.
     PositionError
         A position that the mechanism cannot reach, with its time.
     """
     if system.roles.nq != system.roles.nd:
         raise LinearizationError(
             f"periodic motion of a non-holonomic system with kinematic coordinates {system.kinematic} is not "
-            "available; prescribe them or leave the rolling condition out"
+            "available; prescribe them or remove the rolling condition"
         )
     if system.structure.nz:
         raise LinearizationError(
             f"periodic motion with internal states of laws ({', '.join(system.structure.internal)}) is not available; "
-            "integrate the motion until it repeats, or take laws without them"
+            "integrate the motion until it is periodic, or use laws without them"
         )
     if not (0 < period < np.inf) or samples < 1:
         raise LinearizationError(
@@ -130,13 +130,13 @@ def orbit(
     for i in range(samples):
         state = _driven(system, float(t[i]), q[i], qd[i], qdd[i], state)
         lins.append(linearize(system.kinematics, state))
-        F[i] = lacking_force(system, state, lins[-1])
+        F[i] = residual_force(system, state, lins[-1])
         states.append(state)
     M, C, K = (np.array([getattr(z, name) for z in lins]) for name in ("M", "C", "K"))
     return Orbit(period, states, lins, Coefficients(2 * np.pi / period, M, C, K, F, system.dynamic))
 
 
 def _driven(system: Core, t: float, q: Array, qd: Array, qdd: Array, near: State) -> State:
-    """State in which the degrees of freedom move as given; its stresses and reactions hold what drives them."""
+    """State in which the degrees of freedom move as given; its stresses and reactions contain the driving forces."""
     place = Moment.of(near).still(t)
     return state_of(system.kinematics, system.loads, t, q, qd, near.z, place, qdd)

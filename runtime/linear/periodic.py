@@ -1,8 +1,8 @@
 """Periodic motion of any model with periodic prescribed motions: linearized, nonlinear, and over a range of speeds.
 
 Small vibrations about the nominal motion come from harmonic balance of the linearized equations; the full nonlinear
-periodic motion from Newton's method with the same coefficients, taken along the present guess, as Jacobian.  Where
-a range of speeds cannot be finished, what was found is kept, with a warning that says where it stopped and why.
+periodic motion from Newton's method with the same coefficients, evaluated along the current guess, as Jacobian.  If
+a range of speeds cannot be completed, the results so far are kept, with a warning that says where and why it stopped.
 Source: Schwab and Meijaard, "SPACAR" (2004); Cameron and Griffin (1989) for alternating frequency and time.
 """
 
@@ -36,9 +36,9 @@ __all__ = [
     "speed_range",
 ]
 
-TOLERANCE = 1e-9  # of the last change, relative to the largest amplitude; convergence is quadratic
+TOLERANCE = 1e-9  # largest last change, relative to the largest amplitude; convergence is quadratic
 MAX_ITERATIONS = 30
-HALVINGS = 4  # of a step in speed
+HALVINGS = 4  # halvings of a step in speed
 Result = TypeVar("Result")
 
 
@@ -62,19 +62,19 @@ def periodic_motion(
     samples : int, optional
         Times in the period; 4 per harmonic and 4 more by default.
     accuracy : float, optional
-        Largest permitted amplitude of the harmonics left out, relative to the largest amplitude.
+        Largest permitted amplitude of the neglected harmonics, relative to the largest amplitude.
 
     Returns
     -------
     Orbit, PeriodicVibration
-        The motion, and its Fourier coefficients with the estimate of what was left out.
+        The motion, and its Fourier coefficients with the estimate of the neglected amplitude.
 
     Raises
     ------
     PositionError
-        If Newton's method does not converge; says what was reached.
+        If Newton's method does not converge; reports what was reached.
     LinearizationError
-        If the harmonics are too few for the accuracy; what was found is in its attribute ``reached``.
+        If the harmonics are too few for the accuracy; the attribute ``reached`` holds the solution.
     """
     ns, k = samples or 4 * harmonics + 4, harmonics
     omega, size = 2 * np.pi / period, np.inf
@@ -104,8 +104,8 @@ def _check(vibration: PeriodicVibration, accuracy: float | None) -> None:
     if accuracy is None or vibration.error <= accuracy:
         return
     error = LinearizationError(
-        f"{vibration.harmonics} harmonics at {vibration.coefficients.omega:g} rad/s leave out about "
-        f"{vibration.error:.2g} of the largest amplitude; {accuracy:g} was asked: take more harmonics"
+        f"{vibration.harmonics} harmonics at {vibration.coefficients.omega:g} rad/s neglect about "
+        f"{vibration.error:.2g} of the largest amplitude; {accuracy:g} was requested: take more harmonics"
     )
     error.reached = vibration  # type: ignore[attr-defined]
     raise error
@@ -131,7 +131,7 @@ class SpeedFamily:
         Raises
         ------
         LinearizationError
-            Not three different periods, or coefficients that are no such polynomials.
+            The periods are not three different ones, or the coefficients are not such polynomials.
         """
         if len({z.period for z in orbits}) != 3 or len(orbits) != 3:
             raise LinearizationError("a family of speeds needs three orbits of three different periods")
@@ -142,7 +142,7 @@ class SpeedFamily:
         for name, off, of in (("M", M - M[0], M), ("C", polynomial[0][2] * w.max() ** 2, C)):
             if np.abs(off).max(initial=0.0) > 1e-7 * np.abs(of).max(initial=1e-300):
                 raise LinearizationError(
-                    f"a family of speeds: {name} is no polynomial of the speed; the prescribed motion must depend "
+                    f"a family of speeds: {name} is not a polynomial of the speed; the prescribed motion must depend "
                     "on the phase alone"
                 )
         return cls(M[0], polynomial[0][:2], polynomial[1], polynomial[2], orbits[0].coefficients.names)
@@ -158,16 +158,16 @@ class SpeedFamily:
 
 @dataclass(frozen=True)
 class SpeedRange(Generic[Result]):
-    """What was found over a range of speeds.
+    """Results over a range of speeds.
 
     Attributes
     ----------
     speeds : ndarray
-        Those reached [rad/s], in the order of the asked ones.
+        Speeds reached [rad/s], in the requested order.
     results : list
-        One for each.
+        One for each speed.
     message : str
-        Where it stopped and why; empty if the whole range was done.
+        Where it stopped and why; empty if the whole range was completed.
     """
 
     speeds: Array
@@ -176,7 +176,7 @@ class SpeedRange(Generic[Result]):
 
 
 def speed_range(family: Callable[[float], Result], speeds: Sequence[float] | Array) -> SpeedRange[Result]:
-    """Evaluate something at every speed; stop at the first singular one, and keep what was found.
+    """Evaluate a function at every speed; stop at the first singular one, and keep the results so far.
 
     Examples
     --------
@@ -194,7 +194,7 @@ def speed_range(family: Callable[[float], Result], speeds: Sequence[float] | Arr
 def _cut_short(
     speeds: Sequence[float] | Array, found: list[Result], omega: float, error: FlexelError
 ) -> SpeedRange[Result]:
-    """What was found before a speed that fails, with a warning."""
+    """The results before a speed that fails, with a warning."""
     message = f"stopped at {omega:g} rad/s: {error}"
     warnings.warn(message, IncompleteWarning, stacklevel=3)
     return SpeedRange(np.array(speeds[: len(found)], dtype=float), found, message)
@@ -214,15 +214,15 @@ def nonlinear_range(
     system : callable
         The system at a speed [rad/s].
     speeds : sequence of float
-        In the order in which they are to be followed [rad/s].
+        Speeds in the order of continuation [rad/s].
     measure : callable(orbit, vibration)
-        What is kept of each motion.
+        The result stored for each motion.
     accuracy : float, optional
         As in `periodic_motion`.
 
     Notes
     -----
-    Steps that fail are halved up to four times; the speeds in between are not kept.
+    Steps that fail are halved up to four times; intermediate speeds are not stored.
     """
     known: list[tuple[float, ComplexArray]] = []
     found: list[Result] = []
@@ -242,7 +242,7 @@ def _reach(
     known: list[tuple[float, ComplexArray]],
     accuracy: float | None,
 ) -> tuple[Orbit, PeriodicVibration]:
-    """The motion at a speed, over speeds in between if need be; adds what it finds to `known`."""
+    """The motion at a speed, through intermediate speeds if necessary; adds the solutions to `known`."""
     if not 0 < omega < np.inf:
         raise LinearizationError(f"a speed of {omega:g} rad/s has no period; give positive speeds")
     parts, halvings = 1, 0
@@ -266,7 +266,7 @@ def _reach(
 
 
 def _guess(known: list[tuple[float, ComplexArray]], omega: float) -> ComplexArray | None:
-    """Straight line through the last two solutions."""
+    """Linear extrapolation of the last two solutions."""
     if len(known) < 2 or known[-1][0] == known[-2][0]:
         return known[-1][1] if known else None
     (a, X), (b, Y) = known

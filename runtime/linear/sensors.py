@@ -83,13 +83,13 @@ def _output(lin: Linearization, d: Variations, name: str) -> Array:
     order = len(name) - len(name.rstrip("'"))
     if order == 0:
         if structure.m <= i < structure.m + structure.k:
-            raise LinearizationError(f"slip '{name}' has no value; ask for its rate with \"{name}'\"")
+            raise LinearizationError(f"slip '{name}' has no value; use its rate, \"{name}'\"")
         return np.asarray(J[i, :nf] @ d.x)
     if order == 1:
         return np.asarray(T.Phi_x[i, :nf] @ d.x + J[i, :nf] @ d.v)
     if order == 2:
         return np.asarray(T.Psi_x[i, :nf] @ d.x + T.Psi_v[i, :nf] @ d.v + J[i, :nf] @ d.a)
-    raise LinearizationError(f"output '{name}': rates go to the second; use at most two primes")
+    raise LinearizationError(f"output '{name}': only first and second rates exist; use at most two primes")
 
 
 def _force(lin: Linearization, d: Variations, i: int) -> Array:

@@ -1,8 +1,8 @@
 """The balance of forces in coordinates and multipliers together: residual and tangent (saddle-point form).
 
-r = M a + h - f + De' sigma + V' tau = 0 with the constraints beside it.  Statics, buckling and implicit
+r = M a + h - f + De' sigma + V' tau = 0 together with the constraints.  Statics, buckling and implicit
 integration share it; none needs a choice of independent coordinates.  Everything is sparse, with patterns
-that are found once.
+that are computed once.
 """
 
 from __future__ import annotations
@@ -19,24 +19,24 @@ from flexel.mechanics.core import Core
 from flexel.mechanics.kinematics import unwrap, wrap
 from flexel.structure.state import Energy, State
 
-TINY_FORCE = 1e-3  # [N] in the denominator of relative unbalances: 1e-15 N counts as nothing
+TINY_FORCE = 1e-3  # [N] in the denominator of relative unbalances: 1e-15 N counts as zero
 
 
 @dataclass(frozen=True)
 class Balance:
-    """Unbalance at coordinates x, rates v, accelerations a and multipliers mu.
+    """Force balance at coordinates x, rates v, accelerations a and multipliers mu.
 
     Attributes
     ----------
     x, v, a : ndarray (n,)
     e : ndarray (m,)
-        Deformations with their turns.
+        Deformations with counted turns.
     J : ndarray
         Rows of deformations and slips, flat (see `Local`).
     w : ndarray (m + k,)
         Rates of the deformations, and slips.
     given, stress : ndarray (m + k,)
-        Stresses of laws and loads, and those with the multipliers.
+        Stresses of laws and loads, without and with the multipliers.
     multiplier : ndarray (m + k + n,)
         Multipliers by quantity.
     force : ndarray (n,)
@@ -46,7 +46,7 @@ class Balance:
     gap : ndarray (nh,)
         Violation of the rigid and prescribed conditions.
     scale : float
-        Size of the forces that balance one another [N].
+        Size of the balancing forces [N].
     """
 
     t: float
@@ -89,13 +89,13 @@ class Saddle:
         self.x_scale = self.scales[self.first : self.first + self.structure.nf]
         self.length = float(self.x_scale.max(initial=0.0))
         self.rest = np.zeros(self.structure.n)
-        self.z = self.structure.z0  # internal states of laws: held, or where an implicit step starts
+        self.z = self.structure.z0  # internal states of laws: held, or those at the start of an implicit step
         self.step: ImplicitStep | None = None
-        self._sizes: Array | None = None  # of the rows of J, found again with every tangent
+        self._sizes: Array | None = None  # of the rows of J, recomputed with every tangent
         self._period = self.structure.period[self.roles.holonomic]
 
     def multipliers(self, state: State) -> Array:
-        """Multipliers of the constraints at a state: stresses less those of laws and loads."""
+        """Multipliers of the constraints at a state: stresses minus those of laws and loads."""
         e, J = state.e, self.local.position(state.x)[1]
         laws = self.local.laws.forces(e, self.local.rates(J, state.v), state.z, state.t).stress
         applied = self.system.loads.at(state.t)[1]
@@ -163,9 +163,9 @@ class Saddle:
     def stiffness(
         self, b: Balance, rate: float = 0.0, acceleration: float = 0.0
     ) -> tuple[Array, Array, Array | None]:
-        """Derivative of r by x, with v and a following at the given rates, the constant masses left out.
+        """Derivative of r with respect to x, with v and a varying at the given rates, without the constant masses.
 
-        Returns K (flat), its entries across elements, and the derivative of the rates of all quantities by x (flat
+        Returns K (flat), its entries across elements, and the derivative of the rates of all quantities (flat
         like J; None where neither damping nor rolling needs it).
         """
         local, self._sizes = self.local, None
@@ -175,7 +175,7 @@ class Saddle:
             K[: local.size_M] += acceleration * b.inertia.M
         share = 0.0 if self.step is None else self.step.share
         by_value, by_rate = local.laws.tangents(b.e, b.w, b.laws.z, b.t, share)
-        if np.isfinite(b.laws.stress).all():  # else a trial that went too far, which the iteration takes back
+        if np.isfinite(b.laws.stress).all():  # else the trial step was too long, and the iteration rejects it
             check_tangent(self.structure, local.laws.finite(by_value, by_rate), b.t)
         phi = None
         if np.any(b.v) and (self.roles.zero.size or by_rate.any()):
@@ -195,11 +195,11 @@ class Saddle:
     def error(
         self, b: Balance, r: Array, gap: Array, stiffness: float | Array, scale: float | None = None
     ) -> float:
-        """Largest unbalance relative to the forces that balance, or gap relative to its natural scale.
+        """Largest residual relative to the balancing forces, or gap relative to its natural scale.
 
-        A stiffness K turns a rounding of x into an unbalance of about 1e-15 K x, below which nothing can go; with
-        its largest entry, or those of each row, in the denominator, the tolerance 1e-12 is met there.  Another size
-        of the forces than that of the balance may be given as `scale`.
+        A stiffness K turns rounding of x into a residual of about 1e-15 K x, which is a lower bound; with its largest
+        entry, or that of each row, in the denominator, the tolerance 1e-12 can still be met.  `scale` replaces the
+        size of the forces of the balance.
         """
         stiff = stiffness * self.length
         force = np.abs(r) / ((scale or b.scale) + 1e-3 * stiff + TINY_FORCE)

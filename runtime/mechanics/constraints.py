@@ -1,8 +1,8 @@
-"""Over- and under-constraint of a mechanism, counted and named, without the refusal of `Model.build`.
+"""Over- and under-constraint of a mechanism, counted and named, where `Model.build` would raise an error.
 
-The left null space of the rigid conditions holds the states of self-stress: conditions that repeat one another,
-by which a misalignment would load the mechanism.  The right null space holds the motions.  Which conditions to
-release is found as in SPACAR Light: the one with the largest share in what is redundant, again and again.
+The left null space of the rigid conditions holds the states of self-stress: redundant conditions, through which a
+misalignment would load the mechanism.  The right null space holds the motions.  The conditions to release are found
+as in SPACAR Light: repeatedly the one with the largest share in the remaining redundancy.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from flexel.structure.roles import Roles
 from flexel.structure.state import State
 from flexel.structure.structure import Structure, assemble_structure
 
-SHOWN = 0.02  # smallest share, of the largest one, that is listed
+SHOWN = 0.02  # smallest share that is listed, relative to the largest
 
 
 @dataclass(frozen=True)
@@ -33,11 +33,11 @@ class ConstraintReport:
     dofs : int
         Independent motions that the rigid and prescribed conditions leave.
     motions : list of dict
-        Those of them that no elastic law resists either (under-constraint), by coordinates, the largest 1.
+        Those that no elastic law resists either (under-constraint), by coordinates, the largest scaled to 1.
     redundant : list of dict
-        States of self-stress (over-constraint): shares of the conditions that repeat one another, the largest 1.
+        States of self-stress (over-constraint): shares of the redundant conditions, the largest scaled to 1.
     release : list of str
-        Conditions whose release leaves none redundant, of beams that are flexible otherwise where possible.
+        Conditions whose release removes all redundancy, preferably of beams that are otherwise flexible.
     """
 
     dofs: int
@@ -46,7 +46,7 @@ class ConstraintReport:
     release: list[str]
 
     def __str__(self) -> str:
-        lines = [f"{self.dofs} degree(s) of degree of freedom left by the rigid conditions"]
+        lines = [f"{self.dofs} degree(s) of freedom left by the rigid conditions"]
         lines += [f"over-constrained: {_shares(z)}" for z in self.redundant]
         lines += [f"nothing resists: {_shares(z)}" for z in self.motions]
         if self.release:
@@ -84,7 +84,7 @@ def _report(structure: Structure, roles: Roles, J: Array) -> ConstraintReport:
 
 
 def _named(structure: Structure, rows: Index, space: Array) -> list[dict[str, float]]:
-    """Vectors that span a null space, as few names in each as elimination gives, largest entries first."""
+    """Vectors that span a null space, made sparse by elimination, largest entries first."""
     if not space.shape[1]:
         return []
     _, R, pivots = qr(space.T, mode="economic", pivoting=True)
@@ -101,7 +101,7 @@ def _named(structure: Structure, rows: Index, space: Array) -> list[dict[str, fl
 
 
 def _releases(structure: Structure, rows: Index, C: Array) -> list[str]:
-    """Conditions to give up, each the one with the largest share in what is redundant still."""
+    """Conditions to release, each the one with the largest share in the remaining redundancy."""
     bending = {z.split(".")[0] for law in structure.laws for z in law.deformations}
     flexible = {
         d

@@ -1,4 +1,4 @@
-"""The core of a built system: one structure, its roles and laws, and the evaluations that everything else calls.
+"""The core of a built system: one structure, its roles and laws, and the evaluations on which all analyses are built.
 
 Three methods carry all numerical work: `rhs` (right-hand side of the equations of motion), `residual`
 (with its tangent from `linearize`) and `linearize`.
@@ -28,14 +28,14 @@ from flexel.structure.structure import Structure
 
 
 class Core:
-    """What every analysis of a system stands on.
+    """Base of every analysis of a system.
 
     Attributes
     ----------
     structure : Structure
         Names and index maps.
     roles : Roles
-        The constraints and the present choice of degrees of freedom.
+        The constraints and the current choice of degrees of freedom.
     """
 
     def __init__(
@@ -54,7 +54,7 @@ class Core:
         self.use(roles)
         still = np.zeros(self.structure.n)
         self._last = Moment(start.t, start.x, still, start.e, np.zeros(self.structure.m))
-        self._wound = bool(self.structure.relations) or any(  # where an angle's turns matter to the forces
+        self._wound = bool(self.structure.relations) or any(  # if forces depend on counted turns of an angle
             self.structure.period[self.structure.index[z]]
             for law in self.structure.laws
             for z in law.deformations
@@ -76,12 +76,12 @@ class Core:
 
     @property
     def unaccelerated(self) -> State:
-        """The initial state without accelerations and constraint forces: where nothing says what they are."""
+        """The initial state without accelerations and constraint forces, for use where these are undetermined."""
         return self._without_accelerations(self._start[1])
 
     @cached_property
     def at_rest(self) -> State:
-        """The initial configuration without motion and constraint forces: where statics starts."""
+        """The initial configuration without motion and constraint forces: the start of statics."""
         return self._without_accelerations(np.zeros(self.structure.n))
 
     def _without_accelerations(self, v: Array) -> State:
@@ -91,12 +91,12 @@ class Core:
         return dynamics.with_multipliers(self.kinematics, self.loads, c, v, a, c.e, z, given, none)
 
     def use(self, roles: Roles) -> None:
-        """Describe the motion by the degrees of freedom in `roles`, which must be right; see `use_coordinates`."""
+        """Describe the motion by the degrees of freedom in `roles`, unchecked; see `use_coordinates`."""
         self.roles = roles
         self.kinematics = self.kinematics_of(roles)
 
     def kinematics_of(self, roles: Roles) -> Kinematics:
-        """The kinematic problems in the coordinates `roles`, kept for the next time."""
+        """The kinematic problems in the coordinates `roles`, cached."""
         if id(roles) not in self._kinematics:
             self._kinematics[id(roles)] = Kinematics(self.evaluation, roles)
         return self._kinematics[id(roles)]
@@ -115,7 +115,7 @@ class Core:
 
     @cached_property
     def counts(self) -> dict[str, int]:
-        """Numbers of coordinates, deformations (Euler-parameter norms not counted), slips, degrees of freedom."""
+        """Numbers of coordinates, deformations (without Euler-parameter norms), slips, degrees of freedom."""
         s, r = self.structure, self.roles
         norms = s.kinds.count("norm")
         return {
@@ -234,14 +234,14 @@ class Core:
         t: float | None = None,
         start: State | None = None,
     ) -> State:
-        """Consistent state with given values and rates of the named degrees of freedom, others as in `start`.
+        """Consistent state with given values and rates of the named degrees of freedom, the others as in `start`.
 
         Parameters
         ----------
         values : mapping of name to value
             Values of degrees of freedom (dynamic or kinematic) and of laws' internal states.
         rates : mapping of name to rate
-            Rates of any quantities; together they must be possible.
+            Rates of any quantities; they must be consistent.
         t : float, optional
         start : State, optional
             The initial state by default.
@@ -256,7 +256,7 @@ class Core:
     # -- choice of coordinates -------------------------------------------------------------------
 
     def condition(self, state: State, roles: Roles | None = None) -> float:
-        """Reciprocal condition of the velocity and position matrices with scaled rows; small is bad."""
+        """Reciprocal condition number of the velocity and position matrices with scaled rows; small is bad."""
         roles, nf = roles or self.roles, self.structure.nf
         found = 1.0
         both = roles.velocity_rows, roles.position_rows
@@ -266,10 +266,10 @@ class Core:
         return found
 
     def rechoose(self, state: State, needed: float) -> State | None:
-        """Take the best degrees of freedom at a state, if their condition reaches `needed`; the same state in them."""
+        """Choose the best degrees of freedom at a state, if their condition reaches `needed`; the state in them."""
         try:
             roles = choose_dofs(self.kinematics, state.J, None, None)
-        except ConstraintError:  # a singular position has no better choice: keep the present one
+        except ConstraintError:  # at a singular position there is no better choice: keep the current one
             return None
         if self.condition(state, roles) < needed:
             return None
@@ -277,7 +277,7 @@ class Core:
         return self.state(state.t, state.x, state.v, state.e, state.z)
 
     def use_coordinates(self, dynamic: Sequence[str], kinematic: Sequence[str] | None = None) -> None:
-        """Take the named quantities as degrees of freedom from now on; checked at the initial state."""
+        """Use the named quantities as degrees of freedom from now on; checked at the initial state."""
         rows = [named_dofs(self.structure, z, "use_coordinates") for z in (dynamic, kinematic)]
         self.use(choose_dofs(self.kinematics, self._start[0].J, *rows))
         self.__dict__.pop("initial", None)

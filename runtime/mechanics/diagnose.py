@@ -1,7 +1,7 @@
 """Counting, rank check with names, and the automatic choice of independent coordinates.
 
-A null space says what is wrong: a left null vector of the constraint matrix is a redundant set of
-conditions, a right null vector is a motion that nothing controls.  Both are reported by the names of their
+Null spaces identify the error: a left null vector of the constraint matrix is a redundant set of
+conditions, a right null vector is an uncontrolled motion.  Both are reported by the names of their
 largest entries.
 """
 
@@ -43,7 +43,7 @@ def null_space(A: Array, columns: int) -> tuple[Array, Array]:
 
 
 def largest(structure: Structure, rows: Index, vector: Array, limit: int = 6) -> list[str]:
-    """Names of the quantities with the largest entries of a null vector, norms left out."""
+    """Names of the quantities with the largest entries of a null vector, norms excluded."""
     weight = np.abs(vector) / max(float(np.max(np.abs(vector))), 1e-300)
     order = [i for i in np.argsort(-weight, kind="stable") if weight[i] > 0.05]
     names = [structure.names[rows[i]] for i in order]
@@ -56,7 +56,7 @@ def quoted(names: list[str]) -> str:
 
 
 def check_redundancy(structure: Structure, roles: Roles, J: Array, rows: Index, what: str) -> None:
-    """Raise if the constraint rows are dependent, naming the conditions that repeat one another.
+    """Raise if the constraint rows are dependent, naming the redundant conditions.
 
     Raises
     ------
@@ -74,17 +74,17 @@ def _report_redundancy(structure: Structure, roles: Roles, rows: Index, left: Ar
         names += [z for z in largest(structure, rows, column) if z not in names]
     count = left.shape[1]
     mine = [z for z in names if structure.find(z) not in roles.prescribed]
-    mine.sort(key=lambda z: structure.find(z) not in roles.zero)  # a slip is the first thing to release
+    mine.sort(key=lambda z: structure.find(z) not in roles.zero)  # slips are released first
     remedy = f"m.release('{mine[0]}')" if mine else f"without m.prescribe('{names[0]}', …)"
     raise ConstraintError(
-        f"over-constrained: {count} {what} repeat{'s' if count == 1 else ''} what others already say, among "
+        f"over-constrained: {count} {what} {'is' if count == 1 else 'are'} redundant, among "
         f"{quoted(names[:10])}; release {'one' if count == 1 else str(count)} of them "
         f"(for example {remedy})"
     )
 
 
 def candidates(structure: Structure, roles: Roles) -> Index:
-    """Quantities that may serve as degrees of freedom: free deformations and free coordinates without a role."""
+    """Candidates for degrees of freedom: free deformations and free coordinates without a role."""
     taken = set(roles.rigid) | set(roles.prescribed)
     first = structure.m + structure.k
     rows = [*range(structure.m), *range(first, first + structure.nf)]
@@ -92,13 +92,13 @@ def candidates(structure: Structure, roles: Roles) -> Index:
 
 
 def pick(kinematics: Kinematics, J: Array, space: Array, exclude: Index) -> Index:
-    """Quantities whose rates span a space of velocities best, by QR with column pivoting.
+    """Quantities whose rates best span a space of velocities, by QR with column pivoting.
 
     Parameters
     ----------
     J : ndarray (m + k + n, n)
     space : ndarray (nf, r)
-        Basis of the admissible velocities that are still to be described.
+        Basis of the admissible velocities not yet described.
     exclude : ndarray of int
         Quantities already chosen.
 
@@ -133,7 +133,7 @@ def named_dofs(structure: Structure, names: Sequence[str] | None, owner: str) ->
         if structure.m <= i < first or i >= first + structure.nf:
             what = "a slip" if i < first else "fixed"
             raise ModelError(
-                f"{owner}: '{name}' is {what} and no degree of freedom; name coordinates that can move, or deformations"
+                f"{owner}: '{name}' is {what} and not a degree of freedom; name movable coordinates or deformations"
             )
     return found
 
@@ -144,9 +144,9 @@ def choose_dofs(kinematics: Kinematics, J: Array, dynamic: Index | None, kinemat
     Parameters
     ----------
     J : ndarray (m + k + n, n)
-        At the configuration that decides; of a large model as a sparse matrix.
+        At the configuration used for the choice; sparse for a large model.
     dynamic, kinematic : ndarray of int or None
-        Named degrees of freedom; None leaves the choice to the program.
+        Named degrees of freedom; None: chosen automatically.
 
     Raises
     ------
@@ -174,7 +174,7 @@ def choose_dofs(kinematics: Kinematics, J: Array, dynamic: Index | None, kinemat
 
 @dataclass(frozen=True)
 class Block:
-    """Constraint rows (quantities) and coordinates that have to do with one another, and their dense matrix."""
+    """A connected set of constraint rows (quantities) and coordinates, and their dense matrix."""
 
     rows: Index
     columns: Index
@@ -182,7 +182,7 @@ class Block:
 
 
 def blocks(J: Any, rows: Index, nf: int) -> tuple[list[Block], Index]:
-    """Constraints of a large model in parts that do not touch one another, and the coordinates without any."""
+    """Constraints of a large model in decoupled parts, and the coordinates without constraints."""
     C = csr_array(J[rows][:, :nf])
     C.eliminate_zeros()
     count, label = connected_components(_block_array([[None, C], [C.T, None]]), directed=False)
@@ -199,8 +199,8 @@ def blocks(J: Any, rows: Index, nf: int) -> tuple[list[Block], Index]:
 
 
 def choose_by_blocks(kinematics: Kinematics, J: Any, dynamic: Index | None, kinematic: Index | None) -> Roles:
-    """Degrees of freedom of a large model: named ones, or coordinates, chosen in each part of the constraints by
-    itself.
+    """Degrees of freedom of a large model: named ones, or coordinates chosen separately in each part of the
+    constraints.
 
     Raises
     ------
@@ -231,7 +231,7 @@ def choose_by_blocks(kinematics: Kinematics, J: Any, dynamic: Index | None, kine
 
 
 def _left_free(kinematics: Kinematics, J: Any, rows: Index) -> Index:
-    """Coordinates that describe the motions which constraint rows leave, part by part."""
+    """Coordinates that describe the motions left by the constraint rows, part by part."""
     structure = kinematics.structure
     first, nf = structure.m + structure.k, structure.nf
     if not rows.size:
@@ -251,7 +251,7 @@ def _left_free(kinematics: Kinematics, J: Any, rows: Index) -> Index:
 def check_choice(
     kinematics: Kinematics, J: Array, constraints: Index, chosen: Index, kind: str, method: str
 ) -> None:
-    """Raise if named degrees of freedom are too many, too few or dependent, naming what is left or repeated."""
+    """Raise if named degrees of freedom are too many, too few or dependent; reports free motions or redundant names."""
     structure, nf = kinematics.structure, kinematics.structure.nf
     rows = np.concatenate([constraints, chosen])
     right, left = null_space(J[rows, :nf], nf)
@@ -265,8 +265,8 @@ def check_choice(
     if left.shape[1] and chosen.size > needed:
         raise ConstraintError(
             f"{chosen.size} {kind} coordinate(s) named ({quoted(names)}) but the mechanism has {needed}: "
-            f"{quoted(largest(structure, rows, left[:, 0]))} depend on one another; take {chosen.size - needed} of "
-            f"{quoted(names)} back"
+            f"{quoted(largest(structure, rows, left[:, 0]))} depend on one another; remove {chosen.size - needed} of "
+            f"{quoted(names)}"
         )
     if left.shape[1]:
         better = pick(kinematics, J, null_space(J[constraints, :nf], nf)[0], constraints)

@@ -26,12 +26,12 @@ _posv: Any = get_lapack_funcs("posv", dtype=np.float64)
 
 
 class InertiaError(DynamicsError):
-    """A motion moves no mass, so that its acceleration is not determined."""
+    """A motion moves no mass, so its acceleration is undetermined."""
 
 
 @dataclass(frozen=True)
 class Forces:
-    """Inertia and forces at a configuration with velocities; letters as in the formulation.
+    """Inertia and forces at a configuration with velocities; symbols as in the formulation.
 
     Attributes
     ----------
@@ -40,13 +40,13 @@ class Forces:
     F : ndarray (n,)
         f - h - De' sigma - V' tau over all given stresses.
     stress : ndarray (m + k,)
-        Given stresses: of laws and of loads.
+        Given stresses of laws and loads.
     potential, strain : float
-        Of body forces and of laws [J].
+        Energies of body forces and of laws [J].
     zd : ndarray (nz,)
         Rates of the laws' internal states.
     dissipated : float
-        Power that the laws lose [W].
+        Power dissipated by the laws [W].
     """
 
     M: Any
@@ -85,7 +85,7 @@ def forces(kinematics: Kinematics, loads: Loads, c: Configuration, v: Array, e: 
 
 
 def _without_infinity(values: Array) -> Array:
-    """The values with NaN for infinity, which times zero would warn before its law is named."""
+    """The values with NaN for infinity: infinity times zero would warn before the law can be reported."""
     return np.where(np.isinf(values), np.nan, values)
 
 

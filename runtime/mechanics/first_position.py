@@ -1,4 +1,4 @@
-"""The first assembly: the configuration nearest to the drawing that meets the constraints."""
+"""Initial assembly: the configuration nearest to the drawing that satisfies the constraints."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from flexel.declare.declarations import Declarations
 from flexel.engine.solvers import factorize
 from flexel.mechanics.kinematics import Configuration, Kinematics, unwrap, wrap
 
-STEP = 0.2  # largest change of a wanted value (in its natural scale) in one step of the first assembly
+STEP = 0.2  # largest change of a wanted value (in its natural scale) in one step of the initial assembly
 
 
 def first_position(model: Declarations, kinematics: Kinematics, t: float) -> Configuration:
-    """Configuration nearest to the drawing that meets the constraints and the wanted initial values.
+    """Configuration nearest to the drawing that satisfies the constraints and the given initial values.
 
-    Gauss–Newton with the smallest change of the coordinates; wanted values are approached in steps.
+    Gauss–Newton with the smallest change of the coordinates; given values are approached in steps.
     """
     structure, roles = kinematics.structure, kinematics.roles
     x = structure.x0.copy()
@@ -70,16 +70,16 @@ def _nearest(
     worst = np.argsort(-np.abs(residual) / scale)[:4]
     names = ", ".join(f"'{structure.names[rows[i]]}' (off by {residual[i]:.3g})" for i in worst)
     raise PositionError(
-        f"the mechanism cannot be assembled at t = {t:g} s: {names} stay unsatisfied; the drawing and the wanted "
+        f"the mechanism cannot be assembled at t = {t:g} s: {names} remain unsatisfied; the drawing and the given "
         "initial or prescribed values contradict the constraints: correct one of them"
     )
 
 
 def smallest_step(C: Any, residual: Array) -> Array:
-    """The smallest change of the coordinates with C dx = residual, in the sense of least squares."""
+    """The least-squares solution of C dx = residual with the smallest change of the coordinates."""
     if isinstance(C, np.ndarray):
         return np.asarray(np.linalg.lstsq(C, residual, rcond=1e-10)[0])
     size, count = C.shape[1], C.shape[0]
-    damping = -1e-12 * eye_array(count)  # conditions that repeat one another are reported later
+    damping = -1e-12 * eye_array(count)  # redundant conditions are reported later
     factors = factorize(block_array([[eye_array(size), C.T], [C, damping]]))
     return factors.solve(np.concatenate([np.zeros(size), residual]))[:size]

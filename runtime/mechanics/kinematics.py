@@ -21,11 +21,11 @@ from flexel.engine.triangular import BlockForm, ExchangedFactors
 from flexel.structure.roles import Roles
 from flexel.structure.structure import Structure
 
-TOLERANCE = 1e-13  # of a deformation, relative to its natural scale
+TOLERANCE = 1e-13  # error of a deformation, relative to its natural scale
 MAX_ITERATIONS = 40
 LARGE = 400  # coordinates above which matrices are sparse
-TINY = 24  # coordinates below which nothing is faster than a dense matrix
-WORTH = 8  # times fewer operations than in the dense matrix, for which the block form is taken
+TINY = 24  # coordinates below which a dense matrix is fastest
+WORTH = 8  # the block form is used if it needs this many times fewer operations than the dense matrix
 SHOWN = 6  # laws named in a message
 
 
@@ -34,7 +34,7 @@ class Configuration:
     """A configuration that satisfies the constraints: time, coordinates, deformations, J = [De; V; I].
 
     J is a sparse matrix in a large model (`Kinematics.large`). `motion` holds value, first and second rate
-    (3, prescribed) of the prescribed motions, where these were asked for already.
+    (3, prescribed) of the prescribed motions, if already computed.
     """
 
     t: float
@@ -66,7 +66,7 @@ def wrap(residual: Array, period: Array) -> Array:
 
 
 def unwrap(structure: Structure, e: Array, reference: Array) -> Array:
-    """Deformations with the whole periods that bring those that wind nearest to a reference."""
+    """Deformations with whole periods added so that periodic ones are nearest to a reference."""
     period = structure.period[: structure.m]
     if not period.any():
         return e
@@ -103,7 +103,7 @@ class Kinematics:
 
     @cached_property
     def _form(self) -> tuple[BlockForm, Index] | None:
-        """Block form of the position matrix and where in J its entries are; None where dense factors are cheaper."""
+        """Block form of the position matrix and the places of its entries in J; None if dense factors are cheaper."""
         m, k, n, nf = self.structure.m, self.structure.k, self.structure.n, self.structure.nf
         if self.large or nf < TINY:
             return None
@@ -112,7 +112,7 @@ class Kinematics:
         form = BlockForm(i, j, nf)
         if not form.regular or form.operations > nf**3 / 3 / WORTH:
             return None
-        source = np.full(form.length, (m + k) * n + 1)  # a zero: beside the diagonal of the unit matrix in J
+        source = np.full(form.length, (m + k) * n + 1)  # a zero: off the diagonal of the unit matrix in J
         source[form.slots] = rows[i] * n + j
         return form, source
 
@@ -124,7 +124,7 @@ class Kinematics:
         return form.factorize(J.ravel().take(source))
 
     def forget(self) -> None:
-        """Drop what is kept from the last position problem, so that the next one does not depend on it."""
+        """Clear the cache of the last position problem, so that the next one does not depend on it."""
         self._lu: Solvable | None = None
         self._x = self._target = np.zeros(0)
 
@@ -145,7 +145,7 @@ class Kinematics:
         return self.roles.motion(configuration.t) if known is None else known
 
     def target(self, motion: Array, q: Array) -> Array:
-        """Values that the rows of the position problem must reach, for prescribed motions (3, prescribed)."""
+        """Target values of the rows of the position problem, for prescribed motions (3, prescribed)."""
         nr, nu = self.roles.rigid.size, self.roles.prescribed.size
         y = np.zeros(nr + nu + q.size)
         y[nr : nr + nu] = motion[0]
@@ -163,12 +163,12 @@ class Kinematics:
         guess : ndarray (n,)
             Coordinates to start from.
         turns : ndarray (m,), optional
-            Deformations near the wanted ones; a relation needs them to count the turns of its terms.
+            Deformations near the solution; a relation needs them to count the turns of its terms.
 
         Raises
         ------
         PositionError
-            If Newton's method does not converge; names the rows that stay unsatisfied.
+            If Newton's method does not converge; names the rows that remain unsatisfied.
         """
         nf = self.structure.nf
         motion = self.roles.motion(t)
@@ -194,7 +194,7 @@ class Kinematics:
         raise PositionError(self._unreached(t, residual))
 
     def _known(self, turns: Array | None, target: Array) -> Array | None:
-        """Deformations that angles are counted from where relations need their turns: given ones know their own."""
+        """Deformations from which turns of angles are counted where relations need them; given ones are kept."""
         if not self.structure.relations:
             return None
         known = np.zeros(self.structure.m) if turns is None else turns.copy()
@@ -203,7 +203,7 @@ class Kinematics:
         return known
 
     def _inside(self, x: Array) -> tuple[Array, Any]:
-        """The same as `evaluate` within an iteration: the matrix of the last time is written over."""
+        """The same as `evaluate`, for use within an iteration: the previous matrix is overwritten."""
         if self.large:
             return self.evaluate(x)
         e, self._room = self.evaluation.position(x, self._room)
@@ -239,8 +239,8 @@ class Kinematics:
         names = ", ".join(f"'{self.structure.names[rows[i]]}' (off by {residual[i]:.3g})" for i in worst)
         driven = f" of {self.names(self.roles.prescribed)}" if self.roles.prescribed.size else ""
         return (
-            f"position at t = {t:g} s cannot be reached: {names} stay unsatisfied; the constraints admit no such "
-            f"position near the present one: check prescribed and initial values{driven}, or move in smaller steps"
+            f"position at t = {t:g} s cannot be reached: {names} remain unsatisfied; the constraints admit no such "
+            f"position near the current one: check prescribed and initial values{driven}, or move in smaller steps"
         )
 
     def velocity_matrix(self, configuration: Configuration) -> Solvable:

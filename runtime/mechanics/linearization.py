@@ -41,7 +41,7 @@ class Linearization:
     dynamic, kinematic, prescribed, internal : tuple of str
         Names of the degrees of freedom, of the prescribed motions and of the laws' internal states.
     state : State
-        Where it was linearized.
+        The state about which it was linearized.
     """
 
     M: Array
@@ -91,7 +91,7 @@ class Linearization:
     def eigenvalues(self) -> ComplexArray:
         """All eigenvalues [1/s] of the state matrix, sorted by real, then imaginary part.
 
-        The zeros of a non-holonomic system are defective and come out with large rounding errors; use
+        The zero eigenvalues of a non-holonomic system are defective and have large rounding errors; use
         `reduced` for the degrees of freedom of interest.
         """
         return sort_eigenvalues(np.linalg.eigvals(self.state_matrix))
@@ -151,8 +151,8 @@ class Linearization:
             Names of loads (any quantity: the generalized force dual to it) or of prescribed motions.  The input of
             a prescribed motion is its acceleration; its rate and value join the states, in that order.
         outputs : sequence of str
-            Names of quantities; a suffix ``'`` asks for the rate, ``''`` for the acceleration, and a prefix
-            ``force:`` for the stress or reaction.
+            Names of quantities; a suffix ``'`` selects the rate, ``''`` the acceleration, and a prefix
+            ``force:`` the stress or reaction.
 
         Returns
         -------
@@ -170,14 +170,14 @@ class Linearization:
         inputs, outputs : sequence of str
             As in `state_space`; the outputs are the degrees of freedom if none are named.
         name : str
-            Of the system, for `control.interconnect`.
+            Name of the system, for `control.interconnect`.
 
         Raises
         ------
         FlexelError
             If python-control is not installed.
         LinearizationError, ModelError
-            No inputs, names that are double or unknown.
+            No inputs; duplicate or unknown names.
 
         Examples
         --------
@@ -224,7 +224,7 @@ class Linearization:
     def save(self, path: str | Path) -> Path:
         """Write all matrices with their names as .nc, .npz, .mat or .csv; `flexel.load` reads them back.
 
-        For A, B, C and D alone, in Matlab's form, see `save_state_space`.
+        For A, B, C and D alone, in Matlab format, see `save_state_space`.
         """
         from flexel.results.saved.archive_linear import save
 
@@ -248,12 +248,12 @@ class Linearization:
         Raises
         ------
         ModelError
-            There is no such mode.
+            The mode does not exist.
         """
         modes = self.modes()
         if not -len(modes) <= number < len(modes):
             raise ModelError(
-                f"mode {number}: there are {len(modes)}, numbered from 0; list them with modes()"
+                f"mode {number}: there are {len(modes)} modes, numbered from 0; list them with modes()"
             )
         return modes[number]
 
@@ -283,7 +283,7 @@ class Linearization:
         return plot_shape(self.state, self.mode_shape(number), path, **{"title": title, **options})
 
     def view(self, path: str | Path, **options: Any) -> Path:
-        """A page that shows the modes in any browser, with amplitude and phase; see `view.mode_data`."""
+        """An HTML page that shows the modes in any browser, with amplitude and phase; see `view.mode_data`."""
         from flexel.pictures.view import view_modes
 
         return view_modes(self, path, **options)

@@ -1,6 +1,6 @@
-"""Analytic linearization about any state, holonomic or not; nothing is differenced.
+"""Analytic linearization about any state, holonomic or not; nothing is differentiated numerically.
 
-Letters as in the formulation: G = dx/dq, H = dv/dq_d', N = dv/dq, A_q, A_v; M̄ δq_d'' + C̄ δq_d' + K̄ δq + Z δz = F̄
+Symbols as in the formulation: G = dx/dq, H = dv/dq_d', N = dv/dq, A_q, A_v; M̄ δq_d'' + C̄ δq_d' + K̄ δq + Z δz = F̄
 δu, δq_k' = 𝒜 δq_d' + ℬ δq, and for internal states of laws δz' = Z_v δq_d' + Z_q δq + Z_z δz.
 Source: Schwab and Meijaard (2003), "Dynamics of flexible multibody systems with
 non-holonomic constraints: a finite element approach"; Meijaard (1991).

@@ -22,9 +22,9 @@ class Mode:
     eigenvalue : complex
         [1/s]
     shape : dict of str to complex
-        Amplitude of each degree of freedom and internal state of a law, the largest one 1.
+        Amplitude of each degree of freedom and internal state of a law, the largest scaled to 1.
     participation : dict of str to float
-        Share of each of them (dynamic degrees of freedom with their rates) in the mode, from left and right vectors;
+        Share of each of them (dynamic degrees of freedom with their rates) in the mode, by left and right eigenvectors;
         sums to 1.
     """
 
@@ -34,7 +34,7 @@ class Mode:
 
     @property
     def name(self) -> str:
-        """The degrees of freedom that take part most, joined by ``+``."""
+        """The degrees of freedom with the largest participation, joined by ``+``."""
         order = sorted(self.participation, key=lambda z: -self.participation[z])
         return "+".join(z for z in order if self.participation[z] >= 0.25 * self.participation[order[0]])
 

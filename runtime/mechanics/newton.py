@@ -1,4 +1,4 @@
-"""Newton's method for equilibria, paths and steady motion: one loop, with one rule for when it has arrived."""
+"""Newton's method for equilibria, paths and steady motion: one loop, with one convergence criterion."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ Equations = TypeVar("Equations")
 
 @dataclass(frozen=True)
 class Arrival(Generic[Point, Equations]):
-    """Where Newton's method has ended.
+    """Result of Newton's method.
 
     Attributes
     ----------
     point
-        The last point; the solution where it has converged.
+        The last point; the solution if it has converged.
     equations
-        The equations at the last point where they were evaluated.
+        The equations at the last point of evaluation.
     error : float
-        Of these.
+        Error of these equations.
     iterations : int
         Evaluations of the equations.
     converged : bool
@@ -49,8 +49,8 @@ def newton(
 ) -> Arrival[Point, Equations]:
     """Newton's method from a starting point.
 
-    It has converged where the error is below the tolerance, or below `stalled` when it is no longer halved: rounding
-    then lets it go no further.  It gives up at an error that is not finite, and where a step leads nowhere.
+    It has converged when the error is below the tolerance, or below `stalled` and no longer halved, which means that
+    rounding prevents further progress.  It gives up at an error that is not finite, or a step without progress.
 
     Parameters
     ----------
@@ -59,11 +59,11 @@ def newton(
     evaluate : callable
         The equations at a point, and the size of their error in natural scales.
     move : callable
-        The next point, from a point and the equations there; None where the step is of no use.
+        The next point, from a point and the equations there; None if the step is useless.
     tolerance, stalled : float
-        Errors at which a point is accepted, at once and when the error stalls.
+        Errors at which a point is accepted: immediately, and when the error stalls.
     most : int
-        Evaluations after which it gives up.
+        Maximum number of evaluations.
 
     Returns
     -------
@@ -83,5 +83,5 @@ def newton(
 
 
 def shortened(step: Array, size: float, longest: float) -> Array:
-    """A step whose size, in natural scales, is at most `longest`."""
+    """A step limited to the size `longest` in natural scales."""
     return step * min(1.0, longest / max(size, 1e-300))

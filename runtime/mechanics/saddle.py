@@ -1,4 +1,4 @@
-"""The matrix of the balance of forces, [K C'; D 0]: its sparse pattern, found once, and its factors."""
+"""The matrix of the balance of forces, [K C'; D 0]: its sparse pattern, computed once, and its factors."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from flexel.engine.solvers import Factors, Pattern
 from flexel.mechanics.diagnose import largest, null_space, quoted
 from flexel.structure.structure import Structure
 
-LARGEST_NULL_SPACE = 1500  # unknowns up to which a singular matrix is searched for the motion that is free
+LARGEST_NULL_SPACE = 1500  # most unknowns for which the free motion of a singular matrix is identified
 
 
 class SaddlePattern:
@@ -87,7 +87,7 @@ class SaddlePattern:
 
 
 def _with_one(J: Array, entries: Index) -> Array:
-    """Entries of the flat J, the one behind its last being 1."""
+    """Entries of the flat J, with a 1 appended."""
     return np.append(J, 1.0)[entries] if entries.size else np.zeros(0)
 
 
@@ -115,7 +115,7 @@ class Matrix:
         return self.pattern.matrix(self.stored)
 
     def solve(self, rhs: Array) -> Array:
-        """Solution for one or several right-hand sides; names the motion that nothing resists if it is singular.
+        """Solution for one or several right-hand sides; names the unresisted motion if the matrix is singular.
 
         Raises
         ------
@@ -125,7 +125,7 @@ class Matrix:
             x = self.factors.solve(rhs)
             return x + self.factors.solve(
                 rhs - self.sparse @ x
-            )  # borders and bands cost digits, which this gives back
+            )  # recovers the accuracy lost by borders and bands
         nf, first, names = self.structure.nf, self.structure.m + self.structure.k, ["unknown"]
         if self.pattern.size <= LARGEST_NULL_SPACE:
             right, _ = null_space(self.sparse.toarray(), self.pattern.size)

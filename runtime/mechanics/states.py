@@ -61,7 +61,7 @@ def with_turns(kinematics: Kinematics, c: Configuration, q: Array, reference: Ar
 
 @dataclass(frozen=True)
 class Moment:
-    """A moment of a motion, as far as positions and rates go: where to look for a state nearby, and its turns."""
+    """Positions and rates at one instant of a motion: the start of the search for a nearby state and its turns."""
 
     t: float
     x: Array
@@ -71,21 +71,21 @@ class Moment:
 
     @staticmethod
     def of(state: State) -> Moment:
-        """The moment of a complete state."""
+        """The instant of a complete state."""
         return Moment(state.t, state.x, state.v, state.e, state.rates[: state.e.size])
 
     def turns(self, t: float) -> Array:
-        """Deformations (m,) at another time as the present rates take them there: they say how often angles turned."""
+        """Deformations (m,) at another time, extrapolated with the current rates, for counting turns of angles."""
         return self.e + (t - self.t) * self.ed
 
     def still(self, t: float) -> Moment:
-        """The same place at another time, without rates: where the nearest configuration is meant."""
+        """The same position at another time, without rates: for finding the nearest configuration."""
         none = np.zeros_like
         return Moment(t, self.x, none(self.v), self.e, none(self.ed))
 
 
 def between(first: Moment, last: Moment, t: float) -> Moment:
-    """The moment inside a step, by the cubic through both of its ends; it says which branch and turns are meant."""
+    """The instant within a step, by the cubic through both ends; it determines branch and turns."""
     h = last.t - first.t
     part = (t - first.t) / h
     a, b = part * part * (3 - 2 * part), h * part * (1 - part)
@@ -97,14 +97,14 @@ def between(first: Moment, last: Moment, t: float) -> Moment:
 def placed(
     kinematics: Kinematics, t: float, q: Array, qd: Array, guess: Array, turns: Array
 ) -> tuple[Configuration, Solvable, Array]:
-    """Configuration at time t with degrees of freedom q, its velocity matrix, and the rates v (n,) that q_d' give."""
+    """Configuration at time t with degrees of freedom q, its velocity matrix, and the rates v (n,) for q_d'."""
     c = kinematics.position(t, q, guess, turns)
     B = kinematics.velocity_matrix(c)
     return c, B, kinematics.velocity(c, B, qd)
 
 
 def turned(kinematics: Kinematics, c: Configuration, v: Array, q: Array, near: Moment) -> tuple[Array, Array]:
-    """Deformations with their turns, counted from those of a moment nearby moved on with the rates; and their rates."""
+    """Deformations with turns, counted from those of a nearby instant extrapolated with its rates; and their rates."""
     ed = c.J[: near.e.size] @ v
     return with_turns(kinematics, c, q, near.e + (c.t - near.t) * (near.ed + ed) / 2), ed
 
@@ -125,7 +125,7 @@ def state_of(
     ----------
     q : ndarray (nq,), qd : ndarray (nd,), z : ndarray (nz,)
     near : Moment
-        Where to look for the position; turns are counted from its deformations, moved on with their rates.
+        Start of the search; turns are counted from its deformations, extrapolated with their rates.
     qdd : ndarray (nd,), optional
         Accelerations of a driven motion; see `dynamics.complete`.
 
@@ -179,7 +179,7 @@ def state_at(
 
 
 def consistent_rates(kinematics: Kinematics, c: Configuration, rates: Mapping[str, float]) -> Array:
-    """Rates q_d' (nd,) that give the named rates; those that nothing determines are zero.
+    """Rates q_d' (nd,) that give the named rates; undetermined ones are zero.
 
     Raises
     ------
@@ -215,7 +215,7 @@ def consistent_rates(kinematics: Kinematics, c: Configuration, rates: Mapping[st
 
 
 def smallest(S: Any, J: Any, roles: Roles, rows: Any, wanted: Array) -> Array:
-    """Rates S v (nd,) of the degrees of freedom, smallest in size, that change the given rows of rates as wanted.
+    """Rates S v (nd,) of the degrees of freedom, of smallest size, that change the given rows of rates as required.
 
     For large models: v from the sparse conditions of the constrained least squares.
 
@@ -232,7 +232,7 @@ def smallest(S: Any, J: Any, roles: Roles, rows: Any, wanted: Array) -> Array:
     nf = S.shape[1]
     C = J[np.concatenate([roles.holonomic, roles.zero])][:, :nf]
     A = vstack([C, rows])
-    damping = -1e-14 * eye_array(A.shape[0])  # for rates that repeat one another
+    damping = -1e-14 * eye_array(A.shape[0])  # for redundant rates
     factors = factorize(block_array([[S.T @ S, A.T], [A, damping]]))
     rhs = np.concatenate([np.zeros(nf + C.shape[0]), wanted])
     return np.asarray(S @ factors.solve(rhs)[:nf])

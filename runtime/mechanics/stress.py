@@ -3,7 +3,7 @@
 The forces that a beam exerts on its nodes are De' sigma, so those in its end sections follow from virtual work,
 exact in equilibrium whatever the deformations: N and V from the rows of the points, the torque and the bending
 moments M = W f / 4 from the rows f of the Euler parameters, with omega = W lambda' (Besseling 1974 for the
-generalized stresses).  Loads along the element, its weight and inertia among them, are counted at its nodes.
+generalized stresses).  Loads along the element, including weight and inertia, are lumped at its nodes.
 """
 
 from __future__ import annotations
@@ -30,13 +30,13 @@ class BeamStress:
     ----------
     beam : str
     end : str
-        "p" or "q", where the largest equivalent stress is.
+        "p" or "q": the end with the largest equivalent stress.
     forces : SectionForces
-        At that end.
+        Forces at that end.
     point : StressPoint
         Place in the section, normal and shear stress [Pa].
     strength : float or None
-        Of the material [Pa].
+        Strength of the material [Pa].
     """
 
     beam: str

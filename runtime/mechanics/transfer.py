@@ -1,4 +1,4 @@
-"""Transfer functions: how all coordinates, rates and accelerations follow from the degrees of freedom."""
+"""Transfer functions: derivatives of all coordinates, rates and accelerations by the degrees of freedom."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from flexel.base.arrays import Array
 
 @dataclass(frozen=True)
 class Transfer:
-    """Transfer functions at a state, for the degrees of freedom and the prescribed motions u side by side.
+    """Transfer functions at a state, for the degrees of freedom and the prescribed motions u together.
 
     Attributes
     ----------

@@ -1,6 +1,6 @@
-"""Linearizations as systems of control engineering: python-control, SciPy, Matlab.
+"""Linearizations in formats of control engineering: python-control, SciPy, Matlab.
 
-Inputs, outputs and states keep their names; python-control admits no dots in them, so that ``arm.angle`` is called
+Inputs, outputs and states keep their names; python-control does not allow dots in them, so ``arm.angle`` becomes
 ``arm_angle`` there.
 """
 
@@ -46,7 +46,7 @@ def _labelled(
 
 
 def signal_names(given: Sequence[str]) -> list[str]:
-    """Names as python-control admits them, dots replaced.
+    """Names as allowed by python-control, dots replaced.
 
     Raises
     ------

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 class Motion(Sequence[State]):
-    """The states of a simulated or prescribed motion at the stored times; from a file just as from a simulation.
+    """The states of a simulated or prescribed motion at the stored times, from a simulation or a file.
 
     ``motion["rod.bend1"]`` is the time history (nt,) of a quantity, ``motion["rod.bend1'"]`` of its rate,
     ``motion["rod.bend1''"]`` of its acceleration, ``motion["force:rod.bend1"]`` of its stress or reaction; the same
@@ -39,7 +39,7 @@ class Motion(Sequence[State]):
     message : str
         How the integration ended.
     ledger : dict of str to list of float, optional
-        Of an implicit integration, at the stored times: energy in contacts, energy dissipated and work done so far [J];
+        For an implicit integration, at the stored times: energy in contacts, energy dissipated and work so far [J];
         see `energy_balance`.
     """
 
@@ -64,16 +64,16 @@ class Motion(Sequence[State]):
             return self.series(key)[0]
         if isinstance(key, float):
             raise ModelError(
-                f"motion[{key:g}]: the states are counted; the one at a time is motion.at({key:g})"
+                f"motion[{key:g}]: states are indexed by integers; for the state at a time use motion.at({key:g})"
             )
         return self._states[key]
 
     @property
     def system(self) -> Core:
-        """The system that moves; a motion from a file has none."""
+        """The system of the motion; a motion from a file has none."""
         if self._system is None:
             raise ModelError(
-                "this motion comes from a file and has no system; build its model and give it the state to go on "
+                "this motion comes from a file and has no system; build its model and restore the state to continue "
                 "from: system.restore(motion)"
             )
         return self._system
@@ -89,7 +89,7 @@ class Motion(Sequence[State]):
         return tuple(self.structure.names[i] for i in self._states[0].roles.dynamic)
 
     def series(self, name: str) -> tuple[Array, str]:
-        """Values (nt,) and unit of a quantity; primes ask for rates, the prefix ``force:`` for the stress.
+        """Values (nt,) and unit of a quantity; primes select rates, the prefix ``force:`` the stress.
 
         Raises
         ------
@@ -101,14 +101,14 @@ class Motion(Sequence[State]):
         if base in structure.internal:
             return self._internal(name, base)
         i = structure.find(base)
-        slip = structure.m <= i < structure.m + structure.k  # its unit is already a rate's
+        slip = structure.m <= i < structure.m + structure.k  # its unit is already that of a rate
         if name.startswith("force:"):
             if name.endswith("'"):
                 raise ModelError(f"'{name}': forces have no rates here; leave the primes out")
             return self.force(base), force_unit(structure.units[i], slip)
         order = len(name) - len(base)
         if order > 2:
-            raise ModelError(f"'{name}': rates go to the second; use at most two primes")
+            raise ModelError(f"'{name}': only first and second rates exist; use at most two primes")
         if order == 0:
             return np.array([state[base] for state in self._states]), structure.units[i]
         values = self.rate(base) if order == 1 else self.acceleration(base)
@@ -167,7 +167,7 @@ class Motion(Sequence[State]):
         """Energies [J] of an implicit integration over time, each (nt,).
 
         kinetic, potential, strain (of laws other than contacts), contact; dissipated, and work of prescribed
-        motions and of loads without a potential, both since the start; error: what does not add up, which is that of
+        motions and of loads without a potential, both since the start; error: the discrepancy, which is the error of
         the integration, numerical damping included.
 
         Raises
@@ -205,7 +205,7 @@ class Motion(Sequence[State]):
         """
         if not self._segments:
             raise ModelError(
-                "this motion has no dense output (a path, implicit integration, or a file); give times to keep"
+                "this motion has no dense output (a path, implicit integration, or a file); give the times to store"
             )
         t = number(t, "motion.at", "time")
         if not self.t[0] <= t <= self._segments[-1].t1:
@@ -230,7 +230,7 @@ class Motion(Sequence[State]):
         return plot_spectra(self, names, path, **options)
 
     def plot_phase(self, x: str, y: str | None = None, *, path: str | Path | None = None) -> Any:
-        """One quantity over another, by default the rate of `x` over `x`."""
+        """One quantity against another, by default the rate of `x` against `x`."""
         from flexel.pictures.graphs import plot_phase
 
         return plot_phase(self, x, y or f"{x}'", path)
@@ -248,7 +248,7 @@ class Motion(Sequence[State]):
         return animate(self, Path(path), **options)
 
     def view(self, path: str | Path, **options: Any) -> Path:
-        """A page that shows the motion in any browser, without a network; see `view.scene_data`."""
+        """An HTML page that shows the motion in any browser, offline; see `view.scene_data`."""
         from flexel.pictures.view import view_motion
 
         return view_motion(self, path, **options)

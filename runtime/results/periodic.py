@@ -69,7 +69,7 @@ class PeriodicSolution:
         Raises
         ------
         ModelError
-            A name that is no degree of freedom.
+            A name that is not a degree of freedom.
         """
         if name not in self.dofs:
             raise ModelError(unknown(name, self.dofs, "degree of freedom"))
@@ -78,7 +78,7 @@ class PeriodicSolution:
         return np.asarray(a)
 
     def multipliers(self) -> ComplexArray:
-        """Floquet multipliers (2 nd,), largest modulus first; below one in modulus: small disturbances die out."""
+        """Floquet multipliers (2 nd,), largest modulus first; below one in modulus, small disturbances decay."""
         return self.vibration.coefficients.floquet_multipliers()
 
     # -- pictures --------------------------------------------------------------------------------
@@ -88,7 +88,7 @@ class PeriodicSolution:
         return self.motion.plot(*names, path=path)
 
     def plot_phase(self, x: str, y: str | None = None, *, path: str | Path | None = None) -> Any:
-        """One quantity over another, by default the rate of `x` over `x`."""
+        """One quantity against another, by default the rate of `x` against `x`."""
         return self.motion.plot_phase(x, y, path=path)
 
     def plot_spectrum(self, path: str | Path | None = None) -> Any:
@@ -102,7 +102,7 @@ class PeriodicSolution:
         return self.motion.plot_shapes(*times, path=path, **options)
 
     def view(self, path: str | Path, **options: Any) -> Path:
-        """A page that shows one period in any browser; options of `flexel.pictures.view.scene_data`."""
+        """An HTML page that shows one period in any browser; options of `flexel.pictures.view.scene_data`."""
         return self.motion.view(path, **options)
 
     # -- tables and files ------------------------------------------------------------------------

@@ -1,7 +1,7 @@
-"""What a published system's reproduction hands back: computed numbers beside printed ones.
+"""Report of the reproduction of a published system: computed numbers beside published ones.
 
-A `Quantity` judges itself (`error`, `ok`); a `Report` collects the quantities and figures of one system and
-turns them into a table for people and into JSON for programs.
+A `Quantity` evaluates its own error (`error`, `ok`); a `Report` collects the quantities and figures of one system
+and writes them as a table or as JSON.
 """
 
 import json
@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 COLUMNS = ("quantity", "published", "computed", "error", "tolerance", "ok", "source")
-LISTED = 4  # arrays with more entries than this show only their worst entry in the table
+LISTED = 4  # for arrays with more entries, the table shows only the worst one
 
 
 @dataclass(frozen=True)
@@ -25,9 +25,9 @@ class Quantity:
     name : str
         Name in the table and in the JSON.
     computed : array_like, real, integer or complex, any shape
-        What flexel finds. Complex numbers are to be sorted by real, then imaginary part.
+        The result of flexel.  Complex numbers must be sorted by real, then imaginary part.
     reference : array_like of the same shape, or None
-        What was published, as printed; None when the quantity is only reported.
+        The published value, as printed; None when the quantity is only reported.
     tolerance : float
         Largest permitted `error`.
     unit : str
@@ -90,7 +90,7 @@ class Quantity:
 
 @dataclass(frozen=True)
 class Report:
-    """What the reproduction of one published system found.
+    """Results of the reproduction of one published system.
 
     Parameters
     ----------
@@ -110,7 +110,7 @@ class Report:
 
     @property
     def ok(self) -> bool:
-        """Whether every quantity is."""
+        """Whether every quantity is ok."""
         return all(quantity.ok for quantity in self.quantities)
 
     def to_dict(self) -> dict[str, object]:
@@ -123,7 +123,7 @@ class Report:
         }
 
     def table(self) -> str:
-        """Return the table for people: one line per number, longer arrays by their worst entry."""
+        """Return the table: one line per number, longer arrays by their worst entry."""
         rows = [COLUMNS, *(row for quantity in self.quantities for row in _rows(quantity))]
         widths = [max(len(row[column]) for row in rows) for column in range(len(COLUMNS))]
         rows.insert(1, tuple("-" * width for width in widths))
@@ -145,7 +145,7 @@ def to_json(reports: Sequence[Report], *, as_list: bool) -> str:
 
 
 def plain(values: ArrayLike) -> object:
-    """Return numbers as JSON can hold them: nested lists, complex as [re, im], not finite as None."""
+    """Return numbers in JSON form: nested lists, complex as [re, im], not finite as None."""
     array = np.asarray(values)
     if array.ndim:
         return [plain(entry) for entry in array]
@@ -185,7 +185,7 @@ def _rows(quantity: Quantity) -> Iterable[tuple[str, ...]]:
 
 
 def _number(value: object) -> str:
-    """Write one number with the digits that a published value may have."""
+    """Write one number with as many digits as published values have."""
     if isinstance(value, complex | np.complexfloating):
         return f"{value.real:.15g}{value.imag:+.15g}i"
     return f"{value:.15g}" if isinstance(value, float | np.floating) else str(value)

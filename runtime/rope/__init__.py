@@ -1,1 +1,1 @@
-"""Cables, ropes, and what they touch: laying them, contact with surfaces, what they are asked about."""
+"""Cables and ropes: their initial configuration, contact with surfaces, and results."""

@@ -1,4 +1,4 @@
-"""Lines of cables: the method of `Model` that lays many elements along a straight line or a curve."""
+"""Lines of cables: the method of `Model` that adds many elements along a straight line or a curve."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from flexel.base.transactions import whole_or_nothing
 from flexel.rope.cables import Cables
 from flexel.structure.nodes import Node
 
-SAMPLES = 400  # of a given curve, for its arc length
+SAMPLES = 400  # samples of a given curve, for its arc length
 Path = Sequence[Sequence[float]] | Array | Callable[[float], Any]
 
 
 @dataclass(frozen=True, repr=False)
 class CableLine:
-    """What `Model.cable_line` made.
+    """A line of cable elements made by `Model.cable_line`.
 
     Attributes
     ----------
@@ -32,7 +32,7 @@ class CableLine:
     s : ndarray (n + 1,)
         Undeformed arc length of the nodes [m].
     radius : float, optional
-        At which it touches surfaces [m]: half the diameter of its section; none where it has no round section.
+        Contact radius [m]: half the diameter of its section; None without a round section.
     """
 
     name: str
@@ -43,7 +43,7 @@ class CableLine:
     radius: float | None
 
     def __repr__(self) -> str:
-        """In a line: a rope has hundreds of nodes."""
+        """One line: a rope has hundreds of nodes."""
         return f"{type(self).__name__}('{self.name}', {len(self.elements)} elements, {self.s[-1]:.6g} m)"
 
 
@@ -63,7 +63,7 @@ class CableLines(Cables):
         end: Node | str | None = None,
         **properties: Any,
     ) -> CableLine:
-        """Lay a cable of n elements along a path: elements ``name1`` …, points ``name_p0`` …, slopes ``name_d0`` ….
+        """Add a cable of n elements along a path: elements ``name1`` …, points ``name_p0`` …, slopes ``name_d0`` ….
 
         Parameters
         ----------
@@ -73,12 +73,12 @@ class CableLines(Cables):
         n : int
             Number of elements, of equal length.
         length : float, optional
-            Undeformed length of the whole cable [m], that of the path by default; a longer path is a stretched cable.
+            Undeformed length of the whole cable [m], that of the path by default; a longer path stretches the cable.
         at : sequence of float, optional
-            Instead of n: undeformed arc length of the nodes over the length, from 0 to 1, such as to refine near a
-            sheave.
+            Instead of n: undeformed arc length of the nodes over the length, from 0 to 1, for example to refine near
+            a sheave.
         start, end : node, optional
-            Points to use for the ends instead of new ones, such as those of a body.
+            Existing points to use for the ends, such as those of a body.
         **properties
             EA, EI, mass_per_length, section, material, damping, bending_damping of `Model.cable`.
 
@@ -124,13 +124,13 @@ class CableLines(Cables):
 
 
 def section_radius(section: object) -> float | None:
-    """Half the outer diameter [m] of a round section; none for another."""
+    """Half the outer diameter [m] of a round section; None for others."""
     diameter = getattr(section, "diameter", None)
     return None if diameter is None else float(diameter) / 2
 
 
 def contact_radius(own: float | None, given: float | None, owner: str) -> float:
-    """Radius [m] at which a rope touches: that of its section, or the one that is given where there is none."""
+    """Radius [m] at which a rope touches: that of its section, or the given one if the section has none."""
     if given is None:
         if own is None:
             raise ModelError(f"{owner}: its radius is not known; give radius=…, or a section with a diameter")
@@ -179,7 +179,7 @@ def _curve(owner: str, path: Path) -> tuple[Callable[..., Array], float]:
 
 
 def _by_arc_length(spline: CubicSpline) -> tuple[CubicSpline, float]:
-    """A spline by its own arc length, sampled anew."""
+    """A spline parametrized by its own arc length, resampled."""
     u = np.linspace(spline.x[0], spline.x[-1], 20 * SAMPLES + 1)
     speed = CubicSpline(u, np.linalg.norm(spline(u, 1), axis=1)).antiderivative()
     s = speed(u)
@@ -194,6 +194,7 @@ def _end(model: Cables, owner: str, given: Node | str | None, place: Array) -> N
     node = model._find_of_kind(given, ("point", "planar_point"), owner)
     if node.x0.shape != place.shape or np.linalg.norm(node.x0 - place) > 1e-9 * (1 + np.linalg.norm(place)):
         raise ModelError(
-            f"{owner}: node '{node.name}' at {node.x0.tolist()} is not where the path ends, {place.tolist()}; move one"
+            f"{owner}: node '{node.name}' at {node.x0.tolist()} is not at the end of the path, "
+            f"{place.tolist()}; move one"
         )
     return node

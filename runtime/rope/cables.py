@@ -1,4 +1,4 @@
-"""Cables: the methods of `Model` that make a slope, lay a cable between points, and hold its end at a body."""
+"""Cables: the methods of `Model` that make a slope, add a cable between points, and anchor its end on a body."""
 
 from __future__ import annotations
 
@@ -38,12 +38,12 @@ class Cables(Beams, Nodes):
         fixed : bool
             Hold direction and stretch; `clamp` holds the direction alone.
         stretch : float
-            Length of the slope as drawn: one where the cable is not stretched.
+            Length of the slope as drawn: one for an unstretched cable.
 
         Raises
         ------
         ModelError
-            Double name, a direction without length.
+            Duplicate name, a direction without length.
         """
         owner = f"slope '{name}'"
         d = array(direction, owner, "direction")
@@ -75,7 +75,7 @@ class Cables(Beams, Nodes):
         damping: float = 0.0,
         bending_damping: float = 0.0,
     ) -> None:
-        """Lay one element of a cable between two points with slopes: it stretches, bends and may sag.
+        """Add one cable element between two points with slopes: it stretches, bends and may sag.
 
         Parameters
         ----------
@@ -86,11 +86,11 @@ class Cables(Beams, Nodes):
         mass_per_length : float
             [kg/m]
         section, material : Section and Material (or its name, such as "wire rope")
-            Give EA, EI and the mass instead of the numbers; EI given beside them wins.
+            Give EA, EI and the mass instead of the numbers; an explicit EI takes precedence.
         damping, bending_damping : float
             Kelvin–Voigt damping of stretching and of bending: ratio of damping to stiffness [s].  In space the rate of
-            the curvature vector includes its turning, so that bending damping resists the turning of a bent cable
-            about other axes than the normal of its plane, too.
+            the curvature vector includes its rotation, so bending damping also resists the rotation of a bent cable
+            about axes other than the normal of its plane.
 
         Raises
         ------
@@ -131,14 +131,14 @@ class Cables(Beams, Nodes):
         self._add_law(owner, LAWS[f"diagonal_{S.size}"], modes, values, label=name)
 
     def clamp(self, name: str, frame: Node | str, slope: Node | str) -> None:
-        """Hold the direction of a cable's end in a body, as drawn; its stretch stays free.
+        """Fix the direction of a cable's end in a body, as drawn; its stretch stays free.
 
         Parameters
         ----------
         frame : node
             Orientation of the body (an angle in a planar model).
         slope : node
-            Of the cable's end.
+            Slope of the cable's end.
         """
         owner = f"clamp '{name}'"
         planar, (r, d) = self._find_nodes(owner, (frame, "frame"), (slope, "slope"))
@@ -158,17 +158,17 @@ class Cables(Beams, Nodes):
         end: Node | str,
         slope: Node | str | None = None,
     ) -> None:
-        """Anchor a cable's end at a body, where it is drawn; with the slope its direction, too (tangent to a drum).
+        """Anchor a cable's end on a body, where it is drawn; with the slope, its direction too (tangent to a drum).
 
-        The point's connection is the rigid link `name`, that of the direction the clamp ``name direction``.  A cable
-        that ends in a body's own point needs no anchor, and one that ends at a beam or point mass shares its point.
+        The rigid link `name` holds the point, the clamp ``name direction`` the direction.  A cable that ends in a
+        body's own point needs no anchor; one that ends at a beam or point mass shares its point.
 
         Parameters
         ----------
         point, frame : node
             A point of the body, and its orientation.
         end, slope : node
-            Of the cable's end.
+            Point and slope of the cable's end.
         """
         self.beam(name, point, frame, end, rigid=True)
         if slope is None:
@@ -177,7 +177,7 @@ class Cables(Beams, Nodes):
 
 
 def _profile(owner: str, section: Any, material: Any, EA: float | None, mass: float | None) -> Profile:
-    """Section and material of a cable, given without numbers that they imply."""
+    """Section and material of a cable; numbers that they imply must not be given as well."""
     stated = [key for key, z in (("EA", EA), ("mass_per_length", mass)) if z is not None]
     if section is None:
         raise ModelError(
@@ -197,10 +197,10 @@ def weights(l0: float, EA: float, EI: float, planar: bool) -> Array:
 
 
 def drawn_length(p: Array, slope_p: Array, q: Array, slope_q: Array) -> float:
-    """Length l0 that a cable between drawn ends has if its mean stretch is that of the slopes.
+    """Length l0 of a cable between drawn ends whose mean stretch is that of the slopes.
 
-    The cubic curve depends on l0 itself; the fixed point is found by repetition, which converges as long as the
-    slopes point roughly along the chord.
+    The cubic curve depends on l0 itself; the fixed-point iteration converges as long as the slopes point roughly
+    along the chord.
     """
     xi = (1 + np.polynomial.legendre.leggauss(8)[0][:, None]) / 2
     gauss = np.polynomial.legendre.leggauss(8)[1] / 2

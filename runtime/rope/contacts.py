@@ -1,4 +1,4 @@
-"""Contact of cables with surfaces: the method of `Model` that makes its elements and gives them their law."""
+"""Contact of cables with surfaces: the method of `Model` that adds its elements and their law."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from flexel.rope.cable_lines import CableLine, CableLines, contact_radius
 from flexel.rope.impact import dissipation
 from flexel.structure.surfaces import Surface
 
-RELEASE = 1e3  # rate [1/s] at which the bristles of an open contact straighten
+RELEASE = 1e3  # rate [1/s] at which the bristles of an open contact relax
 
 
 @dataclass(frozen=True)
@@ -28,17 +28,17 @@ class Contact:
     Parameters
     ----------
     stiffness : float
-        Normal force per penetration^exponent: of a length of rope [N/m^(exponent + 1)], or of a point if per="point".
+        Normal force per penetration^exponent: per length of rope [N/m^(exponent + 1)], or per point if per="point".
     exponent : float
-        3/2 as for Hertz's point contact.
+        3/2 for Hertz's point contact.
     dissipation : float
-        Growth of the normal force per speed of approach [s/m]; `restitution` finds it from an impact.
+        Relative increase of the normal force per speed of approach [s/m]; `restitution` computes it from an impact.
     friction : float
         Coefficient of friction.
     slip_speed : float
         Coulomb's friction is regularized: 71 % of it at this speed [m/s].
     bristle_stiffness : float, optional
-        Instead: bristles that stick, deflected by friction/bristle_stiffness when they slide [1/m].
+        Alternative: bristles that stick, deflected by friction/bristle_stiffness when they slide [1/m].
     bristle_damping : float
         [s/m]
     points : int
@@ -64,7 +64,7 @@ class Contact:
         positive(self.stiffness, "contact", "stiffness")
         if not_negative(self.exponent, "contact", "exponent") < 1:
             raise ModelError(
-                f"contact: exponent {self.exponent:g} is below 1; the stiffness would be infinite at touch"
+                f"contact: exponent {self.exponent:g} is below 1; the stiffness would be infinite at first contact"
             )
         for name in ("dissipation", "friction", "bristle_damping"):
             not_negative(getattr(self, name), "contact", name)
@@ -89,15 +89,15 @@ class Contact:
         Parameters
         ----------
         stiffness : float
-            As of the class.
+            As for the class.
         restitution : float
-            Speed of departure over speed of approach, 0 to 1; trustworthy from about 0.8 on.
+            Speed of departure over speed of approach, 0 to 1; reliable from about 0.8.
         speed : float
-            Of approach, at which this holds [m/s].
+            Speed of approach at which this holds [m/s].
         law : "hunt-crossley" or "lankarani-nikravesh"
             Source of the dissipation factor: 3 (1 - e)/(2 v) or 3 (1 - e²)/(4 v).
         **others
-            Exponent, friction and the rest, as of the class.
+            Exponent, friction and the rest, as for the class.
 
         Examples
         --------
@@ -115,12 +115,12 @@ class Contact:
         return (np.arange(self.points) + 0.5) / self.points, np.full(self.points, 1 / self.points)
 
     def depth(self, load: float, length: float) -> float:
-        """Penetration [m] at which a line load [N/m] is carried by elements of a length [m]."""
+        """Penetration [m] at which elements of a given length [m] carry a line load [N/m]."""
         share = load if self.per == "length" else load * length / self.points
         return float((share / self.stiffness) ** (1 / self.exponent))
 
     def law(self, slips: int, weight: float) -> tuple[str, dict[str, Array]]:
-        """Name and parameters of the law of a point that stands for a length of rope [m]."""
+        """Name and parameters of the law of a point that represents a length of rope [m]."""
         share = weight if self.per == "length" else 1.0
         values: dict[str, float] = {
             "stiffness": self.stiffness * share,
@@ -172,12 +172,12 @@ class Contacts(CableLines):
         Parameters
         ----------
         cables : CableLine
-            What `Model.cable_line` or `Model.rope` returned.
+            The result of `Model.cable_line` or `Model.rope`.
         surface : Surface or str
             A sheave, drum or plane.
         contact : Contact
         radius : float, optional
-            Of the rope [m]; where its section has a diameter, it is half of that and need not be given.
+            Radius of the rope [m]; half the diameter of its section by default.
         only : sequence of str, optional
             Names of elements of the cable that may touch; all by default.
 
@@ -188,11 +188,11 @@ class Contacts(CableLines):
         Raises
         ------
         ModelError
-            An unknown surface or element, planar and spatial ones together, a rope that is wider than its groove.
+            An unknown surface or element, planar and spatial ones mixed, a rope wider than its groove.
         """
         if not isinstance(cables, CableLine):
             raise ModelError(
-                f"rope_contact: {cables!r} is not a rope; give what m.rope(…) or m.cable_line(…) returned"
+                f"rope_contact: {cables!r} is not a rope; give the result of m.rope(…) or m.cable_line(…)"
             )
         found = find_surface(self, surface, f"contact of '{cables.name}'")
         owner = f"contact of '{cables.name}' with '{found.name}'"
@@ -201,8 +201,8 @@ class Contacts(CableLines):
         groove = float(found.parameters.get("groove_radius", [np.inf])[0])
         if a >= groove:
             raise ModelError(
-                f"{owner}: the rope of radius {a:g} m does not fit into the groove of radius {groove:g} m; give "
-                "fx.RoundGroove a greater one, usually 1.06 to 1.1 times the rope's"
+                f"{owner}: the rope of radius {a:g} m does not fit into the groove of radius {groove:g} m; use "
+                "a larger fx.RoundGroove, usually 1.06 to 1.1 times the rope's radius"
             )
         members = list(cables.elements) if only is None else list(only)
         for name in members:
@@ -224,7 +224,7 @@ class Contacts(CableLines):
 
 
 def _attach(model: CableLines, points: list[ContactPoint], contact: Contact) -> None:
-    """The law of every gap of every point."""
+    """Add the law of every gap of every point."""
     for point in points:
         for gap, slips in point.surface.gaps:
             law, values = contact.law(len(slips), point.weight)
@@ -242,6 +242,6 @@ def find_surface(model: Declarations, surface: Any, owner: str) -> Surface:
 
 
 def check_contact(contact: Any, owner: str) -> None:
-    """A ModelError for anything but a Contact, such as its stiffness alone."""
+    """Raise a ModelError for anything but a Contact, such as its stiffness alone."""
     if not isinstance(contact, Contact):
         raise ModelError(f"{owner}: contact {contact!r} is not a Contact; give fx.Contact(stiffness, …)")

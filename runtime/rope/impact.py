@@ -1,8 +1,8 @@
 """Dissipation of contact laws from a coefficient of restitution; `Contact.restitution` uses it.
 
 The laws ``hertz…`` multiply the elastic force by 1 + dissipation × speed of approach.  Both sources hold for
-restitutions near one; below 0.8 the impact leaves with more speed than was asked for (0.85 for 0.8 and 0.67 for 0.2
-with Lankarani and Nikravesh).
+restitutions near one; below 0.8 the rebound is faster than requested (0.85 for 0.8 and 0.67 for 0.2 with
+Lankarani and Nikravesh).
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ LAWS = ("hunt-crossley", "lankarani-nikravesh")
 def dissipation(restitution: float, speed: float, law: str) -> float:
     """Dissipation factor [s/m] for the restitution e at the speed of approach v [m/s].
 
-    It is 3 (1 - e)/(2 v) by Hunt and Crossley, 3 (1 - e²)/(4 v) by Lankarani and Nikravesh.
+    It is 3 (1 - e)/(2 v) after Hunt and Crossley, 3 (1 - e²)/(4 v) after Lankarani and Nikravesh.
     """
     owner = "contact"
     if law not in LAWS:

@@ -1,4 +1,4 @@
-"""How a rope lies before the motion starts: its tension or length, its path, and what must stay clear of it.
+"""Initial configuration of a rope: its tension or length, its path, and a check of clearance.
 
 The depth of a rope in its sheaves follows from its tension, and its tension from its length and its path.
 """
@@ -19,19 +19,19 @@ from flexel.rope.path import Circle, Path, taut_path
 from flexel.rope.plane import RopePlane
 from flexel.structure.surfaces import Surface
 
-# Depth of a rope in its sheave over the radius of its centre line; no contact is meant to be so soft.
+# Largest depth of a rope in its sheave over the radius of its centre line; a softer contact is an error.
 DEEPEST = 0.5
-INSIDE = 0.1  # of the rope's radius: how deep it may lie in a surface that is not on its path
-SAMPLES = 4000  # places of the path that are looked at
+INSIDE = 0.1  # largest depth in a surface that is not on the path, over the rope's radius
+SAMPLES = 4000  # places of the path that are checked
 
 
 class Laying:
-    """A rope of n elements on its path, under any tension.
+    """A rope of n elements on its path, for any tension.
 
     Attributes
     ----------
     bare : Path
-        Without tension.
+        The path without tension.
     """
 
     def __init__(
@@ -40,7 +40,7 @@ class Laying:
         self.plane, self.owner, self._contact, self._radius = plane, plane.owner, contact, rope_radius
         self._turns = dead_turns(plane, turns)
         self._n, self._refine = n, refine
-        self._element = 0.0  # length of the elements on arcs, which matters under tension only
+        self._element = 0.0  # length of the elements on arcs, which matters only under tension
         self._untouched = self._circles(0.0)
         self.bare = taut_path(self.owner, self._untouched)
         self._element = self.bare.length * float(_shares(self.bare, refine)[1][-1]) / (n * refine)
@@ -68,12 +68,12 @@ class Laying:
         if found is None:
             raise ModelError(
                 f"{self.owner}: a tension of {tension:.4g} N presses it into a sheave by more than half the radius; "
-                "give less tension, or a contact of greater stiffness"
+                "give a lower tension or a stiffer contact"
             )
         return found
 
     def _borne(self, tension: float) -> Path | None:
-        """The path under a tension [N]; None if a sheave does not bear it."""
+        """The path under a tension [N]; None if a sheave cannot carry it."""
         circles = self._circles(tension)
         pressed = zip(circles, self._untouched, strict=True)
         if any(c.radius < (1 - DEEPEST) * free.radius for c, free in pressed):
@@ -81,18 +81,18 @@ class Laying:
         return taut_path(self.owner, circles)
 
     def tension(self, length: float, EA: float) -> float:  # noqa: N803
-        """The tension [N] at which a rope of an undeformed length [m] fills its path.
+        """The tension [N] at which a rope of a given undeformed length [m] fills its path.
 
         Raises
         ------
         ModelError
-            A length that leaves slack, or is so short that the rope would be pressed through a sheave.
+            A length that leaves slack, or is so short that the rope is pressed through a sheave.
         """
         stretch = self.bare.length / length
         if stretch < 1 - 1e-9:
             raise ModelError(
-                f"{self.owner}: its length is {(1 / stretch - 1) * 100:.3g} % more than its path, so that it hangs "
-                "slack; give a shorter length, or lay a slack rope with m.cable_line along the curve that it hangs in"
+                f"{self.owner}: its length is {(1 / stretch - 1) * 100:.3g} % longer than its path, so it hangs "
+                "slack; give a shorter length, or model a slack rope with m.cable_line along its hanging curve"
             )
         largest = EA * max(stretch * (stretch**2 - 1) / 2, 0.0)
 
@@ -100,13 +100,13 @@ class Laying:
             path = self._borne(tension)
             return (path.length / length if path else 0.0) - stretched(tension / EA)
 
-        if missing(largest) >= 0:  # no sheave gives way
+        if missing(largest) >= 0:  # no sheave yields
             return largest
         found = float(brentq(missing, 0.0, largest, xtol=1e-15 * largest, rtol=1e-14))
         if abs(missing(found)) > 1e-9:
             raise ModelError(
                 f"{self.owner}: the length {length:g} m on a path of {self.bare.length:.4g} m presses it into a sheave "
-                "by more than half the radius; give a greater length, or a contact of greater stiffness"
+                "by more than half the radius; give a greater length or a stiffer contact"
             )
         return found
 
@@ -133,7 +133,7 @@ def dead_turns(plane: RopePlane, turns: Any) -> tuple[float, float]:
     missing = [drum is None and z > 0 for drum, z in zip(plane.drums, (first, last), strict=True)]
     if all(missing) or (any(missing) and isinstance(turns, (tuple, list))):
         raise ModelError(
-            f"{plane.owner}: turns {turns!r} lie on a drum, and there is none at that end of the path; end it on a "
+            f"{plane.owner}: turns {turns!r} need a drum, and there is none at that end of the path; end it on a "
             "drum, or leave turns out"
         )
     return first, last
@@ -142,14 +142,14 @@ def dead_turns(plane: RopePlane, turns: Any) -> tuple[float, float]:
 def check_clear(
     plane: RopePlane, path: Path, surfaces: Sequence[Surface], rope_radius: float, depths: Mapping[str, float]
 ) -> None:
-    """The rope must not run through a surface at first: no deeper than it presses into those of its path."""
+    """The initial rope must not run through a surface: no deeper than it presses into those of its path."""
     places = plane.place(path.at(np.linspace(0, path.length, SAMPLES))[0])
     for surface in surfaces:
         depth = -float(_gaps(surface, places, rope_radius).min(initial=np.inf))
         meant = depths.get(surface.name, 0.0)
         if depth > meant + INSIDE * rope_radius + 1e-9 * path.length:
             remedy = (
-                "where another sheave leads it; move them apart, or change their order or sense"
+                "where another sheave guides it; move them apart, or change their order or sense"
                 if surface.name in depths
                 else "which is not on its path; put it into the path, or move it"
             )
@@ -160,7 +160,7 @@ def check_clear(
 
 
 def _gaps(surface: Surface, places: Array, rope_radius: float) -> Array:
-    """Gaps of places of the rope; grooves as deep as their bottom, and no wider than the rope."""
+    """Gaps at places of the rope; a groove counts as deep as its bottom, and no wider than the rope."""
     off = places - surface.centre
     if not surface.radius:
         return np.asarray(off @ surface.axle) - rope_radius
@@ -173,7 +173,7 @@ def _gaps(surface: Surface, places: Array, rope_radius: float) -> Array:
 
 
 def _shares(path: Path, refine: float) -> tuple[Array, Array]:
-    """Ends of straight parts and arcs over the length, and the share of elements up to them, arcs counted more."""
+    """Ends of straight parts and arcs over the length, and the share of elements up to them; arcs weigh more."""
     knots, weights = [0.0], []
     for _, a, b in path.spans():
         if a > knots[-1] + 1e-12:

@@ -1,4 +1,4 @@
-"""The path of a taut rope around circles in a plane: tangents and arcs, and where a rope on it lies.
+"""The path of a taut rope around circles in a plane: tangents, arcs and the positions of a rope on it.
 
 Pure geometry, in the plane of the sheaves; angles count from its first axis towards its second.
 """
@@ -14,15 +14,15 @@ import numpy as np
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 
-MOST_SENSES = 12  # sheaves whose sense of wrap is left to be found
-NEARLY = 1e-9  # of a radius: how deep a straight part may cut a circle by rounding
+MOST_SENSES = 12  # most sheaves whose sense of wrap is determined automatically
+NEARLY = 1e-9  # depth to which rounding may let a straight part cut a circle, over the radius
 
 
 @dataclass(frozen=True)
 class Circle:
     """A place that the rope passes: centre (2,), radius of the rope's centre line (zero for a point), sense.
 
-    The sense is +1 where the rope runs counterclockwise, -1 where it runs clockwise, 0 where that is to be found;
+    The sense is +1 where the rope runs counterclockwise, -1 where it runs clockwise, 0 if undetermined;
     `turns` are dead wraps, on the first or last circle only.
     """
 
@@ -90,7 +90,7 @@ class Path:
 
 
 def taut_path(owner: str, circles: Sequence[Circle]) -> Path:
-    """The path over circles in their order; senses that are not given are those of the shortest path.
+    """The path over circles in the given order; senses that are not given are those of the shortest path.
 
     Raises
     ------
@@ -102,7 +102,8 @@ def taut_path(owner: str, circles: Sequence[Circle]) -> Path:
     unknown = [i for i, c in enumerate(circles) if c.radius and not c.sense]
     if len(unknown) > MOST_SENSES:
         raise ModelError(
-            f"{owner}: the sense of wrap of {len(unknown)} sheaves is open; give it as ('name', +1) or ('name', -1)"
+            f"{owner}: the sense of wrap of {len(unknown)} sheaves is undetermined; "
+            "give it as ('name', +1) or ('name', -1)"
         )
     best: Path | None = None
     trouble: ModelError | None = None
@@ -182,7 +183,7 @@ def _straight(pair: Sequence[Circle], signs: Sequence[int], angle: float) -> Par
 
 
 def _check_clear(owner: str, line: Part, circles: Sequence[Circle], own: tuple[int, int]) -> None:
-    """No straight part may run through a circle that it does not touch."""
+    """Check that no straight part runs through a circle that it does not touch."""
     u = np.array([np.cos(line.angle), np.sin(line.angle)])
     for i, circle in enumerate(circles):
         if i in own or circle.radius == 0:

@@ -19,7 +19,7 @@ Place = str | Node | tuple[str, int]
 
 
 class RopePlane:
-    """The plane in which a rope's sheaves and ends lie, and what the path is made of."""
+    """The plane in which a rope's sheaves and ends lie, and the places of its path."""
 
     def __init__(self, model: Declarations, owner: str, path: Sequence[Place]) -> None:
         if not isinstance(path, (list, tuple)) or len(path) < 2:
@@ -41,7 +41,7 @@ class RopePlane:
                 point = model._find_of_kind(place, ("point", "planar_point"), owner)
                 if sense:
                     raise ModelError(
-                        f"{owner}: '{point.name}' is a point, with no sense of wrap; leave it out"
+                        f"{owner}: '{point.name}' is a point and has no sense of wrap; leave it out"
                     )
                 self.items.append((point, 0))
         self.surfaces = [z for z, _ in self.items if not isinstance(z, Node)]
@@ -80,7 +80,7 @@ class RopePlane:
             if slanted or abs(off) > size:
                 raise ModelError(
                     f"{self.owner}: '{place.name}' does not lie in the plane of '{self.surfaces[0].name}' ({off:.4g} m "
-                    "off, axle not normal to it, or both); a rope is laid in one plane"
+                    "off, axle not normal to it, or both); the path of a rope must lie in one plane"
                 )
         first = np.zeros(3)
         first[int(np.argmin(np.abs(normal)))] = 1.0
@@ -97,7 +97,7 @@ class RopePlane:
     ) -> list[Circle]:
         """The places of the path with the radii at which the rope's centre line lies under a tension.
 
-        `depth` is that [m] at which the contact carries a load per length [N/m].
+        `depth` is the one [m] at which the contact carries a load per length [N/m].
         """
         found = []
         for i, (place, sense) in enumerate(self.items):
@@ -124,7 +124,7 @@ class RopePlane:
 
 
 def _with_sense(owner: str, place: Any) -> tuple[Any, int]:
-    """A place of the path and its sense of wrap, 0 where that is to be found."""
+    """A place of the path and its sense of wrap, 0 if undetermined."""
     if not isinstance(place, (tuple, list)):
         return place, 0
     if len(place) != 2 or not isinstance(place[1], (int, np.integer)) or place[1] not in (-1, 1):

@@ -1,4 +1,4 @@
-"""Ropes around sheaves: the method of `Model` that lays a taut rope, and what it is asked about afterwards."""
+"""Ropes around sheaves: the method of `Model` that adds a taut rope, and the results of a rope."""
 
 from __future__ import annotations
 
@@ -22,22 +22,22 @@ from flexel.rope.surfaces import Surfaces
 from flexel.structure.nodes import Node
 from flexel.structure.state import State
 
-# Element over radius of the smallest sheave: a cubic follows one radian of arc, and not much more.
+# Element length over radius of the smallest sheave: a cubic follows about one radian of arc at most.
 LONGEST = 1.0
 
 
 @dataclass(frozen=True, repr=False)
 class Rope(CableLine):
-    """What `Model.rope` laid: the line of cables, its path and its contacts.
+    """A rope made by `Model.rope`: the line of cables, its path and its contacts.
 
     Attributes
     ----------
     radius : float
-        Of the rope [m].
+        Radius of the rope [m].
     path : Path
-        Initial one, in the plane of the sheaves.
+        Initial path, in the plane of the sheaves.
     tension0 : float
-        In the initial configuration [N].
+        Tension in the initial configuration [N].
     contacts : dict of str to list of ContactPoint
         For each sheave or drum.
     """
@@ -53,9 +53,9 @@ class Rope(CableLine):
         Parameters
         ----------
         states : State or sequence of State
-            Of one system, such as a motion.
+            States of one system, such as a motion.
         mean : bool
-            The mean of each element at its middle; the tension at all Gauss points by default.  Where a rope runs
+            Give the mean of each element at its middle, instead of the tension at all Gauss points.  Where a rope runs
             onto a sheave, its curvature jumps within an element; a cubic cannot follow that, and is strained
             unevenly about its mean.
         """
@@ -72,7 +72,7 @@ class Rope(CableLine):
         """Undeformed arc length s (np,) [m] and normal force (np,) or (nt, np) [N] of the points over one surface.
 
         The forces on both flanks of a V groove are added: friction is limited by their sum, and the load that they
-        carry is sin(opening/2) of it.
+        carry is sin(opening/2) times it.
         """
         points = self._points(surface)
         s = np.array([p.s for p in points])
@@ -107,7 +107,7 @@ class Rope(CableLine):
         return s, np.where(N > 0, rates[0] if isinstance(states, State) else rates, 0.0)
 
     def _checked(self, states: State | Sequence[State]) -> tuple[Sequence[State], Index, Array]:
-        """The states, which must be of one system with this rope in it, and what `axial_rows` finds there."""
+        """The states, which must belong to one system with this rope, and the result of `axial_rows` there."""
         listed = [states] if isinstance(states, State) else states
         known = isinstance(listed, Sequence) and len(listed) and all(isinstance(z, State) for z in listed)
         if not known:
@@ -117,8 +117,8 @@ class Rope(CableLine):
         same = all(z.structure is first or z.structure.names == first.names for z in listed)
         if not same or not np.allclose(l0, np.diff(self.s), rtol=1e-9):
             raise ModelError(
-                f"rope '{self.name}': the states are of different models, or of another than this rope; ask the rope "
-                "of their own model"
+                f"rope '{self.name}': the states belong to different models, or to another model than this "
+                "rope; use the rope of their own model"
             )
         return listed, rows, l0
 
@@ -154,7 +154,7 @@ class Ropes(Contacts, Surfaces):
         also: Sequence[str] = (),
         **properties: Any,
     ) -> Rope:
-        """Lay a taut rope over sheaves, in contact with each, as it hangs under a tension.
+        """Add a taut rope over sheaves, in contact with each, under a given tension.
 
         Parameters
         ----------
@@ -168,17 +168,17 @@ class Ropes(Contacts, Surfaces):
         radius : float, optional
             Of the rope [m]; where its section has a diameter, it is half of that and need not be given.
         length : float, optional
-            Undeformed [m]; gives the tension, instead of it.
+            Undeformed length [m], instead of the tension, which follows from it.
         tension : float, optional
-            Uniform tension in the initial configuration [N], 0 by default; the rope lies as deep in its sheaves as it
-            carries.
+            Uniform tension in the initial configuration [N], 0 by default; its depth in the sheaves is that
+            in equilibrium.
         turns : float or pair of float
-            Turns of rope that lie on the drum at first, before the first straight part (behind the last one for a drum
-            at the end of the path); a pair for drums at both ends, which otherwise have as many each.
+            Initial turns of rope on the drum, before the first straight part (after the last one for a drum at the end
+            of the path); a pair for drums at both ends, which otherwise have equally many.
         refine : float
             Elements are shorter by this factor where the rope lies on sheaves in the initial configuration.
         also : sequence of str
-            Further surfaces that the rope may touch; in the initial configuration it is clear of them.
+            Further surfaces that the rope may touch; the initial configuration must be clear of them.
         **properties
             EA, EI, mass_per_length, section, material, damping, bending_damping of `Model.cable`.
 
@@ -190,8 +190,8 @@ class Ropes(Contacts, Surfaces):
         ------
         ModelError
             A path that runs through a sheave or plane or has slack, a contact too soft for the tension, sheaves that
-            do not lie in one plane, elements too long for the smallest sheave (with the number that is needed).  The
-            model is then as it was before.
+            do not lie in one plane, elements too long for the smallest sheave (with the number needed).  The model is
+            then unchanged.
 
         Examples
         --------
@@ -241,15 +241,15 @@ def _axial_stiffness(model: Contacts, owner: str, properties: dict[str, Any]) ->
 
 
 def _check_lengths(owner: str, plane: RopePlane, s: Array, n: int) -> None:
-    """Elements must be able to follow the smallest sheave."""
+    """Check that the elements can follow the smallest sheave."""
     smallest = min((z.radius for z in plane.surfaces), default=np.inf)
     longest = float(np.diff(s).max())
     if longest > LONGEST * smallest * (1 + 1e-9):
         needed = int(np.ceil(n * longest / (LONGEST * smallest)))
         advised = int(np.ceil(n * longest / (0.5 * smallest)))
         raise ModelError(
-            f"{owner}: elements of {longest:.4g} m cannot follow a sheave of radius {smallest:.4g} m; it takes "
-            f"{needed} elements at least, {advised} for elements of half its radius"
+            f"{owner}: elements of {longest:.4g} m cannot follow a sheave of radius {smallest:.4g} m; it needs "
+            f"at least {needed} elements, or {advised} for elements of half its radius"
         )
 
 
@@ -263,7 +263,7 @@ def _lay(
     radius: float,
     properties: dict[str, Any],
 ) -> CableLine:
-    """Points, slopes and elements of the rope on its path; its ends held as the path says."""
+    """Points, slopes and elements of the rope on its path; its ends are held as the path requires."""
     places, tangents = path.at(s * path.length / s[-1])
     points: list[Node] = []
     slopes: list[Node] = []

@@ -1,6 +1,6 @@
 """Surfaces that ropes run over: the methods of `Model` that declare sheaves, drums and planes on bodies.
 
-A surface is geometry on a point and a frame; mass, bearings and motion are the body's.
+A surface is geometry on a point and a frame; mass, bearings and motion belong to the body.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ class RoundGroove:
     Parameters
     ----------
     radius : float
-        Of the bottom [m], a little more than the rope's (0.53 to 0.55 of its diameter, ISO 16625).
+        Radius of the bottom [m], slightly larger than the rope's (0.53 to 0.55 of its diameter, ISO 16625).
     opening : float
         Angle between the flanks [rad], 45 degrees by default.
     """
@@ -67,9 +67,9 @@ class Surfaces(Declarations):
         Parameters
         ----------
         point, frame : node
-            Centre and orientation of the body that the surface turns with (an angle in a planar model).
+            Centre and orientation of the body that carries the surface (an angle in a planar model).
         radius : float
-            At which the rope's surface touches: at the bottom of a round groove, on both flanks of a V [m].
+            Radius at which the rope's surface touches: at the bottom of a round groove, on both flanks of a V [m].
         axle : sequence of float (3,)
             In global axes, as drawn; planar models need none.
         groove : RoundGroove or VGroove, optional
@@ -92,7 +92,7 @@ class Surfaces(Declarations):
         if planar:
             if groove is not None:
                 raise ModelError(
-                    f"{owner}: a planar model has no sideways motion that a groove could guide; leave it out"
+                    f"{owner}: a planar model has no sideways motion for a groove to guide; leave it out"
                 )
             values |= {"alpha0": np.zeros(1), "offset": np.zeros(2)}
             z = np.array([0.0, 0.0, 1.0])

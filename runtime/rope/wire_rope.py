@@ -1,4 +1,4 @@
-"""Section of a stranded wire rope: metallic area and the bending of wires that slide on one another."""
+"""Section of a stranded wire rope: metallic area, and bending of wires that slide on one another."""
 
 # ruff: noqa: N802 (the letters of mechanics: A, Iy, Iz, J)
 
@@ -22,15 +22,15 @@ class WireRope:
     diameter : float
         Nominal outer diameter [m].
     fill_factor : float
-        Metallic area over that of the circumscribed circle: 0.586 for 6 x 36 with a steel core, 0.500 with a fibre
+        Metallic area over the area of the circumscribed circle: 0.586 for 6 x 36 with a steel core, 0.500 with a fibre
         core (EN 12385-4).
     wire_diameter : float, optional
-        Of the outer wires [m], 1/20 of the rope's by default.
+        Diameter of the outer wires [m], 1/20 of the rope's by default.
 
     Notes
     -----
-    Bending: wires without friction between them, I = A d²/16 with the wire's diameter d, the lower bound.  A rope that
-    is stretched tightly is up to some ten times stiffer; give EI to `Model.cable` where that matters.
+    Bending: wires without friction between them, I = A d²/16 with the wire's diameter d, the lower bound.  A
+    tightly stretched rope is up to about ten times stiffer; give EI to `Model.cable` where that matters.
     """
 
     diameter: float
@@ -42,7 +42,7 @@ class WireRope:
         positive(self.fill_factor, "WireRope", "fill_factor")
         if self.fill_factor > 1:
             raise ModelError(
-                f"WireRope: fill_factor {self.fill_factor:g} exceeds 1; it is the share of metal, about 0.55"
+                f"WireRope: fill_factor {self.fill_factor:g} exceeds 1; it is the metallic fraction, about 0.55"
             )
         if not 0 < self.wire <= self.diameter:
             raise ModelError(

@@ -1,4 +1,4 @@
-"""Compliance of a body at a state of rest: what a small force or moment on it does, in every direction.
+"""Compliance of a body at a state of rest: its displacement due to a small force or moment in every direction.
 
 The columns are solutions of the saddle-point system of statics, [r_x C'; C 0], loaded by unit forces and moments
 on the body, preload and constraint forces included.
@@ -23,7 +23,7 @@ from flexel.structure.state import State, own_state
 
 DIRECTIONS = ("x", "y", "z", "turn x", "turn y", "turn z")
 PLANAR_DIRECTIONS = ("x", "y", "turn")
-RIGID = 1e-14  # of the largest compliance: below it, in lengths of the model, a direction is rigid
+RIGID = 1e-14  # relative to the largest compliance, in lengths of the model: directions below it are rigid
 
 
 @dataclass(frozen=True)
@@ -50,7 +50,7 @@ class Compliance:
         return np.asarray(self.rotation.T @ self.matrix @ self.rotation)
 
     def stiffness(self, body_axes: bool = False) -> dict[str, float]:
-        """Stiffness in each direction, all others free to follow: 1 / C_ii; infinite where nothing yields."""
+        """Stiffness in each direction, all others free to follow: 1 / C_ii; infinite for rigid directions."""
         C = self.in_body if body_axes else self.matrix
         with np.errstate(divide="ignore"):
             return dict(zip(self.directions, (1 / np.diag(C)).tolist(), strict=True))
@@ -75,7 +75,7 @@ class Compliance:
             motion = V[:, int(np.argmin(abs(w)))]
             rigid = [d for d, z in zip(self.directions, motion, strict=True) if abs(z) > 0.1]
             raise DynamicsError(
-                f"no stiffness matrix: a motion in {', '.join(rigid)} cannot happen; use stiffness() instead"
+                f"no stiffness matrix: a motion in {', '.join(rigid)} is not possible; use stiffness() instead"
             )
         return np.asarray(np.linalg.inv(C / np.outer(scale, scale)) / np.outer(scale, scale))
 

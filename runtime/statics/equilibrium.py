@@ -1,7 +1,7 @@
 """The equations of static equilibrium, and their solution at a fixed load.
 
-They are written in coordinates and multipliers together (the saddle-point form), so that no choice of
-independent coordinates is needed, however far the structure deforms; the tangent is the analytic r_x.
+They are written in coordinates and multipliers together (the saddle-point form), so no choice of
+independent coordinates is needed, however large the deformation; the tangent is the analytic r_x.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ STEP = 0.4  # largest change of a coordinate, in its natural scale, in one Newto
 class Rest(Saddle):
     """The equations of equilibrium of a system; kinematic coordinates and internal states of laws are held.
 
-    Further coordinates or deformations that are held too are given by their quantities.
+    Additional held coordinates or deformations are given as quantities.
     """
 
     def __init__(self, system: Core, start: State, held: Index | None = None) -> None:
@@ -45,9 +45,9 @@ class Rest(Saddle):
         return SaddlePattern(self.local, self.force_rows, self.hold_rows)
 
     def holding_forces(self, t: float, start: State) -> Array:
-        """Multipliers that come nearest to balancing the given forces at a configuration, by least squares.
+        """Multipliers that best balance the given forces at a configuration, by least squares.
 
-        The geometric stiffness of a mechanism (a pendulum's gravity) is in them; without it the first tangent
+        They contain the geometric stiffness of a mechanism (a pendulum's gravity), without which the first tangent
         would be singular.
         """
         if not self.force_rows.size:
@@ -77,7 +77,7 @@ class Rest(Saddle):
         return float(np.abs(step[: self.structure.nf] / self.x_scale).max(initial=0.0))
 
     def rate(self, q: Equations) -> Array:
-        """Derivative of the residual by the time at fixed x and mu."""
+        """Derivative of the residual with respect to time at fixed x and mu."""
         return np.concatenate([*self.load_rate(q.balance), np.zeros(self.still.size)])
 
 

@@ -1,7 +1,7 @@
-"""Equilibria that are searched for, and load paths past limit points.
+"""Search for equilibria, and load paths past limit points.
 
-A path is followed by its arc length, from the unbalance that the start has (loads that are applied
-incrementally) or along the time, which then is the load parameter.  Source: Crisfield (1981) for the arc
+A path is followed by arc length: either the residual at the start is removed (loads applied incrementally), or
+time is the load parameter.  Source: Crisfield (1981) for the arc
 length.
 """
 
@@ -40,7 +40,7 @@ def equilibrium(system: Core, t: float | None, start: State, hold: Sequence[str]
 
 
 def _held(system: Core, hold: Sequence[str]) -> Index:
-    """Quantities to be held, none of them twice."""
+    """Quantities to be held, without duplicates."""
     structure, roles, first = system.structure, system.roles, system.structure.m + system.structure.k
     found = [structure.find(name, "equilibrium: hold") for name in names(hold, "equilibrium: hold")]
     for name, i in zip(hold, found, strict=True):
@@ -68,8 +68,8 @@ def static_path(system: Core, t_end: float, start: State) -> tuple[list[State], 
 def _follow(problem: Rest, start: State, mu: Array, t0: float, t1: float) -> tuple[list[State], str]:
     """Follow equilibria by arc length while the parameter p goes from 0 to 1.
 
-    At p the time is t0 + p (t1 - t0), and the share 1 - p of the start's unbalance is left.
-    Returns the states and, if the end was not reached, a message that says where it stopped and why.
+    At p the time is t0 + p (t1 - t0), and the fraction 1 - p of the start's residual remains.
+    Returns the states and, if the end was not reached, a message with the place and the reason.
     """
     first = problem.equations(t0, start.x, mu, start.e)
     states = [problem.state(first.balance)]
@@ -101,7 +101,9 @@ def _extend(
                 return ""
             arc = reach
         corrected = _correct(problem, start, z, p, arc, tangent, unbalance, times, near)
-        if corrected is not None and corrected[2] >= 1.0:  # the plane of the correction leans beyond the end
+        if (
+            corrected is not None and corrected[2] >= 1.0
+        ):  # the plane of the correction extends beyond the end
             end = _at_end(problem, start, corrected[1], t1, corrected[0].balance.e)
             if end is not None:
                 states.append(end)
@@ -137,7 +139,7 @@ def _slope(problem: Rest, q: Equations, unbalance: Array, span: float) -> Array:
 
 
 def _unit_tangent(problem: Rest, slope: Array, before: Array | None) -> Array:
-    """Tangent (x, mu, p) of unit arc length, in the sense of the step before."""
+    """Tangent (x, mu, p) of unit arc length, in the direction of the previous step."""
     nf = problem.structure.nf
     change = slope[:nf] / problem.x_scale
     tangent = np.append(slope, 1.0) / np.sqrt(float(change @ change) + 1.0)
@@ -195,6 +197,6 @@ def _stopped(problem: Rest, states: list[State], p: float, arc: float) -> str:
     top = max(states, key=lambda z: z.t)
     return (
         f"the path stopped at {100 * p:.4g} % of the load (t = {states[-1].t:g} s) after {len(states)} equilibria, arc "
-        f"{arc:.2g}; the largest t reached is {top.t:g} s; deformations {names} are largest at the end: a limit of "
-        "the load may lie there, otherwise refine the mesh"
+        f"{arc:.2g}; the largest t reached is {top.t:g} s; deformations {names} are largest at the end: a limit "
+        "load may have been reached, otherwise refine the mesh"
     )

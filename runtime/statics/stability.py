@@ -1,6 +1,6 @@
 """Buckling and free vibrations about a state of rest.
 
-Both are eigenvalue problems of the tangent r_x on the motions that the constraints admit, so that no choice
+Both are eigenvalue problems of the tangent r_x on the admissible motions, so no choice
 of independent coordinates is needed.  Source: Besseling (1974) for buckling with generalized deformations.
 """
 
@@ -29,13 +29,13 @@ SMALL = 400  # free coordinates up to which all modes are found at once, with de
 
 @dataclass(frozen=True)
 class BucklingMode:
-    """A buckling mode: the multiple of the load increment at which equilibrium branches, and the shape.
+    """A buckling mode: the load-increment multiplier at which equilibrium bifurcates, and the shape.
 
     Attributes
     ----------
     multiplier : float
     shape : dict of str to float
-        Change of each coordinate, the largest one 1.
+        Change of each coordinate, the largest scaled to 1.
     """
 
     multiplier: float
@@ -88,7 +88,7 @@ def buckling(system: Core, state: State, increment: Mapping[str, float], count: 
         w, V = _largest(problem, q, K1, count)
     except np.linalg.LinAlgError as error:
         raise DynamicsError(
-            "buckling: the stiffness at this state is not positive definite: it has buckled already, or a motion is "
+            "buckling: the stiffness at this state is not positive definite: it has already buckled, or a motion is "
             "not supported; start from an earlier state of the path"
         ) from error
     modes = [(-1.0 / wi, V[:, i]) for i, wi in enumerate(w) if abs(wi) > 1e-12 * np.abs(w).max(initial=0.0)]
@@ -103,10 +103,10 @@ class Vibration:
     Attributes
     ----------
     omega : float
-        Angular frequency [rad/s].  A negative square, which means that the equilibrium is unstable, is given as a
+        Angular frequency [rad/s].  A negative square (unstable equilibrium) is given as a
         negative frequency -|ω|.
     shape : dict of str to float
-        Change of each coordinate, the largest one 1.
+        Change of each coordinate, the largest scaled to 1.
     """
 
     omega: float
@@ -114,7 +114,7 @@ class Vibration:
 
     @property
     def hertz(self) -> float:
-        """Frequency [Hz], negative as `omega` is where the equilibrium is unstable."""
+        """Frequency [Hz], negative, like `omega`, if the equilibrium is unstable."""
         return self.omega / (2 * np.pi)
 
 
@@ -131,7 +131,7 @@ def vibrations(system: Core, state: State, count: int) -> list[Vibration]:
 
 
 def _admitted(problem: Rest, q: Equations) -> tuple[Array, Array]:
-    """Basis (nf, r) of the motions that the constraints admit, and the stiffness (r, r) on it."""
+    """Basis (nf, r) of the admissible motions, and the stiffness (r, r) on it."""
     nf = problem.structure.nf
     matrix = q.matrix.sparse.toarray()
     Z, _ = null_space(matrix[nf:, :nf], nf)
@@ -140,7 +140,7 @@ def _admitted(problem: Rest, q: Equations) -> tuple[Array, Array]:
 
 
 def _lowest(problem: Rest, q: Equations, M: Any, count: int) -> tuple[Array, Array]:
-    """Eigenvalues of K v = w² M v, rising, and vectors (nf, …) that the constraints admit."""
+    """Eigenvalues of K v = w² M v, ascending, and admissible vectors (nf, …)."""
     nf = problem.structure.nf
     if nf <= SMALL:
         Z, K = _admitted(problem, q)
@@ -157,7 +157,7 @@ def _lowest(problem: Rest, q: Equations, M: Any, count: int) -> tuple[Array, Arr
 
 
 def _largest(problem: Rest, q: Equations, G: Any, count: int) -> tuple[Array, Array]:
-    """Eigenvalues of G v = w K v of largest size, and vectors (nf, …) that the constraints admit.
+    """Eigenvalues of G v = w K v of largest magnitude, and admissible vectors (nf, …).
 
     Raises
     ------
@@ -179,7 +179,7 @@ def _largest(problem: Rest, q: Equations, G: Any, count: int) -> tuple[Array, Ar
 
 
 def _bordered(problem: Rest, q: Equations, M: Any) -> tuple[Any, Any, Array]:
-    """The tangent with its constraints, a matrix of the same size with M in it, and a vector to start from."""
+    """The constrained tangent, a matrix of the same size that contains M, and a starting vector."""
     A = q.matrix.sparse
     border = A.shape[0] - problem.structure.nf
     B = block_diag([M, coo_array((border, border))], format="csc")
@@ -188,11 +188,11 @@ def _bordered(problem: Rest, q: Equations, M: Any) -> tuple[Any, Any, Array]:
 
 def _check_count(count: object, owner: str) -> None:
     if not isinstance(count, (int, np.integer)) or count < 1:
-        raise ModelError(f"{owner}: {count!r} modes asked for; give a whole number, 1 or more")
+        raise ModelError(f"{owner}: {count!r} modes requested; give a whole number, 1 or more")
 
 
 def _pencil(K: Array, M: Array) -> tuple[Array, Array]:
-    """Finite eigenvalues of K v = w² M v, rising; massless directions are condensed statically."""
+    """Finite eigenvalues of K v = w² M v, ascending; massless directions are condensed statically."""
     m, U = np.linalg.eigh(M)
     massless = m < 1e-13 * max(float(m[-1]), 1e-300)
     if not massless.any():

@@ -14,11 +14,11 @@ from flexel.mechanics.core import Core
 from flexel.mechanics.newton import newton, shortened
 from flexel.structure.state import State
 
-TOLERANCE = 1e-13  # of the unbalanced forces, relative to the largest of the forces that balance
-STALLED = 1e-10  # of the same, where rounding lets it go no further
+TOLERANCE = 1e-13  # residual forces, relative to the largest of the balancing forces
+STALLED = 1e-10  # the same, when rounding prevents further progress
 MAX_ITERATIONS = 30
-LONGEST = 0.3  # change of a coordinate in one step
-HALVINGS = 6  # of a step that leads out of reach
+LONGEST = 0.3  # largest change of a coordinate in one step
+HALVINGS = 6  # of a step that leads to an unreachable position
 
 
 def steady_motion(
@@ -54,7 +54,7 @@ def steady_motion(
     if found.converged:
         return found.point
     raise PositionError(
-        f"no steady motion found near the start after {found.iterations} iterations (unbalanced forces "
+        f"no steady motion found near the start after {found.iterations} iterations (residual forces "
         f"{found.error:.3g} of the acting ones at {dict(zip(dofs, np.round(found.point.q, 6), strict=True))}); "
         "start nearer, or name other unknowns"
     )
@@ -67,11 +67,11 @@ class Unbalance:
     Attributes
     ----------
     forces : ndarray (nd,)
-        Unbalanced forces, relative to those that balance.
+        Residual forces, relative to the balancing ones.
     lag : ndarray (nz,)
         Rates of internal states of laws.
     by_forces, by_lag : ndarray
-        Their derivatives by the unknowns: coordinates, rates, internal states.
+        Their derivatives with respect to the unknowns: coordinates, rates, internal states.
     """
 
     forces: Array
@@ -92,7 +92,7 @@ class Unbalance:
 
 
 def _moved(system: Core, state: State, places: tuple[list[int], list[int]], step: Array) -> State:
-    """The state with its unknown values and rates changed by a step, shortened where the mechanism cannot follow."""
+    """The state with its unknown values and rates changed by a step, shortened if the position is unreachable."""
     names, nd = [system.structure.names[i] for i in system.roles.dofs], system.roles.nd
     columns, speeds = places
     for shorter in range(HALVINGS + 1):
@@ -111,7 +111,7 @@ def _moved(system: Core, state: State, places: tuple[list[int], list[int]], step
 
 
 def _force_scale(system: Core, state: State, H: Array) -> float:
-    """Size of the forces that balance one another in the reduced equations."""
+    """Size of the balancing forces in the reduced equations."""
     M, h, f, _ = system.evaluation.inertia(state.x, state.v)
     nf = system.structure.nf
     parts = np.concatenate([h[:nf], f[:nf], state.stresses @ state.J[: state.stresses.size, :nf]])

@@ -22,9 +22,9 @@ class Instance:
     nodes: tuple[str, ...]
     parameters: Mapping[str, Array]
     kernels: object = None  # address of a user-defined element's kernels; None: built in
-    profile: object = None  # of a beam: its section and material, where given
+    profile: object = None  # section and material of a beam, if given
     mass_damping: float = 0.0  # force per momentum [1/s], the mass-proportional part of Rayleigh damping
-    terms: Mapping[str, float] | None = None  # of a relation: its coefficients by quantity
+    terms: Mapping[str, float] | None = None  # coefficients of a relation, by quantity
 
     @property
     def p(self) -> Array:

@@ -36,7 +36,7 @@ class Loads:
 
     @property
     def any(self) -> bool:
-        """Whether there is a load at all."""
+        """Whether there are any loads."""
         return bool(self._functions)
 
     def at(self, t: float, order: int = 0) -> tuple[Array, Array]:

@@ -38,20 +38,20 @@ class Relations:
         return bool(self.rows.size)
 
     def of(self, e: Array, x: Array) -> Array:
-        """Combinations (nr,) of deformations e (m,) and coordinates x (n,); those as drawn are to be subtracted."""
+        """Combinations (nr,) of deformations e (m,) and coordinates x (n,); the values as drawn must be subtracted."""
         y = np.zeros(self.C.shape[1])
         y[: self.m] = e
         y[y.size - x.size :] = x
         return np.asarray(self.C @ y)
 
     def shifted(self, before: Array, after: Array) -> Array:
-        """Deformations `after` (m,) with the relations moved on by what the turns of their terms have changed."""
+        """Deformations `after` (m,), with the relations advanced by the changes in turns of their terms."""
         found = after.copy()
         found[self.rows] = before[self.rows] + self.C[:, : self.m] @ (after - before)
         return found
 
     def distributed(self, stress: Array) -> Array:
-        """Stresses (m + k,) of the elements: their own, and those of the relations by their coefficients."""
+        """Stresses (m + k,) of the elements: their own plus those of the relations, weighted by the coefficients."""
         return np.asarray(stress + stress[self.rows] @ self.C[:, : stress.size])
 
 

@@ -46,7 +46,7 @@ class Roles:
 
     @cached_property
     def velocity_rows(self) -> Index:
-        """Rows of B: rigid, prescribed, zero slips, dynamic degrees of freedom."""
+        """Rows of B: rigid, prescribed, no-slip constraints, dynamic degrees of freedom."""
         return np.concatenate([self.holonomic, self.zero, self.dynamic])
 
     @cached_property

@@ -33,7 +33,7 @@ class Energy:
 
 
 class Geometry(Protocol):
-    """What gives a state its names and its J when it is asked for: the evaluation of a model, or a file."""
+    """Source of a state's names and, on demand, its J: the evaluation of a model, or a file."""
 
     @property
     def structure(self) -> Structure:
@@ -58,18 +58,18 @@ class State:
     rates : ndarray (m + k + n,)
         Rates of all quantities.
     stresses : ndarray (m + k,)
-        Generalized stresses sigma and tau: of laws, of loads, and of rigid, prescribed and rolling constraints.
+        Generalized stresses sigma and tau of laws, loads, and rigid, prescribed and rolling constraints.
     reactions : ndarray (n,)
         Generalized forces on fixed and prescribed coordinates.
     roles : Roles
-        The choice of degrees of freedom that the state was found with.
+        The choice of degrees of freedom with which the state was computed.
     energy : Energy
     drift : float
         Largest violation of the constraints, relative to their natural scales.
     z, zd : ndarray (nz,)
         Internal states of laws and their rates.
     dissipated : float
-        Power that the laws take from the motion and do not store [W]; negative where one feeds it.
+        Power that the laws dissipate [W]; negative where a law feeds energy into the motion.
     """
 
     t: float
@@ -96,7 +96,7 @@ class State:
 
     @property
     def J(self) -> Array:  # noqa: N802
-        """De, V and the identity, stacked (m + k + n, n), so that the rates are J v; computed when asked for."""
+        """De, V and the identity, stacked (m + k + n, n), so that the rates are J v; computed on demand."""
         return self.evaluation.position(self.x)[1]
 
     @property

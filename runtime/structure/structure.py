@@ -2,7 +2,7 @@
 
 Coordinates are ordered free first, fixed last, so that the free columns of every matrix are one slice.
 Every deformation, slip and coordinate is one *quantity* with one index in the stacked list
-[deformations | slips | coordinates]; roles, loads, inputs and outputs all speak of these indices.
+[deformations | slips | coordinates]; roles, loads, inputs and outputs all refer to these indices.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from flexel.structure.relations import Relations, find_relations
 
 @dataclass(frozen=True)
 class Structure:
-    """Index maps of a model; built once, never changed.
+    """Index maps of a model; immutable.
 
     Attributes
     ----------
@@ -34,11 +34,11 @@ class Structure:
     names : tuple of str (m + k + n)
         Names of the quantities in the stacked order.
     period : ndarray (m + k + n)
-        After which a quantity repeats, zero for none: 2 pi for an angle.
+        Period of a quantity: 2 pi for an angle, zero if it is not periodic.
     kinds : tuple of str (m)
-        What a deformation is: "gap" of a contact, "norm" of a frame's Euler parameters, or "".
+        Kind of a deformation: "gap" of a contact, "norm" of a frame's Euler parameters, or "".
     internal : mapping of str to int
-        Names of the laws' internal states z, with their indices in z (nz,); they are no quantities.
+        Names of the laws' internal states z, with their indices in z (nz,); they are not quantities.
     internal_units : tuple of str (nz)
     z0 : ndarray (nz,)
         Their initial values.
@@ -103,7 +103,7 @@ class Structure:
 
 
 def _periods(instances: Iterable[Instance]) -> Iterator[float]:
-    """Of all deformations, with the parameters of their elements."""
+    """Scales of all deformations, with the parameters of their elements."""
     for z in instances:
         yield from (d.repeats(z.parameters) for d in z.spec.deformations)
 
@@ -111,7 +111,7 @@ def _periods(instances: Iterable[Instance]) -> Iterator[float]:
 def assemble_structure(
     nodes: Iterable[Node], instances: Iterable[Instance], laws: Iterable[LawInstance]
 ) -> Structure:
-    """Order the coordinates, number the quantities and check that names are single."""
+    """Order the coordinates, number the quantities and check that names are unique."""
     nodes, instances, laws = tuple(nodes), tuple(instances), tuple(laws)
     labels = [c for node in nodes for c in node.coordinates]
     values = np.concatenate([node.x0 for node in nodes]) if nodes else np.zeros(0)
@@ -133,8 +133,8 @@ def assemble_structure(
     for law in laws:
         if clash := next((z for z in law.states if z in index), None):
             raise ModelError(
-                f"law '{law.name}': its internal state '{clash}' has the name of a coordinate, deformation or slip of "
-                f"'{law.name}'; attach the law by another name"
+                f"law '{law.name}': its internal state '{clash}' has the same name as a coordinate, "
+                f"deformation or slip of '{law.name}'; attach the law under another name"
             )
     return Structure(
         nodes=nodes,

@@ -15,17 +15,17 @@ class Surface:
     ----------
     name : str
     element : str
-        The element type that finds the gap of a rope's point.
+        The element type that computes the gap of a rope's point.
     point, frame : str
         Nodes of the body: the surface's centre, or a point of the plane, and the orientation.
     parameters : dict of str to ndarray
-        Of the element, those of the surface.
+        The surface's parameters, passed to the element.
     radius : float
-        At which the rope's surface touches [m]; 0 for a plane.
+        Radius at which the rope's surface touches [m]; 0 for a plane.
     centre, axle : ndarray
         As drawn; the axle is the normal for a plane, and (0, 0, 1) in planar models.
     gaps : tuple of (str, tuple of str)
-        Deformations that close, each with the slips along the surface there.
+        Gap deformations, each with the slips along the surface there.
     """
 
     name: str

@@ -36,7 +36,7 @@ LAWS = {
         lambda m: (m.angular_velocity("R1"), m.spring(["R1.omega.wx", "pivot.angle"], damping=np.eye(2))),
         "spring on 'R1.omega.wx', 'pivot.angle'",
         "'R1.omega.wx' is a slip",
-        "a damper of its own",
+        "a separate damper",
     ),
     "curve on a slip": built(
         lambda m: (m.angular_velocity("R1"), m.spring("R1.omega.wx", damping=Curve([[0, 1]]))),
@@ -149,7 +149,7 @@ LAWS = {
     "linear law not symmetric": built(
         lambda m: m.spring(["pivot.angle", "pivot.bend1"], [[1, 2], [3, 4]]),
         "not symmetric",
-        "make it so",
+        "make it symmetric",
     ),
     "linear law indefinite": built(
         lambda m: m.spring(["pivot.angle", "pivot.bend1"], [[1, 2], [2, 1]]),

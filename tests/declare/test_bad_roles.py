@@ -63,7 +63,7 @@ ROLES = {
         lambda m: m.independent("pivot.angle", "A.z"),
         "2 dynamic",
         "has 1",
-        "take 1 of",
+        "remove 1 of",
         error=ConstraintError,
     ),
     "too few degrees of freedom": built(
@@ -80,7 +80,7 @@ ROLES = {
         lambda m: m.independent("A.x"), "'A.x' cannot be", "for example 'pivot.angle'", error=ConstraintError
     ),
     "kinematic without need": built(
-        lambda m: m.kinematic("A.z"), "1 kinematic", "has 0", "take 1 of 'A.z' back", error=ConstraintError
+        lambda m: m.kinematic("A.z"), "1 kinematic", "has 0", "remove 1 of 'A.z'", error=ConstraintError
     ),
     "kinematic unknown": built(
         lambda m: m.kinematic("pivot.agnle"), "'pivot.agnle'", "did you mean pivot.angle"
@@ -102,18 +102,18 @@ INITIAL = {
     "nothing": built(lambda m: m.initial("pivot.angle"), "initial 'pivot.angle'", "give one of them"),
     "text": built(lambda m: m.initial("pivot.angle", "a"), "initial 'pivot.angle'", "give real"),
     "NaN": built(lambda m: m.initial("pivot.angle", rate=math.nan), "initial 'pivot.angle'", "give finite"),
-    "rigid": built(lambda m: m.initial("pivot.bend1", 0.1), "'pivot.bend1'", "rigid", "take it back"),
-    "fixed": built(lambda m: m.initial("O.x", 0.1), "'O.x'", "fixed", "take it back"),
+    "rigid": built(lambda m: m.initial("pivot.bend1", 0.1), "'pivot.bend1'", "rigid", "remove the initial"),
+    "fixed": built(lambda m: m.initial("O.x", 0.1), "'O.x'", "fixed", "remove the initial"),
     "prescribed": built(
         lambda m: (m.prescribe("pivot.angle", 1), m.initial("pivot.angle", 1)),
         "'pivot.angle'",
-        "take it back",
+        "remove the initial",
     ),
     "rate of a fixed coordinate": built(
-        lambda m: m.initial("O.x", rate=0.1), "'O.x'", "fixed", "take it back"
+        lambda m: m.initial("O.x", rate=0.1), "'O.x'", "fixed", "remove the initial"
     ),
     "rate of a rigid deformation": built(
-        lambda m: m.initial("pivot.bend1", rate=1.0), "'pivot.bend1'", "rigid", "take it back"
+        lambda m: m.initial("pivot.bend1", rate=1.0), "'pivot.bend1'", "rigid", "remove the initial"
     ),
     "two rates that contradict": built(
         lambda m: (m.initial("pivot.angle", rate=1), m.initial("A.z", rate=1)),

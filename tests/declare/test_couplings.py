@@ -160,7 +160,7 @@ def test_fixed_point_in_body_axes_measures_along_them() -> None:
 
 def test_wrong_couplings_are_refused_by_name() -> None:
     m = drive()
-    with pytest.raises(fx.ModelError, match="belt 'b': the centres are .* leave no tangent; move them"):
+    with pytest.raises(fx.ModelError, match="belt 'b': the centres are .* have no common tangent; move them"):
         m.belt("b", "P", "p", "Q", "q", radius_p=0.9, radius_q=0.1)
     with pytest.raises(fx.ModelError, match="belt 'b': damping has no effect without stiffness"):
         m.belt("b", "P", "p", "Q", "q", radius_p=0.1, radius_q=0.1, damping=1.0)

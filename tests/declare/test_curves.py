@@ -89,7 +89,7 @@ def test_a_stop_is_one_sided_and_never_pulls() -> None:
 def test_curves_that_cannot_be_are_refused() -> None:
     with pytest.raises(fx.ModelError, match=r"curve: it jumps from 1 to 3 at 1; correct a coefficient"):
         fx.Curve([[0.0, 1.0], [3.0]], breaks=[1.0])
-    with pytest.raises(fx.ModelError, match="do not rise; sort them"):
+    with pytest.raises(fx.ModelError, match="are not increasing; sort them"):
         fx.Curve([[0.0], [0.0], [0.0]], breaks=[2.0, 1.0])
     with pytest.raises(fx.ModelError, match=f"give 1 to {PIECES} pieces and a break"):
         fx.Curve([[0.0], [0.0]])

@@ -176,7 +176,7 @@ def test_wrong_use_of_an_own_element_is_named(nodes: Any, parameters: Any, messa
 def test_what_is_not_compiled_cannot_be_used() -> None:
     m = fx.Model()
     m.point("A", (0, 0, 0))
-    with pytest.raises(fx.ModelError, match="not a compiled element; give what fx.compile_element"):
+    with pytest.raises(fx.ModelError, match="not a compiled element; give the result of fx.compile_element"):
         m.element("bar", own_bar(), "A", "A")  # type: ignore[arg-type]
     law = fx.compile_law(
         Law("own_damper", "c ed", (), (e := symbol("e"),), (symbol("ed"),), (), (2 * e,), ())

@@ -204,11 +204,11 @@ def test_a_motion_that_cannot_go_on_says_where_and_keeps_its_states() -> None:
     m.point_mass("mass", A, 1.0)
     m.prescribe("A.y", lambda t: t)  # the rod of length 1 cannot reach further after 1 s
     system = m.build()
-    with pytest.raises(fx.DynamicsError, match=r"cannot go on at t = (0\.99|1\b)") as caught:
+    with pytest.raises(fx.DynamicsError, match=r"cannot continue at t = (0\.99|1\b)") as caught:
         system.simulate(2.0, method="generalized-alpha", samples=201, progress=False)
     motion = caught.value.motion
     assert 0.98 < motion.t[-1] <= 1.0
-    assert "cannot go on" in motion.message
+    assert "cannot continue" in motion.message
 
 
 @pytest.mark.parametrize("radius", [-0.1, 1.0, 2.0])

@@ -170,7 +170,7 @@ def test_a_family_through_three_speeds_holds_at_any_other() -> None:
 def test_too_few_harmonics_for_the_accuracy_say_what_was_reached() -> None:
     c = mathieu(4.9, 0.4, 1.0, 0.02, 64)
     with pytest.raises(
-        LinearizationError, match="3 harmonics .* leave out about .* take more harmonics"
+        LinearizationError, match="3 harmonics .* neglect about .* take more harmonics"
     ) as caught:
         c.harmonic_balance(3, accuracy=1e-5)
     reached = caught.value.reached  # type: ignore[attr-defined]

@@ -21,7 +21,7 @@ LINEARIZATIONS = {
     "input fixed": linear(lambda z: z.state_space(["O.x"], ["A.x"]), "'O.x'", "fixed", "drop it"),
     "output without value": Case(
         lambda: _measured().state_space([], ["R1.omega.wy"]),
-        ("'R1.omega.wy'", "ask for its rate"),
+        ("'R1.omega.wy'", "use its rate"),
         LinearizationError,
     ),
     "input unknown": Case(lambda: double().state_space(["q"], []), ("'q'", "known: ")),

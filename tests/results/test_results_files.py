@@ -152,7 +152,7 @@ def test_damaged_and_foreign_files_are_refused(motion: fx.Motion, tmp_path: Path
 def test_missing_files_unknown_suffixes_and_other_versions_are_named(
     motion: fx.Motion, tmp_path: Path
 ) -> None:
-    with pytest.raises(fx.ModelError, match="there is no such file"):
+    with pytest.raises(fx.ModelError, match="the file does not exist"):
         fx.load(tmp_path / "nothing.nc")
     with pytest.raises(
         fx.ModelError, match=r"suffix '\.pkl' is unknown; use one of \.nc, \.npz, \.mat, \.csv"

@@ -179,7 +179,7 @@ def test_wire_rope_gives_the_numbers_of_its_section() -> None:
         ({"n": 0}, "n = 0 elements"),
         ({"at": [0, 0.5, 1]}, "either n, the number"),
         ({"material": "steel"}, "without a section"),
-        ({"start": "A"}, "node 'A' at .* is not where the path ends"),
+        ({"start": "A"}, "node 'A' at .* is not at the end of the path"),
     ],
 )
 def test_wrong_cables_are_refused_by_name(change: dict[str, Any], message: str) -> None:
@@ -198,7 +198,7 @@ def test_slope_needs_a_direction() -> None:
 
 @pytest.mark.parametrize("planar", [True, False])
 def test_a_cable_and_a_beam_that_end_in_one_point_share_its_load(planar: bool) -> None:
-    """A cantilever whose tip hangs on a cable: 3 EI/L³ and EA/l side by side, but for the strain of 1e-5."""
+    """A cantilever whose tip hangs on a cable: 3 EI/L³ and EA/l side by side, except for the strain of 1e-5."""
     m, EI, EA, length, load = fx.Model(), 30.0, 50.0, 2.0, 1e-3
     places = {"O": (0, 0, 0), "tip": (1, 0, 0), "top": (1, length, 0)}
     for name, place in places.items():

@@ -1,8 +1,8 @@
-"""Motions as records and back: what must be known of a mechanism to read, draw and continue its motion.
+"""Motions as records and back: the data of a mechanism needed to read, draw and continue its motion.
 
 A record holds every quantity with its rate, acceleration and force, the choices of degrees of freedom, and a
-description of nodes, elements and laws; a motion made of it answers to the same names and is drawn like the one that
-was saved.
+description of nodes, elements and laws; a motion restored from it has the same names and is drawn like the saved
+one.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ TABLES = ("value", "rate", "acceleration", "force")
 
 
 class StoredGeometry:
-    """The structure in a file; its elements are evaluated once a state asks for its J, which is in no file."""
+    """The structure in a file; its elements are evaluated when a state needs its J, which is not saved."""
 
     def __init__(self, structure: Structure) -> None:
         self.structure = structure
@@ -59,7 +59,7 @@ class StoredGeometry:
 
 
 def record_of(motion: Motion) -> Record:
-    """All that a motion holds, but for its dense output."""
+    """All data of a motion except its dense output."""
     structure, choices = motion.structure, _Choices()
     variables = _packed(list(motion), "time", choices)
     units = quantity_units(structure)
@@ -72,7 +72,7 @@ def record_of(motion: Motion) -> Record:
         labels["ledger_kind"] = tuple(motion.ledger)
         columns = np.array(list(motion.ledger.values())).T
         variables["ledger"] = Variable(
-            ("time", "ledger_kind"), columns, "J", "stored in contacts; lost and put in so far"
+            ("time", "ledger_kind"), columns, "J", "stored in contacts; dissipated and supplied so far"
         )
     if motion.events:
         found = _packed([state for _, state in motion.events], "event", choices)
@@ -105,7 +105,7 @@ class _Choices:
 
 
 def roles_in_names(state: State) -> dict[str, list[str]]:
-    """The roles of a state by the names of the quantities; the prescribed functions of time are left out."""
+    """The roles of a state by the names of the quantities; without the prescribed functions of time."""
     names = state.structure.names
     return {key: [names[i] for i in getattr(state.roles, key)] for key in ROLES}
 
@@ -127,27 +127,27 @@ def _packed(states: Sequence[State], dim: str, choices: _Choices) -> dict[str, V
         (dim,), np.array([z.drift for z in states]), "", "largest violation of the constraints"
     )
     found["dissipated"] = Variable(
-        (dim,), np.array([z.dissipated for z in states]), "W", "power that laws lose"
+        (dim,), np.array([z.dissipated for z in states]), "W", "power dissipated by laws"
     )
     if states[0].structure.nz:
         found["internal"] = Variable((dim, "internal_state"), np.array([z.z for z in states]))
         found["internal_rate"] = Variable((dim, "internal_state"), np.array([z.zd for z in states]))
     numbers = np.array([choices.number(z) for z in states])
     found["choice"] = Variable(
-        (dim,), numbers, "", "which choice of degrees of freedom the state is described by"
+        (dim,), numbers, "", "index of the choice of degrees of freedom that describes the state"
     )
     return found
 
 
 def motion_of(record: Record) -> Motion:
-    """The motion in a record, every name as it was."""
+    """The motion in a record, with the original names."""
     from flexel.integration.outcome import Integration
     from flexel.results.motion import Motion
 
     structure = structure_of(record.header["structure"])
     if structure.names != record.labels["quantity"]:
         raise ModelError(
-            "load: the names in the file do not belong to its nodes and elements; the file is damaged"
+            "load: the names in the file do not match its nodes and elements; the file is damaged"
         )
     roles = [roles_from(structure, z) for z in record.header["choices"]]
     states = _unpacked(structure, roles, {name: z.values for name, z in record.variables.items()})

@@ -1,4 +1,4 @@
-"""Linearizations as records and back; whatever a linearization was asked, one from a file answers too.
+"""Linearizations as records and back; one from a file supports the same methods.
 
 Arrays are taken field by field from the dataclasses, so that a record grows with them.
 """

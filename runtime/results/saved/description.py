@@ -81,7 +81,7 @@ def _deformation_spec(name: str, unit: str, free: bool, period: Any, kind: str) 
 
 
 def _profile(profile: object) -> dict[str, Any] | None:
-    """Section and material of a beam; sections of a user's own class are left out, they only serve pictures."""
+    """Section and material of a beam; user-defined section classes are omitted: they are used only for pictures."""
     if not isinstance(profile, Profile) or type(profile.section) not in SECTIONS.values():
         return None
     section = profile.section

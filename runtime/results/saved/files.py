@@ -1,4 +1,4 @@
-"""Records in files: .npz, .nc, .mat and .csv, written so that they are read elsewhere and read back here.
+"""Records in files: .npz, .nc, .mat and .csv, readable by other programs and by flexel.
 
 Reading never executes anything: no pickle, no eval; the header is JSON.  Every format holds the same numbers to the
 last digit.
@@ -21,16 +21,16 @@ from flexel.results.saved.header import HEADER, header_of, parsed
 from flexel.results.saved.record import Record, Variable, require
 from flexel.results.saved.tables_of_runs import refuse_table
 
-LONGEST = 63  # letters in a name of a Matlab variable
+LONGEST = 63  # most letters in the name of a Matlab variable
 
 
 def write(record: Record, path: str | Path) -> Path:
-    """Write a record; the suffix tells the format.
+    """Write a record; the suffix determines the format.
 
     Raises
     ------
     ModelError
-        A suffix that is none of .nc, .npz, .mat, .csv.
+        A suffix other than .nc, .npz, .mat, .csv.
     FlexelError
         If an optional package is missing.
     """
@@ -50,12 +50,12 @@ def read(path: str | Path) -> Record:
     path = Path(path)
     reader = _format(path, "load")[1]
     if not path.is_file():
-        raise ModelError(f"load '{path}': there is no such file; give the path that was saved")
+        raise ModelError(f"load '{path}': the file does not exist; give the path of a saved result")
     try:
         header, arrays = reader(path)
     except FlexelError:
         raise
-    except Exception as error:  # whatever a damaged file makes its reader raise
+    except Exception as error:  # a damaged file may raise anything
         raise ModelError(
             f"load '{path}': this is not a result saved by flexel, or it is damaged ({error})"
         ) from error
@@ -80,7 +80,7 @@ def _assembled(path: Path, header: Mapping[str, Any], arrays: Mapping[str, Array
         if arrays[name].dtype.kind not in "biuf":
             raise ModelError(f"{owner}: '{name}' does not hold numbers; the file is damaged")
         if arrays[name].size != np.prod(z["shape"], dtype=int):
-            raise ModelError(f"{owner}: '{name}' is not of the shape {z['shape']}; the file is damaged")
+            raise ModelError(f"{owner}: '{name}' does not have the shape {z['shape']}; the file is damaged")
         variables[name] = Variable(tuple(z["dims"]), arrays[name].reshape(z["shape"]), z["unit"], z["doc"])
     labels, units = ({name: tuple(z) for name, z in header[key].items()} for key in ("labels", "units"))
     return Record(header["kind"], variables, labels, units, header["header"]).checked(owner)
@@ -96,7 +96,7 @@ def _write_npz(record: Record, path: Path) -> None:
 
 def _read_npz(path: Path) -> tuple[dict[str, Any], dict[str, Array]]:
     if not is_zipfile(path):
-        raise ValueError("it is no archive of arrays")  # np.load would take it for a pickle
+        raise ValueError("it is not an archive of arrays")  # np.load would take it for a pickle
     with path.open("rb") as stream, np.load(stream, allow_pickle=False) as file:
         if HEADER not in file.files:
             refuse_table(path, file.files)
@@ -130,7 +130,7 @@ def _read_nc(path: Path) -> tuple[dict[str, Any], dict[str, Array]]:
 
 
 def identifiers(labels: tuple[str, ...]) -> tuple[str, ...]:
-    """Names that Matlab admits, as near as can be to the labels, each once.
+    """Valid Matlab names, as close as possible to the labels, and unique.
 
     Examples
     --------

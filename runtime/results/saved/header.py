@@ -12,7 +12,7 @@ HEADER = "header"
 
 
 def header_of(record: Record) -> str:
-    """Everything but the arrays, as JSON; numbers are written so that they are read back to the last digit."""
+    """Everything but the arrays, as JSON; numbers are written with full precision."""
     variables = {
         n: {"dims": z.dims, "shape": z.values.shape, "unit": z.unit, "doc": z.doc}
         for n, z in record.variables.items()

@@ -19,13 +19,13 @@ if TYPE_CHECKING:
 def load(path: str | Path) -> Motion | Linearization | PeriodicSolution:
     """A result from a file that its `save` has written: .nc, .npz, .mat or .csv.
 
-    Nothing in the file is executed.  The result answers to the same names, in the same units, without a model;
-    `System.restore` gives its states a model again.
+    Nothing in the file is executed.  The result has the same names and units, without a model; `System.restore`
+    attaches its states to a model again.
 
     Returns
     -------
     Motion, Linearization or PeriodicSolution
-        As was saved.
+        The saved result.
 
     Raises
     ------

@@ -1,7 +1,7 @@
-"""What a result is made of when it leaves the program: labelled arrays and a header of plain text and numbers.
+"""The content of a saved result: labelled arrays and a header of plain text and numbers.
 
-A record knows nothing of mechanisms and nothing of file formats; `flexel.results.saved.archive` fills it from results
-and makes results of it, `flexel.results.saved.files` writes and reads it.
+A record is independent of mechanisms and file formats; `flexel.results.saved.archive` converts results to records and
+back, `flexel.results.saved.files` writes and reads them.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ class Record:
     units : mapping of str to tuple of str
         Units along the last dimension of a variable, where they differ.
     header : mapping
-        Whatever else belongs to the result: text, numbers, lists and mappings of these.
+        All other data of the result: text, numbers, lists and mappings of these.
     """
 
     kind: str

@@ -1,4 +1,4 @@
-"""Tables that a SPACAR run writes beside its motion: plain numbers, which are no result to be loaded."""
+"""Tables that a SPACAR run writes beside its motion: plain numbers, which cannot be loaded as results."""
 
 from __future__ import annotations
 
@@ -8,17 +8,19 @@ from pathlib import Path
 
 from flexel.base.errors import ModelError
 
-HISTORY = re.compile(r"[xes]_\d+_\d+")  # of a coordinate, a deformation or a stress in SPACAR's numbers
+HISTORY = re.compile(
+    r"[xes]_\d+_\d+"
+)  # column of a coordinate, a deformation or a stress in SPACAR's numbering
 STATE_SPACE = frozenset("ABCD")
 
 
 def motion_beside(table: Path) -> Path:
-    """Where the motion of a run is, whose tables are in that file."""
+    """Path of the motion of the run whose tables are in that file."""
     return table.with_name(f"{table.stem}_motion.npz")
 
 
 def refuse_table(path: Path, names: Iterable[str]) -> None:
-    """Say of a table of a SPACAR run where its motion is; nothing of any other file.
+    """Raise an error for a table of a SPACAR run that points to its motion; ignore other files.
 
     Parameters
     ----------
@@ -33,9 +35,7 @@ def refuse_table(path: Path, names: Iterable[str]) -> None:
     if not (found >= STATE_SPACE or any(HISTORY.fullmatch(name) for name in found)):
         return
     motion = motion_beside(path)
-    where = (
-        f"give '{motion}', its motion" if motion.is_file() else "there is no motion of it beside this file"
-    )
+    where = f"give '{motion}', its motion" if motion.is_file() else "its motion is not beside this file"
     raise ModelError(
         f"load '{path}': this is a table of a SPACAR run, numbers without the mechanism; {where}"
     )
