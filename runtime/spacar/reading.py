@@ -15,7 +15,7 @@ STEPS = 100  # of a file without TIMESTEP or ITERSTEP
 
 
 class Spacar(LinearModels):
-    """A SPACAR input file, understood.
+    """A parsed SPACAR input file.
 
     Attributes
     ----------
@@ -26,7 +26,7 @@ class Spacar(LinearModels):
         The model of the file; positions are called p1, p2 ..., orientations o1, o2 ..., elements by keyword and
         number: hinge1, plbeam2.
     start, duration : float
-        Of the motion [s]; no duration if the file has no TIMESTEP.
+        Start and duration of the motion [s]; no duration if the file has no TIMESTEP.
     steps : int
         Number of its stored steps, and of load steps.
     max_step : float or None
@@ -34,13 +34,13 @@ class Spacar(LinearModels):
     coordinates : mapping of (node, i) to name
         SPACAR's coordinates x of all nodes.
     deformations : mapping of (element, i) to (name, factor)
-        SPACAR's deformations and slips; factor is theirs divided by ours (signs differ, see the tables).
+        SPACAR's deformations and slips; factor is SPACAR's divided by flexel's (signs differ, see the tables).
     inputs, outputs : tuple of Terminal
-        Of the linear model, in the order of their numbers.
+        Inputs and outputs of the linear model, in the order of their numbers.
     linearized : bool
-        Whether the file asks for linearized equations: by LINE, or by inputs and outputs.
+        Whether the file requests linearized equations: by LINE, or by inputs and outputs.
     notes : tuple of str
-        What was read without effect, and what was assumed where the descriptions of the language leave it open.
+        Lines without effect, and assumptions where the descriptions of the language are not explicit.
     """
 
 
@@ -60,7 +60,7 @@ def read_spacar(path: str | Path, dialect: str | None = None) -> Spacar:
 
     Notes
     -----
-    The file is data: nothing of it is executed.  Source of the language: manual SPACAR95 (Schwab and Meijaard 2000).
+    The file is data: nothing in it is executed.  Source of the language: manual SPACAR95 (Schwab and Meijaard 2000).
 
     Examples
     --------
@@ -127,7 +127,7 @@ def _count(line: Line, place: int, dialect: str) -> int:
     if value != round(value) or value < 1:
         order = "n T" if dialect == "delft" else "T n"
         raise line.error(
-            f"{line.words[place]} is no number of steps; the {dialect} dialect writes {order} (give dialect= if this "
+            f"{line.words[place]} is not a number of steps; the {dialect} dialect writes {order} (give dialect= if the "
             "file is of the other one)"
         )
     return int(value)
