@@ -1,7 +1,7 @@
 """From elements declared in SymPy to C.
 
-What a user's own element or law is written with is found here. The names are resolved when they are asked for, so
-that ``flexel.derive.spec``, which the runtime reads, does not bring SymPy with it.
+The names needed to write a user-defined element or law.  They are resolved on demand, so
+that ``flexel.derive.spec``, which the runtime reads, does not import SymPy.
 """
 
 from importlib import import_module
@@ -51,7 +51,7 @@ __all__ = [
 
 def __getattr__(name: str) -> Any:
     if name not in __all__:
-        raise AttributeError(f"flexel.derive has no '{name}'; there are {', '.join(__all__)}")
+        raise AttributeError(f"flexel.derive has no '{name}'; its names are {', '.join(__all__)}")
     return getattr(import_module("flexel.derive.declare"), name)
 
 

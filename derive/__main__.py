@@ -1,6 +1,6 @@
 """The command ``python -m flexel.derive``, also reached as ``flexel derive``.
 
-Works without compiled kernels: they are what it is needed for.
+Works without compiled kernels, since it generates them.
 """
 
 import sys
@@ -52,9 +52,9 @@ def main(elements: tuple[str, ...], checking: bool, update_baseline: bool, out: 
     for name in different:
         click.echo(f"differs: {name}", err=True)
     if different:
-        click.echo("generated/ is not what the elements give; run `flexel derive`", err=True)
+        click.echo("generated/ does not match the elements; run `flexel derive`", err=True)
     if rises:
-        click.echo("if the rise is meant, run `flexel derive --update-baseline`", err=True)
+        click.echo("if the increase is intended, run `flexel derive --update-baseline`", err=True)
     if different or rises:
         raise SystemExit(1)
     click.echo(f"{len(emitted.files)} files are as derived")

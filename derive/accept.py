@@ -1,8 +1,8 @@
-"""A user's own elements and laws: compiled, then verified once; what failed is not handed out.
+"""User-defined elements and laws: compiled, then verified once; failures are not released.
 
 Verification is that of `flexel verify`: every output of every kernel at random configurations, against the
-definition in 60 digits and against differences. Its success is noted beside the shared object in the cache, which is
-named by content.
+definition in 60 digits and against numerical differences. Its success is noted beside the shared object in the
+cache, which is named by content.
 """
 
 from pathlib import Path
@@ -29,11 +29,11 @@ _OWN = frozenset(element.name for element in ELEMENTS)
 
 
 class VerificationError(ValueError):
-    """The compiled kernels do not compute what the definition says, or not everywhere."""
+    """The compiled kernels do not agree with the definition, or not everywhere."""
 
 
 def accepted_element(element: Element, ranges: Ranges = NOTHING) -> CompiledElement:
-    """Derive, compile and verify an element; what was verified before is not verified again.
+    """Derive, compile and verify an element; earlier verification is reused.
 
     Parameters
     ----------
@@ -89,7 +89,7 @@ def _verify_once(declared: Element | Law, compiled: CompiledElement | CompiledLa
 
 
 def _accepted(row: "Row", smooth: bool) -> bool:
-    """Whether the errors are small; differences say nothing where they may reach over the end of a piece."""
+    """Whether the errors are small; differences that may cross the end of a piece are ignored."""
     return row.ok or (not smooth and row.by_definition)
 
 
@@ -106,7 +106,7 @@ def _expressions(declared: Element | Law) -> list[tuple[str, sp.Expr]]:
 
 
 def _check_finite(declared: Element | Law, compiled: Compiled, ranges: Ranges) -> None:
-    """A definition that is not real everywhere (a root, a logarithm) must be given the ranges in which it is."""
+    """A definition that is not real everywhere (a root, a logarithm) needs the ranges in which it is."""
     if isinstance(declared, Law):
         data = law_samples(declared, BATCH, ranges)
     else:
@@ -126,7 +126,7 @@ def _owner(declared: Element | Law) -> str:
 
 
 def _write(note: Path, text: str) -> None:
-    """Note what was found, in one step: another process may be doing the same."""
+    """Record the result atomically: another process may be doing the same."""
     part = note.with_suffix(f".{id(text)}.part")
     part.write_text(text + "\n", encoding="utf-8")
     part.replace(note)

@@ -1,6 +1,6 @@
-"""A user's own elements and laws: derived, compiled once, kept in the user's cache directory by content.
+"""User-defined elements and laws: derived, compiled once, cached in the user's cache directory by content.
 
-The shared object knows nothing of Python; it exports ``flexel_user``, which is a ``flexel_element`` or a
+The shared object is independent of Python; it exports ``flexel_user``, which is a ``flexel_element`` or a
 ``flexel_law`` of ``kernels.h``.
 """
 
@@ -31,7 +31,7 @@ class CompilerMissingError(RuntimeError):
 
 
 class CompilationError(RuntimeError):
-    """The C compiler refused what was derived."""
+    """The C compiler reported an error in the derived code."""
 
 
 @dataclass(frozen=True)
@@ -53,7 +53,7 @@ class CompiledLaw:
 
 
 def compile_element(element: Element) -> CompiledElement:
-    """Derive and compile an element; from the second time on it comes from the cache.
+    """Derive and compile an element; later calls use the cache.
 
     Raises
     ------
@@ -77,7 +77,7 @@ def compile_law(law: Law) -> CompiledLaw:
 
 
 def cache_directory() -> Path:
-    """Where compiled elements and laws are kept (it may not exist yet)."""
+    """Directory of compiled elements and laws (it may not exist yet)."""
     base = os.environ.get("XDG_CACHE_HOME", "")
     return (Path(base) if os.path.isabs(base) else Path.home() / ".cache") / "flexel"
 
@@ -101,7 +101,7 @@ def _flags() -> list[str]:
 
 
 def _processor() -> str:
-    """What ``-march=native`` depends on."""
+    """The machine properties on which ``-march=native`` depends."""
     try:
         lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
     except OSError:
@@ -110,7 +110,7 @@ def _processor() -> str:
 
 
 def _shared_object(name: str, source: str) -> Path:
-    """Path of the compiled source, made if it is not in the cache."""
+    """Path of the compiled source, created if it is not in the cache."""
     header = (GENERATED / "kernels.h").read_text(encoding="utf-8")
     compiler = os.environ.get("CC", "cc")
     content = "\0".join([source, header, compiler, *_flags(), platform.machine(), _processor()])
@@ -134,5 +134,5 @@ def _compile(name: str, source: str, folder: Path) -> Path:
 
 
 def _address(path: Path) -> int:
-    """Address of ``flexel_user``; a library that is loaded stays loaded."""
+    """Address of ``flexel_user``; a loaded library stays loaded."""
     return ctypes.addressof(ctypes.c_char.in_dll(ctypes.CDLL(str(path)), f"flexel_{_SYMBOL}"))

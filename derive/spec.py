@@ -13,7 +13,7 @@ _NEGLIGIBLE = 1e-9  # of a period, relative to the largest of its terms
 
 
 def triangle(size: int) -> int | None:
-    """Rows of a symmetric matrix whose upper triangle has so many entries; None if there is no such matrix."""
+    """Rows of a symmetric matrix whose upper triangle has this many entries; None if no matrix has."""
     rows = (isqrt(8 * size + 1) - 1) // 2
     return rows if rows * (rows + 1) == 2 * size else None
 
@@ -72,7 +72,7 @@ class DeformationSpec:
         """The length after which it repeats, for values of the parameters; zero if it does not."""
         terms = [term.value(parameters) for term in self.period]
         length = abs(sum(terms))
-        # equal radii, say: a difference that is rounding is no period
+        # equal radii, say: a difference due to rounding is not a period
         return length if length > _NEGLIGIBLE * max(map(abs, terms), default=0.0) else 0.0
 
 

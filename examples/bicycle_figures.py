@@ -47,7 +47,7 @@ def model(results: Results, path: Path) -> None:
     )
     with canvas(results.system.initial, (7.0, 5.2)) as (drawn, axes):
         draw(results.system.initial, axes, view)
-        note = "Two wheels, two beams (blue), six hinges; mass centres orange.\nThe grey outline is only to be seen."
+        note = "Two wheels, two beams (blue), six hinges; mass centres orange.\nThe grey outline is for display only."
         drawn.text(0.02, 0.03, note, fontsize=9)
         save(drawn, path)
 

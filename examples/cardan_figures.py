@@ -204,7 +204,7 @@ def zones(results: Results, path: Path) -> None:
 
 
 def animation(results: Results, path: Path) -> None:
-    """The free run, to be turned and played in a browser; shafts, forks and cross are only to be seen."""
+    """The free run, to be turned and played in a browser; shafts, forks and cross are for display only."""
     out = np.array([np.cos(B30), np.sin(B30), 0.0])
     y, z = np.array([0, 0.3, 0]), np.array([0, 0, 0.3])
     lines: list[tuple[str, list[Array]]] = [("cross", [-y, y]), ("cross", [-z, z])]

@@ -35,6 +35,6 @@ def state_matrix(system: fx.System, state: fx.State, step: float = STEP) -> Arra
 
 
 def mismatch(system: fx.System, state: fx.State) -> float:
-    """Largest difference of the analytic and the differenced state matrix, relative to the largest entry."""
+    """Largest difference of the analytic and the numerical state matrix, relative to the largest entry."""
     A = state_matrix(system, state)
     return float(np.abs(system.linearize(state).state_matrix - A).max() / np.abs(A).max())

@@ -148,7 +148,7 @@ def joint_control(lin: fx.Linearization, omega: float = 8.0) -> Gains:
 def manoeuvre(gains: Gains, seconds: float = 3.0, samples: int = 301, tolerance: float = 1e-5) -> fx.Motion:
     """The nonlinear closed loop while both joints are commanded to new angles, and after.
 
-    The implicit method follows it: bending vibrations of the links that nobody looks at make the loop stiff.
+    The implicit method follows it: bending vibrations of the links that are of no interest make the loop stiff.
     """
     shoulder, elbow = (move(a, b, SECONDS) for a, b in zip(START, END, strict=True))
     return manipulator(shoulder, elbow, gains).simulate(

@@ -219,7 +219,7 @@ def nonlinear_sweep(
     speeds: tuple[float, ...] = NONLINEAR_SPEEDS,
     multipliers: bool = False,
 ) -> Sweep:
-    """Nonlinear periodic motions from speed to speed; their Floquet multipliers if asked for."""
+    """Nonlinear periodic motions from speed to speed; their Floquet multipliers if requested."""
 
     def measure(motion: periodic.Orbit, vibration: periodic.PeriodicVibration) -> tuple[Array, Array, float]:
         w = motion.coefficients.floquet_multipliers(1e-6) if multipliers else np.zeros(0)

@@ -199,7 +199,7 @@ class Results:
     equilibrium: fx.State
     in_plane: fx.State  # equilibrium with the tyres' springs in the planes of the wheels
     linear: Linearization
-    differenced: Array
+    differentiated: Array
     no_side_force: Linearization
     loci: Array
     steering: dict[tuple[int, str], fx.Motion]
@@ -233,7 +233,7 @@ def analyse() -> Results:
         equilibrium=at_rest(still),
         in_plane=at_rest(vehicle()),
         linear=lin,
-        differenced=state_matrix(system, lin.state),
+        differentiated=state_matrix(system, lin.state),
         no_side_force=linear(20.0, "vertical")[1],
         loci=np.array([moving(linear(v)[1]) for v in LOCI]),
         steering=steering,

@@ -126,7 +126,9 @@ def named(lin: Linearization, names: Iterable[str] = SYMMETRIC) -> list[complex]
 def linear(results: Results) -> list[Quantity]:
     """Eigenvalues at 20 m/s, and their confirmation."""
     lin = results.linear
-    difference = np.abs(lin.state_matrix - results.differenced).max() / np.abs(results.differenced).max()
+    difference = (
+        np.abs(lin.state_matrix - results.differentiated).max() / np.abs(results.differentiated).max()
+    )
     modes = {
         mode_name(m): [m.eigenvalue.real, m.eigenvalue.imag] for m in lin.modes() if m.eigenvalue.imag > 1e-6
     }

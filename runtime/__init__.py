@@ -1,6 +1,6 @@
-"""flexel, a compiler for mechanisms: the names a user needs, found when they are first used.
+"""flexel, a compiler for mechanisms: its public names, imported on first use.
 
-Nothing is imported here until it is asked for (PEP 562), so that ``import flexel`` is quick and
+Imports are lazy (PEP 562), so that ``import flexel`` is quick and
 ``python -m flexel.derive`` starts even when the compiled kernels are missing or broken.
 """
 
@@ -156,7 +156,7 @@ _HOMES = {
 
 
 def __getattr__(name: str) -> object:
-    """Import the module in which a public name lives, and keep the name for the next time."""
+    """Import the module in which a public name lives, and cache the name."""
     if name not in _HOMES:
         raise AttributeError(f"module 'flexel' has no attribute {name!r}; its names are {', '.join(__all__)}")
     value: object = getattr(import_module(_HOMES[name]), name)

@@ -28,7 +28,7 @@ def build(model: Declarations, t: float) -> System:
     roles = resolve_roles(model, structure)
     loads = Loads(structure, tuple(model.loads))
     check_names(model, structure, roles)
-    loads.at(t)  # a load that fails is found here, not in the middle of a motion
+    loads.at(t)  # a load that fails is reported here, not in the middle of a motion
     kinematics = Kinematics(evaluation, roles)
     c = first_position(model, kinematics, t)
     dynamic = named_dofs(structure, model._dynamic, "independent")

@@ -26,7 +26,7 @@ class Model(Ropes, Joints, Wheels, Couplings, Feedback, Loading, Bodies, Element
     Parameters
     ----------
     gravity : sequence of float (3,) or (2,)
-        Acceleration of gravity [m/s²]; of three components the first two serve planar elements.
+        Acceleration of gravity [m/s²]; planar elements use the first two components.
 
     Examples
     --------
@@ -53,14 +53,14 @@ class Model(Ropes, Joints, Wheels, Couplings, Feedback, Loading, Bodies, Element
         ConstraintError
             Over- or under-constrained, named by deformations or coordinates.
         PositionError
-            Initial values that the constraints do not admit.
+            Initial values that contradict the constraints.
         """
         return build(self, t)
 
     def constraint_report(self) -> ConstraintReport:
         """Over-constraint and under-constraint of the mechanism as drawn, counted and named.
 
-        Unlike `build` it does not refuse such a mechanism, and it needs no consistent initial values.
+        Unlike `build` it does not reject such a mechanism, and it needs no consistent initial values.
 
         Raises
         ------

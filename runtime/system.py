@@ -16,5 +16,5 @@ class System(Motions, Equilibria, PeriodicMotions, Restoring):
     structure : Structure
         Names and index maps.
     roles : Roles
-        The constraints and the present choice of degrees of freedom.
+        The constraints and the current choice of degrees of freedom.
     """

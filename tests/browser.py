@@ -34,7 +34,7 @@ class Browser:
     complaints : list of str
         Console errors, uncaught exceptions and failed requests so far.
     requests : list of str
-        Addresses that the page asked for.
+        Addresses requested by the page.
     """
 
     def __init__(self, profile: Path, size: tuple[int, int] = (900, 640)) -> None:
@@ -138,7 +138,7 @@ class Browser:
         return found["result"].get("value")
 
     def frame(self) -> None:
-        """Wait until what was asked for has been drawn."""
+        """Wait until the requested drawing is complete."""
         self.value("new Promise((z) => requestAnimationFrame(() => requestAnimationFrame(() => z(0))))")
 
     def press(self, key: str, shift: bool = False) -> None:

@@ -1,1 +1,1 @@
-"""Checks of what users define, beyond those of a declaration: joins, jumps and stored energies."""
+"""Checks of user definitions, beyond those of a declaration: joins, jumps and stored energies."""

@@ -1,7 +1,7 @@
-"""Formulas in pieces: a stress must have a value on both sides of where a piece ends, and may not jump there.
+"""Piecewise formulas: a stress must have a value on both sides of the end of a piece, and must not jump there.
 
-Looked for on the ends that are linear in a symbol, in exact arithmetic at two small distances: what stays the same
-when the distance shrinks is a jump, what shrinks too is steep.
+Checked on the ends that are linear in a symbol, in exact arithmetic at two small distances: a difference that stays
+the same when the distance shrinks is a jump, one that shrinks too is a steep slope.
 """
 
 from collections.abc import Iterator
@@ -33,13 +33,13 @@ def check_branches(owner: str, sigma: Expr, symbols: tuple[Symbol, ...]) -> None
         first, second = (abs(right - left) for left, right in values[:2])
         if second > max(ROUNDED * max(abs(z) for pair in values for z in pair), first / 2):
             raise ValueError(
-                f"{owner}: {sigma} jumps at {s} = {float(at):g}; let the pieces join, or smooth the jump, such as by "
+                f"{owner}: {sigma} jumps at {s} = {float(at):g}; make the pieces join, or smooth the jump, such as by "
                 "tanh(ed/v) in place of sign(ed)"
             )
 
 
 def _exact(expr: Expr) -> Expr:
-    """The formula with fractions for floating-point numbers, so that places beside an end compare as they lie."""
+    """The formula with fractions for floating-point numbers, so that places beside an end compare exactly."""
     return expr.xreplace({z: Rational(z) for z in expr.atoms(sp.Float)})
 
 

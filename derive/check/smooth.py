@@ -1,4 +1,4 @@
-"""What must be smooth: an element is differentiated three times, so that its functions have no kinks and no jumps."""
+"""Smoothness checks: an element is differentiated three times, so that its functions have no kinks and no jumps."""
 
 import random
 
@@ -22,7 +22,7 @@ def check_smooth(owner: str, what: str, expr: Expr) -> None:
 def check_joins(owner: str, what: str, expr: Expr) -> None:
     """Raise ValueError for a Piecewise whose value or slope jumps where one piece ends and another begins.
 
-    Looked for at random points on the ends that are linear in some symbol, on both sides of them in 50 digits.
+    Checked at random points on the ends that are linear in some symbol, on both sides of them in 50 digits.
     """
     points = random.Random(1)
     for pieces in sorted(expr.atoms(sp.Piecewise), key=sp.default_sort_key):

@@ -1,7 +1,7 @@
-"""The stored energy of a law must belong to its stress, where a mistake differs from what may be meant.
+"""The stored energy of a law must belong to its stress, where an error can be distinguished from intent.
 
-A law of one deformation without internal states and time stores what its elastic stress does: the stress at rest may
-differ from the slope of the energy by a constant (an actuator) and no more. Several deformations may have stresses
+A law of one deformation without internal states and time stores the work of its elastic stress: the stress at rest may
+differ from the slope of the energy by a constant (an actuator) only. Several deformations may have stresses
 without an energy (circulatory ones), internal states may take a part of it, and a law may store nothing.
 """
 

@@ -1,4 +1,4 @@
-"""Declarations of elements and laws: what their pages are written with, and what is checked at once."""
+"""Declarations of elements and laws: the vocabulary of their definitions, and immediate checks."""
 
 from flexel.derive.declare.element import Element
 from flexel.derive.declare.law import Internal, Law, Limit

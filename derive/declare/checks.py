@@ -1,4 +1,4 @@
-"""Checks of what is declared: names, meanings, symbols, functions, degrees in the rates."""
+"""Checks of declarations: names, meanings, symbols, functions, degrees in the rates."""
 
 import re
 from collections.abc import Iterable
@@ -25,13 +25,13 @@ _NOT_REAL = (sp.nan, sp.oo, -sp.oo, sp.zoo, sp.I)
 
 
 def check_name(owner: str, name: str) -> None:
-    """Raise ValueError for a name that C cannot have."""
+    """Raise ValueError for a name that is invalid in C."""
     if not _IDENTIFIER.match(name) or name in _RESERVED:
         raise ValueError(f"{owner}: '{name}' cannot be a name in C; choose letters, digits and underscores")
 
 
 def check_list(owner: str, what: str, given: object, kind: type) -> None:
-    """Raise ValueError for what is no list or tuple of objects of a kind."""
+    """Raise ValueError for anything but a list or tuple of objects of a kind."""
     wrong = [z for z in given if not isinstance(z, kind)] if isinstance(given, Iterable) else [given]
     if wrong:
         each = f" of {kind.__name__}" if kind is not object else ""
@@ -39,11 +39,11 @@ def check_list(owner: str, what: str, given: object, kind: type) -> None:
 
 
 def check_scalar(owner: str, what: str, expr: object) -> None:
-    """Raise ValueError for what is no scalar expression of SymPy."""
+    """Raise ValueError for anything but a scalar SymPy expression."""
     if not isinstance(expr, Expr):
         raise ValueError(
             f"{owner}: {what} is not a scalar expression but {type(expr).__name__}; write one SymPy expression, and "
-            "declare each component of a vector for itself"
+            "declare each component of a vector separately"
         )
 
 
@@ -102,7 +102,7 @@ def check_symbols(owner: str, what: str, expr: Expr, known: Iterable[Symbol]) ->
 
 
 def check_text(owner: str, what: str, text: str) -> None:
-    """Raise ValueError where something is not said in words."""
+    """Raise ValueError for a missing doc."""
     if not isinstance(text, str) or not text.strip():
         raise ValueError(f"{owner}: {what} has no doc; say in a few words what it means")
 

@@ -1,4 +1,4 @@
-"""What an element is: frozen data, with the mathematics and its source beside it.
+"""The declaration of an element: frozen data, with the mathematics and its source.
 
 An element is written as a few plain SymPy expressions in its nodes' coordinates ``x`` and rates ``v`` and in its
 parameters; everything else (derivatives, mass matrix, tangents) is obtained by ``flexel.derive.program``.
@@ -52,9 +52,9 @@ class Element:
     source : str
         Author, year, equation.
     family : str, optional
-        What analyses treat it as, one of `flexel.derive.declare.words.FAMILIES`.
+        How analyses treat it, one of `flexel.derive.declare.words.FAMILIES`.
     picture : str, optional
-        What paints it, one of `flexel.derive.declare.words.PICTURES`; by default a line through its points.
+        Its painter, one of `flexel.derive.declare.words.PICTURES`; by default a line through its points.
     span : str, optional
         Name of the built-in element that carries a load along its length: on its nodes, or on the first and the last of
         them, with parameters that it has itself.
@@ -103,7 +103,7 @@ class Element:
     def _check_expressions(self, owner: str) -> None:
         degrees = dict.fromkeys([*self.x, *self.parameter_symbols], frozenset({0}))
         degrees.update(dict.fromkeys(self.v, frozenset({1})))
-        moving = {*self.x}  # what changes with the coordinates
+        moving = {*self.x}  # symbols that change with the coordinates
 
         def check(what: str, expr: object, allowed: int, fact: str) -> None:
             check_scalar(owner, what, expr)

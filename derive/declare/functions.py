@@ -20,5 +20,5 @@ FUNCTIONS: dict[type[Basic], str] = {
     sp.Abs: "abs",
 }
 
-# functions with a kink, which belong into laws
+# functions with a kink, allowed only in laws
 KINKED = (sp.Abs, sp.Min, sp.Max, sp.sign, sp.Heaviside)

@@ -1,4 +1,4 @@
-"""What a law is: stresses, internal states and stored energy, with the source beside them."""
+"""The declaration of a law: stresses, internal states and stored energy, with the source."""
 
 from dataclasses import dataclass
 
@@ -34,14 +34,14 @@ class Internal:
 
 @dataclass(frozen=True)
 class Limit:
-    """Where a law's data end: the largest stress of its first deformation, and what it does beyond.
+    """The limit of a law's data: the largest stress of its first deformation, and the extrapolation beyond.
 
     Parameters
     ----------
     parameter : Symbol
         The parameter, or the component of one, that is the largest stress.
     beyond : str
-        What the law does there, in a few words.
+        The extrapolation, in a few words.
     """
 
     parameter: Symbol
@@ -70,7 +70,7 @@ class Law:
     let : tuple of (Symbol, Expr)
         Named intermediates, each in terms of the arguments, parameters and earlier ones.
     limit : Limit, optional
-        Where its data end.
+        The limit of its data.
 
     Raises
     ------

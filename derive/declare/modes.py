@@ -1,4 +1,4 @@
-"""Deformations and slips: what an element measures, and what laws and conditions act on."""
+"""Deformations and slips: the quantities that an element measures and on which laws and conditions act."""
 
 from dataclasses import dataclass
 
@@ -16,10 +16,10 @@ class Deformation:
     name, unit : str
     expr : Expr
     free : bool, optional
-        Whether it is free at first; otherwise rigid.
+        Whether it is free by default; otherwise rigid.
     period : Expr, optional
-        By which it jumps where a turn is complete: 2 pi, or a sum of products of powers of parameters. Zero says that
-        it never jumps, although an atan2 in it could.
+        The jump after a full turn: 2 pi, or a sum of products of powers of parameters. Zero states that it never
+        jumps, although an atan2 in it could.
     kind : str, optional
         The gap of a contact ("gap") or the norm of a frame's Euler parameters ("norm").
     """

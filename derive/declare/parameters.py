@@ -22,11 +22,11 @@ class Parameter:
     unit : str
         SI unit, "1" if it has none.
     doc : str
-        What it is, in a few words.
+        Its meaning, in a few words.
     components : tuple of str, optional
         Suffixes of the names of the components, 0, 1, ... by default.
     sign : str or tuple of str, optional
-        What the value must be, one word for all components or one for each: any, positive, not negative, not zero, at
+        The permitted sign, one word for all components or one for each: any, positive, not negative, not zero, at
         least one; or semidefinite for the upper triangle of a matrix without negative eigenvalues.
     """
 
@@ -57,7 +57,7 @@ class Parameter:
                 check_word(owner, "sign", word, SIGNS)
         if self.sign == "semidefinite" and triangle(self.size) is None:
             raise ValueError(
-                f"{owner}: {self.size} components are no upper triangle of a matrix; give 1, 3, 6, ..."
+                f"{owner}: {self.size} components are not the upper triangle of a matrix; give 1, 3, 6, ..."
             )
 
     @property

@@ -3,7 +3,7 @@
 A quaternion is a column (4, 1), scalar part first. ``rotation_matrix`` is
 the homogeneous quadratic R(lambda), a rotation for a unit quaternion and |lambda|^2 times a rotation
 otherwise, and the angular velocities are the homogeneous bilinear forms that belong to it; nothing is
-normalized, the norm condition lambda.lambda = 1 is a deformation of its own.
+normalized, the norm condition lambda.lambda = 1 is a separate deformation.
 """
 
 import sympy as sp

@@ -1,7 +1,7 @@
 """Shape functions of the beams, and their exact integrals over the length.
 
 Everything is a rational function of the shear number P (12 EI / (k G A l0^2)
-of the plane of bending) that is worked out once, exactly, from the shape functions themselves.
+of the plane of bending) that is computed once, exactly, from the shape functions themselves.
 """
 
 from functools import cache

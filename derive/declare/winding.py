@@ -1,8 +1,8 @@
-"""Deformations that wind: the period after which they repeat, and jumps that a declaration does not own up to.
+"""Periodic deformations: the period after which they repeat, and undeclared jumps.
 
 The angle of atan2 jumps by 2 pi at its cut, where its second argument is negative. Whether the jump reaches a
-deformation is found by putting numbers in the place of the angle and 2 pi more; it must then be a whole number of the
-declared periods.
+deformation is determined by inserting numbers for the angle and
+for the angle plus 2 pi; it must then be a whole number of the declared periods.
 """
 
 import random
@@ -23,7 +23,7 @@ Term = tuple[float, tuple[tuple[str, int, int], ...]]
 
 
 def check_period(owner: str, d: Deformation, let: Lets, parameters: tuple[Parameter, ...]) -> None:
-    """Raise ValueError for a period that is no sum of products, or for a jump that is no number of periods."""
+    """Raise ValueError for a period that is not a sum of products, or a jump that is not a number of periods."""
     symbols = [s for p in parameters for s in p.symbols]
     if d.period is not None:
         check_symbols(owner, f"the period of '{d.name}'", sp.sympify(d.period), symbols)
@@ -43,7 +43,7 @@ def check_period(owner: str, d: Deformation, let: Lets, parameters: tuple[Parame
         if wrong:
             raise ValueError(
                 f"{owner}: deformation '{d.name}' jumps by {float(abs(wrong[0])):.6g} at random values where {angle} "
-                f"passes its cut; that is no whole number of the period {d.period}: correct the period"
+                f"passes its cut; that is not a whole number of the period {d.period}: correct the period"
             )
 
 
@@ -53,7 +53,7 @@ def period_terms(d: Deformation, parameters: tuple[Parameter, ...]) -> tuple[Ter
     Raises
     ------
     ValueError
-        It is no sum of products of integer powers of parameters.
+        It is not a sum of products of integer powers of parameters.
     """
     where = {s: (p.name, i) for p in parameters for i, s in enumerate(p.symbols)}
     whole = sp.expand(sp.sympify(d.period or 0))
@@ -68,8 +68,8 @@ def period_terms(d: Deformation, parameters: tuple[Parameter, ...]) -> tuple[Ter
                 powers.append((*where[base], int(exponent)))
             else:
                 raise ValueError(
-                    f"deformation '{d.name}': the period {d.period} is no sum of products of whole powers of "
-                    "parameters; give such a sum, with a parameter of its own for the rest"
+                    f"deformation '{d.name}': the period {d.period} is not a sum of products of whole powers of "
+                    "parameters; give such a sum, with a separate parameter for the rest"
                 )
         terms.append((float(number), tuple(sorted(powers))))
     return tuple(sorted(terms, key=lambda term: (term[1], term[0])))
@@ -124,6 +124,6 @@ def _value(expr: Expr, angle: Expr, let: Lets, values: Mapping[Symbol, Expr]) ->
 
 
 def _whole(jump: Expr, period: Expr) -> bool:
-    """Whether a jump is a whole number of periods; without a period it must be none."""
+    """Whether a jump is a whole number of periods; without a period it must be zero."""
     turns = sp.Integer(0) if period == 0 else sp.Integer(round(sp.re(jump / period)))
     return bool(abs(jump - turns * period) < _SAME * (1 + abs(jump)))

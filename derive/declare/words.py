@@ -1,9 +1,9 @@
-"""The words in which a declaration says what an element is for: small vocabularies, checked at once."""
+"""The vocabularies by which a declaration states the purpose of an element, checked at once."""
 
 from collections.abc import Iterable
 
-# What analyses treat alike. "" is an element of none of these, as a user's own by default; one that names a family has
-# the nodes and parameters of the built-in elements in it.
+# What analyses treat alike. "" is an element of none of these, the default for user-defined ones; one that names a
+# family has the nodes and parameters of the built-in elements in it.
 FAMILIES = (
     "",
     *("body", "norm", "truss", "link", "beam", "cable", "hinge", "bearing", "clamp"),
@@ -42,4 +42,4 @@ def check_word(owner: str, what: str, word: object, known: Iterable[str]) -> Non
     words = list(known)
     if word not in words:
         shown = ", ".join(f"'{z}'" for z in words)
-        raise ValueError(f"{owner}: {what} '{word}' is unknown; there are {shown}")
+        raise ValueError(f"{owner}: {what} '{word}' is unknown; choose one of {shown}")

@@ -63,7 +63,7 @@ def emit(
     Parameters
     ----------
     elements, laws : sequence
-        All there are.
+        All elements and laws.
     only : collection of str
         Names of elements to derive; all and the laws by default. The entries of the others are taken from the
         table in `folder`; those that are not there are derived as well.
@@ -109,7 +109,7 @@ def _common(elements: dict[str, str], laws: dict[str, str]) -> dict[str, str]:
 
 
 def stale(folder: Path) -> list[str]:
-    """Files in the folder that a complete derivation would not write; compiled ones are nobody's business here."""
+    """Files in the folder that a complete derivation would not write; compiled ones are ignored."""
     known = {f"{element.name}.c" for element in ELEMENTS} | {"laws.c", *_common({}, {})}
     return sorted(
         path.name
@@ -132,7 +132,7 @@ def write(folder: Path, emitted: Emitted | None = None) -> list[str]:
 
 
 def check(folder: Path, emitted: Emitted | None = None) -> list[str]:
-    """Names of files that differ from what the derivation gives, are missing or are stale."""
+    """Names of files that differ from the derivation, are missing or are stale."""
     return sorted(_differing(folder, (emitted or emit()).files) + stale(folder))
 
 

@@ -1,6 +1,6 @@
 """Entries of ``generated/table.py``: specifications, written as Python.
 
-Fields that have their default value are left out, so that an entry says only what is particular.
+Fields that have their default value are left out, so an entry contains only its particular values.
 """
 
 from dataclasses import MISSING, Field, fields, is_dataclass

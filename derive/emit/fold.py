@@ -7,7 +7,7 @@ _BREAK = re.compile(r" (?=(?:[-+*/?:<>]|[<>!=]=|&&|\|\||=|/\*) )|(?<=,) ")
 
 
 def folded(text: str) -> str:
-    """The text with no line longer than `WIDTH`, as far as there are places to fold it."""
+    """The text with no line longer than `WIDTH`, as far as it can be folded."""
     return "\n".join(part for line in text.split("\n") for part in _folded(line))
 
 

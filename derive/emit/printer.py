@@ -2,7 +2,7 @@
 
 Rows that are used once become part of the expression that uses them, as long as it stays short; the others become
 constants with the author's name, or t0, t1, ... in order of use. Calls that gcc does not vectorize (atan2, sin, ...)
-go into loops of their own, so that the arithmetic around them is.
+go into separate loops, so that the arithmetic around them is vectorized.
 """
 
 from collections import Counter

@@ -63,7 +63,7 @@ class _Factoring:
         return p.logic(op, *moved) if op in ("and", "or", "not") else p.call(op, *moved)
 
     def _terms(self, row: int) -> list[Term]:
-        """Terms of a sum, from left to right, down to what is used elsewhere or is no sum."""
+        """Terms of a sum, from left to right, down to terms that are used elsewhere or are not sums."""
         terms: list[Term] = []
         stack = [(row, False)]
         while stack:

@@ -63,7 +63,7 @@ def verify_generated(names: Sequence[str] = (), progress: bool = False) -> Verif
     Raises
     ------
     KeyError
-        There is no element or law of that name.
+        The element or law does not exist.
     """
     start = time.perf_counter()
     compiled = generated_elements()
@@ -101,7 +101,9 @@ def main(names: tuple[str, ...], json_file: str | None) -> None:
     if unknown:
         raise click.UsageError(f"no element or law '{unknown[0]}'; there are: {', '.join(NAMES)}.")
     if json_file is not None and not Path(json_file).absolute().parent.is_dir():
-        raise click.UsageError(f"--json {json_file}: there is no such folder; make it, or give another path.")
+        raise click.UsageError(
+            f"--json {json_file}: the folder does not exist; create it, or give another path."
+        )
     result = verify_generated(names, progress=True)
     click.echo(result.table(), err=json_file == "-")
     if json_file is not None:

@@ -35,7 +35,7 @@ DYNAMIC = ("inertia", "tangent")
 
 
 def relative_error(computed: Array, reference: Array, scale: Array) -> float:
-    """Worst relative error over a batch; entries of the reference that are nan were not asked for.
+    """Worst relative error over a batch; entries of the reference that are nan were not requested.
 
     Parameters
     ----------

@@ -75,7 +75,7 @@ class Reference:
         self.columns = columns
 
     def outputs(self, kernel: str) -> dict[str, Array]:
-        """The outputs of a kernel by name; entries that were not asked for are not-a-number."""
+        """The outputs of a kernel by name; entries that were not requested are not-a-number."""
         table: dict[str, Callable[[], dict[str, Array]]] = {
             "position": self._position,
             "acceleration": self._acceleration,

@@ -1,1 +1,1 @@
-"""The commands of `flexel`, one in each room; the table of them is `flexel.commands.main`."""
+"""The commands of `flexel`, one per module; their table is in `flexel.commands.main`."""

@@ -10,7 +10,7 @@ FILE = click.Path(exists=True, dir_okay=False, path_type=Path)
 DIALECT = click.option(
     "--dialect",
     type=click.Choice(["delft", "twente"]),
-    help="Of the file; recognized by its keywords if not given.",
+    help="Dialect of the file; recognized by its keywords if not given.",
 )
 
 

@@ -1,4 +1,4 @@
-"""`flexel derive`: the C of the elements, written or checked. It may see `flexel.derive`, when it runs."""
+"""`flexel derive`: the C of the elements, written or checked. It imports `flexel.derive` only when it runs."""
 
 import click
 
@@ -8,7 +8,7 @@ PASSED_ON = {"ignore_unknown_options": True, "help_option_names": []}
 @click.command(context_settings=PASSED_ON, short_help="Regenerate the C kernels, or check them (--check).")
 @click.argument("arguments", nargs=-1, type=click.UNPROCESSED)
 def derive(arguments: tuple[str, ...]) -> None:
-    """Pass everything on to flexel.derive, whose own help is shown by `flexel derive --help`."""
+    """Pass everything on to flexel.derive, whose help is shown by `flexel derive --help`."""
     from flexel.derive.__main__ import main as command
 
     command.main(args=list(arguments), prog_name="flexel derive")

@@ -22,7 +22,7 @@ def facts() -> list[tuple[str, str]]:
 
 
 def _packages() -> list[str]:
-    """Return the names of the packages that flexel needs or can use, tools for working on flexel apart."""
+    """Return the names of the packages that flexel needs or can use, except development tools."""
     lines = [
         line for line in requires("flexel") or () if not re.search(r"extra == .(test|lint|docs|all)\b", line)
     ]
@@ -30,7 +30,7 @@ def _packages() -> list[str]:
 
 
 def _version(name: str) -> str:
-    """Return the version of an installed package, or that it is not there."""
+    """Return the version of an installed package, or that it is not installed."""
     try:
         return version(name)
     except PackageNotFoundError:
@@ -38,7 +38,7 @@ def _version(name: str) -> str:
 
 
 def _compiler() -> str:
-    """Return the C compiler that user-defined elements would be compiled with."""
+    """Return the C compiler for user-defined elements."""
     compiler = shutil.which("cc")
     if compiler is None:
         return "no cc: user-defined elements cannot be compiled"

@@ -1,6 +1,6 @@
-"""The command line: the table of the commands of `flexel`, each in a room of `flexel.commands`.
+"""The command line: the table of the commands of `flexel`, each in a module of `flexel.commands`.
 
-A command imports what it needs when it runs, so that ``flexel --help`` is quick and ``flexel derive`` works without
+A command imports its modules when it runs, so that ``flexel --help`` is quick and ``flexel derive`` works without
 compiled kernels.
 """
 
@@ -20,14 +20,14 @@ from flexel.commands.view import view
 
 
 class Commands(click.Group):
-    """A path that cannot be read or written ends any command in one line."""
+    """Reports a path that cannot be read or written in one line."""
 
     def invoke(self, ctx: click.Context) -> Any:
-        """Run the command that was asked for."""
+        """Run the requested command."""
         try:
             return super().invoke(ctx)
         except OSError as error:
-            if error.filename is None:  # a closed pipe, for one, which click knows
+            if error.filename is None:  # such as a closed pipe, which click handles
                 raise
             raise click.ClickException(f"{error.filename}: {error.strerror}; give another path") from error
 

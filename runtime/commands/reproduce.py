@@ -43,13 +43,13 @@ CASES = {
     "--out",
     type=click.Path(file_okay=False, path_type=Path),
     metavar="DIR",
-    help="Write figures and animations here (made if missing); without it none are drawn.",
+    help="Write figures and animations here (created if missing); without it none are drawn.",
 )
 def reproduce(names: tuple[str, ...], json_file: str | None, out: Path | None) -> None:
-    """Run published systems and compare with the printed numbers.
+    """Run published systems and compare with the published numbers.
 
-    Exit status 0 only if every quantity is within its tolerance. NAME `all` runs every system there is.
-    Ctrl-C stops; the systems that were finished keep their tables, files and JSON.
+    Exit status 0 only if every quantity is within its tolerance. NAME `all` runs every system.
+    Ctrl-C stops; finished systems keep their tables, files and JSON.
     """
     cases = _chosen(names)
     if json_file in CASES or json_file == "all":
@@ -57,7 +57,9 @@ def reproduce(names: tuple[str, ...], json_file: str | None, out: Path | None) -
             f"--json {json_file}: that is a system, not a file; write names before --json."
         )
     if json_file is not None and not Path(json_file).absolute().parent.is_dir():
-        raise click.UsageError(f"--json {json_file}: there is no such folder; make it, or give another path.")
+        raise click.UsageError(
+            f"--json {json_file}: the folder does not exist; create it, or give another path."
+        )
     if out is not None:
         out.mkdir(parents=True, exist_ok=True)
     to_stdout = json_file == "-"
@@ -81,7 +83,7 @@ def _write_json(reports: Sequence["Report"], file: str, as_list: bool) -> None:
 
 
 def _conclude(reports: Sequence["Report"], asked: int) -> None:
-    """Exit status 0 only if all that was asked is there and within its tolerance."""
+    """Exit status 0 only if all requested quantities exist and are within tolerance."""
     failed = [
         f"{report.case}: {entry.name}" for report in reports for entry in report.quantities if not entry.ok
     ]
@@ -92,7 +94,7 @@ def _conclude(reports: Sequence["Report"], asked: int) -> None:
 
 
 def _chosen(names: Sequence[str]) -> list[str]:
-    """Return the cases that the names on the command line ask for, each once."""
+    """Return the cases named on the command line, without duplicates."""
     unknown = [name for name in names if name not in CASES and name != "all"]
     if unknown:
         known = ", ".join([*CASES, "all"])

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from flexel.commands.modelfile import model_in, names_of, options_in, told_by_line
+from flexel.commands.modelfile import model_in, names_of, options_in, reported_by_line
 from flexel.commands.stop import INTERRUPTED
 
 if TYPE_CHECKING:
@@ -23,7 +23,7 @@ FORMATS = ("npz", "nc", "mat", "csv")
 
 @dataclass(frozen=True)
 class Wish:
-    """What the command line asks for: where results go, and what is to be done with a motion."""
+    """Options of the command line: the folder for results, and what to do with a motion."""
 
     out: Path
     simulate: Mapping[str, Any]
@@ -37,34 +37,36 @@ class Wish:
 @click.option("--time", type=float, metavar="SECONDS", help="Length of the motion.")
 @click.option("--samples", type=int, metavar="N", help="Number of stored states.")
 @click.option(
-    "--method", type=click.Choice(METHODS), help="Of integration; auto, the default, chooses by the model."
+    "--method",
+    type=click.Choice(METHODS),
+    help="Integration method; auto, the default, chooses by the model.",
 )
 @click.option(
     "--out",
     type=click.Path(file_okay=False, path_type=Path),
     metavar="DIR",
-    help="Folder for results, made if missing; out/MODEL by default.",
+    help="Folder for results, created if missing; out/MODEL by default.",
 )
 @click.option(
     "--format",
     "formats",
     type=click.Choice(FORMATS),
     multiple=True,
-    help="Of the saved motion; npz by default, again for more.",
+    help="Format of the saved motion; npz by default, repeat for more.",
 )
 @click.option(
-    "--plot", "plots", multiple=True, metavar="QUANTITY", help="Draw this time history; again for more."
+    "--plot", "plots", multiple=True, metavar="QUANTITY", help="Draw this time history; repeat for more."
 )
 @click.option(
     "--linearize", is_flag=True, help="Print frequency and damping of the modes about the last state."
 )
 @click.option(
-    "--mode", type=int, metavar="N", help="Of a SPACAR file: its mode of analysis, 1, 2, 4, 7, 8, 9 or 10."
+    "--mode", type=int, metavar="N", help="Mode of analysis of a SPACAR file: 1, 2, 4, 7, 8, 9 or 10."
 )
 @click.option(
     "--dialect",
     type=click.Choice(DIALECTS),
-    help="Of a SPACAR file; recognized by its keywords if not given.",
+    help="Dialect of a SPACAR file; recognized by its keywords if not given.",
 )
 def run(
     file: Path,
@@ -80,15 +82,15 @@ def run(
 ) -> None:
     """Build and simulate the model in a file MODEL.py and save its motion, or run a SPACAR input file MODEL.dat.
 
-    The file is a Python program that leaves a fx.Model behind, called `model` (or `m`, or the only one), and if it
-    likes a dict `simulate` with the options of System.simulate, as simulate = {"duration": 2.0}; the options given
-    here come before those. A file with a function main(out) does everything itself: it is called with the folder for
+    The file is a Python program that defines a fx.Model, called `model` (or `m`, or the only one), and optionally
+    a dict `simulate` with the options of System.simulate, as simulate = {"duration": 2.0}; the options given here
+    take precedence. A file with a function main(out) does everything itself: it is called with the folder for
     results, and a Motion that it returns is saved.
 
     A SPACAR file is read as data and never executed; results are printed in SPACAR's numbering and signs, and written
     where --out says, a motion also as MODEL_motion.npz for `flexel view`. Without --mode a file with TIMESTEP is
     simulated, one with load steps is loaded by these, and for any other the equilibrium, its frequencies and its
-    buckling loads are found.
+    buckling loads are computed.
 
     Ctrl-C stops a simulation; what was computed is saved, and the exit status is 130.
     """
@@ -97,7 +99,7 @@ def run(
     if file.suffix.lower() == ".dat":
         if asked or formats or plots or linearize:
             raise click.UsageError(
-                f"{file} says itself what is to be done; of the options only --mode, --dialect and "
+                f"{file} specifies its own analysis; only the options --mode, --dialect and "
                 "--out are for SPACAR files."
             )
         _run_spacar(file, out, mode, dialect)
@@ -114,7 +116,7 @@ def run(
         raise
     if motion is None:
         return
-    with told_by_line(file):
+    with reported_by_line(file):
         _keep(motion, wish, file.stem)
         _report(motion, wish)
     _end(motion)
@@ -125,14 +127,14 @@ def _run_python(file: Path, wish: Wish) -> Motion | None:
     from flexel.results.motion import Motion
 
     names = names_of(file)
-    # now, so that a folder that cannot be made is reported before the work
+    # now, so that a folder that cannot be created is reported before the computation
     wish.out.mkdir(parents=True, exist_ok=True)
     if callable(names.get("main")):
         if wish.simulate:
             raise click.UsageError(
-                f"{file} has a main(out), which simulates itself; leave out --time and the like."
+                f"{file} has a main(out), which runs its own simulation; omit --time and the like."
             )
-        with told_by_line(file):
+        with reported_by_line(file):
             made = names["main"](wish.out)
         return made if isinstance(made, Motion) else None
     return simulated(model_in(names, file), {**options_in(names, file), **wish.simulate}, file)
@@ -140,19 +142,19 @@ def _run_python(file: Path, wish: Wish) -> Motion | None:
 
 def simulated(model: Model, options: Mapping[str, Any], file: Path) -> Motion:
     """The motion of a model, with options of `System.simulate`."""
-    with told_by_line(file):
+    with reported_by_line(file):
         system = model.build()
     click.echo(repr(system))
     if "duration" not in options:
         raise click.UsageError(
             f"{file} does not say how long to simulate; give --time SECONDS, or write simulate = {{'duration': 2.0}}."
         )
-    with told_by_line(file):
+    with reported_by_line(file):
         return system.simulate(**options)
 
 
 def _report(motion: Motion, wish: Wish) -> None:
-    """Print how the motion ended and, if asked for, the modes about its end."""
+    """Print how the motion ended and, if requested, the modes about its end."""
     last, total = motion[-1], motion.energy["total"]
     click.echo(f"{motion.message}; {motion.statistics.get('steps', 0)} steps, {len(motion)} states")
     click.echo(f"energy {total[0]:.6g} J at the start, {total[-1]:.6g} J at t = {last.t:g} s")
@@ -165,7 +167,7 @@ def _report(motion: Motion, wish: Wish) -> None:
 
 
 def _keep(motion: Motion, wish: Wish, stem: str) -> None:
-    """Save the motion, and draw what was asked for."""
+    """Save the motion, and draw the requested plots."""
     for suffix in wish.formats:
         click.echo(f"wrote {motion.save(wish.out / f'{stem}.{suffix}')}")
     if wish.plots:

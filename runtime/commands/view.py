@@ -13,14 +13,14 @@ import click
     "--out",
     type=click.Path(dir_okay=False, writable=True, path_type=Path),
     metavar="FILE.html",
-    help="The page; beside the result by default.",
+    help="File of the page; beside the result by default.",
 )
 @click.option("--title", default="", help="Written above the picture; the name of the result by default.")
 @click.option("--open", "open_it", is_flag=True, help="Open the page in a browser.")
 def view(file: Path, out: Path | None, title: str, open_it: bool) -> None:
-    """Write a page that shows a saved RESULT (.npz, .nc, .mat or .csv) in any browser, without a network.
+    """Write a page that shows a saved RESULT (.npz, .nc, .mat or .csv) in any browser, offline.
 
-    A motion and a periodic motion are played; of a linearization the modes are shown. Nothing in the file is executed.
+    A motion or periodic motion is played; for a linearization the modes are shown. Nothing in the file is executed.
     """
     from flexel.base.errors import FlexelError
     from flexel.results.saved.loading import load

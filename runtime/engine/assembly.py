@@ -1,4 +1,4 @@
-"""Runs the compiled kernels of all elements of a model and scatters what they give.
+"""Runs the compiled kernels of all elements of a model and scatters their outputs.
 
 All elements of one type form a batch; the inputs of all batches are gathered with one `take` into one
 buffer, the batches run in one C call, and their outputs are scattered with one indexed assignment
@@ -30,13 +30,13 @@ class Batch:
     struct : cffi struct
         Function pointers of the kernels.
     inputs : dict of str to ndarray of int (elements, rows)
-        For each kernel input, where its rows lie in the global vector.
+        For each kernel input, the places of its rows in the global vector.
     p : ndarray (elements, np)
         Parameters.
     weight : ndarray (elements,), optional
         Mass-proportional damping of the elements [1/s].
     members : ndarray of int (elements,), optional
-        Of a part of a batch: the numbers of its elements in the whole one, which has `whole` elements.
+        For a part of a batch: the numbers of its elements in the whole one, which has `whole` elements.
     """
 
     spec: ElementSpec | LawSpec
@@ -69,7 +69,7 @@ class Batch:
 
 @dataclass(frozen=True)
 class Place:
-    """Where one output of a batch goes: flat places (elements, local size) in a global array of `shape`."""
+    """Destination of one output of a batch: flat places (elements, local size) in a global array of `shape`."""
 
     array: str
     shape: tuple[int, ...]
@@ -89,7 +89,7 @@ def kernel_struct(spec: ElementSpec | LawSpec, address: object) -> Any:
         struct = ffi.cast("flexel_law *" if law else "flexel_element *", address)[0]
     if ffi.string(struct.digest).decode() != spec.digest:
         raise FlexelError(
-            f"the compiled kernels of '{spec.name}' are of another derivation than generated/table.py; compile them "
+            f"the compiled kernels of '{spec.name}' belong to another derivation than generated/table.py; compile them "
             "again: pip install -e . (or make test)"
         )
     return struct
@@ -104,7 +104,7 @@ class Stage:
     kind : str
         Name of the kernel, e.g. "position".
     placement : Placement
-        Where each output goes.
+        Destination of each output.
     """
 
     def __init__(self, batches: Sequence[Batch], kind: str, placement: Placement) -> None:
@@ -128,7 +128,7 @@ class Stage:
         self._stack_sums()
 
     def _call_table(self, active: list[Batch], kind: str) -> Any:
-        """The array of `flexel_call` with all pointers, made once."""
+        """The array of `flexel_call` with all pointers, created once."""
         start = dict.fromkeys(self._names, 0)
         self._keep: list[Any] = []
         rows: list[dict[str, Any]] = []
@@ -176,7 +176,7 @@ class Stage:
         return table
 
     def _stack_sums(self) -> None:
-        """The entries of all summed outputs in one list, and where in it the places of each output begin."""
+        """The entries of all summed outputs in one list, and where the places of each output begin in it."""
         tables = {name: z for name, z in self._targets.items() if isinstance(z, _Sum)}
         places = [np.unique(z.target, return_inverse=True) for z in tables.values()]
         ends = np.cumsum([0, *(unique.size for unique, _ in places)])
@@ -282,7 +282,7 @@ def _input_shares(active: list[Batch]) -> Array | None:
 
 
 def _output_starts(active: list[Batch], kind: str) -> tuple[list[dict[str, int]], int]:
-    """Where each output of each batch starts in the common output buffer, and the buffer's length."""
+    """Start of each output of each batch in the common output buffer, and the buffer's length."""
     starts: list[dict[str, int]] = []
     place = 0
     for batch in active:

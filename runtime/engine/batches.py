@@ -35,7 +35,7 @@ def element_batches(structure: Structure) -> list[Batch]:
 
 
 def law_batches(structure: Structure) -> list[Batch]:
-    """The laws of each type, with the places of what they act on."""
+    """The laws of each type, with the places of the quantities on which they act."""
     groups: dict[tuple[str, object], list[LawInstance]] = defaultdict(list)
     for law in structure.laws:
         groups[law.spec.name, law.kernels].append(law)
@@ -52,9 +52,9 @@ def law_batches(structure: Structure) -> list[Batch]:
 
 
 def with_inertia(batches: Sequence[Batch], structure: Structure) -> list[Batch]:
-    """The elements that have mass: those of built-in types whose masses are zero are left out.
+    """The elements that have mass: those of built-in types with zero mass are omitted.
 
-    Inertia of the built-in types is proportional to their masses, and vanishes everywhere if it does so anywhere.
+    Inertia of the built-in types is proportional to their masses; if it vanishes anywhere, it vanishes everywhere.
     """
     rng = np.random.default_rng(1)
     x, v = structure.x0 + 0.1 * rng.standard_normal(structure.n), rng.standard_normal(structure.n)

@@ -1,7 +1,7 @@
-"""Everything that a model's elements and laws give at a state, as global arrays.
+"""Evaluates a model's elements and laws at a state, as global arrays.
 
 The rows of the stacked arrays are the quantities [deformations | slips | coordinates] of
-`flexel.structure.structure`; letters as in the formulation: e, De, V, γ, M, h, f, σ, τ, Φ, Ψ.  The matrix J stacks
+`flexel.structure.structure`; symbols as in the formulation: e, De, V, γ, M, h, f, σ, τ, Φ, Ψ.  The matrix J stacks
 De, V and the identity, so that the rate of any quantity is a row of J times v.
 """
 
@@ -53,7 +53,7 @@ class Tangents:
 
 @dataclass(frozen=True)
 class Constitutive:
-    """What the laws give at (e, ed, s, z, t): stresses (m + k,), rates of z (nz,), energy [J], lost power [W]."""
+    """Outputs of laws at (e, ed, s, z, t): stresses (m + k,), rates of z (nz,), energy [J], dissipated power [W]."""
 
     stress: Array
     zd: Array
@@ -76,11 +76,11 @@ class Evaluation:
 
     @cached_property
     def local(self) -> Local:
-        """The same kernels with their outputs kept element by element, for what is sparse."""
+        """The same kernels with their outputs kept element by element, for sparse evaluation."""
         return Local(self.structure, self.elements, self.laws)
 
     def _stage(self, kind: str) -> Stage:
-        """A kernel of all elements, made ready when first needed (its tables are as large as dense matrices)."""
+        """A kernel of all elements, prepared when first needed (its tables are as large as dense matrices)."""
         if kind not in self._stages:
             batches = self._with_inertia if kind in ("inertia", "tangent") else self.elements
             self._stages[kind] = Stage(batches, kind, self._place.element)
@@ -121,7 +121,7 @@ class Evaluation:
 
     @cached_property
     def filled(self) -> Array:
-        """Where J has entries that are not zero by structure (m + k + n, n), as booleans."""
+        """Structural nonzeros of J (m + k + n, n), as booleans."""
         found: Array = self._J != 0
         found.ravel()[self._stage("position").places("J")] = True
         if relations := self.structure.relations:
@@ -151,7 +151,7 @@ class Evaluation:
     def inertia(self, x: Array, v: Array) -> tuple[Array, Array, Array, float]:
         """Mass matrix M (n, n), convective inertia h (n,), body forces f (n,) and their potential [J].
 
-        Mass-proportional damping counts with h.
+        Mass-proportional damping is included in h.
         """
         n = self.structure.n
         self._stage("inertia").run(x=x, v=v)
@@ -163,7 +163,7 @@ class Evaluation:
         return stage.sum("M", (n, n)), h, stage.sum("f", (n,)), U
 
     def constitutive(self, e: Array, ed: Array, s: Array, z: Array, t: float) -> Constitutive:
-        """What the laws give at deformations (with their turns), rates, slips, internal states and time."""
+        """Outputs of the laws at deformations (with turns), rates, slips, internal states and time."""
         size, nz, law = self.structure.m + self.structure.k, self.structure.nz, self._law
         if not self.structure.laws:
             return Constitutive(np.zeros(size), np.zeros(0), 0.0, 0.0)
@@ -220,7 +220,7 @@ class Evaluation:
 
 @dataclass(frozen=True)
 class _Places:
-    """Where the outputs of the kernels go in the global arrays."""
+    """Destinations of the outputs of the kernels in the global arrays."""
 
     m: int
     k: int

@@ -1,4 +1,4 @@
-"""What laws give must be finite: errors that name the quantity whose law has no value, or no tangent, at a state."""
+"""Checks that outputs of laws are finite: errors name the quantity whose law has no value or tangent at a state."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from flexel.structure.structure import Structure
 
 
 class TangentError(DynamicsError):
-    """A law has no slope at a state that an analysis came to."""
+    """A law has no slope at a state reached by an analysis."""
 
 
 def check_finite(structure: Structure, stress: Array, zd: Array, t: float) -> None:
@@ -30,7 +30,7 @@ def check_finite(structure: Structure, stress: Array, zd: Array, t: float) -> No
 
 
 def check_tangent(structure: Structure, finite: NDArray[np.bool_], t: float) -> None:
-    """Raise if a law has no tangent: `finite` says it of the stresses (m + k,), and of the internal states after them.
+    """Raise if a law has no tangent: `finite` flags the stresses (m + k,), then the internal states.
 
     Raises
     ------
@@ -40,7 +40,7 @@ def check_tangent(structure: Structure, finite: NDArray[np.bool_], t: float) -> 
     if name := _first(structure, finite[:size], finite[size:]):
         raise TangentError(
             f"the tangent of the law on '{name}' at t = {t:g} s is not finite: the law has no slope here; correct the "
-            "law, or look at another state"
+            "law, or use another state"
         )
 
 

@@ -1,4 +1,4 @@
-"""How the rows of a batch lie in memory: blocks of eight elements side by side, one lane each."""
+"""Memory layout of the rows of a batch: blocks of eight elements side by side, one lane each."""
 
 from __future__ import annotations
 

@@ -1,9 +1,9 @@
 """Kernels of all elements with their outputs kept element by element: the sparse side of the evaluation.
 
 Outputs lie one element after another in flat arrays: J (an element's deformation and slip rows times its
-coordinates) and K, M (coordinates times coordinates).  J is a sparse matrix as it stands.  Nothing here is
+coordinates) and K, M (coordinates times coordinates).  J as stored is a sparse matrix.  Nothing here is
 larger than the sum of its elements, so that cost and storage grow linearly with their number.
-Letters as in the formulation.
+Symbols as in the formulation.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from flexel.structure.structure import Structure
 def varies(batch: Batch) -> bool:
     """Whether the mass matrix or the body force of an element depends on its position.
 
-    h vanishes identically where M is constant, and then only.
+    h vanishes identically if and only if M is constant.
     """
     kernels = batch.spec.kernels
     if "inertia" not in kernels:
@@ -116,7 +116,7 @@ class Local:
         self._rates = Stage(damped, "rates", self._place)
 
     def _place(self, batch: Batch, name: str) -> Place:
-        """Where an output of an element goes."""
+        """Destination of an output of an element."""
         m, k, n = self.structure.m, self.structure.k, self.structure.n
         g, x = self._group[id(batch)], batch.inputs["x"]
         E, rows, columns = g.shape
@@ -139,7 +139,7 @@ class Local:
         return Place(array, (self.columns_J.size,), places[:, part].reshape(E, -1), False)
 
     def _constant_inertia(self) -> None:
-        """Mass matrix, damping matrix and body forces of the elements where they are constant, once."""
+        """Mass matrix, damping matrix and body forces of the elements with constant ones, computed once."""
         n, x0 = self.structure.n, self.structure.x0
         steady = [g.batch for g in self.groups if not varies(g.batch)]
         stage = Stage(steady, "inertia", self._place)
@@ -186,7 +186,7 @@ class Local:
         return self._relations.combine(self._acceleration.flat("g", self.line_of.size))
 
     def inertia(self, x: Array, v: Array) -> Inertia:
-        """Inertia at (x, v); mass-proportional damping counts with h."""
+        """Inertia at (x, v); mass-proportional damping is included in h."""
         n = self.structure.n
         if not self.size_M:
             M, h, f, U = np.zeros(0), np.zeros(n), self._f0, 0.0
@@ -205,7 +205,7 @@ class Local:
         return d + self._momentum(M, v, self._shares) if self._shares.any() else d
 
     def momentum(self, M: Array, a: Array) -> Array:
-        """The mass matrix times a (n,): momenta of rates, forces of accelerations."""
+        """The mass matrix times a (n,): momenta for rates, forces for accelerations."""
         p = np.asarray(self.M0 @ a)
         return p + self._momentum(M, a, 1.0) if self.size_M else p
 
@@ -259,7 +259,7 @@ def _joined(parts: Any, dtype: Any = np.intp) -> Any:
 
 
 def _starts(counts: Any) -> Index:
-    """Starts of rows in a flat array, from the number of rows and their width for each group."""
+    """Starts of rows in a flat array, from the number and width of rows in each group."""
     widths = _joined(np.full(rows, width, dtype=np.intp) for rows, width in counts)
     return np.concatenate([[0], np.cumsum(widths)]).astype(np.intp)
 

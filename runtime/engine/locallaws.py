@@ -25,7 +25,7 @@ MAX_ITERATIONS = 12  # for the internal states at given deformations
 
 @dataclass(frozen=True)
 class LawForces:
-    """What the laws give.
+    """Outputs of the laws.
 
     Attributes
     ----------
@@ -33,7 +33,7 @@ class LawForces:
     z, zd : ndarray (nz,)
         Internal states and their rates.
     stored, dissipated : ndarray (laws,)
-        Energy [J] and lost power [W] of each law, in the order of the batches.
+        Energy [J] and dissipated power [W] of each law, in the order of the batches.
     """
 
     stress: Array
@@ -78,7 +78,7 @@ class LocalLaws:
         self._first = {id(b): int(z) for b, z in zip(laws, starts[:-1], strict=True)}
         codes = [self._pair_codes(b)[:, coupled(b)].ravel() for b in laws]
         self._codes = np.unique(np.concatenate(codes)) if codes else np.zeros(0, dtype=np.intp)
-        self._size = self._codes.size  # values by pair have one more entry, zero, for what is not there
+        self._size = self._codes.size  # values by pair have one more entry, zero, for missing pairs
         self._lagging = [b for b in laws if b.inputs["z"].shape[1]]
         widths = [b.size * rows_of(b) * columns_of(b) for b in self._lagging]
         self._Z_starts = dict(zip((id(b) for b in self._lagging), np.cumsum([0, *widths]), strict=False))
@@ -98,7 +98,7 @@ class LocalLaws:
         return [(self._first[id(b)] + b.numbers, self._lines[id(b)][:, 0]) for b in self._batches]
 
     def _place(self, batch: Batch, name: str) -> Place:
-        """Where an output of a law goes."""
+        """Destination of an output of a law."""
         lines, z = self._lines[id(batch)], batch.inputs["z"]
         m, width = batch.inputs["e"].shape[1], self.structure.m + self.structure.k
         if name in ("sigma", "tau"):
@@ -117,7 +117,7 @@ class LocalLaws:
     def _pair_places(self, batch: Batch) -> Index:
         """Places of (stresses) x (e, its rate and s) in the values by pair: by e first, by the rates then."""
         m = batch.inputs["e"].shape[1]
-        pair = np.searchsorted(self._codes, self._pair_codes(batch))  # of no meaning where there is no pair
+        pair = np.searchsorted(self._codes, self._pair_codes(batch))  # meaningless where there is no pair
         places = np.concatenate([pair[:, :, :m], self._size + 1 + pair], axis=2)
         return places.reshape(batch.size, -1)
 
@@ -179,7 +179,7 @@ class LocalLaws:
         return LawForces(self._law.sum("stress", (w.size,)), z, zd, U, P)
 
     def step(self, e: Array, w: Array, z: Array, t: float, step: ImplicitStep) -> LawForces:
-        """The same at the internal states that an implicit step demands, by Newton's method from a guess z."""
+        """The same at the internal states of an implicit step, by Newton's method from a guess z."""
         found = self.forces(e, w, z, t)
         for _ in range(MAX_ITERATIONS):
             off = found.z - step.known - step.share * found.zd
@@ -198,7 +198,7 @@ class LocalLaws:
     def tangents(self, e: Array, w: Array, z: Array, t: float, share: float) -> tuple[Array, Array]:
         """Derivatives of the stresses by pair: by deformations, and by their rates and slips.
 
-        Internal states follow as in an implicit step with that share; they are held where it is zero.
+        Internal states follow as in an implicit step with that share; they are held if it is zero.
         """
         if not self.count:
             return np.zeros(1), np.zeros(1)
@@ -267,7 +267,7 @@ def _add(g: Group, K: Array, J: Array, phi: Array | None, S: Array, damping: Arr
     if phi is not None:
         some |= (damping != 0).reshape(g.shape[0], -1).any(axis=1)
     every = bool(some.all())
-    if not every:  # contacts that do not touch cost nothing further
+    if not every:  # open contacts are skipped
         Jg, S, damping = Jg[some], S[some], damping[some]
     W = _times(S, Jg)
     if phi is not None:

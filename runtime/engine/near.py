@@ -1,7 +1,7 @@
-"""Which contacts of ropes are near enough to count, so that the cost of a step follows the points near a surface.
+"""Selects the rope contacts near a surface, so that the cost of a step is proportional to their number.
 
-Only contacts within a reach of their surface are evaluated in the iterations of a step; the gaps of the others are
-looked at once after each step, so that none is missed.
+Only contacts within reach of their surface are evaluated in the iterations of a step; the gaps of the others are
+checked once after each step, so that none is missed.
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ from flexel.engine.evaluate import Evaluation
 from flexel.engine.local import Local
 
 REACH = 1.0  # gap of a near contact, in lengths of its cable
-ALARM = 0.25  # gap of a far contact that calls for another choice
-FEW = 100  # contacts that are not worth a choice
+ALARM = 0.25  # gap of a far contact that requires a new selection
+FEW = 100  # number of contacts below which selection does not pay
 
 Mask = NDArray[np.bool_]
 
@@ -29,7 +29,7 @@ class NearContacts:
     Attributes
     ----------
     worthwhile : bool
-        Whether there are enough contacts to choose among.  Laws with internal states go on in open contacts, so that
+        Whether there are enough contacts for a selection.  Laws with internal states evolve in open contacts too, so
         all of them are then kept.
     """
 
@@ -57,7 +57,7 @@ class NearContacts:
         return Local(self._evaluation.structure, [b for b in elements if b.size], laws)
 
     def smallest(self, x: Array) -> float:
-        """Smallest gap of the contacts that are left out, in lengths of their cables; infinite if none is."""
+        """Smallest gap of the omitted contacts, in lengths of their cables; infinite if none are omitted."""
         return min(
             (float(g[far].min(initial=np.inf)) for g, far in zip(self.gaps(x), self._far, strict=True)),
             default=np.inf,
@@ -65,7 +65,7 @@ class NearContacts:
 
 
 def _is_contact(batch: Batch) -> bool:
-    """A contact has gaps for deformations, a cable's length, and no mass."""
+    """Whether elements are contacts: their deformations are gaps, they have a cable's length, and no mass."""
     spec = batch.spec
     kinds = [d.kind for d in getattr(spec, "deformations", ())]
     lengths = any(p.name == "l0" for p in spec.parameters)

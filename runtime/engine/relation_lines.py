@@ -1,4 +1,4 @@
-"""Rows of J of linear relations, made of the rows of their terms in flat storage."""
+"""Rows of J of linear relations, combined from the rows of their terms in flat storage."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from flexel.structure.structure import Structure
 
 
 class RelationLines:
-    """The rows of the relations behind those of the elements in the flat J.
+    """The rows of the relations, appended to those of the elements in the flat J.
 
     Attributes
     ----------
@@ -31,9 +31,9 @@ class RelationLines:
             for i in range(E if relations else 0):
                 for row in range(rows):
                     places[int(g.lines[i, row])] = g.first_J + columns * (i * rows + row), g.places[i]
-        self._ones = sum(int(np.prod(g.shape)) for g in groups)  # a one behind the entries of the elements
+        self._ones = sum(int(np.prod(g.shape)) for g in groups)  # a one after the entries of the elements
         found = [self._row(places, first, i) for i in range(relations.rows.size)]
-        # where elements are left out, so are the relations among them
+        # if elements are omitted, so are the relations among them
         self.quantities = relations.rows if None not in found else relations.rows[:0]
         rows_ = [z for z in found if z is not None] if self.quantities.size else []
         self.widths = np.array([z[0].size for z in rows_], dtype=np.intp)

@@ -2,7 +2,7 @@
 
 Dense LAPACK where the matrix is small; banded LAPACK after reverse Cuthill-McKee for chains and ropes, with
 the few unknowns that couple to everything (a drum under a rope) kept apart in a border; `splu` otherwise.  The
-entries are summed straight into the storage that the factorization wants.
+entries are summed directly into the storage of the factorization.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ class Factors(Protocol):
 
 
 class Factorization:
-    """LU factors of a dense square matrix, with row scaling left to the caller."""
+    """LU factors of a dense square matrix; row scaling is up to the caller."""
 
     def __init__(self, matrix: Array) -> None:
         self._matrix = matrix
@@ -81,7 +81,7 @@ class SparseFactors:
         self._lu: Any = None
         try:
             self._lu = _splu(matrix)
-        except RuntimeError as error:  # SuperLU's only way to say that a pivot is zero
+        except RuntimeError as error:  # SuperLU's only report of a zero pivot
             if "singular" not in str(error):
                 raise
 
@@ -97,7 +97,7 @@ class SparseFactors:
 
 
 class Solvable(Protocol):
-    """A factorized square matrix whose transpose is solved with as well."""
+    """A factorized square matrix that also solves with its transpose."""
 
     @property
     def regular(self) -> bool:
@@ -114,7 +114,7 @@ def factorize(matrix: Any) -> Solvable:
 
 @dataclass(frozen=True)
 class Band:
-    """A band matrix with a border: which unknown comes where, and how wide the band is."""
+    """A band matrix with a border: the order of the unknowns, and the width of the band."""
 
     order: Index  # unknowns in the order of the band, the border's last
     inner: int  # unknowns in the band
@@ -122,11 +122,11 @@ class Band:
 
     @property
     def lines(self) -> int:
-        """Rows of LAPACK's band storage, room for row interchanges included."""
+        """Rows of LAPACK's band storage, including space for row interchanges."""
         return 3 * self.width + 1
 
     def slots(self, rows: Index, columns: Index) -> Index:
-        """Where entries lie in the storage [band | right border | lower border | corner]."""
+        """Places of entries in the storage [band | right border | lower border | corner]."""
         place = np.empty(self.order.size, dtype=np.intp)
         place[self.order] = np.arange(self.order.size)
         i, j, n, h = place[rows], place[columns], self.inner, self.order.size - self.inner
@@ -140,7 +140,7 @@ class Band:
 
     @property
     def size(self) -> int:
-        """Numbers in the storage."""
+        """Length of the storage."""
         h = self.order.size - self.inner
         return self.inner * self.lines + 2 * h * self.inner + h * h
 
@@ -185,7 +185,7 @@ class BandFactors:
 
 
 class Pattern:
-    """Where the entries of a square matrix lie, how it is stored, and how it is factorized.
+    """Pattern of the entries of a square matrix, its storage, and its factorization.
 
     Parameters
     ----------
@@ -194,7 +194,7 @@ class Pattern:
     size : int
         Unknowns.
     kind : str, optional
-        dense, banded or sparse; by default what is expected to be the fastest.
+        dense, banded or sparse; by default the one expected to be fastest.
     """
 
     def __init__(self, rows: Index, columns: Index, size: int, kind: str | None = None) -> None:
@@ -232,7 +232,7 @@ class Pattern:
         return min(seconds, key=lambda z: seconds[z])
 
     def _storage(self) -> tuple[Index, int]:
-        """Slot of every entry in the storage, dropped ones behind its end; and the storage's length."""
+        """Slot of every entry in the storage, dropped ones beyond its end; and the storage's length."""
         if self.kind == "dense":
             places, length = self._columns * self.size + self._rows, self.size**2
         elif self.kind == "banded" and self._band is not None:

@@ -1,9 +1,9 @@
-"""Factorizations that use the order in which a mechanism is put together: block lower triangular form.
+"""Factorizations that use the assembly order of a mechanism: block lower triangular form.
 
 The constraints of a mechanism whose joints are its degrees of freedom determine one body after another: with rows and
 columns in that order the matrix has small diagonal blocks (a body, or the bodies of a closed loop) and nothing to the
-right of them. The form follows from the places of the entries alone, once; LU factors are needed of the diagonal
-blocks only, with row interchanges inside them. Source: Duff and Reid (1978), ACM Trans. Math. Softw. 4:137.
+right of them. The form follows from the places of the entries alone, computed once; LU factors are needed only for the
+diagonal blocks, with row interchanges inside them. Source: Duff and Reid (1978), ACM Trans. Math. Softw. 4:137.
 """
 
 from __future__ import annotations
@@ -25,16 +25,16 @@ class BlockForm:
     Parameters
     ----------
     rows, columns : ndarray of int (entries,)
-        Place of each entry, none of them twice.
+        Place of each entry, without duplicates.
     size : int
         Unknowns.
 
     Attributes
     ----------
     regular : bool
-        False if no values of the entries could make the matrix regular; there is no form then.
+        False if no values of the entries could make the matrix regular; it then has no form.
     rows, columns : ndarray of int (size,)
-        Which row and which column comes where.
+        Order of rows and columns.
     start : ndarray of int (blocks + 1,)
         Where the diagonal blocks begin.
     """
@@ -56,11 +56,11 @@ class BlockForm:
 
     @property
     def operations(self) -> float:
-        """Multiplications that the factorization takes, about."""
+        """Approximate number of multiplications in the factorization."""
         return float((np.diff(self.start).astype(float) ** 3).sum() / 3)
 
     def _entries(self, rows: Index, columns: Index) -> None:
-        """Slots of the entries in the storage: diagonal blocks row by row, then what lies beside them."""
+        """Slots of the entries in the storage: diagonal blocks row by row, then the off-diagonal entries."""
         i, j = (np.argsort(order)[z] for order, z in ((self.rows, rows), (self.columns, columns)))
         start = self.start.astype(np.intp)
         block, width = np.repeat(np.arange(start.size - 1), np.diff(start)), np.diff(start)

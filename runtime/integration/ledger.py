@@ -72,8 +72,8 @@ class Ledger:
         """Whether most of the energy at the end of a step is spurious: neither stored before nor supplied.
 
         Newton's method has then found a solution of a long step that does not continue its beginning: a
-        rope that has jumped off its sheave.  Energy below the work of the largest force over a thousandth of the model's
-        size is ignored.
+        rope that has jumped off its sheave.  Energy below the work of the largest force over a thousandth of the
+        model's size is ignored.
         """
         before = self._energy
         after, power = self._figures(b)

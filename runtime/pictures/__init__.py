@@ -1,1 +1,1 @@
-"""Pictures with matplotlib, and the shapes of all parts, which the viewer paints, too."""
+"""Pictures with matplotlib, and the shapes of all parts, which the viewer uses too."""

@@ -1,6 +1,6 @@
-"""Moving pictures of a mechanism: a GIF or an MP4 painted by matplotlib, or the page of `flexel.pictures.view`.
+"""Animations of a mechanism: a GIF or an MP4 drawn by matplotlib, or the page of `flexel.pictures.view`.
 
-Each frame is one PNG, so that the writers differ only in how they join them.
+Each frame is one PNG, so the writers differ only in how they join them.
 """
 
 from __future__ import annotations
@@ -47,10 +47,10 @@ def animate(
         ``.gif`` (needs Pillow, which comes with matplotlib), ``.mp4`` (needs the program ffmpeg), or ``.html``: the
         page of `Motion.view`.
     fps : float
-        Frames per second of the picture; the page shows what lies between them too.  Of a motion without dense output
+        Frames per second of the picture; the page interpolates between them.  For a motion without dense output
         (implicit integration, a file) the frames are the stored states nearest to their times.
     view : View, optional
-        Eye, window, trails and sketches; by default all of the motion is within the window.
+        Camera, window, trails and sketches; by default the window contains the whole motion.
     between : (start, end), optional
         Times [s] of the part to be shown; all by default.
     title, caption : str
@@ -58,7 +58,7 @@ def animate(
     slower : float
         Seconds of picture per second of motion.
     size, dpi
-        Of the frames of a GIF or an MP4, in inches and dots per inch.
+        Size and resolution of the frames of a GIF or an MP4, in inches and dots per inch.
     progress : bool, optional
         Progress bar on stderr; by default where stderr is a terminal.
 
@@ -69,7 +69,7 @@ def animate(
     Raises
     ------
     ModelError
-        A suffix that is none of these, or an unknown node in the view.
+        Another suffix, or an unknown node in the view.
     FlexelError
         If matplotlib or ffmpeg is missing.
     """
@@ -103,7 +103,7 @@ def animate(
 
 
 def _whole(states: list[State]) -> View:
-    """A view whose window holds all of a motion."""
+    """A view whose window contains the whole motion."""
     places = np.vstack([painted(drawing.shapes(z)) for z in states])
     low, high = places.min(axis=0), places.max(axis=0)
     middle = (low + high) / 2

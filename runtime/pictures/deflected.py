@@ -1,6 +1,6 @@
 """Deflected shapes and mode shapes: a mechanism drawn at several states, or displaced from one.
 
-Every function returns the matplotlib figure and writes it where a path is given.
+Every function returns the matplotlib figure and writes it to a file if a path is given.
 """
 
 from __future__ import annotations
@@ -45,9 +45,9 @@ def plot_states(
     times : sequence of float
         [s]; the last stored one if none is given.
     view : View, optional
-        Direction of sight, up and sketches.
+        View direction, up and sketches.
     scale : float
-        By which displacements from the drawn shape are magnified.
+        Magnification of displacements from the drawn shape.
     """
     first = motion[0]
     drawn = at_coordinates(first, motion.structure.x0)
@@ -68,17 +68,17 @@ def plot_shape(
     view: View | None = None,
     title: str = "",
 ) -> Figure:
-    """A mode shape over the state that it belongs to, in grey.
+    """A mode shape over its state, which is in grey.
 
     Parameters
     ----------
     state : State
     shape : mapping of str to complex
-        Displacements of coordinates, as of `Vibration.shape`, `BucklingMode.shape` or `Linearization.mode_shape`.
+        Displacements of coordinates, as in `Vibration.shape`, `BucklingMode.shape` or `Linearization.mode_shape`.
     size : float, optional
         Largest displacement shown [m]; a tenth of the model's size by default.
     phases : sequence of float
-        At which the motion is shown [rad]; several where the parts do not move in phase.
+        Phases at which the motion is shown [rad]; use several if the parts do not move in phase.
     view : View, optional
     title : str
     """
@@ -93,7 +93,7 @@ def plot_shape(
 
 
 def coordinates_of(structure: Structure, shape: Mapping[str, complex]) -> Any:
-    """Displacements (n,) of all coordinates from those that a shape names; other quantities are passed over."""
+    """Displacements (n,) of all coordinates from those named in a shape; other quantities are ignored."""
     first = structure.m + structure.k
     X = np.zeros(structure.n, dtype=complex)
     for name, value in shape.items():
@@ -112,7 +112,7 @@ def mode_size(state: State, X: Any) -> float:
 
 
 def _travel(state: State, X: Any) -> float:
-    """Largest displacement of what is drawn, to first order."""
+    """Largest displacement of the drawn parts, to first order."""
     small = 1e-6 / float(np.max(np.abs(X)))
     moved = [displaced(state, small * part) for part in (np.real(X), np.imag(X))]
     before = np.vstack([line for part in drawing.shapes(state) for line in part.lines])
@@ -122,7 +122,7 @@ def _travel(state: State, X: Any) -> float:
 
 
 def displaced(state: State, dx: Array) -> State:
-    """A state to be drawn only, its coordinates displaced; Euler parameters keep their norm."""
+    """A state for drawing only, with displaced coordinates; Euler parameters keep their norm."""
     x, structure = state.x + dx, state.structure
     for node in structure.nodes:
         if node.kind == "frame":
@@ -132,7 +132,7 @@ def displaced(state: State, dx: Array) -> State:
 
 
 def at_coordinates(state: State, x: Array) -> State:
-    """A state to be drawn only, at other coordinates (n,); all else in it is as it was."""
+    """A state for drawing only, with other coordinates (n,); the rest is unchanged."""
     moved = copy(state)
     object.__setattr__(moved, "x", x)
     return moved
@@ -141,7 +141,7 @@ def at_coordinates(state: State, x: Array) -> State:
 def _overlaid(
     figures: Sequence[tuple[State, str, str]], path: str | Path | None, view: View | None, title: str
 ) -> Figure:
-    """Several states of one model in one picture, each in its colour."""
+    """Several states of one model in one picture, each in its own colour."""
     view = view or View()
     flat = drawing.planar(figures[0][0])
     up = drawing.upward(figures[0][0]) if view.up is None else np.asarray(view.up, dtype=float)

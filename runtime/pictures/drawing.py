@@ -1,6 +1,6 @@
-"""What a mechanism looks like at one instant: the shapes of all its parts, for any kind of picture.
+"""Geometry of a mechanism at one instant: the shapes of all its parts, for any kind of picture.
 
-Everything is read from the structure's instances and a state; how it is painted is the business of
+Everything is read from the structure's instances and a state; painting is done by
 `flexel.pictures.scene` (matplotlib) and `flexel.pictures.view` (a page with a viewer).
 """
 
@@ -23,8 +23,8 @@ __all__ = ["Shape", "Sketch", "planar", "roads", "shapes", "upward"]
 
 
 def shapes(state: State, sketches: Sequence[Sketch] = ()) -> list[Shape]:
-    """All parts of the model at a state, elements in their order, then sketches, then the nodes."""
-    shown = [z for z in state.structure.instances if "." not in z.name]  # the others only measure
+    """All parts of the model at a state: elements in order of declaration, then sketches, then nodes."""
+    shown = [z for z in state.structure.instances if "." not in z.name]  # the others are sensors
     # a body that has a sketch or is a wheel needs no box
     outlined = {sketch.frame for sketch in sketches} | {z.nodes[1] for z in shown if rolls(z)}
     found: list[Shape] = []
@@ -42,7 +42,7 @@ def shapes(state: State, sketches: Sequence[Sketch] = ()) -> list[Shape]:
 
 
 class _Geometry:
-    """The geometry of the one state of a picture: evaluated once, however many parts ask for it."""
+    """The geometry of the state in a picture, evaluated once for all parts."""
 
     def __init__(self, geometry: Geometry) -> None:
         self.structure = geometry.structure
@@ -50,14 +50,14 @@ class _Geometry:
         self._found: tuple[Array, Array] | None = None
 
     def position(self, x: Array) -> tuple[Array, Array]:
-        """Deformations and J, as `flexel.structure.state.Geometry` says."""
+        """Deformations and J; see `flexel.structure.state.Geometry`."""
         if self._found is None:
             self._found = self._geometry.position(x)
         return self._found
 
 
 def roads(state: State) -> list[tuple[Array, float]]:
-    """Unit normal and height of every plane on which a wheel rolls, each once."""
+    """Unit normal and height of every distinct plane on which a wheel rolls."""
     found: dict[tuple[float, ...], tuple[Array, float]] = {}
     for instance in state.structure.instances:
         if rolls(instance) and "normal" in instance.parameters:
@@ -67,7 +67,7 @@ def roads(state: State) -> list[tuple[Array, float]]:
 
 
 def upward(state: State) -> Array:
-    """The direction (3,) that a picture shows as up: normal to the road, against gravity, or the z axis."""
+    """The direction (3,) shown as up in a picture: normal to the road, against gravity, or the z axis."""
     for normal, _ in roads(state):
         return normal
     for instance in state.structure.instances:

@@ -1,4 +1,4 @@
-"""Figures in flexel's style with matplotlib, which is imported when one is made."""
+"""Figures in flexel's style with matplotlib, which is imported on first use."""
 
 from __future__ import annotations
 
@@ -45,9 +45,9 @@ def figure(
     Parameters
     ----------
     rows, columns : int
-        Of the grid of axes; no rows: an empty figure.
+        Rows and columns of the grid of axes; no rows: an empty figure.
     size : (width, height)
-        In inches.
+        Size in inches.
     options
         Passed on to `matplotlib.figure.Figure.subplots`.
     """
@@ -61,6 +61,6 @@ def figure(
 
 
 def save(drawn: Figure, path: str | Path | None) -> None:
-    """Write a figure to a file, if a path is given; the suffix tells the format."""
+    """Write a figure to a file, if a path is given; the suffix determines the format."""
     if path is not None:
         drawn.savefig(Path(path), dpi=130)

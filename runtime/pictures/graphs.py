@@ -1,6 +1,6 @@
 """Graphs of results: spectra, phase planes, poles, harmonics.
 
-Every function returns the matplotlib figure and writes it where a path is given.
+Every function returns the matplotlib figure and writes it to a file if a path is given.
 """
 
 from __future__ import annotations
@@ -30,9 +30,9 @@ def spectrum(motion: Motion, name: str, window: str = "hann") -> tuple[Array, Ar
     Parameters
     ----------
     name : str
-        As for `Motion.series`.
+        Name as in `Motion.series`.
     window : str
-        Of `scipy.signal.get_window`; ``boxcar`` for a whole number of periods.
+        A window of `scipy.signal.get_window`; ``boxcar`` for a whole number of periods.
 
     Returns
     -------
@@ -87,7 +87,7 @@ def plot_spectra(
     window : str
         See `spectrum`.
     logarithmic : bool
-        Of the amplitudes.
+        Logarithmic scale of the amplitudes.
     limit : float, optional
         Largest frequency shown [Hz].
     """
@@ -110,7 +110,7 @@ def plot_spectra(
 
 
 def plot_phase(motion: Motion, x: str, y: str, path: str | Path | None = None) -> Figure:
-    """One quantity over another; the start is marked.
+    """One quantity against another; the start is marked.
 
     Parameters
     ----------

@@ -1,6 +1,6 @@
-"""What each kind of element looks like at a state: a table of functions that give its shapes.
+"""Painters: a table of functions that give the shapes of each kind of element at a state.
 
-A new picture is one function and one line in `PAINTERS`.
+A new kind needs one function and one line in `PAINTERS`.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ HINGE = 0.02  # half the length of a hinge's pin, relative to the model
 
 
 def bar(state: State, instance: Instance) -> Iterator[Shape]:
-    """The line through an element's points: trusses, rigid links, elements of the user's own."""
+    """The line through an element's points: trusses, rigid links, user-defined elements."""
     ends = [n for n in instance.nodes if state.structure.node(n).kind.endswith("point")]
     line = np.array([place(state, n) for n in ends])
     if len(line) > 1:
@@ -85,7 +85,7 @@ def wheel(state: State, instance: Instance) -> Iterator[Shape]:
 
 
 def tyre(state: State, instance: Instance) -> Iterator[Shape]:
-    """Rim, spokes, axle, and one spoke of its own style (the valve) that shows the turning."""
+    """Rim, spokes, axle, and one spoke in its own style (the valve) that shows the rotation."""
     hub, frame = instance.nodes[:2]
     centre, R = place(state, hub), axes_of(state, frame)
     radius, axle = float(instance.parameters["radius"][0]), instance.parameters["axle"]
@@ -106,7 +106,7 @@ def tyre(state: State, instance: Instance) -> Iterator[Shape]:
 
 
 def body(state: State, instance: Instance) -> Iterator[Shape]:
-    """The mass centre, a thin line to the point that carries the body, and the box that has its inertia."""
+    """The mass centre, a thin line to the point that carries the body, and the box with its inertia."""
     p, r = instance.nodes
     start, R = place(state, p), axes_of(state, r)
     c = np.append(instance.parameters["c"], 0.0)[:3]
@@ -115,7 +115,7 @@ def body(state: State, instance: Instance) -> Iterator[Shape]:
     if np.any(c):
         yield Shape("spoke", instance.name, (np.array([start, centre]),), (start, R))
     sides, T = _box(instance)
-    # thin ones, and ones larger than the whole model, say nothing: the inertia was not meant as a shape
+    # boxes that are thin, or larger than the whole model, are omitted: the inertia does not represent a shape
     if np.min(np.sort(sides)[1:]) > 0 and np.max(sides) < extent(state.structure):
         axes = R @ T
         half = sides[0] / 2 * axes[:, 0]
@@ -149,7 +149,7 @@ def bearing(state: State, instance: Instance) -> Iterator[Shape]:
 
 
 def hinge(state: State, instance: Instance) -> Iterator[Shape]:
-    """The pin, where the bodies of the hinge have a point in common; a hinge between frames alone has no place."""
+    """The pin, if the bodies of the hinge have a common point; a hinge between frames alone has no place."""
     held = [_points(state.structure, r) for r in instance.nodes]
     found = [z for z in held[1] if z in held[0]] or held[1] or held[0]
     if found:
@@ -167,7 +167,7 @@ def _pin(state: State, instance: Instance, point: str, axis: Array) -> Shape:
 
 
 def _points(structure: Structure, frame: str) -> list[str]:
-    """Points that lie on the body of a frame, in the order of the elements that say so."""
+    """Points on the body of a frame, in the order of the elements that put them there."""
     found: list[str] = []
     for instance in structure.instances:
         if frame not in instance.nodes:
@@ -188,7 +188,7 @@ def rolls(instance: Instance) -> bool:
 
 
 def _axial(state: State, instance: Instance) -> dict[str, Array]:
-    """Tension, and the strain of the axis of an element that can stretch and says from which length."""
+    """Tension and axial strain of an element that can stretch and has an undeformed length."""
     name = f"{instance.name}.elongation"
     if name not in state.structure.index or "l0" not in instance.parameters:
         return {}
@@ -197,7 +197,7 @@ def _axial(state: State, instance: Instance) -> dict[str, Array]:
 
 
 def _bending(state: State, instance: Instance) -> dict[str, Array]:
-    """Bending moments at the ends of a beam, and the largest strain in the sections there, where they are known."""
+    """Bending moments at the ends of a beam, and the largest strain in the sections there, if known."""
     ends = section_forces(state, instance.name)
     found = {"bending moment": np.array([np.hypot(z.My, z.Mz) for z in ends])}
     if isinstance(instance.profile, Profile):
@@ -207,7 +207,7 @@ def _bending(state: State, instance: Instance) -> dict[str, Array]:
     return found
 
 
-# by the word that an element's declaration has for its picture
+# keys: the word for the picture in an element's declaration
 PAINTERS: dict[str, Callable[[State, Instance], Iterator[Shape]]] = {
     "": bar,
     "bar": bar,

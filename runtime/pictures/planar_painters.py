@@ -1,4 +1,4 @@
-"""What pulleys, gears and wheels of planar models look like at a state."""
+"""Shapes of pulleys, gears and wheels of planar models at a state."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ RIM = np.linspace(0, 2 * np.pi, 49)
 
 
 def disc(name: str, centre: Array, axes: Array, radius: float) -> Iterator[Shape]:
-    """A circle in the plane of the first two axes, with one spoke that shows the turning.
+    """A circle in the plane of the first two axes, with one spoke that shows the rotation.
 
     Parameters
     ----------
@@ -34,7 +34,7 @@ def disc(name: str, centre: Array, axes: Array, radius: float) -> Iterator[Shape
 
 
 def wheel(state: State, instance: Instance) -> Iterator[Shape]:
-    """A wheel that rolls upright on the plane; its axle is half way up, in the plane of the picture."""
+    """A wheel that rolls upright on the plane; its axle is at mid-height, in the plane of the picture."""
     point, heading, spin = instance.nodes
     ahead = turned(float(state.position(heading)[0]) + _number(instance, "alpha0"))
     upright = np.column_stack([ahead[:, 0], -ahead[:, 2], ahead[:, 1]])  # forward, down, along the axle
@@ -57,7 +57,7 @@ def belt(state: State, instance: Instance) -> Iterator[Shape]:
 
 
 def run(state: State, instance: Instance) -> Array:
-    """Where a belt leaves the one pulley and meets the other (2, 3): on the left of its direction."""
+    """Points (2, 3) where a belt leaves one pulley and meets the other: on the left of its direction."""
     p, _, q, _ = instance.nodes
     a, b = _number(instance, "radius_p"), _number(instance, "radius_q")
     start, end = place(state, p), place(state, q)

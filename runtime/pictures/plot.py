@@ -1,6 +1,6 @@
-"""Pictures of motions: time histories, root loci, and, from the rooms next door, the mechanism at rest and moving.
+"""Plots of motions: time histories, root loci, and, from sibling modules, the mechanism at rest and moving.
 
-Every function returns the matplotlib figure (or axes, or path) and writes it where a path is given.
+Every function returns the matplotlib figure (or axes, or path) and writes it to a file if a path is given.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ def plot_histories(motion: Motion, names: Sequence[str], path: str | Path | None
         Quantities; ``"steer.angle'"`` is a rate, ``"steer.angle''"`` an acceleration, ``"force:rod.elongation"`` a
         stress.  The degrees of freedom of the motion by default.
     path : path, optional
-        Where to write the figure; the suffix tells the format.
+        File for the figure; the suffix determines the format.
 
     Raises
     ------
@@ -61,7 +61,7 @@ def plot_histories(motion: Motion, names: Sequence[str], path: str | Path | None
             panel.set_ylabel(f"[{unit}]" if unit else "")
             panel.legend(loc="upper right")
         axes[-1, 0].set_xlabel("time [s]")
-        if motion.t[-1] > motion.t[0]:  # a motion that was interrupted at once has one state
+        if motion.t[-1] > motion.t[0]:  # a motion interrupted immediately has only one state
             axes[-1, 0].set_xlim(motion.t[0], motion.t[-1])
     save(drawn, path)
     return drawn
@@ -96,7 +96,7 @@ def root_loci(
     names: Mapping[str, tuple[float, float]] | None = None,
     title: str = "",
 ) -> Figure:
-    """Real and imaginary parts of eigenvalues over a parameter; where all real parts are negative is shaded.
+    """Real and imaginary parts of eigenvalues over a parameter; ranges with all real parts negative are shaded.
 
     Parameters
     ----------
@@ -107,11 +107,11 @@ def root_loci(
     label : str
         Name and unit of the parameter.
     marks : mapping of str to float
-        Values of the parameter to be marked, with their names.
+        Values of the parameter to mark, with their names.
     limits : (low, high), optional
-        Of the real parts shown [1/s].
+        Limits of the real parts shown [1/s].
     names : mapping of str to (parameter, real part)
-        Names of branches and where to write them.
+        Names of branches and their positions.
     """
     p = np.asarray(parameter, dtype=float)
     w = branches(p, np.asarray(eigenvalues))

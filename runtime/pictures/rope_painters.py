@@ -1,4 +1,4 @@
-"""What ropes and what they touch look like: the cable's curve with its tension, sheaves, and forces of contact."""
+"""Shapes of ropes and of what they touch: the cable's curve with its tension, sheaves, and contact forces."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from flexel.structure.state import State
 
 STEPS = np.linspace(0, 1, 9)[:, None]  # vertices of an element
 RING = np.linspace(0, 2 * np.pi, 65)
-WIDTH = 6.0  # of a sheave, relative to the rope's radius
+WIDTH = 6.0  # width of a sheave, relative to the rope's radius
 
 
 def rope(state: State, instance: Instance) -> Iterator[Shape]:
@@ -53,7 +53,7 @@ def contact(state: State, instance: Instance) -> Iterator[Shape]:
 
 
 def sheaves(state: State, contacts: Iterable[Instance]) -> Iterator[Shape]:
-    """Sheaves and drums that the contacts are with, each once, however many contacts it has."""
+    """The distinct sheaves and drums of the contacts."""
     seen: set[tuple[str, float]] = set()
     for instance in contacts:
         if "radius" in instance.parameters:
@@ -64,7 +64,7 @@ def sheaves(state: State, contacts: Iterable[Instance]) -> Iterator[Shape]:
 
 
 def _sheave(state: State, instance: Instance) -> Iterator[Shape]:
-    """A cylinder about the axle, as wide as some rope diameters, and a spoke that shows its turning."""
+    """A cylinder about the axle, a few rope diameters wide, and a spoke that shows its rotation."""
     z = instance.parameters
     body, frame = instance.nodes[4:6]
     radius, half = float(z["radius"][0]), WIDTH / 2 * float(z["rope_radius"][0])

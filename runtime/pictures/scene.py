@@ -38,24 +38,24 @@ PAINT: dict[str, tuple[str, float, str]] = {
 
 @dataclass(frozen=True)
 class View:
-    """How a mechanism is looked at.
+    """Camera and options of a picture.
 
     Parameters
     ----------
     elevation, azimuth : float
-        Of the eye, in degrees.
+        Angles of the camera, in degrees.
     up : sequence of float (3,), optional
         Direction shown as up: normal to the road, against gravity, or z by default.
     centre : str or sequence of float (3,), optional
         A point node to keep in the middle, or a place; the middle of the model by default.
     span : float, optional
-        Width of what is seen [m]; the size of the model by default.
+        Width of the visible region [m]; the size of the model by default.
     ground : bool
         Draw a grid on the roads of the wheels.
     trails : sequence of str
         Point nodes whose past track is drawn in an animation.
     sketches : sequence of Sketch
-        Lines carried by bodies, only to be seen.
+        Lines carried by bodies, for display only.
     """
 
     elevation: float = 20.0
@@ -70,7 +70,7 @@ class View:
 
 @contextmanager
 def canvas(state: State, size: tuple[float, float] = (7.0, 5.0)) -> Iterator[tuple[Figure, Any]]:
-    """A figure whose only axes fit the model: plain for a planar one, else spatial and filling the figure."""
+    """A figure with one set of axes: plain for a planar model, else spatial and filling the figure."""
     if drawing.planar(state):
         with figure(size=size) as (drawn, axes):
             yield drawn, axes
@@ -87,10 +87,10 @@ def draw(
     Parameters
     ----------
     axes : matplotlib axes, optional
-        Three-dimensional, or plain for a planar model; made if missing.
+        Three-dimensional, or plain for a planar model; created if missing.
     view : View, optional
     trails : mapping of str to ndarray (k, 3)
-        Tracks to be drawn, in global axes.
+        Tracks to draw, in global axes.
 
     Returns
     -------
@@ -125,7 +125,7 @@ def draw(
 
 
 def display_axes(up: Array) -> Array:
-    """Rotation (3, 3) from global axes to the picture's, whose z axis is `up`; x stays x as far as it can."""
+    """Rotation (3, 3) from global axes to the picture's, whose z axis is `up`; x is kept as far as possible."""
     e_z = up / np.linalg.norm(up)
     start = np.eye(3)[0 if abs(e_z[0]) < 0.9 else 1]
     e_x = start - (start @ e_z) * e_z
@@ -134,7 +134,7 @@ def display_axes(up: Array) -> Array:
 
 
 def _window(state: State, view: View, parts: Sequence[drawing.Shape]) -> tuple[Array, float]:
-    """Centre and width of what is seen."""
+    """Centre and width of the visible region."""
     places = painted(parts)
     low, high = places.min(axis=0), places.max(axis=0)
     centre = (low + high) / 2
@@ -182,7 +182,7 @@ def _spatial_lines(axes: Any, lines: list[Array], colour: str, width: float, ord
 
 
 def _ground(axes: Any, R: Array, normal: Array, height: float, centre: Array, span: float) -> None:
-    """A grid of round steps on a road, fixed to the ground, cut at the edge of the window."""
+    """A grid with round steps on a road, fixed to the ground, clipped at the edge of the window."""
     T = display_axes(normal)  # rows: two directions in the road, and its normal
     step = 10.0 ** np.floor(np.log10(span / 2.0))
     step *= next(z for z in (1, 2, 5, 10) if span / (step * z) <= 9)

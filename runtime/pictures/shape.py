@@ -17,12 +17,12 @@ from flexel.structure.instances import Instance
 from flexel.structure.state import State
 from flexel.structure.structure import Structure
 
-CORNERS = 16  # of a round section
+CORNERS = 16  # vertices of a round section
 
 
 @dataclass(frozen=True)
 class Shape:
-    """Lines and marks of one part, to be painted in one style.
+    """Lines and marks of one part, painted in one style.
 
     Attributes
     ----------
@@ -33,7 +33,7 @@ class Shape:
     lines : tuple of ndarray (k, 3)
         Polylines in global axes [m]; a mark is a polyline of one point.
     pose : (origin (3,), axes (3, 3)), optional
-        Of the body that carries the lines, if they do not deform.
+        Pose of the body that carries the lines, if they do not deform.
     outline : ndarray (k, 2), optional
         Corners (y, z) of the section that is swept along the lines [m]; thin lines without.
     across : ndarray (2, 3), optional
@@ -41,7 +41,7 @@ class Shape:
     force : ndarray (3,), optional
         A force on the point that is the only vertex [N].
     values : mapping of str to ndarray
-        What the line may be coloured by: values at equal steps along it, one for all of it.
+        Quantities for colouring the line: values at equal steps along it, or one for the whole line.
     """
 
     style: str
@@ -54,12 +54,12 @@ class Shape:
     values: Mapping[str, Array] = field(default_factory=dict)
 
 
-UNITS = {"tension": "N", "bending moment": "N m", "strain": "-"}  # of the values that a line is coloured by
+UNITS = {"tension": "N", "bending moment": "N m", "strain": "-"}  # of the values used for colouring
 
 
 @dataclass(frozen=True)
 class Sketch:
-    """A polyline that a body carries, only to be seen: it has no part in the mechanics.
+    """A polyline carried by a body; the outline is for display only and does not affect the mechanics.
 
     Parameters
     ----------
@@ -81,7 +81,7 @@ def place(state: State, node: str) -> Array:
 
 
 def turned(angle: float) -> Array:
-    """Axes (3, 3) turned about z by a planar node's angle."""
+    """Axes (3, 3) rotated about z by a planar node's angle."""
     c, s = np.cos(angle), np.sin(angle)
     return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
 
@@ -93,9 +93,9 @@ def axes_of(state: State, frame: str) -> Array:
 
 
 def extent(structure: Structure) -> float:
-    """Size of the model as drawn [m]: of the box around its points, mass centres and wheels, or of its largest body.
+    """Size of the model as drawn [m]: of the box around points, mass centres and wheels, or of the largest body.
 
-    A model in which nothing has a size is given 1 m.
+    A model without any size counts as 1 m.
     """
     sizes, gyration = [0.0], 0.0
     for instance in structure.instances:
@@ -124,7 +124,7 @@ def rectangle(height: float, width: float) -> Array:
 
 
 def outline_of(section: Section) -> Array:
-    """Outline (k, 2) of a section; a circle of the same area for a kind of the user's own."""
+    """Outline (k, 2) of a section; a circle of the same area for a user-defined one."""
     if isinstance(section, Rectangle):
         return rectangle(section.height, section.width)
     if isinstance(section, (Circle, Tube, WireRope)):
@@ -138,7 +138,7 @@ def outline_of(section: Section) -> Array:
 
 
 def section_outline(instance: Instance) -> Array | None:
-    """Outline of an element's section, where it has one."""
+    """Outline of an element's section, if it has one."""
     return outline_of(instance.profile.section) if isinstance(instance.profile, Profile) else None
 
 
@@ -149,7 +149,7 @@ def cubic(xi: Array, ends: tuple[Array, Array], slopes: tuple[Array, Array]) -> 
 
 
 def resultant(state: State, instance: Instance, points: Sequence[str]) -> Array:
-    """Force (3,) of an element on some of its points, taken together [N]."""
+    """Total force (3,) of an element on some of its points [N]."""
     s = state.structure
     rows = [s.index[z] for z in (*instance.deformations, *instance.slips)]
     stress = state.stresses[rows]

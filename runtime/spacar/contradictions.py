@@ -1,4 +1,4 @@
-"""What a file says twice and differently of one coordinate or deformation, told with both lines."""
+"""Contradictory statements about a coordinate or deformation in a file, reported with both lines."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class Claim:
 
 
 def refuse_contradictions(sheet: Sheet) -> None:
-    """Each coordinate and deformation has one role, and initial values and forces are given to what can move.
+    """Each coordinate and deformation has one role, and only movable ones have initial values and forces.
 
     Raises
     ------
@@ -39,23 +39,23 @@ def refuse_contradictions(sheet: Sheet) -> None:
             claim = claims.setdefault(name, Claim(ROLES[line.keyword], line))
             if claim.role != ROLES[line.keyword]:
                 raise line.error(
-                    f"{subject} is {ROLES[line.keyword]} here and {claim}; it can be one only: take it out of one line"
+                    f"{subject} is {ROLES[line.keyword]} here and {claim}; it can only be one: remove it from one line"
                 )
     _refuse_values_of_what_is_held(sheet, claims)
     _refuse_forces_on_what_is_held(sheet, claims)
 
 
 def _subjects(sheet: Sheet, line: Line) -> Iterator[tuple[str, str]]:
-    """Names in the model of what a line gives a role, and in the words of the file."""
+    """Quantities that get a role from a line: names in the model, and in the words of the file."""
     if line.keyword in ("INPUTE", "DYNE", "LINE", "KINE", "ENHC"):
-        element = 2 if line.keyword == "ENHC" else 0  # its first pair is a slip, which is no coordinate
+        element = 2 if line.keyword == "ENHC" else 0  # its first pair is a slip, not a coordinate
         last = element + 2 if line.keyword in ("INPUTE", "ENHC") else len(line.values)
         for place in range(element + 1, last):
             entry, i = sheet.mode(line, element, place)
             yield quantity(entry, i)[0], f"mode {i} of element {entry.number}"
         return
     node = sheet.node(line)
-    if line.keyword == "INPUTX":  # what follows are values
+    if line.keyword == "INPUTX":  # the rest are values
         yield sheet.coordinate(line), f"coordinate {line.words[1]} of node {node.number}"
         return
     for i in sheet.places(line, node) or range(1, len(node.components) + 1):
@@ -66,26 +66,28 @@ def _refuse_values_of_what_is_held(sheet: Sheet, claims: dict[str, Claim]) -> No
     for line in sheet.of("XD"):
         claim = claims.get(sheet.coordinate(line))
         if claim and claim.role == HELD:
-            raise line.error(f"the coordinate is {claim}, and has no rate to give; take one of the lines out")
+            raise line.error(
+                f"the coordinate is {claim}, and cannot have a given rate; remove one of the lines"
+            )
     for line in sheet.of("E", "ED", "STARTDE"):
         entry, i = sheet.mode(line)
         if i not in entry.free and i not in entry.kind.slips:
             raise line.error(
-                f"mode {i} of element {entry.number} is rigid, and has no initial value to give; release it (RLSE, "
-                "DYNE, INPUTE ...), or take the line out"
+                f"mode {i} of element {entry.number} is rigid and cannot have an initial value; release it (RLSE, "
+                "DYNE, INPUTE ...), or remove the line"
             )
 
 
 def _refuse_forces_on_what_is_held(sheet: Sheet, claims: dict[str, Claim]) -> None:
-    """A force has to act on what can move."""
+    """Check that a force acts on a movable coordinate."""
     for line in sheet.of("FORCE", "DELXF"):
         node, values = sheet.node(line), line.values[1:]
         if len(values) != len(node.components):
-            continue  # moments about axes, of which no coordinate is the dual
+            continue  # moments about axes, which are not dual to a coordinate
         for i, (component, value) in enumerate(zip(node.components, values, strict=True), 1):
             claim = claims.get(f"{node.name}.{component}")
             if value and claim and claim.role == HELD:
                 raise line.error(
                     f"coordinate {i} of node {node.number} is {claim}, and a force cannot move it; give a zero, or "
-                    "take one of the lines out"
+                    "remove one of the lines"
                 )

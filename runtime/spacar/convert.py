@@ -43,7 +43,7 @@ def convert_spacar(path: str | Path, target: str | Path, dialect: str | None = N
     Raises
     ------
     ModelError
-        A file that cannot be read as SPACAR's, a target that exists.
+        A file that cannot be read as SPACAR's, an existing target.
     """
     target = Path(target)
     if target.exists():
@@ -53,7 +53,7 @@ def convert_spacar(path: str | Path, target: str | Path, dialect: str | None = N
 
 
 def python_source(file: Spacar) -> str:
-    """The program: the model, then what `flexel run` does with it."""
+    """The program: the model, then the analysis of `flexel run`."""
     lines = [
         f'"""{file.path.name}, a SPACAR input file of the {file.dialect} dialect, as a flexel model.',
         "",
@@ -81,14 +81,14 @@ def python_source(file: Spacar) -> str:
         lines += ["", f"simulate = {options}"]
     if file.duration is not None:
         lines += ["", 'if __name__ == "__main__":', *_indented(_analysis(file))]
-    else:  # `flexel run` calls main, as there is nothing to simulate
+    else:  # `flexel run` calls main: there is nothing to simulate
         lines += ["", "", "def main(out=None):", *_indented(_analysis(file)), "", ""]
         lines += ['if __name__ == "__main__":', "    main()"]
     return "\n".join(lines) + "\n"
 
 
 def _wrapped(call: Call) -> Sequence[str]:
-    """A call on one line, or its arguments below it where it is long."""
+    """A call on one line, or with its arguments below if it is long."""
     text = str(call)
     if len(text) <= WIDTH:
         return [text]
@@ -97,7 +97,7 @@ def _wrapped(call: Call) -> Sequence[str]:
 
 
 def _filled(parts: Sequence[str]) -> list[str]:
-    """Indented lines of parts with commas, as many on a line as there is room for."""
+    """Indented lines of parts with commas, as many on a line as fit."""
     lines = [""]
     for part in parts:
         if lines[-1] and len(lines[-1]) + len(part) + 6 > WIDTH:
@@ -111,12 +111,12 @@ def _indented(lines: Sequence[str]) -> list[str]:
 
 
 def _steps(file: Spacar) -> bool:
-    """Whether the program takes on load steps, as `flexel run` does where there is no motion."""
+    """Whether the program runs load steps, as `flexel run` does without a motion."""
     return bool(file.load_steps) and file.duration is None
 
 
 def _analysis(file: Spacar) -> list[str]:
-    """What the program does when it is run."""
+    """The analysis that the program performs when run."""
     start = repr(float(file.start)) if file.start and not _steps(file) else ""
     lines = [f"system = m.build({start})"]
     if file.duration is not None:

@@ -22,8 +22,8 @@ def element_calls(entry: ElementEntry, dialect: str) -> list[Call]:
     keyword = entry.line.keyword
     for given in entry.lines:
         if given not in USES.get(keyword, ()):
-            allowed = ", ".join(USES.get(keyword, ())) or "none"
-            raise entry.lines[given].error(f"a {keyword} takes {allowed}; remove it")
+            allowed = ", ".join(USES.get(keyword, ())) or "none of these"
+            raise entry.lines[given].error(f"a {keyword} takes {allowed}; remove the line")
     if keyword == "L2MIN1":
         return []
     return MAKERS[keyword](entry, dialect)
@@ -45,7 +45,7 @@ def length(entry: ElementEntry) -> float:
 
 
 def coefficients(entry: ElementEntry, keyword: str) -> Array:
-    """Matrix of all modes of the element that a line ESTIFF or EDAMPP gives, for SPACAR's deformations."""
+    """Matrix of all modes of the element from a line ESTIFF or EDAMPP, for SPACAR's deformations."""
     given, kind = entry.values(keyword), entry.kind
     if len(given) > len(kind.stiffness):
         raise entry.lines[keyword].error(
@@ -107,7 +107,7 @@ def law_calls(entry: ElementEntry) -> list[Call]:
 
 
 def _numbers(A: Array) -> float | list[list[float]]:
-    """A matrix as `Model.spring` takes it: rows, or its number where there is one alone."""
+    """A matrix in the form of `Model.spring`: rows, or one number if it has only one."""
     return float(A[0, 0]) if A.size == 1 else [[float(z) for z in row] for row in A]
 
 
@@ -120,12 +120,12 @@ def _direction(entry: ElementEntry) -> dict[str, Any]:
 
 def _axis(entry: ElementEntry) -> tuple[float, ...]:
     if not entry.numbers:
-        raise entry.line.error("its axis is missing; give x y z behind the nodes, or a line DIR")
+        raise entry.line.error("its axis is missing; give x y z after the nodes, or a line DIR")
     return entry.numbers
 
 
 def _beam(entry: ElementEntry, dialect: str) -> list[Call]:
-    """A beam, by its stiffnesses where whole groups of modes deform, else rigid with a law of its own."""
+    """A beam, by its stiffnesses if whole groups of modes deform, else rigid with a separate law."""
     planar = entry.line.keyword.startswith("PL")
     second = entry.line.keyword.endswith("NL") or (dialect == "twente" and entry.line.keyword == "BEAM")
     options: dict[str, Any] = {} if planar else _direction(entry)
@@ -138,7 +138,7 @@ def _beam(entry: ElementEntry, dialect: str) -> list[Call]:
 
 
 def _whole_groups(entry: ElementEntry, groups: dict[str, set[int]]) -> dict[str, float] | None:
-    """Stiffnesses and damping as `Model.beam` takes them; None where that cannot say it."""
+    """Stiffnesses and damping in the form of `Model.beam`; None if they cannot be expressed so."""
     given = dict(zip(entry.kind.stiffness, entry.values("ESTIFF"), strict=False))
     if "EI" in given:
         given["EIz"] = given.pop("EI")
@@ -171,7 +171,7 @@ def _mass(entry: ElementEntry, planar: bool) -> dict[str, Any]:
     if any(values[1:4]):
         inertia = (*values[1:4], 0.0, 0.0)[:3]
         if planar:
-            raise line.error("a planar element takes rhoA alone; take the inertias out")
+            raise line.error("a planar element takes rhoA alone; remove the inertias")
         options["inertia_per_length"] = inertia
     return options
 
@@ -188,7 +188,7 @@ def _truss(entry: ElementEntry, dialect: str) -> list[Call]:
     l0 = entry.values("LENGTH0")[0]
     if l0 <= 0:
         raise entry.lines["LENGTH0"].error(f"the length {l0:g} is not positive; correct it")
-    length(entry)  # it must have a direction, however long it is without strain
+    length(entry)  # it must have a direction, whatever its unstrained length
     values = {"l0": l0, "rhoA": options.get("mass_per_length", 0.0)}
     kind = "planar_truss" if entry.line.keyword == "PLTRUSS" else "truss"
     return [
@@ -222,7 +222,9 @@ def _wheel(entry: ElementEntry, dialect: str) -> list[Call]:
     axle = _axis(entry)
     radius, height = float(np.linalg.norm(contact.x - hub.x)), float(hub.x[2] - contact.x[2])
     if not height:
-        raise entry.line.error("hub and contact point are equally high as drawn; correct their coordinates")
+        raise entry.line.error(
+            "hub and contact point have the same height as drawn; correct their coordinates"
+        )
     z = float(np.sign(height))  # up, where z points down as well
     options = {
         "radius": radius,
@@ -247,7 +249,7 @@ def _belt(entry: ElementEntry, dialect: str) -> list[Call]:
 def _gear(entry: ElementEntry, dialect: str) -> list[Call]:
     options = dict(zip(("radius_p", "radius_q"), entry.numbers, strict=True))
     if not sum(entry.numbers):  # the factor between their deformation and ours
-        raise entry.line.error("the radii are opposite, so that the centres coincide; correct one of them")
+        raise entry.line.error("the radii are opposite, so the centres coincide; correct one of them")
     return [Call("gear", (entry.name, *entry.ends), options, entry.line), *law_calls(entry)]
 
 
@@ -286,7 +288,7 @@ USES: dict[str, Sequence[str]] = {
 
 
 def node_calls(nodes: Sequence[NodeEntry]) -> list[Call]:
-    """Calls that make the nodes and fix them, wholly or in part."""
+    """Calls that make the nodes and fix them, completely or in part."""
     methods = {"point": "point", "planar_point": "point", "frame": "frame", "planar_angle": "angle"}
     calls = []
     for node in nodes:

@@ -7,19 +7,19 @@ from pathlib import Path
 from flexel.base.errors import ModelError
 
 CONTROLS = frozenset(range(32)) - frozenset(b"\t\n\v\f\r\x1a")  # DOS ends a file with 1a
-MANY = 0.05  # share of control characters that no text has
+MANY = 0.05  # share of control characters above which a file is not text
 
 
 def file_lines(path: Path) -> list[str]:
     """The lines of a text file.
 
     Only ASCII means anything in the input language, but comments and names are in UTF-8 (with or without a mark at
-    its beginning) or, in files from before, in Latin-1.
+    its beginning) or, in older files, in Latin-1.
 
     Raises
     ------
     ModelError
-        A file that is no text.
+        A file that is not text.
     """
     data = path.read_bytes()
     controls = sum(byte in CONTROLS for byte in data)

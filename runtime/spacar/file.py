@@ -19,7 +19,7 @@ STEPS = 100  # of a file without TIMESTEP or ITERSTEP
 
 @dataclass(frozen=True)
 class SpacarFile:
-    """A SPACAR input file, understood.
+    """A parsed SPACAR input file.
 
     Attributes
     ----------
@@ -30,7 +30,7 @@ class SpacarFile:
         The model of the file; positions are called p1, p2 ..., orientations o1, o2 ..., elements by keyword and
         number: hinge1, plbeam2.
     start, duration : float
-        Of the motion [s]; no duration if the file has no TIMESTEP.
+        Start and duration of the motion [s]; no duration if the file has no TIMESTEP.
     steps : int
         Number of its stored steps, and of load steps.
     max_step : float or None
@@ -38,13 +38,13 @@ class SpacarFile:
     coordinates : mapping of (node, i) to name
         SPACAR's coordinates x of all nodes.
     deformations : mapping of (element, i) to (name, factor)
-        SPACAR's deformations and slips; factor is theirs divided by ours (signs differ, see the tables).
+        SPACAR's deformations and slips; factor is SPACAR's divided by flexel's (signs differ, see the tables).
     inputs, outputs : tuple of Terminal
-        Of the linear model, in the order of their numbers.
+        Inputs and outputs of the linear model, in the order of their numbers.
     linearized : bool
-        Whether the file asks for linearized equations: by LINE, or by inputs and outputs.
+        Whether the file requests linearized equations: by LINE, or by inputs and outputs.
     notes : tuple of str
-        What was read without effect, and what was assumed where the descriptions of the language leave it open.
+        Lines without effect, and assumptions where the descriptions of the language are not explicit.
     """
 
     path: Path
@@ -72,7 +72,7 @@ class SpacarFile:
         Raises
         ------
         ConstraintError
-            Degrees of freedom that the file does not give a coordinate, or conditions that repeat one another.
+            Degrees of freedom without a coordinate in the file, or redundant conditions.
         """
         return self._built(self.model, self.start)
 
@@ -93,7 +93,7 @@ class SpacarFile:
         Raises
         ------
         ModelError
-            No such element or deformation.
+            The element or deformation does not exist.
         """
         name, factor = self._mode(element, i)
         if name in self.slips:
@@ -108,18 +108,18 @@ class SpacarFile:
     def _mode(self, element: int, i: int) -> tuple[str, float]:
         if (element, i) not in self.deformations:
             raise ModelError(
-                f"{self.path.name}: there is no deformation {i} of an element {element}; elements are "
+                f"{self.path.name}: deformation {i} of element {element} does not exist; elements are "
                 f"{', '.join(map(str, sorted({e for e, _ in self.deformations})))}"
             )
         return self.deformations[element, i]
 
     @cached_property
     def slips(self) -> frozenset[str]:
-        """Names of all slips, which have rates and no values."""
+        """Names of all slips, which have rates but no values."""
         return frozenset(z for instance in self.model.instances.values() for z in instance.slips)
 
     def factor(self, name: str) -> float:
-        """How much larger a quantity is in SPACAR than here; 1 for coordinates."""
+        """Ratio of a quantity in SPACAR to the same in flexel; 1 for coordinates."""
         return self._factors.get(name, 1.0)
 
     @cached_property

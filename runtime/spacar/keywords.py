@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Usage:
-    """How a keyword is written: the form, the least and the largest count of numbers, or any text."""
+    """Syntax of a keyword: the form, the least and largest count of numbers, or any text."""
 
     form: str
     least: int
@@ -21,7 +21,7 @@ class Usage:
 
 @dataclass(frozen=True)
 class Mode:
-    """A deformation of a SPACAR element: our name, and the factor by which theirs is larger than ours.
+    """A deformation of a SPACAR element: our name, and the ratio of SPACAR's value to ours.
 
     `scale` names a length of the element that enters the factor too: "radius" of a wheel's rim (slips are not
     normalized), "radii", the sum of those of two gears.
@@ -47,9 +47,9 @@ class ElementType:
     slips : tuple of int
         Which of the modes are slips.
     stiffness : tuple of str
-        What ESTIFF and EDAMPP give.
+        The entries of ESTIFF and EDAMPP.
     assumed : str
-        What the published descriptions leave open and how it is read; told to the user where it matters.
+        How an ambiguity of the published descriptions is resolved; reported to the user where it matters.
     """
 
     nodes: tuple[str, ...]
@@ -201,12 +201,12 @@ for _key, _type in ELEMENTS.items():
     _ends = [f"n{_i}" for _i in range(1, len(_type.nodes) + 1)]
     _most = 1 + len(_ends) + len(_type.numbers)
     KEYWORDS[_key] = Usage(" ".join(("e", *_ends, *_type.numbers)), _most - _type.optional, _most)
-_BY_FIRST_LETTERS = {"MAXITERAT", "FORCEMODE"}  # longer than the eight characters that count
+_BY_FIRST_LETTERS = {"MAXITERAT", "FORCEMODE"}  # longer than the eight significant characters
 
 SYNONYMS = {"XM": "MASS", "EM": "EMASS", "XF": "FORCE", "EDAMP": "EDAMPP", "PLPINBODY": "PLPINBOD"}
 SYNONYMS |= {key[:8]: key for key in _BY_FIRST_LETTERS}
 
-# keywords by which a file shows its dialect
+# keywords that identify the dialect of a file
 DELFT_ONLY = frozenset(
     "MASS EMASS FORCE EDAMPP ENHC LINE EPSKIN EPSINT EPSIND HMAX TORQUEL LENGTH0 EOF".split()
 )
@@ -220,7 +220,7 @@ UNSUPPORTED = {
     "BEAMW": "warping of sections is not modelled; use BEAM, with a larger GIp for restrained warping",
     "TUBE": "use a BEAM, or a TRUSS whose elongation is an input for a telescope",
     "PLTUBE": "use a PLBEAM, or a PLTRUSS whose elongation is an input for a telescope",
-    "SCREW": "couple rotation and travel in Python: flexel convert, then an element of your own",
+    "SCREW": "couple rotation and travel in Python: flexel convert, then a user-defined element",
     "LGEOMY": "give the geometry by the coordinates of the nodes",
     "RESTART": "in Python, motion[-1] is a state to start from: system.simulate(T, start=motion[-1])",
     "USERSIG": "files are never executed; convert the file and attach the stress with m.law(...)",
@@ -234,10 +234,10 @@ WITHOUT_EFFECT = {
     "EPSINT": "motions are integrated with tolerances 1e-9 or smaller",
     "EPSIND": "motions are integrated with tolerances 1e-9 or smaller",
     "ERROR": "motions are integrated with tolerances 1e-9 or smaller",
-    "FORCEMODE": "all stresses and reactions are found always",
+    "FORCEMODE": "all stresses and reactions are always computed",
     "ANIMATE": "pictures are made on demand, motion.animate(...)",
     "MATASC": "matrices are written with --out",
-    "OUTLEVEL": "everything is kept; print what is wanted",
-    "JOBID": "results carry the name of the file",
+    "OUTLEVEL": "everything is kept; print what you need",
+    "JOBID": "results are named after the file",
     "VISUALIZATION": "colours and sections of the picture are not read",
 }

@@ -24,7 +24,7 @@ class Line:
     file : str
         Name of the file.
     number : int
-        Of the line, from 1.
+        Number of the line, from 1.
     keyword : str
         In capitals, of the Delft dialect where both have one.
     written : str
@@ -64,12 +64,14 @@ def read_lines(path: Path, dialect: str | None) -> tuple[str, list[Line]]:
     Raises
     ------
     ModelError
-        Text that is no SPACAR file; names file and line.
+        Text that is not a SPACAR file; names file and line.
     """
     if dialect not in (None, *DIALECTS):
         raise ModelError(f"read_spacar: dialect {dialect!r} is unknown; give 'delft' or 'twente'")
     if not path.is_file():
-        raise ModelError(f"read_spacar '{path}': there is no such file; give the path of a SPACAR input file")
+        raise ModelError(
+            f"read_spacar '{path}': the file does not exist; give the path of a SPACAR input file"
+        )
     raw = [(i, words) for i, line in enumerate(file_lines(path), 1) if (words := _words(line))]
     if dialect is None:
         dialect = _recognized(path.name, raw)
@@ -100,12 +102,12 @@ def _recognized(file: str, raw: Sequence[tuple[int, list[str]]]) -> str:
 
 
 def _sign(words: Sequence[str]) -> str:
-    """What may tell the dialect of a line: its keyword, of END with the word behind it."""
+    """The words that identify the dialect of a line: its keyword, for END with the next word."""
     return " ".join(words[: 2 if words[0].upper() == "END" else 1]).upper()
 
 
 def _model(file: str, raw: Sequence[tuple[int, list[str]]], dialect: str) -> list[Line]:
-    """The lines of the one model in a file, ends of blocks taken out."""
+    """The lines of the one model in a file, without the ends of blocks."""
     lines: list[Line] = []
     ended, pictures = 0, False
     for number, words in raw:
@@ -114,13 +116,13 @@ def _model(file: str, raw: Sequence[tuple[int, list[str]]], dialect: str) -> lis
             pictures = True
             lines.append(Line(file, number, key, words[0], (), ()))
         elif pictures:
-            continue  # noted below: what a picture looks like is no part of the model
+            continue  # noted below: the appearance of a picture is not part of the model
         elif key == "EOF":
             return lines
         elif ended:
             raise ModelError(
-                f"{file}, line {number}: {words[0]} comes after END in line {ended}, where a second run would begin; "
-                "put each run into a file of its own"
+                f"{file}, line {number}: {words[0]} comes after END in line {ended}, where a second run would start; "
+                "put each run into a separate file"
             )
         elif key != "END":
             lines.append(_line(file, number, words))
@@ -142,7 +144,7 @@ def _line(file: str, number: int, words: list[str]) -> Line:
         raise here.error(f"is not supported; {UNSUPPORTED[key]}")
     if key not in KEYWORDS:
         near = difflib.get_close_matches(key, [*KEYWORDS, *SYNONYMS], n=3, cutoff=0.5)
-        hint = f"did you mean {', '.join(near)}?" if near else "correct it or take the line out"
+        hint = f"did you mean {', '.join(near)}?" if near else "correct it or remove the line"
         raise here.error(f"unknown keyword; {hint}")
     usage = KEYWORDS[key]
     if usage.text:
@@ -154,7 +156,7 @@ def _line(file: str, number: int, words: list[str]) -> Line:
 
 
 def _number(line: Line, word: str) -> float:
-    """A number in Fortran's or C's notation; Python's underscores and digits of other scripts are none."""
+    """A number in Fortran's or C's notation; Python's underscores and digits of other scripts are not accepted."""
     try:
         value = float("" if "_" in word or not word.isascii() else word.lower().replace("d", "e"))
     except ValueError:

@@ -51,14 +51,14 @@ class LinearModels(SpacarFile):
     """Linearized models, frequencies and buckling of a file."""
 
     def matrices(self, state: State | None = None, *, system: System | None = None) -> Matrices:
-        """Mass, damping and stiffness matrices about a state, split as SPACAR splits them.
+        """Mass, damping and stiffness matrices about a state, split as in SPACAR.
 
         Parameters
         ----------
         state : State, optional
             The initial state by default.
         system : System, optional
-            That the state belongs to, if it is a variant of the file's own.
+            The system of the state, if it is a variant of the file's system.
 
         Raises
         ------
@@ -67,7 +67,7 @@ class LinearModels(SpacarFile):
         system = system or self.system
         lin = system.linearize(state)
         still = np.zeros(lin.state.x.size)
-        # without rates and accelerations, but with all stresses, nothing dynamic is left
+        # without rates and accelerations, but with all stresses, no dynamic terms remain
         rest = system.linearize(replace(lin.state, v=still, a=still))
         f = np.array([self.factor(name) for name in lin.dofs])
         nd, nq, nf = len(lin.dynamic), len(lin.dofs), lin.state.structure.nf
@@ -98,7 +98,7 @@ class LinearModels(SpacarFile):
         state : State, optional
             The initial state by default.
         system : System, optional
-            That the state belongs to, if it is a variant of the file's own.
+            The system of the state, if it is a variant of the file's system.
 
         Raises
         ------
@@ -136,14 +136,14 @@ class LinearModels(SpacarFile):
         return unloaded.buckling(unloaded.equilibrium(), increment=loads, count=count)
 
     def static_steps(self) -> tuple[System, list[State]]:
-        """Equilibria while the increments DELXF and DELINPX are taken on in equal steps.
+        """Equilibria while the increments DELXF and DELINPX are applied in equal steps.
 
         Returns
         -------
         system : System
             With the increments as loads and motions in proportion to the time, 0 to 1.
         states : list of State
-            One more than there are steps.
+            One more than the number of steps.
 
         Raises
         ------

@@ -34,7 +34,7 @@ def read_spacar(path: str | Path, dialect: str | None = None) -> Spacar:
 
     Notes
     -----
-    The file is data: nothing of it is executed.  Source of the language: manual SPACAR95 (Schwab and Meijaard 2000).
+    The file is data: nothing in it is executed.  Source of the language: manual SPACAR95 (Schwab and Meijaard 2000).
 
     Examples
     --------
@@ -101,7 +101,7 @@ def _count(line: Line, place: int, dialect: str) -> int:
     if value != round(value) or value < 1:
         order = "n T" if dialect == "delft" else "T n"
         raise line.error(
-            f"{line.words[place]} is no number of steps; the {dialect} dialect writes {order} (give dialect= if this "
+            f"{line.words[place]} is not a number of steps; the {dialect} dialect writes {order} (give dialect= if the "
             "file is of the other one)"
         )
     return int(value)

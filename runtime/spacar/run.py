@@ -1,4 +1,4 @@
-"""What `flexel run model.dat` does: SPACAR's modes of analysis, a report as text, results as files."""
+"""The command `flexel run model.dat`: SPACAR's modes of analysis, a report as text, results as files."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ from flexel.structure.state import State
 
 Results = dict[str, Array]
 Analysis = tuple[list[str], Results, Motion | None]
-SHOWN = 8  # rows and columns of a matrix that is printed
+SHOWN = 8  # most rows and columns of a printed matrix
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """The report of an analysis, and the motion along which it was made, if there was one."""
+    """The report of an analysis, and its motion, if there is one."""
 
     report: str
     motion: Motion | None
@@ -42,11 +42,11 @@ def run_spacar(
     path : str or Path
     out : Path, optional
         Directory for the results: time histories as .csv, everything as .npz, and a motion, for `flexel view` and
-        `flexel.load`, as ``<name>_motion.npz``; without it none are written.
+        `flexel.load`, as ``<name>_motion.npz``; without it no files are written.
     mode : int, optional
         1 forward dynamics, 2 inverse dynamics, 4 linearization along the motion, 7 equilibrium, frequencies and
         buckling, 8 state space in equilibrium, 9 state space along the motion, 10 static load steps.  By default
-        1 where the file has TIMESTEP, 10 where it has load steps, else 7.
+        1 if the file has TIMESTEP, 10 if it has load steps, else 7.
     dialect : "delft" or "twente", optional
 
     Returns
@@ -56,7 +56,7 @@ def run_spacar(
     Raises
     ------
     FlexelError
-        A file that cannot be understood, a mode that there is not, an analysis that fails.
+        An invalid file, an unknown mode, an analysis that fails.
     """
     file = read_spacar(path, dialect)
     if mode is None:
@@ -64,7 +64,7 @@ def run_spacar(
     if mode not in MODES:
         known = ", ".join(map(str, MODES))
         raise ModelError(
-            f"{file.path.name}: there is no mode {mode}; there are {known} (for small motions about a nominal one, "
+            f"{file.path.name}: mode {mode} does not exist; modes are {known} (for small motions about a nominal one, "
             "mode 3 of UT SPACAR, use mode 4 or `flexel.linear.periodic`)"
         )
     lines, results, motion = MODES[mode](file)
@@ -97,7 +97,7 @@ def _write(file: Spacar, out: Path, results: Results, motion: Motion | None) -> 
 
 def _simulated(file: Spacar) -> Motion:
     if file.duration is None:
-        raise ModelError(f"{file.path.name}: it says not how long to simulate; add a line TIMESTEP")
+        raise ModelError(f"{file.path.name}: the duration of the simulation is missing; add a line TIMESTEP")
     return file.system.simulate(file.duration, samples=file.steps + 1, max_step=file.max_step or np.inf)
 
 
@@ -153,8 +153,8 @@ def _inverse(file: Spacar) -> Analysis:
     left = file.system.dynamic + file.system.kinematic
     if left:
         raise ModelError(
-            f"{file.path.name}: inverse dynamics needs every motion given, but {', '.join(left)} is free; make it an "
-            "input, or use mode 1"
+            f"{file.path.name}: inverse dynamics needs all motions prescribed; {', '.join(left)} is free; make it "
+            "an input, or use mode 1"
         )
     motion = _simulated(file)
     driven = [file.system.structure.names[i] for i in file.system.roles.prescribed]

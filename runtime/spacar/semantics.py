@@ -1,7 +1,7 @@
-"""From the sheet to the calls that make the model, and to what the file asks of it.
+"""From the sheet to the calls that make the model and its analysis.
 
-Roles, loads, motions and initial values are those of the file; deformations keep SPACAR's signs in the file and get
-ours in the model, by the tables of `flexel.spacar.keywords`.
+Roles, loads, motions and initial values are those of the file; deformations have SPACAR's signs in the file and
+flexel's in the model, by the tables of `flexel.spacar.keywords`.
 """
 
 from __future__ import annotations
@@ -19,16 +19,16 @@ from flexel.spacar.terminals import Terminal, notes, terminals
 
 @dataclass
 class Draft:
-    """What a file says, as far as it has been understood.
+    """The content of a file.
 
     Attributes
     ----------
     calls : list of Call
         The model.
     still : list of Call
-        Moving inputs at their initial values: in static load steps t is no time, and their motions do not go on.
+        Moving inputs at their initial values: in static load steps t is not time, and their motions do not continue.
     steps : list of Call
-        What DELXF, DELINPX and DELINPE add for static load steps, per unit of the load parameter t.
+        Increments of DELXF, DELINPX and DELINPE for static load steps, per unit of the load parameter t.
     """
 
     gravity: tuple[float, ...] = (0.0, 0.0, 0.0)
@@ -41,12 +41,12 @@ class Draft:
 
 
 def understand(sheet: Sheet, dialect: str) -> Draft:
-    """The whole meaning of a sheet.
+    """The complete meaning of a sheet.
 
     Raises
     ------
     ModelError
-        A line that contradicts the others or asks for what there is not; names file and line.
+        A line that contradicts the others or refers to something undefined; names file and line.
     """
     draft = Draft()
     for line in sheet.of("GRAVITY"):
@@ -73,36 +73,32 @@ def _modes(sheet: Sheet, line: Line) -> list[tuple[ElementEntry, int]]:
 
 
 def _mark_free(sheet: Sheet) -> None:
-    """Collect the modes that are not rigid, whichever line says so."""
+    """Collect the modes that are not rigid, from all lines."""
     for line in sheet.of("RLSE", "DYNE", "KINE", "LINE"):
         for entry, i in _modes(sheet, line):
             if line.keyword != "RLSE" and i in entry.kind.slips:
-                raise line.error(
-                    f"mode {i} of a {entry.line.keyword} is a slip, which is no coordinate; take it out"
-                )
+                raise line.error(f"mode {i} of a {entry.line.keyword} is a slip, not a coordinate; remove it")
             entry.free.add(i)
     for line in sheet.of("INPUTE"):
         entry, i = sheet.mode(line)
         if i in entry.kind.slips:
-            raise line.error(
-                f"mode {i} of a {entry.line.keyword} is a slip, which has no value to give; take it out"
-            )
+            raise line.error(f"mode {i} of a {entry.line.keyword} is a slip, which has no value; remove it")
         entry.free.add(i)
     for line in sheet.of("ENHC"):
         entry, i = sheet.mode(line, 0, 1)
         if i not in entry.kind.slips:
             slips = ", ".join(map(str, entry.kind.slips)) or "none"
             raise line.error(
-                f"mode {i} of {entry.line.keyword} {entry.number} is no slip ({slips}) and cannot be non-holonomic; "
+                f"mode {i} of {entry.line.keyword} {entry.number} is not a slip ({slips}) and cannot be non-holonomic; "
                 "a deformation that is rigid needs no ENHC"
             )
         if i in entry.free:
-            raise line.error(f"mode {i} of element {entry.number} is also released; a slip of zero cannot be")
+            raise line.error(
+                f"mode {i} of element {entry.number} is also released; a slip held at zero cannot be"
+            )
         other, j = sheet.mode(line, 2, 3)
         if j in other.kind.slips:
-            raise line.error(
-                f"mode {j} of element {other.number} is a slip, which is no coordinate; name another"
-            )
+            raise line.error(f"mode {j} of element {other.number} is a slip, not a coordinate; name another")
         other.free.add(j)
 
 
@@ -180,7 +176,7 @@ def _motions(sheet: Sheet, draft: Draft) -> None:
     for name in second:
         if name not in inputs:
             line = next(z for z in sheet.of("XDD", "EDD") if _subject(sheet, z) == name)
-            raise line.error("an acceleration can only be given to an input; take the line out")
+            raise line.error("an acceleration can only be given to an input; remove the line")
     times = sheet.of("TIME")
     start = times[0].values[0] if times else 0.0
     for name, (line, factor) in inputs.items():
@@ -195,16 +191,16 @@ def _motions(sheet: Sheet, draft: Draft) -> None:
             draft.still.append(Call("prescribe", (name, u / factor), {}, line))
     for name, (line, _) in changes.items():
         if name not in inputs:
-            raise line.error("it changes an input, and this is none; add a line INPUTX or INPUTE")
+            raise line.error("it changes an input, and this is not one; add a line INPUTX or INPUTE")
 
 
 def _subject(sheet: Sheet, line: Line) -> str:
-    """Name of what a line of an initial value speaks of."""
+    """Name of the quantity to which an initial-value line refers."""
     return sheet.coordinate(line) if line.keyword.startswith("X") else quantity(*sheet.mode(line))[0]
 
 
 def _motion(u: float, v: float, a: float, t0: float, factor: float) -> Polynomial | float:
-    """The polynomial in t that has these values at t0, in our deformations."""
+    """The polynomial in t with these values at t0, in flexel's deformations."""
     c = [u - v * t0 + a * t0**2 / 2, v - a * t0, a / 2]
     while len(c) > 1 and not c[-1]:
         c.pop()
@@ -234,7 +230,7 @@ def _dofs(sheet: Sheet) -> list[Call]:
 
 
 def _initial(sheet: Sheet) -> list[Call]:
-    """Initial values and rates of what is no input."""
+    """Initial values and rates of quantities that are not inputs."""
     inputs = {sheet.coordinate(z) for z in sheet.of("INPUTX")}
     inputs |= {quantity(*sheet.mode(z))[0] for z in sheet.of("INPUTE")}
     calls = []

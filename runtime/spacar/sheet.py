@@ -1,4 +1,4 @@
-"""What a file declares, collected by node and element number, before it becomes a model."""
+"""The declarations of a file, collected by node and element number, before conversion to a model."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ START = {
 PLACES = {"XY": "planar_point", "XYZ": "point", "BETA": "planar_angle", "LAMBDA": "frame"}
 
 
-# how many of the first numbers say what a line is about, where it may be said once only
+# how many of the first numbers identify the subject of a line that may occur only once
 SUBJECT = dict.fromkeys("ESTIFF EDAMPP EMASS LENGTH0 DIR MASS FORCE DELXF TORQUEL".split(), 1)
 SUBJECT |= dict.fromkeys("XD XDD E ED EDD STARTDE DELINPX DELINPE".split(), 2)
 SUBJECT |= dict.fromkeys("TIME GRAVITY TIMESTEP HMAX ITERSTEP".split(), 0)
@@ -50,16 +50,16 @@ class NodeEntry:
 
 @dataclass
 class ElementEntry:
-    """An element: its type, its nodes and what the lines about it say.
+    """An element: its type, its nodes and the lines about it.
 
     Attributes
     ----------
     numbers : tuple of float
-        What follows the nodes, with a direction of DIR.
+        Numbers after the nodes, with a direction from DIR.
     lines : dict
         The one line each of ESTIFF, EDAMPP, EMASS, LENGTH0 about it.
     free : set of int
-        Modes that are not rigid, whatever makes them so.
+        Modes that are not rigid, for any reason.
     """
 
     number: int
@@ -95,7 +95,7 @@ class Sheet:
     Raises
     ------
     ModelError
-        Double numbers, nodes of two kinds, nodes and elements that do not exist; names the line.
+        Duplicate numbers, nodes of two kinds, nodes and elements that do not exist; names the line.
     """
 
     def __init__(self, lines: Iterable[Line]) -> None:
@@ -138,7 +138,7 @@ class Sheet:
             node = self.nodes.setdefault(n, NodeEntry(n, node_kind, np.array(START[node_kind])))
             if node.kind != node_kind:
                 raise line.error(
-                    f"node {n} is a {node.kind} already, and is used here as a {node_kind}; take another"
+                    f"node {n} is already a {node.kind}, and is used here as a {node_kind}; use another"
                 )
             nodes.append(node)
         numbers = line.values[1 + len(nodes) :]
@@ -159,20 +159,20 @@ class Sheet:
     def _direction(self, line: Line) -> None:
         entry = self.element(line)
         if entry.kind.optional != 3:
-            raise line.error(f"a {entry.line.keyword} has no direction; take the line out")
+            raise line.error(f"a {entry.line.keyword} has no direction; remove the line")
         if entry.numbers:
             raise line.error(
                 f"element {entry.number} has its direction in line {entry.line.number}; keep one of them"
             )
         entry.numbers = line.values[1:]
 
-    # -- what a line speaks of -------------------------------------------------------------------
+    # -- subjects of lines -----------------------------------------------------------------------
 
     def node(self, line: Line, place: int = 0) -> NodeEntry:
         """The node whose number stands at a place of a line."""
         n = line.whole(place, "node")
         if n not in self.nodes:
-            raise line.error(f"no element has the node {n}; correct the number, or take the line out")
+            raise line.error(f"no element has the node {n}; correct the number, or remove the line")
         return self.nodes[n]
 
     def element(self, line: Line, place: int = 0) -> ElementEntry:
@@ -180,7 +180,7 @@ class Sheet:
         n = line.whole(place, "element")
         if n not in self.elements:
             known = ", ".join(map(str, sorted(self.elements)[:20]))
-            raise line.error(f"there is no element {n}; there are {known}")
+            raise line.error(f"element {n} does not exist; elements are {known}")
         return self.elements[n]
 
     def places(self, line: Line, node: NodeEntry, first: int = 1) -> list[int]:
@@ -204,19 +204,19 @@ class Sheet:
         return f"{node.name}.{node.components[i - 1]}"
 
     def mode(self, line: Line, element_place: int = 0, mode_place: int = 1) -> tuple[ElementEntry, int]:
-        """The element and the mode number that a line speaks of."""
+        """The element and the mode number to which a line refers."""
         entry, i = self.element(line, element_place), line.whole(mode_place, "mode")
         if i > len(entry.kind.modes):
             raise line.error(
                 f"a {entry.line.keyword} has modes 1 to {len(entry.kind.modes)}; correct the number"
             )
         if entry.line.keyword == "L2MIN1":
-            raise line.error("the norm of Euler parameters always holds; take the line out")
+            raise line.error("the norm of Euler parameters is always constrained; remove the line")
         return entry, i
 
 
 def quantity(entry: ElementEntry, i: int) -> tuple[str, float]:
-    """Our name of a mode, and the factor by which theirs is larger."""
+    """Our name of a mode, and the ratio of SPACAR's value to ours."""
     mode: Mode = entry.kind.modes[i - 1]
     return f"{entry.name}.{mode.name}", mode.factor * _scale(entry, mode.scale)
 
@@ -230,12 +230,12 @@ def _scale(entry: ElementEntry, what: str) -> float:
 
 
 def _check_doubles(lines: Iterable[Line]) -> None:
-    """What is said once only is said once."""
+    """Check that lines that may occur only once do so."""
     seen: dict[tuple[object, ...], Line] = {}
     for line in lines:
         if line.keyword in SUBJECT or line.keyword in PLACES or line.keyword == "X":
             group = line.keyword if line.keyword in SUBJECT else "X"
             key = (group, *line.values[: SUBJECT.get(line.keyword, 1)])
             if key in seen:
-                raise line.error(f"said already in line {seen[key].number}; keep one of them")
+                raise line.error(f"already given in line {seen[key].number}; keep one of them")
             seen[key] = line

@@ -1,6 +1,6 @@
 """The model of a file as a list of calls of `Model`: run here, or printed as Python by the converter.
 
-One list serves both, so that a converted file cannot differ from the one that was read.
+One list serves both, so a converted file cannot differ from the one that was read.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ class Call:
     Attributes
     ----------
     line : Line
-        Where it comes from.
+        Its line in the file.
     """
 
     method: str
@@ -31,7 +31,7 @@ class Call:
     line: Line | None = None
 
     def apply(self, model: Model) -> None:
-        """Call the method; an error tells the line of the file."""
+        """Call the method; an error reports the line of the file."""
         try:
             getattr(model, self.method)(*self.arguments, **self.options)
         except ModelError as error:

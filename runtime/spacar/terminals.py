@@ -1,4 +1,4 @@
-"""What a file asks of the linear model, its inputs and outputs; and what the reader has to say about the file."""
+"""Inputs and outputs of the linear model requested by a file, and the reader's notes on it."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ MOMENTS = ("wx", "wy", "wz")
 
 @dataclass(frozen=True)
 class Terminal:
-    """An input or output of the linear model: its name for `Linearization.state_space`, theirs / ours."""
+    """An input or output of the linear model: its name for `Linearization.state_space`, the ratio SPACAR/flexel."""
 
     number: int
     name: str
@@ -51,7 +51,7 @@ def _inputs(sheet: Sheet) -> tuple[list[Terminal], list[Call]]:
         found.append(Terminal(line.whole(0, "input"), name, 1.0))
     for line in sheet.of("INPUTS"):
         name, factor = quantity(*sheet.mode(line, 1, 2))
-        # a load of ours does work as the deformation grows, a stress the opposite
+        # a load in flexel does work as the deformation grows, a stress the opposite
         found.append(Terminal(line.whole(0, "input"), name, -1.0 / factor))
     return found, measured
 
@@ -66,20 +66,18 @@ def _outputs(sheet: Sheet) -> list[Terminal]:
         name, factor = quantity(entry, i)
         if line.keyword == "OUTE" and i in entry.kind.slips:
             raise line.error(
-                f"mode {i} of element {entry.number} is a slip, which has a rate only; use OUTEP"
+                f"mode {i} of element {entry.number} is a slip, which has only a rate; use OUTEP"
             )
         found.append(Terminal(line.whole(0, "output"), name + "'" * (line.keyword == "OUTEP"), factor))
     return found
 
 
 def notes(sheet: Sheet, dialect: str) -> list[str]:
-    """What was read without effect, and what was assumed, with the lines of the file."""
+    """Lines without effect, and assumptions, with the lines of the file."""
     found = []
     for line in sheet.lines:
         if line.keyword in WITHOUT_EFFECT:
-            found.append(
-                f"line {line.number}: {line.written} changes nothing: {WITHOUT_EFFECT[line.keyword]}"
-            )
+            found.append(f"line {line.number}: {line.written} has no effect: {WITHOUT_EFFECT[line.keyword]}")
     for entry in sheet.elements.values():
         where = f"line {entry.line.number}: {entry.line.written} {entry.number}"
         if entry.kind.assumed:

@@ -149,16 +149,16 @@ def test_an_interrupt_keeps_the_systems_that_are_finished(
 
 def test_an_interrupted_verification_shows_what_was_verified(monkeypatch: pytest.MonkeyPatch) -> None:
     """Ctrl-C in the second element: the first one's rows are printed, the exit status is not 0."""
-    from flexel.derive import verify as room
+    from flexel.derive import verify as module
 
-    one = room.verify
+    one = module.verify
 
     def second_is_interrupted(spec: Any, address: int, definition: Any) -> Any:
         if spec.name == "norm":
             raise KeyboardInterrupt
         return one(spec, address, definition)
 
-    monkeypatch.setattr(room, "verify", second_is_interrupted)
+    monkeypatch.setattr(module, "verify", second_is_interrupted)
     result = run("verify", "planar_hinge", "norm", "truss")
     assert result.exit_code == 1
     assert "planar_hinge  stiffness" in result.stdout and "NOT OK interrupted" in result.stdout
@@ -220,7 +220,7 @@ def test_a_path_that_cannot_be_written_is_told_in_one_line(
     nowhere = str(tmp_path / "nowhere" / "numbers.json")
     for command in (("reproduce", "pendulum"), ("verify", "truss")):
         result = run(*command, "--json", nowhere)
-        assert result.exit_code == 2 and "there is no such folder; make it" in result.stderr
+        assert result.exit_code == 2 and "the folder does not exist; create it" in result.stderr
     assert pendulum == []
     (tmp_path / "file").write_text("")
     result = run("reproduce", "pendulum", "--out", str(tmp_path / "file" / "out"))

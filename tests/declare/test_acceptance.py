@@ -7,7 +7,7 @@ import flexel as fx
 
 @pytest.mark.parametrize("time", ["x", None, float("nan")])
 def test_a_motion_at_no_time_is_named(time: object) -> None:
-    """A time that is no finite number is refused by name, not by NumPy."""
+    """A time that is not a finite number is rejected with its name, not by NumPy."""
     m = fx.Model(gravity=(0, -9.81))
     m.point_mass("stone", m.point("A", (0, 0)), 1.0)
     motion = m.build().simulate(0.1, samples=3)

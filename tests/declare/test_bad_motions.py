@@ -141,7 +141,7 @@ LOADS = {
     "follower on an angle": built(
         lambda m: m.load("pivot.angle", 1, follower=True), "'pivot.angle'", "leave follower"
     ),
-    "norm": built(lambda m: m.load("R1.norm", 1), "'R1.norm'", "always holds", "name another"),
+    "norm": built(lambda m: m.load("R1.norm", 1), "'R1.norm'", "always constrained", "name another"),
     "math.sin": built(
         lambda m: m.load("pivot.angle", lambda t: math.sin(t)), "'pivot.angle'", "np.sin, not math.sin"
     ),

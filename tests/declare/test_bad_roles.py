@@ -24,7 +24,9 @@ ROLES = {
     "release an element": built(lambda m: m.release("pivot"), "'pivot'", "did you mean pivot."),
     "release None": built(lambda m: m.release(None), "release", "give text such as"),
     "release a list": built(lambda m: m.release(["pivot.bend1"]), "release", "separate arguments"),
-    "release a norm": built(lambda m: m.release("R1.norm"), "'R1.norm'", "always holds", "name another"),
+    "release a norm": built(
+        lambda m: m.release("R1.norm"), "'R1.norm'", "always constrained", "name another"
+    ),
     "rigid unknown": built(lambda m: m.rigid("pivot.agnle"), "'pivot.agnle'", "did you mean pivot.angle"),
     "rigid coordinate": built(lambda m: m.rigid("A.x"), "'A.x' is a coordinate", "use fix"),
     "rigid with a spring": built(

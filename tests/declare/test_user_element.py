@@ -1,4 +1,4 @@
-"""A user's own element moves, and is linearized, as the same mechanics written down by hand."""
+"""A user-defined element moves, and is linearized, like the same mechanics written out manually."""
 
 import re
 import time

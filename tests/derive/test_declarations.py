@@ -38,8 +38,8 @@ theta, r = sp.Symbol("theta", real=True), sp.Symbol("r", real=True)
 @pytest.mark.parametrize(
     ("fields", "words"),
     [
-        ({"family": "beem"}, "element 'own': family 'beem' is unknown; there are .*'beam'"),
-        ({"picture": "photo"}, "element 'own': picture 'photo' is unknown; there are .*'wheel'"),
+        ({"family": "beem"}, "element 'own': family 'beem' is unknown; choose one of .*'beam'"),
+        ({"picture": "photo"}, "element 'own': picture 'photo' is unknown; choose one of .*'wheel'"),
     ],
 )
 def test_an_unknown_word_names_the_element_and_lists_the_known_ones(fields: Any, words: str) -> None:
@@ -49,14 +49,14 @@ def test_an_unknown_word_names_the_element_and_lists_the_known_ones(fields: Any,
 
 def test_kinds_and_signs_are_checked_too() -> None:
     with pytest.raises(
-        ValueError, match="deformation 'd': kind 'gab' is unknown; there are '', 'gap', 'norm'"
+        ValueError, match="deformation 'd': kind 'gab' is unknown; choose one of '', 'gap', 'norm'"
     ):
         Deformation("d", "m", p.x[0], kind="gab")
-    with pytest.raises(ValueError, match="parameter 'k': sign 'plus' is unknown; there are .*'positive'"):
+    with pytest.raises(ValueError, match="parameter 'k': sign 'plus' is unknown; choose one of .*'positive'"):
         Parameter("k", 1, "1", "number", sign="plus")
     with pytest.raises(ValueError, match="parameter 'k': 1 signs of 2 components; give one for each"):
         Parameter("k", 2, "1", "numbers", sign=("any",))
-    with pytest.raises(ValueError, match="parameter 'S': 4 components are no upper triangle"):
+    with pytest.raises(ValueError, match="parameter 'S': 4 components are not the upper triangle"):
         Parameter("S", 4, "1", "matrix", sign="semidefinite")
 
 
@@ -111,7 +111,7 @@ def test_an_angle_whose_cut_reaches_a_deformation_needs_a_period() -> None:
 def test_a_period_that_is_not_the_jump_is_refused() -> None:
     h0, h1 = h.symbols
     with pytest.raises(
-        ValueError, match="element 'own': deformation 'd' jumps by .* no whole number of the period"
+        ValueError, match="element 'own': deformation 'd' jumps by .* not a whole number of the period"
     ):
         element(Deformation("d", "m", q.x[0] - h0 * theta, period=2 * sp.pi * h1))
     element(Deformation("d", "m", q.x[0] - h0 * theta, period=2 * sp.pi * h0))
@@ -126,7 +126,9 @@ def test_an_angle_inside_a_periodic_function_or_away_from_its_cut_needs_none() -
 
 
 def test_a_period_is_a_sum_of_products_of_parameters() -> None:
-    with pytest.raises(ValueError, match="the period .* is no sum of products of whole powers of parameters"):
+    with pytest.raises(
+        ValueError, match="the period .* is not a sum of products of whole powers of parameters"
+    ):
         element(Deformation("d", "rad", q.x[0], period=sp.sqrt(h.symbols[0])))
     with pytest.raises(ValueError, match="the period of 'd' contains q_angle"):
         element(Deformation("d", "rad", q.x[0], period=q.x[0]))

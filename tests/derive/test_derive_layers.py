@@ -25,7 +25,7 @@ EXCEPTIONS: set[tuple[str, str]] = {
     (
         "derive",
         "derive.declare",
-    ),  # the package hands out the names of its declarations when they are asked for
+    ),  # the package resolves the names of its declarations on demand
 }
 MODULES = {
     ".".join(("derive", *path.relative_to(DERIVE).with_suffix("").parts)).removesuffix(".__init__"): path

@@ -72,7 +72,7 @@ def float_of(t, first, second):  # noqa: ANN001, ANN201
 
 
 def test_power_of_the_drives_is_the_rate_of_energy() -> None:
-    """A spatial arm on skew axes; dE/dt is differenced from the states, the power is not."""
+    """A spatial arm on skew axes; dE/dt is differentiated numerically from the states, the power is not."""
     m = pendulum(mass_per_length=2.0)
     B, R2 = m.point("B", (1.4, 0.5, 0.3)), m.frame("R2")
     m.hinge("elbow", "R1", R2, axis=(1, 1, 0.4))

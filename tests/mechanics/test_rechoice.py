@@ -47,7 +47,7 @@ def test_a_system_keeps_its_dofs_after_a_motion_that_changed_them() -> None:
 
 
 def test_stored_states_do_not_depend_on_how_densely_they_are_stored() -> None:
-    """A top at 150 rad/s turns several times between samples; branches and turns are told by the steps."""
+    """A top at 150 rad/s turns several times between samples; branches and turns are determined from the steps."""
     dense, sparse = (heavy_top().simulate(0.3, samples=n) for n in (61, 3))
     assert np.max(np.abs(dense.x[[0, 30, 60]] - sparse.x)) == 0
     assert np.ptp(sparse.energy["total"]) < 1e-6 * sparse.energy["total"][0]

@@ -234,7 +234,7 @@ def test_mistakes_are_told(ride: fx.Motion, tmp_path: Path) -> None:
         scene_data(still.simulate(1e-3, method="generalized-alpha", progress=False), between=(0.0015, 0.002))
     with pytest.raises(fx.ModelError, match="save the motion again"):
         write_page({"format": 0}, tmp_path / "old.html")
-    with pytest.raises(fx.ModelError, match="there are none"):
+    with pytest.raises(fx.ModelError, match="no modes given"):
         mode_data(ride[0], [])
     with pytest.raises(fx.ModelError, match="give the linearization, not the state"):
         system = pendulum()

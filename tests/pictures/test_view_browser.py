@@ -1,4 +1,4 @@
-"""The viewer in a real browser: it shows the motion, plays it, heeds keys and fingers; skipped without Chromium."""
+"""The viewer in a real browser: it shows the motion, plays it, responds to keys and touch; skipped without Chromium."""
 
 from collections.abc import Iterator
 from pathlib import Path

@@ -75,7 +75,7 @@ def test_the_tables_of_a_spacar_run_name_the_motion_beside(tmp_path: Path, check
     for mode in "78":
         result = run(tmp_path / mode / "spacar_cantilever.npz")
         assert result.exit_code == 1
-        assert "is a table of a SPACAR run" in result.output and "there is no motion" in result.output
+        assert "is a table of a SPACAR run" in result.output and "its motion is not beside" in result.output
 
 
 def test_a_file_that_is_no_result_is_told(tmp_path: Path) -> None:

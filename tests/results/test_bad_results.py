@@ -18,9 +18,9 @@ def test_results_that_do_not_exist_are_reported_with_those_that_do(tmp_path: Any
         lin.plot_mode(7)
     with pytest.raises(ModelError, match="periodic: period 0 is not positive"):
         system.periodic(period=0.0, harmonics=3)
-    with pytest.raises(ModelError, match="periodic: 0 harmonics asked for"):
+    with pytest.raises(ModelError, match="periodic: 0 harmonics requested"):
         system.periodic(period=1.0, harmonics=0)
-    with pytest.raises(ModelError, match="read_spacar '.*none.dat': there is no such file"):
+    with pytest.raises(ModelError, match="read_spacar '.*none.dat': the file does not exist"):
         read_spacar(tmp_path / "none.dat")
     pytest.importorskip("matplotlib", reason="drawing needs matplotlib: pip install 'flexel[plot]'")
     assert motion.plot("A.z").axes[0].lines[0].get_xdata().size == 1  # of a single state, without a warning

@@ -135,7 +135,7 @@ def test_internal_states_of_laws_go_on(tmp_path: Path, monkeypatch: pytest.Monke
 
 
 def test_a_changed_load_counts_from_the_restart_on(tmp_path: Path) -> None:
-    """Accelerations are those of the model that goes on, unless the saved ones are asked for."""
+    """Accelerations are those of the continuing model, unless the saved ones are requested."""
 
     def stone(push: float) -> fx.System:
         m = fx.Model(gravity=(0, 0, -9.81))

@@ -117,7 +117,7 @@ def test_xarray_and_pandas_have_labels_and_units(motion: fx.Motion) -> None:
     assert "rear.longitudinal" not in motion.to_pandas()
 
 
-# -- files that are no results --------------------------------------------------------------------
+# -- files that are not results -------------------------------------------------------------------
 
 
 class Trap:
@@ -133,9 +133,9 @@ def test_nothing_in_a_file_is_executed(motion: fx.Motion, tmp_path: Path) -> Non
     text = motion.save(tmp_path / "kick.csv").read_text().splitlines()
     (tmp_path / "trap.csv").write_text("\n".join([text[0], text[1], text[2].replace("0.0", "exit()", 1)]))
     for name in ("trap.npz", "pickle.npz", "trap.csv"):
-        with pytest.raises(fx.ModelError, match="not a result saved by flexel, or it is damaged") as told:
+        with pytest.raises(fx.ModelError, match="not a result saved by flexel, or it is damaged") as reported:
             fx.load(tmp_path / name)
-        assert "unsafely" not in str(told.value)  # NumPy would advise to load a pickle
+        assert "unsafely" not in str(reported.value)  # NumPy would advise to load a pickle
 
 
 @pytest.mark.parametrize("suffix", SUFFIXES)

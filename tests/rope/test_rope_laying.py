@@ -52,7 +52,7 @@ def test_a_sheave_that_hardly_gives_way_leaves_the_tension_of_the_length_alone()
 @pytest.mark.parametrize(("per", "stiffness"), [("length", 1e9), ("point", 1e7)])
 @pytest.mark.parametrize("n", [80, 160])
 def test_a_rope_lies_as_deep_as_it_carries(per: str, stiffness: float, n: int) -> None:
-    """As laid the resultant is that of the tension over half a turn, whatever the contact's unit and the mesh."""
+    """The initial resultant is that of the tension over half a turn, whatever the contact's unit and the mesh."""
     m = sheave()
     rope = laid(m, n, contact=fx.Contact(stiffness, per=per), tension=1000.0, refine=1.5)
     s = m.build()

@@ -1,4 +1,4 @@
-"""The input language: two dialects, and what is told about lines that cannot be taken."""
+"""The input language: two dialects, and the errors reported for invalid lines."""
 
 from pathlib import Path
 
@@ -32,14 +32,14 @@ def test_delft_and_twente_say_the_same_in_their_words(tmp_path: Path) -> None:
     assert (delft.dialect, twente.dialect) == ("delft", "twente")
     assert [str(call) for call in delft.calls] == [str(call) for call in twente.calls]
     assert (delft.duration, delft.steps) == (twente.duration, twente.steps) == (2.0, 100)
-    assert delft.notes == () and "VISUALIZATION changes nothing" in twente.notes[0]
+    assert delft.notes == () and "VISUALIZATION has no effect" in twente.notes[0]
 
 
 def test_dialect_can_be_given_and_decides_the_order_of_timestep(tmp_path: Path) -> None:
     assert file(tmp_path, *CRANK[:-1], "TIMESTEP 2 100", dialect="twente").duration == 2.0
     assert file(tmp_path, *CRANK[:-1], "TIMESTEP 2 100", dialect="delft").duration == 100.0
     with pytest.raises(
-        fx.ModelError, match=r"line 7: TIMESTEP: 0.5 is no number of steps; the delft dialect writes n T"
+        fx.ModelError, match=r"line 7: TIMESTEP: 0.5 is not a number of steps; the delft dialect writes n T"
     ):
         file(tmp_path, *CRANK[:-1], "TIMESTEP 0.5 100")
     with pytest.raises(fx.ModelError, match="dialect 'dutch' is unknown; give 'delft' or 'twente'"):
@@ -87,11 +87,11 @@ WRONG = {
     "PLBAEM 2 3 5 6 7": r"line 8: PLBAEM: unknown keyword; did you mean .*PLBEAM",
     "PLBEAM 2 3 5 6": r"line 8: PLBEAM: 4 numbers given; it is written PLBEAM e n1 n2 n3 n4",
     "PLBEAM 1 3 5 6 7": r"line 8: PLBEAM: element 1 exists since line 1; give another number",
-    "PLBEAM 2 3 1 6 7": r"line 8: PLBEAM: node 1 is a planar_point already, and is used here as a planar_angle",
+    "PLBEAM 2 3 1 6 7": r"line 8: PLBEAM: node 1 is already a planar_point, and is used here as a planar_angle",
     "X 9 0 0": r"line 8: X: no element has the node 9",
     "X 1 0 0 0": r"line 8: X: 3 coordinates given, but node 1 is a planar_point with 2 \(x, y\)",
-    "X 3 0 0": r"line 8: X: said already in line 2; keep one of them",
-    "MASS 3 1.0": r"line 8: MASS: said already in line 4",
+    "X 3 0 0": r"line 8: X: already given in line 2; keep one of them",
+    "MASS 3 1.0": r"line 8: MASS: already given in line 4",
     "MASS 4 1 0 0 1 0 1": r"line 8: MASS: 6 numbers given; node 4 is a planar_angle and takes 1",
     "FORCE 3 1": r"line 8: FORCE: 1 numbers given; node 3 is a planar_point and takes 2",
     "FORCE 1 0 1": r"line 8: FORCE: coordinate 2 of node 1 is fixed by FIX in line 3, and a force cannot move it",
@@ -102,13 +102,13 @@ WRONG = {
     "INPUTX 2 2": r"line 8: INPUTX: node 2, a planar_angle, has coordinates 1 to 1",
     "DYNX 1 1": r"line 8: DYNX: coordinate 1 of node 1 is a dynamic coordinate here and fixed by FIX in line 3",
     "DYNX 2 1": r"line 8: DYNX: coordinate 1 of node 2 is a dynamic coordinate here and an input by INPUTX in line 5",
-    "XD 1 1 0.5": r"line 8: XD: the coordinate is fixed by FIX in line 3, and has no rate to give",
-    "E 1 1 0.5": r"line 8: E: mode 1 of element 1 is rigid, and has no initial value to give; release it",
+    "XD 1 1 0.5": r"line 8: XD: the coordinate is fixed by FIX in line 3, and cannot have a given rate",
+    "E 1 1 0.5": r"line 8: E: mode 1 of element 1 is rigid and cannot have an initial value; release it",
     "FIX 3 3": r"line 8: FIX: node 3, a planar_point, has coordinates 1 to 2",
     "FIX 3 1.5": r"line 8: FIX: coordinate 1.5 is not a positive whole number",
-    "RLSE 7 1": r"line 8: RLSE: there is no element 7; there are 1",
+    "RLSE 7 1": r"line 8: RLSE: element 7 does not exist; elements are 1",
     "RLSE 1 4": r"line 8: RLSE: a PLBEAM has modes 1 to 3",
-    "ENHC 1 1 1 2": r"line 8: ENHC: mode 1 of PLBEAM 1 is no slip \(none\) and cannot be non-holonomic",
+    "ENHC 1 1 1 2": r"line 8: ENHC: mode 1 of PLBEAM 1 is not a slip \(none\) and cannot be non-holonomic",
     "ESTIFF 1 1 2 3": r"line 8: ESTIFF: 3 values given; a PLBEAM has EA, EI",
     "ESTIFF 1 -1": r"line 8: ESTIFF: a value is negative",
     "LENGTH0 1 0.4": r"line 8: LENGTH0: a PLBEAM takes EMASS, ESTIFF, EDAMPP",
@@ -182,7 +182,7 @@ def test_user_routines_are_never_run(tmp_path: Path) -> None:
 
 
 def test_a_second_run_in_one_file_is_not_passed_over(tmp_path: Path) -> None:
-    with pytest.raises(fx.ModelError, match="line 9: MASS comes after END in line 8, .* a file of its own"):
+    with pytest.raises(fx.ModelError, match="line 9: MASS comes after END in line 8, .* a separate file"):
         file(tmp_path, *CRANK, "END", "MASS 3 4.0", "END", "EOF")
 
 
@@ -273,4 +273,4 @@ def test_command_line_tells_file_and_line(tmp_path: Path) -> None:
     path.write_text("* nothing\n")
     assert "it has no elements" in CliRunner().invoke(main, ["run", str(path)]).output
     path.write_text("\n".join(CRANK))
-    assert "there is no mode 3" in CliRunner().invoke(main, ["run", str(path), "--mode", "3"]).output
+    assert "mode 3 does not exist" in CliRunner().invoke(main, ["run", str(path), "--mode", "3"]).output

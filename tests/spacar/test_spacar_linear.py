@@ -48,7 +48,7 @@ def test_load_steps_bend_the_cantilever(cantilever: fx.Spacar) -> None:
 @pytest.mark.parametrize("motion", ["INPUTX 2 1 0.1 1.0 2.0", "INPUTX 2 1 0.1\nXD 2 1 1.0"])
 @pytest.mark.parametrize(("change", "end"), [("", 0.1), ("DELINPX 2 1 0.5", 0.6)])
 def test_load_steps_are_static(motion: str, change: str, end: float, tmp_path: Path) -> None:
-    """The load parameter is no time: what is not told to change keeps its initial value, velocity or not."""
+    """The load parameter is not time: inputs without an increment keep their initial value, velocity or not."""
     path = tmp_path / "steps.dat"
     path.write_text(
         "PLBEAM 1 1 2 3 4\nX 3 1 0\nFIX 1\nDYNE 1 2 3\nEM 1 1.0\nESTIFF 1 1e4 100\nDELXF 3 0 0.1\nITERSTEP 2\n"

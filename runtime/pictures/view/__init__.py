@@ -1,4 +1,4 @@
-"""The viewer: one HTML file that shows a motion or modes of vibration in a browser, without a network."""
+"""The viewer: one HTML file that shows a motion or modes of vibration in a browser, offline."""
 
 from __future__ import annotations
 
@@ -69,13 +69,13 @@ def write_page(scene: Mapping[str, Any], path: str | Path) -> Path:
 
 
 def page(scene: Mapping[str, Any]) -> str:
-    """The page of a scene as text; nothing of the scene is ever executed."""
+    """The page of a scene as text; nothing in the scene is executed."""
     if scene.get("format") != FORMAT:
         raise ModelError(
             f"view: the scene has format {scene.get('format')!r}, this version shows {FORMAT}; save the motion again"
         )
     folder = resources.files("flexel.pictures.view")
-    # within a script element only `<` could end it
+    # only `<` could end a script element
     data = json.dumps(scene, allow_nan=False, separators=(",", ":")).replace("<", "\\u003c")
     return Template(_text(folder, "page.html")).substitute(
         title=html.escape(str(scene.get("title") or "Motion")),

@@ -1,7 +1,7 @@
-"""What the viewer shows, as a table of plain JSON: the shapes of `flexel.pictures.drawing` over the frames.
+"""Data of the viewer as plain JSON: the shapes of `flexel.pictures.drawing` over the frames.
 
-A part that a body carries is its lines once and a pose for each frame; one that deforms, its vertices for each
-frame. Numbers are Float32, little-endian, in base64; what never changes is stored once.
+A rigid part is stored as its lines once and a pose for each frame; a deforming one as its vertices for each
+frame. Numbers are Float32, little-endian, in base64; constant data is stored once.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ FORMAT = 1
 FRAMES = 301
 COLOURS = {style: paint[0] for style, paint in PAINT.items()}
 COLOURS |= {"box": "#8fa3b3", "force": "#d4351c", "joint": "#f0f3f5"}
-WINDOW = 4.0  # a motion that goes farther than this many times the model's size is followed
+WINDOW = 4.0  # the camera follows motions that go farther than this many times the model's size
 
 
 def scene_data(
@@ -43,27 +43,27 @@ def scene_data(
     slower: float | None = None,
     progress: bool | None = None,
 ) -> dict[str, Any]:
-    """Everything that the viewer needs to show a motion, as plain data that a file can keep.
+    """All data that the viewer needs to show a motion, in a form that can be saved to a file.
 
     Parameters
     ----------
     frames : int
-        Equally spaced in time; of a motion without dense output, so many of its stored states.
+        Equally spaced in time; for a motion without dense output, that many of its stored states.
     between : (start, end), optional
-        Times [s] of the part to be shown; all by default.
+        Times [s] of the part to show; all by default.
     view : View, optional
-        Eye, window, node to follow, trails and sketches.
+        Camera, window, node to follow, trails and sketches.
     title, caption : str
         Written above the picture.
     slower : float, optional
-        Seconds of picture per second of motion; by default so that it can be followed.
+        Seconds of picture per second of motion; by default chosen so that the motion can be followed.
     progress : bool, optional
         Progress bar on stderr; by default where stderr is a terminal.
 
     Returns
     -------
     dict
-        Of numbers, text, lists and dicts only; `flexel.pictures.view.page` makes the page of it.
+        Numbers, text, lists and dicts only; `flexel.pictures.view.page` makes the page from it.
 
     Raises
     ------
@@ -86,7 +86,7 @@ def scene_data(
 
 
 def _sampled(motion: Motion, frames: int, between: tuple[float, float] | None) -> list[State]:
-    """States to be shown."""
+    """States to show."""
     if not isinstance(frames, (int, np.integer)) or frames < 2:
         raise ModelError(f"view: frames is {frames!r}; give a whole number, 2 or more")
     start, end = between or (float(motion.t[0]), float(motion.t[-1]))
@@ -100,12 +100,12 @@ def _sampled(motion: Motion, frames: int, between: tuple[float, float] | None) -
 
 
 def _acts(column: Sequence[Shape]) -> bool:
-    """Whether a shape is to be seen at all: contacts that never close are not."""
+    """Whether a shape is ever visible: contacts that never close are not."""
     return column[0].style != "force" or any(np.any(z.force) for z in column)
 
 
 def _speed(duration: float) -> float:
-    """Speed 1, 2 or 5 times a power of ten at which a motion takes about ten seconds; 1 if that will do."""
+    """Speed 1, 2 or 5 times a power of ten at which a motion takes about ten seconds; 1 if suitable."""
     if 1.0 <= duration <= 60.0 or duration <= 0:
         return 1.0
     wanted = duration / 10
@@ -116,7 +116,7 @@ def _speed(duration: float) -> float:
 def common(
     state: State, table: Sequence[Sequence[Shape]], view: View, title: str, caption: str
 ) -> dict[str, Any]:
-    """What belongs to no part: axes, eye, roads, colours, size.
+    """Data that belong to no part: axes, camera, roads, colours, size.
 
     Parameters
     ----------
@@ -147,7 +147,7 @@ def common(
 
 
 def _camera(table: Sequence[Sequence[Shape]], view: View, flat: bool, size: float) -> dict[str, Any]:
-    """Where the eye is at first, and what it follows."""
+    """Initial position of the camera, and what it follows."""
     places = np.vstack([painted(shapes) for shapes in table])
     low, high = places.min(axis=0), places.max(axis=0)
     near = 1.15 * max(float(np.max(np.ptp(painted(table[0]), axis=0))), size)
@@ -206,7 +206,7 @@ def _local(shape: Shape) -> Array:
 
 
 def numbers(shape: Shape) -> Array:
-    """What moves of a shape: its pose (place and quaternion), or its vertices."""
+    """The moving data of a shape: its pose (place and quaternion), or its vertices."""
     if shape.pose is None:
         return np.vstack(shape.lines).ravel()
     origin, R = shape.pose
@@ -218,7 +218,7 @@ def packed(rows: Iterable[Any]) -> str:
     values = np.array([np.ravel(row) for row in rows], dtype="<f4")
     if not np.all(np.isfinite(values)):
         raise ModelError(
-            "view: a state has places or forces that are not finite; show the part before it with between="
+            "view: a state has positions or forces that are not finite; show the part before it with between="
         )
     if np.all(values == values[0]):
         values = values[:1]

@@ -1,4 +1,4 @@
-"""Mode shapes for the viewer: the displacement of every part, to be shown with any amplitude and phase."""
+"""Mode shapes for the viewer: the displacement of every part, shown with adjustable amplitude and phase."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from flexel.statics.stability import Vibration
 from flexel.structure.state import State, own_state
 
 SMALL = 1e-5  # amplitude at which parts are displaced, relative to the model
-COUNT = 12  # modes of a linearization that are shown by default
+COUNT = 12  # number of modes of a linearization shown by default
 
 
 def mode_data(
@@ -31,28 +31,28 @@ def mode_data(
     title: str = "",
     caption: str = "",
 ) -> dict[str, Any]:
-    """Everything that the viewer needs to show modes of vibration, as plain data that a file can keep.
+    """All data that the viewer needs to show modes of vibration, in a form that can be saved to a file.
 
     Parameters
     ----------
     about : Linearization, or State
-        What the modes belong to: a linearization, or the state of rest that was given to `System.vibrations`.
+        The origin of the modes: a linearization, or the state of rest given to `System.vibrations`.
     modes : sequence of Mode or Vibration, optional
-        Those of the linearization by default, the slowest twelve.
+        By default the slowest twelve of the linearization.
     view, title, caption
         As for a motion.
 
     Raises
     ------
     ModelError
-        If there is no mode, or one is of another model.
+        If there are no modes, or one belongs to another model.
     """
     state = about.state if isinstance(about, Linearization) else own_state_of(about)
     if modes is None and isinstance(about, Linearization):
         modes = sorted(about.modes(), key=lambda z: z.omega)[:COUNT]
     if not modes:
         raise ModelError(
-            "view of modes: there are none; give those of system.vibrations(state), or a linearization"
+            "view of modes: no modes given; give those of system.vibrations(state), or a linearization"
         )
     view = view or View()
     base = drawing.shapes(state, view.sketches)
@@ -87,7 +87,9 @@ def _coordinates(about: Linearization | State, state: State, mode: Mode | Vibrat
         found[: s.nf] = about.transfer.G[:, : q.size] @ q
         return found
     if isinstance(mode, Mode):
-        raise ModelError("view of modes: these are a linearization's; give the linearization, not the state")
+        raise ModelError(
+            "view of modes: these modes belong to a linearization; give the linearization, not the state"
+        )
     for name, value in _known(shape, s.coordinate_of).items():
         found[s.coordinate_of[name]] = value
     return found
@@ -97,7 +99,7 @@ def _known(shape: Mapping[str, complex], coordinates: Mapping[str, int]) -> Mapp
     strange = [name for name in shape if name not in coordinates]
     if strange:
         raise ModelError(
-            f"view of modes: '{strange[0]}' is no coordinate of this model; give modes of its own"
+            f"view of modes: '{strange[0]}' is not a coordinate of this model; give modes of this model"
         )
     return shape
 
@@ -105,7 +107,7 @@ def _known(shape: Mapping[str, complex], coordinates: Mapping[str, int]) -> Mapp
 def _displaced(
     state: State, amplitude: ComplexArray, base: list[Shape], view: View
 ) -> list[tuple[Array, Array]]:
-    """Real and imaginary displacement of every part's numbers, so scaled that the farthest vertex moves by 1."""
+    """Real and imaginary displacement of every part's numbers, scaled so that the farthest vertex moves by 1."""
     s = state.structure
     parts: list[tuple[list[Array], list[Array]]] = []
     step = SMALL * extent(s) / max(float(np.max(np.abs(amplitude))), 1e-300)
