@@ -22,7 +22,7 @@ def element_calls(entry: ElementEntry, dialect: str) -> list[Call]:
     keyword = entry.line.keyword
     for given in entry.lines:
         if given not in USES.get(keyword, ()):
-            allowed = ", ".join(USES.get(keyword, ())) or "none of these"
+            allowed = ", ".join(USES.get(keyword, ())) or "none"
             raise entry.lines[given].error(f"a {keyword} takes {allowed}; remove the line")
     if keyword == "L2MIN1":
         return []
@@ -39,9 +39,6 @@ def length(entry: ElementEntry) -> float:
             f"the nodes {first} and {last} coincide as drawn and the element has no length; give their coordinates"
         )
     return distance
-
-
-# -- stiffness and damping -----------------------------------------------------------------------
 
 
 def coefficients(entry: ElementEntry, keyword: str) -> Array:

@@ -36,7 +36,7 @@ STATES = {
         lambda s: s.use_coordinates("pivot.angle"), "use_coordinates", "write ['…'"
     ),
     "degree of freedom fixed": system(
-        lambda s: s.use_coordinates(["O.x"]), "'O.x' is fixed", "name coordinates"
+        lambda s: s.use_coordinates(["O.x"]), "'O.x' is fixed", "name movable coordinates"
     ),
     "degree of freedom rigid": system(
         lambda s: s.use_coordinates(["rod.along"]),
