@@ -1,4 +1,4 @@
-"""Sphinx reads this: how the pages are built. The generated ones are written first, by pages.py beside this file."""
+"""Configuration of Sphinx. The generated pages are written first, by pages.py in this folder."""
 
 import sys
 from pathlib import Path
@@ -19,7 +19,7 @@ autodoc_typehints = "none"
 autodoc_member_order = "bysource"
 napoleon_google_docstring = False
 napoleon_use_ivar = True
-suppress_warnings = ["ref.python"]  # an attribute's letter, as x, is one of several classes: no link is meant
+suppress_warnings = ["ref.python"]  # short attribute names, such as x, occur in several classes: no link is meant
 html_theme = "alabaster"
 html_theme_options = {
     "description": flexel.__doc__.split(":")[0],
@@ -31,7 +31,7 @@ templates_path: list[str] = []
 
 
 def escape_bars(app: object, what: str, name: str, obj: object, options: object, lines: list[str]) -> None:
-    """|x| is a length in our docstrings, not a substitution of reStructuredText."""
+    """Escape bars: |x| is a length in the docstrings, not a substitution of reStructuredText."""
     lines[:] = [line if line.lstrip().startswith(">>>") else line.replace("|", "\\|") for line in lines]
 
 

@@ -1,6 +1,6 @@
-"""Writes the generated pages of the documentation: one for each element, the laws, the public names, the contents.
+"""Write the generated pages of the documentation: one for each element, the laws, the public names, the contents.
 
-``python docs/pages.py`` or `make docs` runs it; what it writes is in ``docs/_generated`` and not kept in git. The
+``python docs/pages.py`` or `make docs` runs it. The output is in ``docs/_generated`` and is not kept in git. The
 numbers of the verification are those of `flexel verify`, computed once for each derivation of the kernels.
 """
 
@@ -58,7 +58,7 @@ DECLARATIONS = (
 
 
 def table(head: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
-    """A table in Markdown, or a word where there are no rows."""
+    """Return a table in Markdown, or "None." if there are no rows."""
     lines = [[str(cell).replace("|", r"\|") for cell in row] for row in rows]
     if not lines:
         return "None.\n"
@@ -66,7 +66,7 @@ def table(head: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
 
 
 def verification(folder: Path) -> dict[str, Rows]:
-    """Rows of `flexel verify` by element (a law is ``law <name>``), kept with the digests that they belong to."""
+    """Return the rows of `flexel verify` by element (a law is ``law <name>``), cached by the digests of kernels."""
     digests = {
         f"{prefix}{z.name}": z.digest for prefix, t in (("", ELEMENTS), ("law_", LAWS)) for z in t.values()
     }
@@ -82,7 +82,7 @@ def verification(folder: Path) -> dict[str, Rows]:
 
 
 def put(file: Path, text: str) -> None:
-    """Write a file if it has changed, so that Sphinx does not read it again."""
+    """Write a file only if it has changed, so that Sphinx does not read it again."""
     file.parent.mkdir(parents=True, exist_ok=True)
     if not file.is_file() or file.read_text(encoding="utf-8") != text:
         file.write_text(text, encoding="utf-8")
@@ -94,24 +94,24 @@ def parameters(specs: Sequence[ParameterSpec]) -> str:
 
 
 def kernels(specs: dict[str, KernelSpec]) -> str:
-    """Table of kernels: what they read and write, and what they cost."""
+    """Table of kernels: inputs, outputs and number of operations."""
     rows = []
     for name, kernel in specs.items():
         written = [f"{z.name} {'×'.join(map(str, z.shape))} ({len(z.nonzeros)})" for z in kernel.outputs]
         rows.append((name, ", ".join(kernel.inputs), ", ".join(written), kernel.operations))
-    return table(("kernel", "reads", "writes (stored entries)", "operations"), rows)
+    return table(("kernel", "inputs", "outputs (stored entries)", "operations"), rows)
 
 
 def errors(rows: Rows) -> str:
     """Table of the verification."""
     return table(
-        ("kernel", "output", "against differences", "against the definition"),
+        ("kernel", "output", "against finite differences", "against the definition"),
         [(z["kernel"], z["output"], number(z["differences"]), number(z["reference"])) for z in rows],
     )
 
 
 def number(value: float | None) -> str:
-    """An error, or a dash where there is none."""
+    """Format an error; a dash if there is none."""
     return "–" if value is None else f"{value:.0e}"
 
 
@@ -135,17 +135,17 @@ Source: {spec.source}.
 {parameters(spec.parameters)}
 ## Deformations
 
-{table(("name", "unit", "at first", "period"), modes)}
+{table(("name", "unit", "default", "period"), modes)}
 ## Slips
 
-{table(("name", "unit", "at first"), slips)}
+{table(("name", "unit", "default"), slips)}
 ## Kernels
 
 {kernels(spec.kernels)}
 ## Verification
 
-Worst relative errors at random configurations, as `flexel verify {spec.name}` prints them: against differences of the
-kernel one order below, and against the definition in 60 digits.
+Largest relative errors at random configurations, printed by `flexel verify {spec.name}`: against finite differences of
+the kernel one order below, and against the definition in 60 digits.
 
 {errors(rows)}"""
 
@@ -161,7 +161,10 @@ def period(spec: DeformationSpec) -> str:
 
 def laws_page(rows: dict[str, Rows]) -> str:
     """All laws on one page."""
-    parts = ["# Laws\n\nWhat gives free deformations and slips their stress. They know no geometry.\n"]
+    parts = [
+        "# Laws\n\nA law gives the stress of free deformations and slips. It does not depend on geometry.\n"
+        "`m.spring` and `m.stop` attach the common ones, `m.attach` any of them by name.\n"
+    ]
     for spec in LAWS.values():
         parts += [
             f"## {spec.name}\n\n```text\n{spec.doc}\n```\n",
@@ -173,7 +176,7 @@ def laws_page(rows: dict[str, Rows]) -> str:
 
 
 def law_facts(spec: LawSpec) -> str:
-    """How many deformations and slips a law takes, and what it remembers."""
+    """Return the numbers of deformations and slips of a law, and its internal states."""
     states = ", ".join(f"`{z.name}` [{z.unit}]" for z in spec.states) or "none"
     return f"Deformations: {spec.deformations}; slips: {spec.slips}; internal states: {states}.\n"
 
@@ -196,7 +199,7 @@ def api_page() -> str:
     for module in modules:
         names = [name for name, home in flexel._HOMES.items() if home == module]
         sections[titles.get(module, "Analyses and results")] += [directive(name) for name in names]
-    text = "# Public names\n\nEverything here is `fx.NAME` after `import flexel as fx`.\n"
+    text = "# Public names\n\nAfter `import flexel as fx`, each of these is available as `fx.NAME`.\n"
     for title, entries in sections.items():
         text += f"\n## {title}\n\n```{{eval-rst}}\n" + "\n".join(entries) + "```\n"
     given = [directive(name, module) for module, names in RETURNED.items() for name in names]
@@ -206,7 +209,7 @@ def api_page() -> str:
 
 
 def contents(folder: Path) -> str:
-    """The tables of contents: guides, systems, reference; a new page in the folder is in one of them."""
+    """Return the tables of contents: guides, systems, reference. A new page in the folder is in one of them."""
     found = {file.stem for file in folder.glob("*.md")} - {"index"}
     systems = [name for name in CASES if name in found]
     guides = [*FIRST, *sorted(found - {*FIRST, *REFERENCE, *systems})]
@@ -223,7 +226,8 @@ def elements_page() -> str:
     costs = [(f"[{z.name}](elements/{z.name}.md)", z.source, count(z)) for z in ELEMENTS.values()]
     pages = "\n".join(f"elements/{name}" for name in ELEMENTS)
     return (
-        "# Elements\n\nEach is declared in `derive/elements` and reached by a method of `Model`, or by `Model.add`.\n\n"
+        "# Elements\n\nEach element is declared in `derive/elements` and added to a model by a method of `Model`:\n"
+        "its own, or `Model.element`.\n\n"
         + table(("element", "source", "operations, all kernels"), costs)
         + f"\n```{{toctree}}\n:hidden:\n\n{pages}\n```\n"
     )
