@@ -49,12 +49,12 @@ MOTIONS = {
         lambda m: m.prescribe("pivot.angle", lambda t, x: t), "'pivot.angle'", "one argument t"
     ),
     "function without value": built(
-        lambda m: m.prescribe("pivot.angle", lambda t: None), "'pivot.angle'", "must give one number"
+        lambda m: m.prescribe("pivot.angle", lambda t: None), "'pivot.angle'", "must return one number"
     ),
     "function with an array": built(
         lambda m: m.prescribe("pivot.angle", lambda t: np.array([t, t])),
         "'pivot.angle'",
-        "must give one number",
+        "must return one number",
     ),
     "root of a negative number": built(
         lambda m: m.prescribe("pivot.angle", lambda t: np.sqrt(t - 1)), "'pivot.angle'", "t = 0 s"
@@ -66,7 +66,7 @@ MOTIONS = {
         lambda m: m.prescribe("pivot.angle", (1, 2, 3)), "'pivot.angle'", "three functions"
     ),
     "triple without values": built(
-        lambda m: m.prescribe("pivot.angle", (lambda t: None,) * 3), "'pivot.angle'", "must give one number"
+        lambda m: m.prescribe("pivot.angle", (lambda t: None,) * 3), "'pivot.angle'", "must return one number"
     ),
     "triple with NaN": built(
         lambda m: m.prescribe("pivot.angle", (lambda t: math.nan,) * 3), "'pivot.angle'", "must be finite"

@@ -30,10 +30,10 @@ ROLES = {
     "rigid unknown": built(lambda m: m.rigid("pivot.agnle"), "'pivot.agnle'", "did you mean pivot.angle"),
     "rigid coordinate": built(lambda m: m.rigid("A.x"), "'A.x' is a coordinate", "use fix"),
     "rigid with a spring": built(
-        lambda m: (m.spring("pivot.angle", 3.0), m.rigid("pivot.angle")), "'pivot.angle'", "law", "take one"
+        lambda m: (m.spring("pivot.angle", 3.0), m.rigid("pivot.angle")), "'pivot.angle'", "law", "remove one"
     ),
     "rigid and prescribed": built(
-        lambda m: (m.prescribe("pivot.angle", 1.0), m.rigid("pivot.angle")), "'pivot.angle'", "take one"
+        lambda m: (m.prescribe("pivot.angle", 1.0), m.rigid("pivot.angle")), "'pivot.angle'", "remove one"
     ),
     "hinge between a frame and itself": Case(
         lambda: _self_hinged().build(), ("hinge 'h'", "both its frames are 'R0'", "two bodies"), ModelError
@@ -51,7 +51,7 @@ ROLES = {
     ),
     "independent element": built(lambda m: m.independent("pivot"), "'pivot'", "did you mean pivot."),
     "independent norm": built(lambda m: m.independent("R1.norm"), "'R1.norm'", "name another"),
-    "independent and fixed": built(lambda m: m.independent("O.y"), "'O.y' is fixed", "name coordinates"),
+    "independent and fixed": built(lambda m: m.independent("O.y"), "'O.y' is fixed", "name movable"),
     "independent slip": built(
         lambda m: (m.angular_velocity("R1"), m.independent("R1.omega.wy")), "'R1.omega.wy' is a slip", "name"
     ),

@@ -1,4 +1,4 @@
-"""Mistakes in what is asked of states, of the choice of degrees of freedom, and of steady motion."""
+"""Invalid requests for states, the choice of degrees of freedom, and steady motion."""
 
 import math
 
@@ -35,9 +35,7 @@ STATES = {
     "degrees of freedom as text": system(
         lambda s: s.use_coordinates("pivot.angle"), "use_coordinates", "write ['…'"
     ),
-    "degree of freedom fixed": system(
-        lambda s: s.use_coordinates(["O.x"]), "'O.x' is fixed", "name coordinates"
-    ),
+    "degree of freedom fixed": system(lambda s: s.use_coordinates(["O.x"]), "'O.x' is fixed", "name movable"),
     "degree of freedom rigid": system(
         lambda s: s.use_coordinates(["rod.along"]),
         "'rod.along' is constrained",
