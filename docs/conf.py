@@ -19,7 +19,9 @@ autodoc_typehints = "none"
 autodoc_member_order = "bysource"
 napoleon_google_docstring = False
 napoleon_use_ivar = True
-suppress_warnings = ["ref.python"]  # short attribute names, such as x, occur in several classes: no link is meant
+suppress_warnings = [
+    "ref.python"
+]  # short attribute names, such as x, occur in several classes: no link is meant
 html_theme = "alabaster"
 html_theme_options = {
     "description": flexel.__doc__.split(":")[0],

@@ -113,7 +113,7 @@ def matrices(system: fx.System, gravity: float) -> dict[str, Array]:
 
 
 def eigenvalues(system: fx.System, speeds: Array) -> Array:
-    """Eigenvalues (nv, 4) [1/s] of the lean-steer block, linearized anew at each speed."""
+    """Eigenvalues (nv, 4) [1/s] of the lean-steer block, linearized again at each speed."""
     return np.array([lean_steer(system, float(v)).eigenvalues() for v in speeds])
 
 

@@ -131,7 +131,7 @@ def lateral_modes(lin: Linearization) -> dict[str, fx.Mode]:
 
 
 def loci(speeds: tuple[float, ...] = SPEEDS, crown: float = 1.0) -> list[dict[str, fx.Mode]]:
-    """Lateral modes at each speed, linearized anew about steady running."""
+    """Lateral modes at each speed, linearized again about steady running."""
     system = motorcycle(crown=crown)
     return [lateral_modes(system.linearize(straight(system, v))) for v in speeds]
 

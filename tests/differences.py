@@ -16,7 +16,7 @@ STEP = 4e-3
 
 
 class Knob:
-    """A function of time whose value, rate and acceleration a test turns by hand."""
+    """A function of time whose value, rate and acceleration are set by a test."""
 
     def __init__(self, value: float = 0.0, rate: float = 0.0, acceleration: float = 0.0) -> None:
         self.now = [value, rate, acceleration]

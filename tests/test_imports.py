@@ -20,7 +20,7 @@ PARTS = ("derive", "generated", "runtime", "examples")
 SEES_GENERATED = ("derive/verify",)
 # The one module of derive that everything may import: plain Python.
 SPEC = "flexel.derive.spec."
-# The modules of the runtime that may call derive, inside functions only: commands, a user's own elements.
+# The modules of the runtime that may call derive, inside functions only: commands, user-defined elements.
 CALLS_DERIVE = (
     "runtime/commands/derive.py",
     "runtime/commands/verify.py",
@@ -109,7 +109,7 @@ def test_generated_imports_only_itself() -> None:
 
 
 def test_runtime_and_examples_derive_only_when_called_and_only_in_named_modules() -> None:
-    """A model runs without SymPy; commands and a user's own element call it when they need it."""
+    """A model runs without SymPy; commands and user-defined elements import it when they need it."""
     symbolic = [
         z
         for z in imports("runtime", "examples")

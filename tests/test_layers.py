@@ -15,7 +15,7 @@ import pytest
 ROOT = Path(__file__).resolve().parent.parent
 RUNTIME = ROOT / "runtime"
 
-# From the bottom up.  Modules in the root are layers of their own; `flexel` itself only names what is public.
+# From the bottom up.  Modules in the root are separate layers; `flexel` itself only names what is public.
 LAYERS = (
     "base",
     "structure",

@@ -51,7 +51,9 @@ ROLES = {
     ),
     "independent element": built(lambda m: m.independent("pivot"), "'pivot'", "did you mean pivot."),
     "independent norm": built(lambda m: m.independent("R1.norm"), "'R1.norm'", "name another"),
-    "independent and fixed": built(lambda m: m.independent("O.y"), "'O.y' is fixed", "name movable coordinates"),
+    "independent and fixed": built(
+        lambda m: m.independent("O.y"), "'O.y' is fixed", "name movable coordinates"
+    ),
     "independent slip": built(
         lambda m: (m.angular_velocity("R1"), m.independent("R1.omega.wy")), "'R1.omega.wy' is a slip", "name"
     ),

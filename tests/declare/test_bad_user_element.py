@@ -1,4 +1,4 @@
-"""Mistakes in a user's own elements and laws are named."""
+"""Errors in user-defined elements and laws are named."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""A user's own element and law: derived, compiled once, reached by address."""
+"""A user-defined element and law: derived, compiled once, called by address."""
 
 import ctypes
 import math
@@ -100,7 +100,7 @@ def test_a_compiled_law_computes_stress_and_tangent() -> None:
 
 
 def test_a_condition_is_written_out_wherever_it_is_used() -> None:
-    """The power is a loop of its own between two that both ask for the sign of e."""
+    """The power is a separate loop between two that both need the sign of e."""
     e, ed, n = symbol("e"), symbol("ed"), Parameter("n", 1, "1", "exponent")
     base = sp.Piecewise((-2 * e, 2 * e < 0), (1, True))
     pull = sp.Piecewise((base**n.symbol, 2 * e < 0), (0, True))

@@ -74,7 +74,7 @@ def test_a_border_whose_band_alone_is_singular_is_still_solved() -> None:
     hub = np.bincount(rows).argmax()
     entries = np.where((rows == hub) | (columns == hub), 1.0, 0.0)
     entries[rows == columns] += 5.0
-    lonely = rows[rows != hub][0]  # no diagonal of its own: regular by the border alone
+    lonely = rows[rows != hub][0]  # no diagonal entry: regular only through the border
     entries[(rows == lonely) & (columns == lonely)] = 0.0
     A = dense(rows, columns, entries, size)
     assert np.linalg.matrix_rank(A) == size

@@ -22,7 +22,7 @@ class Impatience:
 
 @pytest.mark.parametrize("method", ["DOP853", "generalized-alpha"])
 def test_an_interrupt_keeps_the_motion_up_to_its_last_step(method: str) -> None:
-    """Also between the stored samples; it goes on from there."""
+    """Also between the stored samples; it continues from there."""
     load = Impatience(0.5)
     m = fx.Model(gravity=(0, -9.81))
     m.point_mass("mass", m.point("P", (0.0, 0.0)), 2.0)

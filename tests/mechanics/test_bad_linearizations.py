@@ -1,4 +1,4 @@
-"""Mistakes in what is asked of a linearization."""
+"""Invalid requests to a linearization."""
 
 from mistakes import Case, check, double, each, linear, pendulum, system
 

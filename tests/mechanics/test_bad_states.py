@@ -1,4 +1,4 @@
-"""Mistakes in what is asked of states, of the choice of degrees of freedom, and of steady motion."""
+"""Invalid requests for states, the choice of degrees of freedom, and steady motion."""
 
 import math
 

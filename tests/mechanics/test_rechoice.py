@@ -40,7 +40,7 @@ def test_a_system_keeps_its_dofs_after_a_motion_that_changed_them() -> None:
     assert s.dynamic == ("B.x",)
     again = s.simulate(1.0, samples=5)
     assert np.max(np.abs(first.x - again.x)) == 0
-    # and a motion goes on from where another has stopped
+    # and a motion continues from where another stopped
     later = s.simulate(1.0, start=first[-1], samples=5)
     whole = s.simulate(2.0, samples=5)
     assert np.max(np.abs(later[-1].x - whole[-1].x)) < 1e-7

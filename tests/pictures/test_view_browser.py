@@ -37,7 +37,7 @@ def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Browser]:
 
 @pytest.fixture
 def fresh(browser: Browser) -> Iterator[Browser]:
-    """The browser without old complaints; at the end there must be no new ones, and nothing asked of a network."""
+    """The browser without old errors; at the end there must be no new ones, and no network requests."""
     browser.complaints.clear()
     browser.requests.clear()
     browser.resize(900, 640)
@@ -113,7 +113,7 @@ def test_every_control_is_reached_by_tab_and_has_a_name(
 
 
 def test_the_scrubber_follow_trace_and_colour(ride: fx.Motion, tmp_path: Path, fresh: Browser) -> None:
-    """Scrubbing goes to its time; a followed node stays in the middle; a trace and colours are to be seen."""
+    """Scrubbing goes to its time; a followed node stays in the middle; a trace and colours are visible."""
     sketch = Sketch("rear hub", "rear frame", [(0, 0, -0.3), (0.3, 0, -0.9)])
     fresh.open(ride.view(tmp_path / "ride.html", view=fx.View(sketches=[sketch])), "#t=0")
     fresh.choose("#scrub", "0.5")

@@ -1,4 +1,4 @@
-"""Results in files: the same numbers, names and units come back, and a simulation goes on from them."""
+"""Results in files: the same numbers, names and units come back, and a simulation continues from them."""
 
 import json
 import pickle

@@ -118,7 +118,7 @@ def test_a_rope_is_not_laid_over_one_sheave_through_another_of_its_path() -> Non
     m.point("H", (0, 0.5 * R), fixed=True)
     m.sheave("O", "H", "F", radius=R)
     with pytest.raises(
-        fx.ModelError, match=r"deep into '[SO]', where another sheave leads it; move them apart"
+        fx.ModelError, match=r"deep into '[SO]', where another sheave guides it; move them apart"
     ):
         laid(m, path=["A", ("S", -1), ("O", -1), "B"], tension=10.0)
 
@@ -140,12 +140,12 @@ def test_a_rope_is_not_laid_over_one_sheave_through_another_of_its_path() -> Non
         ({"also": "S"}, "'S' is not a list of names"),
         ({"also": ["T"]}, "rope 'r': unknown sheave or plane 'T'"),
         ({"contact": 1e9}, "contact 1000000000.0 is not a Contact; give fx.Contact"),
-        ({"tension": 1e12}, "presses it into a sheave by more than half the radius; give less tension"),
+        ({"tension": 1e12}, "presses it into a sheave by more than half the radius; give a lower tension"),
         ({"tension": None, "length": 0.01}, "the length 0.01 m on a path of .* give a greater length"),
         ({"tension": None, "length": 3.0}, "hangs slack"),
         ({"path": ["A", ("S",), "B"]}, r"\('S',\) in its path; give a name, or"),
         ({"path": ["A", ("S", np.array([1, 2])), "B"]}, "in its path; give a name, or"),
-        ({"path": [("A", 1), "S", "B"]}, "'A' is a point, with no sense of wrap"),
+        ({"path": [("A", 1), "S", "B"]}, "'A' is a point and has no sense of wrap"),
         ({"path": ["A", "T", "B"]}, "rope 'r': unknown sheave or plane 'T'"),
         ({"path": ["A", "S", "Z"]}, "A, S, C lie in a planar model, Z in space|A, S lie in a planar model, Z in space"),
         ({"EI": None}, "EA or EI is missing"),
@@ -175,7 +175,10 @@ def test_a_rope_that_does_not_fit_into_its_groove_is_refused(radius: float) -> N
     ("call", "message"),
     [
         (lambda m, r: m.rope_contact(r, "S", 1e9, radius=0.01), "contact 1000000000.0 is not a Contact"),
-        (lambda m, r: m.rope_contact("r", "S", fx.Contact(1e9), radius=0.01), "'r' is not a rope; give what"),
+        (
+            lambda m, r: m.rope_contact("r", "S", fx.Contact(1e9), radius=0.01),
+            "'r' is not a rope; give the result of",
+        ),
         (lambda m, r: m.plane("g", "C", "F", 3), r"plane 'g': normal \[3\.0\] has shape"),
         (lambda m, r: m.plane("g", "C", "F", None), "plane 'g': normal None is not numeric"),
         (lambda m, r: m.sheave("T.a", "C", "F", radius=0.1), "a name is text without dots"),
@@ -197,7 +200,7 @@ def test_other_bad_input_is_named(call: Callable[[fx.Model, Rope], Any], message
         call(m, rope)
 
 
-# -- what is asked afterwards -----------------------------------------------------------------------
+# -- results ----------------------------------------------------------------------------------------
 
 
 def test_a_rope_is_shown_in_a_line() -> None:
@@ -212,7 +215,7 @@ def test_all_questions_take_motions_and_refuse_what_is_no_state_of_the_rope() ->
     assert rope.slip(states, "S")[1].shape == rope.contact_force(states, "S")[1].shape == (3, 300)
     foreign = other.build().initial
     for wrong in (foreign, [states[0], foreign]):
-        with pytest.raises(fx.ModelError, match="rope 'r': the states are of different models"):
+        with pytest.raises(fx.ModelError, match="rope 'r': the states belong to different models"):
             rope.tension(wrong)
     for nothing in ([], m):
         with pytest.raises(fx.ModelError, match=r"rope 'r': .* is not a state; give a state, or a motion"):

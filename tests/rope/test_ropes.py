@@ -1,4 +1,4 @@
-"""Ropes over sheaves: what they are asked about, how they are laid, and what is refused."""
+"""Ropes over sheaves: results, initial configuration, and errors."""
 
 from typing import Any
 

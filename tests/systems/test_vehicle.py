@@ -1,4 +1,4 @@
-"""The road vehicle: statics, linear equations, steering, bumps, and what is asked of it that cannot be."""
+"""The road vehicle: statics, linear equations, steering, bumps, and invalid requests."""
 
 from typing import Any
 
