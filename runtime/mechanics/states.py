@@ -5,7 +5,7 @@ Angles are kernels' principal values plus turns; the turns are counted from a ne
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -59,6 +59,9 @@ def with_turns(kinematics: Kinematics, c: Configuration, q: Array, reference: Ar
     return with_dofs(structure, unwrap(structure, c.e, known), q, kinematics.roles)
 
 
+Rates = Array | Callable[[Configuration], Array]  # q_d' (nd,), or what gives them at a configuration
+
+
 @dataclass(frozen=True)
 class Moment:
     """Positions and rates at one instant of a motion: the start of the search for a nearby state and its turns."""
@@ -95,12 +98,12 @@ def between(first: Moment, last: Moment, t: float) -> Moment:
 
 
 def placed(
-    kinematics: Kinematics, t: float, q: Array, qd: Array, guess: Array, turns: Array
+    kinematics: Kinematics, t: float, q: Array, qd: Rates, guess: Array, turns: Array
 ) -> tuple[Configuration, Solvable, Array]:
     """Configuration at time t with degrees of freedom q, its velocity matrix, and the rates v (n,) for q_d'."""
     c = kinematics.position(t, q, guess, turns)
     B = kinematics.velocity_matrix(c)
-    return c, B, kinematics.velocity(c, B, qd)
+    return c, B, kinematics.velocity(c, B, qd(c) if callable(qd) else qd)
 
 
 def turned(kinematics: Kinematics, c: Configuration, v: Array, q: Array, near: Moment) -> tuple[Array, Array]:
@@ -114,7 +117,7 @@ def state_of(
     loads: Loads,
     t: float,
     q: Array,
-    qd: Array,
+    qd: Rates,
     z: Array,
     near: Moment,
     qdd: Array | None = None,
@@ -124,6 +127,7 @@ def state_of(
     Parameters
     ----------
     q : ndarray (nq,), qd : ndarray (nd,), z : ndarray (nz,)
+        The rates q_d' may be a function of the configuration.
     near : Moment
         Start of the search; turns are counted from its deformations, extrapolated with their rates.
     qdd : ndarray (nd,), optional
@@ -172,9 +176,7 @@ def state_at(
             )
         q[list(roles.dofs).index(i)] = value
     near = Moment.of(start).still(time)
-    qd = start.qd
-    if rates is not None:
-        qd = consistent_rates(kinematics, kinematics.position(time, q, near.x, near.e), rates)
+    qd: Rates = start.qd if rates is None else lambda c: consistent_rates(kinematics, c, rates)
     return state_of(kinematics, loads, time, q, qd, z, near)
 
 

@@ -228,7 +228,7 @@ LAWS = {
         lambda m: m.law("pivot.angle", lambda e, ed: sympy.Piecewise((0, e < 0.1), (100, True))),
         "'pivot.angle'",
         "jumps at e = 0.1",
-        "let the pieces join",
+        "make the pieces join",
     ),
     "formula with a step": built(
         lambda m: m.law("pivot.angle", lambda e, ed: 1e4 * sympy.Heaviside(e)), "jumps at e = 0", "smooth"
