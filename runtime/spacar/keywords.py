@@ -220,7 +220,7 @@ UNSUPPORTED = {
     "BEAMW": "warping of sections is not modelled; use BEAM, with a larger GIp for restrained warping",
     "TUBE": "use a BEAM, or a TRUSS whose elongation is an input for a telescope",
     "PLTUBE": "use a PLBEAM, or a PLTRUSS whose elongation is an input for a telescope",
-    "SCREW": "couple rotation and travel in Python: flexel convert, then a user-defined element",
+    "SCREW": "relate rotation and travel in Python: flexel convert, then m.relation(...)",
     "LGEOMY": "give the geometry by the coordinates of the nodes",
     "RESTART": "in Python, motion[-1] is a state to start from: system.simulate(T, start=motion[-1])",
     "USERSIG": "files are never executed; convert the file and attach the stress with m.law(...)",
