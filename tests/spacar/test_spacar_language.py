@@ -116,7 +116,7 @@ WRONG = {
     "EDD 1 2 3.0": r"line 8: EDD: an acceleration can only be given to an input",
     "TORQUEL 4 1 0 0": r"line 8: TORQUEL: it takes an orientation node and three moments",
     "RESTART": r"line 8: RESTART: is not supported; in Python, motion\[-1\] is a state to start from",
-    "SCREW 2 2 4 0.1": r"line 8: SCREW: is not supported; couple rotation and travel in Python",
+    "SCREW 2 2 4 0.1": r"line 8: SCREW: is not supported; relate rotation and travel in Python",
     "FIX 1 one": r"line 8: FIX: 'one' is not a number",
     "FIX 1 nan": r"line 8: FIX: 'nan' is not finite",
     "FIX 1 infinity": r"line 8: FIX: 'infinity' is not finite",
