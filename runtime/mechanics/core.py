@@ -133,8 +133,9 @@ class Core:
 
     def __repr__(self) -> str:
         c = self.counts
+        degrees = "degree" if c["degrees_of_freedom"] == 1 else "degrees"
         return (
-            f"System({c['degrees_of_freedom']} degrees of freedom {self.dynamic}, {c['kinematic_coordinates']} "
+            f"System({c['degrees_of_freedom']} {degrees} of freedom {self.dynamic}, {c['kinematic_coordinates']} "
             f"kinematic coordinates {self.kinematic}, {c['coordinates']} coordinates, {c['deformations']} deformations)"
         )
 

@@ -150,7 +150,9 @@ def test_an_internal_state_cannot_have_the_name_of_a_coordinate() -> None:
     m.point("hub", (1, 0, 0))
     m.truss("bar", "O", "hub")
     m.law(["bar.elongation"], law, name="hub")
-    with pytest.raises(fx.ModelError, match=r"law 'hub': its internal state 'hub.x' has the same name as a coord"):
+    with pytest.raises(
+        fx.ModelError, match=r"law 'hub': its internal state 'hub.x' has the same name as a coord"
+    ):
         m.build()
 
 
