@@ -50,6 +50,8 @@ def check_signs(law: LawSpec, values: Mapping[str, Array], owner: str) -> None:
         if parameter.sign == ("semidefinite",):
             _check_triangle(given, parameter.size, owner, name)
             continue
+        if "at least one" not in parameter.sign and np.all(given > 0):  # the usual case, at once
+            continue
         for i, (value, word) in enumerate(zip(given, parameter.sign, strict=False), 1):
             CHECKS[word](value, owner, name + f", entry {i}," * (parameter.size > 1))
 
