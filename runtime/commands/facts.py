@@ -12,7 +12,7 @@ from pathlib import Path
 def facts() -> list[tuple[str, str]]:
     """Return (name, fact) pairs, in the order in which they are printed."""
     return [
-        ("flexel", f"{_version('flexel')} in {Path(__file__).parent}"),
+        ("flexel", f"{_version('flexel')} in {Path(__file__).parents[1]}"),
         ("python", f"{platform.python_version()} ({platform.machine()}, {platform.system()})"),
         *((name, _version(name)) for name in _packages()),
         ("compiler", _compiler()),

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from click.testing import CliRunner, Result
 
+import flexel
 from flexel.base.errors import FlexelError
 from flexel.commands import main as cli
 from flexel.commands import reproduce as published
@@ -71,6 +72,7 @@ def test_module_is_the_command() -> None:
 def test_info_names_compiler_cache_and_kernels() -> None:
     """`flexel info` lists versions, compiler, cache and kernels."""
     result = run("info")
+    assert f"in {Path(flexel.__file__).parent}\n" in result.output
     assert result.exit_code == 0, result.output
     names = {line.split()[0] for line in result.output.splitlines()}
     assert {"flexel", "python", "sympy", "numpy", "scipy", "compiler", "cache", "kernels"} <= names
