@@ -30,6 +30,7 @@ def few() -> Emitted:
     return emit(FEW)
 
 
+@pytest.mark.campaign
 def test_every_hash_seed_gives_the_same_bytes() -> None:
     digests = set()
     for seed in ("1", "4711"):
