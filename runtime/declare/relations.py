@@ -11,8 +11,6 @@ from flexel.derive.spec import DeformationSpec, ElementSpec
 from flexel.structure.instances import Instance
 from flexel.structure.nodes import COMPONENTS
 
-UNITS = {"frame": "-", "planar_angle": "rad", "slope": "-", "planar_slope": "-"}  # others are positions
-
 
 class RelationMethods(Declarations):
     """Linear relations among deformations and coordinates."""
@@ -83,7 +81,7 @@ class RelationMethods(Declarations):
             node = self.nodes[part]
             if node.fixed[COMPONENTS[node.kind].index(component)]:
                 raise ModelError(f"{owner}: '{term}' is fixed and does not change; leave it out")
-            return UNITS.get(node.kind, "m")
+            return node.unit
         if part in self.instances:
             element = self.instances[part]
             if term in element.slips:

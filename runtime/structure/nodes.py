@@ -19,6 +19,9 @@ COMPONENTS: dict[str, tuple[str, ...]] = {
 }
 
 
+UNITS = {"frame": "-", "planar_angle": "rad", "slope": "-", "planar_slope": "-"}  # others are positions
+
+
 @dataclass(frozen=True)
 class Node:
     """A node as declared: its kind, its initial coordinates and which of them are fixed."""
@@ -27,6 +30,11 @@ class Node:
     kind: str
     x0: Array
     fixed: NDArray[np.bool_]
+
+    @property
+    def unit(self) -> str:
+        """Unit of the coordinates."""
+        return UNITS.get(self.kind, "m")
 
     @property
     def coordinates(self) -> tuple[str, ...]:

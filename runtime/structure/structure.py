@@ -103,7 +103,7 @@ class Structure:
 
 
 def _periods(instances: Iterable[Instance]) -> Iterator[float]:
-    """Scales of all deformations, with the parameters of their elements."""
+    """Periods of all deformations, from the parameters of their elements; zero for those without one."""
     for z in instances:
         yield from (d.repeats(z.parameters) for d in z.spec.deformations)
 
@@ -122,12 +122,9 @@ def assemble_structure(
     slips = [s for z in instances for s in z.slips]
     specs = [d for z in instances for d in z.spec.deformations]
     names = (*deformations, *slips, *coordinates)
-    kinds = [node.kind for node in nodes for _ in node.coordinates]
+    own_units = [node.unit for node in nodes for _ in node.coordinates]
     units = [d.unit for d in specs] + [s.unit for z in instances for s in z.spec.slips]
-    units += [
-        {"frame": "-", "planar_angle": "rad", "slope": "-", "planar_slope": "-"}.get(kinds[i], "m")
-        for i in order
-    ]
+    units += [own_units[i] for i in order]
     internal = [z for law in laws for z in law.states]
     index = {name: i for i, name in enumerate(names)}
     for law in laws:
