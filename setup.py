@@ -6,7 +6,9 @@ from concurrent.futures import ThreadPoolExecutor
 from setuptools import Extension, find_packages, setup
 from setuptools.command.build_ext import build_ext
 
-ROOTS = {"flexel": "runtime"} | {f"flexel.{name}": name for name in ("derive", "generated", "examples")}
+ROOTS = {"flexel": "runtime"} | {
+    f"flexel.{name}": name for name in ("derive", "generated", "examples", "benchmarks")
+}
 FOUND = [f"{root}.{name}" for root, folder in ROOTS.items() for name in find_packages(folder)]
 ABI3 = {"bdist_wheel": {"py_limited_api": "cp311"}}
 

@@ -1,39 +1,82 @@
-"""The bicycle of the 2007 benchmark: right-hand side, linearization, root loci, manoeuvre M1."""
+"""The bicycle of the 2007 benchmark: right-hand side, manoeuvre M1, root loci, model build."""
+
+from __future__ import annotations
 
 import numpy as np
-from timing import Row, best
 
+import flexel as fx
+from flexel.base.arrays import Array, ComplexArray
+from flexel.benchmarks.timing import Work
+from flexel.examples import bicycle_data as data
 from flexel.examples.bicycle import bicycle, lean_steer, rolling
 
+SPEEDS = np.linspace(0.0, 10.0, 100)  # of the root loci [m/s]
+SMALL = 1e-5  # roll rate at which the linear equations hold to 1e-10 [rad/s]
 
-def measure() -> list[Row]:
-    """The figures of this file."""
+
+def published(speed: float) -> tuple[Array, Array, Array]:
+    """M, C and K (2, 2) of lean and steer from the published matrices."""
+    M, C1, K0, K2 = (np.array(z) for z in (data.M, data.C1, data.K0, data.K2))
+    return M, speed * C1, data.BENCHMARK["g"] * K0 + speed**2 * K2
+
+
+def build() -> Work:
+    """Declare and build the model, the kernels being compiled."""
+    return Work(bicycle)
+
+
+def right_hand_side() -> Work:
+    """`System.rhs` at two states in turn, so that no answer is remembered."""
     system = bicycle()
-    start = rolling(system, 4.0, 0.05)
+    start = rolling(system, data.M1_SPEED, SMALL)
     y = np.concatenate([start.q, start.qd])
-    points = [y, y + 1e-4]  # two states in turn, so that no answer is remembered
-    system.rhs(0.0, y)
+    points = y, y + 1e-4
+    M, C, _ = published(data.M1_SPEED)
+    lateral = [system.dynamic.index(z) for z in ("lean.angle", "steer.angle")]
+    expected = -np.linalg.solve(M, C @ start.qd[lateral])
 
-    def right_hand_side() -> None:
-        for point in points:
-            system.rhs(0.0, point)
+    def run() -> list[Array]:
+        return [system.rhs(0.0, z) for z in points]
 
-    def loci() -> None:
-        for v in np.linspace(0.0, 10.0, 100):
-            lean_steer(system, float(v)).eigenvalues()
+    def error(rates: list[Array]) -> float:
+        found = rates[0][start.q.size :][lateral]
+        return float(np.abs(found - expected).max() / np.abs(expected).max())
 
-    return [
-        Row("bicycle: model build, kernels cached", best(bicycle, repeat=5), 0.1, 0.1),
-        Row("bicycle: right-hand side", best(right_hand_side, repeat=7, number=100) / 2, 60e-6, 6e-6),
-        Row("bicycle: linearization", best(lambda: system.linearize(start), repeat=5, number=20)),
-        Row("bicycle: root loci, 100 speeds", best(loci, repeat=3), 0.3, 30e-3),
-        Row(
-            "bicycle: manoeuvre M1, 5 s, error 1e-6",
-            best(
-                lambda: system.simulate(5.0, start=start, samples=2, method="DOP853", rtol=1e-7, atol=1e-9),
-                repeat=3,
-            ),
-            0.1,
-            7e-3,
-        ),
-    ]
+    return Work(run, error, count=2)
+
+
+def manoeuvre() -> Work:
+    """Manoeuvre M1 of the IFToMM benchmark, 5 s, result object included."""
+    system = bicycle()
+    start = rolling(system, data.M1_SPEED, data.ROLL_RATE)
+
+    def run() -> fx.Motion:
+        return system.simulate(5.0, start=start, samples=2, method="DOP853", rtol=1e-7, atol=1e-9)
+
+    return Work(run, lambda motion: abs(motion[-1]["steer.angle"] - data.M1_STEER_5S))
+
+
+def loci() -> Work:
+    """Steady motion, M, C, K and eigenvalues at 100 speeds."""
+    system = bicycle()
+
+    def run() -> list[ComplexArray]:
+        return [lean_steer(system, float(v)).eigenvalues() for v in SPEEDS]
+
+    def error(found: list[ComplexArray]) -> float:
+        return max(apart(w, exact(float(v))) for w, v in zip(found, SPEEDS, strict=True))
+
+    return Work(run, error)
+
+
+def exact(speed: float) -> ComplexArray:
+    """Eigenvalues (4,) of the published equations [1/s]."""
+    M, C, K = published(speed)
+    upper = np.hstack([np.zeros((2, 2)), np.eye(2)])
+    return np.linalg.eigvals(np.vstack([upper, -np.linalg.solve(M, np.hstack([K, C]))])).astype(complex)
+
+
+def apart(found: ComplexArray, expected: ComplexArray) -> float:
+    """Largest distance of an expected eigenvalue from the nearest found one, over the largest."""
+    distance = np.abs(found[:, None] - expected).min(axis=0)
+    return float(distance.max() / np.abs(expected).max())

@@ -1,60 +1,51 @@
-"""Nanoseconds per element of the compiled kernels, batched in blocks of 8, without any Python in between."""
+"""Nanoseconds per element of the compiled kernels, called in batches without any system around them."""
 
+from __future__ import annotations
+
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from timing import Row, best
 
-from flexel.engine.lanes import LANES, blocks
+from flexel.benchmarks.timing import Work
 from flexel.generated._kernels import ffi, lib
 from flexel.generated.table import ELEMENTS
 from flexel.structure.nodes import COMPONENTS
 
-ELEMENTS_IN_BATCH = 128  # inputs and outputs stay in the second-level cache
-RUNS = 200  # passes over the batch in one C call
+LANES = 8  # elements in a block, see generated/kernels.h
+BLOCKS = 16  # inputs and outputs stay in the second-level cache
+PASSES = 50  # in one run
 
 
-def calls(element: str, kinds: tuple[str, ...]) -> tuple[Any, list[Any]]:
-    """A table of C calls of the given kernels of one element type, at random configurations, and what it points to."""
+def beam() -> Work:
+    """Position and acceleration of a beam: e, De and D²e(v,v)."""
+    calls = [batch("beam", kind) for kind in ("position", "acceleration")]
+
+    def passes(blocks: int) -> None:
+        for _ in range(PASSES):
+            for call in calls:
+                call(blocks)
+
+    return Work(lambda: passes(BLOCKS), count=PASSES * BLOCKS * LANES, idle=lambda: passes(0))
+
+
+def batch(element: str, kind: str) -> Callable[[int], None]:
+    """A kernel of one element type at random configurations, to be called with a number of blocks."""
     spec, rng = ELEMENTS[element], np.random.default_rng(2)
-    size = {"x": 0, "v": 0, "a": 0, "sigma": len(spec.deformations), "tau": len(spec.slips)}
+    kernel = spec.kernels[kind]
     n = sum(len(COMPONENTS[node.kind]) for node in spec.nodes)
-    size |= {"x": n, "v": n, "a": n, "p": sum(z.size for z in spec.parameters)}
-    values = {key: blocks(rng.uniform(0.5, 1.0, (ELEMENTS_IN_BATCH, k))) for key, k in size.items()}
-    keep: list[Any] = [values]
-    rows = []
-    count = ELEMENTS_IN_BATCH // LANES
-    for kind in kinds:
-        kernel = spec.kernels[kind]
-        outs = [np.zeros(max(count * len(out.nonzeros) * LANES, 1)) for out in kernel.outputs]
-        ins = ffi.new("double *[]", [ffi.cast("double *", values[z].ctypes.data) for z in kernel.inputs])
-        pointers = ffi.new("double *[]", [ffi.cast("double *", z.ctypes.data) for z in outs])
-        keep += [outs, ins, pointers]
-        rows.append(
-            {
-                "kernel": getattr(getattr(lib, f"flexel_{element}"), kind),
-                "nblocks": count,
-                "in": ffi.cast("const double *const *", ins),
-                "out": pointers,
-            }
-        )
-    return ffi.new("flexel_call[]", rows * RUNS), keep
+    size = {"x": n, "v": n, "p": sum(z.size for z in spec.parameters)}
+    ins = [rng.uniform(0.5, 1.0, size[z] * BLOCKS * LANES) for z in kernel.inputs]
+    outs = [np.zeros(max(len(z.nonzeros) * BLOCKS * LANES, 1)) for z in kernel.outputs]
+    given, found = pointers(ins), pointers(outs)
+    function = getattr(getattr(lib, f"flexel_{element}"), kind)
+
+    def call(blocks: int, arrays: Any = (ins, outs)) -> None:  # which the pointers point to
+        function(blocks, given, found)
+
+    return call
 
 
-def per_element(element: str, *kinds: str) -> float:
-    """Seconds for one element's share of the given kernels."""
-    table, keep = calls(element, kinds)
-    seconds = best(lambda: lib.flexel_run(len(table), table), repeat=9)
-    del keep
-    return seconds / (RUNS * ELEMENTS_IN_BATCH)
-
-
-def measure() -> list[Row]:
-    """The figures of this file."""
-    rows = [Row("beam: e, De, D²e(v,v)", per_element("beam", "position", "acceleration"), 60e-9, 20e-9)]
-    rows += [Row(f"beam: {kind}", per_element("beam", kind)) for kind in ELEMENTS["beam"].kernels]
-    other = [z for z in ("hinge", "wheel", "truss", "body") if z in ELEMENTS]
-    for element in other:
-        kinds = [k for k in ("position", "acceleration", "inertia") if k in ELEMENTS[element].kernels]
-        rows.append(Row(f"{element}: {', '.join(kinds)}", per_element(element, *kinds)))
-    return rows
+def pointers(arrays: list[Any]) -> Any:
+    """A C array of pointers to arrays."""
+    return ffi.new("double *[]", [ffi.cast("double *", z.ctypes.data) for z in arrays])

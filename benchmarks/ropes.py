@@ -1,16 +1,20 @@
-"""Ropes of spatial cables: implicit steps with full and modified Newton iteration, a rope on a
-sheave, and how they grow with the rope.
-"""
+"""Ropes of spatial cables by implicit steps: a falling rope, Atwood's machine, the hoist."""
 
-from collections.abc import Callable
-from functools import partial
+from __future__ import annotations
 
-from timing import Row, best
+import numpy as np
 
 import flexel as fx
+from flexel.base.arrays import Array
+from flexel.benchmarks.timing import Work
+from flexel.examples import hoist_model
+from flexel.examples.hoist import balance_error, lift
 from flexel.examples.rope_models import atwood
 
-H = 1e-3  # step [s]
+STEP = 1e-3  # of the falling rope [s]
+FALL = 0.38065895  # of the mass A in 1 s, from 2000, 4000 and 8000 equal steps, extrapolated [m]
+
+Run = tuple[fx.Motion, dict[str, Array]]
 
 
 def rope(n: int, element: float = 0.1) -> fx.System:
@@ -25,33 +29,38 @@ def rope(n: int, element: float = 0.1) -> fx.System:
     return m.build()
 
 
-def moved(system: fx.System, duration: float, newton: str = "full") -> Callable[[], object]:
-    """Work that integrates a motion."""
-    return lambda: system.simulate(
-        duration, method="generalized-alpha", step=H, samples=2, newton=newton, progress=False
-    )
-
-
-def fall(machine: fx.System) -> object:
-    """One second of Atwood's machine in some 240 steps, with the fall of 2000 steps to 1e-5."""
-    return machine.simulate(1.0, method="generalized-alpha", rtol=5e-3, samples=11, progress=False)
-
-
-def measure() -> list[Row]:
-    """The figures of this file."""
+def cables() -> Work:
+    """One second of a rope of 56 cables, full Newton iteration, with 101 states and the energy balance."""
     system = rope(56)
-    rows = [
-        Row(f"rope of 56 cables, 1 s, h = 1 ms, {z} Newton", best(moved(system, 1.0, z), repeat=2), 1.5, 0.35)
-        for z in ("full", "modified")
-    ]
-    machine, _ = atwood(56, 2.5, 2.0, inertia=0.02, mass=1.0, stiffness=1e8)
-    rows.append(
-        Row(
-            "rope over a sheave, 56 cables of 5 points, 1 s", best(partial(fall, machine), repeat=2), 1.4, 0.5
+
+    def run() -> Run:
+        motion = system.simulate(
+            1.0, method="generalized-alpha", step=STEP, samples=101, newton="full", progress=False
         )
-    )
-    for n in (125, 500, 2000):
-        rows.append(Row(f"rope of {n} cables: build", best(partial(rope, n), repeat=1)))
-        seconds = best(moved(rope(n), 20 * H), repeat=2)
-        rows.append(Row(f"rope of {n} cables: a step, per cable", seconds / 20 / n))
-    return rows
+        return motion, motion.energy_balance()
+
+    def error(found: Run) -> float:
+        balance = found[1]
+        return float(np.abs(balance["error"]).max() / balance["kinetic"].max())
+
+    return Work(run, error)
+
+
+def sheave() -> Work:
+    """One second of Atwood's machine, 56 cables with 5 points of contact each, in some 240 steps."""
+    machine, _ = atwood(56, 2.5, 2.0, inertia=0.02, mass=1.0, stiffness=1e8)
+
+    def run() -> fx.Motion:
+        return machine.simulate(1.0, method="generalized-alpha", rtol=5e-3, samples=11, progress=False)
+
+    def error(motion: fx.Motion) -> float:
+        y = motion["A.y"]
+        return float(abs((y[0] - y[-1]) / FALL - 1))
+
+    return Work(run, error)
+
+
+def hoist() -> Work:
+    """The 30 s of `flexel reproduce hoist`, from the laid rope on."""
+    model = hoist_model.hoist()
+    return Work(lambda: lift(model), balance_error)

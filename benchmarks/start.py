@@ -1,24 +1,23 @@
-"""How long it takes to get going: the import, in a fresh interpreter each time."""
+"""How long it takes to get going: flexel, NumPy, SciPy and the kernels imported in a fresh interpreter."""
 
+import resource
 import subprocess
 import sys
 
-from timing import Row
-
-PROGRAM = "import time; t = time.perf_counter(); {}; print(time.perf_counter() - t)"
+from flexel.benchmarks.timing import Work
 
 
-def seconds(statement: str) -> float:
-    """Shortest of five times that a statement takes in a fresh interpreter."""
-    command = [sys.executable, "-c", PROGRAM.format(statement)]
-    return min(
-        float(subprocess.run(command, capture_output=True, text=True, check=True).stdout) for _ in range(5)
-    )
+def importing() -> Work:
+    """The import of `flexel.Model`, without the start of the interpreter."""
+    return Work(lambda: fresh("import flexel; flexel.Model"), idle=lambda: fresh("pass"), clock=children)
 
 
-def measure() -> list[Row]:
-    """The figures of this file."""
-    return [
-        Row("import flexel", seconds("import flexel"), 0.3, 0.3),
-        Row("import flexel and Model (numpy, scipy, kernels)", seconds("import flexel; flexel.Model")),
-    ]
+def fresh(statement: str) -> None:
+    """Run a statement in an interpreter of its own."""
+    subprocess.run([sys.executable, "-c", statement], check=True)
+
+
+def children() -> float:
+    """CPU time [s] of the processes that have been started and have ended."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime

@@ -9,6 +9,7 @@ import time
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
@@ -111,32 +112,29 @@ def linear(speed: float, tyres: str = "calspan") -> tuple[fx.System, Linearizati
 # -- manoeuvres -----------------------------------------------------------------------------------
 
 
-def steer(speed: float, tyres: str = "calspan", seconds: float = 5.0, rtol: float = RTOL) -> fx.Motion:
-    """Ramp-to-step steering to 2 mm of the rack."""
-    system = vehicle(speed, tyres=tyres, rack=rounded_ramp())
+def ride(system: fx.System, begin: fx.State, seconds: float, rtol: float = RTOL, **grid: Any) -> fx.Motion:
+    """A motion with the tolerances of all manoeuvres; `grid` are the samples or times to store."""
     return system.simulate(
         seconds,
-        start=start(system, speed),
-        samples=126,
+        start=begin,
         method=METHOD,
         rechoose=False,
         rtol=rtol,
         atol=rtol / 100 / natural_scales_of_y(system),  # the same for metres and radians
+        **grid,
     )
+
+
+def steer(speed: float, tyres: str = "calspan", seconds: float = 5.0, rtol: float = RTOL) -> fx.Motion:
+    """Ramp-to-step steering to 2 mm of the rack."""
+    system = vehicle(speed, tyres=tyres, rack=rounded_ramp())
+    return ride(system, start(system, speed), seconds, rtol, samples=126)
 
 
 def sine_steer(millimetres: float, speed: float = 20.0, seconds: float = 3.0) -> fx.Motion:
     """Sine steering at 1 Hz."""
     system = vehicle(speed, rack=fx.Harmonic(millimetres / 1000, 2 * np.pi))
-    return system.simulate(
-        seconds,
-        start=start(system, speed),
-        samples=151,
-        method=METHOD,
-        rechoose=False,
-        rtol=RTOL,
-        atol=RTOL / 100 / natural_scales_of_y(system),
-    )
+    return ride(system, start(system, speed), seconds, samples=151)
 
 
 def bump(
@@ -157,15 +155,7 @@ def bump(
     begin = start(system, speed, deflection)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", fx.RangeWarning)  # the table names the tyres that leave their data
-        return system.simulate(
-            seconds,
-            start=begin,
-            times=grid,
-            method=METHOD,
-            rechoose=False,
-            rtol=rtol,
-            atol=rtol / 100 / natural_scales_of_y(system),
-        )
+        return ride(system, begin, seconds, rtol, times=grid)
 
 
 def energy_gap(run: Callable[[Array], fx.Motion], seconds: float, panels: int) -> float:

@@ -14,7 +14,7 @@ import pytest
 import flexel
 
 ROOT = Path(__file__).resolve().parent.parent
-PARTS = ("derive", "generated", "runtime", "examples")
+PARTS = ("derive", "generated", "runtime", "examples", "benchmarks")
 
 # The package of derive that may import the generated kernels.
 SEES_GENERATED = ("derive/verify",)
@@ -112,20 +112,21 @@ def test_runtime_and_examples_derive_only_when_called_and_only_in_named_modules(
     """A model runs without SymPy; commands and user-defined elements import it when they need it."""
     symbolic = [
         z
-        for z in imports("runtime", "examples")
+        for z in imports("runtime", "examples", "benchmarks")
         if (z.part == "derive" and not z.module.startswith(SPEC)) or z.module.startswith(("sympy", "jinja2"))
     ]
     assert [str(z) for z in symbolic if not (z.lazy and z.file in CALLS_DERIVE)] == []
 
 
 def test_slow_and_optional_packages_are_imported_when_used() -> None:
-    found = imports("runtime", "examples")
+    found = imports("runtime", "examples", "benchmarks")
     assert [str(z) for z in found if not z.lazy and z.head in LAZY] == []
 
 
-def test_the_runtime_does_not_import_the_examples() -> None:
-    """The published systems use flexel, not the other way round (the command line finds them by name)."""
-    assert [str(z) for z in imports("runtime") if z.part == "examples"] == []
+def test_the_runtime_imports_neither_examples_nor_benchmarks() -> None:
+    """They use flexel, and benchmarks use examples, not the other way round (commands find them by name)."""
+    assert [str(z) for z in imports("runtime") if z.part in ("examples", "benchmarks")] == []
+    assert [str(z) for z in imports("examples") if z.part == "benchmarks"] == []
 
 
 def test_the_specification_brings_no_sympy() -> None:

@@ -19,6 +19,7 @@ FOLDERS = {
     "derive": "flexel/derive",
     "generated": "flexel/generated",
     "examples": "flexel/examples",
+    "benchmarks": "flexel/benchmarks",
 }
 DATA = {".py", ".typed", ".jinja", ".json", ".c", ".h", ".js", ".css", ".html", ".txt"}
 
@@ -58,7 +59,7 @@ def setup(tree: Path, *arguments: str) -> None:
 
 
 def test_the_wheel_holds_every_file(tree: Path, tmp_path: Path) -> None:
-    """The Python side of a wheel has every module, template, C file and data file of the four folders."""
+    """The Python side of a wheel has every module, template, C file and data file of the five folders."""
     setup(tree, "build_py", "--build-lib", str(tmp_path))
     installed = {path.relative_to(tmp_path).as_posix() for path in tmp_path.rglob("*") if path.is_file()}
     wanted = set()

@@ -10,6 +10,7 @@ from typing import Any
 import click
 
 import flexel
+from flexel.commands.bench import bench
 from flexel.commands.convert import convert
 from flexel.commands.derive import derive
 from flexel.commands.info import info
@@ -38,7 +39,7 @@ def main() -> None:
     """A compiler for mechanisms: derive, compile, run."""
 
 
-for command in (derive, verify, reproduce, run, convert, view, info):
+for command in (derive, verify, reproduce, bench, run, convert, view, info):
     main.add_command(command)
 
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from flexel.commands.jsonfile import check_json_file
 from flexel.commands.stop import INTERRUPTED
 
 if TYPE_CHECKING:
@@ -52,14 +53,7 @@ def reproduce(names: tuple[str, ...], json_file: str | None, out: Path | None) -
     Ctrl-C stops; finished systems keep their tables, files and JSON.
     """
     cases = _chosen(names)
-    if json_file in CASES or json_file == "all":
-        raise click.UsageError(
-            f"--json {json_file}: that is a system, not a file; write names before --json."
-        )
-    if json_file is not None and not Path(json_file).absolute().parent.is_dir():
-        raise click.UsageError(
-            f"--json {json_file}: the folder does not exist; create it, or give another path."
-        )
+    check_json_file(json_file, (*CASES, "all"), "system")
     if out is not None:
         out.mkdir(parents=True, exist_ok=True)
     to_stdout = json_file == "-"

@@ -52,7 +52,9 @@ def fails_with(monkeypatch: pytest.MonkeyPatch, outcome: Report | Exception) -> 
     monkeypatch.setattr(sys.modules["pendulum_example"], "reproduce", reproduce)
 
 
-@pytest.mark.parametrize("command", ["derive", "verify", "reproduce", "run", "convert", "view", "info"])
+@pytest.mark.parametrize(
+    "command", ["derive", "verify", "reproduce", "bench", "run", "convert", "view", "info"]
+)
 @pytest.mark.parametrize("switch", ["--help", "-h"])
 def test_every_command_has_help(command: str, switch: str) -> None:
     """`flexel COMMAND --help` explains, and `flexel --help` lists it."""

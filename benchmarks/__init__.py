@@ -1,0 +1,1 @@
+"""What flexel costs, measured: the rows of `flexel bench`, in `flexel.benchmarks.table`, one module for each family."""

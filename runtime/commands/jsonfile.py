@@ -1,0 +1,22 @@
+"""The option --json of commands that measure or compare."""
+
+from collections.abc import Container
+from pathlib import Path
+
+import click
+
+
+def check_json_file(file: str | None, names: Container[str], kind: str) -> None:
+    """Refuse a file that cannot be written when the work is done, or that is one of the names to work on.
+
+    Raises
+    ------
+    click.UsageError
+        With the remedy.
+    """
+    if file is None:
+        return
+    if file in names:
+        raise click.UsageError(f"--json {file}: that is a {kind}, not a file; write names before --json.")
+    if not Path(file).absolute().parent.is_dir():
+        raise click.UsageError(f"--json {file}: the folder does not exist; create it, or give another path.")
