@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from flexel.commands.jsonfile import check_json_file
-from flexel.commands.stop import INTERRUPTED
+from flexel.commands.stop import INTERRUPTED, StoppedError, stopping
 
 if TYPE_CHECKING:
     from flexel.benchmarks.table import Figure, Row
@@ -92,8 +92,9 @@ def _measured(rows: "list[Row]", table: Any) -> "tuple[list[Figure], list[str], 
     failed: list[str] = []
     for row in rows:
         try:
-            figure, timing = row.measured()
-        except KeyboardInterrupt:
+            with stopping():
+                figure, timing = row.measured()
+        except StoppedError:
             click.echo(f"\n{row.name}: interrupted", err=True)
             return figures, failed, True
         except Exception as error:  # whatever it is: the other rows are measured, and the exit status tells
