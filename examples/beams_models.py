@@ -15,6 +15,7 @@ import flexel as fx
 from flexel.base.arrays import Array
 from flexel.examples import beams_data as data
 
+RISING = fx.Polynomial((0.0, 1.0))  # a load of t at time t
 BENDING = ("bend1", "bend2", "bend3", "bend4")
 
 
@@ -59,7 +60,7 @@ def bend(n: int, second_order: bool = True) -> fx.System:
         arc, direction=(0, 0, 1), EA=E, GJ=G / 6, EIy=E * moment, EIz=E * moment, GAy=G, GAz=G,
         second_order=second_order,
     )  # fmt: skip
-    m.load(f"P{n}.z", lambda t: t)
+    m.load(f"P{n}.z", RISING)
     return m.build()
 
 
@@ -67,7 +68,7 @@ def princeton(n: int, degrees: float, second_order: bool = True) -> fx.System:
     """The Princeton beam with a tip load t at an angle from the width."""
     m = clamped(straight(n, data.PRINCETON_LENGTH), second_order=second_order, **data.PRINCETON_SECTION)
     c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
-    m.load(f"P{n}", (0, lambda t: c * t, lambda t: s * t))
+    m.load(f"P{n}", (0, fx.Polynomial((0.0, c)), fx.Polynomial((0.0, s))))
     return m.build()
 
 
@@ -75,7 +76,7 @@ def narrow(n: int, second_order: bool = True, **section: float) -> fx.System:
     """The narrow cantilever with its tip load t downwards in the stiff plane."""
     inertia = {"mass_per_length": 1.0, "inertia_per_length": (1, 0, 0)}
     m = clamped(straight(n), second_order=second_order, **inertia, **section)
-    m.load(f"P{n}.y", lambda t: -t)
+    m.load(f"P{n}.y", fx.Polynomial((0.0, -1.0)))
     return m.build()
 
 
@@ -90,15 +91,15 @@ def column(n: int, supports: str, **section: Any) -> fx.System:
         m.fix(f"P{n}.y")
     if last == "clamped":
         m.fix(f"R{n}")
-    m.load(f"P{n}.x", lambda t: -t)
+    m.load(f"P{n}.x", fx.Polynomial((0.0, -1.0)))
     return m.build()
 
 
 def bent_column(n: int, load: float, second_order: bool = True) -> fx.System:
     """A cantilever column that an end load bends; a push from the side while t < 1 chooses the side."""
     m = planar(n, EIz=1.0, second_order=second_order)
-    m.load(f"P{n}.x", lambda t: -load * t)
-    m.load(f"P{n}.y", lambda t: 3 * t * (1 - t))
+    m.load(f"P{n}.x", fx.Polynomial((0.0, -load)))
+    m.load(f"P{n}.y", fx.Polynomial((0.0, 3.0, -3.0)))
     return m.build()
 
 
@@ -111,7 +112,7 @@ def right_angle_frame(n: int, second_order: bool = True) -> fx.System:
         points, direction=(0, 0, 1), EA=E * b * t, GJ=G * b * t**3 / 3, EIz=E * b * t**3 / 12,
         EIy=E * t * b**3 / 12, mass_per_length=1.0, inertia_per_length=(1, 0, 0), second_order=second_order,
     )  # fmt: skip
-    m.load(f"P{2 * n}.x", lambda t: t)
+    m.load(f"P{2 * n}.x", RISING)
     return m.build()
 
 
@@ -120,7 +121,7 @@ def blade(n: int, spin: float, hub: float = 0.0, second_order: bool = True) -> f
     m = fx.Model()
     ground, r = m.frame("ground", fixed=True), m.frame("R0")
     m.hinge("hub", ground, r, axis=(0, 0, 1))
-    m.prescribe("hub.angle", lambda t: spin * t)
+    m.prescribe("hub.angle", fx.Polynomial((0.0, spin)))
     p = m.point("P0", (hub, 0, 0), fixed=hub == 0)
     if hub:
         m.beam("arm", m.point("O", (0, 0, 0), fixed=True), r, p)
@@ -137,7 +138,7 @@ def shaft(n: int, spin: float, radius: float, second_order: bool = True) -> fx.S
     ground, drive, r = m.frame("ground", fixed=True), m.frame("drive"), m.frame("R0")
     m.point("P0", (0, 0, 0), fixed=True)
     m.hinge("motor", ground, drive, axis=(1, 0, 0))
-    m.prescribe("motor.angle", lambda t: spin * t)
+    m.prescribe("motor.angle", fx.Polynomial((0.0, spin)))
     m.hinge("joint", drive, r, axis=(1, 0, 0))  # drives the spin and leaves the slopes free
     m.release("joint.bend1", "joint.bend2")
     m.rigid("joint.angle")

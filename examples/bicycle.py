@@ -20,7 +20,7 @@ import flexel as fx
 from flexel.base.arrays import Array
 from flexel.base.quaternions import matrix
 from flexel.examples import bicycle_data as data
-from flexel.integration.explicit import natural_scales_of_y
+from flexel.integration.minimal import natural_scales_of_y
 from flexel.mechanics.modes import Reduced
 from flexel.results.report import Quantity, Report
 
@@ -146,7 +146,7 @@ def kick(system: fx.System, speed: float, seconds: float = KICK_SECONDS, rtol: f
     """The nonlinear motion after a kick from the side: rolling upright with a roll rate of 0.05 rad/s."""
     start = rolling(system, speed, data.ROLL_RATE)
     times = np.linspace(0.0, seconds, round(40 * seconds) + 1)
-    atol = rtol / 100 / natural_scales_of_y(system)  # the same for metres and radians
+    atol = rtol / 100 / natural_scales_of_y(system.kinematics)  # the same for metres and radians
     return system.simulate(
         seconds, start=start, times=times, method="DOP853", rtol=rtol, atol=atol, rechoose=False
     )

@@ -59,7 +59,7 @@ def rotor(m: fx.Model, frame: str, inertia: float) -> None:
 def driven(b: float, torque: float = 0.0) -> fx.System:
     """(a): the driving shaft turns at 1 rad/s against a torque on the driven one; no degree of freedom is left."""
     m = joint(b)
-    m.prescribe("in.angle", lambda t: t)
+    m.prescribe("in.angle", fx.Polynomial((0.0, 1.0)))
     m.load("out.angle", -torque)
     return m.build()
 
@@ -83,7 +83,7 @@ def elastic_shaft(b: float, speed: float, stiffness: float, damping: float = 0.0
     """
     m = joint(b, "motor shaft")
     m.spring("in.angle", stiffness, damping)
-    m.prescribe("motor.angle", lambda t: speed * t)
+    m.prescribe("motor.angle", fx.Polynomial((0.0, speed)))
     rotor(m, "driven", 1.0)
     m.independent("in.angle")
     return m.build()
@@ -97,7 +97,7 @@ def flexible(
     The driven rotor has 1 kg m², the cross a small share of it, for its degrees of freedom need some inertia.
     """
     m = joint(b)
-    m.prescribe("in.angle", lambda t: speed * t)
+    m.prescribe("in.angle", fx.Polynomial((0.0, speed)))
     rotor(m, "cross", cross)
     rotor(m, "driven", 1.0)
     for name in BENDS:

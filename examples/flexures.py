@@ -132,7 +132,7 @@ def pivot(
 
 
 def _loads(m: fx.Model, d: Design, payload: float) -> fx.Model:
-    m.load(d.drive, lambda t: 1.0 * t)
+    m.load(d.drive, fx.Polynomial((0.0, 1.0)))
     if payload:
         m.load(f"{d.point}.x", payload)
     return m

@@ -7,6 +7,7 @@ to its anchor: four falls, all in one plane.  The block is guided, so that it ca
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -48,13 +49,13 @@ def hoist(data: Hoist = HOIST) -> Model:
     m.point("drum axle", (-2 * R, 0, 0), fixed=True)
     m.frame("drum")
     m.hinge("drive", "ground", "drum", axis=(0, 0, 1))
-    m.prescribe("drive.angle", tuple(lambda t, i=i: data.angle(t)[i] for i in range(3)))
+    m.prescribe("drive.angle", tuple(partial(_turned, data, i) for i in range(3)))
     m.sheave("drum", "drum axle", "drum", radius=data.drum_radius)
     m.point("block", (2 * R, -data.depth, 0))
     m.fix("block.x", "block.z")
     m.point_mass("load", "block", data.load)
     share = 1 - data.first_load
-    m.load("block.y", (lambda t: share * data.weight if t < 0 else 0.0, lambda t: 0.0, lambda t: 0.0))
+    m.load("block.y", (partial(_carried, share * data.weight), _nothing, _nothing))
     m.point("frame", (2 * R, 0, 0), fixed=True)
     for name, carrier, x, y in zip(
         SHEAVES, ("block", "frame", "block"), (0, 2 * R, 4 * R), (-data.depth, 0, -data.depth), strict=True
@@ -77,6 +78,21 @@ def hoist(data: Hoist = HOIST) -> Model:
     system = m.build(t=-BEFORE)
     start = system.equilibrium(hold=[f"{name} bearing.angle" for name in SHEAVES])
     return Model(data, system, rope, start)
+
+
+def _turned(data: Hoist, order: int, t: float) -> float:
+    """The drum's angle, its rate or its acceleration."""
+    return data.angle(t)[order]
+
+
+def _carried(force: float, t: float) -> float:
+    """What something else carries before the start."""
+    return force if t < 0 else 0.0
+
+
+def _nothing(_: float) -> float:
+    """The rate of what is constant."""
+    return 0.0
 
 
 def _sheave(m: fx.Model, data: Hoist, name: str, carrier: str, place: tuple[float, float, float]) -> None:

@@ -73,7 +73,7 @@ def slider_crank(
     _rod(m, elements, 2 * zeta / omega0(elements, second_order), second_order, spatial)
     m.fix(f"p{elements}.y")
     m.point_mass("slider", f"p{elements}", p["slider"])
-    m.prescribe("crank.angle", lambda t: speed * t)
+    m.prescribe("crank.angle", fx.Polynomial((0.0, speed)))
     m.independent(*bends(elements, spatial))
     return m.build()
 

@@ -9,6 +9,7 @@ import time
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -18,7 +19,7 @@ from flexel.base.arrays import Array
 from flexel.examples import vehicle_data as data
 from flexel.examples.differences import state_matrix
 from flexel.examples.vehicle import BODY, SUSPENSION, vehicle
-from flexel.integration.explicit import natural_scales_of_y
+from flexel.integration.minimal import natural_scales_of_y
 from flexel.mechanics.core import Core
 from flexel.mechanics.linearization import Linearization
 from flexel.mechanics.modes import sort_eigenvalues
@@ -32,17 +33,19 @@ HEAVE = ("chassis.z", "pitch.angle", "roll.angle", *SUSPENSION)
 
 def rounded_ramp() -> tuple[Callable[[float], float], Callable[[float], float], Callable[[float], float]]:
     """The rack of the ramp-to-step manoeuvre, (u, u', u''), its two corners rounded."""
-    T, rate, end = data.ROUNDED, data.RAMP_RATE, data.RAMP_SECONDS
+    return partial(_rack, 0), partial(_rack, 1), partial(_rack, 2)
 
-    def corner(t: float) -> tuple[float, float, float]:
-        """Integral of a smooth step of height one and duration T, with its derivatives."""
-        z = min(max(t / T, 0.0), 1.0)
-        return T * (z**3 - z**4 / 2) + max(t - T, 0.0), 3 * z**2 - 2 * z**3, 6 * z * (1 - z) / T
 
-    def part(order: int) -> Callable[[float], float]:
-        return lambda t: float(rate * (corner(t)[order] - corner(t - end)[order]))
+def _rack(order: int, t: float) -> float:
+    """The derivative of that order of the rack's displacement."""
+    return float(data.RAMP_RATE * (_corner(t)[order] - _corner(t - data.RAMP_SECONDS)[order]))
 
-    return part(0), part(1), part(2)
+
+def _corner(t: float) -> tuple[float, float, float]:
+    """Integral of a smooth step of height one and of the duration of a rounding, with its derivatives."""
+    T = data.ROUNDED
+    z = min(max(t / T, 0.0), 1.0)
+    return T * (z**3 - z**4 / 2) + max(t - T, 0.0), 3 * z**2 - 2 * z**3, 6 * z * (1 - z) / T
 
 
 # -- states ---------------------------------------------------------------------------------------
@@ -120,7 +123,7 @@ def ride(system: fx.System, begin: fx.State, seconds: float, rtol: float = RTOL,
         method=METHOD,
         rechoose=False,
         rtol=rtol,
-        atol=rtol / 100 / natural_scales_of_y(system),  # the same for metres and radians
+        atol=rtol / 100 / natural_scales_of_y(system.kinematics),  # the same for metres and radians
         **grid,
     )
 

@@ -34,8 +34,16 @@ def declarations(header: str) -> str:
         return re.sub(r"\breal\b", "double", "".join(BETWEEN.findall(text.read())))
 
 
+def depth(header: str) -> int:
+    """How many headers a header includes below one another: those it builds on are declared before it."""
+    with open(header, encoding="utf-8") as text:
+        included = re.findall(r'#include "(.*?)"', text.read())
+    return 1 + max((depth(PATHS[name]) for name in included if name in PATHS), default=0)
+
+
 ENGINE = engine()
-HEADERS = files(".h")
+PATHS = {os.path.basename(header): header for header in files(".h")}
+HEADERS = sorted(PATHS.values(), key=depth)
 
 ffibuilder = FFI()
 for header in HEADERS:

@@ -29,7 +29,7 @@ def build(model: Declarations, t: float) -> System:
     loads = Loads(structure, tuple(model.loads))
     check_names(model, structure, roles)
     loads.at(t)  # a load that fails is reported here, not in the middle of a motion
-    kinematics = Kinematics(evaluation, roles)
+    kinematics = Kinematics(evaluation, roles, loads)
     c = first_position(model, kinematics, t)
     dynamic = named_dofs(structure, model._dynamic, "independent")
     kinematic = named_dofs(structure, model._kinematic, "kinematic")

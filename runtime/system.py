@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from flexel.analyses.equilibria import Equilibria
 from flexel.analyses.motions import Motions
 from flexel.analyses.periodic import PeriodicMotions
@@ -18,3 +20,13 @@ class System(Motions, Equilibria, PeriodicMotions, Restoring):
     roles : Roles
         The constraints and the current choice of degrees of freedom.
     """
+
+    def __getstate__(self) -> dict[str, Any]:
+        """What it is made of, the present coordinates and the last position; tables and caches are made again."""
+        own = {"evaluation": self.evaluation, "loads": self.loads, "roles": self.roles}
+        return own | {"last": self._last, "start": self._start}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """The same system; its tables are made when it is first evaluated."""
+        self._prepare(state["evaluation"], state["loads"], state["roles"])
+        self._start, self._continued = state["start"], state["last"]

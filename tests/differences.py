@@ -7,8 +7,9 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from flexel.mechanics.states import Moment, state_of
+from flexel.mechanics.states import state_of
 from flexel.model import Model
+from flexel.structure.moment import Moment
 from flexel.structure.state import State
 from flexel.system import System
 
@@ -83,7 +84,7 @@ def numerical_outputs(
             knob.now = [start[nu + i][0] + d[ns + i], 0.0, 0.0]
         y = np.concatenate([state.q + d[nd : nd + nq], state.qd + d[:nd]])
         q, qd, z = np.split(y, [nq, nq + nd])
-        now = state_of(system.kinematics, system.loads, state.t, q, qd, z, Moment.of(state))
+        now = state_of(system.kinematics, state.t, q, qd, z, Moment.of(state))
         rates = [now.acceleration(z) for z in system.dynamic] + [now.rate(z) for z in system.dynamic]
         rates += [now.rate(z) for z in system.kinematic] + [d[ns + len(loads) + i] for i in range(nu)]
         rates += [d[nd + nq + i] for i in range(nu)]

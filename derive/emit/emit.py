@@ -17,10 +17,8 @@ from flexel.derive.emit.source import digest_of, element_source, laws_source, re
 from flexel.derive.emit.specification import element_spec, law_spec
 from flexel.derive.laws import LAWS
 from flexel.derive.program.kernels import Derived, derive_element, derive_law
+from flexel.derive.shared_object import FLAGS
 
-# -O2 gives the same speed as -O3 (the loops are marked for vectorization) in three quarters of the time.
-# Never -ffast-math: on the link line it changes denormals for the whole process.
-FLAGS = ("-O2", "-fno-math-errno", "-fno-trapping-math", "-fopenmp-simd", "-ffp-contract=off")
 BASELINE = Path(__file__).with_name("operations.json")
 _ENTRY = re.compile(r"^    # (element|law) (\w+)\n(.*?)\n(?=    # )", re.MULTILINE | re.DOTALL)
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 
 from flexel.base.arrays import Array
 from flexel.base.errors import IncompleteWarning
-from flexel.integration.outcome import Integration
+from flexel.integration.outcome import Integration, States
 from flexel.mechanics.core import Core
 from flexel.results.motion import Motion
 from flexel.statics import compliance, path, stability
@@ -74,7 +74,7 @@ class Equilibria(Core):
         if message:
             warnings.warn(message, IncompleteWarning, stacklevel=2)
         counts = {"steps": len(states) - 1, "evaluations": 0, "rechoices": 0}
-        return Motion(self, Integration(states, [], [], counts, message))
+        return Motion(self, Integration(States(states), [], [], counts, message))
 
     def buckling(
         self, state: State | None = None, *, increment: Mapping[str, float], count: int = 5

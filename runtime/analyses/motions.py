@@ -89,7 +89,8 @@ class Motions(Core):
         progress : bool, optional
             Progress bar on stderr; by default where stderr is a terminal.
         rechoose : bool, optional
-            For explicit methods: change the degrees of freedom when they become ill-conditioned; yes by default.
+            For explicit methods: change the degrees of freedom where others are much better; yes by default.
+            `Motion.rechoices` lists the changes.
 
         Returns
         -------
@@ -117,16 +118,12 @@ class Motions(Core):
         why = ""
         if method == methods.AUTO:
             method, why = methods.automatic(self, begin, float(duration), options)
-        chosen = self.roles
+        run = methods.run_of(self, method, begin, grid, float(duration), options)
         try:
-            run = methods.run_of(self, method, begin, grid, float(duration), options)
-            try:
-                found = run.run(progress)
-            except FlexelError as error:
-                error.motion = Motion(self, _explained(run.kept(str(error)), why))
-                raise
-        finally:
-            self.use(chosen)
+            found = run.run(progress)
+        except FlexelError as error:
+            error.motion = Motion(self, _explained(run.kept(str(error)), why))
+            raise
         return _motion(self, _explained(found, why))
 
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from flexel.base.arguments import positive
 from flexel.base.errors import ModelError
-from flexel.integration.outcome import Integration
+from flexel.integration.outcome import Integration, States
 from flexel.linear.periodic import periodic_motion
 from flexel.mechanics.core import Core
 from flexel.results.motion import Motion
@@ -51,5 +51,5 @@ class PeriodicMotions(Core):
         X = None if start is None else start.vibration.X
         orbit, vibration = periodic_motion(self, period, harmonics, X, samples, accuracy)
         counts = {"samples": len(orbit.states), "harmonics": harmonics}
-        motion = Motion(self, Integration(orbit.states, [], [], counts, "periodic"))
+        motion = Motion(self, Integration(States(orbit.states), [], [], counts, "periodic"))
         return PeriodicSolution(motion, vibration)

@@ -12,7 +12,6 @@ from flexel.base.arrays import Index
 from flexel.base.errors import ModelError
 from flexel.mechanics import dynamics
 from flexel.mechanics.core import Core
-from flexel.mechanics.kinematics import Configuration
 from flexel.results.motion import Motion
 from flexel.structure.state import State
 from flexel.structure.structure import Structure
@@ -51,8 +50,7 @@ class Restoring(Core):
             roles = roles.with_dofs(*rows)
         if as_saved:
             return replace(state, roles=roles, evaluation=self.evaluation)
-        c = Configuration(state.t, state.x, state.e, self.evaluation.position(state.x)[1])
-        return dynamics.complete(self.kinematics_of(roles), self.loads, c, state.v, state.e, state.z)
+        return dynamics.complete(self.kinematics_of(roles), state.t, state.x, state.v, state.e, state.z)
 
 
 def _stored(saved: Any, time: float | None) -> State:

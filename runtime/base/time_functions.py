@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from flexel.base.arguments import array, number
+from flexel.base.copies import OF_TIME, Constant, check_travels
 from flexel.base.errors import FlexelError, ModelError
 from flexel.base.jets import Jet, as_jet
 
@@ -32,11 +33,16 @@ class TimeFunction(Protocol):
 
 
 @dataclass(frozen=True)
-class Formula:
+class Formula(Constant):
     """A Python function of time, differentiated by second-order jets."""
 
     function: Callable[[Any], Any]
     owner: str = "function of time"
+
+    def __getstate__(self) -> dict[str, Any]:
+        """The fields; a ModelError that names the owner if the function cannot be pickled."""
+        check_travels(self.owner, self.function, OF_TIME)
+        return super().__getstate__()
 
     def rates(self, t: float) -> tuple[float, float, float]:
         """Value, first and second rate at time t [s]."""
@@ -53,11 +59,17 @@ class Formula:
 
 
 @dataclass(frozen=True)
-class Triple:
+class Triple(Constant):
     """Value, first and second rate as three functions of time."""
 
     functions: tuple[Callable[[float], float], Callable[[float], float], Callable[[float], float]]
     owner: str = "function of time"
+
+    def __getstate__(self) -> dict[str, Any]:
+        """The fields; a ModelError that names the owner if a function cannot be pickled."""
+        for function in self.functions:
+            check_travels(self.owner, function, OF_TIME)
+        return super().__getstate__()
 
     def rates(self, t: float) -> tuple[float, float, float]:
         """Value, first and second rate at time t [s]."""
@@ -72,6 +84,23 @@ class Triple:
                 "with one number t and must return one number"
             ) from error
         return _finite(values, self.owner, t)
+
+
+@dataclass(frozen=True)
+class Foreign(Constant):
+    """A function of time that is an object of the user with a method `rates`."""
+
+    function: TimeFunction
+    owner: str
+
+    def __getstate__(self) -> dict[str, Any]:
+        """The fields; a ModelError that names the owner if the object cannot be pickled."""
+        check_travels(self.owner, self.function, OF_TIME)
+        return super().__getstate__()
+
+    def rates(self, t: float) -> tuple[float, float, float]:
+        """Value, first and second rate at time t [s]."""
+        return self.function.rates(t)
 
 
 def _finite(values: tuple[float, float, float], owner: str, t: float) -> tuple[float, float, float]:
@@ -187,12 +216,17 @@ class Table:
         return float(self._spline(t)), float(self._spline(t, 1)), float(self._spline(t, 2))
 
 
+OWN = (Polynomial, Ramp, Harmonic, Formula, Triple, Foreign)
+
+
 def as_function(value: Any, owner: str) -> TimeFunction:
     """A TimeFunction from a number, a function of time, a triple of functions, or a ready-made one."""
     if isinstance(value, Table):
         return value.of(owner)
-    if isinstance(value, TimeFunction) and not isinstance(value, type):
+    if isinstance(value, OWN):
         return value
+    if isinstance(value, TimeFunction) and not isinstance(value, type):
+        return Foreign(value, owner)
     if isinstance(value, type):
         raise ModelError(f"{owner}: {value.__name__} is a class; give an instance, {value.__name__}(…)")
     if isinstance(value, tuple):

@@ -17,7 +17,7 @@ from flexel.base.errors import ModelError
 from flexel.base.time_functions import TimeFunction
 from flexel.derive.spec import ElementSpec
 from flexel.generated.table import ELEMENTS
-from flexel.structure.instances import Instance, LawInstance
+from flexel.structure.instances import Code, Instance, LawInstance
 from flexel.structure.loads import Load
 from flexel.structure.nodes import Node
 from flexel.structure.surfaces import Surface
@@ -101,7 +101,7 @@ class Declarations:
         kind: str | ElementSpec,
         nodes: Sequence[Node | str],
         parameters: Mapping[str, Any],
-        kernels: object = None,
+        code: Code | None = None,
     ) -> None:
         """Put an element between nodes: every user-named element is made here.
 
@@ -113,8 +113,8 @@ class Declarations:
         nodes : sequence of Node or str
         parameters : mapping of str to array_like
             All of them; the default for gravity is that of the model.
-        kernels : object
-            Address of a compiled element's kernels; none for a built-in one.
+        code : Code, optional
+            Compiled code of a user's element; none for a built-in one.
         """
         spec = kind if isinstance(kind, ElementSpec) else ELEMENTS[kind]
         self._new_name(name, spec.name)
@@ -133,6 +133,6 @@ class Declarations:
                 f"{owner}: parameter(s) {', '.join(wrong)} missing or unknown; it takes {', '.join(sizes)}"
             )
         values = {z: array(values[z], owner, f"parameter {z}").reshape(-1) for z in sizes}
-        instance = Instance(name, spec, tuple(n.name for n in members), values, kernels)
+        instance = Instance(name, spec, tuple(n.name for n in members), values, code)
         _ = instance.p  # check the sizes here, so that the traceback shows the caller
         self.instances[name] = instance

@@ -100,7 +100,7 @@ class Feedback(Laws):
         parameters: dict[str, Any] = {key: z.ravel() for key, z in gains.items() if z.size}
         parameters["r"] = np.array([r.get(z, 0.0) for z in measure])
         compiled = _law(owner, len(on), na, nz, tuple(places))
-        self._add_law(owner, compiled.spec, on, parameters, kernels=compiled.address, label=name)
+        self._add_law(owner, compiled.spec, on, parameters, code=compiled.code, label=name)
 
 
 def _matrix(value: Any, owner: str, key: str, shape: tuple[int, int]) -> Array:
@@ -117,7 +117,8 @@ def _law(owner: str, m: int, na: int, nz: int, places: tuple[int, ...]) -> Any:
     import sympy
 
     from flexel.derive import Internal, Law, Parameter, symbol
-    from flexel.derive.compile import CompilationError, CompilerMissingError, compile_law
+    from flexel.derive.compile import compile_law
+    from flexel.derive.shared_object import CompilationError, CompilerMissingError
 
     ny = len(places)
     sizes = {"P": (na, ny), "D": (na, ny), "C": (na, nz), "A": (nz, nz), "B": (nz, ny), "B_rate": (nz, ny)}

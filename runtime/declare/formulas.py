@@ -34,7 +34,7 @@ def formula_law(owner: str, stress: Any, energy: Callable[..., Any] | None = Non
     Returns
     -------
     flexel.derive.compile.CompiledLaw
-        Specification and address of the kernels.
+        Specification and kernels.
 
     Raises
     ------
@@ -48,7 +48,7 @@ def formula_law(owner: str, stress: Any, energy: Callable[..., Any] | None = Non
 
     from flexel.derive import Law, symbol
     from flexel.derive.check.branches import check_branches
-    from flexel.derive.compile import CompilationError, CompilerMissingError
+    from flexel.derive.shared_object import CompilationError, CompilerMissingError
 
     e, ed = symbol("e"), symbol("ed")
     sigma = _formula(owner, "stress", of_both(stress), e, ed)

@@ -18,7 +18,7 @@ from flexel.declare.formulas import formula_law
 from flexel.declare.signs import check_signs
 from flexel.derive.spec import LawSpec
 from flexel.generated.table import LAWS
-from flexel.structure.instances import LawInstance
+from flexel.structure.instances import Code, LawInstance
 
 if TYPE_CHECKING:
     from flexel.derive.compile import CompiledLaw
@@ -132,9 +132,7 @@ class Laws(Declarations):
         if energy is not None:
             raise ModelError(f"{owner}: a compiled law has its own energy; leave energy out")
         owner = f"law '{compiled.spec.name}' on {_listed(on)}"
-        self._add_law(
-            owner, compiled.spec, on, parameters, kernels=compiled.address, initial=initial, label=name
-        )
+        self._add_law(owner, compiled.spec, on, parameters, code=compiled.code, initial=initial, label=name)
 
     def _add_law(
         self,
@@ -143,7 +141,7 @@ class Laws(Declarations):
         on: Sequence[str],
         parameters: Mapping[str, Any],
         *,
-        kernels: object = None,
+        code: Code | None = None,
         initial: Mapping[str, float] | None = None,
         label: str | None = None,
     ) -> None:
@@ -157,8 +155,8 @@ class Laws(Declarations):
         on : sequence of str
             Deformations, then slips.
         parameters : mapping of str to array_like
-        kernels : object
-            Address of a compiled law's kernels; none for a built-in law.
+        code : Code, optional
+            Compiled code of a user's law; none for a built-in law.
         initial : mapping of str to float, optional
         label : str, optional
             Its name; the names in `on`, joined, by default.
@@ -179,7 +177,7 @@ class Laws(Declarations):
             raise ModelError(
                 f"{owner}: there is a law '{label}' with internal states already; give another name"
             )
-        self.laws.append(LawInstance(label, spec, on[:m], on[m:], values, kernels, z0))
+        self.laws.append(LawInstance(label, spec, on[:m], on[m:], values, code, z0))
 
     def _add_linear(self, owner: str, on: Sequence[str], S: Array, D: Array, preload: Array) -> None:
         """Add σ = preload + S e + D ė on one to six deformations; S and D are symmetric."""
@@ -203,7 +201,7 @@ class Laws(Declarations):
             )
         quantities(on, owner)
         compiled = formula_law(owner, stress, energy)
-        self._add_law(owner, compiled.spec, on, {}, kernels=compiled.address, label=label)
+        self._add_law(owner, compiled.spec, on, {}, code=compiled.code, label=label)
 
 
 def _checked_parameters(owner: str, spec: LawSpec, parameters: Mapping[str, Any]) -> dict[str, Array]:
@@ -223,7 +221,7 @@ def _checked_parameters(owner: str, spec: LawSpec, parameters: Mapping[str, Any]
 
 
 def _is_compiled(law: object) -> bool:
-    return isinstance(getattr(law, "spec", None), LawSpec) and hasattr(law, "address")
+    return isinstance(getattr(law, "spec", None), LawSpec) and hasattr(law, "code")
 
 
 def _listed(on: Sequence[object]) -> str:

@@ -76,7 +76,7 @@ def _by_name(owner: str, ranges: Mapping[str, tuple[float, float]] | None) -> di
 
 def _made(owner: str, make: Callable[[], Made]) -> Made:
     """The compiled result; errors of the derivation are re-raised as flexel errors."""
-    from flexel.derive.compile import CompilationError, CompilerMissingError
+    from flexel.derive.shared_object import CompilationError, CompilerMissingError
 
     try:
         return make()
@@ -123,9 +123,9 @@ class Elements(Declarations):
                 raise ModelError(f"element '{name}': {unknown(kind, ELEMENTS, 'element type')}")
             self._place(name, kind, nodes, parameters)
             return
-        if not isinstance(getattr(kind, "spec", None), ElementSpec) or not hasattr(kind, "address"):
+        if not isinstance(getattr(kind, "spec", None), ElementSpec) or not hasattr(kind, "code"):
             raise ModelError(
                 f"element '{name}': {kind!r} is not a compiled element; give the result of fx.compile_element(…), or "
                 "the name of a built-in one"
             )
-        self._place(name, kind.spec, nodes, parameters, kind.address)
+        self._place(name, kind.spec, nodes, parameters, kind.code)

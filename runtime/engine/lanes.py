@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from flexel.base.arrays import Index
+from flexel.base.arrays import Array, Index
 
 LANES = 8  # elements in a block, see generated/kernels.h
 
@@ -19,7 +19,23 @@ def blocks(values: Any) -> Any:
     return np.ascontiguousarray(padded.reshape(count, LANES, rows).transpose(0, 2, 1))
 
 
+def filled(values: Any, beyond: int) -> Any:
+    """The same, with one value in the lanes without an element."""
+    found = blocks(values)
+    size, (count, _, _) = values.shape[0], found.shape
+    if size < count * LANES:
+        found[-1, :, size - count * LANES :] = beyond
+    return found
+
+
 def lanes(size: int, rows: int, start: int) -> Index:
-    """Buffer indices (elements x rows, flat) of the rows of one output, element by element."""
+    """Buffer indices (elements, rows) of the rows of one output."""
     element = np.arange(size)[:, None]
-    return (start + (element // LANES * rows + np.arange(rows)) * LANES + element % LANES).ravel()
+    return np.asarray(start + (element // LANES * rows + np.arange(rows)) * LANES + element % LANES)
+
+
+def aligned(size: int) -> Array:
+    """Zeros (size,) that begin a cache line."""
+    space = np.zeros(size + LANES)
+    first = -space.ctypes.data % 64 // 8
+    return space[first : first + size]

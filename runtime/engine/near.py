@@ -1,30 +1,28 @@
 """Selects the rope contacts near a surface, so that the cost of a step is proportional to their number.
 
-Only contacts within reach of their surface are evaluated in the iterations of a step; the gaps of the others are
-checked once after each step, so that none is missed.
+Only contacts within reach of their surface are evaluated in the iterations of a step, in blocks; the gaps of the others
+are checked once after each step, so that none is missed.
 """
 
 from __future__ import annotations
-
-from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from flexel.base.arrays import Array
-from flexel.engine.assembly import Batch
-from flexel.engine.evaluate import Evaluation
-from flexel.engine.local import Local
+from flexel.engine.kernels import Batch
+from flexel.engine.lanes import LANES, blocks
+from flexel.engine.tables import EVERY
+from flexel.engine.workspace import Workspace
+from flexel.generated._kernels import ffi, lib
 
 REACH = 1.0  # gap of a near contact, in lengths of its cable
 ALARM = 0.25  # gap of a far contact that requires a new selection
 FEW = 100  # number of contacts below which selection does not pay
 
-Mask = NDArray[np.bool_]
-
 
 class NearContacts:
-    """The contacts of a model, and which of them are near.
+    """The contacts of a workspace, and which of their blocks are near.
 
     Attributes
     ----------
@@ -33,35 +31,81 @@ class NearContacts:
         all of them are then kept.
     """
 
-    def __init__(self, evaluation: Evaluation) -> None:
-        self._evaluation = evaluation
-        self._contacts = [b for b in evaluation.elements if _is_contact(b)]
-        self.worthwhile = sum(b.size for b in self._contacts) > FEW and not evaluation.structure.nz
-        self._far: list[Mask] = [np.zeros(b.size, dtype=bool) for b in self._contacts]
-        self._whole = Local(evaluation.structure, self._contacts if self.worthwhile else [], [])
+    def __init__(self, work: Workspace) -> None:
+        tables = work.tables
+        contacts = {i: b for i, b in enumerate(tables.elements) if _is_contact(b)}
+        self.worthwhile = sum(b.size for b in contacts.values()) > FEW and not tables.structure.nz
+        self._work, self._contacts = work, contacts if self.worthwhile else {}
+        self._flags = {i: np.ones(b.nblocks, dtype=np.uint8) for i, b in self._contacts.items()}
+        self._law_flags = {i: np.ones(b.nblocks, dtype=np.uint8) for i, b in enumerate(tables.laws)}
+        self._left_out = np.zeros(tables.structure.m + tables.structure.k, dtype=np.uint8)
+        self._lengths = {i: blocks(b.parameter("l0")).ravel() for i, b in self._contacts.items()}
+        if self.worthwhile:
+            self._attach()
+        self._types = ffi.new("flexel_contacts[]", max(len(self._contacts), 1))
+        stage = tables.stages["position"]
+        for c, (i, b) in zip(self._types, self._contacts.items(), strict=False):
+            c.position, c.near = work.calls["position"][i], ffi.from_buffer("unsigned char[]", self._flags[i])
+            c.count, c.ngaps = b.size, b.places["sigma"].shape[1]
+            c.gaps = ffi.cast("double *", work.outputs["position_out"].ctypes.data) + stage.starts[i]["e"]
+            c.length = ffi.from_buffer("double[]", self._lengths[i])
 
-    def gaps(self, x: Array) -> list[Array]:
-        """Smallest gap of every contact, in lengths of its cable, by batch."""
-        e = self._whole.position(x)[0]
-        return [e[b.inputs["sigma"]].min(axis=1) / b.parameter("l0")[:, 0] for b in self._contacts]
+    def choose(self, x: Array) -> None:
+        """Leave out the contacts that are far from their surfaces at coordinates x (n,)."""
+        work = self._work
+        for flags in (*self._flags.values(), *self._law_flags.values()):
+            flags[:] = 1
+        self._left_out[:] = 0
+        work.x[:] = x
+        work.position()
+        m, far = work.tables.structure.m, self._left_out
+        for i, b in self._contacts.items():
+            gap = work.e[b.places["sigma"]].min(axis=1) / b.parameter("l0")[:, 0]
+            self._flags[i][:] = np.logical_or.reduceat(gap <= REACH, np.arange(0, b.size, LANES))
+            out = np.repeat(self._flags[i] == 0, LANES)[: b.size]
+            far[b.places["sigma"][out]] = far[m + b.places["tau"][out]] = 1
+        for i, b in enumerate(work.tables.laws):
+            e = b.places["e"]
+            if e.shape[1]:
+                near = (far[e] == 0).any(axis=1)
+                self._law_flags[i][:] = np.logical_or.reduceat(near, np.arange(0, b.size, LANES))
+        self._silence()
 
-    def choose(self, x: Array) -> Local:
-        """The evaluation of everything but the contacts that are far from their surfaces at coordinates x (n,)."""
-        self._far = [gap > REACH for gap in self.gaps(x)]
-        far = np.zeros(self._evaluation.structure.m, dtype=bool)
-        for batch, mask in zip(self._contacts, self._far, strict=True):
-            far[batch.inputs["sigma"][mask]] = True
-        masks = dict(zip((id(b) for b in self._contacts), self._far, strict=True))
-        elements = [_without(b, masks[id(b)]) if id(b) in masks else b for b in self._evaluation.elements]
-        laws = [_without(b, _all(far, b)) for b in self._evaluation.laws]
-        return Local(self._evaluation.structure, [b for b in elements if b.size], laws)
+    def _attach(self) -> None:
+        """Let the flags say which blocks are evaluated."""
+        for kinds, flags in ((EVERY, self._flags), (("law", "law_tangent"), self._law_flags)):
+            for kind in kinds:
+                for i, call in self._work.calls[kind].items():
+                    if i in flags:
+                        call.active = ffi.from_buffer("unsigned char[]", flags[i])
+        self._work.struct.left_out = ffi.from_buffer("unsigned char[]", self._left_out)
+        for i, tangent in self._work.tangents.items():
+            if i in self._flags:
+                tangent.active = ffi.from_buffer("unsigned char[]", self._flags[i])
 
-    def smallest(self, x: Array) -> float:
-        """Smallest gap of the omitted contacts, in lengths of their cables; infinite if none are omitted."""
-        return min(
-            (float(g[far].min(initial=np.inf)) for g, far in zip(self.gaps(x), self._far, strict=True)),
-            default=np.inf,
-        )
+    def _silence(self) -> None:
+        """Set the outputs of the laws that are left out to zero."""
+        law = self._work.tables.law
+        for name, stage in (("law_out", law.law), ("law_tangent_out", law.tangent)):
+            for i in stage.numbers:
+                for output, first in stage.starts[i].items():
+                    count, size = stage.nblocks(i), stage.nonzeros(i, output).size * LANES
+                    lanes = self._work.outputs[name][first : first + count * size].reshape(count, size)
+                    lanes[self._law_flags[i] == 0] = 0.0
+
+    @property
+    def used(self) -> NDArray[np.bool_]:
+        """Entries of the tangent over the free coordinates that can differ from zero, far contacts left out."""
+        T = self._work.tables.T
+        used = np.zeros(T.whole.size + 1, dtype=bool)
+        used[T.slot] = True
+        for b in T.batches:
+            used[b.slot[self._flags[b.number] == 1] if b.number in self._flags else b.slot] = True
+        return used[: T.pattern.size]
+
+    def smallest(self) -> float:
+        """Smallest gap of what is left out, in lengths of cables, at the last evaluation; infinite if nothing is."""
+        return float(lib.flexel_far_gap(self._work.struct, len(self._contacts), self._types))
 
 
 def _is_contact(batch: Batch) -> bool:
@@ -70,24 +114,3 @@ def _is_contact(batch: Batch) -> bool:
     kinds = [d.kind for d in getattr(spec, "deformations", ())]
     lengths = any(p.name == "l0" for p in spec.parameters)
     return bool(kinds) and all(z == "gap" for z in kinds) and lengths and "inertia" not in spec.kernels
-
-
-def _all(far: Mask, law: Batch) -> Mask:
-    """Laws that act on far contacts."""
-    e = law.inputs["e"]
-    return np.asarray(far[e].all(axis=1)) if e.shape[1] else np.zeros(law.size, dtype=bool)
-
-
-def _without(batch: Batch, out: Mask) -> Batch:
-    """A batch without some of its members, which keep their numbers."""
-    if not out.any():
-        return batch
-    kept = np.flatnonzero(~out)
-    return replace(
-        batch,
-        inputs={name: rows[kept] for name, rows in batch.inputs.items()},
-        p=batch.p[kept],
-        weight=None if batch.weight is None else batch.weight[kept],
-        members=kept,
-        whole=batch.size,
-    )

@@ -12,7 +12,9 @@ from tqdm import tqdm
 
 from flexel.base.arrays import Array
 from flexel.integration.events import Event, passages, value
-from flexel.integration.outcome import Integration, Segment
+from flexel.integration.outcome import Integration, Pending, Segment, States
+from flexel.mechanics.kinematics import Kinematics
+from flexel.structure.moment import Moment
 from flexel.structure.state import State
 
 BAR = "{l_bar}{bar}| {n:.3g}/{total:.3g} s [{elapsed}<{remaining}]"
@@ -31,7 +33,7 @@ class Run(ABC):
 
     def __init__(self, start: State, times: Array) -> None:
         self.times = times
-        self.result = Integration([start], [], [], {}, "")
+        self.result = Integration(States([start]), [], [], {}, "")
 
     @property
     @abstractmethod
@@ -85,7 +87,7 @@ class Run(ABC):
                 bar.update(self.t - begin - float(bar.n))
         except KeyboardInterrupt:
             self.keep()
-            message = f"interrupted at t = {self.result.states[-1].t:g} s; the motion up to there is kept"
+            message = f"interrupted at t = {self.result.states.end:g} s; the motion up to there is kept"
         finally:
             bar.close()
         return self.kept(message or "reached the end")
@@ -101,47 +103,56 @@ class DenseRun(Run):
 
     Attributes
     ----------
-    state : State
-        Current state.
+    now : Moment
+        Where the motion is.
     """
 
     def __init__(self, system: Any, start: State, times: Array, events: Sequence[Event]) -> None:
         super().__init__(start, times)
-        self.system, self.state, self.events = system, start, events
-        self._values: list[float] = []
+        self.system, self.events = system, events
+        self.now, self.z = Moment.of(start), start.z
+        self._values = [value(event, start) for event in events]
         self._span = float(times[-1] - times[0])
+        self._shown: Kinematics = system.kinematics_of(start.roles)
+
+    def run(self, progress: bool | None) -> Integration:
+        """As for all methods; a motion without length is its start, and no step is prepared."""
+        return super().run(progress) if self._span else self.kept("reached the end")
 
     def begin(self) -> None:
-        """Evaluate the functions of the events."""
-        self._values = [value(event, self.state) for event in self.events]
+        """Nothing is to be prepared."""
 
     @property
     def t(self) -> float:
         """Current time of the motion."""
-        return self.state.t
+        return self.now.t
 
     def keep(self) -> None:
         """Store the current state, unless it is already stored."""
-        if self.t > self.result.states[-1].t:
-            self.result.states.append(self.state)
+        if self.t > self.result.states.end:
+            self.result.states.append(Pending(self._shown, self.now, self.z))
 
-    def accept(self, step: Segment, state: State) -> str | None:
+    def accept(self, step: Segment, z: Array) -> str | None:
         """Continue from the end of a step, or end at a terminal event within it and return its message."""
-        times = float(self.times[0]), self._span
-        found, self._values = passages(self.system, self.events, step, state, self._values, times)
-        terminal = next((z for z in found if z[0].terminal), None)
+        terminal: tuple[Event, State] | None = None
+        if self.events:
+            last = Pending(step.shown, step.last, z).state()
+            times = float(self.times[0]), self._span
+            found, self._values = passages(self.events, step, last, self._values, times)
+            terminal = next((z for z in found if z[0].terminal), None)
+            end = terminal[1].t if terminal else step.t1
+            self.result.events.extend((event.name, z) for event, z in found if z.t <= end)
         end = terminal[1].t if terminal else step.t1
-        self._store(step, state, end)
-        self.result.events.extend((event.name, z) for event, z in found if z.t <= end)
+        self._store(step, end)
         self.result.segments.append(replace(step, t1=end))
-        self.state = terminal[1] if terminal else state
-        return f"stopped by event '{terminal[0].name}'" if terminal else None
+        self.now, self.z, self._shown = step.last, z, step.shown
+        if terminal:
+            self.now, self.z = Moment.of(terminal[1]), terminal[1].z
+            return f"stopped by event '{terminal[0].name}'"
+        return None
 
-    def _store(self, step: Segment, last: State, end: float) -> None:
+    def _store(self, step: Segment, end: float) -> None:
         """Store the states at the times passed by the step."""
         states = self.result.states
         while len(states) < self.times.size and self.until <= end:
-            states.append(self._at(step, last, self.until))
-
-    def _at(self, step: Segment, last: State, t: float) -> State:
-        return step.state(self.system, t)
+            states.append(step.pending(self.until))

@@ -9,6 +9,7 @@ from typing import Any
 from scipy.optimize import brentq
 
 from flexel.base.arguments import number
+from flexel.base.copies import Constant, check_travels
 from flexel.base.errors import ModelError
 from flexel.integration.outcome import Segment
 from flexel.structure.state import State
@@ -18,7 +19,7 @@ LOCATED = 1e-13  # accuracy of the time of an event [s]
 
 
 @dataclass(frozen=True)
-class Event:
+class Event(Constant):
     """An event: a zero crossing of a function of the state.
 
     Parameters
@@ -50,6 +51,11 @@ class Event:
                 f"event '{self.name}': direction {self.direction!r} is unknown; give 1 (up), -1 (down) or 0 (both)"
             )
 
+    def __getstate__(self) -> dict[str, Any]:
+        """The fields; a ModelError that names the event if its function cannot be pickled."""
+        check_travels(f"event '{self.name}'", self.function)
+        return super().__getstate__()
+
 
 def checked(events: Any) -> tuple[Event, ...]:
     """The user's events, or a ModelError."""
@@ -67,7 +73,6 @@ def value(event: Event, state: State) -> float:
 
 
 def passages(
-    system: Any,
     events: Sequence[Event],
     step: Segment,
     last: State,
@@ -78,7 +83,6 @@ def passages(
 
     Parameters
     ----------
-    system : Core
     events : sequence of Event
     step : Segment
     last : State
@@ -96,9 +100,9 @@ def passages(
             ends = {step.t0: g0, step.t1: g1}  # the values found before, so that brentq sees the same signs
 
             def function(t: float, event: Event = event, ends: dict[float, float] = ends) -> float:
-                return ends[t] if t in ends else value(event, step.state(system, t))
+                return ends[t] if t in ends else value(event, step.state(t))
 
             t = float(brentq(function, step.t0, step.t1, xtol=LOCATED, rtol=8.9e-16))
             if t > begun:
-                found.append((event, step.state(system, t)))
+                found.append((event, step.state(t)))
     return sorted(found, key=lambda z: z[1].t), after

@@ -11,14 +11,30 @@ from flexel.base.arrays import Array
 from flexel.base.errors import PositionError
 from flexel.integration.driver import DenseRun
 from flexel.integration.events import Event
-from flexel.integration.explicit import longest_step, turning_weights
 from flexel.integration.outcome import Segment
 from flexel.mechanics.core import Core
-from flexel.mechanics.states import Moment, state_of
+from flexel.mechanics.states import located
+from flexel.structure.moment import Moment
 from flexel.structure.state import State
+from flexel.structure.structure import Structure
 
 SHORTEST = 1e-6  # step, relative to the times, below which a position counts as unreachable
+TRAVEL = (
+    1.0  # change of an Euler parameter per step: more than two radians could lead to another branch or turn
+)
 NOTHING: Array = np.zeros(0)
+
+
+def turning_weights(structure: Structure) -> Array:
+    """Weights (n,) that select the coordinates of orientations: one for Euler parameters, half for planar angles."""
+    weight = {"-": 1.0, "rad": 0.5}
+    return np.array([weight.get(unit, 0.0) for unit in structure.units[structure.m + structure.k :]])
+
+
+def longest_step(v: Array, a: Array, weights: Array) -> float:
+    """Time [s] in which an orientation changes by TRAVEL, at the current rates and accelerations."""
+    rate, change = (float(np.max(np.abs(z) * weights, initial=0.0)) for z in (v, a))
+    return 2 * TRAVEL / max(rate + float(np.sqrt(rate * rate + 2 * change * TRAVEL)), 1e-300)
 
 
 def _no_state(t: float) -> Array:
@@ -33,6 +49,8 @@ class Followed(DenseRun):
         super().__init__(system, start, times, events)
         self._weights = turning_weights(system.structure)
         self._step = np.inf
+        self._kinematics = system.kinematics_of(start.roles)
+        self._a = start.a
 
     @property
     def statistics(self) -> dict[str, int]:
@@ -41,24 +59,24 @@ class Followed(DenseRun):
 
     def advance(self) -> str | None:
         """One step towards the next stored time."""
-        system, last = self.system, self.state
-        self._step = min(self._step, self.until - last.t, longest_step(last, self._weights))
+        here = self.now
+        self._step = min(self._step, self.until - here.t, longest_step(here.v, self._a, self._weights))
         while True:
-            t = min(last.t + self._step, self.until)
-            here = Moment.of(last)
-            ahead = replace(here, x=last.x + min(self._step, self.until - last.t) * last.v)
+            t = min(here.t + self._step, self.until)
+            ahead = replace(here, x=here.x + (t - here.t) * here.v)
             try:
-                state = state_of(system.kinematics, system.loads, t, NOTHING, NOTHING, last.z, ahead)
+                x, v, e = located(self._kinematics, t, NOTHING, NOTHING, ahead)
                 break
             except PositionError:
                 self._step /= 2
                 if self._step < SHORTEST * self._span:
                     raise
+        work = self._kinematics.evaluation.at(t, x, v, near=e)
+        there = Moment(t, x, v, e, work.w[: e.size].copy())
+        self._a = (v - here.v) / (t - here.t)
         arrived = t >= self.until
-        ended = self.accept(Segment(last.t, state.t, system.roles, _no_state, here, Moment.of(state)), state)
+        segment = Segment(here.t, t, self._kinematics, self._kinematics, _no_state, here, there)
+        ended = self.accept(segment, self.z)
         if arrived:
             self._step = np.inf
         return ended
-
-    def _at(self, step: Segment, last: State, t: float) -> State:
-        return last if t == last.t else super()._at(step, last, t)

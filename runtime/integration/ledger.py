@@ -5,14 +5,14 @@ from __future__ import annotations
 import numpy as np
 
 from flexel.base.arrays import Array
-from flexel.integration.scheme import Point
-from flexel.mechanics.balance import Balance, Saddle
+from flexel.engine.energies import Energies
+from flexel.mechanics.balance import Saddle
 
 
 class Ledger:
     """Work and losses of a motion, by the trapezoidal rule over its steps.
 
-    A contact is a law whose first deformation is a gap.
+    It reads the workspace of the balance of forces; a contact is a law whose first deformation is a gap.
 
     Attributes
     ----------
@@ -22,97 +22,75 @@ class Ledger:
 
     def __init__(self, saddle: Saddle) -> None:
         self._saddle = saddle
-        kinds = saddle.structure.kinds
-        laws = saddle.local.laws
-        self._contact = np.zeros(laws.count, dtype=bool)
-        self._gap = np.zeros(laws.count, dtype=np.intp)
-        for numbers, quantities in laws.instances():
-            self._contact[numbers] = [kinds[q] == "gap" for q in quantities]
-            self._gap[numbers] = quantities
-        self._touching = np.zeros(0, dtype=bool)
-        self._power = np.zeros(2)
-        self._energy = np.zeros(2)
-        self._largest = 0.0
-        self._found: tuple[Balance, Array, Array] | None = None
-        self._sums = np.zeros(2)
-        self._stored = 0.0
+        self._found = Energies(saddle.work)
+        self._values = self._found.struct
+        self._own = self._potential = self._largest = self._stored = (
+            0.0  # kinetic and strain; of body forces and loads
+        )
+        self._losses = self._drives = self._dissipated = self._work = (
+            0.0  # powers at the last step, and their sums
+        )
+        self._next = (0.0, 0.0, 0.0, 0.0)
         self.kept: dict[str, list[float]] = {"contact": [], "dissipated": [], "work": []}
 
-    def begin(self, p: Point) -> None:
-        """Start the ledger at a point."""
-        saddle = self._saddle
-        saddle.z, saddle.step = p.z, None
-        self._enter(saddle.balance(p.t, p.x, p.v, p.a, p.mu, p.e))
+    def begin(self) -> None:
+        """Start at the balance that the workspace holds."""
+        self.look()
+        self._enter()
         self.keep()
 
-    def add(self, b: Balance, h: float) -> None:
-        """Add a step of length h that ends in a balance."""
-        before = self._power
-        self._enter(b)
-        self._sums = self._sums + h / 2 * (before + self._power)
+    def look(self) -> None:
+        """Energies and powers at the balance that the workspace holds: the end of a step that is tried."""
+        self._found.evaluate()
+        c, saddle = self._values, self._saddle
+        potential, drives = c.potential, 0.0
+        if saddle.roles.motions:
+            driven = slice(saddle.roles.rigid.size, saddle.roles.holonomic.size)
+            drives -= float(saddle.balancing.mu[driven] @ saddle.motion[1])
+        if saddle.system.loads.any:
+            t, w = float(saddle.work.struct.t), saddle.work
+            potential += saddle.system.loads.potential(t, saddle.system.kinematics.values(w.e, w.x))
+            drives += saddle.system.loads.power(t, np.concatenate([w.w, w.v]))
+        self._next = c.kinetic + c.strain, potential, c.lost, drives
+
+    def add(self, h: float) -> None:
+        """Add the step of length h that was looked at."""
+        _, _, losses, drives = self._next
+        self._dissipated += h / 2 * (self._losses + losses)
+        self._work += h / 2 * (self._drives + drives)
+        self._enter()
 
     def keep(self) -> None:
         """Store the current values."""
-        for name, value in zip(self.kept, (self._stored, *self._sums), strict=True):
-            self.kept[name].append(float(value))
+        for name, value in zip(self.kept, (self._stored, self._dissipated, self._work), strict=True):
+            self.kept[name].append(value)
 
-    def new_penetration(self, b: Balance) -> float:
-        """Deepest penetration of the contacts that closed in the step that ends in a balance; 0 if none did.
+    def new_penetration(self) -> float:
+        """Deepest penetration of the contacts that closed in the step that was looked at; 0 if none did.
 
         It is also 0, not an impact, if contacts closed before are deeper, as where a rope runs onto its sheave.
         """
-        if not self._contact.any():
-            return 0.0
-        closed = self._contact & (b.laws.stored > 0)
-        depth = np.abs(b.e[self._gap])
-        begun = float(depth[closed & ~self._touching].max(initial=0.0))
-        return begun if begun > depth[closed & self._touching].max(initial=0.0) else 0.0
+        begun = float(self._values.begun)
+        return begun if begun > self._values.deepest else 0.0
 
-    def spurious(self, b: Balance, h: float) -> bool:
+    def spurious(self, h: float, scale: float) -> bool:
         """Whether most of the energy at the end of a step is spurious: neither stored before nor supplied.
 
         Newton's method has then found a solution of a long step that does not continue its beginning: a
-        rope that has jumped off its sheave.  Energy below the work of the largest force over a thousandth of the
+        rope that has jumped off its sheave.  Energy below the work of the largest force [N] over a thousandth of the
         model's size is ignored.
         """
-        before = self._energy
-        after, power = self._figures(b)
-        lost, work = h / 2 * (self._power + power)
-        made = after.sum() - before.sum() - work + min(lost, 0.0)
-        little = 1e-3 * b.scale * self._saddle.length
-        return bool(made > 0.5 * after[0] + 0.01 * self._largest + little)
+        own, potential, losses, drives = self._next
+        lost, work = h / 2 * (self._losses + losses), h / 2 * (self._drives + drives)
+        made = own + potential - self._own - self._potential - work + min(lost, 0.0)
+        little = 1e-3 * scale * self._saddle.length
+        return bool(made > 0.5 * own + 0.01 * self._largest + little)
 
-    def _enter(self, b: Balance) -> None:
-        self._energy, self._power = self._figures(b)
-        self._largest = max(self._largest, float(self._energy[0]))
-        self._touching = b.laws.stored > 0
-        self._stored = float(b.laws.stored[self._contact].sum())
-
-    def _figures(self, b: Balance) -> tuple[Array, Array]:
-        """Energies, and powers of losses and drives, at a balance; cached for repeated calls."""
-        if self._found is None or self._found[0] is not b:
-            self._found = b, self._energies(b), np.array([self._losses(b), self._drives(b)])
-        return self._found[1:]
-
-    def _energies(self, b: Balance) -> Array:
-        """Kinetic and strain energy together, and potential energy [J]."""
-        energy = self._saddle.energy(b)
-        return np.array([energy.kinetic + energy.strain, energy.potential])
-
-    def _losses(self, b: Balance) -> float:
-        """Power dissipated in laws and by mass-proportional damping [W]."""
-        lost = float(b.laws.dissipated.sum())
-        local = self._saddle.local
-        return lost + float(b.v @ local.damping(b.inertia.M, b.v)) if local.damped else lost
-
-    def _drives(self, b: Balance) -> float:
-        """Power of prescribed motions and of loads without a potential [W]."""
-        saddle = self._saddle
-        roles, power = saddle.roles, 0.0
-        if roles.motions:
-            power -= float(b.multiplier[roles.prescribed] @ roles.motion(b.t)[1])
-        loads = saddle.system.loads
-        return power + loads.power(b.t, np.concatenate([b.w, b.v])) if loads.any else power
+    def _enter(self) -> None:
+        self._own, self._potential, self._losses, self._drives = self._next
+        self._largest = max(self._largest, self._own)
+        self._stored = float(self._values.contact)
+        self._found.note()
 
 
 def energy_balance(energy: dict[str, Array], kept: dict[str, list[float]]) -> dict[str, Array]:

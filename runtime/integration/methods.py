@@ -10,14 +10,18 @@ import numpy as np
 from flexel.base.arguments import step_limit, vector
 from flexel.base.arrays import Array
 from flexel.base.errors import FlexelError, ModelError
+from flexel.integration.dop853 import Dop853
 from flexel.integration.driver import Run
 from flexel.integration.events import Event
-from flexel.integration.explicit import METHODS, Explicit, Tolerances
+from flexel.integration.explicit import METHODS, Scipy
 from flexel.integration.followed import Followed
+from flexel.integration.minimal import Tolerances
 from flexel.integration.steps import Control, GeneralizedAlpha
 from flexel.integration.sundials import Sundials
 from flexel.mechanics.core import Core
-from flexel.mechanics.dynamics import InertiaError
+from flexel.mechanics.inertia import InertiaError
+from flexel.mechanics.reach import LOST, reach
+from flexel.structure.moment import Moment
 from flexel.structure.state import State, own_state
 
 AUTO, EXPLICIT, ALPHA, SUNDIALS = "auto", "DOP853", "generalized-alpha", "sundials"
@@ -25,7 +29,7 @@ _STEPS = frozenset({"rtol", "atol", "first_step", "max_step"})
 _DENSE = _STEPS | {"events", "rechoose"}
 OPTIONS: dict[str, frozenset[str]] = {  # by method; the remaining options apply to all methods
     AUTO: _DENSE,
-    **dict.fromkeys(METHODS, _DENSE),
+    **dict.fromkeys((EXPLICIT, *METHODS), _DENSE),
     ALPHA: _STEPS | {"step", "spectral_radius", "newton"},
     SUNDIALS: _STEPS | {"max_order"},
 }
@@ -93,7 +97,7 @@ def start_of(system: Core, method: str, start: Any, options: Options) -> State:
     try:
         return system.initial
     except InertiaError:
-        if method in METHODS or options.events:
+        if method in (EXPLICIT, *METHODS) or options.events:
             raise
         return system.unaccelerated
 
@@ -130,7 +134,6 @@ def run_of(system: Core, method: str, start: State, times: Array, duration: floa
     Parameters
     ----------
     system : Core
-        An explicit method may change its degrees of freedom to those of the start.
     method : str
         Any but auto.
     start : State
@@ -155,7 +158,10 @@ def run_of(system: Core, method: str, start: State, times: Array, duration: floa
     if system.roles.nq == 0:
         return Followed(system, start, times, events)
     own = _in_own_roles(system, start)
-    return Explicit(system, own, times, method, tolerances, events, options.rechoose is not False)
+    rechoose = options.rechoose is not False
+    if method == EXPLICIT:
+        return Dop853(system, own, times, tolerances, events, rechoose)
+    return Scipy(system, own, times, method, tolerances, events, rechoose)
 
 
 def _atol(system: Core, options: Options) -> float | Array:
@@ -174,13 +180,14 @@ def _atol(system: Core, options: Options) -> float | Array:
 
 
 def _in_own_roles(system: Core, start: State) -> State:
-    """The start in the system's degrees of freedom, or the system in those of the start if these are better."""
+    """The start in the system's degrees of freedom, or in its own if these are much better."""
     if start.roles is system.roles:
         return start
-    if system.condition(start) > 1e-3 * system.condition(start, start.roles):
+    near = Moment.of(start)
+    theirs = reach(system.kinematics_of(start.roles), near)
+    if reach(system.kinematics, near) <= LOST * max(theirs, 1.0):
         return system.state(start.t, start.x, start.v, start.e, start.z)
-    system.use(start.roles)  # the chosen ones have become singular at this state
-    return start
+    return start  # the chosen ones are singular at this state
 
 
 def _alpha(system: Core, start: State, times: Array, duration: float, options: Options) -> Run:

@@ -2,50 +2,159 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any, overload
 
 import numpy as np
 
 from flexel.base.arguments import array, number
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
-from flexel.mechanics.states import Moment, between, state_of
-from flexel.structure.roles import Roles
+from flexel.mechanics import dynamics
+from flexel.mechanics.kinematics import Kinematics
+from flexel.mechanics.states import between, located
+from flexel.structure.moment import Moment
 from flexel.structure.state import State
+from flexel.structure.structure import Structure
+
+
+@dataclass(frozen=True)
+class Pending:
+    """A state that is known by its coordinates and rates, and completed when asked for.
+
+    Attributes
+    ----------
+    kinematics : Kinematics
+        The degrees of freedom in which it is completed.
+    moment : Moment
+        Coordinates, rates and deformations with their turns.
+    z : ndarray (nz,)
+        Internal states of laws.
+    """
+
+    kinematics: Kinematics
+    moment: Moment
+    z: Array
+
+    @property
+    def t(self) -> float:
+        """Time [s]."""
+        return self.moment.t
+
+    def state(self) -> State:
+        """The complete state."""
+        at = self.moment
+        return dynamics.complete(self.kinematics, at.t, at.x, at.v, at.e, self.z)
 
 
 @dataclass(frozen=True)
 class Segment:
-    """A step with its choice of degrees of freedom, its dense output y(t) = (q, q_d', z) and its ends."""
+    """A step with its choice of degrees of freedom, its dense output y(t) = (q, q_d', z) and its ends.
+
+    Attributes
+    ----------
+    kinematics : Kinematics
+        The degrees of freedom of the step.
+    shown : Kinematics
+        Those in which its states are given.
+    """
 
     t0: float
     t1: float
-    roles: Roles
+    kinematics: Kinematics
+    shown: Kinematics
     dense: Any
     first: Moment
     last: Moment
 
-    def state(self, system: Any, t: float) -> State:
-        """Complete state at a time within the step."""
-        q, qd, z = np.split(self.dense(t), [self.roles.nq, self.roles.nq + self.roles.nd])
+    def pending(self, t: float) -> Pending:
+        """The state at a time within the step."""
+        roles = self.kinematics.roles
+        q, qd, z = np.split(self.dense(t), [roles.nq, roles.nq + roles.nd])
+        if t == self.last.t:
+            return Pending(self.shown, self.last, z)
         near = between(self.first, self.last, t)
-        return state_of(system.kinematics_of(self.roles), system.loads, t, q, qd, z, near)
+        x, v, e = located(self.kinematics, t, q, qd, near)
+        return Pending(self.shown, replace(near, t=t, x=x, v=v, e=e), z)
+
+    def state(self, t: float) -> State:
+        """Complete state at a time within the step."""
+        return self.pending(t).state()
+
+
+class States(Sequence[State]):
+    """States in the order of time; those that are pending are completed when they are asked for."""
+
+    def __init__(self, states: Sequence[State | Pending] = ()) -> None:
+        self._entries: list[State | Pending] = list(states)
+
+    def __getstate__(self) -> dict[str, Any]:
+        """What is pending stays so, and is small; but where a user's code is needed to complete it, it is completed.
+
+        So results can be read where that code cannot be compiled.
+        """
+        if self._entries and self._structure.has_user_code:
+            self._entries = list(self)
+        return {"_entries": list(self._entries)}
+
+    @property
+    def _structure(self) -> Structure:
+        first = self._entries[0]
+        return first.kinematics.structure if isinstance(first, Pending) else first.structure
+
+    def append(self, state: State | Pending) -> None:
+        """Add the next state."""
+        self._entries.append(state)
+
+    @property
+    def times(self) -> list[float]:
+        """Their times [s]."""
+        return [entry.t for entry in self._entries]
+
+    @property
+    def end(self) -> float:
+        """Time [s] of the last one."""
+        return self._entries[-1].t
+
+    def __len__(self) -> int:
+        return len(self._entries)
+
+    @overload
+    def __getitem__(self, key: int) -> State: ...
+    @overload
+    def __getitem__(self, key: slice) -> list[State]: ...
+    def __getitem__(self, key: int | slice) -> State | list[State]:
+        if isinstance(key, slice):
+            return [self[i] for i in range(*key.indices(len(self)))]
+        entry = self._entries[key]
+        if isinstance(entry, Pending):
+            entry = self._entries[key] = entry.state()
+        return entry
+
+    def __iter__(self) -> Iterator[State]:
+        return (self[i] for i in range(len(self)))
 
 
 @dataclass(frozen=True)
 class Integration:
     """Result of an integration: states at the requested times, events, pieces with dense output, counts.
 
-    An implicit one also gives its energy ledger at these times.
+    Attributes
+    ----------
+    rechoices : list of (float, tuple of str, tuple of str)
+        Changes of the degrees of freedom: times [s], old and new names.
+    ledger : dict of str to list of float, optional
+        The energy ledger of an implicit integration at the stored times.
     """
 
-    states: list[State]
+    states: States
     events: list[tuple[str, State]]
     segments: list[Segment]
     statistics: dict[str, int]
     message: str
     ledger: dict[str, list[float]] | None = None
+    rechoices: list[tuple[float, tuple[str, ...], tuple[str, ...]]] = field(default_factory=list)
 
 
 def stored_times(start: State, duration: Any, times: Any, samples: Any, owner: str) -> Array:

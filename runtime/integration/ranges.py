@@ -12,7 +12,7 @@ import numpy as np
 
 from flexel.base.errors import RangeWarning
 from flexel.derive.spec import LawSpec, LimitSpec
-from flexel.engine.assembly import Batch
+from flexel.engine.kernels import Batch
 from flexel.mechanics.core import Core
 from flexel.structure.state import State
 
@@ -21,7 +21,7 @@ def outside(system: Core, states: Sequence[State]) -> list[str]:
     """Quantities outside the range of their law's data at a state, with the largest stress and the extrapolation."""
     return [
         line
-        for law in system.evaluation.laws
+        for law in system.evaluation.tables.laws
         if isinstance(law.spec, LawSpec) and law.spec.limit
         for line in _outside(system, law, law.spec.limit, states)
     ]
@@ -35,7 +35,7 @@ def warn_outside(system: Core, states: Sequence[State]) -> None:
 
 
 def _outside(system: Core, law: Batch, end: LimitSpec, states: Sequence[State]) -> Iterator[str]:
-    name, quantities = law.spec.name, law.inputs["e"][:, 0]
+    name, quantities = law.spec.name, law.places["e"][:, 0]
     limits = law.parameter(end.parameter)[:, end.component]
     histories = np.array([state.stresses[quantities] for state in states]).T
     for quantity, limit, history in zip(quantities, limits, histories, strict=True):

@@ -1,4 +1,4 @@
-"""The generalized-alpha scheme: its coefficients, and the current point of an implicit integration.
+"""The generalized-alpha scheme: its coefficients.
 
 Source: Chung and Hulbert (1993); Jansen, Whiting and Hulbert (2000) for first order; Arnold and Brüls (2007).
 """
@@ -8,9 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from flexel.base.arguments import number
-from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
-from flexel.structure.state import State
 
 
 @dataclass(frozen=True)
@@ -40,40 +38,3 @@ class Scheme:
         gamma = 0.5 - m + f
         lag = (3 * radius - 1) / (2 * (radius + 1))
         return cls(m, f, 0.25 * (gamma + 0.5) ** 2, gamma, lag, 0.5 - lag + f)
-
-    def rates(self, h: float) -> tuple[float, float]:
-        """Derivatives (gamma', beta') of the rates and accelerations with respect to the coordinates, for a step h."""
-        return self.gamma / (h * self.beta), (1 - self.alpha_m) / (h * h * self.beta * (1 - self.alpha_f))
-
-
-@dataclass
-class Point:
-    """Current point of the integration.
-
-    Attributes
-    ----------
-    x, v, a, w : ndarray (n,)
-        Coordinates, rates, accelerations and the method's own accelerations.
-    mu : ndarray
-        Multipliers.
-    e : ndarray (m,)
-        Deformations with their turns.
-    z, zd, zw : ndarray (nz,)
-        Internal states of laws, their rates, and the method's own rates.
-    """
-
-    t: float
-    x: Array
-    v: Array
-    a: Array
-    w: Array
-    mu: Array
-    e: Array
-    z: Array
-    zd: Array
-    zw: Array
-
-    @classmethod
-    def at(cls, s: State, mu: Array) -> Point:
-        """The point at a state with known multipliers."""
-        return cls(s.t, s.x.copy(), s.v.copy(), s.a.copy(), s.a.copy(), mu, s.e, s.z, s.zd, s.zd)

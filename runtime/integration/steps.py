@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
+import math
+from abc import abstractmethod
 from dataclasses import dataclass, replace
-
-import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError
 from flexel.integration.alpha import Stepper
 from flexel.integration.driver import Run
 from flexel.integration.ledger import Ledger
-from flexel.integration.scheme import Point
 from flexel.mechanics.balance import Balance, Saddle
 from flexel.mechanics.core import Core
 from flexel.structure.state import State
@@ -45,8 +44,6 @@ class ImplicitRun(Run):
     Attributes
     ----------
     ledger : Ledger
-    point : Point
-        Current point.
     shortest : float
         Step [s] below which it cannot continue.
     """
@@ -56,32 +53,21 @@ class ImplicitRun(Run):
         self.saddle = saddle
         self.ledger = Ledger(saddle)
         self.result = replace(self.result, ledger=self.ledger.kept)
-        self.point = Point.at(start, saddle.multipliers(start))
         self.shortest = SHORTEST * float(times[-1] - times[0])
-        self._balance: Balance | None = None
 
-    @property
-    def t(self) -> float:
-        """Current time of the motion."""
-        return self.point.t
+    @abstractmethod
+    def balance(self) -> Balance:
+        """The balance of forces at the current time, in the workspace."""
 
     def begin(self) -> None:
         """Open the ledger."""
-        self.ledger.begin(self.point)
-
-    def accept(self, point: Point, balance: Balance) -> None:
-        """Continue from the end of a step."""
-        h, until = point.t - self.point.t, self.until
-        self.point, self._balance = point, balance
-        self.ledger.add(balance, h)
-        if point.t >= until:
-            self.keep()
+        self.balance()
+        self.ledger.begin()
 
     def keep(self) -> None:
         """Store the current state, unless it is already stored."""
-        states = self.result.states
-        if self._balance is not None and self.t > states[-1].t:
-            states.append(self.saddle.state(self._balance))
+        if self.t > self.result.states.end:
+            self.result.states.append(self.saddle.state(self.balance()))
             self.ledger.keep()
 
     def failure(self) -> DynamicsError:
@@ -99,63 +85,75 @@ class GeneralizedAlpha(ImplicitRun):
     def __init__(
         self, system: Core, start: State, times: Array, radius: float, newton: str, control: Control
     ) -> None:
-        self.stepper = Stepper(system, radius, newton, tolerance=control.tolerance)
+        self.stepper = Stepper(system, start, radius, newton, control.tolerance)
         super().__init__(self.stepper, start, times)
         self.control = control
         self._steps = self._rejected = self._at_contact = self._halvings = self._false = 0
         self._wish = min(control.first, control.longest)
 
     @property
+    def t(self) -> float:
+        """Current time of the motion."""
+        return self.stepper.t
+
+    @property
     def statistics(self) -> dict[str, int]:
         """Counts of what was done."""
-        s = self.stepper
+        c = self.stepper.numbers
         return {
             "steps": self._steps,
             "rejected": self._rejected,
             "halved at contact": self._at_contact,
-            "evaluations": s.evaluations,
-            "iterations": s.iterations,
-            "factorizations": s.factorizations,
+            "evaluations": c.evaluations,
+            "iterations": c.iterations,
+            "factorizations": c.factorizations,
             "rechoices": 0,
         }
 
+    def balance(self) -> Balance:
+        """The balance of forces at the current time, in the workspace."""
+        return self.stepper.current()
+
     def advance(self) -> None:
         """One accepted step."""
-        old, until = self.point, self.until
-        gap = until - old.t
-        parts = max(float(np.ceil(gap / min(self._wish, self.control.longest) * (1 - 1e-9))), 1.0)
+        stepper, now, until = self.stepper, self.t, self.until
+        gap = until - now
+        parts = max(math.ceil(gap / min(self._wish, self.control.longest) * (1 - 1e-9)), 1)
         step = asked = gap / parts
-        while True:
-            found = self.stepper.solve(old, step)
-            error = np.inf if found is None else self._error(old, *found, step)
-            if found is not None and error <= 1.0:
-                break
+        while (error := self._error(step)) > 1.0:
             self._rejected += 1
-            step *= 0.5 if np.isinf(error) else max(0.2, 0.9 * error ** (-1 / 3))
+            step *= 0.5 if math.isinf(error) else max(0.2, 0.9 * error ** (-1 / 3))
             if step < self.shortest:
                 raise self.failure()
-        point, balance = found
         self._steps += 1
         growth = min(2.0, 0.9 * max(error, 1e-6) ** (-1 / 3))
         allowed = step * (1.0 if 1.0 < growth < STEADY else growth)
         self._wish = max(allowed, self._wish) if step == asked else allowed
         if step == asked:
             self._halvings, self._false = max(self._halvings - 1, 0), max(self._false - 1, 0)
-        if abs(point.t - until) < 1e-6 * step:
-            point.t = until
-        self.accept(point, balance)
+        end = now + step
+        reached = abs(end - until) < 1e-6 * step
+        stepper.accept(until if reached else end)
+        self.ledger.add(step)
+        if reached:
+            self.keep()
 
-    def _error(self, old: Point, new: Point, b: Balance, h: float) -> float:
-        """Local error over the tolerance; infinite for a spurious solution, and if a new contact is too deep."""
-        stepper = self.stepper
-        if self._false < MOST_FALSE and self.ledger.spurious(b, h):
+    def _error(self, h: float) -> float:
+        """Local error of a step over the tolerance; infinite if it is not found, or not to be used.
+
+        The latter is so for a spurious solution, and if a new contact is too deep.
+        """
+        stepper, ledger = self.stepper, self.ledger
+        if not stepper.step(h):
+            return math.inf
+        ledger.look()
+        if self._false < MOST_FALSE and ledger.spurious(h, stepper.balancing.struct.scale):
             self._false += 1
-            return np.inf
-        error = stepper.error_of(old, new, h)
+            return math.inf
         if self._halvings < MOST_HALVINGS:
-            begun = self.ledger.new_penetration(b)
-            if begun and float(np.abs(error).max(initial=0.0)) > DEEP * begun:
+            begun = ledger.new_penetration()
+            if begun and stepper.numbers.local_size > DEEP * begun:
                 self._halvings += 1
                 self._at_contact += 1
-                return np.inf
-        return float(np.abs(error / stepper.x_scale).max(initial=0.0)) / self.control.tolerance
+                return math.inf
+        return float(stepper.numbers.local_error) / self.control.tolerance

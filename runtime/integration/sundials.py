@@ -14,8 +14,6 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import FlexelError
-from flexel.engine.locallaws import ImplicitStep
-from flexel.integration.scheme import Point
 from flexel.integration.steps import Control, ImplicitRun
 from flexel.mechanics.balance import Balance, Saddle
 from flexel.mechanics.core import Core
@@ -33,7 +31,7 @@ class DifferentialAlgebraic(Saddle):
     def __init__(self, system: Core, start: State, pull: float) -> None:
         super().__init__(system)
         self.pull, self.near, self._start = pull, start.e, start
-        self.pattern = SaddlePattern(self.local, self.force_rows, self.force_rows)
+        self.pattern = SaddlePattern(self.work, self.force_rows, self.force_rows)
         self.evaluations = self.factorizations = self.iterations = 0
         self._matrix: Matrix | None = None
         self._coupling: Any = None
@@ -74,7 +72,8 @@ class DifferentialAlgebraic(Saddle):
         b, (xd, _, _, zd) = self.at(t, y, yp), self.split(yp)
         rows, nh, p = self.force_rows, self.roles.holonomic.size, self.pull
         rate = np.concatenate([b.w, b.v])[rows]
-        second = np.concatenate([self.local.convective(b.x, b.v) + self.local.rates(b.J, b.a), b.a])[rows]
+        self.work.convective()
+        second = np.concatenate([self.work.g + self.work.push(b.a), b.a])[rows]
         if self.roles.motions:
             _, ud, udd = self.roles.motion(t)
             driven = slice(self.roles.rigid.size, nh)
@@ -82,21 +81,18 @@ class DifferentialAlgebraic(Saddle):
             second[driven] -= udd
         held = second + p * rate
         held[:nh] += p * rate[:nh] + p * p * b.gap
-        out[:] = np.concatenate([xd - self.split(y)[1], b.r, held, zd - b.laws.zd])
+        out[:] = np.concatenate([xd - self.split(y)[1], b.r, held, zd - b.zd])
 
     def prepare(self, t: float, y: Array, yp: Array, residual: Array, cj: float) -> None:
         """Factorize the preconditioner: the matrix of (x, mu) with v = cj x and z eliminated."""
         self.factorizations += 1
-        b = self.at(t, y, yp)
-        self.step = ImplicitStep(self.z, 1 / cj)
-        whole = self._assembled(b, cj, cj * cj)
-        self._coupling = (whole.sparse - self._assembled(b, 0.0, 0.0).sparse) / cj
-        self._matrix, self.step = whole, None
+        self.at(t, y, yp)
+        whole, still = (self._assembled(rate, 1 / cj) for rate in (cj, 0.0))
+        self._coupling, self._matrix = (whole.sparse - still.sparse) / cj, whole
 
-    def _assembled(self, b: Balance, rate: float, acceleration: float) -> Matrix:
-        K, cross, _ = self.stiffness(b, rate, acceleration)
-        stored = self.pattern.assemble(K, cross, b.J, b.J) + acceleration * self.pattern.mass
-        return Matrix(self.structure, self.pattern.pattern, stored)
+    def _assembled(self, rate: float, share: float) -> Matrix:
+        self.stiffness(rate, rate * rate, share=share)
+        return self.pattern.matrix(self.work)
 
     def precondition(
         self, t: float, y: Array, yp: Array, residual: Array, r: Array, out: Array, cj: float, delta: float
@@ -137,6 +133,10 @@ class Sundials(ImplicitRun):
             ) from error
         self.equations = equations = DifferentialAlgebraic(system, start, PULL / duration)
         super().__init__(equations, start, times)
+        equations.z = start.z
+        self._balance = equations.balance(
+            start.t, start.x, start.v, start.a, equations.multipliers(start), start.e
+        )
         self._steps = 0
         nc = equations.ends[2:4]
         self._solver = IDA(
@@ -154,6 +154,16 @@ class Sundials(ImplicitRun):
         self._started = False
 
     @property
+    def t(self) -> float:
+        """Current time of the motion."""
+        return self._balance.t
+
+    def balance(self) -> Balance:
+        """The balance of forces at the current time, in the workspace."""
+        b, self.equations.z = self._balance, self._balance.z
+        return self.equations.balance(b.t, b.x, b.v, b.a, b.mu, b.e)
+
+    @property
     def statistics(self) -> dict[str, int]:
         """Counts of what was done."""
         e = self.equations
@@ -168,18 +178,20 @@ class Sundials(ImplicitRun):
 
     def advance(self) -> None:
         """One step of IDA."""
-        equations, old, until = self.equations, self.point, self.until
+        equations, old, until = self.equations, self.t, self.until
         if not self._started:
-            self._solver.init_step(old.t, *equations.start_values(old.mu))
+            self._solver.init_step(old, *equations.start_values(self._balance.mu))
             self._started = True
         found = self._solver.step(until, method="onestep", tstop=until)
         t = float(np.ravel(found.t)[-1])
-        if not found.success or t <= old.t:
+        if not found.success or t <= old:
             raise self.failure()
         y, yp = np.ravel(found.y), np.ravel(found.yp)
         b = equations.at(t, y, yp)
         equations.near = b.e
+        self._balance = b
+        self.ledger.look()
+        self.ledger.add(t - old)
         self._steps += 1
-        self.accept(
-            Point(t, b.x, b.v, b.a, b.a, equations.split(y)[2], b.e, b.laws.z, b.laws.zd, b.laws.zd), b
-        )
+        if t >= until:
+            self.keep()

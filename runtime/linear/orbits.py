@@ -15,19 +15,17 @@ from flexel.base.errors import LinearizationError
 from flexel.linear.harmonics import Coefficients
 from flexel.mechanics import dynamics
 from flexel.mechanics.core import Core
-from flexel.mechanics.kinematics import Configuration
 from flexel.mechanics.linearization import Linearization
 from flexel.mechanics.linearize import linearize
-from flexel.mechanics.states import Moment, state_of
+from flexel.mechanics.states import state_of
+from flexel.structure.moment import Moment
 from flexel.structure.state import State
 
 
-def residual_force(system: Core, state: State, lin: Linearization) -> Array:
+def residual_force(system: Core, state: State) -> Array:
     """Residual generalized forces (nd,) of a driven motion: H' (f - h - De' sigma - V' tau - M a) of given forces."""
-    c = Configuration(state.t, state.x, state.e, state.J)
-    given = dynamics.forces(system.kinematics, system.loads, c, state.v, state.e, state.z)
-    F = given.F - given.M @ state.a
-    return np.asarray(lin.transfer.H[:, : system.roles.nd].T @ F[: system.structure.nf])
+    qdd = state.Phi_v[system.roles.dynamic]
+    return dynamics.driving_forces(system.kinematics, state.t, state.x, state.v, state.e, state.z, qdd)
 
 
 @dataclass(frozen=True)
@@ -130,7 +128,7 @@ def orbit(
     for i in range(samples):
         state = _driven(system, float(t[i]), q[i], qd[i], qdd[i], state)
         lins.append(linearize(system.kinematics, state))
-        F[i] = residual_force(system, state, lins[-1])
+        F[i] = residual_force(system, state)
         states.append(state)
     M, C, K = (np.array([getattr(z, name) for z in lins]) for name in ("M", "C", "K"))
     return Orbit(period, states, lins, Coefficients(2 * np.pi / period, M, C, K, F, system.dynamic))
@@ -139,4 +137,4 @@ def orbit(
 def _driven(system: Core, t: float, q: Array, qd: Array, qdd: Array, near: State) -> State:
     """State in which the degrees of freedom move as given; its stresses and reactions contain the driving forces."""
     place = Moment.of(near).still(t)
-    return state_of(system.kinematics, system.loads, t, q, qd, near.z, place, qdd)
+    return state_of(system.kinematics, t, q, qd, near.z, place, qdd)

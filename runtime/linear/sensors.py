@@ -97,9 +97,9 @@ def _force(lin: Linearization, d: Variations, i: int) -> Array:
     state, T = lin.state, lin.tangents
     structure, roles, J = state.structure, state.roles, state.J
     nf, m, k = structure.nf, structure.m, structure.k
-    M = lin.mass
+    M = lin.tangents.M
     internal = T.stress_z @ d.z
-    unbalance = T.r_x[:, :nf] @ d.x + T.r_v[:, :nf] @ d.v + M[:, :nf] @ d.a - d.load
+    unbalance = T.r_x @ d.x + T.r_v @ d.v + M[:, :nf] @ d.a - d.load
     unbalance = unbalance + J[: m + k].T @ internal
     rows = roles.velocity_rows
     multipliers = np.zeros((len(structure.names), unbalance.shape[1]))

@@ -1,8 +1,8 @@
-"""The balance of forces in coordinates and multipliers together: residual and tangent (saddle-point form).
+"""The balance of forces in coordinates and multipliers together: residual, tangent and states (saddle-point form).
 
 r = M a + h - f + De' sigma + V' tau = 0 together with the constraints.  Statics, buckling and implicit
 integration share it; none needs a choice of independent coordinates.  Everything is sparse, with patterns
-that are computed once.
+that are computed once, and evaluated in C.
 """
 
 from __future__ import annotations
@@ -12,11 +12,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from flexel.base.arrays import Array, Index
+from flexel.engine.balancing import Balancing
 from flexel.engine.finite import check_finite, check_tangent
-from flexel.engine.local import Inertia
-from flexel.engine.locallaws import ImplicitStep, LawForces
+from flexel.engine.workspace import Workspace
 from flexel.mechanics.core import Core
-from flexel.mechanics.kinematics import unwrap, wrap
 from flexel.structure.state import Energy, State
 
 TINY_FORCE = 1e-3  # [N] in the denominator of relative unbalances: 1e-15 N counts as zero
@@ -24,21 +23,19 @@ TINY_FORCE = 1e-3  # [N] in the denominator of relative unbalances: 1e-15 N coun
 
 @dataclass(frozen=True)
 class Balance:
-    """Force balance at coordinates x, rates v, accelerations a and multipliers mu.
+    """Force balance at coordinates x, rates v, accelerations a, internal states z and multipliers mu.
 
     Attributes
     ----------
     x, v, a : ndarray (n,)
+    z, zd : ndarray (nz,)
+        Internal states of laws, and their rates.
     e : ndarray (m,)
         Deformations with counted turns.
-    J : ndarray
-        Rows of deformations and slips, flat (see `Local`).
     w : ndarray (m + k,)
         Rates of the deformations, and slips.
-    given, stress : ndarray (m + k,)
-        Stresses of laws and loads, without and with the multipliers.
-    multiplier : ndarray (m + k + n,)
-        Multipliers by quantity.
+    mu : ndarray (nm,)
+        Multipliers of `Saddle.force_rows`.
     force : ndarray (n,)
         M a + h - f + De' sigma + V' tau, given nodal forces included.
     r : ndarray (nf,)
@@ -53,14 +50,11 @@ class Balance:
     x: Array
     v: Array
     a: Array
+    z: Array
+    zd: Array
     e: Array
-    J: Array
     w: Array
-    inertia: Inertia
-    laws: LawForces
-    given: Array
-    stress: Array
-    multiplier: Array
+    mu: Array
     force: Array
     r: Array
     gap: Array
@@ -70,39 +64,61 @@ class Balance:
 class Saddle:
     """Residual, tangent and states of a system in coordinates and multipliers.
 
+    Parameters
+    ----------
+    system : Core
+    more : ndarray of int, optional
+        Further quantities whose multipliers are unknown.
+    work : Workspace, optional
+        Where it is evaluated; that of this thread by default.
+
     Attributes
     ----------
     force_rows : ndarray of int
-        Quantities whose multipliers are unknown: rigid and prescribed conditions, rolling slips.
+        Quantities whose multipliers are unknown: rigid and prescribed conditions, rolling slips, further ones.
     length : float
         Largest natural scale of the coordinates.
+    motion : ndarray (3, prescribed)
+        Value, first and second rate of the prescribed motions at the time of the balance.
     """
 
-    def __init__(self, system: Core) -> None:
+    def __init__(self, system: Core, more: Index | None = None, work: Workspace | None = None) -> None:
         self.system = system
-        self.local = system.local
         self.structure = system.structure
         self.roles = system.roles
-        self.force_rows: Index = np.concatenate([self.roles.holonomic, self.roles.zero])
+        self.work = system.evaluation.work if work is None else work
+        none = np.zeros(0, dtype=np.intp)
+        self.force_rows: Index = np.concatenate(
+            [self.roles.holonomic, self.roles.zero, none if more is None else more]
+        )
         self.scales = system.kinematics.scales(np.arange(len(self.structure.names)))
         self.first = self.structure.m + self.structure.k
         self.x_scale = self.scales[self.first : self.first + self.structure.nf]
         self.length = float(self.x_scale.max(initial=0.0))
         self.rest = np.zeros(self.structure.n)
-        self.z = self.structure.z0  # internal states of laws: held, or those at the start of an implicit step
-        self.step: ImplicitStep | None = None
-        self._sizes: Array | None = None  # of the rows of J, recomputed with every tangent
-        self._period = self.structure.period[self.roles.holonomic]
+        self.motion = np.zeros((3, 0))
+        self.z = self.structure.z0  # internal states of laws
+        self.balancing = Balancing(self.work, self.force_rows, self.structure.period[self.roles.holonomic])
 
     def multipliers(self, state: State) -> Array:
         """Multipliers of the constraints at a state: stresses minus those of laws and loads."""
-        e, J = state.e, self.local.position(state.x)[1]
-        laws = self.local.laws.forces(e, self.local.rates(J, state.v), state.z, state.t).stress
+        work = self.system.evaluation.at(state.t, state.x, state.v, None, state.z, state.e)
+        work.laws()
         applied = self.system.loads.at(state.t)[1]
-        return np.concatenate([state.stresses - laws - applied, -state.reactions])[self.force_rows]
+        both = np.concatenate([state.stresses - work.law_stress - applied, -state.reactions])
+        return np.asarray(both[self.force_rows])
+
+    def given(self, t: float) -> None:
+        """Set the loads and the values of the prescribed motions at a time; rigid quantities stay at zero."""
+        self.work.struct.t = t
+        if self.system.loads.any:
+            self.balancing.nodal[:], self.balancing.applied[:] = self.system.loads.at(t)
+        if self.roles.motions:
+            self.motion = self.roles.motion(t)
+            self.balancing.target[self.roles.rigid.size :] = self.motion[0]
 
     def balance(self, t: float, x: Array, v: Array, a: Array, mu: Array, e_near: Array) -> Balance:
-        """Unbalance at a time, with the parts it is made of.
+        """Unbalance at a time, with the parts it is made of, which the workspace holds until it is used again.
 
         Parameters
         ----------
@@ -115,73 +131,47 @@ class Saddle:
         e_near : ndarray (m,)
             Deformations nearby, from which the turns of angles are counted.
         """
-        s, local = self.structure, self.local
-        principal, J = local.position(x)
-        e = unwrap(s, principal, e_near)
-        w = local.rates(J, v)
-        laws = self._laws(e, w, t)
-        nodal, applied = self.system.loads.at(t)
-        given = laws.stress + applied
-        multiplier = np.zeros(len(s.names))
-        multiplier[self.force_rows] = mu
-        stress = given + multiplier[: self.first]
-        inertia = local.inertia(x, v)
-        momentum = local.momentum(inertia.M, a)
-        outer = inertia.h - inertia.f - nodal
-        force = momentum + outer + local.pull(J, stress)
-        r = (force + multiplier[self.first :])[: s.nf]
-        if self._sizes is None:
-            self._sizes = self._row_sizes(J)
-        sizes = np.concatenate([stress * self._sizes, outer[: s.nf], momentum[: s.nf], mu])
-        scale = float(np.abs(sizes).max(initial=0.0))
-        gap = self._gap(t, x, e if s.relations else principal)
-        return Balance(
-            t, x, v, a, e, J, w, inertia, laws, given, stress, multiplier, force, r, gap, scale
-        )  # fmt: skip
+        work = self.work
+        self.given(t)
+        work.x[:], work.v[:], work.a[:], work.z[:] = x, v, a, self.z
+        work.near[:], self.balancing.mu[:] = e_near, mu
+        self.balancing.run()
+        return self.present()
 
-    def _laws(self, e: Array, w: Array, t: float) -> LawForces:
-        if self.step is None or not self.z.size:
-            return self.local.laws.forces(e, w, self.z, t)
-        return self.local.laws.step(e, w, self.z, t, self.step)
-
-    def _gap(self, t: float, x: Array, e: Array) -> Array:
-        rows = self.roles.holonomic
-        if not rows.size:
-            return np.zeros(0)
-        kinematics = self.system.kinematics
-        target = kinematics.target(kinematics.roles.motion(t), np.zeros(0))
-        return wrap(kinematics.values(e, x)[rows] - target, self._period)
-
-    def _row_sizes(self, J: Array) -> Array:
-        """Largest entry of the row of each quantity in J."""
-        local = self.local
-        sizes = np.zeros(local.line_of.size)
-        if J.size:
-            sizes[local.lines] = np.maximum.reduceat(np.abs(J), local.starts_J[:-1])
-        return sizes
+    def present(self) -> Balance:
+        """The balance that the workspace holds."""
+        w, b = self.work, self.balancing
+        vectors = (w.x, w.v, w.a, w.z, w.zd, w.e, w.w, b.mu, b.force, b.r, b.gap)
+        x, v, a, z, zd, e, rates, mu, force, r, gap = (vector.copy() for vector in vectors)
+        return Balance(float(w.struct.t), x, v, a, z, zd, e, rates, mu, force, r, gap, float(b.struct.scale))
 
     def stiffness(
-        self, b: Balance, rate: float = 0.0, acceleration: float = 0.0
-    ) -> tuple[Array, Array, Array | None]:
-        """Derivative of r with respect to x, with v and a varying at the given rates, without the constant masses.
+        self, rate: float = 0.0, acceleration: float = 0.0, scaling: float = 1.0, share: float = 0.0
+    ) -> None:
+        """Derivative of r by x into T of the workspace, with v and a varying at the given rates, at its balance.
 
-        Returns K (flat), its entries across elements, and the derivative of the rates of all quantities (flat
-        like J; None where neither damping nor rolling needs it).
+        Internal states of laws follow as in an implicit step z = known + share dz/dt; they are held if it is zero.
+
+        Raises
+        ------
+        TangentError
+            If a law has no slope there; names it.
         """
-        local, self._sizes = self.local, None
-        K = local.stress_stiffness(b.x, b.stress)
-        local.inertia_tangent(K, b.x, b.v, b.a, b.inertia.M, rate)
-        if acceleration and local.size_M:
-            K[: local.size_M] += acceleration * b.inertia.M
-        share = 0.0 if self.step is None else self.step.share
-        by_value, by_rate = local.laws.tangents(b.e, b.w, b.laws.z, b.t, share)
-        if np.isfinite(b.laws.stress).all():  # else the trial step was too long, and the iteration rejects it
-            check_tangent(self.structure, local.laws.finite(by_value, by_rate), b.t)
-        phi = None
-        if np.any(b.v) and (self.roles.zero.size or by_rate.any()):
-            phi = local.phi(b.x, b.v)
-        cross = local.laws.add(K, b.J, phi, by_value, by_rate, rate)
-        return K, cross, phi
+        if not self.balancing.tangent(scaling, rate, acceleration, share):
+            self.check_slopes()
+
+    @property
+    def free(self) -> Array:
+        """Entries of T of the workspace over the free coordinates, with the pattern `tables.T.pattern`."""
+        return self.work.T[: self.work.tables.T.pattern.size]
+
+    def check_slopes(self) -> None:
+        """Raise if the derivatives of a law are not finite."""
+        law, size = self.work.tables.law, self.structure.m + self.structure.k
+        wrong = ~(np.isfinite(self.work.S) & np.isfinite(self.work.S_rate))[: law.codes.size]
+        finite = np.ones(size, dtype=bool)
+        finite[law.codes[wrong] // max(size, 1)] = False
+        check_tangent(self.structure, finite, float(self.work.struct.t))
 
     def load_rate(self, b: Balance) -> tuple[Array, Array]:
         """Derivatives of r (nf,) and of the gap (nh,) with respect to the time at fixed x and mu."""
@@ -190,49 +180,48 @@ class Saddle:
         gap = np.zeros(self.roles.holonomic.size)
         if self.roles.motions:
             gap[self.roles.rigid.size :] = -self.roles.motion(b.t)[1]
-        return (self.local.pull(b.J, applied) - nodal)[: s.nf], gap
+        self.work.x[:], self.work.near[:] = b.x, b.e
+        self.work.position()
+        return (self.work.pull(applied) - nodal)[: s.nf], gap
 
-    def error(
-        self, b: Balance, r: Array, gap: Array, stiffness: float | Array, scale: float | None = None
-    ) -> float:
+    def error(self, r: Array, gap: Array, stiffness: float, scale: float) -> float:
         """Largest residual relative to the balancing forces, or gap relative to its natural scale.
 
         A stiffness K turns rounding of x into a residual of about 1e-15 K x, which is a lower bound; with its largest
-        entry, or that of each row, in the denominator, the tolerance 1e-12 can still be met.  `scale` replaces the
-        size of the forces of the balance.
+        entry in the denominator, the tolerance 1e-12 can still be met.
         """
-        stiff = stiffness * self.length
-        force = np.abs(r) / ((scale or b.scale) + 1e-3 * stiff + TINY_FORCE)
+        force = np.abs(r) / (scale + 1e-3 * stiffness * self.length + TINY_FORCE)
         return max(float(force.max(initial=0.0)), float(np.abs(gap).max(initial=0.0)))
-
-    def energy(self, b: Balance) -> Energy:
-        """Kinetic, potential and strain energy at a balance."""
-        kinetic = float(b.v @ self.local.momentum(b.inertia.M, b.v)) / 2
-        values = self.system.kinematics.values(b.e, b.x)
-        potential = b.inertia.potential + self.system.loads.potential(b.t, values)
-        return Energy(kinetic, potential, float(b.laws.stored.sum()))
 
     def state(self, b: Balance) -> State:
         """The complete state at a balance."""
-        s, kinematics, local = self.structure, self.system.kinematics, self.local
-        check_finite(s, b.given, b.laws.zd, b.t)
-        reactions = -b.multiplier[self.first :]
+        s, kinematics, loads = self.structure, self.system.kinematics, self.system.loads
+        work = self.system.evaluation.at(b.t, b.x, b.v, b.a, b.z, b.e)
+        work.laws()
+        work.inertia()
+        work.convective()
+        stresses, reactions = work.law_stress + loads.at(b.t)[1], np.zeros(s.n)
+        check_finite(s, stresses, work.zd, b.t)
+        inner = self.force_rows < self.first
+        stresses[self.force_rows[inner]] += b.mu[inner]
+        reactions[self.force_rows[~inner] - self.first] = -b.mu[~inner]
         reactions[s.nf :] = b.force[s.nf :]
+        potential = float(work.struct.U) + loads.potential(b.t, kinematics.values(work.e, b.x))
         return State(
             t=b.t,
             x=b.x,
             v=b.v,
             a=b.a,
-            e=b.e,
-            rates=np.concatenate([b.w, b.v]),
-            stresses=b.stress,
+            e=work.e.copy(),
+            rates=np.concatenate([work.w, b.v]),
+            stresses=stresses,
             reactions=reactions,
             roles=self.roles,
             evaluation=self.system.evaluation,
-            energy=self.energy(b),
-            drift=kinematics.drift(b.e, b.x),
-            z=b.laws.z,
-            zd=b.laws.zd,
-            dissipated=float(b.laws.dissipated.sum()),
-            Phi_v=np.concatenate([local.convective(b.x, b.v) + local.rates(b.J, b.a), b.a]),
+            energy=Energy(float(b.v @ work.momentum(b.v)) / 2, potential, float(work.law_U.sum())),
+            drift=kinematics.drift(work.e, b.x),
+            z=b.z,
+            zd=work.zd.copy(),
+            dissipated=float(work.law_P.sum()),
+            Phi_v=np.concatenate([work.g + work.push(b.a), b.a]),
         )

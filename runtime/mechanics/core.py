@@ -11,17 +11,16 @@ from functools import cached_property
 
 import numpy as np
 
-from flexel.base.arrays import Array
-from flexel.base.errors import ConstraintError
+from flexel.base.arrays import Array, Index
 from flexel.engine.evaluate import Evaluation
-from flexel.engine.solvers import Factorization
 from flexel.mechanics import dynamics, states
 from flexel.mechanics.diagnose import choose_dofs, named_dofs
-from flexel.mechanics.kinematics import Configuration, Kinematics, unwrap
+from flexel.mechanics.kinematics import Configuration, Kinematics
 from flexel.mechanics.linearization import Linearization
 from flexel.mechanics.linearize import linearize
-from flexel.mechanics.states import Moment
+from flexel.mechanics.reach import LOST, reach
 from flexel.structure.loads import Loads
+from flexel.structure.moment import Moment
 from flexel.structure.roles import Roles
 from flexel.structure.state import State, own_state
 from flexel.structure.structure import Structure
@@ -46,21 +45,28 @@ class Core:
         start: Configuration,
         rates: Mapping[str, float],
     ) -> None:
+        self._prepare(evaluation, loads, roles)
+        qd = states.consistent_rates(self.kinematics, start, rates)
+        none = np.zeros(self.structure.m)
+        near = Moment(start.t, start.x, np.zeros(self.structure.n), start.e, none)
+        q = self.kinematics.values(start.e, start.x)[roles.dofs]
+        x, v, e = states.located(self.kinematics, start.t, q, qd, near)
+        self._start = Moment(start.t, x, v, e, none)
+
+    def _prepare(self, evaluation: Evaluation, loads: Loads, roles: Roles) -> None:
+        """Set what does not depend on the initial state."""
         self.structure: Structure = evaluation.structure
         self.evaluation = evaluation
-        self.local = evaluation.local
         self.loads = loads
         self._kinematics: dict[int, Kinematics] = {}
+        self._others: dict[tuple[tuple[int, ...], ...], Kinematics] = {}
+        self._continued: Moment | None = None  # the last position before it was copied
         self.use(roles)
-        still = np.zeros(self.structure.n)
-        self._last = Moment(start.t, start.x, still, start.e, np.zeros(self.structure.m))
-        self._wound = bool(self.structure.relations) or any(  # if forces depend on counted turns of an angle
-            self.structure.period[self.structure.index[z]]
-            for law in self.structure.laws
-            for z in law.deformations
-        )
-        qd = states.consistent_rates(self.kinematics, start, rates)
-        self._start = start, self.kinematics.velocity(start, self.kinematics.velocity_matrix(start), qd)
+
+    @property
+    def _last(self) -> Moment:
+        """Where the next right-hand side of this thread starts to look for its position."""
+        return self.kinematics.choice.last or self._continued or self._start
 
     @cached_property
     def initial(self) -> State:
@@ -71,13 +77,13 @@ class Core:
         DynamicsError
             If a degree of freedom has no inertia; `at_rest` and `unaccelerated` need none.
         """
-        c, v = self._start
-        return dynamics.complete(self.kinematics, self.loads, c, v, c.e, self.structure.z0)
+        c = self._start
+        return dynamics.complete(self.kinematics, c.t, c.x, c.v, c.e, self.structure.z0)
 
     @property
     def unaccelerated(self) -> State:
         """The initial state without accelerations and constraint forces, for use where these are undetermined."""
-        return self._without_accelerations(self._start[1])
+        return self._without_accelerations(self._start.v)
 
     @cached_property
     def at_rest(self) -> State:
@@ -85,10 +91,8 @@ class Core:
         return self._without_accelerations(np.zeros(self.structure.n))
 
     def _without_accelerations(self, v: Array) -> State:
-        c, z = self._start[0], self.structure.z0
-        given = dynamics.forces(self.kinematics, self.loads, c, v, c.e, z)
-        a, none = np.zeros(self.structure.n), np.zeros(len(self.structure.names))
-        return dynamics.with_multipliers(self.kinematics, self.loads, c, v, a, c.e, z, given, none)
+        c = self._start
+        return dynamics.unaccelerated(self.kinematics, c.t, c.x, v, c.e, self.structure.z0)
 
     def use(self, roles: Roles) -> None:
         """Describe the motion by the degrees of freedom in `roles`, unchecked; see `use_coordinates`."""
@@ -97,9 +101,19 @@ class Core:
 
     def kinematics_of(self, roles: Roles) -> Kinematics:
         """The kinematic problems in the coordinates `roles`, cached."""
-        if id(roles) not in self._kinematics:
-            self._kinematics[id(roles)] = Kinematics(self.evaluation, roles)
-        return self._kinematics[id(roles)]
+        found = self._kinematics.get(id(roles))
+        if found is None:  # another thread may be first
+            found = self._kinematics.setdefault(id(roles), Kinematics(self.evaluation, roles, self.loads))
+        return found
+
+    def kinematics_with(self, dynamic: Index, kinematic: Index) -> Kinematics:
+        """The kinematic problems with other degrees of freedom, given by quantities, cached."""
+        key = tuple(dynamic.tolist()), tuple(kinematic.tolist())
+        found = self._others.get(key)
+        if found is None:
+            other = self.roles.with_dofs(dynamic, kinematic)
+            found = self._others.setdefault(key, self.kinematics_of(other))
+        return found
 
     # -- counts and names ------------------------------------------------------------------------
 
@@ -141,27 +155,21 @@ class Core:
 
     # -- evaluation ------------------------------------------------------------------------------
 
-    def warm(self, state: State) -> None:
-        """Start the next position problem from a state, and count turns of angles from it."""
-        self._last = Moment.of(state)
-        self.kinematics.forget()
-
-    @property
-    def position_guess(self) -> Array:
-        """Coordinates (n,) of the last evaluation of `rhs`."""
-        return self._last.x
+    def warm(self, state: State | Moment) -> None:
+        """Start the next right-hand side from a state: where to look for its position, and turns of angles."""
+        choice = self.kinematics.choice
+        choice.reset()
+        choice.warm(Moment.of(state) if isinstance(state, State) else state)
 
     def rhs(self, t: float, y: Array) -> Array:
         """Rates of y = (q_d, q_k, q_d', z) (nq + nd + nz,) at time t [s]."""
-        kinematics, nq = self.kinematics, self.roles.nq
-        qd, z = y[nq : nq + self.roles.nd], y[nq + self.roles.nd :]
-        last = self._last
-        c, B, v = states.placed(kinematics, t, y[:nq], qd, last.x, last.turns(t))
-        e, ed = states.turned(kinematics, c, v, y[:nq], last) if self._wound else (c.e, last.ed)
-        self._last = Moment(t, c.x, v, e, ed)
-        F = dynamics.forces(kinematics, self.loads, c, v, e, z)
-        motion = dynamics.accelerations(kinematics, c, B, v, F)
-        return np.concatenate([qd, c.J[self.roles.kinematic] @ v, motion.qdd, F.zd])
+        choice = self.kinematics.given(t)
+        if not choice.is_warm:
+            choice.warm(self._continued or self._start)
+        choice.y[:] = y
+        if code := choice.rhs(t):
+            raise self.kinematics.failure(code, t)
+        return choice.dy.copy()
 
     def residual(self, t: float, q: Array, qd: Array, qdd: Array, guess: State) -> Array:
         """Residual of the equations of motion, H'(M a + h - f + De' sigma + V' tau) (nd,); zero in a true motion.
@@ -180,11 +188,8 @@ class Core:
         PositionError
             If the position cannot be reached.
         """
-        kinematics, nf = self.kinematics, self.structure.nf
-        c, B, v = states.placed(kinematics, t, q, qd, guess.x, guess.e)
-        F = dynamics.forces(kinematics, self.loads, c, v, unwrap(self.structure, c.e, guess.e), guess.z)
-        H, g = dynamics.unit_solutions(kinematics, B), B.solve(kinematics.convective(c, v))
-        return np.asarray(H.T @ (F.M[:nf, :nf] @ (H @ qdd + g) - F.F[:nf]))
+        x, v, e = states.located(self.kinematics, t, q, qd, Moment.of(guess).still(t))
+        return -dynamics.driving_forces(self.kinematics, t, x, v, e, guess.z, qdd)
 
     def linearize(self, state: State | None = None) -> Linearization:
         """Analytic linearization about a state (the initial one by default).
@@ -195,8 +200,15 @@ class Core:
         >>> lin.eigenvalues()  # doctest: +SKIP
         """
         state = self.initial if state is None else own_state(self.structure, state, "linearize")
-        usable = state.roles is self.roles or self.condition(state) > 1e-9
-        return linearize(self.kinematics if usable else self.kinematics_of(state.roles), state)
+        return linearize(self._usable(state), state)
+
+    def _usable(self, state: State) -> Kinematics:
+        """The chosen degrees of freedom, or those of the state where they are too poor."""
+        if state.roles is self.roles:
+            return self.kinematics
+        theirs, near = self.kinematics_of(state.roles), Moment.of(state)
+        poor = reach(self.kinematics, near) > LOST * max(reach(theirs, near), 1.0)
+        return theirs if poor else self.kinematics
 
     # -- states ----------------------------------------------------------------------------------
 
@@ -219,14 +231,13 @@ class Core:
         DynamicsError
             If a degree of freedom has no inertia; names it.
         """
-        principal, J = self.kinematics.evaluate(x)
-        e = principal if e is None else unwrap(self.structure, principal, e)
-        c = Configuration(t, x, e, J)
+        work = self.evaluation.at(t, x, v, z=z, near=e)
+        e = work.e.copy()
         if not np.any(v) and self.roles.motions:
-            B = self.kinematics.velocity_matrix(c)
-            v = self.kinematics.velocity(c, B, np.zeros(self.roles.nd))
-        z = self.structure.z0 if z is None else z
-        return dynamics.complete(self.kinematics, self.loads, c, v, e, z)
+            choice = self.kinematics.given(t)
+            self.kinematics.check(choice.factorize(), t)
+            v = self.kinematics.velocity(choice, np.zeros(self.roles.nd))
+        return dynamics.complete(self.kinematics, t, x, v, e, self.structure.z0 if z is None else z)
 
     def state_at(
         self,
@@ -252,34 +263,14 @@ class Core:
         ModelError, PositionError
             A name that is not a degree of freedom; an unreachable position; inconsistent rates, by name.
         """
-        return states.state_at(self.kinematics, self.loads, values or {}, rates, t, start or self.initial)
+        return states.state_at(self.kinematics, values or {}, rates, t, start or self.initial)
 
     # -- choice of coordinates -------------------------------------------------------------------
-
-    def condition(self, state: State, roles: Roles | None = None) -> float:
-        """Reciprocal condition number of the velocity and position matrices with scaled rows; small is bad."""
-        roles, nf = roles or self.roles, self.structure.nf
-        found = 1.0
-        both = roles.velocity_rows, roles.position_rows
-        for rows in both[: 1 if np.array_equal(*both) else 2]:
-            A = state.J[rows, :nf]
-            found = min(found, Factorization(A / np.linalg.norm(A, axis=1, keepdims=True)).rcond)
-        return found
-
-    def rechoose(self, state: State, needed: float) -> State | None:
-        """Choose the best degrees of freedom at a state, if their condition reaches `needed`; the state in them."""
-        try:
-            roles = choose_dofs(self.kinematics, state.J, None, None)
-        except ConstraintError:  # at a singular position there is no better choice: keep the current one
-            return None
-        if self.condition(state, roles) < needed:
-            return None
-        self.use(roles)
-        return self.state(state.t, state.x, state.v, state.e, state.z)
 
     def use_coordinates(self, dynamic: Sequence[str], kinematic: Sequence[str] | None = None) -> None:
         """Use the named quantities as degrees of freedom from now on; checked at the initial state."""
         rows = [named_dofs(self.structure, z, "use_coordinates") for z in (dynamic, kinematic)]
-        self.use(choose_dofs(self.kinematics, self._start[0].J, *rows))
+        J = self.evaluation.position(self._start.x)[1]
+        self.use(choose_dofs(self.kinematics, J, *rows))
         self.__dict__.pop("initial", None)
         self.__dict__.pop("at_rest", None)

@@ -18,6 +18,7 @@ from scipy.sparse.csgraph import connected_components
 
 from flexel.base.arguments import names as checked_names
 from flexel.base.arrays import Array, Index
+from flexel.base.blas import one_thread
 from flexel.base.errors import ConstraintError, ModelError
 from flexel.engine.solvers import factorize
 from flexel.mechanics.kinematics import Kinematics
@@ -138,6 +139,7 @@ def named_dofs(structure: Structure, names: Sequence[str] | None, owner: str) ->
     return found
 
 
+@one_thread()
 def choose_dofs(kinematics: Kinematics, J: Array, dynamic: Index | None, kinematic: Index | None) -> Roles:
     """Roles with all degrees of freedom: those the user named, checked, or an automatic choice.
 

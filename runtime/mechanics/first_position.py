@@ -23,7 +23,7 @@ def first_position(model: Declarations, kinematics: Kinematics, t: float) -> Con
     """
     structure, roles = kinematics.structure, kinematics.roles
     x = structure.x0.copy()
-    e, J = kinematics.evaluate(x)
+    e, J = kinematics.evaluation.position(x)
     drawn = kinematics.values(e, x)
     wanted = {structure.find(z): drawn[structure.find(z)] for z in (model._dynamic or [])}
     wanted |= {structure.find(z): drawn[structure.find(z)] for z in (model._kinematic or [])}
@@ -40,7 +40,7 @@ def first_position(model: Declarations, kinematics: Kinematics, t: float) -> Con
     for i in range(1, steps + 1):
         part = start + (goal - start) * i / steps
         x, e_near = _nearest(kinematics, rows, part, x, e_near, t)
-    e, J = kinematics.evaluate(x)
+    e, J = kinematics.evaluation.position(x)
     target = e_near if structure.relations else np.zeros(structure.m)
     own = rows < structure.m
     target[rows[own]] = goal[own]
@@ -55,7 +55,7 @@ def _nearest(
     scale, period = kinematics.scales(rows), structure.period[rows]
     x, best, stalled = x.copy(), np.inf, 0
     for _ in range(60):
-        e, J = kinematics.evaluate(x)
+        e, J = kinematics.evaluation.position(x)
         e = near = unwrap(structure, e, near)
         residual = wrap(kinematics.values(e, x)[rows] - goal, period)
         error = float(np.max(np.abs(residual) / scale, initial=0.0))

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -15,16 +16,17 @@ import numpy as np
 
 from flexel.base.arguments import names as checked_names
 from flexel.base.arrays import Array, ComplexArray
+from flexel.base.copies import Portable
 from flexel.base.errors import LinearizationError, ModelError
 from flexel.base.units import rate_unit
-from flexel.engine.evaluate import Tangents
+from flexel.engine.derivatives import Derivatives, Tangents
 from flexel.mechanics.modes import Mode, Reduced, modes_of, sort_eigenvalues
 from flexel.mechanics.transfer import Transfer
 from flexel.structure.state import State
 
 
 @dataclass(frozen=True)
-class Linearization:
+class Linearization(Portable):
     """Linearized equations about a state.
 
     Attributes
@@ -66,8 +68,12 @@ class Linearization:
     internal: tuple[str, ...]
     state: State = field(repr=False)
     transfer: Transfer = field(repr=False)
-    tangents: Tangents = field(repr=False)
-    mass: Array = field(repr=False)  # M (n, n) of all coordinates
+    derivatives: Derivatives | Tangents = field(repr=False)
+
+    @cached_property
+    def tangents(self) -> Tangents:
+        """Derivatives at the state, as dense arrays."""
+        return self.derivatives.dense()
 
     @property
     def dofs(self) -> tuple[str, ...]:

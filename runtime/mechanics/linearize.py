@@ -10,59 +10,58 @@ from __future__ import annotations
 
 import numpy as np
 
-from flexel.base.errors import LinearizationError
-from flexel.engine.evaluate import Tangents
-from flexel.engine.solvers import Factorization
-from flexel.mechanics.dynamics import solve_mass
-from flexel.mechanics.kinematics import Configuration, Kinematics
+from flexel.base.arrays import Array
+from flexel.engine.derivatives import Derivatives, derivatives_of
+from flexel.mechanics.inertia import massless
+from flexel.mechanics.kinematics import Kinematics
 from flexel.mechanics.linearization import Linearization
 from flexel.mechanics.transfer import Transfer
 from flexel.structure.state import State, own_state
 
 
-def transfer_functions(kinematics: Kinematics, c: Configuration, T: Tangents) -> Transfer:
-    """First- and second-order transfer functions and their derivatives at a configuration."""
+def transfer_functions(kinematics: Kinematics, T: Derivatives) -> Transfer:
+    """First- and second-order transfer functions and their derivatives at the position in the workspace.
+
+    Raises
+    ------
+    ConstraintError
+        If the degrees of freedom do not determine position and velocities.
+    """
     roles, nf = kinematics.roles, kinematics.structure.nf
-    B = kinematics.velocity_matrix(c)
-    P = Factorization(c.J[roles.position_rows, :nf])
-    if not P.regular:
-        raise LinearizationError(
-            f"the degrees of freedom {kinematics.names(roles.dofs)} do not determine the position here; choose others"
-        )
-    nr, nu, nd = roles.rigid.size, roles.prescribed.size, roles.nd
+    choice = kinematics.given(float(kinematics.choice.work.struct.t))
+    choice.reset()
+    kinematics.check(choice.directions(), choice.work.struct.t)
+    nr, nu, nd, nq = roles.rigid.size, roles.prescribed.size, roles.nd, roles.nq
     unit = np.eye(nf)
-    G = P.solve(np.hstack([unit[:, nr + nu :], unit[:, nr : nr + nu]]))
-    H = B.solve(np.hstack([unit[:, nf - nd :], unit[:, nr : nr + nu]]))
-    rows = roles.velocity_rows
-    Phi_x, Psi_x, Psi_v = T.Phi_x[rows, :nf], T.Psi_x[rows, :nf], T.Psi_v[rows, :nf]
-    N = -B.solve(Phi_x @ G)
-    return Transfer(G, N, H, -B.solve(Psi_x @ G + Psi_v @ N), -B.solve(Psi_v @ H))
+    G = choice.positions_for(np.hstack([unit[:, nr + nu :], unit[:, nr : nr + nu]]))
+    H = choice.rates_for(np.hstack([unit[:, nf - nd :], unit[:, nr : nr + nu]]))
+    rows = kinematics.velocity_rows
+    N = -choice.rates_for(rows.times(T.Phi_x, G))
+    by_v = rows.times(T.Psi_v, np.hstack([N, H]))
+    by_v[:, : nq + nu] += rows.times(T.Psi_x, G)
+    both = -choice.rates_for(by_v)
+    return Transfer(G, N, H, both[:, : nq + nu], both[:, nq + nu :])
 
 
 def linearize(kinematics: Kinematics, state: State) -> Linearization:
     """Linearized equations of motion about a complete state."""
     structure, roles = kinematics.structure, kinematics.roles
     own_state(structure, state, "linearize")
-    nf, nd, nq = structure.nf, roles.nd, roles.nq
-    J = state.J
-    c = Configuration(state.t, state.x, state.e, J)
-    m, k, nz = structure.m, structure.k, structure.nz
-    T = kinematics.evaluation.tangents(
-        state.x, state.v, state.a, J, state.e, state.stresses, state.z, state.t
-    )
-    X = transfer_functions(kinematics, c, T)
-    mass, *_ = kinematics.evaluation.inertia(state.x, state.v)
-    M, r_x, r_v = mass[:nf, :nf], T.r_x[:nf, :nf], T.r_v[:nf, :nf]
-    H = X.H[:, :nd]
-    Mbar = H.T @ M @ X.H
-    Cbar = H.T @ (r_v @ X.H + M @ X.A_v)
-    Kbar = H.T @ (r_x @ X.G + r_v @ X.N + M @ X.A_q)
-    Jk, Phik = J[roles.kinematic, :nf], T.Phi_x[roles.kinematic, :nf]
-    A_k, B_k = Jk @ X.H, Phik @ X.G + Jk @ X.N
-    Z_v, Z_q = T.zd_v[:, :nf] @ X.H, T.zd_x[:, :nf] @ X.G + T.zd_v[:, :nf] @ X.N
-    Z = H.T @ (J[: m + k, :nf].T @ T.stress_z) if nz else np.zeros((nd, 0))
-    if nd:
-        solve_mass(kinematics, Mbar[:, :nd], np.zeros(nd))
+    nd, nq, nz = roles.nd, roles.nq, structure.nz
+    T = derivatives_of(kinematics.evaluation, state)
+    X = transfer_functions(kinematics, T)
+    mass, free, kinematic = kinematics.free_mass, kinematics.free_tangent, kinematics.kinematic_rows
+    H, columns = X.H[:, :nd], np.cumsum([nd + roles.prescribed.size, nd + roles.prescribed.size])
+    by_M = H.T @ mass.times(T.M, np.hstack([X.H, X.A_v, X.A_q]))
+    by_v = H.T @ free.times(T.r_v, np.hstack([X.H, X.N]))
+    Mbar, *rest = np.split(by_M, columns, axis=1)
+    Cbar, by_N = np.split(by_v, columns[:1], axis=1)
+    Cbar, Kbar = Cbar + rest[0], H.T @ free.times(T.r_x, X.G) + by_N + rest[1]
+    Jk, B_k = np.split(kinematic.times(T.J, np.hstack([X.H, X.N])), columns[:1], axis=1)
+    A_k, B_k = Jk, kinematic.times(T.Phi_x, X.G) + B_k
+    Z, Z_v, Z_q, zd_z = _lagging(kinematics, T, X) if nz else _no_lags(X, nd)
+    if nd and np.linalg.eigvalsh(Mbar[:, :nd])[0] <= 0:
+        raise massless(structure, roles, Mbar[:, :nd])
     names = structure.names
     return Linearization(
         M=Mbar[:, :nd],
@@ -78,7 +77,7 @@ def linearize(kinematics: Kinematics, state: State) -> Linearization:
         Z=Z,
         Z_v=Z_v[:, :nd],
         Z_q=Z_q[:, :nq],
-        Z_z=T.zd_z,
+        Z_z=zd_z,
         Z_vu=Z_v[:, nd:],
         Z_qu=Z_q[:, nq:],
         dynamic=tuple(names[i] for i in roles.dynamic),
@@ -87,6 +86,20 @@ def linearize(kinematics: Kinematics, state: State) -> Linearization:
         internal=tuple(structure.internal),
         state=state,
         transfer=X,
-        tangents=T,
-        mass=mass,
+        derivatives=T,
     )
+
+
+def _lagging(kinematics: Kinematics, T: Derivatives, X: Transfer) -> tuple[Array, Array, Array, Array]:
+    """Z, Z_v, Z_q and Z_z of the laws' internal states."""
+    s, nf, nd = kinematics.structure, kinematics.structure.nf, kinematics.roles.nd
+    zd_x, zd_v, zd_z = T.lags
+    zd_x, zd_v = zd_x[:, :nf], zd_v[:, :nf]
+    J = kinematics.evaluation.tables.J.matrix(T.J)[: s.m + s.k][:, :nf]
+    return X.H[:, :nd].T @ (J.T @ T.stress_z), zd_v @ X.H, zd_x @ X.G + zd_v @ X.N, zd_z
+
+
+def _no_lags(X: Transfer, nd: int) -> tuple[Array, Array, Array, Array]:
+    """The same without internal states."""
+    none = np.zeros
+    return none((nd, 0)), none((0, X.H.shape[1])), none((0, X.G.shape[1])), none((0, 0))

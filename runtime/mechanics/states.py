@@ -6,7 +6,6 @@ Angles are kernels' principal values plus turns; the turns are counted from a ne
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -15,76 +14,13 @@ from scipy.sparse import block_array, eye_array, vstack
 from flexel.base.arguments import number, numbers
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError, PositionError
-from flexel.engine.solvers import Solvable, factorize
+from flexel.engine.choice import Choice
+from flexel.engine.solvers import factorize
 from flexel.mechanics import dynamics
 from flexel.mechanics.kinematics import Configuration, Kinematics, unwrap
-from flexel.structure.loads import Loads
+from flexel.structure.moment import Moment
 from flexel.structure.roles import Roles
 from flexel.structure.state import State, own_state
-from flexel.structure.structure import Structure
-
-
-def with_dofs(structure: Structure, e: Array, q: Array, roles: Roles) -> Array:
-    """Deformations in which the degrees of freedom take their own values, turns included.
-
-    Parameters
-    ----------
-    e : ndarray (m,)
-        Deformations.
-    q : ndarray (nq,)
-        Degrees of freedom (q_d, q_k) of `roles`.
-    """
-    own = roles.dofs < structure.m
-    e = e.copy()
-    e[roles.dofs[own]] = q[own]
-    return e
-
-
-def with_turns(kinematics: Kinematics, c: Configuration, q: Array, reference: Array) -> Array:
-    """Deformations with their turns: what is given knows its own, other angles are nearest to a reference.
-
-    Parameters
-    ----------
-    c : Configuration
-        With deformations as principal values.
-    q : ndarray (nq,)
-        Degrees of freedom (q_d, q_k).
-    reference : ndarray (m,)
-        Deformations nearby.
-    """
-    structure, rows = kinematics.structure, kinematics.roles.position_rows
-    own = rows < structure.m
-    known = reference.copy()
-    known[rows[own]] = kinematics.target(kinematics.motion(c), q)[own]
-    return with_dofs(structure, unwrap(structure, c.e, known), q, kinematics.roles)
-
-
-Rates = Array | Callable[[Configuration], Array]  # q_d' (nd,), or what gives them at a configuration
-
-
-@dataclass(frozen=True)
-class Moment:
-    """Positions and rates at one instant of a motion: the start of the search for a nearby state and its turns."""
-
-    t: float
-    x: Array
-    v: Array
-    e: Array
-    ed: Array
-
-    @staticmethod
-    def of(state: State) -> Moment:
-        """The instant of a complete state."""
-        return Moment(state.t, state.x, state.v, state.e, state.rates[: state.e.size])
-
-    def turns(self, t: float) -> Array:
-        """Deformations (m,) at another time, extrapolated with the current rates, for counting turns of angles."""
-        return self.e + (t - self.t) * self.ed
-
-    def still(self, t: float) -> Moment:
-        """The same position at another time, without rates: for finding the nearest configuration."""
-        none = np.zeros_like
-        return Moment(t, self.x, none(self.v), self.e, none(self.ed))
 
 
 def between(first: Moment, last: Moment, t: float) -> Moment:
@@ -97,24 +33,35 @@ def between(first: Moment, last: Moment, t: float) -> Moment:
     return Moment(t, x, first.v, e, first.ed)
 
 
-def placed(
-    kinematics: Kinematics, t: float, q: Array, qd: Rates, guess: Array, turns: Array
-) -> tuple[Configuration, Solvable, Array]:
-    """Configuration at time t with degrees of freedom q, its velocity matrix, and the rates v (n,) for q_d'."""
-    c = kinematics.position(t, q, guess, turns)
-    B = kinematics.velocity_matrix(c)
-    return c, B, kinematics.velocity(c, B, qd(c) if callable(qd) else qd)
+Rates = Array | Callable[[Choice], Array]  # q_d' (nd,), or what gives them at a position in the workspace
 
 
-def turned(kinematics: Kinematics, c: Configuration, v: Array, q: Array, near: Moment) -> tuple[Array, Array]:
-    """Deformations with turns, counted from those of a nearby instant extrapolated with its rates; and their rates."""
-    ed = c.J[: near.e.size] @ v
-    return with_turns(kinematics, c, q, near.e + (c.t - near.t) * (near.ed + ed) / 2), ed
+def located(
+    kinematics: Kinematics, t: float, q: Array, qd: Rates, near: Moment
+) -> tuple[Array, Array, Array]:
+    """Coordinates x, rates v and deformations e, turns included, for degrees of freedom and their rates.
+
+    Turns are counted from the deformations of a nearby instant, extrapolated with the mean of its rates and those
+    found.
+    """
+    choice = kinematics.locate(t, q, near.x, near.turns(t))
+    work = choice.work
+    x, e = work.x.copy(), work.e.copy()
+    v = kinematics.velocity(choice, qd(choice) if callable(qd) else qd)
+    if t != near.t and kinematics.structure.period[: e.size].any():
+        work.rates()
+        mean = near.e + (t - near.t) * (near.ed + work.w[: e.size]) / 2
+        held = kinematics.roles.position_rows
+        held = held[held < e.size]  # they know their turns
+        mean[held] = e[held]
+        e = unwrap(kinematics.structure, e, mean)
+    own = kinematics.roles.dofs < e.size
+    e[kinematics.roles.dofs[own]] = q[own]
+    return x, v, e
 
 
 def state_of(
     kinematics: Kinematics,
-    loads: Loads,
     t: float,
     q: Array,
     qd: Rates,
@@ -127,7 +74,7 @@ def state_of(
     Parameters
     ----------
     q : ndarray (nq,), qd : ndarray (nd,), z : ndarray (nz,)
-        The rates q_d' may be a function of the configuration.
+        The rates q_d' may be a function of the choice of degrees of freedom, with its position in the workspace.
     near : Moment
         Start of the search; turns are counted from its deformations, extrapolated with their rates.
     qdd : ndarray (nd,), optional
@@ -137,13 +84,11 @@ def state_of(
     ------
     PositionError, ConstraintError, DynamicsError
     """
-    c, _, v = placed(kinematics, t, q, qd, near.x, near.turns(t))
-    return dynamics.complete(kinematics, loads, c, v, turned(kinematics, c, v, q, near)[0], z, qdd)
+    return dynamics.complete(kinematics, t, *located(kinematics, t, q, qd, near), z, qdd)
 
 
 def state_at(
     kinematics: Kinematics,
-    loads: Loads,
     values: Mapping[str, float],
     rates: Mapping[str, float] | None,
     t: float | None,
@@ -176,8 +121,15 @@ def state_at(
             )
         q[list(roles.dofs).index(i)] = value
     near = Moment.of(start).still(time)
-    qd: Rates = start.qd if rates is None else lambda c: consistent_rates(kinematics, c, rates)
-    return state_of(kinematics, loads, time, q, qd, z, near)
+    qd: Rates = start.qd if rates is None else lambda choice: _rates_at(kinematics, choice, rates)
+    return state_of(kinematics, time, q, qd, z, near)
+
+
+def _rates_at(kinematics: Kinematics, choice: Choice, rates: Mapping[str, float]) -> Array:
+    """Consistent rates at the position in the workspace."""
+    work, evaluation = choice.work, kinematics.evaluation
+    J = evaluation.matrix(evaluation.tables.J, work.J)
+    return consistent_rates(kinematics, Configuration(work.struct.t, work.x.copy(), work.e.copy(), J), rates)
 
 
 def consistent_rates(kinematics: Kinematics, c: Configuration, rates: Mapping[str, float]) -> Array:
@@ -194,16 +146,20 @@ def consistent_rates(kinematics: Kinematics, c: Configuration, rates: Mapping[st
     wanted, nf = np.array(list(given.values())), structure.nf
     if not rows.size:
         return np.zeros(nd)
-    B = kinematics.velocity_matrix(c)
-    v0 = kinematics.velocity(c, B, np.zeros(nd))
+    B = kinematics.velocity_matrix(c.J)
+    motion = kinematics.roles.motion(c.t)[1]
+    before = kinematics.roles.rigid.size
+    rhs = np.zeros(nf)
+    rhs[before : before + motion.size] = motion
+    v0 = B.solve(rhs)
     J = c.J[rows][:, :nf]
-    missing = wanted - J @ v0[:nf]
-    if kinematics.large:
+    missing = wanted - J @ v0
+    if kinematics.evaluation.large:
         qd = smallest(c.J[kinematics.roles.dynamic][:, :nf], c.J, kinematics.roles, J, missing)
     else:
         by_dofs = B.solve(np.ascontiguousarray(J.T), transposed=True)[nf - nd :].T
         qd = np.linalg.lstsq(by_dofs, missing, rcond=1e-12)[0]
-    v = v0[:nf] + B.solve(np.concatenate([np.zeros(nf - nd), qd]))
+    v = v0 + B.solve(np.concatenate([np.zeros(nf - nd), qd]))
     off = wanted - J @ v
     speeds = np.concatenate([wanted, v0, v, [1e-12]])
     scale = float(np.max(np.abs(speeds)))

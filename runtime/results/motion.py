@@ -38,6 +38,8 @@ class Motion(Sequence[State]):
         Steps, evaluations of the equations of motion, changes of coordinates.
     message : str
         How the integration ended.
+    rechoices : list of (float, tuple of str, tuple of str)
+        Changes of the degrees of freedom within an explicit integration: times [s], old and new names.
     ledger : dict of str to list of float, optional
         For an implicit integration, at the stored times: energy in contacts, energy dissipated and work so far [J];
         see `energy_balance`.
@@ -51,7 +53,8 @@ class Motion(Sequence[State]):
         self.statistics = integration.statistics
         self.message = integration.message
         self.ledger = integration.ledger
-        self.t = np.array([state.t for state in self._states])
+        self.rechoices = integration.rechoices
+        self.t = np.array(integration.states.times)
 
     def __len__(self) -> int:
         return len(self._states)
@@ -213,7 +216,7 @@ class Motion(Sequence[State]):
                 f"time {t:g} s lies outside the motion, {self.t[0]:g}…{self._segments[-1].t1:g} s"
             )
         segment = next(z for z in self._segments if t <= z.t1)
-        return segment.state(self.system, t)
+        return segment.state(t)
 
     # -- pictures --------------------------------------------------------------------------------
 

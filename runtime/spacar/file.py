@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 
+from flexel.base.copies import Portable
 from flexel.base.errors import ConstraintError, ModelError
 from flexel.model import Model
 from flexel.spacar.statements import Call, build_model
@@ -18,7 +19,7 @@ STEPS = 100  # of a file without TIMESTEP or ITERSTEP
 
 
 @dataclass(frozen=True)
-class SpacarFile:
+class SpacarFile(Portable):
     """A parsed SPACAR input file.
 
     Attributes

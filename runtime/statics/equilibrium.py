@@ -19,6 +19,7 @@ from flexel.mechanics.newton import newton, shortened
 from flexel.mechanics.saddle import Matrix, SaddlePattern
 from flexel.structure.state import State, own_state
 
+POLISHING = 3  # more steps at most: where stiffnesses differ much, they gain digits
 CONVERGED, STALLED, MAX_ITERATIONS = 1e-12, 1e-9, 20
 STEP = 0.4  # largest change of a coordinate, in its natural scale, in one Newton step
 
@@ -31,18 +32,17 @@ class Rest(Saddle):
 
     def __init__(self, system: Core, start: State, held: Index | None = None) -> None:
         own_state(system.structure, start, "equilibrium")
-        super().__init__(system)
-        self.z = start.z
         more = np.zeros(0, dtype=np.intp) if held is None else held
+        super().__init__(system, more)
+        self.z = start.z
         self.still = np.concatenate([self.roles.kinematic, more])
         self.held = start.values[self.still]
         self.hold_rows = np.concatenate([self.roles.holonomic, self.still])
-        self.force_rows = np.concatenate([self.force_rows, more])
 
     @cached_property
     def pattern(self) -> SaddlePattern:
         """Pattern of the tangent."""
-        return SaddlePattern(self.local, self.force_rows, self.hold_rows)
+        return SaddlePattern(self.work, self.force_rows, self.hold_rows)
 
     def holding_forces(self, t: float, start: State) -> Array:
         """Multipliers that best balance the given forces at a configuration, by least squares.
@@ -54,23 +54,23 @@ class Rest(Saddle):
             return np.zeros(0)
         none = np.zeros(self.force_rows.size)
         b = self.balance(t, start.x, self.rest, self.rest, none, start.e)
-        C = self.local.matrix(b.J)[self.force_rows][:, : self.structure.nf]
+        C = self.work.tables.J.matrix(self.work.J)[self.force_rows][:, : self.structure.nf]
         return np.asarray(lsmr(C.T, -b.r, atol=1e-12, btol=1e-12, conlim=1e10)[0])
 
     def equations(self, t: float, x: Array, mu: Array, near: Array) -> Equations:
         """Residual (r, gap) and its derivative by (x, mu) at time t."""
         b = self.balance(t, x, self.rest, self.rest, mu, near)
-        K, cross, _ = self.stiffness(b)
+        self.stiffness()
         values = self.system.kinematics.values(b.e, x)
         gap = np.concatenate([b.gap, values[self.still] - self.held])
-        stored = self.pattern.assemble(K, cross, b.J, b.J)
-        matrix = Matrix(self.structure, self.pattern.pattern, stored)
-        return Equations(b, np.concatenate([b.r, gap]), matrix, float(np.abs(K).max(initial=0.0)))
+        largest = float(np.abs(self.free).max(initial=0.0))
+        return Equations(b, np.concatenate([b.r, gap]), self.pattern.matrix(self.work), largest)
 
     def size(self, q: Equations, residual: Array) -> float:
         """Size of a residual in natural scales."""
         nf = self.structure.nf
-        return self.error(q.balance, residual[:nf], residual[nf:] / self.scales[self.hold_rows], q.stiffness)
+        gap = residual[nf:] / self.scales[self.hold_rows]
+        return self.error(residual[:nf], gap, q.stiffness, q.balance.scale)
 
     def extent(self, step: Array) -> float:
         """Largest change of a coordinate, in its natural scale, in a step of (x, mu)."""
@@ -93,7 +93,7 @@ class Equations:
     matrix : Matrix
         Its derivative by (x, mu).
     stiffness : float
-        Largest entry of an element's stiffness.
+        Largest entry of the stiffness.
     """
 
     balance: Balance
@@ -122,4 +122,15 @@ def solve(problem: Rest, t: float, x: Array, mu: Array, near: Array) -> tuple[Eq
 
     limits = {"tolerance": CONVERGED, "stalled": STALLED}
     found = newton((x, mu, near), evaluate, move, **limits, most=MAX_ITERATIONS)
-    return (found.equations, found.point[1]) if found.converged else None
+    if not found.converged:
+        return None
+    best, point = (found.equations, found.error), found.point
+    for _ in range(
+        POLISHING if best[0].matrix.factors.regular else 0
+    ):  # a free motion is none of its concern
+        further = move(point, best[0])
+        tried = None if further is None else evaluate(further)
+        if further is None or tried is None or not tried[1] < best[1]:
+            break
+        best, point = tried, further
+    return best[0], point[1]

@@ -73,17 +73,7 @@ def buckling(system: Core, state: State, increment: Mapping[str, float], count: 
     _check_count(count, "buckling")
     if not np.any(load):
         raise ModelError("buckling: the load increment is zero; name at least one load, {'tip.z': -1.0}")
-    local, J = problem.local, q.balance.J
-    first = s.m + s.k
-    nodal = load[first:] + local.pull(J, load[:first])
-    change = np.zeros(s.n)
-    solution = q.matrix.solve(np.concatenate([nodal[: s.nf], np.zeros(problem.hold_rows.size)]))
-    change[: s.nf] = solution[: s.nf]
-    by_value, _ = local.laws.tangents(q.balance.e, q.balance.w, state.z, state.t, 0.0)
-    stress = local.laws.stress_change(by_value, local.rates(J, change)) - load[:first]
-    inner = problem.force_rows < first
-    np.add.at(stress, problem.force_rows[inner], solution[s.nf :][inner])
-    K1 = local.assembled(local.stress_stiffness(state.x, stress))[: s.nf, : s.nf]
+    K1 = _by_load(problem, q, load)
     try:
         w, V = _largest(problem, q, K1, count)
     except np.linalg.LinAlgError as error:
@@ -94,6 +84,36 @@ def buckling(system: Core, state: State, increment: Mapping[str, float], count: 
     modes = [(-1.0 / wi, V[:, i]) for i, wi in enumerate(w) if abs(wi) > 1e-12 * np.abs(w).max(initial=0.0)]
     modes.sort(key=lambda z: (abs(z[0]), -z[0]))
     return [BucklingMode(float(z), _shape(system, v)) for z, v in modes[:count]]
+
+
+def _by_load(problem: Rest, q: Equations, load: Array) -> Any:
+    """Derivative (nf, nf) of the stiffness along the equilibria under growing loads, at the last evaluation.
+
+    Parameters
+    ----------
+    load : ndarray (m + k + n,)
+        Generalized forces on the quantities.
+    """
+    s, work, first = problem.structure, problem.work, problem.first
+    nodal, change = load[first:] + work.pull(load[:first]), np.zeros(s.n)
+    solution = q.matrix.solve(np.concatenate([nodal[: s.nf], np.zeros(problem.hold_rows.size)]))
+    change[: s.nf] = solution[: s.nf]
+    left, right = np.divmod(work.tables.law.codes, max(first, 1))
+    by_laws = work.S[: left.size] * work.push(change)[right]
+    stress = np.bincount(left, by_laws, minlength=first) - load[:first]
+    inner = problem.force_rows < first
+    np.add.at(stress, problem.force_rows[inner], solution[s.nf :][inner])
+    work.S[:] = work.S_rate[:] = 0.0  # what remains is proportional to the stresses, but for body forces
+    under, free = (_tangent(problem, z) for z in (stress, np.zeros(first)))
+    return work.tables.T.pattern.matrix(under - free)
+
+
+def _tangent(problem: Rest, stress: Array) -> Array:
+    """Entries of the tangent at given stresses (m + k,)."""
+    work = problem.work
+    work.stress[:] = stress
+    work.tangent(1.0, 0.0, 0.0, phi=False)
+    return problem.free.copy()
 
 
 @dataclass(frozen=True)
@@ -121,10 +141,10 @@ class Vibration:
 def vibrations(system: Core, state: State, count: int) -> list[Vibration]:
     """Lowest natural frequencies and modes about a state of rest; see `System.vibrations`."""
     problem = Rest(system, state)
-    s = problem.structure
     q = problem.equations(state.t, state.x, problem.multipliers(state), state.e)
     _check_count(count, "vibrations")
-    M = problem.local.mass(q.balance.inertia.M)[: s.nf, : s.nf]
+    problem.work.tangent(0.0, 0.0, 1.0, phi=False)
+    M = problem.work.tables.T.pattern.matrix(problem.free)
     w2, V = _lowest(problem, q, M, count)
     found = [(np.sign(z) * np.sqrt(abs(z)), V[:, i]) for i, z in enumerate(w2)]
     return [Vibration(float(z), _shape(system, v)) for z, v in found[:count]]

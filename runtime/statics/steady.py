@@ -112,11 +112,16 @@ def _moved(system: Core, state: State, places: tuple[list[int], list[int]], step
 
 def _force_scale(system: Core, state: State, H: Array) -> float:
     """Size of the balancing forces in the reduced equations."""
-    M, h, f, _ = system.evaluation.inertia(state.x, state.v)
-    nf = system.structure.nf
-    parts = np.concatenate([h[:nf], f[:nf], state.stresses @ state.J[: state.stresses.size, :nf]])
+    work, nf = system.evaluation.at(state.t, state.x, state.v, z=state.z, near=state.e), system.structure.nf
+    work.inertia()
+    parts = np.concatenate([work.F[:nf], work.pull(state.stresses)[:nf]])
+    M = work.M
     reach = float(np.max(np.abs(H), initial=0.0))
-    return max(float(np.max(np.abs(parts), initial=0.0)) * reach, float(np.max(np.abs(M))) * 1e-3, 1e-300)
+    return max(
+        float(np.max(np.abs(parts), initial=0.0)) * reach,
+        float(np.max(np.abs(M), initial=0.0)) * 1e-3,
+        1e-300,
+    )
 
 
 def _with_rates(system: Core, start: State, rates: Mapping[str, float]) -> State:

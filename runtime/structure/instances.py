@@ -4,24 +4,76 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from typing import Any, Protocol
 
 import numpy as np
 
 from flexel.base.arguments import array
 from flexel.base.arrays import Array
-from flexel.base.errors import ModelError
+from flexel.base.copies import Portable
+from flexel.base.errors import CompilerError, ModelError
 from flexel.derive.spec import ElementSpec, LawSpec
+from flexel.generated.table import ELEMENTS, LAWS
+
+
+class Code(Protocol):
+    """The compiled code of a user's element or law."""
+
+    @property
+    def address(self) -> int:
+        """Address of its kernels; code from another process is loaded, or compiled, when it is first asked for."""
+
+
+TABLES: dict[type, Mapping[str, Any]] = {ElementSpec: ELEMENTS, LawSpec: LAWS}
+
+
+class _Row(Portable):
+    """What elements and laws have in common: a specification, and kernels built in or compiled by the user.
+
+    In a pickle a built-in specification is a name, and kernels of the user are their C code.
+    """
+
+    name: str
+    spec: Any
+    code: Code | None
+
+    @property
+    def kernels(self) -> int | None:
+        """Address of a user's kernels; None if they are built in."""
+        try:
+            return None if self.code is None else self.code.address
+        except RuntimeError as error:
+            raise CompilerError(f"{self.spec.name} '{self.name}': {error}") from error
+
+    def __getstate__(self) -> dict[str, Any]:
+        """The fields, with the name and digest of a built-in specification instead of itself."""
+        state, spec = super().__getstate__(), self.spec
+        built_in = TABLES[type(spec)].get(spec.name) is spec
+        return state | {"spec": (type(spec), spec.name, spec.digest)} if built_in else state
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """The fields; a ModelError if a built-in specification is another one here."""
+        if isinstance(state["spec"], tuple):
+            kind, name, digest = state["spec"]
+            spec = TABLES[kind].get(name)
+            if spec is None or spec.digest != digest:
+                raise ModelError(
+                    f"{name} '{state['name']}': the pickle is from another version of flexel; build the model again, "
+                    "or pass results from one version to another with save and fx.load"
+                )
+            state = state | {"spec": spec}
+        self.__dict__.update(state)
 
 
 @dataclass(frozen=True)
-class Instance:
+class Instance(_Row):
     """One element of the model: a row of the element table between nodes, with its parameters."""
 
     name: str
     spec: ElementSpec
     nodes: tuple[str, ...]
     parameters: Mapping[str, Array]
-    kernels: object = None  # address of a user-defined element's kernels; None: built in
+    code: Code | None = None  # of a user-defined element; None: built in
     profile: object = None  # section and material of a beam, if given
     mass_damping: float = 0.0  # force per momentum [1/s], the mass-proportional part of Rayleigh damping
     terms: Mapping[str, float] | None = None  # coefficients of a relation, by quantity
@@ -43,7 +95,7 @@ class Instance:
 
 
 @dataclass(frozen=True)
-class LawInstance:
+class LawInstance(_Row):
     """A law attached to named deformations and slips, with the initial values of its internal states."""
 
     name: str
@@ -51,7 +103,7 @@ class LawInstance:
     deformations: tuple[str, ...]
     slips: tuple[str, ...]
     parameters: Mapping[str, Array]
-    kernels: object = None
+    code: Code | None = None
     z0: tuple[float, ...] = ()
 
     @property

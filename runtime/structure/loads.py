@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from flexel.base.arrays import Array
+from flexel.base.arrays import Array, Index
 from flexel.base.time_functions import Polynomial, TimeFunction
 from flexel.structure.structure import Structure
 
@@ -38,6 +38,15 @@ class Loads:
     def any(self) -> bool:
         """Whether there are any loads."""
         return bool(self._functions)
+
+    @property
+    def quantities(self) -> Index:
+        """The quantity (loads,) on which each load acts."""
+        return self._index
+
+    def values(self, t: float) -> Array:
+        """The loads (loads,) at time t."""
+        return np.array([f.rates(t)[0] for f in self._functions])
 
     def at(self, t: float, order: int = 0) -> tuple[Array, Array]:
         """Nodal forces f (n,) and applied stresses (m + k,) at time t, or their first or second rates."""

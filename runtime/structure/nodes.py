@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexel.base.arrays import Array
+from flexel.base.copies import Constant
 
 COMPONENTS: dict[str, tuple[str, ...]] = {
     "point": ("x", "y", "z"),
@@ -23,7 +24,7 @@ UNITS = {"frame": "-", "planar_angle": "rad", "slope": "-", "planar_slope": "-"}
 
 
 @dataclass(frozen=True)
-class Node:
+class Node(Constant):
     """A node as declared: its kind, its initial coordinates and which of them are fixed."""
 
     name: str

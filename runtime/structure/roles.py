@@ -8,11 +8,12 @@ from functools import cached_property
 import numpy as np
 
 from flexel.base.arrays import Array, Index
+from flexel.base.copies import Constant
 from flexel.base.time_functions import TimeFunction
 
 
 @dataclass(frozen=True)
-class Roles:
+class Roles(Constant):
     """Which quantities are constrained, prescribed and independent.
 
     Attributes

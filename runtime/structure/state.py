@@ -198,7 +198,7 @@ def own_state(structure: Structure, state: object, owner: str) -> State:
         )
     if state.structure is not structure:
         raise ModelError(
-            f"{owner}: the state belongs to another model; give a state of this one (one from a file: "
-            "system.restore(state))"
+            f"{owner}: the state belongs to another model; give a state of this one (one from a file or "
+            "another process: system.restore(state))"
         )
     return state

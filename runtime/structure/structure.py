@@ -15,6 +15,7 @@ import numpy as np
 
 from flexel.base.arguments import unknown
 from flexel.base.arrays import Array, Index
+from flexel.base.copies import Constant
 from flexel.base.errors import ModelError
 from flexel.structure.instances import Instance, LawInstance
 from flexel.structure.nodes import Node
@@ -22,7 +23,7 @@ from flexel.structure.relations import Relations, find_relations
 
 
 @dataclass(frozen=True)
-class Structure:
+class Structure(Constant):
     """Index maps of a model; immutable.
 
     Attributes
@@ -86,6 +87,11 @@ class Structure:
         """Whether a quantity is the norm of a frame's Euler parameters."""
         i = self.index[name]
         return i < self.m and self.kinds[i] == "norm"
+
+    @property
+    def has_user_code(self) -> bool:
+        """Whether elements or laws are evaluated by code that was compiled for the user."""
+        return any(z.code is not None for z in (*self.instances, *self.laws))
 
     @cached_property
     def _by_name(self) -> dict[str, Node]:

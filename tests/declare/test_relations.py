@@ -118,7 +118,7 @@ def test_energy_goes_only_into_the_damper_of_a_relation() -> None:
 
 def test_sparse_and_dense_evaluation_agree_on_relations() -> None:
     small, large = elastic().build().initial, elastic(large=True).build()
-    assert large.kinematics.large
+    assert large.evaluation.large
     for name in ("pivot a.angle", "pivot b.angle"):
         assert large.initial.acceleration(name) == pytest.approx(small.acceleration(name), rel=1e-11)
     assert large.initial.force("coupling.relation") == pytest.approx(

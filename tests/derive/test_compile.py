@@ -9,8 +9,9 @@ from pathlib import Path
 import pytest
 import sympy as sp
 
-from flexel.derive.compile import CompilerMissingError, cache_directory, compile_element, compile_law
+from flexel.derive.compile import compile_element, compile_law
 from flexel.derive.declare import Deformation, Element, Law, Let, Parameter, Point, symbol
+from flexel.derive.shared_object import CompilerMissingError, cache_directory
 
 _KERNEL = ctypes.CFUNCTYPE(
     None,

@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 import flexel as fx
-from flexel.engine.assembly import kernel_struct
+from flexel.engine.kernels import kernel_struct
 from flexel.generated.table import ELEMENTS, LAWS
 
 

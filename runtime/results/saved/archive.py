@@ -38,6 +38,10 @@ class StoredGeometry:
     def __init__(self, structure: Structure) -> None:
         self.structure = structure
 
+    def __reduce__(self) -> tuple[type[StoredGeometry], tuple[Structure]]:
+        """Pickled as its structure."""
+        return StoredGeometry, (self.structure,)
+
     @cached_property
     def _evaluation(self) -> Evaluation:
         strange = sorted(
@@ -141,7 +145,7 @@ def _packed(states: Sequence[State], dim: str, choices: _Choices) -> dict[str, V
 
 def motion_of(record: Record) -> Motion:
     """The motion in a record, with the original names."""
-    from flexel.integration.outcome import Integration
+    from flexel.integration.outcome import Integration, States
     from flexel.results.motion import Motion
 
     structure = structure_of(record.header["structure"])
@@ -158,7 +162,9 @@ def motion_of(record: Record) -> Motion:
         columns = record.variables["ledger"].values.T
         ledger = {name: z.tolist() for name, z in zip(record.labels["ledger_kind"], columns, strict=True)}
     header = record.header
-    found = Integration(states, events, [], dict(header["statistics"]), str(header["message"]), ledger)
+    found = Integration(
+        States(states), events, [], dict(header["statistics"]), str(header["message"]), ledger
+    )
     return Motion(None, found)
 
 

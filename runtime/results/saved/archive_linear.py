@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from flexel.engine.evaluate import Tangents
+from flexel.engine.derivatives import Tangents
 from flexel.mechanics.linearization import Linearization
 from flexel.mechanics.transfer import Transfer
 from flexel.results.saved.archive import ROLES, StoredGeometry, roles_from, roles_in_names
@@ -93,7 +93,7 @@ def linearization_of(record: Record) -> Linearization:
         **names,
         state=_state(structure, header, _part(arrays, "state")),
         transfer=Transfer(**_part(arrays, "transfer")),
-        tangents=Tangents(**_part(arrays, "tangents")),
+        derivatives=Tangents(**_part(arrays, "tangents")),
     )
 
 

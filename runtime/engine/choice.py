@@ -1,0 +1,247 @@
+"""A choice of degrees of freedom for the engine: its constant lists, and its arrays in one workspace."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexel.base.arrays import Array, Index
+from flexel.engine.lanes import aligned
+from flexel.engine.tables import Tables
+from flexel.engine.workspace import Workspace
+from flexel.generated._kernels import ffi, lib
+from flexel.structure.moment import Moment
+from flexel.structure.roles import Roles
+
+MOST_COLUMNS = 16  # dynamic degrees of freedom from which accelerations come from the matrix [M C'; C 0]
+TOLERANCE = 1e-13  # error of a deformation, relative to its natural scale
+EXACT = 1e-15  # the same where a position is wanted for itself: as exact as rounding allows
+
+
+@dataclass(frozen=True, eq=False)
+class Entries:
+    """Entries of a square matrix: rows, columns, and where their values lie behind the mass matrix of a workspace."""
+
+    size: int
+    rows: Any
+    columns: Any
+    source: Any
+
+    @classmethod
+    def of(cls, size: int, *lists: Index) -> Entries:
+        """The same with integers as the engine takes them."""
+        return cls(size, *(np.ascontiguousarray(z, dtype=np.int32) for z in lists))
+
+
+class ChoiceLists:
+    """The lists of a choice of degrees of freedom, shared by all workspaces.
+
+    Parameters
+    ----------
+    tables : Tables
+    roles : Roles
+    scales : ndarray (m + k + n,)
+        Natural scales of all quantities.
+    loaded : ndarray of int
+        Quantities on which loads act.
+    """
+
+    def __init__(self, tables: Tables, roles: Roles, scales: Array, loaded: Index) -> None:
+        s = tables.structure
+        self.tables, self.roles = tables, roles
+        self.rows, self.slips, self.loaded = (
+            np.array(z, dtype=np.int32) for z in (roles.position_rows, roles.zero, loaded)
+        )
+        self.weight = 1.0 / scales[roles.position_rows]
+        self.step_weight = 1.0 / scales[s.m + s.k :][: s.nf]
+        self.saddle = roles.nd > MOST_COLUMNS
+        self._first = {name: tables.M.size * (name == "J") for name in ("M", "J")}
+        self.P = self._position_matrix()
+        self.A = self._saddle_matrix() if self.saddle else Entries.of(0, *(np.zeros(0, dtype=np.intp),) * 3)
+
+    def _rows_of_J(self, quantities: Index) -> tuple[Index, Index, Index]:  # noqa: N802
+        """Row numbers, free coordinates and sources of the entries of rows of J."""
+        J, nf = self.tables.J, self.tables.structure.nf
+        number = np.full(J.shape[0], -1)
+        number[quantities] = np.arange(quantities.size)
+        own = np.flatnonzero((number[J.row] >= 0) & (J.column < nf) & J.filled)
+        return number[J.row[own]], J.column[own], self._first["J"] + own
+
+    def _position_matrix(self) -> Entries:
+        return Entries.of(self.tables.structure.nf, *self._rows_of_J(self.roles.position_rows))
+
+    def _saddle_matrix(self) -> Entries:
+        M, nf = self.tables.M, self.tables.structure.nf
+        held = np.concatenate([self.roles.holonomic, self.roles.zero])
+        own = np.flatnonzero((M.row < nf) & (M.column < nf))
+        row, column, source = self._rows_of_J(held)
+        rows = np.concatenate([M.row[own], nf + row, column])
+        columns = np.concatenate([M.column[own], column, nf + row])
+        return Entries.of(nf + held.size, rows, columns, np.concatenate([own, source, source]))
+
+
+class Choice:
+    """Arrays of a choice of degrees of freedom in a workspace, by the names of explicit.h, and their `struct`.
+
+    It keeps the arrays of the lists, but not the lists: a workspace keeps it as long as these are in use.
+    """
+
+    def __init__(self, work: Workspace, lists: ChoiceLists) -> None:
+        self.work = work
+        self.struct: Any = ffi.gc(ffi.new("flexel_choice *"), lib.flexel_choice_clear)
+        self._keep: list[NDArray[Any]] = []
+        c, roles = self.struct, lists.roles
+        c.nr, c.np, c.nd, c.nk = roles.rigid.size, roles.prescribed.size, roles.nd, roles.nq - roles.nd
+        c.saddle, c.tolerance, c.accept = lists.saddle, TOLERANCE, 0.0
+        c.rows, c.slips, c.loaded = (self._integers(z) for z in (lists.rows, lists.slips, lists.loaded))
+        c.nloads = lists.loaded.size
+        c.weight, c.step_weight = (self._pointer(z) for z in (lists.weight, lists.step_weight))
+        for field, entries in ((c.P, lists.P), (c.A, lists.A)):
+            field.n, field.nentries = entries.size, entries.rows.size
+            field.rows, field.columns, field.source = (
+                self._integers(z) for z in (entries.rows, entries.columns, entries.source)
+            )
+            size = work.samples.shape[1]
+            lib.flexel_matrix_prepare(ffi.addressof(field), 2, work.pointer_of(work.samples), size)
+        self._vectors(lists)
+
+    def _integers(self, array: Any) -> Any:
+        self._keep.append(array)
+        return ffi.cast("int *", array.ctypes.data)
+
+    def _pointer(self, array: Array) -> Any:
+        self._keep.append(array)
+        return ffi.cast("double *", array.ctypes.data)
+
+    def _new(self, name: str, size: int) -> Array:
+        array = aligned(max(size, 1))[:size]
+        setattr(self.struct, name, self._pointer(array))
+        return array
+
+    def _vectors(self, lists: ChoiceLists) -> None:
+        s = lists.tables.structure
+        self._free = s.nf
+        nd, nk, nu = lists.roles.nd, self.struct.nk, lists.roles.prescribed.size
+        count = (0 if lists.saddle else nd) + nk + 1
+        stride = 0 if lists.saddle else -(-(nd + 1) // 4) * 4  # X in whole registers
+        self.motion, self.loads = self._new("motion", 3 * nu), self._new("loads", lists.loaded.size)
+        self.q, self.qd, self.qdd = self._new("q", nd + nk), self._new("qd", nd), self._new("qdd", nd)
+        _, self.residual, _ = (self._new(z, s.nf) for z in ("target", "residual", "target_last"))
+        self._new("step", max(s.nf, lists.A.size))
+        self.force = self._new("force", s.n)
+        self.multiplier = self._new("multiplier", s.m + s.k + s.n)
+        self.struct.stride = stride
+        self.G = self._new("G", max(s.nf * count, lists.A.size))
+        self._new("X", max(s.nf * stride, s.n))
+        self._new("inverse", nk * nk)
+        reduced = 0 if lists.saddle else (nd + 2) * (stride + nd)
+        self._new("small", max((nk + 1) * (count + nk), reduced))
+        self._new("work", max(s.nf * count, lists.A.size))
+        self.x_last = self._new("x_last", s.n)
+        self.e_last, self.ed_last = self._new("e_last", s.m), self._new("ed_last", s.m)
+        self.y, self.dy = (aligned(2 * nd + nk + s.nz) for _ in "12")
+        self._y, self._dy = self._pointer(self.y), self._pointer(self.dy)
+        self.is_warm = False
+        self._rhs, self._pair = lib.flexel_rhs, (self.work.struct, self.struct)
+
+    @property
+    def P(self) -> Any:  # noqa: N802
+        """The position matrix with its factors."""
+        return ffi.addressof(self.struct, "P")
+
+    @property
+    def H(self) -> Array:  # noqa: N802
+        """First-order transfer function dv/dq_d' (nf, nd) of the last velocities; not with many degrees of freedom."""
+        nd = self.struct.nd
+        return self.G.reshape(-1, nd + self.struct.nk + 1)[:, :nd].copy()
+
+    def reset(self) -> None:
+        """Forget what was found on the way: what follows then depends on nothing computed before.
+
+        These are pivot orders, and rates of fixed coordinates that a user's state may have had.
+        """
+        for name in ("P", "A"):
+            lib.flexel_matrix_reset(ffi.addressof(self.struct, name))
+        self.struct.predict = 0
+        self.work.v[self._free :] = self.work.a[self._free :] = 0.0
+
+    # -- calls: see explicit.h; each returns zero or the code of what failed ------------------------
+
+    def locate(self) -> int:
+        """The position with the degrees of freedom q, from x and near of the workspace."""
+        self.struct.predict, self.struct.tolerance = 0, EXACT
+        code = int(lib.flexel_locate(*self._pair))
+        self.struct.tolerance = TOLERANCE
+        return code
+
+    def factorize(self) -> int:
+        """Factors of the position matrix at the position in the workspace."""
+        self.struct.predict = 0
+        return int(lib.flexel_factorize(*self._pair))
+
+    def velocity(self) -> int:
+        """Velocities v of the workspace for the rates qd; the position must have been located."""
+        return int(lib.flexel_velocity(*self._pair))
+
+    def directions(self) -> int:
+        """Factors of the position matrix and columns for the velocities, at the position in the workspace."""
+        return self.factorize() or int(lib.flexel_directions(*self._pair))
+
+    def reach(self) -> float:
+        """How much coordinates change per unit of the degrees of freedom, in natural scales; after `directions`."""
+        return float(lib.flexel_reach(*self._pair))
+
+    def rates_for(self, b: Array) -> Array:
+        """Rates (nf, columns) for those of rigid and prescribed quantities, slips and dynamic degrees of freedom."""
+        b = np.ascontiguousarray(b)
+        x, space = np.empty_like(b), np.empty(2 * b.size)
+        pointers = (ffi.from_buffer("double[]", z) for z in (b, x, space))
+        if b.size:
+            lib.flexel_rates_for(*self._pair, b.shape[1], *pointers)
+        return x
+
+    def positions_for(self, b: Array) -> Array:
+        """Coordinates (nf, columns) for changes of the rows of the position problem."""
+        b = np.ascontiguousarray(b)
+        x, space = np.empty_like(b), np.empty(b.size)
+        pointers = (ffi.from_buffer("double[]", z) for z in (b, x, space))
+        if b.size:
+            lib.flexel_matrix_solve(self.P, b.shape[1], *pointers)
+        return x
+
+    def complete(self, driven: bool) -> int:
+        """Forces, accelerations and multipliers at x, v, z and near of the workspace."""
+        return int(lib.flexel_complete(*self._pair, driven))
+
+    def forces(self) -> None:
+        """Given forces at x, v, z and near of the workspace."""
+        self.work.position()
+        lib.flexel_forces(*self._pair)
+
+    def rhs(self, t: float) -> int:
+        """Rates dy of y = (q, q_d', z), the position sought from the last one."""
+        return int(self._rhs(*self._pair, t, self._y, self._dy))
+
+    def evaluate(self, t: float, y: Array, guess: Array, near: Array) -> int:
+        """The same, the position sought from coordinates and deformations nearby."""
+        self.y[:], self.work.x[:], self.work.near[:] = y, guess, near
+        self.struct.predict = 0
+        return int(lib.flexel_evaluate(*self._pair, t, self._y, self._dy))
+
+    def warm(self, near: Moment) -> None:
+        """Start the next right-hand side from a position."""
+        self.struct.t_last, self.struct.predict, self.is_warm = near.t, 0, True
+        self.x_last[:], self.e_last[:], self.ed_last[:] = near.x, near.e, near.ed
+
+    @property
+    def last(self) -> Moment | None:
+        """Where the next right-hand side starts to look for its position; None before the first."""
+        if not self.is_warm:
+            return None
+        c = self.struct
+        return Moment(
+            c.t_last, self.x_last.copy(), np.zeros_like(self.x_last), self.e_last.copy(), self.ed_last.copy()
+        )

@@ -1,0 +1,286 @@
+/* Sparse LU factors with a given order of the pivots, and solutions with them: see elimination.h and lu.h. */
+#include "kernels.h" /* for FLEXEL_CLONES */
+#include "lu.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double SINGULAR = 1e-14; /* least size of a pivot relative to its row of the matrix, columns scaled */
+static const double GROWTH = 1e4;     /* largest size of a row when it is eliminated, relative to its pivot */
+
+void flexel_lu_free(flexel_lu *lu)
+{
+    if (!lu)
+        return;
+    int *const arrays[] = {lu->row, lu->column, lu->first, lu->diagonal, lu->at, lu->slot, lu->group,
+                           lu->below, lu->multiplier, lu->run};
+    for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
+        free(arrays[i]);
+    free(lu->scale);
+    free(lu->stretch);
+    free(lu);
+}
+
+size_t flexel_lu_slots(const flexel_lu *lu)
+{
+    return lu->slots + lu->n;
+}
+
+size_t flexel_lu_operations(const flexel_lu *lu)
+{
+    return lu->operations;
+}
+
+size_t flexel_lu_row(const flexel_lu *lu, size_t pivot)
+{
+    return (size_t)lu->row[pivot];
+}
+
+size_t flexel_lu_column(const flexel_lu *lu, size_t pivot)
+{
+    return (size_t)lu->column[pivot];
+}
+
+/* Sum of the sizes of neighbouring entries, columns scaled; not a number if one of them is not. */
+static inline double norm(const double *restrict a, const double *restrict scale, int count)
+{
+    double even = 0, odd = 0; /* two sums: an addition need not wait for the one before */
+    int i = 0;
+    for (; i + 1 < count; i += 2) {
+        even += fabs(a[i]) * scale[i];
+        odd += fabs(a[i + 1]) * scale[i + 1];
+    }
+    return i < count ? even + odd + fabs(a[i]) * scale[i] : even + odd;
+}
+
+/* The matrix into its slots, zeros into those of the fill, and the size of every row behind them. */
+static inline void load(const flexel_lu *lu, const int *restrict source, const double *restrict buffer,
+                        double *restrict a)
+{
+    memset(a, 0, lu->slots * sizeof *a);
+    for (size_t e = 0; e < lu->nentries; e++)
+        a[lu->slot[e]] = buffer[source[e]];
+    for (size_t i = 0; i < lu->n; i++)
+        a[lu->slots + i] = norm(a + lu->first[i], lu->scale + lu->first[i], lu->first[i + 1] - lu->first[i]);
+}
+
+/* The multipliers of a row for `width` neighbouring pivots, in their slots and in z; rows[j] is pivot row j from the
+ * column behind these pivots on. */
+static inline void multipliers(double *slots, const double *const *rows, int width, double *z)
+{
+    for (int j = 0; j < width; j++) {
+        double sum = slots[j];
+        for (int i = 0; i < j; i++)
+            sum -= z[i] * rows[i][j - width];
+        z[j] = slots[j] = sum * rows[j][j - width];
+    }
+}
+
+/* Subtract `width` pivot rows times z from neighbouring slots of another row; they start at `from` in the rows. */
+static inline void subtract_rows(double *restrict to, const double *const *rows, int from, int length, int width,
+                                 const double *z)
+{
+    const double *p = rows[0] + from, *q = width > 1 ? rows[1] + from : p, *r = width > 2 ? rows[2] + from : p;
+    const double *s = width > 3 ? rows[3] + from : p;
+#pragma omp simd simdlen(4)
+    for (int i = 0; i < length; i++) {
+        double sum = to[i] - z[0] * p[i];
+        if (width > 1)
+            sum -= z[1] * q[i];
+        if (width > 2)
+            sum -= z[2] * r[i];
+        if (width > 3)
+            sum -= z[3] * s[i];
+        to[i] = sum;
+    }
+}
+
+/* Subtract the first `width` rows of a group from what comes after them: the group's next row, or all rows below. */
+static inline void eliminate(const flexel_lu *lu, size_t g, int width, int inside, double *a)
+{
+    const int first = lu->group[g];
+    const double *rows[FLEXEL_GROUP];
+    double z[FLEXEL_GROUP];
+    for (int j = 0; j < width; j++)
+        rows[j] = a + lu->diagonal[first + j] + width - j;
+    if (inside) {
+        const int d = lu->diagonal[first + width];
+        multipliers(a + d - width, rows, width, z);
+        subtract_rows(a + d, rows, 0, lu->first[first + width + 1] - d, width, z);
+        return;
+    }
+    for (int l = lu->below[g]; l < lu->below[g + 1]; l++) {
+        multipliers(a + lu->multiplier[l], rows, width, z);
+        for (int r = lu->run[l]; r < lu->run[l + 1]; r++)
+            subtract_rows(a + lu->stretch[r].to, rows, lu->stretch[r].from, lu->stretch[r].length, width, z);
+    }
+}
+
+/* The same, with the width known to the compiler. */
+static inline void eliminate_by(const flexel_lu *lu, size_t g, int width, int inside, double *a)
+{
+    switch (width) {
+    case 1: eliminate(lu, g, 1, inside, a); break;
+    case 2: eliminate(lu, g, 2, inside, a); break;
+    case 3: eliminate(lu, g, 3, inside, a); break;
+    default: eliminate(lu, g, FLEXEL_GROUP, inside, a);
+    }
+}
+
+/* Whether a pivot is large enough; it is replaced by its inverse. */
+static inline int invert(const flexel_lu *lu, size_t k, double *a)
+{
+    const int d = lu->diagonal[k], u = lu->first[k + 1] - d - 1;
+    const double size = fabs(a[d]) * lu->scale[d], rest = norm(a + d + 1, lu->scale + d + 1, u);
+    const int sound = size > 0 && size <= DBL_MAX && size >= SINGULAR * a[lu->slots + k] && size * GROWTH >= rest;
+    a[d] = 1 / a[d];
+    return sound;
+}
+
+FLEXEL_CLONES
+size_t flexel_lu_factor(const flexel_lu *lu, const int *source, const double *buffer, double *a)
+{
+    load(lu, source, buffer, a);
+    for (size_t g = 0; g < lu->groups; g++) {
+        const int first = lu->group[g], width = lu->group[g + 1] - first;
+        for (int j = 0; j < width; j++) {
+            if (j)
+                eliminate_by(lu, g, j, 1, a);
+            if (!invert(lu, (size_t)(first + j), a))
+                return (size_t)(first + j) + 1;
+        }
+        eliminate_by(lu, g, width, 0, a);
+    }
+    return 0;
+}
+
+/* y (n) x count from the rows of b in the order given; the first row that is not zero. */
+static inline size_t gather(size_t n, const int *order, size_t count, const double *b, double *restrict y)
+{
+    size_t first = n;
+    for (size_t k = n; k-- > 0;)
+        for (size_t c = 0; c < count; c++) {
+            y[k * count + c] = b[(size_t)order[k] * count + c];
+            first = y[k * count + c] == 0 ? first : k;
+        }
+    return first;
+}
+
+static inline void scatter(size_t n, const int *order, size_t count, const double *restrict y, double *x)
+{
+    for (size_t k = 0; k < n; k++)
+        for (size_t c = 0; c < count; c++)
+            x[(size_t)order[k] * count + c] = y[k * count + c];
+}
+
+/* The sum of a[s] y[at[s]] over neighbouring slots; four sums, so that an addition need not wait for the one before. */
+static inline double product(const double *restrict a, const int *restrict at, int slots, const double *restrict y)
+{
+    double sum[4] = {0};
+    int s = 0;
+    for (; s + 3 < slots; s += 4)
+        for (int i = 0; i < 4; i++)
+            sum[i] += a[s + i] * y[at[s + i]];
+    for (; s < slots; s++)
+        sum[0] += a[s] * y[at[s]];
+    return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+}
+
+/* z -= the sum of a[s] times row at[s] of y, over neighbouring slots, for `width` of `count` columns. */
+static inline void subtract(double *restrict z, const double *restrict a, const int *restrict at, int slots,
+                            const double *y, size_t count, size_t width)
+{
+    if (count == 1)
+        z[0] -= product(a, at, slots, y);
+    for (int s = 0; s < slots && count != 1; s++)
+        for (size_t c = 0; c < width; c++)
+            z[c] -= a[s] * y[(size_t)at[s] * count + c];
+}
+
+/* L, then U, row by row, on `width` of `count` columns that are zero before row `first`. */
+static inline void sweep(const flexel_lu *lu, const double *restrict a, size_t first, double *y, size_t count,
+                         size_t width)
+{
+    for (size_t i = first; i < lu->n; i++) {
+        const int s = lu->first[i];
+        double z[8];
+        memcpy(z, y + i * count, width * sizeof *z);
+        subtract(z, a + s, lu->at + s, lu->diagonal[i] - s, y, count, width);
+        memcpy(y + i * count, z, width * sizeof *z);
+    }
+    for (size_t i = lu->n; i-- > 0;) {
+        const int s = lu->diagonal[i] + 1;
+        double z[8];
+        memcpy(z, y + i * count, width * sizeof *z);
+        subtract(z, a + s, lu->at + s, lu->first[i + 1] - s, y, count, width);
+        for (size_t c = 0; c < width; c++)
+            y[i * count + c] = z[c] * a[s - 1];
+    }
+}
+
+/* Subtract a[s] z from row at[s] of y, for neighbouring slots. */
+static inline void spread(const double *restrict z, const double *restrict a, const int *restrict at, int slots,
+                          double *y, size_t count, size_t width)
+{
+    for (int s = 0; s < slots; s++)
+        for (size_t c = 0; c < width; c++)
+            y[(size_t)at[s] * count + c] -= a[s] * z[c];
+}
+
+/* The same with the transposed factors: U', then L', column by column. */
+static inline void sweep_transposed(const flexel_lu *lu, const double *restrict a, size_t first, double *y,
+                                    size_t count, size_t width)
+{
+    for (size_t i = first; i < lu->n; i++) {
+        const int s = lu->diagonal[i] + 1;
+        double z[8];
+        for (size_t c = 0; c < width; c++)
+            z[c] = y[i * count + c] *= a[s - 1];
+        spread(z, a + s, lu->at + s, lu->first[i + 1] - s, y, count, width);
+    }
+    for (size_t i = lu->n; i-- > 0;) {
+        const int s = lu->first[i];
+        double z[8];
+        memcpy(z, y + i * count, width * sizeof *z);
+        spread(z, a + s, lu->at + s, lu->diagonal[i] - s, y, count, width);
+    }
+}
+
+FLEXEL_CLONES
+void flexel_lu_solve(const flexel_lu *lu, const double *a, size_t count, const double *b, double *x, double *work)
+{
+    const size_t first = count == 1 ? gather(lu->n, lu->row, 1, b, work) : gather(lu->n, lu->row, count, b, work);
+    size_t c = 0;
+    if (count == 1)
+        sweep(lu, a, first, work, 1, 1), c = 1;
+    for (; c + 8 <= count; c += 8)
+        sweep(lu, a, first, work + c, count, 8);
+    for (; c + 4 <= count; c += 4)
+        sweep(lu, a, first, work + c, count, 4);
+    for (; c < count; c++)
+        sweep(lu, a, first, work + c, count, 1);
+    scatter(lu->n, lu->column, count, work, x);
+}
+
+FLEXEL_CLONES
+void flexel_lu_solve_transposed(const flexel_lu *lu, const double *a, size_t count, const double *b, double *x,
+                                double *work)
+{
+    const size_t first = gather(lu->n, lu->column, count, b, work);
+    size_t c = 0;
+    for (; c + 4 <= count; c += 4)
+        sweep_transposed(lu, a, first, work + c, count, 4);
+    for (; c < count; c++)
+        sweep_transposed(lu, a, first, work + c, count, 1);
+    scatter(lu->n, lu->row, count, work, x);
+}
+
+int flexel_lu_sign(const flexel_lu *lu, const double *a)
+{
+    int sign = lu->sign;
+    for (size_t k = 0; k < lu->n; k++)
+        sign = a[lu->diagonal[k]] < 0 ? -sign : sign;
+    return sign;
+}

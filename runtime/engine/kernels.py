@@ -1,0 +1,164 @@
+"""Elements and laws of a structure sorted by type, with their compiled kernels and their places in
+the global vectors.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from flexel.base.arrays import Array, Index
+from flexel.base.errors import FlexelError
+from flexel.derive.spec import ElementSpec, LawSpec
+from flexel.engine.lanes import LANES, blocks
+from flexel.generated._kernels import ffi, lib
+from flexel.structure.instances import Instance, LawInstance
+from flexel.structure.structure import Structure
+
+
+@dataclass(frozen=True)
+class Batch:
+    """All elements (or laws) of one type; elements with inertia come first.
+
+    Attributes
+    ----------
+    spec : ElementSpec or LawSpec
+    struct : cffi struct
+        Function pointers of the kernels.
+    places : dict of str to ndarray of int (elements, rows)
+        For each kernel input, the places of its rows in the global vector.
+    p : ndarray (elements, np)
+        Parameters.
+    weight : ndarray (elements,)
+        Mass-proportional damping of the elements [1/s].
+    heavy : int
+        Number of elements with inertia.
+    """
+
+    spec: Any
+    struct: Any
+    places: Mapping[str, Index]
+    p: Array
+    weight: Array
+    heavy: int = 0
+
+    @property
+    def size(self) -> int:
+        """Number of elements."""
+        return int(self.p.shape[0])
+
+    @property
+    def nblocks(self) -> int:
+        """Number of blocks of eight elements."""
+        return -(-self.size // LANES)
+
+    def parameter(self, name: str) -> Array:
+        """Values (elements, size) of a parameter."""
+        first = 0
+        for parameter in self.spec.parameters:
+            if parameter.name == name:
+                return self.p[:, first : first + parameter.size]
+            first += parameter.size
+        raise KeyError(name)
+
+    @property
+    def varies(self) -> bool:
+        """Whether the mass matrix or the body force of an element depends on its position.
+
+        h vanishes identically if and only if M is constant.
+        """
+        kernels = self.spec.kernels
+        outputs = {out.name: out for kind in ("inertia", "tangent") for out in kernels[kind].outputs}
+        return any(outputs[name].nonzeros for name in ("h", "R_x", "R_v"))
+
+    def taken(self, order: Index, heavy: int) -> Batch:
+        """The same elements in another order, those with inertia first."""
+        places = {name: rows[order] for name, rows in self.places.items()}
+        return replace(self, places=places, p=self.p[order], weight=self.weight[order], heavy=heavy)
+
+
+def kernel_struct(spec: ElementSpec | LawSpec, address: object) -> Any:
+    """The C table of function pointers of a built-in (by name) or user-defined (by address) type."""
+    law = isinstance(spec, LawSpec)
+    if address is None:
+        struct = getattr(lib, f"flexel_law_{spec.name}" if law else f"flexel_{spec.name}")
+    else:
+        struct = ffi.cast("flexel_law *" if law else "flexel_element *", address)[0]
+    if ffi.string(struct.digest).decode() != spec.digest:
+        raise FlexelError(
+            f"the compiled kernels of '{spec.name}' belong to another derivation than generated/table.py; compile them "
+            "again: pip install -e . (or make test)"
+        )
+    return struct
+
+
+def element_batches(structure: Structure) -> list[Batch]:
+    """The elements of each type, with the places of their coordinates, deformations and slips."""
+    groups: dict[tuple[str, object], list[Instance]] = defaultdict(list)
+    for instance in structure.instances:
+        if instance.terms is None:  # a relation has no kernels
+            groups[instance.spec.name, instance.kernels].append(instance)
+    found = []
+    for members in groups.values():
+        x = np.array([np.concatenate([structure.places(z) for z in i.nodes]) for i in members])
+        sigma = _indices([[structure.index[z] for z in i.deformations] for i in members])
+        tau = _indices([[structure.index[z] - structure.m for z in i.slips] for i in members])
+        spec = members[0].spec
+        struct = kernel_struct(spec, members[0].kernels)
+        weight = np.array([i.mass_damping for i in members], dtype=float)
+        batch = Batch(
+            spec, struct, {"x": x, "sigma": sigma, "tau": tau}, np.array([i.p for i in members]), weight
+        )
+        found.append(_heavy_first(batch, structure, members[0].kernels is not None))
+    return found
+
+
+def law_batches(structure: Structure) -> list[Batch]:
+    """The laws of each type, with the places of the quantities on which they act."""
+    groups: dict[tuple[str, object], list[LawInstance]] = defaultdict(list)
+    for law in structure.laws:
+        groups[law.spec.name, law.kernels].append(law)
+    found = []
+    for members in groups.values():
+        e = _indices([[structure.index[z] for z in i.deformations] for i in members])
+        s = _indices([[structure.index[z] for z in i.slips] for i in members])
+        z = _indices([[structure.internal[z] for z in i.states] for i in members])
+        spec = members[0].spec
+        struct = kernel_struct(spec, members[0].kernels)
+        none = np.zeros(len(members))
+        found.append(Batch(spec, struct, {"e": e, "s": s, "z": z}, np.array([i.p for i in members]), none))
+    return found
+
+
+def _heavy_first(batch: Batch, structure: Structure, own: bool) -> Batch:
+    """The batch with its elements that have mass first; those of users' types count as such.
+
+    Inertia of the built-in types is proportional to their masses; if it vanishes anywhere, it vanishes everywhere.
+    """
+    if "inertia" not in batch.spec.kernels:
+        return batch
+    heavy = np.ones(batch.size, dtype=bool) if own else _has_inertia(batch, structure)
+    return batch.taken(np.argsort(~heavy, kind="stable"), int(heavy.sum()))
+
+
+def _has_inertia(batch: Batch, structure: Structure) -> Any:
+    """Whether the inertia kernel of each element gives anything but zeros."""
+    rng = np.random.default_rng(1)
+    x, v = structure.x0 + 0.1 * rng.standard_normal(structure.n), rng.standard_normal(structure.n)
+    kernel = batch.spec.kernels["inertia"]
+    ins = [blocks(z) for z in (x[batch.places["x"]], v[batch.places["x"]], batch.p)]
+    outs = [np.zeros((batch.nblocks, len(out.nonzeros), LANES)) for out in kernel.outputs]
+    pointers = [
+        ffi.new("double *[]", [ffi.cast("double *", z.ctypes.data) for z in part]) for part in (ins, outs)
+    ]
+    batch.struct.inertia(batch.nblocks, ffi.cast("const double *const *", pointers[0]), pointers[1])
+    some: Any = np.concatenate([(z != 0).any(axis=1) for z in outs]).reshape(len(outs), -1).any(axis=0)
+    return some[: batch.size]
+
+
+def _indices(rows: Sequence[Sequence[int]]) -> Index:
+    return np.array(rows, dtype=np.intp).reshape(len(rows), -1)

@@ -1,0 +1,45 @@
+/* One step of the Runge-Kutta method of Dormand and Prince of order 8 (DOP853) in minimal coordinates.
+ *
+ * The coordinates x, and deformations with a period, are integrated along as a shadow, x' = v: they are where the position
+ * of each stage is sought. The shadow's own error, and how far the solved coordinates are from it, tell whether the step
+ * can be trusted to stay on its branch. Source: Hairer, Norsett and Wanner (1993); coefficients are those of SciPy. */
+#ifndef FLEXEL_RUNGE_KUTTA_H
+#define FLEXEL_RUNGE_KUTTA_H
+
+#include "explicit.h"
+
+/* cdef: begin */
+enum { FLEXEL_STAGES = 12 };
+
+typedef struct {
+    size_t ny;
+    const double *A, *B, *C, *E3, *E5; /* A (12, 12), B (12), C (12), E3 and E5 (13) */
+    double rtol;
+    const double *atol;   /* (ny) */
+    const double *weight; /* one over natural scales of the free coordinates (nf) */
+    size_t ngiven;
+    const double *given;  /* prescribed motions and loads at the stages and the end (13, ngiven) */
+    /* at the start and the end of the step: y, coordinates, periodic deformations */
+    double *y, *x, *e, *y_new, *x_new, *e_new;
+    /* rates at the stages: of y (13, ny), of x (13, nf) and x'' (13, nf), of periodic deformations (13, nperiodic); the first
+     * rows belong to the start */
+    double *K, *V, *W, *turning;
+    double *space; /* max(ny, nf) */
+    int sign;      /* of the determinant of the position matrix at the start */
+    /* found: errors of y (SciPy's norm), of x and v (natural scales, v of its largest), of turns (periods); largest distance
+     * of the solved coordinates from the shadow, and which; whether a stage changed the sign; the stage that failed */
+    double error, error_x, error_v, error_turns, defect;
+    size_t farthest, changed, stage, evaluations;
+} flexel_dop853;
+
+/* A step of length h from time t; FLEXEL_DONE, or the code of a stage that failed. */
+int flexel_dop853_step(flexel_work *s, flexel_choice *c, flexel_dop853 *o, double t, double h);
+/* The end of the last step becomes the start of the next. */
+void flexel_dop853_accept(flexel_work *s, flexel_dop853 *o);
+/* Rates at the start, with the position sought from x and e; the first rows of K, V, W and turning. */
+int flexel_dop853_begin(flexel_work *s, flexel_choice *c, flexel_dop853 *o, double t);
+/* How much coordinates change per unit of the degrees of freedom, in natural scales; after velocities. */
+double flexel_reach(const flexel_work *s, flexel_choice *c);
+/* cdef: end */
+
+#endif

@@ -1,0 +1,101 @@
+"""Degrees of freedom that a motion can be followed in: their reach, and when others are taken.
+
+The reach A of a choice is how much the coordinates change per unit of the degrees of freedom, in natural scales.
+Where a degree of freedom passes its extreme it grows without bound, while other choices remain good.  So a choice is
+compared with the best one at the same position, whose reach is A*.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from flexel.base.arrays import Array
+from flexel.base.errors import ConstraintError
+from flexel.mechanics.core import Core
+from flexel.mechanics.diagnose import choose_dofs
+from flexel.mechanics.kinematics import Kinematics
+from flexel.mechanics.reach import reach
+from flexel.structure.moment import Moment
+
+WORSE = 2.0  # reach of a choice, relative to that of the best one, beyond which the best one is taken; with 4 some
+# random chains at rtol 1e-3 end with errors of a few per cent
+REFUSED = 2.0  # the same where a step was refused
+
+
+@dataclass
+class Choices:
+    """The degrees of freedom of one run.
+
+    Attributes
+    ----------
+    kinematics : Kinematics
+        The present ones.
+    own : Kinematics
+        The user's.
+    free : bool
+        Whether they may change.
+    best : float
+        Reach A* of the best choice, when last sought; zero before, infinite at a singular position.
+    changes : list of (float, tuple of str, tuple of str)
+        Times [s], old and new names.
+    """
+
+    system: Core
+    kinematics: Kinematics
+    free: bool
+    own: Kinematics = field(init=False)
+    best: float = field(init=False, default=0.0)
+    changes: list[tuple[float, tuple[str, ...], tuple[str, ...]]] = field(init=False, default_factory=list)
+
+    def __post_init__(self) -> None:
+        self.own = self.kinematics
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the present degrees of freedom."""
+        names = self.kinematics.structure.names
+        return tuple(names[i] for i in self.kinematics.roles.dofs)
+
+    def reach(self, near: Moment) -> float:
+        """Reach of the present choice at a position."""
+        return reach(self.kinematics, near)
+
+    def worse(self, near: Moment, present: float, factor: float) -> Kinematics | None:
+        """The best choice at a position, if the reach of the present one exceeds its by a factor; else None."""
+        other = self._best(near)
+        if other is None or not present > factor * self.best:
+            return None
+        return other
+
+    def poor(self, near: Moment, present: float) -> bool:
+        """Whether the best choice at a position is better than the present one by the usual factor."""
+        return present > WORSE and self.worse(near, present, WORSE) is not None
+
+    def _best(self, near: Moment) -> Kinematics | None:
+        """The best choice at a position, and its reach; None where there is none: the position is singular."""
+        evaluation = self.kinematics.evaluation
+        J = evaluation.position(near.x)[1]
+        try:
+            roles = choose_dofs(self.kinematics, J, None, None)
+        except ConstraintError:
+            self.best = np.inf
+            return None
+        found = self.system.kinematics_with(roles.dynamic, roles.kinematic)
+        self.best = reach(found, near)
+        return found
+
+    def change(self, other: Kinematics, t: float) -> None:
+        """Take another choice from now on."""
+        before = self.names
+        self.kinematics = other
+        self.changes.append((t, before, self.names))
+
+    def values(self, near: Moment, z: Array) -> Array:
+        """The variables y = (q, q_d', z) of the present choice at a position with rates."""
+        kinematics, roles = self.kinematics, self.kinematics.roles
+        q = kinematics.values(near.e, near.x)[roles.dofs]
+        work = kinematics.evaluation.at(near.t, near.x, near.v, near=near.e)
+        rates = np.concatenate([work.w, near.v])[roles.dynamic]
+        return np.concatenate([q, rates, z])

@@ -1,0 +1,274 @@
+"""DOP853 in C with the coordinates as a shadow: step control, and the rules that keep a motion on its branch.
+
+The step control is that of SciPy (Hairer, Norsett and Wanner 1993), with three more limits: the shadow's own error,
+the sign of the determinant of the position matrix, which two solutions that meet in a fold have opposite, and the
+distance of the solved coordinates from the shadow.  Where these fail, others degrees of freedom are the cure.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from scipy.integrate._ivp import dop853_coefficients as tableau
+
+from flexel.base.arrays import Array
+from flexel.base.errors import DynamicsError, FlexelError
+from flexel.engine.choice import Choice
+from flexel.engine.lanes import aligned
+from flexel.generated._kernels import ffi, lib
+from flexel.integration.branch import REFUSED
+from flexel.integration.dense import Interpolant
+from flexel.integration.minimal import SHORTEST, MinimalRun
+from flexel.mechanics.kinematics import Kinematics
+from flexel.structure.moment import Moment
+
+SAFETY, SMALLEST, LARGEST = 0.9, 0.2, 10.0  # factors of the step control
+EXPONENT = -1 / 8
+ACCEPT = 0.01  # error of a position below which J is not evaluated anew, relative to rtol
+SHADOW = 1e-3  # error of the shadow in one step, in natural scales
+TURNS = 0.1  # of periodic deformations, in periods
+CAREFUL = 1e-9  # of the shadow and its rates where the sign of the position matrix changes
+FARTHEST = 10.0  # distance of the solution from the shadow, in expected errors
+FLOOR = 1e-5  # that is always allowed
+FIRST = 1e-9  # least first step, relative to the time left: values of y that are rounding errors ask for less
+SHORTER = 0.4  # factor of a step that is refused
+A, B, C = (np.ascontiguousarray(z, dtype=float) for z in (tableau.A[:12, :12], tableau.B, tableau.C[:12]))
+E3, E5 = (np.ascontiguousarray(z, dtype=float) for z in (tableau.E3, tableau.E5))
+TIMES = np.append(C, 1.0)  # of the stages and the end
+
+
+class Steps:
+    """The struct of runge_kutta.h for one choice of degrees of freedom."""
+
+    def __init__(self, kinematics: Kinematics, now: Moment, y: Array, rtol: float, atol: Array) -> None:
+        self.kinematics = kinematics
+        self.choice = Choice(kinematics.evaluation.work, kinematics.lists)  # samples leave no trace in it
+        self.struct: Any = ffi.new("flexel_dop853 *")
+        self._keep: list[Any] = []
+        c, s = self.struct, kinematics.structure
+        self._periodic = np.flatnonzero(s.period[: s.m])
+        c.ny, c.rtol = y.size, rtol
+        for name, array in (("A", A), ("B", B), ("C", C), ("E3", E3), ("E5", E5), ("atol", atol)):
+            setattr(c, name, self._pointer(array))
+        c.weight = self._pointer(kinematics.lists.step_weight)
+        nq, nf = self._periodic.size, s.nf
+        self.y, self.y_new, self.x, self.x_new, self.e, self.e_new = (
+            self._new(z, size)
+            for z, size in zip(
+                ("y", "y_new", "x", "x_new", "e", "e_new"), _sizes(y.size, s.n, nq), strict=True
+            )
+        )
+        self.K = self._new("K", 13 * y.size).reshape(13, y.size)
+        self.V = self._new("V", 13 * nf).reshape(13, nf)
+        for name, size in (("W", 13 * nf), ("turning", 13 * nq), ("space", max(y.size, nf))):
+            self._new(name, size)
+        motion, loads = self.choice.motion.size, self.choice.loads.size
+        c.ngiven = motion + loads
+        self._given = self._new("given", 13 * (motion + loads)).reshape(13, -1)
+        self.y[:], self.x[:], self.e[:] = y, now.x, now.e[self._periodic]
+
+    def _pointer(self, array: Array) -> Any:
+        self._keep.append(array)
+        return ffi.cast("double *", array.ctypes.data)
+
+    def _new(self, name: str, size: int) -> Array:
+        array = aligned(max(size, 1))[:size]
+        setattr(self.struct, name, self._pointer(array))
+        return array
+
+    def given(self, t: float, h: float, stages: slice) -> None:
+        """The prescribed motions and loads at some stages of a step."""
+        motions, loads = self.kinematics.roles.motions, self.kinematics.loads
+        split = self.choice.motion.size
+        for i in range(*stages.indices(13)) if motions or loads.any else ():
+            time = t + TIMES[i] * h
+            if motions:
+                self._given[i, :split] = self.kinematics.roles.motion(time).ravel()
+            if loads.any:
+                self._given[i, split:] = loads.values(time)
+
+    def begin(self, t: float) -> None:
+        """Rates at the start."""
+        self.given(t, 0.0, slice(0, 1))
+        self.kinematics.check(lib.flexel_dop853_begin(*self._structs, t), t, self.choice)
+
+    def step(self, t: float, h: float) -> int:
+        """One step; the code of what failed, or zero."""
+        self.given(t, h, slice(1, 13))
+        return int(lib.flexel_dop853_step(*self._structs, t, h))
+
+    @property
+    def _structs(self) -> tuple[Any, Any, Any]:
+        return self.choice.work.struct, self.choice.struct, self.struct
+
+    def end(self, t: float) -> Moment:
+        """Position and rates at the end of the last step."""
+        work = self.choice.work
+        work.rates()
+        return Moment(t, self.x_new.copy(), work.v.copy(), work.e.copy(), work.w[: work.e.size].copy())
+
+    def accept(self) -> None:
+        """Continue from the end of the last step."""
+        lib.flexel_dop853_accept(self.choice.work.struct, self.struct)
+
+
+def _sizes(ny: int, n: int, periodic: int) -> tuple[int, ...]:
+    return ny, ny, n, n, periodic, periodic
+
+
+class Dop853(MinimalRun):
+    """One run of DOP853."""
+
+    steps: Steps
+    _h = 0.0
+    _tried = 0.0
+    _failed = 0
+
+    def restart(self) -> None:
+        """Start anew from the present position in the present degrees of freedom."""
+        y = self.choices.values(self.now, self.z)
+        self.steps = Steps(self.kinematics, self.now, y, self.tolerances.rtol, self.natural_atol())
+        with self._accepting():
+            self.steps.begin(self.t)
+        self.counts["evaluations"] += 1
+        if not self._h:
+            self._h = self.tolerances.first_step or self._first_step()
+
+    def _accepting(self) -> _Accepting:
+        return _Accepting(self.steps.choice, ACCEPT * self.tolerances.rtol)
+
+    def _first_step(self) -> float:
+        """The first step, as SciPy chooses it from the size of the rates and of their change."""
+        s, left = self.steps, float(self.times[-1]) - self.t
+        y, f = s.y.copy(), s.K[0].copy()
+        scale = self.natural_atol() + np.abs(y) * self.tolerances.rtol
+        d0, d1 = _norm(y / scale), _norm(f / scale)
+        h0 = min(1e-6 if d0 < 1e-5 or d1 < 1e-5 else 0.01 * d0 / d1, left)
+        try:
+            change = self._rates_at(self.t + h0, y + h0 * f) - f
+        except FlexelError:
+            return min(1e-4 * left, self.tolerances.max_step)
+        d2 = _norm(change / scale) / h0
+        h1 = max(1e-6, h0 * 1e-3) if d1 <= 1e-15 and d2 <= 1e-15 else (0.01 / max(d1, d2)) ** (1 / 8)
+        return float(min(max(100 * h0, FIRST * left), h1, left, self.tolerances.max_step))
+
+    def _rates_at(self, t: float, y: Array) -> Array:
+        choice = self.kinematics.given(t)
+        ahead = self.now.x + (t - self.t) * self.now.v
+        self.counts["evaluations"] += 1
+        self.kinematics.check(choice.evaluate(t, y, ahead, self.now.turns(t)), t)
+        return choice.dy.copy()
+
+    def advance(self) -> str | None:
+        """One accepted step."""
+        end, rejected, careful = float(self.times[-1]), False, False
+        while True:
+            s, c = self.steps, self.steps.struct
+            shortest = max(SHORTEST * self._span, 10 * abs(np.nextafter(self.t, np.inf) - self.t))
+            if self._h < shortest and self._h < end - self.t:
+                raise self.gives_up(self._stopped())
+            t1 = min(self.t + min(self._h, self.tolerances.max_step), end)
+            h = self._tried = t1 - self.t
+            before = c.evaluations
+            with self._accepting():
+                code = s.step(self.t, h)
+            self.counts["evaluations"] += c.evaluations - before
+            error = self._error(careful) if not code else np.inf
+            if error < 1:
+                if c.changed and not careful:
+                    careful = True
+                    continue
+                if self._trusted() and not (c.changed and self._poor()):
+                    break
+                error = np.inf
+            self._failed = code
+            self.counts["rejected"] += 1
+            rejected = True
+            self._h = h * (max(SMALLEST, SAFETY * error**EXPONENT) if np.isfinite(error) else SHORTER)
+            if not np.isfinite(error) and self.consider_refused():
+                self.restart()
+        factor = min(LARGEST, SAFETY * error**EXPONENT) if error > 0 else LARGEST
+        self._h = h * (min(1.0, factor) if rejected else factor)
+        return self._accepted(t1)
+
+    def _error(self, careful: bool) -> float:
+        """The largest of the errors of a step, relative to what is allowed."""
+        c = self.steps.struct
+        found = max(c.error, c.error_x / SHADOW, c.error_turns / TURNS)
+        if careful:
+            found = max(found, c.error_x / CAREFUL, c.error_v / CAREFUL)
+        return float(found) if np.isfinite(found) else np.inf
+
+    def _poor(self) -> bool:
+        """Whether other degrees of freedom are so much better that a change of sign may be theirs."""
+        self.reached = self._reach()
+        return self.choices.poor(self.now, self.reached)
+
+    def _reach(self) -> float:
+        return self.choices.reach(self.now)
+
+    def _trusted(self) -> bool:
+        """Whether the solved coordinates are where the shadow is, within what is expected."""
+        c, given = self.steps.struct, self.tolerances
+        expected = c.error_x + self.reached * float(np.max(given.atol) + given.rtol)
+        return bool(c.defect <= FARTHEST * max(expected, FLOOR))
+
+    def consider_refused(self) -> bool:
+        """Take better degrees of freedom at the start of a refused step."""
+        self.reached = self._reach()
+        return self.consider(REFUSED)
+
+    def _accepted(self, t1: float) -> str | None:
+        s, first = self.steps, self.now
+        if s.struct.changed:
+            self.counts["bifurcations"] += 1
+            s.struct.sign = -s.struct.sign
+        self.reached = s.choice.reach()
+        last, K = s.end(t1), s.K.copy()
+        dense = Interpolant(self.kinematics, first, last, s.y.copy(), s.y_new.copy(), K)
+        s.accept()
+        return self.end_step(first.t, dense, first, s.y[s.y.size - self.z.size :].copy(), last)
+
+    def _stopped(self) -> FlexelError:
+        """The error of steps that have become too short."""
+        if self._failed:
+            return self.kinematics.failure(self._failed, self.t, self.steps.choice)
+        c, s = self.steps.struct, self.system.structure
+        jumped = ""
+        if not self._trusted():
+            jumped = f"'{s.names[s.m + s.k + c.farthest]}' jumps by {c.defect:.2g} of its natural scale{self._cut()}; "
+        return DynamicsError(
+            f"the steps have become too short at t = {self.t:g} s (reach {self.reached:.2g}, with the best choice "
+            f"{self.choices.best:.2g}): {self.trouble(jumped)}"
+        )
+
+    def _cut(self) -> str:
+        """The rigid deformation that jumps, if one does: it is far from zero where the coordinates lead smoothly."""
+        s, kinematics = self.steps, self.kinematics
+        nf, rigid = kinematics.structure.nf, kinematics.roles.rigid
+        x = s.x.copy()
+        x[:nf] += self._tried * (B @ s.V[:12])
+        e = kinematics.evaluation.position(x, self.now.e)[0]
+        off = np.abs(kinematics.values(e, x)[rigid]) / kinematics.scales(rigid)
+        if not off.size or off.max() < FLOOR:
+            return ""
+        name = kinematics.structure.names[rigid[int(np.argmax(off))]]
+        return f", and the rigid deformation '{name}' by {off.max():.2g}: declare its period in its element"
+
+
+def _norm(x: Array) -> float:
+    return float(np.linalg.norm(x) / x.size**0.5)
+
+
+class _Accepting:
+    """Positions whose last correction is far below the tolerance of a run are accepted within it."""
+
+    def __init__(self, choice: Choice, error: float) -> None:
+        self._struct, self._error = choice.struct, error
+
+    def __enter__(self) -> None:
+        self._struct.accept = self._error
+
+    def __exit__(self, *_: object) -> None:
+        self._struct.accept = 0.0

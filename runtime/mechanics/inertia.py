@@ -1,0 +1,29 @@
+"""Motions that move no mass: the error that names them."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from flexel.base.arrays import Array
+from flexel.base.errors import DynamicsError
+from flexel.structure.roles import Roles
+from flexel.structure.structure import Structure
+
+
+class InertiaError(DynamicsError):
+    """A motion moves no mass, so its acceleration is undetermined."""
+
+
+def massless(structure: Structure, roles: Roles, reduced: Array | None) -> InertiaError:
+    """The error for a reduced mass matrix (nd, nd) that is not positive definite; None if it is not known."""
+    if reduced is None:
+        return InertiaError(
+            "the mass matrix is singular: a motion moves no mass; give its bodies mass and inertia, or start from rest "
+            "(start=system.at_rest)"
+        )
+    w, V = np.linalg.eigh(reduced)
+    culprit = structure.names[roles.dynamic[int(np.argmax(np.abs(V[:, 0])))]]
+    return InertiaError(
+        f"reduced mass matrix is not positive definite (smallest eigenvalue {w[0]:.3g}): the degree of freedom "
+        f"'{culprit}' moves no mass; give its bodies mass and inertia, or prescribe it"
+    )

@@ -1,0 +1,39 @@
+"""Campaign: no motion of hundreds in badly chosen coordinates ends on another branch.
+
+One family: ``python -m pytest tests/integration/test_branch_campaign.py -k double -s``.  One case, to look at it:
+``branch_case.verdict(branch_families.case("double", 17), "DOP853", 1e-3)``.
+"""
+
+import pytest
+from branch_case import table, verdict
+from branch_families import COUNTS, cases
+
+pytestmark = [pytest.mark.campaign, pytest.mark.slow]
+SCIPY = {"RK45": (1e-9, 1e-3), "LSODA": (1e-9, 1e-3), "Radau": (1e-6, 1e-3), "BDF": (1e-6, 1e-3)}
+
+
+def judge(family: str, method: str, rtol: float, every: int, own: bool = False) -> None:
+    verdicts = [verdict(z, method, rtol, own) for z in cases(family, every)]
+    found = f"{family}{', own choice' * own}, {method} at {rtol:g}: {table(verdicts)}"
+    print(found)
+    assert not any(z.fails for z in verdicts), found
+
+
+@pytest.mark.parametrize("family", COUNTS)
+@pytest.mark.parametrize("rtol", [1e-9, 1e-3])
+def test_no_motion_is_on_another_branch(family: str, rtol: float) -> None:
+    judge(family, "DOP853", rtol, 1)
+
+
+@pytest.mark.parametrize("family", COUNTS)
+def test_no_motion_in_the_programs_own_choice_is_on_another_branch(family: str) -> None:
+    """Changed on the way where it becomes bad, at a tolerance at which steps are long."""
+    judge(family, "DOP853", 1e-3, 2, own=True)
+
+
+@pytest.mark.parametrize("method", SCIPY)
+@pytest.mark.parametrize("family", COUNTS)
+def test_no_method_of_scipy_takes_a_motion_onto_another_branch(family: str, method: str) -> None:
+    """One case of ten, 40 motions for each method and tolerance."""
+    for rtol in SCIPY[method]:
+        judge(family, method, rtol, 10)
