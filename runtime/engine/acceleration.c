@@ -35,7 +35,7 @@ void flexel_forces(flexel_work *s, flexel_choice *c)
 /* g: accelerations of the coordinates where the dynamic degrees of freedom have `given` ones (or none), into c->step. */
 static void convective(flexel_work *s, flexel_choice *c, const double *given)
 {
-    const size_t held = c->nr + c->np, nk = c->nk, count = (c->saddle ? 0 : c->nd) + nk + 1, nd = count - nk - 1;
+    const size_t held = c->nr + c->np, nk = c->nk, count = c->columns, nd = c->saddle ? 0 : c->nd;
     flexel_convective(s);
     for (size_t i = 0; i < s->nf; i++) {
         const size_t row = (size_t)c->rows[i];
@@ -64,7 +64,7 @@ static void convective(flexel_work *s, flexel_choice *c, const double *given)
 /* X = [H | g], rows of `stride` numbers. */
 static void fill_X(flexel_work *s, flexel_choice *c)
 {
-    const size_t nd = c->nd, count = nd + c->nk + 1;
+    const size_t nd = c->nd, count = c->columns;
     for (size_t i = 0; i < s->nf; i++) {
         double *X = c->X + i * c->stride;
         for (size_t j = 0; j < nd; j++)
@@ -81,7 +81,7 @@ static inline __attribute__((always_inline)) void add(size_t n, double z, const 
 }
 
 /* R = X' M X and b = X' F for X = [H | g], rows of `stride` numbers. */
-static inline __attribute__((always_inline)) void reduce(const flexel_work *s, const flexel_choice *c, size_t stride,
+static inline __attribute__((always_inline)) void reduce_by(const flexel_work *s, const flexel_choice *c, size_t stride,
                                                          double *MX, double *R, double *b)
 {
     for (size_t i = 0; i < s->nf; i++) {
@@ -97,6 +97,25 @@ static inline __attribute__((always_inline)) void reduce(const flexel_work *s, c
     }
 }
 
+/* The same; the usual strides have loops of their own. */
+FLEXEL_CLONES
+static void reduce(const flexel_work *s, const flexel_choice *c, double *MX, double *R, double *b)
+{
+    switch (c->stride) {
+    case 4:
+        reduce_by(s, c, 4, MX, R, b);
+        break;
+    case 8:
+        reduce_by(s, c, 8, MX, R, b);
+        break;
+    case 12:
+        reduce_by(s, c, 12, MX, R, b);
+        break;
+    default:
+        reduce_by(s, c, c->stride, MX, R, b);
+    }
+}
+
 /* (H' M H) q'' = H' (F - M g) */
 static int reduced(flexel_work *s, flexel_choice *c)
 {
@@ -104,16 +123,7 @@ static int reduced(flexel_work *s, flexel_choice *c)
     double *R = c->small, *MX = R + nd * stride, *b = MX + stride, *A = b + stride;
     fill_X(s, c);
     memset(R, 0, (nd + 2) * stride * sizeof(double));
-    switch (stride) { /* the usual ones have loops of their own */
-    case 4:
-        reduce(s, c, 4, MX, R, b);
-        break;
-    case 8:
-        reduce(s, c, 8, MX, R, b);
-        break;
-    default:
-        reduce(s, c, stride, MX, R, b);
-    }
+    reduce(s, c, MX, R, b);
     for (size_t i = 0; i < nd; i++) {
         c->qdd[i] = b[i] - R[i * stride + nd];
         for (size_t j = 0; j < nd; j++)

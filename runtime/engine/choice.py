@@ -125,8 +125,9 @@ class Choice:
         s = lists.tables.structure
         self._free = s.nf
         nd, nk, nu = lists.roles.nd, self.struct.nk, lists.roles.prescribed.size
-        count = (0 if lists.saddle else nd) + nk + 1
-        stride = 0 if lists.saddle else -(-(nd + 1) // 4) * 4  # X in whole registers
+        count = _whole((0 if lists.saddle else nd) + nk + 1)
+        self.struct.columns = count
+        stride = 0 if lists.saddle else _whole(nd + 1)
         self.motion, self.loads = self._new("motion", 3 * nu), self._new("loads", lists.loaded.size)
         self.q, self.qd, self.qdd = self._new("q", nd + nk), self._new("qd", nd), self._new("qdd", nd)
         _, self.residual, _ = (self._new(z, s.nf) for z in ("target", "residual", "target_last"))
@@ -156,7 +157,7 @@ class Choice:
     def H(self) -> Array:  # noqa: N802
         """First-order transfer function dv/dq_d' (nf, nd) of the last velocities; not with many degrees of freedom."""
         nd = self.struct.nd
-        return self.G.reshape(-1, nd + self.struct.nk + 1)[:, :nd].copy()
+        return self.G.reshape(-1, self.struct.columns)[:, :nd].copy()
 
     def reset(self) -> None:
         """Forget what was found on the way: what follows then depends on nothing computed before.
@@ -245,3 +246,8 @@ class Choice:
         return Moment(
             c.t_last, self.x_last.copy(), np.zeros_like(self.x_last), self.e_last.copy(), self.ed_last.copy()
         )
+
+
+def _whole(columns: int) -> int:
+    """The number of columns, filled up to whole registers where there are several."""
+    return columns if columns < 3 else -(-columns // 4) * 4

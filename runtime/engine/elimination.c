@@ -33,16 +33,6 @@ size_t flexel_lu_operations(const flexel_lu *lu)
     return lu->operations;
 }
 
-size_t flexel_lu_row(const flexel_lu *lu, size_t pivot)
-{
-    return (size_t)lu->row[pivot];
-}
-
-size_t flexel_lu_column(const flexel_lu *lu, size_t pivot)
-{
-    return (size_t)lu->column[pivot];
-}
-
 /* Sum of the sizes of neighbouring entries, columns scaled; not a number if one of them is not. */
 static inline double norm(const double *restrict a, const double *restrict scale, int count)
 {

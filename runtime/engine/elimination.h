@@ -44,10 +44,6 @@ void flexel_lu_solve_transposed(const flexel_lu *lu, const double *a, size_t cou
 
 /* Sign of the determinant. */
 int flexel_lu_sign(const flexel_lu *lu, const double *a);
-
-/* Row and column of a pivot in the matrix. */
-size_t flexel_lu_row(const flexel_lu *lu, size_t pivot);
-size_t flexel_lu_column(const flexel_lu *lu, size_t pivot);
 /* cdef: end */
 
 #endif

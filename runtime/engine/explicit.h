@@ -35,7 +35,7 @@ typedef struct {
     double *loads;
     /* found */
     double *target, *residual, *qdd, *force, *multiplier; /* multiplier: by quantity */
-    size_t stride;              /* of X = [H | g], filled up with zeros */
+    size_t columns, stride;     /* of G = [d | k | given] and of X = [H | g], filled up with zeros */
     double *G, *X, *inverse, *small, *step, *work;
     double error;
     /* the last evaluation of the right-hand side: time, coordinates, deformations and their rates, targets */

@@ -79,7 +79,7 @@ int flexel_locate(flexel_work *s, flexel_choice *c)
  * With the saddle matrix the columns of the dynamic ones are not needed: their rates then belong to what is given. */
 int flexel_directions(flexel_work *s, flexel_choice *c)
 {
-    const size_t nd = c->saddle ? 0 : c->nd, nk = c->nk, count = nd + nk + 1, held = c->nr + c->np, nf = s->nf;
+    const size_t nd = c->saddle ? 0 : c->nd, nk = c->nk, count = c->columns, held = c->nr + c->np, nf = s->nf;
     double *b = c->G;
     memset(b, 0, nf * count * sizeof(double));
     for (size_t i = 0; i < c->np; i++)
@@ -123,11 +123,11 @@ int flexel_directions(flexel_work *s, flexel_choice *c)
 int flexel_velocity(flexel_work *s, flexel_choice *c)
 {
     const int failed = flexel_directions(s, c);
-    const size_t nd = c->saddle ? 0 : c->nd, count = nd + c->nk + 1;
+    const size_t nd = c->saddle ? 0 : c->nd, count = c->columns;
     if (failed)
         return failed;
     for (size_t i = 0; i < s->nf; i++) {
-        double z = c->G[i * count + count - 1];
+        double z = c->G[i * count + nd + c->nk];
         for (size_t j = 0; j < nd; j++)
             z += c->G[i * count + j] * c->qd[j];
         s->v[i] = z;
@@ -137,7 +137,7 @@ int flexel_velocity(flexel_work *s, flexel_choice *c)
 
 void flexel_rates_for(const flexel_work *s, const flexel_choice *c, size_t count, const double *b, double *x, double *work)
 {
-    const size_t held = c->nr + c->np, nk = c->nk, nd = c->nd, columns = (c->saddle ? 0 : nd) + nk + 1;
+    const size_t held = c->nr + c->np, nk = c->nk, nd = c->nd, columns = c->columns, first = c->saddle ? 0 : nd;
     memcpy(x, b, held * count * sizeof(double));
     memcpy(x + held * count, b + (held + nk) * count, nd * count * sizeof(double));
     memset(x + (held + nd) * count, 0, nk * count * sizeof(double));
@@ -156,5 +156,5 @@ void flexel_rates_for(const flexel_work *s, const flexel_choice *c, size_t count
     for (size_t i = 0; i < s->nf; i++)
         for (size_t k = 0; k < nk; k++)
             for (size_t j = 0; j < count; j++)
-                x[i * count + j] += c->G[i * columns + columns - 1 - nk + k] * w[k * count + j];
+                x[i * count + j] += c->G[i * columns + first + k] * w[k * count + j];
 }

@@ -164,7 +164,7 @@ double flexel_reach(const flexel_work *s, flexel_choice *c)
 {
     if (c->saddle) /* the columns are not there: an estimate */
         return fmax(reach_of_signs(s, c, 1), fmax(reach_of_signs(s, c, 2), reach_of_signs(s, c, s->nf + 1)));
-    const size_t nq = c->nd + c->nk, count = nq + 1, held = c->nr + c->np;
+    const size_t nq = c->nd + c->nk, count = c->columns, held = c->nr + c->np;
     double largest = 0;
     for (size_t i = 0; i < s->nf; i++) {
         double z = 0;

@@ -77,10 +77,6 @@ class Workspace(Fields):
         """Stresses, rates of internal states and energies of the laws."""
         lib.flexel_laws(self.struct)
 
-    def implicit_states(self, known: Array, share: float) -> None:
-        """Internal states z = known + share dz/dt, and the outputs of the laws there."""
-        lib.flexel_implicit_states(self.struct, self.pointer_of(known), share)
-
     def law_tangents(self, share: float = 0.0) -> None:
         """Derivatives of stresses by pair, S and S_rate."""
         lib.flexel_law_tangents(self.struct, share)

@@ -233,8 +233,8 @@ class Kinematics:
             f"position near the current one: check prescribed and initial values{driven}, or move in smaller steps"
         )
 
-    def velocity_matrix(self, J: Any) -> Solvable:
-        """Factors of B for J = [De; V; 1]; for one-off solutions.
+    def velocity_matrix(self, J: Any, t: float) -> Solvable:
+        """Factors of B for J = [De; V; 1] at time t; for one-off solutions.
 
         Raises
         ------
@@ -243,7 +243,7 @@ class Kinematics:
         """
         B = factorize(J[self.roles.velocity_rows][:, : self.structure.nf])
         if not B.regular:
-            raise self.failure(lib.FLEXEL_SLIDING if self.roles.zero.size else lib.FLEXEL_SINGULAR, 0.0)
+            raise self.failure(lib.FLEXEL_SLIDING if self.roles.zero.size else lib.FLEXEL_SINGULAR, t)
         return B
 
     def drift(self, e: Array, x: Array) -> float:

@@ -146,7 +146,7 @@ def consistent_rates(kinematics: Kinematics, c: Configuration, rates: Mapping[st
     wanted, nf = np.array(list(given.values())), structure.nf
     if not rows.size:
         return np.zeros(nd)
-    B = kinematics.velocity_matrix(c.J)
+    B = kinematics.velocity_matrix(c.J, c.t)
     motion = kinematics.roles.motion(c.t)[1]
     before = kinematics.roles.rigid.size
     rhs = np.zeros(nf)
