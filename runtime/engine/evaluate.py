@@ -12,7 +12,6 @@ from typing import Any
 
 from flexel.base.arrays import Array
 from flexel.base.once import once
-from flexel.engine.choice import Choice, ChoiceLists
 from flexel.engine.patterns import Pattern
 from flexel.engine.tables import Tables
 from flexel.engine.workspace import Workspace
@@ -56,14 +55,6 @@ class Evaluation:
         found: Workspace | None = getattr(self._threads, "work", None)
         if found is None:
             found = self._threads.work = Workspace(self.tables)
-        return found
-
-    def choice(self, lists: ChoiceLists) -> Choice:
-        """The arrays of a choice of degrees of freedom in the workspace of this thread, made when first needed."""
-        work = self.work
-        found: Choice | None = work.choices.get(lists)
-        if found is None:
-            found = work.choices[lists] = Choice(work, lists)
         return found
 
     def matrix(self, pattern: Pattern, values: Array) -> Any:

@@ -6,7 +6,6 @@ A workspace belongs to one thread at a time; the tables are shared.
 from __future__ import annotations
 
 from typing import Any
-from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -24,13 +23,12 @@ LAW_SUMS = {"law_U": "U", "law_P": "P", "S": "value", "S_rate": "rate"}
 class Workspace(Fields):
     """Arrays of one evaluation, by the names of table.h, and their `struct`.
 
-    `choices` holds what choices of degrees of freedom need in this workspace.  The vectors x, v, a (n), z (nz), near,
+    The vectors x, v, a (n), z (nz), near,
     e (m), w, stress (m + k), F (n) and the values J, M, T are views of what C reads and writes.
     """
 
     def __init__(self, tables: Tables) -> None:
         super().__init__(tables)
-        self.choices: WeakKeyDictionary[Any, Any] = WeakKeyDictionary()
         self._vectors()
         self._matrices()
         self._lanes()

@@ -8,6 +8,7 @@ non-holonomic rows.
 
 from __future__ import annotations
 
+import threading
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -81,6 +82,7 @@ class Kinematics:
         self.structure: Structure = evaluation.structure
         self.roles, self.loads = roles, loads
         self._scale = natural_scales(self.structure)
+        self._threads = threading.local()
 
     def __reduce__(self) -> tuple[type[Kinematics], tuple[Evaluation, Roles, Loads]]:
         """Pickled and copied as what it is made of: its lists are made again."""
@@ -116,7 +118,10 @@ class Kinematics:
     @property
     def choice(self) -> Choice:
         """The arrays of this choice of degrees of freedom in the workspace of this thread."""
-        return self.evaluation.choice(self.lists)
+        found: Choice | None = getattr(self._threads, "choice", None)
+        if found is None:
+            found = self._threads.choice = Choice(self.evaluation.work, self.lists)
+        return found
 
     def given(self, t: float) -> Choice:
         """The same, with the prescribed motions and loads at time t."""
