@@ -23,8 +23,8 @@ LAW_SUMS = {"law_U": "U", "law_P": "P", "S": "value", "S_rate": "rate"}
 class Workspace(Fields):
     """Arrays of one evaluation, by the names of table.h, and their `struct`.
 
-    The vectors x, v, a (n), z (nz), near,
-    e (m), w, stress (m + k), F (n) and the values J, M, T are views of what C reads and writes.
+    The vectors x, v, a (n), z (nz), near, e (m), w, stress (m + k), F (n) and the values J, M, T are views of what C
+    reads and writes.
     """
 
     def __init__(self, tables: Tables) -> None:
