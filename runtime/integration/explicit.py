@@ -204,8 +204,8 @@ class Scipy(MinimalRun):
             f"check what drives {self.kinematics.names(roles.prescribed)}, " if roles.prescribed.size else ""
         )
         raise PositionError(
-            f"the motion jumps at t = {self.t:g} s: '{name}' is not where its rate leads to; the position may be "
-            f"singular there, or a deformation jumps; {driven}choose other degrees of freedom, or DOP853"
+            f"position at t = {last.t:g} s cannot be reached: '{name}' is not where its rate leads to; the position "
+            f"may be singular there, or a deformation jumps; {driven}choose other degrees of freedom, or DOP853"
         )
 
     def _sign_at(self, near: Moment) -> int:
