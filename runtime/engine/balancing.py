@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from flexel.base.arrays import Array, Index
+from flexel.engine.structs import Struct
 from flexel.engine.workspace import Workspace
 from flexel.generated._kernels import ffi, lib
 
 
-class Balancing:
+class Balancing(Struct):
     """Inputs and outputs of `flexel_balanced`, see balance.h; the state is that of the workspace.
 
     Attributes
@@ -26,24 +25,17 @@ class Balancing:
 
     def __init__(self, work: Workspace, rows: Index, period: Array) -> None:
         s = work.tables.structure
+        super().__init__(ffi.new("flexel_balance *"))
         self.work = work
-        self.struct: Any = ffi.new("flexel_balance *")
-        self._keep: list[Any] = [rows.astype(np.int32), period]
         self.struct.work = work.struct
         self.struct.nforce, self.struct.nh = rows.size, period.size
-        self.struct.rows = ffi.from_buffer("int[]", self._keep[0])
-        self.struct.period = ffi.from_buffer("double[]", period)
-        self.nodal, self.force = (self._new(z, s.n) for z in ("nodal", "force"))
-        self.applied, self.given, self.size = (self._new(z, s.m + s.k) for z in ("applied", "given", "size"))
-        self.target, self.gap = (self._new(z, period.size) for z in ("target", "gap"))
-        self.mu, self.r = self._new("mu", rows.size), self._new("r", s.nf)
-        self.known = self._new("known", s.nz)
-
-    def _new(self, name: str, size: int) -> Array:
-        array = np.zeros(size)
-        self._keep.append(array)
-        setattr(self.struct, name, ffi.from_buffer("double[]", array))
-        return array
+        self.struct.rows = self.integers(rows.astype(np.int32))
+        self.struct.period = self.pointer(period)
+        self.nodal, self.force = (self.new(z, s.n) for z in ("nodal", "force"))
+        self.applied, self.given, self.size = (self.new(z, s.m + s.k) for z in ("applied", "given", "size"))
+        self.target, self.gap = (self.new(z, period.size) for z in ("target", "gap"))
+        self.mu, self.r = self.new("mu", rows.size), self.new("r", s.nf)
+        self.known = self.new("known", s.nz)
 
     def run(self) -> None:
         """The balance at the state of the workspace."""

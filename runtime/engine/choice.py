@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from flexel.base.arrays import Array, Index
 from flexel.engine.lanes import aligned
+from flexel.engine.structs import Struct
 from flexel.engine.tables import Tables
 from flexel.engine.workspace import Workspace
 from flexel.generated._kernels import ffi, lib
@@ -58,17 +58,16 @@ class ChoiceLists:
         self.weight = 1.0 / scales[roles.position_rows]
         self.step_weight = 1.0 / scales[s.m + s.k :][: s.nf]
         self.saddle = roles.nd > MOST_COLUMNS
-        self._first = {name: tables.M.size * (name == "J") for name in ("M", "J")}
         self.P = self._position_matrix()
         self.A = self._saddle_matrix() if self.saddle else Entries.of(0, *(np.zeros(0, dtype=np.intp),) * 3)
 
     def _rows_of_J(self, quantities: Index) -> tuple[Index, Index, Index]:  # noqa: N802
-        """Row numbers, free coordinates and sources of the entries of rows of J."""
-        J, nf = self.tables.J, self.tables.structure.nf
-        number = np.full(J.shape[0], -1)
-        number[quantities] = np.arange(quantities.size)
-        own = np.flatnonzero((number[J.row] >= 0) & (J.column < nf) & J.filled)
-        return number[J.row[own]], J.column[own], self._first["J"] + own
+        """Row numbers, free coordinates and sources of the entries of rows of J, which follow those of M."""
+        J = self.tables.J
+        own, row = J.rows_of(quantities, self.tables.structure.nf)
+        filled = J.filled[own]
+        own, row = own[filled], row[filled]
+        return row, J.column[own], self.tables.M.size + own
 
     def _position_matrix(self) -> Entries:
         return Entries.of(self.tables.structure.nf, *self._rows_of_J(self.roles.position_rows))
@@ -83,43 +82,29 @@ class ChoiceLists:
         return Entries.of(nf + held.size, rows, columns, np.concatenate([own, source, source]))
 
 
-class Choice:
+class Choice(Struct):
     """Arrays of a choice of degrees of freedom in a workspace, by the names of explicit.h, and their `struct`.
 
     It keeps the arrays of the lists, but not the lists: a workspace keeps it as long as these are in use.
     """
 
     def __init__(self, work: Workspace, lists: ChoiceLists) -> None:
+        super().__init__(ffi.gc(ffi.new("flexel_choice *"), lib.flexel_choice_clear))
         self.work = work
-        self.struct: Any = ffi.gc(ffi.new("flexel_choice *"), lib.flexel_choice_clear)
-        self._keep: list[NDArray[Any]] = []
         c, roles = self.struct, lists.roles
         c.nr, c.np, c.nd, c.nk = roles.rigid.size, roles.prescribed.size, roles.nd, roles.nq - roles.nd
         c.saddle, c.tolerance, c.accept = lists.saddle, TOLERANCE, 0.0
-        c.rows, c.slips, c.loaded = (self._integers(z) for z in (lists.rows, lists.slips, lists.loaded))
+        c.rows, c.slips, c.loaded = (self.integers(z) for z in (lists.rows, lists.slips, lists.loaded))
         c.nloads = lists.loaded.size
-        c.weight, c.step_weight = (self._pointer(z) for z in (lists.weight, lists.step_weight))
+        c.weight, c.step_weight = (self.pointer(z) for z in (lists.weight, lists.step_weight))
         for field, entries in ((c.P, lists.P), (c.A, lists.A)):
             field.n, field.nentries = entries.size, entries.rows.size
             field.rows, field.columns, field.source = (
-                self._integers(z) for z in (entries.rows, entries.columns, entries.source)
+                self.integers(z) for z in (entries.rows, entries.columns, entries.source)
             )
             size = work.samples.shape[1]
             lib.flexel_matrix_prepare(ffi.addressof(field), 2, work.pointer_of(work.samples), size)
         self._vectors(lists)
-
-    def _integers(self, array: Any) -> Any:
-        self._keep.append(array)
-        return ffi.cast("int *", array.ctypes.data)
-
-    def _pointer(self, array: Array) -> Any:
-        self._keep.append(array)
-        return ffi.cast("double *", array.ctypes.data)
-
-    def _new(self, name: str, size: int) -> Array:
-        array = aligned(max(size, 1))[:size]
-        setattr(self.struct, name, self._pointer(array))
-        return array
 
     def _vectors(self, lists: ChoiceLists) -> None:
         s = lists.tables.structure
@@ -128,23 +113,23 @@ class Choice:
         count = _whole((0 if lists.saddle else nd) + nk + 1)
         self.struct.columns = count
         stride = 0 if lists.saddle else _whole(nd + 1)
-        self.motion, self.loads = self._new("motion", 3 * nu), self._new("loads", lists.loaded.size)
-        self.q, self.qd, self.qdd = self._new("q", nd + nk), self._new("qd", nd), self._new("qdd", nd)
-        _, self.residual, _ = (self._new(z, s.nf) for z in ("target", "residual", "target_last"))
-        self._new("step", max(s.nf, lists.A.size))
-        self.force = self._new("force", s.n)
-        self.multiplier = self._new("multiplier", s.m + s.k + s.n)
+        self.motion, self.loads = self.new("motion", 3 * nu), self.new("loads", lists.loaded.size)
+        self.q, self.qd, self.qdd = self.new("q", nd + nk), self.new("qd", nd), self.new("qdd", nd)
+        _, self.residual, _ = (self.new(z, s.nf) for z in ("target", "residual", "target_last"))
+        self.new("step", max(s.nf, lists.A.size))
+        self.force = self.new("force", s.n)
+        self.multiplier = self.new("multiplier", s.m + s.k + s.n)
         self.struct.stride = stride
-        self.G = self._new("G", max(s.nf * count, lists.A.size))
-        self._new("X", max(s.nf * stride, s.n))
-        self._new("inverse", nk * nk)
+        self.G = self.new("G", max(s.nf * count, lists.A.size))
+        self.new("X", max(s.nf * stride, s.n))
+        self.new("inverse", nk * nk)
         reduced = 0 if lists.saddle else (nd + 2) * (stride + nd)
-        self._new("small", max((nk + 1) * (count + nk), reduced))
-        self._new("work", max(s.nf * count, lists.A.size))
-        self.x_last = self._new("x_last", s.n)
-        self.e_last, self.ed_last = self._new("e_last", s.m), self._new("ed_last", s.m)
+        self.new("small", max((nk + 1) * (count + nk), reduced))
+        self.new("work", max(s.nf * count, lists.A.size))
+        self.x_last = self.new("x_last", s.n)
+        self.e_last, self.ed_last = self.new("e_last", s.m), self.new("ed_last", s.m)
         self.y, self.dy = (aligned(2 * nd + nk + s.nz) for _ in "12")
-        self._y, self._dy = self._pointer(self.y), self._pointer(self.dy)
+        self._y, self._dy = self.pointer(self.y), self.pointer(self.dy)
         self.is_warm = False
         self._rhs, self._pair = lib.flexel_rhs, (self.work.struct, self.struct)
 

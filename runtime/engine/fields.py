@@ -7,9 +7,10 @@ from typing import Any
 
 from flexel.base.arrays import Array, Index
 from flexel.engine.kernels import Batch
-from flexel.engine.lanes import LANES, aligned
+from flexel.engine.lanes import LANES
 from flexel.engine.patterns import Pattern, Terms
 from flexel.engine.stages import Stage, Sums
+from flexel.engine.structs import Struct
 from flexel.engine.tables import Tables
 from flexel.generated._kernels import ffi
 
@@ -37,7 +38,7 @@ LAW_INPUTS = {
 }
 
 
-class Fields:
+class Fields(Struct):
     """A new structure in C with its arrays, filled field by field by the names of table.h.
 
     Attributes
@@ -49,21 +50,9 @@ class Fields:
     """
 
     def __init__(self, tables: Tables) -> None:
+        super().__init__(ffi.new("flexel_work *"))
         self.tables = tables
-        self.struct: Any = ffi.new("flexel_work *")
         self.outputs: dict[str, Array] = {}
-        self._keep: list[Any] = []
-
-    def new(self, name: str, size: int) -> Array:
-        """A new array of the structure, aligned to a cache line."""
-        array = aligned(max(size, 1))[:size]
-        setattr(self.struct, name, self.pointer(array))
-        return array
-
-    def pointer(self, array: Array, first: int = 0) -> Any:
-        """Pointer to the numbers of an array, which is kept alive."""
-        self._keep.append(array)
-        return ffi.cast("double *", array.ctypes.data) + first
 
     def ints(self, array: Index) -> Any:
         """Pointer to integers, shared by all workspaces."""

@@ -55,6 +55,13 @@ class Pattern:
         """A sparse matrix with a copy of the values."""
         return csr_array((values.copy(), self.column, self.start), shape=self.shape)
 
+    def rows_of(self, rows: Index, width: int) -> tuple[Index, Index]:
+        """Entries of some rows, in their order, in the first columns; and for each the place of its row among them."""
+        entries = flat(np.arange(self.start[i], self.start[i + 1]) for i in rows)
+        place = np.repeat(np.arange(rows.size), self.start[rows + 1] - self.start[rows])
+        own = self.column[entries] < width
+        return entries[own], place[own]
+
     def find(self, rows: Index, columns: Index) -> Index:
         """Numbers of entries of the pattern."""
         return np.searchsorted(self._codes, rows * self.shape[1] + columns)
@@ -72,11 +79,8 @@ class Selection:
     """
 
     def __init__(self, pattern: Pattern, rows: Index, width: int) -> None:
-        number = np.full(pattern.shape[0], -1)
-        number[rows] = np.arange(rows.size)
-        own = np.flatnonzero((number[pattern.row] >= 0) & (pattern.column < width))
-        own = own[np.argsort(number[pattern.row[own]], kind="stable")]
-        start = np.searchsorted(number[pattern.row[own]], np.arange(rows.size + 1))
+        own, place = pattern.rows_of(rows, width)
+        start = np.searchsorted(place, np.arange(rows.size + 1))
         self._rows = rows.size
         self._lists = [np.ascontiguousarray(z, dtype=np.int32) for z in (start, pattern.column[own], own)]
         self._pointers = [ffi.from_buffer("int[]", z) for z in self._lists]
@@ -85,11 +89,9 @@ class Selection:
         """The product of these rows of a matrix, by the values of its pattern, with a dense matrix (width, columns)."""
         X = np.ascontiguousarray(X)
         found = np.empty((self._rows, X.shape[1]))
-        numbers = (ffi.from_buffer("double[]", z) for z in (values, X))
         if found.size:
-            first, second = numbers
-            out = ffi.from_buffer("double[]", found)
-            lib.flexel_product(self._rows, *self._pointers, first, X.shape[1], second, out)
+            numbers, by, out = (ffi.from_buffer("double[]", z) for z in (values, X, found))
+            lib.flexel_product(self._rows, *self._pointers, numbers, X.shape[1], by, out)
         return found
 
 
@@ -148,11 +150,11 @@ class JacobianPattern(Pattern):
         targets, sources = [], []
         for i in stage.numbers:
             E, rows, columns = self.own[i].shape
-            entries, first = self.own[i].reshape(E, -1), 0
-            for name in names:
-                targets.append(entries[:, first * columns + stage.nonzeros(i, name)])
+            entries = self.own[i].reshape(E, -1)
+            for name in names:  # they end with the last row
+                first = columns * (rows - stage.rows(i, name) if name == names[-1] else 0)
+                targets.append(entries[:, first + stage.nonzeros(i, name)])
                 sources.append(stage.places(i, name))
-                first += _rows_of(stage, i, name, rows, names)
         if unit is not None:
             targets.append(self.units)
             sources.append(np.full(self.units.size, unit))
@@ -161,11 +163,6 @@ class JacobianPattern(Pattern):
     def derivatives(self, stage: Stage, name: str) -> Sums:
         """The entries of derivatives of rates or accelerations, from a stage with rows of all quantities."""
         return self._sums(stage, (name,), None)
-
-
-def _rows_of(stage: Stage, i: int, name: str, rows: int, names: tuple[str, ...]) -> int:
-    """Rows of an output of a batch: of De for the deformations, else all."""
-    return stage.rows(i, name) if len(names) > 1 else rows
 
 
 def _relations(structure: Structure) -> list[tuple[int, list[tuple[int, float]]]]:

@@ -16,7 +16,6 @@ from flexel.base.arrays import Array
 
 _getrf: Any = get_lapack_funcs("getrf", dtype=np.float64)
 _getrs: Any = get_lapack_funcs("getrs", dtype=np.float64)
-_gecon: Any = get_lapack_funcs("gecon", dtype=np.float64)
 _splu: Any = splu
 _issparse: Any = issparse
 
@@ -25,7 +24,6 @@ class Factorization:
     """LU factors of a dense square matrix; row scaling is up to the caller."""
 
     def __init__(self, matrix: Array) -> None:
-        self._matrix = matrix
         self._lu: Array = matrix
         self._pivots: Any = None
         self._info = 0
@@ -36,13 +34,6 @@ class Factorization:
     def regular(self) -> bool:
         """False if a pivot is exactly zero."""
         return self._info == 0
-
-    @property
-    def rcond(self) -> float:
-        """Estimate of the reciprocal condition number in the 1-norm."""
-        if not self._lu.size:
-            return 1.0
-        return float(_gecon(self._lu, np.abs(self._matrix).sum(axis=0).max())[0])
 
     def solve(self, b: Array, transposed: bool = False) -> Array:
         """Solution of A x = b, or of A' x = b."""

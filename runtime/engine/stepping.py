@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
 
 import numpy as np
 
 from flexel.base.arrays import Array, Index
 from flexel.engine.balancing import Balancing
 from flexel.engine.elimination import Eliminated, Elimination, LargeFactors
+from flexel.engine.structs import Struct
 from flexel.generated._kernels import ffi, lib
 
 
-class Stepping:
+class Stepping(Struct):
     """Newton's method for a step, see implicit.h; loads and conditions at its end are set in the balance before.
 
     Attributes
@@ -30,22 +30,21 @@ class Stepping:
         work = balancing.work
         s, nforce = work.tables.structure, balancing.mu.size
         self.balancing, self._values = balancing, work.values
-        self._keep: list[Any] = []
-        self.struct: Any = ffi.new("flexel_step *")
+        super().__init__(ffi.new("flexel_step *"))
         c = self.struct
-        c.balance, c.values = balancing.struct, self._pointer(work.values)
+        c.balance, c.values = balancing.struct, self.pointer(work.values)
         self.use(elimination, source)
         for name, values in scales.items():
-            setattr(c, name, self._pointer(values))
+            setattr(c, name, self.pointer(values))
         self.stiffness, self._step = np.zeros(s.nf), np.zeros(s.nf + nforce)
-        c.stiffness, c.step = self._pointer(self.stiffness), self._pointer(self._step)
-        c.space = self._pointer(np.zeros(s.nf + nforce))
+        c.stiffness, c.step = self.pointer(self.stiffness), self.pointer(self._step)
+        c.space = self.pointer(np.zeros(s.nf + nforce))
         sizes = dict.fromkeys(("x", "v", "a", "w"), s.n) | {"mu": nforce, "e": s.m}
         sizes |= dict.fromkeys(("z", "zd", "zw"), s.nz)
         self.old, self.now = ({name: np.zeros(size) for name, size in sizes.items()} for _ in range(2))
         for point, vectors in ((c.old, self.old), (c.now, self.now)):
             for name, array in vectors.items():
-                setattr(point, name, self._pointer(array))
+                setattr(point, name, self.pointer(array))
 
     def use(self, elimination: Elimination, source: Index) -> None:
         """Factorize with this pattern from now on, whose entries are at those places of the workspace's values."""
@@ -54,10 +53,6 @@ class Stepping:
         self._factors: Eliminated | LargeFactors | None = None
         self.struct.source = ffi.from_buffer("int[]", self._source)
         self.struct.lu, self.struct.matrix_step = ffi.NULL, 0.0
-
-    def _pointer(self, array: Array) -> Any:
-        self._keep.append(array)
-        return ffi.from_buffer("double[]", array)
 
     def run(self, h: float) -> bool:
         """Try a step of length h; whether it was found.

@@ -2,7 +2,7 @@
 
 The step control is that of SciPy (Hairer, Norsett and Wanner 1993), with three more limits: the shadow's own error,
 the sign of the determinant of the position matrix, which two solutions that meet in a fold have opposite, and the
-distance of the solved coordinates from the shadow.  Where these fail, others degrees of freedom are the cure.
+distance of the solved coordinates from the shadow.  Where these fail, other degrees of freedom are the cure.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from scipy.integrate._ivp import dop853_coefficients as tableau
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError, FlexelError
 from flexel.engine.choice import Choice
-from flexel.engine.lanes import aligned
+from flexel.engine.structs import Struct
 from flexel.generated._kernels import ffi, lib
 from flexel.integration.branch import REFUSED
 from flexel.integration.dense import Interpolant
@@ -38,44 +38,35 @@ E3, E5 = (np.ascontiguousarray(z, dtype=float) for z in (tableau.E3, tableau.E5)
 TIMES = np.append(C, 1.0)  # of the stages and the end
 
 
-class Steps:
+class Steps(Struct):
     """The struct of runge_kutta.h for one choice of degrees of freedom."""
 
     def __init__(self, kinematics: Kinematics, now: Moment, y: Array, rtol: float, atol: Array) -> None:
+        super().__init__(ffi.new("flexel_dop853 *"))
         self.kinematics = kinematics
         self.choice = Choice(kinematics.evaluation.work, kinematics.lists)  # samples leave no trace in it
-        self.struct: Any = ffi.new("flexel_dop853 *")
-        self._keep: list[Any] = []
+        self.choice.struct.accept = ACCEPT * rtol
         c, s = self.struct, kinematics.structure
         self._periodic = np.flatnonzero(s.period[: s.m])
         c.ny, c.rtol = y.size, rtol
         for name, array in (("A", A), ("B", B), ("C", C), ("E3", E3), ("E5", E5), ("atol", atol)):
-            setattr(c, name, self._pointer(array))
-        c.weight = self._pointer(kinematics.lists.step_weight)
+            setattr(c, name, self.pointer(array))
+        c.weight = self.pointer(kinematics.lists.step_weight)
         nq, nf = self._periodic.size, s.nf
         self.y, self.y_new, self.x, self.x_new, self.e, self.e_new = (
-            self._new(z, size)
+            self.new(z, size)
             for z, size in zip(
                 ("y", "y_new", "x", "x_new", "e", "e_new"), _sizes(y.size, s.n, nq), strict=True
             )
         )
-        self.K = self._new("K", 13 * y.size).reshape(13, y.size)
-        self.V = self._new("V", 13 * nf).reshape(13, nf)
+        self.K = self.new("K", 13 * y.size).reshape(13, y.size)
+        self.V = self.new("V", 13 * nf).reshape(13, nf)
         for name, size in (("W", 13 * nf), ("turning", 13 * nq), ("space", max(y.size, nf))):
-            self._new(name, size)
+            self.new(name, size)
         motion, loads = self.choice.motion.size, self.choice.loads.size
         c.ngiven = motion + loads
-        self._given = self._new("given", 13 * (motion + loads)).reshape(13, -1)
+        self._given = self.new("given", 13 * (motion + loads)).reshape(13, -1)
         self.y[:], self.x[:], self.e[:] = y, now.x, now.e[self._periodic]
-
-    def _pointer(self, array: Array) -> Any:
-        self._keep.append(array)
-        return ffi.cast("double *", array.ctypes.data)
-
-    def _new(self, name: str, size: int) -> Array:
-        array = aligned(max(size, 1))[:size]
-        setattr(self.struct, name, self._pointer(array))
-        return array
 
     def given(self, t: float, h: float, stages: slice) -> None:
         """The prescribed motions and loads at some stages of a step."""
@@ -129,14 +120,10 @@ class Dop853(MinimalRun):
         """Start anew from the present position in the present degrees of freedom."""
         y = self.choices.values(self.now, self.z)
         self.steps = Steps(self.kinematics, self.now, y, self.tolerances.rtol, self.natural_atol())
-        with self._accepting():
-            self.steps.begin(self.t)
+        self.steps.begin(self.t)
         self.counts["evaluations"] += 1
         if not self._h:
             self._h = self.tolerances.first_step or self._first_step()
-
-    def _accepting(self) -> _Accepting:
-        return _Accepting(self.steps.choice, ACCEPT * self.tolerances.rtol)
 
     def _first_step(self) -> float:
         """The first step, as SciPy chooses it from the size of the rates and of their change."""
@@ -171,8 +158,7 @@ class Dop853(MinimalRun):
             t1 = min(self.t + min(self._h, self.tolerances.max_step), end)
             h = self._tried = t1 - self.t
             before = c.evaluations
-            with self._accepting():
-                code = s.step(self.t, h)
+            code = s.step(self.t, h)
             self.counts["evaluations"] += c.evaluations - before
             error = self._error(careful) if not code else np.inf
             if error < 1:
@@ -202,11 +188,8 @@ class Dop853(MinimalRun):
 
     def _poor(self) -> bool:
         """Whether other degrees of freedom are so much better that a change of sign may be theirs."""
-        self.reached = self._reach()
+        self.reached = self.choices.reach(self.now)
         return self.choices.poor(self.now, self.reached)
-
-    def _reach(self) -> float:
-        return self.choices.reach(self.now)
 
     def _trusted(self) -> bool:
         """Whether the solved coordinates are where the shadow is, within what is expected."""
@@ -216,7 +199,7 @@ class Dop853(MinimalRun):
 
     def consider_refused(self) -> bool:
         """Take better degrees of freedom at the start of a refused step."""
-        self.reached = self._reach()
+        self.reached = self.choices.reach(self.now)
         return self.consider(REFUSED)
 
     def _accepted(self, t1: float) -> str | None:
@@ -259,16 +242,3 @@ class Dop853(MinimalRun):
 
 def _norm(x: Array) -> float:
     return float(np.linalg.norm(x) / x.size**0.5)
-
-
-class _Accepting:
-    """Positions whose last correction is far below the tolerance of a run are accepted within it."""
-
-    def __init__(self, choice: Choice, error: float) -> None:
-        self._struct, self._error = choice.struct, error
-
-    def __enter__(self) -> None:
-        self._struct.accept = self._error
-
-    def __exit__(self, *_: object) -> None:
-        self._struct.accept = 0.0

@@ -16,7 +16,8 @@ from flexel.engine.balancing import Balancing
 from flexel.engine.finite import check_finite, check_tangent
 from flexel.engine.workspace import Workspace
 from flexel.mechanics.core import Core
-from flexel.structure.state import Energy, State
+from flexel.mechanics.dynamics import state_in
+from flexel.structure.state import State
 
 TINY_FORCE = 1e-3  # [N] in the denominator of relative unbalances: 1e-15 N counts as zero
 
@@ -195,7 +196,7 @@ class Saddle:
 
     def state(self, b: Balance) -> State:
         """The complete state at a balance."""
-        s, kinematics, loads = self.structure, self.system.kinematics, self.system.loads
+        s, loads = self.structure, self.system.loads
         work = self.system.evaluation.at(b.t, b.x, b.v, b.a, b.z, b.e)
         work.laws()
         work.inertia()
@@ -206,22 +207,4 @@ class Saddle:
         stresses[self.force_rows[inner]] += b.mu[inner]
         reactions[self.force_rows[~inner] - self.first] = -b.mu[~inner]
         reactions[s.nf :] = b.force[s.nf :]
-        potential = float(work.struct.U) + loads.potential(b.t, kinematics.values(work.e, b.x))
-        return State(
-            t=b.t,
-            x=b.x,
-            v=b.v,
-            a=b.a,
-            e=work.e.copy(),
-            rates=np.concatenate([work.w, b.v]),
-            stresses=stresses,
-            reactions=reactions,
-            roles=self.roles,
-            evaluation=self.system.evaluation,
-            energy=Energy(float(b.v @ work.momentum(b.v)) / 2, potential, float(work.law_U.sum())),
-            drift=kinematics.drift(work.e, b.x),
-            z=b.z,
-            zd=work.zd.copy(),
-            dissipated=float(work.law_P.sum()),
-            Phi_v=np.concatenate([work.g + work.push(b.a), b.a]),
-        )
+        return state_in(self.system.kinematics, work, b.a, stresses, reactions)

@@ -14,6 +14,7 @@ import numpy as np
 from flexel.base.arrays import Array
 from flexel.engine.choice import Choice
 from flexel.engine.finite import check_finite
+from flexel.engine.workspace import Workspace
 from flexel.mechanics.kinematics import Kinematics
 from flexel.structure.state import Energy, State
 
@@ -91,14 +92,25 @@ def _check_forces(kinematics: Kinematics, choice: Choice, t: float) -> None:
 
 
 def _state(kinematics: Kinematics, choice: Choice, a: Array, multiplier: Array) -> State:
-    """The state in the workspace."""
+    """The state in the workspace, with its accelerations and multipliers by quantity."""
     s, work, nf = kinematics.structure, choice.work, kinematics.structure.nf
     first = s.m + s.k
     work.rates()
-    momentum = work.momentum(a)
     reactions = -multiplier[first:]
-    held = choice.force - momentum - work.pull(multiplier[:first])
+    held = choice.force - work.momentum(a) - work.pull(multiplier[:first])
     reactions[nf:] = -held[nf:]
+    return state_in(kinematics, work, a, work.stress + multiplier[:first], reactions)
+
+
+def state_in(kinematics: Kinematics, work: Workspace, a: Array, stresses: Array, reactions: Array) -> State:
+    """The state that a workspace holds: everything evaluated, with its accelerations (n,).
+
+    Parameters
+    ----------
+    work : Workspace
+    a, reactions : ndarray (n,)
+    stresses : ndarray (m + k,)
+    """
     x, v, e, t = work.x.copy(), work.v.copy(), work.e.copy(), float(work.struct.t)
     potential = work.struct.U + kinematics.loads.potential(t, kinematics.values(e, x))
     return State(
@@ -108,7 +120,7 @@ def _state(kinematics: Kinematics, choice: Choice, a: Array, multiplier: Array) 
         a=a,
         e=e,
         rates=np.concatenate([work.w, v]),
-        stresses=work.stress + multiplier[:first],
+        stresses=stresses,
         reactions=reactions,
         roles=kinematics.roles,
         evaluation=kinematics.evaluation,

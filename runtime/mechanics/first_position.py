@@ -11,7 +11,7 @@ from flexel.base.arrays import Array, Index
 from flexel.base.errors import PositionError
 from flexel.declare.declarations import Declarations
 from flexel.engine.solvers import factorize
-from flexel.mechanics.kinematics import Configuration, Kinematics, unwrap, wrap
+from flexel.mechanics.kinematics import Configuration, Kinematics, wrap
 
 STEP = 0.2  # largest change of a wanted value (in its natural scale) in one step of the initial assembly
 
@@ -40,11 +40,10 @@ def first_position(model: Declarations, kinematics: Kinematics, t: float) -> Con
     for i in range(1, steps + 1):
         part = start + (goal - start) * i / steps
         x, e_near = _nearest(kinematics, rows, part, x, e_near, t)
-    e, J = kinematics.evaluation.position(x)
     target = e_near if structure.relations else np.zeros(structure.m)
     own = rows < structure.m
     target[rows[own]] = goal[own]
-    return Configuration(t, x, unwrap(structure, e, target), J)
+    return Configuration(t, x, *kinematics.evaluation.position(x, target))
 
 
 def _nearest(
@@ -55,8 +54,8 @@ def _nearest(
     scale, period = kinematics.scales(rows), structure.period[rows]
     x, best, stalled = x.copy(), np.inf, 0
     for _ in range(60):
-        e, J = kinematics.evaluation.position(x)
-        e = near = unwrap(structure, e, near)
+        e, J = kinematics.evaluation.position(x, near)
+        near = e
         residual = wrap(kinematics.values(e, x)[rows] - goal, period)
         error = float(np.max(np.abs(residual) / scale, initial=0.0))
         if error < 1e-13 or (error < 1e-11 and error > 0.5 * best):

@@ -65,15 +65,6 @@ def wrap(residual: Array, period: Array) -> Array:
     return residual - turns(residual, period)
 
 
-def unwrap(structure: Structure, e: Array, reference: Array) -> Array:
-    """Deformations with whole periods added so that periodic ones are nearest to a reference."""
-    period = structure.period[: structure.m]
-    if not period.any():
-        return e
-    found = e + turns(reference - e, period)
-    return structure.relations.shifted(e, found) if structure.relations else found
-
-
 class Kinematics:
     """The kinematic problems of one model for one choice of degrees of freedom."""
 

@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 from flexel.base.arrays import Array, Index
 from flexel.base.errors import DynamicsError
 from flexel.engine.elimination import Eliminated, Elimination, LargeFactors
-from flexel.engine.stages import flat
 from flexel.engine.workspace import Workspace
 from flexel.mechanics.diagnose import largest, null_space, quoted
 from flexel.structure.structure import Structure
@@ -69,11 +68,8 @@ class SaddlePattern:
 
     def _rows(self, quantities: Index) -> tuple[Index, Index, Index]:
         """Entries of J over the free coordinates in some of its rows, the numbers of these, and the columns."""
-        start = self._J.start
-        entries = flat(np.arange(start[i], start[i + 1]) for i in quantities)
-        rows = np.repeat(np.arange(quantities.size), start[quantities + 1] - start[quantities])
-        free = self._J.column[entries] < self.structure.nf
-        return entries[free], rows[free], self._J.column[entries[free]]
+        entries, rows = self._J.rows_of(quantities, self.structure.nf)
+        return entries, rows, self._J.column[entries]
 
     def matrix(self, work: Workspace) -> Matrix:
         """The matrix from the values that a workspace holds."""

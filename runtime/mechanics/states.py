@@ -17,7 +17,7 @@ from flexel.base.errors import ModelError, PositionError
 from flexel.engine.choice import Choice
 from flexel.engine.solvers import factorize
 from flexel.mechanics import dynamics
-from flexel.mechanics.kinematics import Configuration, Kinematics, unwrap
+from flexel.mechanics.kinematics import Configuration, Kinematics
 from flexel.structure.moment import Moment
 from flexel.structure.roles import Roles
 from flexel.structure.state import State, own_state
@@ -54,7 +54,9 @@ def located(
         held = kinematics.roles.position_rows
         held = held[held < e.size]  # they know their turns
         mean[held] = e[held]
-        e = unwrap(kinematics.structure, e, mean)
+        work.near[:] = mean
+        work.position()
+        e = work.e.copy()
     own = kinematics.roles.dofs < e.size
     e[kinematics.roles.dofs[own]] = q[own]
     return x, v, e

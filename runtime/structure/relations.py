@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.sparse import csr_array
 
-from flexel.base.arrays import Array, Index
+from flexel.base.arrays import Index
 from flexel.structure.instances import Instance
 
 
@@ -26,36 +26,16 @@ class Relations:
         Quantities that are relations.
     C : csr_array (nr, m + k + n)
         Coefficients of all quantities; relations among relations are resolved.
-    m : int
-        Deformations of the model.
     """
 
     rows: Index
     C: csr_array
-    m: int
 
     def __bool__(self) -> bool:
         return bool(self.rows.size)
 
-    def of(self, e: Array, x: Array) -> Array:
-        """Combinations (nr,) of deformations e (m,) and coordinates x (n,); the values as drawn must be subtracted."""
-        y = np.zeros(self.C.shape[1])
-        y[: self.m] = e
-        y[y.size - x.size :] = x
-        return np.asarray(self.C @ y)
 
-    def shifted(self, before: Array, after: Array) -> Array:
-        """Deformations `after` (m,), with the relations advanced by the changes in turns of their terms."""
-        found = after.copy()
-        found[self.rows] = before[self.rows] + self.C[:, : self.m] @ (after - before)
-        return found
-
-    def distributed(self, stress: Array) -> Array:
-        """Stresses (m + k,) of the elements: their own plus those of the relations, weighted by the coefficients."""
-        return np.asarray(stress + stress[self.rows] @ self.C[:, : stress.size])
-
-
-def find_relations(instances: Iterable[Instance], index: Mapping[str, int], m: int, size: int) -> Relations:
+def find_relations(instances: Iterable[Instance], index: Mapping[str, int], size: int) -> Relations:
     """The relations among the instances; each term has been checked where it was declared."""
     own = [z for z in instances if z.terms is not None]
     rows = np.array([index[z.deformations[0]] for z in own], dtype=np.intp)
@@ -65,4 +45,4 @@ def find_relations(instances: Iterable[Instance], index: Mapping[str, int], m: i
             j = index[name]
             earlier = np.flatnonzero(rows[:i] == j)
             C[i] += c * C[earlier[0]] if earlier.size else c * (np.arange(size) == j)
-    return Relations(rows, csr_array(C), m)
+    return Relations(rows, csr_array(C))

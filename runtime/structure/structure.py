@@ -156,5 +156,5 @@ def assemble_structure(
         internal={name: i for i, name in enumerate(internal)},
         internal_units=tuple(z.unit for law in laws for z in law.spec.states),
         z0=np.array([z for law in laws for z in law.z0], dtype=float),
-        relations=find_relations(instances, index, len(deformations), len(names)),
+        relations=find_relations(instances, index, len(names)),
     )
