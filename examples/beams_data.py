@@ -13,23 +13,25 @@ from flexel.examples.published import published
 
 Table = tuple[tuple[float, ...], ...]
 
-ELASTICA = "elastica, elliptic integrals; Mattiasson (1981) IJNME 17:145-153"
+ELASTICA = "elastica, elliptic integrals as by Mattiasson (1981) IJNME 17:145-153"
 ROLL_UP = "pure bending, exact: one full circle, the tip back at the clamp"
 BEND = (
-    "Bathe and Bolourchi (1979) IJNME 14:961-986; geometrically exact rod, GA as in Simo and Vu-Quoc (1986)"
+    "geometrically exact rod, GA as in Simo and Vu-Quoc (1986); Bathe and Bolourchi (1979) IJNME 14:961-986"
 )
-PRINCETON = "Dowell and Traybar (1975) as in Bauchau et al. (2016) MBSD 37:29-48; geometrically exact rod"
+PRINCETON = (
+    "geometrically exact rod; problem of Dowell and Traybar (1975) as in Bauchau et al. (2016) MBSD 37:29-48"
+)
 LATERAL = "Timoshenko and Gere: P = 4.0126 sqrt(EIy GJ)/L², 2 x first zero of J_{-1/4}"
-PREBENDING = "Hodges and Peters (1975): bent before it buckles; geometrically exact rod"
+PREBENDING = "geometrically exact rod, bent before it buckles as by Hodges and Peters (1975)"
 EULER = "Euler, closed form"
-FRAME = "Argyris et al. (1979) 1.088, Simo and Vu-Quoc (1986) 1.09; geometrically exact rod"
-COLUMN = "post-buckled elastica; Timoshenko and Gere, table 2-4"
-ROTATING = "Wright, Smith, Thresher and Wang (1982) J. Appl. Mech. 49:197-202, to 13 digits"
+FRAME = "geometrically exact rod; Argyris et al. (1979) 1.088, Simo and Vu-Quoc (1986) 1.09"
+COLUMN = "post-buckled elastica, elliptic integrals as in Timoshenko and Gere, table 2-4"
+ROTATING = "series, to 13 digits, as by Wright, Smith, Thresher and Wang (1982) J. Appl. Mech. 49:197-202"
 WHIRL = "rotating Rayleigh shaft: (1 + q) w² - 2 q W w - wn² = 0, q = (I/A)(n pi/L)²"
 TIMOSHENKO = "Timoshenko beam, frequency equation"
 TIP_MASS = "Euler-Bernoulli beam with tip mass, frequency equation"
-SPINUP = "Simo and Vu-Quoc (1987) J. Sound Vib. 119:487-508; Ritz solution, mesh-converged"
-KANE = "Kane, Ryan and Banerjee (1987) J. Guidance 10:139-151; Ritz solution, mesh-converged"
+SPINUP = "Ritz solution, converged; problem of Simo and Vu-Quoc (1987) J. Sound Vib. 119:487-508"
+KANE = "Ritz solution, converged; problem of Kane, Ryan and Banerjee (1987) J. Guidance 10:139-151"
 
 _ELASTICA = published("elastica_cantilever")
 _BENT = published("beam_large_deflection")

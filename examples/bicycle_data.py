@@ -1,4 +1,4 @@
-"""Published numbers of the bicycle: parameters, linear equations, eigenvalues, and one nonlinear motion.
+"""Reference numbers of the bicycle: parameters, linear equations, eigenvalues, and one nonlinear motion.
 
 Symbols are those of the 2007 paper: rear wheel R, rear frame with rider B, front frame H, front wheel F; SI units;
 axes x forward, y right, z down; w wheelbase, c trail, lam tilt of the steering axis.
@@ -13,9 +13,9 @@ from flexel.examples.published import published
 
 PAPER = "Meijaard, Papadopoulos, Ruina, Schwab (2007) Proc. R. Soc. A 463:1955-1982"
 TALK = "Schwab, talk on SPACAR"
-EXACT = "from the matrices of Meijaard et al. (2007) with 22 digits"
+EXACT = "computed with 22 digits from the matrices of Meijaard et al. (2007)"
 MEASURED_SOURCE = "BicycleParameters 1.5.2, closed-form matrices"
-MANOEUVRE = "IFToMM benchmark M1, by Kane's equations at 1e-12"
+MANOEUVRE = "IFToMM benchmark M1, by Kane's equations, derived separately, at 1e-12"
 
 
 _WHIPPLE = published("bicycle_whipple")

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from flexel.examples.published import published
 
-CLOSED = "tan(in) = cos(b) tan(out), closed form, worst of all angles"
-MOMENTS = "closed form: the cross transmits a moment along its normal only"
+CLOSED = "tan(in) = cos(b) tan(out), worst of all angles"
+MOMENTS = "the cross transmits a moment along its normal only"
 FREE = "J1 w1^2 + J2 w2^2 = const, quadrature"
 MATHIEU = "Mathieu's characteristic values a1, b1"
 

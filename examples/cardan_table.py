@@ -22,6 +22,7 @@ from flexel.examples.cardan import (
     mathieu_edges,
     modulation,
 )
+from flexel.examples.reasons import STEPS
 from flexel.results.report import Quantity
 
 
@@ -47,16 +48,18 @@ def motion(results: Results) -> list[Quantity]:
     thirty, free = results.turns[30.0], results.free
     columns = np.degrees(thirty["out.angle"]), thirty.rate("out.angle"), thirty.acceleration("out.angle")
     return [
-        Quantity("angle_max_error", angle, 0.0, 1e-12, "rad", data.CLOSED, more),
-        Quantity("ratio_max_error", ratio, 0.0, 1e-12, "", data.CLOSED, more),
-        Quantity("acceleration_max_error", second, 0.0, 1e-12, "", data.CLOSED, more),
+        Quantity("angle_max_error", angle, 0.0, 1e-12, "rad", data.CLOSED, more, kind="closed form"),
+        Quantity("ratio_max_error", ratio, 0.0, 1e-12, "", data.CLOSED, more, kind="closed form"),
+        Quantity("acceleration_max_error", second, 0.0, 1e-12, "", data.CLOSED, more, kind="closed form"),
         Quantity("table_30_degrees", np.column_stack(columns)[at], [row[1:] for row in data.TABLE_30], 1e-12, "",
-                 "driven angle [degrees], ratio, acceleration; closed form"),
-        *(Quantity(f"{z.replace(' ', '_')}_moment_max_error", e, 0.0, 1e-12, "N m", data.MOMENTS, more)
-          for z, e in moments.items()),
+                 "driven angle [degrees], ratio, acceleration", kind="closed form", tolerance_kind="absolute"),
+        *(Quantity(f"{z.replace(' ', '_')}_moment_max_error", e, 0.0, 1e-12, "N m", data.MOMENTS, more,
+                   kind="closed form") for z, e in moments.items()),
         *linear(results),
-        Quantity("free_run_angle", free["in.angle"][1:], [z[1] for z in data.FREE_RUN], 1e-9, "rad", data.FREE),
-        Quantity("free_run_speed", free.rate("in.angle")[1:], [z[2] for z in data.FREE_RUN], 1e-9, "rad/s", data.FREE),
+        Quantity("free_run_angle", free["in.angle"][1:], [z[1] for z in data.FREE_RUN], 5e-10, "rad", data.FREE,
+                 kind="closed form", reason=STEPS),
+        Quantity("free_run_speed", free.rate("in.angle")[1:], [z[2] for z in data.FREE_RUN], 5e-10, "rad/s", data.FREE,
+                 kind="closed form", reason=STEPS),
     ]  # fmt: skip
 
 
@@ -70,7 +73,8 @@ def linear(results: Results) -> list[Quantity]:
             0.0,
             1e-12,
             "",
-            "closed form, elastic shaft at 30 degrees",
+            "elastic shaft at 30 degrees",
+            kind="closed form",
         )
         for name in "MCKF"
     ]
@@ -83,14 +87,17 @@ def flexibility(results: Results) -> list[Quantity]:
     more = {"cross": CROSS, "w0": "mean torsional frequency on the pins, cross extrapolated to no mass"}
     own = mathieu_edges(modulation(B30))
     return [
-        Quantity("flexible_limit_order", order, 1.0, 0.01, "", "error of the driven angle over 1/stiffness"),
+        Quantity("flexible_limit_order", order, 1.0, 6e-5, "", "error of the driven angle over 1/stiffness",
+                 kind="closed form"),
         Quantity("flexible_errors", np.column_stack([STIFFNESSES, results.errors]),
                  source="rows of stiffness [N m/rad], largest error [rad]"),
-        Quantity("mathieu_edges", results.mathieu_edges, data.EDGES, 1e-6, "w0", data.MATHIEU),
-        Quantity("zone_edges", results.edges, data.EDGES, 0.005, "w0",
-                 "Mathieu at eps = b^2/2, b = 30 degrees, its first term; flexible pins", more),
-        Quantity("zone_edges_exact_modulation", results.edges, own, 0.005, "w0",
-                 "Mathieu at the pins' own sin^2(b)/(2 - sin^2(b))", more),
-        Quantity("shaft_zone_edges", results.shaft_edges, results.shaft_edges_closed, 1e-6, "w0",
-                 "closed form; an elastic driving shaft modulates by b^2, twice the pins"),
+        Quantity("mathieu_edges", results.mathieu_edges, data.EDGES, 2e-7, "w0", data.MATHIEU, kind="closed form",
+                 reason="the bisection stops at a width of 1e-7"),
+        Quantity("zone_edges", results.edges, data.EDGES, 8e-3, "w0",
+                 "Mathieu at eps = b^2/2, b = 30 degrees, its first term; flexible pins", more, kind="closed form"),
+        Quantity("zone_edges_exact_modulation", results.edges, own, 5e-3, "w0",
+                 "Mathieu at the pins' own sin^2(b)/(2 - sin^2(b))", more, kind="closed form"),
+        Quantity("shaft_zone_edges", results.shaft_edges, results.shaft_edges_closed, 2e-7, "w0",
+                 "equation in closed form; an elastic driving shaft modulates by b^2, twice the pins",
+                 kind="closed form", reason="the bisection stops at a width of 1e-7"),
     ]  # fmt: skip

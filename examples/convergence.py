@@ -5,15 +5,16 @@ Imports numpy, the errors and the rows of reports.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import FlexelError
-from flexel.results.report import Quantity
+from flexel.examples.reasons import ORDER
+from flexel.results.report import Kind, Quantity, ToleranceKind
 
 MOST = 128  # elements, beyond which the search gives up
 
@@ -99,7 +100,9 @@ def converged(
     tolerances: tuple[float, float],
     unit: str,
     source: str,
+    kind: Kind,
     order_tolerance: float | None = 0.03,
+    tolerance_kind: ToleranceKind = "relative",
 ) -> list[Quantity]:
     """Rows of one result: on the finest mesh, the order there, and the limit extrapolated from the meshes.
 
@@ -108,7 +111,9 @@ def converged(
     meshes : sequence of int
         Numbers of elements, each twice the one before.
     tolerances : (float, float)
-        Of the finest mesh, and of the limit.
+        Of the finest mesh, and of the limit, of a kind `tolerance_kind`.
+    kind : str
+        Of the reference.
     order_tolerance : float, optional
         The order is to be 2 within it; none where terms of the second and fourth order are of the same size.
     """
@@ -119,19 +124,21 @@ def converged(
     mesh = {"elements": meshes[-1], "order": observed, "errors": errors}
     limit = {"elements": list(meshes)}
     comment = f"{source}; extrapolated from the meshes of " + ", ".join(map(str, meshes)) + " elements"
+    both: Any = {"kind": kind, "tolerance_kind": tolerance_kind}
     return [
-        Quantity(name, found[-1], reference, tolerances[0], unit, source, mesh),
-        Quantity(
-            f"{name}_order",
-            observed,
-            None if order_tolerance is None else 2.0,
-            (order_tolerance or 0.0) / 2,
-            "",
-            "order of convergence",
-            limit,
-        ),
-        Quantity(f"{name}_limit", romberg(found), reference, tolerances[1], unit, comment, limit),
+        Quantity(name, found[-1], reference, tolerances[0], unit, source, mesh, **both),
+        order_row(name, observed, order_tolerance, limit),
+        Quantity(f"{name}_limit", romberg(found), reference, tolerances[1], unit, comment, limit, **both),
     ]
+
+
+def order_row(name: str, observed: float, tolerance: float | None, more: Mapping[str, object]) -> Quantity:
+    """Row of an observed order beside 2, within an absolute tolerance, or only reported where that is None."""
+    said = f"{name}_order", observed
+    if tolerance is None:
+        return Quantity(*said, source="order of convergence, meshes too coarse to show it", more=more)
+    return Quantity(*said, 2.0, tolerance, "", "order of convergence", more, kind="closed form",
+                    tolerance_kind="absolute", reason=ORDER)  # fmt: skip
 
 
 def needed(name: str, error: MeshError, source: str, fewest: int = 1, terms: bool = True) -> Quantity:

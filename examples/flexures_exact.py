@@ -15,13 +15,13 @@ from scipy.special import ellipe, ellipeinc, ellipk, ellipkinc
 from flexel.base.arrays import Array
 from flexel.declare.materials import Profile
 
-BEAM = "closed form: Timoshenko cantilevers, moved to the body and added"
-COLUMN = "closed form: beam-column theory (Timoshenko and Gere 1961)"
-PIVOT = "closed form: beam-column theory; Haringx 1949, Wittrick 1951"
-AWTAR = "closed form: Awtar, Slocum and Sevincer 2007, J. Mech. Des. 129"
-BENT = "closed form: Castigliano on the bent leaf (z, turns); Awtar et al. 2007 (x)"
-FREQUENCY = "closed form: Euler-Bernoulli beam with end mass, end not turning"
-ELASTICA = "closed form: elliptic integrals of the elastica, half a leaf as a cantilever"
+BEAM = "Timoshenko cantilevers, moved to the body and added"
+COLUMN = "beam-column theory (Timoshenko and Gere 1961)"
+PIVOT = "beam-column theory; Haringx 1949, Wittrick 1951"
+AWTAR = "Awtar, Slocum and Sevincer 2007, J. Mech. Des. 129"
+BENT = "Castigliano on the bent leaf (z, turns); Awtar et al. 2007 (x)"
+FREQUENCY = "Euler-Bernoulli beam with end mass, end not turning"
+ELASTICA = "elliptic integrals of the elastica, half a leaf as a cantilever"
 
 
 def root(function: object, a: float, b: float) -> float:

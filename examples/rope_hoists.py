@@ -62,10 +62,12 @@ def hoist() -> list[Quantity]:
     more = {"elements": MESHES[-1], "step": 0.05 / MESHES[-1]}
     free, taut = f"{TAKEN}undeformed rope", f"{TAKEN}the rope as it is stretched"
     return [
-        Quantity("winding_hoist_error", depth, 0.0, 2e-3, "", f"depth over the lift, {free}", more),
-        Quantity("winding_hoist_tension_error", tension, 0.0, 0.04, "mg", free, more),
-        over_meshes("winding_hoist_stretched_error", lambda n: hoist_errors(n, True)[0], MESHES, 5e-4, taut),
-        over_meshes("winding_hoist_stretched_tension_error", lambda n: hoist_errors(n, True)[1], MESHES, 0.04, taut),
+        Quantity("winding_hoist_error", depth, 0.0, 3e-3, "", f"depth over the lift, {free}", more, kind="own"),
+        Quantity("winding_hoist_tension_error", tension, 0.0, 0.06, "mg", free, more, kind="own"),
+        over_meshes("winding_hoist_stretched_error", lambda n: hoist_errors(n, True)[0], MESHES, 8e-4, taut,
+                    kind="own"),
+        over_meshes("winding_hoist_stretched_tension_error", lambda n: hoist_errors(n, True)[1], MESHES, 0.06, taut,
+                    kind="own"),
     ]  # fmt: skip
 
 
@@ -98,11 +100,13 @@ def tackle() -> list[Quantity]:
     ideal, real = lifted(0.0, n), lifted(ARM, n)
     more = {"elements": n, "falls": 2, "sheave_efficiency": eta}
     return [
-        over_meshes("tackle_speed_ratio_error", lambda n: abs(lifted(0.0, n)[0] / 2 - 1), TACKLE, 1e-3, "2 falls"),
+        over_meshes("tackle_speed_ratio_error", lambda n: abs(lifted(0.0, n)[0] / 2 - 1), TACKLE, 1.2e-3, "2 falls"),
         over_meshes("tackle_advantage_error", lambda n: abs(lifted(0.0, n)[1] / 2 - 1), TACKLE, 1e-3, "2 falls"),
-        Quantity("tackle_speed_ratio", [ideal[0], real[0]], (2.0, 2.0), 1e-3, "", "without and with friction", more),
-        Quantity("tackle_advantage", [ideal[1], real[1]], (2.0, given), 2e-3, "", ADVANTAGE, more),
-        Quantity("tackle_efficiency", real[1] / real[0], given / 2, 2e-3, "", "advantage over speed ratio", more),
+        Quantity("tackle_speed_ratio", [ideal[0], real[0]], (2.0, 2.0), 1.5e-3, "", "without and with friction", more,
+                 kind="closed form"),
+        Quantity("tackle_advantage", [ideal[1], real[1]], (2.0, given), 2e-3, "", ADVANTAGE, more, kind="closed form"),
+        Quantity("tackle_efficiency", real[1] / real[0], given / 2, 2.5e-4, "", "advantage over speed ratio", more,
+                 kind="closed form"),
     ]  # fmt: skip
 
 
@@ -122,7 +126,7 @@ def sliding_error(n: int) -> float:
 
 def edge() -> list[Quantity]:
     """The rope that slides off."""
-    return [over_meshes("sliding_rope_error", sliding_error, (28, 56), 2e-3, "x0 cosh(sqrt(2 g/L) t)")]
+    return [over_meshes("sliding_rope_error", sliding_error, (28, 56), 3e-3, "x0 cosh(sqrt(2 g/L) t)")]
 
 
 def rows() -> list[Quantity]:

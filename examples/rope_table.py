@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from flexel.examples.convergence import order
-from flexel.results.report import Quantity
+from flexel.results.report import Kind, Quantity
 
 
 def over_meshes(
@@ -18,6 +18,7 @@ def over_meshes(
     tolerance: float,
     source: str,
     stepped: int = 0,
+    kind: Kind = "closed form",
 ) -> Quantity:
     """The row of a relative error on the finest of some meshes that double, with the observed order.
 
@@ -26,4 +27,4 @@ def over_meshes(
     errors = [error(n) for n in meshes]
     finest = {"elements": stepped, "steps": meshes[-1]} if stepped else {"elements": meshes[-1]}
     more = {**finest, "order": order(errors), "meshes": list(meshes), "errors": errors}
-    return Quantity(name, errors[-1], 0.0, tolerance, "", source, more)
+    return Quantity(name, errors[-1], 0.0, tolerance, "", source, more, kind=kind)

@@ -16,8 +16,9 @@ TALK = (
 TALK_COUNTS = {"elements": 85, "deformations": 239, "nodes": 70, "coordinates": 226, "degrees_of_freedom": 10}
 PAPER = "Frik, Leister, Schwartz (1993) VSD 22 suppl. 215-253, as quoted in ovankerm/IAVSD_ILTIS"
 RERUN = "another program's run, not published (Robotran, ovankerm/IAVSD_ILTIS 81cd42c)"
-RECOMPUTED = "stationary energy, recomputed by an independent script; agrees with Robotran's printed digits"
-LEVER = "lever rule of the level vehicle (as the published loads are)"
+RECOMPUTED = (
+    "stationary energy, by a separate script; agrees with Robotran's digits (the pitch is Robotran's)"
+)
 INDICATIVE = "independent symmetric model with 4 coordinates, indicative"
 
 _TABLES = published("iltis")
@@ -105,6 +106,10 @@ EQUILIBRIUM: dict[str, tuple[float, str]] = {
     "link_front": (_REST["upper_link_axial"][0], "N"),
     "link_rear": (_REST["upper_link_axial"][1], "N"),
 }
+EQUILIBRIUM_TOLERANCES = {
+    "drop": 1e-8, "pitch": 2e-9, "tyre_front": 8e-5, "tyre_rear": 8e-5, "unit_front": 4e-4, "unit_rear": 6e-4,
+    "leaf_front": 4e-4, "leaf_rear": 3e-4, "link_front": 3e-4, "link_rear": 9e-4,
+}  # fmt: skip
 SYMMETRIC = (-29.81 + 81.96j, -29.66 + 82.89j, -4.91 + 11.10j, -3.93 + 9.50j)
 SYMMETRIC_NO_SIDE_FORCE = (-29.077 + 82.476j, -28.896 + 83.179j, -4.824 + 11.005j, -3.775 + 9.578j)
 ANOTHER = "another reading without lateral tyre forces, indicative"
@@ -136,6 +141,25 @@ STEER_LOADS: dict[
     20: (3242.0, 4426.0, 2960.0, 4219.0),
     30: (2957.0, 4713.0, 2659.0, 4517.0),
 }
+# Absolute tolerances of these; where the other program's digits are too few, half a unit of the last one.
+STEER_TOLERANCES: dict[str, dict[int, float]] = {
+    "yaw_rate_5s": {10: 5e-6, 20: 1.2e-5, 30: 3e-5},
+    "lateral_acceleration_5s": dict.fromkeys((10, 20, 30), 5e-4),
+    "roll_5s": {10: 5e-4, 20: 1e-3, 30: 2e-3},
+    "speed_5s": dict.fromkeys((10, 20, 30), 5e-4),
+    "yaw_rate_peak": {10: 5e-6, 20: 3e-5, 30: 8e-5},
+    "lateral_acceleration_peak": {10: 5e-4, 20: 5e-4, 30: 1.5e-3},
+}
+LOADS_TOLERANCES = {10: 1.2, 20: 2.5, 30: 3.5}
+SINE_TOLERANCES = {1: 1.2e-4, 2: 1.2e-4, 4: 6e-4}
+IN_PHASE_TOLERANCES: dict[int, dict[str, float]] = {
+    5: {"z": 2.5e-4, "pitch": 0.03, "tyre_front": 12.0, "tyre_rear": 30.0},
+    10: {"z": 5e-4, "pitch": 0.05, "tyre_front": 700.0, "tyre_rear": 50.0},
+}
+LAST_DIGITS: dict[str, tuple[float, ...]] = {  # halves of their units
+    "yaw_rate": (5e-6,), "lateral_acceleration": (5e-4,), "roll": (5e-4,), "speed": (5e-4,), "z": (5e-4,),
+    "pitch": (0.05,), "tyre": (), "tyre_front": (), "tyre_rear": (50.0,),
+}  # fmt: skip
 SINE_STEER: dict[int, tuple[float, float]] = {  # amplitude in mm -> smallest and largest yaw rate
     1: (-0.0392, 0.0399),
     2: (-0.0778, 0.0793),

@@ -1,4 +1,4 @@
-"""Report of the reproduction of a published system: computed numbers beside published ones.
+"""Report of the reproduction of a system: computed numbers beside references, each of a named kind.
 
 A `Quantity` evaluates its own error (`error`, `ok`); a `Report` collects the quantities and figures of one system
 and writes them as a table or as JSON.
@@ -8,17 +8,20 @@ import json
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-COLUMNS = ("quantity", "published", "computed", "error", "tolerance", "ok", "source")
+Kind = Literal["published", "closed form", "other program", "own", "none"]
+ToleranceKind = Literal["absolute", "relative"]
+COLUMNS = ("quantity", "reference", "kind", "computed", "error", "tolerance", "ok", "source")
 LISTED = 4  # for arrays with more entries, the table shows only the worst one
 
 
 @dataclass(frozen=True)
 class Quantity:
-    """One computed number, list or matrix, beside the published one.
+    """One computed number, list or matrix, beside a reference if there is one.
 
     Parameters
     ----------
@@ -27,15 +30,23 @@ class Quantity:
     computed : array_like, real, integer or complex, any shape
         The result of flexel.  Complex numbers must be sorted by real, then imaginary part.
     reference : array_like of the same shape, or None
-        The published value, as printed; None when the quantity is only reported.
+        What it is compared with; None when the quantity is only reported.
     tolerance : float
-        Largest permitted `error`.
+        Largest permitted `error`: three times what is found at most, or 1e-12 of the reference, or with a `reason`.
     unit : str
         SI unit of both, "" for a pure number.
     source : str
-        Where the reference was published, with table or equation number.
+        Where the reference is from, with table or equation number.
     more : mapping, optional
         Further keys of the JSON row, for instance ``{"elements": 8}``.
+    kind : str
+        Of the reference: ``published``; ``closed form``; ``other program``, whose results are not published; ``own``,
+        computed independently for this project; ``none``, if and only if there is no reference.
+    tolerance_kind : str, optional
+        ``relative`` to each entry of the reference itself, the default, or ``absolute``, the default for a reference
+        of zeros.  One with some zeros needs to be told.
+    reason : str, optional
+        Why the tolerance is larger than three times the error that is found.
     """
 
     name: str
@@ -45,10 +56,26 @@ class Quantity:
     unit: str = ""
     source: str = ""
     more: Mapping[str, object] = field(default_factory=dict)
+    kind: Kind = "none"
+    tolerance_kind: ToleranceKind | None = None
+    reason: str = ""
+
+    def __post_init__(self) -> None:
+        if (self.reference is None) != (self.kind == "none"):
+            raise ValueError(
+                f"quantity {self.name!r}: kind 'none' is for, and only for, one without a reference"
+            )
+        zeros = np.asarray(0.0 if self.reference is None else self.reference) == 0
+        if self.tolerance_kind is None:
+            if np.any(zeros) and not np.all(zeros):
+                raise ValueError(
+                    f"quantity {self.name!r}: its reference has zeros; give tolerance_kind='absolute'"
+                )
+            object.__setattr__(self, "tolerance_kind", "absolute" if np.any(zeros) else "relative")
 
     @property
     def errors(self) -> NDArray[np.float64] | None:
-        """Error of each entry, relative to the largest entry of the reference, absolute where that is 0.
+        """Error of each entry, absolute or relative to that entry of the reference, as `tolerance_kind` says.
 
         None when there is no reference; infinite where the shapes differ or a number is not finite.
         """
@@ -57,9 +84,10 @@ class Quantity:
         computed, reference = np.asarray(self.computed), np.asarray(self.reference)
         if computed.shape != reference.shape:
             return np.full(computed.shape, np.inf)
-        largest = float(np.max(np.abs(reference), initial=0.0))
-        with np.errstate(invalid="ignore", over="ignore"):
-            errors = np.abs(computed - reference) / (largest or 1.0)
+        with np.errstate(invalid="ignore", over="ignore", divide="ignore"):
+            errors = np.abs(computed - reference)
+            if self.tolerance_kind == "relative":
+                errors = np.where(errors == 0, 0.0, errors / np.abs(reference))
         return np.where(np.isfinite(errors), errors, np.inf)
 
     @property
@@ -74,23 +102,32 @@ class Quantity:
         error, finite = self.error, bool(np.all(np.isfinite(np.asarray(self.computed))))
         return finite and (error is None or error <= self.tolerance)
 
+    @property
+    def verdict(self) -> bool | None:
+        """`ok`, but None where there is no reference and nothing has failed."""
+        return None if self.ok and self.reference is None else self.ok
+
     def to_dict(self) -> dict[str, object]:
         """Return the row of the JSON, in plain lists and numbers."""
         return {
             "name": self.name,
             "computed": plain(self.computed),
             "reference": None if self.reference is None else plain(self.reference),
+            "kind": self.kind,
+            "error": None if self.error is None else plain(self.error),
             "tolerance": self.tolerance,
+            "tolerance_kind": self.tolerance_kind,
+            "reason": self.reason,
             "unit": self.unit,
             "source": self.source,
-            "ok": self.ok,
+            "ok": self.verdict,
             **self.more,
         }
 
 
 @dataclass(frozen=True)
 class Report:
-    """Results of the reproduction of one published system.
+    """Results of the reproduction of one system.
 
     Parameters
     ----------
@@ -160,28 +197,41 @@ def _rows(quantity: Quantity) -> Iterable[tuple[str, ...]]:
     computed, errors = np.asarray(quantity.computed), quantity.errors
     reference = None if quantity.reference is None else np.asarray(quantity.reference)
     if reference is not None and reference.shape != computed.shape:
-        shapes = f"shape {reference.shape}", f"shape {computed.shape}"
-        yield (quantity.name, *shapes, "inf", f"{quantity.tolerance:.0e}", "NO", quantity.source)
+        shapes = f"shape {reference.shape}", quantity.kind, f"shape {computed.shape}"
+        yield (quantity.name, *shapes, "inf", _tolerance(quantity), "NO", _source(quantity))
         return
     chosen = list(np.ndindex(computed.shape))
     note = ""
     if len(chosen) > LISTED:
         worst = 0 if errors is None else int(np.argmax(errors))
-        note, chosen = f" (worst of {len(chosen)})", [chosen[worst]]
+        note, chosen = f" ({'first' if errors is None else 'worst'} of {len(chosen)})", [chosen[worst]]
     for index in chosen:
-        error = None if errors is None else float(errors[index])
-        fits = bool(np.isfinite(computed[index])) and (error is None or error <= quantity.tolerance)
+        fits = bool(np.isfinite(computed[index])) and (errors is None or errors[index] <= quantity.tolerance)
         if note:
             fits = quantity.ok
         yield (
             quantity.name + (f"[{','.join(map(str, index))}]" if index else "") + note,
             "-" if reference is None else _number(reference[index]),
+            quantity.kind,
             _number(computed[index]) + (f" {quantity.unit}" if quantity.unit else ""),
-            "-" if error is None else f"{error:.1e}",
-            "-" if error is None else f"{quantity.tolerance:.0e}",
-            "yes" if fits else "NO",
-            quantity.source,
+            "-" if errors is None else f"{errors[index]:.1e}",
+            _tolerance(quantity),
+            ("yes" if reference is not None else "-") if fits else "NO",
+            _source(quantity),
         )
+
+
+def _tolerance(quantity: Quantity) -> str:
+    """The tolerance with its digits and its kind; a dash where nothing is compared."""
+    if quantity.reference is None:
+        return "-"
+    return f"{quantity.tolerance:.3g} {quantity.tolerance_kind}" if quantity.tolerance else "exact"
+
+
+def _source(quantity: Quantity) -> str:
+    """The source, and the reason of the tolerance."""
+    reason = f"tolerance: {quantity.reason}" if quantity.reason else ""
+    return "; ".join(z for z in (quantity.source, reason) if z)
 
 
 def _number(value: object) -> str:

@@ -30,8 +30,10 @@ def pendulum(monkeypatch: pytest.MonkeyPatch) -> list[Path | None]:
 
     def reproduce(out: Path | None) -> Report:
         calls.append(out)
-        omega = Quantity("omega", np.sqrt(9.81), 3.1320919526731650, 1e-12, "rad/s", "Huygens (1673)")
-        poles = Quantity("poles", np.array([-1j, 1j]), [-1j, 1j], 1e-14)
+        omega = Quantity(
+            "omega", np.sqrt(9.81), 3.1320919526731650, 1e-12, "rad/s", "Huygens (1673)", kind="published"
+        )
+        poles = Quantity("poles", np.array([-1j, 1j]), [-1j, 1j], 1e-14, kind="closed form")
         return Report("pendulum", [omega, poles, Quantity("lean", np.float64(0.1))])
 
     module = types.ModuleType("pendulum_example")
@@ -95,11 +97,13 @@ def test_json_without_file_goes_to_stdout(pendulum: list[Path | None]) -> None:
     case = json.loads(result.stdout)
     assert (result.exit_code, case["case"], case["files"], pendulum) == (0, "pendulum", [], [None])
     omega, poles, lean = case["quantities"]
-    keys = {"name", "computed", "reference", "tolerance", "unit", "source", "ok"}
+    keys = {"name", "computed", "reference", "kind", "error", "tolerance", "tolerance_kind", "reason", "unit",
+            "source", "ok"}  # fmt: skip
     assert all(set(row) == keys for row in case["quantities"])
     assert omega["computed"] == pytest.approx(omega["reference"], rel=1e-12)
     assert poles["computed"] == [[0.0, -1.0], [0.0, 1.0]]
-    assert (lean["reference"], lean["ok"]) == (None, True)
+    assert (lean["reference"], lean["kind"], lean["ok"]) == (None, "none", None)
+    assert (omega["kind"], omega["tolerance_kind"], omega["ok"]) == ("published", "relative", True)
     assert case["seconds"] > 0
 
 
@@ -117,7 +121,7 @@ def test_json_file(pendulum: list[Path | None], tmp_path: Path, names: list[str]
 
 def test_a_number_that_is_off_fails(pendulum: list[Path | None], monkeypatch: pytest.MonkeyPatch) -> None:
     """The JSON is still written, the exit status is not 0, and the message names the quantity."""
-    fails_with(monkeypatch, Report("pendulum", [Quantity("g", 9.80, 9.81, 1e-6)]))
+    fails_with(monkeypatch, Report("pendulum", [Quantity("g", 9.80, 9.81, 1e-6, kind="published")]))
     result = run("reproduce", "pendulum", "--json")
     assert result.exit_code == 1
     assert json.loads(result.stdout)["quantities"][0]["ok"] is False
@@ -187,7 +191,7 @@ def test_a_system_is_not_taken_for_a_file(pendulum: list[Path | None]) -> None:
     [
         (1.0 + 1e-9, 1.0, 1e-8, 1e-9, True),
         (1e-9, 0.0, 1e-8, 1e-9, True),  # absolute where the reference is 0
-        ([100.0, 1e-7], [100.0, 0.0], 1e-8, 1e-9, True),  # relative to the largest entry
+        ([100.0, 1.1], [100.0, 1.0], 0.05, 0.1, False),  # relative to each entry itself
         ([[1.0, 2.0], [3.0, 4.4]], [[1, 2], [3, 4]], 0.05, 0.1, False),
         (3, 3, 0.0, 0.0, True),
         (1 + 1e-3j, 1.0, 1e-4, 1e-3, False),
@@ -200,20 +204,22 @@ def test_a_system_is_not_taken_for_a_file(pendulum: list[Path | None]) -> None:
 def test_a_quantity_judges_itself(
     computed: object, reference: object, tolerance: float, error: float | None, ok: bool
 ) -> None:
-    """Errors are relative to the largest published entry, absolute where that is 0; NaN is never ok."""
-    quantity = Quantity("q", computed, reference, tolerance)
+    """Errors are relative to each entry of the reference, absolute where all are 0; NaN is never ok."""
+    quantity = Quantity("q", computed, reference, tolerance, kind="none" if reference is None else "own")
     assert quantity.error == (error if error is None else pytest.approx(error, rel=1e-6))
-    assert quantity.ok is ok
+    assert (quantity.ok, quantity.verdict) == (ok, None if ok and reference is None else ok)
     json.dumps(quantity.to_dict(), allow_nan=False)
     assert ("NO" in Report("case", [quantity]).table()) is not ok
 
 
 def test_a_long_array_shows_its_worst_entry() -> None:
     """Eleven by four eigenvalues are one line of the table, the worst of them."""
-    reference = np.arange(44.0).reshape(11, 4)
+    reference = 1 + np.arange(44.0).reshape(11, 4)
     computed = reference.copy()
-    computed[7, 2] += 0.43
-    line = Report("case", [Quantity("eigenvalues", computed, reference, 1e-3)]).table().splitlines()[-1]
+    computed[7, 2] += 0.31
+    row = Quantity("eigenvalues", computed, reference, 0.0015, source="a book", kind="own", reason="rough")
+    line = Report("case", [row]).table().splitlines()[-1]
+    assert "own" in line and "0.0015 relative" in line and line.endswith("a book; tolerance: rough")
     assert line.startswith("eigenvalues[7,2] (worst of 44)") and "1.0e-02" in line and "NO" in line
 
 

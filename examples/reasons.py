@@ -1,0 +1,13 @@
+"""Reasons for tolerances that are larger than three times the error found: `Quantity.reason` in the tables.
+
+Imports nothing.
+"""
+
+from __future__ import annotations
+
+ROUNDING = "rounding, which differs between machines"
+STEPS = "the steps follow an error estimate and differ between machines"
+PRINTED = "half a unit of the reference's last digit"
+ITERATION = "where the iteration stops differs between machines"
+ORDER = "the order is that of vanishing elements"
+BUDGET = "a bound, not a value to be met"
