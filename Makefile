@@ -6,6 +6,7 @@ VENV ?= .venv
 VENV_LINT ?= .venv-lint
 OUT ?= out
 PYTEST ?= -n 2 --durations=10
+QUOTED ?= bicycle cardan slider-crank flexures rope hoist vehicle motorcycle
 TYPED := build/typed
 
 PIP := $(VENV)/bin/pip install --quiet --disable-pip-version-check
@@ -30,7 +31,9 @@ test-all: $(VENV)/installed-test
 	$(VENV)/bin/python -m pytest $(PYTEST)
 
 # Pages of docs/ and those that docs/pages.py writes about elements, laws and public names; a warning is an error.
+# The numbers that pages quote are computed again, of all systems but those that take a minute (see tests/test_quoted.py).
 docs: $(VENV)/installed-docs
+	$(VENV)/bin/python docs/quoted.py --check --run $(QUOTED)
 	$(VENV)/bin/python -m sphinx -W --keep-going -q docs docs/_build
 	@echo "The documentation is $(abspath docs)/_build/index.html"
 

@@ -36,7 +36,7 @@ from flexel.results.report import Report
 
 DOCS = Path(__file__).resolve().parent
 KEPT = DOCS / "quoted"
-DIGITS = 12  # that are kept of each number
+DIGITS = 15  # that are kept of each number
 SPACE = "\u00a0"  # between thousands, from five digits on
 NUMBER = rf"−?\d+(?:{SPACE}\d{{3}})*(?:\.\d+)?(?:e-?\d+)?"
 MARK = re.compile(rf"(?P<number>{NUMBER})<!--(?P<sign>[=≤]) (?P<path>.+?)-->|<!--quoted: (?P<case>\S+)-->")
@@ -68,6 +68,8 @@ def look_up(path: str, case: str, tables: Tables) -> float:
     if found["index"]:
         values = [z[tuple(json.loads(found["index"]))] for z in values]
     numbers = np.concatenate([np.ravel(z) for z in values])
+    if not np.all(np.isfinite(numbers)):
+        raise ValueError(f"{path!r}: a row of {found['case'] or case!r} has no number {key!r}")
     one = numbers[0] if numbers.size == 1 else np.abs(numbers).max()
     return float(one) * float(found["factor"] or 1)
 
