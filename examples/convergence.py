@@ -13,7 +13,6 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import FlexelError
-from flexel.examples.reasons import ORDER
 from flexel.results.report import Kind, Quantity, ToleranceKind
 
 MOST = 128  # elements, beyond which the search gives up
@@ -97,11 +96,10 @@ def converged(
     value: Callable[[int], Array | float],
     reference: Array | float,
     meshes: Sequence[int],
-    tolerances: tuple[float, float],
+    tolerances: tuple[float, float, float | None],
     unit: str,
     source: str,
     kind: Kind,
-    order_tolerance: float | None = 0.03,
     tolerance_kind: ToleranceKind = "relative",
 ) -> list[Quantity]:
     """Rows of one result: on the finest mesh, the order there, and the limit extrapolated from the meshes.
@@ -111,11 +109,10 @@ def converged(
     meshes : sequence of int
         Numbers of elements, each twice the one before.
     tolerances : (float, float)
-        Of the finest mesh, and of the limit, of a kind `tolerance_kind`.
+        Of the finest mesh and of the limit, both of the `tolerance_kind`; absolute one of the order, which is to be
+        2, or None where terms of the second and fourth order are of the same size.
     kind : str
         Of the reference.
-    order_tolerance : float, optional
-        The order is to be 2 within it; none where terms of the second and fourth order are of the same size.
     """
     found = [np.asarray(value(n)) for n in meshes]
     size = float(np.max(np.abs(reference)))
@@ -127,7 +124,7 @@ def converged(
     both: Any = {"kind": kind, "tolerance_kind": tolerance_kind}
     return [
         Quantity(name, found[-1], reference, tolerances[0], unit, source, mesh, **both),
-        order_row(name, observed, order_tolerance, limit),
+        order_row(name, observed, tolerances[2], limit),
         Quantity(f"{name}_limit", romberg(found), reference, tolerances[1], unit, comment, limit, **both),
     ]
 
@@ -136,9 +133,9 @@ def order_row(name: str, observed: float, tolerance: float | None, more: Mapping
     """Row of an observed order beside 2, within an absolute tolerance, or only reported where that is None."""
     said = f"{name}_order", observed
     if tolerance is None:
-        return Quantity(*said, source="order of convergence, meshes too coarse to show it", more=more)
+        return Quantity(*said, source="order of convergence, terms of several orders", more=more)
     return Quantity(*said, 2.0, tolerance, "", "order of convergence", more, kind="closed form",
-                    tolerance_kind="absolute", reason=ORDER)  # fmt: skip
+                    tolerance_kind="absolute")  # fmt: skip
 
 
 def needed(name: str, error: MeshError, source: str, fewest: int = 1, terms: bool = True) -> Quantity:

@@ -1,4 +1,4 @@
-"""`flexel reproduce`: published systems, computed and compared; the examples are found by name when they run."""
+"""`flexel reproduce`: systems of the literature beside references; the examples are found by name when they run."""
 
 import time
 from collections.abc import Sequence
@@ -15,7 +15,7 @@ from flexel.commands.stop import INTERRUPTED
 if TYPE_CHECKING:
     from flexel.results.report import Report
 
-# The published systems: name -> module with a function reproduce(out: Path | None) -> Report.
+# The systems: name -> module with a function reproduce(out: Path | None) -> Report.
 CASES = {
     "bicycle": "flexel.examples.bicycle",
     "beams": "flexel.examples.beams",
@@ -47,9 +47,10 @@ CASES = {
     help="Write figures and animations here (created if missing); without it none are drawn.",
 )
 def reproduce(names: tuple[str, ...], json_file: str | None, out: Path | None) -> None:
-    """Run published systems and compare with the published numbers.
+    """Run systems of the literature and print every number beside its reference, with the reference's kind.
 
-    Exit status 0 only if every quantity is within its tolerance. NAME `all` runs every system.
+    Exit status 0 only if every quantity that has a reference is within its tolerance of it, and all are
+    finite. NAME `all` runs every system.
     Ctrl-C stops; finished systems keep their tables, files and JSON.
     """
     cases = _chosen(names)
