@@ -55,6 +55,13 @@ TIP_FORCE = tuple(
     if row[0] in (1.0, 2.0, 5.0, 10.0)
 )
 
+TIP_FORCE_TOLERANCES = {  # of the mesh of 32 elements, the limit, the order
+    1.0: (3e-4, 2e-9, 1e-3),
+    2.0: (7e-4, 5e-9, 1.6e-3),
+    5.0: (1.2e-3, 1e-7, 0.01),
+    10.0: (1.5e-3, 5e-7, 0.02),
+}
+
 # P/Pcr, x/L and y/L of the tip of the cantilever column bent by an end load.
 POST_BUCKLED = _table(_ELASTICA["column_postbuckling"], "P_over_Pcr", "x_over_L", "y_over_L")
 
@@ -91,6 +98,12 @@ EULER_FACTORS = {
     "pinned-pinned": pi**2,
     "clamped-clamped": 4 * pi**2,
     "clamped-pinned": 20.190728556426629,  # x² with tan x = x
+}
+EULER_TOLERANCES = {
+    "clamped-free": 3e-7,
+    "pinned-pinned": 5e-6,
+    "clamped-clamped": 8e-5,
+    "clamped-pinned": 2e-5,
 }
 # Extensible, shearable cantilever column (EI = L = 1): P (1 + P/GA - P/EA) = pi²/4.
 _COLUMN = _BUCKLING["euler_column"]["check"]

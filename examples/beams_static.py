@@ -23,18 +23,7 @@ from flexel.results.report import Quantity
 SHEAR_NOTE = (
     "the second-order terms are those of an unshearable element: a limit off by the order of EI/(GA L²)"
 )
-ELASTICA_TOLERANCES = {  # of the mesh of 32 elements, the limit, the order
-    1.0: (3e-4, 2e-9, 1e-3),
-    2.0: (7e-4, 5e-9, 1.6e-3),
-    5.0: (1.2e-3, 1e-7, 0.01),
-    10.0: (1.5e-3, 5e-7, 0.02),
-}
-EULER_TOLERANCES = {
-    "clamped-free": 3e-7,
-    "pinned-pinned": 5e-6,
-    "clamped-clamped": 8e-5,
-    "clamped-pinned": 2e-5,
-}
+CRITICAL = "the load is where a frequency becomes 0: known to 1e-6, rounding differs between machines"
 PRINCETON_ANGLES = (0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0)  # of the load from the width [degrees]
 
 
@@ -155,7 +144,7 @@ def large_deflections() -> list[Quantity]:
     for load, w, u in data.TIP_FORCE:
         rows += converged(
             f"elastica_{load:g}", partial(elastica_tip, load), np.array([w, u]), meshes,
-            ELASTICA_TOLERANCES[load], "L", data.ELASTICA, "closed form",
+            data.TIP_FORCE_TOLERANCES[load], "L", data.ELASTICA, "closed form",
         )  # fmt: skip
     circle, meshes = np.array([0.0, 0.0]), (16, 32, 64)
     tips = [rolled_up(1.0, n).position(f"P{n}") for n in meshes]
@@ -222,13 +211,13 @@ def buckling() -> list[Quantity]:
         Quantity("lateral_errors", errors, golden, 0.04, "%", "error without and with second-order terms",
                  {"elements": n_golden}, kind="own", tolerance_kind="absolute"),
         *converged(
-            "lateral_buckling_prebent", prebent_load, data.LATERAL_PREBENT, (8, 16, 32), (6e-4, 1e-6, 1.5e-3), "N",
-            data.PREBENDING, "own",
+            "lateral_buckling_prebent", prebent_load, data.LATERAL_PREBENT, (8, 16, 32), (6e-4, 2e-6, 0.01), "N",
+            data.PREBENDING, "own", reason=CRITICAL,
         ),
     ]  # fmt: skip
     for supports, factor in data.EULER_FACTORS.items():
         rows.append(
-            Quantity(f"euler_{supports}", euler_factor(supports, 16), factor, EULER_TOLERANCES[supports], "EI/L2",
+            Quantity(f"euler_{supports}", euler_factor(supports, 16), factor, data.EULER_TOLERANCES[supports], "EI/L2",
                      data.EULER, {"elements": 16}, kind="closed form")
         )  # fmt: skip
     EA, GA = data.SHEARABLE["EA"], data.SHEARABLE["GA"]
@@ -244,10 +233,11 @@ def buckling() -> list[Quantity]:
         frame_loads,
         np.array(data.FRAME_LOADS),
         (4, 8, 16),
-        (8e-4, 1e-6, 4e-3),
+        (8e-4, 2e-6, 0.01),
         "N",
         data.FRAME,
         "own",
+        reason=CRITICAL,
     )
     return rows
 

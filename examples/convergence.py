@@ -101,6 +101,7 @@ def converged(
     source: str,
     kind: Kind,
     tolerance_kind: ToleranceKind = "relative",
+    reason: str = "",
 ) -> list[Quantity]:
     """Rows of one result: on the finest mesh, the order there, and the limit extrapolated from the meshes.
 
@@ -113,6 +114,8 @@ def converged(
         2, or None where terms of the second and fourth order are of the same size.
     kind : str
         Of the reference.
+    reason : str, optional
+        Of the tolerances of the limit and the order.
     """
     found = [np.asarray(value(n)) for n in meshes]
     size = float(np.max(np.abs(reference)))
@@ -124,18 +127,30 @@ def converged(
     both: Any = {"kind": kind, "tolerance_kind": tolerance_kind}
     return [
         Quantity(name, found[-1], reference, tolerances[0], unit, source, mesh, **both),
-        order_row(name, observed, tolerances[2], limit),
-        Quantity(f"{name}_limit", romberg(found), reference, tolerances[1], unit, comment, limit, **both),
+        order_row(name, observed, tolerances[2], limit, reason),
+        Quantity(
+            f"{name}_limit",
+            romberg(found),
+            reference,
+            tolerances[1],
+            unit,
+            comment,
+            limit,
+            reason=reason,
+            **both,
+        ),
     ]
 
 
-def order_row(name: str, observed: float, tolerance: float | None, more: Mapping[str, object]) -> Quantity:
+def order_row(
+    name: str, observed: float, tolerance: float | None, more: Mapping[str, object], reason: str = ""
+) -> Quantity:
     """Row of an observed order beside 2, within an absolute tolerance, or only reported where that is None."""
     said = f"{name}_order", observed
     if tolerance is None:
         return Quantity(*said, source="order of convergence, terms of several orders", more=more)
     return Quantity(*said, 2.0, tolerance, "", "order of convergence", more, kind="closed form",
-                    tolerance_kind="absolute")  # fmt: skip
+                    tolerance_kind="absolute", reason=reason)  # fmt: skip
 
 
 def needed(name: str, error: MeshError, source: str, fewest: int = 1, terms: bool = True) -> Quantity:

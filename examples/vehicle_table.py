@@ -206,7 +206,7 @@ def steering(results: Results) -> list[Quantity]:
 
 def rerun(name: str, found: ArrayLike, reference: ArrayLike, tolerance: float, signal: str) -> Quantity:
     """Row of a number beside that of another program, of which few digits are known."""
-    reason = PRINTED if tolerance in data.LAST_DIGITS[signal] else ""
+    reason = PRINTED if tolerance == data.LAST_DIGITS.get(signal) else ""
     return Quantity(name, found, reference, tolerance, UNITS[signal], data.RERUN, kind="other program",
                     tolerance_kind="absolute", reason=reason)  # fmt: skip
 
