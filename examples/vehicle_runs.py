@@ -128,10 +128,16 @@ def ride(system: fx.System, begin: fx.State, seconds: float, rtol: float = RTOL,
     )
 
 
-def steer(speed: float, tyres: str = "calspan", seconds: float = 5.0, rtol: float = RTOL) -> fx.Motion:
+def steer(
+    speed: float,
+    tyres: str = "calspan",
+    seconds: float = 5.0,
+    rtol: float = RTOL,
+    deflection: str = "deflection",
+) -> fx.Motion:
     """Ramp-to-step steering to 2 mm of the rack."""
-    system = vehicle(speed, tyres=tyres, rack=rounded_ramp())
-    return ride(system, start(system, speed), seconds, rtol, samples=126)
+    system = vehicle(speed, tyres=tyres, rack=rounded_ramp(), deflection=deflection)
+    return ride(system, start(system, speed, deflection), seconds, rtol, samples=126)
 
 
 def sine_steer(millimetres: float, speed: float = 20.0, seconds: float = 3.0) -> fx.Motion:
@@ -196,6 +202,7 @@ class Results:
     no_side_force: Linearization
     loci: Array
     steering: dict[tuple[int, str], fx.Motion]
+    dropped: fx.State  # the end of the fastest, with the tyres' loads straight below the wheels' centres
     sines: dict[int, fx.Motion]
     bumps: dict[tuple[int, bool], fx.Motion]
     energy: float
@@ -230,6 +237,7 @@ def analyse() -> Results:
         no_side_force=linear(20.0, "vertical")[1],
         loci=np.array([moving(linear(v)[1]) for v in LOCI]),
         steering=steering,
+        dropped=steer(30.0, deflection="drop")[-1],
         sines={mm: sine_steer(mm) for mm in data.SINE_STEER},
         bumps={(v, mirrored): bump(float(v), mirrored) for v in BUMP_SPEEDS for mirrored in (False, True)},
         energy=energy_gap(lambda times: bump(5.0, seconds=0.5, times=times, rtol=1e-8), 0.5, 30),

@@ -34,6 +34,7 @@ UNITS = (
     | dict.fromkeys(DEGREES, "deg")
     | dict.fromkeys(("tyre", "tyre_front", "tyre_rear"), "N")
 )
+STRAIGHT_BELOW = "tyre loads straight below the wheels' centres: the reading that statics uses"
 IN_PLANE = "tyre springs in the planes of the wheels: a second reading of the data"
 
 
@@ -116,7 +117,9 @@ def statics(results: Results) -> list[Quantity]:
         rows.append(Quantity(z, found[z], value, data.EQUILIBRIUM_TOLERANCES[z], unit, data.RECOMPUTED, kind=kind,
                              tolerance_kind="absolute"))  # fmt: skip
     rows += [
-        Quantity(f"{z}_in_plane", other[z], unit=unit, source=IN_PLANE)
+        Quantity(
+            f"{z}_in_plane", other[z], unit=unit, source=IN_PLANE, more={"change": other[z] / found[z] - 1}
+        )
         for z, (_, unit) in data.EQUILIBRIUM.items()
     ]
     return rows
@@ -201,6 +204,10 @@ def steering(results: Results) -> list[Quantity]:
             if compared
             else Quantity(f"tyre_loads_5s_{v}{suffix}", loads(end), unit="N", source=source)
         )
+    rows += [
+        Quantity(f"{z}_5s_30_drop", SIGNALS[z](results.dropped), unit=UNITS[z], source=STRAIGHT_BELOW)
+        for z in ("yaw_rate", "roll")
+    ]
     return rows
 
 
