@@ -1,18 +1,27 @@
-"""Data of the hoist: what is taken from the paper, and what had to be chosen because its table cannot be read.
+"""Data of the hoist: what is taken from the paper, and what had to be chosen because its text is damaged.
 
-Paper: Cao, Du, Ma and Liu, "Dynamic Modelling of Hoisting Steel Wire Rope", ICMCA 2017.  From it are the layout (a
-drum, one fixed and two movable sheaves, one rope), 56 elements with five points of contact each, the course of the
-drum's speed (rest to 10 s, acceleration to 20 s, constant to 30 s), the dynamic factor of about 1.8 when the load is
-applied, the later factor of about 1.3, and the peak strain of about 0.004.  Everything else is chosen here.
+Paper: Cao, Du, Ma and Liu, "Dynamic Modelling of Hoisting Steel Wire Rope", ICMCA 2017.  Its text at hand lost every
+digit 0 and 2, every letter e, its table and its figures.  From it are the layout (a drum, one fixed and two movable
+sheaves, one rope), 56 elements with five points of contact each, and three phases: the load is applied, lifted with
+increasing speed, and lifted at constant speed.  Its numbers have several readings, see `READINGS`; none of the data
+is chosen so that one of them comes out.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 SOURCE = "Cao, Du, Ma and Liu (2017), ICMCA, Dynamic Modelling of Hoisting Steel Wire Rope"
+# What may have stood where digits 0 and 2 are lost.
+READINGS = {
+    "dynamic factor, printed '1.8'": (1.8, 1.08, 1.28, 1.82),
+    "strain, printed '.4'": (0.4, 0.04, 0.004, 0.024, 0.0024, 0.0004),
+    "factor of hoisting, printed '1.3'": (1.3, 1.03, 1.23, 1.32),
+    "duration [s], printed '3'": (30, 3),
+}
+WIRE_MODULUS = 2.1e11  # of steel [N/m²]
 
 
 @dataclass(frozen=True)
@@ -25,8 +34,10 @@ class Hoist:
         Of the rope: 36 mm, class 6 x 36 with a steel core (EN 12385-4), breaking force 817 kN at grade 1770.
     EA : float
         E = 1.0e11 N/m² (ropes of this class: 0.9e11 to 1.1e11) times the metallic area 0.4045 d² = 524 mm².
+    wire : float
+        Diameter of the outer wires [m].
     EI : float
-        Wires that slide on one another without friction: A d_wire²/16 times E of steel, d_wire = d/20.  With ten times
+        Wires that slide on one another without friction: A d_wire²/16 times E of steel.  With ten times
         as much the rope stands off its sheaves under the first share of the load, which then falls further: the
         dynamic factor becomes 2.4.
     mass_per_length : float
@@ -36,10 +47,9 @@ class Hoist:
     load : float
         42 t: tension 103 kN in each fall, a static strain of 0.002 and a seventh of the breaking force.
     damping_ratio : float
-        Of the vibration of the load on the rope; 0.07 gives the paper's factor of 1.8 as the load is applied.
+        Of the vibration of the load on the rope: 0.07, assumed, for a stranded rope whose wires rub on one another.
     efficiency : float
-        Of one sheave: 0.83 gives the paper's factor 4/(1 + η + η² + η³) = 1.29 of hoisting.  Sheaves on plain bearings
-        have 0.95 to 0.96, on roller bearings 0.98: no hoist in good order loses as much.
+        Of one sheave: 0.98, on roller bearings; plain bearings have 0.95 to 0.96.
     depth : float
         Of the movable sheaves' axle below that of the drum at the start [m].
     speed : float
@@ -48,14 +58,15 @@ class Hoist:
 
     diameter: float = 0.036
     EA: float = 1.0e11 * 0.4045 * 0.036**2
-    EI: float = 2.1e11 * (0.4045 * 0.036**2) * (0.036 / 20) ** 2 / 16
+    wire: float = 0.036 / 20
+    EI: float = WIRE_MODULUS * (0.4045 * 0.036**2) * (0.036 / 20) ** 2 / 16
     mass_per_length: float = 0.409e4 * 0.036**2
     sheave_radius: float = 0.5
     drum_radius: float = 0.5
     sheave_mass: float = 150.0
     load: float = 42000.0
     damping_ratio: float = 0.07
-    efficiency: float = 0.83
+    efficiency: float = 0.98
     depth: float = 2.0
     speed: float = 0.4
     starts: float = 10.0
@@ -82,6 +93,10 @@ class Hoist:
         """Of the load [N]."""
         return self.load * 9.81
 
+    def wire_stress(self, curvature: float) -> float:
+        """Bending stress of an outer wire [N/m²] that slides on its neighbours: E d/2 times the curvature [1/m]."""
+        return WIRE_MODULUS * self.wire / 2 * curvature
+
     @property
     def friction_radius(self) -> float:
         """Friction times radius f of a bearing [m] under both parts of a rope: η = (1 - f/R)/(1 + f/R)."""
@@ -98,3 +113,6 @@ class Hoist:
 
 
 HOIST = Hoist()
+# The same lift in 3 s, the other reading of the duration; and with sheaves whose efficiency the factor 1.3 would need.
+SHORT = replace(HOIST, starts=1.0, constant=2.0, end=3.0)
+WORN = replace(SHORT, efficiency=0.83)

@@ -1,27 +1,33 @@
-"""Pictures of the hoist: speed of the load, tension over time and along the rope, contact forces, the motion.
+"""Pictures of the hoist: speeds and tensions over time; tension, contact, strain and wire stress along the rope.
 
 Imports numpy and flexel; matplotlib is imported by `flexel.pictures.figures` when a picture is drawn.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
-from flexel.examples.hoist import Results
+import flexel as fx
+from flexel.examples import hoist_rest
+from flexel.examples.hoist import FALLS, Results
 from flexel.pictures.figures import COLOURS, figure, save
 
 TIMES = (9.9, 15.0, 25.0)
+ALONG = "length along the rope from its anchor on the drum [m]"
 
 
 def pictures(results: Results, out: Path) -> list[Path]:
     """Write all figures into a folder; returns what was written."""
     out.mkdir(parents=True, exist_ok=True)
-    names = {
+    names: dict[str, Callable[[Results, Path], None]] = {
         "hoist_motion.png": motion,
         "hoist_rope.png": along_the_rope,
         "hoist_contact.png": contact,
+        "hoist_strain.png": strain,
         "hoist.html": animation,
     }
     for name, make in names.items():
@@ -30,50 +36,80 @@ def pictures(results: Results, out: Path) -> list[Path]:
 
 
 def motion(results: Results, path: Path) -> None:
-    """Speed of the load and tension at the drum over time."""
+    """Speed of the drum and of the load, and the tension in the four falls, over time."""
     m, static = results.motion, results.model.data.weight / 4
-    with figure(2, 1, (8.0, 6.0), sharex=True) as (drawn, axes):
-        axes[0].plot(m.t, m.rate("block.y"), color=COLOURS[0])
-        axes[0].set_ylabel("speed of the load [m/s]")
-        axes[1].plot(m.t, results.tension / static, color=COLOURS[1])
-        axes[1].set_ylabel("tension at the drum over W/4")
-        axes[1].set_xlabel("t [s]")
+    with figure(3, 1, (8.0, 8.0), sharex=True) as (drawn, axes):
+        axes[0].plot(m.t, m.rate("drive.angle"), color=COLOURS[0])
+        axes[0].set_ylabel("speed of the drum [rad/s]")
+        axes[1].plot(m.t, m.rate("block.y"), color=COLOURS[0])
+        axes[1].set_ylabel("speed of the load [m/s]")
+        for tension, colour, name in zip(results.tension.T, COLOURS, FALLS, strict=False):
+            axes[2].plot(m.t, tension / static, color=colour, linewidth=0.8, label=name)
+        axes[2].set_ylabel("tension over W/4")
+        axes[2].set_xlabel("t [s]")
+        axes[2].legend(fontsize="small")
         save(drawn, path)
 
 
 def along_the_rope(results: Results, path: Path) -> None:
-    """Tension along the rope at rest, while the load is accelerated, and at constant speed.
-
-    Lines join the means of the elements, dots are their Gauss points.
-    """
-    m, rope = results.motion, results.model.rope
+    """Tension along the rope at rest, while the load is accelerated, and at constant speed, beside statics."""
+    model = results.model
     with figure(1, 1, (8.0, 4.5)) as (drawn, axes):
-        for t, colour in zip(TIMES, COLOURS, strict=False):
-            state = m.nearest(t)
-            s, T = rope.tension(state)
-            axes.plot(s, T / 1e3, ".", color=colour, markersize=2, alpha=0.5)
-            s, T = rope.tension(state, mean=True)
-            axes.plot(s, T / 1e3, color=colour, label=f"t = {t:g} s")
-        axes.set_xlabel("length along the rope from its anchor on the drum [m]")
-        axes.set_ylabel("tension [kN]")
-        axes.legend()
+        for state, colour in _states(results):
+            s, T = model.rope.tension(state)
+            axes.plot(s, T / 1e3, ".", color=colour, markersize=3, label=f"t = {state.t:g} s")
+            ends, free = hoist_rest.free_tensions(model, state)
+            axes.plot(ends.ravel(), np.repeat(free, 2) / 1e3, color=colour, linewidth=0.8)
+        _labelled(axes, "tension [kN]")
         save(drawn, path)
 
 
 def contact(results: Results, path: Path) -> None:
-    """Normal force per length on drum and sheaves at constant speed."""
-    m, rope = results.motion, results.model.rope
-    state = m.nearest(TIMES[-1])
-    with figure(1, 1, (8.0, 4.5)) as (drawn, axes):
-        for (name, points), colour in zip(rope.contacts.items(), COLOURS, strict=False):
-            s, N = rope.contact_force(state, name)
-            line = N / np.array([p.weight for p in points]) / 1e3
-            touching = line > 0
-            axes.plot(s[touching], line[touching], ".-", color=colour, label=name, linewidth=0.8)
-        axes.set_xlabel("length along the rope [m]")
-        axes.set_ylabel("contact force per length [kN/m]")
-        axes.legend()
+    """Normal force per length on drum and sheaves at three times, beside T/R."""
+    rope, R = results.model.rope, results.model.data.pitch
+    with figure(3, 1, (8.0, 8.0), sharex=True) as (drawn, axes):
+        for row, (state, _) in zip(axes, _states(results), strict=True):
+            for (name, points), colour in zip(rope.contacts.items(), COLOURS, strict=False):
+                s, N = rope.contact_force(state, name)
+                line, on = N / np.array([p.weight for p in points]) / 1e3, N > 0
+                row.plot(s[on], line[on], ".-", color=colour, label=name, linewidth=0.6, markersize=3)
+                pressed = hoist_rest.statics(results.model, state, s[on]) / R / 1e3
+                row.plot(s[on], pressed, color="black", linewidth=0.8)
+            row.plot([], [], color="black", linewidth=0.8, label="T/R")
+            row.set_title(f"t = {state.t:g} s")
+            row.set_ylabel("contact force [kN/m]")
+        axes[0].legend(fontsize="small", ncol=3)
+        axes[-1].set_xlabel(ALONG)
         save(drawn, path)
+
+
+def strain(results: Results, path: Path) -> None:
+    """Strain of the rope and bending stress of its wires along the rope, at three times."""
+    rope, data = results.model.rope, results.model.data
+    with figure(2, 1, (8.0, 6.5), sharex=True) as (drawn, axes):
+        for state, colour in _states(results):
+            s, found = rope.strain(state)
+            axes[0].plot(s, 1e3 * found, ".", color=colour, markersize=3, label=f"t = {state.t:g} s")
+            s, found = rope.curvature(state)
+            axes[1].plot(
+                s, data.wire_stress(1.0) * found / 1e6, ".-", color=colour, markersize=3, linewidth=0.6
+            )
+        axes[1].axhline(data.wire_stress(1 / data.pitch) / 1e6, color="black", linewidth=0.8, label="E d/D")
+        axes[0].set_ylabel("strain [0.001]")
+        axes[0].legend()
+        _labelled(axes[1], "bending stress of a wire [MPa]")
+        save(drawn, path)
+
+
+def _states(results: Results) -> list[tuple[fx.State, str]]:
+    """States at rest, in the acceleration and at constant speed, each with a colour."""
+    return [(results.motion.nearest(t), colour) for t, colour in zip(TIMES, COLOURS, strict=False)]
+
+
+def _labelled(axes: Any, quantity: str) -> None:
+    axes.set_xlabel(ALONG)
+    axes.set_ylabel(quantity)
+    axes.legend()
 
 
 def animation(results: Results, path: Path) -> None:

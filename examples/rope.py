@@ -2,13 +2,14 @@
 
 `reproduce` gives the relative error of each problem on its finest mesh, with the order of convergence.
 Imports flexel; the problems are in `flexel.examples.rope_hanging`, `rope_waves`, `rope_swings`,
-`rope_sheaves` and `rope_hoists`.
+`rope_sheaves`, `rope_hoists` and `rope_belts`.
 """
 
 from __future__ import annotations
 
 from pathlib import Path
 
+from flexel.examples import rope_belts as belts
 from flexel.examples import rope_hanging as hanging
 from flexel.examples import rope_hoists as hoists
 from flexel.examples import rope_sheaves as sheaves
@@ -19,7 +20,7 @@ from flexel.results.report import Report
 
 def reproduce(out: Path | None = None) -> Report:
     """All problems beside their closed forms; figures in `out`, if given."""
-    rows = [*hanging.rows(), *waves.rows(), *swings.rows(), *sheaves.rows(), *hoists.rows()]
+    rows = [*hanging.rows(), *waves.rows(), *swings.rows(), *sheaves.rows(), *hoists.rows(), *belts.rows()]
     files: list[Path] = []
     if out is not None:
         from flexel.examples.rope_figures import pictures

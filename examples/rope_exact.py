@@ -8,11 +8,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any
 
 import numpy as np
-from scipy.integrate import quad, solve_ivp
-from scipy.optimize import brentq, fsolve
+from scipy.integrate import solve_ivp
+from scipy.optimize import brentq
 from scipy.special import jn_zeros, jv, yv
 
 from flexel.base.arrays import Array
@@ -36,7 +35,7 @@ class Catenary:
     EA : float
         [N]
     H, V : float
-        Horizontal and vertical force at the first support, for a strain that is the relative elongation [N].
+        Horizontal and vertical force at the first support [N].
     """
 
     l: float
@@ -55,31 +54,10 @@ class Catenary:
         y = w * s / self.EA * (V / w - s / 2) + (np.hypot(H, V) - np.hypot(H, V - w * s)) / w
         return float(x), -float(y)
 
-    def greens(self) -> tuple[Array, Array]:
-        """Horizontal force and tensions at both ends (3,), and the place (2,) of the middle of the rope.
-
-        For Green's strain, T = EA λ (λ² - 1)/2, which is stiffer by 3/2 of the strain; by quadrature and root finding.
-        """
-
-        def stretch(T: float) -> float:
-            return float(max(np.roots([0.5, 0, -0.5, -T / self.EA]).real))
-
-        def place(H: float, V: float, length: float) -> Array:
-            def slope(s: float, force: Callable[[float], float]) -> float:
-                T = float(np.hypot(H, V - self.w * s))
-                return stretch(T) * force(s) / T
-
-            x = quad(lambda s: slope(s, lambda s: H), 0, length, epsabs=1e-13, epsrel=1e-13)[0]
-            y = quad(lambda s: slope(s, lambda s: self.w * s - V), 0, length, epsabs=1e-13, epsrel=1e-13)[0]
-            return np.array([x, y])
-
-        def miss(unknown: Any) -> Array:
-            H, V = unknown
-            return np.asarray(place(H, V, self.L0) - (self.l, self.h))
-
-        H, V = fsolve(miss, [self.H, self.V], xtol=1e-14)
-        forces = np.array([H, np.hypot(H, V), np.hypot(H, V - self.w * self.L0)])
-        return forces, place(H, V, self.L0 / 2)
+    @property
+    def forces(self) -> Array:
+        """Horizontal force and tensions at both ends (3,) [N]."""
+        return np.array([self.H, np.hypot(self.H, self.V), np.hypot(self.H, self.V - self.w * self.L0)])
 
 
 # sag of a tenth of the span, supports at different heights

@@ -23,7 +23,7 @@ from flexel.examples import rope_waves as waves
 from flexel.pictures.figures import COLOURS, figure, save
 from flexel.pictures.shape import cubic
 from flexel.results.report import Quantity
-from flexel.rope.cables import cable_tension
+from flexel.rope.cable_results import cable_tension
 from flexel.structure.state import State
 
 XI = np.linspace(0, 1, 9)[:, None]  # where the curve of an element is drawn

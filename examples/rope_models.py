@@ -12,7 +12,7 @@ import numpy as np
 import flexel as fx
 from flexel.base.arrays import Array
 from flexel.rope.path import Part, Path
-from flexel.rope.ropes import Rope
+from flexel.rope.rope import Rope
 
 RunUp = tuple[Callable[[float], float], Callable[[float], float], Callable[[float], float]]
 G = 9.81
@@ -36,13 +36,20 @@ def hanging_between(
     return m.build()
 
 
-def hanging_chain(n: int, length: float = 2.0, payload: float = 0.0) -> fx.System:
-    """A chain of 1.5 kg/m that hangs from one end, nearly inextensible, with a payload [kg] at the other."""
+def hanging_chain(n: int, length: float = 2.0) -> fx.System:
+    """A chain of 1.5 kg/m that hangs from one end, of n rigid bars."""
+    m = fx.Model(gravity=(0, -G))
+    chain = m.chain("chain", [(0, 0), (0, -length)], n, mass_per_length=1.5)
+    m.fix(chain.points[0])
+    return m.build()
+
+
+def loaded_rope(n: int, length: float, payload: float) -> fx.System:
+    """A rope of 1.5 kg/m without bending stiffness, nearly inextensible, that carries a payload [kg]."""
     m = fx.Model(gravity=(0, -G))
     rope = m.cable_line("rope", [(0, 0), (0, -length)], n, EA=1e8, EI=0.0, mass_per_length=1.5)
     m.fix(rope.points[0])
-    if payload:
-        m.point_mass("payload", rope.points[-1], payload)
+    m.point_mass("payload", rope.points[-1], payload)
     return m.build()
 
 
@@ -67,10 +74,11 @@ def swinging(n: int) -> fx.System:
     return m.build()
 
 
-def falling(n: int, E: float, L: float, A: float, I: float, rho: float) -> fx.System:
-    """A rod that hangs from a pin at one end, released from the horizontal."""
-    m = fx.Model(gravity=(0, -G))
-    rod = m.cable_line("rod", [(0, 0), (L, 0)], n, EA=E * A, EI=E * I, mass_per_length=rho * A)
+def falling(n: int, E: float, L: float, A: float, I: float, rho: float, size: float = 2) -> fx.System:
+    """A rod that hangs from a pin at one end, released from the horizontal; in the plane or, with size 3, in space."""
+    m = fx.Model(gravity=(0.0, -G, 0.0)[: int(size)])
+    ends = [(0.0, 0.0, 0.0)[: int(size)], (L, 0.0, 0.0)[: int(size)]]
+    rod = m.cable_line("rod", ends, n, EA=E * A, EI=E * I, mass_per_length=rho * A)
     m.fix(rod.points[0])
     return m.build()
 
@@ -153,8 +161,8 @@ def atwood(
     *,
     inertia: float,
     mass: float = 0.01,
-    EA: float = 1e5,
-    stiffness: float = 1e9,
+    EA: float = 1e6,
+    stiffness: float = 1e10,
 ) -> tuple[fx.System, Rope]:
     """Atwood's machine: masses A and B at the ends of a rope over a turning sheave; 28 elements are half as long as
     the sheave's radius.
@@ -165,7 +173,7 @@ def atwood(
     A, B = m.point("A", (-WHEEL, -fall)), m.point("B", (WHEEL, -fall))
     m.point_mass("m1", A, m1)
     m.point_mass("m2", B, m2)
-    contact = fx.Contact(stiffness, friction=0.5, slip_speed=1e-2, dissipation=10.0)
+    contact = fx.Contact(stiffness, friction=0.5, slip_speed=1e-3, dissipation=10.0)
     rope = m.rope(
         "rope", [A, "S", B], n, contact=contact, radius=THIN, tension=(m1 + m2) / 2 * G, EA=EA, EI=1e-5,
         mass_per_length=mass, damping=1e-3,
@@ -189,7 +197,7 @@ def winding_hoist(n: int, speed: float) -> tuple[fx.System, RunUp]:
         damping=0.04 / np.sqrt(1e7 / (L * 1000.0)),
     )  # fmt: skip
     m.anchor("start", "C", "F", rope.points[0], rope.slopes[0])
-    contact = fx.Contact(1e12, friction=3.0, slip_speed=1e-2, dissipation=10.0)
+    contact = fx.Contact(1e12, friction=3.0, slip_speed=1e-3, dissipation=10.0)
     m.rope_contact(rope, "S", contact, radius=THIN, only=rope.elements[:n])
     motion = run_up(speed, 1.0, 2.0)
     m.prescribe("axle.angle", motion)
@@ -222,7 +230,7 @@ def tackle(n: int, arm: float, load: float = 10.0) -> tuple[fx.System, Rope]:
     contact = fx.Contact(1e9, friction=0.5, slip_speed=1e-2, dissipation=10.0)
     rope = m.rope(
         "rope", [start, ("S2", 1), ("S1", -1), end], n, contact=contact, radius=THIN, tension=load * G / 2,
-        EA=1e6, EI=1e-5, mass_per_length=0.01, damping=1e-3,
+        EA=1e6, EI=1e-5, mass_per_length=1e-3, damping=1e-3,
     )  # fmt: skip
     m.fix("P.x")
     pull = run_up(0.2, 0.0, 0.2)

@@ -1,6 +1,8 @@
 /* planar_cable_line: kernels of an element. Written by `flexel derive`; do not edit.
  *
- * x: point at the fraction xi of the cable's cubic curve;  ex, ey: directions at angle + alpha0
+ * x: point at the fraction xi of the cubic curve through p and q with the slopes h dp and h dq,
+ * h = 1 + D/48 + 13 D^2/5760, D = |dq - dp|^2: tan(theta/4)/(theta/4) for the angle theta between unit slopes
+ * ex, ey: directions at angle + alpha0
  * w = xdot - xcdot - angledot ez x (x - xc), the velocity seen from the body
  * gap = ey.(x - xc) - offset_y - rope_radius,  tangential = ex.w
  *
@@ -17,7 +19,7 @@
  *   rope_radius (1) [m]: outer radius of the rope */
 #include "kernels.h"
 
-/* position: 56 operations.
+/* position: 93 operations.
  * in:  x (11), p (6)
  * out: e (1), De (1,11), V (1,11) */
 FLEXEL_CLONES
@@ -29,72 +31,94 @@ static void planar_cable_line_position(size_t nblocks, const real *const *in, re
         real *restrict e = out[0] + b * (1 * 8);
         real *restrict De = out[1] + b * (11 * 8);
         real *restrict V = out[2] + b * (11 * 8);
-        real n2[8], n1[8], n0[8], t4[8], d_y[8], t5[8], cos_r[8], d_x[8], sin_r[8];
+        real t0[8], cos_r[8], turn_x[8], turn_y[8], longer[8], n1[8], t5[8], handles_y[8], n0[8], n2[8], d_y[8],
+            sin_r[8], handles_x[8], d_x[8], t12[8], t21[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
+            const real r_angle = x[10 * 8 + j];
+            const real alpha0 = p[2 * 8 + j];
+            t0[j] = r_angle + alpha0;
+            const real dq_x = x[6 * 8 + j];
+            const real dp_x = x[2 * 8 + j];
+            turn_x[j] = dq_x - dp_x;
+            const real dq_y = x[7 * 8 + j];
+            const real dp_y = x[3 * 8 + j];
+            turn_y[j] = dq_y - dp_y;
+            const real square_turn = turn_x[j] * turn_x[j] + turn_y[j] * turn_y[j];
+            const real t1 = 0.020833333333333332 + 0.0022569444444444442 * square_turn;
+            longer[j] = 1.0 + square_turn * t1;
             const real xi = p[1 * 8 + j];
-            const real t0 = xi * xi;
-            const real t1 = 2.0 * xi;
-            n2[j] = t0 * (3.0 - t1);
-            const real q_y = x[5 * 8 + j];
             const real t2 = 1.0 - xi;
             const real t3 = t2 * t2;
             const real l0 = p[0 * 8 + j];
-            n1[j] = l0 * xi * t3;
-            const real dp_y = x[3 * 8 + j];
-            n0[j] = t3 * (1.0 + t1);
+            n1[j] = l0 * t3 * xi;
+            const real t4 = xi * xi;
+            t5[j] = l0 * t2 * t4;
+            handles_y[j] = dp_y * n1[j] - dq_y * t5[j];
+            const real t6 = 2.0 * xi;
+            n0[j] = t3 * (1.0 + t6);
             const real p_y = x[1 * 8 + j];
+            n2[j] = t4 * (3.0 - t6);
+            const real q_y = x[5 * 8 + j];
             const real c_y = x[9 * 8 + j];
-            t4[j] = l0 * t0 * t2;
-            const real dq_y = x[7 * 8 + j];
-            d_y[j] = dp_y * n1[j] + p_y * n0[j] + q_y * n2[j] - c_y - dq_y * t4[j];
-            const real r_angle = x[10 * 8 + j];
-            const real alpha0 = p[2 * 8 + j];
-            t5[j] = r_angle + alpha0;
-            const real q_x = x[4 * 8 + j];
-            const real dp_x = x[2 * 8 + j];
+            d_y[j] = p_y * n0[j] + q_y * n2[j] + longer[j] * handles_y[j] - c_y;
+            handles_x[j] = dp_x * n1[j] - dq_x * t5[j];
             const real p_x = x[0 * 8 + j];
+            const real q_x = x[4 * 8 + j];
             const real c_x = x[8 * 8 + j];
-            const real dq_x = x[6 * 8 + j];
-            d_x[j] = dp_x * n1[j] + p_x * n0[j] + q_x * n2[j] - c_x - dq_x * t4[j];
+            d_x[j] = p_x * n0[j] + q_x * n2[j] + longer[j] * handles_x[j] - c_x;
+            t12[j] = 0.020833333333333332 + 0.0045138888888888885 * square_turn;
+            t21[j] = 0.041666666666666664 + 0.009027777777777777 * square_turn;
         }
         for (size_t j = 0; j < 8; j++) {
-            cos_r[j] = real_cos(t5[j]);
-            sin_r[j] = real_sin(t5[j]);
+            cos_r[j] = real_cos(t0[j]);
+            sin_r[j] = real_sin(t0[j]);
             De[8 * 8 + j] = sin_r[j]; /* De(0,8) */
         }
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
-            const real t6 = d_y[j] * cos_r[j];
+            const real t7 = cos_r[j] * d_y[j];
             const real offset_y = p[4 * 8 + j];
             const real rope_radius = p[5 * 8 + j];
-            const real t7 = d_x[j] * sin_r[j];
-            e[0 * 8 + j] = t6 - offset_y - rope_radius - t7;
-            const real t8 = n0[j] * sin_r[j];
-            V[1 * 8 + j] = t8; /* V(0,1) */
-            De[0 * 8 + j] = -t8; /* De(0,0) */
+            const real t8 = sin_r[j] * d_x[j];
+            e[0 * 8 + j] = t7 - offset_y - rope_radius - t8;
+            const real t9 = n0[j] * sin_r[j];
+            V[1 * 8 + j] = t9; /* V(0,1) */
+            De[0 * 8 + j] = -t9; /* De(0,0) */
             De[1 * 8 + j] = V[0 * 8 + j] = n0[j] * cos_r[j]; /* De(0,1) V(0,0) */
-            const real t9 = n1[j] * sin_r[j];
-            V[3 * 8 + j] = t9; /* V(0,3) */
-            De[2 * 8 + j] = -t9; /* De(0,2) */
-            De[3 * 8 + j] = V[2 * 8 + j] = n1[j] * cos_r[j]; /* De(0,3) V(0,2) */
-            const real t10 = n2[j] * sin_r[j];
-            V[5 * 8 + j] = t10; /* V(0,5) */
-            De[4 * 8 + j] = -t10; /* De(0,4) */
+            const real t10 = sin_r[j] * longer[j];
+            const real t11 = n1[j] * t10;
+            const real t13 = t12[j] * (cos_r[j] * handles_y[j] - sin_r[j] * handles_x[j]);
+            const real t14 = 2.0 * turn_x[j] * t13;
+            De[2 * 8 + j] = -(t11 + t14); /* De(0,2) */
+            const real t15 = cos_r[j] * longer[j];
+            const real t16 = n1[j] * t15;
+            const real t17 = 2.0 * turn_y[j] * t13;
+            De[3 * 8 + j] = t16 - t17; /* De(0,3) */
+            const real t18 = n2[j] * sin_r[j];
+            V[5 * 8 + j] = t18; /* V(0,5) */
+            De[4 * 8 + j] = -t18; /* De(0,4) */
             De[5 * 8 + j] = V[4 * 8 + j] = n2[j] * cos_r[j]; /* De(0,5) V(0,4) */
-            const real t11 = t4[j] * sin_r[j];
-            De[6 * 8 + j] = t11; /* De(0,6) */
-            De[7 * 8 + j] = V[6 * 8 + j] = -(t4[j] * cos_r[j]); /* De(0,7) V(0,6) */
+            const real t19 = t5[j] * t10;
+            De[6 * 8 + j] = t19 + t14; /* De(0,6) */
+            const real t20 = t5[j] * t15;
+            De[7 * 8 + j] = t17 - t20; /* De(0,7) */
             De[9 * 8 + j] = V[8 * 8 + j] = -cos_r[j]; /* De(0,9) V(0,8) */
-            De[10 * 8 + j] = -(d_y[j] * sin_r[j] + d_x[j] * cos_r[j]); /* De(0,10) */
-            V[7 * 8 + j] = -t11; /* V(0,7) */
+            De[10 * 8 + j] = -(sin_r[j] * d_y[j] + cos_r[j] * d_x[j]); /* De(0,10) */
+            const real t22 = t21[j] * (sin_r[j] * handles_y[j] + cos_r[j] * handles_x[j]);
+            const real t23 = turn_x[j] * t22;
+            V[2 * 8 + j] = t16 - t23; /* V(0,2) */
+            const real t24 = turn_y[j] * t22;
+            V[3 * 8 + j] = t11 - t24; /* V(0,3) */
+            V[6 * 8 + j] = t23 - t20; /* V(0,6) */
+            V[7 * 8 + j] = t24 - t19; /* V(0,7) */
             V[9 * 8 + j] = -sin_r[j]; /* V(0,9) */
-            V[10 * 8 + j] = t6 - t7; /* V(0,10) */
+            V[10 * 8 + j] = t7 - t8; /* V(0,10) */
         }
     }
 }
 
-/* acceleration: 76 operations.
+/* acceleration: 146 operations.
  * in:  x (11), v (11), p (6)
  * out: g (1), gs (1) */
 FLEXEL_CLONES
@@ -106,55 +130,80 @@ static void planar_cable_line_acceleration(size_t nblocks, const real *const *in
         const real *restrict p = in[2] + b * (6 * 8);
         real *restrict g = out[0] + b * (1 * 8);
         real *restrict gs = out[1] + b * (1 * 8);
-        real t0[8], sin_r[8], d_x[8], cos_r[8], d_y[8], t10[8], t16[8], sliding_y[8], sliding_x[8];
+        real t0[8], sin_r[8], d_x[8], cos_r[8], d_y[8], t20[8], t24[8], t27[8], t29[8], t32[8], sliding_y[8], t33[8],
+            sliding_x[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real r_angle = x[10 * 8 + j];
             const real alpha0 = p[2 * 8 + j];
             t0[j] = r_angle + alpha0;
             const real xi = p[1 * 8 + j];
-            const real t2 = 1.0 - xi;
-            const real t3 = t2 * t2;
-            const real t4 = 2.0 * xi;
-            const real n0 = t3 * (1.0 + t4);
-            const real p_x = x[0 * 8 + j];
-            const real t5 = xi * xi;
-            const real n2 = t5 * (3.0 - t4);
+            const real t2 = xi * xi;
+            const real t3 = 2.0 * xi;
+            const real n2 = t2 * (3.0 - t3);
             const real q_x = x[4 * 8 + j];
+            const real t4 = 1.0 - xi;
+            const real t5 = t4 * t4;
+            const real n0 = t5 * (1.0 + t3);
+            const real p_x = x[0 * 8 + j];
             const real l0 = p[0 * 8 + j];
-            const real n1 = l0 * t3 * xi;
+            const real n1 = l0 * xi * t5;
             const real dp_x = x[2 * 8 + j];
-            const real c_x = x[8 * 8 + j];
-            const real t6 = l0 * t2 * t5;
+            const real t6 = l0 * t2 * t4;
             const real dq_x = x[6 * 8 + j];
-            d_x[j] = q_x * n2 + dp_x * n1 + p_x * n0 - c_x - dq_x * t6;
-            const real p_y = x[1 * 8 + j];
-            const real q_y = x[5 * 8 + j];
-            const real dp_y = x[3 * 8 + j];
-            const real c_y = x[9 * 8 + j];
+            const real handles_x = dp_x * n1 - dq_x * t6;
+            const real turn_x = dq_x - dp_x;
             const real dq_y = x[7 * 8 + j];
-            d_y[j] = q_y * n2 + dp_y * n1 + p_y * n0 - c_y - dq_y * t6;
+            const real dp_y = x[3 * 8 + j];
+            const real turn_y = dq_y - dp_y;
+            const real square_turn = turn_x * turn_x + turn_y * turn_y;
+            const real t7 = 0.020833333333333332 + 0.0022569444444444442 * square_turn;
+            const real longer = 1.0 + square_turn * t7;
+            const real c_x = x[8 * 8 + j];
+            d_x[j] = p_x * n0 + handles_x * longer + q_x * n2 - c_x;
+            const real q_y = x[5 * 8 + j];
+            const real p_y = x[1 * 8 + j];
+            const real handles_y = dp_y * n1 - dq_y * t6;
+            const real c_y = x[9 * 8 + j];
+            d_y[j] = p_y * n0 + handles_y * longer + q_y * n2 - c_y;
+            const real dp_vy = v[3 * 8 + j];
+            const real dq_vy = v[7 * 8 + j];
+            const real t9 = dp_vy * n1 - dq_vy * t6;
+            const real dq_vx = v[6 * 8 + j];
+            const real dp_vx = v[2 * 8 + j];
+            const real t10 = dq_vx - dp_vx;
+            const real t11 = dq_vy - dp_vy;
+            const real t12 = turn_x * t10 + turn_y * t11;
+            const real t13 = 0.020833333333333332 + 0.0045138888888888885 * square_turn;
+            const real t14 = t12 * t13;
+            const real t15 = t9 * t14;
+            const real t16 = t10 * t10 + t11 * t11;
+            const real t17 = t12 * t12;
+            const real t18 = 0.0045138888888888885 * (4.0 * t17 + 2.0 * square_turn * t16);
+            const real t19 = 0.041666666666666664 * t16 + t18;
+            t20[j] = 4.0 * t15 + handles_y * t19;
             const real p_vy = v[1 * 8 + j];
             const real q_vy = v[5 * 8 + j];
-            const real dp_vy = v[3 * 8 + j];
+            const real t22 = p_vy * n0 + q_vy * n2;
+            const real t23 = t9 * longer;
             const real c_vy = v[9 * 8 + j];
-            const real t8 = q_vy * n2 + dp_vy * n1 + p_vy * n0 - c_vy;
-            const real dq_vy = v[7 * 8 + j];
-            const real t9 = dq_vy * t6;
-            t10[j] = t8 - t9;
-            const real p_vx = v[0 * 8 + j];
-            const real t12 = p_vx * n0;
+            t24[j] = t23 + 2.0 * handles_y * t14 + t22 - c_vy;
             const real q_vx = v[4 * 8 + j];
-            const real t13 = q_vx * n2;
-            const real dp_vx = v[2 * 8 + j];
-            const real t14 = dp_vx * n1;
+            const real p_vx = v[0 * 8 + j];
+            const real t25 = dp_vx * n1 - dq_vx * t6;
+            const real t26 = p_vx * n0 + t25 * longer + q_vx * n2;
             const real c_vx = v[8 * 8 + j];
-            const real dq_vx = v[6 * 8 + j];
-            const real t15 = dq_vx * t6;
-            t16[j] = t13 + t14 + t12 - c_vx - t15;
+            t27[j] = t26 + 2.0 * handles_x * t14 - c_vx;
+            const real t28 = t25 * t14;
+            t29[j] = 4.0 * t28 + handles_x * t19;
+            const real t30 = 0.041666666666666664 + 0.009027777777777777 * square_turn;
+            const real rate = t30 * t12;
+            const real t31 = t30 * t16 + 0.018055555555555554 * t17;
             const real r_vangle = v[10 * 8 + j];
-            sliding_y[j] = t8 - r_vangle * d_x[j] - t9;
-            sliding_x[j] = t12 + t13 + t14 + r_vangle * d_y[j] - c_vx - t15;
+            t32[j] = handles_y * t31 + 2.0 * t15 + rate * t9 - r_vangle * t27[j];
+            sliding_y[j] = handles_y * rate + t23 + t22 - c_vy - r_vangle * d_x[j];
+            t33[j] = rate * t25 + handles_x * t31 + 2.0 * t28 + r_vangle * t24[j];
+            sliding_x[j] = handles_x * rate + r_vangle * d_y[j] + t26 - c_vx;
         }
         for (size_t j = 0; j < 8; j++) {
             sin_r[j] = real_sin(t0[j]);
@@ -164,17 +213,16 @@ static void planar_cable_line_acceleration(size_t nblocks, const real *const *in
         for (size_t j = 0; j < 8; j++) {
             const real r_vangle = v[10 * 8 + j];
             const real t1 = r_vangle * sin_r[j];
-            const real t7 = r_vangle * cos_r[j];
-            const real t11 = t1 * t10[j];
-            const real t17 = t7 * t16[j];
-            g[0 * 8 + j] = r_vangle * (t1 * d_x[j] - t7 * d_y[j]) - t11 - t11 - t17 - t17;
-            const real t18 = r_vangle * (cos_r[j] * t10[j] - sin_r[j] * t16[j]) + t7 * sliding_y[j];
-            gs[0 * 8 + j] = t18 - t1 * sliding_x[j];
+            const real t8 = r_vangle * cos_r[j];
+            const real t21 = r_vangle * (t1 * d_x[j] - t8 * d_y[j]) + cos_r[j] * t20[j];
+            g[0 * 8 + j] = t21 - 2.0 * (t1 * t24[j] + t8 * t27[j]) - sin_r[j] * t29[j];
+            const real t34 = t8 * sliding_y[j] + cos_r[j] * t33[j] + sin_r[j] * t32[j];
+            gs[0 * 8 + j] = t34 - t1 * sliding_x[j];
         }
     }
 }
 
-/* rates: 83 operations.
+/* rates: 185 operations.
  * in:  x (11), v (11), p (6)
  * out: Phi_x (2,11) */
 FLEXEL_CLONES
@@ -185,8 +233,9 @@ static void planar_cable_line_rates(size_t nblocks, const real *const *in, real 
         const real *restrict v = in[1] + b * (11 * 8);
         const real *restrict p = in[2] + b * (6 * 8);
         real *restrict Phi_x = out[0] + b * (22 * 8);
-        real n0[8], t3[8], cos_r[8], sin_r[8], n1[8], n2[8], t10[8], d_x[8], t14[8], t20[8], sliding_y[8],
-            sliding_x[8];
+        real n0[8], t3[8], cos_r[8], sin_r[8], turn_x[8], turn_y[8], t7[8], n1[8], t9[8], t10[8], t11[8],
+            handles_y[8], handles_x[8], t13[8], t14[8], t15[8], longer[8], t22[8], n2[8], t32[8], t36[8], t37[8],
+            rate[8], sliding_y[8], sliding_x[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real xi = p[1 * 8 + j];
@@ -197,45 +246,61 @@ static void planar_cable_line_rates(size_t nblocks, const real *const *in, real 
             const real r_angle = x[10 * 8 + j];
             const real alpha0 = p[2 * 8 + j];
             t3[j] = r_angle + alpha0;
-            const real l0 = p[0 * 8 + j];
-            n1[j] = l0 * t1 * xi;
-            const real t8 = xi * xi;
-            n2[j] = t8 * (3.0 - t2);
-            t10[j] = l0 * t0 * t8;
-            const real p_x = x[0 * 8 + j];
-            const real q_x = x[4 * 8 + j];
-            const real dp_x = x[2 * 8 + j];
-            const real c_x = x[8 * 8 + j];
             const real dq_x = x[6 * 8 + j];
-            d_x[j] = q_x * n2[j] + dp_x * n1[j] + p_x * n0[j] - c_x - dq_x * t10[j];
+            const real dp_x = x[2 * 8 + j];
+            turn_x[j] = dq_x - dp_x;
+            const real dq_y = x[7 * 8 + j];
+            const real dp_y = x[3 * 8 + j];
+            turn_y[j] = dq_y - dp_y;
+            const real square_turn = turn_x[j] * turn_x[j] + turn_y[j] * turn_y[j];
+            t7[j] = 0.020833333333333332 + 0.0045138888888888885 * square_turn;
+            const real l0 = p[0 * 8 + j];
+            n1[j] = l0 * xi * t1;
+            const real dp_vy = v[3 * 8 + j];
+            const real t8 = xi * xi;
+            t9[j] = l0 * t8 * t0;
+            const real dq_vy = v[7 * 8 + j];
+            t10[j] = dp_vy * n1[j] - dq_vy * t9[j];
+            const real dp_vx = v[2 * 8 + j];
+            const real dq_vx = v[6 * 8 + j];
+            t11[j] = dp_vx * n1[j] - dq_vx * t9[j];
+            handles_y[j] = dp_y * n1[j] - dq_y * t9[j];
+            handles_x[j] = dp_x * n1[j] - dq_x * t9[j];
+            t13[j] = dq_vx - dp_vx;
+            t14[j] = dq_vy - dp_vy;
+            t15[j] = turn_x[j] * t13[j] + turn_y[j] * t14[j];
+            const real t20 = 0.020833333333333332 + 0.0022569444444444442 * square_turn;
+            longer[j] = 1.0 + square_turn * t20;
+            t22[j] = t15[j] * t7[j];
+            n2[j] = t8 * (3.0 - t2);
+            const real q_y = x[5 * 8 + j];
+            const real p_y = x[1 * 8 + j];
+            const real c_y = x[9 * 8 + j];
+            const real d_y = p_y * n0[j] + handles_y[j] * longer[j] + q_y * n2[j] - c_y;
+            const real r_vangle = v[10 * 8 + j];
+            const real t28 = r_vangle * d_y;
+            const real q_vx = v[4 * 8 + j];
+            const real t29 = q_vx * n2[j];
+            const real p_vx = v[0 * 8 + j];
+            const real t30 = p_vx * n0[j];
+            const real t31 = t11[j] * longer[j];
+            const real c_vx = v[8 * 8 + j];
+            t32[j] = t31 + 2.0 * handles_x[j] * t22[j] + t30 + t29 + t28 - c_vx;
             const real p_vy = v[1 * 8 + j];
             const real q_vy = v[5 * 8 + j];
-            const real dp_vy = v[3 * 8 + j];
+            const real t33 = p_vy * n0[j] + q_vy * n2[j];
+            const real t34 = t10[j] * longer[j];
             const real c_vy = v[9 * 8 + j];
-            const real t12 = q_vy * n2[j] + dp_vy * n1[j] + p_vy * n0[j] - c_vy;
-            const real dq_vy = v[7 * 8 + j];
-            const real t13 = dq_vy * t10[j];
-            t14[j] = t12 - t13;
-            const real p_vx = v[0 * 8 + j];
-            const real t15 = p_vx * n0[j];
-            const real dp_vx = v[2 * 8 + j];
-            const real t16 = dp_vx * n1[j];
-            const real q_vx = v[4 * 8 + j];
-            const real t17 = q_vx * n2[j];
-            const real p_y = x[1 * 8 + j];
-            const real q_y = x[5 * 8 + j];
-            const real dp_y = x[3 * 8 + j];
-            const real c_y = x[9 * 8 + j];
-            const real dq_y = x[7 * 8 + j];
-            const real d_y = q_y * n2[j] + dp_y * n1[j] + p_y * n0[j] - c_y - dq_y * t10[j];
-            const real r_vangle = v[10 * 8 + j];
-            const real t18 = r_vangle * d_y;
-            const real c_vx = v[8 * 8 + j];
-            const real dq_vx = v[6 * 8 + j];
-            const real t19 = dq_vx * t10[j];
-            t20[j] = t17 + t18 + t16 + t15 - c_vx - t19;
-            sliding_y[j] = t12 - r_vangle * d_x[j] - t13;
-            sliding_x[j] = t15 + t17 + t16 + t18 - c_vx - t19;
+            const real q_x = x[4 * 8 + j];
+            const real p_x = x[0 * 8 + j];
+            const real c_x = x[8 * 8 + j];
+            const real d_x = p_x * n0[j] + handles_x[j] * longer[j] + q_x * n2[j] - c_x;
+            const real t35 = r_vangle * d_x;
+            t36[j] = t34 + 2.0 * handles_y[j] * t22[j] + t33 - c_vy - t35;
+            t37[j] = 0.041666666666666664 + 0.009027777777777777 * square_turn;
+            rate[j] = t37[j] * t15[j];
+            sliding_y[j] = handles_y[j] * rate[j] + t34 + t33 - c_vy - t35;
+            sliding_x[j] = handles_x[j] * rate[j] + t28 + t31 + t30 + t29 - c_vx;
         }
         for (size_t j = 0; j < 8; j++) {
             cos_r[j] = real_cos(t3[j]);
@@ -252,26 +317,44 @@ static void planar_cable_line_rates(size_t nblocks, const real *const *in, real 
             const real t6 = r_vangle * sin_r[j];
             Phi_x[9 * 8 + j] = Phi_x[19 * 8 + j] = t6; /* Phi_x(0,9) Phi_x(1,8) */
             Phi_x[1 * 8 + j] = Phi_x[11 * 8 + j] = -(n0[j] * t6); /* Phi_x(0,1) Phi_x(1,0) */
-            const real t7 = t4 * n1[j];
-            Phi_x[14 * 8 + j] = t7; /* Phi_x(1,3) */
-            Phi_x[2 * 8 + j] = -t7; /* Phi_x(0,2) */
-            Phi_x[3 * 8 + j] = Phi_x[13 * 8 + j] = -(t6 * n1[j]); /* Phi_x(0,3) Phi_x(1,2) */
-            const real t9 = n2[j] * t4;
-            Phi_x[16 * 8 + j] = t9; /* Phi_x(1,5) */
-            Phi_x[4 * 8 + j] = -t9; /* Phi_x(0,4) */
+            const real t12 = t10[j] * cos_r[j] - t11[j] * sin_r[j] - handles_y[j] * t6;
+            const real t16 = handles_y[j] * cos_r[j] - handles_x[j] * sin_r[j];
+            const real t17 = t7[j] * (t12 - handles_x[j] * t4) + 0.009027777777777777 * (t15[j] * t16);
+            const real t18 = t16 * t7[j];
+            const real t19 = 2.0 * (turn_x[j] * t17 + t13[j] * t18);
+            const real t21 = t4 * longer[j];
+            const real t23 = t21 + 2.0 * sin_r[j] * t22[j];
+            Phi_x[2 * 8 + j] = -(t19 + n1[j] * t23); /* Phi_x(0,2) */
+            const real t24 = t6 * longer[j];
+            const real t25 = 2.0 * cos_r[j] * t22[j] - t24;
+            const real t26 = 2.0 * (turn_y[j] * t17 + t14[j] * t18);
+            Phi_x[3 * 8 + j] = n1[j] * t25 - t26; /* Phi_x(0,3) */
+            const real t27 = n2[j] * t4;
+            Phi_x[16 * 8 + j] = t27; /* Phi_x(1,5) */
+            Phi_x[4 * 8 + j] = -t27; /* Phi_x(0,4) */
             Phi_x[5 * 8 + j] = Phi_x[15 * 8 + j] = -(n2[j] * t6); /* Phi_x(0,5) Phi_x(1,4) */
-            const real t11 = t4 * t10[j];
-            Phi_x[6 * 8 + j] = t11; /* Phi_x(0,6) */
-            Phi_x[7 * 8 + j] = Phi_x[17 * 8 + j] = t6 * t10[j]; /* Phi_x(0,7) Phi_x(1,6) */
-            Phi_x[10 * 8 + j] = t6 * d_x[j] - sin_r[j] * t14[j] - cos_r[j] * t20[j]; /* Phi_x(0,10) */
-            Phi_x[18 * 8 + j] = -t11; /* Phi_x(1,7) */
+            Phi_x[6 * 8 + j] = t19 + t9[j] * t23; /* Phi_x(0,6) */
+            Phi_x[7 * 8 + j] = t26 - t9[j] * t25; /* Phi_x(0,7) */
+            Phi_x[10 * 8 + j] = -(cos_r[j] * t32[j] + sin_r[j] * t36[j]); /* Phi_x(0,10) */
+            const real t38 = rate[j] * cos_r[j] - t24;
+            const real t39 = handles_y[j] * sin_r[j] + handles_x[j] * cos_r[j];
+            const real t40 = t37[j] * t39;
+            const real t41 = t10[j] * sin_r[j] + handles_y[j] * t4 + t11[j] * cos_r[j];
+            const real t42 = 0.009027777777777777 * (t15[j] * t39) + t7[j] * (t41 - handles_x[j] * t6);
+            const real t43 = t13[j] * t40 + 2.0 * turn_x[j] * t42;
+            Phi_x[13 * 8 + j] = n1[j] * t38 - t43; /* Phi_x(1,2) */
+            const real t44 = rate[j] * sin_r[j] + t21;
+            const real t45 = t14[j] * t40 + 2.0 * turn_y[j] * t42;
+            Phi_x[14 * 8 + j] = n1[j] * t44 - t45; /* Phi_x(1,3) */
+            Phi_x[17 * 8 + j] = t43 - t9[j] * t38; /* Phi_x(1,6) */
+            Phi_x[18 * 8 + j] = t45 - t9[j] * t44; /* Phi_x(1,7) */
             Phi_x[20 * 8 + j] = -t4; /* Phi_x(1,9) */
             Phi_x[21 * 8 + j] = cos_r[j] * sliding_y[j] - sin_r[j] * sliding_x[j]; /* Phi_x(1,10) */
         }
     }
 }
 
-/* kinematics: 168 operations.
+/* kinematics: 424 operations.
  * in:  x (11), v (11), a (11), p (6)
  * out: Psi_x (2,11), Psi_v (2,11) */
 FLEXEL_CLONES
@@ -284,8 +367,10 @@ static void planar_cable_line_kinematics(size_t nblocks, const real *const *in, 
         const real *restrict p = in[3] + b * (6 * 8);
         real *restrict Psi_x = out[0] + b * (22 * 8);
         real *restrict Psi_v = out[1] + b * (22 * 8);
-        real n0[8], t3[8], cos_r[8], sin_r[8], n1[8], n2[8], t12[8], d_x[8], t18[8], d_y[8], t24[8], t34[8], t35[8],
-            t36[8], t37[8], t38[8], t44[8];
+        real n0[8], t3[8], cos_r[8], sin_r[8], turn_x[8], turn_y[8], square_turn[8], t9[8], n1[8], t11[8],
+            handles_y[8], handles_x[8], t14[8], t15[8], t16[8], t17[8], t21[8], t22[8], t25[8], t26[8], t30[8],
+            t32[8], t38[8], longer[8], t41[8], n2[8], d_x[8], d_y[8], t59[8], t66[8], t67[8], t68[8], rate[8], t83[8],
+            t84[8], t85[8], t87[8], t100[8], t101[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real xi = p[1 * 8 + j];
@@ -296,73 +381,100 @@ static void planar_cable_line_kinematics(size_t nblocks, const real *const *in, 
             const real r_angle = x[10 * 8 + j];
             const real alpha0 = p[2 * 8 + j];
             t3[j] = r_angle + alpha0;
+            const real dq_x = x[6 * 8 + j];
+            const real dp_x = x[2 * 8 + j];
+            turn_x[j] = dq_x - dp_x;
+            const real dq_y = x[7 * 8 + j];
+            const real dp_y = x[3 * 8 + j];
+            turn_y[j] = dq_y - dp_y;
+            square_turn[j] = turn_x[j] * turn_x[j] + turn_y[j] * turn_y[j];
+            t9[j] = 0.020833333333333332 + 0.0045138888888888885 * square_turn[j];
             const real l0 = p[0 * 8 + j];
             n1[j] = l0 * t1 * xi;
             const real t10 = xi * xi;
-            n2[j] = t10 * (3.0 - t2);
-            t12[j] = l0 * t0 * t10;
+            t11[j] = l0 * t0 * t10;
+            handles_y[j] = dp_y * n1[j] - dq_y * t11[j];
+            handles_x[j] = dp_x * n1[j] - dq_x * t11[j];
             const real dq_ax = a[6 * 8 + j];
-            const real t14 = dq_ax * t12[j];
+            const real dp_ax = a[2 * 8 + j];
+            t14[j] = dq_ax - dp_ax;
+            const real dq_vx = v[6 * 8 + j];
+            const real dp_vx = v[2 * 8 + j];
+            t15[j] = dq_vx - dp_vx;
+            const real dp_vy = v[3 * 8 + j];
+            const real dq_vy = v[7 * 8 + j];
+            t16[j] = dp_vy * n1[j] - dq_vy * t11[j];
+            t17[j] = dp_vx * n1[j] - dq_vx * t11[j];
+            t21[j] = dq_vy - dp_vy;
+            t22[j] = turn_x[j] * t15[j] + turn_y[j] * t21[j];
+            const real dp_ay = a[3 * 8 + j];
+            const real dq_ay = a[7 * 8 + j];
+            t25[j] = dp_ay * n1[j] - dq_ay * t11[j];
+            t26[j] = dp_ax * n1[j] - dq_ax * t11[j];
+            const real t29 = t15[j] * t15[j] + t21[j] * t21[j];
+            t30[j] = dq_ay - dp_ay;
+            const real t31 = turn_x[j] * t14[j] + turn_y[j] * t30[j];
+            t32[j] = t29 + t31;
+            const real t36 = t22[j] * t22[j];
+            const real t37 = 0.0045138888888888885 * (4.0 * t36 + 2.0 * square_turn[j] * t29);
+            t38[j] = 0.041666666666666664 * t29 + t37 + 2.0 * t9[j] * t31;
+            const real t39 = 0.020833333333333332 + 0.0022569444444444442 * square_turn[j];
+            longer[j] = 1.0 + square_turn[j] * t39;
+            t41[j] = t22[j] * t9[j];
+            n2[j] = t10 * (3.0 - t2);
             const real p_x = x[0 * 8 + j];
             const real q_x = x[4 * 8 + j];
-            const real dp_x = x[2 * 8 + j];
             const real c_x = x[8 * 8 + j];
-            const real dq_x = x[6 * 8 + j];
-            d_x[j] = q_x * n2[j] + dp_x * n1[j] + p_x * n0[j] - c_x - dq_x * t12[j];
+            d_x[j] = p_x * n0[j] + q_x * n2[j] + longer[j] * handles_x[j] - c_x;
             const real r_vangle = v[10 * 8 + j];
-            const real t15 = r_vangle * d_x[j];
+            const real t49 = r_vangle * d_x[j];
+            const real t50 = longer[j] * t16[j];
             const real p_vy = v[1 * 8 + j];
             const real q_vy = v[5 * 8 + j];
-            const real dp_vy = v[3 * 8 + j];
+            const real t51 = p_vy * n0[j] + q_vy * n2[j];
             const real c_vy = v[9 * 8 + j];
-            const real t16 = q_vy * n2[j] + dp_vy * n1[j] + p_vy * n0[j] - c_vy;
-            const real dq_vy = v[7 * 8 + j];
-            const real t17 = dq_vy * t12[j];
-            t18[j] = t16 - t17;
+            const real t52 = t50 + t51 + 2.0 * handles_y[j] * t41[j] - c_vy;
             const real c_ax = a[8 * 8 + j];
+            const real t53 = c_ax + r_vangle * (t49 - 2.0 * t52) - handles_x[j] * t38[j];
+            const real t54 = t17[j] * t41[j];
             const real q_ax = a[4 * 8 + j];
-            const real t19 = n2[j] * q_ax;
-            const real dp_ax = a[2 * 8 + j];
-            const real t20 = dp_ax * n1[j];
+            const real t55 = n2[j] * q_ax;
             const real p_ax = a[0 * 8 + j];
-            const real t21 = n0[j] * p_ax;
-            const real t22 = c_ax + r_vangle * (t15 - 2.0 * t18[j]) + t14 - t19 - t20 - t21;
+            const real t56 = n0[j] * p_ax;
+            const real t57 = longer[j] * t26[j];
             const real p_y = x[1 * 8 + j];
             const real q_y = x[5 * 8 + j];
-            const real dp_y = x[3 * 8 + j];
             const real c_y = x[9 * 8 + j];
-            const real dq_y = x[7 * 8 + j];
-            d_y[j] = q_y * n2[j] + dp_y * n1[j] + p_y * n0[j] - c_y - dq_y * t12[j];
+            d_y[j] = p_y * n0[j] + q_y * n2[j] + longer[j] * handles_y[j] - c_y;
             const real r_aangle = a[10 * 8 + j];
-            const real t23 = r_aangle * d_y[j];
-            t24[j] = t22 - t23;
+            const real t58 = r_aangle * d_y[j];
+            t59[j] = t53 - 4.0 * t54 - t55 - t56 - t57 - t58;
+            const real t60 = t16[j] * t41[j];
             const real p_ay = a[1 * 8 + j];
             const real q_ay = a[5 * 8 + j];
-            const real dp_ay = a[3 * 8 + j];
-            const real t25 = n2[j] * q_ay + dp_ay * n1[j] + n0[j] * p_ay;
+            const real t61 = n0[j] * p_ay + n2[j] * q_ay + longer[j] * t25[j];
             const real c_ay = a[9 * 8 + j];
-            const real dq_ay = a[7 * 8 + j];
-            const real t26 = dq_ay * t12[j];
-            const real t27 = r_aangle * d_x[j];
-            const real t28 = r_vangle * d_y[j];
+            const real t62 = r_aangle * d_x[j];
+            const real t63 = r_vangle * d_y[j];
             const real p_vx = v[0 * 8 + j];
-            const real t29 = p_vx * n0[j];
             const real q_vx = v[4 * 8 + j];
-            const real t30 = q_vx * n2[j];
-            const real dp_vx = v[2 * 8 + j];
-            const real t31 = dp_vx * n1[j];
+            const real t64 = p_vx * n0[j] + q_vx * n2[j] + longer[j] * t17[j];
             const real c_vx = v[8 * 8 + j];
-            const real dq_vx = v[6 * 8 + j];
-            const real t32 = dq_vx * t12[j];
-            const real t33 = t30 + t31 + t29 - c_vx - t32;
-            t34[j] = t25 - c_ay - t26 - t27 - r_vangle * (t28 + 2.0 * t33);
-            const real sliding_x = t29 + t30 + t31 + t28 - c_vx - t32;
-            t35[j] = sliding_x + t33;
-            t36[j] = t25 - r_vangle * t35[j] - c_ay - t27 - t26;
-            const real sliding_y = t16 - t15 - t17;
-            t37[j] = sliding_y + t18[j];
-            t38[j] = t19 + r_vangle * t37[j] + t21 + t20 + t23 - c_ax - t14;
-            t44[j] = t28 + t33;
+            const real t65 = t64 + 2.0 * handles_x[j] * t41[j] - c_vx;
+            t66[j] = 4.0 * t60 + handles_y[j] * t38[j] + t61 - c_ay - t62 - r_vangle * (t63 + 2.0 * t65);
+            t67[j] = 0.041666666666666664 + 0.009027777777777777 * square_turn[j];
+            t68[j] = 0.018055555555555554 * t36 + t67[j] * t32[j];
+            rate[j] = t67[j] * t22[j];
+            const real t82 = 2.0 * t60 + handles_y[j] * t68[j] + rate[j] * t16[j] + t61;
+            const real sliding_x = rate[j] * handles_x[j] + t64 + t63 - c_vx;
+            t83[j] = t65 + sliding_x;
+            t84[j] = t82 - r_vangle * t83[j] - c_ay - t62;
+            const real sliding_y = rate[j] * handles_y[j] + t51 + t50 - c_vy - t49;
+            t85[j] = sliding_y + t52;
+            const real t86 = r_vangle * t85[j] + handles_x[j] * t68[j] + 2.0 * t54 + rate[j] * t17[j];
+            t87[j] = t55 + t86 + t56 + t57 + t58 - c_ax;
+            t100[j] = t52 - t49;
+            t101[j] = t63 + t65;
         }
         for (size_t j = 0; j < 8; j++) {
             cos_r[j] = real_cos(t3[j]);
@@ -382,50 +494,96 @@ static void planar_cable_line_kinematics(size_t nblocks, const real *const *in, 
             const real t8 = r_vangle * t7 + sin_r[j] * r_aangle;
             Psi_x[9 * 8 + j] = Psi_x[19 * 8 + j] = t8; /* Psi_x(0,9) Psi_x(1,8) */
             Psi_x[1 * 8 + j] = Psi_x[11 * 8 + j] = -(n0[j] * t8); /* Psi_x(0,1) Psi_x(1,0) */
-            const real t9 = n1[j] * t5;
-            Psi_x[14 * 8 + j] = t9; /* Psi_x(1,3) */
-            Psi_x[2 * 8 + j] = -t9; /* Psi_x(0,2) */
-            Psi_x[3 * 8 + j] = Psi_x[13 * 8 + j] = -(n1[j] * t8); /* Psi_x(0,3) Psi_x(1,2) */
-            const real t11 = n2[j] * t5;
-            Psi_x[16 * 8 + j] = t11; /* Psi_x(1,5) */
-            Psi_x[4 * 8 + j] = -t11; /* Psi_x(0,4) */
+            const real t12 = cos_r[j] * handles_y[j] - sin_r[j] * handles_x[j];
+            const real t13 = t9[j] * t12;
+            const real t18 = cos_r[j] * t16[j] - sin_r[j] * t17[j] - t4 * handles_y[j];
+            const real t19 = t18 - t7 * handles_x[j];
+            const real t20 = t9[j] * t19;
+            const real t23 = t22[j] * t12;
+            const real t24 = 2.0 * t20 + 0.018055555555555554 * t23;
+            const real t27 = cos_r[j] * t25[j] - 2.0 * (t4 * t16[j] + t7 * t17[j]) - sin_r[j] * t26[j];
+            const real t28 = t27 - handles_y[j] * t8 - handles_x[j] * t5;
+            const real t33 = 4.0 * t22[j] * t19 + 2.0 * t12 * t32[j] + square_turn[j] * t28;
+            const real t34 = 0.020833333333333332 * t28 + 0.0045138888888888885 * t33;
+            const real t35 = 2.0 * (t13 * t14[j] + t15[j] * t24 + turn_x[j] * t34);
+            const real t40 = longer[j] * t5;
+            const real t42 = t7 * t41[j];
+            const real t43 = t40 + 4.0 * t42 + sin_r[j] * t38[j];
+            Psi_x[2 * 8 + j] = -(t35 + n1[j] * t43); /* Psi_x(0,2) */
+            const real t44 = t4 * t41[j];
+            const real t45 = longer[j] * t8;
+            const real t46 = cos_r[j] * t38[j] - 4.0 * t44 - t45;
+            const real t47 = 2.0 * (t13 * t30[j] + t21[j] * t24 + turn_y[j] * t34);
+            Psi_x[3 * 8 + j] = n1[j] * t46 - t47; /* Psi_x(0,3) */
+            const real t48 = n2[j] * t5;
+            Psi_x[16 * 8 + j] = t48; /* Psi_x(1,5) */
+            Psi_x[4 * 8 + j] = -t48; /* Psi_x(0,4) */
             Psi_x[5 * 8 + j] = Psi_x[15 * 8 + j] = -(n2[j] * t8); /* Psi_x(0,5) Psi_x(1,4) */
-            const real t13 = t12[j] * t5;
-            Psi_x[6 * 8 + j] = t13; /* Psi_x(0,6) */
-            Psi_x[7 * 8 + j] = Psi_x[17 * 8 + j] = t12[j] * t8; /* Psi_x(0,7) Psi_x(1,6) */
-            Psi_x[10 * 8 + j] = cos_r[j] * t24[j] - sin_r[j] * t34[j]; /* Psi_x(0,10) */
-            Psi_x[18 * 8 + j] = -t13; /* Psi_x(1,7) */
+            Psi_x[6 * 8 + j] = t35 + t11[j] * t43; /* Psi_x(0,6) */
+            Psi_x[7 * 8 + j] = t47 - t11[j] * t46; /* Psi_x(0,7) */
+            Psi_x[10 * 8 + j] = cos_r[j] * t59[j] - sin_r[j] * t66[j]; /* Psi_x(0,10) */
+            const real t69 = cos_r[j] * t68[j] - 2.0 * t44 - rate[j] * t4 - t45;
+            const real t70 = sin_r[j] * handles_y[j] + cos_r[j] * handles_x[j];
+            const real t71 = sin_r[j] * t16[j] + cos_r[j] * t17[j] + t7 * handles_y[j];
+            const real t72 = t71 - t4 * handles_x[j];
+            const real t73 = 0.009027777777777777 * (t70 * t32[j] + 2.0 * t22[j] * t72);
+            const real t74 = 2.0 * (t7 * t16[j] - t4 * t17[j]) + sin_r[j] * t25[j] + cos_r[j] * t26[j];
+            const real t75 = t73 + t9[j] * (handles_y[j] * t5 + t74 - handles_x[j] * t8);
+            const real t76 = t67[j] * t70;
+            const real t77 = t22[j] * t70;
+            const real t78 = 0.018055555555555554 * t77 + t67[j] * t72 + 2.0 * (0.009027777777777777 * t77 + t9[j]
+                * t72);
+            const real t79 = t76 * t14[j] + t15[j] * t78 + 2.0 * turn_x[j] * t75;
+            Psi_x[13 * 8 + j] = n1[j] * t69 - t79; /* Psi_x(1,2) */
+            const real t80 = t40 + sin_r[j] * t68[j] + rate[j] * t7 + 2.0 * t42;
+            const real t81 = t76 * t30[j] + t21[j] * t78 + 2.0 * turn_y[j] * t75;
+            Psi_x[14 * 8 + j] = n1[j] * t80 - t81; /* Psi_x(1,3) */
+            Psi_x[17 * 8 + j] = t79 - t11[j] * t69; /* Psi_x(1,6) */
+            Psi_x[18 * 8 + j] = t81 - t11[j] * t80; /* Psi_x(1,7) */
             Psi_x[20 * 8 + j] = -t5; /* Psi_x(1,9) */
-            Psi_x[21 * 8 + j] = cos_r[j] * t36[j] - sin_r[j] * t38[j]; /* Psi_x(1,10) */
-            const real t39 = 2.0 * n0[j] * t7;
-            Psi_v[12 * 8 + j] = t39; /* Psi_v(1,1) */
-            Psi_v[0 * 8 + j] = -t39; /* Psi_v(0,0) */
+            Psi_x[21 * 8 + j] = cos_r[j] * t84[j] - sin_r[j] * t87[j]; /* Psi_x(1,10) */
+            const real t88 = 2.0 * n0[j] * t7;
+            Psi_v[12 * 8 + j] = t88; /* Psi_v(1,1) */
+            Psi_v[0 * 8 + j] = -t88; /* Psi_v(0,0) */
             Psi_v[1 * 8 + j] = Psi_v[11 * 8 + j] = -(2.0 * n0[j] * t4); /* Psi_v(0,1) Psi_v(1,0) */
-            const real t40 = 2.0 * t7 * n1[j];
-            Psi_v[14 * 8 + j] = t40; /* Psi_v(1,3) */
-            Psi_v[2 * 8 + j] = -t40; /* Psi_v(0,2) */
-            Psi_v[3 * 8 + j] = Psi_v[13 * 8 + j] = -(2.0 * t4 * n1[j]); /* Psi_v(0,3) Psi_v(1,2) */
-            const real t41 = 2.0 * n2[j] * t7;
-            Psi_v[16 * 8 + j] = t41; /* Psi_v(1,5) */
-            Psi_v[4 * 8 + j] = -t41; /* Psi_v(0,4) */
+            const real t89 = t7 * longer[j];
+            const real t90 = 2.0 * sin_r[j] * t41[j];
+            const real t91 = t89 + t90;
+            const real t92 = 0.009027777777777777 * t23 + t20;
+            const real t93 = 2.0 * (t15[j] * t13 + turn_x[j] * t92);
+            Psi_v[2 * 8 + j] = -(2.0 * (n1[j] * t91 + t93)); /* Psi_v(0,2) */
+            const real t94 = 2.0 * cos_r[j] * t41[j];
+            const real t95 = t4 * longer[j];
+            const real t96 = t94 - t95;
+            const real t97 = 2.0 * (t21[j] * t13 + turn_y[j] * t92);
+            Psi_v[3 * 8 + j] = 2.0 * (n1[j] * t96 - t97); /* Psi_v(0,3) */
+            const real t98 = 2.0 * n2[j] * t7;
+            Psi_v[16 * 8 + j] = t98; /* Psi_v(1,5) */
+            Psi_v[4 * 8 + j] = -t98; /* Psi_v(0,4) */
             Psi_v[5 * 8 + j] = Psi_v[15 * 8 + j] = -(2.0 * n2[j] * t4); /* Psi_v(0,5) Psi_v(1,4) */
-            const real t42 = 2.0 * t7 * t12[j];
-            Psi_v[6 * 8 + j] = t42; /* Psi_v(0,6) */
-            Psi_v[7 * 8 + j] = Psi_v[17 * 8 + j] = 2.0 * t4 * t12[j]; /* Psi_v(0,7) Psi_v(1,6) */
-            const real t43 = 2.0 * t7;
-            Psi_v[8 * 8 + j] = t43; /* Psi_v(0,8) */
+            Psi_v[6 * 8 + j] = 2.0 * (t11[j] * t91 + t93); /* Psi_v(0,6) */
+            Psi_v[7 * 8 + j] = 2.0 * (t97 - t11[j] * t96); /* Psi_v(0,7) */
+            const real t99 = 2.0 * t7;
+            Psi_v[8 * 8 + j] = t99; /* Psi_v(0,8) */
             Psi_v[9 * 8 + j] = Psi_v[19 * 8 + j] = 2.0 * t4; /* Psi_v(0,9) Psi_v(1,8) */
-            Psi_v[10 * 8 + j] = 2.0 * (t4 * d_x[j] - sin_r[j] * t18[j] - cos_r[j] * t44[j]); /* Psi_v(0,10) */
-            Psi_v[18 * 8 + j] = -t42; /* Psi_v(1,7) */
-            Psi_v[20 * 8 + j] = -t43; /* Psi_v(1,9) */
-            Psi_v[21 * 8 + j] = cos_r[j] * t37[j] - sin_r[j] * t35[j] - t7 * d_x[j] - t4 * d_y[j]; /* Psi_v(1,10) */
+            Psi_v[10 * 8 + j] = -(2.0 * (sin_r[j] * t100[j] + cos_r[j] * t101[j])); /* Psi_v(0,10) */
+            const real t102 = rate[j] * cos_r[j] + t94 - 2.0 * t95;
+            const real t103 = 2.0 * t15[j] * t76 + turn_x[j] * t78;
+            Psi_v[13 * 8 + j] = n1[j] * t102 - t103; /* Psi_v(1,2) */
+            const real t104 = rate[j] * sin_r[j] + t90 + 2.0 * t89;
+            const real t105 = 2.0 * t21[j] * t76 + turn_y[j] * t78;
+            Psi_v[14 * 8 + j] = n1[j] * t104 - t105; /* Psi_v(1,3) */
+            Psi_v[17 * 8 + j] = t103 - t11[j] * t102; /* Psi_v(1,6) */
+            Psi_v[18 * 8 + j] = t105 - t11[j] * t104; /* Psi_v(1,7) */
+            Psi_v[20 * 8 + j] = -t99; /* Psi_v(1,9) */
+            Psi_v[21 * 8 + j] = cos_r[j] * t85[j] - sin_r[j] * t83[j] - t7 * d_x[j] - t4 * d_y[j]; /* Psi_v(1,10) */
         }
     }
 }
 
-/* stiffness: 60 operations.
+/* stiffness: 258 operations.
  * in:  x (11), sigma (1), tau (1), p (6)
- * out: K (11,11), 21 of 121 entries */
+ * out: K (11,11), 37 of 121 entries */
 FLEXEL_CLONES
 static void planar_cable_line_stiffness(size_t nblocks, const real *const *in, real *const *out)
 {
@@ -434,8 +592,10 @@ static void planar_cable_line_stiffness(size_t nblocks, const real *const *in, r
         const real *restrict sigma = in[1] + b * (1 * 8);
         const real *restrict tau = in[2] + b * (1 * 8);
         const real *restrict p = in[3] + b * (6 * 8);
-        real *restrict K = out[0] + b * (21 * 8);
-        real n0[8], t3[8], cos_r[8], sin_r[8], n1[8], n2[8], t9[8], d_y[8], d_x[8];
+        real *restrict K = out[0] + b * (37 * 8);
+        real n0[8], t3[8], cos_r[8], sin_r[8], n1[8], turn_x[8], turn_y[8], t10[8], t11[8], t12[8], t16[8],
+            handles_y[8], handles_x[8], t22[8], t23[8], t26[8], t33[8], t39[8], t45[8], longer[8], n2[8], t92[8],
+            t96[8], t98[8], t99[8], d_x[8], d_y[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real xi = p[1 * 8 + j];
@@ -447,22 +607,46 @@ static void planar_cable_line_stiffness(size_t nblocks, const real *const *in, r
             const real alpha0 = p[2 * 8 + j];
             t3[j] = r_angle + alpha0;
             const real l0 = p[0 * 8 + j];
-            n1[j] = l0 * t1 * xi;
-            const real t8 = xi * xi;
-            n2[j] = t8 * (3.0 - t2);
-            t9[j] = l0 * t0 * t8;
-            const real p_y = x[1 * 8 + j];
-            const real q_y = x[5 * 8 + j];
-            const real dp_y = x[3 * 8 + j];
-            const real c_y = x[9 * 8 + j];
-            const real dq_y = x[7 * 8 + j];
-            d_y[j] = q_y * n2[j] + dp_y * n1[j] + p_y * n0[j] - c_y - dq_y * t9[j];
-            const real p_x = x[0 * 8 + j];
-            const real q_x = x[4 * 8 + j];
-            const real dp_x = x[2 * 8 + j];
-            const real c_x = x[8 * 8 + j];
+            n1[j] = l0 * xi * t1;
             const real dq_x = x[6 * 8 + j];
-            d_x[j] = q_x * n2[j] + dp_x * n1[j] + p_x * n0[j] - c_x - dq_x * t9[j];
+            const real dp_x = x[2 * 8 + j];
+            turn_x[j] = dq_x - dp_x;
+            const real dq_y = x[7 * 8 + j];
+            const real dp_y = x[3 * 8 + j];
+            turn_y[j] = dq_y - dp_y;
+            t10[j] = turn_y[j] * turn_y[j];
+            const real square_turn = turn_x[j] * turn_x[j] + t10[j];
+            t11[j] = 0.020833333333333332 + 0.0045138888888888885 * square_turn;
+            t12[j] = turn_x[j] * t11[j];
+            const real t15 = xi * xi;
+            t16[j] = l0 * t15 * t0;
+            handles_y[j] = dp_y * n1[j] - dq_y * t16[j];
+            handles_x[j] = dp_x * n1[j] - dq_x * t16[j];
+            t22[j] = 0.041666666666666664 + 0.009027777777777777 * square_turn;
+            t23[j] = turn_x[j] * t22[j];
+            t26[j] = n1[j] * t22[j];
+            t33[j] = turn_y[j] * t11[j];
+            t39[j] = turn_y[j] * t22[j];
+            t45[j] = t16[j] * t22[j];
+            const real t56 = 0.020833333333333332 + 0.0022569444444444442 * square_turn;
+            longer[j] = 1.0 + square_turn * t56;
+            n2[j] = t15 * (3.0 - t2);
+            const real t90 = n1[j] * longer[j];
+            const real t91 = handles_x[j] * t23[j];
+            t92[j] = t90 - t91;
+            const real t95 = handles_y[j] * t39[j];
+            t96[j] = t90 - t95;
+            const real t97 = t16[j] * longer[j];
+            t98[j] = t91 - t97;
+            t99[j] = t95 - t97;
+            const real q_x = x[4 * 8 + j];
+            const real p_x = x[0 * 8 + j];
+            const real c_x = x[8 * 8 + j];
+            d_x[j] = p_x * n0[j] + handles_x[j] * longer[j] + q_x * n2[j] - c_x;
+            const real q_y = x[5 * 8 + j];
+            const real p_y = x[1 * 8 + j];
+            const real c_y = x[9 * 8 + j];
+            d_y[j] = p_y * n0[j] + handles_y[j] * longer[j] + q_y * n2[j] - c_y;
         }
         for (size_t j = 0; j < 8; j++) {
             cos_r[j] = real_cos(t3[j]);
@@ -471,30 +655,122 @@ static void planar_cable_line_stiffness(size_t nblocks, const real *const *in, r
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real sigma_gap = sigma[0 * 8 + j];
+            const real t4 = cos_r[j] * sigma_gap;
             const real tau_tangential = tau[0 * 8 + j];
-            const real t4 = sin_r[j] * tau_tangential;
-            const real t5 = cos_r[j] * sigma_gap + t4;
-            K[8 * 8 + j] = K[18 * 8 + j] = t5; /* K(8,10) K(10,8) */
-            K[0 * 8 + j] = K[10 * 8 + j] = -(n0[j] * t5); /* K(0,10) K(10,0) */
-            const real t6 = cos_r[j] * tau_tangential;
-            const real t7 = sin_r[j] * sigma_gap - t6;
-            K[9 * 8 + j] = K[19 * 8 + j] = t7; /* K(9,10) K(10,9) */
-            K[1 * 8 + j] = K[11 * 8 + j] = -(n0[j] * t7); /* K(1,10) K(10,1) */
-            K[2 * 8 + j] = K[12 * 8 + j] = -(n1[j] * t5); /* K(2,10) K(10,2) */
-            K[3 * 8 + j] = K[13 * 8 + j] = -(n1[j] * t7); /* K(3,10) K(10,3) */
-            K[4 * 8 + j] = K[14 * 8 + j] = -(n2[j] * t5); /* K(4,10) K(10,4) */
-            K[5 * 8 + j] = K[15 * 8 + j] = -(n2[j] * t7); /* K(5,10) K(10,5) */
-            K[6 * 8 + j] = K[16 * 8 + j] = t9[j] * t5; /* K(6,10) K(10,6) */
-            K[7 * 8 + j] = K[17 * 8 + j] = t9[j] * t7; /* K(7,10) K(10,7) */
-            const real t10 = sigma_gap * (cos_r[j] * d_y[j] - sin_r[j] * d_x[j]) + d_x[j] * t6;
-            K[20 * 8 + j] = -(d_y[j] * t4 + t10); /* K(10,10) */
+            const real t5 = sin_r[j] * tau_tangential;
+            const real t6 = t4 + t5;
+            K[24 * 8 + j] = K[34 * 8 + j] = t6; /* K(8,10) K(10,8) */
+            K[0 * 8 + j] = K[26 * 8 + j] = -(n0[j] * t6); /* K(0,10) K(10,0) */
+            const real t7 = sin_r[j] * sigma_gap;
+            const real t8 = cos_r[j] * tau_tangential;
+            const real t9 = t7 - t8;
+            K[25 * 8 + j] = K[35 * 8 + j] = t9; /* K(9,10) K(10,9) */
+            K[1 * 8 + j] = K[27 * 8 + j] = -(n0[j] * t9); /* K(1,10) K(10,1) */
+            const real t13 = t12[j] * t7;
+            const real t14 = 2.0 * n1[j] * t13;
+            const real t17 = handles_y[j] * t4 - handles_x[j] * t7;
+            const real t18 = turn_x[j] * t17;
+            const real t19 = 2.0 * t11[j] * t17;
+            const real t20 = 0.018055555555555554 * (turn_x[j] * t18) + t19;
+            const real t21 = t14 + t20;
+            const real t24 = t23[j] * t8;
+            const real t25 = n1[j] * t24;
+            const real t27 = handles_y[j] * t5 + handles_x[j] * t8;
+            const real t28 = 0.018055555555555554 * (turn_x[j] * t27);
+            const real t29 = t8 * t26[j] - t28;
+            const real t30 = t22[j] * t27;
+            const real t31 = turn_x[j] * t29 - t30;
+            K[2 * 8 + j] = t14 + t21 - t25 - t31; /* K(2,2) */
+            const real t32 = 0.018055555555555554 * (turn_y[j] * t18);
+            const real t34 = t33[j] * t7;
+            const real t35 = t32 + 2.0 * n1[j] * t34;
+            const real t36 = t12[j] * t4;
+            const real t37 = 2.0 * n1[j] * t36;
+            const real t38 = t35 - t37;
+            const real t40 = t39[j] * t8;
+            const real t41 = n1[j] * t40;
+            const real t42 = 0.018055555555555554 * (turn_y[j] * t27);
+            const real t43 = t5 * t26[j] - t42;
+            const real t44 = turn_x[j] * t43;
+            K[3 * 8 + j] = t38 - t41 - t44; /* K(2,3) */
+            const real t46 = t28 - t8 * t45[j];
+            const real t47 = t30 + turn_x[j] * t46;
+            const real t48 = 2.0 * t16[j] * t13;
+            const real t49 = t48 + t21;
+            K[4 * 8 + j] = t25 - t47 - t49; /* K(2,6) */
+            const real t50 = 2.0 * t16[j] * t36;
+            const real t51 = t50 - t35;
+            const real t52 = t42 - t5 * t45[j];
+            const real t53 = turn_x[j] * t52;
+            K[5 * 8 + j] = t51 + t41 - t53; /* K(2,7) */
+            const real t54 = handles_y[j] * t7 + handles_x[j] * t4;
+            const real t55 = 2.0 * t12[j] * t54;
+            const real t57 = longer[j] * t4;
+            const real t58 = t55 - n1[j] * t57;
+            const real t59 = longer[j] * t5;
+            const real t60 = t22[j] * (handles_y[j] * t8 - handles_x[j] * t5);
+            const real t61 = turn_x[j] * t60;
+            K[6 * 8 + j] = t58 - n1[j] * t59 - t61; /* K(2,10) */
+            const real t62 = t23[j] * t5;
+            const real t63 = n1[j] * t62;
+            const real t64 = turn_y[j] * t29;
+            K[7 * 8 + j] = t38 - t63 - t64; /* K(3,2) */
+            const real t65 = t33[j] * t4;
+            const real t66 = 2.0 * n1[j] * t65;
+            const real t67 = t19 + 0.018055555555555554 * (t10[j] * t17);
+            const real t68 = t66 - t67;
+            const real t69 = t39[j] * t5;
+            const real t70 = n1[j] * t69;
+            const real t71 = turn_y[j] * t43 - t30;
+            K[8 * 8 + j] = -(t70 + t71 + t66 + t68); /* K(3,3) */
+            const real t72 = 2.0 * t16[j] * t34;
+            const real t73 = t37 - t32 - t72;
+            const real t74 = turn_y[j] * t46;
+            K[9 * 8 + j] = t73 + t63 - t74; /* K(3,6) */
+            const real t75 = 2.0 * t16[j] * t65;
+            const real t76 = t75 + t68;
+            const real t77 = t30 + turn_y[j] * t52;
+            K[10 * 8 + j] = t70 + t76 - t77; /* K(3,7) */
+            const real t78 = 2.0 * t33[j] * t54;
+            const real t79 = longer[j] * t7;
+            const real t80 = t78 - n1[j] * t79;
+            const real t81 = longer[j] * t8;
+            const real t82 = turn_y[j] * t60;
+            K[11 * 8 + j] = t80 + n1[j] * t81 - t82; /* K(3,10) */
+            K[12 * 8 + j] = K[30 * 8 + j] = -(n2[j] * t6); /* K(4,10) K(10,4) */
+            K[13 * 8 + j] = K[31 * 8 + j] = -(n2[j] * t9); /* K(5,10) K(10,5) */
+            const real t83 = t16[j] * t24;
+            K[14 * 8 + j] = t83 + t31 - t49; /* K(6,2) */
+            const real t84 = t16[j] * t40;
+            K[15 * 8 + j] = t73 + t44 + t84; /* K(6,3) */
+            K[16 * 8 + j] = t48 + t47 + t20 + t48 - t83; /* K(6,6) */
+            const real t85 = t32 + t72 - t50;
+            K[17 * 8 + j] = t85 + t53 - t84; /* K(6,7) */
+            const real t86 = t16[j] * t57 - t55;
+            K[18 * 8 + j] = t61 + t86 + t16[j] * t59; /* K(6,10) */
+            const real t87 = t16[j] * t62;
+            K[19 * 8 + j] = t51 + t64 + t87; /* K(7,2) */
+            const real t88 = t16[j] * t69;
+            K[20 * 8 + j] = t76 + t71 + t88; /* K(7,3) */
+            K[21 * 8 + j] = t85 + t74 - t87; /* K(7,6) */
+            K[22 * 8 + j] = t67 + t77 - t75 - t75 - t88; /* K(7,7) */
+            const real t89 = t16[j] * t79 - t78;
+            K[23 * 8 + j] = t82 + t89 - t16[j] * t81; /* K(7,10) */
+            const real t93 = handles_y[j] * t24;
+            K[28 * 8 + j] = t58 - t5 * t92[j] - t93; /* K(10,2) */
+            const real t94 = handles_x[j] * t69;
+            K[29 * 8 + j] = t80 + t8 * t96[j] + t94; /* K(10,3) */
+            K[32 * 8 + j] = t86 + t93 - t5 * t98[j]; /* K(10,6) */
+            K[33 * 8 + j] = t89 + t8 * t99[j] - t94; /* K(10,7) */
+            const real t100 = d_y[j] * t5 + sigma_gap * (cos_r[j] * d_y[j] - sin_r[j] * d_x[j]);
+            K[36 * 8 + j] = -(d_x[j] * t8 + t100); /* K(10,10) */
         }
     }
 }
 
 const flexel_element flexel_planar_cable_line = {
     .name = "planar_cable_line",
-    .digest = "34481bf531d08858",
+    .digest = "ace9ddfb9ded88a4",
     .n = 11,
     .m = 1,
     .k = 1,

@@ -2388,9 +2388,9 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element cable
     "cable": ElementSpec(
         name="cable",
-        digest="1918e9102c28433d",
-        doc="r(s): cubic Hermite curve with slopes dp, dq = dr/ds by the undeformed arc length s at the ends\nstrain = (r'.r' - 1)/2 at 4 Gauss points of (0, l0); curvature = (r' x r'')/|r'|^3 at 3 Gauss points\nwork: EA strain and EI curvature, each times its Gauss weight (of sum l0), are the stresses of a rope\nT = rhoA/2 int rdot.rdot ds (constant mass matrix),  U = -rhoA gravity.int r ds",
-        source="Berzeri and Shabana 2000, J. Sound Vib. 235:539; Gerstmayr and Shabana 2006, Nonlinear Dyn. 45:109",
+        digest="50984630f72ad204",
+        doc="r(s): cubic Hermite curve with slopes dp, dq = dr/ds by the undeformed arc length s at the ends\nstrain1 = L/l0 - 1, the mean of |r'| - 1 by 3 Gauss points;  strain2 = (|dq| - |dp|)/2;\nstrain3 = (|dq| + |dp|)/2 - L/l0:  |r'| - 1 = strain1 + strain2 P1 + strain3 P2, Legendre's polynomials\ncurvature = (r' x r'')/|r'|^2, the turn by undeformed arc length, at 3 Gauss points\nwork: EA l0 (1, 1/3, 1/5) times the strains, EI times curvature and Gauss weight (of sum l0)\nT = rhoA/2 int rdot.rdot ds (constant mass matrix),  U = -rhoA gravity.int r ds",
+        source="Gerstmayr and Irschik 2008, J. Sound Vib. 318:461 (strain and curvature); Gerstmayr and Shabana 2006, Nonlinear Dyn. 45:109 (cubic cable)",
         nodes=(
             NodeSpec("p", "point"),
             NodeSpec("dp", "slope"),
@@ -2406,7 +2406,6 @@ ELEMENTS: dict[str, ElementSpec] = {
             DeformationSpec("strain1", "1", True),
             DeformationSpec("strain2", "1", True),
             DeformationSpec("strain3", "1", True),
-            DeformationSpec("strain4", "1", True),
             DeformationSpec("curvature1x", "1/m", True),
             DeformationSpec("curvature1y", "1/m", True),
             DeformationSpec("curvature1z", "1/m", True),
@@ -2422,41 +2421,41 @@ ELEMENTS: dict[str, ElementSpec] = {
             "position": KernelSpec(
                 ("x", "p"),
                 (
-                    OutputSpec("e", (13,), tuple(range(13))),
-                    OutputSpec("De", (13, 12), tuple(range(156))),
+                    OutputSpec("e", (12,), tuple(range(12))),
+                    OutputSpec("De", (12, 12), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 15, 16, 17, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 91, 92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108, 109, 110, 111, 112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125, 126, 127, 128, 129, 130, 131, 132, 133, 134, 135, 136, 137, 138, 139, 140, 141, 142, 143)),
                     OutputSpec("V", (0, 12), ()),
                 ),
-                640,
+                547,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
                 (
-                    OutputSpec("g", (13,), tuple(range(13))),
+                    OutputSpec("g", (12,), tuple(range(12))),
                     OutputSpec("gs", (0,), ()),
                 ),
-                570,
+                495,
             ),
             "rates": KernelSpec(
                 ("x", "v", "p"),
                 (
-                    OutputSpec("Phi_x", (13, 12), tuple(range(156))),
+                    OutputSpec("Phi_x", (12, 12), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 15, 16, 17, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 91, 92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108, 109, 110, 111, 112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125, 126, 127, 128, 129, 130, 131, 132, 133, 134, 135, 136, 137, 138, 139, 140, 141, 142, 143)),
                 ),
-                1025,
+                952,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Psi_x", (13, 12), tuple(range(156))),
-                    OutputSpec("Psi_v", (13, 12), tuple(range(156))),
+                    OutputSpec("Psi_x", (12, 12), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 15, 16, 17, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 91, 92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108, 109, 110, 111, 112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125, 126, 127, 128, 129, 130, 131, 132, 133, 134, 135, 136, 137, 138, 139, 140, 141, 142, 143)),
+                    OutputSpec("Psi_v", (12, 12), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 15, 16, 17, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 91, 92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108, 109, 110, 111, 112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125, 126, 127, 128, 129, 130, 131, 132, 133, 134, 135, 136, 137, 138, 139, 140, 141, 142, 143)),
                 ),
-                2414,
+                2182,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
                 (
                     OutputSpec("K", (12, 12), tuple(range(144))),
                 ),
-                1367,
+                1316,
             ),
             "inertia": KernelSpec(
                 ("x", "v", "p"),
@@ -2609,8 +2608,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element cable_cylinder
     "cable_cylinder": ElementSpec(
         name="cable_cylinder",
-        digest="5cc2e911fc9eff72",
-        doc="x: point at the fraction xi of the cable's cubic curve; triad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\ndistance = |(yy, yz)| from the axle ex, (ny, nz) = (yy, yz)/distance\ngap = distance - radius - rope_radius,  tangential = ny ydot_z - nz ydot_y,  axial = ydot_x",
+        digest="fd6e6f008997bd9c",
+        doc="x: point at the fraction xi of the cubic curve through p and q with the slopes h dp and h dq,\nh = 1 + D/48 + 13 D^2/5760, D = |dq - dp|^2: tan(theta/4)/(theta/4) for the angle theta between unit slopes\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\ndistance = |(yy, yz)| from the axle ex, (ny, nz) = (yy, yz)/distance\ngap = distance - radius - rope_radius,  tangential = ny ydot_z - nz ydot_y,  axial = ydot_x",
         source="textbook mechanics",
         nodes=(
             NodeSpec("p", "point"),
@@ -2643,7 +2642,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("De", (1, 19), tuple(range(19))),
                     OutputSpec("V", (2, 19), tuple(range(38))),
                 ),
-                394,
+                473,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -2651,14 +2650,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("g", (1,), (0,)),
                     OutputSpec("gs", (2,), (0, 1)),
                 ),
-                391,
+                531,
             ),
             "rates": KernelSpec(
                 ("x", "v", "p"),
                 (
                     OutputSpec("Phi_x", (3, 19), tuple(range(57))),
                 ),
-                763,
+                991,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -2666,14 +2665,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("Psi_x", (3, 19), tuple(range(57))),
                     OutputSpec("Psi_v", (3, 19), tuple(range(57))),
                 ),
-                1799,
+                2428,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
                 (
                     OutputSpec("K", (19, 19), tuple(range(361))),
                 ),
-                2726,
+                4869,
             ),
         },
         family="contact",
@@ -2682,8 +2681,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element cable_plane
     "cable_plane": ElementSpec(
         name="cable_plane",
-        digest="b7de6a0384ec301b",
-        doc="x: point at the fraction xi of the cable's cubic curve; triad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\ngap = yz - rope_radius, the plane is z = 0;  x = ydot_x,  y = ydot_y",
+        digest="d2810530c04c8997",
+        doc="x: point at the fraction xi of the cubic curve through p and q with the slopes h dp and h dq,\nh = 1 + D/48 + 13 D^2/5760, D = |dq - dp|^2: tan(theta/4)/(theta/4) for the angle theta between unit slopes\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\ngap = yz - rope_radius, the plane is z = 0;  x = ydot_x,  y = ydot_y",
         source="textbook mechanics",
         nodes=(
             NodeSpec("p", "point"),
@@ -2715,7 +2714,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("De", (1, 19), tuple(range(19))),
                     OutputSpec("V", (2, 19), tuple(range(38))),
                 ),
-                333,
+                407,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -2723,14 +2722,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("g", (1,), (0,)),
                     OutputSpec("gs", (2,), (0, 1)),
                 ),
-                309,
+                423,
             ),
             "rates": KernelSpec(
                 ("x", "v", "p"),
                 (
                     OutputSpec("Phi_x", (3, 19), tuple(range(57))),
                 ),
-                582,
+                777,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -2738,14 +2737,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("Psi_x", (3, 19), tuple(range(57))),
                     OutputSpec("Psi_v", (3, 19), tuple(range(57))),
                 ),
-                1237,
+                1767,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
                 (
-                    OutputSpec("K", (19, 19), (15, 16, 17, 18, 34, 35, 36, 37, 53, 54, 55, 56, 72, 73, 74, 75, 91, 92, 93, 94, 110, 111, 112, 113, 129, 130, 131, 132, 148, 149, 150, 151, 167, 168, 169, 170, 186, 187, 188, 189, 205, 206, 207, 208, 224, 225, 226, 227, 243, 244, 245, 246, 262, 263, 264, 265, 281, 282, 283, 284, 285, 286, 287, 288, 289, 290, 291, 292, 293, 294, 295, 296, 297, 298, 299, 300, 301, 302, 303, 304, 305, 306, 307, 308, 309, 310, 311, 312, 313, 314, 315, 316, 317, 318, 319, 320, 321, 322, 323, 324, 325, 326, 327, 328, 329, 330, 331, 332, 333, 334, 335, 336, 337, 338, 339, 340, 341, 342, 343, 344, 345, 346, 347, 348, 349, 350, 351, 352, 353, 354, 355, 356, 357, 358, 359, 360)),
+                    OutputSpec("K", (19, 19), (15, 16, 17, 18, 34, 35, 36, 37, 53, 54, 55, 56, 60, 61, 62, 66, 67, 68, 72, 73, 74, 75, 79, 80, 81, 85, 86, 87, 91, 92, 93, 94, 98, 99, 100, 104, 105, 106, 110, 111, 112, 113, 129, 130, 131, 132, 148, 149, 150, 151, 167, 168, 169, 170, 174, 175, 176, 180, 181, 182, 186, 187, 188, 189, 193, 194, 195, 199, 200, 201, 205, 206, 207, 208, 212, 213, 214, 218, 219, 220, 224, 225, 226, 227, 243, 244, 245, 246, 262, 263, 264, 265, 281, 282, 283, 284, 285, 286, 287, 288, 289, 290, 291, 292, 293, 294, 295, 296, 297, 298, 299, 300, 301, 302, 303, 304, 305, 306, 307, 308, 309, 310, 311, 312, 313, 314, 315, 316, 317, 318, 319, 320, 321, 322, 323, 324, 325, 326, 327, 328, 329, 330, 331, 332, 333, 334, 335, 336, 337, 338, 339, 340, 341, 342, 343, 344, 345, 346, 347, 348, 349, 350, 351, 352, 353, 354, 355, 356, 357, 358, 359, 360)),
                 ),
-                1353,
+                2285,
             ),
         },
         family="contact",
@@ -2754,8 +2753,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element cable_v_groove
     "cable_v_groove": ElementSpec(
         name="cable_v_groove",
-        digest="27301701c7786658",
-        doc="x: point at the fraction xi of the cable's cubic curve; triad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\ndistance = |(yy, yz)| from the axle ex, h = distance - radius - rope_radius; two flanks of half the angle beta\ngap1 = h sin beta - yx cos beta,  gap2 = h sin beta + yx cos beta: both closed at h = 0 in the middle\ntangential as for a cylinder,  across1, across2 = hdot cos beta +- ydot_x sin beta, up the flanks",
+        digest="504106bf25850849",
+        doc="x: point at the fraction xi of the cubic curve through p and q with the slopes h dp and h dq,\nh = 1 + D/48 + 13 D^2/5760, D = |dq - dp|^2: tan(theta/4)/(theta/4) for the angle theta between unit slopes\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\ndistance = |(yy, yz)| from the axle ex, h = distance - radius - rope_radius; two flanks of half the angle beta\ngap1 = h sin beta - yx cos beta,  gap2 = h sin beta + yx cos beta: both closed at h = 0 in the middle\ntangential as for a cylinder,  across1, across2 = hdot cos beta +- ydot_x sin beta, up the flanks",
         source="textbook mechanics",
         nodes=(
             NodeSpec("p", "point"),
@@ -2791,7 +2790,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("De", (2, 19), tuple(range(38))),
                     OutputSpec("V", (3, 19), tuple(range(57))),
                 ),
-                575,
+                699,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -2799,14 +2798,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("g", (2,), (0, 1)),
                     OutputSpec("gs", (3,), (0, 1, 2)),
                 ),
-                425,
+                575,
             ),
             "rates": KernelSpec(
                 ("x", "v", "p"),
                 (
                     OutputSpec("Phi_x", (5, 19), tuple(range(95))),
                 ),
-                1021,
+                1504,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -2814,14 +2813,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("Psi_x", (5, 19), tuple(range(95))),
                     OutputSpec("Psi_v", (5, 19), tuple(range(95))),
                 ),
-                2957,
+                3769,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
                 (
                     OutputSpec("K", (19, 19), tuple(range(361))),
                 ),
-                2801,
+                4898,
             ),
         },
         family="contact",
@@ -2830,8 +2829,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element cable_round_groove
     "cable_round_groove": ElementSpec(
         name="cable_round_groove",
-        digest="08ed2e071f19468b",
-        doc="x: point at the fraction xi of the cable's cubic curve; triad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\nw = (radius + groove_radius - distance from the axle ex, yx), from the centre of the round bottom to the rope\ngap = groove_radius - rope_radius - n.w, n = w/|w| on the bottom, (sin beta, +-cos beta) on the flanks that\ncontinue it;  tangential as for a cylinder,  across = n_0 ydot_x + n_1 distancedot, along the groove's profile",
+        digest="568aca14f60ae774",
+        doc="x: point at the fraction xi of the cubic curve through p and q with the slopes h dp and h dq,\nh = 1 + D/48 + 13 D^2/5760, D = |dq - dp|^2: tan(theta/4)/(theta/4) for the angle theta between unit slopes\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\nw = (radius + groove_radius - distance from the axle ex, yx), from the centre of the round bottom to the rope\ngap = groove_radius - rope_radius - n.w, n = w/|w| on the bottom, (sin beta, +-cos beta) on the flanks that\ncontinue it;  tangential as for a cylinder,  across = n_0 ydot_x + n_1 distancedot, along the groove's profile",
         source="textbook mechanics",
         nodes=(
             NodeSpec("p", "point"),
@@ -2866,7 +2865,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("De", (1, 19), tuple(range(19))),
                     OutputSpec("V", (2, 19), tuple(range(38))),
                 ),
-                478,
+                551,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -2874,14 +2873,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("g", (1,), (0,)),
                     OutputSpec("gs", (2,), (0, 1)),
                 ),
-                493,
+                646,
             ),
             "rates": KernelSpec(
                 ("x", "v", "p"),
                 (
                     OutputSpec("Phi_x", (3, 19), tuple(range(57))),
                 ),
-                974,
+                1222,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -2889,14 +2888,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("Psi_x", (3, 19), tuple(range(57))),
                     OutputSpec("Psi_v", (3, 19), tuple(range(57))),
                 ),
-                2381,
+                3089,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
                 (
                     OutputSpec("K", (19, 19), tuple(range(361))),
                 ),
-                3268,
+                6392,
             ),
         },
         family="contact",
@@ -2905,9 +2904,9 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_cable
     "planar_cable": ElementSpec(
         name="planar_cable",
-        digest="4bbdd74f127b2020",
-        doc="r(s): cubic Hermite curve with slopes dp, dq = dr/ds by the undeformed arc length s at the ends\nstrain = (r'.r' - 1)/2 at 4 Gauss points of (0, l0); curvature = (r' x r'')/|r'|^3 at 3 Gauss points\nwork: EA strain and EI curvature, each times its Gauss weight (of sum l0), are the stresses of a rope\nT = rhoA/2 int rdot.rdot ds (constant mass matrix),  U = -rhoA gravity.int r ds",
-        source="Berzeri and Shabana 2000, J. Sound Vib. 235:539; Gerstmayr and Shabana 2006, Nonlinear Dyn. 45:109",
+        digest="68c8a7aa6c740fe0",
+        doc="r(s): cubic Hermite curve with slopes dp, dq = dr/ds by the undeformed arc length s at the ends\nstrain1 = L/l0 - 1, the mean of |r'| - 1 by 3 Gauss points;  strain2 = (|dq| - |dp|)/2;\nstrain3 = (|dq| + |dp|)/2 - L/l0:  |r'| - 1 = strain1 + strain2 P1 + strain3 P2, Legendre's polynomials\ncurvature = (r' x r'')/|r'|^2, the turn by undeformed arc length, at 3 Gauss points\nwork: EA l0 (1, 1/3, 1/5) times the strains, EI times curvature and Gauss weight (of sum l0)\nT = rhoA/2 int rdot.rdot ds (constant mass matrix),  U = -rhoA gravity.int r ds",
+        source="Gerstmayr and Irschik 2008, J. Sound Vib. 318:461 (strain and curvature); Gerstmayr and Shabana 2006, Nonlinear Dyn. 45:109 (cubic cable)",
         nodes=(
             NodeSpec("p", "planar_point"),
             NodeSpec("dp", "planar_slope"),
@@ -2923,7 +2922,6 @@ ELEMENTS: dict[str, ElementSpec] = {
             DeformationSpec("strain1", "1", True),
             DeformationSpec("strain2", "1", True),
             DeformationSpec("strain3", "1", True),
-            DeformationSpec("strain4", "1", True),
             DeformationSpec("curvature1", "1/m", True),
             DeformationSpec("curvature2", "1/m", True),
             DeformationSpec("curvature3", "1/m", True),
@@ -2933,41 +2931,41 @@ ELEMENTS: dict[str, ElementSpec] = {
             "position": KernelSpec(
                 ("x", "p"),
                 (
-                    OutputSpec("e", (7,), tuple(range(7))),
-                    OutputSpec("De", (7, 8), tuple(range(56))),
+                    OutputSpec("e", (6,), tuple(range(6))),
+                    OutputSpec("De", (6, 8), (0, 1, 2, 3, 4, 5, 6, 7, 10, 11, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47)),
                     OutputSpec("V", (0, 8), ()),
                 ),
-                302,
+                252,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
                 (
-                    OutputSpec("g", (7,), tuple(range(7))),
+                    OutputSpec("g", (6,), tuple(range(6))),
                     OutputSpec("gs", (0,), ()),
                 ),
-                354,
+                289,
             ),
             "rates": KernelSpec(
                 ("x", "v", "p"),
                 (
-                    OutputSpec("Phi_x", (7, 8), tuple(range(56))),
+                    OutputSpec("Phi_x", (6, 8), (0, 1, 2, 3, 4, 5, 6, 7, 10, 11, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47)),
                 ),
-                504,
+                455,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
                 (
-                    OutputSpec("Psi_x", (7, 8), tuple(range(56))),
-                    OutputSpec("Psi_v", (7, 8), tuple(range(56))),
+                    OutputSpec("Psi_x", (6, 8), (0, 1, 2, 3, 4, 5, 6, 7, 10, 11, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47)),
+                    OutputSpec("Psi_v", (6, 8), (0, 1, 2, 3, 4, 5, 6, 7, 10, 11, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47)),
                 ),
-                1159,
+                1030,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
                 (
                     OutputSpec("K", (8, 8), tuple(range(64))),
                 ),
-                688,
+                650,
             ),
             "inertia": KernelSpec(
                 ("x", "v", "p"),
@@ -3118,8 +3116,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_cable_circle
     "planar_cable_circle": ElementSpec(
         name="planar_cable_circle",
-        digest="a5a5cf784f2df773",
-        doc="x: point at the fraction xi of the cable's cubic curve;  ex, ey: directions at angle + alpha0\nw = xdot - xcdot - angledot ez x (x - xc), the velocity seen from the body\na = x - xc - offset_x ex - offset_y ey\ngap = |a| - radius - rope_radius,  tangential = (ax wy - ay wx)/|a|, counterclockwise",
+        digest="c9cd488196e9838e",
+        doc="x: point at the fraction xi of the cubic curve through p and q with the slopes h dp and h dq,\nh = 1 + D/48 + 13 D^2/5760, D = |dq - dp|^2: tan(theta/4)/(theta/4) for the angle theta between unit slopes\nex, ey: directions at angle + alpha0\nw = xdot - xcdot - angledot ez x (x - xc), the velocity seen from the body\na = x - xc - offset_x ex - offset_y ey\ngap = |a| - radius - rope_radius,  tangential = (ax wy - ay wx)/|a|, counterclockwise",
         source="planar counterpart of contact in space",
         nodes=(
             NodeSpec("p", "planar_point"),
@@ -3151,7 +3149,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("De", (1, 11), tuple(range(11))),
                     OutputSpec("V", (1, 11), tuple(range(11))),
                 ),
-                72,
+                115,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -3159,14 +3157,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("g", (1,), (0,)),
                     OutputSpec("gs", (1,), (0,)),
                 ),
-                117,
+                186,
             ),
             "rates": KernelSpec(
                 ("x", "v", "p"),
                 (
                     OutputSpec("Phi_x", (2, 11), tuple(range(22))),
                 ),
-                163,
+                258,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -3174,14 +3172,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("Psi_x", (2, 11), tuple(range(22))),
                     OutputSpec("Psi_v", (2, 11), tuple(range(22))),
                 ),
-                373,
+                635,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
                 (
                     OutputSpec("K", (11, 11), tuple(range(121))),
                 ),
-                391,
+                812,
             ),
         },
         family="contact",
@@ -3190,8 +3188,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_cable_line
     "planar_cable_line": ElementSpec(
         name="planar_cable_line",
-        digest="34481bf531d08858",
-        doc="x: point at the fraction xi of the cable's cubic curve;  ex, ey: directions at angle + alpha0\nw = xdot - xcdot - angledot ez x (x - xc), the velocity seen from the body\ngap = ey.(x - xc) - offset_y - rope_radius,  tangential = ex.w",
+        digest="ace9ddfb9ded88a4",
+        doc="x: point at the fraction xi of the cubic curve through p and q with the slopes h dp and h dq,\nh = 1 + D/48 + 13 D^2/5760, D = |dq - dp|^2: tan(theta/4)/(theta/4) for the angle theta between unit slopes\nex, ey: directions at angle + alpha0\nw = xdot - xcdot - angledot ez x (x - xc), the velocity seen from the body\ngap = ey.(x - xc) - offset_y - rope_radius,  tangential = ex.w",
         source="planar counterpart of contact in space",
         nodes=(
             NodeSpec("p", "planar_point"),
@@ -3222,7 +3220,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("De", (1, 11), tuple(range(11))),
                     OutputSpec("V", (1, 11), tuple(range(11))),
                 ),
-                56,
+                93,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -3230,14 +3228,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("g", (1,), (0,)),
                     OutputSpec("gs", (1,), (0,)),
                 ),
-                76,
+                146,
             ),
             "rates": KernelSpec(
                 ("x", "v", "p"),
                 (
                     OutputSpec("Phi_x", (2, 11), tuple(range(22))),
                 ),
-                83,
+                185,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -3245,14 +3243,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("Psi_x", (2, 11), tuple(range(22))),
                     OutputSpec("Psi_v", (2, 11), tuple(range(22))),
                 ),
-                168,
+                424,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
                 (
-                    OutputSpec("K", (11, 11), (10, 21, 32, 43, 54, 65, 76, 87, 98, 109, 110, 111, 112, 113, 114, 115, 116, 117, 118, 119, 120)),
+                    OutputSpec("K", (11, 11), (10, 21, 24, 25, 28, 29, 32, 35, 36, 39, 40, 43, 54, 65, 68, 69, 72, 73, 76, 79, 80, 83, 84, 87, 98, 109, 110, 111, 112, 113, 114, 115, 116, 117, 118, 119, 120)),
                 ),
-                60,
+                258,
             ),
         },
         family="contact",
@@ -3265,7 +3263,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_1
     "linear_1": LawSpec(
         name="linear_1",
-        digest="3c2fc714472fd69e",
+        digest="7a357eb97af146ca",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=1,
         slips=0,
@@ -3299,7 +3297,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_2
     "linear_2": LawSpec(
         name="linear_2",
-        digest="3c2fc714472fd69e",
+        digest="7a357eb97af146ca",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=2,
         slips=0,
@@ -3333,7 +3331,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_3
     "linear_3": LawSpec(
         name="linear_3",
-        digest="3c2fc714472fd69e",
+        digest="7a357eb97af146ca",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=3,
         slips=0,
@@ -3367,7 +3365,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_4
     "linear_4": LawSpec(
         name="linear_4",
-        digest="3c2fc714472fd69e",
+        digest="7a357eb97af146ca",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=4,
         slips=0,
@@ -3401,7 +3399,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_5
     "linear_5": LawSpec(
         name="linear_5",
-        digest="3c2fc714472fd69e",
+        digest="7a357eb97af146ca",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=5,
         slips=0,
@@ -3435,7 +3433,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_6
     "linear_6": LawSpec(
         name="linear_6",
-        digest="3c2fc714472fd69e",
+        digest="7a357eb97af146ca",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=6,
         slips=0,
@@ -3466,69 +3464,69 @@ LAWS: dict[str, LawSpec] = {
             ),
         },
     ),
-    # law diagonal_7
-    "diagonal_7": LawSpec(
-        name="diagonal_7",
-        digest="3c2fc714472fd69e",
+    # law diagonal_6
+    "diagonal_6": LawSpec(
+        name="diagonal_6",
+        digest="7a357eb97af146ca",
         doc="sigma_i = preload_i + S_i e_i + D_i ed_i\nenergy = sum of preload_i e_i + S_i e_i^2/2",
-        deformations=7,
+        deformations=6,
         slips=0,
         states=(),
         parameters=(
-            ParameterSpec("preload", 7, "N or N m", "stress at zero deformation"),
-            ParameterSpec("S", 7, "N/m or N m", "stiffness of each deformation", sign=("not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative")),
-            ParameterSpec("D", 7, "N s/m or N m s", "damping of each deformation", sign=("not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative")),
+            ParameterSpec("preload", 6, "N or N m", "stress at zero deformation"),
+            ParameterSpec("S", 6, "N/m or N m", "stiffness of each deformation", sign=("not negative", "not negative", "not negative", "not negative", "not negative", "not negative")),
+            ParameterSpec("D", 6, "N s/m or N m s", "damping of each deformation", sign=("not negative", "not negative", "not negative", "not negative", "not negative", "not negative")),
         ),
         kernels={
             "law": KernelSpec(
                 ("e", "ed", "s", "z", "t", "p"),
                 (
-                    OutputSpec("sigma", (7,), tuple(range(7))),
+                    OutputSpec("sigma", (6,), tuple(range(6))),
                     OutputSpec("tau", (0,), ()),
                     OutputSpec("zd", (0,), ()),
                     OutputSpec("U", (1,), (0,)),
                     OutputSpec("P", (1,), (0,)),
                 ),
-                90,
+                77,
             ),
             "tangent": KernelSpec(
                 ("e", "ed", "s", "z", "t", "p"),
                 (
-                    OutputSpec("J", (7, 14), (0, 7, 15, 22, 30, 37, 45, 52, 60, 67, 75, 82, 90, 97)),
+                    OutputSpec("J", (6, 12), (0, 6, 13, 19, 26, 32, 39, 45, 52, 58, 65, 71)),
                 ),
                 0,
             ),
         },
     ),
-    # law diagonal_13
-    "diagonal_13": LawSpec(
-        name="diagonal_13",
-        digest="3c2fc714472fd69e",
+    # law diagonal_12
+    "diagonal_12": LawSpec(
+        name="diagonal_12",
+        digest="7a357eb97af146ca",
         doc="sigma_i = preload_i + S_i e_i + D_i ed_i\nenergy = sum of preload_i e_i + S_i e_i^2/2",
-        deformations=13,
+        deformations=12,
         slips=0,
         states=(),
         parameters=(
-            ParameterSpec("preload", 13, "N or N m", "stress at zero deformation"),
-            ParameterSpec("S", 13, "N/m or N m", "stiffness of each deformation", sign=("not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative")),
-            ParameterSpec("D", 13, "N s/m or N m s", "damping of each deformation", sign=("not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative")),
+            ParameterSpec("preload", 12, "N or N m", "stress at zero deformation"),
+            ParameterSpec("S", 12, "N/m or N m", "stiffness of each deformation", sign=("not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative")),
+            ParameterSpec("D", 12, "N s/m or N m s", "damping of each deformation", sign=("not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative")),
         ),
         kernels={
             "law": KernelSpec(
                 ("e", "ed", "s", "z", "t", "p"),
                 (
-                    OutputSpec("sigma", (13,), tuple(range(13))),
+                    OutputSpec("sigma", (12,), tuple(range(12))),
                     OutputSpec("tau", (0,), ()),
                     OutputSpec("zd", (0,), ()),
                     OutputSpec("U", (1,), (0,)),
                     OutputSpec("P", (1,), (0,)),
                 ),
-                168,
+                155,
             ),
             "tangent": KernelSpec(
                 ("e", "ed", "s", "z", "t", "p"),
                 (
-                    OutputSpec("J", (13, 26), (0, 13, 27, 40, 54, 67, 81, 94, 108, 121, 135, 148, 162, 175, 189, 202, 216, 229, 243, 256, 270, 283, 297, 310, 324, 337)),
+                    OutputSpec("J", (12, 24), (0, 12, 25, 37, 50, 62, 75, 87, 100, 112, 125, 137, 150, 162, 175, 187, 200, 212, 225, 237, 250, 262, 275, 287)),
                 ),
                 0,
             ),
@@ -3537,7 +3535,7 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_1
     "viscous_1": LawSpec(
         name="viscous_1",
-        digest="3c2fc714472fd69e",
+        digest="7a357eb97af146ca",
         doc="tau = C s",
         deformations=0,
         slips=1,
@@ -3569,7 +3567,7 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_2
     "viscous_2": LawSpec(
         name="viscous_2",
-        digest="3c2fc714472fd69e",
+        digest="7a357eb97af146ca",
         doc="tau = C s",
         deformations=0,
         slips=2,
@@ -3601,7 +3599,7 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_3
     "viscous_3": LawSpec(
         name="viscous_3",
-        digest="3c2fc714472fd69e",
+        digest="7a357eb97af146ca",
         doc="tau = C s",
         deformations=0,
         slips=3,
@@ -3633,7 +3631,7 @@ LAWS: dict[str, LawSpec] = {
     # law spring_curve
     "spring_curve": LawSpec(
         name="spring_curve",
-        digest="3c2fc714472fd69e",
+        digest="7a357eb97af146ca",
         doc="y = x - origin, sum of c_i y^i in the piece in which x lies (x < next break), end pieces beyond\nsigma = that sum with x = e;  energy = its integral",
         deformations=1,
         slips=0,
@@ -3668,7 +3666,7 @@ LAWS: dict[str, LawSpec] = {
     # law damper_curve
     "damper_curve": LawSpec(
         name="damper_curve",
-        digest="3c2fc714472fd69e",
+        digest="7a357eb97af146ca",
         doc="y = x - origin, sum of c_i y^i in the piece in which x lies (x < next break), end pieces beyond\nsigma = that sum with x = the rate of e",
         deformations=1,
         slips=0,
@@ -3702,7 +3700,7 @@ LAWS: dict[str, LawSpec] = {
     # law stop
     "stop": LawSpec(
         name="stop",
-        digest="3c2fc714472fd69e",
+        digest="7a357eb97af146ca",
         doc="depth = max(0, e - gap);  sigma = stiffness depth max(0, 1 + damping edot), never pulling",
         deformations=1,
         slips=0,
@@ -3736,7 +3734,7 @@ LAWS: dict[str, LawSpec] = {
     # law vertical_tyre
     "vertical_tyre": LawSpec(
         name="vertical_tyre",
-        digest="3c2fc714472fd69e",
+        digest="7a357eb97af146ca",
         doc="sigma = Fz\nFz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0",
         deformations=1,
         slips=0,
@@ -3769,7 +3767,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_tyre
     "linear_tyre": LawSpec(
         name="linear_tyre",
-        digest="3c2fc714472fd69e",
+        digest="7a357eb97af146ca",
         doc="Fz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0\nslip angle alpha = atan(sideways/max(|forward|, standstill)), of the wheel's centre\ntau(lateral) = -fade Fy, tau(spin) = -fade Mz;  fade = 3 u^2 - 2 u^3, u = min(1, |forward|/standstill)\nFy = -cornering alpha - camber_stiffness camber while pressed, whatever the load;  Mz = -trail Fy",
         deformations=2,
         slips=4,
@@ -3806,7 +3804,7 @@ LAWS: dict[str, LawSpec] = {
     # law calspan_tyre
     "calspan_tyre": LawSpec(
         name="calspan_tyre",
-        digest="3c2fc714472fd69e",
+        digest="7a357eb97af146ca",
         doc="Fz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0\nslip angle alpha = atan(sideways/max(|forward|, standstill)), of the wheel's centre\ntau(lateral) = -fade Fy, tau(spin) = -fade Mz;  fade = 3 u^2 - 2 u^3, u = min(1, |forward|/standstill)\nF = min(Fz, A2): beyond the load A2 the data end, friction and stiffnesses keep their values there\nmu = SN (B1 F + B3 + B4 F^2),  C_alpha = A0 + A1 F (1 - F/A2),  C_gamma = A3 F (1 - F/A4)\nslip = -(C_alpha alpha + C_gamma camber)/(mu Fz), at most 3\nFy = mu Fz (slip - slip |slip|/3 + slip^3/27),  Mz = (AF1 Fz + AF2 |Fy|) Fy,  Fx = 0",
         deformations=2,
         slips=4,
@@ -3845,7 +3843,7 @@ LAWS: dict[str, LawSpec] = {
     # law magic_formula
     "magic_formula": LawSpec(
         name="magic_formula",
-        digest="3c2fc714472fd69e",
+        digest="7a357eb97af146ca",
         doc="Fz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0\nlx kappadot = Re rolling - forward - |forward| kappa\nly (tan alpha)dot = lateral - |forward| tan alpha,  lateral of the contact point\nmu = mu0 + mu1 min(1, Fz/Fz0 - 1),  Kx = kx Fz,  Ky = c1 Fz0 sin(2 atan(Fz/(c2 Fz0))),  Kg = kg Fz\nx = Kx kappa/(mu Fz),  y = (Ky tan alpha + Kg camber)/(mu Fz),  slip = |(x, y)|,  b = slip/C\n(Fx, Fy) = mu Fz sin(C atan(b - E (b - atan b))) (x, -y)/slip, combined slip by similarity\nMz = -t0 Fz/Fz0 cos(atan(B tan alpha)) Fy;  tau(longitudinal, lateral, spin) = -(Fx, Fy, Mz)",
         deformations=2,
         slips=5,
@@ -3890,7 +3888,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz
     "hertz": LawSpec(
         name="hertz",
-        digest="3c2fc714472fd69e",
+        digest="7a357eb97af146ca",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1)",
         deformations=1,
         slips=0,
@@ -3924,7 +3922,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz_coulomb_1
     "hertz_coulomb_1": LawSpec(
         name="hertz_coulomb_1",
-        digest="3c2fc714472fd69e",
+        digest="7a357eb97af146ca",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1)\ntau = friction N s/sqrt(s.s + slip_speed^2)",
         deformations=1,
         slips=1,
@@ -3960,7 +3958,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz_coulomb_2
     "hertz_coulomb_2": LawSpec(
         name="hertz_coulomb_2",
-        digest="3c2fc714472fd69e",
+        digest="7a357eb97af146ca",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1)\ntau = friction N s/sqrt(s.s + slip_speed^2)",
         deformations=1,
         slips=2,
@@ -3996,7 +3994,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz_bristle_1
     "hertz_bristle_1": LawSpec(
         name="hertz_bristle_1",
-        digest="3c2fc714472fd69e",
+        digest="7a357eb97af146ca",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1) + stiffness d^exponent bristle_stiffness z.z/2\ndz/dt = s - bristle_stiffness |s| z/friction in contact, -release z when open\ntau = N (bristle_stiffness z + bristle_damping dz/dt)",
         deformations=1,
         slips=1,
@@ -4036,7 +4034,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz_bristle_2
     "hertz_bristle_2": LawSpec(
         name="hertz_bristle_2",
-        digest="3c2fc714472fd69e",
+        digest="7a357eb97af146ca",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1) + stiffness d^exponent bristle_stiffness z.z/2\ndz/dt = s - bristle_stiffness |s| z/friction in contact, -release z when open\ntau = N (bristle_stiffness z + bristle_damping dz/dt)",
         deformations=1,
         slips=2,
@@ -4077,7 +4075,7 @@ LAWS: dict[str, LawSpec] = {
     # law journal
     "journal": LawSpec(
         name="journal",
-        digest="3c2fc714472fd69e",
+        digest="7a357eb97af146ca",
         doc="N_i = stiffness e_i + damping ed_i in two directions (i = 0, 1), N = |(N_0, N_1)|\ntorque = friction_radius N w/sqrt(w^2 + slip_speed^2) on the angle e_2, w = ed_2",
         deformations=3,
         slips=0,

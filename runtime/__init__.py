@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     from flexel.results.periodic import PeriodicSolution
     from flexel.results.saved.loading import load
     from flexel.rope.contacts import Contact
-    from flexel.rope.ropes import Rope
+    from flexel.rope.rope import Rope
     from flexel.rope.surfaces import RoundGroove, VGroove
     from flexel.rope.wire_rope import WireRope
     from flexel.spacar.reading import Spacar, read_spacar
@@ -133,7 +133,7 @@ _HOMES = {
     "RangeWarning": "flexel.base.errors",
     "Rectangle": "flexel.declare.sections",
     "Reduced": "flexel.mechanics.modes",
-    "Rope": "flexel.rope.ropes",
+    "Rope": "flexel.rope.rope",
     "RoundGroove": "flexel.rope.surfaces",
     "SectionForces": "flexel.declare.sections",
     "Spacar": "flexel.spacar.reading",

@@ -10,6 +10,7 @@ from flexel.engine.evaluate import Evaluation
 from flexel.mechanics.diagnose import choose_dofs, named_dofs
 from flexel.mechanics.first_position import first_position
 from flexel.mechanics.kinematics import Kinematics
+from flexel.rope.free_ends import check_free_ends
 from flexel.structure.loads import Loads
 from flexel.structure.structure import assemble_structure
 from flexel.system import System
@@ -28,6 +29,8 @@ def build(model: Declarations, t: float) -> System:
     roles = resolve_roles(model, structure)
     loads = Loads(structure, tuple(model.loads))
     check_names(model, structure, roles)
+    taken = [*structure.names[structure.m + structure.k + structure.nf :], *model._motions]
+    check_free_ends(structure, [*taken, *(load.name for load in model.loads)])
     loads.at(t)  # a load that fails is reported here, not in the middle of a motion
     kinematics = Kinematics(evaluation, roles, loads)
     c = first_position(model, kinematics, t)

@@ -7,20 +7,19 @@ Everything has a name, and every name works everywhere.  Quantities are called `
 from __future__ import annotations
 
 from flexel.build import build
-from flexel.declare.bodies import Bodies
 from flexel.declare.couplings import Couplings
 from flexel.declare.feedback import Feedback
-from flexel.declare.joints import Joints
 from flexel.declare.loads import Loading
 from flexel.declare.relations import RelationMethods
 from flexel.declare.user import Elements
 from flexel.declare.wheels import Wheels
 from flexel.mechanics.constraints import ConstraintReport, report_of_model
+from flexel.rope.chains import Chains
 from flexel.rope.ropes import Ropes
 from flexel.system import System
 
 
-class Model(Ropes, Joints, Wheels, Couplings, Feedback, Loading, Bodies, Elements, RelationMethods):
+class Model(Ropes, Chains, Wheels, Couplings, Feedback, Loading, Elements, RelationMethods):
     """A mechanism to be declared.
 
     Parameters

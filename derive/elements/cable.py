@@ -1,6 +1,6 @@
 """Cable with positions and slopes at its ends (absolute nodal coordinates): it stretches and bends, without torsion."""
 
-from sympy import Expr, Matrix
+from sympy import Expr, Integer, Matrix, Rational
 
 from flexel.derive.declare import (
     Deformation,
@@ -13,27 +13,32 @@ from flexel.derive.declare import (
     Point,
     Slope,
 )
-from flexel.derive.declare.rotation import HALF, cross, dot
+from flexel.derive.declare.rotation import HALF, cross, dot, norm
 from flexel.derive.declare.shape import gauss_points, hermite_energy, hermite_mean, hermite_slopes
 from flexel.derive.elements.parameters import GRAVITY, L0, PLANAR_GRAVITY, RHOA
 
-AXIAL_POINTS = 4
 BENDING_POINTS = 3
 
 
 def _strains(let: Let, ends: tuple[Matrix, Matrix, Matrix]) -> list[Deformation]:
-    """Green's axial strain at the points of quadrature."""
-    strains = []
-    for i, xi in enumerate(gauss_points(AXIAL_POINTS), 1):
-        slope = let.vector(f"s{i}", hermite_slopes(*ends, L0.symbol, xi)[0])
-        strains.append(Deformation(f"strain{i}", "1", HALF * (dot(slope, slope) - 1), free=True))
-    return strains
+    """Three axial strains, as many as a cubic can provide: with 2 n + 1 in a line of n elements, none locks.
+
+    They are the Legendre coefficients of the quadratic strain that has the element's mean and its values at the ends.
+    """
+    at_p, at_q = (let.scalar(f"n{k}", norm(slope)) for k, slope in zip("pq", ends[1:], strict=True))
+    lengths = [
+        norm(let.vector(f"s{i}", hermite_slopes(*ends, L0.symbol, xi)[0]))
+        for i, xi in enumerate(gauss_points(3), 1)
+    ]
+    weights = (Rational(5, 18), Rational(8, 18), Rational(5, 18))
+    mean = let.scalar("mean", sum((w * z for w, z in zip(weights, lengths, strict=True)), Integer(0)))
+    exprs = (mean - 1, HALF * (at_q - at_p), HALF * (at_q + at_p) - mean)
+    return [Deformation(f"strain{i}", "1", expr, free=True) for i, expr in enumerate(exprs, 1)]
 
 
 def _curvature(slope: Matrix, bend: Matrix) -> dict[str, Expr]:
-    """Components of the curvature vector (r' x r'')/|r'|^3, or the one normal to the plane, by their suffixes."""
-    square = dot(slope, slope)
-    factor = square ** (-3 * HALF)
+    """Components of the material curvature (r' x r'')/|r'|^2, or the one normal to the plane, by their suffixes."""
+    factor = 1 / dot(slope, slope)
     if slope.rows == 2:
         return {"": (slope[0] * bend[1] - slope[1] * bend[0]) * factor}
     return {axis: c * factor for axis, c in zip("xyz", cross(slope, bend), strict=True)}
@@ -70,11 +75,16 @@ def _cable(name: str, nodes: tuple[Node, Node, Node, Node], gravity: Parameter) 
         potential=-mass * dot(gravity.vector, mean),
         doc=(
             "r(s): cubic Hermite curve with slopes dp, dq = dr/ds by the undeformed arc length s at the ends\n"
-            "strain = (r'.r' - 1)/2 at 4 Gauss points of (0, l0); curvature = (r' x r'')/|r'|^3 at 3 Gauss points\n"
-            "work: EA strain and EI curvature, each times its Gauss weight (of sum l0), are the stresses of a rope\n"
+            "strain1 = L/l0 - 1, the mean of |r'| - 1 by 3 Gauss points;  strain2 = (|dq| - |dp|)/2;\n"
+            "strain3 = (|dq| + |dp|)/2 - L/l0:  |r'| - 1 = strain1 + strain2 P1 + strain3 P2, Legendre's polynomials\n"
+            "curvature = (r' x r'')/|r'|^2, the turn by undeformed arc length, at 3 Gauss points\n"
+            "work: EA l0 (1, 1/3, 1/5) times the strains, EI times curvature and Gauss weight (of sum l0)\n"
             "T = rhoA/2 int rdot.rdot ds (constant mass matrix),  U = -rhoA gravity.int r ds"
         ),
-        source="Berzeri and Shabana 2000, J. Sound Vib. 235:539; Gerstmayr and Shabana 2006, Nonlinear Dyn. 45:109",
+        source=(
+            "Gerstmayr and Irschik 2008, J. Sound Vib. 318:461 (strain and curvature); Gerstmayr and Shabana 2006, "
+            "Nonlinear Dyn. 45:109 (cubic cable)"
+        ),
     )
 
 

@@ -16,7 +16,7 @@ from flexel.derive.declare import (
     Slip,
 )
 from flexel.derive.declare.rotation import dot, norm
-from flexel.derive.declare.shape import hermite_weights
+from flexel.derive.elements.arc_point import ARC_POINT, arc_point
 from flexel.derive.elements.parameters import L0
 from flexel.derive.elements.planar_beam import ALPHA0
 from flexel.derive.elements.rope_contact import RADIUS, ROPE_RADIUS, XI
@@ -29,10 +29,9 @@ def _planar_contact(name: str, parameters: tuple[Parameter, ...], doc: str) -> E
     p, dp, q, dq = PlanarPoint("p"), PlanarSlope("dp"), PlanarPoint("q"), PlanarSlope("dq")
     c, r = PlanarPoint("c"), PlanarAngle("r")
     let = Let()
-    weights = [let.scalar(f"n{i}", w) for i, w in enumerate(hermite_weights(XI.symbol, L0.symbol))]
     cable = (p, dp, q, dq)
-    d = let.vector("d", sum((w * z.x for w, z in zip(weights, cable, strict=True)), -c.x))
-    rate = sum((w * z.v for w, z in zip(weights, cable, strict=True)), -c.v)
+    x, xd = arc_point(let, cable, XI.symbol)
+    d, rate = let.vector("d", x - c.x), xd - c.v
     sliding = let.vector("sliding", rate - r.v[0] * Matrix([-d[1], d[0]]))
     ex, ey = named_directions(let, r, ALPHA0, "r")
     gap, tangential = (_circle if RADIUS in parameters else _line)(let, d, sliding, ex, ey)
@@ -46,7 +45,7 @@ def _planar_contact(name: str, parameters: tuple[Parameter, ...], doc: str) -> E
         deformations=(Deformation("gap", "m", gap, free=True, kind="gap"),),
         slips=(Slip("tangential", "m/s", tangential, free=True),),
         doc=(
-            "x: point at the fraction xi of the cable's cubic curve;  ex, ey: directions at angle + alpha0\n"
+            ARC_POINT + "ex, ey: directions at angle + alpha0\n"
             "w = xdot - xcdot - angledot ez x (x - xc), the velocity seen from the body\n" + doc
         ),
         source="planar counterpart of contact in space",

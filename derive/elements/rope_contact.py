@@ -12,7 +12,7 @@ from sympy import Expr, Matrix, Piecewise, sqrt
 
 from flexel.derive.declare import Deformation, Element, Frame, Let, Parameter, Point, Slip, Slope
 from flexel.derive.declare.rotation import body_angular_velocity, components, cross, norm, product, triad
-from flexel.derive.declare.shape import hermite_weights
+from flexel.derive.elements.arc_point import ARC_POINT, arc_point
 from flexel.derive.elements.parameters import L0
 
 XI = Parameter("xi", 1, "1", "place along the element, from 0 at p to 1 at q")
@@ -24,7 +24,7 @@ GROOVE_RADIUS = Parameter("groove_radius", 1, "m", "radius of the groove's round
 FLANK = Parameter("flank", 2, "1", "sine and cosine of half the opening angle of the flanks", ("sin", "cos"))
 
 _COMMON = (
-    "x: point at the fraction xi of the cable's cubic curve; triad ex, ey, ez: columns of R(lambda o t)\n"
+    ARC_POINT + "triad ex, ey, ez: columns of R(lambda o t)\n"
     "y = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\n"
 )
 _SOURCE = "textbook mechanics"
@@ -44,10 +44,9 @@ def _contact(name: str, parameters: tuple[Parameter, ...], surface: Surface, doc
     """Element of a rope's point and a surface that is given by its modes as functions of y and ydot."""
     p, dp, q, dq, c, r = Point("p"), Slope("dp"), Point("q"), Slope("dq"), Point("c"), Frame("r")
     let = Let()
-    weights = [let.scalar(f"n{i}", w) for i, w in enumerate(hermite_weights(XI.symbol, L0.symbol))]
     cable = (p, dp, q, dq)
-    d = let.vector("d", sum((w * z.x for w, z in zip(weights, cable, strict=True)), -c.x))
-    rate = let.vector("dd", sum((w * z.v for w, z in zip(weights, cable, strict=True)), -c.v))
+    x, xd = arc_point(let, cable, XI.symbol)
+    d, rate = let.vector("d", x - c.x), let.vector("dd", xd - c.v)
     u = let.vector("u", product(r.x, T.vector))
     omega = let.vector("omega", body_angular_velocity(u, product(r.v, T.vector)))
     axes = triad(u)

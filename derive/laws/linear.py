@@ -85,6 +85,6 @@ def _viscous(k: int) -> Law:
 
 LINEAR: tuple[Law, ...] = (
     *(_linear(m) for m in range(1, 7)),
-    *(_diagonal(m) for m in (7, 13)),  # planar and spatial cable
+    *(_diagonal(m) for m in (6, 12)),  # planar and spatial cable
     *(_viscous(k) for k in range(1, 4)),
 )

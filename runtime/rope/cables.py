@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
-from flexel.base.arguments import array, not_negative, positive, span, unknown, vector
-from flexel.base.arrays import Array, Index
+from flexel.base.arguments import array, not_negative, positive, span, vector
+from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.base.quaternions import in_frame, triad
 from flexel.base.transactions import whole_or_nothing
@@ -19,10 +18,15 @@ from flexel.declare.nodes import Nodes
 from flexel.generated.table import LAWS
 from flexel.structure.instances import Instance
 from flexel.structure.nodes import Node
-from flexel.structure.state import State
+from flexel.structure.structure import Structure
 
-# Places on (-1, 1) and weights of sum 2.
-AXIAL, BENDING = (np.polynomial.legendre.leggauss(k) for k in (4, 3))
+# Three strains are coefficients of Legendre's polynomials, three curvatures belong to Gauss points on (-1, 1); their
+# shares of EA l0 and of EI l0.  Tension is reported at the same points.
+STRAINS = np.array([1, 1 / 3, 1 / 5])
+POINTS, CURVATURES = np.polynomial.legendre.leggauss(3)
+CURVATURES /= 2
+LEGENDRE = np.polynomial.legendre.legvander(POINTS, 2)
+PLACES = (1 + POINTS) / 2
 
 
 class Cables(Beams, Nodes):
@@ -82,7 +86,7 @@ class Cables(Beams, Nodes):
         length : float, optional
             Undeformed length [m]; by default that of the cubic curve as drawn.
         EA, EI : float
-            Stiffness in tension [N] (with Green's strain) and in bending [N m²]; EI may be zero.
+            Stiffness in tension [N] and in bending [N m²]; EI may be zero where both ends of a rope are held.
         mass_per_length : float
             [kg/m]
         section, material : Section and Material (or its name, such as "wire rope")
@@ -124,8 +128,8 @@ class Cables(Beams, Nodes):
         self.instances[name] = replace(self.instances[name], profile=profile)
         S = weights(l0, positive(EA, owner, "EA"), not_negative(EI, owner, "EI"), planar)
         D = S.copy()
-        D[:4] *= not_negative(damping, owner, "damping")
-        D[4:] *= not_negative(bending_damping, owner, "bending_damping")
+        D[:3] *= not_negative(damping, owner, "damping")
+        D[3:] *= not_negative(bending_damping, owner, "bending_damping")
         values = {"preload": np.zeros(S.size), "S": S, "D": D}
         modes = self.instances[name].deformations
         self._add_law(owner, LAWS[f"diagonal_{S.size}"], modes, values, label=name)
@@ -191,9 +195,15 @@ def _profile(owner: str, section: Any, material: Any, EA: float | None, mass: fl
 
 
 def weights(l0: float, EA: float, EI: float, planar: bool) -> Array:
-    """Stiffness (13,) or (7,) of the strains and curvatures of a cable: EA and EI times Gauss weights of sum l0."""
-    bending = EI * BENDING[1] * l0 / 2
-    return np.concatenate([EA * AXIAL[1] * l0 / 2, bending if planar else np.repeat(bending, 3)])
+    """Stiffness (12,) or (6,) of the strains and curvatures of a cable."""
+    bending = EI * CURVATURES * l0
+    return np.concatenate([EA * STRAINS * l0, bending if planar else np.repeat(bending, 3)])
+
+
+def bending_stiffness(structure: Structure, cable: Instance) -> float:
+    """EI [N m²] of a cable of a model."""
+    own = [z for z in structure.laws if z.deformations == cable.deformations]
+    return float(sum(z.parameters["S"][3] for z in own) / (CURVATURES[0] * cable.parameters["l0"][0]))
 
 
 def drawn_length(p: Array, slope_p: Array, q: Array, slope_q: Array) -> float:
@@ -214,52 +224,3 @@ def drawn_length(p: Array, slope_p: Array, q: Array, slope_q: Array) -> float:
         if abs(l0 - last) < 1e-15 * l0:
             break
     return float(l0)
-
-
-def cable_tension(state: State, cable: str) -> tuple[Array, Array]:
-    """Arc length [m] and tension [N] at the Gauss points of a cable, damping included; compression is negative.
-
-    Parameters
-    ----------
-    state : State
-    cable : str
-        Name of an element.
-
-    Returns
-    -------
-    s, T : ndarray (4,)
-        Undeformed arc length from the first end, and the force in the direction of the cable.
-
-    Raises
-    ------
-    ModelError
-        If there is no cable of that name.
-    """
-    rows, l0 = axial_rows(state, [cable])
-    return (1 + AXIAL[0]) * l0[0] / 2, gauss_tension(state, rows, l0)[0]
-
-
-def axial_rows(state: State, cables: Sequence[str]) -> tuple[Index, Array]:
-    """Quantities (cables, 4) of the axial strains of some cables, and their undeformed lengths (cables,) [m]."""
-    known = _cables(state)
-    found = [known[z] if z in known else find_cable(state, z) for z in cables]
-    rows = [[state.structure.index[name] for name in z.deformations[:4]] for z in found]
-    return np.array(rows), np.array([float(z.parameters["l0"][0]) for z in found])
-
-
-def gauss_tension(state: State, rows: Index, l0: Array) -> Array:
-    """Tension (cables, 4) [N] at the Gauss points of the cables that `axial_rows` found."""
-    stretch = np.sqrt(1 + 2 * state.e[rows])
-    return np.asarray(state.stresses[rows] * stretch / (AXIAL[1] * l0[:, None] / 2))
-
-
-def _cables(state: State) -> dict[str, Instance]:
-    return {z.name: z for z in state.structure.instances if z.spec.family == "cable"}
-
-
-def find_cable(state: State, cable: str) -> Instance:
-    """The cable of that name, or a ModelError with the nearest ones."""
-    known = _cables(state)
-    if cable not in known:
-        raise ModelError(unknown(str(cable), known, "cable"))
-    return known[cable]

@@ -42,7 +42,7 @@ class Laying:
         self._n, self._refine = n, refine
         self._element = 0.0  # length of the elements on arcs, which matters only under tension
         self._untouched = self._circles(0.0)
-        self.bare = taut_path(self.owner, self._untouched)
+        self.bare = taut_path(self.owner, self._untouched, plane.closed)
         self._element = self.bare.length * float(_shares(self.bare, refine)[1][-1]) / (n * refine)
 
     def _circles(self, tension: float) -> list[Circle]:
@@ -78,7 +78,7 @@ class Laying:
         pressed = zip(circles, self._untouched, strict=True)
         if any(c.radius < (1 - DEEPEST) * free.radius for c, free in pressed):
             return None
-        return taut_path(self.owner, circles)
+        return taut_path(self.owner, circles, self.plane.closed)
 
     def tension(self, length: float, EA: float) -> float:  # noqa: N803
         """The tension [N] at which a rope of a given undeformed length [m] fills its path.
@@ -94,11 +94,11 @@ class Laying:
                 f"{self.owner}: its length is {(1 / stretch - 1) * 100:.3g} % longer than its path, so it hangs "
                 "slack; give a shorter length, or model a slack rope with m.cable_line along its hanging curve"
             )
-        largest = EA * max(stretch * (stretch**2 - 1) / 2, 0.0)
+        largest = EA * max(stretch - 1, 0.0)
 
         def missing(tension: float) -> float:
             path = self._borne(tension)
-            return (path.length / length if path else 0.0) - stretched(tension / EA)
+            return (path.length / length if path else 0.0) - (1 + tension / EA)
 
         if missing(largest) >= 0:  # no sheave yields
             return largest
@@ -114,14 +114,6 @@ class Laying:
         """Places of the nodes (n + 1,) over the length: elements are shorter on the arcs of the path."""
         at, share = _shares(path, self._refine)
         return np.asarray(np.interp(np.linspace(0, share[-1], self._n + 1), share, at))
-
-
-def stretched(load: float) -> float:
-    """Stretch λ at which λ (λ² - 1)/2 = tension/EA: Green's strain, and the force along the deformed rope."""
-    stretch = 1 + load
-    for _ in range(30):
-        stretch -= (stretch * (stretch**2 - 1) / 2 - load) / ((3 * stretch**2 - 1) / 2)
-    return float(stretch)
 
 
 def dead_turns(plane: RopePlane, turns: Any) -> tuple[float, float]:

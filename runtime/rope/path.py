@@ -89,8 +89,10 @@ class Path:
         ]
 
 
-def taut_path(owner: str, circles: Sequence[Circle]) -> Path:
+def taut_path(owner: str, circles: Sequence[Circle], closed: bool = False) -> Path:
     """The path over circles in the given order; senses that are not given are those of the shortest path.
+
+    A closed one starts where it leaves the first circle and ends there.
 
     Raises
     ------
@@ -112,7 +114,7 @@ def taut_path(owner: str, circles: Sequence[Circle]) -> Path:
         for i, sense in zip(unknown, senses, strict=True):
             signs[i] = sense
         try:
-            path = _path(owner, circles, signs)
+            path = (_closed if closed else _path)(owner, circles, signs)
         except ModelError as error:
             trouble = trouble or error
             continue
@@ -139,6 +141,21 @@ def _path(owner: str, circles: Sequence[Circle], signs: Sequence[int]) -> Path:
         if leaving is not None:
             parts.append(_straight(circles[i : i + 2], signs[i : i + 2], leaving))
             _check_clear(owner, parts[-1], circles, (i, i + 1))
+    return Path(tuple(part for part in parts if part.length > 0))
+
+
+def _closed(owner: str, circles: Sequence[Circle], signs: Sequence[int]) -> Path:
+    """The path around all circles and back to the first."""
+    n = len(circles)
+    pairs = [(i, (i + 1) % n) for i in range(n)]
+    angles = [_direction(owner, circles[i], circles[j], signs[i], signs[j]) for i, j in pairs]
+    parts: list[Part] = []
+    for i, j in pairs:
+        parts.append(_straight((circles[i], circles[j]), (signs[i], signs[j]), angles[i]))
+        _check_clear(owner, parts[-1], circles, (i, j))
+        arc = _arc(circles[j], signs[j], angles[i], angles[j])
+        if arc is not None:
+            parts.append(arc)
     return Path(tuple(part for part in parts if part.length > 0))
 
 

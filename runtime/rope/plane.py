@@ -19,17 +19,17 @@ Place = str | Node | tuple[str, int]
 
 
 class RopePlane:
-    """The plane in which a rope's sheaves and ends lie, and the places of its path."""
+    """The plane in which a rope's sheaves and ends lie, and the places of its path; a closed one has no ends."""
 
-    def __init__(self, model: Declarations, owner: str, path: Sequence[Place]) -> None:
+    def __init__(self, model: Declarations, owner: str, path: Sequence[Place], closed: bool = False) -> None:
         if not isinstance(path, (list, tuple)) or len(path) < 2:
             raise ModelError(f"{owner}: path {path!r} has fewer than two places; give a list")
         items = [_with_sense(owner, z) for z in path]
-        self.model, self.owner = model, owner
+        self.model, self.owner, self.closed = model, owner, closed
         self.items: list[tuple[Surface | Node, int]] = []
         for i, (place, sense) in enumerate(items):
             known = isinstance(place, str) and place in model.surfaces
-            inner = 0 < i < len(items) - 1
+            inner = closed or 0 < i < len(items) - 1
             if known or inner:
                 surface = find_surface(model, place, owner)
                 if not surface.radius:
@@ -46,9 +46,9 @@ class RopePlane:
                 self.items.append((point, 0))
         self.surfaces = [z for z, _ in self.items if not isinstance(z, Node)]
         self.names = [z.name for z in self.surfaces]
-        ends = self.items[0][0], self.items[-1][0]
+        ends = (None, None) if closed else (self.items[0][0], self.items[-1][0])
         self.ends = [z if isinstance(z, Node) else None for z in ends]
-        self.drums = [None if isinstance(z, Node) else z for z in ends]
+        self.drums = [z if isinstance(z, Surface) else None for z in ends]
         self._check_dimensions()
         centres = np.array([z.x0 if isinstance(z, Node) else z.centre for z, _ in self.items])
         self.planar = centres.shape[1] == 2

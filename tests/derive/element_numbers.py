@@ -220,7 +220,7 @@ def as_seen(element: Element, e: Vector, turn: Callable[[Vector], Vector]) -> Ve
     """Deformations after a motion: the three curvature vectors of a spatial cable turn, all others stay."""
     if element.name != "cable":
         return e
-    return [*e[:4], *(c for i in (4, 7, 10) for c in turn(e[i : i + 3]))]
+    return [*e[:3], *(c for i in (3, 6, 9) for c in turn(e[i : i + 3]))]
 
 
 def straight(rng: random.Random) -> tuple[dict[str, Any], dict[str, Vector]]:

@@ -55,7 +55,7 @@ SPATIAL |= {"planar_bar_span": "bar_span", "planar_beam_span": "beam_span"}
 SPATIAL |= {"planar_cable": "cable", "planar_cable_span": "cable_span", "planar_slope_clamp": "slope_clamp"}
 SPATIAL |= {"planar_cable_circle": "cable_cylinder", "planar_cable_line": "cable_plane"}
 MODES = {"planar_beam": (0, 4, 5), "planar_beam_first_order": (0, 4, 5), "planar_beam3": (0, 1)}
-MODES |= {"planar_cable": (0, 1, 2, 3, 6, 9, 12), "planar_slope_clamp": (0,)}
+MODES |= {"planar_cable": (0, 1, 2, 5, 8, 11), "planar_slope_clamp": (0,)}
 MODES |= {"planar_cable_circle": (0,), "planar_cable_line": (0,)}
 MODES |= {"planar_truss": (0,), "planar_hinge": (0,), "planar_body": (), "planar_point_mass": ()}
 

@@ -1,0 +1,94 @@
+"""Local forces of the hoist's rope at one state, beside what statics says: tension everywhere, pressure on the sheaves.
+
+The tension of a free part is the mean over it; over a sheave it passes from one to the next in proportion to the arc.
+The rope presses on a groove by T/R per length.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+import flexel as fx
+from flexel.base.arrays import Array
+from flexel.examples.hoist_model import SHEAVES, Model
+
+ENDS = 2  # elements of a wrap that are left out of the pressure at each end: see `edge_force`
+
+
+@dataclass(frozen=True)
+class Wrap:
+    """The part of the rope that touches a sheave or the drum: from and to [m], undeformed."""
+
+    name: str
+    begin: float
+    end: float
+
+
+def wraps(model: Model, state: fx.State) -> list[Wrap]:
+    """The parts of the rope that touch, in its order."""
+    found = []
+    for name in ("drum", *SHEAVES):
+        s, N = model.rope.contact_force(state, name)
+        found.append(Wrap(name, float(s[N > 0][0]), float(s[N > 0][-1])))
+    return found
+
+
+def free_tensions(model: Model, state: fx.State) -> tuple[Array, Array]:
+    """Ends (4, 2) [m] of the free parts from the drum to the anchor, and their mean tension (4,) [N]."""
+    touching = wraps(model, state)
+    ends = np.array(
+        [(a.end, b.begin) for a, b in pairwise(touching)] + [(touching[-1].end, model.rope.s[-1])]
+    )
+    s, T = model.rope.tension(state)
+    return ends, np.array([T[(s > begin) & (s < end)].mean() for begin, end in ends])
+
+
+def statics(model: Model, state: fx.State, s: Array) -> Array:
+    """Tension [N] by statics at places [m] beyond the drum."""
+    ends, T = free_tensions(model, state)
+    return np.interp(s, ends.ravel(), np.repeat(T, 2))
+
+
+def tension_ratios(model: Model, state: fx.State) -> Array:
+    """Tension over that of statics at all points beyond the drum, on and off the sheaves."""
+    s, T = model.rope.tension(state)
+    beyond = s > wraps(model, state)[0].end
+    return np.asarray(T[beyond] / statics(model, state, s[beyond]))
+
+
+def pressure_ratios(model: Model, state: fx.State) -> Array:
+    """Normal force per length over T/R at the points on the sheaves, two elements and more from the ends of a wrap."""
+    rope, found = model.rope, []
+    off = ENDS * float(np.diff(rope.s).max())
+    for wrap in wraps(model, state)[1:]:
+        s, N = rope.contact_force(state, wrap.name)
+        line = N / np.array([p.weight for p in rope.contacts[wrap.name]])
+        inner = (s > wrap.begin + off) & (s < wrap.end - off)
+        found.append(line[inner] * model.data.pitch / statics(model, state, s[inner]))
+    return np.concatenate(found)
+
+
+def worst(ratios: Array) -> float:
+    """The ratio that is furthest from one."""
+    return float(ratios[np.argmax(abs(ratios - 1))])
+
+
+def wire_stress(model: Model, state: fx.State) -> float:
+    """Largest bending stress [N/m²] of the wires on the sheaves, two elements and more from the ends of a wrap."""
+    s, kappa = model.rope.curvature(state)
+    off = ENDS * float(np.diff(model.rope.s).max())
+    inner = [(s > z.begin + off) & (s < z.end - off) for z in wraps(model, state)[1:]]
+    return model.data.wire_stress(float(kappa[np.any(inner, axis=0)].max()))
+
+
+def boundary_layer(model: Model) -> tuple[float, float]:
+    """Length [m] of the layer in which a rope takes up the curvature of a sheave, and the edge force [N] that it makes.
+
+    A beam of bending stiffness EI under the tension T straightens over sqrt(EI/T); the moment EI/R that ends at the
+    edge of the contact is balanced by a concentrated force sqrt(EI T)/R.
+    """
+    T, data = model.data.weight / 4, model.data
+    return float(np.sqrt(data.EI / T)), float(np.sqrt(data.EI * T) / data.pitch)

@@ -1,0 +1,75 @@
+"""Curves along which a cable or a chain is drawn, and the places of its nodes on them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+from scipy.interpolate import CubicSpline
+
+from flexel.base.arguments import array, number
+from flexel.base.arrays import Array
+from flexel.base.errors import ModelError
+from flexel.declare.nodes import Nodes
+from flexel.structure.nodes import Node
+
+SAMPLES = 400  # samples of a given curve, for its arc length
+Path = Sequence[Sequence[float]] | Array | Callable[[float], Any]
+
+
+def fractions(owner: str, n: int | None, at: Any) -> Array:
+    """Places of the nodes over the length."""
+    if (n is None) == (at is None):
+        raise ModelError(f"{owner}: give either n, the number of elements, or at, the places of the nodes")
+    if at is None:
+        count = number(n, owner, "n")
+        if count < 1 or count != int(count):
+            raise ModelError(f"{owner}: n = {count:g} elements; give a whole number of at least 1")
+        return np.linspace(0, 1, int(count) + 1)
+    found = array(at, owner, "at").ravel()
+    if found.size < 2 or found[0] != 0 or found[-1] != 1 or np.any(np.diff(found) <= 0):
+        raise ModelError(f"{owner}: at = {found.tolist()} does not ascend from 0 to 1; correct it")
+    return found
+
+
+def curve(owner: str, path: Path) -> tuple[Callable[..., Array], float]:
+    """The path as a function of its arc length (with derivatives), and its length."""
+    if callable(path):
+        points = array([path(float(u)) for u in np.linspace(0, 1, SAMPLES + 1)], owner, "path")
+    else:
+        points = array(path, owner, "path")
+    if points.ndim != 2 or len(points) < 2 or points.shape[1] not in (2, 3):
+        raise ModelError(
+            f"{owner}: path has shape {points.shape}; give at least two points of 3 (or 2) numbers"
+        )
+    chords = np.linalg.norm(np.diff(points, axis=0), axis=1)
+    if not np.all(chords > 0):
+        raise ModelError(f"{owner}: path has points that coincide; leave one out")
+    if len(points) == 2:
+        direction = (points[1] - points[0]) / chords[0]
+        line = CubicSpline([0, chords[0]], points, bc_type=((1, direction), (1, direction)))
+        return line, float(chords[0])
+    return _by_arc_length(CubicSpline(np.concatenate([[0], np.cumsum(chords)]), points))
+
+
+def _by_arc_length(spline: CubicSpline) -> tuple[CubicSpline, float]:
+    """A spline parametrized by its own arc length, resampled."""
+    u = np.linspace(spline.x[0], spline.x[-1], 20 * SAMPLES + 1)
+    speed = CubicSpline(u, np.linalg.norm(spline(u, 1), axis=1)).antiderivative()
+    s = speed(u)
+    knots = np.linspace(0, s[-1], SAMPLES + 1)
+    return CubicSpline(knots, spline(CubicSpline(s, u)(knots))), float(s[-1])
+
+
+def end_node(model: Nodes, owner: str, given: Node | str | None, place: Array) -> Node | None:
+    """The node that was given for an end, if it lies there."""
+    if given is None:
+        return None
+    node = model._find_of_kind(given, ("point", "planar_point"), owner)
+    if node.x0.shape != place.shape or np.linalg.norm(node.x0 - place) > 1e-9 * (1 + np.linalg.norm(place)):
+        raise ModelError(
+            f"{owner}: node '{node.name}' at {node.x0.tolist()} is not at the end of the path, "
+            f"{place.tolist()}; move one"
+        )
+    return node

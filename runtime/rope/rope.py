@@ -1,0 +1,145 @@
+"""A rope around sheaves: its path, and its tension, strain, curvature and contact forces in states."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from flexel.base.arrays import Array
+from flexel.base.errors import ModelError
+from flexel.rope.cable_lines import CableLine
+from flexel.rope.cable_results import CableRows, cable_rows
+from flexel.rope.cables import PLACES
+from flexel.rope.contacts import ContactPoint
+from flexel.rope.path import Path
+from flexel.structure.state import State
+
+
+@dataclass(frozen=True, repr=False)
+class Rope(CableLine):
+    """A rope made by `Model.rope`: the line of cables, its path and its contacts.
+
+    A closed rope has as many points and slopes as elements; its arc length starts and ends at the first.
+
+    Attributes
+    ----------
+    radius : float
+        Radius of the rope [m].
+    path : Path
+        Initial path, in the plane of the sheaves.
+    tension0 : float
+        Tension in the initial configuration [N].
+    contacts : dict of str to list of ContactPoint
+        For each sheave or drum.
+    """
+
+    radius: float
+    path: Path
+    tension0: float
+    contacts: dict[str, list[ContactPoint]]
+
+    def tension(self, states: State | Sequence[State]) -> tuple[Array, Array]:
+        """Undeformed arc length s (ns,) [m] and tension (ns,) or (nt, ns) [N], at three points of each element.
+
+        Parameters
+        ----------
+        states : State or sequence of State
+            States of one system, such as a motion.
+        """
+        return self._along(states, CableRows.tension)
+
+    def strain(self, states: State | Sequence[State]) -> tuple[Array, Array]:
+        """Undeformed arc length s (ns,) [m] and axial strain (ns,) or (nt, ns) along the rope."""
+        return self._along(states, CableRows.strain)
+
+    def curvature(self, states: State | Sequence[State]) -> tuple[Array, Array]:
+        """Undeformed arc length s (ns,) [m] and curvature (ns,) or (nt, ns) [1/m] along the rope.
+
+        A wire of diameter d and modulus E that slides on its neighbours has a bending stress of E d/2 times it.
+        """
+        return self._along(states, CableRows.curvature)
+
+    def _along(
+        self, states: State | Sequence[State], read: Callable[[CableRows, State], Array]
+    ) -> tuple[Array, Array]:
+        """Arc length of the points of all elements, and what is read there."""
+        listed, rows = self._checked(states)
+        found = np.array([read(rows, state).ravel() for state in listed])
+        s = (self.s[:-1, None] + rows.l0[:, None] * PLACES).ravel()
+        return s, found[0] if isinstance(states, State) else found
+
+    def contact_force(self, states: State | Sequence[State], surface: str) -> tuple[Array, Array]:
+        """Undeformed arc length s (np,) [m] and normal force (np,) or (nt, np) [N] of the points over one surface.
+
+        The forces on both flanks of a V groove are added: friction is limited by their sum, and the load that they
+        carry is sin(opening/2) times it.
+        """
+        points = self._points(surface)
+        s = np.array([p.s for p in points])
+        N = np.array([[_normal_force(state, p) for p in points] for state in self._checked(states)[0]])
+        return s, N[0] if isinstance(states, State) else N
+
+    def resultant(self, states: State | Sequence[State], surface: str) -> Array:
+        """Sum of the normal forces (see `contact_force`) on one surface: a float array () or (nt,) [N]."""
+        return np.asarray(self.contact_force(states, surface)[1].sum(axis=-1))
+
+    def wrap_angle(self, states: State | Sequence[State], surface: str) -> Array:
+        """Angle () or (nt,) [rad] over which the rope touches.
+
+        Undeformed length from the first to the last point that touches, over the radius of the centre line.
+        """
+        points = self._points(surface)
+        s, N = self.contact_force(states, surface)
+        R = points[0].surface.radius
+        if not R:
+            return np.zeros(N.shape[:-1])
+        share = float(np.mean([p.weight for p in points]))
+        touched = np.array([self._touched(s[row > 0], share) for row in np.atleast_2d(N)])
+        return np.asarray(touched.reshape(N.shape[:-1]) / (R + self.radius))
+
+    def _touched(self, s: Array, share: float) -> float:
+        """Length [m] from the first to the last of some points; of a closed rope all but the longest gap."""
+        if not s.size:
+            return 0.0
+        if len(self.points) > len(self.elements):
+            return float(s[-1] - s[0]) + share
+        gaps = np.diff(np.append(s, s[0] + self.s[-1]))
+        return float(self.s[-1] - gaps.max()) + share
+
+    def slip(self, states: State | Sequence[State], surface: str) -> tuple[Array, Array]:
+        """Undeformed arc length (np,) [m] and sliding velocity along the rope (np,) or (nt, np) [m/s]; zero off it."""
+        points = self._points(surface)
+        s, N = self.contact_force(states, surface)
+        name = points[0].surface.gaps[0][1][0]
+        rates = np.array([[z.rate(f"{p.element}.{name}") for p in points] for z in self._checked(states)[0]])
+        return s, np.where(N > 0, rates[0] if isinstance(states, State) else rates, 0.0)
+
+    def _checked(self, states: State | Sequence[State]) -> tuple[Sequence[State], CableRows]:
+        """The states, which must belong to one system with this rope, and the rows of its cables there."""
+        listed = [states] if isinstance(states, State) else states
+        known = isinstance(listed, Sequence) and len(listed) and all(isinstance(z, State) for z in listed)
+        if not known:
+            raise ModelError(f"rope '{self.name}': {states!r:.60} is not a state; give a state, or a motion")
+        first = listed[0].structure
+        rows = cable_rows(listed[0], self.elements)
+        same = all(z.structure is first or z.structure.names == first.names for z in listed)
+        if not same or not np.allclose(rows.l0, np.diff(self.s), rtol=1e-9):
+            raise ModelError(
+                f"rope '{self.name}': the states belong to different models, or to another model than this "
+                "rope; use the rope of their own model"
+            )
+        return listed, rows
+
+    def _points(self, surface: str) -> list[ContactPoint]:
+        if surface not in self.contacts:
+            raise ModelError(
+                f"rope '{self.name}': no contact with '{surface}'; it has {', '.join(self.contacts)}"
+            )
+        return self.contacts[surface]
+
+
+def _normal_force(state: State, p: ContactPoint) -> float:
+    """Sum of the forces of a point's gaps: those of both flanks of a V groove."""
+    return -sum(state.force(f"{p.element}.{gap}") for gap, _ in p.surface.gaps)
