@@ -18,6 +18,7 @@ from __future__ import annotations
 import argparse
 import hashlib
 import json
+import os
 import re
 import sys
 from collections.abc import Iterator, Mapping, Sequence
@@ -168,6 +169,7 @@ def fresh(cases: Sequence[str]) -> dict[str, list[dict[str, Any]]]:
     known = json.loads(file.read_text(encoding="utf-8")) if file.is_file() else {}
     tables = known["tables"] if known.get("digest") == digest else {}
     missing = [z for z in cases if z not in tables]
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # matrices are small, and two systems run at a time
     with ProcessPoolExecutor(2, mp_context=get_context("spawn")) as pool:
         tables |= dict(zip(missing, pool.map(run, missing), strict=True))
     file.parent.mkdir(exist_ok=True)
