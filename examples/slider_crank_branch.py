@@ -24,8 +24,9 @@ from flexel.examples.slider_crank import (
 )
 from flexel.linear import periodic
 
-RANGE = 150.0, 330.0  # speeds that are followed [rad/s]
+RANGE = 190.0, 330.0  # speeds that are followed [rad/s]
 HARMONICS = {0.01: 24, 0.02: 16}  # with 16 at 1 % damping a multiplier at the second fold is 1.008
+STEP = 0.12  # along the branches
 BOTH = 257.0  # a speed with two stable motions at 1 % damping [rad/s]
 ORDERS = range(3, 9)  # of the harmonics whose excitation is listed
 BALANCED = 14  # harmonics of the linearized equations
@@ -91,7 +92,7 @@ def _amplitude(c: periodic.Coefficients, midpoint: Array, n: int) -> float:
 
 
 def followed(
-    zeta: float, ends: tuple[float, float] = RANGE, step: float = 0.2, elements: int = CONVERGED
+    zeta: float, ends: tuple[float, float] = RANGE, step: float = STEP, elements: int = CONVERGED
 ) -> fx.PeriodicBranch:
     """Nonlinear periodic motions from one speed to another, by arc length."""
     first, last = (2 * np.pi / speed for speed in ends)
@@ -145,7 +146,7 @@ class Branches:
 def analyse_branches() -> Branches:
     """Run the analyses of this module."""
     branches = {z: followed(z) for z in HARMONICS}
-    fine = followed(0.01, (260.0, 265.0), step=0.1)
+    fine = followed(0.01, (260.0, 265.0), step=STEP / 2)
     return Branches(
         excited=excitation(CONVERGED, True),
         excited_first_order=excitation(2, False),

@@ -39,7 +39,7 @@ def excitations(found: Branches, path: Path) -> None:
                 panel.bar(
                     rows[:, 0] + 0.27 * (j - 1), np.abs(rows[:, j + 1]), 0.25, color=COLOURS[j], label=label
                 )
-            panel.set(yscale="log", xlabel="harmonic of the crank speed", ylim=(1e-6, 3e-2), title=title)
+            panel.set(yscale="log", xlabel="harmonic of the crank speed", ylim=(1e-7, 3e-2), title=title)
         axes[0].set_ylabel("static midpoint deflection / l")
         axes[1].legend(loc="upper right")
         drawn.suptitle("Excitation of the first mode by harmonic n at the speed ω₀/n")
@@ -70,15 +70,15 @@ def folds(found: Branches, path: Path) -> None:
             panel.set_xlabel("crank speed ω [rad/s]")
         one = found.followed[0.01]
         axes[0].set(xlim=(one.omega.min(), one.omega.max()), ylim=(0, 0.125))
-        resonances(axes[0], 0.1245)
-        axes[0].legend(loc="upper left")
+        resonances(axes[0], 0.1245, (4, 3))
+        axes[1].legend(loc="lower right")
         axes[1].set_xlim(NEAR)
         axes[1].axvline(BOTH, color="#999999", lw=0.8)
         axes[1].text(BOTH, 0.002, f"{BOTH:g} rad/s", rotation=90, va="bottom", ha="right", color="#444444")
-        for i, side in zip(one.folds, (1, -1), strict=True):
+        for i, place in zip(one.folds, ((40, -40), (-30, 10)), strict=True):
             axes[1].annotate(
-                f"{one.omega[i]:.2f}", (one.omega[i], found.deflections[0.01][i]), (8 * side, 4),
-                textcoords="offset points", ha="left" if side > 0 else "right",
+                f"{one.omega[i]:.2f}", (one.omega[i], found.deflections[0.01][i]), place, ha="center",
+                textcoords="offset points", arrowprops={"arrowstyle": "-", "color": "#999999"},
             )  # fmt: skip
         axes[0].set_ylabel("largest midpoint deflection / l")
         drawn.suptitle("Nonlinear periodic motions followed by arc length")
@@ -92,14 +92,14 @@ def floquet(found: Branches, path: Path) -> None:
             _curve(axes, branch, branch.modulus, COLOURS[j], f"damping {100 * zeta:g} %")
             for w, modulus in peaks(branch):
                 axes.plot(w, modulus, "v", ms=6, color=COLOURS[j])
-                axes.annotate(f"{modulus:.3f}", (w, modulus), (0, 6), textcoords="offset points", ha="center")
+                axes.annotate(f"{modulus:.3f}", (w, modulus), (8, -3), textcoords="offset points")
             speeds = np.linspace(branch.omega.min(), branch.omega.max(), 200)
             damped = np.exp(-zeta * omega0(CONVERGED) * 2 * np.pi / speeds)
             axes.plot(speeds, damped, ":", color=COLOURS[j], lw=1)
         axes.plot([], [], ":", color="#444444", lw=1, label="rod at rest: exp(-ζ ω₀ T)")
         axes.plot([], [], "v", ms=6, color="#444444", label="largest")
         axes.axhline(1, color="#222222", lw=0.8)
-        axes.set(xlabel="crank speed ω [rad/s]", ylabel="modulus of the largest multiplier", ylim=(0, 1.5))
+        axes.set(xlabel="crank speed ω [rad/s]", ylabel="modulus of the largest multiplier", ylim=(0.5, 1.5))
         axes.legend(loc="upper left")
         axes.set_title("Floquet multipliers of the nonlinear motions: stable below 1")
         save(drawn, path)

@@ -88,9 +88,10 @@ def branches(found: Branches) -> list[Quantity]:
         Quantity("fold_speed_1pct_half_steps", found.fold_half_steps, float(one.omega[one.folds[0]]), 1e-8, "rad/s",
                  data.FINE, converged),
         Quantity("fold_multipliers_1pct", one.modulus[one.folds], ones, 5e-4, "", data.ONE, converged),
-        Quantity("branches_minus_simulation_1pct", found.off_simulation, np.zeros(2), 2.4e-4, "", data.TURNS, converged),
+        Quantity("branches_minus_simulation_1pct", found.off_simulation, np.zeros(2), 2.4e-4, "",
+                 data.TURNS, converged),
         Quantity("floquet_peaks_1pct", peaks(one), source=data.PEAKS, more=converged),
         Quantity("floquet_peaks_2pct", peaks(two), source=data.PEAKS, more=converged),
         Quantity("largest_floquet_multiplier", float(two.modulus.max()),
-                 source="nonlinear, 2 %, all speeds from 150 to 330 rad/s; stable below 1"),
+                 source="nonlinear, 2 %, all speeds from 190 to 330 rad/s; stable below 1"),
     ]  # fmt: skip

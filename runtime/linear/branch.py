@@ -6,7 +6,7 @@ Folds, and maxima of the largest Floquet multiplier, are located between the poi
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.optimize import brentq, minimize_scalar
@@ -22,7 +22,7 @@ from flexel.structure.state import State
 FIRST, SMALLEST = 0.2, 1e-6  # arc lengths, relative to the largest
 FOLD = 1e-3  # of the distance of two points: accuracy of a fold's place along the curve
 PEAK = 0.05  # the same of a maximum's
-PROMINENCE = 0.01  # of a maximum over the minima beside it
+PROMINENCE = 0.004  # of a maximum over the minima beside it
 MULTIPLIERS = 1e-6  # error of the transition matrix
 FAILURES = (PositionError, ConstraintError, DynamicsError, LinearizationError)
 
@@ -138,8 +138,12 @@ def _with_peaks(curve: PeriodicCurve, stations: list[Station]) -> list[Station]:
     tops, _ = find_peaks([z.modulus for z in stations], prominence=PROMINENCE)
     found = list(stations)
     for i in reversed(tops):
-        part, peak = _peak(curve, [z.point for z in stations[i - 1 : i + 2]])
-        found.insert(i + 1 if part > 0 else i, peak)
+        part, peak = _peak(curve, stations[i - 1 : i + 2])
+        first, last = (
+            i + (part > 1),
+            i + (part >= 1),
+        )  # the middle one itself becomes the peak if none is larger
+        found[first:last] = [replace(peak, kind="peak")]
     return found
 
 
@@ -161,15 +165,15 @@ def _fold(curve: PeriodicCurve, first: Point[Balanced], last: Point[Balanced]) -
     return _between(curve, first, last, float(part))
 
 
-def _peak(curve: PeriodicCurve, near: list[Point[Balanced]]) -> tuple[float, Station]:
-    """The largest multiplier between three points: its place, -1…1 from the first to the last, and the motion."""
-    before, middle, after = near
+def _peak(curve: PeriodicCurve, near: list[Station]) -> tuple[float, Station]:
+    """The largest multiplier about the middle one of three motions: its place, 0…2 from the first on; the motion."""
+    known = {float(i): z for i, z in enumerate(near)}
 
     def at(s: float) -> Station:
-        pair = (before, middle, 1 + s) if s < 0 else (middle, after, s)
-        return _station(_between(curve, *pair), "peak")
+        if s not in known:
+            i = min(int(s), 1)
+            known[s] = _station(_between(curve, near[i].point, near[i + 1].point, s - i))
+        return known[s]
 
-    found = minimize_scalar(
-        lambda s: -at(s).modulus, bounds=(-1, 1), method="bounded", options={"xatol": PEAK}
-    )
-    return float(found.x), at(float(found.x))
+    minimize_scalar(lambda s: -at(float(s)).modulus, bracket=(0.0, 1.0, 2.0), method="brent", tol=PEAK)
+    return max(known.items(), key=lambda z: z[1].modulus)
