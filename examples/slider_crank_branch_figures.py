@@ -20,7 +20,7 @@ from flexel.pictures.figures import COLOURS, figure, save
 NEAR = 245.0, 285.0  # speeds shown about the folds [rad/s]
 
 
-def resonances(panel: Any, top: float, orders: tuple[int, ...] = (5, 4, 3)) -> None:
+def resonances(panel: Any, top: float, orders: tuple[int, ...] = (6, 5, 4, 3)) -> None:
     """Marks at fractions of the first natural frequency."""
     w = omega0(CONVERGED)
     for n in orders:

@@ -99,7 +99,13 @@ def branch(
     if message:
         speed = curve.omega * np.exp(sense * points[-1].y[-1])
         message = f"the branch stopped at {speed:g} rad/s: {message}"
-    return _with_peaks(curve, _with_folds(curve, points)), message
+    stations = [_station(z, "end" if i in (0, len(points) - 1) else "") for i, z in enumerate(points)]
+    try:
+        stations = _with_folds(curve, stations)
+        stations = _with_peaks(curve, stations)
+    except FAILURES as error:
+        message = f"{message}; folds and maxima are missing: {error}".removeprefix("; ")
+    return stations, message
 
 
 def _check_laws(system: Core, state: State) -> None:
@@ -123,13 +129,13 @@ def _station(point: Point[Balanced], kind: str = "") -> Station:
     return Station(point, point.equations.coefficients.floquet_multipliers(MULTIPLIERS), kind)
 
 
-def _with_folds(curve: PeriodicCurve, points: list[Point[Balanced]]) -> list[Station]:
-    """All points, and the folds between them."""
-    found = [_station(points[0], "end")]
-    for before, after in zip(points, points[1:], strict=False):
-        if before.tangent[-1] * after.tangent[-1] < 0:
-            found.append(_station(_fold(curve, before, after), "fold"))
-        found.append(_station(after, "end" if after is points[-1] else ""))
+def _with_folds(curve: PeriodicCurve, stations: list[Station]) -> list[Station]:
+    """The same, with the folds between them."""
+    found = stations[:1]
+    for before, after in zip(stations, stations[1:], strict=False):
+        if before.point.tangent[-1] * after.point.tangent[-1] < 0:
+            found.append(_station(_fold(curve, before.point, after.point), "fold"))
+        found.append(after)
     return found
 
 

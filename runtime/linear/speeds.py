@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from flexel.base.arrays import Array, ComplexArray
+from flexel.base.errors import PositionError
 from flexel.linear.harmonics import Coefficients, PeriodicVibration
 from flexel.linear.periodic import STALLED, TOLERANCE, vibrating
 from flexel.mechanics.core import Core
@@ -54,6 +55,7 @@ class PeriodicCurve:
     """Periodic motions of a system; y = (real and imaginary parts of X_0…X_k, p), speed = omega exp(sense p)."""
 
     tolerance, stalled = TOLERANCE, STALLED
+    retried: tuple[type[Exception], ...] = (PositionError,)
 
     def __init__(self, system: Core, omega: float, samples: int, harmonics: int, sense: float) -> None:
         self.system, self.omega, self.samples = system, omega, samples

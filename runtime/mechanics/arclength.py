@@ -19,6 +19,7 @@ from flexel.mechanics.newton import newton
 MAX_ITERATIONS = 20
 FEW, GROWTH, CUT = 4, 1.5, 0.7  # after so few iterations the arc grows, after more it is cut
 Equations = TypeVar("Equations")
+Found = TypeVar("Found")
 
 
 class Curve(Protocol[Equations]):
@@ -26,6 +27,7 @@ class Curve(Protocol[Equations]):
 
     tolerance: float
     stalled: float
+    retried: tuple[type[Exception], ...]  # errors of trial points that a shorter step may avoid
 
     def equations(self, y: Array, last: Equations) -> Equations:
         """The equations at y, near a point of the curve where they are known."""
@@ -151,26 +153,34 @@ def follow(
     -------
     float or None
         The last arc length if the curve was not completed.
+
+    Raises
+    ------
+    Errors of trial points that remain with the shortest step.
     """
     arc, low, high = arcs.first, *ends
+
+    def tried(action: Callable[..., Found], *arguments: object) -> Found | None:
+        try:
+            return action(*arguments)
+        except curve.retried:
+            if arc / 2 < arcs.smallest:
+                raise
+            return None
+
     for _ in range(arcs.steps):
         rate = here.tangent[-1]
         end = high if rate > 0 else low
         reach = (end - here.y[-1]) / rate if rate else np.inf
         if reach <= arc:
-            if finish(here.y + reach * here.tangent, here):
+            if tried(finish, here.y + reach * here.tangent, here):
                 return None
             arc = reach
-        found = corrected(
-            curve,
-            here.y + arc * here.tangent,
-            curve.weights(here.equations) * here.tangent,
-            here,
-            arc,
-        )
+        normal = curve.weights(here.equations) * here.tangent
+        found = tried(corrected, curve, here.y + arc * here.tangent, normal, here, arc)
         if found is not None and not low < found.y[-1] < high:
             # the plane of the correction extends beyond the end
-            if finish(found.y, found):
+            if tried(finish, found.y, found):
                 return None
             found = None
         if found is None:

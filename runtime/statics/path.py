@@ -108,6 +108,7 @@ class LoadPath:
     """Equilibria (x, mu) over the parameter p, see `_follow`."""
 
     tolerance, stalled = CONVERGED, STALLED
+    retried: tuple[type[Exception], ...] = ()
 
     def __init__(self, problem: Rest, start: State, mu: Array, times: tuple[float, float]) -> None:
         self.problem, self.nf, self.times = problem, problem.structure.nf, times
