@@ -23,6 +23,8 @@ FIRST, SMALLEST = 0.2, 1e-6  # arc lengths, relative to the largest
 FOLD = 1e-3  # of the distance of two points: accuracy of a fold's place along the curve
 PEAK = 0.05  # the same of a maximum's
 PROMINENCE = 0.004  # of a maximum over the minima beside it
+NEARLY_REAL = 0.9  # real share of a multiplier, above which a maximum of it is looked at
+TILT = 1.0  # weight of the real share beside the modulus
 MULTIPLIERS = 1e-6  # error of the transition matrix
 FAILURES = (PositionError, ConstraintError, DynamicsError, LinearizationError)
 
@@ -42,6 +44,11 @@ class Station:
     def modulus(self) -> float:
         """Of the largest multiplier."""
         return float(np.abs(self.multipliers[0]))
+
+    @property
+    def share(self) -> float:
+        """The real part of the largest multiplier over its modulus."""
+        return float(self.multipliers[0].real) / max(self.modulus, 1e-300)
 
 
 def branch(
@@ -140,16 +147,28 @@ def _with_folds(curve: PeriodicCurve, stations: list[Station]) -> list[Station]:
 
 
 def _with_peaks(curve: PeriodicCurve, stations: list[Station]) -> list[Station]:
-    """The same, with the maxima of the largest multiplier."""
-    tops, _ = find_peaks([z.modulus for z in stations], prominence=PROMINENCE)
+    """The same, with the maxima of the largest multiplier.
+
+    It rises where a pair of multipliers meets on the real axis and parts: perhaps between two motions only.  There the
+    real share of the multiplier has a maximum.
+    """
+    moduli = np.array([z.modulus for z in stations])
+    shares = np.array([abs(z.share) for z in stations])
+    broad = find_peaks(moduli, prominence=PROMINENCE)[0].tolist()
+    tops = dict.fromkeys((i for i in broad if moduli[i - 1] < moduli[i] > moduli[i + 1]), 0.0)
+    heights = moduli + TILT * shares
+    for i in find_peaks(heights)[0].tolist():
+        strict = heights[i - 1] < heights[i] > heights[i + 1]
+        if strict and shares[i] > NEARLY_REAL and not {i - 1, i, i + 1} & tops.keys():
+            tops[i] = TILT
     found = list(stations)
-    for i in reversed(tops):
-        part, peak = _peak(curve, stations[i - 1 : i + 2])
-        first, last = (
-            i + (part > 1),
-            i + (part >= 1),
-        )  # the middle one itself becomes the peak if none is larger
-        found[first:last] = [replace(peak, kind="peak")]
+    for i in sorted(tops, reverse=True):
+        near = stations[i - 1 : i + 2]
+        part, peak = _peak(curve, near, tops[i])
+        if tops[i] and peak.modulus < max(z.modulus for z in near) + PROMINENCE:
+            continue
+        place = slice(i + (part > 1), i + (part >= 1))  # the middle one becomes the peak if none is larger
+        found[place] = [replace(peak, kind="peak")]
     return found
 
 
@@ -171,15 +190,19 @@ def _fold(curve: PeriodicCurve, first: Point[Balanced], last: Point[Balanced]) -
     return _between(curve, first, last, float(part))
 
 
-def _peak(curve: PeriodicCurve, near: list[Station]) -> tuple[float, Station]:
-    """The largest multiplier about the middle one of three motions: its place, 0…2 from the first on; the motion."""
+def _peak(curve: PeriodicCurve, near: list[Station], tilt: float) -> tuple[float, Station]:
+    """The maximum of the largest modulus, plus tilt times the real share, about the middle one of three motions.
+
+    Returns its place, 0…2 from the first motion on, and the motion.
+    """
     known = {float(i): z for i, z in enumerate(near)}
 
-    def at(s: float) -> Station:
+    def height(s: float) -> float:
         if s not in known:
             i = min(int(s), 1)
             known[s] = _station(_between(curve, near[i].point, near[i + 1].point, s - i))
-        return known[s]
+        return known[s].modulus + tilt * abs(known[s].share)
 
-    minimize_scalar(lambda s: -at(float(s)).modulus, bracket=(0.0, 1.0, 2.0), method="brent", tol=PEAK)
-    return max(known.items(), key=lambda z: z[1].modulus)
+    minimize_scalar(lambda s: -height(float(s)), bracket=(0.0, 1.0, 2.0), method="brent", tol=PEAK)
+    place = max(known, key=height)
+    return place, known[place]

@@ -13,6 +13,7 @@ from typing import Self
 
 import numpy as np
 
+from flexel.base.arguments import positive
 from flexel.base.arrays import Array, Index
 from flexel.engine.evaluate import Evaluation
 from flexel.mechanics import dynamics, states
@@ -160,6 +161,7 @@ class Core:
 
         Time is that of the new system: what happened at time t happens at t / factor.
         """
+        factor = positive(factor, "faster", "factor")
         found, c = copy(self), self._start
         found._prepare(self.evaluation, self.loads.faster(factor), self.roles.faster(factor))
         found._start = Moment(c.t / factor, c.x, factor * c.v, c.e, factor * c.ed)

@@ -139,3 +139,13 @@ def test_disturbances_of_both_stable_motions_decay(folded: fx.PeriodicBranch) ->
         found, expected = example.deflection(run, 2), example.deflection(solution.motion, 2)
         off = np.abs(found - expected[0]) / example.largest(expected)
         assert off[-1] < max(0.05 * off.max(), 5e-4)
+
+
+def test_a_narrow_maximum_of_the_multiplier_is_found_between_motions_far_apart() -> None:
+    """A pair of multipliers meets on the negative real axis between 316 and 321 rad/s only."""
+    found = branches.followed(0.02, (312.5, 340.0), step=0.5, elements=2)
+    (peak,) = found.peaks
+    assert np.max(np.delete(found.modulus, peak)[:-1]) < 0.725  # of the others, but for the end
+    assert branches.peaks(found)[0] == pytest.approx((318.4, 0.734), rel=3e-3)
+    assert found.multipliers[peak, 0].imag == 0
+    assert found.multipliers[peak, 0].real < 0
