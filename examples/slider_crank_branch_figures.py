@@ -92,7 +92,8 @@ def floquet(found: Branches, path: Path) -> None:
             _curve(axes, branch, branch.modulus, COLOURS[j], f"damping {100 * zeta:g} %")
             for w, modulus in peaks(branch):
                 axes.plot(w, modulus, "v", ms=6, color=COLOURS[j])
-                axes.annotate(f"{modulus:.3f}", (w, modulus), (8, 3), textcoords="offset points")
+                place = 8, -12 if 0.95 < modulus < 1 else 3  # clear of the line at 1
+                axes.annotate(f"{modulus:.3f}", (w, modulus), place, textcoords="offset points")
             speeds = np.linspace(branch.omega.min(), branch.omega.max(), 200)
             damped = np.exp(-zeta * omega0(CONVERGED) * 2 * np.pi / speeds)
             axes.plot(speeds, damped, ":", color=COLOURS[j], lw=1)
