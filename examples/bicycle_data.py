@@ -70,7 +70,7 @@ MEASURED_SPEEDS: dict[str, dict[str, float | None]] = {
     for name, z in _BIKES.items()
 }
 
-# The talk's own bicycle (Cornell, 1987): no parameters are public, only its stable range [m/s].
+# The talk's own bicycle (Cornell, 1987): its parameters were not found, only its stable range [m/s].
 TALK_RANGE = (4.1, 5.7)
 
 # Manoeuvre M1: rolling upright at 4 m/s with a roll rate of 0.05 rad/s about the ground line.

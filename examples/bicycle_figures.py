@@ -175,7 +175,7 @@ def ranges(results: Results, path: Path) -> None:
         axes.set_xlim(2.5, edge)
         axes.set_xlabel("forward speed [m/s]")
         drawn.suptitle("Where the uncontrolled bicycle is stable: from the weave speed to the capsize speed")
-        drawn.supxlabel("The parameters of the talk's own bicycle (Cornell, 1987) are not public: its bar repeats the "
+        drawn.supxlabel("The parameters of the talk's own bicycle (Cornell, 1987) were not found: its bar repeats the "
                         "stated 4.1 to 5.7 m/s.\nAll other ranges are computed from the bicycles' parameters.",
                         fontsize=9)  # fmt: skip
         save(drawn, path)

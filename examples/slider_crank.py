@@ -113,7 +113,7 @@ def chord(A: Array, B: Array) -> Array:
     return np.asarray(e / np.linalg.norm(e, axis=1)[:, None])
 
 
-def deflection(motion: fx.Motion | periodic.Orbit, elements: int) -> Array:
+def deflection(motion: fx.Motion | periodic.Orbit, elements: int = CONVERGED) -> Array:
     """Deflection of the midpoint over the rod's length (ns,), exact in large displacements."""
     place = motion.coordinates if isinstance(motion, periodic.Orbit) else motion.position
     A, B, mid = (place(z) for z in ("A", f"p{elements}", f"p{elements // 2}"))
@@ -167,15 +167,19 @@ def transient(zeta: float, elements: int = CONVERGED) -> fx.Motion:
     return system.simulate(SECONDS, times=times, method="LSODA", rtol=1e-6, atol=1e-9, progress=False)
 
 
-def family(elements: int, zeta: float) -> tuple[periodic.Orbit, periodic.SpeedFamily]:
+def family(
+    elements: int, zeta: float, second_order: bool = True
+) -> tuple[periodic.Orbit, periodic.SpeedFamily]:
     """A nominal orbit, and the linearized equations at every speed."""
-    orbits = [nominal_orbit(speed, elements, zeta) for speed in (100.0, 200.0, 300.0)]
+    orbits = [
+        nominal_orbit(speed, elements, zeta, second_order=second_order) for speed in (100.0, 200.0, 300.0)
+    ]
     return orbits[0], periodic.SpeedFamily.through(orbits)
 
 
 @dataclass(frozen=True)
 class Sweep:
-    """Over speeds [rad/s]: largest deflection, amplitudes of harmonics 0…6, and Floquet multipliers' moduli.
+    """Over speeds [rad/s]: largest deflection, and amplitudes of harmonics 0…6.
 
     `neglected` is the share of the harmonics left out, `message` where the range ended early and why.
     """
@@ -184,7 +188,6 @@ class Sweep:
     largest: Array
     harmonics: Array
     quasi_static: Array
-    multipliers: Array
     neglected: float
     message: str
 
@@ -207,33 +210,27 @@ def linear_sweep(zeta: float, elements: int = 2, speeds: Array = SPEEDS, harmoni
         np.array([largest(z) for z in series]),
         np.array([amplitudes(z) for z in series]),
         np.array([amplitudes(z[1]) for z in found.results]),
-        np.zeros((0, 0)),
         max(z[2] for z in found.results),
         found.message,
     )
 
 
 def nonlinear_sweep(
-    zeta: float,
-    elements: int = CONVERGED,
-    speeds: tuple[float, ...] = NONLINEAR_SPEEDS,
-    multipliers: bool = False,
+    zeta: float, elements: int = CONVERGED, speeds: tuple[float, ...] = NONLINEAR_SPEEDS
 ) -> Sweep:
-    """Nonlinear periodic motions from speed to speed; their Floquet multipliers if requested."""
+    """Nonlinear periodic motions from speed to speed."""
 
-    def measure(motion: periodic.Orbit, vibration: periodic.PeriodicVibration) -> tuple[Array, Array, float]:
-        w = motion.coefficients.floquet_multipliers(1e-6) if multipliers else np.zeros(0)
-        return deflection(motion, elements), np.abs(w), vibration.error
+    def measure(motion: periodic.Orbit, vibration: periodic.PeriodicVibration) -> tuple[Array, float]:
+        return deflection(motion, elements), vibration.error
 
     system = lambda speed: slider_crank(speed, elements, zeta)  # noqa: E731
     found = periodic.nonlinear_range(system, speeds, HARMONICS, measure)
     return Sweep(
         found.speeds,
-        np.array([largest(z) for z, _, _ in found.results]),
-        np.array([amplitudes(z) for z, _, _ in found.results]),
+        np.array([largest(z) for z, _ in found.results]),
+        np.array([amplitudes(z) for z, _ in found.results]),
         np.zeros((0, 0)),
-        np.array([w for _, w, _ in found.results]),
-        max(z[2] for z in found.results),
+        max(z[1] for z in found.results),
         found.message,
     )
 
@@ -271,7 +268,7 @@ def analyse() -> Results:
         converged_linearized=linearized(data.SPEED, CONVERGED, 0.02),
         second_order=nonlinear(data.SPEED),
         spatial=nonlinear(data.SPEED, spatial=True),
-        swept={z: nonlinear_sweep(z, multipliers=z == 0.02) for z in DAMPING},
+        swept={z: nonlinear_sweep(z) for z in DAMPING},
         swept_linearized={0.02: two, 0.01: linear_sweep(0.01)},
         rows_linearized={z: linear_sweep(z, CONVERGED, speeds, HARMONICS).largest for z in DAMPING},
         seconds=seconds,
@@ -283,12 +280,13 @@ def analyse() -> Results:
 
 def reproduce(out: Path | None = None) -> Report:
     """All quantities beside their reference values; figures in `out`, if given."""
-    from flexel.examples.slider_crank_table import single, sweeps
+    from flexel.examples.slider_crank_branch import analyse_branches
+    from flexel.examples.slider_crank_table import branches, single, sweeps
 
-    results = analyse()
+    results, followed = analyse(), analyse_branches()
     files: list[Path] = []
     if out is not None:
         from flexel.examples.slider_crank_figures import pictures
 
-        files = pictures(results, out)
-    return Report("slider-crank", [*single(results), *sweeps(results)], files)
+        files = pictures(results, followed, out)
+    return Report("slider-crank", [*single(results), *sweeps(results), *branches(followed)], files)

@@ -18,6 +18,19 @@ NOMINAL = "about the nominal motion, the two-element model of periodic_2pct_2el"
 PAIRS = "[cosine, sine] of harmonics 0...6, t = 0 at the stretched dead centre"
 TIMED = "200 speeds, linearized, 2 elements, 12 harmonics, building included; budget 2 s"
 SPACE = "the same model in space, largest difference over the period"
+EXCITED = (
+    "rows of harmonic n; at 1/n of the first frequency, as static deflection/l of the first mode: direct excitation, "
+    "by varying stiffness, together; together/(2 zeta) at 1 % damping, and the amplitude in the linearized sweep"
+)
+ONE = "a multiplier is 1 where the branch turns back"
+TURNS = (
+    "deflections after 1 to 5 turns, simulated from the motions at 257 rad/s on both stable branches; the larger one "
+    "neglects 2e-4"
+)
+FINE = (
+    "the first of fold_speeds_1pct, found with steps half as long; each within 1e-3 of a step along the curve"
+)
+PEAKS = "rows of speed [rad/s], modulus of the largest multiplier, where it has a maximum; unstable above 1"
 TRANSIENT = "inextensible Euler-Bernoulli rod, bending modes converged, 0...0.1 s"
 
 _TABLES = published("slider_crank_flexible")

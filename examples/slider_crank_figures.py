@@ -14,7 +14,9 @@ import numpy as np
 from flexel import View
 from flexel.base.arrays import Array
 from flexel.examples import slider_crank_data as data
-from flexel.examples.slider_crank import CONVERGED, Results, deflection, omega0
+from flexel.examples.slider_crank import CONVERGED, Results, deflection
+from flexel.examples.slider_crank_branch import Branches
+from flexel.examples.slider_crank_branch_figures import excitations, floquet, folds, resonances
 from flexel.linear import periodic
 from flexel.pictures.figures import COLOURS, figure, save
 
@@ -22,7 +24,7 @@ ENLARGED = 4.0  # deflection in the picture of the mechanism
 LABEL = "midpoint deflection / l"
 
 
-def pictures(results: Results, out: Path) -> list[Path]:
+def pictures(results: Results, followed: Branches, out: Path) -> list[Path]:
     """Write all figures into a folder; returns what was written."""
     out.mkdir(parents=True, exist_ok=True)
     names: dict[str, Callable[[Results, Path], None]] = {
@@ -31,12 +33,18 @@ def pictures(results: Results, out: Path) -> list[Path]:
         "slider_crank_periodic.png": motions,
         "slider_crank_sweep.png": sweep,
         "slider_crank_harmonics.png": harmonics,
-        "slider_crank_floquet.png": floquet,
         "slider_crank_motion.html": animation,
     }
     for name, make in names.items():
         make(results, out / name)
-    return [out / name for name in names]
+    more: dict[str, Callable[[Branches, Path], None]] = {
+        "slider_crank_excitation.png": excitations,
+        "slider_crank_fold.png": folds,
+        "slider_crank_floquet.png": floquet,
+    }
+    for name, draw in more.items():
+        draw(followed, out / name)
+    return [out / name for name in (*names, *more)]
 
 
 def shape(motion: Any, k: int) -> tuple[Array, Array]:
@@ -123,16 +131,6 @@ def motions(results: Results, path: Path) -> None:
         save(drawn, path)
 
 
-def resonances(panel: Any, top: float) -> None:
-    """Marks at fractions of the first natural frequency."""
-    w = omega0(CONVERGED)
-    for n in (5, 4, 3):
-        panel.axvline(w / n, color="#999999", lw=0.8, ls="--")
-        panel.text(
-            w / n, top, f"$\\omega_0/{n}$", ha="right", va="top", rotation=90, fontsize=10, color="#444444"
-        )
-
-
 def sweep(results: Results, path: Path) -> None:
     """Largest deflection over the speed: linearized beside nonlinear, as on slide 29."""
     reference = np.array(data.SWEEP)
@@ -173,22 +171,6 @@ def harmonics(results: Results, path: Path) -> None:
             panel.legend(loc="upper left", title="harmonic", ncols=2)
         axes[0].set_ylabel("amplitude of " + LABEL)
         drawn.suptitle("Individual harmonics of the midpoint deflection/l, 2 % damping")
-        save(drawn, path)
-
-
-def floquet(results: Results, path: Path) -> None:
-    """Moduli of the largest Floquet multipliers of the nonlinear periodic motion."""
-    found = results.swept[0.02]
-    w = found.speeds
-    with figure(size=(8.0, 4.4)) as (drawn, axes):
-        axes.plot(w, found.multipliers[:, :2], ".-", color=COLOURS[0])
-        axes.plot([], [], ".-", color=COLOURS[0], label="nonlinear periodic motion, two largest")
-        damped = np.exp(-0.02 * omega0(CONVERGED) * 2 * np.pi / w)
-        axes.plot(w, damped, "--", color=COLOURS[1], lw=1, label="rod at rest: exp(-ζ ω₀ T)")
-        axes.axhline(1, color="#222222", lw=0.8)
-        axes.set(xlabel="crank speed ω [rad/s]", ylabel="modulus", ylim=(0, 1.1))
-        axes.legend(loc="lower right")
-        axes.set_title("Floquet multipliers over the speed, 2 % damping: stable below 1")
         save(drawn, path)
 
 

@@ -10,6 +10,7 @@ import numpy as np
 from flexel.examples import slider_crank_data as data
 from flexel.examples.reasons import ITERATION, STEPS
 from flexel.examples.slider_crank import CONVERGED, Results, amplitudes, deflection, largest, omega0
+from flexel.examples.slider_crank_branch import Branches, peaks
 from flexel.linear import periodic
 from flexel.results.report import Quantity
 
@@ -82,12 +83,33 @@ def sweeps(results: Results) -> list[Quantity]:
         ]
     neglected = max(z.neglected for z in results.swept.values())
     stops = "; ".join(z.message for z in results.swept.values() if z.message)
-    multipliers = float(results.swept[0.02].multipliers.max())
     return [
         *rows,
         Quantity("sweep_seconds", results.seconds, unit="s",
                  source=data.TIMED),
         Quantity("sweep_neglected", neglected, 0.0, 2e-3, "", stops or "share of the harmonics above 16, worst speed",
                  kind="own"),
-        Quantity("largest_floquet_multiplier", multipliers, source="nonlinear, all speeds, 2 %; stable below 1"),
+    ]  # fmt: skip
+
+
+def branches(found: Branches) -> list[Quantity]:
+    """What excites the harmonics; folds and stability of the nonlinear motions over the speed."""
+    one, two = found.followed[0.01], found.followed[0.02]
+    converged = {"elements": CONVERGED}
+    ones = np.ones(len(one.folds))
+    return [
+        Quantity("excitation", found.excited, source=data.EXCITED, more=converged),
+        Quantity("excitation_2el_first_order", found.excited_first_order, source=data.EXCITED, more={"elements": 2}),
+        Quantity("fold_speeds_1pct", one.omega[one.folds], unit="rad/s",
+                 source="the nonlinear motions turn back, by arc length", more=converged),
+        Quantity("fold_speed_1pct_half_steps", found.fold_half_steps, float(one.omega[one.folds[0]]), 1e-8, "rad/s",
+                 data.FINE, converged, kind="own", reason=ITERATION),
+        Quantity("fold_multipliers_1pct", one.modulus[one.folds], ones, 4.5e-4, "", data.ONE, converged,
+                 kind="closed form"),
+        Quantity("branches_minus_simulation_1pct", found.off_simulation, np.zeros(2), 2.4e-4, "",
+                 data.TURNS, converged, kind="own"),
+        Quantity("floquet_peaks_1pct", peaks(one), source=data.PEAKS, more=converged),
+        Quantity("floquet_peaks_2pct", peaks(two), source=data.PEAKS, more=converged),
+        Quantity("largest_floquet_multiplier", float(two.modulus.max()),
+                 source="nonlinear, 2 %, all speeds from 190 to 330 rad/s; stable below 1"),
     ]  # fmt: skip

@@ -14,6 +14,8 @@ TALK = (
     "Schwab, talk on SPACAR: 85 elements, 239 deformations, 70 nodes, 226 coordinates, 10 degrees of freedom"
 )
 TALK_COUNTS = {"elements": 85, "deformations": 239, "nodes": 70, "coordinates": 226, "degrees_of_freedom": 10}
+# 70 nodes with 226 coordinates: three coordinates of a point, four Euler parameters of a frame.
+TALK_NODES = {z: f"the talk's model can only have {n}" for z, n in (("point", 54), ("frame", 16))}
 PAPER = "Frik, Leister, Schwartz (1993) VSD 22 suppl. 215-253, as quoted in ovankerm/IAVSD_ILTIS"
 RERUN = "another program's run, not published (Robotran, ovankerm/IAVSD_ILTIS 81cd42c)"
 RECOMPUTED = (

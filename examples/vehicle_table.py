@@ -68,7 +68,11 @@ def counts(results: Results) -> list[Quantity]:
             kind="published",
         ),
         *(Quantity(z, n, source=f"the talk's model has {data.TALK_COUNTS[z]}") for z, n in sizes.items()),
-    ]
+        *(Quantity(f"{kind}_nodes", sum(z.kind == kind for z in s.nodes), source=data.TALK_NODES[kind])
+          for kind in ("point", "frame")),
+        *(Quantity(z, found[z], source="free coordinates are as many as these conditions and the freedoms")
+          for z in ("free_coordinates", "rigid_deformations", "norms", "prescribed")),
+    ]  # fmt: skip
 
 
 def suspension_forces(state: fx.State) -> dict[str, float]:

@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from flexel.mechanics.stress import BeamStress
     from flexel.model import Model
     from flexel.pictures.scene import View
+    from flexel.results.branch import PeriodicBranch
     from flexel.results.motion import Motion
     from flexel.results.periodic import PeriodicSolution
     from flexel.results.saved.loading import load
@@ -74,6 +75,7 @@ __all__ = [
     "Model",
     "ModelError",
     "Motion",
+    "PeriodicBranch",
     "PeriodicSolution",
     "Polynomial",
     "PositionError",
@@ -126,6 +128,7 @@ _HOMES = {
     "Model": "flexel.model",
     "ModelError": "flexel.base.errors",
     "Motion": "flexel.results.motion",
+    "PeriodicBranch": "flexel.results.branch",
     "PeriodicSolution": "flexel.results.periodic",
     "Polynomial": "flexel.base.time_functions",
     "PositionError": "flexel.base.errors",

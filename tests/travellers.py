@@ -120,6 +120,11 @@ def periodic() -> fx.PeriodicSolution:
     return m.build().periodic(period=np.pi, harmonics=3)
 
 
+def branch() -> fx.PeriodicBranch:
+    """Vibrations of the same over the speed of the force."""
+    return pushed().build().periodic_branch(period=np.pi, end=3.0, harmonics=2)
+
+
 def own_law() -> fx.Model:
     """A mass on a spring of the user's own law."""
     m = fx.Model()
@@ -153,6 +158,7 @@ OBJECTS: dict[str, Callable[[], Any]] = {
     "modes": lambda: motion().system.linearize().modes(),
     "reduced equations": lambda: motion().system.linearize().reduced(motion().system.dynamic),
     "periodic solution": periodic,
+    "periodic branch": branch,
     "buckling": lambda: leaf().buckling(increment={"A.x": -1.0}),
     "vibrations": lambda: leaf().vibrations(count=3),
     "compliance": lambda: leaf().compliance("A", "tip"),

@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
+import warnings
+
 import numpy as np
 
 from flexel.base.arguments import positive
-from flexel.base.errors import ModelError
+from flexel.base.errors import IncompleteWarning, ModelError
 from flexel.integration.outcome import Integration, States
+from flexel.linear.branch import branch
+from flexel.linear.harmonics import PeriodicVibration
 from flexel.linear.periodic import periodic_motion
 from flexel.mechanics.core import Core
+from flexel.results.branch import PeriodicBranch
 from flexel.results.motion import Motion
 from flexel.results.periodic import PeriodicSolution
+from flexel.structure.state import State
 
 
 class PeriodicMotions(Core):
@@ -46,10 +52,79 @@ class PeriodicMotions(Core):
             A period or a number of harmonics that is not positive; or as `flexel.linear.periodic.periodic_motion`.
         """
         period = positive(period, "periodic", "period")
-        if not isinstance(harmonics, (int, np.integer)) or harmonics < 1:
-            raise ModelError(f"periodic: {harmonics!r} harmonics requested; give a whole number, 1 or more")
+        _check_harmonics(harmonics, "periodic")
         X = None if start is None else start.vibration.X
         orbit, vibration = periodic_motion(self, period, harmonics, X, samples, accuracy)
-        counts = {"samples": len(orbit.states), "harmonics": harmonics}
-        motion = Motion(self, Integration(States(orbit.states), [], [], counts, "periodic"))
-        return PeriodicSolution(motion, vibration)
+        return _solution(self, orbit.states, vibration)
+
+    def periodic_branch(
+        self,
+        start: PeriodicSolution | None = None,
+        *,
+        period: float,
+        end: float,
+        harmonics: int,
+        step: float = 0.2,
+        most: int = 500,
+        samples: int | None = None,
+    ) -> PeriodicBranch:
+        """Branch of periodic motions while prescribed motions and loads run ever faster or slower, by arc length.
+
+        The branch is followed past folds, through stable and unstable motions, until its period is `end` or again
+        `period`.  Folds, and maxima of the largest Floquet multiplier, are located between the motions.
+
+        Parameters
+        ----------
+        start : PeriodicSolution, optional
+            A solution with this period and as many harmonics to start from; as for `periodic` by default.
+        period : float
+            That of prescribed motions and loads [s]; there the branch starts.
+        end : float
+            Another period [s]: there the system runs period / end times as fast.
+        harmonics : int
+            Number of harmonics of the Fourier series.
+        step : float
+            Largest change from motion to motion: of the degrees of freedom, relative to their amplitudes (root mean
+            square), together with five times that of the speed, relative as well.
+        most : int
+            Largest number of steps.
+        samples : int, optional
+            Times in the period; 4 per harmonic and 4 more by default.
+
+        Raises
+        ------
+        ModelError, PositionError, LinearizationError
+            As `periodic`; equal periods; a law that depends on time itself.
+
+        Warns
+        -----
+        IncompleteWarning
+            If the branch cannot be continued: what was found is returned, and ``message`` says where and why it
+            stopped.
+        """
+        last, step = positive(end, "periodic_branch", "end"), positive(step, "periodic_branch", "step")
+        if last == period:
+            raise ModelError(f"periodic_branch: both periods are {last:g} s; give another end")
+        first = self.periodic(start, period=period, harmonics=harmonics, samples=samples)
+        X, ns = first.vibration.X, first.vibration.coefficients.samples
+        stations, message = branch(self, period, last, X, ns, step, most)
+        if message:
+            warnings.warn(message, IncompleteWarning, stacklevel=2)
+        found = [z.point.equations for z in stations]
+        solutions = [_solution(z.system, z.states, z.vibration) for z in found]
+        return PeriodicBranch(
+            solutions, np.array([z.multipliers for z in stations]), [z.kind for z in stations], message
+        )
+
+
+def _check_harmonics(harmonics: object, owner: str) -> None:
+    if not isinstance(harmonics, (int, np.integer)) or harmonics < 1:
+        raise ModelError(f"{owner}: {harmonics!r} harmonics requested; give a whole number, 1 or more")
+
+
+def _solution(system: Core, states: list[State], vibration: PeriodicVibration) -> PeriodicSolution:
+    """The result for one period."""
+    counts = {"samples": len(states), "harmonics": vibration.harmonics}
+    return PeriodicSolution(
+        Motion(system, Integration(States(states), [], [], counts, "periodic")), vibration
+    )

@@ -112,6 +112,26 @@ def _finite(values: tuple[float, float, float], owner: str, t: float) -> tuple[f
 
 
 @dataclass(frozen=True)
+class Faster(Constant):
+    """u(factor t): a function of time that runs `factor` times as fast."""
+
+    function: TimeFunction
+    factor: float
+
+    def rates(self, t: float) -> tuple[float, float, float]:
+        """Value, first and second rate at time t [s]."""
+        u, v, a = self.function.rates(self.factor * t)
+        return u, self.factor * v, self.factor**2 * a
+
+
+def faster(function: TimeFunction, factor: float) -> TimeFunction:
+    """The function run `factor` times as fast; a constant is returned as it is."""
+    if isinstance(function, Polynomial) and len(function.coefficients) == 1:
+        return function
+    return Faster(function, factor)
+
+
+@dataclass(frozen=True)
 class Polynomial:
     """u(t) = c0 + c1 t + c2 t^2 + …"""
 

@@ -20,6 +20,7 @@ CASES = {
     "bicycle": "flexel.examples.bicycle",
     "beams": "flexel.examples.beams",
     "cardan": "flexel.examples.cardan",
+    "cylinder": "flexel.examples.cylinder",
     "slider-crank": "flexel.examples.slider_crank",
     "flexures": "flexel.examples.flexures",
     "rope": "flexel.examples.rope",

@@ -10,6 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 from flexel.base.arrays import Array, ComplexArray
+from flexel.base.blas import one_thread
 from flexel.base.errors import LinearizationError
 
 _R = np.sqrt(6.0)
@@ -47,15 +48,17 @@ def multipliers(omega: float, M: Array, C: Array, K: Array, tolerance: float) ->
     rates[:, :nd, :nd] = -np.linalg.solve(M, C) / omega
     rates[:, :nd, nd:] = -np.linalg.solve(M, K) / omega**2
     rates[:, nd:, :nd] = np.eye(nd)
-    steps, last, change = FIRST, transition(rates, FIRST), np.inf
-    while steps < MOST:
-        steps *= 2
-        new = transition(rates, steps)
-        change = float(np.abs(new - last).max()) / 31 / max(float(np.abs(new).max()), 1.0)
-        last = new
-        if change < tolerance:
-            w = np.linalg.eigvals(new).astype(complex)
-            return np.asarray(w[np.lexsort((w.imag, -np.round(np.abs(w), 11)))])
+    steps, change = FIRST, np.inf
+    with one_thread():
+        last = transition(rates, FIRST)
+        while steps < MOST:
+            steps *= 2
+            new = transition(rates, steps)
+            change = float(np.abs(new - last).max()) / 31 / max(float(np.abs(new).max()), 1.0)
+            last = new
+            if change < tolerance:
+                w = np.linalg.eigvals(new).astype(complex)
+                return np.asarray(w[np.lexsort((w.imag, -np.round(np.abs(w), 11)))])
     raise LinearizationError(
         f"Floquet multipliers at {omega:g} rad/s: the transition matrix is accurate to {change:.1g} with {MOST} steps, "
         f"{tolerance:.1g} was requested; the period is long compared with the vibrations"

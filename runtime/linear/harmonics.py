@@ -13,6 +13,7 @@ import numpy as np
 from scipy.linalg import get_lapack_funcs
 
 from flexel.base.arrays import Array, ComplexArray
+from flexel.base.blas import one_thread
 from flexel.base.errors import LinearizationError
 from flexel.linear import floquet
 
@@ -104,30 +105,41 @@ class Coefficients:
             Too few samples for the harmonics; a singular balance (a resonance without damping); too few harmonics
             for the accuracy; the attribute ``reached`` holds the best solution.
         """
+        X = self.responses(harmonics, self.F)[0]
+        found = self.vibration(X)
+        if accuracy is not None and found.error > accuracy:
+            error = LinearizationError(
+                f"{harmonics} harmonics at {self.omega:g} rad/s neglect about {found.error:.2g} of the largest "
+                f"amplitude; {accuracy:g} was requested: take more harmonics"
+            )
+            error.reached = found  # type: ignore[attr-defined]
+            raise error
+        return found
+
+    def responses(self, harmonics: int, *forces: Array) -> ComplexArray:
+        """Fourier coefficients (forces, 2 harmonics + 1, nd) of the responses to periodic forces (ns, nd) each."""
         k, nd, ns = harmonics, self.F.shape[1], self.samples
         if k < 0 or ns < 4 * k + 1:
             raise LinearizationError(
                 f"{k} harmonics need {4 * k + 1} samples of the coefficients; there are {ns}: take more samples"
             )
         order = np.arange(-k, k + 1)
-        M, C, K, F = (np.fft.fft(z, axis=0) / ns for z in (self.M, self.C, self.K, self.F))
+        M, C, K = (np.fft.fft(z, axis=0) / ns for z in (self.M, self.C, self.K))
         shift = (order[:, None] - order[None, :]) % ns
         iw = 1j * self.omega * order
         A = M[shift] * (iw**2)[None, :, None, None] + C[shift] * iw[None, :, None, None] + K[shift]
         matrix = A.transpose(0, 2, 1, 3).reshape((2 * k + 1) * nd, (2 * k + 1) * nd)
-        X = self._solve(matrix, F[order % ns].reshape(-1)).reshape(2 * k + 1, nd)
-        found = PeriodicVibration(self, X, self._neglected(X, M, C, K))
-        if accuracy is not None and found.error > accuracy:
-            error = LinearizationError(
-                f"{k} harmonics at {self.omega:g} rad/s neglect about {found.error:.2g} of the largest amplitude; "
-                f"{accuracy:g} was requested: take more harmonics"
-            )
-            error.reached = found  # type: ignore[attr-defined]
-            raise error
-        return found
+        F = np.fft.fft(np.array(forces), axis=1)[:, order % ns] / ns
+        with one_thread():
+            found = self._solve(matrix, F.reshape(len(forces), -1).T)
+        return np.asarray(found.T.reshape(len(forces), 2 * k + 1, nd))
+
+    def vibration(self, X: ComplexArray) -> PeriodicVibration:
+        """The vibration with these Fourier coefficients (2k + 1, nd), and an estimate of what they neglect."""
+        return PeriodicVibration(self, X, self._neglected(X))
 
     def _solve(self, matrix: ComplexArray, rhs: ComplexArray) -> ComplexArray:
-        """Solution of the balance, rows and columns scaled by the diagonal."""
+        """Solutions of the balance for columns, its rows and columns scaled by the diagonal."""
         scale = 1 / np.sqrt(np.maximum(np.abs(matrix).max(axis=1), 1e-300))
         matrix = scale[:, None] * matrix * scale
         lu, pivots, info = _getrf(matrix)
@@ -137,9 +149,9 @@ class Coefficients:
                 f"harmonic balance at {self.omega:g} rad/s is singular: a resonance without damping, or a degree of "
                 f"freedom without stiffness, among {', '.join(self.names)}; add damping, or omit this speed"
             )
-        return np.asarray(scale * _getrs(lu, pivots, scale * rhs)[0])
+        return np.asarray(scale[:, None] * _getrs(lu, pivots, scale[:, None] * rhs)[0])
 
-    def _neglected(self, X: ComplexArray, M: ComplexArray, C: ComplexArray, K: ComplexArray) -> float:
+    def _neglected(self, X: ComplexArray) -> float:
         """Amplitude of the neglected harmonics: the response to their residual with the mean coefficients."""
         k = X.shape[0] // 2
         w = PeriodicVibration(self, X, 0.0)
@@ -150,7 +162,8 @@ class Coefficients:
             return 0.0
         R = np.fft.fft(r, axis=0)[j] / self.samples
         s = 1j * self.omega * j[:, None, None]
-        driven = np.linalg.solve(s * s * M[0] + s * C[0] + K[0], R[..., None])[..., 0]
+        M, C, K = (z.mean(axis=0) for z in (self.M, self.C, self.K))
+        driven = np.linalg.solve(s * s * M + s * C + K, R[..., None])[..., 0]
         return float(2 * np.abs(driven).max(axis=1).sum())
 
     def quasi_static(self) -> Array:

@@ -71,6 +71,18 @@ class Orbit:
         found[:, free] = [lin.transfer.G[places[free], :nd] for lin in self.linearizations]
         return found
 
+    def force_by_speed(self) -> Array:
+        """Derivative (ns, nd) of F by the logarithm of the speed at which the motion is run through.
+
+        All rates are proportional to the speed and all second rates to its square; loads depend on the phase alone.
+        """
+        found = np.zeros_like(self.coefficients.F)
+        for i, (state, lin) in enumerate(zip(self.states, self.linearizations, strict=True)):
+            own, given = state.roles.dynamic, state.roles.prescribed
+            for quantities, M, C in ((own, lin.M, lin.C), (given, lin.M_u, lin.C_u)):
+                found[i] -= 2 * M @ state.Phi_v[quantities] + C @ state.rates[quantities]
+        return found
+
     def displacements(self, node: str, q: Array) -> Array:
         """Small displacements (ns, …) of a node in a vibration q (ns, nd) about the orbit, to first order."""
         return np.asarray(np.einsum("sij,sj->si", self.sensitivity(node), q))

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Generic, TypeVar
 
 import numpy as np
@@ -20,6 +20,7 @@ from flexel.base.errors import FlexelError, IncompleteWarning, LinearizationErro
 from flexel.linear.harmonics import Coefficients, PeriodicVibration, cosine_sine, fourier_sum, refined
 from flexel.linear.orbits import Orbit, orbit
 from flexel.mechanics.core import Core
+from flexel.mechanics.newton import newton
 
 __all__ = [
     "Coefficients",
@@ -37,6 +38,8 @@ __all__ = [
 ]
 
 TOLERANCE = 1e-9  # largest last change, relative to the largest amplitude; convergence is quadratic
+STALLED = 1e-7  # the same, when rounding prevents further progress
+USELESS = 1e6  # a change so much larger leads nowhere
 MAX_ITERATIONS = 30
 HALVINGS = 4  # halvings of a step in speed
 Result = TypeVar("Result")
@@ -77,27 +80,44 @@ def periodic_motion(
         If the harmonics are too few for the accuracy; the attribute ``reached`` holds the solution.
     """
     ns, k = samples or 4 * harmonics + 4, harmonics
-    omega, size = 2 * np.pi / period, np.inf
     if start is None:
-        X = np.array(orbit(system, period, ns).coefficients.harmonic_balance(k).X)
-        X[k] += system.at_rest.q
+        first = np.array(orbit(system, period, ns).coefficients.harmonic_balance(k).X)
+        first[k] += system.at_rest.q
     else:
-        X = np.array(start)
-    for _ in range(MAX_ITERATIONS):
-        found = orbit(system, period, ns, lambda t, X=X: fourier_sum(X, omega, t - system.at_rest.t))  # type: ignore[misc]
-        step = found.coefficients.harmonic_balance(k)
-        size, last = float(np.abs(step.X).max()), size
-        X = X + step.X
-        if size > 1e3 * last or not np.isfinite(size):
-            break
-        if size < TOLERANCE * max(float(np.abs(X).max()), 1e-3):
-            vibration = PeriodicVibration(found.coefficients, X, step.neglected)
-            _check(vibration, accuracy)
-            return found, vibration
-    raise PositionError(
-        f"no periodic motion found at {omega:g} rad/s with {k} harmonics in {MAX_ITERATIONS} iterations (last change "
-        f"{size:.2g}): start from the solution at a nearby speed, or take more harmonics"
-    )
+        first = np.array(start)
+
+    def evaluate(X: ComplexArray) -> tuple[tuple[Orbit, ComplexArray], float]:
+        motion = vibrating(system, X, period, ns)
+        step = motion.coefficients.responses(k, motion.coefficients.F)[0]
+        return (motion, step), relative_size(step, X)
+
+    def move(X: ComplexArray, equations: tuple[Orbit, ComplexArray]) -> ComplexArray | None:
+        step = equations[1]
+        return None if relative_size(step, X) > USELESS else X + step
+
+    found = newton(first, evaluate, move, tolerance=TOLERANCE, stalled=STALLED, most=MAX_ITERATIONS)
+    motion, step = found.equations
+    if not found.converged:
+        raise PositionError(
+            f"no periodic motion found at {2 * np.pi / period:g} rad/s with {k} harmonics in {found.iterations} "
+            f"iterations (last change {np.abs(step).max():.2g}): start from the solution at a nearby speed, or take "
+            "more harmonics"
+        )
+    vibration = motion.coefficients.vibration(step)
+    vibration = replace(vibration, X=found.point + step)
+    _check(vibration, accuracy)
+    return motion, vibration
+
+
+def relative_size(change: ComplexArray, X: ComplexArray) -> float:
+    """The largest change of a Fourier coefficient, relative to the largest of them."""
+    return float(np.abs(change).max()) / max(float(np.abs(X).max()), 1e-3)
+
+
+def vibrating(system: Core, X: ComplexArray, period: float, samples: int) -> Orbit:
+    """The motion whose degrees of freedom have the Fourier coefficients X (2k + 1, nd), and its residual force."""
+    t0, omega = system.at_rest.t, 2 * np.pi / period
+    return orbit(system, period, samples, lambda t: fourier_sum(X, omega, t - t0))
 
 
 def _check(vibration: PeriodicVibration, accuracy: float | None) -> None:

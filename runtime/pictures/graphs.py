@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from flexel.linear.harmonics import PeriodicVibration
+    from flexel.results.branch import PeriodicBranch
     from flexel.results.motion import Motion
 
 
@@ -199,3 +200,22 @@ def harmonic_amplitudes(vibration: PeriodicVibration) -> Array:
     amplitude = 2 * np.abs(vibration.X[k:])
     amplitude[0] /= 2
     return np.asarray(amplitude)
+
+
+def plot_branch(branch: PeriodicBranch, names: Sequence[str], path: str | Path | None = None) -> Figure:
+    """Largest magnitudes of quantities, and the largest Floquet multiplier, over the speed; unstable motions dashed."""
+    rows = [(branch.largest(name), name, branch[0].unit(name)) for name in names]
+    rows.append((branch.modulus, "largest multiplier", ""))
+    w = branch.omega
+    with figure(len(rows), size=(8.0, 1.2 + 2.2 * len(rows)), sharex=True, squeeze=False) as (drawn, axes):
+        for panel, (values, name, unit) in zip(axes[:, 0], rows, strict=True):
+            for part, stable in branch.stretches:
+                panel.plot(w[part], values[part], "-" if stable else "--", color=COLOURS[0])
+            panel.plot(w[branch.folds], values[branch.folds], "o", color=COLOURS[1], label="fold")
+            panel.set_ylabel(f"{name} [{unit}]" if unit else name)
+        axes[-1, 0].axhline(1, color="#222222", lw=0.8)
+        axes[-1, 0].set_xlabel("speed [rad/s]")
+        if branch.folds:
+            axes[0, 0].legend(loc="upper left")
+    save(drawn, path)
+    return drawn

@@ -1,13 +1,13 @@
 """Search for equilibria, and load paths past limit points.
 
 A path is followed by arc length: either the residual at the start is removed (loads applied incrementally), or
-time is the load parameter.  Source: Crisfield (1981) for the arc
-length.
+time is the load parameter.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -15,14 +15,13 @@ from flexel.base.arguments import names, number
 from flexel.base.arrays import Array, Index
 from flexel.base.errors import ModelError, PositionError
 from flexel.engine.finite import TangentError
+from flexel.mechanics.arclength import Arcs, Point, follow, point_at
 from flexel.mechanics.core import Core
 from flexel.mechanics.diagnose import quoted
-from flexel.mechanics.newton import newton
-from flexel.statics.equilibrium import CONVERGED, MAX_ITERATIONS, STALLED, STEP, Equations, Rest, solve
+from flexel.statics.equilibrium import CONVERGED, STALLED, STEP, Equations, Rest, solve
 from flexel.structure.state import State
 
-FIRST_ARC, LARGEST_ARC, SMALLEST_ARC = 0.1, 0.5, 1e-7
-MAX_STEPS = 500
+ARCS = Arcs(first=0.1, largest=0.5, smallest=1e-7, steps=500)
 
 
 def equilibrium(system: Core, t: float | None, start: State, hold: Sequence[str] = ()) -> State:
@@ -71,123 +70,83 @@ def _follow(problem: Rest, start: State, mu: Array, t0: float, t1: float) -> tup
     At p the time is t0 + p (t1 - t0), and the fraction 1 - p of the start's residual remains.
     Returns the states and, if the end was not reached, a message with the place and the reason.
     """
-    first = problem.equations(t0, start.x, mu, start.e)
-    states = [problem.state(first.balance)]
+    curve = LoadPath(problem, start, mu, (t0, t1))
+    states = [problem.state(curve.first.rest.balance)]
+    last = 0.0
+
+    def keep(point: Point[Loaded]) -> None:
+        nonlocal last
+        last = float(point.y[-1])
+        states.append(problem.state(point.equations.rest.balance))
+
+    def finish(guess: Array, near: Point[Loaded]) -> bool:
+        nf = problem.structure.nf
+        x = np.concatenate([guess[:nf], start.x[nf:]])
+        found = solve(problem, t1, x, guess[nf:-1], near.equations.rest.balance.e)
+        if found is not None:
+            states.append(problem.state(found[0].balance))
+        return found is not None
+
     try:
-        return states, _extend(problem, states, first, start, mu, (t0, t1))
+        first = point_at(curve, np.append(curve.start, 0.0), curve.first)
+        arc = follow(curve, first, (-np.inf, 1.0), ARCS, keep, finish)
     except TangentError as error:
         return states, f"the path stopped at t = {states[-1].t:g} s after {len(states)} equilibria: {error}"
+    return states, "" if arc is None else _stopped(problem, states, last, arc)
 
 
-def _extend(
-    problem: Rest, states: list[State], first: Equations, start: State, mu: Array, times: tuple[float, float]
-) -> str:
-    """Append the equilibria that follow the first; returns the message of a path that stopped."""
-    nf, (t0, t1) = problem.structure.nf, times
-    unbalance = first.residual
-    z, p, arc = np.concatenate([start.x[:nf], mu]), 0.0, FIRST_ARC
-    near, here = start.e, first
-    direction: Array | None = None
-    count = 0
-    while p < 1.0:
-        count += 1
-        slope = _slope(problem, here, unbalance, t1 - t0)
-        tangent = _unit_tangent(problem, slope, direction)
-        reach = (1.0 - p) / tangent[-1] if tangent[-1] > 0 else np.inf
-        if reach <= arc:
-            end = _at_end(problem, start, z + reach * tangent[:-1], t1, near)
-            if end is not None:
-                states.append(end)
-                return ""
-            arc = reach
-        corrected = _correct(problem, start, z, p, arc, tangent, unbalance, times, near)
-        if (
-            corrected is not None and corrected[2] >= 1.0
-        ):  # the plane of the correction extends beyond the end
-            end = _at_end(problem, start, corrected[1], t1, corrected[0].balance.e)
-            if end is not None:
-                states.append(end)
-                return ""
-            corrected = None
-        if corrected is None:
-            arc /= 2
-            if arc < SMALLEST_ARC or count > MAX_STEPS:
-                return _stopped(problem, states, p, arc)
-            continue
-        here, z, p, iterations = corrected
-        near, direction = here.balance.e, tangent
-        states.append(problem.state(here.balance))
-        arc = min(arc * (1.5 if iterations <= 4 else 0.7), LARGEST_ARC)
-        if count > MAX_STEPS:
-            return _stopped(problem, states, p, arc)
-    return ""
+@dataclass(frozen=True)
+class Loaded:
+    """The equations at a point of a load path."""
+
+    rest: Equations
+    residual: Array  # without the part of the start's residual that remains
+    rate: Array  # derivative by the parameter
 
 
-def _at_end(problem: Rest, start: State, guess: Array, t1: float, near: Array) -> State | None:
-    """The equilibrium at the end of a path, from coordinates and multipliers near it; None if Newton fails."""
-    nf = problem.structure.nf
-    found = solve(problem, t1, np.concatenate([guess[:nf], start.x[nf:]]), guess[nf:], near)
-    return None if found is None else problem.state(found[0].balance)
+class LoadPath:
+    """Equilibria (x, mu) over the parameter p, see `_follow`."""
 
+    tolerance, stalled = CONVERGED, STALLED
+    retried: tuple[type[Exception], ...] = ()
 
-def _slope(problem: Rest, q: Equations, unbalance: Array, span: float) -> Array:
-    """Derivative of (x, mu) with respect to the parameter p."""
-    rate = unbalance.copy()
-    if span:
-        rate += span * problem.rate(q)
-    return -q.matrix.solve(rate)
+    def __init__(self, problem: Rest, start: State, mu: Array, times: tuple[float, float]) -> None:
+        self.problem, self.nf, self.times = problem, problem.structure.nf, times
+        self.held = start.x[self.nf :]
+        self.start = np.concatenate([start.x[: self.nf], mu])
+        rest = problem.equations(times[0], start.x, mu, start.e)
+        self.unbalance = rest.residual
+        self.first = self._loaded(rest, 0.0)
+        self._weights = np.concatenate([problem.x_scale**-2.0, np.zeros(mu.size), [1.0]])
 
+    def _loaded(self, rest: Equations, p: float) -> Loaded:
+        rate, span = self.unbalance.copy(), self.times[1] - self.times[0]
+        if span:
+            rate += span * self.problem.rate(rest)
+        return Loaded(rest, rest.residual - (1.0 - p) * self.unbalance, rate)
 
-def _unit_tangent(problem: Rest, slope: Array, before: Array | None) -> Array:
-    """Tangent (x, mu, p) of unit arc length, in the direction of the previous step."""
-    nf = problem.structure.nf
-    change = slope[:nf] / problem.x_scale
-    tangent = np.append(slope, 1.0) / np.sqrt(float(change @ change) + 1.0)
-    if before is not None:
-        sense = (tangent[:nf] / problem.x_scale) @ (before[:nf] / problem.x_scale) + tangent[-1] * before[-1]
-        if sense < 0:
-            tangent = -tangent
-    return np.asarray(tangent)
+    def equations(self, y: Array, last: Loaded) -> Loaded:
+        """The equations at (x, mu, p); turns are counted from the last point."""
+        x, p, (t0, t1) = np.concatenate([y[: self.nf], self.held]), float(y[-1]), self.times
+        rest = self.problem.equations(t0 + p * (t1 - t0), x, y[self.nf : -1], last.rest.balance.e)
+        return self._loaded(rest, p)
 
+    def error(self, equations: Loaded) -> float:
+        """Size of the residual in natural scales."""
+        return self.problem.size(equations.rest, equations.residual)
 
-def _correct(
-    problem: Rest,
-    start: State,
-    z: Array,
-    p: float,
-    arc: float,
-    tangent: Array,
-    unbalance: Array,
-    times: tuple[float, float],
-    near: Array,
-) -> tuple[Equations, Array, float, int] | None:
-    """Newton's method on (x, mu, p) in the plane normal to the tangent at the predicted point."""
-    nf, (t0, t1) = problem.structure.nf, times
-    normal = np.concatenate([tangent[:nf] / problem.x_scale**2, np.zeros(z.size - nf), tangent[-1:]])
-    predicted = np.append(z, p) + arc * tangent
+    def solve(self, equations: Loaded) -> Array:
+        """Solutions for the residual and for its derivative by the parameter."""
+        both = np.column_stack([equations.residual, equations.rate])
+        return np.asarray(equations.rest.matrix.solve(both))
 
-    def evaluate(y: Array) -> tuple[tuple[Equations, Array], float]:
-        x = np.concatenate([y[:nf], start.x[nf:]])
-        q = problem.equations(t0 + y[-1] * (t1 - t0), x, y[nf:-1], near)
-        residual = q.residual - (1.0 - y[-1]) * unbalance
-        return (q, residual), problem.size(q, residual)
+    def weights(self, _: Loaded) -> Array:
+        """Coordinates in their natural scales and the parameter, without the multipliers."""
+        return self._weights
 
-    def move(y: Array, equations: tuple[Equations, Array]) -> Array | None:
-        q, residual = equations
-        rate = unbalance + (t1 - t0) * problem.rate(q)
-        both = q.matrix.solve(np.column_stack([residual, rate]))
-        # bordered elimination: (x, mu) = -both0 - both1 dp, and the step stays in the plane
-        gap = normal @ (y - predicted)
-        bottom = normal[-1] - normal[:-1] @ both[:, 1]
-        dp = (normal[:-1] @ both[:, 0] - gap) / bottom
-        step = np.append(-both[:, 0] - both[:, 1] * dp, dp)
-        return None if problem.extent(step) > STEP + arc else y + step
-
-    limits = {"tolerance": CONVERGED, "stalled": STALLED}
-    found = newton(predicted, evaluate, move, **limits, most=MAX_ITERATIONS)
-    if not found.converged:
-        return None
-    return found.equations[0], found.point[:-1], float(found.point[-1]), found.iterations
+    def allows(self, step: Array, arc: float) -> bool:
+        """Whether no coordinate changes too much."""
+        return self.problem.extent(step) <= STEP + arc
 
 
 def _stopped(problem: Rest, states: list[State], p: float, arc: float) -> str:

@@ -9,7 +9,7 @@ import numpy as np
 
 from flexel.base.arrays import Array, Index
 from flexel.base.copies import Constant
-from flexel.base.time_functions import TimeFunction
+from flexel.base.time_functions import TimeFunction, faster
 
 
 @dataclass(frozen=True)
@@ -68,6 +68,10 @@ class Roles(Constant):
     def motion(self, t: float) -> Array:
         """Value, first and second rate (3, prescribed) of the prescribed motions at time t."""
         return np.array([f.rates(t) for f in self.motions]).reshape(-1, 3).T
+
+    def faster(self, factor: float) -> Roles:
+        """The same with prescribed motions that run `factor` times as fast."""
+        return replace(self, motions=tuple(faster(f, factor) for f in self.motions))
 
     def with_dofs(self, dynamic: Index, kinematic: Index) -> Roles:
         """The same constraints with another choice of coordinates."""

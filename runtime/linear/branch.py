@@ -1,0 +1,208 @@
+"""Branches of nonlinear periodic motions over the speed, past folds, with their stability.
+
+Folds, and maxima of the largest Floquet multiplier, are located between the points of the branch.  Source: Seydel,
+"Practical bifurcation and stability analysis" (2010), for turning points and their location.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.optimize import brentq, minimize_scalar
+from scipy.signal import find_peaks
+
+from flexel.base.arrays import Array, ComplexArray
+from flexel.base.errors import ConstraintError, DynamicsError, LinearizationError, PositionError
+from flexel.linear.speeds import Balanced, PeriodicCurve
+from flexel.mechanics.arclength import Arcs, Point, corrected, follow, point_at
+from flexel.mechanics.core import Core
+from flexel.structure.state import State
+
+FIRST, SMALLEST = 0.2, 1e-6  # arc lengths, relative to the largest
+FOLD = 1e-3  # of the distance of two points: accuracy of a fold's place along the curve
+PEAK = 0.05  # the same of a maximum's
+PROMINENCE = 0.004  # of a maximum over the minima beside it
+NEARLY_REAL = 0.9  # real share of a multiplier, above which a maximum of it is looked at
+TILT = 1.0  # weight of the real share beside the modulus
+MULTIPLIERS = 1e-6  # error of the transition matrix
+FAILURES = (PositionError, ConstraintError, DynamicsError, LinearizationError)
+
+
+@dataclass(frozen=True)
+class Station:
+    """A motion of a branch with its Floquet multipliers (2 nd,).
+
+    Its kind is "", "end", "fold", or "peak" where the largest multiplier has a maximum.
+    """
+
+    point: Point[Balanced]
+    multipliers: ComplexArray
+    kind: str = ""
+
+    @property
+    def modulus(self) -> float:
+        """Of the largest multiplier."""
+        return float(np.abs(self.multipliers[0]))
+
+    @property
+    def share(self) -> float:
+        """The real part of the largest multiplier over its modulus."""
+        return float(self.multipliers[0].real) / max(self.modulus, 1e-300)
+
+
+def branch(
+    system: Core, period: float, end: float, start: ComplexArray, samples: int, step: float, most: int
+) -> tuple[list[Station], str]:
+    """The branch of periodic motions from one period to another; see `System.periodic_branch`.
+
+    Parameters
+    ----------
+    period, end : float
+        [s]
+    start : ndarray of complex (2k + 1, nd)
+        Fourier coefficients of the motion at the start.
+    samples : int
+        Times in a period.
+    step : float
+        Largest arc length.
+    most : int
+        Number of steps.
+
+    Returns
+    -------
+    list of Station, str
+        In order along the branch; why it stopped early, if it did.
+
+    Raises
+    ------
+    LinearizationError
+        If a law depends on time, not only on the motion.
+    """
+    p_end, sense = float(abs(np.log(period / end))), 1.0 if end < period else -1.0
+    curve = PeriodicCurve(system, 2 * np.pi / period, samples, start.shape[0] // 2, sense)
+    y = np.append(curve.pack(start), 0.0)
+    first = curve.equations(y, None)
+    _check_laws(system, first.states[0])
+    points = [point_at(curve, y, first)]
+    level = np.append(np.zeros(y.size - 1), 1.0)
+
+    def finish(guess: Array, near: Point[Balanced]) -> bool:
+        goal = np.append(guess[:-1], p_end if guess[-1] > p_end / 2 else 0.0)
+        found = corrected(curve, goal, level, near, step)
+        if found is not None:
+            points.append(found)
+        return found is not None
+
+    arcs, message = Arcs(FIRST * step, step, SMALLEST * step, most), ""
+    try:
+        arc = follow(curve, points[0], (0.0, p_end), arcs, points.append, finish)
+        if arc is not None:
+            message = (
+                f"{len(points)} motions were found, the last step is {arc:.2g}: permit more or smaller steps"
+            )
+    except FAILURES as error:
+        message = str(error)
+    if message:
+        speed = curve.omega * np.exp(sense * points[-1].y[-1])
+        message = f"the branch stopped at {speed:g} rad/s: {message}"
+    stations = [_station(z, "end" if i in (0, len(points) - 1) else "") for i, z in enumerate(points)]
+    try:
+        stations = _with_folds(curve, stations)
+        stations = _with_peaks(curve, stations)
+    except FAILURES as error:
+        message = f"{message}; folds and maxima are missing: {error}".removeprefix("; ")
+    return stations, message
+
+
+def _check_laws(system: Core, state: State) -> None:
+    """Check that the stresses of laws are the same at another time."""
+
+    def stress(t: float) -> Array:
+        work = system.evaluation.at(t, state.x, state.v, z=state.z, near=state.e)
+        work.laws()
+        return work.law_stress.copy()
+
+    change = np.abs(stress(state.t + 1.0) - stress(state.t))
+    if change.any():
+        i = int(np.argmax(change))
+        raise LinearizationError(
+            f"periodic_branch: the law of '{system.structure.names[i]}' depends on time, and its speed is not known; "
+            "use a load or a prescribed motion"
+        )
+
+
+def _station(point: Point[Balanced], kind: str = "") -> Station:
+    return Station(point, point.equations.coefficients.floquet_multipliers(MULTIPLIERS), kind)
+
+
+def _with_folds(curve: PeriodicCurve, stations: list[Station]) -> list[Station]:
+    """The same, with the folds between them."""
+    found = stations[:1]
+    for before, after in zip(stations, stations[1:], strict=False):
+        if before.point.tangent[-1] * after.point.tangent[-1] < 0:
+            found.append(_station(_fold(curve, before.point, after.point), "fold"))
+        found.append(after)
+    return found
+
+
+def _with_peaks(curve: PeriodicCurve, stations: list[Station]) -> list[Station]:
+    """The same, with the maxima of the largest multiplier.
+
+    It rises where a pair of multipliers meets on the real axis and parts: perhaps between two motions only.  There the
+    real share of the multiplier has a maximum.
+    """
+    moduli = np.array([z.modulus for z in stations])
+    shares = np.array([abs(z.share) for z in stations])
+    broad = find_peaks(moduli, prominence=PROMINENCE)[0].tolist()
+    tops = dict.fromkeys((i for i in broad if moduli[i - 1] < moduli[i] > moduli[i + 1]), 0.0)
+    heights = moduli + TILT * shares
+    for i in find_peaks(heights)[0].tolist():
+        strict = heights[i - 1] < heights[i] > heights[i + 1]
+        if strict and shares[i] > NEARLY_REAL and not {i - 1, i, i + 1} & tops.keys():
+            tops[i] = TILT
+    found = list(stations)
+    for i in sorted(tops, reverse=True):
+        near = stations[i - 1 : i + 2]
+        part, peak = _peak(curve, near, tops[i])
+        if tops[i] and peak.modulus < max(z.modulus for z in near) + PROMINENCE:
+            continue
+        place = slice(i + (part > 1), i + (part >= 1))  # the middle one becomes the peak if none is larger
+        found[place] = [replace(peak, kind="peak")]
+    return found
+
+
+def _between(
+    curve: PeriodicCurve, first: Point[Balanced], last: Point[Balanced], part: float
+) -> Point[Balanced]:
+    """The point of the curve that lies the given part of the way from one point to another."""
+    chord, weights = last.y - first.y, curve.weights(first.equations)
+    arc = float(np.sqrt(weights @ chord**2))
+    found = corrected(curve, first.y + part * chord, weights * chord, first, arc)
+    if found is None:
+        raise PositionError("periodic_branch: no motion found between two neighbours: take smaller steps")
+    return found
+
+
+def _fold(curve: PeriodicCurve, first: Point[Balanced], last: Point[Balanced]) -> Point[Balanced]:
+    """The point between two where the speed turns back."""
+    part = brentq(lambda s: _between(curve, first, last, s).tangent[-1], 0.0, 1.0, xtol=FOLD)
+    return _between(curve, first, last, float(part))
+
+
+def _peak(curve: PeriodicCurve, near: list[Station], tilt: float) -> tuple[float, Station]:
+    """The maximum of the largest modulus, plus tilt times the real share, about the middle one of three motions.
+
+    Returns its place, 0…2 from the first motion on, and the motion.
+    """
+    known = {float(i): z for i, z in enumerate(near)}
+
+    def height(s: float) -> float:
+        if s not in known:
+            i = min(int(s), 1)
+            known[s] = _station(_between(curve, near[i].point, near[i + 1].point, s - i))
+        return known[s].modulus + tilt * abs(known[s].share)
+
+    minimize_scalar(lambda s: -height(float(s)), bracket=(0.0, 1.0, 2.0), method="brent", tol=PEAK)
+    place = max(known, key=height)
+    return place, known[place]

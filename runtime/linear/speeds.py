@@ -1,0 +1,110 @@
+"""The curve of nonlinear periodic motions over the speed at which prescribed motions and loads run.
+
+The unknowns are the Fourier coefficients of the degrees of freedom, and the logarithm of the speed; the derivative by
+the speed is analytic.  Source: Cameron and Griffin (1989).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from flexel.base.arrays import Array, ComplexArray
+from flexel.base.errors import PositionError
+from flexel.linear.harmonics import Coefficients, PeriodicVibration
+from flexel.linear.periodic import STALLED, TOLERANCE, vibrating
+from flexel.mechanics.core import Core
+from flexel.structure.state import State
+
+SPEED = 5.0  # an arc of 0.1 is a change of the speed by 2 %, or of the motion by 10 %
+FLOOR = 1e-3  # smallest amplitude that matters, in natural scales
+
+
+@dataclass(frozen=True)
+class Balanced:
+    """The harmonic balance at one point: the motion, and the solutions for its residual and for its rate by the speed.
+
+    Attributes
+    ----------
+    system : Core
+        At its speed.
+    states : list of State
+    coefficients : Coefficients
+    X : ndarray of complex (2k + 1, nd)
+    both : ndarray (n, 2)
+    amplitudes : ndarray (n,)
+        Scale of each unknown.
+    """
+
+    system: Core
+    states: list[State]
+    coefficients: Coefficients
+    X: ComplexArray
+    both: Array
+    amplitudes: Array
+
+    @property
+    def vibration(self) -> PeriodicVibration:
+        """The Fourier series with its linearized equations."""
+        remainder = self.coefficients.vibration(np.zeros_like(self.X))  # what is left of the residual
+        return replace(remainder, X=self.X)
+
+
+class PeriodicCurve:
+    """Periodic motions of a system; y = (real and imaginary parts of X_0…X_k, p), speed = omega exp(sense p)."""
+
+    tolerance, stalled = TOLERANCE, STALLED
+    retried: tuple[type[Exception], ...] = (PositionError,)
+
+    def __init__(self, system: Core, omega: float, samples: int, harmonics: int, sense: float) -> None:
+        self.system, self.omega, self.samples = system, omega, samples
+        self.k, self.sense, self.nd = harmonics, sense, system.roles.nd
+        self.floor = FLOOR * system.kinematics.scales(system.roles.dynamic)
+
+    def pack(self, X: ComplexArray) -> Array:
+        """The unknowns of Fourier coefficients; both halves of a series say the same."""
+        half = X[self.k :]
+        return np.concatenate([half.real.ravel(), half[1:].imag.ravel()])
+
+    def unpack(self, z: Array) -> ComplexArray:
+        """The Fourier coefficients (2k + 1, nd) of the unknowns."""
+        real, imaginary = np.split(z, [(self.k + 1) * self.nd])
+        half = real.reshape(-1, self.nd).astype(complex)
+        half[1:] += 1j * imaginary.reshape(-1, self.nd)
+        return np.concatenate([half[:0:-1].conj(), half])
+
+    def equations(self, y: Array, last: Balanced | None) -> Balanced:
+        """The balance at y."""
+        factor, X = float(np.exp(self.sense * y[-1])), self.unpack(y[:-1])
+        system = self.system.faster(factor)
+        orbit = vibrating(system, X, 2 * np.pi / (self.omega * factor), self.samples)
+        forces = orbit.coefficients.F, self.sense * orbit.force_by_speed()
+        both = np.column_stack([-self.pack(z) for z in orbit.coefficients.responses(self.k, *forces)])
+        return Balanced(system, orbit.states, orbit.coefficients, X, both, self._amplitudes(X))
+
+    def _amplitudes(self, X: ComplexArray) -> Array:
+        """For each unknown the root mean square of its degree of freedom's oscillation."""
+        oscillation = np.delete(X, self.k, axis=0)
+        size = np.maximum(np.sqrt((np.abs(oscillation) ** 2).sum(axis=0)), self.floor)
+        return np.tile(size, 2 * self.k + 1)
+
+    def weights(self, equations: Balanced) -> Array:
+        """The mean square over the degrees of freedom of their relative changes; of the speed, relative too."""
+        both_halves = np.concatenate([np.ones(self.nd), np.full(2 * self.k * self.nd, 2.0)])
+        return np.append(both_halves / equations.amplitudes**2 / max(self.nd, 1), SPEED**2)
+
+    def error(self, equations: Balanced) -> float:
+        """The shortest way to the curve, by the linearized balance."""
+        weights, (residual, rate) = self.weights(equations), equations.both.T
+        dp = -(weights[:-1] * residual) @ rate / (weights[:-1] @ rate**2 + weights[-1])
+        step = np.append(residual + rate * dp, dp)
+        return float(np.sqrt(weights @ step**2))
+
+    def solve(self, equations: Balanced) -> Array:
+        """Solutions for the residual and for its derivative by the parameter."""
+        return equations.both
+
+    def allows(self, step: Array, arc: float) -> bool:
+        """Whether the speed changes by no more than a few arcs."""
+        return bool(np.isfinite(step).all() and abs(step[-1]) * SPEED < 4 * arc)

@@ -1,0 +1,194 @@
+"""Curves of solutions followed by arc length, past folds where their parameter turns back: one method for all analyses.
+
+A curve is where n equations r(z, p) = 0 hold in n unknowns z and a parameter p.  From each point a step of given arc
+length leads along the tangent; Newton's method returns to the curve in the plane normal to it.  Steps that fail are
+halved.  Source: Crisfield (1981).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Generic, Protocol, TypeVar
+
+import numpy as np
+
+from flexel.base.arrays import Array
+from flexel.mechanics.newton import newton
+
+MAX_ITERATIONS = 20
+FEW, GROWTH, CUT = 4, 1.5, 0.7  # after so few iterations the arc grows, after more it is cut
+Equations = TypeVar("Equations")
+Found = TypeVar("Found")
+
+
+class Curve(Protocol[Equations]):
+    """The equations of a curve; y = (z, p) is a vector (n + 1,) with the parameter at its end."""
+
+    tolerance: float
+    stalled: float
+    retried: tuple[type[Exception], ...]  # errors of trial points that a shorter step may avoid
+
+    def equations(self, y: Array, last: Equations) -> Equations:
+        """The equations at y, near a point of the curve where they are known."""
+        ...
+
+    def error(self, equations: Equations) -> float:
+        """Size of their residual in natural scales."""
+        ...
+
+    def solve(self, equations: Equations) -> Array:
+        """A⁻¹ r and A⁻¹ ∂r/∂p as columns (n, 2), with A = ∂r/∂z."""
+        ...
+
+    def weights(self, equations: Equations) -> Array:
+        """Factors (n + 1,) of the squares of small changes of y in the square of the arc length, near a point."""
+        ...
+
+    def allows(self, step: Array, arc: float) -> bool:
+        """Whether a step (n + 1,) of Newton's method is short enough to be of use, after an arc of this length."""
+        ...
+
+
+@dataclass(frozen=True)
+class Point(Generic[Equations]):
+    """A point of a curve.
+
+    Attributes
+    ----------
+    y : ndarray (n + 1,)
+    equations
+    tangent : ndarray (n + 1,)
+        Of unit arc length; its last entry is the change of the parameter, zero at a fold.
+    iterations : int
+        Evaluations that led to it.
+    """
+
+    y: Array
+    equations: Equations
+    tangent: Array
+    iterations: int = 0
+
+
+@dataclass(frozen=True)
+class Arcs:
+    """Arc lengths of steps, and the number of steps after which a curve is given up."""
+
+    first: float
+    largest: float
+    smallest: float
+    steps: int
+
+
+def point_at(
+    curve: Curve[Equations], y: Array, equations: Equations, before: Array | None = None, iterations: int = 0
+) -> Point[Equations]:
+    """The point with these equations; its tangent leads on like the one before, at first to a larger parameter."""
+    slope, weights = -curve.solve(equations)[:, 1], curve.weights(equations)
+    tangent = np.append(slope, 1.0)
+    tangent /= np.sqrt(float(weights @ tangent**2))
+    if before is not None and (weights * tangent) @ before < 0:
+        tangent = -tangent
+    return Point(y, equations, tangent, iterations)
+
+
+def corrected(
+    curve: Curve[Equations], guess: Array, normal: Array, near: Point[Equations], arc: float
+) -> Point[Equations] | None:
+    """The point of the curve in the plane through a guess, by Newton's method; None if it does not converge.
+
+    Parameters
+    ----------
+    guess : ndarray (n + 1,)
+    normal : ndarray (n + 1,)
+        Of the plane: all y with normal · (y - guess) = 0.
+    near : Point
+        A point nearby.
+    arc : float
+        Distance of the guess from it.
+    """
+
+    def evaluate(y: Array) -> tuple[Equations, float]:
+        found = curve.equations(y, near.equations)
+        return found, curve.error(found)
+
+    def move(y: Array, equations: Equations) -> Array | None:
+        both = curve.solve(equations)
+        # bordered elimination: z = -both0 - both1 dp, and the step stays in the plane
+        bottom = normal[-1] - normal[:-1] @ both[:, 1]
+        dp = (normal[:-1] @ both[:, 0] - normal @ (y - guess)) / bottom
+        step = np.append(-both[:, 0] - both[:, 1] * dp, dp)
+        return y + step if curve.allows(step, arc) else None
+
+    limits = {"tolerance": curve.tolerance, "stalled": curve.stalled}
+    found = newton(guess, evaluate, move, **limits, most=MAX_ITERATIONS)
+    if not found.converged:
+        return None
+    return point_at(curve, found.point, found.equations, near.tangent, found.iterations)
+
+
+def follow(
+    curve: Curve[Equations],
+    here: Point[Equations],
+    ends: tuple[float, float],
+    arcs: Arcs,
+    keep: Callable[[Point[Equations]], None],
+    finish: Callable[[Array, Point[Equations]], bool],
+) -> float | None:
+    """Follow a curve until its parameter reaches an end.
+
+    Parameters
+    ----------
+    here : Point
+        The start.
+    ends : (float, float)
+        Parameters below and above at which the curve ends.
+    arcs : Arcs
+    keep : callable(point)
+        Called with each further point.
+    finish : callable(guess, point)
+        Called near an end, with a guess of y there and the last point; returns whether the solution was found.
+
+    Returns
+    -------
+    float or None
+        The last arc length if the curve was not completed.
+
+    Raises
+    ------
+    Errors of trial points that remain with the shortest step.
+    """
+    arc, low, high = arcs.first, *ends
+
+    def tried(action: Callable[..., Found], *arguments: object) -> Found | None:
+        try:
+            return action(*arguments)
+        except curve.retried:
+            if arc / 2 < arcs.smallest:
+                raise
+            return None
+
+    for _ in range(arcs.steps):
+        rate = here.tangent[-1]
+        end = high if rate > 0 else low
+        reach = (end - here.y[-1]) / rate if rate else np.inf
+        if reach <= arc:
+            if tried(finish, here.y + reach * here.tangent, here):
+                return None
+            arc = reach
+        normal = curve.weights(here.equations) * here.tangent
+        found = tried(corrected, curve, here.y + arc * here.tangent, normal, here, arc)
+        if found is not None and not low < found.y[-1] < high:
+            # the plane of the correction extends beyond the end
+            if tried(finish, found.y, found):
+                return None
+            found = None
+        if found is None:
+            arc /= 2
+            if arc < arcs.smallest:
+                return arc
+            continue
+        here = found
+        keep(here)
+        arc = min(arc * (GROWTH if here.iterations <= FEW else CUT), arcs.largest)
+    return arc

@@ -1,0 +1,116 @@
+"""A branch of periodic motions over the speed as a result: amplitudes, folds, stability, pictures, tables."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexel.base.arrays import Array, ComplexArray
+from flexel.linear.harmonics import refined
+from flexel.results.periodic import PeriodicSolution
+from flexel.results.saved.record import require
+
+
+class PeriodicBranch:
+    """Periodic motions in order along a branch; ``branch[i]`` is a `PeriodicSolution`.
+
+    Attributes
+    ----------
+    solutions : list of PeriodicSolution
+    multipliers : ndarray of complex (n, 2 nd)
+        Floquet multipliers of each, largest modulus first.
+    kinds : list of str
+        For each "", "end", "fold" where the speed turns back, or "peak" where the largest multiplier has a maximum.
+    message : str
+        Where and why the branch stopped early; empty if it is complete.
+    """
+
+    def __init__(
+        self, solutions: list[PeriodicSolution], multipliers: ComplexArray, kinds: list[str], message: str
+    ) -> None:
+        self.solutions, self.multipliers, self.kinds, self.message = solutions, multipliers, kinds, message
+
+    def __len__(self) -> int:
+        """Number of motions."""
+        return len(self.solutions)
+
+    def __getitem__(self, i: int) -> PeriodicSolution:
+        """The motion of that number."""
+        return self.solutions[i]
+
+    def __iter__(self) -> Iterator[PeriodicSolution]:
+        """The motions in order."""
+        return iter(self.solutions)
+
+    @property
+    def omega(self) -> Array:
+        """Angular frequencies (n,) [rad/s]."""
+        return np.array([z.omega for z in self.solutions])
+
+    @property
+    def folds(self) -> list[int]:
+        """Numbers of the motions at folds."""
+        return [i for i, kind in enumerate(self.kinds) if kind == "fold"]
+
+    @property
+    def peaks(self) -> list[int]:
+        """Numbers of the motions where the largest multiplier has a maximum."""
+        return [i for i, kind in enumerate(self.kinds) if kind == "peak"]
+
+    @property
+    def modulus(self) -> Array:
+        """Modulus (n,) of the largest Floquet multiplier."""
+        return np.asarray(np.abs(self.multipliers[:, 0]))
+
+    @property
+    def stable(self) -> NDArray[np.bool_]:
+        """Whether small disturbances of each motion decay (n,); not at a fold."""
+        return np.array([z < 1 and kind != "fold" for z, kind in zip(self.modulus, self.kinds, strict=True)])
+
+    @property
+    def stretches(self) -> list[tuple[slice, bool]]:
+        """Parts of the branch that are stable or unstable throughout; neighbours share a motion."""
+        inner = self.stable | np.array([kind == "fold" for kind in self.kinds])
+        steps = (inner[:-1] & inner[1:]).tolist()
+        ends = [0, *(i for i in range(1, len(steps)) if steps[i] != steps[i - 1]), len(steps)]
+        return [(slice(i, j + 1), steps[i]) for i, j in zip(ends, ends[1:], strict=False) if j > i]
+
+    def largest(self, name: str) -> Array:
+        """Largest magnitude (n,) of a quantity over the period, of each motion; names as for `Motion`."""
+        return np.array([np.abs(refined(z[name])).max() for z in self.solutions])
+
+    def harmonics(self, name: str) -> ComplexArray:
+        """Complex amplitudes (n, k + 1) of a degree of freedom, as in `PeriodicSolution.harmonics`."""
+        return np.array([z.harmonics(name) for z in self.solutions])
+
+    def plot(self, *names: str, path: str | Path | None = None) -> Any:
+        """Largest magnitudes and multipliers over the speed, unstable motions dashed (needs matplotlib).
+
+        Parameters
+        ----------
+        *names : str
+            Quantities; the degrees of freedom by default.
+        path : path, optional
+            Where to write the figure.
+        """
+        from flexel.pictures.graphs import plot_branch
+
+        return plot_branch(self, names or self.solutions[0].dofs, path)
+
+    def to_pandas(self, *names: str) -> Any:
+        """A pandas.DataFrame: speed, kind, stability, largest multiplier, share of neglected harmonics, and the
+        largest magnitude of each name (the degrees of freedom by default).
+        """
+        pandas = require("pandas", "xarray")
+        own = {
+            "omega": self.omega,
+            "kind": self.kinds,
+            "stable": self.stable,
+            "modulus": self.modulus,
+            "neglected": [z.vibration.error for z in self.solutions],
+        }
+        return pandas.DataFrame(own | {z: self.largest(z) for z in names or self.solutions[0].dofs})
