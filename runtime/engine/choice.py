@@ -149,10 +149,7 @@ class Choice(Struct):
 
         These are pivot orders, and rates of fixed coordinates that a user's state may have had.
         """
-        for name in ("P", "A"):
-            lib.flexel_matrix_reset(ffi.addressof(self.struct, name))
-        self.struct.predict = 0
-        self.work.v[self._free :] = self.work.a[self._free :] = 0.0
+        lib.flexel_reset(*self._pair)
 
     # -- calls: see explicit.h; each returns zero or the code of what failed ------------------------
 
@@ -180,27 +177,25 @@ class Choice(Struct):
         """How much coordinates change per unit of the degrees of freedom, in natural scales; after `directions`."""
         return float(lib.flexel_reach(*self._pair))
 
-    def rates_for(self, b: Array) -> Array:
-        """Rates (nf, columns) for those of rigid and prescribed quantities, slips and dynamic degrees of freedom."""
-        b = np.ascontiguousarray(b)
-        x, space = np.empty_like(b), np.empty(2 * b.size)
-        pointers = (ffi.from_buffer("double[]", z) for z in (b, x, space))
-        if b.size:
-            lib.flexel_rates_for(*self._pair, b.shape[1], *pointers)
-        return x
-
-    def positions_for(self, b: Array) -> Array:
-        """Coordinates (nf, columns) for changes of the rows of the position problem."""
-        b = np.ascontiguousarray(b)
-        x, space = np.empty_like(b), np.empty(b.size)
-        pointers = (ffi.from_buffer("double[]", z) for z in (b, x, space))
-        if b.size:
-            lib.flexel_matrix_solve(self.P, b.shape[1], *pointers)
-        return x
+    def unit_rates(self, rows: Index) -> Array:
+        """Rates (r, nd) of quantities for unit rates of the dynamic degrees of freedom, after `velocity`; not with many."""
+        found, own = np.empty((rows.size, int(self.struct.nd))), rows.astype(np.int32)
+        if found.size:
+            lib.flexel_unit_rates(
+                *self._pair, rows.size, ffi.from_buffer("int[]", own), ffi.from_buffer("double[]", found)
+            )
+        return found
 
     def complete(self, driven: bool) -> int:
         """Forces, accelerations and multipliers at x, v, z and near of the workspace."""
         return int(lib.flexel_complete(*self._pair, driven))
+
+    def reactions(self) -> tuple[Array, Array]:
+        """Stresses (m + k,) and reactions (n,) after `complete`."""
+        s = self.work.tables.structure
+        both = np.empty(s.m + s.k), np.empty(s.n)
+        lib.flexel_reactions(*self._pair, *(self.work.pointer_of(z) for z in both))
+        return both
 
     def forces(self) -> None:
         """Given forces at x, v, z and near of the workspace."""

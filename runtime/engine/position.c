@@ -135,6 +135,22 @@ int flexel_velocity(flexel_work *s, flexel_choice *c)
     return FLEXEL_DONE;
 }
 
+void flexel_unit_rates(const flexel_work *s, const flexel_choice *c, size_t count, const int *rows, double *out)
+{
+    for (size_t i = 0; i < count; i++)
+        flexel_row(s, rows[i], c->G, c->columns, c->nd, out + i * c->nd);
+}
+
+/* y -= z x for a number of columns that is a multiple of four */
+static inline void subtract(size_t count, double z, const double *restrict x, double *restrict y)
+{
+    for (size_t j = 0; j < count; j += 4)
+#pragma omp simd
+        for (size_t i = 0; i < 4; i++)
+            y[j + i] -= z * x[j + i];
+}
+
+FLEXEL_CLONES
 void flexel_rates_for(const flexel_work *s, const flexel_choice *c, size_t count, const double *b, double *x, double *work)
 {
     const size_t held = c->nr + c->np, nk = c->nk, nd = c->nd, columns = c->columns, first = c->saddle ? 0 : nd;
@@ -151,10 +167,8 @@ void flexel_rates_for(const flexel_work *s, const flexel_choice *c, size_t count
     memset(w, 0, nk * count * sizeof(double));
     for (size_t i = 0; i < nk; i++)
         for (size_t k = 0; k < nk; k++)
-            for (size_t j = 0; j < count; j++)
-                w[i * count + j] -= c->inverse[i * nk + k] * missing[k * count + j];
+            subtract(count, c->inverse[i * nk + k], missing + k * count, w + i * count);
     for (size_t i = 0; i < s->nf; i++)
         for (size_t k = 0; k < nk; k++)
-            for (size_t j = 0; j < count; j++)
-                x[i * count + j] += c->G[i * columns + first + k] * w[k * count + j];
+            subtract(count, -c->G[i * columns + first + k], w + k * count, x + i * count);
 }

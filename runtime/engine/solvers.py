@@ -16,8 +16,23 @@ from flexel.base.arrays import Array
 
 _getrf: Any = get_lapack_funcs("getrf", dtype=np.float64)
 _getrs: Any = get_lapack_funcs("getrs", dtype=np.float64)
+_gelsy: Any = get_lapack_funcs("gelsy", dtype=np.float64)
 _splu: Any = splu
 _issparse: Any = issparse
+
+
+def least(A: Array, b: Array, rcond: float) -> Array:
+    """The smallest x that makes the squares of A x - b least, for a small matrix (r, n) and a vector (r,).
+
+    Singular values below `rcond` of the largest count as zero.
+    """
+    r, n = A.shape
+    if not A.size:
+        return np.zeros(n)
+    padded = np.zeros(max(r, n))
+    padded[:r] = b
+    found: Array = _gelsy(A, padded, np.zeros(n, dtype=np.int32), rcond, 64 * (r + n + 1))[1]
+    return found[:n]
 
 
 class Factorization:

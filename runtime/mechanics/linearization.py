@@ -124,15 +124,20 @@ class Linearization(Portable):
                     f"reduced: '{name}' is not a dynamic degree of freedom; name some of {self.dynamic}"
                 )
         i = [self.dynamic.index(name) for name in names]
-        for matrix, label in ((self.M, "M"), (self.C, "C"), (self.K, "K"), (self.Z, "Z")):
-            block = matrix[i]
-            columns = self.internal if label == "Z" else self.dofs[: matrix.shape[1]]
-            for j, name in enumerate(columns):
-                largest = float(np.max(np.abs(self.K[i] if label == "Z" else block)))
-                if name not in names and np.max(np.abs(block[:, j])) > tolerance * largest:
+        sizes = np.abs(np.hstack([self.M, self.C, self.K, self.Z])[i]).max(axis=0).tolist()
+        for label, columns in (
+            ("M", self.dynamic),
+            ("C", self.dynamic),
+            ("K", self.dofs),
+            ("Z", self.internal),
+        ):
+            found, sizes = sizes[: len(columns)], sizes[len(columns) :]
+            largest = max(found) if label != "Z" else largest  # of K
+            for size, name in zip(found, columns, strict=True):
+                if name not in names and size > tolerance * largest:
                     raise LinearizationError(
                         f"{tuple(names)} are not decoupled: '{name}' enters through {label} "
-                        f"({np.max(np.abs(block[:, j])):.3g}); include it, or use the full state matrix"
+                        f"({size:.3g}); include it, or use the full state matrix"
                     )
         grid = np.ix_(i, i)
         return Reduced(tuple(names), self.M[grid], self.C[grid], self.K[grid])

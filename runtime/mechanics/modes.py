@@ -67,8 +67,10 @@ class Reduced:
     def state_matrix(self) -> Array:
         """First-order form for (q', q)."""
         n = len(self.names)
-        top = -np.linalg.solve(self.M, np.hstack([self.C, self.K]))
-        return np.vstack([top, np.hstack([np.eye(n), np.zeros((n, n))])])
+        A = np.zeros((2 * n, 2 * n))
+        A[:n, :n], A[:n, n:], A[n:, :n] = self.C, self.K, np.eye(n)
+        A[:n] = -np.linalg.solve(self.M, A[:n])
+        return A
 
     def eigenvalues(self) -> ComplexArray:
         """The 2 n eigenvalues [1/s], sorted by real, then imaginary part."""
