@@ -178,7 +178,7 @@ class Choice(Struct):
         return float(lib.flexel_reach(*self._pair))
 
     def unit_rates(self, rows: Index) -> Array:
-        """Rates (r, nd) of quantities for unit rates of the dynamic degrees of freedom, after `velocity`; not with many."""
+        """Rates (r, nd) of quantities for unit rates of the dynamic degrees of freedom, after `velocity`; if few."""
         found, own = np.empty((rows.size, int(self.struct.nd))), rows.astype(np.int32)
         if found.size:
             lib.flexel_unit_rates(

@@ -67,7 +67,10 @@ class Linearizer(Struct):
         """Derivatives and transfer functions at complete states of the model."""
         given = np.array([np.concatenate([(z.t,), z.x, z.v, z.a, z.z, z.e, z.stresses]) for z in states])
         count = given.shape[0]
-        found = np.empty((count, self._derivatives[-1][0].stop)), np.empty((count, self._transfer[-1][0].stop))
+        found = (
+            np.empty((count, self._derivatives[-1][0].stop)),
+            np.empty((count, self._transfer[-1][0].stop)),
+        )
         factors, space, code = np.empty((count, *self._factors)), np.empty(self._space), ffi.new("int *")
         pointers = (ffi.from_buffer("double[]", z) for z in (given, *found, factors, space))
         done = lib.flexel_linearize(choice.work.struct, choice.struct, self.struct, count, *pointers, code)

@@ -24,7 +24,7 @@ _issparse: Any = issparse
 def least(A: Array, b: Array, rcond: float) -> Array:
     """The smallest x that makes the squares of A x - b least, for a small matrix (r, n) and a vector (r,).
 
-    Singular values below `rcond` of the largest count as zero.
+    Columns that depend on others up to `rcond` of the largest count as dependent.
     """
     r, n = A.shape
     if not A.size:

@@ -114,8 +114,8 @@ class Workspace(Fields):
         return out
 
     def state(self) -> tuple[list[Array], list[float]]:
-        """A copy of the complete state: x, v, a (n), e (m), rates and accelerations of all quantities (m + k + n), z, dz/dt
-        (nz); kinetic, potential and strain energy, and dissipated power.
+        """A copy of the complete state: x, v, a (n), e (m), rates and accelerations of all quantities (m + k + n), z,
+        dz/dt (nz); kinetic, potential and strain energy, and dissipated power.
         """
         out = np.empty(self._state[-1].stop + 4)
         lib.flexel_state(self.struct, self.pointer_of(out))

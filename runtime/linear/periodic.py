@@ -11,13 +11,21 @@ from __future__ import annotations
 import warnings
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Generic, TypeVar
+from functools import cached_property
+from typing import Any, Generic, TypeVar
 
 import numpy as np
 
 from flexel.base.arrays import Array, ComplexArray
 from flexel.base.errors import FlexelError, IncompleteWarning, LinearizationError, PositionError
-from flexel.linear.harmonics import Coefficients, PeriodicVibration, cosine_sine, fourier_sum, refined
+from flexel.linear.harmonics import (
+    Coefficients,
+    PeriodicVibration,
+    cosine_sine,
+    fourier_sum,
+    refined,
+    spectrum,
+)
 from flexel.linear.orbits import Orbit, orbit
 from flexel.mechanics.core import Core
 
@@ -151,9 +159,20 @@ class SpeedFamily:
         """Coefficients at a speed [rad/s], which must be positive."""
         if not 0 < omega < np.inf:
             raise LinearizationError(f"a speed of {omega:g} rad/s has no period; give positive speeds")
-        powers = np.array([1.0, omega, omega**2])
-        C, K, F = (np.tensordot(powers[: len(z)], z, axes=1) for z in (self.C, self.K, self.F))
-        return Coefficients(omega, self.M, C, K, F, self.names)
+        C, K, F = (_at(z, omega) for z in (self.C, self.K, self.F))
+        M, *others = self._spectra
+        return Coefficients(omega, self.M, C, K, F, self.names, known=(M, *(_at(z, omega) for z in others)))
+
+    @cached_property
+    def _spectra(self) -> list[ComplexArray]:
+        """Fourier coefficients of M (ns, nd, nd), and of the polynomials' coefficients of C, K and F."""
+        return [spectrum(self.M), *(np.array([spectrum(y) for y in z]) for z in (self.C, self.K, self.F))]
+
+
+def _at(polynomial: Any, omega: float) -> Any:
+    """Value of a polynomial with arrays as coefficients (degree + 1, …)."""
+    powers = omega ** np.arange(len(polynomial))
+    return (powers @ polynomial.reshape(len(polynomial), -1)).reshape(polynomial.shape[1:])
 
 
 @dataclass(frozen=True)

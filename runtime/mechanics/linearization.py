@@ -20,7 +20,7 @@ from flexel.base.copies import Portable
 from flexel.base.errors import LinearizationError, ModelError
 from flexel.base.units import rate_unit
 from flexel.engine.derivatives import Derivatives, Tangents
-from flexel.mechanics.modes import Mode, Reduced, modes_of, sort_eigenvalues
+from flexel.mechanics.modes import Mode, Reduced, check_decoupled, modes_of, sort_eigenvalues
 from flexel.mechanics.transfer import Transfer
 from flexel.structure.state import State
 
@@ -124,21 +124,9 @@ class Linearization(Portable):
                     f"reduced: '{name}' is not a dynamic degree of freedom; name some of {self.dynamic}"
                 )
         i = [self.dynamic.index(name) for name in names]
-        sizes = np.abs(np.hstack([self.M, self.C, self.K, self.Z])[i]).max(axis=0).tolist()
-        for label, columns in (
-            ("M", self.dynamic),
-            ("C", self.dynamic),
-            ("K", self.dofs),
-            ("Z", self.internal),
-        ):
-            found, sizes = sizes[: len(columns)], sizes[len(columns) :]
-            largest = max(found) if label != "Z" else largest  # of K
-            for size, name in zip(found, columns, strict=True):
-                if name not in names and size > tolerance * largest:
-                    raise LinearizationError(
-                        f"{tuple(names)} are not decoupled: '{name}' enters through {label} "
-                        f"({size:.3g}); include it, or use the full state matrix"
-                    )
+        rows = np.hstack([self.M, self.C, self.K, self.Z])[i]
+        columns = {"M": self.dynamic, "C": self.dynamic, "K": self.dofs, "Z": self.internal}
+        check_decoupled(names, columns, np.abs(rows).max(axis=0).tolist(), tolerance)
         grid = np.ix_(i, i)
         return Reduced(tuple(names), self.M[grid], self.C[grid], self.K[grid])
 

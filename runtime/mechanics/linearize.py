@@ -51,9 +51,7 @@ def linearize_all(kinematics: Kinematics, states: Sequence[State]) -> list[Linea
         if (lowest <= 0).any():
             raise massless(structure, roles, matrices[int(np.argmax(lowest <= 0))][:, : roles.nd])
     parts = zip(states, matrices, transfers, strict=True)
-    return [
-        _assembled(kinematics, *part, linearizer.derivatives(found, i)) for i, part in enumerate(parts)
-    ]
+    return [_assembled(kinematics, *part, linearizer.derivatives(found, i)) for i, part in enumerate(parts)]
 
 
 def _assembled(
@@ -67,7 +65,9 @@ def _assembled(
     G, first, second, rolling = transfer
     X = Transfer(G[:, : nq + nu], first[:, p], first[:, r], second[:, p], second[:, r])
     (M, M_u), (C, C_u) = ((z[:, :nd], z[:, nd : nd + nu]) for z in (matrices, matrices[:, width:]))
-    (K, K_u), (B, B_u) = ((z[:, :nq], z[:, nq : nq + nu]) for z in (matrices[:, 2 * width :], rolling[:, width:]))
+    (K, K_u), (B, B_u) = (
+        (z[:, :nq], z[:, nq : nq + nu]) for z in (matrices[:, 2 * width :], rolling[:, width:])
+    )
     Z, Z_v, Z_q, zd_z = _lagging(kinematics, T, X) if kinematics.structure.nz else _no_lags(X, nd)
     return Linearization(
         M=M,

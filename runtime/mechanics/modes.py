@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -9,6 +10,7 @@ import numpy as np
 from scipy.linalg import eig
 
 from flexel.base.arrays import Array, ComplexArray
+from flexel.base.errors import LinearizationError
 
 _eig: Any = eig
 
@@ -75,6 +77,38 @@ class Reduced:
     def eigenvalues(self) -> ComplexArray:
         """The 2 n eigenvalues [1/s], sorted by real, then imaginary part."""
         return sort_eigenvalues(np.linalg.eigvals(self.state_matrix))
+
+
+def check_decoupled(
+    names: Sequence[str], columns: Mapping[str, Sequence[str]], sizes: Sequence[float], tolerance: float
+) -> None:
+    """Check that nothing but the named degrees of freedom enters their equations.
+
+    Parameters
+    ----------
+    columns : mapping of str to sequence of str
+        Names of the columns of M, C, K and Z.
+    sizes : sequence of float
+        Largest entry of each of these columns in the equations.
+    tolerance : float
+        Relative to the largest entry of the matrix; for Z of K.
+
+    Raises
+    ------
+    LinearizationError
+    """
+    first, largest = 0, 0.0
+    for label, others in columns.items():
+        own = sizes[first : first + len(others)]
+        first += len(others)
+        if label != "Z":
+            largest = max(own)
+        for size, name in zip(own, others, strict=True):
+            if name not in names and size > tolerance * largest:
+                raise LinearizationError(
+                    f"{tuple(names)} are not decoupled: '{name}' enters through {label} ({size:.3g}); include it, or "
+                    "use the full state matrix"
+                )
 
 
 def modes_of(state_matrix: Array, names: tuple[str, ...], nd: int) -> list[Mode]:
