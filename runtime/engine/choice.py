@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -131,7 +132,8 @@ class Choice(Struct):
         self.y, self.dy = (aligned(2 * nd + nk + s.nz) for _ in "12")
         self._y, self._dy = self.pointer(self.y), self.pointer(self.dy)
         self.is_warm = False
-        self._rhs, self._pair = lib.flexel_rhs, (self.work.struct, self.struct)
+        self._pair = self.work.struct, self.struct
+        self._rhs = partial(lib.flexel_rhs, *self._pair)
 
     @property
     def P(self) -> Any:  # noqa: N802
@@ -204,7 +206,8 @@ class Choice(Struct):
 
     def rhs(self, t: float) -> int:
         """Rates dy of y = (q, q_d', z), the position sought from the last one."""
-        return int(self._rhs(*self._pair, t, self._y, self._dy))
+        code: int = self._rhs(t, self._y, self._dy)
+        return code
 
     def evaluate(self, t: float, y: Array, guess: Array, near: Array) -> int:
         """The same, the position sought from coordinates and deformations nearby."""

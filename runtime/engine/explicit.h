@@ -55,7 +55,7 @@ int flexel_locate(flexel_work *s, flexel_choice *c);
 int flexel_factorize(flexel_work *s, flexel_choice *c);
 /* Columns H and velocities for the given rates, at a position whose matrix is factorized; see position.c. */
 int flexel_directions(flexel_work *s, flexel_choice *c);
-/* x = B^-1 b by rows, for `count` columns, a multiple of four: rates of the free coordinates for those of the rigid and
+/* x = B^-1 b by rows, for `count` columns: rates of the free coordinates for those of the rigid and
  * prescribed quantities, the slips and the dynamic degrees of freedom; after the directions. work has 2 nf count numbers. */
 void flexel_rates_for(const flexel_work *s, const flexel_choice *c, size_t count, const double *b, double *x, double *work);
 /* Velocities v for the rates qd, at a located position. */

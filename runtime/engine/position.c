@@ -73,10 +73,23 @@ int flexel_locate(flexel_work *s, flexel_choice *c)
     return FLEXEL_UNREACHED;
 }
 
+/* y -= z x, four columns at once */
+static inline void subtract(size_t count, double z, const double *restrict x, double *restrict y)
+{
+    size_t j = 0;
+    for (; j + 4 <= count; j += 4)
+#pragma omp simd
+        for (size_t i = 0; i < 4; i++)
+            y[j + i] -= z * x[j + i];
+    for (; j < count; j++)
+        y[j] -= z * x[j];
+}
+
 /* Columns G = P^-1 [unit d | unit k | rates of what is given]; those of d and of what is given are completed to H, and to
  * velocities that roll, by columns of k: G_d + G_k T.
  *
  * With the saddle matrix the columns of the dynamic ones are not needed: their rates then belong to what is given. */
+FLEXEL_CLONES
 int flexel_directions(flexel_work *s, flexel_choice *c)
 {
     const size_t nd = c->saddle ? 0 : c->nd, nk = c->nk, count = c->columns, held = c->nr + c->np, nf = s->nf;
@@ -104,18 +117,13 @@ int flexel_directions(flexel_work *s, flexel_choice *c)
     if (flexel_dense_solve(nk, nk, A, c->inverse))
         return FLEXEL_SLIDING;
     for (size_t k = 0; k < nk; k++) {
-        double *T = A; /* row k of -(S G_k)^-1 S G */
+        double *T = A; /* row k of -(S G_k)^-1 S G, without the columns of k */
         memset(T, 0, count * sizeof(double));
         for (size_t i = 0; i < nk; i++)
-            for (size_t j = 0; j < count; j++)
-                T[j] -= c->inverse[k * nk + i] * SG[i * count + j];
-        for (size_t i = 0; i < nf; i++) {
-            double *g = c->G + i * count;
-            const double own = g[nd + k];
-            for (size_t j = 0; j < nd; j++)
-                g[j] += own * T[j];
-            g[nd + nk] += own * T[nd + nk];
-        }
+            subtract(count, c->inverse[k * nk + i], SG + i * count, T);
+        memset(T + nd, 0, nk * sizeof(double));
+        for (size_t i = 0; i < nf; i++)
+            subtract(count, -c->G[i * count + nd + k], T, c->G + i * count);
     }
     return FLEXEL_DONE;
 }
@@ -139,15 +147,6 @@ void flexel_unit_rates(const flexel_work *s, const flexel_choice *c, size_t coun
 {
     for (size_t i = 0; i < count; i++)
         flexel_row(s, rows[i], c->G, c->columns, c->nd, out + i * c->nd);
-}
-
-/* y -= z x for a number of columns that is a multiple of four */
-static inline void subtract(size_t count, double z, const double *restrict x, double *restrict y)
-{
-    for (size_t j = 0; j < count; j += 4)
-#pragma omp simd
-        for (size_t i = 0; i < 4; i++)
-            y[j + i] -= z * x[j + i];
 }
 
 FLEXEL_CLONES

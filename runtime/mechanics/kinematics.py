@@ -71,6 +71,7 @@ class Kinematics:
         self.evaluation = evaluation
         self.structure: Structure = evaluation.structure
         self.roles, self.loads = roles, loads
+        self._timed = bool(roles.motions) or loads.any
         self._scale = natural_scales(self.structure)
         self._threads = threading.local()
 
@@ -109,9 +110,8 @@ class Kinematics:
     def given(self, t: float) -> Choice:
         """The same, with the prescribed motions and loads at time t."""
         choice = self.choice
-        if self.roles.motions:
+        if self._timed:
             choice.motion[:] = self.roles.motion(t).ravel()
-        if self.loads.any:
             choice.loads[:] = self.loads.values(t)
         return choice
 
