@@ -120,7 +120,7 @@ def check_laws(evaluation: Evaluation, laws: Array, t: float) -> None:
         If a law has no slope there; names it.
     """
     good = np.isfinite(laws)
-    if not good.all():
+    if laws.size and not good.all():
         s = evaluation.structure
         finite = np.ones(s.m + s.k + s.nz, dtype=bool)
         finite[evaluation.tables.law.entries[0][~good]] = False

@@ -20,6 +20,7 @@ from flexel.base.copies import Portable
 from flexel.base.errors import LinearizationError, ModelError
 from flexel.base.units import rate_unit
 from flexel.engine.derivatives import Derivatives, Tangents
+from flexel.engine.solvers import eigenvalues, solved
 from flexel.mechanics.modes import Mode, Reduced, check_decoupled, modes_of, sort_eigenvalues
 from flexel.mechanics.transfer import Transfer
 from flexel.structure.state import State
@@ -89,7 +90,7 @@ class Linearization(Portable):
     def state_matrix(self) -> Array:
         """Matrix of the first-order equations for (δq_d', δq_d, δq_k, δz), (2 nd + nk + nz) square."""
         nd, nk, nz = len(self.dynamic), len(self.kinematic), len(self.internal)
-        top = -np.linalg.solve(self.M, np.hstack([self.C, self.K, self.Z])) if nd else np.zeros((0, nk + nz))
+        top = -solved(self.M, np.hstack([self.C, self.K, self.Z])) if nd else np.zeros((0, nk + nz))
         middle = np.hstack([np.eye(nd), np.zeros((nd, nd + nk + nz))])
         rolling = np.hstack([self.A_k, self.B_k, np.zeros((nk, nz))])
         return np.vstack([top, middle, rolling, np.hstack([self.Z_v, self.Z_q, self.Z_z])])
@@ -100,7 +101,7 @@ class Linearization(Portable):
         The zero eigenvalues of a non-holonomic system are defective and have large rounding errors; use
         `reduced` for the degrees of freedom of interest.
         """
-        return sort_eigenvalues(np.linalg.eigvals(self.state_matrix))
+        return sort_eigenvalues(eigenvalues(self.state_matrix))
 
     def modes(self) -> list[Mode]:
         """Modes, sorted as the eigenvalues, one for each complex pair (the one with positive imaginary part)."""
@@ -123,12 +124,11 @@ class Linearization(Portable):
                 raise LinearizationError(
                     f"reduced: '{name}' is not a dynamic degree of freedom; name some of {self.dynamic}"
                 )
-        i = [self.dynamic.index(name) for name in names]
+        i, nd = np.array([self.dynamic.index(name) for name in names]), len(self.dynamic)
         rows = np.hstack([self.M, self.C, self.K, self.Z])[i]
         columns = {"M": self.dynamic, "C": self.dynamic, "K": self.dofs, "Z": self.internal}
         check_decoupled(names, columns, np.abs(rows).max(axis=0).tolist(), tolerance)
-        grid = np.ix_(i, i)
-        return Reduced(tuple(names), self.M[grid], self.C[grid], self.K[grid])
+        return Reduced(tuple(names), rows[:, i], rows[:, nd + i], rows[:, 2 * nd + i])
 
     def input_matrix(self, names: Sequence[str]) -> Array:
         """F̄ (nd, inputs): generalized forces of loads on the named coordinates, deformations or slips."""

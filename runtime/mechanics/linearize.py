@@ -14,6 +14,7 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.engine.derivatives import Derivatives, check_laws
+from flexel.engine.solvers import definite
 from flexel.mechanics.inertia import massless
 from flexel.mechanics.kinematics import Kinematics
 from flexel.mechanics.linearization import Linearization
@@ -46,10 +47,9 @@ def linearize_all(kinematics: Kinematics, states: Sequence[State]) -> list[Linea
         raise kinematics.failure(found.code, states[found.done].t)
     transfers = [linearizer.transfer(found, i) for i in range(len(states))]
     matrices = [z[1][:, : roles.nd].T @ factors for z, factors in zip(transfers, found.factors, strict=True)]
-    if roles.nd and states:
-        lowest = np.linalg.eigvalsh(np.array([z[:, : roles.nd] for z in matrices]))[:, 0]
-        if (lowest <= 0).any():
-            raise massless(structure, roles, matrices[int(np.argmax(lowest <= 0))][:, : roles.nd])
+    for z in matrices:
+        if not definite(z[:, : roles.nd]):
+            raise massless(structure, roles, z[:, : roles.nd])
     parts = zip(states, matrices, transfers, strict=True)
     return [_assembled(kinematics, *part, linearizer.derivatives(found, i)) for i, part in enumerate(parts)]
 

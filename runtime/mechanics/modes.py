@@ -11,6 +11,7 @@ from scipy.linalg import eig
 
 from flexel.base.arrays import Array, ComplexArray
 from flexel.base.errors import LinearizationError
+from flexel.engine.solvers import eigenvalues, solved
 
 _eig: Any = eig
 
@@ -71,12 +72,12 @@ class Reduced:
         n = len(self.names)
         A = np.zeros((2 * n, 2 * n))
         A[:n, :n], A[:n, n:], A[n:, :n] = self.C, self.K, np.eye(n)
-        A[:n] = -np.linalg.solve(self.M, A[:n])
+        A[:n] = -solved(self.M, A[:n])
         return A
 
     def eigenvalues(self) -> ComplexArray:
         """The 2 n eigenvalues [1/s], sorted by real, then imaginary part."""
-        return sort_eigenvalues(np.linalg.eigvals(self.state_matrix))
+        return sort_eigenvalues(eigenvalues(self.state_matrix))
 
 
 def check_decoupled(
@@ -136,6 +137,6 @@ def _mode(value: complex, left: ComplexArray, right: ComplexArray, names: tuple[
 def sort_eigenvalues(values: Any) -> ComplexArray:
     """Complex numbers sorted by real, then imaginary part; real parts equal to rounding count as equal."""
     w = np.asarray(values, dtype=complex)
-    scale = float(np.max(np.abs(w), initial=1e-300))
+    scale = np.abs(w).max(initial=1e-300)
     order = np.lexsort((w.imag, np.round(w.real / scale, 11)))
     return w[order]

@@ -155,7 +155,7 @@ def consistent_rates(kinematics: Kinematics, choice: Choice, rates: Mapping[str,
         qd = least(choice.unit_rates(rows), missing, 1e-12)
     found = rates_of(qd)
     off = np.abs(wanted - found[rows])
-    scale = max(float(np.abs(z).max()) for z in (wanted, first, found, 1e-12))
+    scale = np.abs(np.concatenate([wanted, first, found])).max(initial=1e-12)
     if off.max() > 1e-9 * scale:
         worst = int(np.argmax(off))
         raise PositionError(
