@@ -98,7 +98,9 @@ def rolling(system: fx.System, speed: float, roll_rate: float = 0.0) -> fx.State
 
 def steady(system: fx.System, speed: float, lean: float = 0.0, steer: float = 0.0) -> fx.State:
     """Steady motion at a speed, looked for from a leaning and steered state (and only confirmed from upright)."""
-    start = system.state_at({"lean.angle": lean, "steer.angle": steer}, start=rolling(system, speed))
+    start = rolling(system, speed)
+    if lean or steer:
+        start = system.state_at({"lean.angle": lean, "steer.angle": steer}, start=start)
     return system.steady(start)
 
 

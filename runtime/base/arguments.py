@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+import math
 import re
 from collections.abc import Iterable, Mapping
 from typing import Any
@@ -43,6 +44,8 @@ def vector(value: Any, owner: str, what: str, size: int) -> Array:
 
 def number(value: Any, owner: str, what: str) -> float:
     """One finite number, or a ModelError that names the owner."""
+    if isinstance(value, float) and math.isfinite(value):
+        return float(value)
     d = array(value, owner, what)
     if d.size != 1:
         raise ModelError(f"{owner}: {what} {_shown(value)} has shape {d.shape}; give one number")

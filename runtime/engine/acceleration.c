@@ -233,3 +233,12 @@ void flexel_choice_clear(flexel_choice *c)
     flexel_matrix_clear(&c->P);
     flexel_matrix_clear(&c->A);
 }
+
+void flexel_reset(flexel_work *s, flexel_choice *c)
+{
+    flexel_matrix_reset(&c->P);
+    flexel_matrix_reset(&c->A);
+    c->predict = 0;
+    for (size_t i = s->nf; i < s->n; i++)
+        s->v[i] = s->a[i] = 0;
+}

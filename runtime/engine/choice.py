@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -131,7 +132,8 @@ class Choice(Struct):
         self.y, self.dy = (aligned(2 * nd + nk + s.nz) for _ in "12")
         self._y, self._dy = self.pointer(self.y), self.pointer(self.dy)
         self.is_warm = False
-        self._rhs, self._pair = lib.flexel_rhs, (self.work.struct, self.struct)
+        self._pair = self.work.struct, self.struct
+        self._rhs = partial(lib.flexel_rhs, *self._pair)
 
     @property
     def P(self) -> Any:  # noqa: N802
@@ -149,10 +151,7 @@ class Choice(Struct):
 
         These are pivot orders, and rates of fixed coordinates that a user's state may have had.
         """
-        for name in ("P", "A"):
-            lib.flexel_matrix_reset(ffi.addressof(self.struct, name))
-        self.struct.predict = 0
-        self.work.v[self._free :] = self.work.a[self._free :] = 0.0
+        lib.flexel_reset(*self._pair)
 
     # -- calls: see explicit.h; each returns zero or the code of what failed ------------------------
 
@@ -180,27 +179,25 @@ class Choice(Struct):
         """How much coordinates change per unit of the degrees of freedom, in natural scales; after `directions`."""
         return float(lib.flexel_reach(*self._pair))
 
-    def rates_for(self, b: Array) -> Array:
-        """Rates (nf, columns) for those of rigid and prescribed quantities, slips and dynamic degrees of freedom."""
-        b = np.ascontiguousarray(b)
-        x, space = np.empty_like(b), np.empty(2 * b.size)
-        pointers = (ffi.from_buffer("double[]", z) for z in (b, x, space))
-        if b.size:
-            lib.flexel_rates_for(*self._pair, b.shape[1], *pointers)
-        return x
-
-    def positions_for(self, b: Array) -> Array:
-        """Coordinates (nf, columns) for changes of the rows of the position problem."""
-        b = np.ascontiguousarray(b)
-        x, space = np.empty_like(b), np.empty(b.size)
-        pointers = (ffi.from_buffer("double[]", z) for z in (b, x, space))
-        if b.size:
-            lib.flexel_matrix_solve(self.P, b.shape[1], *pointers)
-        return x
+    def unit_rates(self, rows: Index) -> Array:
+        """Rates (r, nd) of quantities for unit rates of the dynamic degrees of freedom, after `velocity`; if few."""
+        found, own = np.empty((rows.size, int(self.struct.nd))), rows.astype(np.int32)
+        if found.size:
+            lib.flexel_unit_rates(
+                *self._pair, rows.size, ffi.from_buffer("int[]", own), ffi.from_buffer("double[]", found)
+            )
+        return found
 
     def complete(self, driven: bool) -> int:
         """Forces, accelerations and multipliers at x, v, z and near of the workspace."""
         return int(lib.flexel_complete(*self._pair, driven))
+
+    def reactions(self) -> tuple[Array, Array]:
+        """Stresses (m + k,) and reactions (n,) after `complete`."""
+        s = self.work.tables.structure
+        both = np.empty(s.m + s.k), np.empty(s.n)
+        lib.flexel_reactions(*self._pair, *(self.work.pointer_of(z) for z in both))
+        return both
 
     def forces(self) -> None:
         """Given forces at x, v, z and near of the workspace."""
@@ -209,7 +206,8 @@ class Choice(Struct):
 
     def rhs(self, t: float) -> int:
         """Rates dy of y = (q, q_d', z), the position sought from the last one."""
-        return int(self._rhs(*self._pair, t, self._y, self._dy))
+        code: int = self._rhs(t, self._y, self._dy)
+        return code
 
     def evaluate(self, t: float, y: Array, guess: Array, near: Array) -> int:
         """The same, the position sought from coordinates and deformations nearby."""

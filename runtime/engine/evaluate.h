@@ -33,6 +33,8 @@ void flexel_law_tangents(flexel_work *s, double share);
  *
  * Law tangents, and rate derivatives where dampers or tyres act, must be up to date; `phi` says whether they count. */
 void flexel_tangent(flexel_work *s, double by_x, double by_v, double by_a, int phi);
+/* The derivatives by x and by v, of nT entries each. */
+void flexel_tangents(flexel_work *s, double *r_x, double *r_v);
 /* Run the kernels of a stage. */
 void flexel_run(const flexel_stage *stage);
 /* cdef: end */

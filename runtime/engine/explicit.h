@@ -40,23 +40,30 @@ typedef struct {
     double error;
     /* the last evaluation of the right-hand side: time, coordinates, deformations and their rates, targets */
     int predict; /* P belongs to it */
+    double reuse; /* error that the first correction brings below the tolerance with that P too */
     double t_last, *x_last, *e_last, *ed_last, *target_last;
     size_t positions, factorizations;
 } flexel_choice;
 
 /* Release what factorizations have allocated. */
 void flexel_choice_clear(flexel_choice *c);
+/* Forget what was found on the way: what follows then depends on nothing computed before. These are pivot orders, and rates
+ * of fixed coordinates that a user's state may have had. */
+void flexel_reset(flexel_work *s, flexel_choice *c);
 /* The position with degrees of freedom q, from s->x; whole periods are counted from s->near. */
 int flexel_locate(flexel_work *s, flexel_choice *c);
 /* The position matrix at s->x is factorized. */
 int flexel_factorize(flexel_work *s, flexel_choice *c);
 /* Columns H and velocities for the given rates, at a position whose matrix is factorized; see position.c. */
 int flexel_directions(flexel_work *s, flexel_choice *c);
-/* x = B^-1 b for `count` columns, by rows: rates of the free coordinates for those of the rigid and prescribed quantities,
- * the slips and the dynamic degrees of freedom; after the directions. work has 2 nf count numbers. */
+/* x = B^-1 b by rows, for `count` columns: rates of the free coordinates for those of the rigid and
+ * prescribed quantities, the slips and the dynamic degrees of freedom; after the directions. work has 2 nf count numbers. */
 void flexel_rates_for(const flexel_work *s, const flexel_choice *c, size_t count, const double *b, double *x, double *work);
 /* Velocities v for the rates qd, at a located position. */
 int flexel_velocity(flexel_work *s, flexel_choice *c);
+/* Rates of some quantities for unit rates of the dynamic degrees of freedom (count by nd), after the directions; not with the
+ * saddle matrix. */
+void flexel_unit_rates(const flexel_work *s, const flexel_choice *c, size_t count, const int *rows, double *out);
 /* Forces on the coordinates, and the outputs of the laws, at x, v and z; w holds the rates that they need. */
 void flexel_forces(flexel_work *s, flexel_choice *c);
 /* Accelerations a and qdd; after velocities and forces. */

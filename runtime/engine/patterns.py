@@ -12,7 +12,6 @@ from scipy.sparse import csr_array
 from flexel.base.arrays import Array, Index
 from flexel.engine.kernels import Batch
 from flexel.engine.stages import Stage, Sums, flat, sums
-from flexel.generated._kernels import ffi, lib
 from flexel.structure.structure import Structure
 
 
@@ -65,34 +64,6 @@ class Pattern:
     def find(self, rows: Index, columns: Index) -> Index:
         """Numbers of entries of the pattern."""
         return np.searchsorted(self._codes, rows * self.shape[1] + columns)
-
-
-class Selection:
-    """Some rows of a sparse matrix, in a given order, and its first columns.
-
-    Parameters
-    ----------
-    pattern : Pattern
-    rows : ndarray of int
-    width : int
-        Number of columns.
-    """
-
-    def __init__(self, pattern: Pattern, rows: Index, width: int) -> None:
-        own, place = pattern.rows_of(rows, width)
-        start = np.searchsorted(place, np.arange(rows.size + 1))
-        self._rows = rows.size
-        self._lists = [np.ascontiguousarray(z, dtype=np.int32) for z in (start, pattern.column[own], own)]
-        self._pointers = [ffi.from_buffer("int[]", z) for z in self._lists]
-
-    def times(self, values: Array, X: Array) -> Array:
-        """The product of these rows of a matrix, by the values of its pattern, with a dense matrix (width, columns)."""
-        X = np.ascontiguousarray(X)
-        found = np.empty((self._rows, X.shape[1]))
-        if found.size:
-            numbers, by, out = (ffi.from_buffer("double[]", z) for z in (values, X, found))
-            lib.flexel_product(self._rows, *self._pointers, numbers, X.shape[1], by, out)
-        return found
 
 
 class JacobianPattern(Pattern):

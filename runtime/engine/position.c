@@ -47,7 +47,8 @@ int flexel_factorize(flexel_work *s, flexel_choice *c)
 
 int flexel_locate(flexel_work *s, flexel_choice *c)
 {
-    double last = INFINITY;
+    double last = INFINITY, reuse = c->reuse;
+    c->reuse = 0;
     set_targets(s, c);
     for (size_t iteration = 0; iteration < MOST_ITERATIONS; iteration++) {
         flexel_position(s);
@@ -56,9 +57,13 @@ int flexel_locate(flexel_work *s, flexel_choice *c)
         const int good = error < c->tolerance || (error < STALLED && error > 0.5 * last);
         if (!isfinite(error))
             return FLEXEL_UNREACHED;
-        const int failed = flexel_factorize(s, c);
-        if (failed || good)
-            return failed;
+        const int fresh = good || !(error < reuse);
+        if (fresh) {
+            const int failed = flexel_factorize(s, c);
+            if (failed || good)
+                return failed;
+        }
+        reuse = 0;
         flexel_matrix_solve(&c->P, 1, c->residual, c->step, c->work);
         double largest = 0;
         for (size_t i = 0; i < s->nf; i++)
@@ -66,17 +71,30 @@ int flexel_locate(flexel_work *s, flexel_choice *c)
         const double share = largest < LONGEST_STEP ? 1 : LONGEST_STEP / largest;
         for (size_t i = 0; i < s->nf; i++)
             s->x[i] -= share * c->step[i];
-        if (error < c->accept && share == 1)
+        if (fresh && error < c->accept && share == 1)
             return FLEXEL_DONE; /* the last correction is far below the accuracy asked for: J is kept */
         last = share == 1 ? error : INFINITY;
     }
     return FLEXEL_UNREACHED;
 }
 
+/* y -= z x, four columns at once */
+static inline void subtract(size_t count, double z, const double *restrict x, double *restrict y)
+{
+    size_t j = 0;
+    for (; j + 4 <= count; j += 4)
+#pragma omp simd
+        for (size_t i = 0; i < 4; i++)
+            y[j + i] -= z * x[j + i];
+    for (; j < count; j++)
+        y[j] -= z * x[j];
+}
+
 /* Columns G = P^-1 [unit d | unit k | rates of what is given]; those of d and of what is given are completed to H, and to
  * velocities that roll, by columns of k: G_d + G_k T.
  *
  * With the saddle matrix the columns of the dynamic ones are not needed: their rates then belong to what is given. */
+FLEXEL_CLONES
 int flexel_directions(flexel_work *s, flexel_choice *c)
 {
     const size_t nd = c->saddle ? 0 : c->nd, nk = c->nk, count = c->columns, held = c->nr + c->np, nf = s->nf;
@@ -104,18 +122,13 @@ int flexel_directions(flexel_work *s, flexel_choice *c)
     if (flexel_dense_solve(nk, nk, A, c->inverse))
         return FLEXEL_SLIDING;
     for (size_t k = 0; k < nk; k++) {
-        double *T = A; /* row k of -(S G_k)^-1 S G */
+        double *T = A; /* row k of -(S G_k)^-1 S G, without the columns of k */
         memset(T, 0, count * sizeof(double));
         for (size_t i = 0; i < nk; i++)
-            for (size_t j = 0; j < count; j++)
-                T[j] -= c->inverse[k * nk + i] * SG[i * count + j];
-        for (size_t i = 0; i < nf; i++) {
-            double *g = c->G + i * count;
-            const double own = g[nd + k];
-            for (size_t j = 0; j < nd; j++)
-                g[j] += own * T[j];
-            g[nd + nk] += own * T[nd + nk];
-        }
+            subtract(count, c->inverse[k * nk + i], SG + i * count, T);
+        memset(T + nd, 0, nk * sizeof(double));
+        for (size_t i = 0; i < nf; i++)
+            subtract(count, -c->G[i * count + nd + k], T, c->G + i * count);
     }
     return FLEXEL_DONE;
 }
@@ -135,6 +148,13 @@ int flexel_velocity(flexel_work *s, flexel_choice *c)
     return FLEXEL_DONE;
 }
 
+void flexel_unit_rates(const flexel_work *s, const flexel_choice *c, size_t count, const int *rows, double *out)
+{
+    for (size_t i = 0; i < count; i++)
+        flexel_row(s, rows[i], c->G, c->columns, c->nd, out + i * c->nd);
+}
+
+FLEXEL_CLONES
 void flexel_rates_for(const flexel_work *s, const flexel_choice *c, size_t count, const double *b, double *x, double *work)
 {
     const size_t held = c->nr + c->np, nk = c->nk, nd = c->nd, columns = c->columns, first = c->saddle ? 0 : nd;
@@ -151,10 +171,8 @@ void flexel_rates_for(const flexel_work *s, const flexel_choice *c, size_t count
     memset(w, 0, nk * count * sizeof(double));
     for (size_t i = 0; i < nk; i++)
         for (size_t k = 0; k < nk; k++)
-            for (size_t j = 0; j < count; j++)
-                w[i * count + j] -= c->inverse[i * nk + k] * missing[k * count + j];
+            subtract(count, c->inverse[i * nk + k], missing + k * count, w + i * count);
     for (size_t i = 0; i < s->nf; i++)
         for (size_t k = 0; k < nk; k++)
-            for (size_t j = 0; j < count; j++)
-                x[i * count + j] += c->G[i * columns + first + k] * w[k * count + j];
+            subtract(count, -c->G[i * columns + first + k], w + k * count, x + i * count);
 }

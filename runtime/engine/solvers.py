@@ -12,12 +12,72 @@ from scipy.linalg import get_lapack_funcs
 from scipy.sparse import csc_array, issparse
 from scipy.sparse.linalg import splu
 
-from flexel.base.arrays import Array
+from flexel.base.arrays import Array, ComplexArray
 
 _getrf: Any = get_lapack_funcs("getrf", dtype=np.float64)
 _getrs: Any = get_lapack_funcs("getrs", dtype=np.float64)
+_gelsy: Any = get_lapack_funcs("gelsy", dtype=np.float64)
+_gesv: Any = get_lapack_funcs("gesv", dtype=np.float64)
+_potrf: Any = get_lapack_funcs("potrf", dtype=np.float64)
+_geev: Any = get_lapack_funcs("geev", dtype=np.float64)
 _splu: Any = splu
 _issparse: Any = issparse
+
+
+# For matrices of a few rows NumPy's own functions spend most of their time on checks.
+
+
+def solved(A: Array, b: Array) -> Array:
+    """Solution of A x = b for a small matrix (n, n) and columns (n, r).
+
+    Raises
+    ------
+    numpy.linalg.LinAlgError
+        If the matrix is singular.
+    """
+    if not b.size:
+        return np.zeros(b.shape)
+    _, _, x, info = _gesv(A, b)
+    if info:
+        raise np.linalg.LinAlgError("Singular matrix")
+    return np.asarray(x)
+
+
+def definite(A: Array) -> bool:
+    """Whether a symmetric matrix (n, n) is positive definite."""
+    return not A.size or _potrf(A)[1] == 0
+
+
+def eigenvalues(A: Array) -> ComplexArray:
+    """Eigenvalues (n,) of a matrix (n, n).
+
+    Raises
+    ------
+    numpy.linalg.LinAlgError
+        If the matrix is not finite, or the iteration does not converge.
+    """
+    if not np.isfinite(A).all():
+        raise np.linalg.LinAlgError("the matrix has entries that are not finite")
+    if not A.size:
+        return np.zeros(0, dtype=complex)
+    real, imaginary, _, _, info = _geev(A, compute_vl=0, compute_vr=0)
+    if info:
+        raise np.linalg.LinAlgError("the eigenvalues did not converge")
+    return np.asarray(real + 1j * imaginary)
+
+
+def least(A: Array, b: Array, rcond: float) -> Array:
+    """The smallest x that makes the squares of A x - b least, for a small matrix (r, n) and a vector (r,).
+
+    Columns that depend on others up to `rcond` of the largest count as dependent.
+    """
+    r, n = A.shape
+    if not A.size:
+        return np.zeros(n)
+    padded = np.zeros(max(r, n))
+    padded[:r] = b
+    found: Array = _gelsy(A, padded, np.zeros(n, dtype=np.int32), rcond, 64 * (r + n + 1))[1]
+    return found[:n]
 
 
 class Factorization:

@@ -65,7 +65,7 @@ typedef struct {
  * can differ from zero; slot: for each block, their places in T. share: mass-proportional damping of the lanes, or NULL.
  * active: the blocks that count, or NULL. */
 typedef struct {
-    size_t nblocks, rows, columns;
+    size_t nblocks, size, rows, columns; /* size: elements */
     int diagonal;
     size_t nsigma, ntau;
     const double *sigma, *tau;

@@ -99,11 +99,13 @@ static void add_laws(const flexel_work *s, const flexel_batch *b, size_t block, 
         product(rows, columns, b->diagonal && !phi, De, W, K);
 }
 
-/* Lane by lane: neighbouring lanes often have the same slots, and sums into one place wait for each other. */
+/* Lane by lane, those with an element: neighbouring lanes often have the same slots, and sums into one place wait for each
+ * other. */
 static void scatter(const flexel_batch *b, size_t block, const double *restrict K, double *restrict T)
 {
     const int *restrict slot = b->slot + block * b->nused * LANES, *restrict used = b->used;
-    for (size_t l = 0; l < LANES; l++)
+    const size_t left = b->size - block * LANES, lanes = left < LANES ? left : LANES;
+    for (size_t l = 0; l < lanes; l++)
         for (size_t u = 0; u < b->nused; u++)
             T[slot[u * LANES + l]] += K[(size_t)used[u] * LANES + l];
 }
@@ -172,16 +174,17 @@ static void add_foreign(flexel_work *s, double by_x, double by_v, int phi)
     }
 }
 
-void flexel_tangent(flexel_work *s, double by_x, double by_v, double by_a, int phi)
+/* The kernels of the derivatives by x, and of those by x and v. */
+static void run(flexel_work *s, int by_x, int by_v)
 {
-    if (by_x != 0) {
+    if (by_x) {
         memcpy(s->element_stress, s->stress, (s->m + s->k) * sizeof(double));
         flexel_add(&s->relation_stress, s->stress, s->element_stress);
         flexel_take(&s->sigma, s->element_stress, s->sigma8);
         flexel_take(&s->tau, s->element_stress, s->tau8);
         flexel_run(&s->stiffness);
     }
-    if (s->tangent.ncalls && (by_x != 0 || by_v != 0)) {
+    if (s->tangent.ncalls && (by_x || by_v)) {
         flexel_take_for(&s->tangent, &s->coordinates, s->v, s->v8);
         flexel_take_for(&s->tangent, &s->coordinates, s->a, s->a8);
         if (s->share8) /* the tangent of M (a + share v) */
@@ -189,8 +192,27 @@ void flexel_tangent(flexel_work *s, double by_x, double by_v, double by_a, int p
                 s->a8[i] += s->share8[i] * s->v8[i];
         flexel_run(&s->tangent);
     }
+}
+
+static void sum(flexel_work *s, double by_x, double by_v, double by_a, int phi)
+{
     memset(s->T, 0, (s->nT + 1) * sizeof(double));
     for (size_t i = 0; i < s->nbatches; i++)
         add_batch(s, s->batches + i, by_x, by_v, by_a, phi);
     add_foreign(s, by_x, by_v, phi);
+}
+
+void flexel_tangent(flexel_work *s, double by_x, double by_v, double by_a, int phi)
+{
+    run(s, by_x != 0, by_v != 0);
+    sum(s, by_x, by_v, by_a, phi);
+}
+
+void flexel_tangents(flexel_work *s, double *r_x, double *r_v)
+{
+    run(s, 1, 1);
+    sum(s, 1, 0, 0, 1);
+    memcpy(r_x, s->T, s->nT * sizeof(double));
+    sum(s, 0, 1, 0, 1);
+    memcpy(r_v, s->T, s->nT * sizeof(double));
 }

@@ -37,6 +37,7 @@ class TangentBatch:
     """Tangent of the elements of one type; see `flexel_batch` in table.h."""
 
     number: int
+    size: int
     nblocks: int
     nsigma: int
     rows: int
@@ -110,7 +111,7 @@ class TangentTables:
         m, k, n = (b.places[z].shape[1] for z in ("sigma", "tau", "x"))
         lanes = filled(slot, self.whole.size)
         own, diagonal = (None, False) if pair is None else pair
-        return TangentBatch(i, b.nblocks, m, m + k, n, local, own, diagonal, used, lanes, share)
+        return TangentBatch(i, b.size, b.nblocks, m, m + k, n, local, own, diagonal, used, lanes, share)
 
     @property
     def space(self) -> int:

@@ -38,6 +38,10 @@ class Workspace(Fields):
         self._relations()
         self._constant_inertia()
         self.samples = self._samples()
+        s = tables.structure
+        sizes = [s.n, s.n, s.n, s.m, s.m + s.k + s.n, s.m + s.k + s.n, s.nz, s.nz]
+        ends = np.cumsum(sizes).tolist()
+        self._state = [slice(end - size, end) for end, size in zip(ends, sizes, strict=True)]
 
     def _samples(self) -> Array:
         """Values (2, size) of M and J for pivot orders: near the drawn position, where nothing vanishes by chance, and
@@ -108,6 +112,14 @@ class Workspace(Fields):
         out = np.zeros(self.x.size)
         lib.flexel_momentum(self.struct, self.pointer_of(rates), self.pointer_of(out))
         return out
+
+    def state(self) -> tuple[list[Array], list[float]]:
+        """A copy of the complete state: x, v, a (n), e (m), rates and accelerations of all quantities (m + k + n), z,
+        dz/dt (nz); kinetic, potential and strain energy, and dissipated power.
+        """
+        out = np.empty(self._state[-1].stop + 4)
+        lib.flexel_state(self.struct, self.pointer_of(out))
+        return [out[z] for z in self._state], out[-4:].tolist()
 
     # -- parts -----------------------------------------------------------------------------------
 
@@ -188,7 +200,8 @@ class Workspace(Fields):
         self.new("local", t.space)
 
     def _tangent_batch(self, field: Any, batch: TangentBatch) -> None:
-        field.nblocks, field.rows, field.columns = batch.nblocks, batch.rows, batch.columns
+        field.nblocks, field.size = batch.nblocks, batch.size
+        field.rows, field.columns = batch.rows, batch.columns
         for name, local in batch.local.items():
             entries = getattr(field, name)
             entries.n, entries.nblocks, entries.at = local.at.size, local.nblocks, self.ints(local.at)

@@ -6,7 +6,8 @@ series.  Source: Schwab and Meijaard, "SPACAR" (2004), harmonic balance: (2k+1) 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -17,9 +18,9 @@ from flexel.base.blas import one_thread
 from flexel.base.errors import LinearizationError
 from flexel.linear import floquet
 
-_getrf: Any = get_lapack_funcs("getrf", dtype=np.complex128)
-_getrs: Any = get_lapack_funcs("getrs", dtype=np.complex128)
-_gecon: Any = get_lapack_funcs("gecon", dtype=np.complex128)
+_getrf: Any = get_lapack_funcs("getrf", dtype=np.float64)
+_getrs: Any = get_lapack_funcs("getrs", dtype=np.float64)
+_gecon: Any = get_lapack_funcs("gecon", dtype=np.float64)
 SINGULAR = 1e-14  # reciprocal condition of the scaled balance, below which it counts as singular
 
 
@@ -58,6 +59,41 @@ def refined(series: Array, factor: int = 16) -> Array:
     return np.asarray(np.fft.irfft(c, n * factor) * factor)
 
 
+def spectrum(values: Array) -> ComplexArray:
+    """Fourier coefficients (ns, …) of real samples (ns, …) of one period, those of negative frequencies last."""
+    ns = values.shape[0]
+    half = np.fft.rfft(values, axis=0) / ns
+    return np.concatenate([half, half[1 : ns - half.shape[0] + 1][::-1].conj()])
+
+
+def _balance(
+    M: ComplexArray, C: ComplexArray, K: ComplexArray, F: ComplexArray, omega: float, k: int
+) -> tuple[Array, Array]:
+    """Matrix and right-hand sides of the real equations for the real parts of X_0…X_k, then the imaginary of X_1…X_k.
+
+    The forces are F (ns, nd, forces). The equations are the real parts of the balances of the harmonics 0…k, and the
+    imaginary ones of 1…k, with the conjugates for the negative harmonics.
+    """
+    ns, nd = F.shape[:2]
+    order = np.arange(-k, k + 1)
+    iw, shift = (1j * omega * order)[:, None, None], (order[k:, None] - order) % ns
+    A = (M[shift] * iw + C[shift]) * iw + K[shift]  # of X_-k…X_k in the harmonics 0…k
+    negative, positive = A[:, :k][:, ::-1], A[:, k + 1 :]
+    by = np.concatenate([A[:, k : k + 1], positive + negative, 1j * (positive - negative)], axis=1)
+    both = np.concatenate([by.real, by[1:].imag])
+    size = (2 * k + 1) * nd
+    rhs = np.concatenate([F[: k + 1].real, F[1 : k + 1].imag])
+    return both.transpose(0, 2, 1, 3).reshape(size, size), rhs.reshape(size, -1)
+
+
+def _symmetric(parts: Array) -> ComplexArray:
+    """X_-k…X_k from the real parts of X_0…X_k and the imaginary ones of X_1…X_k."""
+    k = parts.shape[0] // 2
+    X = parts[: k + 1].astype(complex)
+    X[1:] += 1j * parts[k + 1 :]
+    return np.concatenate([X[:0:-1].conj(), X])
+
+
 @dataclass(frozen=True)
 class Coefficients:
     """Periodic coefficients of M q'' + C q' + K q = F at equidistant times of one period.
@@ -70,6 +106,8 @@ class Coefficients:
     F : ndarray (ns, nd)
     names : tuple of str
         The degrees of freedom.
+    known : tuple of ndarray, optional
+        The Fourier coefficients of M, C, K and F, if they are known already.
     """
 
     omega: float
@@ -78,11 +116,17 @@ class Coefficients:
     K: Array
     F: Array
     names: tuple[str, ...]
+    known: tuple[ComplexArray, ...] | None = field(default=None, repr=False, compare=False)
 
     @property
     def samples(self) -> int:
         """Number of times in the period."""
         return int(self.F.shape[0])
+
+    @cached_property
+    def spectra(self) -> tuple[ComplexArray, ...]:
+        """Fourier coefficients (ns, …) of M, C, K and F."""
+        return self.known or tuple(spectrum(z) for z in (self.M, self.C, self.K, self.F))
 
     def series(self, name: str, harmonics: int) -> Array:
         """Fourier coefficients (harmonics + 1, 2, …) of M, C, K or F: cosine and sine parts, entry by entry."""
@@ -123,33 +167,32 @@ class Coefficients:
             raise LinearizationError(
                 f"{k} harmonics need {4 * k + 1} samples of the coefficients; there are {ns}: take more samples"
             )
-        order = np.arange(-k, k + 1)
-        M, C, K = (np.fft.fft(z, axis=0) / ns for z in (self.M, self.C, self.K))
-        shift = (order[:, None] - order[None, :]) % ns
-        iw = 1j * self.omega * order
-        A = M[shift] * (iw**2)[None, :, None, None] + C[shift] * iw[None, :, None, None] + K[shift]
-        matrix = A.transpose(0, 2, 1, 3).reshape((2 * k + 1) * nd, (2 * k + 1) * nd)
-        F = np.fft.fft(np.array(forces), axis=1)[:, order % ns] / ns
+        M, C, K, own = self.spectra
+        F = np.stack([own if force is self.F else spectrum(force) for force in forces], axis=-1)
+        matrix, rhs = _balance(M, C, K, F, self.omega, k)
         with one_thread():
-            found = self._solve(matrix, F.reshape(len(forces), -1).T)
-        return np.asarray(found.T.reshape(len(forces), 2 * k + 1, nd))
+            parts = self._solve(matrix, rhs)
+        return np.array([_symmetric(column.reshape(2 * k + 1, nd)) for column in parts.T])
 
     def vibration(self, X: ComplexArray) -> PeriodicVibration:
         """The vibration with these Fourier coefficients (2k + 1, nd), and an estimate of what they neglect."""
         return PeriodicVibration(self, X, self._neglected(X))
 
-    def _solve(self, matrix: ComplexArray, rhs: ComplexArray) -> ComplexArray:
+    def _solve(self, matrix: Array, rhs: Array) -> Array:
         """Solutions of the balance for columns, its rows and columns scaled by the diagonal."""
         scale = 1 / np.sqrt(np.maximum(np.abs(matrix).max(axis=1), 1e-300))
-        matrix = scale[:, None] * matrix * scale
-        lu, pivots, info = _getrf(matrix)
-        rcond = 0.0 if info else float(_gecon(lu, np.abs(matrix).sum(axis=0).max())[0])
+        matrix *= scale[:, None] * scale
+        norm = np.abs(matrix).sum(axis=1).max()
+        lu, pivots, info = _getrf(
+            matrix.T, overwrite_a=True
+        )  # transposed, the order in which it lies in memory
+        rcond = 0.0 if info else float(_gecon(lu, norm)[0])
         if not rcond > SINGULAR:
             raise LinearizationError(
                 f"harmonic balance at {self.omega:g} rad/s is singular: a resonance without damping, or a degree of "
                 f"freedom without stiffness, among {', '.join(self.names)}; add damping, or omit this speed"
             )
-        return np.asarray(scale[:, None] * _getrs(lu, pivots, scale[:, None] * rhs)[0])
+        return np.asarray(scale[:, None] * _getrs(lu, pivots, scale[:, None] * rhs, trans=1)[0])
 
     def _neglected(self, X: ComplexArray) -> float:
         """Amplitude of the neglected harmonics: the response to their residual with the mean coefficients."""
@@ -160,7 +203,7 @@ class Coefficients:
         j = np.arange(k + 1, (self.samples - 1) // 2 + 1)
         if not j.size:
             return 0.0
-        R = np.fft.fft(r, axis=0)[j] / self.samples
+        R = np.fft.rfft(r, axis=0)[j] / self.samples
         s = 1j * self.omega * j[:, None, None]
         M, C, K = (z.mean(axis=0) for z in (self.M, self.C, self.K))
         driven = np.linalg.solve(s * s * M + s * C + K, R[..., None])[..., 0]
@@ -226,5 +269,10 @@ class PeriodicVibration:
 
     def samples(self) -> tuple[Array, Array, Array]:
         """The same at the sampled times of the coefficients."""
-        ns, omega = self.coefficients.samples, self.coefficients.omega
-        return self.at(np.asarray(np.arange(ns) * 2 * np.pi / (omega * ns)))
+        ns, omega, k = self.coefficients.samples, self.coefficients.omega, self.harmonics
+        if 2 * k >= ns:
+            return self.at(np.asarray(np.arange(ns) * 2 * np.pi / (omega * ns)))
+        iw = 1j * omega * np.arange(k + 1)[:, None]
+        half = (self.X[k:] + self.X[k::-1].conj()) * (ns / 2)
+        q, qd, qdd = np.fft.irfft(np.stack([half, iw * half, iw**2 * half]), ns, axis=1)
+        return q, qd, qdd

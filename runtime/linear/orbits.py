@@ -13,19 +13,12 @@ import numpy as np
 from flexel.base.arrays import Array
 from flexel.base.errors import LinearizationError
 from flexel.linear.harmonics import Coefficients
-from flexel.mechanics import dynamics
 from flexel.mechanics.core import Core
 from flexel.mechanics.linearization import Linearization
-from flexel.mechanics.linearize import linearize
+from flexel.mechanics.linearize import linearize_all
 from flexel.mechanics.states import state_of
 from flexel.structure.moment import Moment
 from flexel.structure.state import State
-
-
-def residual_force(system: Core, state: State) -> Array:
-    """Residual generalized forces (nd,) of a driven motion: H' (f - h - De' sigma - V' tau - M a) of given forces."""
-    qdd = state.Phi_v[system.roles.dynamic]
-    return dynamics.driving_forces(system.kinematics, state.t, state.x, state.v, state.e, state.z, qdd)
 
 
 @dataclass(frozen=True)
@@ -136,12 +129,12 @@ def orbit(
     q0, nd = state.q, system.roles.nd
     still = np.zeros((samples, nd))
     q, qd, qdd = motion(t) if motion else (np.tile(q0, (samples, 1)), still, still)
-    states, lins, F = [], [], np.zeros((samples, nd))
+    states, F = [], np.zeros((samples, nd))
     for i in range(samples):
         state = _driven(system, float(t[i]), q[i], qd[i], qdd[i], state)
-        lins.append(linearize(system.kinematics, state))
-        F[i] = residual_force(system, state)
+        F[i] = system.kinematics.choice.multiplier[system.roles.dynamic]  # what drives them
         states.append(state)
+    lins = linearize_all(system.kinematics, states)
     M, C, K = (np.array([getattr(z, name) for z in lins]) for name in ("M", "C", "K"))
     return Orbit(period, states, lins, Coefficients(2 * np.pi / period, M, C, K, F, system.dynamic))
 

@@ -207,4 +207,4 @@ class Saddle:
         stresses[self.force_rows[inner]] += b.mu[inner]
         reactions[self.force_rows[~inner] - self.first] = -b.mu[~inner]
         reactions[s.nf :] = b.force[s.nf :]
-        return state_in(self.system.kinematics, work, b.a, stresses, reactions)
+        return state_in(self.system.kinematics, work, stresses, reactions)

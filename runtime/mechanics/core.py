@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from copy import copy
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Self
 
 import numpy as np
@@ -49,11 +49,11 @@ class Core:
         rates: Mapping[str, float],
     ) -> None:
         self._prepare(evaluation, loads, roles)
-        qd = states.consistent_rates(self.kinematics, start, rates)
         none = np.zeros(self.structure.m)
         near = Moment(start.t, start.x, np.zeros(self.structure.n), start.e, none)
         q = self.kinematics.values(start.e, start.x)[roles.dofs]
-        x, v, e = states.located(self.kinematics, start.t, q, qd, near)
+        rates_at = partial(states.consistent_rates, self.kinematics, rates=rates)
+        x, v, e = states.located(self.kinematics, start.t, q, rates_at, near)
         self._start = Moment(start.t, x, v, e, none)
 
     def _prepare(self, evaluation: Evaluation, loads: Loads, roles: Roles) -> None:

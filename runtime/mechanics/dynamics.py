@@ -9,8 +9,6 @@ accelerations.  Computed in C, see `runtime/engine/explicit.h`.  Source: Jonker 
 
 from __future__ import annotations
 
-import numpy as np
-
 from flexel.base.arrays import Array
 from flexel.engine.choice import Choice
 from flexel.engine.finite import check_finite
@@ -50,7 +48,7 @@ def complete(
     code = choice.complete(qdd is not None)
     _check_forces(kinematics, choice, t)
     kinematics.check(code, t)
-    return _state(kinematics, choice, choice.work.a.copy(), choice.multiplier.copy())
+    return state_in(kinematics, choice.work, *choice.reactions())
 
 
 def driving_forces(
@@ -73,8 +71,9 @@ def unaccelerated(kinematics: Kinematics, t: float, x: Array, v: Array, e: Array
     choice.forces()
     _check_forces(kinematics, choice, t)
     choice.work.a[:] = 0.0
+    choice.multiplier[:] = 0.0
     choice.work.convective()
-    return _state(kinematics, choice, np.zeros(x.size), np.zeros_like(choice.multiplier))
+    return state_in(kinematics, choice.work, *choice.reactions())
 
 
 def _placed(kinematics: Kinematics, t: float, x: Array, v: Array, e: Array, z: Array) -> Choice:
@@ -91,43 +90,34 @@ def _check_forces(kinematics: Kinematics, choice: Choice, t: float) -> None:
     check_finite(kinematics.structure, work.stress, work.zd, t)
 
 
-def _state(kinematics: Kinematics, choice: Choice, a: Array, multiplier: Array) -> State:
-    """The state in the workspace, with its accelerations and multipliers by quantity."""
-    s, work, nf = kinematics.structure, choice.work, kinematics.structure.nf
-    first = s.m + s.k
-    work.rates()
-    reactions = -multiplier[first:]
-    held = choice.force - work.momentum(a) - work.pull(multiplier[:first])
-    reactions[nf:] = -held[nf:]
-    return state_in(kinematics, work, a, work.stress + multiplier[:first], reactions)
-
-
-def state_in(kinematics: Kinematics, work: Workspace, a: Array, stresses: Array, reactions: Array) -> State:
-    """The state that a workspace holds: everything evaluated, with its accelerations (n,).
+def state_in(kinematics: Kinematics, work: Workspace, stresses: Array, reactions: Array) -> State:
+    """The state that a workspace holds: everything evaluated, with its accelerations.
 
     Parameters
     ----------
     work : Workspace
-    a, reactions : ndarray (n,)
     stresses : ndarray (m + k,)
+    reactions : ndarray (n,)
     """
-    x, v, e, t = work.x.copy(), work.v.copy(), work.e.copy(), float(work.struct.t)
-    potential = work.struct.U + kinematics.loads.potential(t, kinematics.values(e, x))
+    t = float(work.struct.t)
+    (x, v, a, e, rates, second, z, zd), (kinetic, potential, strain, dissipated) = work.state()
+    if kinematics.loads.any:
+        potential += kinematics.loads.potential(t, kinematics.values(e, x))
     return State(
         t=t,
         x=x,
         v=v,
         a=a,
         e=e,
-        rates=np.concatenate([work.w, v]),
+        rates=rates,
         stresses=stresses,
         reactions=reactions,
         roles=kinematics.roles,
         evaluation=kinematics.evaluation,
-        energy=Energy(float(v @ work.momentum(v)) / 2, potential, float(work.law_U.sum())),
-        drift=kinematics.drift(e, x),
-        z=work.z.copy(),
-        zd=work.zd.copy(),
-        dissipated=float(work.law_P.sum()),
-        Phi_v=np.concatenate([work.g + work.push(a), a]),
+        energy=Energy(kinetic, potential, strain),
+        drift=kinematics.drift(e),
+        z=z,
+        zd=zd,
+        dissipated=dissipated,
+        Phi_v=second,
     )

@@ -20,8 +20,7 @@ from flexel.base.errors import ConstraintError, FlexelError, PositionError
 from flexel.base.once import once
 from flexel.engine.choice import Choice, ChoiceLists
 from flexel.engine.evaluate import Evaluation
-from flexel.engine.patterns import Selection
-from flexel.engine.solvers import Solvable, factorize
+from flexel.engine.linear import Linearizer
 from flexel.generated._kernels import lib
 from flexel.mechanics.inertia import massless
 from flexel.structure.loads import Loads
@@ -72,6 +71,7 @@ class Kinematics:
         self.evaluation = evaluation
         self.structure: Structure = evaluation.structure
         self.roles, self.loads = roles, loads
+        self._timed = bool(roles.motions) or loads.any
         self._scale = natural_scales(self.structure)
         self._threads = threading.local()
 
@@ -84,27 +84,20 @@ class Kinematics:
         """The lists of this choice of degrees of freedom for the engine."""
         return ChoiceLists(self.evaluation.tables, self.roles, self._scale, self.loads.quantities)
 
-    @cached_property
-    def velocity_rows(self) -> Selection:
-        """Rows of B."""
-        return Selection(self.evaluation.tables.J, self.roles.velocity_rows, self.structure.nf)
+    @once
+    def linearizer(self) -> Linearizer:
+        """The lists of its linearization."""
+        return Linearizer(self.evaluation, self.lists)
 
     @cached_property
-    def kinematic_rows(self) -> Selection:
-        """Rows of the kinematic degrees of freedom."""
-        return Selection(self.evaluation.tables.J, self.roles.kinematic, self.structure.nf)
-
-    @cached_property
-    def free_mass(self) -> Selection:
-        """The mass matrix of the free coordinates."""
-        nf = self.structure.nf
-        return Selection(self.evaluation.tables.M, np.arange(nf), nf)
-
-    @cached_property
-    def free_tangent(self) -> Selection:
-        """The tangent of the free coordinates."""
-        nf = self.structure.nf
-        return Selection(self.evaluation.tables.T.whole, np.arange(nf), nf)
+    def role_names(self) -> tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]:
+        """Names of the dynamic and kinematic degrees of freedom, and of the prescribed motions."""
+        roles, names = self.roles, self.structure.names
+        return (
+            tuple(names[i] for i in roles.dynamic),
+            tuple(names[i] for i in roles.kinematic),
+            tuple(names[i] for i in roles.prescribed),
+        )
 
     @property
     def choice(self) -> Choice:
@@ -117,9 +110,8 @@ class Kinematics:
     def given(self, t: float) -> Choice:
         """The same, with the prescribed motions and loads at time t."""
         choice = self.choice
-        if self.roles.motions:
+        if self._timed:
             choice.motion[:] = self.roles.motion(t).ravel()
-        if self.loads.any:
             choice.loads[:] = self.loads.values(t)
         return choice
 
@@ -229,24 +221,18 @@ class Kinematics:
             f"position near the current one: check prescribed and initial values{driven}, or move in smaller steps"
         )
 
-    def velocity_matrix(self, J: Any, t: float) -> Solvable:
-        """Factors of B for J = [De; V; 1] at time t; for one-off solutions.
-
-        Raises
-        ------
-        ConstraintError
-            If B is singular: the chosen degrees of freedom do not determine the velocities here.
-        """
-        B = factorize(J[self.roles.velocity_rows][:, : self.structure.nf])
-        if not B.regular:
-            raise self.failure(lib.FLEXEL_SLIDING if self.roles.zero.size else lib.FLEXEL_SINGULAR, t)
-        return B
-
-    def drift(self, e: Array, x: Array) -> float:
-        """Largest violation of the rigid conditions, relative to their natural scales."""
+    @cached_property
+    def _conditions(self) -> tuple[Array, Array | None]:
+        """Natural scales of the rigid quantities, and their periods, if any of them has one."""
         rows = self.roles.rigid
-        held = wrap(self.values(e, x)[rows], self.structure.period[rows])
-        return float(np.max(np.abs(held) / self.scales(rows), initial=0.0))
+        period = self.structure.period[rows]
+        return self.scales(rows), period if period.any() else None
+
+    def drift(self, e: Array) -> float:
+        """Largest violation of the rigid conditions, relative to their natural scales."""
+        held, (scales, period) = e[self.roles.rigid], self._conditions
+        held = held if period is None else wrap(held, period)
+        return float(np.abs(held / scales).max(initial=0.0))
 
     def names(self, rows: Any) -> str:
         """Names of quantities, for messages."""

@@ -20,7 +20,8 @@ from flexel.base.copies import Portable
 from flexel.base.errors import LinearizationError, ModelError
 from flexel.base.units import rate_unit
 from flexel.engine.derivatives import Derivatives, Tangents
-from flexel.mechanics.modes import Mode, Reduced, modes_of, sort_eigenvalues
+from flexel.engine.solvers import eigenvalues, solved
+from flexel.mechanics.modes import Mode, Reduced, check_decoupled, modes_of, sort_eigenvalues
 from flexel.mechanics.transfer import Transfer
 from flexel.structure.state import State
 
@@ -89,7 +90,7 @@ class Linearization(Portable):
     def state_matrix(self) -> Array:
         """Matrix of the first-order equations for (δq_d', δq_d, δq_k, δz), (2 nd + nk + nz) square."""
         nd, nk, nz = len(self.dynamic), len(self.kinematic), len(self.internal)
-        top = -np.linalg.solve(self.M, np.hstack([self.C, self.K, self.Z])) if nd else np.zeros((0, nk + nz))
+        top = -solved(self.M, np.hstack([self.C, self.K, self.Z])) if nd else np.zeros((0, nk + nz))
         middle = np.hstack([np.eye(nd), np.zeros((nd, nd + nk + nz))])
         rolling = np.hstack([self.A_k, self.B_k, np.zeros((nk, nz))])
         return np.vstack([top, middle, rolling, np.hstack([self.Z_v, self.Z_q, self.Z_z])])
@@ -100,7 +101,7 @@ class Linearization(Portable):
         The zero eigenvalues of a non-holonomic system are defective and have large rounding errors; use
         `reduced` for the degrees of freedom of interest.
         """
-        return sort_eigenvalues(np.linalg.eigvals(self.state_matrix))
+        return sort_eigenvalues(eigenvalues(self.state_matrix))
 
     def modes(self) -> list[Mode]:
         """Modes, sorted as the eigenvalues, one for each complex pair (the one with positive imaginary part)."""
@@ -123,19 +124,11 @@ class Linearization(Portable):
                 raise LinearizationError(
                     f"reduced: '{name}' is not a dynamic degree of freedom; name some of {self.dynamic}"
                 )
-        i = [self.dynamic.index(name) for name in names]
-        for matrix, label in ((self.M, "M"), (self.C, "C"), (self.K, "K"), (self.Z, "Z")):
-            block = matrix[i]
-            columns = self.internal if label == "Z" else self.dofs[: matrix.shape[1]]
-            for j, name in enumerate(columns):
-                largest = float(np.max(np.abs(self.K[i] if label == "Z" else block)))
-                if name not in names and np.max(np.abs(block[:, j])) > tolerance * largest:
-                    raise LinearizationError(
-                        f"{tuple(names)} are not decoupled: '{name}' enters through {label} "
-                        f"({np.max(np.abs(block[:, j])):.3g}); include it, or use the full state matrix"
-                    )
-        grid = np.ix_(i, i)
-        return Reduced(tuple(names), self.M[grid], self.C[grid], self.K[grid])
+        i, nd = np.array([self.dynamic.index(name) for name in names]), len(self.dynamic)
+        rows = np.hstack([self.M, self.C, self.K, self.Z])[i]
+        columns = {"M": self.dynamic, "C": self.dynamic, "K": self.dofs, "Z": self.internal}
+        check_decoupled(names, columns, np.abs(rows).max(axis=0).tolist(), tolerance)
+        return Reduced(tuple(names), rows[:, i], rows[:, nd + i], rows[:, 2 * nd + i])
 
     def input_matrix(self, names: Sequence[str]) -> Array:
         """F̄ (nd, inputs): generalized forces of loads on the named coordinates, deformations or slips."""

@@ -8,10 +8,13 @@ non-holonomic constraints: a finite element approach"; Meijaard (1991).
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from flexel.base.arrays import Array
-from flexel.engine.derivatives import Derivatives, derivatives_of
+from flexel.engine.derivatives import Derivatives, check_laws
+from flexel.engine.solvers import definite
 from flexel.mechanics.inertia import massless
 from flexel.mechanics.kinematics import Kinematics
 from flexel.mechanics.linearization import Linearization
@@ -19,71 +22,74 @@ from flexel.mechanics.transfer import Transfer
 from flexel.structure.state import State, own_state
 
 
-def transfer_functions(kinematics: Kinematics, T: Derivatives) -> Transfer:
-    """First- and second-order transfer functions and their derivatives at the position in the workspace.
+def linearize(kinematics: Kinematics, state: State) -> Linearization:
+    """Linearized equations of motion about a complete state.
 
     Raises
     ------
     ConstraintError
         If the degrees of freedom do not determine position and velocities.
+    TangentError, InertiaError
+        If a law has no slope there; if a degree of freedom moves no mass.
     """
-    roles, nf = kinematics.roles, kinematics.structure.nf
-    choice = kinematics.given(float(kinematics.choice.work.struct.t))
-    choice.reset()
-    kinematics.check(choice.directions(), choice.work.struct.t)
-    nr, nu, nd, nq = roles.rigid.size, roles.prescribed.size, roles.nd, roles.nq
-    unit = np.eye(nf)
-    G = choice.positions_for(np.hstack([unit[:, nr + nu :], unit[:, nr : nr + nu]]))
-    H = choice.rates_for(np.hstack([unit[:, nf - nd :], unit[:, nr : nr + nu]]))
-    rows = kinematics.velocity_rows
-    N = -choice.rates_for(rows.times(T.Phi_x, G))
-    by_v = rows.times(T.Psi_v, np.hstack([N, H]))
-    by_v[:, : nq + nu] += rows.times(T.Psi_x, G)
-    both = -choice.rates_for(by_v)
-    return Transfer(G, N, H, both[:, : nq + nu], both[:, nq + nu :])
+    return linearize_all(kinematics, [state])[0]
 
 
-def linearize(kinematics: Kinematics, state: State) -> Linearization:
-    """Linearized equations of motion about a complete state."""
-    structure, roles = kinematics.structure, kinematics.roles
-    own_state(structure, state, "linearize")
-    nd, nq, nz = roles.nd, roles.nq, structure.nz
-    T = derivatives_of(kinematics.evaluation, state)
-    X = transfer_functions(kinematics, T)
-    mass, free, kinematic = kinematics.free_mass, kinematics.free_tangent, kinematics.kinematic_rows
-    H, columns = X.H[:, :nd], np.cumsum([nd + roles.prescribed.size, nd + roles.prescribed.size])
-    by_M = H.T @ mass.times(T.M, np.hstack([X.H, X.A_v, X.A_q]))
-    by_v = H.T @ free.times(T.r_v, np.hstack([X.H, X.N]))
-    Mbar, *rest = np.split(by_M, columns, axis=1)
-    Cbar, by_N = np.split(by_v, columns[:1], axis=1)
-    Cbar, Kbar = Cbar + rest[0], H.T @ free.times(T.r_x, X.G) + by_N + rest[1]
-    Jk, B_k = np.split(kinematic.times(T.J, np.hstack([X.H, X.N])), columns[:1], axis=1)
-    A_k, B_k = Jk, kinematic.times(T.Phi_x, X.G) + B_k
-    Z, Z_v, Z_q, zd_z = _lagging(kinematics, T, X) if nz else _no_lags(X, nd)
-    if nd and np.linalg.eigvalsh(Mbar[:, :nd])[0] <= 0:
-        raise massless(structure, roles, Mbar[:, :nd])
-    names = structure.names
+def linearize_all(kinematics: Kinematics, states: Sequence[State]) -> list[Linearization]:
+    """The same about several states, each as if it were alone, in one call of the engine."""
+    structure, roles, linearizer = kinematics.structure, kinematics.roles, kinematics.linearizer
+    for state in states:
+        own_state(structure, state, "linearize")
+    found = linearizer.run(kinematics.choice, states)
+    for i in range(found.done + bool(found.code)):
+        check_laws(kinematics.evaluation, linearizer.slopes(found, i), states[i].t)
+    if found.code:
+        raise kinematics.failure(found.code, states[found.done].t)
+    transfers = [linearizer.transfer(found, i) for i in range(len(states))]
+    matrices = [z[1][:, : roles.nd].T @ factors for z, factors in zip(transfers, found.factors, strict=True)]
+    for z in matrices:
+        if not definite(z[:, : roles.nd]):
+            raise massless(structure, roles, z[:, : roles.nd])
+    parts = zip(states, matrices, transfers, strict=True)
+    return [_assembled(kinematics, *part, linearizer.derivatives(found, i)) for i, part in enumerate(parts)]
+
+
+def _assembled(
+    kinematics: Kinematics, state: State, matrices: Array, transfer: list[Array], T: Derivatives
+) -> Linearization:
+    """Names and blocks of [M C K], transfer functions and derivatives at a state."""
+    roles, width = kinematics.roles, kinematics.linearizer.width
+    nd, nq, nu = roles.nd, roles.nq, roles.prescribed.size
+    r, p = slice(0, nd + nu), slice(width, width + nq + nu)
+    dynamic, kinematic, prescribed = kinematics.role_names
+    G, first, second, rolling = transfer
+    X = Transfer(G[:, : nq + nu], first[:, p], first[:, r], second[:, p], second[:, r])
+    (M, M_u), (C, C_u) = ((z[:, :nd], z[:, nd : nd + nu]) for z in (matrices, matrices[:, width:]))
+    (K, K_u), (B, B_u) = (
+        (z[:, :nq], z[:, nq : nq + nu]) for z in (matrices[:, 2 * width :], rolling[:, width:])
+    )
+    Z, Z_v, Z_q, zd_z = _lagging(kinematics, T, X) if kinematics.structure.nz else _no_lags(X, nd)
     return Linearization(
-        M=Mbar[:, :nd],
-        C=Cbar[:, :nd],
-        K=Kbar[:, :nq],
-        A_k=A_k[:, :nd],
-        B_k=B_k[:, :nq],
-        M_u=Mbar[:, nd:],
-        C_u=Cbar[:, nd:],
-        K_u=Kbar[:, nq:],
-        A_ku=A_k[:, nd:],
-        B_ku=B_k[:, nq:],
+        M=M,
+        C=C,
+        K=K,
+        A_k=rolling[:, :nd],
+        B_k=B,
+        M_u=M_u,
+        C_u=C_u,
+        K_u=K_u,
+        A_ku=rolling[:, nd : nd + nu],
+        B_ku=B_u,
         Z=Z,
         Z_v=Z_v[:, :nd],
         Z_q=Z_q[:, :nq],
         Z_z=zd_z,
         Z_vu=Z_v[:, nd:],
         Z_qu=Z_q[:, nq:],
-        dynamic=tuple(names[i] for i in roles.dynamic),
-        kinematic=tuple(names[i] for i in roles.kinematic),
-        prescribed=tuple(names[i] for i in roles.prescribed),
-        internal=tuple(structure.internal),
+        dynamic=dynamic,
+        kinematic=kinematic,
+        prescribed=prescribed,
+        internal=tuple(kinematics.structure.internal),
         state=state,
         transfer=X,
         derivatives=T,

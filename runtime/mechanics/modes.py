@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -9,6 +10,8 @@ import numpy as np
 from scipy.linalg import eig
 
 from flexel.base.arrays import Array, ComplexArray
+from flexel.base.errors import LinearizationError
+from flexel.engine.solvers import eigenvalues, solved
 
 _eig: Any = eig
 
@@ -67,12 +70,46 @@ class Reduced:
     def state_matrix(self) -> Array:
         """First-order form for (q', q)."""
         n = len(self.names)
-        top = -np.linalg.solve(self.M, np.hstack([self.C, self.K]))
-        return np.vstack([top, np.hstack([np.eye(n), np.zeros((n, n))])])
+        A = np.zeros((2 * n, 2 * n))
+        A[:n, :n], A[:n, n:], A[n:, :n] = self.C, self.K, np.eye(n)
+        A[:n] = -solved(self.M, A[:n])
+        return A
 
     def eigenvalues(self) -> ComplexArray:
         """The 2 n eigenvalues [1/s], sorted by real, then imaginary part."""
-        return sort_eigenvalues(np.linalg.eigvals(self.state_matrix))
+        return sort_eigenvalues(eigenvalues(self.state_matrix))
+
+
+def check_decoupled(
+    names: Sequence[str], columns: Mapping[str, Sequence[str]], sizes: Sequence[float], tolerance: float
+) -> None:
+    """Check that nothing but the named degrees of freedom enters their equations.
+
+    Parameters
+    ----------
+    columns : mapping of str to sequence of str
+        Names of the columns of M, C, K and Z.
+    sizes : sequence of float
+        Largest entry of each of these columns in the equations.
+    tolerance : float
+        Relative to the largest entry of the matrix; for Z of K.
+
+    Raises
+    ------
+    LinearizationError
+    """
+    first, largest = 0, 0.0
+    for label, others in columns.items():
+        own = sizes[first : first + len(others)]
+        first += len(others)
+        if label != "Z":
+            largest = max(own)
+        for size, name in zip(own, others, strict=True):
+            if name not in names and size > tolerance * largest:
+                raise LinearizationError(
+                    f"{tuple(names)} are not decoupled: '{name}' enters through {label} ({size:.3g}); include it, or "
+                    "use the full state matrix"
+                )
 
 
 def modes_of(state_matrix: Array, names: tuple[str, ...], nd: int) -> list[Mode]:
@@ -100,6 +137,6 @@ def _mode(value: complex, left: ComplexArray, right: ComplexArray, names: tuple[
 def sort_eigenvalues(values: Any) -> ComplexArray:
     """Complex numbers sorted by real, then imaginary part; real parts equal to rounding count as equal."""
     w = np.asarray(values, dtype=complex)
-    scale = float(np.max(np.abs(w), initial=1e-300))
+    scale = np.abs(w).max(initial=1e-300)
     order = np.lexsort((w.imag, np.round(w.real / scale, 11)))
     return w[order]

@@ -12,12 +12,12 @@ import numpy as np
 from scipy.sparse import block_array, eye_array, vstack
 
 from flexel.base.arguments import number, numbers
-from flexel.base.arrays import Array
+from flexel.base.arrays import Array, Index
 from flexel.base.errors import ModelError, PositionError
 from flexel.engine.choice import Choice
-from flexel.engine.solvers import factorize
+from flexel.engine.solvers import factorize, least
 from flexel.mechanics import dynamics
-from flexel.mechanics.kinematics import Configuration, Kinematics
+from flexel.mechanics.kinematics import Kinematics
 from flexel.structure.moment import Moment
 from flexel.structure.roles import Roles
 from flexel.structure.state import State, own_state
@@ -123,75 +123,66 @@ def state_at(
             )
         q[list(roles.dofs).index(i)] = value
     near = Moment.of(start).still(time)
-    qd: Rates = start.qd if rates is None else lambda choice: _rates_at(kinematics, choice, rates)
+    qd: Rates = start.qd if rates is None else lambda choice: consistent_rates(kinematics, choice, rates)
     return state_of(kinematics, time, q, qd, z, near)
 
 
-def _rates_at(kinematics: Kinematics, choice: Choice, rates: Mapping[str, float]) -> Array:
-    """Consistent rates at the position in the workspace."""
-    work, evaluation = choice.work, kinematics.evaluation
-    J = evaluation.matrix(evaluation.tables.J, work.J)
-    return consistent_rates(kinematics, Configuration(work.struct.t, work.x.copy(), work.e.copy(), J), rates)
-
-
-def consistent_rates(kinematics: Kinematics, c: Configuration, rates: Mapping[str, float]) -> Array:
-    """Rates q_d' (nd,) that give the named rates; undetermined ones are zero.
+def consistent_rates(kinematics: Kinematics, choice: Choice, rates: Mapping[str, float]) -> Array:
+    """Rates q_d' (nd,) that give the named rates at a position that was located; undetermined ones are zero.
 
     Raises
     ------
     ModelError, PositionError
         Rates that are not finite; rates that contradict one another or the constraints.
     """
-    structure, nd = kinematics.structure, kinematics.roles.nd
+    structure, nd, work = kinematics.structure, kinematics.roles.nd, choice.work
     given = numbers(rates, "initial rates", "rate")
     rows = np.array([structure.find(name, "initial rates") for name in given], dtype=np.intp)
-    wanted, nf = np.array(list(given.values())), structure.nf
+    wanted, still = np.array(list(given.values())), np.zeros(nd)
     if not rows.size:
-        return np.zeros(nd)
-    B = kinematics.velocity_matrix(c.J, c.t)
-    motion = kinematics.roles.motion(c.t)[1]
-    before = kinematics.roles.rigid.size
-    rhs = np.zeros(nf)
-    rhs[before : before + motion.size] = motion
-    v0 = B.solve(rhs)
-    J = c.J[rows][:, :nf]
-    missing = wanted - J @ v0
-    if kinematics.evaluation.large:
-        qd = smallest(c.J[kinematics.roles.dynamic][:, :nf], c.J, kinematics.roles, J, missing)
+        return still
+
+    def rates_of(qd: Array) -> Array:
+        v = kinematics.velocity(choice, qd)
+        return np.concatenate([work.push(v), v])
+
+    first = rates_of(still)
+    missing = wanted - first[rows]
+    if kinematics.lists.saddle:
+        J = kinematics.evaluation.tables.J.matrix(work.J)
+        qd = smallest(J, kinematics.roles, structure.nf, rows, missing)
     else:
-        by_dofs = B.solve(np.ascontiguousarray(J.T), transposed=True)[nf - nd :].T
-        qd = np.linalg.lstsq(by_dofs, missing, rcond=1e-12)[0]
-    v = v0 + B.solve(np.concatenate([np.zeros(nf - nd), qd]))
-    off = wanted - J @ v
-    speeds = np.concatenate([wanted, v0, v, [1e-12]])
-    scale = float(np.max(np.abs(speeds)))
-    if np.max(np.abs(off), initial=0.0) > 1e-9 * scale:
-        worst = int(np.argmax(np.abs(off)))
+        qd = least(choice.unit_rates(rows), missing, 1e-12)
+    found = rates_of(qd)
+    off = np.abs(wanted - found[rows])
+    scale = np.abs(np.concatenate([wanted, first, found])).max(initial=1e-12)
+    if off.max() > 1e-9 * scale:
+        worst = int(np.argmax(off))
         raise PositionError(
             f"initial rates are inconsistent: '{list(rates)[worst]}' cannot be {wanted[worst]:g} together with "
             f"the others and the constraints (off by {off[worst]:.3g}); give at most {nd} independent rates"
         )
-    return np.asarray(qd)
+    return qd
 
 
-def smallest(S: Any, J: Any, roles: Roles, rows: Any, wanted: Array) -> Array:
-    """Rates S v (nd,) of the degrees of freedom, of smallest size, that change the given rows of rates as required.
+def smallest(J: Any, roles: Roles, nf: int, rows: Index, wanted: Array) -> Array:
+    """Rates (nd,) of the degrees of freedom, of smallest size, that change some rates as required.
 
-    For large models: v from the sparse conditions of the constrained least squares.
+    For many degrees of freedom: from the sparse conditions of the constrained least squares.
 
     Parameters
     ----------
-    S : sparse (nd, nf)
-        Rows of J of the dynamic degrees of freedom.
     J : sparse (m + k + n, n)
     roles : Roles
-    rows : sparse (r, nf)
-        Rows of J whose rates are wanted.
+    nf : int
+        Free coordinates.
+    rows : ndarray of int (r,)
+        Quantities whose rates are wanted.
     wanted : ndarray (r,)
     """
-    nf = S.shape[1]
-    C = J[np.concatenate([roles.holonomic, roles.zero])][:, :nf]
-    A = vstack([C, rows])
+    J = J[:, :nf]
+    S, C = J[roles.dynamic], J[np.concatenate([roles.holonomic, roles.zero])]
+    A = vstack([C, J[rows]])
     damping = -1e-14 * eye_array(A.shape[0])  # for redundant rates
     factors = factorize(block_array([[S.T @ S, A.T], [A, damping]]))
     rhs = np.concatenate([np.zeros(nf + C.shape[0]), wanted])

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from flexel.base.arguments import names
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError, PositionError
+from flexel.engine.solvers import least
 from flexel.mechanics.core import Core
+from flexel.mechanics.linearization import Linearization
 from flexel.mechanics.newton import newton, shortened
 from flexel.structure.state import State
 
@@ -29,26 +32,26 @@ def steady_motion(
     unknown_rates: Sequence[str],
 ) -> State:
     """State near `start` with q_d'' = 0 and internal states of laws at rest; see `System.steady`."""
-    dofs = [system.structure.names[i] for i in system.roles.dofs]
-    nd = system.roles.nd
-    named = dofs if unknown is None else names(unknown, "steady")
-    columns = [_place(dofs, z) for z in named]
+    kinematics = system.kinematics
+    dynamic, kinematic, _ = kinematics.role_names
+    dofs, nd = [*dynamic, *kinematic], system.roles.nd
+    columns = (
+        list(range(len(dofs))) if unknown is None else [_place(dofs, z) for z in names(unknown, "steady")]
+    )
     speeds = [_place(dofs[:nd], z) for z in names(unknown_rates, "steady")]
     first = start if rates is None else _with_rates(system, start, rates)
 
     def evaluate(state: State) -> tuple[Unbalance, float]:
         lin = system.linearize(state)
-        qdd = np.array([state.acceleration(z) for z in dofs[:nd]])
-        scale = _force_scale(system, state, lin.transfer.H[:, :nd])
-        L = np.hstack([lin.Z_q[:, columns], lin.Z_v[:, speeds], lin.Z_z])
-        forces = np.hstack([lin.K[:, columns], lin.C[:, speeds], lin.Z]) / scale
-        found = Unbalance(-lin.M @ qdd / scale, state.zd, forces, L)
+        scale = _force_scale(system, state, lin)
+        qdd = state.Phi_v[system.roles.dynamic]
+        found = Unbalance(-lin.M @ qdd / scale, state.zd, scale, lin, columns, speeds)
         return found, found.size
 
     def move(state: State, unbalance: Unbalance) -> State:
         step = unbalance.step()
-        size = float(np.max(np.abs(step[: len(columns)]), initial=0.0))
-        return _moved(system, state, (columns, speeds), shortened(step, size, LONGEST))
+        step = shortened(step, largest(step[: len(columns)]), LONGEST)
+        return _moved(system, state, (columns, speeds), step)
 
     found = newton(first, evaluate, move, tolerance=TOLERANCE, stalled=STALLED, most=MAX_ITERATIONS)
     if found.converged:
@@ -67,28 +70,41 @@ class Unbalance:
     Attributes
     ----------
     forces : ndarray (nd,)
-        Residual forces, relative to the balancing ones.
+        Residual forces, relative to `scale`, the balancing ones.
     lag : ndarray (nz,)
         Rates of internal states of laws.
-    by_forces, by_lag : ndarray
-        Their derivatives with respect to the unknowns: coordinates, rates, internal states.
+    lin : Linearization
+    columns, speeds : list of int
+        The unknown coordinates and rates.
     """
 
     forces: Array
     lag: Array
-    by_forces: Array
-    by_lag: Array
+    scale: float
+    lin: Linearization
+    columns: list[int]
+    speeds: list[int]
+
+    def _by(self, values: Array, rates: Array, lags: Array) -> Array:
+        """Derivatives with respect to the unknowns: coordinates, rates, internal states."""
+        return np.hstack([values[:, self.columns], rates[:, self.speeds], lags])
+
+    @cached_property
+    def by_lag(self) -> Array:
+        """Derivatives (nz, unknowns) of the rates of internal states."""
+        return self._by(self.lin.Z_q, self.lin.Z_v, self.lin.Z_z)
 
     @property
     def size(self) -> float:
         """Largest relative error."""
-        lags = np.abs(self.lag) / max(float(np.max(np.abs(self.by_lag), initial=0.0)), 1.0)
-        return float(np.max(np.concatenate([np.abs(self.forces), lags]), initial=0.0))
+        if not self.lag.size:
+            return largest(self.forces)
+        return max(largest(self.forces), largest(self.lag) / max(largest(self.by_lag), 1.0))
 
     def step(self) -> Array:
         """The smallest change of the unknowns that removes it."""
-        A = np.vstack([self.by_forces, self.by_lag])
-        return np.asarray(np.linalg.lstsq(A, -np.concatenate([self.forces, self.lag]), rcond=1e-10)[0])
+        by_forces = self._by(self.lin.K, self.lin.C, self.lin.Z) / self.scale
+        return least(np.vstack([by_forces, self.by_lag]), -np.concatenate([self.forces, self.lag]), 1e-10)
 
 
 def _moved(system: Core, state: State, places: tuple[list[int], list[int]], step: Array) -> State:
@@ -110,18 +126,18 @@ def _moved(system: Core, state: State, places: tuple[list[int], list[int]], step
     return state
 
 
-def _force_scale(system: Core, state: State, H: Array) -> float:
-    """Size of the balancing forces in the reduced equations."""
-    work, nf = system.evaluation.at(state.t, state.x, state.v, z=state.z, near=state.e), system.structure.nf
-    work.inertia()
-    parts = np.concatenate([work.F[:nf], work.pull(state.stresses)[:nf]])
-    M = work.M
-    reach = float(np.max(np.abs(H), initial=0.0))
+def _force_scale(system: Core, state: State, lin: Linearization) -> float:
+    """Size of the balancing forces in the reduced equations; the workspace holds the state that was linearized."""
+    work, nf = system.evaluation.work, system.structure.nf
+    reach, pulled = lin.transfer.H[:, : len(lin.dynamic)], work.pull(state.stresses)
     return max(
-        float(np.max(np.abs(parts), initial=0.0)) * reach,
-        float(np.max(np.abs(M), initial=0.0)) * 1e-3,
-        1e-300,
+        max(largest(work.F[:nf]), largest(pulled[:nf])) * largest(reach), largest(work.M) * 1e-3, 1e-300
     )
+
+
+def largest(values: Array) -> float:
+    """Largest size of some numbers; zero if there are none."""
+    return float(np.abs(values).max(initial=0.0))
 
 
 def _with_rates(system: Core, start: State, rates: Mapping[str, float]) -> State:

@@ -1,0 +1,97 @@
+"""Linearizes the equations of motion at any number of states of a model in one call of the engine; see linear.h."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from flexel.base.arrays import Array
+from flexel.engine.choice import Choice, ChoiceLists
+from flexel.engine.derivatives import Derivatives
+from flexel.engine.evaluate import Evaluation
+from flexel.engine.structs import Struct
+from flexel.generated._kernels import ffi, lib
+from flexel.structure.state import State
+
+
+@dataclass(frozen=True, eq=False)
+class Linearized:
+    """What the engine finds at some states.
+
+    Attributes
+    ----------
+    derivatives : ndarray (states, …)
+    transfer : ndarray (states, …)
+    factors : ndarray (states, nf, …)
+        M H, r_v H + M A_v and r_x G + r_v N + M A_q side by side.
+    done, code : int
+        Number of states that are done, and why the next one is not; zero if all are.
+    """
+
+    derivatives: Array
+    transfer: Array
+    factors: Array
+    done: int
+    code: int
+
+
+class Linearizer(Struct):
+    """The lists of a choice of degrees of freedom for its linearization, shared by all workspaces.
+
+    Attributes
+    ----------
+    width : int
+        Columns of rates, nd + nu filled up to a multiple of four.
+    """
+
+    def __init__(self, evaluation: Evaluation, lists: ChoiceLists) -> None:
+        super().__init__(ffi.new("flexel_linear *"))
+        self._evaluation = evaluation
+        s, t, roles = evaluation.structure, evaluation.tables, lists.roles
+        laws = t.law.entries[2]
+        self.struct.T_column = self.integers(t.T.whole.column.astype(np.int32))
+        self.struct.nlaws, self.struct.laws = laws.size, self.integers(laws.astype(np.int32))
+        nu, nk = roles.prescribed.size, roles.nq - roles.nd
+        p, r = -(-(roles.nq + nu) // 4) * 4, -(-(roles.nd + nu) // 4) * 4  # as in linear.h
+        self.width = r
+        self._factors = s.nf, 2 * r + p
+        self._space = 3 * s.nf * (p + r)
+        self._transfer = _places([(s.nf, p), (s.nf, r + p), (s.nf, r + p), (nk, r + p)])
+        nJ, nT = t.J.size, t.T.whole.size
+        self._derivatives = _places([(z,) for z in (nJ, nJ, nJ, nJ, t.M.size, nT, nT, laws.size)])
+
+    def run(self, choice: Choice, states: Sequence[State]) -> Linearized:
+        """Derivatives and transfer functions at complete states of the model."""
+        given = np.array([np.concatenate([(z.t,), z.x, z.v, z.a, z.z, z.e, z.stresses]) for z in states])
+        count = given.shape[0]
+        found = (
+            np.empty((count, self._derivatives[-1][0].stop)),
+            np.empty((count, self._transfer[-1][0].stop)),
+        )
+        factors, space, code = np.empty((count, *self._factors)), np.empty(self._space), ffi.new("int *")
+        pointers = (ffi.from_buffer("double[]", z) for z in (given, *found, factors, space))
+        done = lib.flexel_linearize(choice.work.struct, choice.struct, self.struct, count, *pointers, code)
+        return Linearized(*found, factors, int(done), int(code[0]))
+
+    def derivatives(self, found: Linearized, i: int) -> Derivatives:
+        """Derivatives at state number i."""
+        own = found.derivatives[i]
+        return Derivatives(self._evaluation, *(own[place] for place, _ in self._derivatives))
+
+    def transfer(self, found: Linearized, i: int) -> list[Array]:
+        """G, [H N], [A_v A_q] and [𝒜 ℬ] at state number i; columns of values begin at number `width`."""
+        own = found.transfer[i]
+        return [own[place].reshape(shape) for place, shape in self._transfer]
+
+    def slopes(self, found: Linearized, i: int) -> Array:
+        """Derivatives of the laws at state number i."""
+        return found.derivatives[i, self._derivatives[-1][0]]
+
+
+def _places(shapes: Sequence[tuple[int, ...]]) -> list[tuple[slice, tuple[int, ...]]]:
+    """Where arrays lie that follow one another, and their shapes."""
+    ends = np.cumsum([math.prod(z) for z in shapes]).tolist()
+    return [(slice(end - math.prod(z), end), z) for z, end in zip(shapes, ends, strict=True)]

@@ -1,0 +1,60 @@
+/* The complete state that a workspace holds; see state.h. */
+#include "state.h"
+
+#include "evaluate.h"
+
+#include <string.h>
+
+void flexel_reactions(flexel_work *s, const flexel_choice *c, double *stresses, double *reactions)
+{
+    const size_t first = s->m + s->k;
+    flexel_momentum(s, s->a, reactions);
+    flexel_pull(s, c->multiplier, reactions);
+    for (size_t i = 0; i < s->nf; i++)
+        reactions[i] = -c->multiplier[first + i];
+    for (size_t i = s->nf; i < s->n; i++)
+        reactions[i] -= c->force[i];
+    for (size_t i = 0; i < first; i++)
+        stresses[i] = s->stress[i] + c->multiplier[i];
+}
+
+static double *put(double *to, const double *from, size_t count)
+{
+    memcpy(to, from, count * sizeof(double));
+    return to + count;
+}
+
+static double sum(size_t count, const double *values)
+{
+    double z = 0;
+    for (size_t i = 0; i < count; i++)
+        z += values[i];
+    return z;
+}
+
+void flexel_state(flexel_work *s, double *out)
+{
+    const size_t n = s->n, first = s->m + s->k;
+    flexel_rates(s);
+    out = put(out, s->x, n);
+    out = put(out, s->v, n);
+    out = put(out, s->a, n);
+    out = put(out, s->e, s->m);
+    out = put(out, s->w, first);
+    out = put(out, s->v, n);
+    memset(out, 0, first * sizeof(double)); /* of rows that are left out */
+    flexel_push(s, s->a, out);
+    for (size_t i = 0; i < first; i++)
+        out[i] += s->g[i];
+    out = put(out + first, s->a, n);
+    out = put(out, s->z, s->nz);
+    out = put(out, s->zd, s->nz);
+    double kinetic = 0;
+    for (size_t i = 0; i < n; i++)
+        for (int l = s->M_start[i]; l < s->M_start[i + 1]; l++)
+            kinetic += s->v[i] * s->M[l] * s->v[s->M_column[l]];
+    out[0] = kinetic / 2;
+    out[1] = s->U;
+    out[2] = sum(s->nlaws, s->law_U);
+    out[3] = sum(s->nlaws, s->law_P);
+}
