@@ -153,3 +153,14 @@ int flexel_lu_sign(const flexel_lu *lu, const double *a)
         sign = a[lu->diagonal[k]] < 0 ? -sign : sign;
     return sign;
 }
+
+double flexel_lu_logarithm(const flexel_lu *lu, const double *a)
+{
+    double mantissa = 1, exponents = 0;
+    for (size_t k = 0; k < lu->n; k++) {
+        int exponent;
+        mantissa = frexp(mantissa * fabs(a[lu->diagonal[k]]), &exponent);
+        exponents += exponent;
+    }
+    return -log2(mantissa) - exponents; /* of the inverses of the pivots */
+}

@@ -44,6 +44,8 @@ void flexel_lu_solve_transposed(const flexel_lu *lu, const double *a, size_t cou
 
 /* Sign of the determinant. */
 int flexel_lu_sign(const flexel_lu *lu, const double *a);
+/* Its size as a logarithm to base 2. */
+double flexel_lu_logarithm(const flexel_lu *lu, const double *a);
 /* cdef: end */
 
 #endif

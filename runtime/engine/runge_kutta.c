@@ -56,6 +56,8 @@ int flexel_dop853_begin(flexel_work *s, flexel_choice *c, flexel_dop853 *o, doub
     const int failed = rates(s, c, o, 0, t, o->y);
     if (!failed)
         o->sign = flexel_matrix_sign(&c->P);
+    if (!failed && o->determinant)
+        o->determinant[0] = flexel_matrix_logarithm(&c->P);
     return failed;
 }
 
@@ -98,12 +100,12 @@ static double norm(const flexel_dop853 *o, double h)
 /* The errors of the step, from the rates at all stages. */
 static void judge(flexel_work *s, flexel_dop853 *o, double h)
 {
-    double fastest = 0;
+    o->fastest = 0;
     for (size_t i = 0; i < s->nf; i++)
-        fastest = fmax(fastest, fabs(s->v[i]) * o->weight[i]);
+        o->fastest = fmax(o->fastest, fabs(s->v[i]) * o->weight[i]);
     o->error = norm(o, h);
     o->error_x = largest_error(o, o->V, s->nf, o->weight, 0, h);
-    o->error_v = fastest > 0 ? largest_error(o, o->W, s->nf, o->weight, 0, h) / fastest : 0;
+    o->error_v = largest_error(o, o->W, s->nf, o->weight, 0, h);
     o->error_turns = largest_error(o, o->turning, s->nperiodic, s->period, 1, h);
 }
 
@@ -119,15 +121,20 @@ int flexel_dop853_step(flexel_work *s, flexel_choice *c, flexel_dop853 *o, doubl
         const int failed = rates(s, c, o, stage, last ? t + h : t + o->C[stage] * h, last ? o->y_new : o->space);
         if (failed)
             return failed;
-        o->changed += flexel_matrix_sign(&c->P) != o->sign;
+        if (flexel_matrix_sign(&c->P) != o->sign)
+            o->changed |= (size_t)1 << stage;
+        if (o->determinant)
+            o->determinant[stage] = flexel_matrix_logarithm(&c->P);
     }
-    o->defect = 0;
+    combine(s->nf, o->V, h, FLEXEL_STAGES, o->B, o->W, o->space);
+    o->defect = o->defect_v = 0;
     for (size_t i = 0; i < s->nf; i++) {
-        const double z = fabs(s->x[i] - o->x_new[i]) * o->weight[i];
+        const double z = fabs(s->x[i] - o->x_new[i]) * o->weight[i], zd = fabs(s->v[i] - o->space[i]) * o->weight[i];
         if (!(z <= o->defect)) {
             o->defect = z;
             o->farthest = i;
         }
+        o->defect_v = zd <= o->defect_v ? o->defect_v : zd;
     }
     memcpy(o->x_new, s->x, s->n * sizeof(double));
     for (size_t i = 0; i < s->nperiodic; i++)

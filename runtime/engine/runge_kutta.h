@@ -26,9 +26,11 @@ typedef struct {
     double *K, *V, *W, *turning;
     double *space; /* max(ny, nf) */
     int sign;      /* of the determinant of the position matrix at the start */
-    /* found: errors of y (SciPy's norm), of x and v (natural scales, v of its largest), of turns (periods); largest distance
-     * of the solved coordinates from the shadow, and which; whether a stage changed the sign; the stage that failed */
-    double error, error_x, error_v, error_turns, defect;
+    double *determinant; /* logarithms of its size at the stages and the end (13), or NULL if they are not asked for */
+    /* found: errors of y (SciPy's norm), of x and v (natural scales), of turns (periods); largest distance of the solved
+     * coordinates and rates from their shadows, and which coordinate; largest rate; the stages with the other
+     * sign, as bits; the stage that failed */
+    double error, error_x, error_v, error_turns, defect, defect_v, fastest;
     size_t farthest, changed, stage, evaluations;
 } flexel_dop853;
 

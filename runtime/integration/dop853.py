@@ -2,7 +2,8 @@
 
 The step control is that of SciPy (Hairer, Norsett and Wanner 1993), with three more limits: the shadow's own error,
 the sign of the determinant of the position matrix, which two solutions that meet in a fold have opposite, and the
-distance of the solved coordinates from the shadow.  Where these fail, other degrees of freedom are the cure.
+distance of the solved coordinates and rates from their shadows.  Where these fail, other degrees of freedom are the
+cure.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ from scipy.integrate._ivp import dop853_coefficients as tableau
 
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError, FlexelError
-from flexel.engine.choice import Choice
+from flexel.engine.choice import EXACT, TOLERANCE, Choice
 from flexel.engine.structs import Struct
 from flexel.generated._kernels import ffi, lib
 from flexel.integration.branch import REFUSED
@@ -31,11 +32,13 @@ TURNS = 0.1  # of periodic deformations, in periods
 CAREFUL = 1e-9  # of the shadow and its rates where the sign of the position matrix changes
 FARTHEST = 10.0  # distance of the solution from the shadow, in expected errors
 FLOOR = 1e-5  # that is always allowed
+TRUE = 0.1  # error of a step of order eight, relative to the estimates by its embedded formulas
 FIRST = 1e-9  # least first step, relative to the time left: values of y that are rounding errors ask for less
 SHORTER = 0.4  # factor of a step that is refused
 A, B, C = (np.ascontiguousarray(z, dtype=float) for z in (tableau.A[:12, :12], tableau.B, tableau.C[:12]))
 E3, E5 = (np.ascontiguousarray(z, dtype=float) for z in (tableau.E3, tableau.E5))
 TIMES = np.append(C, 1.0)  # of the stages and the end
+GAPS = 7 / 15, float(C[1]) / 2  # middles of the widest gap between them, and of the first one
 
 
 class Steps(Struct):
@@ -45,7 +48,6 @@ class Steps(Struct):
         super().__init__(ffi.new("flexel_dop853 *"))
         self.kinematics = kinematics
         self.choice = Choice(kinematics.evaluation.work, kinematics.lists)  # samples leave no trace in it
-        self.choice.struct.accept = ACCEPT * rtol
         c, s = self.struct, kinematics.structure
         self._periodic = np.flatnonzero(s.period[: s.m])
         c.ny, c.rtol = y.size, rtol
@@ -63,6 +65,8 @@ class Steps(Struct):
         self.V = self.new("V", 13 * nf).reshape(13, nf)
         for name, size in (("W", 13 * nf), ("turning", 13 * nq), ("space", max(y.size, nf))):
             self.new(name, size)
+        self.determinant = np.zeros(TIMES.size)
+        self._determinant = self.pointer(self.determinant)
         motion, loads = self.choice.motion.size, self.choice.loads.size
         c.ngiven = motion + loads
         self._given = self.new("given", 13 * (motion + loads)).reshape(13, -1)
@@ -84,8 +88,13 @@ class Steps(Struct):
         self.given(t, 0.0, slice(0, 1))
         self.kinematics.check(lib.flexel_dop853_begin(*self._structs, t), t, self.choice)
 
-    def step(self, t: float, h: float) -> int:
-        """One step; the code of what failed, or zero."""
+    def step(self, t: float, h: float, careful: bool) -> int:
+        """One step; the code of what failed, or zero.  A careful one finds positions as exactly as rounding allows."""
+        choice = self.choice.struct
+        choice.accept, choice.tolerance = (0.0, EXACT) if careful else (ACCEPT * self.struct.rtol, TOLERANCE)
+        self.struct.determinant = self._determinant if careful else ffi.NULL
+        if careful:
+            self.begin(t)
         self.given(t, h, slice(1, 13))
         return int(lib.flexel_dop853_step(*self._structs, t, h))
 
@@ -115,6 +124,7 @@ class Dop853(MinimalRun):
     _h = 0.0
     _tried = 0.0
     _failed = 0
+    _crossing = False  # the next step goes across a bifurcation
 
     def restart(self) -> None:
         """Start anew from the present position in the present degrees of freedom."""
@@ -149,7 +159,8 @@ class Dop853(MinimalRun):
 
     def advance(self) -> str | None:
         """One accepted step."""
-        end, rejected, careful = float(self.times[-1]), False, False
+        end, rejected, careful, across = float(self.times[-1]), False, False, 0.0
+        crossing, self._crossing = self._crossing, False
         while True:
             s, c = self.steps, self.steps.struct
             shortest = max(SHORTEST * self._span, 10 * abs(np.nextafter(self.t, np.inf) - self.t))
@@ -158,24 +169,28 @@ class Dop853(MinimalRun):
             t1 = min(self.t + min(self._h, self.tolerances.max_step), end)
             h = self._tried = t1 - self.t
             before = c.evaluations
-            code = s.step(self.t, h)
+            code = s.step(self.t, h, careful)
             self.counts["evaluations"] += c.evaluations - before
             error = self._error(careful) if not code else np.inf
+            if c.changed and not careful and (error < 1 or crossing):
+                careful = True
+                continue
             if error < 1:
-                if c.changed and not careful:
-                    careful = True
-                    continue
-                if self._trusted() and not (c.changed and self._poor()):
+                if self._trusted() and self._exact() and not (c.changed and self._poor()):
                     break
                 error = np.inf
             self._failed = code
             self.counts["rejected"] += 1
             rejected = True
             self._h = h * (max(SMALLEST, SAFETY * error**EXPONENT) if np.isfinite(error) else SHORTER)
+            if careful and c.changed and not code:
+                self._h, across = self._approach(h, self._h)
+                careful, crossing = False, True
             if not np.isfinite(error) and self.consider_refused():
                 self.restart()
         factor = min(LARGEST, SAFETY * error**EXPONENT) if error > 0 else LARGEST
-        self._h = h * (min(1.0, factor) if rejected else factor)
+        self._crossing = across > 0
+        self._h = across or h * (min(1.0, factor) if rejected else factor)
         return self._accepted(t1)
 
     def _error(self, careful: bool) -> float:
@@ -183,8 +198,28 @@ class Dop853(MinimalRun):
         c = self.steps.struct
         found = max(c.error, c.error_x / SHADOW, c.error_turns / TURNS)
         if careful:
-            found = max(found, c.error_x / CAREFUL, c.error_v / CAREFUL)
+            found = max(found, c.error_x / CAREFUL, c.error_v / (CAREFUL * (c.fastest or 1.0)))
         return float(found) if np.isfinite(found) else np.inf
+
+    def _approach(self, h: float, across: float) -> tuple[float, float]:
+        """Steps [s] up to a bifurcation and across it, which lies in the widest gap of the stages of the second.
+
+        Velocities close to it are lost to rounding.  The second is zero where the first one goes across.
+
+        Parameters
+        ----------
+        h, across : float
+            The careful step that was refused, and one that may be accurate enough [s].
+        """
+        crossed = np.array([self.steps.struct.changed >> i & 1 for i in range(TIMES.size)], dtype=bool)
+        i = int(np.argmin(np.where(crossed, TIMES, 2.0)))
+        j = int(np.argmax(np.where(crossed | (TIMES >= TIMES[i]), -1.0, TIMES)))
+        size = self.steps.determinant
+        share = 1 / (1 + np.exp2(np.clip(size[i] - size[j], -60, 60)))  # the determinant passes zero linearly
+        until = float(h * (TIMES[j] + share * (TIMES[i] - TIMES[j])))
+        if until > GAPS[0] * across:
+            return until - GAPS[0] * across, across
+        return until / GAPS[until < GAPS[1] * across], 0.0
 
     def _poor(self) -> bool:
         """Whether other degrees of freedom are so much better that a change of sign may be theirs."""
@@ -196,6 +231,12 @@ class Dop853(MinimalRun):
         c, given = self.steps.struct, self.tolerances
         expected = c.error_x + self.reached * float(np.max(given.atol) + given.rtol)
         return bool(c.defect <= FARTHEST * max(expected, FLOOR))
+
+    def _exact(self) -> bool:
+        """Whether the solved rates are those of the shadow: near an extreme of a degree of freedom they are not."""
+        c, given = self.steps.struct, self.tolerances
+        expected = TRUE * (c.error_v + float(np.max(given.atol)) + given.rtol * c.fastest)
+        return bool(c.defect_v <= expected) or self.steps.choice.reach() <= REFUSED
 
     def consider_refused(self) -> bool:
         """Take better degrees of freedom at the start of a refused step."""

@@ -29,7 +29,8 @@ from flexel.structure.state import State
 METHODS: dict[str, Any] = {"RK45": RK45, "Radau": Radau, "BDF": BDF, "LSODA": LSODA}
 IMPLICIT = ("Radau", "BDF", "LSODA")
 FIRST = 1e-4  # first step, relative to the time left, after an unreachable position
-FARTHEST = 10.0  # distance of the position from the one that the rates lead to, in expected errors
+TWICE = 2.0  # distance of the position from the one that the rates lead to, in expected errors
+FARTHEST = 10.0  # the same where the expected error is least
 CAREFUL = 1e-9  # expected error of a step in which the sign of the position matrix may change
 FLOOR = 1e-3  # that is always allowed, in natural scales: the rates are integrated by Simpson's rule only
 
@@ -192,7 +193,7 @@ class Scipy(MinimalRun):
             float(np.max(np.abs(z - simpson)[: s.nf] * weight, initial=0.0)) for z in (last.x, coarse)
         )
         expected *= 0.1  # Simpson's rule is better than the trapezoidal one by more than that
-        if sign == self._sign and off <= FARTHEST * max(expected, FLOOR):
+        if sign == self._sign and off <= max(TWICE * expected, FARTHEST * FLOOR):
             return
         if sign != self._sign and expected <= CAREFUL and off <= FARTHEST * CAREFUL:
             self.counts["bifurcations"] += 1  # the sign changes along a smooth path

@@ -27,6 +27,7 @@ from flexel.structure.structure import Structure
 
 _block_array: Any = block_array
 RANK_TOLERANCE = 1e-9  # singular value of the row-scaled constraint matrix that counts as zero
+SINGULAR = "no independent coordinates can be chosen here: the position is singular"
 PREFERENCE = 3.0  # relative angles and elongations are preferred to absolute coordinates by this factor
 
 
@@ -117,7 +118,7 @@ def pick(kinematics: Kinematics, J: Array, space: Array, exclude: Index) -> Inde
     _, R, pivots = qr(S.T, mode="economic", pivoting=True)
     diagonal = np.abs(np.diag(R))
     if diagonal.size < space.shape[1] or diagonal[-1] < 1e-9 * diagonal[0]:
-        raise ConstraintError("no independent coordinates can be chosen here: the position is singular")
+        raise ConstraintError(SINGULAR)
     return np.sort(rows[pivots[: space.shape[1]]])
 
 
@@ -171,7 +172,10 @@ def choose_dofs(kinematics: Kinematics, J: Array, dynamic: Index | None, kinemat
         kinematic = pick(kinematics, J, null_space(J[held, :nf], nf)[0], dynamic)
     else:
         check_choice(kinematics, J, held, kinematic, "kinematic", "kinematic")
-    return roles.with_dofs(dynamic, kinematic)
+    found = roles.with_dofs(dynamic, kinematic)
+    if found.position_rows.size != nf:  # by rounding, the dynamic ones no longer describe all motions
+        raise ConstraintError(SINGULAR)
+    return found
 
 
 @dataclass(frozen=True)

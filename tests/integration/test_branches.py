@@ -31,6 +31,35 @@ def test_a_motion_in_bad_coordinates_stays_on_its_branch(family: str, number: in
     assert not found.fails, str(found)
 
 
+POOR = [
+    ("double", 56),
+    ("double", 106),
+    ("double", 1097),
+    ("triple", 1018),
+    ("ball", 6),
+    ("ball", 14),
+    ("rssr", 1010),
+]
+
+
+@pytest.mark.parametrize(("family", "number"), POOR)
+def test_an_error_of_bad_coordinates_is_not_enlarged_in_the_rates(family: str, number: int) -> None:
+    """A step ended near their extreme: y was within the tolerance, and rates were off by 150 times as much."""
+    found = verdict(case(family, number), "DOP853", 1e-3)
+    assert not found.fails, str(found)
+
+
+@pytest.mark.parametrize("number", [1005, 5014, 5128, 5180, 5185])
+@pytest.mark.parametrize("rtol", [1e-3, 1e-5])
+def test_a_bifurcation_is_crossed_in_a_gap_of_the_stages(number: int, rtol: float) -> None:
+    """Stages close to the flat position are lost to rounding; shorter steps come only closer."""
+    found = case("parallelogram", number)
+    for coordinates in (found.bad, found.good):
+        motion = run(found, coordinates, rtol=rtol, atol=1e-5, method="DOP853")
+        assert found.error(motion) < 0.1
+        assert motion.statistics["evaluations"] < 600
+
+
 @pytest.mark.parametrize("atol", [1e-7, 1e-9, 1e-10, 1e-11])
 @pytest.mark.parametrize("samples", [2, 201])
 def test_the_pendulum_that_jumped_keeps_its_energy(atol: float, samples: int) -> None:

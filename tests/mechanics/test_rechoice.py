@@ -2,10 +2,12 @@
 
 import numpy as np
 import pytest
+from branch_families import case
 from differences import pendulum
 from mechanisms import heavy_top, slider_crank
 
 from flexel.base.errors import ConstraintError, FlexelError
+from flexel.mechanics.diagnose import choose_dofs
 from flexel.model import Model
 
 
@@ -145,3 +147,24 @@ def test_fast_free_rotor_is_followed_through_its_turns() -> None:
     motion = m.build().simulate(0.5, samples=4)
     assert np.max(np.abs(motion["axle.angle"] - 200.0 * motion.t)) < 1e-11
     assert abs(motion.at(0.123)["axle.angle"] - 24.6) < 1e-11
+
+
+def test_a_choice_close_to_a_singular_position_is_complete_or_refused() -> None:
+    """By rounding, too many degrees of freedom seemed to be needed, and the engine read beyond its tables."""
+    found = case("parallelogram", 1)
+    system = found.built(found.good)
+    drawn = system.initial.x
+    s, kinematics = system.structure, system.kinematics
+    angle = np.arctan2(*drawn[[s.names.index(f"P0.{z}") - s.m - s.k for z in "yx"]])
+    chosen = refused = 0
+    for distance in 10.0 ** np.linspace(-14, -4, 300):
+        try:
+            state = system.state_at({"R0.angle": -angle + distance})
+            roles = choose_dofs(kinematics, kinematics.evaluation.position(state.x)[1], None, None)
+        except ConstraintError:
+            refused += 1
+            continue
+        chosen += 1
+        assert roles.position_rows.size == s.nf
+    assert chosen
+    assert refused

@@ -16,7 +16,8 @@ def pulleys(space: bool = False, radii: tuple[float, float] = (R, R)) -> fx.Mode
     for name, x, radius in (("A", 0.0, radii[0]), ("B", SPAN, radii[1])):
         m.point(name, (x, 0.0, 0.0)[:size], fixed=True)
         (m.frame if space else m.angle)(f"F{name}", fixed=True)
-        m.sheave(f"S{name}", name, f"F{name}", radius=radius - 1e-3)
+        groove = fx.RoundGroove(1.05e-3) if space else None
+        m.sheave(f"S{name}", name, f"F{name}", radius=radius - 1e-3, groove=groove)
     return m
 
 

@@ -1,0 +1,54 @@
+"""Memory of long motions: that of an implicit one is constant, an explicit one keeps its steps and nothing else."""
+
+import gc
+import os
+import sys
+from pathlib import Path
+
+import pytest
+
+import flexel as fx
+
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
+STEP, DURATION = 1e-3, 10.0  # [s]
+SLACK = 1.0  # MB that the allocator may keep
+PER_STEP = 4e-3  # MB that a step of DOP853 may keep for dense output
+
+
+def resident() -> float:
+    """Memory of this process [MB]."""
+    gc.collect()
+    return int(Path("/proc/self/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE") / 2**20
+
+
+def pendulum() -> fx.System:
+    m = fx.Model(gravity=(0, -9.81))
+    last = m.point("O", (0, 0), fixed=True)
+    for i in range(2):
+        end = m.point(f"P{i}", (0.5 * (i + 1), 0.0))
+        m.beam(f"b{i}", last, m.angle(f"R{i}"), end, mass_per_length=1.0)
+        last = end
+    return m.build()
+
+
+def test_an_implicit_motion_of_many_steps_needs_no_more_memory() -> None:
+    system = pendulum()
+    system.simulate(0.1, method="generalized-alpha", step=STEP, samples=2)
+    before = resident()
+    motion = system.simulate(DURATION, method="generalized-alpha", step=STEP, samples=2)
+    assert motion.statistics["steps"] == pytest.approx(DURATION / STEP)
+    assert resident() < before + SLACK
+
+
+def test_an_explicit_motion_keeps_its_steps_and_nothing_else() -> None:
+    """They are kept for `Motion.at`; another motion uses the same memory again."""
+    system = pendulum()
+    found = [resident()]
+    for _ in range(4):
+        motion = system.simulate(DURATION, method="DOP853", max_step=STEP, samples=2)
+        steps = motion.statistics["steps"]
+        found.append(resident())
+        del motion
+    assert steps >= DURATION / STEP
+    assert found[1] < found[0] + SLACK + PER_STEP * steps
+    assert found[-1] < found[1] + SLACK
