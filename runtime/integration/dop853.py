@@ -32,6 +32,7 @@ TURNS = 0.1  # of periodic deformations, in periods
 CAREFUL = 1e-9  # of the shadow and its rates where the sign of the position matrix changes
 FARTHEST = 10.0  # distance of the solution from the shadow, in expected errors
 FLOOR = 1e-5  # that is always allowed
+NEAR = 1.01  # reach up to which coordinates do not enlarge errors
 TRUE = 0.1  # error of a step of order eight, relative to the estimates by its embedded formulas
 FIRST = 1e-9  # least first step, relative to the time left: values of y that are rounding errors ask for less
 SHORTER = 0.4  # factor of a step that is refused
@@ -236,7 +237,7 @@ class Dop853(MinimalRun):
         """Whether the solved rates are those of the shadow: near an extreme of a degree of freedom they are not."""
         c, given = self.steps.struct, self.tolerances
         expected = TRUE * (c.error_v + float(np.max(given.atol)) + given.rtol * c.fastest)
-        return bool(c.defect_v <= expected) or self.steps.choice.reach() <= REFUSED
+        return bool(c.defect_v <= expected) or self.steps.choice.reach() <= NEAR
 
     def consider_refused(self) -> bool:
         """Take better degrees of freedom at the start of a refused step."""
