@@ -198,7 +198,7 @@ def analyse() -> Results:
         range=stable_range(system),
         measured={name: stable_range(bicycle(p)) for name, p in data.MEASURED.items()},
         steady=[steady(system, float(v), lean=0.005, steer=-0.005) for v in SPEEDS],
-        m1=kick(system, data.M1_SPEED, 5.0, rtol=1e-11),
+        m1=kick(system, data.M1_SPEED, 5.0, rtol=1e-12),
         kicks={v: kick(system, v) for v in KICK_SPEEDS},
     )
 
@@ -263,14 +263,14 @@ def manoeuvre(results: Results) -> list[Quantity]:
     """Manoeuvre M1 beside its reference trajectory, row by row, and at 5 s."""
     found, reference, end = manoeuvre_m1(results.m1), np.array(data.M1), results.m1[-1]
     units = ("s", "rad", "rad", "rad", "rad/s", "rad/s", "m", "m")
-    accurate: Any = {"kind": "own", "reason": f"{STEPS}, at 1e-11"}
+    accurate: Any = {"kind": "own", "reason": f"{STEPS}, at 1e-12"}
     return [
         Quantity("M1_steer_5s", end["steer.angle"], data.M1_STEER_5S, 1e-9, "rad", data.MANOEUVRE, **accurate),
         Quantity("M1_forward_speed_5s", forward_speed(end), data.M1_FORWARD_SPEED_5S, 1e-11, "m/s",
                  data.MANOEUVRE, **accurate),
         Quantity("M1_energy", end.energy.total, data.M1_ENERGY, 1e-12, "J", data.MANOEUVRE, kind="own"),
-        Quantity("M1_energy_drift", energy_drift(results.m1), 0.0, 1e-11, "", "0, conservative; over the energy",
-                 kind="closed form", reason=f"{STEPS}, at 1e-11"),
+        Quantity("M1_energy_drift", energy_drift(results.m1), 0.0, 1e-12, "", "0, conservative; over the energy",
+                 kind="closed form", reason=f"{STEPS}, at 1e-12"),
         *(
             Quantity(f"M1 {name}", found[:, i], reference[:, i], 1e-10 if "steer" in name else 1e-11, units[i],
                      data.MANOEUVRE, tolerance_kind="absolute", **accurate)

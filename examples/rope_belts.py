@@ -29,6 +29,7 @@ FRICTION, TORQUE, SPEED = (
 START, END, SETTLED = 0.3, 1.6, 1.2  # end of the run-up, of the motion, and begin of what is averaged [s]
 MESHES = (48, 96)
 SOURCE = "creep of an elastic belt (Euler-Eytelwein)"
+VIBRATIONS = "what is left of the vibrations, which differs between machines"
 
 
 @dataclass(frozen=True)
@@ -145,10 +146,10 @@ def rows() -> list[Quantity]:
         Quantity("belt_creep", drive.creep, given.creep, 0.045, "", SOURCE, {"elements": n}, kind="closed form"),
         Quantity("belt_tensions", [drive.tight, drive.slack], [given.tight, given.slack], 5e-3, "N", SOURCE,
                  {"elements": n}, kind="closed form"),
-        Quantity("belt_torque", (drive.tight - drive.slack) * WHEEL, TORQUE, 1e-4, "N m", "torque of the driven pulley",
-                 {"elements": n}, kind="closed form", reason="what is left of the vibrations"),
+        Quantity("belt_torque", (drive.tight - drive.slack) * WHEEL, TORQUE, 1e-3, "N m", "torque of the driven pulley",
+                 {"elements": n}, kind="closed form", reason=VIBRATIONS),
         Quantity("belt_slip_angle", drive.slip, given.slip, 0.005, "rad", f"of each pulley, {SOURCE}", {"elements": n},
                  kind="closed form"),
-        Quantity("belt_in_space", [space.tight, space.slack], [flat.tight, flat.slack], 6e-4, "N",
-                 "the same belt in the plane", {"elements": MESHES[0]}, kind="own"),
+        Quantity("belt_in_space", [space.tight, space.slack], [flat.tight, flat.slack], 2e-3, "N",
+                 "the same belt in the plane", {"elements": MESHES[0]}, kind="own", reason=VIBRATIONS),
     ]  # fmt: skip
