@@ -1,4 +1,4 @@
-"""Ropes that hang: the elastic catenary and the frequencies of a hanging chain.
+"""Ropes at rest and their frequencies: catenary, hanging chain, cantilever under a large load, rope over a sheave.
 
 Imports numpy and flexel.
 """
@@ -13,12 +13,15 @@ import flexel as fx
 from flexel.base.arrays import Array
 from flexel.examples import rope_exact as exact
 from flexel.examples import rope_models as models
+from flexel.examples.flexures_exact import cantilever_elastica
 from flexel.examples.rope_table import over_meshes
 from flexel.results.report import Quantity
 
 MESHES = (12, 24, 48)
 CHAIN_MESHES = (32, 64, 128)
 ROPE_MESHES = (4, 8, 16)  # rounding shows from 32 on: EA is 3e6 times the rope's weight
+ELASTICA, ELASTICA_MESHES = 10.0, (4, 8, 16)  # P L²/EI
+WRAPPED_MESHES = (16, 32, 64)
 CHAIN = 2.0  # length of what hangs [m]
 
 
@@ -42,6 +45,20 @@ def catenary_errors(n: int) -> tuple[float, float]:
     return float(abs(end_forces(state, n) / forces - 1).max()), float(np.hypot(*off) / abs(middle[1]))
 
 
+def elastica_error(n: int) -> float:
+    """Error of the tip of a cantilever under a large load, over its length."""
+    tip = models.cantilever(n, ELASTICA).equilibrium().position(f"rope_p{n}")
+    down, back = cantilever_elastica(ELASTICA)
+    return float(np.hypot(tip[1] - down, 1 - tip[0] - back))
+
+
+def wrapped_error(n: int) -> float:
+    """Largest relative error of the tension at any point of a rope over a sheave, from that of its straight parts."""
+    system, rope = models.wrapped_sheave(n)
+    T = rope.tension(system.equilibrium())[1]
+    return float(abs(T / T[0] - 1).max())
+
+
 def chain_error(n: int) -> float:
     """Largest relative error of the four lowest frequencies of a hanging chain of n bars."""
     return _of_frequencies(models.hanging_chain(n, CHAIN), exact.chain_frequencies(CHAIN, 4))
@@ -59,7 +76,7 @@ def _of_frequencies(system: fx.System, given: Array) -> float:
 
 
 def rows() -> list[Quantity]:
-    """Catenary and hanging chain."""
+    """Catenary, hanging chain and rope, elastica, rope over a sheave."""
     irvine = "Irvine's catenary"
     return [
         over_meshes("catenary_error", lambda n: catenary_errors(n)[0], MESHES, 2.5e-7, f"end forces, {irvine}"),
@@ -68,4 +85,8 @@ def rows() -> list[Quantity]:
                     "zeros of J0 (Bernoulli), 4 modes; bars and masses, order 2"),
         over_meshes("loaded_chain_frequencies_error", loaded_rope_error, ROPE_MESHES, 1e-5,
                     "J2(z0) Y0(z1) = Y2(z0) J0(z1), payload as heavy as the chain, 4 modes"),
+        over_meshes("elastica_error", elastica_error, ELASTICA_MESHES, 9e-6,
+                    "elastica (Bisshop and Drucker 1945), P L²/EI = 10; over the length"),
+        over_meshes("wrapped_rope_error", wrapped_error, WRAPPED_MESHES, 8e-4,
+                    "constant tension of a rope over a sheave"),
     ]  # fmt: skip

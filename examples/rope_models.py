@@ -53,6 +53,31 @@ def loaded_rope(n: int, length: float, payload: float) -> fx.System:
     return m.build()
 
 
+def cantilever(n: int, load: float) -> fx.System:
+    """A cable of length 1 and EI = 1, clamped at one end, with a force across it at the other; hardly extensible."""
+    m = fx.Model()
+    rope = m.cable_line("rope", [(0, 0), (1, 0)], n, EA=1e8, EI=1.0, mass_per_length=1.0)
+    wall = m.angle("wall", fixed=True)
+    m.fix(rope.points[0])
+    m.clamp("clamp", wall, rope.slopes[0])
+    m.load(rope.points[-1], (0, load))
+    return m.build()
+
+
+def wrapped_sheave(n: int, tension: float = 50.0) -> tuple[fx.System, Rope]:
+    """A rope over a fixed sheave without friction, half a turn and two vertical parts, held at both ends."""
+    m = fx.Model()
+    m.point("C", (0, 0), fixed=True)
+    m.angle("F", fixed=True)
+    m.sheave("S", "C", "F", radius=WHEEL - THIN)
+    ends = [m.point(name, (x, -2 * WHEEL), fixed=True) for name, x in (("A", -WHEEL), ("B", WHEEL))]
+    rope = m.rope(
+        "rope", [ends[0], "S", ends[1]], n, contact=fx.Contact(1e9), radius=THIN, tension=tension, EA=1e5,
+        EI=1e-5, mass_per_length=0.01,
+    )  # fmt: skip
+    return m.build(), rope
+
+
 def straight(
     n: int, L: float, *, payload: float = 0.0, EA: float, mass: float, damping: float = 0.0
 ) -> fx.Model:

@@ -37,6 +37,9 @@ def test_hanging_ropes_and_chains_converge_with_their_order() -> None:
     assert [found[z] for z in ("catenary_error", "catenary_sag_error")] == pytest.approx([4, 4], abs=0.05)
     assert found["hanging_frequencies_error"] == pytest.approx(2, abs=0.05)
     assert found["loaded_chain_frequencies_error"] > 2.5
+    assert found["elastica_error"] == pytest.approx(4, abs=0.05)
+    coarse, *_ = next(z.more["errors"] for z in rows if z.name == "wrapped_rope_error")
+    assert coarse < 5e-3  # elements of 0.45 radii
 
 
 def test_waves_and_sudden_loads_have_their_closed_forms() -> None:
