@@ -16,6 +16,7 @@ from flexel.engine.workspace import Workspace
 from flexel.mechanics.diagnose import largest, null_space, quoted
 from flexel.structure.structure import Structure
 
+CONSISTENT = 1e-10  # relative residual of a least solution that solves the equations
 LARGEST_NULL_SPACE = 1500  # most unknowns for which the free motion of a singular matrix is identified
 
 
@@ -98,6 +99,18 @@ class Matrix:
     def sparse(self) -> Any:
         """The matrix as a scipy.sparse array."""
         return self.pattern.matrix(self.stored)
+
+    def least_solution(self, rhs: Array) -> Array | None:
+        """The smallest solution for a right-hand side, in scaled unknowns; None if a singular matrix has none."""
+        if self.factors.regular:
+            return self.solve(rhs)
+        if self.pattern.size > LARGEST_NULL_SPACE:
+            return None
+        A = self.sparse.toarray()
+        scale = 1 / np.sqrt(np.maximum(np.abs(A).max(axis=1), 1e-12 * (self.size or 1.0)))
+        x = scale * np.linalg.lstsq(scale[:, None] * A * scale, scale * rhs, rcond=CONSISTENT)[0]
+        missed = scale * (A @ x - rhs)
+        return x if np.linalg.norm(missed) <= CONSISTENT * np.linalg.norm(scale * rhs) else None
 
     def solve(self, rhs: Array) -> Array:
         """Solution for one or several right-hand sides; names the unresisted motion if the matrix is singular.

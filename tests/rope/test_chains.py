@@ -92,3 +92,13 @@ def test_wrong_chains_are_refused_and_leave_the_model_alone(change: dict[str, An
     with pytest.raises(fx.ModelError, match=message):
         m.chain("chain", [(0, 0), (1, 0)], **given)
     assert not m.nodes
+
+
+@pytest.mark.parametrize("n", [4, 16])
+def test_an_unstrained_chain_finds_its_equilibrium_under_its_own_weight(n: int) -> None:
+    """As drawn, nothing resists a motion across the bars, and nothing acts there either."""
+    m = fx.Model(gravity=(0, -G))
+    chain = m.chain("chain", [(0, 0), (0, -2)], n, mass_per_length=1.5, EA=1e6)
+    m.fix(chain.points[0])
+    s, T = chain.tension(m.build().equilibrium())
+    assert pytest.approx(G * 1.5 * (2 - s), rel=1e-8) == T
