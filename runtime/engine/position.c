@@ -10,7 +10,6 @@
 
 enum { MOST_ITERATIONS = 40 };
 static const double STALLED = 1e-10;    /* error that is accepted where it is no longer halved */
-static const double AS_FRESH = 0.01;    /* of the tolerance: asked of a correction with factors that are not fresh */
 static const double LONGEST_STEP = 0.5; /* of Newton's method, in natural scales */
 
 static double value_of(const flexel_work *s, int quantity)
@@ -48,14 +47,14 @@ int flexel_factorize(flexel_work *s, flexel_choice *c)
 
 int flexel_locate(flexel_work *s, flexel_choice *c)
 {
-    double last = INFINITY, reuse = c->reuse, needed = c->tolerance;
+    double last = INFINITY, reuse = c->reuse;
     c->reuse = 0;
     set_targets(s, c);
     for (size_t iteration = 0; iteration < MOST_ITERATIONS; iteration++) {
         flexel_position(s);
         c->positions++;
         const double error = c->error = residuals(s, c);
-        const int good = error < needed || (error < STALLED && error > 0.5 * last);
+        const int good = error < c->tolerance || (error < STALLED && error > 0.5 * last);
         if (!isfinite(error))
             return FLEXEL_UNREACHED;
         const int fresh = good || !(error < reuse);
@@ -65,7 +64,6 @@ int flexel_locate(flexel_work *s, flexel_choice *c)
                 return failed;
         }
         reuse = 0;
-        needed = fresh ? c->tolerance : AS_FRESH * c->tolerance;
         flexel_matrix_solve(&c->P, 1, c->residual, c->step, c->work);
         double largest = 0;
         for (size_t i = 0; i < s->nf; i++)
