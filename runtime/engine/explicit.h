@@ -40,7 +40,6 @@ typedef struct {
     double error;
     /* the last evaluation of the right-hand side: time, coordinates, deformations and their rates, targets */
     int predict; /* P belongs to it */
-    double reuse; /* error that the first correction brings below the tolerance with that P too */
     double t_last, *x_last, *e_last, *ed_last, *target_last;
     size_t positions, factorizations;
 } flexel_choice;

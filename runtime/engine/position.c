@@ -47,8 +47,7 @@ int flexel_factorize(flexel_work *s, flexel_choice *c)
 
 int flexel_locate(flexel_work *s, flexel_choice *c)
 {
-    double last = INFINITY, reuse = c->reuse;
-    c->reuse = 0;
+    double last = INFINITY;
     set_targets(s, c);
     for (size_t iteration = 0; iteration < MOST_ITERATIONS; iteration++) {
         flexel_position(s);
@@ -57,13 +56,9 @@ int flexel_locate(flexel_work *s, flexel_choice *c)
         const int good = error < c->tolerance || (error < STALLED && error > 0.5 * last);
         if (!isfinite(error))
             return FLEXEL_UNREACHED;
-        const int fresh = good || !(error < reuse);
-        if (fresh) {
-            const int failed = flexel_factorize(s, c);
-            if (failed || good)
-                return failed;
-        }
-        reuse = 0;
+        const int failed = flexel_factorize(s, c);
+        if (failed || good)
+            return failed;
         flexel_matrix_solve(&c->P, 1, c->residual, c->step, c->work);
         double largest = 0;
         for (size_t i = 0; i < s->nf; i++)
@@ -71,7 +66,7 @@ int flexel_locate(flexel_work *s, flexel_choice *c)
         const double share = largest < LONGEST_STEP ? 1 : LONGEST_STEP / largest;
         for (size_t i = 0; i < s->nf; i++)
             s->x[i] -= share * c->step[i];
-        if (fresh && error < c->accept && share == 1)
+        if (error < c->accept && share == 1)
             return FLEXEL_DONE; /* the last correction is far below the accuracy asked for: J is kept */
         last = share == 1 ? error : INFINITY;
     }

@@ -7,7 +7,6 @@
 #include <string.h>
 
 static const double LONGEST_PREDICTION = 0.5; /* in natural scales */
-static const double MARGIN = 0.1;             /* of the tolerance, for the error times the size of a step */
 
 int flexel_evaluate(flexel_work *s, flexel_choice *c, double t, const double *y, double *dy)
 {
@@ -46,11 +45,9 @@ static void predict(flexel_work *s, flexel_choice *c, const double *q)
     double largest = 0;
     for (size_t i = 0; i < s->nf; i++)
         largest = fmax(largest, fabs(c->step[i]) * c->step_weight[i]);
-    if (!(largest < LONGEST_PREDICTION))
-        return;
-    for (size_t i = 0; i < s->nf; i++)
-        s->x[i] += c->step[i];
-    c->reuse = MARGIN * c->tolerance / largest; /* P changes by about the size of the step, and Newton's method with it */
+    if (largest < LONGEST_PREDICTION)
+        for (size_t i = 0; i < s->nf; i++)
+            s->x[i] += c->step[i];
 }
 
 int flexel_rhs(flexel_work *s, flexel_choice *c, double t, const double *y, double *dy)
