@@ -32,6 +32,9 @@ TURNS = 0.1  # of periodic deformations, in periods
 CAREFUL = 1e-9  # of the shadow and its rates where the sign of the position matrix changes
 FARTHEST = 10.0  # distance of the solution from the shadow, in expected errors
 FLOOR = 1e-5  # that is always allowed
+STAYS = (
+    0.8  # share of a defect that remains in a step of 0.4 times the length, if the length is not its cause
+)
 NEAR = 1.01  # reach up to which coordinates do not enlarge errors
 TRUE = 0.1  # error of a step of order eight, relative to the estimates by its embedded formulas
 FIRST = 1e-9  # least first step, relative to the time left: values of y that are rounding errors ask for less
@@ -126,6 +129,7 @@ class Dop853(MinimalRun):
     _tried = 0.0
     _failed = 0
     _crossing = False  # the next step goes across a bifurcation
+    _defect = np.inf  # of the rates, in the step that was refused for it
 
     def restart(self) -> None:
         """Start anew from the present position in the present degrees of freedom."""
@@ -161,7 +165,7 @@ class Dop853(MinimalRun):
     def advance(self) -> str | None:
         """One accepted step."""
         end, rejected, careful, across = float(self.times[-1]), False, False, 0.0
-        crossing, self._crossing = self._crossing, False
+        crossing, self._crossing, self._defect = self._crossing, False, np.inf
         while True:
             s, c = self.steps, self.steps.struct
             shortest = max(SHORTEST * self._span, 10 * abs(np.nextafter(self.t, np.inf) - self.t))
@@ -237,7 +241,10 @@ class Dop853(MinimalRun):
         """Whether the solved rates are those of the shadow: near an extreme of a degree of freedom they are not."""
         c, given = self.steps.struct, self.tolerances
         expected = TRUE * (c.error_v + float(np.max(given.atol)) + given.rtol * c.fastest)
-        return bool(c.defect_v <= expected) or self.steps.choice.reach() <= NEAR
+        if c.defect_v <= expected or self.steps.choice.reach() <= NEAR:
+            return True
+        last, self._defect = self._defect, float(c.defect_v)
+        return self._defect > STAYS * last  # what a shorter step leaves as it was is not an error of the step
 
     def consider_refused(self) -> bool:
         """Take better degrees of freedom at the start of a refused step."""
