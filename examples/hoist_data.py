@@ -3,8 +3,8 @@
 Paper: Cao, Du, Ma and Liu, "Dynamic Modelling of Hoisting Steel Wire Rope", ICMCA 2017.  Its text at hand lost every
 digit 0 and 2, every letter e, its table and its figures.  From it are the layout (a drum, one fixed and two movable
 sheaves, one rope), 56 elements with five points of contact each, and three phases: the load is applied, lifted with
-increasing speed, and lifted at constant speed.  Its numbers have several readings, see `READINGS`; none of the data
-is chosen so that one of them comes out.
+increasing speed, and lifted at constant speed.  Its numbers have several readings, which the page of the hoist lists;
+none of the data is chosen so that one of them comes out.
 """
 
 from __future__ import annotations
@@ -13,14 +13,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-SOURCE = "Cao, Du, Ma and Liu (2017), ICMCA, Dynamic Modelling of Hoisting Steel Wire Rope"
-# What may have stood where digits 0 and 2 are lost.
-READINGS = {
-    "dynamic factor, printed '1.8'": (1.8, 1.08, 1.28, 1.82),
-    "strain, printed '.4'": (0.4, 0.04, 0.004, 0.024, 0.0024, 0.0004),
-    "factor of hoisting, printed '1.3'": (1.3, 1.03, 1.23, 1.32),
-    "duration [s], printed '3'": (30, 3),
-}
 WIRE_MODULUS = 2.1e11  # of steel [N/m²]
 
 

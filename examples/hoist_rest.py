@@ -59,14 +59,19 @@ def tension_ratios(model: Model, state: fx.State) -> Array:
     return np.asarray(T[beyond] / statics(model, state, s[beyond]))
 
 
+def cores(model: Model, state: fx.State) -> list[Wrap]:
+    """The wraps on the sheaves without two elements at each end."""
+    off = ENDS * float(np.diff(model.rope.s).max())
+    return [Wrap(z.name, z.begin + off, z.end - off) for z in wraps(model, state)[1:]]
+
+
 def pressure_ratios(model: Model, state: fx.State) -> Array:
     """Normal force per length over T/R at the points on the sheaves, two elements and more from the ends of a wrap."""
     rope, found = model.rope, []
-    off = ENDS * float(np.diff(rope.s).max())
-    for wrap in wraps(model, state)[1:]:
-        s, N = rope.contact_force(state, wrap.name)
-        line = N / np.array([p.weight for p in rope.contacts[wrap.name]])
-        inner = (s > wrap.begin + off) & (s < wrap.end - off)
+    for core in cores(model, state):
+        s, N = rope.contact_force(state, core.name)
+        line = N / np.array([p.weight for p in rope.contacts[core.name]])
+        inner = (s > core.begin) & (s < core.end)
         found.append(line[inner] * model.data.pitch / statics(model, state, s[inner]))
     return np.concatenate(found)
 
@@ -79,8 +84,7 @@ def worst(ratios: Array) -> float:
 def wire_stress(model: Model, state: fx.State) -> float:
     """Largest bending stress [N/m²] of the wires on the sheaves, two elements and more from the ends of a wrap."""
     s, kappa = model.rope.curvature(state)
-    off = ENDS * float(np.diff(model.rope.s).max())
-    inner = [(s > z.begin + off) & (s < z.end - off) for z in wraps(model, state)[1:]]
+    inner = [(s > z.begin) & (s < z.end) for z in cores(model, state)]
     return model.data.wire_stress(float(kappa[np.any(inner, axis=0)].max()))
 
 

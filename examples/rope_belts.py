@@ -88,20 +88,9 @@ def belt(n: int, space: bool = False) -> tuple[fx.System, Rope]:
         EA=EA, EI=EI, mass_per_length=MASS, damping=1e-3,
     )  # fmt: skip
     m.prescribe("drive.angle", run_up(SPEED, 0.0, START))
-    m.load("output.angle", (_resisted, _grows, _nothing))
+    _, resisted, growth = run_up(-TORQUE, 0.0, START)
+    m.load("output.angle", (resisted, growth, lambda t: 0.0))
     return m.build(), rope
-
-
-def _resisted(t: float) -> float:
-    return -TORQUE * min(max(t / START, 0.0), 1.0)
-
-
-def _grows(t: float) -> float:
-    return -TORQUE / START if 0 <= t < START else 0.0
-
-
-def _nothing(_: float) -> float:
-    return 0.0
 
 
 @cache

@@ -79,18 +79,6 @@ class Workspace(Fields):
         """Stresses, rates of internal states and energies of the laws."""
         lib.flexel_laws(self.struct)
 
-    def law_tangents(self, share: float = 0.0) -> None:
-        """Derivatives of stresses by pair, S and S_rate."""
-        lib.flexel_law_tangents(self.struct, share)
-
-    def rate_derivatives(self) -> None:
-        """Derivatives Phi by x of the rates of deformations and slips."""
-        lib.flexel_rate_derivatives(self.struct)
-
-    def acceleration_derivatives(self) -> None:
-        """Derivatives Psi_x and Psi_v of the accelerations of deformations and slips."""
-        lib.flexel_acceleration_derivatives(self.struct)
-
     def tangent(self, by_x: float, by_v: float, by_a: float, phi: bool) -> None:
         """T, the weighted sum of the derivatives of the balance of forces by x, v and a."""
         lib.flexel_tangent(self.struct, by_x, by_v, by_a, phi)

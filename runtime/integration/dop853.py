@@ -129,7 +129,6 @@ class Dop853(MinimalRun):
     _tried = 0.0
     _failed = 0
     _crossing = False  # the next step goes across a bifurcation
-    _defect = np.inf  # of the rates, in the step that was refused for it
 
     def restart(self) -> None:
         """Start anew from the present position in the present degrees of freedom."""
@@ -165,7 +164,7 @@ class Dop853(MinimalRun):
     def advance(self) -> str | None:
         """One accepted step."""
         end, rejected, careful, across = float(self.times[-1]), False, False, 0.0
-        crossing, self._crossing, self._defect = self._crossing, False, np.inf
+        crossing, self._crossing, defect = self._crossing, False, np.inf
         while True:
             s, c = self.steps, self.steps.struct
             shortest = max(SHORTEST * self._span, 10 * abs(np.nextafter(self.t, np.inf) - self.t))
@@ -181,8 +180,12 @@ class Dop853(MinimalRun):
                 careful = True
                 continue
             if error < 1:
-                if self._trusted() and self._exact() and not (c.changed and self._poor()):
+                trusted = self._trusted()
+                exact = trusted and self._exact(defect)
+                if exact and not (c.changed and self._poor()):
                     break
+                if trusted and not exact:
+                    defect = float(c.defect_v)
                 error = np.inf
             self._failed = code
             self.counts["rejected"] += 1
@@ -237,14 +240,16 @@ class Dop853(MinimalRun):
         expected = c.error_x + self.reached * float(np.max(given.atol) + given.rtol)
         return bool(c.defect <= FARTHEST * max(expected, FLOOR))
 
-    def _exact(self) -> bool:
-        """Whether the solved rates are those of the shadow: near an extreme of a degree of freedom they are not."""
+    def _exact(self, longer: float) -> bool:
+        """Whether the solved rates are those of the shadow: near an extreme of a degree of freedom they are not.
+
+        A defect that is no smaller than that of a longer step which was refused for it is not an error of the step.
+        """
         c, given = self.steps.struct, self.tolerances
         expected = TRUE * (c.error_v + float(np.max(given.atol)) + given.rtol * c.fastest)
-        if c.defect_v <= expected or self.steps.choice.reach() <= NEAR:
-            return True
-        last, self._defect = self._defect, float(c.defect_v)
-        return self._defect > STAYS * last  # what a shorter step leaves as it was is not an error of the step
+        return (
+            bool(c.defect_v <= expected or c.defect_v > STAYS * longer) or self.steps.choice.reach() <= NEAR
+        )
 
     def consider_refused(self) -> bool:
         """Take better degrees of freedom at the start of a refused step."""

@@ -86,7 +86,7 @@ def _balance(
     return both.transpose(0, 2, 1, 3).reshape(size, size), rhs.reshape(size, -1)
 
 
-def _symmetric(parts: Array) -> ComplexArray:
+def symmetric(parts: Array) -> ComplexArray:
     """X_-k…X_k from the real parts of X_0…X_k and the imaginary ones of X_1…X_k."""
     k = parts.shape[0] // 2
     X = parts[: k + 1].astype(complex)
@@ -151,13 +151,7 @@ class Coefficients:
         """
         X = self.responses(harmonics, self.F)[0]
         found = self.vibration(X)
-        if accuracy is not None and found.error > accuracy:
-            error = LinearizationError(
-                f"{harmonics} harmonics at {self.omega:g} rad/s neglect about {found.error:.2g} of the largest "
-                f"amplitude; {accuracy:g} was requested: take more harmonics"
-            )
-            error.reached = found  # type: ignore[attr-defined]
-            raise error
+        check_accuracy(found, accuracy)
         return found
 
     def responses(self, harmonics: int, *forces: Array) -> ComplexArray:
@@ -172,7 +166,7 @@ class Coefficients:
         matrix, rhs = _balance(M, C, K, F, self.omega, k)
         with one_thread():
             parts = self._solve(matrix, rhs)
-        return np.array([_symmetric(column.reshape(2 * k + 1, nd)) for column in parts.T])
+        return np.array([symmetric(column.reshape(2 * k + 1, nd)) for column in parts.T])
 
     def vibration(self, X: ComplexArray) -> PeriodicVibration:
         """The vibration with these Fourier coefficients (2k + 1, nd), and an estimate of what they neglect."""
@@ -183,9 +177,8 @@ class Coefficients:
         scale = 1 / np.sqrt(np.maximum(np.abs(matrix).max(axis=1), 1e-300))
         matrix *= scale[:, None] * scale
         norm = np.abs(matrix).sum(axis=1).max()
-        lu, pivots, info = _getrf(
-            matrix.T, overwrite_a=True
-        )  # transposed, the order in which it lies in memory
+        # transposed, the order in which it lies in memory
+        lu, pivots, info = _getrf(matrix.T, overwrite_a=True)
         rcond = 0.0 if info else float(_gecon(lu, norm)[0])
         if not rcond > SINGULAR:
             raise LinearizationError(
@@ -276,3 +269,15 @@ class PeriodicVibration:
         half = (self.X[k:] + self.X[k::-1].conj()) * (ns / 2)
         q, qd, qdd = np.fft.irfft(np.stack([half, iw * half, iw**2 * half]), ns, axis=1)
         return q, qd, qdd
+
+
+def check_accuracy(vibration: PeriodicVibration, accuracy: float | None) -> None:
+    """Raise a LinearizationError if the harmonics neglect more than is permitted, with the vibration as ``reached``."""
+    if accuracy is None or vibration.error <= accuracy:
+        return
+    error = LinearizationError(
+        f"{vibration.harmonics} harmonics at {vibration.coefficients.omega:g} rad/s neglect about "
+        f"{vibration.error:.2g} of the largest amplitude; {accuracy:g} was requested: take more harmonics"
+    )
+    error.reached = vibration  # type: ignore[attr-defined]
+    raise error

@@ -18,7 +18,14 @@ import numpy as np
 from flexel.base.arrays import Array, ComplexArray
 from flexel.base.errors import FlexelError, IncompleteWarning, LinearizationError, PositionError
 from flexel.linear.families import SpeedFamily
-from flexel.linear.harmonics import Coefficients, PeriodicVibration, cosine_sine, fourier_sum, refined
+from flexel.linear.harmonics import (
+    Coefficients,
+    PeriodicVibration,
+    check_accuracy,
+    cosine_sine,
+    fourier_sum,
+    refined,
+)
 from flexel.linear.orbits import Orbit, orbit
 from flexel.mechanics.core import Core
 from flexel.mechanics.newton import newton
@@ -106,7 +113,7 @@ def periodic_motion(
         )
     vibration = motion.coefficients.vibration(step)
     vibration = replace(vibration, X=found.point + step)
-    _check(vibration, accuracy)
+    check_accuracy(vibration, accuracy)
     return motion, vibration
 
 
@@ -119,17 +126,6 @@ def vibrating(system: Core, X: ComplexArray, period: float, samples: int) -> Orb
     """The motion whose degrees of freedom have the Fourier coefficients X (2k + 1, nd), and its residual force."""
     t0, omega = system.at_rest.t, 2 * np.pi / period
     return orbit(system, period, samples, lambda t: fourier_sum(X, omega, t - t0))
-
-
-def _check(vibration: PeriodicVibration, accuracy: float | None) -> None:
-    if accuracy is None or vibration.error <= accuracy:
-        return
-    error = LinearizationError(
-        f"{vibration.harmonics} harmonics at {vibration.coefficients.omega:g} rad/s neglect about "
-        f"{vibration.error:.2g} of the largest amplitude; {accuracy:g} was requested: take more harmonics"
-    )
-    error.reached = vibration  # type: ignore[attr-defined]
-    raise error
 
 
 @dataclass(frozen=True)

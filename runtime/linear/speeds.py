@@ -12,7 +12,7 @@ import numpy as np
 
 from flexel.base.arrays import Array, ComplexArray
 from flexel.base.errors import PositionError
-from flexel.linear.harmonics import Coefficients, PeriodicVibration
+from flexel.linear.harmonics import Coefficients, PeriodicVibration, symmetric
 from flexel.linear.periodic import STALLED, TOLERANCE, vibrating
 from flexel.mechanics.core import Core
 from flexel.structure.state import State
@@ -69,10 +69,7 @@ class PeriodicCurve:
 
     def unpack(self, z: Array) -> ComplexArray:
         """The Fourier coefficients (2k + 1, nd) of the unknowns."""
-        real, imaginary = np.split(z, [(self.k + 1) * self.nd])
-        half = real.reshape(-1, self.nd).astype(complex)
-        half[1:] += 1j * imaginary.reshape(-1, self.nd)
-        return np.concatenate([half[:0:-1].conj(), half])
+        return symmetric(z.reshape(2 * self.k + 1, self.nd))
 
     def equations(self, y: Array, last: Balanced | None) -> Balanced:
         """The balance at y."""

@@ -9,8 +9,8 @@ import numpy as np
 from flexel.base.arrays import Array
 from flexel.base.quaternions import matrix, product
 from flexel.pictures.shape import Shape, circle, cubic, place, resultant, section_outline, turned
-from flexel.rope.cable_results import cable_tension
-from flexel.rope.cables import LEGENDRE
+from flexel.rope.cable_results import cable_rows
+from flexel.rope.cables import PLACES
 from flexel.structure.instances import Instance
 from flexel.structure.state import State
 
@@ -40,10 +40,9 @@ def _curve(state: State, instance: Instance, xi: Array) -> Array:
 
 def _stretch(state: State, instance: Instance) -> dict[str, Array]:
     """Tension and strain along a cable, at equal steps between the points where it is known."""
-    s, tension = cable_tension(state, instance.name)
-    strain = abs(LEGENDRE @ [state[f"{instance.name}.strain{i}"] for i in (1, 2, 3)])
-    steps = np.linspace(0, float(instance.parameters["l0"][0]), 5)
-    return {"tension": np.interp(steps, s, tension), "strain": np.interp(steps, s, strain)}
+    rows, steps = cable_rows(state, [instance.name]), np.linspace(0, 1, 5)
+    found = {"tension": rows.tension(state)[0], "strain": abs(rows.strain(state)[0])}
+    return {key: np.interp(steps, PLACES, values) for key, values in found.items()}
 
 
 def contact(state: State, instance: Instance) -> Iterator[Shape]:

@@ -11,7 +11,7 @@ from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.base.transactions import whole_or_nothing
 from flexel.rope.cables import Cables
-from flexel.rope.curves import Path, curve, end_node, fractions
+from flexel.rope.curves import Path, curve, fractions, points_at
 from flexel.structure.nodes import Node
 
 
@@ -96,14 +96,7 @@ class CableLines(Cables):
         drawn, total = curve(owner, path)
         length = total if length is None else positive(length, owner, "length")
         places, directions = drawn(shares * total), drawn(shares * total, 1)
-        points = [
-            end_node(self, owner, start, places[0]),
-            *[None] * (len(shares) - 2),
-            end_node(self, owner, end, places[-1]),
-        ]
-        nodes = [
-            z or self.point(f"{name}_p{i}", x) for i, (z, x) in enumerate(zip(points, places, strict=True))
-        ]
+        nodes = points_at(self, owner, name, places, start, end)
         slopes = [
             self.slope(f"{name}_d{i}", direction, stretch=total / length)
             for i, direction in enumerate(directions)
@@ -115,7 +108,7 @@ class CableLines(Cables):
             ends = nodes[i], slopes[i], nodes[i + 1], slopes[i + 1]
             self.cable(elements[-1], *ends, float(s[i + 1] - s[i]), **properties)
         radius = section_radius(properties.get("section"))
-        return CableLine(name, tuple(elements), tuple(nodes), tuple(slopes), s, radius)
+        return CableLine(name, tuple(elements), nodes, tuple(slopes), s, radius)
 
 
 def section_radius(section: object) -> float | None:

@@ -14,7 +14,7 @@ from flexel.base.transactions import whole_or_nothing
 from flexel.declare.bodies import Bodies
 from flexel.declare.joints import Joints
 from flexel.declare.nodes import Nodes
-from flexel.rope.curves import Path, curve, end_node, fractions
+from flexel.rope.curves import Path, curve, fractions, points_at
 from flexel.structure.nodes import Node
 from flexel.structure.state import State
 
@@ -117,18 +117,14 @@ class Chains(Joints, Bodies, Nodes):
         shares = fractions(owner, n, at)
         drawn, total = curve(owner, path)
         places = drawn(shares * total)
-        given = [end_node(self, owner, start, places[0]), end_node(self, owner, end, places[-1])]
-        ends = [given[0], *[None] * (len(places) - 2), given[1]]
-        points = [
-            z or self.point(f"{name}_p{i}", x) for i, (z, x) in enumerate(zip(ends, places, strict=True))
-        ]
+        points = points_at(self, owner, name, places, start, end)
         chords = np.linalg.norm(np.diff(places, axis=0), axis=1)
         l0 = chords * (1.0 if length is None else positive(length, owner, "length") / chords.sum())
         elements = tuple(f"{name}{i + 1}" for i in range(l0.size))
         for i, bar in enumerate(elements):
-            stiffness = None if EA is None else positive(EA, owner, "EA") / l0[i]
             self.truss(bar, points[i], points[i + 1])
-            if stiffness is not None:
+            if EA is not None:
+                stiffness = positive(EA, owner, "EA") / l0[i]
                 rate = not_negative(damping, owner, "damping") * stiffness
                 self.spring(f"{bar}.elongation", stiffness, rate, free_length=float(l0[i]))
         mass = not_negative(mass_per_length, owner, "mass_per_length")
@@ -136,4 +132,4 @@ class Chains(Joints, Bodies, Nodes):
         for i, lump in enumerate(lumps):
             if lump:
                 self.point_mass(f"{name}_m{i}", points[i], float(lump))
-        return Chain(name, elements, tuple(points), np.concatenate([[0.0], np.cumsum(l0)]))
+        return Chain(name, elements, points, np.concatenate([[0.0], np.cumsum(l0)]))

@@ -62,10 +62,17 @@ def _by_arc_length(spline: CubicSpline) -> tuple[CubicSpline, float]:
     return CubicSpline(knots, spline(CubicSpline(s, u)(knots))), float(s[-1])
 
 
-def end_node(model: Nodes, owner: str, given: Node | str | None, place: Array) -> Node | None:
-    """The node that was given for an end, if it lies there."""
-    if given is None:
-        return None
+def points_at(
+    model: Nodes, owner: str, name: str, places: Array, start: Node | str | None, end: Node | str | None
+) -> tuple[Node, ...]:
+    """Points ``name_p0`` … at places (n + 1, …), with existing ones for the ends where they are given."""
+    existing = {0: start, len(places) - 1: end}
+    own = {i: _end(model, owner, given, places[i]) for i, given in existing.items() if given is not None}
+    return tuple(own.get(i) or model.point(f"{name}_p{i}", x) for i, x in enumerate(places))
+
+
+def _end(model: Nodes, owner: str, given: Node | str, place: Array) -> Node:
+    """The node that was given for an end, which must lie there."""
     node = model._find_of_kind(given, ("point", "planar_point"), owner)
     if node.x0.shape != place.shape or np.linalg.norm(node.x0 - place) > 1e-9 * (1 + np.linalg.norm(place)):
         raise ModelError(

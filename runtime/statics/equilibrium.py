@@ -111,9 +111,8 @@ def solve(problem: Rest, t: float, x: Array, mu: Array, near: Array) -> tuple[Eq
         return q, problem.size(q, q.residual)
 
     def move(point: tuple[Array, Array, Array], q: Equations) -> tuple[Array, Array, Array] | None:
-        step = q.matrix.least_solution(
-            q.residual
-        )  # bars that are not yet strained resist nothing across them
+        # the least one: bars that are not yet strained resist nothing across them
+        step = q.matrix.least_solution(q.residual)
         if step is None:
             step = q.matrix.solve(q.residual)
         size = problem.extent(step)
