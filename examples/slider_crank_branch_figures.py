@@ -32,7 +32,7 @@ def resonances(panel: Any, top: float, orders: tuple[int, ...] = (6, 5, 4, 3)) -
 
 def excitations(found: Branches, path: Path) -> None:
     """What excites each harmonic of the first mode: directly, by varying stiffness, and together."""
-    titles = f"{CONVERGED} elements", "2 elements without second-order terms, as in the talk"
+    titles = f"{CONVERGED} elements", "2 elements without second-order terms"
     with figure(1, 2, size=(12.0, 4.6), sharey=True) as (drawn, axes):
         for panel, rows, title in zip(axes, (found.excited, found.excited_first_order), titles, strict=True):
             for j, label in enumerate(("direct", "by varying stiffness", "together")):
