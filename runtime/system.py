@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from typing import Any
 
+from flexel.analyses.ensembles import Ensembles
 from flexel.analyses.equilibria import Equilibria
-from flexel.analyses.motions import Motions
 from flexel.analyses.periodic import PeriodicMotions
 from flexel.analyses.restoring import Restoring
 
 
-class System(Motions, Equilibria, PeriodicMotions, Restoring):
+class System(Ensembles, Equilibria, PeriodicMotions, Restoring):
     """A mechanism ready to move; made by `Model.build`.
 
     Attributes

@@ -136,7 +136,7 @@ class Beams(Springs):
         e0 = _initial_deformations(owner, planar, l0, free, initial_strain, initial_curvature)
         if given:
             D = not_negative(damping, owner, "damping") * S
-            self._add_linear(owner, [f"{name}.{z}" for z in free], S, D, -S @ e0)
+            self._add_linear(owner, [f"{name}.{z}" for z in free], S, D, -S @ e0, name)
 
 
 def _profile(owner: str, section: Any, material: Any, stated: Sequence[str]) -> Profile:

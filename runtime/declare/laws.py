@@ -179,11 +179,13 @@ class Laws(Declarations):
             )
         self.laws.append(LawInstance(label, spec, on[:m], on[m:], values, code, z0))
 
-    def _add_linear(self, owner: str, on: Sequence[str], S: Array, D: Array, preload: Array) -> None:
+    def _add_linear(
+        self, owner: str, on: Sequence[str], S: Array, D: Array, preload: Array, label: str
+    ) -> None:
         """Add σ = preload + S e + D ė on one to six deformations; S and D are symmetric."""
         upper = np.triu_indices(len(on))
         values = {"preload": preload, "S": S[upper], "D": D[upper]}
-        self._add_law(owner, LAWS[f"linear_{len(on)}"], on, values)
+        self._add_law(owner, LAWS[f"linear_{len(on)}"], on, values, label=label)
 
     def _add_formula(
         self,

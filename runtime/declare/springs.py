@@ -83,7 +83,7 @@ class Springs(Laws):
             self._damp_slips(target, 0.0 if damping is None else damping)
             return
         places = tuple(displacement(self, z, target.owner) for z in target.names)
-        target = replace(target, names=places)
+        named, target = target.names, replace(target, names=places)
         if len(places) > DEFORMATIONS:
             raise ModelError(
                 f"{target.owner}: {len(places)} deformations; name 1 to {DEFORMATIONS}, each once"
@@ -101,7 +101,7 @@ class Springs(Laws):
             return
         S, D = target.matrix(stiffness, "stiffness"), target.matrix(damping, "damping")
         force = target.forces(preload) if free_length is None else -S @ free
-        self._add_linear(target.owner, places, S, D, force)
+        self._add_linear(target.owner, places, S, D, force, " ".join(named))
 
     def _add_shaped(self, target: _Target, shape: Any, free: float) -> None:
         """A spring by a curve or formula, of the deformation less the free one."""

@@ -137,7 +137,7 @@ class Fields(Struct):
         ins, steps = [], []
         for letter in spec.inputs:
             if letter == "p":
-                ins.append(self.pointer(self.tables.parameters[id(batch)]))
+                ins.append(self.pointer(self.tables.parameters["law" in batch.spec.kernels][i]))
                 steps.append(batch.p.shape[1] * LANES)
                 continue
             vector, rows = names[letter]

@@ -16,7 +16,6 @@ from flexel.base.errors import FlexelError
 from flexel.derive.spec import ElementSpec, LawSpec
 from flexel.engine.lanes import LANES, blocks
 from flexel.generated._kernels import ffi, lib
-from flexel.structure.instances import Instance, LawInstance
 from flexel.structure.structure import Structure
 
 
@@ -35,6 +34,8 @@ class Batch:
         Parameters.
     weight : ndarray (elements,)
         Mass-proportional damping of the elements [1/s].
+    members : ndarray of int (elements,)
+        Their numbers in the structure.
     heavy : int
         Number of elements with inertia.
     """
@@ -44,6 +45,7 @@ class Batch:
     places: Mapping[str, Index]
     p: Array
     weight: Array
+    members: Index
     heavy: int = 0
 
     @property
@@ -78,7 +80,8 @@ class Batch:
     def taken(self, order: Index, heavy: int) -> Batch:
         """The same elements in another order, those with inertia first."""
         places = {name: rows[order] for name, rows in self.places.items()}
-        return replace(self, places=places, p=self.p[order], weight=self.weight[order], heavy=heavy)
+        own = {name: getattr(self, name)[order] for name in ("p", "weight", "members")}
+        return replace(self, places=places, heavy=heavy, **own)
 
 
 def kernel_struct(spec: ElementSpec | LawSpec, address: object) -> Any:
@@ -98,39 +101,41 @@ def kernel_struct(spec: ElementSpec | LawSpec, address: object) -> Any:
 
 def element_batches(structure: Structure) -> list[Batch]:
     """The elements of each type, with the places of their coordinates, deformations and slips."""
-    groups: dict[tuple[str, object], list[Instance]] = defaultdict(list)
-    for instance in structure.instances:
+    groups: dict[tuple[str, object], list[int]] = defaultdict(list)
+    for number, instance in enumerate(structure.instances):
         if instance.terms is None:  # a relation has no kernels
-            groups[instance.spec.name, instance.kernels].append(instance)
+            groups[instance.spec.name, instance.kernels].append(number)
     found = []
-    for members in groups.values():
+    for numbers in groups.values():
+        members = [structure.instances[i] for i in numbers]
         x = np.array([np.concatenate([structure.places(z) for z in i.nodes]) for i in members])
         sigma = _indices([[structure.index[z] for z in i.deformations] for i in members])
         tau = _indices([[structure.index[z] - structure.m for z in i.slips] for i in members])
         spec = members[0].spec
         struct = kernel_struct(spec, members[0].kernels)
         weight = np.array([i.mass_damping for i in members], dtype=float)
-        batch = Batch(
-            spec, struct, {"x": x, "sigma": sigma, "tau": tau}, np.array([i.p for i in members]), weight
-        )
+        places, p = {"x": x, "sigma": sigma, "tau": tau}, np.array([i.p for i in members])
+        batch = Batch(spec, struct, places, p, weight, np.array(numbers, dtype=np.intp))
         found.append(_heavy_first(batch, structure, members[0].kernels is not None))
     return found
 
 
 def law_batches(structure: Structure) -> list[Batch]:
     """The laws of each type, with the places of the quantities on which they act."""
-    groups: dict[tuple[str, object], list[LawInstance]] = defaultdict(list)
-    for law in structure.laws:
-        groups[law.spec.name, law.kernels].append(law)
+    groups: dict[tuple[str, object], list[int]] = defaultdict(list)
+    for number, law in enumerate(structure.laws):
+        groups[law.spec.name, law.kernels].append(number)
     found = []
-    for members in groups.values():
+    for numbers in groups.values():
+        members = [structure.laws[i] for i in numbers]
         e = _indices([[structure.index[z] for z in i.deformations] for i in members])
         s = _indices([[structure.index[z] for z in i.slips] for i in members])
         z = _indices([[structure.internal[z] for z in i.states] for i in members])
         spec = members[0].spec
         struct = kernel_struct(spec, members[0].kernels)
-        none = np.zeros(len(members))
-        found.append(Batch(spec, struct, {"e": e, "s": s, "z": z}, np.array([i.p for i in members]), none))
+        none, p = np.zeros(len(members)), np.array([i.p for i in members])
+        own = np.array(numbers, dtype=np.intp)
+        found.append(Batch(spec, struct, {"e": e, "s": s, "z": z}, p, none, own))
     return found
 
 
@@ -141,11 +146,11 @@ def _heavy_first(batch: Batch, structure: Structure, own: bool) -> Batch:
     """
     if "inertia" not in batch.spec.kernels:
         return batch
-    heavy = np.ones(batch.size, dtype=bool) if own else _has_inertia(batch, structure)
+    heavy = np.ones(batch.size, dtype=bool) if own else has_inertia(batch, structure)
     return batch.taken(np.argsort(~heavy, kind="stable"), int(heavy.sum()))
 
 
-def _has_inertia(batch: Batch, structure: Structure) -> Any:
+def has_inertia(batch: Batch, structure: Structure) -> Any:
     """Whether the inertia kernel of each element gives anything but zeros."""
     rng = np.random.default_rng(1)
     x, v = structure.x0 + 0.1 * rng.standard_normal(structure.n), rng.standard_normal(structure.n)

@@ -38,6 +38,26 @@ class Linearized:
     code: int
 
 
+@dataclass(frozen=True, eq=False)
+class Completed:
+    """What the engine finds where it completes some states.
+
+    Attributes
+    ----------
+    qdd : ndarray (states, nd)
+        Second rates of the dynamic degrees of freedom.
+    forces : ndarray (states,)
+        Largest of the forces that balance on a free coordinate.
+    done, code : int
+        As in `Linearized`.
+    """
+
+    qdd: Array
+    forces: Array
+    done: int
+    code: int
+
+
 class Linearizer(Struct):
     """The lists of a choice of degrees of freedom for its linearization, shared by all workspaces.
 
@@ -63,9 +83,22 @@ class Linearizer(Struct):
         nJ, nT = t.J.size, t.T.whole.size
         self._derivatives = _places([(z,) for z in (nJ, nJ, nJ, nJ, t.M.size, nT, nT, laws.size)])
 
-    def run(self, choice: Choice, states: Sequence[State]) -> Linearized:
-        """Derivatives and transfer functions at complete states of the model."""
-        given = np.array([np.concatenate([(z.t,), z.x, z.v, z.a, z.z, z.e, z.stresses]) for z in states])
+    @staticmethod
+    def rows(states: Sequence[State]) -> Array:
+        """Complete states as rows of numbers, see linear.h."""
+        return np.array([np.concatenate([(z.t,), z.x, z.v, z.a, z.z, z.e, z.stresses]) for z in states])
+
+    def complete(self, choice: Choice, given: Array) -> Completed:
+        """Fill the accelerations, deformations and stresses in rows of states, in place; without loads and motions."""
+        count = given.shape[0]
+        qdd, forces = np.empty((count, int(choice.struct.nd))), np.empty(count)
+        space, code = np.empty(self._evaluation.structure.n), ffi.new("int *")
+        pointers = (ffi.from_buffer("double[]", z) for z in (given, qdd, forces, space))
+        done = lib.flexel_complete_states(choice.work.struct, choice.struct, count, *pointers, code)
+        return Completed(qdd, forces, int(done), int(code[0]))
+
+    def run(self, choice: Choice, given: Array) -> Linearized:
+        """Derivatives and transfer functions at complete states of the model, given as rows."""
         count = given.shape[0]
         found = (
             np.empty((count, self._derivatives[-1][0].stop)),
@@ -81,10 +114,15 @@ class Linearizer(Struct):
         own = found.derivatives[i]
         return Derivatives(self._evaluation, *(own[place] for place, _ in self._derivatives))
 
-    def transfer(self, found: Linearized, i: int) -> list[Array]:
-        """G, [H N], [A_v A_q] and [𝒜 ℬ] at state number i; columns of values begin at number `width`."""
-        own = found.transfer[i]
-        return [own[place].reshape(shape) for place, shape in self._transfer]
+    def transfers(self, found: Linearized) -> list[Array]:
+        """G, [H N], [A_v A_q] and [𝒜 ℬ] (states, …); columns of values begin at number `width`."""
+        count = found.transfer.shape[0]
+        return [found.transfer[:, place].reshape(count, *shape) for place, shape in self._transfer]
+
+    def largest_mass(self, found: Linearized) -> Array:
+        """Largest entry (states,) of the mass matrix."""
+        M = found.derivatives[:, self._derivatives[4][0]]
+        return np.asarray(np.abs(M).max(axis=1, initial=0.0))
 
     def slopes(self, found: Linearized, i: int) -> Array:
         """Derivatives of the laws at state number i."""

@@ -3,6 +3,7 @@
 
 #include "evaluate.h"
 
+#include <math.h>
 #include <string.h>
 
 void flexel_reactions(flexel_work *s, const flexel_choice *c, double *stresses, double *reactions)
@@ -57,4 +58,43 @@ void flexel_state(flexel_work *s, double *out)
     out[1] = s->U;
     out[2] = sum(s->nlaws, s->law_U);
     out[3] = sum(s->nlaws, s->law_P);
+}
+
+static const double *take(double *to, const double *from, size_t count)
+{
+    memcpy(to, from, count * sizeof(double));
+    return from + count;
+}
+
+static double largest(size_t count, const double *values, double z)
+{
+    for (size_t i = 0; i < count; i++)
+        z = fmax(z, fabs(values[i]));
+    return z;
+}
+
+size_t flexel_complete_states(flexel_work *s, flexel_choice *c, size_t count, double *states, double *qdd, double *forces,
+                              double *space, int *code)
+{
+    const size_t n = s->n;
+    *code = 0;
+    for (size_t i = 0; i < count; i++) {
+        double *a = states + 1 + 2 * n, *e = a + n + s->nz, *stresses = e + s->m;
+        flexel_reset(s, c);
+        s->t = states[0];
+        take(s->v, take(s->x, states + 1, n), n);
+        take(s->near, take(s->z, a + n, s->nz), s->m);
+        *code = flexel_complete(s, c, 0);
+        if (*code)
+            return i;
+        flexel_reactions(s, c, stresses, space);
+        put(a, s->a, n);
+        put(e, s->e, s->m);
+        memset(space, 0, n * sizeof(double));
+        flexel_pull(s, stresses, space);
+        forces[i] = largest(s->nf, space, largest(s->nf, s->F, 0));
+        put(qdd + i * c->nd, c->qdd, c->nd);
+        states = stresses + s->m + s->k;
+    }
+    return count;
 }

@@ -5,6 +5,7 @@ They are built once for a structure and shared by all its workspaces (`flexel.en
 
 from __future__ import annotations
 
+from copy import copy
 from dataclasses import dataclass
 
 import numpy as np
@@ -74,6 +75,10 @@ class Tables:
         Deformations with a period.
     drawn : ndarray (nr,)
         Values of the relations as drawn, for which they count as zero.
+    parameters : tuple of list of ndarray (blocks, parameters, 8)
+        Parameters of the elements and of the laws, by batch.
+    samples : ndarray (2, size), optional
+        What the first workspace found for pivot orders; shared, so that all workspaces begin with the same orders.
     """
 
     def __init__(self, structure: Structure) -> None:
@@ -100,8 +105,17 @@ class Tables:
         }
         self.gathers = self._gathers()
         self.periodic = np.flatnonzero(structure.period[: structure.m])
-        self.parameters = {id(b): blocks(b.p) for b in (*self.elements, *self.laws)}
+        self.parameters = [blocks(b.p) for b in self.elements], [blocks(b.p) for b in self.laws]
         self._shared: dict[int, tuple[Index, NDArray[np.int32]]] = {}
+        self.samples: Array | None = None
+
+    def variant(self) -> Tables:
+        """The same tables with parameters of their own, see `flexel.engine.variants`."""
+        found = copy(self)
+        found.parameters = tuple([z.copy() for z in part] for part in self.parameters)
+        return found
+
+    parameters: tuple[list[Array], ...]
 
     def _gathers(self) -> dict[str, Gather]:
         m = self.structure.m

@@ -37,7 +37,9 @@ class Workspace(Fields):
         self._tangent()
         self._relations()
         self._constant_inertia()
-        self.samples = self._samples()
+        if tables.samples is None:  # another thread may be first: it finds the same
+            tables.samples = self._samples()
+        self.samples = tables.samples
         s = tables.structure
         sizes = [s.n, s.n, s.n, s.m, s.m + s.k + s.n, s.m + s.k + s.n, s.nz, s.nz]
         ends = np.cumsum(sizes).tolist()
@@ -222,14 +224,24 @@ class Workspace(Fields):
         """Mass matrices and body forces that do not depend on the position, computed once."""
         t, c, s = self.tables, self.struct, self.tables.structure
         stage = t.stages["inertia"]
-        steady = [i for i in stage.numbers if i not in t.varying]
-        out = self.outputs["inertia_out"]
-        own = c.inertia.ncalls, c.inertia.calls
-        self._calls("inertia", stage, t.elements, steady, out)
-        self.x[:] = s.x0
-        c.f0 = self.pointer(np.zeros(s.n))
+        self._varying = c.inertia.ncalls, c.inertia.calls
+        self._steady = [i for i in stage.numbers if i not in t.varying]
+        self._calls("inertia", stage, t.elements, self._steady, self.outputs["inertia_out"])
+        self._constant = c.inertia.ncalls, c.inertia.calls
+        self._none, self._f0 = self.pointer(np.zeros(s.n)), np.zeros(s.n)
+        self._f0_pointer = self.pointer(self._f0)
+        c.constant_inertia = not t.varying
+        self.refresh()
+
+    def refresh(self) -> None:
+        """Compute the constant inertia from the present parameters."""
+        t, c, x0 = self.tables, self.struct, self.tables.structure.x0
+        c.inertia.ncalls, c.inertia.calls = self._constant
+        c.f0, c.constant_inertia = self._none, 0
+        self.x[:] = x0
         lib.flexel_inertia(self.struct)
-        f0 = self.F + self.damping
-        c.f0, c.U0 = self.pointer(f0), t.steady_potential(out, steady) + float(f0 @ s.x0)
-        c.inertia.ncalls, c.inertia.calls = own
+        self._f0[:] = self.F + self.damping
+        U0 = t.steady_potential(self.outputs["inertia_out"], self._steady)
+        c.f0, c.U0 = self._f0_pointer, U0 + float(self._f0 @ x0)
+        c.inertia.ncalls, c.inertia.calls = self._varying
         c.constant_inertia = not t.varying

@@ -14,6 +14,7 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.engine.derivatives import Derivatives, check_laws
+from flexel.engine.linear import Linearized
 from flexel.engine.solvers import definite
 from flexel.mechanics.inertia import massless
 from flexel.mechanics.kinematics import Kinematics
@@ -37,75 +38,107 @@ def linearize(kinematics: Kinematics, state: State) -> Linearization:
 
 def linearize_all(kinematics: Kinematics, states: Sequence[State]) -> list[Linearization]:
     """The same about several states, each as if it were alone, in one call of the engine."""
-    structure, roles, linearizer = kinematics.structure, kinematics.roles, kinematics.linearizer
     for state in states:
-        own_state(structure, state, "linearize")
-    found = linearizer.run(kinematics.choice, states)
+        own_state(kinematics.structure, state, "linearize")
+    rows = kinematics.linearizer.rows(states)
+    found = linearized(kinematics, rows)
+    return [found.about(state, i) for i, state in enumerate(states)]
+
+
+def linearized(kinematics: Kinematics, rows: Array) -> Stack:
+    """Linearized equations at complete states in rows, see `Linearizer.rows`; raises as `linearize`."""
+    structure, roles, linearizer = kinematics.structure, kinematics.roles, kinematics.linearizer
+    found = linearizer.run(kinematics.choice, rows)
     for i in range(found.done + bool(found.code)):
-        check_laws(kinematics.evaluation, linearizer.slopes(found, i), states[i].t)
+        check_laws(kinematics.evaluation, linearizer.slopes(found, i), float(rows[i, 0]))
     if found.code:
-        raise kinematics.failure(found.code, states[found.done].t)
-    transfers = [linearizer.transfer(found, i) for i in range(len(states))]
-    matrices = [z[1][:, : roles.nd].T @ factors for z, factors in zip(transfers, found.factors, strict=True)]
+        raise kinematics.failure(found.code, float(rows[found.done, 0]))
+    transfers = linearizer.transfers(found)
+    matrices = transfers[1][:, :, : roles.nd].transpose(0, 2, 1) @ found.factors
     for z in matrices:
         if not definite(z[:, : roles.nd]):
             raise massless(structure, roles, z[:, : roles.nd])
-    parts = zip(states, matrices, transfers, strict=True)
-    return [_assembled(kinematics, *part, linearizer.derivatives(found, i)) for i, part in enumerate(parts)]
+    return Stack(kinematics, found, transfers, matrices)
 
 
-def _assembled(
-    kinematics: Kinematics, state: State, matrices: Array, transfer: list[Array], T: Derivatives
-) -> Linearization:
-    """Names and blocks of [M C K], transfer functions and derivatives at a state."""
-    roles, width = kinematics.roles, kinematics.linearizer.width
-    nd, nq, nu = roles.nd, roles.nq, roles.prescribed.size
-    r, p = slice(0, nd + nu), slice(width, width + nq + nu)
-    dynamic, kinematic, prescribed = kinematics.role_names
-    G, first, second, rolling = transfer
-    X = Transfer(G[:, : nq + nu], first[:, p], first[:, r], second[:, p], second[:, r])
-    (M, M_u), (C, C_u) = ((z[:, :nd], z[:, nd : nd + nu]) for z in (matrices, matrices[:, width:]))
-    (K, K_u), (B, B_u) = (
-        (z[:, :nq], z[:, nq : nq + nu]) for z in (matrices[:, 2 * width :], rolling[:, width:])
-    )
-    Z, Z_v, Z_q, zd_z = _lagging(kinematics, T, X) if kinematics.structure.nz else _no_lags(X, nd)
-    return Linearization(
-        M=M,
-        C=C,
-        K=K,
-        A_k=rolling[:, :nd],
-        B_k=B,
-        M_u=M_u,
-        C_u=C_u,
-        K_u=K_u,
-        A_ku=rolling[:, nd : nd + nu],
-        B_ku=B_u,
-        Z=Z,
-        Z_v=Z_v[:, :nd],
-        Z_q=Z_q[:, :nq],
-        Z_z=zd_z,
-        Z_vu=Z_v[:, nd:],
-        Z_qu=Z_q[:, nq:],
-        dynamic=dynamic,
-        kinematic=kinematic,
-        prescribed=prescribed,
-        internal=tuple(kinematics.structure.internal),
-        state=state,
-        transfer=X,
-        derivatives=T,
-    )
+class Stack:
+    """Linearized equations at some states of one choice of degrees of freedom.
 
+    Attributes
+    ----------
+    blocks : dict of str to ndarray (states, rows, columns)
+        M, C, K, A_k, B_k and those of the prescribed motions, by the names of `Linearization`.
+    """
 
-def _lagging(kinematics: Kinematics, T: Derivatives, X: Transfer) -> tuple[Array, Array, Array, Array]:
-    """Z, Z_v, Z_q and Z_z of the laws' internal states."""
-    s, nf, nd = kinematics.structure, kinematics.structure.nf, kinematics.roles.nd
-    zd_x, zd_v, zd_z = T.lags
-    zd_x, zd_v = zd_x[:, :nf], zd_v[:, :nf]
-    J = kinematics.evaluation.tables.J.matrix(T.J)[: s.m + s.k][:, :nf]
-    return X.H[:, :nd].T @ (J.T @ T.stress_z), zd_v @ X.H, zd_x @ X.G + zd_v @ X.N, zd_z
+    def __init__(
+        self, kinematics: Kinematics, found: Linearized, transfers: list[Array], matrices: Array
+    ) -> None:
+        self.kinematics, self.found, self._transfers = kinematics, found, transfers
+        roles, width = kinematics.roles, kinematics.linearizer.width
+        nd, nq, nu = roles.nd, roles.nq, roles.prescribed.size
+        rolling = transfers[3]
+        parts = {
+            ("M", "M_u", nd): matrices,
+            ("C", "C_u", nd): matrices[:, :, width:],
+            ("K", "K_u", nq): matrices[:, :, 2 * width :],
+            ("A_k", "A_ku", nd): rolling,
+            ("B_k", "B_ku", nq): rolling[:, :, width:],
+        }
+        self.blocks: dict[str, Array] = {}
+        for (own, prescribed, size), z in parts.items():
+            self.blocks[own], self.blocks[prescribed] = z[:, :, :size], z[:, :, size : size + nu]
 
+    @property
+    def H(self) -> Array:  # noqa: N802
+        """First-order transfer functions (states, nf, nd)."""
+        return self._transfers[1][:, :, : self.kinematics.roles.nd]
 
-def _no_lags(X: Transfer, nd: int) -> tuple[Array, Array, Array, Array]:
-    """The same without internal states."""
-    none = np.zeros
-    return none((nd, 0)), none((0, X.H.shape[1])), none((0, X.G.shape[1])), none((0, 0))
+    def transfer(self, i: int) -> Transfer:
+        """Transfer functions at state number i."""
+        roles, width = self.kinematics.roles, self.kinematics.linearizer.width
+        G, first, second = (z[i] for z in self._transfers[:3])
+        nu = roles.prescribed.size
+        r, p = slice(0, roles.nd + nu), slice(width, width + roles.nq + nu)
+        return Transfer(G[:, : roles.nq + nu], first[:, p], first[:, r], second[:, p], second[:, r])
+
+    def about(self, state: State, i: int) -> Linearization:
+        """The equations at state number i, which is given."""
+        kinematics = self.kinematics
+        dynamic, kinematic, prescribed = kinematics.role_names
+        X, T = self.transfer(i), kinematics.linearizer.derivatives(self.found, i)
+        return Linearization(
+            **{name: z[i] for name, z in self.blocks.items()},
+            **self.lags(X, T),
+            dynamic=dynamic,
+            kinematic=kinematic,
+            prescribed=prescribed,
+            internal=tuple(kinematics.structure.internal),
+            state=state,
+            transfer=X,
+            derivatives=T,
+        )
+
+    def all_lags(self) -> dict[str, Array]:
+        """The blocks of the laws' internal states at all states (states, …), by name."""
+        linearizer = self.kinematics.linearizer
+        numbers = range(self.found.factors.shape[0])
+        some = [self.lags(self.transfer(i), linearizer.derivatives(self.found, i)) for i in numbers]
+        return {name: np.array([z[name] for z in some]) for name in some[0]}
+
+    def lags(self, X: Transfer, T: Derivatives) -> dict[str, Array]:
+        """Z, Z_v, Z_q and Z_z of the laws' internal states, and the part of prescribed motions."""
+        s, roles = self.kinematics.structure, self.kinematics.roles
+        nf, nd = s.nf, roles.nd
+        if not s.nz:
+            rates, values = np.zeros((0, X.H.shape[1])), np.zeros((0, X.G.shape[1]))
+            return self._lag_blocks(np.zeros((nd, 0)), rates, values, np.zeros((0, 0)))
+        zd_x, zd_v, zd_z = T.lags
+        zd_x, zd_v = zd_x[:, :nf], zd_v[:, :nf]
+        J = self.kinematics.evaluation.tables.J.matrix(T.J)[: s.m + s.k][:, :nf]
+        Z_v, Z_q = zd_v @ X.H, zd_x @ X.G + zd_v @ X.N
+        return self._lag_blocks(X.H[:, :nd].T @ (J.T @ T.stress_z), Z_v, Z_q, zd_z)
+
+    def _lag_blocks(self, Z: Array, Z_v: Array, Z_q: Array, Z_z: Array) -> dict[str, Array]:
+        nd, nq = self.kinematics.roles.nd, self.kinematics.roles.nq
+        parts = {"Z": Z, "Z_v": Z_v[:, :nd], "Z_q": Z_q[:, :nq], "Z_z": Z_z}
+        return parts | {"Z_vu": Z_v[:, nd:], "Z_qu": Z_q[:, nq:]}

@@ -5,7 +5,7 @@ Angles are kernels' principal values plus turns; the turns are counted from a ne
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -125,6 +125,17 @@ def state_at(
     near = Moment.of(start).still(time)
     qd: Rates = start.qd if rates is None else lambda choice: consistent_rates(kinematics, choice, rates)
     return state_of(kinematics, time, q, qd, z, near)
+
+
+def moving(kinematics: Kinematics, start: State, rates: Sequence[Mapping[str, float]]) -> list[Moment]:
+    """The position of a state with other rates, given by name, each time with the others as small as possible."""
+    near = Moment.of(start)
+    choice = kinematics.locate(start.t, np.array(start.values[kinematics.roles.dofs]), near.x, near.e)
+    x, e, found = choice.work.x.copy(), start.e, []
+    for some in rates:
+        v = kinematics.velocity(choice, consistent_rates(kinematics, choice, some))
+        found.append(Moment(start.t, x, v, e, choice.work.push(v)[: e.size]))
+    return found
 
 
 def consistent_rates(kinematics: Kinematics, choice: Choice, rates: Mapping[str, float]) -> Array:

@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import linear_sum_assignment
 
-from flexel.base.arrays import Array
+from flexel.base.arrays import Array, ComplexArray
+from flexel.linear.tracking import branches
 from flexel.pictures.animation import animate
 from flexel.pictures.drawing import Sketch
 from flexel.pictures.figures import COLOURS, figure, save
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
     from flexel.results.motion import Motion
 
-__all__ = ["Sketch", "animate", "branches", "draw", "plot_histories", "root_loci"]
+__all__ = ["Sketch", "animate", "draw", "plot_histories", "root_loci"]
 
 
 # -- time histories -------------------------------------------------------------------------------
@@ -68,21 +68,6 @@ def plot_histories(motion: Motion, names: Sequence[str], path: str | Path | None
 
 
 # -- root loci ------------------------------------------------------------------------------------
-
-
-def branches(parameter: Array, eigenvalues: Array) -> Array:
-    """Eigenvalues (np, n) with their columns reordered so that each column continues smoothly.
-
-    From one value of the parameter to the next the eigenvalues are assigned to the linear continuation of the
-    branches so that the sum of the distances is smallest.
-    """
-    found = np.array(eigenvalues, dtype=complex)
-    for i in range(1, len(found)):
-        step = (parameter[i] - parameter[i - 1]) / (parameter[i - 1] - parameter[i - 2]) if i > 1 else 0.0
-        expected = found[i - 1] + step * (found[i - 1] - found[i - 2] if i > 1 else 0.0)
-        order = linear_sum_assignment(np.abs(expected[:, None] - found[i][None, :]))[1]
-        found[i] = found[i][order]
-    return found
 
 
 def root_loci(
@@ -152,7 +137,7 @@ def _branch(panel: Axes, p: Array, part: Array, oscillatory: NDArray[np.bool_], 
         panel.plot(p, np.where(mask, part, np.nan), color=shade)
 
 
-def _stable(p: Array, w: Array) -> Iterator[tuple[float, float]]:
+def _stable(p: Array, w: ComplexArray) -> Iterator[tuple[float, float]]:
     """Ranges of the parameter in which all real parts are negative, ends interpolated."""
     largest = np.max(w.real, axis=1)
     start = p[0] if largest[0] < 0 else None

@@ -11,9 +11,9 @@ import numpy as np
 from flexel.base.arguments import number
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
-from flexel.base.units import force_unit, rate_unit
 from flexel.integration.ledger import energy_balance
 from flexel.mechanics.core import Core
+from flexel.results.quantities import history
 from flexel.structure.state import State
 from flexel.structure.structure import Structure
 
@@ -99,36 +99,15 @@ class Motion(Sequence[State]):
         ModelError
             An unknown name, more than two primes, the value of a slip.
         """
-        structure = self.structure
-        base = name.removeprefix("force:").rstrip("'")
-        if base in structure.internal:
-            return self._internal(name, base)
-        i = structure.find(base)
-        slip = structure.m <= i < structure.m + structure.k  # its unit is already that of a rate
-        if name.startswith("force:"):
-            if name.endswith("'"):
-                raise ModelError(f"'{name}': forces have no rates here; leave the primes out")
-            return self.force(base), force_unit(structure.units[i], slip)
-        order = len(name) - len(base)
-        if order > 2:
-            raise ModelError(f"'{name}': only first and second rates exist; use at most two primes")
-        if order == 0:
-            return np.array([state[base] for state in self._states]), structure.units[i]
-        values = self.rate(base) if order == 1 else self.acceleration(base)
-        return values, rate_unit(structure.units[i], order - 1 if slip else order)
-
-    def _internal(self, name: str, base: str) -> tuple[Array, str]:
-        """Values and unit of a law's internal state or its rate."""
-        unit = self.structure.internal_units[self.structure.internal[base]]
-        if name == base:
-            return np.array([state[base] for state in self._states]), unit
-        if name == f"{base}'":
-            return self.rate(base), rate_unit(unit, 1)
-        raise ModelError(f"'{name}': an internal state of a law has a value and a rate; leave the rest out")
+        z = history(self.structure, name)
+        if not z.order:
+            return np.array([state[z.base] for state in self._states]), z.unit
+        read = {-1: self.force, 1: self.rate, 2: self.acceleration}
+        return read[z.order](z.base), z.unit
 
     def unit(self, name: str) -> str:
         """Unit of a quantity, of its rate (``name'``), its acceleration (``name''``) or its force (``force:name``)."""
-        return self.series(name)[1]
+        return history(self.structure, name).unit
 
     def rate(self, name: str) -> Array:
         """Time history (nt,) of the rate of a quantity, or of a slip."""

@@ -10,6 +10,7 @@ import pytest
 import flexel as fx
 from flexel.base.quaternions import matrix
 from flexel.examples.bicycle import bicycle, kick
+from flexel.linear.tracking import branches
 from flexel.pictures import drawing, plot
 from flexel.pictures.figures import save
 from flexel.pictures.plot import animate, draw
@@ -109,7 +110,7 @@ def test_root_loci_follow_their_branches(tmp_path: Path) -> None:
     p = np.linspace(0, 2, 41)
     smooth = np.column_stack([p - 1.21, -1 - p, -0.5 + 1j * (1 + p), -0.5 - 1j * (1 + p)])
     shuffled = np.array([np.random.default_rng(i).permutation(row) for i, row in enumerate(smooth)])
-    found = plot.branches(p, shuffled)
+    found = branches(p, shuffled)
     assert np.max(np.abs(np.diff(found, axis=0))) < 0.06
     assert list(plot._stable(p, found)) == [(0.0, pytest.approx(1.21))]
     drawn = plot.root_loci(p, shuffled, tmp_path / "loci.png", label="speed [m/s]", marks={"limit": 1.21})

@@ -1,0 +1,222 @@
+"""Linearized equations of many variants of a system, and at many rates, as results."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from flexel.base.arguments import names as checked_names
+from flexel.base.arguments import unknown
+from flexel.base.arrays import Array, ComplexArray
+from flexel.base.errors import LinearizationError, ModelError
+from flexel.linear.tracking import branches
+from flexel.mechanics.linearization import Linearization
+from flexel.mechanics.modes import check_decoupled
+from flexel.results.saved.record import require
+
+
+@dataclass(frozen=True)
+class Linearizations:
+    """Linearized equations of variants, or of variants at several rates; failed ones hold NaN.
+
+    Attributes
+    ----------
+    M, C, K, A_k, B_k, Z, Z_v, Z_q, Z_z : ndarray (variants, …) or (variants, rates, …)
+        The matrices of `Linearization`, one behind the other.
+    dynamic, kinematic, internal : tuple of str
+        Names of the degrees of freedom and of the laws' internal states.
+    parameters : dict of str to ndarray (variants, …)
+        What was varied.
+    rates : dict of str to ndarray (rates,)
+        The rates that were given; empty if there are none.
+    failed : dict of int to str
+        Why variants failed, by their number.
+    """
+
+    M: Array
+    C: Array
+    K: Array
+    A_k: Array = field(repr=False)
+    B_k: Array = field(repr=False)
+    Z: Array = field(repr=False)
+    Z_v: Array = field(repr=False)
+    Z_q: Array = field(repr=False)
+    Z_z: Array = field(repr=False)
+    dynamic: tuple[str, ...]
+    kinematic: tuple[str, ...]
+    internal: tuple[str, ...]
+    parameters: Mapping[str, Array]
+    rates: Mapping[str, Array]
+    failed: Mapping[int, str]
+    again: Callable[[int, int], Linearization] = field(repr=False)
+
+    def __len__(self) -> int:
+        """Number of variants."""
+        return int(self.M.shape[0])
+
+    @property
+    def dofs(self) -> tuple[str, ...]:
+        """Names of q = (q_d, q_k)."""
+        return self.dynamic + self.kinematic
+
+    def linearization(self, variant: int, rate: int = 0) -> Linearization:
+        """The whole linearization of one variant, computed again, with its inputs, modes and state.
+
+        Raises
+        ------
+        ModelError
+            A number that does not exist.
+        FlexelError
+            What made the variant fail.
+        """
+        counts = len(self), self.M.shape[1] if self.rates else 1
+        for what, i, count in zip(("variant", "rate"), (variant, rate), counts, strict=True):
+            if isinstance(i, bool) or not isinstance(i, (int, np.integer)) or not 0 <= i < count:
+                raise ModelError(f"linearization: {what} {i!r}; give a number from 0 to {count - 1}")
+        return self.again(int(variant), int(rate))
+
+    @property
+    def state_matrices(self) -> Array:
+        """Matrices (…, n, n) of the first-order equations, each as `Linearization.state_matrix`."""
+        nd, nk, nz = len(self.dynamic), len(self.kinematic), len(self.internal)
+        first = self.M.shape[:-2]
+        A = np.zeros((*first, 2 * nd + nk + nz, 2 * nd + nk + nz))
+        forces = np.concatenate([self.C, self.K, self.Z], axis=-1)
+        good = np.isfinite(self.M).all(axis=(-2, -1))
+        A[good, :nd] = -np.linalg.solve(self.M[good], forces[good]) if nd else 0.0
+        A[..., nd : 2 * nd, :nd] = np.eye(nd)
+        A[..., 2 * nd : 2 * nd + nk, :nd], A[..., 2 * nd : 2 * nd + nk, nd : 2 * nd + nk] = self.A_k, self.B_k
+        A[..., 2 * nd + nk :, :nd], A[..., 2 * nd + nk :, nd : 2 * nd + nk] = self.Z_v, self.Z_q
+        A[..., 2 * nd + nk :, 2 * nd + nk :] = self.Z_z
+        A[~good] = np.nan
+        return A
+
+    def eigenvalues(self) -> ComplexArray:
+        """Eigenvalues (…, n) [1/s] of the state matrices, in no particular order; NaN where a variant failed."""
+        return _eigenvalues(self.state_matrices)
+
+    def reduced(self, names: Sequence[str], tolerance: float = 1e-9) -> Linearizations:
+        """Equations of the named dynamic degrees of freedom, after a check that they are decoupled in every variant.
+
+        Raises
+        ------
+        LinearizationError
+            If another degree of freedom enters their equations by more than `tolerance` of the largest entry.
+        """
+        names = checked_names(names, "reduced")
+        if not names or len(set(names)) < len(names):
+            raise LinearizationError(
+                f"reduced: {names!r} given; name one dynamic degree of freedom or more, each once"
+            )
+        for name in names:
+            if name not in self.dynamic:
+                raise LinearizationError(
+                    f"reduced: {unknown(name, self.dynamic, 'dynamic degree of freedom')}"
+                )
+        i = np.array([self.dynamic.index(name) for name in names])
+        columns = {"M": self.dynamic, "C": self.dynamic, "K": self.dofs, "Z": self.internal}
+        rows = np.concatenate([getattr(self, z)[..., i, :] for z in columns], axis=-1)
+        sizes = np.abs(rows).max(axis=-2).reshape(-1, rows.shape[-1])
+        for worst in _worst(names, columns, sizes[np.isfinite(sizes).all(axis=1)]):
+            check_decoupled(names, columns, worst.tolist(), tolerance)
+        first, n = self.M.shape[:-2], len(names)
+        blocks = {z: getattr(self, z)[..., i, :][..., i] for z in ("M", "C", "K")}
+        sizes_of = {"A_k": (0, n), "B_k": (0, n), "Z": (n, 0), "Z_v": (0, n), "Z_q": (0, n), "Z_z": (0, 0)}
+        blocks |= {z: np.zeros((*first, *size)) for z, size in sizes_of.items()}
+        return replace(self, dynamic=names, kinematic=(), internal=(), **blocks)
+
+    def to_xarray(self) -> Any:
+        """M, C, K and the eigenvalues as an xarray.Dataset, with the parameters, rates and names along their axes."""
+        xarray = require("xarray", "xarray")
+        lead = ("variant", "rate") if self.rates else ("variant",)
+        data: dict[str, Any] = {z: ((*lead, "row", "column"), getattr(self, z)) for z in ("M", "C")}
+        w = self.eigenvalues()
+        data["K"] = (*lead, "row", "dof"), self.K
+        data["eigenvalues_re"] = (*lead, "eigenvalue"), w.real, {"units": "1/s"}
+        data["eigenvalues_im"] = (*lead, "eigenvalue"), w.imag, {"units": "1/s"}
+        data["failed"] = "variant", [self.failed.get(i, "") for i in range(len(self))]
+        coordinates: dict[str, Any] = {
+            "row": list(self.dynamic),
+            "column": list(self.dynamic),
+            "dof": list(self.dofs),
+        }
+        for name, z in self.parameters.items():
+            coordinates[name] = (("variant", f"{name}: entry") if z.ndim > 1 else "variant", z)
+        coordinates |= {name: ("rate", z) for name, z in self.rates.items()}
+        return xarray.Dataset(data, coordinates)
+
+
+@dataclass(frozen=True)
+class RootLoci:
+    """Eigenvalues over a rate or a parameter, each column one branch.
+
+    Attributes
+    ----------
+    name : str
+        What the loci run over.
+    values : ndarray (np,)
+    linearizations : Linearizations
+        The equations of which these are the eigenvalues.
+    """
+
+    name: str
+    values: Array
+    linearizations: Linearizations
+
+    @cached_property
+    def eigenvalues(self) -> ComplexArray:
+        """Tracked branches (np, n) [1/s]; (variants, np, n) where parameters vary besides the rates."""
+        w = self.linearizations.eigenvalues()
+        if not self.linearizations.rates:
+            return branches(self.values, w)
+        found = np.array([branches(self.values, z) for z in w])
+        return found[0] if not self.linearizations.parameters else found
+
+    @property
+    def stable(self) -> Any:
+        """Whether all real parts are negative (np,) or (variants, np)."""
+        return (self.eigenvalues.real < 0).all(axis=-1)
+
+    def plot(self, path: str | Path | None = None, *, variant: int = 0, **options: Any) -> Any:
+        """Real and imaginary parts over the values (needs matplotlib); see `flexel.pictures.plot.root_loci`."""
+        from flexel.pictures.plot import root_loci
+
+        w = self.eigenvalues
+        shown = w[variant] if w.ndim == 3 else w
+        return root_loci(self.values, shown, path, **{"label": self.name, **options})
+
+    def to_xarray(self) -> Any:
+        """The branches as an xarray.Dataset, besides those of `Linearizations.to_xarray`."""
+        found, w = self.linearizations.to_xarray(), self.eigenvalues
+        axes = (
+            ("variant", "rate", "branch")[-w.ndim :] if self.linearizations.rates else ("variant", "branch")
+        )
+        return found.assign(
+            branch_re=(axes, w.real, {"units": "1/s"}), branch_im=(axes, w.imag, {"units": "1/s"})
+        )
+
+
+def _worst(names: Sequence[str], columns: Mapping[str, Sequence[str]], sizes: Array) -> Array:
+    """Of the largest entries (n, columns) of all equations those in which others than the named ones weigh most."""
+    ends = np.cumsum([0, *(len(z) for z in columns.values())]).tolist()
+    found = []
+    for (label, own), first, end in zip(columns.items(), ends, ends[1:], strict=False):
+        if label != "Z":
+            largest = sizes[:, first:end].max(axis=1, initial=1e-300)
+        foreign = np.array([z not in names for z in own], dtype=bool)
+        share = (sizes[:, first:end][:, foreign]).max(axis=1, initial=0.0) / largest
+        found.append(sizes[np.argmax(share)] if len(share) else np.zeros(0))
+    return np.array(found) if sizes.size else np.zeros((0, ends[-1]))
+
+
+def _eigenvalues(A: Array) -> ComplexArray:
+    found = np.full(A.shape[:-1], np.nan, dtype=complex)
+    good = np.isfinite(A).all(axis=(-2, -1))
+    if good.any() and A.shape[-1]:
+        found[good] = np.linalg.eigvals(A[good])
+    return found

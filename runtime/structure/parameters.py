@@ -1,0 +1,138 @@
+"""Parameters of a built structure by name: of elements (``rider.mass``) and laws (``strut.elongation.stiffness``).
+
+Springs, dampers and beams are laws; their matrices S and D are called stiffness and damping.  A second law of the same
+name is ``name#2``.  An entry of a parameter of several numbers has its number in brackets: ``rider.J[0]``.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from flexel.base.arguments import unknown
+from flexel.base.arrays import Array
+from flexel.base.errors import ModelError
+from flexel.structure.instances import Instance, LawInstance
+from flexel.structure.structure import Structure
+
+ALIASES = {
+    "S": "stiffness",
+    "D": "damping",
+    "C": "damping",
+}  # of the matrices of linear laws, for use in names
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where a parameter is kept.
+
+    Attributes
+    ----------
+    name : str
+        As it was asked for.
+    law : bool
+        Whether it belongs to a law, otherwise to an element.
+    owner : int
+        Number of the element or law in the structure.
+    parameter : str
+        Its name in the specification.
+    numbers : slice
+        Its numbers among all of the owner.
+    """
+
+    name: str
+    law: bool
+    owner: int
+    parameter: str
+    numbers: slice
+
+    @property
+    def size(self) -> int:
+        """How many numbers it has."""
+        return int(self.numbers.stop - self.numbers.start)
+
+
+class Parameters(Mapping[str, Array]):
+    """All parameters of a structure as a mapping from names to arrays; read only."""
+
+    def __init__(self, structure: Structure) -> None:
+        self._structure = structure
+        self._places = dict(_places(structure))
+
+    def __len__(self) -> int:
+        return len(self._places)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._places)
+
+    def __getitem__(self, name: str) -> Array:
+        place = self.find(name, "parameters")
+        return np.array(self.owner(place).p[place.numbers])
+
+    def __repr__(self) -> str:
+        return f"Parameters({len(self)}: {', '.join(list(self)[:6])}, …)"
+
+    def owner(self, place: Place) -> Instance | LawInstance:
+        """The element or law of a parameter."""
+        return self._structure.laws[place.owner] if place.law else self._structure.instances[place.owner]
+
+    def find(self, name: Any, owner: str) -> Place:
+        """The place of a parameter; a ModelError with the nearest known names otherwise."""
+        base, entry = _split(name)
+        if base not in self._places:
+            raise ModelError(f"{owner}: {unknown(str(name), self._places, 'parameter')}")
+        place = replace(self._places[base], name=name)
+        if entry is None:
+            return place
+        if not 0 <= entry < place.size:
+            raise ModelError(
+                f"{owner}: '{name}': entries of '{base}' are numbered from 0 to {place.size - 1}"
+            )
+        first = place.numbers.start + entry
+        return replace(place, numbers=slice(first, first + 1))
+
+    def changed(self, places: Sequence[Place], values: Sequence[Array]) -> Structure:
+        """The structure with other values of some parameters."""
+        rows: dict[tuple[bool, int], Array] = {}
+        for place, value in zip(places, values, strict=True):
+            row = rows.setdefault((place.law, place.owner), np.array(self.owner(place).p))
+            row[place.numbers] = value
+        s = self._structure
+        instances = tuple(_with(z, rows.get((False, i))) for i, z in enumerate(s.instances))
+        laws = tuple(_with(z, rows.get((True, i))) for i, z in enumerate(s.laws))
+        return replace(s, instances=instances, laws=laws)
+
+
+def _with(owner: Any, row: Array | None) -> Any:
+    """An element or law with its parameters from a row of numbers."""
+    if row is None:
+        return owner
+    ends = np.cumsum([0, *(z.size for z in owner.spec.parameters)]).tolist()
+    parts = zip(owner.spec.parameters, ends, ends[1:], strict=False)
+    return replace(owner, parameters=owner.parameters | {z.name: row[a:b] for z, a, b in parts})
+
+
+def _split(name: Any) -> tuple[str, int | None]:
+    """A name and the number of the entry in brackets, if there is one."""
+    match = re.fullmatch(r"(.*)\[(\d+)\]", name) if isinstance(name, str) else None
+    return (match[1], int(match[2])) if match else (str(name), None)
+
+
+def _places(structure: Structure) -> Iterator[tuple[str, Place]]:
+    """All parameters with their names; laws have also those in words."""
+    for law, owners in ((False, structure.instances), (True, structure.laws)):
+        count: Counter[str] = Counter()
+        for number, owner in enumerate(owners):
+            count[owner.name] += 1
+            label = owner.name if count[owner.name] == 1 else f"{owner.name}#{count[owner.name]}"
+            first = 0
+            for z in owner.spec.parameters:
+                word = ALIASES.get(z.name, z.name) if law else z.name
+                name = f"{label}.{word}"
+                yield name, Place(name, law, number, z.name, slice(first, first + z.size))
+                first += z.size
