@@ -44,6 +44,7 @@ HOMES = {  # sections of the page of public names: title and modules
         "flexel.results.motion",
     ),
     "Linearization": ("flexel.mechanics.linearization", "flexel.mechanics.modes"),
+    "Many variants": ("flexel.results.ensemble", "flexel.results.linearizations"),
     "Errors": ("flexel.base.errors",),
 }
 RETURNED = {  # functions and options of pictures that are not names of the package itself

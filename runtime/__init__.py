@@ -36,6 +36,8 @@ if TYPE_CHECKING:
     from flexel.model import Model
     from flexel.pictures.scene import View
     from flexel.results.branch import PeriodicBranch
+    from flexel.results.ensemble import Ensemble
+    from flexel.results.linearizations import Linearizations, RootLoci
     from flexel.results.motion import Motion
     from flexel.results.periodic import PeriodicSolution
     from flexel.results.saved.loading import load
@@ -63,6 +65,7 @@ __all__ = [
     "Curve",
     "DynamicsError",
     "ElementError",
+    "Ensemble",
     "Event",
     "FlexelError",
     "Harmonic",
@@ -70,6 +73,7 @@ __all__ = [
     "IncompleteWarning",
     "Linearization",
     "LinearizationError",
+    "Linearizations",
     "Material",
     "Mode",
     "Model",
@@ -83,6 +87,7 @@ __all__ = [
     "RangeWarning",
     "Rectangle",
     "Reduced",
+    "RootLoci",
     "Rope",
     "RoundGroove",
     "SectionForces",
@@ -116,6 +121,7 @@ _HOMES = {
     "Curve": "flexel.declare.curves",
     "DynamicsError": "flexel.base.errors",
     "ElementError": "flexel.base.errors",
+    "Ensemble": "flexel.results.ensemble",
     "Event": "flexel.integration.events",
     "FlexelError": "flexel.base.errors",
     "Harmonic": "flexel.base.time_functions",
@@ -123,6 +129,7 @@ _HOMES = {
     "IncompleteWarning": "flexel.base.errors",
     "Linearization": "flexel.mechanics.linearization",
     "LinearizationError": "flexel.base.errors",
+    "Linearizations": "flexel.results.linearizations",
     "Material": "flexel.declare.materials",
     "Mode": "flexel.mechanics.modes",
     "Model": "flexel.model",
@@ -136,6 +143,7 @@ _HOMES = {
     "RangeWarning": "flexel.base.errors",
     "Rectangle": "flexel.declare.sections",
     "Reduced": "flexel.mechanics.modes",
+    "RootLoci": "flexel.results.linearizations",
     "Rope": "flexel.rope.rope",
     "RoundGroove": "flexel.rope.surfaces",
     "SectionForces": "flexel.declare.sections",

@@ -41,6 +41,15 @@ def test_the_program_of_the_page_on_control_steadies_the_rod() -> None:
     assert abs(names["motion"]["motor.angle"][-1]) < 1e-4
 
 
+def test_the_programs_of_the_page_on_variants_run(capsys: pytest.CaptureFixture[str]) -> None:
+    names: dict[str, Any] = {}
+    for block in programs("many.md"):
+        exec(block, names)
+    assert names["found"]["pivot.angle"].shape == (200, 201) and not names["found"].failed
+    assert names["many"].M.shape == (50, 1, 1) and names["loci"].stable.all()
+    assert "(50, 2) True" in capsys.readouterr().out
+
+
 @pytest.mark.slow
 def test_the_pages_build_without_a_warning(tmp_path: Path) -> None:
     for package in ("sphinx", "myst_parser"):

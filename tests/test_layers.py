@@ -42,6 +42,7 @@ EXCEPTIONS = {
     ("flexel.mechanics.linearization", "flexel.results.control"),  # to_control, to_scipy, save_state_space
     ("flexel.mechanics.linearization", "flexel.results.saved.archive_linear"),  # save, to_xarray, to_pandas
     ("flexel.results.branch", "flexel.pictures.graphs"),  # plot
+    ("flexel.results.linearizations", "flexel.pictures.plot"),  # plot
     ("flexel.results.motion", "flexel.pictures.deflected"),  # plot_shapes
     ("flexel.results.motion", "flexel.pictures.graphs"),  # plot_spectrum, plot_phase
     ("flexel.results.motion", "flexel.pictures.plot"),  # plot, animate
