@@ -83,9 +83,19 @@ class PointContacts(Laws):
             )
         a = not_negative(radius, owner, "radius")
         check_fits("sphere", a, found, owner)
-        wanted = [(point, "point")] if frame is None else [(point, "point"), (frame, "frame")]
-        planar, nodes = self._find_nodes(owner, *wanted)
-        _check_pair(owner, planar, nodes, found)
+        planar, nodes = self._find_nodes(owner, (point, "point"))
+        if planar != found.planar:
+            where = ("in space", "in a planar model")
+            raise ModelError(
+                f"{owner}: '{nodes[0].name}' lies {where[planar]}, the surface {where[not planar]}; use one kind"
+            )
+        if frame is not None:
+            nodes.append(self._find_of_kind(frame, ("planar_angle" if planar else "frame",), owner))
+        if nodes[0].name == found.point and all(z.name == found.frame for z in nodes[1:]):
+            raise ModelError(
+                f"{owner}: the surface is fixed in the same body, with the point '{found.point}'; give a point of "
+                "another"
+            )
         centre = nodes[0].x0 if at is None else vector(at, owner, "at", 2 if planar else 3)
         _check_off_axle(owner, centre, found)
         values = found.parameters | {"sphere_radius": np.array([a])}
@@ -98,19 +108,6 @@ class PointContacts(Laws):
             raise ModelError(f"{owner}: a place at={at!r} needs the body that it is fixed in; give its frame")
         self._place(name, found.element(touching), [*nodes, found.point, found.frame], values)
         attach_contact(self, name, gaps, contact, 1.0)
-
-
-def _check_pair(owner: str, planar: bool, nodes: list[Node], surface: Surface) -> None:
-    """What touches and the surface must both be planar or spatial, and on different bodies."""
-    if planar != surface.planar:
-        where = ("in a planar model", "in space")
-        raise ModelError(
-            f"{owner}: '{nodes[0].name}' lies {where[not planar]}, the surface {where[planar]}; use one kind"
-        )
-    if nodes[0].name == surface.point and all(z.name == surface.frame for z in nodes[1:]):
-        raise ModelError(
-            f"{owner}: the surface is fixed in the same body, with the point '{surface.point}'; give a point of another"
-        )
 
 
 def _check_off_axle(owner: str, centre: Array, surface: Surface) -> None:

@@ -47,6 +47,7 @@ ROUND = (("gap", ("tangential", "across")),)
 VEE = (("gap1", ("tangential", "across1")), ("gap2", ("tangential", "across2")))
 PLANE = (("gap", ("x", "y")),)
 PLANAR = (("gap", ("tangential",)),)
+STEEP = np.cos(np.radians(25.0))  # x component of the normal of a plane whose axes start from the y axis
 
 
 class Surfaces(Declarations):
@@ -108,8 +109,8 @@ class Surfaces(Declarations):
     ) -> Surface:
         """Declare a plane through a point of a body.
 
-        Sliding in space is measured along x and y: x is the global axis, as drawn, that is most nearly in the plane
-        (the first of equal ones), projected onto it; y is at right angles to it, counterclockwise about the normal.
+        Sliding in space is measured along x and y: x is the global x axis, as drawn, projected onto the plane (the y
+        axis if the normal is within 25° of x); y is at right angles to it, counterclockwise about the normal.
 
         Parameters
         ----------
@@ -131,8 +132,7 @@ class Surfaces(Declarations):
             values = {"alpha0": np.arctan2(-n[0], n[1]) - r.x0, "offset": np.zeros(2)}
             return _kept(self, Surface(name, "line", c.name, r.name, values, 0.0, c.x0, n, PLANAR))
         n = unit(normal, owner, "normal")
-        across = np.zeros(3)
-        across[int(np.argmin(np.abs(n)))] = 1.0
+        across = np.array([1.0, 0.0, 0.0] if abs(n[0]) < STEEP else [0.0, 1.0, 0.0])
         e_x = unit(across - (across @ n) * n, owner, "direction")
         values = {"t": in_frame(r.x0, triad(e_x, np.cross(n, e_x), owner)), "offset": np.zeros(3)}
         return _kept(self, Surface(name, "plane", c.name, r.name, values, 0.0, c.x0, n, PLANE))
