@@ -61,6 +61,12 @@ def contact(state: State, instance: Instance) -> Iterator[Shape]:
     yield Shape("force", instance.name, (centre,), force=force)
 
 
+def is_ball(instance: Instance) -> bool:
+    """Whether an element is the contact of a ball or disc about the point of its body, and shows the body so."""
+    z = instance.parameters
+    return "centre" in z and "sphere_radius" in z and z["sphere_radius"][0] > 0 and not np.any(z["centre"])
+
+
 def _ball(instance: Instance, centre: Array, R: Array) -> Iterator[Shape]:
     """Circles about the axes of the body, or one in the plane, and a radius that shows the rotation."""
     radius = float(instance.parameters["sphere_radius"][0])

@@ -239,7 +239,7 @@ def check_fits(what: str, radius: float, surface: Surface, owner: str) -> None:
     if radius >= groove:
         raise ModelError(
             f"{owner}: the {what} of radius {radius:g} m does not fit into the groove of radius {groove:g} m; use "
-            f"a larger fx.RoundGroove, usually 1.06 to 1.1 times the {what}'s radius"
+            "a larger fx.RoundGroove, for a rope usually 1.06 to 1.1 times its radius"
         )
 
 
