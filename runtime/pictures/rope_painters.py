@@ -8,6 +8,7 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.quaternions import matrix, product
+from flexel.pictures.planar_painters import disc
 from flexel.pictures.shape import Shape, axes_of, circle, cubic, place, resultant, section_outline, turned
 from flexel.rope.cable_results import cable_rows
 from flexel.rope.cables import PLACES
@@ -68,13 +69,13 @@ def is_ball(instance: Instance) -> bool:
 
 
 def _ball(instance: Instance, centre: Array, R: Array) -> Iterator[Shape]:
-    """Circles about the axes of the body, or one in the plane, and a radius that shows the rotation."""
+    """A disc with a radius that shows the rotation, and in space circles about the two other axes of the body."""
     radius = float(instance.parameters["sphere_radius"][0])
     if radius:
-        pose = centre, R
-        for i in (2,) if instance.spec.planar else (0, 1, 2):
-            yield Shape("spoke", instance.name, (centre + _ring(radius, np.delete(R, i, axis=1)),), pose)
-        yield Shape("valve", instance.name, (np.array([centre, centre + radius * R[:, 0]]),), pose)
+        yield from disc(instance.name, centre, R, radius)
+        if not instance.spec.planar:
+            rings = tuple(centre + _ring(radius, np.delete(R, i, axis=1)) for i in (0, 1))
+            yield Shape("rim", instance.name, rings, (centre, R))
 
 
 def _ring(radius: float, across: Array) -> Array:
