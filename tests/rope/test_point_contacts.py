@@ -103,3 +103,23 @@ def test_a_ball_in_a_v_groove_rolls_on_both_flanks(results: example.Results) -> 
         friction = np.hypot(motion.force(f"touch.tangential{i}"), motion.force(f"touch.across{i}"))
         assert friction[0] == pytest.approx(0.3 * normal, rel=1e-3)
         assert friction[-1] < 1e-3 * normal
+
+
+@pytest.mark.parametrize("normal", [(0, 0, 1), (0.3, 0.5, 0.8), (0, -1, 0), (1, 0, 0), (0.95, 0.1, -0.1)])
+def test_the_slips_of_a_plane_are_along_the_x_axis_and_across(normal: tuple[float, float, float]) -> None:
+    """Along the projection of x, or of y where the normal is nearly x; with the normal they are right-handed."""
+    n = np.array(normal) / np.linalg.norm(normal)
+    axis = np.array([1.0, 0, 0] if abs(n[0]) < 0.9 else [0, 1.0, 0])
+    e_x = (axis - (axis @ n) * n) / np.linalg.norm(axis - (axis @ n) * n)
+    velocity = np.array([0.3, -0.7, 0.4])
+    m = example.ground((0, 0, 0))
+    m.plane("plane", "O", "ground", normal=normal)
+    m.point("P", n)
+    m.point_mass("mass", "P", MASS)
+    m.contact("touch", "P", "plane", fx.Contact(STIFFNESS, friction=0.1))
+    for name, rate in zip("xyz", velocity, strict=True):
+        m.initial(f"P.{name}", rate=rate)
+    state = m.build().initial
+    found = [state.rate(f"touch.{z}") for z in ("x", "y", "gap")]
+    assert found == pytest.approx([velocity @ e_x, velocity @ np.cross(n, e_x), velocity @ n], abs=1e-14)
+    assert state["touch.gap"] == pytest.approx(1.0)
