@@ -183,8 +183,8 @@ class Drive:
         self.killers += 1
         if not self.succeeded and self.killers >= PATIENCE:
             raise FlexelError(
-                f"sweep: all workers die, the last one at {self.points.shown(chunk.begin)} ({error}); try "
-                "executor='serial', or give them more memory"
+                f"sweep: all workers die, the last one at {self.points.shown(chunk.begin)} "
+                f"({str(error).partition('.')[0]}); try executor='serial', or give them more memory"
             ) from error
         message = "its worker died each time, also with nothing else under way; it may need more memory"
         self.held.append(Outcome(chunk.begin, 1, [], {0: message}, 0.0))
