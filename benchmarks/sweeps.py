@@ -14,7 +14,7 @@ POINTS = 20_000
 
 
 def overhead() -> Work:
-    """A sweep with joblib over points at which next to nothing is computed, with chunks chosen by itself; wall time."""
+    """A sweep with joblib over points without work, with chunks chosen by itself; wall time."""
     values = np.linspace(0.0, 1.0, POINTS)
 
     def run() -> Any:

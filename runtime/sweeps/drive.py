@@ -16,7 +16,10 @@ from flexel.sweeps.points import Points
 from flexel.sweeps.store import Store
 from flexel.sweeps.work import Job, Outcome, work
 
-TARGET = 0.2  # time that a chunk is to take [s]: long beside the 0.3 to 10 ms that it costs to hand one out
+TARGET = 0.2  # time that a chunk is to take [s], at least: handing one out costs 0.5 ms of this process, 5 with dask
+APART = (
+    0.01  # time between two chunks [s], which take longer with many workers, so that this process keeps up
+)
 LARGEST = 20_000  # points of a chunk
 MOST_BYTES = 1 << 24  # results of a chunk
 AHEAD = 2  # chunks handed out for each worker, so that none waits
@@ -118,7 +121,8 @@ class Drive:
         """Points that take about as long as a chunk should; towards the end fewer, for all workers to end together."""
         if self.seconds is None:
             return 1
-        wanted = int(TARGET / max(self.seconds, TARGET / LARGEST))
+        target = max(TARGET, APART * slots)
+        wanted = int(target / max(self.seconds, target / LARGEST))
         room = MOST_BYTES // max(self.store.row_bytes, 1)
         return max(1, min(wanted, room, self.left // (AHEAD * slots)))
 

@@ -95,8 +95,8 @@ class Pool:
         """Replace an executor that broke down."""
         if self.make is None:
             raise FlexelError(
-                f"the executor broke down ({str(cause).partition('.')[0]}); give another one, or a function that makes it, which is called "
-                "again after a breakdown"
+                f"the executor broke down ({str(cause).partition('.')[0]}); give another one, or a function that makes "
+                "it, which is called again after a breakdown"
             ) from cause
         self.executor.shutdown(wait=False)
         self.executor = self.make()
