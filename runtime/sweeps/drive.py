@@ -70,9 +70,9 @@ class Drive:
         try:
             while True:
                 self._hand_out(runs, size)
-                if not self.pending:
+                if not (self.pending or self.again or self.held or runs):
                     return
-                for future in wait(self.pending, return_when=FIRST_COMPLETED).done:
+                for future in self._done():
                     if future in self.pending:  # a breakdown takes all of them at once
                         self._settle(future)
                 self._store()
@@ -88,6 +88,10 @@ class Drive:
         self.pending.clear()
         self._store()
 
+    def _done(self) -> set[Future[Outcome]]:
+        """What has come back, when something has."""
+        return wait(self.pending, return_when=FIRST_COMPLETED).done if self.pending else set()
+
     def _hand_out(self, runs: deque[tuple[int, int]], size: int | None) -> None:
         """Submit chunks until every worker has enough."""
         known, slots = self.store.forms is not None, self.pool.slots()
@@ -98,9 +102,13 @@ class Drive:
             try:
                 future = self.pool.executor.submit(work, self.job, chunk.begin, columns)
             except self.pool.deaths as error:  # it broke down before the futures told
-                self.again.appendleft(chunk)
                 self._broken(error)
+                self._blame(chunk, error)
                 return
+            except RuntimeError as error:
+                raise FlexelError(
+                    f"sweep: the executor takes no work: {error}; give one that is open"
+                ) from error
             self.pending[future] = chunk
             if chunk.alone or len(self.pending) >= slots * (AHEAD if known else 1):
                 return

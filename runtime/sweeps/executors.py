@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 import os
 import signal
+import time
 from collections.abc import Callable
 from concurrent.futures import BrokenExecutor, Executor, Future, ThreadPoolExecutor
 from dataclasses import dataclass
@@ -38,6 +40,13 @@ class Cluster(Executor):
 
     def __init__(self, client: Any) -> None:
         self.client = client
+        self._known = (-math.inf, 1)  # when the scheduler was asked for its workers, and how many there were
+
+    def threads(self) -> int:
+        """The number of threads of all workers, asked for once in a second."""
+        if time.monotonic() - self._known[0] > 1:
+            self._known = (time.monotonic(), max(1, sum(self.client.nthreads().values())))
+        return self._known[1]
 
     def submit(self, function: Callable[..., Any], /, *args: Any, **options: Any) -> Future[Any]:
         """A future that is done when the result has been fetched."""
@@ -157,10 +166,8 @@ def _dask(client: Any, workers: int | None) -> Pool:
     """The workers of a cluster, however many there are at a time."""
     from distributed.scheduler import KilledWorker
 
-    def slots() -> int:
-        return workers or max(1, sum(client.nthreads().values()))
-
-    return Pool(Cluster(client), slots, (BrokenExecutor, KilledWorker))
+    cluster = Cluster(client)
+    return Pool(cluster, lambda: workers or cluster.threads(), (BrokenExecutor, KilledWorker))
 
 
 def _size(executor: Executor, workers: int | None) -> Callable[[], int]:

@@ -167,6 +167,13 @@ def test_bad_input_is_named(options: dict[str, Any], message: str) -> None:
         fx.sweep(**given)
 
 
+def test_an_executor_that_is_closed_is_named() -> None:
+    with ThreadPoolExecutor(1) as threads:
+        pass
+    with pytest.raises(fx.FlexelError, match="the executor takes no work: .*give one that is open"):
+        fx.sweep(plain, {"a": [1.0]}, numbers, executor=threads)
+
+
 def test_what_cannot_be_sent_is_named() -> None:
     import threading
 

@@ -24,6 +24,7 @@ def check(found: Any) -> None:
     assert [found["sum"].sel(a=a) for a in range(10) if a != 3] == [a + 1 for a in range(10) if a != 3]
 
 
+@pytest.mark.slow
 def test_a_point_that_kills_its_worker_is_named_and_the_rest_kept() -> None:
     with pytest.warns(
         fx.IncompleteWarning, match="9 of 10 points computed, 1 failed; the first, a = 3.0: its worker"
@@ -31,11 +32,13 @@ def test_a_point_that_kills_its_worker_is_named_and_the_rest_kept() -> None:
         check(fx.sweep(deadly, {"a": [float(i) for i in range(10)]}, numbers, workers=2, chunk=4))
 
 
+@pytest.mark.slow
 def test_if_all_workers_die_the_sweep_says_so() -> None:
     with pytest.raises(fx.FlexelError, match=r"all workers die, the last one at a = .*executor='serial'"):
         fx.sweep(lethal, {"a": [1.0, 2.0, 3.0, 4.0]}, numbers, workers=2)
 
 
+@pytest.mark.slow
 def test_an_executor_of_the_user_that_breaks_down_is_not_replaced(tmp_path: Path) -> None:
     """But one that a function makes is; and what was computed is in the folder."""
     points = {"a": [0.0, 1.0, 2.0, 4.0, 3.0, 5.0, 6.0, 7.0, 8.0, 9.0]}
