@@ -97,3 +97,25 @@ def test_both_workers_of_a_cluster_work(client: Any) -> None:
 def test_a_worker_of_a_cluster_that_dies_takes_one_point_with_it(client: Any) -> None:
     with pytest.warns(fx.IncompleteWarning, match="1 failed"):
         check(fx.sweep(deadly, {"a": [float(i) for i in range(10)]}, numbers, executor=client, chunk=5))
+
+
+@pytest.mark.filterwarnings("default")
+def test_the_command_uses_the_cluster_at_an_address(client: Any, tmp_path: Path) -> None:
+    from click.testing import CliRunner
+
+    from flexel.commands.main import main
+
+    file, out = tmp_path / "where.py", tmp_path / "results"
+    file.write_text(
+        "import os, time\n"
+        "points = [{'a': i} for i in range(30)]\n"
+        "def build(a):\n    return a\n"
+        "def analyse(a):\n    time.sleep(0.02)\n    return {'twice': 2 * a, 'process': os.getpid()}\n",
+        encoding="utf-8",
+    )
+    command = ["sweep", str(file), "--scheduler", client.scheduler.address, "--out", str(out)]
+    result = CliRunner().invoke(main, command)
+    assert result.exit_code == 0, result.output
+    found = fx.open_sweep(out)
+    assert found.twice.values.tolist() == [2.0 * i for i in range(30)]
+    assert len(set(found.process.values.tolist())) == 2
