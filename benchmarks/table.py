@@ -11,7 +11,7 @@ from functools import partial
 from math import isfinite
 from typing import Any
 
-from flexel.benchmarks import bicycle, chains, kernels, ropes, slider_crank, start, vehicle
+from flexel.benchmarks import bicycle, chains, kernels, ropes, slider_crank, start, sweeps, vehicle
 from flexel.benchmarks.timing import Timing, Work, measure
 
 UNITS = {"s": 1.0, "ms": 1e-3, "µs": 1e-6, "ns": 1e-9}
@@ -107,6 +107,7 @@ ROWS = {
         Row("build_bicycle", "ms", 15, 5, bicycle.build),
         Row("build_vehicle", "ms", 250, 50, vehicle.build),
         Row("kernels_beam", "ns", 22, 18, kernels.beam),
+        Row("sweep_overhead", "ms", 1, 0.2, sweeps.overhead, "results minus those of one process", 1e-14),
         Row("import_flexel", "ms", None, None, start.importing),
     )
 }  # fmt: skip

@@ -43,6 +43,12 @@ HOMES = {  # sections of the page of public names: title and modules
         "flexel.integration.events",
         "flexel.results.motion",
     ),
+    "Sweeps": (
+        "flexel.sweeps.sweep",
+        "flexel.sweeps.points",
+        "flexel.sweeps.sampling",
+        "flexel.sweeps.dataset",
+    ),
     "Linearization": ("flexel.mechanics.linearization", "flexel.mechanics.modes"),
     "Many variants": ("flexel.results.ensemble", "flexel.results.linearizations"),
     "Errors": ("flexel.base.errors",),

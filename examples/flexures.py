@@ -75,6 +75,7 @@ def leaf(
     section: fx.Rectangle,
     flexible: Sequence[str] | None,
     elements: int,
+    material: fx.Material = STEEL,
 ) -> None:
     """A leaf spring in the plane of z from the ground to a body (point, frame), deflecting normal to that plane."""
     start, end = ends
@@ -94,7 +95,7 @@ def leaf(
             *nodes[i + 1],
             direction=normal,
             section=section,
-            material=STEEL,
+            material=material,
             flexible=flexible,
         )
     m.beam(f"{name} clamp", body[0], body[1], f"{name} end")

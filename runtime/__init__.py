@@ -49,6 +49,10 @@ if TYPE_CHECKING:
     from flexel.statics.compliance import Compliance
     from flexel.statics.stability import BucklingMode, Vibration
     from flexel.structure.state import State
+    from flexel.sweeps.dataset import open_sweep
+    from flexel.sweeps.points import Points, grid, listed
+    from flexel.sweeps.sampling import sample
+    from flexel.sweeps.sweep import sweep
     from flexel.system import System
 
 __version__ = "0.1.0"
@@ -81,6 +85,7 @@ __all__ = [
     "Motion",
     "PeriodicBranch",
     "PeriodicSolution",
+    "Points",
     "Polynomial",
     "PositionError",
     "Ramp",
@@ -104,8 +109,13 @@ __all__ = [
     "WireRope",
     "compile_element",
     "compile_law",
+    "grid",
+    "listed",
     "load",
+    "open_sweep",
     "read_spacar",
+    "sample",
+    "sweep",
     "turn",
 ]
 
@@ -137,6 +147,7 @@ _HOMES = {
     "Motion": "flexel.results.motion",
     "PeriodicBranch": "flexel.results.branch",
     "PeriodicSolution": "flexel.results.periodic",
+    "Points": "flexel.sweeps.points",
     "Polynomial": "flexel.base.time_functions",
     "PositionError": "flexel.base.errors",
     "Ramp": "flexel.base.time_functions",
@@ -160,8 +171,13 @@ _HOMES = {
     "WireRope": "flexel.rope.wire_rope",
     "compile_element": "flexel.declare.user",
     "compile_law": "flexel.declare.user",
+    "grid": "flexel.sweeps.points",
+    "listed": "flexel.sweeps.points",
     "load": "flexel.results.saved.loading",
+    "open_sweep": "flexel.sweeps.dataset",
     "read_spacar": "flexel.spacar.reading",
+    "sample": "flexel.sweeps.sampling",
+    "sweep": "flexel.sweeps.sweep",
     "turn": "flexel.base.quaternions",
 }
 

@@ -30,7 +30,8 @@ CALLS_DERIVE = (
     "runtime/declare/user.py",
 )
 # What makes an import slow, or is an extra that may be absent: inside functions only.
-LAZY = {"sympy", "jinja2", "matplotlib", "xarray", "h5netcdf", "pandas", "control", "sksundae", "joblib"}
+LAZY = {"sympy", "jinja2", "matplotlib", "xarray", "h5netcdf", "pandas", "control", "sksundae"}
+LAZY |= {"joblib", "cloudpickle", "dask", "distributed"}
 
 
 @dataclass(frozen=True)

@@ -30,6 +30,7 @@ LAYERS = (
     "build",
     "model",
     "spacar",
+    "sweeps",
     "commands",
     "__main__",
 )

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from flexel.base.stopping import StoppedError, stopping
 from flexel.commands.jsonfile import check_json_file
-from flexel.commands.stop import INTERRUPTED, StoppedError, stopping
+from flexel.commands.stop import INTERRUPTED
 
 if TYPE_CHECKING:
     from flexel.benchmarks.table import Figure, Row

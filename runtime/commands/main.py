@@ -16,6 +16,7 @@ from flexel.commands.derive import derive
 from flexel.commands.info import info
 from flexel.commands.reproduce import reproduce
 from flexel.commands.run import run
+from flexel.commands.sweep import sweep
 from flexel.commands.verify import verify
 from flexel.commands.view import view
 
@@ -39,7 +40,7 @@ def main() -> None:
     """A compiler for mechanisms: derive, compile, run."""
 
 
-for command in (derive, verify, reproduce, bench, run, convert, view, info):
+for command in (derive, verify, reproduce, bench, run, sweep, convert, view, info):
     main.add_command(command)
 
 

@@ -28,6 +28,7 @@ CASES = {
     "hoist": "flexel.examples.hoist",
     "vehicle": "flexel.examples.vehicle",
     "motorcycle": "flexel.examples.motorcycle",
+    "tolerances": "flexel.examples.tolerances",
 }
 
 

@@ -1,0 +1,34 @@
+"""What a sweep adds to the work at its points: starting workers, handing out, collecting, writing and reading."""
+
+from __future__ import annotations
+
+import time
+from typing import Any
+
+import numpy as np
+
+import flexel as fx
+from flexel.benchmarks.timing import Work
+
+POINTS = 20_000
+
+
+def overhead() -> Work:
+    """A sweep with joblib over points without work, with chunks chosen by itself; wall time."""
+    values = np.linspace(0.0, 1.0, POINTS)
+
+    def run() -> Any:
+        return fx.sweep(_point, {"a": values}, _result, progress=False)
+
+    def error(found: Any) -> float:
+        return float(np.abs(found.square - values**2).max())
+
+    return Work(run, error, POINTS, clock=time.perf_counter)
+
+
+def _point(a: float) -> float:
+    return a
+
+
+def _result(a: float) -> dict[str, float]:
+    return {"square": a * a}

@@ -1,0 +1,31 @@
+"""The picture of the tolerances: how the lowest frequency of the stages is distributed.
+
+Imports numpy and flexel; matplotlib is imported by `flexel.pictures.figures` when a picture is drawn.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from flexel.base.arrays import Array
+from flexel.pictures.figures import COLOURS, figure, save
+
+
+def distribution(found: Array, closed: Array, path: Path) -> Path:
+    """Part of the stages below each lowest frequency, and the frequencies of the leaf springs themselves."""
+    part = (np.arange(len(found)) + 0.5) / len(found)
+    with figure(1, 2, size=(11.0, 4.0)) as (drawn, axes):
+        axes[0].plot(np.sort(found[:, 0]), part, color=COLOURS[0], label="sweep")
+        axes[0].plot(np.sort(closed), part, "--", color=COLOURS[1], label="closed form at the same points")
+        axes[0].set_title("lowest frequency [Hz]")
+        axes[0].set_ylabel("part of the stages below")
+        for mode in range(1, found.shape[1]):
+            axes[1].plot(np.sort(found[:, mode]), part, color=COLOURS[mode], label=f"mode {mode + 1}")
+        axes[1].set_title("frequencies of the leaf springs [Hz]")
+        for axis in axes:
+            axis.legend(fontsize=8)
+        drawn.suptitle(f"{len(found)} parallel guides within their tolerances")
+        save(drawn, path)
+    return path

@@ -1,0 +1,84 @@
+"""The folder of a sweep as one labelled dataset."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from flexel.base.errors import ModelError
+from flexel.results.saved.record import require
+from flexel.sweeps.points import Points
+from flexel.sweeps.store import DONE, FAILED, described, forms_of, messages_in
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+NOT_COMPUTED = "not computed"
+
+
+def open_sweep(folder: str | Path) -> Dataset:
+    """The results in the folder of a sweep, finished or not, read from disk as far as they are used.
+
+    Parameters
+    ----------
+    folder : path
+        Written by `fx.sweep` or ``flexel sweep``.
+
+    Returns
+    -------
+    xarray.Dataset
+        See `fx.sweep`.
+    """
+    place = Path(folder)
+    kept = described(place)
+    if kept is None:
+        raise ModelError(
+            f"{folder} is not the folder of a sweep; give one that fx.sweep or flexel sweep has written"
+        )
+    columns = {
+        name: np.load(place / "points" / f"{i}.npy", mmap_mode="r")
+        for i, name in enumerate(kept["points"]["parameters"])
+    }
+    return dataset_of(place, Points(columns, kept["points"]["grid"]))
+
+
+def dataset_of(folder: Path, points: Points) -> Dataset:
+    """The dataset of a folder whose points are known."""
+    xarray = require("xarray", "xarray")
+    kept = described(folder)
+    assert kept is not None
+    coordinates: dict[str, Any] = {
+        name: (name if points.is_grid else "point", np.asarray(z)) for name, z in points.values.items()
+    }
+    data: dict[str, Any] = {}
+    for i, (name, form) in enumerate(forms_of(kept) or ()):
+        values = np.load(folder / "values" / f"{i}.npy", mmap_mode="r").reshape(points.shape + form.shape)
+        data[name] = (points.dims + form.dims, values, {"units": form.unit} if form.unit else {})
+        coordinates |= {dim: (dim, list(labels)) for dim, labels in form.labels}
+    status = np.load(folder / "status.npy")
+    data["failed"] = (points.dims, _failed(folder, status).reshape(points.shape))
+    about = {"kind": "sweep", "message": message_of(folder, points, status)}
+    found: Dataset = xarray.Dataset(data, coordinates, about)
+    return found
+
+
+def _failed(folder: Path, status: Any) -> Any:
+    """A text for each point: empty where it was computed."""
+    texts = np.full(len(status), "", object)
+    texts[(status != DONE) & (status != FAILED)] = NOT_COMPUTED
+    for point, message in messages_in(folder).items():
+        if status[point] == FAILED:
+            texts[point] = message
+    return texts
+
+
+def message_of(folder: Path, points: Points, status: Any) -> str:
+    """How far a sweep is, and what failed first."""
+    done, failed = (int(np.count_nonzero(status == z)) for z in (DONE, FAILED))
+    text = f"{done} of {len(points)} points computed"
+    if failed:
+        first = int(np.argmax(status == FAILED))
+        text += f", {failed} failed; the first, {points.shown(first)}: {messages_in(folder)[first]}"
+    return text

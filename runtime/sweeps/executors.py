@@ -1,0 +1,176 @@
+"""Who does the work: processes of joblib, any executor of `concurrent.futures`, workers of dask, or this process."""
+
+from __future__ import annotations
+
+import math
+import os
+import signal
+import time
+from collections.abc import Callable
+from concurrent.futures import BrokenExecutor, Executor, Future, ThreadPoolExecutor
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+from flexel.base.errors import FlexelError, ModelError
+from flexel.results.saved.record import require
+
+THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS", "BLIS_NUM_THREADS")
+IDLE = 60  # time after which a worker of joblib without work ends [s]
+
+
+class Serial(Executor):
+    """Runs what is submitted at once, in the calling thread."""
+
+    def submit(self, function: Callable[..., Any], /, *args: Any, **options: Any) -> Future[Any]:
+        """A future that is done."""
+        future: Future[Any] = Future()
+        try:
+            future.set_result(function(*args, **options))
+        except Exception as error:
+            future.set_exception(error)
+        return future
+
+
+class Cluster(Executor):
+    """The workers of a dask cluster as an executor.
+
+    That of dask itself loses a result whose worker dies while it is fetched: its future is then never done.
+    """
+
+    def __init__(self, client: Any) -> None:
+        self.client = client
+        self._known = (-math.inf, 1)  # when the scheduler was asked for its workers, and how many there were
+
+    def threads(self) -> int:
+        """The number of threads of all workers, asked for once in a second."""
+        if time.monotonic() - self._known[0] > 1:
+            self._known = (time.monotonic(), max(1, sum(self.client.nthreads().values())))
+        return self._known[1]
+
+    def submit(self, function: Callable[..., Any], /, *args: Any, **options: Any) -> Future[Any]:
+        """A future that is done when the result has been fetched."""
+        local: Future[Any] = Future()
+        remote = self.client.submit(function, *args, pure=False, **options)
+        remote.add_done_callback(partial(_fetch, local))
+        local.add_done_callback(lambda z: remote.cancel() if z.cancelled() else None)
+        return local
+
+
+def _fetch(local: Future[Any], remote: Any) -> None:
+    """Bring the result of a future of dask, or what went wrong, to one of this process."""
+    if not local.set_running_or_notify_cancel():
+        return
+    try:
+        local.set_result(remote.result())
+    except Exception as error:
+        local.set_exception(error)
+
+
+def _end(executor: Executor, at_once: bool) -> None:
+    """Let workers end after what they do now; after an interrupt nobody waits for that."""
+    executor.shutdown(wait=not at_once, cancel_futures=True)
+
+
+@dataclass
+class Pool:
+    """Workers, and how they are replaced.
+
+    Attributes
+    ----------
+    executor : concurrent.futures.Executor
+    slots : function
+        How many points are computed at the same time, now.
+    deaths : tuple of exception types
+        Raised for a chunk whose worker has died.
+    make : function, optional
+        Makes an executor in place of a broken one; None: it is the user's.
+    ends : function
+        Ends the workers of an executor that was made; at once, if the second argument says so.
+    """
+
+    executor: Executor
+    slots: Callable[[], int]
+    deaths: tuple[type[BaseException], ...] = (BrokenExecutor,)
+    make: Callable[[], Executor] | None = None
+    ends: Callable[[Executor, bool], None] = _end
+
+    @property
+    def shares_memory(self) -> bool:
+        """Whether functions need not be pickled."""
+        return isinstance(self.executor, Serial | ThreadPoolExecutor)
+
+    def renew(self, cause: BaseException) -> None:
+        """Replace an executor that broke down."""
+        if self.make is None:
+            raise FlexelError(
+                f"the executor broke down ({str(cause).partition('.')[0]}); give another one, or a function that makes "
+                "it, which is called again after a breakdown"
+            ) from cause
+        self.executor.shutdown(wait=False)
+        self.executor = self.make()
+
+    def close(self, at_once: bool) -> None:
+        """End the workers, unless the executor is the user's."""
+        if self.make is not None:
+            self.ends(self.executor, at_once)
+
+
+def pool_of(executor: Any, workers: int | None) -> Pool:
+    """The pool for what was given to `fx.sweep` as executor."""
+    if workers is not None and (not isinstance(workers, int) or workers < 1):
+        raise ModelError(f"sweep: workers is {workers!r}; give a positive whole number")
+    if executor is None or executor == "joblib":
+        return _joblib(workers)
+    if executor == "serial":
+        return Pool(Serial(), lambda: 1)
+    if isinstance(executor, Executor):
+        return Pool(executor, _size(executor, workers))
+    if hasattr(executor, "submit") and hasattr(executor, "nthreads"):
+        return _dask(executor, workers)
+    made = executor() if callable(executor) else None
+    if isinstance(made, Executor):
+        return Pool(made, _size(made, workers), make=executor)
+    raise ModelError(
+        f"sweep: executor is {executor!r}; give 'joblib', 'serial', an executor of concurrent.futures, a function "
+        "that makes one, or a Client of dask.distributed"
+    )
+
+
+def _joblib(workers: int | None) -> Pool:
+    """Processes of joblib: fresh interpreters with BLAS in one thread, which the next sweep uses again."""
+    require("joblib", "sweep")
+    from joblib import cpu_count
+    from joblib.externals.loky import get_reusable_executor
+
+    number = workers or int(cpu_count())
+
+    def make() -> Executor:
+        environment = dict.fromkeys(THREADS, "1")
+        made: Executor = get_reusable_executor(number, timeout=IDLE, initializer=_begin, env=environment)
+        return made
+
+    def ends(executor: Any, at_once: bool) -> None:
+        if at_once:  # else they end by themselves when they have been idle
+            executor.shutdown(wait=True, kill_workers=True)
+
+    return Pool(make(), lambda: number, make=make, ends=ends)
+
+
+def _begin() -> None:
+    """The start of a worker: Ctrl-C is for the process that drives the sweep."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+
+def _dask(client: Any, workers: int | None) -> Pool:
+    """The workers of a cluster, however many there are at a time."""
+    from distributed.scheduler import KilledWorker
+
+    cluster = Cluster(client)
+    return Pool(cluster, lambda: workers or cluster.threads(), (BrokenExecutor, KilledWorker))
+
+
+def _size(executor: Executor, workers: int | None) -> Callable[[], int]:
+    """The number of workers that was given, or that the executor knows of, or of processors."""
+    number = workers or getattr(executor, "_max_workers", None) or os.cpu_count() or 1
+    return lambda: int(number)

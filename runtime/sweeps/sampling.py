@@ -1,0 +1,71 @@
+"""Points of a sweep drawn from ranges and distributions."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, Literal
+
+import numpy as np
+
+from flexel.base.arguments import number
+from flexel.base.arrays import Array
+from flexel.base.errors import ModelError
+from flexel.sweeps.points import OWNER, Points, listed
+
+
+def sample(
+    parameters: Mapping[str, Any], count: int, *, seed: int = 0, method: Literal["latin", "random"] = "latin"
+) -> Points:
+    """Points of `fx.sweep` drawn from ranges or distributions of independent parameters.
+
+    Parameters
+    ----------
+    parameters : mapping of str to (float, float) or distribution
+        Lower and upper limit of a uniform distribution, or a distribution of SciPy, such as
+        ``scipy.stats.norm(0.3e-3, 5e-6)``.
+    count : int
+        Number of points.
+    seed : int
+        The same seed gives the same points.
+    method : {"latin", "random"}
+        Latin hypercube, with one point in each of `count` equally likely intervals of every parameter; or independent
+        points.
+
+    Examples
+    --------
+    >>> from scipy.stats import norm
+    >>> points = fx.sample({"thickness": norm(0.3e-3, 5e-6), "length": (0.099, 0.101)}, 1000)
+    """
+    if not isinstance(parameters, Mapping) or not parameters:
+        raise ModelError(f"{OWNER}: {parameters!r} names no parameter; give {{'parameter': (low, high)}}")
+    if not isinstance(count, int | np.integer) or count < 1:
+        raise ModelError(f"{OWNER}: {count!r} is no number of points; give a positive whole number")
+    unit = _unit(len(parameters), int(count), seed, method)
+    return listed({name: _drawn(name, z, unit[:, i]) for i, (name, z) in enumerate(parameters.items())})
+
+
+def _unit(size: int, count: int, seed: int, method: str) -> Array:
+    """Points (count, size) of the unit cube."""
+    source = np.random.default_rng(seed)
+    if method == "random":
+        return source.random((count, size))
+    if method != "latin":
+        raise ModelError(f"{OWNER}: method {method!r} is unknown; choose 'latin' or 'random'")
+    from scipy.stats import qmc
+
+    return np.asarray(qmc.LatinHypercube(size, seed=source).random(count), float)
+
+
+def _drawn(name: str, given: Any, unit: Array) -> Array:
+    """Values of one parameter from uniform numbers: the inverse of its distribution."""
+    inverse = getattr(given, "ppf", None) or getattr(given, "icdf", None)
+    if inverse is not None:
+        return np.asarray(inverse(unit), float)
+    if np.shape(given) != (2,):
+        raise ModelError(
+            f"{OWNER}: '{name}' is {given!r}; give (low, high) or a distribution such as scipy.stats.norm(0, 1)"
+        )
+    low, high = (number(z, OWNER, f"a limit of '{name}'") for z in given)
+    if low >= high:
+        raise ModelError(f"{OWNER}: the limits of '{name}', {low:g} and {high:g}, do not increase; swap them")
+    return low + (high - low) * unit

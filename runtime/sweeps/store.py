@@ -1,0 +1,225 @@
+"""The folder of a sweep, to which results are written as they come, and which a later sweep continues.
+
+=================  ==============================================================================
+``sweep.json``     which points, and the form of the results once it is known
+``points/N.npy``   the values of parameter number N
+``status.npy``     of each point: 0 not computed, 1 computed, 2 failed
+``values/N.npy``   result number N of all points; NaN where there is none
+``failed.jsonl``   messages of the points that failed
+``lock``           held by the process that writes
+=================  ==============================================================================
+
+A point counts as computed when its status says so, and the status is written after the values have reached the disk:
+what was killed, or lost its power, loses at most the last second.
+"""
+
+from __future__ import annotations
+
+import fcntl
+import json
+import os
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import IO, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexel.base.errors import ModelError
+from flexel.sweeps.columns import ColumnFile
+from flexel.sweeps.forms import Form, Forms, misfit
+from flexel.sweeps.points import Points
+from flexel.sweeps.work import Outcome
+
+VERSION = 1
+OPEN, DONE, FAILED = 0, 1, 2
+EVERY = 1.0  # time between two writings of the status [s]
+
+
+class Store:
+    """A folder that is open for writing; use it in ``with``.
+
+    Attributes
+    ----------
+    status : ndarray of uint8
+        Of each point, with what is not yet on disk.
+    forms : Forms or None
+        Of the results; None before the first one.
+    """
+
+    def __init__(self, folder: Path, points: Points) -> None:
+        self.folder, self.points = folder, points
+        self.forms: Forms | None = None
+        self._files: dict[str, ColumnFile] = {}
+        self._written = time.monotonic()
+        self._lock = self._locked()
+        try:
+            self._begin()
+        except BaseException:
+            self._lock.close()
+            raise
+
+    def __enter__(self) -> Store:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.write()
+        for file in self._files.values():
+            file.close()
+        self._messages.close()
+        self._lock.close()
+
+    def _locked(self) -> IO[str]:
+        """The lock, which the system gives back when this process ends in whatever way."""
+        self.folder.mkdir(parents=True, exist_ok=True)
+        strangers = (
+            [z.name for z in self.folder.iterdir()] if not (self.folder / "sweep.json").exists() else []
+        )
+        if set(strangers) - {"lock", "points", "values", "status.npy", "failed.jsonl", "sweep.json.new"}:
+            raise ModelError(f"sweep: the folder {self.folder} holds other files; give an empty or a new one")
+        lock = open(self.folder / "lock", "w", encoding="utf-8")
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            lock.close()
+            raise ModelError(
+                f"sweep: another process writes to {self.folder}; wait, or give another folder"
+            ) from None
+        return lock
+
+    def _begin(self) -> None:
+        """Continue what is in the folder, or describe the points in it."""
+        kept = described(self.folder)
+        if kept is None:
+            (self.folder / "points").mkdir(exist_ok=True)
+            for i, column in enumerate(self.points.values.values()):
+                np.save(self.folder / "points" / f"{i}.npy", column)
+            self.status: NDArray[np.uint8] = np.zeros(len(self.points), np.uint8)
+            np.save(self.folder / "status.npy", self.status)
+            (self.folder / "failed.jsonl").write_text("", encoding="utf-8")
+            self._describe()
+        else:
+            difference = self.points.difference(kept["points"])
+            if difference is not None:
+                raise ModelError(
+                    f"sweep: the folder {self.folder} holds another sweep: {difference}; "
+                    "give another folder, or delete it"
+                )
+            self.status = np.load(self.folder / "status.npy")
+            self.forms = forms_of(kept)
+            for i, (name, _) in enumerate(self.forms or ()):
+                self._files[name] = ColumnFile.opened(self._place(i))
+            _mend(self.folder / "failed.jsonl")
+        self._messages = open(self.folder / "failed.jsonl", "a", encoding="utf-8")
+
+    def _describe(self) -> None:
+        """Write ``sweep.json``, whole or not at all."""
+        results = None if self.forms is None else [[name, form.as_json()] for name, form in self.forms]
+        text = json.dumps({"version": VERSION, "points": self.points.described(), "results": results})
+        new = self.folder / "sweep.json.new"
+        with open(new, "w", encoding="utf-8") as stream:
+            stream.write(text)
+            stream.flush()
+            os.fsync(stream.fileno())
+        new.replace(self.folder / "sweep.json")
+
+    def _place(self, number: int) -> Path:
+        return self.folder / "values" / f"{number}.npy"
+
+    @property
+    def row_bytes(self) -> int:
+        """Size of the results of one point."""
+        return sum(z.row_bytes for z in self._files.values())
+
+    def missing(self, retry_failed: bool) -> Iterator[tuple[int, int]]:
+        """The first and last (left out) of each run of points that are to be computed."""
+        wanted = (self.status == OPEN) | ((self.status == FAILED) & retry_failed)
+        edges = np.flatnonzero(np.diff(wanted.astype(np.int8), prepend=0, append=0))
+        yield from ((int(a), int(b)) for a, b in zip(edges[::2], edges[1::2], strict=True))
+
+    def keep(self, outcome: Outcome) -> None:
+        """Write the results of a chunk of points; those of other forms than known become messages."""
+        failed = dict(outcome.failed)
+        if self.forms is None and outcome.blocks:
+            self._settle(outcome.blocks[0].forms)
+        fitting = []
+        for block in outcome.blocks:
+            problem = misfit(block.forms, self.forms or ())
+            if problem is None:
+                fitting.append(block)
+            else:
+                failed |= dict.fromkeys(block.rows, problem)
+        for name, file in self._files.items():
+            file.write(outcome.begin, outcome.count, [(z.rows, z.values[name]) for z in fitting])
+        for row, message in sorted(failed.items()):
+            self._messages.write(json.dumps([outcome.begin + row, message], ensure_ascii=False) + "\n")
+        done = np.full(outcome.count, DONE, np.uint8)
+        done[list(failed)] = FAILED
+        self.status[outcome.begin : outcome.begin + outcome.count] = done
+        if time.monotonic() - self._written > EVERY:
+            self.write()
+
+    def _settle(self, forms: Forms) -> None:
+        """Make the files of results, whose form is now known."""
+        (self.folder / "values").mkdir(exist_ok=True)
+        for i, (name, form) in enumerate(forms):
+            self._files[name] = ColumnFile.made(self._place(i), len(self.points), form.shape)
+        self.forms = forms
+        self._describe()
+
+    def write(self) -> None:
+        """Bring everything to disk: values and messages first, then the status."""
+        for file in self._files.values():
+            file.sync()
+        self._messages.flush()
+        os.fsync(self._messages.fileno())
+        new = self.folder / "status.npy.new"
+        with open(new, "wb") as stream:
+            np.save(stream, self.status)
+            stream.flush()
+            os.fsync(stream.fileno())
+        new.replace(self.folder / "status.npy")
+        self._written = time.monotonic()
+
+
+def described(folder: Path) -> dict[str, Any] | None:
+    """What ``sweep.json`` says; None if there is none."""
+    file = folder / "sweep.json"
+    if not file.is_file():
+        return None
+    try:
+        kept: dict[str, Any] = json.loads(file.read_text(encoding="utf-8"))
+        known = kept.get("version") == VERSION
+    except (ValueError, AttributeError):  # no JSON, or no object
+        known = False
+    if not known:
+        raise ModelError(f"sweep: {file} cannot be read by this version of flexel; give another folder")
+    return kept
+
+
+def forms_of(kept: dict[str, Any]) -> Forms | None:
+    """The forms of results in a description."""
+    if kept["results"] is None:
+        return None
+    return tuple((name, Form.from_json(form)) for name, form in kept["results"])
+
+
+def messages_in(folder: Path) -> dict[int, str]:
+    """Messages by point; the last of each counts."""
+    messages: dict[int, str] = {}
+    same: dict[str, str] = {}  # the same text is kept once
+    with open(folder / "failed.jsonl", encoding="utf-8") as stream:
+        for line in stream:
+            if line.endswith("\n"):  # else it was cut off, and the status does not count it
+                point, message = json.loads(line)
+                messages[point] = same.setdefault(message, message)
+    return messages
+
+
+def _mend(file: Path) -> None:
+    """Remove a line that was cut off when a process was killed."""
+    data = file.read_bytes()
+    whole = data.rfind(b"\n") + 1
+    if whole < len(data):
+        os.truncate(file, whole)

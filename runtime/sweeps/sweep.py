@@ -1,0 +1,163 @@
+"""A model built and analysed at many points of its parameters."""
+
+from __future__ import annotations
+
+import inspect
+import sys
+import tempfile
+import warnings
+from collections.abc import Callable, Iterable, Mapping
+from contextlib import ExitStack
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from tqdm import tqdm
+
+from flexel.base.arguments import unknown
+from flexel.base.errors import IncompleteWarning, ModelError
+from flexel.base.stopping import StoppedError, stopping
+from flexel.results.saved.record import require
+from flexel.sweeps.dataset import dataset_of
+from flexel.sweeps.drive import Drive
+from flexel.sweeps.executors import Pool, pool_of
+from flexel.sweeps.points import Points, points_of
+from flexel.sweeps.store import DONE, FAILED, Store
+from flexel.sweeps.work import Job
+
+if TYPE_CHECKING:
+    import xarray
+
+
+def sweep(
+    build: Callable[..., Any],
+    points: Points | Mapping[str, Iterable[Any]] | Iterable[Mapping[str, Any]],
+    analyse: Callable[[Any], Mapping[str, Any]],
+    *,
+    executor: Any = None,
+    workers: int | None = None,
+    folder: str | Path | None = None,
+    chunk: int | None = None,
+    retry_failed: bool = False,
+    progress: bool | None = None,
+) -> xarray.Dataset:
+    """Build a model and analyse it at many points of its parameters, side by side.
+
+    Results do not depend on the executor, on the number of workers or on how the points are shared out.
+
+    Parameters
+    ----------
+    build : function
+        ``build(**point)`` returns the `Model` at a point. Anything else it returns goes to `analyse` as it is.
+    points : mapping, Points or iterable of mappings
+        A mapping gives the values of each parameter, and all combinations are computed; see also `grid`, `listed` and
+        `sample`. An iterable gives the points one by one.
+    analyse : function
+        ``analyse(system)`` returns a dict of numbers and arrays, the same names and shapes at each point. The
+        dimensions, labels and units of an xarray.DataArray are kept.
+    executor : optional
+        By default processes of joblib. "serial" computes in this process. Or an executor of `concurrent.futures`, a
+        function that makes one (and another when its workers have died), or a Client of dask.distributed.
+    workers : int, optional
+        Number of points to compute at the same time; by default what the executor has.
+    folder : path, optional
+        Results go to this folder as they come. The same call continues what was interrupted in whatever way. Without it
+        they are kept in memory at the end.
+    chunk : int, optional
+        Number of points handed to a worker at a time; by default as many as take 0.2 s.
+    retry_failed : bool
+        Compute points again that failed when the folder was written.
+    progress : bool, optional
+        Progress bar on stderr; by default where stderr is a terminal.
+
+    Returns
+    -------
+    xarray.Dataset
+        The results over the parameters, for points one by one over ``point``; NaN where a point failed. ``failed``
+        holds the message of each point that failed, and is empty at the others; the attribute ``message`` says how it
+        ended. After Ctrl-C it holds the points computed so far.
+
+    Raises
+    ------
+    ModelError
+        For parameters that `build` does not have, bad points, another sweep in the folder; or if all points failed.
+
+    Warns
+    -----
+    IncompleteWarning
+        Some points failed: how many, and the first message.
+
+    Examples
+    --------
+    >>> def build(length):
+    ...     m = fx.Model(gravity=(0, 0, -9.81))
+    ...     ...
+    >>> def analyse(system):
+    ...     return {"frequency": system.vibrations(count=1)[0].omega}
+    >>> data = fx.sweep(build, {"length": [0.1, 0.2, 0.3]}, analyse)
+    >>> data.frequency.sel(length=0.2)
+    """
+    require("xarray", "xarray")
+    chosen = points_of(points)
+    _check(build, chosen.names, analyse)
+    if chunk is not None and (not isinstance(chunk, int) or chunk < 1):
+        raise ModelError(f"sweep: chunk is {chunk!r}; give a positive whole number of points")
+    with ExitStack() as stack:
+        place = Path(folder if folder is not None else stack.enter_context(tempfile.TemporaryDirectory()))
+        store = stack.enter_context(Store(place, chosen))
+        show = sys.stderr.isatty() if progress is None else progress
+        interrupted = False
+        if any(True for _ in store.missing(retry_failed)):
+            pool = pool_of(executor, workers)
+            job = Job.of(build, analyse, pickled=not pool.shares_memory)
+            interrupted = _driven(job, chosen, store, pool, show, retry_failed, chunk)
+        store.write()
+        data = dataset_of(place, chosen)
+        return _told(data if folder is not None else data.copy(deep=True), store, interrupted)
+
+
+def _driven(
+    job: Job, points: Points, store: Store, pool: Pool, show: bool, retry_failed: bool, chunk: int | None
+) -> bool:
+    """Compute what is missing; returns whether Ctrl-C ended it."""
+    interrupted = True  # also by an error: nobody waits for what is still under way
+    with tqdm(total=len(points), disable=not show, unit="point", leave=False) as bar:
+        drive = Drive(job, points, store, pool, bar)
+        try:
+            with stopping():
+                drive.run(retry_failed, chunk)
+            interrupted = False
+        except (StoppedError, KeyboardInterrupt):
+            drive.salvage()
+        finally:
+            pool.close(at_once=interrupted)
+    return interrupted
+
+
+def _told(data: xarray.Dataset, store: Store, interrupted: bool) -> xarray.Dataset:
+    """The dataset with a message that says if it is not complete; a warning if points failed."""
+    done, failed = (int(np.count_nonzero(store.status == z)) for z in (DONE, FAILED))
+    message = data.attrs["message"]
+    if interrupted:
+        data.attrs["message"] = f"interrupted: {message}"
+    elif failed and not done:
+        raise ModelError(f"sweep: {message}; correct this; with a folder, call with retry_failed=True")
+    elif failed:
+        warnings.warn(f"sweep: {message}", IncompleteWarning, stacklevel=3)
+    return data
+
+
+def _check(build: Callable[..., Any], names: tuple[str, ...], analyse: Callable[[Any], Any]) -> None:
+    """Refuse what is no function, and parameters that `build` does not have or still needs."""
+    for what, given in (("build", build), ("analyse", analyse)):
+        if not callable(given):
+            raise ModelError(f"sweep: {what} is {given!r}; give a function")
+    known = inspect.signature(build).parameters
+    takes = [name for name, z in known.items() if z.kind in (z.POSITIONAL_OR_KEYWORD, z.KEYWORD_ONLY)]
+    anything = any(z.kind is z.VAR_KEYWORD for z in known.values())
+    for name in names:
+        if name not in takes and not anything:
+            raise ModelError(f"sweep: build has an {unknown(name, takes, 'parameter')}")
+    missing = [name for name in takes if known[name].default is inspect.Parameter.empty and name not in names]
+    if missing:
+        raise ModelError(f"sweep: build needs '{missing[0]}', which the points do not give; add it to them")
