@@ -9,7 +9,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 
-from flexel.benchmarks import bicycle, chains, kernels, ladder, ropes, slider_crank, start, vehicle
+from flexel.benchmarks import beams, bicycle, chains, kernels, ladder, ropes, slider_crank, start, vehicle
 from flexel.benchmarks.timing import Work
 
 UNITS = {"s": 1.0, "ms": 1e-3, "µs": 1e-6, "ns": 1e-9}
@@ -62,6 +62,7 @@ CLOSED_FORM = "accelerations of the planar chain of rods, over the largest"
 BALANCE = "error of the energy balance over the energy that went through"
 PLACE = "place of the free end after 1 s minus that by steps of 50 µs, over the length"
 FALL = "fall in 1 s minus that of a converged run, over it"
+ELASTICA = "place of the end minus that of the elastica, over the length"
 YAW = "yaw rate at 5 s minus that at rtol 1e-11, over it"
 DEFLECTIONS = "deflections minus those with 16 harmonics, over the largest"
 DIFFERENCES = "state matrix minus that by differences of `System.rhs`, over the largest entry"
@@ -76,6 +77,7 @@ ROWS = {
         Row("bicycle_loci", "ms", 30, 5, bicycle.loci, f"eigenvalues {MATRICES}", 1e-10),
         Row("cables_56", "s", 0.12, 0.05, ropes.cables, PLACE, 2e-5),
         Row("sheave_56x5", "s", 0.2, 0.07, ropes.sheave, FALL, 2e-5),
+        Row("cantilever_16", "ms", None, None, beams.equilibrium, ELASTICA, 2e-5),
         Row("hoist", "s", 10, 4, ropes.hoist, BALANCE, 1e-4),
         Row("vehicle_ramp", "s", 0.2, 0.05, vehicle.ramp, YAW, 1e-5),
         Row("slider_crank_200", "s", 0.13, 0.04, slider_crank.sweep, DEFLECTIONS, 1e-4),

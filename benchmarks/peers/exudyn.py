@@ -1,4 +1,4 @@
-"""Ropes in Exudyn: the same cables with positions and slopes, by its generalized-alpha method.
+"""Ropes and a beam in Exudyn: the same cables with positions and slopes, its generalized-alpha method and statics.
 
 The compiled variant without range checks, a sparse factorization and modified Newton iteration are its fastest
 settings here; the end of the motion agrees with flexel's at the same step to its last digits.
@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import sys
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from contextlib import redirect_stdout
 from importlib import import_module
 from io import StringIO
@@ -17,10 +17,11 @@ from typing import Any
 import numpy as np
 
 from flexel.base.arrays import Array
-from flexel.benchmarks import ropes
+from flexel.benchmarks import beams, ropes
 from flexel.benchmarks.timing import Work
 
 TOLERANCE = 1e-6  # of Newton's iteration; with its 1e-8 rounding in long ropes makes it halve the steps
+STATIC_TOLERANCE = 1e-12  # relative, of the equilibrium; with 1e-8 the iteration stops too early
 
 
 def loaded() -> Any:
@@ -50,11 +51,7 @@ def rope(n: int) -> tuple[Any, Any, int]:
         )  # fmt: skip
         marker = system.AddMarker(items.MarkerBodyMass(bodyNumber=system.AddObject(cable)))
         system.AddLoad(items.LoadMassProportional(markerNumber=marker, loadVector=[0, 0, -ropes.GRAVITY]))
-    ground = system.AddNode(items.NodePointGround())
-    held = system.AddMarker(items.MarkerNodeCoordinate(nodeNumber=ground, coordinate=0))
-    for axis in range(3):
-        moving = system.AddMarker(items.MarkerNodeCoordinate(nodeNumber=nodes[0], coordinate=axis))
-        system.AddObject(items.CoordinateConstraint(markerNumbers=[held, moving]))
+    hold(system, items, nodes[0], range(3))
     system.AddSensor(
         items.SensorNode(
             nodeNumber=nodes[-1], storeInternal=True, outputVariableType=exudyn.OutputVariableType.Position
@@ -62,6 +59,15 @@ def rope(n: int) -> tuple[Any, Any, int]:
     )
     system.Assemble()
     return box, system, nodes[-1]
+
+
+def hold(system: Any, items: Any, node: int, coordinates: Iterable[int]) -> None:
+    """Keep coordinates of a node where they are."""
+    ground = system.AddNode(items.NodePointGround())
+    fixed = system.AddMarker(items.MarkerNodeCoordinate(nodeNumber=ground, coordinate=0))
+    for axis in coordinates:
+        moving = system.AddMarker(items.MarkerNodeCoordinate(nodeNumber=node, coordinate=axis))
+        system.AddObject(items.CoordinateConstraint(markerNumbers=[fixed, moving]))
 
 
 def settings(seconds: float, step: float, period: float) -> Any:
@@ -104,4 +110,42 @@ def release(n: int) -> Work:
     return motion(n, ropes.RELEASE, ropes.RELEASE, ropes.release_error)
 
 
-ROWS: dict[str, Callable[..., Work]] = {"cables_56": cables, "scaling_rope": release}
+def cantilever() -> Work:
+    """The equilibrium of `beams.equilibrium`, by planar cables with the integration that does not lock."""
+    exudyn = loaded()
+    items = import_module("exudyn.itemInterface")
+    box = exudyn.SystemContainer()
+    system, length = box.AddSystem(), 1 / beams.ELEMENTS
+    places = [[length * i, 0, 1, 0] for i in range(beams.ELEMENTS + 1)]
+    nodes = [system.AddNode(items.NodePoint2DSlope1(referenceCoordinates=z)) for z in places]
+    for ends in zip(nodes, nodes[1:], strict=False):
+        cable = items.ObjectANCFCable2D(
+            nodeNumbers=list(ends), length=length, massPerLength=1.0, bendingStiffness=1.0,
+            axialStiffness=beams.EA, useReducedOrderIntegration=2,
+        )  # fmt: skip
+        system.AddObject(cable)
+    hold(system, items, nodes[0], (0, 1, 3))  # the slope keeps its direction
+    marker = system.AddMarker(items.MarkerNodePosition(nodeNumber=nodes[-1]))
+    system.AddLoad(items.Force(markerNumber=marker, loadVector=[0, beams.LOAD, 0]))
+    system.Assemble()
+    given = exudyn.SimulationSettings()
+    given.staticSolver.numberOfLoadSteps = 1
+    given.staticSolver.newton.relativeTolerance = STATIC_TOLERANCE
+    given.staticSolver.newton.absoluteTolerance = 1e-7  # its 1e-10 is below the rounding of so stiff a rod
+    given.staticSolver.verboseMode = 0
+    given.solution.file.write = False
+    given.linearSolver.solverType = exudyn.LinearSolverType.EigenSparse
+
+    def run(_: Any = box) -> Array:
+        if not system.SolveStatic(given):
+            raise RuntimeError("Exudyn found no equilibrium")
+        return np.array(system.GetNodeOutput(nodes[-1], exudyn.OutputVariableType.Position), dtype=float)
+
+    return Work(run, beams.tip_error)
+
+
+ROWS: dict[str, Callable[..., Work]] = {
+    "cables_56": cables,
+    "scaling_rope": release,
+    "cantilever_16": cantilever,
+}
