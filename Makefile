@@ -4,7 +4,9 @@
 PYTHON ?= python3
 VENV ?= .venv
 VENV_LINT ?= .venv-lint
+VENV_BENCH ?= .venv-bench
 OUT ?= out
+BENCH ?=
 PYTEST ?= -n 2 --durations=10
 QUOTED ?= bicycle cardan cylinder slider-crank flexures rope contact hoist vehicle motorcycle tolerances
 TYPED := build/typed
@@ -14,7 +16,7 @@ SETUP := pyproject.toml setup.py
 SOURCES := $(SETUP) $(wildcard generated/*.[ch] runtime/engine/*.[ch] generated/build.py)
 WARNINGS := -std=c11 -O2 -fopenmp-simd -DFLEXEL_NO_CLONES -Wall -Wextra -Wpedantic -Werror -Igenerated -Iruntime/engine
 
-.PHONY: demo test test-all docs lint types check strict wheel venv clean prerequisites
+.PHONY: demo test test-all bench docs lint types check strict wheel venv clean prerequisites
 
 demo: $(VENV)/installed-plot
 	$(VENV)/bin/flexel derive
@@ -29,6 +31,11 @@ test: $(VENV)/installed-test
 # With the long campaigns; PYTEST="-n 2 -m campaign -k adding" runs a sample of them alone.
 test-all: $(VENV)/installed-test
 	$(VENV)/bin/python -m pytest $(PYTEST)
+
+# What flexel costs, beside the other programs that can be installed; BENCH="cables_56 chain_40" measures these rows alone.
+bench: $(VENV_BENCH)/installed-peers
+	@mkdir -p $(OUT)
+	$(VENV_BENCH)/bin/flexel bench $(BENCH) --json $(OUT)/bench.json --plot $(OUT)/bench.png
 
 # Pages of docs/ and those that docs/pages.py writes about elements, laws and public names; a warning is an error.
 # The numbers that pages quote are computed again, of all systems but those that take a minute (see tests/test_quoted.py).
@@ -63,7 +70,7 @@ wheel: $(VENV)/bin/python
 venv: $(VENV)/installed-test
 
 clean:
-	rm -rf build dist docs/_build docs/_generated $(OUT) $(VENV) $(VENV_LINT) *.egg-info .pytest_cache .mypy_cache .ruff_cache generated/_kernels*.so
+	rm -rf build dist docs/_build docs/_generated $(OUT) $(VENV) $(VENV_LINT) $(VENV_BENCH) *.egg-info .pytest_cache .mypy_cache .ruff_cache generated/_kernels*.so
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 prerequisites:
@@ -76,7 +83,7 @@ prerequisites:
 	if [ -n "$$missing" ]; then echo "Missing; as root:  apt-get install$$missing" >&2; exit 1; fi
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "flexel needs Python 3.11 or newer: make PYTHON=...")'
 
-$(VENV)/bin/python $(VENV_LINT)/bin/python: %/bin/python: | prerequisites
+$(VENV)/bin/python $(VENV_LINT)/bin/python $(VENV_BENCH)/bin/python: %/bin/python: | prerequisites
 	$(PYTHON) -m venv --clear $*
 
 # An editable install: compiles the kernels (a minute or two), and does so again when one of them has changed.
@@ -87,6 +94,16 @@ $(VENV)/installed: $(SOURCES) | $(VENV)/bin/python
 # What an extra asks for, beside the installed package: nothing is compiled again.
 $(VENV)/installed-%: $(VENV)/installed
 	$(PIP) 'flexel[$*]'
+	@touch $@
+
+# An environment of its own: the other programs bring much, and may want other versions of it. One that cannot be
+# installed is named, and is left out of the table. The list is that of the extra "peers".
+$(VENV_BENCH)/installed-peers: $(SOURCES) | $(VENV_BENCH)/bin/python
+	$(VENV_BENCH)/bin/pip install --quiet --disable-pip-version-check --editable '.[plot]'
+	@$(PYTHON) -c 'import tomllib; t = tomllib.load(open("pyproject.toml", "rb")); \
+	  print(*t["project"]["optional-dependencies"]["peers"], sep="\n")' | while read -r peer; do \
+	  $(VENV_BENCH)/bin/pip install --quiet --disable-pip-version-check "$$peer" \
+	    || echo "bench: $$peer cannot be installed here; its column will say so" >&2; done
 	@touch $@
 
 # The tools and what they must see, without flexel itself: nothing to compile.

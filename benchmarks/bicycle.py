@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 import flexel as fx
@@ -31,18 +33,22 @@ def right_hand_side() -> Work:
     start = rolling(system, data.M1_SPEED, SMALL)
     y = np.concatenate([start.q, start.qd])
     points = y, y + 1e-4
-    M, C, _ = published(data.M1_SPEED)
     lateral = [system.dynamic.index(z) for z in ("lean.angle", "steer.angle")]
-    expected = -np.linalg.solve(M, C @ start.qd[lateral])
 
     def run() -> list[Array]:
         return [system.rhs(0.0, z) for z in points]
 
     def error(rates: list[Array]) -> float:
-        found = rates[0][start.q.size :][lateral]
-        return float(np.abs(found - expected).max() / np.abs(expected).max())
+        return accelerations_error(rates[0][start.q.size :][lateral], start.qd[lateral])
 
     return Work(run, error, count=2)
+
+
+def accelerations_error(found: Array, rates: Array) -> float:
+    """Error of the accelerations (2,) of lean and steer, upright at the speed of M1 with these rates (2,)."""
+    M, C, _ = published(data.M1_SPEED)
+    expected = -np.linalg.solve(M, C @ rates)
+    return float(np.abs(found - expected).max() / np.abs(expected).max())
 
 
 def manoeuvre() -> Work:
@@ -63,10 +69,12 @@ def loci() -> Work:
     def run() -> list[ComplexArray]:
         return [lean_steer(system, float(v)).eigenvalues() for v in SPEEDS]
 
-    def error(found: list[ComplexArray]) -> float:
-        return max(apart(w, exact(float(v))) for w, v in zip(found, SPEEDS, strict=True))
+    return Work(run, worst)
 
-    return Work(run, error)
+
+def worst(found: Sequence[ComplexArray]) -> float:
+    """Largest relative error of the eigenvalues at `SPEEDS`."""
+    return max(apart(w, exact(float(v))) for w, v in zip(found, SPEEDS, strict=True))
 
 
 def exact(speed: float) -> ComplexArray:

@@ -5,6 +5,9 @@ All hinges turn about y, so the chain moves in a plane, where its equations are 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass
+
 import numpy as np
 
 import flexel as fx
@@ -39,32 +42,74 @@ def chain(n: int, closed: bool = False) -> fx.System:
         m.hinge(f"h{i}", f"r{i - 1}", f"r{i}", axis=(0, 1, 0))
         m.beam(f"b{i}", f"p{i - 1}", f"r{i}", f"p{i}")
         m.body(f"m{i}", f"p{i}", f"r{i}", mass=MASS, inertia=INERTIA, offset=(-LENGTH / 2, 0, 0))
-    dependent = (1, n // 2 + 1) if closed else ()  # with the last point the corners of a triangle
-    m.independent(*(f"h{i}.angle" for i in range(1, n + 1) if i not in dependent))
+    m.independent(*(f"h{i + 1}.angle" for i in range(n) if i not in dependent(n, closed)))
     if closed:
         m.fix(f"p{n}.x", f"p{n}.z")
     return m.build()
 
 
+@dataclass(frozen=True)
+class Moving:
+    """A bent chain in motion: angles [rad] and rates [rad/s] (n,) of its hinges, in closed form what it does."""
+
+    angles: Array
+    rates: Array
+    closed: bool
+
+    @property
+    def directions(self) -> Array:
+        """Of the rods, below the horizontal [rad]."""
+        return drawn(self.angles.size, self.closed) + np.cumsum(self.angles)
+
+    def error(self, found: Array, some: Sequence[int] | None = None) -> float:
+        """Largest difference of accelerations of some hinges (default: all) over the largest of them."""
+        expected = accelerations(self.directions, np.cumsum(self.rates), self.closed)
+        if some is not None:
+            expected = expected[some]
+        return float(np.abs(found - expected).max() / np.abs(expected).max())
+
+
+def dependent(n: int, closed: bool) -> list[int]:
+    """Hinges that are no independent coordinates: with the last point the corners of a triangle."""
+    return [0, n // 2] if closed else []
+
+
+def moving(n: int, closed: bool = False) -> Moving:
+    """A state of the chain: random, but for the hinges that follow from the closure."""
+    rng, rest = np.random.default_rng(1), dependent(n, closed)
+    found = Moving(0.01 * rng.standard_normal(n), 0.5 * rng.standard_normal(n), closed)
+    if not closed:
+        return found
+    end = tip(drawn(n, closed))[0]
+    for _ in range(20):  # Newton's method: 10 digits from a good start need four
+        place, slopes = tip(found.directions)
+        found.angles[rest] -= np.linalg.solve(slopes[:, rest], place - end)
+    slopes = tip(found.directions)[1]
+    found.rates[rest] = 0.0
+    found.rates[rest] = -np.linalg.solve(slopes[:, rest], slopes @ found.rates)
+    return found
+
+
+def tip(theta: Array) -> tuple[Array, Array]:
+    """Place (2,) [m] of the last point in the plane, and its derivatives (2, n) by the angles of the hinges."""
+    u, across = np.array([np.cos(theta), -np.sin(theta)]), np.array([-np.sin(theta), -np.cos(theta)])
+    return LENGTH * u.sum(axis=1), LENGTH * np.cumsum(across[:, ::-1], axis=1)[:, ::-1]
+
+
 def right_hand_side(n: int, closed: bool = False) -> Work:
     """`System.rhs` of a bent chain in motion, at two states in turn."""
-    system, rng = chain(n, closed), np.random.default_rng(1)
-    bent = {z: system.initial[z] + 0.01 * rng.standard_normal() for z in system.dynamic}
-    state = system.state_at(bent, {z: 0.5 * rng.standard_normal() for z in system.dynamic})
-    y = np.concatenate([state.q, state.qd])
+    system, state = chain(n, closed), moving(n, closed)
+    hinges = [f"h{i}.angle" for i in range(1, n + 1)]
+    some = [hinges.index(z) for z in system.dynamic]
+    angles, rates = (dict(zip(system.dynamic, z[some], strict=True)) for z in (state.angles, state.rates))
+    start = system.state_at(angles, rates)
+    y = np.concatenate([start.q, start.qd])
     points = y, y + 1e-6
 
     def run() -> list[Array]:
         return [system.rhs(0.0, z) for z in points]
 
-    def error(rates: list[Array]) -> float:
-        hinges = [f"h{i}.angle" for i in range(1, n + 1)]
-        directions = drawn(n, closed) + np.cumsum([state[z] for z in hinges])
-        turns = np.cumsum([state.rate(z) for z in hinges])
-        expected = accelerations(directions, turns, closed)[[hinges.index(z) for z in system.dynamic]]
-        return float(np.abs(rates[0][state.q.size :] - expected).max() / np.abs(expected).max())
-
-    return Work(run, error, count=2)
+    return Work(run, lambda rates: state.error(rates[0][start.q.size :], some), count=2)
 
 
 def accelerations(theta: Array, omega: Array, closed: bool) -> Array:

@@ -1,20 +1,31 @@
 """The rows of `flexel bench`: what is measured, the figures to reach and to aim at, and what the accuracy is.
 
-A row of another program beside one of these is the same name with another `prepare`.
+What stands beside a row is in `flexel.benchmarks.peers`, by the name of the row.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from functools import partial
-from math import isfinite
-from typing import Any
 
-from flexel.benchmarks import bicycle, chains, kernels, ropes, slider_crank, start, sweeps, vehicle
-from flexel.benchmarks.timing import Timing, Work, measure
+from flexel.benchmarks import (
+    beams,
+    bicycle,
+    chains,
+    kernels,
+    ladder,
+    many,
+    ropes,
+    slider_crank,
+    start,
+    sweeps,
+    vehicle,
+)
+from flexel.benchmarks.timing import Work
 
 UNITS = {"s": 1.0, "ms": 1e-3, "µs": 1e-6, "ns": 1e-9}
+Prepare = Callable[..., Work]
 
 
 @dataclass(frozen=True)
@@ -26,76 +37,59 @@ class Row:
     reach, aim : float or None
         Figures [unit] to reach and to aim at.
     prepare : function
-        Makes what is timed; its own time is not measured.
+        Makes what is timed, of a size if the row has sizes; its own time is not measured.
     accuracy : str
         What `error` is; empty: there is no reference.
     within : float or None
         Largest error with which the time counts.
+    sizes : tuple of int
+        Of a row that scales, the smallest first; its figure is that of the largest.
     """
 
     name: str
     unit: str
     reach: float | None
     aim: float | None
-    prepare: Callable[[], Work]
+    prepare: Prepare
     accuracy: str = ""
     within: float | None = None
+    sizes: tuple[int, ...] = ()
 
-    def measured(self) -> tuple[Figure, Timing]:
-        """The figure, and how it was found."""
-        timing = measure(self.prepare())
-        error = timing.error if timing.error is not None and isfinite(timing.error) else None
-        return self.figure(timing.shortest / UNITS[self.unit], error), timing
-
-    def figure(self, value: float | None = None, error: float | None = None) -> Figure:
-        """What is written as JSON; without a value, that of a row that failed."""
-        return Figure(self.name, value, self.unit, error, self.reach, self.aim)
-
-    def accurate(self, figure: Figure) -> bool:
+    def accurate(self, error: float | None) -> bool:
         """Whether the result is good enough for its time to count."""
-        return self.within is None or (figure.error is not None and figure.error <= self.within)
+        return self.within is None or (error is not None and error <= self.within)
 
-    def mark(self, figure: Figure) -> str:
+    def mark(self, value: float | None, error: float | None) -> str:
         """What is met: "aim", "reach", or "missed"; "" without figures to meet."""
-        if not self.accurate(figure):
+        if not self.accurate(error):
             return "inaccurate"
-        if figure.value is None or self.reach is None or self.aim is None:
+        if value is None or self.reach is None or self.aim is None:
             return ""
-        return "aim" if figure.value <= self.aim else "reach" if figure.value <= self.reach else "missed"
-
-
-@dataclass(frozen=True)
-class Figure:
-    """A measured row; value, reach and aim in `unit`."""
-
-    name: str
-    value: float | None
-    unit: str
-    error: float | None
-    reach: float | None
-    aim: float | None
-
-    def to_dict(self) -> dict[str, Any]:
-        """The entries by name, for JSON."""
-        return asdict(self)
+        return "aim" if value <= self.aim else "reach" if value <= self.reach else "missed"
 
 
 STEER = "steer at 5 s minus 0.044960974038 rad of the reference"
 MATRICES = "against those of the published matrices, over the largest"
 CLOSED_FORM = "accelerations of the planar chain of rods, over the largest"
 BALANCE = "error of the energy balance over the energy that went through"
+PLACE = "place of the free end after 1 s minus that by steps of 50 µs, over the length"
 FALL = "fall in 1 s minus that of a converged run, over it"
+ELASTICA = "place of the end minus that of the elastica, over the length"
 YAW = "yaw rate at 5 s minus that at rtol 1e-11, over it"
 DEFLECTIONS = "deflections minus those with 16 harmonics, over the largest"
 DIFFERENCES = "state matrix minus that by differences of `System.rhs`, over the largest entry"
+RELEASED = "fall of the free end in 0.05 s minus that without a rope, over it"
+LADDER = "acceleration of the cranks minus that of the closed form, over it"
+SIZES = (60, 125, 250, 500, 1000, 2000)
 ROWS = {
     row.name: row
     for row in (
         Row("bicycle_rhs", "µs", 6, 3.5, bicycle.right_hand_side, f"accelerations {MATRICES}", 1e-8),
         Row("bicycle_M1", "ms", 7, 3, bicycle.manoeuvre, STEER, 1e-6),
         Row("bicycle_loci", "ms", 30, 5, bicycle.loci, f"eigenvalues {MATRICES}", 1e-10),
-        Row("cables_56", "s", 0.12, 0.05, ropes.cables, BALANCE, 1e-4),
+        Row("cables_56", "s", 0.12, 0.05, ropes.cables, PLACE, 2e-5),
         Row("sheave_56x5", "s", 0.2, 0.07, ropes.sheave, FALL, 2e-5),
+        Row("cantilever_16", "ms", None, None, beams.equilibrium, ELASTICA, 2e-5),
         Row("hoist", "s", 10, 4, ropes.hoist, BALANCE, 1e-4),
         Row("vehicle_ramp", "s", 0.2, 0.05, vehicle.ramp, YAW, 1e-5),
         Row("slider_crank_200", "s", 0.13, 0.04, slider_crank.sweep, DEFLECTIONS, 1e-4),
@@ -106,7 +100,13 @@ ROWS = {
         Row("linearize_vehicle", "ms", 1, 0.3, vehicle.linearization, DIFFERENCES, 1e-8),
         Row("build_bicycle", "ms", 15, 5, bicycle.build),
         Row("build_vehicle", "ms", 250, 50, vehicle.build),
+        Row("scaling_chain", "ms", None, None, chains.right_hand_side, CLOSED_FORM, 1e-6, SIZES),
+        Row("scaling_rope", "s", None, None, ropes.release, RELEASED, 1e-6, SIZES[1:]),
+        Row("scaling_ladder", "ms", None, None, ladder.right_hand_side, LADDER, 1e-6, SIZES),
         Row("kernels_beam", "ns", 22, 18, kernels.beam),
+        Row("bicycle_1000", "s", 2, 0.6, many.manoeuvres, STEER, 1e-6),
+        Row("bicycle_loci_many", "ms", 15, 2, many.loci, f"eigenvalues {MATRICES}", 1e-10),
+        Row("loci_many", "s", 0.6, 0.2, many.loci_of_many, f"eigenvalues {MATRICES}", 1e-10),
         Row("sweep_overhead", "ms", 1, 0.2, sweeps.overhead, "results minus those of one process", 1e-14),
         Row("import_flexel", "ms", None, None, start.importing),
     )

@@ -1,9 +1,11 @@
-"""`flexel bench`: what flexel costs; the rows are found by name when it runs."""
+"""`flexel bench`: what flexel costs, beside its peers; the rows are found by name when it runs."""
 
 import json
 import sys
 import time
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from functools import partial
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
@@ -14,11 +16,13 @@ from flexel.commands.jsonfile import check_json_file
 from flexel.commands.stop import INTERRUPTED
 
 if TYPE_CHECKING:
-    from flexel.benchmarks.table import Figure, Row
-    from flexel.benchmarks.timing import Timing
+    from flexel.benchmarks.compare import Comparison, Figure
+    from flexel.benchmarks.table import Row
 
 # Modules that are imported when the command runs: `flexel --help` is quick, and the table brings NumPy.
-MACHINE, TABLE, TIMING = (f"flexel.benchmarks.{name}" for name in ("machine", "table", "timing"))
+MACHINE, TABLE, TIMING, COMPARE, PEERS, PLOT = (
+    f"flexel.benchmarks.{name}" for name in ("machine", "table", "timing", "compare", "peers", "plot")
+)
 
 
 @click.command()
@@ -30,11 +34,19 @@ MACHINE, TABLE, TIMING = (f"flexel.benchmarks.{name}" for name in ("machine", "t
     metavar="FILE",
     help="Write the figures as a JSON list; with - to stdout, the table to stderr.",
 )
-def bench(names: tuple[str, ...], json_file: str | None) -> None:
-    """Measure what flexel costs, and print it beside the figures to reach and to aim at.
+@click.option(
+    "--plot",
+    "plot_file",
+    type=click.Path(dir_okay=False, writable=True),
+    metavar="FILE",
+    help="Draw the ratios to the peers, and times over the size; the suffix determines the format.",
+)
+def bench(names: tuple[str, ...], json_file: str | None, plot_file: str | None) -> None:
+    """Measure what flexel costs, and print it beside other programs and the figures to reach and to aim at.
 
-    Without NAME all rows, which takes minutes; each figure is the shortest CPU time of many runs in one thread.
-    Exit status 1 if a row fails or is not accurate enough. Ctrl-C stops; what is measured is kept.
+    Without NAME all rows, which takes many minutes; each figure is the shortest CPU time of many runs in one thread.
+    Other programs run the same model in turn with flexel, where they are installed: pip install 'flexel[peers]'.
+    Exit status 1 if a row or a peer fails or is not accurate enough. Ctrl-C stops; what is measured is kept.
     """
     if not import_module(MACHINE).one_thread():
         click.echo(
@@ -43,19 +55,35 @@ def bench(names: tuple[str, ...], json_file: str | None) -> None:
     rows = import_module(TABLE).ROWS
     chosen = _chosen(names, rows)
     check_json_file(json_file, rows, "row")
+    check_json_file(plot_file, rows, "row", "--plot")
+    if plot_file is not None:
+        with _told():
+            import_module(PLOT).check_format(plot_file)
     begin, table = time.perf_counter(), sys.stderr if json_file == "-" else sys.stdout
     _head(table)
-    figures, failed, interrupted = _measured(chosen, table)
-    click.echo(f"{len(figures)} of {len(chosen)} rows in {time.perf_counter() - begin:.0f} s", err=True)
+    found, failed, interrupted = _measured(chosen, table)
+    click.echo(f"{len(found)} of {len(chosen)} rows in {time.perf_counter() - begin:.0f} s", err=True)
     if json_file is not None:
         with click.open_file(json_file, "w", encoding="utf-8") as stream:
-            stream.write(
-                json.dumps([figure.to_dict() for figure in figures], indent=1, ensure_ascii=False) + "\n"
-            )
+            stream.write(json.dumps([z.to_dict() for z in found], indent=1, ensure_ascii=False) + "\n")
+    if plot_file is not None:
+        with _told():
+            import_module(PLOT).plot(found, plot_file)
     if interrupted:
         raise SystemExit(INTERRUPTED)
     if failed:
-        raise click.ClickException("failed: " + ", ".join(failed))
+        raise click.ClickException("failed: " + ", ".join(dict.fromkeys(failed)))
+
+
+@contextmanager
+def _told() -> Iterator[None]:
+    """Turn an error of flexel into one of the command line."""
+    from flexel.base.errors import FlexelError
+
+    try:
+        yield
+    except FlexelError as error:
+        raise click.ClickException(f"--plot: {error}") from error
 
 
 def _chosen(names: Sequence[str], rows: "dict[str, Row]") -> "list[Row]":
@@ -67,57 +95,99 @@ def _chosen(names: Sequence[str], rows: "dict[str, Row]") -> "list[Row]":
 
 
 def _head(table: Any) -> None:
-    """Print the machine, the yardstick and the titles of the columns."""
+    """Print the machine, the peers, the yardstick and the titles of the columns."""
     unit = import_module(TIMING).yardstick()
     click.echo(import_module(MACHINE).machine(), file=table)
+    peers = [f"{z.name} {z.version or 'not installed'}" for z in import_module(PEERS).PEERS]
+    click.echo(f"peers: {', '.join(peers)}", file=table)
     click.echo(
         f"yardstick, numpy.linalg.solve of a 40 x 40 system: {unit.shortest * 1e6:.3g} µs "
         f"(median {unit.median * 1e6:.3g})",
         file=table,
     )
-    titles = (
-        f"{'shortest':>9} {'median':>9} {'':<2} {'reach':>6} {'aim':>6} {'met':<10} {'runs':>5} {'error':>8}"
-    )
-    click.echo(f"{'':<18}{titles}", file=table)
+    titles = f"{'shortest':>9} {'median':>9} {'':<2} {'ratio':>6} {'reach':>6} {'aim':>6} {'met':<10}"
+    click.echo(f"{'':<20}{titles} {'runs':>5} {'error':>8} {'power':>6}", file=table)
 
 
-def _measured(rows: "list[Row]", table: Any) -> "tuple[list[Figure], list[str], bool]":
+def _measured(rows: "list[Row]", table: Any) -> "tuple[list[Comparison], list[str], bool]":
     """Measure and print one row after another.
 
     Returns
     -------
     tuple
-        Figures; names of rows that failed or are not accurate enough; whether Ctrl-C ended it.
+        Figures; names of rows and peers that failed or are not accurate enough; whether Ctrl-C ended it.
     """
-    figures: list[Figure] = []
+    compare = import_module(COMPARE)
+    found: list[Comparison] = []
     failed: list[str] = []
     for row in rows:
         try:
             with stopping():
-                figure, timing = row.measured()
+                result = compare.compare(row, partial(_peer_failed, failed, row.name))
         except StoppedError:
             click.echo(f"\n{row.name}: interrupted", err=True)
-            return figures, failed, True
+            return found, failed, True
         except Exception as error:  # whatever it is: the other rows are measured, and the exit status tells
             click.echo(f"{row.name}: {type(error).__name__}: {error}", err=True)
             failed.append(row.name)
-            figures.append(row.figure())
+            found.append(compare.nothing(row))
             continue
-        click.echo(_line(row, figure, timing), file=table)
-        if not row.accurate(figure):
+        found.append(result)
+        _print(result, table)
+        failed += _inaccurate(result)
+    return found, failed, False
+
+
+def _peer_failed(failed: list[str], row: str, peer: str, error: Exception) -> None:
+    """Tell it, and note the name."""
+    click.echo(f"{row} beside {peer}: {type(error).__name__}: {error}", err=True)
+    failed.append(f"{row} beside {peer}")
+
+
+def _inaccurate(result: "Comparison") -> list[str]:
+    """Tell what is measured and not accurate enough, and return its names."""
+    row, failed = result.row, []
+    for name, figure in {row.name: result.own, **result.beside()}.items():
+        if figure.measured and not row.accurate(figure.error):
             found = "no number" if figure.error is None else f"{figure.error:.1e}"
-            click.echo(f"{row.name}: {row.accuracy}: {found}; at most {row.within:g} is allowed", err=True)
-            failed.append(row.name)
-        figures.append(figure)
-    return figures, failed, False
+            click.echo(f"{name}: {row.accuracy}: {found}; at most {row.within:g} is allowed", err=True)
+            failed.append(name)
+    return failed
 
 
-def _line(row: "Row", figure: "Figure", timing: "Timing") -> str:
-    """Return the line of the table of a measured row."""
+def _print(result: "Comparison", table: Any) -> None:
+    """Print the line of a row, one for each peer, and of a row that scales one for each size."""
+    row, own = result.row, result.own
+    click.echo(f"{row.name:<20}{_line(row, own, own)}", file=table)
+    for name, figure in result.peers.items():
+        text = _line(row, figure, own) if figure is not None else "not installed"
+        click.echo(f"  {name:<18}{text}", file=table)
+    for i, size in enumerate(row.sizes):
+        times = [
+            f"{name} {'-' if figure.values[i] is None else format(figure.values[i], '.4g')}"
+            for name, figure in {"flexel": own, **result.installed}.items()
+        ]
+        click.echo(f"  N = {size:<14}{row.unit:<3}{', '.join(times)}", file=table)
+
+
+def _line(row: "Row", figure: "Figure", own: "Figure") -> str:
+    """Return the figures of a program; reach and aim are flexel's."""
+    timing = figure.last
+    if timing is None or figure.value is None:
+        error = "" if figure.error is None else f", error {figure.error:.1e}"
+        return f"no figure{' of the largest size' if row.sizes else ''}{error}"
     median = timing.median / timing.shortest * figure.value if figure.value else 0.0
-    reach, aim, error = (
+    mine = figure is own
+    ratio = "" if mine or not own.value else f"{figure.value / own.value:.3g}"
+    met = row.mark(figure.value, figure.error) if mine else "" if row.accurate(figure.error) else "inaccurate"
+    reach, aim, error, power = (
         "" if z is None else f"{z:{form}}"
-        for z, form in ((row.reach, "g"), (row.aim, "g"), (figure.error, ".1e"))
+        for z, form in (
+            (row.reach if mine else None, "g"),
+            (row.aim if mine else None, "g"),
+            (figure.error, ".1e"),
+            (figure.exponent, ".2f"),
+        )
     )
-    times = f"{figure.value:>9.4g} {median:>9.4g} {row.unit:<2} {reach:>6} {aim:>6}"
-    return f"{row.name:<18}{times} {row.mark(figure):<10} {timing.readings:>5} {error:>8}"
+    times = f"{figure.value:>9.4g} {median:>9.4g} {row.unit:<2} {ratio:>6} {reach:>6} {aim:>6}"
+    return f"{times} {met:<10} {timing.readings:>5} {error:>8} {power:>6}"

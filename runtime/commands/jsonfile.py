@@ -1,4 +1,4 @@
-"""The option --json of commands that measure or compare."""
+"""The options of commands that measure or compare which name a file to write."""
 
 from collections.abc import Container
 from pathlib import Path
@@ -6,7 +6,7 @@ from pathlib import Path
 import click
 
 
-def check_json_file(file: str | None, names: Container[str], kind: str) -> None:
+def check_json_file(file: str | None, names: Container[str], kind: str, option: str = "--json") -> None:
     """Refuse a file that cannot be written when the work is done, or that is one of the names to work on.
 
     Raises
@@ -17,6 +17,8 @@ def check_json_file(file: str | None, names: Container[str], kind: str) -> None:
     if file is None:
         return
     if file in names:
-        raise click.UsageError(f"--json {file}: that is a {kind}, not a file; write names before --json.")
+        raise click.UsageError(f"{option} {file}: that is a {kind}, not a file; write names before {option}.")
     if not Path(file).absolute().parent.is_dir():
-        raise click.UsageError(f"--json {file}: the folder does not exist; create it, or give another path.")
+        raise click.UsageError(
+            f"{option} {file}: the folder does not exist; create it, or give another path."
+        )

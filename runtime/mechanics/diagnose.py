@@ -205,35 +205,43 @@ def blocks(J: Any, rows: Index, nf: int) -> tuple[list[Block], Index]:
 
 
 def choose_by_blocks(kinematics: Kinematics, J: Any, dynamic: Index | None, kinematic: Index | None) -> Roles:
-    """Degrees of freedom of a large model: named ones, or coordinates chosen separately in each part of the
-    constraints.
-
-    Raises
-    ------
-    ConstraintError
-    """
-    structure, roles = kinematics.structure, kinematics.roles
-    nf = structure.nf
+    """Degrees of freedom of a large model: named ones, or coordinates chosen part by part; or a `ConstraintError`."""
+    roles = kinematics.roles
     rolling = np.concatenate([roles.holonomic, roles.zero])
-    for rows, what in (
-        (roles.holonomic, "rigid or prescribed condition(s)"),
-        (rolling, "rolling condition(s)"),
-    ):
-        for block in blocks(J, rows, nf)[0] if rows.size else ():
-            left = null_space(block.matrix, block.columns.size)[1]
-            _report_redundancy(structure, roles, block.rows, left, what)
+    if kinematic is None and not roles.zero.size:
+        kinematic = np.zeros(0, dtype=np.intp)
+    if dynamic is not None and kinematic is not None and _determined(kinematics, J, dynamic, kinematic):
+        return roles.with_dofs(dynamic, kinematic)  # then no condition is redundant either
+    _check_parts(kinematics, J, rolling)
     if dynamic is None:
         dynamic = _left_free(kinematics, J, rolling)
-    held = np.concatenate([roles.holonomic, dynamic])
     if kinematic is None:
-        kinematic = _left_free(kinematics, J, held) if roles.zero.size else np.zeros(0, dtype=np.intp)
-    for rows in (np.concatenate([rolling, dynamic]), np.concatenate([held, kinematic])):
-        if rows.size != nf or not factorize(J[rows][:, :nf]).regular:
-            raise ConstraintError(
-                f"the {rows.size} conditions and named coordinates do not determine the {nf} coordinates of this "
-                "model; name none and let the program choose"
-            )
+        kinematic = _left_free(kinematics, J, np.concatenate([roles.holonomic, dynamic]))
+    if not _determined(kinematics, J, dynamic, kinematic):
+        raise ConstraintError(
+            f"the {rolling.size + dynamic.size} conditions and named coordinates do not determine the "
+            f"{kinematics.structure.nf} coordinates of this model; name none and let the program choose"
+        )
     return roles.with_dofs(dynamic, kinematic)
+
+
+def _determined(kinematics: Kinematics, J: Any, dynamic: Index, kinematic: Index) -> bool:
+    """Whether the conditions and the degrees of freedom determine velocities and positions."""
+    roles, nf = kinematics.roles, kinematics.structure.nf
+    sets = [np.concatenate([roles.holonomic, roles.zero, dynamic])]
+    if roles.zero.size or kinematic.size:  # else the same rows
+        sets.append(np.concatenate([roles.holonomic, dynamic, kinematic]))
+    return all(rows.size == nf and factorize(J[rows][:, :nf]).regular for rows in sets)
+
+
+def _check_parts(kinematics: Kinematics, J: Any, rolling: Index) -> None:
+    """Raise if rows of the constraints are dependent, part by part."""
+    structure, roles = kinematics.structure, kinematics.roles
+    kinds = "rigid or prescribed condition(s)", "rolling condition(s)"
+    for rows, what in zip((roles.holonomic, rolling), kinds, strict=True):
+        for block in blocks(J, rows, structure.nf)[0] if rows.size else ():
+            left = null_space(block.matrix, block.columns.size)[1]
+            _report_redundancy(structure, roles, block.rows, left, what)
 
 
 def _left_free(kinematics: Kinematics, J: Any, rows: Index) -> Index:

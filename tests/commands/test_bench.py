@@ -17,10 +17,10 @@ from flexel.benchmarks import table, timing
 from flexel.benchmarks.chains import right_hand_side
 from flexel.benchmarks.machine import machine
 from flexel.benchmarks.table import ROWS, UNITS, Row
-from flexel.benchmarks.timing import Work, measure
+from flexel.benchmarks.timing import Series, Work, measure
 from flexel.commands import main as cli
 
-KEYS = {"name", "value", "unit", "error", "reach", "aim"}
+KEYS = {"name", "value", "unit", "error", "reach", "aim", "peers"}
 QUICK = ("bicycle_rhs", "bicycle_M1", "linearize_vehicle", "build_bicycle", "kernels_beam", "import_flexel")
 
 
@@ -89,7 +89,7 @@ def test_json_with_a_dash_goes_to_stdout_and_the_table_to_stderr(monkeypatch: py
     rows(monkeypatch, one=Work(lambda: 0, error=lambda _: 0.5, clock=lambda: float(next(clock)), count=2))
     result = run("one", "one", "--json", "-")
     assert json.loads(result.stdout) == [
-        {"name": "one", "value": 1500.0, "unit": "ms", "error": 0.5, "reach": 1e6, "aim": 1e5}
+        {"name": "one", "value": 1500.0, "unit": "ms", "error": 0.5, "reach": 1e6, "aim": 1e5, "peers": {}}
     ]
     assert "yardstick" in result.stderr and "1 of 1 rows in" in result.stderr
 
@@ -166,6 +166,6 @@ def test_an_interrupt_keeps_what_was_measured(monkeypatch: pytest.MonkeyPatch, t
 def test_work_that_needs_longer_than_the_budget_runs_twice(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(timing, "BUDGET", 0.0)
     runs: list[float] = []
-    found = measure(Work(lambda: runs.append(time.perf_counter()), error=lambda _: 0.25))
+    (found,) = measure([Series(Work(lambda: runs.append(time.perf_counter()), error=lambda _: 0.25))])
     assert (len(runs), found.readings, found.error) == (2, 2, 0.25)
     assert found.shortest <= found.median

@@ -1,0 +1,161 @@
+"""A row measured beside its peers: all programs that are installed, in turn, in one process."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from math import isfinite
+from typing import Any
+
+import numpy as np
+
+from flexel.benchmarks import timing
+from flexel.benchmarks.peers import beside
+from flexel.benchmarks.table import UNITS, Prepare, Row
+from flexel.benchmarks.timing import Series, Timing, measure
+
+OWN = "flexel"
+Failed = Callable[[str, Exception], None]
+
+
+@dataclass
+class Figure:
+    """What one program needs for a row.
+
+    Attributes
+    ----------
+    unit : str
+        Of the times.
+    sizes : tuple of int
+        Of a row that scales.
+    timings : list of Timing or None
+        One for each size, or a single one; None: the program failed, or cannot do that size.
+    """
+
+    unit: str
+    sizes: tuple[int, ...] = ()
+    timings: list[Timing | None] = field(default_factory=list)
+
+    @property
+    def last(self) -> Timing | None:
+        """Of the largest size."""
+        return self.timings[-1] if self.timings else None
+
+    @property
+    def measured(self) -> bool:
+        """Whether it has a time for any size."""
+        return any(z is not None for z in self.timings)
+
+    @property
+    def value(self) -> float | None:
+        """Shortest time of the largest size [unit]."""
+        return self._shortest(self.last)
+
+    @property
+    def error(self) -> float | None:
+        """Accuracy, of a row that scales the worst of all sizes; None without a reference, or if it is no number."""
+        found = [z.error for z in self.timings if z is not None]
+        numbers = [z for z in found if z is not None and isfinite(z)]
+        return max(numbers) if numbers and len(numbers) == len(found) else None
+
+    @property
+    def values(self) -> list[float | None]:
+        """Shortest time for each size [unit]."""
+        return [self._shortest(z) for z in self.timings]
+
+    @property
+    def exponent(self) -> float | None:
+        """Power of the size that the time grows with: least squares on logarithms; None for fewer than two times."""
+        known = [(n, z) for n, z in zip(self.sizes, self.values, strict=False) if z is not None]
+        if len(known) < 2:
+            return None
+        n, times = np.log(np.array(known)).T
+        return float(np.polyfit(n, times, 1)[0])
+
+    def to_dict(self) -> dict[str, Any]:
+        """Value and error, for JSON; of a row that scales, the values and the exponent too."""
+        found: dict[str, Any] = {"value": self.value, "error": self.error}
+        return found | {"values": self.values, "exponent": self.exponent} if self.sizes else found
+
+    def _shortest(self, timing: Timing | None) -> float | None:
+        return None if timing is None else timing.shortest / UNITS[self.unit]
+
+
+@dataclass
+class Comparison:
+    """A row: flexel's figure, and those of its peers (None: not installed)."""
+
+    row: Row
+    own: Figure
+    peers: dict[str, Figure | None]
+
+    @property
+    def installed(self) -> dict[str, Figure]:
+        """The peers that are."""
+        return {name: figure for name, figure in self.peers.items() if figure is not None}
+
+    def beside(self) -> dict[str, Figure]:
+        """The same by names that tell the row too."""
+        return {f"{self.row.name} beside {name}": figure for name, figure in self.installed.items()}
+
+    def to_dict(self) -> dict[str, Any]:
+        """What is written as JSON: value, reach and aim in `unit`."""
+        row = self.row
+        own = self.own.to_dict()
+        found = {
+            "name": row.name,
+            "value": own.pop("value"),
+            "unit": row.unit,
+            "error": own.pop("error"),
+            "reach": row.reach,
+            "aim": row.aim,
+            "peers": {name: None if z is None else z.to_dict() for name, z in self.peers.items()},
+        }
+        return found | {"sizes": list(row.sizes)} | own if row.sizes else found
+
+
+def compare(row: Row, failed: Failed) -> Comparison:
+    """Measure a row and its peers.
+
+    Parameters
+    ----------
+    failed : function
+        Called with the name of a peer and its error; the row is measured without it. What flexel raises is passed on.
+    """
+    programs = beside(row.name)
+    installed = [peer for peer in programs if peer.installed]
+    figures = {name: Figure(row.unit, row.sizes) for name in (OWN, *(peer.name for peer in installed))}
+    broken: set[str] = set()
+
+    def fails(name: str, error: Exception) -> None:
+        broken.add(name)  # and would be again with the next size
+        failed(name, error)
+
+    for size in row.sizes or (None,):
+        able = {z.name: z.rows[row.name] for z in installed if z.can(row.name, size) and z.name not in broken}
+        arguments = () if size is None else (size,)
+        found = _in_turn({OWN: row.prepare, **able}, arguments, timing.BUDGET / max(len(row.sizes), 1), fails)
+        for name, figure in figures.items():
+            figure.timings.append(found.get(name))
+    return Comparison(row, figures[OWN], {z.name: figures.get(z.name) for z in programs})
+
+
+def nothing(row: Row) -> Comparison:
+    """A row that failed: no figures."""
+    empty = {z.name: Figure(row.unit, row.sizes) if z.installed else None for z in beside(row.name)}
+    return Comparison(row, Figure(row.unit, row.sizes), empty)
+
+
+def _in_turn(
+    works: Mapping[str, Prepare], arguments: Sequence[int], budget: float, failed: Failed
+) -> dict[str, Timing]:
+    """Timings of the works that do not fail."""
+    series: dict[str, Series] = {}
+    for name, prepare in works.items():
+        try:
+            series[name] = Series(prepare(*arguments), budget)
+        except Exception as error:  # whatever another program raises: it is told, and the row goes on
+            if name == OWN:
+                raise
+            failed(name, error)
+    return dict(zip(series, measure(list(series.values())), strict=True))

@@ -1,0 +1,64 @@
+"""Other programs beside flexel: the same models in them, one module for each.
+
+A program is imported when one of its rows is prepared, so that the table can be read without it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from importlib import metadata
+from importlib.util import find_spec
+
+from flexel.benchmarks.peers import bicycleparameters, exudyn, mujoco, pinocchio, symbrim
+from flexel.benchmarks.timing import Work
+
+
+@dataclass(frozen=True)
+class Peer:
+    """Another program.
+
+    Attributes
+    ----------
+    name : str
+        Of the program and of the module that is imported.
+    distribution : str
+        What pip installs.
+    rows : mapping
+        What it does beside the row of a name.
+    largest : mapping
+        Largest size of a row that scales, where there is one.
+    """
+
+    name: str
+    distribution: str
+    rows: Mapping[str, Callable[..., Work]]
+    largest: Mapping[str, int] = field(default_factory=dict)
+
+    @property
+    def installed(self) -> bool:
+        """Whether it can be imported."""
+        return find_spec(self.name) is not None
+
+    @property
+    def version(self) -> str | None:
+        """Of what is installed; None: not installed."""
+        return metadata.version(self.distribution) if self.installed else None
+
+    def can(self, row: str, size: int | None) -> bool:
+        """Whether a model of this size is not too large for it."""
+        return size is None or size <= self.largest.get(row, size)
+
+
+PEERS = (
+    Peer("exudyn", "exudyn", exudyn.ROWS),
+    Peer("pinocchio", "pin", pinocchio.ROWS, pinocchio.LARGEST),
+    Peer("mujoco", "mujoco", mujoco.ROWS, mujoco.LARGEST),
+    Peer("symbrim", "symbrim", symbrim.ROWS),
+    Peer("bicycleparameters", "BicycleParameters", bicycleparameters.ROWS),
+)
+
+
+def beside(row: str) -> list[Peer]:
+    """The programs that have a row of this name."""
+    return [peer for peer in PEERS if row in peer.rows]

@@ -1,0 +1,147 @@
+"""Fill the tables of README.md and the pages with the figures of `flexel bench`.
+
+``python docs/measured.py FILE`` takes the figures of a file that `flexel bench --json FILE` wrote: rows that it has
+replace those in ``docs/measured.json``. Without FILE the tables are filled from there; ``--check`` changes nothing and
+fails where a table differs. A table stands between two marks, and is written anew:
+
+    <!--measured: bicycle_rhs chain_*-->     these rows, flexel beside its peers
+    <!--scaling: scaling_*-->                rows that scale: a table of times over the size for each
+    <!--end-->
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import re
+import sys
+from collections.abc import Iterator, Mapping, Sequence
+from fnmatch import fnmatchcase
+from pathlib import Path
+from typing import Any
+
+DOCS = Path(__file__).resolve().parent
+KEPT = DOCS / "measured.json"
+BLOCK = re.compile(r"(<!--(measured|scaling): ([^>]+?)-->\n).*?(<!--end-->)", re.DOTALL)
+Figures = Sequence[Mapping[str, Any]]
+
+
+def pages() -> list[Path]:
+    """README.md and the pages."""
+    return [DOCS.parent / "README.md", *sorted(DOCS.glob("*.md"))]
+
+
+def kept() -> list[dict[str, Any]]:
+    """The figures that the tables are filled from."""
+    found: list[dict[str, Any]] = json.loads(KEPT.read_text(encoding="utf-8"))
+    return found
+
+
+def merged(old: Figures, new: Figures) -> list[Mapping[str, Any]]:
+    """Rows of both, those of the new figures where both have them, in the order of the old ones."""
+    rows = {z["name"]: z for z in old} | {z["name"]: z for z in new}
+    return list(rows.values())
+
+
+def chosen(figures: Figures, patterns: str) -> list[Mapping[str, Any]]:
+    """The rows that match patterns, in the order of these."""
+    found: dict[str, Mapping[str, Any]] = {}
+    for pattern in patterns.split():
+        some = {z["name"]: z for z in figures if fnmatchcase(z["name"], pattern)}
+        if not some:
+            raise ValueError(
+                f"no measured row matches {pattern!r}; there are: {', '.join(z['name'] for z in figures)}"
+            )
+        found = found | some
+    return list(found.values())
+
+
+def time(value: float | None) -> str:
+    """Three digits, without an exponent."""
+    if value is None:
+        return "–"
+    whole = len(str(int(abs(value)))) if abs(value) >= 1 else 0
+    leading = 0 if whole or not value else -int(f"{value:e}".partition("e")[2]) - 1
+    return f"{value:.{max(3 - whole + leading, 0)}f}"
+
+
+def size(error: float | None) -> str:
+    """Of an error: two digits."""
+    if error is None:
+        return "–"
+    digits, power = f"{error:.1e}".split("e")
+    return f"{digits}e{int(power)}"
+
+
+def beside(row: Mapping[str, Any]) -> str:
+    """The peers of a row: time, ratio, error."""
+    parts = []
+    for name, peer in row["peers"].items():
+        if peer is None or peer["value"] is None:
+            parts.append(f"{name} {'not installed' if peer is None else 'no figure'}")
+            continue
+        error = "" if peer["error"] is None else f", error {size(peer['error'])}"
+        parts.append(f"{name} {time(peer['value'])} (**{time(peer['value'] / row['value'])}**{error})")
+    return "; ".join(parts)
+
+
+def rows(figures: Figures) -> Iterator[str]:
+    """A table: flexel, its error, and its peers with the ratio of the times."""
+    yield "| row | flexel | reach, aim | error | peers: time (**time over flexel's**, error) |"
+    yield "|---|---|---|---|---|"
+    for row in figures:
+        goals = "–" if row["aim"] is None else f"{row['reach']:g}, {row['aim']:g}"
+        value = f"{time(row['value'])} {row['unit']}"
+        yield f"| `{row['name']}` | {value} | {goals} | {size(row['error'])} | {beside(row) or '–'} |"
+
+
+def scaling(figures: Figures) -> Iterator[str]:
+    """For each row a table of times over the size, and the fitted powers of N."""
+    for row in figures:
+        programs = {"flexel": row} | {name: z for name, z in row["peers"].items() if z is not None}
+        sizes = " | ".join(f"N = {n}" for n in row["sizes"])
+        yield f"| `{row['name']}` [{row['unit']}] | {sizes} | power of N | error |"
+        yield "|---" * (len(row["sizes"]) + 3) + "|"
+        for name, found in programs.items():
+            times = " | ".join(map(time, found["values"]))
+            power = "–" if found["exponent"] is None else f"{found['exponent']:.2f}"
+            yield f"| {name} | {times} | {power} | {size(found['error'])} |"
+        yield ""
+
+
+def filled(text: str, figures: Figures) -> str:
+    """The page with its tables written anew."""
+
+    def block(found: re.Match[str]) -> str:
+        lines = (rows if found[2] == "measured" else scaling)(chosen(figures, found[3]))
+        return found[1] + "\n" + "\n".join(lines).rstrip() + "\n\n" + found[4]
+
+    return BLOCK.sub(block, text)
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Fill or check the tables; the exit status is 1 where one differs."""
+    parser = argparse.ArgumentParser(description="Tables of the pages from the figures of flexel bench.")
+    parser.add_argument("file", nargs="?", type=Path, help="JSON of flexel bench")
+    parser.add_argument("--check", action="store_true", help="change nothing; fail where a table differs")
+    given = parser.parse_args(arguments)
+    figures: Figures = kept() if KEPT.is_file() else []
+    if given.file is not None:
+        figures = merged(figures, json.loads(given.file.read_text(encoding="utf-8")))
+        lines = ",\n".join(json.dumps(z, ensure_ascii=False, allow_nan=False) for z in figures)
+        if not given.check:
+            KEPT.write_text(f"[\n{lines}\n]\n", encoding="utf-8")
+    differing = []
+    for page in pages():
+        text = page.read_text(encoding="utf-8")
+        found = filled(text, figures)
+        if found != text:
+            differing.append(page.name)
+            if not given.check:
+                page.write_text(found, encoding="utf-8")
+    print(f"{', '.join(differing) or 'no page'} {'differs' if given.check else 'written'}")
+    return int(given.check and bool(differing))
+
+
+if __name__ == "__main__":
+    sys.exit(main())
