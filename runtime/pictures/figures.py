@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from flexel.base.errors import FlexelError
+from flexel.base.files import replacing
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -63,4 +64,6 @@ def figure(
 def save(drawn: Figure, path: str | Path | None) -> None:
     """Write a figure to a file, if a path is given; the suffix determines the format."""
     if path is not None:
-        drawn.savefig(Path(path), dpi=130)
+        path = Path(path)
+        with replacing(path if path.suffix else path.with_suffix(".png")) as part:
+            drawn.savefig(part, dpi=130)

@@ -15,6 +15,7 @@ import numpy as np
 from flexel.base.arguments import names
 from flexel.base.arrays import Array
 from flexel.base.errors import LinearizationError, ModelError
+from flexel.base.files import replacing
 from flexel.mechanics.linearization import Linearization
 from flexel.results.saved.record import require
 
@@ -116,5 +117,6 @@ def save_state_space(
     contents: dict[str, Any] = dict(zip("ABCD", matrices, strict=True))
     for key, given in zip(("states", "inputs", "outputs"), labels, strict=True):
         contents[key] = np.array(given, dtype=object)
-    savemat(path, contents, do_compression=True)
+    with replacing(path, "save_state_space") as part:
+        savemat(part, contents, do_compression=True)
     return path

@@ -11,6 +11,7 @@ from string import Template
 from typing import TYPE_CHECKING, Any
 
 from flexel.base.errors import ModelError
+from flexel.base.files import replacing
 from flexel.pictures.view.data import FORMAT, scene_data
 from flexel.pictures.view.modes import mode_data
 
@@ -64,7 +65,8 @@ def write_page(scene: Mapping[str, Any], path: str | Path) -> Path:
     path = Path(path)
     if path.suffix not in (".html", ".htm"):
         raise ModelError(f"view '{path}': the viewer writes HTML; give a file name that ends in .html")
-    path.write_text(page(scene), encoding="utf-8")
+    with replacing(path, "view") as part:
+        part.write_text(page(scene), encoding="utf-8")
     return path
 
 
