@@ -6,7 +6,7 @@ VENV ?= .venv
 VENV_LINT ?= .venv-lint
 OUT ?= out
 PYTEST ?= -n 2 --durations=10
-QUOTED ?= bicycle cardan cylinder slider-crank flexures rope hoist vehicle motorcycle
+QUOTED ?= bicycle cardan cylinder slider-crank flexures rope contact hoist vehicle motorcycle
 TYPED := build/typed
 
 PIP := $(VENV)/bin/pip install --quiet --disable-pip-version-check

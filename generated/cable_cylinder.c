@@ -17,7 +17,7 @@
  *   xi (1) [1]: place along the element, from 0 at p to 1 at q
  *   t (4) [1]: unit quaternion from the body frame to the surface's triad ex, ey, ez
  *   offset (3) [m]: origin of the surface from the node c, on its triad
- *   radius (1) [m]: radius at which the rope's surface touches, about the axle ex
+ *   radius (1) [m]: radius at which the rope's or sphere's surface touches, about the axle ex
  *   rope_radius (1) [m]: outer radius of the rope */
 #include "kernels.h"
 
@@ -3090,7 +3090,7 @@ static void cable_cylinder_stiffness(size_t nblocks, const real *const *in, real
 
 const flexel_element flexel_cable_cylinder = {
     .name = "cable_cylinder",
-    .digest = "fd6e6f008997bd9c",
+    .digest = "d6a3762a656d2fee",
     .n = 19,
     .m = 1,
     .k = 2,

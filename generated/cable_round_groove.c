@@ -18,7 +18,7 @@
  *   xi (1) [1]: place along the element, from 0 at p to 1 at q
  *   t (4) [1]: unit quaternion from the body frame to the surface's triad ex, ey, ez
  *   offset (3) [m]: origin of the surface from the node c, on its triad
- *   radius (1) [m]: radius at which the rope's surface touches, about the axle ex
+ *   radius (1) [m]: radius at which the rope's or sphere's surface touches, about the axle ex
  *   groove_radius (1) [m]: radius of the groove's round bottom
  *   flank (2) [1]: sine and cosine of half the opening angle of the flanks
  *   rope_radius (1) [m]: outer radius of the rope */
@@ -3862,7 +3862,7 @@ static void cable_round_groove_stiffness(size_t nblocks, const real *const *in, 
 
 const flexel_element flexel_cable_round_groove = {
     .name = "cable_round_groove",
-    .digest = "568aca14f60ae774",
+    .digest = "f8f7cecc79175a63",
     .n = 19,
     .m = 1,
     .k = 2,

@@ -18,7 +18,7 @@
  *   xi (1) [1]: place along the element, from 0 at p to 1 at q
  *   t (4) [1]: unit quaternion from the body frame to the surface's triad ex, ey, ez
  *   offset (3) [m]: origin of the surface from the node c, on its triad
- *   radius (1) [m]: radius at which the rope's surface touches, about the axle ex
+ *   radius (1) [m]: radius at which the rope's or sphere's surface touches, about the axle ex
  *   flank (2) [1]: sine and cosine of half the opening angle of the flanks
  *   rope_radius (1) [m]: outer radius of the rope */
 #include "kernels.h"
@@ -3970,7 +3970,7 @@ static void cable_v_groove_stiffness(size_t nblocks, const real *const *in, real
 
 const flexel_element flexel_cable_v_groove = {
     .name = "cable_v_groove",
-    .digest = "504106bf25850849",
+    .digest = "7a7c8a06fbd38a9f",
     .n = 19,
     .m = 2,
     .k = 3,

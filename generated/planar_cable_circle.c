@@ -17,7 +17,7 @@
  *   xi (1) [1]: place along the element, from 0 at p to 1 at q
  *   alpha0 (1) [rad]: initial direction of the element minus the angle of node p
  *   offset (2) [m]: origin of the circle or line from c, on ex and ey
- *   radius (1) [m]: radius at which the rope's surface touches, about the axle ex
+ *   radius (1) [m]: radius at which the rope's or sphere's surface touches, about the axle ex
  *   rope_radius (1) [m]: outer radius of the rope */
 #include "kernels.h"
 
@@ -1122,7 +1122,7 @@ static void planar_cable_circle_stiffness(size_t nblocks, const real *const *in,
 
 const flexel_element flexel_planar_cable_circle = {
     .name = "planar_cable_circle",
-    .digest = "c9cd488196e9838e",
+    .digest = "7f5e8c23b352a0bf",
     .n = 11,
     .m = 1,
     .k = 1,

@@ -2608,7 +2608,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element cable_cylinder
     "cable_cylinder": ElementSpec(
         name="cable_cylinder",
-        digest="fd6e6f008997bd9c",
+        digest="d6a3762a656d2fee",
         doc="x: point at the fraction xi of the cubic curve through p and q with the slopes h dp and h dq,\nh = 1 + D/48 + 13 D^2/5760, D = |dq - dp|^2: tan(theta/4)/(theta/4) for the angle theta between unit slopes\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\ndistance = |(yy, yz)| from the axle ex, (ny, nz) = (yy, yz)/distance\ngap = distance - radius - rope_radius,  tangential = ny ydot_z - nz ydot_y,  axial = ydot_x",
         source="textbook mechanics",
         nodes=(
@@ -2624,7 +2624,7 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("xi", 1, "1", "place along the element, from 0 at p to 1 at q"),
             ParameterSpec("t", 4, "1", "unit quaternion from the body frame to the surface's triad ex, ey, ez"),
             ParameterSpec("offset", 3, "m", "origin of the surface from the node c, on its triad"),
-            ParameterSpec("radius", 1, "m", "radius at which the rope's surface touches, about the axle ex"),
+            ParameterSpec("radius", 1, "m", "radius at which the rope's or sphere's surface touches, about the axle ex"),
             ParameterSpec("rope_radius", 1, "m", "outer radius of the rope"),
         ),
         deformations=(
@@ -2753,7 +2753,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element cable_v_groove
     "cable_v_groove": ElementSpec(
         name="cable_v_groove",
-        digest="504106bf25850849",
+        digest="7a7c8a06fbd38a9f",
         doc="x: point at the fraction xi of the cubic curve through p and q with the slopes h dp and h dq,\nh = 1 + D/48 + 13 D^2/5760, D = |dq - dp|^2: tan(theta/4)/(theta/4) for the angle theta between unit slopes\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\ndistance = |(yy, yz)| from the axle ex, h = distance - radius - rope_radius; two flanks of half the angle beta\ngap1 = h sin beta - yx cos beta,  gap2 = h sin beta + yx cos beta: both closed at h = 0 in the middle\ntangential as for a cylinder,  across1, across2 = hdot cos beta +- ydot_x sin beta, up the flanks",
         source="textbook mechanics",
         nodes=(
@@ -2769,7 +2769,7 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("xi", 1, "1", "place along the element, from 0 at p to 1 at q"),
             ParameterSpec("t", 4, "1", "unit quaternion from the body frame to the surface's triad ex, ey, ez"),
             ParameterSpec("offset", 3, "m", "origin of the surface from the node c, on its triad"),
-            ParameterSpec("radius", 1, "m", "radius at which the rope's surface touches, about the axle ex"),
+            ParameterSpec("radius", 1, "m", "radius at which the rope's or sphere's surface touches, about the axle ex"),
             ParameterSpec("flank", 2, "1", "sine and cosine of half the opening angle of the flanks"),
             ParameterSpec("rope_radius", 1, "m", "outer radius of the rope"),
         ),
@@ -2829,7 +2829,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element cable_round_groove
     "cable_round_groove": ElementSpec(
         name="cable_round_groove",
-        digest="568aca14f60ae774",
+        digest="f8f7cecc79175a63",
         doc="x: point at the fraction xi of the cubic curve through p and q with the slopes h dp and h dq,\nh = 1 + D/48 + 13 D^2/5760, D = |dq - dp|^2: tan(theta/4)/(theta/4) for the angle theta between unit slopes\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\nw = (radius + groove_radius - distance from the axle ex, yx), from the centre of the round bottom to the rope\ngap = groove_radius - rope_radius - n.w, n = w/|w| on the bottom, (sin beta, +-cos beta) on the flanks that\ncontinue it;  tangential as for a cylinder,  across = n_0 ydot_x + n_1 distancedot, along the groove's profile",
         source="textbook mechanics",
         nodes=(
@@ -2845,7 +2845,7 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("xi", 1, "1", "place along the element, from 0 at p to 1 at q"),
             ParameterSpec("t", 4, "1", "unit quaternion from the body frame to the surface's triad ex, ey, ez"),
             ParameterSpec("offset", 3, "m", "origin of the surface from the node c, on its triad"),
-            ParameterSpec("radius", 1, "m", "radius at which the rope's surface touches, about the axle ex"),
+            ParameterSpec("radius", 1, "m", "radius at which the rope's or sphere's surface touches, about the axle ex"),
             ParameterSpec("groove_radius", 1, "m", "radius of the groove's round bottom"),
             ParameterSpec("flank", 2, "1", "sine and cosine of half the opening angle of the flanks"),
             ParameterSpec("rope_radius", 1, "m", "outer radius of the rope"),
@@ -2896,6 +2896,567 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("K", (19, 19), tuple(range(361))),
                 ),
                 6392,
+            ),
+        },
+        family="contact",
+        picture="contact",
+    ),
+    # element point_cylinder
+    "point_cylinder": ElementSpec(
+        name="point_cylinder",
+        digest="d642ff6eccabfbba",
+        doc="x: place of p\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\ndistance = |(yy, yz)| from the axle ex, (ny, nz) = (yy, yz)/distance\ngap = distance - radius - sphere_radius,  tangential = ny ydot_z - nz ydot_y,  axial = ydot_x",
+        source="textbook mechanics",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("c", "point"),
+            NodeSpec("r", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("t", 4, "1", "unit quaternion from the body frame to the surface's triad ex, ey, ez"),
+            ParameterSpec("offset", 3, "m", "origin of the surface from the node c, on its triad"),
+            ParameterSpec("radius", 1, "m", "radius at which the rope's or sphere's surface touches, about the axle ex"),
+            ParameterSpec("sphere_radius", 1, "m", "radius of the sphere; 0: a point", sign=("not negative",)),
+        ),
+        deformations=(
+            DeformationSpec("gap", "m", True, kind="gap"),
+        ),
+        slips=(
+            SlipSpec("tangential", "m/s", True),
+            SlipSpec("axial", "m/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 10), tuple(range(10))),
+                    OutputSpec("V", (2, 10), tuple(range(20))),
+                ),
+                305,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (2,), (0, 1)),
+                ),
+                337,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 10), tuple(range(30))),
+                ),
+                652,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (3, 10), tuple(range(30))),
+                    OutputSpec("Psi_v", (3, 10), tuple(range(30))),
+                ),
+                1606,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (10, 10), tuple(range(100))),
+                ),
+                1442,
+            ),
+        },
+        family="contact",
+        picture="contact",
+    ),
+    # element point_plane
+    "point_plane": ElementSpec(
+        name="point_plane",
+        digest="a0192b5e6c83d3c2",
+        doc="x: place of p\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\ngap = yz - sphere_radius, the plane is z = 0;  x = ydot_x,  y = ydot_y",
+        source="textbook mechanics",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("c", "point"),
+            NodeSpec("r", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("t", 4, "1", "unit quaternion from the body frame to the surface's triad ex, ey, ez"),
+            ParameterSpec("offset", 3, "m", "origin of the surface from the node c, on its triad"),
+            ParameterSpec("sphere_radius", 1, "m", "radius of the sphere; 0: a point", sign=("not negative",)),
+        ),
+        deformations=(
+            DeformationSpec("gap", "m", True, kind="gap"),
+        ),
+        slips=(
+            SlipSpec("x", "m/s", True),
+            SlipSpec("y", "m/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 10), tuple(range(10))),
+                    OutputSpec("V", (2, 10), tuple(range(20))),
+                ),
+                231,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (2,), (0, 1)),
+                ),
+                255,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 10), tuple(range(30))),
+                ),
+                454,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (3, 10), tuple(range(30))),
+                    OutputSpec("Psi_v", (3, 10), tuple(range(30))),
+                ),
+                1046,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (10, 10), (6, 7, 8, 9, 16, 17, 18, 19, 26, 27, 28, 29, 36, 37, 38, 39, 46, 47, 48, 49, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 91, 92, 93, 94, 95, 96, 97, 98, 99)),
+                ),
+                765,
+            ),
+        },
+        family="contact",
+        picture="contact",
+    ),
+    # element point_v_groove
+    "point_v_groove": ElementSpec(
+        name="point_v_groove",
+        digest="624d770be1b98306",
+        doc="x: place of p\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\ndistance = |(yy, yz)| from the axle ex, h = distance - radius - sphere_radius; two flanks of half the angle beta\ngap1 = h sin beta - yx cos beta,  gap2 = h sin beta + yx cos beta: both closed at h = 0 in the middle\ntangential as for a cylinder,  across1, across2 = hdot cos beta +- ydot_x sin beta, up the flanks",
+        source="textbook mechanics",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("c", "point"),
+            NodeSpec("r", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("t", 4, "1", "unit quaternion from the body frame to the surface's triad ex, ey, ez"),
+            ParameterSpec("offset", 3, "m", "origin of the surface from the node c, on its triad"),
+            ParameterSpec("radius", 1, "m", "radius at which the rope's or sphere's surface touches, about the axle ex"),
+            ParameterSpec("flank", 2, "1", "sine and cosine of half the opening angle of the flanks"),
+            ParameterSpec("sphere_radius", 1, "m", "radius of the sphere; 0: a point", sign=("not negative",)),
+        ),
+        deformations=(
+            DeformationSpec("gap1", "m", True, kind="gap"),
+            DeformationSpec("gap2", "m", True, kind="gap"),
+        ),
+        slips=(
+            SlipSpec("tangential", "m/s", True),
+            SlipSpec("across1", "m/s", True),
+            SlipSpec("across2", "m/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (2,), (0, 1)),
+                    OutputSpec("De", (2, 10), tuple(range(20))),
+                    OutputSpec("V", (3, 10), tuple(range(30))),
+                ),
+                421,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (2,), (0, 1)),
+                    OutputSpec("gs", (3,), (0, 1, 2)),
+                ),
+                371,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (5, 10), tuple(range(50))),
+                ),
+                876,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (5, 10), tuple(range(50))),
+                    OutputSpec("Psi_v", (5, 10), tuple(range(50))),
+                ),
+                2688,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (10, 10), tuple(range(100))),
+                ),
+                1504,
+            ),
+        },
+        family="contact",
+        picture="contact",
+    ),
+    # element point_round_groove
+    "point_round_groove": ElementSpec(
+        name="point_round_groove",
+        digest="19546b782a3c565f",
+        doc="x: place of p\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\nw = (radius + groove_radius - distance from the axle ex, yx), from the centre of the round bottom to the point\ngap = groove_radius - sphere_radius - n.w, n = w/|w| on the bottom, (sin beta, +-cos beta) on the flanks that\ncontinue it;  tangential as for a cylinder,  across = n_0 ydot_x + n_1 distancedot, along the groove's profile",
+        source="textbook mechanics",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("c", "point"),
+            NodeSpec("r", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("t", 4, "1", "unit quaternion from the body frame to the surface's triad ex, ey, ez"),
+            ParameterSpec("offset", 3, "m", "origin of the surface from the node c, on its triad"),
+            ParameterSpec("radius", 1, "m", "radius at which the rope's or sphere's surface touches, about the axle ex"),
+            ParameterSpec("groove_radius", 1, "m", "radius of the groove's round bottom"),
+            ParameterSpec("flank", 2, "1", "sine and cosine of half the opening angle of the flanks"),
+            ParameterSpec("sphere_radius", 1, "m", "radius of the sphere; 0: a point", sign=("not negative",)),
+        ),
+        deformations=(
+            DeformationSpec("gap", "m", True, kind="gap"),
+        ),
+        slips=(
+            SlipSpec("tangential", "m/s", True),
+            SlipSpec("across", "m/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 10), tuple(range(10))),
+                    OutputSpec("V", (2, 10), tuple(range(20))),
+                ),
+                390,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (2,), (0, 1)),
+                ),
+                439,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 10), tuple(range(30))),
+                ),
+                871,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (3, 10), tuple(range(30))),
+                    OutputSpec("Psi_v", (3, 10), tuple(range(30))),
+                ),
+                2196,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (10, 10), tuple(range(100))),
+                ),
+                1829,
+            ),
+        },
+        family="contact",
+        picture="contact",
+    ),
+    # element sphere_cylinder
+    "sphere_cylinder": ElementSpec(
+        name="sphere_cylinder",
+        digest="14b03ef626a6a10b",
+        doc="x = xp + R(lambda_b) centre\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\nturn = angular velocity of the sphere relative to the surface, on the triad; every slip along a direction d is\nless by sphere_radius turn.(n x d), n the normal to the sphere: that of the sphere's material point in contact\n(in a V groove it has two, with tangential1 and tangential2)\ndistance = |(yy, yz)| from the axle ex, (ny, nz) = (yy, yz)/distance\ngap = distance - radius - sphere_radius,  tangential = ny ydot_z - nz ydot_y,  axial = ydot_x",
+        source="textbook mechanics",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("b", "frame"),
+            NodeSpec("c", "point"),
+            NodeSpec("r", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("centre", 3, "m", "centre of the sphere from p in the axes of its body"),
+            ParameterSpec("t", 4, "1", "unit quaternion from the body frame to the surface's triad ex, ey, ez"),
+            ParameterSpec("offset", 3, "m", "origin of the surface from the node c, on its triad"),
+            ParameterSpec("radius", 1, "m", "radius at which the rope's or sphere's surface touches, about the axle ex"),
+            ParameterSpec("sphere_radius", 1, "m", "radius of the sphere; 0: a point", sign=("not negative",)),
+        ),
+        deformations=(
+            DeformationSpec("gap", "m", True, kind="gap"),
+        ),
+        slips=(
+            SlipSpec("tangential", "m/s", True),
+            SlipSpec("axial", "m/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 14), tuple(range(14))),
+                    OutputSpec("V", (2, 14), tuple(range(28))),
+                ),
+                577,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (2,), (0, 1)),
+                ),
+                703,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 14), tuple(range(42))),
+                ),
+                1305,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (3, 14), tuple(range(42))),
+                    OutputSpec("Psi_v", (3, 14), tuple(range(42))),
+                ),
+                3243,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (14, 14), tuple(range(196))),
+                ),
+                3341,
+            ),
+        },
+        family="contact",
+        picture="contact",
+    ),
+    # element sphere_plane
+    "sphere_plane": ElementSpec(
+        name="sphere_plane",
+        digest="0e487d50b8075663",
+        doc="x = xp + R(lambda_b) centre\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\nturn = angular velocity of the sphere relative to the surface, on the triad; every slip along a direction d is\nless by sphere_radius turn.(n x d), n the normal to the sphere: that of the sphere's material point in contact\n(in a V groove it has two, with tangential1 and tangential2)\ngap = yz - sphere_radius, the plane is z = 0;  x = ydot_x,  y = ydot_y",
+        source="textbook mechanics",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("b", "frame"),
+            NodeSpec("c", "point"),
+            NodeSpec("r", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("centre", 3, "m", "centre of the sphere from p in the axes of its body"),
+            ParameterSpec("t", 4, "1", "unit quaternion from the body frame to the surface's triad ex, ey, ez"),
+            ParameterSpec("offset", 3, "m", "origin of the surface from the node c, on its triad"),
+            ParameterSpec("sphere_radius", 1, "m", "radius of the sphere; 0: a point", sign=("not negative",)),
+        ),
+        deformations=(
+            DeformationSpec("gap", "m", True, kind="gap"),
+        ),
+        slips=(
+            SlipSpec("x", "m/s", True),
+            SlipSpec("y", "m/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 14), tuple(range(14))),
+                    OutputSpec("V", (2, 14), tuple(range(28))),
+                ),
+                493,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (2,), (0, 1)),
+                ),
+                557,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 14), tuple(range(42))),
+                ),
+                995,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (3, 14), tuple(range(42))),
+                    OutputSpec("Psi_v", (3, 14), tuple(range(42))),
+                ),
+                2389,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (14, 14), (10, 11, 12, 13, 24, 25, 26, 27, 38, 39, 40, 41, 45, 46, 47, 48, 52, 53, 54, 55, 59, 60, 61, 62, 66, 67, 68, 69, 73, 74, 75, 76, 80, 81, 82, 83, 87, 88, 89, 90, 94, 95, 96, 97, 108, 109, 110, 111, 122, 123, 124, 125, 136, 137, 138, 139, 140, 141, 142, 143, 144, 145, 146, 147, 148, 149, 150, 151, 152, 153, 154, 155, 156, 157, 158, 159, 160, 161, 162, 163, 164, 165, 166, 167, 168, 169, 170, 171, 172, 173, 174, 175, 176, 177, 178, 179, 180, 181, 182, 183, 184, 185, 186, 187, 188, 189, 190, 191, 192, 193, 194, 195)),
+                ),
+                1718,
+            ),
+        },
+        family="contact",
+        picture="contact",
+    ),
+    # element sphere_v_groove
+    "sphere_v_groove": ElementSpec(
+        name="sphere_v_groove",
+        digest="c8b16b22357ae871",
+        doc="x = xp + R(lambda_b) centre\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\nturn = angular velocity of the sphere relative to the surface, on the triad; every slip along a direction d is\nless by sphere_radius turn.(n x d), n the normal to the sphere: that of the sphere's material point in contact\n(in a V groove it has two, with tangential1 and tangential2)\ndistance = |(yy, yz)| from the axle ex, h = distance - radius - sphere_radius; two flanks of half the angle beta\ngap1 = h sin beta - yx cos beta,  gap2 = h sin beta + yx cos beta: both closed at h = 0 in the middle\ntangential as for a cylinder,  across1, across2 = hdot cos beta +- ydot_x sin beta, up the flanks",
+        source="textbook mechanics",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("b", "frame"),
+            NodeSpec("c", "point"),
+            NodeSpec("r", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("centre", 3, "m", "centre of the sphere from p in the axes of its body"),
+            ParameterSpec("t", 4, "1", "unit quaternion from the body frame to the surface's triad ex, ey, ez"),
+            ParameterSpec("offset", 3, "m", "origin of the surface from the node c, on its triad"),
+            ParameterSpec("radius", 1, "m", "radius at which the rope's or sphere's surface touches, about the axle ex"),
+            ParameterSpec("flank", 2, "1", "sine and cosine of half the opening angle of the flanks"),
+            ParameterSpec("sphere_radius", 1, "m", "radius of the sphere; 0: a point", sign=("not negative",)),
+        ),
+        deformations=(
+            DeformationSpec("gap1", "m", True, kind="gap"),
+            DeformationSpec("gap2", "m", True, kind="gap"),
+        ),
+        slips=(
+            SlipSpec("tangential1", "m/s", True),
+            SlipSpec("across1", "m/s", True),
+            SlipSpec("tangential2", "m/s", True),
+            SlipSpec("across2", "m/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (2,), (0, 1)),
+                    OutputSpec("De", (2, 14), tuple(range(28))),
+                    OutputSpec("V", (4, 14), tuple(range(56))),
+                ),
+                996,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (2,), (0, 1)),
+                    OutputSpec("gs", (4,), (0, 1, 2, 3)),
+                ),
+                761,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (6, 14), tuple(range(84))),
+                ),
+                2067,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (6, 14), tuple(range(84))),
+                    OutputSpec("Psi_v", (6, 14), tuple(range(84))),
+                ),
+                6570,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (14, 14), tuple(range(196))),
+                ),
+                3179,
+            ),
+        },
+        family="contact",
+        picture="contact",
+    ),
+    # element sphere_round_groove
+    "sphere_round_groove": ElementSpec(
+        name="sphere_round_groove",
+        digest="76b2fb0a9f57ad33",
+        doc="x = xp + R(lambda_b) centre\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\nturn = angular velocity of the sphere relative to the surface, on the triad; every slip along a direction d is\nless by sphere_radius turn.(n x d), n the normal to the sphere: that of the sphere's material point in contact\n(in a V groove it has two, with tangential1 and tangential2)\nw = (radius + groove_radius - distance from the axle ex, yx), from the centre of the round bottom to the sphere\ngap = groove_radius - sphere_radius - n.w, n = w/|w| on the bottom, (sin beta, +-cos beta) on the flanks that\ncontinue it;  tangential as for a cylinder,  across = n_0 ydot_x + n_1 distancedot, along the groove's profile",
+        source="textbook mechanics",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("b", "frame"),
+            NodeSpec("c", "point"),
+            NodeSpec("r", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("centre", 3, "m", "centre of the sphere from p in the axes of its body"),
+            ParameterSpec("t", 4, "1", "unit quaternion from the body frame to the surface's triad ex, ey, ez"),
+            ParameterSpec("offset", 3, "m", "origin of the surface from the node c, on its triad"),
+            ParameterSpec("radius", 1, "m", "radius at which the rope's or sphere's surface touches, about the axle ex"),
+            ParameterSpec("groove_radius", 1, "m", "radius of the groove's round bottom"),
+            ParameterSpec("flank", 2, "1", "sine and cosine of half the opening angle of the flanks"),
+            ParameterSpec("sphere_radius", 1, "m", "radius of the sphere; 0: a point", sign=("not negative",)),
+        ),
+        deformations=(
+            DeformationSpec("gap", "m", True, kind="gap"),
+        ),
+        slips=(
+            SlipSpec("tangential", "m/s", True),
+            SlipSpec("across", "m/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 14), tuple(range(14))),
+                    OutputSpec("V", (2, 14), tuple(range(28))),
+                ),
+                693,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (2,), (0, 1)),
+                ),
+                844,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 14), tuple(range(42))),
+                ),
+                1606,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (3, 14), tuple(range(42))),
+                    OutputSpec("Psi_v", (3, 14), tuple(range(42))),
+                ),
+                4118,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (14, 14), tuple(range(196))),
+                ),
+                4195,
             ),
         },
         family="contact",
@@ -3116,7 +3677,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_cable_circle
     "planar_cable_circle": ElementSpec(
         name="planar_cable_circle",
-        digest="c9cd488196e9838e",
+        digest="7f5e8c23b352a0bf",
         doc="x: point at the fraction xi of the cubic curve through p and q with the slopes h dp and h dq,\nh = 1 + D/48 + 13 D^2/5760, D = |dq - dp|^2: tan(theta/4)/(theta/4) for the angle theta between unit slopes\nex, ey: directions at angle + alpha0\nw = xdot - xcdot - angledot ez x (x - xc), the velocity seen from the body\na = x - xc - offset_x ex - offset_y ey\ngap = |a| - radius - rope_radius,  tangential = (ax wy - ay wx)/|a|, counterclockwise",
         source="planar counterpart of contact in space",
         nodes=(
@@ -3132,7 +3693,7 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("xi", 1, "1", "place along the element, from 0 at p to 1 at q"),
             ParameterSpec("alpha0", 1, "rad", "initial direction of the element minus the angle of node p"),
             ParameterSpec("offset", 2, "m", "origin of the circle or line from c, on ex and ey"),
-            ParameterSpec("radius", 1, "m", "radius at which the rope's surface touches, about the axle ex"),
+            ParameterSpec("radius", 1, "m", "radius at which the rope's or sphere's surface touches, about the axle ex"),
             ParameterSpec("rope_radius", 1, "m", "outer radius of the rope"),
         ),
         deformations=(
@@ -3251,6 +3812,276 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("K", (11, 11), (10, 21, 24, 25, 28, 29, 32, 35, 36, 39, 40, 43, 54, 65, 68, 69, 72, 73, 76, 79, 80, 83, 84, 87, 98, 109, 110, 111, 112, 113, 114, 115, 116, 117, 118, 119, 120)),
                 ),
                 258,
+            ),
+        },
+        family="contact",
+        picture="contact",
+    ),
+    # element planar_point_circle
+    "planar_point_circle": ElementSpec(
+        name="planar_point_circle",
+        digest="2000ee11fbe20752",
+        doc="x: place of p\nex, ey: directions at angle + alpha0\nw = xdot - xcdot - angledot ez x (x - xc), the velocity seen from the body\na = x - xc - offset_x ex - offset_y ey\ngap = |a| - radius - sphere_radius,  tangential = (ax wy - ay wx)/|a|, counterclockwise",
+        source="planar counterpart of contact in space",
+        nodes=(
+            NodeSpec("p", "planar_point"),
+            NodeSpec("c", "planar_point"),
+            NodeSpec("r", "planar_angle"),
+        ),
+        parameters=(
+            ParameterSpec("alpha0", 1, "rad", "initial direction of the element minus the angle of node p"),
+            ParameterSpec("offset", 2, "m", "origin of the circle or line from c, on ex and ey"),
+            ParameterSpec("radius", 1, "m", "radius at which the rope's or sphere's surface touches, about the axle ex"),
+            ParameterSpec("sphere_radius", 1, "m", "radius of the sphere; 0: a point", sign=("not negative",)),
+        ),
+        deformations=(
+            DeformationSpec("gap", "m", True, kind="gap"),
+        ),
+        slips=(
+            SlipSpec("tangential", "m/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 5), tuple(range(5))),
+                    OutputSpec("V", (1, 5), tuple(range(5))),
+                ),
+                37,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (1,), (0,)),
+                ),
+                73,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (2, 5), tuple(range(10))),
+                ),
+                97,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (2, 5), tuple(range(10))),
+                    OutputSpec("Psi_v", (2, 5), tuple(range(10))),
+                ),
+                261,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (5, 5), tuple(range(25))),
+                ),
+                118,
+            ),
+        },
+        family="contact",
+        picture="contact",
+    ),
+    # element planar_point_line
+    "planar_point_line": ElementSpec(
+        name="planar_point_line",
+        digest="f82158ebcc6ce509",
+        doc="x: place of p\nex, ey: directions at angle + alpha0\nw = xdot - xcdot - angledot ez x (x - xc), the velocity seen from the body\ngap = ey.(x - xc) - offset_y - sphere_radius,  tangential = ex.w",
+        source="planar counterpart of contact in space",
+        nodes=(
+            NodeSpec("p", "planar_point"),
+            NodeSpec("c", "planar_point"),
+            NodeSpec("r", "planar_angle"),
+        ),
+        parameters=(
+            ParameterSpec("alpha0", 1, "rad", "initial direction of the element minus the angle of node p"),
+            ParameterSpec("offset", 2, "m", "origin of the circle or line from c, on ex and ey"),
+            ParameterSpec("sphere_radius", 1, "m", "radius of the sphere; 0: a point", sign=("not negative",)),
+        ),
+        deformations=(
+            DeformationSpec("gap", "m", True, kind="gap"),
+        ),
+        slips=(
+            SlipSpec("tangential", "m/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 5), tuple(range(5))),
+                    OutputSpec("V", (1, 5), tuple(range(5))),
+                ),
+                17,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (1,), (0,)),
+                ),
+                32,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (2, 5), tuple(range(10))),
+                ),
+                23,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (2, 5), tuple(range(10))),
+                    OutputSpec("Psi_v", (2, 5), tuple(range(10))),
+                ),
+                68,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (5, 5), (4, 9, 14, 19, 20, 21, 22, 23, 24)),
+                ),
+                17,
+            ),
+        },
+        family="contact",
+        picture="contact",
+    ),
+    # element planar_disc_circle
+    "planar_disc_circle": ElementSpec(
+        name="planar_disc_circle",
+        digest="a438e5800b6368e4",
+        doc="x = xp + R(angle_b) centre\nex, ey: directions at angle + alpha0\nw = xdot - xcdot - angledot ez x (x - xc), the velocity seen from the body\nturn = angular velocity of the disc relative to the surface\na = x - xc - offset_x ex - offset_y ey\ngap = |a| - radius - sphere_radius,  tangential = (ax wy - ay wx)/|a| - sphere_radius turn, counterclockwise",
+        source="planar counterpart of contact in space",
+        nodes=(
+            NodeSpec("p", "planar_point"),
+            NodeSpec("b", "planar_angle"),
+            NodeSpec("c", "planar_point"),
+            NodeSpec("r", "planar_angle"),
+        ),
+        parameters=(
+            ParameterSpec("centre", 2, "m", "centre of the disc from p in the axes of its body"),
+            ParameterSpec("alpha0", 1, "rad", "initial direction of the element minus the angle of node p"),
+            ParameterSpec("offset", 2, "m", "origin of the circle or line from c, on ex and ey"),
+            ParameterSpec("radius", 1, "m", "radius at which the rope's or sphere's surface touches, about the axle ex"),
+            ParameterSpec("sphere_radius", 1, "m", "radius of the sphere; 0: a point", sign=("not negative",)),
+        ),
+        deformations=(
+            DeformationSpec("gap", "m", True, kind="gap"),
+        ),
+        slips=(
+            SlipSpec("tangential", "m/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 6), tuple(range(6))),
+                    OutputSpec("V", (1, 6), tuple(range(6))),
+                ),
+                50,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (1,), (0,)),
+                ),
+                113,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (2, 6), tuple(range(12))),
+                ),
+                153,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (2, 6), tuple(range(12))),
+                    OutputSpec("Psi_v", (2, 6), tuple(range(12))),
+                ),
+                404,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (6, 6), tuple(range(36))),
+                ),
+                189,
+            ),
+        },
+        family="contact",
+        picture="contact",
+    ),
+    # element planar_disc_line
+    "planar_disc_line": ElementSpec(
+        name="planar_disc_line",
+        digest="7bf2432e198599f0",
+        doc="x = xp + R(angle_b) centre\nex, ey: directions at angle + alpha0\nw = xdot - xcdot - angledot ez x (x - xc), the velocity seen from the body\nturn = angular velocity of the disc relative to the surface\ngap = ey.(x - xc) - offset_y - sphere_radius,  tangential = ex.w + sphere_radius turn",
+        source="planar counterpart of contact in space",
+        nodes=(
+            NodeSpec("p", "planar_point"),
+            NodeSpec("b", "planar_angle"),
+            NodeSpec("c", "planar_point"),
+            NodeSpec("r", "planar_angle"),
+        ),
+        parameters=(
+            ParameterSpec("centre", 2, "m", "centre of the disc from p in the axes of its body"),
+            ParameterSpec("alpha0", 1, "rad", "initial direction of the element minus the angle of node p"),
+            ParameterSpec("offset", 2, "m", "origin of the circle or line from c, on ex and ey"),
+            ParameterSpec("sphere_radius", 1, "m", "radius of the sphere; 0: a point", sign=("not negative",)),
+        ),
+        deformations=(
+            DeformationSpec("gap", "m", True, kind="gap"),
+        ),
+        slips=(
+            SlipSpec("tangential", "m/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 6), tuple(range(6))),
+                    OutputSpec("V", (1, 6), tuple(range(6))),
+                ),
+                35,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (1,), (0,)),
+                ),
+                73,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (2, 6), tuple(range(12))),
+                ),
+                65,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (2, 6), tuple(range(12))),
+                    OutputSpec("Psi_v", (2, 6), tuple(range(12))),
+                ),
+                183,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (6, 6), (5, 11, 14, 17, 23, 29, 30, 31, 32, 33, 34, 35)),
+                ),
+                41,
             ),
         },
         family="contact",

@@ -15,11 +15,12 @@ from flexel.declare.user import Elements
 from flexel.declare.wheels import Wheels
 from flexel.mechanics.constraints import ConstraintReport, report_of_model
 from flexel.rope.chains import Chains
+from flexel.rope.point_contacts import PointContacts
 from flexel.rope.ropes import Ropes
 from flexel.system import System
 
 
-class Model(Ropes, Chains, Wheels, Couplings, Feedback, Loading, Elements, RelationMethods):
+class Model(Ropes, PointContacts, Chains, Wheels, Couplings, Feedback, Loading, Elements, RelationMethods):
     """A mechanism to be declared.
 
     Parameters

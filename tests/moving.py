@@ -9,6 +9,8 @@ from differences import (
 from mechanisms import disc, rssr
 
 from flexel.model import Model
+from flexel.rope.contacts import Contact
+from flexel.rope.surfaces import VGroove
 
 
 def double_pendulum() -> Model:
@@ -138,6 +140,31 @@ def tumbling() -> Model:
     return m
 
 
+def touching() -> Model:
+    """A body with two balls that slide and roll on a tilting table and in the groove of a turning sheave."""
+    m = Model(gravity=(0, 0, -9.81))
+    O, C, P = (
+        m.point("O", (0, 0, 0), fixed=True),
+        m.point("C", (0.9, 0.1, 0), fixed=True),
+        m.point("P", (0.1, 0.2, 0.2)),
+    )
+    ground, table, wheel, R = m.frame("ground", fixed=True), m.frame("table"), m.frame("wheel"), m.frame("R")
+    m.hinge("tilt", ground, table, axis=(0.2, 1, 0), stiffness=40.0, damping=0.5)
+    m.hinge("axle", ground, wheel, axis=(0.1, 1, 0.2))
+    m.body("top", O, table, mass=3.0, inertia=(0.4, 0.3, 0.5))
+    m.body("rim", C, wheel, mass=2.0, inertia=(0.1, 0.2, 0.1))
+    m.body("body", P, R, mass=1.5, inertia=(0.03, 0.05, 0.06, 0.005, 0.002, -0.004), offset=(0.2, -0.1, 0.1))
+    m.plane("plane", O, table, normal=(0.1, -0.1, 1))
+    m.sheave("sheave", C, wheel, radius=0.3, axle=(0.1, 1, 0.2), groove=VGroove(1.1))
+    soft = Contact(300.0, dissipation=0.4, friction=0.5, slip_speed=0.5)
+    m.contact("foot", P, "plane", soft, frame=R, at=(0.15, 0.1, 0.25), radius=0.4)
+    m.contact("ball", P, "sheave", soft, frame=R, at=(0.5, 0.12, 0.2), radius=0.4)
+    w = m.angular_velocity(R)
+    for name, rate in (("P.x", 0.4), ("P.z", -0.7), (f"{w}.wx", 1.5), (f"{w}.wy", -2.0), ("axle.angle", 3.0)):
+        m.initial(name, rate=rate)
+    return m
+
+
 def planar() -> Model:
     """Planar beam, truss and hinge spring together."""
     m = Model(gravity=(0, -9.81))
@@ -157,5 +184,16 @@ def planar() -> Model:
 
 MODELS: dict[str, Callable[[], Model]] = {
     f.__name__: f
-    for f in (double_pendulum, flexible_arm, driven, driven_loop, loop, rolling, sliding, tumbling, planar)
+    for f in (
+        double_pendulum,
+        flexible_arm,
+        driven,
+        driven_loop,
+        loop,
+        rolling,
+        sliding,
+        tumbling,
+        touching,
+        planar,
+    )
 }

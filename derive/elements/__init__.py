@@ -16,8 +16,10 @@ from flexel.derive.elements.planar_belt import PLANAR_BELT
 from flexel.derive.elements.planar_body import PLANAR_BODY, PLANAR_POINT_MASS
 from flexel.derive.elements.planar_gear import PLANAR_GEAR
 from flexel.derive.elements.planar_hinge import PLANAR_HINGE
+from flexel.derive.elements.planar_point_contact import PLANAR_DISC_CONTACTS, PLANAR_POINT_CONTACTS
 from flexel.derive.elements.planar_rope_contact import PLANAR_CABLE_CIRCLE, PLANAR_CABLE_LINE
 from flexel.derive.elements.planar_wheel import PLANAR_WHEEL
+from flexel.derive.elements.point_contact import POINT_CONTACTS, SPHERE_CONTACTS
 from flexel.derive.elements.rope_contact import (
     CABLE_CYLINDER,
     CABLE_PLANE,
@@ -84,9 +86,13 @@ ELEMENTS: tuple[Element, ...] = (
     CABLE_PLANE,
     CABLE_V_GROOVE,
     CABLE_ROUND_GROOVE,
+    *POINT_CONTACTS,
+    *SPHERE_CONTACTS,
     PLANAR_CABLE,
     PLANAR_SLOPE_CLAMP,
     PLANAR_CABLE_SPAN,
     PLANAR_CABLE_CIRCLE,
     PLANAR_CABLE_LINE,
+    *PLANAR_POINT_CONTACTS,
+    *PLANAR_DISC_CONTACTS,
 )

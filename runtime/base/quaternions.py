@@ -103,3 +103,11 @@ def triad(e_x: Array, hint: Any | None, owner: str) -> Array:
 def in_frame(frame: Array, triad: Array) -> Array:
     """A triad given in global axes, expressed in a body frame."""
     return product(conjugate(frame), triad)
+
+
+def in_body(orientation: Array, d: Array) -> Array:
+    """Components of a vector d in the axes of a body: d (3,) with a quaternion (4,), or d (2,) with an angle (1,)."""
+    if d.size == 3:
+        return np.asarray(matrix(orientation).T @ d)
+    c, s = np.cos(orientation[0]), np.sin(orientation[0])
+    return np.array([c * d[0] + s * d[1], c * d[1] - s * d[0]])

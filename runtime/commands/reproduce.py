@@ -24,6 +24,7 @@ CASES = {
     "slider-crank": "flexel.examples.slider_crank",
     "flexures": "flexel.examples.flexures",
     "rope": "flexel.examples.rope",
+    "contact": "flexel.examples.contact",
     "hoist": "flexel.examples.hoist",
     "vehicle": "flexel.examples.vehicle",
     "motorcycle": "flexel.examples.motorcycle",

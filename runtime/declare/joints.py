@@ -10,7 +10,7 @@ import numpy as np
 from flexel.base.arguments import array, not_negative, positive, span
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
-from flexel.base.quaternions import in_frame, matrix, triad, unit
+from flexel.base.quaternions import in_body, in_frame, matrix, triad, unit
 from flexel.base.transactions import whole_or_nothing
 from flexel.declare.beams import Beams
 from flexel.structure.nodes import Node
@@ -126,7 +126,7 @@ class Joints(Beams):
         d = nodes[2].x0 - nodes[0].x0
         if planar:
             phi_p, phi_q = nodes[1].x0, nodes[3].x0
-            values = {"alpha0": np.zeros(1), "d0": _turned_back(phi_p, d), "offset0": phi_q - phi_p}
+            values = {"alpha0": np.zeros(1), "d0": in_body(phi_p, d), "offset0": phi_q - phi_p}
             self._place(name, "planar_bearing", nodes, values)
             return
         if axis is None:
@@ -157,10 +157,10 @@ class Joints(Beams):
         d, r = nodes[2].x0 - nodes[0].x0, nodes[1].x0
         zero = np.zeros(1)
         if planar:
-            values = {"alpha0": zero, "d0": _turned_back(r, d), "l0": zero, "rhoA": zero, "rhoJ": zero}
+            values = {"alpha0": zero, "d0": in_body(r, d), "l0": zero, "rhoA": zero, "rhoJ": zero}
         else:
             still = np.array([1.0, 0.0, 0.0, 0.0])
-            values = {"tp": still, "d0": matrix(r).T @ d, "l0": zero, "rhoA": zero, "rhoJ": np.zeros(3)}
+            values = {"tp": still, "d0": in_body(r, d), "l0": zero, "rhoA": zero, "rhoJ": np.zeros(3)}
         self._place(name, "planar_beam3" if planar else "beam3", nodes, values)
 
 
@@ -189,9 +189,3 @@ def _joint_springs(model: Beams, name: str, modes: Sequence[str], stiffness: Any
         if stiffness is not None:
             positive(ki, owner, f"stiffness of {mode}")
         model.spring(f"{name}.{mode}", float(ki), not_negative(di, owner, f"damping of {mode}"))
-
-
-def _turned_back(phi: Array, d: Array) -> Array:
-    """Components of d (2,) in axes rotated by the angle phi (1,)."""
-    c, s = np.cos(phi[0]), np.sin(phi[0])
-    return np.array([c * d[0] + s * d[1], c * d[1] - s * d[0]])

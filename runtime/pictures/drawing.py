@@ -14,7 +14,7 @@ import numpy as np
 from flexel.base.arrays import Array
 from flexel.base.quaternions import conjugate, matrix, product
 from flexel.pictures.painters import PAINTERS, rolls
-from flexel.pictures.rope_painters import sheaves
+from flexel.pictures.rope_painters import is_ball, sheaves
 from flexel.pictures.shape import Shape, Sketch, place
 from flexel.structure.instances import Instance
 from flexel.structure.state import Geometry, State
@@ -25,8 +25,8 @@ __all__ = ["Shape", "Sketch", "planar", "roads", "shapes", "upward"]
 def shapes(state: State, sketches: Sequence[Sketch] = ()) -> list[Shape]:
     """All parts of the model at a state: elements in order of declaration, then sketches, then nodes."""
     shown = [z for z in state.structure.instances if "." not in z.name]  # the others are sensors
-    # a body that has a sketch or is a wheel needs no box
-    outlined = {sketch.frame for sketch in sketches} | {z.nodes[1] for z in shown if rolls(z)}
+    # a body that has a sketch or is a wheel or a ball needs no box
+    outlined = {z.frame for z in sketches} | {z.nodes[1] for z in shown if rolls(z) or is_ball(z)}
     found: list[Shape] = []
     state = replace(state, evaluation=_Geometry(state.evaluation))
     for instance in shown:

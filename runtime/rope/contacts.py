@@ -1,4 +1,4 @@
-"""Contact of cables with surfaces: the method of `Model` that adds its elements and their law."""
+"""Contact of cables with surfaces: the law of a contact, and the method of `Model` for cables."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.base.transactions import whole_or_nothing
 from flexel.declare.declarations import Declarations
+from flexel.declare.laws import Laws
 from flexel.generated.table import LAWS
 from flexel.rope.cable_lines import CableLine, CableLines, contact_radius
 from flexel.rope.impact import dissipation
@@ -23,12 +24,13 @@ RELEASE = 1e3  # rate [1/s] at which the bristles of an open contact relax
 
 @dataclass(frozen=True)
 class Contact:
-    """How a cable touches: points, normal force and friction.
+    """How a cable, or a point or sphere of a body, touches: normal force and friction, and the points of a cable.
 
     Parameters
     ----------
     stiffness : float
-        Normal force per penetration^exponent: per length of rope [N/m^(exponent + 1)], or per point if per="point".
+        Normal force per penetration^exponent: per length of rope [N/m^(exponent + 1)], or per point if per="point" and
+        for the one point of `Model.contact` [N/m^exponent].
     exponent : float
         3/2 for Hertz's point contact.
     dissipation : float
@@ -42,11 +44,12 @@ class Contact:
     bristle_damping : float
         [s/m]
     points : int
-        Per element.
+        Per element of a cable.
     places : str
-        "gauss", weighted by Gauss, or "equidistant".
-    per : str
-        "length": forces per length times the points' weights, so that they do not depend on the mesh; or "point".
+        Of these points: "gauss", weighted by Gauss, or "equidistant".
+    per : str, optional
+        "length": forces per length times the points' weights, so that they do not depend on the mesh; or "point". By
+        default "length" for cables, and "point" for `Model.contact`, which refuses "length".
     """
 
     stiffness: float
@@ -58,7 +61,7 @@ class Contact:
     bristle_damping: float = 0.0
     points: int = 5
     places: str = "gauss"
-    per: str = "length"
+    per: str | None = None
 
     def __post_init__(self) -> None:
         positive(self.stiffness, "contact", "stiffness")
@@ -74,7 +77,7 @@ class Contact:
             positive(self.friction, "contact with bristles", "friction")
         if not isinstance(self.points, (int, np.integer)) or not 1 <= self.points <= 50:
             raise ModelError(f"contact: {self.points!r} points; give a whole number from 1 to 50")
-        if self.places not in ("gauss", "equidistant") or self.per not in ("length", "point"):
+        if self.places not in ("gauss", "equidistant") or self.per not in (None, "length", "point"):
             raise ModelError(
                 f"contact: places {self.places!r}, per {self.per!r}; choose 'gauss' or 'equidistant', "
                 "'length' or 'point'"
@@ -116,12 +119,12 @@ class Contact:
 
     def depth(self, load: float, length: float) -> float:
         """Penetration [m] at which elements of a given length [m] carry a line load [N/m]."""
-        share = load if self.per == "length" else load * length / self.points
+        share = load * length / self.points if self.per == "point" else load
         return float((share / self.stiffness) ** (1 / self.exponent))
 
     def law(self, slips: int, weight: float) -> tuple[str, dict[str, Array]]:
-        """Name and parameters of the law of a point that represents a length of rope [m]."""
-        share = weight if self.per == "length" else 1.0
+        """Name and parameters of the law of a point that represents a length of rope [m]; 1 for a point of a body."""
+        share = 1.0 if self.per == "point" else weight
         values: dict[str, float] = {
             "stiffness": self.stiffness * share,
             "exponent": self.exponent,
@@ -198,12 +201,7 @@ class Contacts(CableLines):
         owner = f"contact of '{cables.name}' with '{found.name}'"
         check_contact(contact, owner)
         a = contact_radius(cables.radius, radius, owner)
-        groove = float(found.parameters.get("groove_radius", [np.inf])[0])
-        if a >= groove:
-            raise ModelError(
-                f"{owner}: the rope of radius {a:g} m does not fit into the groove of radius {groove:g} m; use "
-                "a larger fx.RoundGroove, usually 1.06 to 1.1 times the rope's radius"
-            )
+        check_fits("rope", a, found, owner)
         members = list(cables.elements) if only is None else list(only)
         for name in members:
             if name not in cables.elements:
@@ -217,20 +215,32 @@ class Contacts(CableLines):
             for j in range(contact.points):
                 element = f"{name}@{found.name}#{j + 1}"
                 own = {"l0": np.array([l0]), "xi": xi[j : j + 1], "rope_radius": np.array([a])}
-                self._place(element, found.element, nodes, found.parameters | own)
+                self._place(element, found.element("cable"), nodes, found.parameters | own)
                 made.append(ContactPoint(element, found, name, float(xi[j]), s0 + xi[j] * l0, weight[j] * l0))
-        _attach(self, made, contact)
+        for point in made:
+            attach_contact(self, point.element, found.gaps, contact, point.weight)
         return made
 
 
-def _attach(model: CableLines, points: list[ContactPoint], contact: Contact) -> None:
-    """Add the law of every gap of every point."""
-    for point in points:
-        for gap, slips in point.surface.gaps:
-            law, values = contact.law(len(slips), point.weight)
-            spec, label = LAWS[law], f"{point.element} {gap}"
-            on = [f"{point.element}.{z}" for z in ((gap, *slips) if spec.slips else (gap,))]
-            model._add_law(f"contact '{label}'", spec, on, values, label=label)
+def attach_contact(
+    model: Laws, element: str, gaps: tuple[tuple[str, tuple[str, ...]], ...], contact: Contact, weight: float
+) -> None:
+    """Add the law of every gap of an element of contact; `weight` is the length of rope [m] that it represents."""
+    for gap, slips in gaps:
+        law, values = contact.law(len(slips), weight)
+        spec, label = LAWS[law], f"{element} {gap}"
+        on = [f"{element}.{z}" for z in ((gap, *slips) if spec.slips else (gap,))]
+        model._add_law(f"contact '{label}'", spec, on, values, label=label)
+
+
+def check_fits(what: str, radius: float, surface: Surface, owner: str) -> None:
+    """Raise a ModelError for a rope or sphere that is wider than a round groove."""
+    groove = float(surface.parameters.get("groove_radius", [np.inf])[0])
+    if radius >= groove:
+        raise ModelError(
+            f"{owner}: the {what} of radius {radius:g} m does not fit into the groove of radius {groove:g} m; use "
+            "a larger fx.RoundGroove, for a rope usually 1.06 to 1.1 times its radius"
+        )
 
 
 def find_surface(model: Declarations, surface: Any, owner: str) -> Surface:

@@ -1,4 +1,4 @@
-"""Surfaces that ropes run over: the methods of `Model` that declare sheaves, drums and planes on bodies.
+"""Surfaces for ropes and points to touch: the methods of `Model` that declare sheaves, drums and planes on bodies.
 
 A surface is geometry on a point and a frame; mass, bearings and motion belong to the body.
 """
@@ -47,10 +47,11 @@ ROUND = (("gap", ("tangential", "across")),)
 VEE = (("gap1", ("tangential", "across1")), ("gap2", ("tangential", "across2")))
 PLANE = (("gap", ("x", "y")),)
 PLANAR = (("gap", ("tangential",)),)
+STEEP = np.cos(np.radians(25.0))  # x component of the normal of a plane whose axes start from the y axis
 
 
 class Surfaces(Declarations):
-    """Surfaces that ropes touch."""
+    """Surfaces that ropes and points touch."""
 
     def sheave(
         self,
@@ -69,7 +70,8 @@ class Surfaces(Declarations):
         point, frame : node
             Centre and orientation of the body that carries the surface (an angle in a planar model).
         radius : float
-            Radius at which the rope's surface touches: at the bottom of a round groove, on both flanks of a V [m].
+            Radius of the lowest point of a rope or sphere that touches: of the bottom of a round groove; a V is as deep
+            as this requires, and touches on both flanks, a little higher [m].
         axle : sequence of float (3,)
             In global axes, as drawn; planar models need none.
         groove : RoundGroove or VGroove, optional
@@ -96,9 +98,7 @@ class Surfaces(Declarations):
                 )
             values |= {"alpha0": np.zeros(1), "offset": np.zeros(2)}
             z = np.array([0.0, 0.0, 1.0])
-            return _kept(
-                self, Surface(name, "planar_cable_circle", c.name, r.name, values, R, c.x0, z, PLANAR)
-            )
+            return _kept(self, Surface(name, "circle", c.name, r.name, values, R, c.x0, z, PLANAR))
         u = unit(axle, owner, "axle")
         values |= {"t": in_frame(r.x0, triad(u, None, owner)), "offset": np.zeros(3)}
         element, gaps, more = _groove(groove, owner)
@@ -109,12 +109,15 @@ class Surfaces(Declarations):
     ) -> Surface:
         """Declare a plane through a point of a body.
 
+        Sliding in space is measured along x and y: x is the global x axis, as drawn, projected onto the plane (the y
+        axis if the normal is within 25° of x); y is at right angles to it, counterclockwise about the normal.
+
         Parameters
         ----------
         point, frame : node
             A point of the plane, and the orientation of the body.
         normal : sequence of float (3,)
-            Towards the rope, in global axes as drawn; of two numbers in a planar model.
+            Towards what touches it, in global axes as drawn; of two numbers in a planar model.
 
         Raises
         ------
@@ -127,20 +130,17 @@ class Surfaces(Declarations):
         if planar:
             n = unit(np.atleast_1d(array(normal, owner, "normal"))[:2], owner, "normal", 2)
             values = {"alpha0": np.arctan2(-n[0], n[1]) - r.x0, "offset": np.zeros(2)}
-            return _kept(
-                self, Surface(name, "planar_cable_line", c.name, r.name, values, 0.0, c.x0, n, PLANAR)
-            )
+            return _kept(self, Surface(name, "line", c.name, r.name, values, 0.0, c.x0, n, PLANAR))
         n = unit(normal, owner, "normal")
-        across = np.zeros(3)
-        across[int(np.argmin(np.abs(n)))] = 1.0
-        e_x = unit(np.cross(across, n), owner, "direction")
+        across = np.array([1.0, 0.0, 0.0] if abs(n[0]) < STEEP else [0.0, 1.0, 0.0])
+        e_x = unit(across - (across @ n) * n, owner, "direction")
         values = {"t": in_frame(r.x0, triad(e_x, np.cross(n, e_x), owner)), "offset": np.zeros(3)}
-        return _kept(self, Surface(name, "cable_plane", c.name, r.name, values, 0.0, c.x0, n, PLANE))
+        return _kept(self, Surface(name, "plane", c.name, r.name, values, 0.0, c.x0, n, PLANE))
 
 
 def _groove(groove: Any, owner: str) -> tuple[str, tuple[tuple[str, tuple[str, ...]], ...], dict[str, Array]]:
     if groove is None:
-        return "cable_cylinder", CYLINDER, {}
+        return "cylinder", CYLINDER, {}
     if not isinstance(groove, (RoundGroove, VGroove)):
         raise ModelError(f"{owner}: groove {groove!r} is unknown; give fx.RoundGroove(…) or fx.VGroove(…)")
     opening = number(groove.opening, owner, "opening")
@@ -150,9 +150,9 @@ def _groove(groove: Any, owner: str) -> tuple[str, tuple[tuple[str, tuple[str, .
         )
     flank = {"flank": np.array([np.sin(opening / 2), np.cos(opening / 2)])}
     if isinstance(groove, VGroove):
-        return "cable_v_groove", VEE, flank
+        return "v_groove", VEE, flank
     flank["groove_radius"] = np.array([positive(groove.radius, owner, "groove radius")])
-    return "cable_round_groove", ROUND, flank
+    return "round_groove", ROUND, flank
 
 
 def _new(model: Declarations, name: str, owner: str) -> None:

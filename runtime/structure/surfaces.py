@@ -1,4 +1,4 @@
-"""Surfaces that ropes touch, as declared: geometry on a point and a frame of a body."""
+"""Surfaces that ropes and points touch, as declared: geometry on a point and a frame of a body."""
 
 from __future__ import annotations
 
@@ -14,22 +14,22 @@ class Surface:
     Attributes
     ----------
     name : str
-    element : str
-        The element type that computes the gap of a rope's point.
+    kind : str
+        cylinder, plane, v_groove or round_groove; circle or line in planar models.
     point, frame : str
         Nodes of the body: the surface's centre, or a point of the plane, and the orientation.
     parameters : dict of str to ndarray
         The surface's parameters, passed to the element.
     radius : float
-        Radius at which the rope's surface touches [m]; 0 for a plane.
+        Radius at which the surface of a rope or sphere touches [m]; 0 for a plane.
     centre, axle : ndarray
         As drawn; the axle is the normal for a plane, and (0, 0, 1) in planar models.
     gaps : tuple of (str, tuple of str)
-        Gap deformations, each with the slips along the surface there.
+        Gap deformations of a rope, each with the slips along the surface there.
     """
 
     name: str
-    element: str
+    kind: str
     point: str
     frame: str
     parameters: dict[str, Array]
@@ -37,3 +37,12 @@ class Surface:
     centre: Array
     axle: Array
     gaps: tuple[tuple[str, tuple[str, ...]], ...]
+
+    @property
+    def planar(self) -> bool:
+        """Whether it lies in a planar model."""
+        return self.centre.size == 2
+
+    def element(self, touching: str) -> str:
+        """The element type of what touches it: a cable, a point, a sphere or a disc."""
+        return f"{'planar_' if self.planar else ''}{touching}_{self.kind}"

@@ -54,9 +54,12 @@ SPATIAL |= {"planar_point_mass": "point_mass", "planar_body_velocity": "body_vel
 SPATIAL |= {"planar_bar_span": "bar_span", "planar_beam_span": "beam_span"}
 SPATIAL |= {"planar_cable": "cable", "planar_cable_span": "cable_span", "planar_slope_clamp": "slope_clamp"}
 SPATIAL |= {"planar_cable_circle": "cable_cylinder", "planar_cable_line": "cable_plane"}
+SPATIAL |= {"planar_point_circle": "point_cylinder", "planar_point_line": "point_plane"}
+SPATIAL |= {"planar_disc_circle": "sphere_cylinder", "planar_disc_line": "sphere_plane"}
 MODES = {"planar_beam": (0, 4, 5), "planar_beam_first_order": (0, 4, 5), "planar_beam3": (0, 1)}
 MODES |= {"planar_cable": (0, 1, 2, 5, 8, 11), "planar_slope_clamp": (0,)}
 MODES |= {"planar_cable_circle": (0,), "planar_cable_line": (0,)}
+MODES |= {f"planar_{z}": (0,) for z in ("point_circle", "point_line", "disc_circle", "disc_line")}
 MODES |= {"planar_truss": (0,), "planar_hinge": (0,), "planar_body": (), "planar_point_mass": ()}
 
 
@@ -80,7 +83,7 @@ def spatial_parameters(values: dict[str, Any], turned: bool) -> dict[str, Any]:
         result[name] = rotation(Y, -mpmath.pi / 2) if turned else rotation(Z, angle)
     if turned:
         result["tp"] = product(rotation(Z, values["offset0"]), result["tp"])
-    for name in ("gravity", "c", "d0"):
+    for name in ("gravity", "c", "d0", "centre"):
         if name in values:
             result[name] = [*values[name], 0]
     if "rhoJ" in values:

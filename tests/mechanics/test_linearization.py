@@ -60,6 +60,8 @@ OUTPUTS = {
     "sliding": ["hub.x''", "wheel.lateral'", "wheel.longitudinal''", "force:wheel.lateral", "force:wheel.surface"],
     "tumbling": ["Q.x", "Q.y''", "spring.elongation", "force:spring.elongation", "force:wall.z", "force:eye.along",
                  "R.omega.wx'", "R.omega.wz''"],
+    "touching": ["P.x''", "foot.gap", "foot.x''", "force:foot.gap", "force:foot.y", "ball.gap1'", "force:ball.gap2",
+                 "force:ball.tangential1", "force:ball.across2", "ball.tangential2''", "force:O.z"],
     "planar": ["B.x''", "tie.elongation", "force:tie.elongation", "force:base.angle", "force:O.y", "r2.angle'"],
 }  # fmt: skip
 
