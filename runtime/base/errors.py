@@ -5,19 +5,20 @@ Every message has the form ``kind 'name': fact; remedy``.
 
 from __future__ import annotations
 
-from typing import Any
+from flexel.derive.errors import ElementError, FlexelError
 
-
-class FlexelError(Exception):
-    """Base of all errors that flexel raises on purpose.
-
-    Attributes
-    ----------
-    motion : Motion, optional
-        For a simulation that failed: the motion computed so far, which can be inspected, saved and continued.
-    """
-
-    motion: Any = None
+__all__ = [
+    "CompilerError",
+    "ConstraintError",
+    "DynamicsError",
+    "ElementError",
+    "FlexelError",
+    "IncompleteWarning",
+    "LinearizationError",
+    "ModelError",
+    "PositionError",
+    "RangeWarning",
+]
 
 
 class ModelError(FlexelError, ValueError):
@@ -46,10 +47,6 @@ class RangeWarning(UserWarning):
 
 class CompilerError(FlexelError, RuntimeError):
     """A user-defined law or element cannot be compiled: there is no C compiler, or it reports an error."""
-
-
-class ElementError(FlexelError, ValueError):
-    """The definition of a user-defined element or law is wrong, or fails its verification."""
 
 
 class LinearizationError(FlexelError, ValueError):

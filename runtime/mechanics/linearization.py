@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 
+from flexel.base.arguments import index
 from flexel.base.arguments import names as checked_names
 from flexel.base.arrays import Array, ComplexArray
 from flexel.base.copies import Portable
@@ -249,7 +250,7 @@ class Linearization(Portable):
         ModelError
             The mode does not exist.
         """
-        modes = self.modes()
+        modes, number = self.modes(), index(number, "mode", "number")
         if not -len(modes) <= number < len(modes):
             raise ModelError(
                 f"mode {number}: there are {len(modes)} modes, numbered from 0; list them with modes()"

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from tqdm import tqdm
 
+from flexel.base.arguments import path_of
 from flexel.base.errors import FlexelError, ModelError
 from flexel.base.files import replacing
 from flexel.pictures import drawing
@@ -74,7 +75,7 @@ def animate(
     FlexelError
         If matplotlib or ffmpeg is missing.
     """
-    path = Path(path)
+    path = path_of(path, "animate")
     known = [*WRITERS, ".html"]
     if path.suffix not in known:
         raise ModelError(

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from flexel.base.arguments import names
+from flexel.base.arguments import names, path_of
 from flexel.base.arrays import Array
 from flexel.base.errors import LinearizationError, ModelError
 from flexel.base.files import replacing
@@ -110,7 +110,7 @@ def save_state_space(
     """
     from scipy.io import savemat
 
-    path = Path(path)
+    path = path_of(path, "save_state_space")
     if path.suffix != ".mat":
         raise ModelError(f"save_state_space '{path}': suffix '{path.suffix}' is unknown; use .mat")
     matrices, *labels = _labelled(lin, inputs, outputs)

@@ -11,7 +11,7 @@ import pytest
 
 DERIVE = Path(__file__).resolve().parents[2] / "derive"
 LAYERS = (
-    ("cache", "spec"),
+    ("cache", "errors", "spec"),
     ("shared_object",),
     ("declare",),
     ("elements", "laws"),

@@ -10,6 +10,7 @@ from pathlib import Path
 from string import Template
 from typing import TYPE_CHECKING, Any
 
+from flexel.base.arguments import path_of
 from flexel.base.errors import ModelError
 from flexel.base.files import replacing
 from flexel.pictures.view.data import FORMAT, scene_data
@@ -62,7 +63,7 @@ def write_page(scene: Mapping[str, Any], path: str | Path) -> Path:
     ModelError
         A suffix other than .html, or a scene of another format.
     """
-    path = Path(path)
+    path = path_of(path, "view")
     if path.suffix not in (".html", ".htm"):
         raise ModelError(f"view '{path}': the viewer writes HTML; give a file name that ends in .html")
     with replacing(path, "view") as part:

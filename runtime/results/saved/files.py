@@ -16,6 +16,7 @@ from zipfile import is_zipfile
 
 import numpy as np
 
+from flexel.base.arguments import path_of
 from flexel.base.arrays import Array
 from flexel.base.errors import FlexelError, ModelError
 from flexel.base.files import replacing
@@ -38,7 +39,7 @@ def write(record: Record, path: str | Path) -> Path:
     FlexelError
         If an optional package is missing, or the file cannot be written.
     """
-    path = Path(path)
+    path = path_of(path, "save")
     writer = _format(path, "save")[0]
     with replacing(path) as part:
         writer(record, part)
@@ -53,7 +54,7 @@ def read(path: str | Path) -> Record:
     ModelError
         A file that is missing, damaged, or not written by flexel.
     """
-    path = Path(path)
+    path = path_of(path, "load")
     reader = _format(path, "load")[1]
     if not path.is_file():
         raise ModelError(f"load '{path}': the file does not exist; give the path of a saved result")
