@@ -18,6 +18,7 @@ __all__ = [
     "ModelError",
     "PositionError",
     "RangeWarning",
+    "UnsteadyWarning",
 ]
 
 
@@ -39,6 +40,10 @@ class DynamicsError(FlexelError, RuntimeError):
 
 class IncompleteWarning(UserWarning):
     """An analysis is incomplete: the message says what was reached and where it stopped."""
+
+
+class UnsteadyWarning(UserWarning):
+    """Eigenvalues or modes are asked for about a state that accelerates: they do not describe what follows."""
 
 
 class RangeWarning(UserWarning):
