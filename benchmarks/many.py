@@ -60,7 +60,8 @@ def loci() -> Work:
     system, rates = bicycle(), _rolling(SPEEDS)
 
     def run() -> ComplexArray:
-        return system.root_loci(rates=rates, of=LEAN_STEER, threads=1).linearizations.eigenvalues()[0]
+        found = system.root_loci(rates=rates, of=LEAN_STEER, threads=1).linearizations.eigenvalues()
+        return np.asarray(found[0])
 
     def error(found: ComplexArray) -> float:
         return max(apart(w, exact(float(v))) for w, v in zip(found, SPEEDS, strict=True))

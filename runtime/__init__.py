@@ -19,6 +19,7 @@ if TYPE_CHECKING:
         ModelError,
         PositionError,
         RangeWarning,
+        UnsteadyWarning,
     )
     from flexel.base.quaternions import turn
     from flexel.base.time_functions import Harmonic, Polynomial, Ramp, Table
@@ -102,6 +103,7 @@ __all__ = [
     "System",
     "Table",
     "Tube",
+    "UnsteadyWarning",
     "VGroove",
     "Vibration",
     "View",
@@ -163,6 +165,7 @@ _HOMES = {
     "StressPoint": "flexel.declare.sections",
     "System": "flexel.system",
     "Table": "flexel.base.time_functions",
+    "UnsteadyWarning": "flexel.base.errors",
     "Tube": "flexel.declare.round_sections",
     "VGroove": "flexel.rope.surfaces",
     "Vibration": "flexel.statics.stability",

@@ -125,6 +125,19 @@ def branch() -> fx.PeriodicBranch:
     return pushed().build().periodic_branch(period=np.pi, end=3.0, harmonics=2)
 
 
+def pushed_many() -> tuple[fx.Ensemble, fx.Linearizations, fx.RootLoci]:
+    """Motions, linearized equations and root loci of variants of a mass on a spring."""
+    m = fx.Model()
+    m.point("O", (0, 0, 0), fixed=True)
+    m.point("A", (1, 0, 0))
+    m.fix("A.y", "A.z")
+    m.point_mass("body", "A", 2.0)
+    m.spring("A.x", 3.0)
+    s, values = m.build(), {"body.mass": [1.0, 2.0]}
+    many = s.simulate_many(0.1, parameters=values, initial={"A.x'": 1.0}, samples=2)
+    return many, s.linearize_many(parameters=values), s.root_loci(parameters=values)
+
+
 def own_law() -> fx.Model:
     """A mass on a spring of the user's own law."""
     m = fx.Model()
@@ -139,6 +152,7 @@ def own_law() -> fx.Model:
 
 
 OBJECTS: dict[str, Callable[[], Any]] = {
+    "variants": pushed_many,
     "model": lambda: rssr(universal=False),
     "model with functions": pushed,
     "model with tables": tabulated,

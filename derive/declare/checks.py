@@ -10,6 +10,7 @@ from sympy.functions.elementary.piecewise import ExprCondPair
 from sympy.logic.boolalg import Boolean
 
 from flexel.derive.declare.functions import FUNCTIONS, KINKED
+from flexel.derive.errors import ElementError
 
 # Words that cannot be names in the generated C, and the names of the arguments of its functions.
 _RESERVED = frozenset(
@@ -17,6 +18,7 @@ _RESERVED = frozenset(
     "long register restrict return short signed sizeof static struct switch typedef union unsigned void "
     "volatile while real complex bool true false nblocks in out main".split()
 )
+_LONGEST = 40  # letters of a name, which become part of longer ones in C and of names of files
 _IDENTIFIER = re.compile(r"[A-Za-z][A-Za-z0-9_]*\Z")
 
 _ALGEBRA = (sp.Add, sp.Mul, sp.Pow, sp.Piecewise, ExprCondPair, Relational, Boolean)
@@ -25,23 +27,27 @@ _NOT_REAL = (sp.nan, sp.oo, -sp.oo, sp.zoo, sp.I)
 
 
 def check_name(owner: str, name: str) -> None:
-    """Raise ValueError for a name that is invalid in C."""
+    """Raise ElementError for a name that is invalid in C."""
     if not _IDENTIFIER.match(name) or name in _RESERVED:
-        raise ValueError(f"{owner}: '{name}' cannot be a name in C; choose letters, digits and underscores")
+        raise ElementError(f"{owner}: '{name}' cannot be a name in C; choose letters, digits and underscores")
+    if len(name) > _LONGEST:
+        raise ElementError(
+            f"{owner}: '{name[:20]}…' has {len(name)} letters; choose a name of at most {_LONGEST}"
+        )
 
 
 def check_list(owner: str, what: str, given: object, kind: type) -> None:
-    """Raise ValueError for anything but a list or tuple of objects of a kind."""
+    """Raise ElementError for anything but a list or tuple of objects of a kind."""
     wrong = [z for z in given if not isinstance(z, kind)] if isinstance(given, Iterable) else [given]
     if wrong:
         each = f" of {kind.__name__}" if kind is not object else ""
-        raise ValueError(f"{owner}: {what} holds {wrong[0]!r}; give a tuple{each}, (…,) even for one")
+        raise ElementError(f"{owner}: {what} holds {wrong[0]!r}; give a tuple{each}, (…,) even for one")
 
 
 def check_scalar(owner: str, what: str, expr: object) -> None:
-    """Raise ValueError for anything but a scalar SymPy expression."""
+    """Raise ElementError for anything but a scalar SymPy expression."""
     if not isinstance(expr, Expr):
-        raise ValueError(
+        raise ElementError(
             f"{owner}: {what} is not a scalar expression but {type(expr).__name__}; write one SymPy expression, and "
             "declare each component of a vector separately"
         )
@@ -85,36 +91,36 @@ def rate_degrees(expr: Expr, known: dict[Symbol, frozenset[int]]) -> frozenset[i
 
 
 def check_unique(owner: str, names: list[str]) -> None:
-    """Raise ValueError for a name that is used twice."""
+    """Raise ElementError for a name that is used twice."""
     for i, name in enumerate(names):
         if name in names[:i]:
-            raise ValueError(f"{owner}: the name '{name}' is used twice; rename one")
+            raise ElementError(f"{owner}: the name '{name}' is used twice; rename one")
 
 
 def check_symbols(owner: str, what: str, expr: Expr, known: Iterable[Symbol]) -> None:
-    """Raise ValueError for a symbol in an expression that is not known."""
+    """Raise ElementError for a symbol in an expression that is not known."""
     unknown = sorted(str(s) for s in expr.free_symbols - set(known))
     if unknown:
-        raise ValueError(
+        raise ElementError(
             f"{owner}: {what} contains {', '.join(unknown)}: not a coordinate, parameter or let; declare a Parameter, "
             "and take symbols from node.x, node.v, parameter.symbol (one made by sympy.symbols is another symbol)"
         )
 
 
 def check_text(owner: str, what: str, text: str) -> None:
-    """Raise ValueError for a missing doc."""
+    """Raise ElementError for a missing doc."""
     if not isinstance(text, str) or not text.strip():
-        raise ValueError(f"{owner}: {what} has no doc; say in a few words what it means")
+        raise ElementError(f"{owner}: {what} has no doc; say in a few words what it means")
 
 
 def check_functions(owner: str, what: str, expr: Expr) -> None:
-    """Raise ValueError for a function that cannot be differentiated or compiled."""
+    """Raise ElementError for a function that cannot be differentiated or compiled."""
     for part in sp.preorder_traversal(expr):
         if part in _NOT_REAL:
-            raise ValueError(f"{owner}: {what} contains {part}: not real and finite; correct the formula")
+            raise ElementError(f"{owner}: {what} contains {part}: not real and finite; correct the formula")
         if not isinstance(part, (*_ALGEBRA, *_ATOMS, *KINKED, *FUNCTIONS)):
             known = ", ".join(sorted(FUNCTIONS.values()))
-            raise ValueError(
+            raise ElementError(
                 f"{owner}: {what} contains {part}: {type(part).__name__} cannot be differentiated and compiled; use "
                 f"powers, sqrt, Piecewise, {known}"
             )

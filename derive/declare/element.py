@@ -24,6 +24,7 @@ from flexel.derive.declare.nodes import Node
 from flexel.derive.declare.parameters import Parameter
 from flexel.derive.declare.winding import check_period
 from flexel.derive.declare.words import FAMILIES, PICTURES, check_word
+from flexel.derive.errors import ElementError
 
 
 @dataclass(frozen=True)
@@ -61,7 +62,7 @@ class Element:
 
     Raises
     ------
-    ValueError
+    ElementError
         A name is used twice or is not a name in C, a unit or a meaning is missing, an expression is not scalar or
         contains an unknown symbol or function, D or U depends on v, a slip is not linear or T not quadratic
         in v.
@@ -88,7 +89,7 @@ class Element:
             check_list(owner, what, getattr(self, what), kind)
         check_name(owner, self.name)
         if not self.nodes:
-            raise ValueError(f"{owner} has no nodes")
+            raise ElementError(f"{owner} has no nodes")
         symbols = [*self.x, *self.v, *self.parameter_symbols, *(s for s, _ in self.let)]
         for s in symbols:
             check_name(owner, s.name)
@@ -109,7 +110,7 @@ class Element:
             check_scalar(owner, what, expr)
             check_symbols(owner, what, expr, degrees)
             if not rate_degrees(expr, degrees) <= {allowed}:
-                raise ValueError(f"{owner}: {what} {fact}")
+                raise ElementError(f"{owner}: {what} {fact}")
             check_functions(owner, what, expr)
 
         for s, expr in self.let:
@@ -122,11 +123,11 @@ class Element:
         modes: tuple[Deformation | Slip, ...] = (*self.deformations, *self.slips)
         for mode in modes:
             if not mode.unit:
-                raise ValueError(f"{owner}: '{mode.name}' has no unit; give an SI unit, or '1'")
+                raise ElementError(f"{owner}: '{mode.name}' has no unit; give an SI unit, or '1'")
         for d in self.deformations:
             check(f"deformation '{d.name}'", d.expr, 0, "depends on rates; declare it as a slip")
             if moving.isdisjoint(d.expr.free_symbols):
-                raise ValueError(
+                raise ElementError(
                     f"{owner}: deformation '{d.name}' depends on no coordinate; use those of its nodes"
                 )
             check_period(owner, d, self.let, self.parameters)
@@ -135,7 +136,7 @@ class Element:
         check("the kinetic energy", self.kinetic_energy, 2, "is not quadratic in the rates")
         check("the potential", self.potential, 0, "depends on rates")
         if not (modes or self.kinetic_energy or self.potential):
-            raise ValueError(f"{owner}: it has no deformation, slip or energy; declare one")
+            raise ElementError(f"{owner}: it has no deformation, slip or energy; declare one")
         check_text(owner, "the element", self.doc)
 
     @property

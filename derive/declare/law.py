@@ -16,6 +16,7 @@ from flexel.derive.declare.checks import (
 )
 from flexel.derive.declare.parameters import Parameter
 from flexel.derive.declare.symbols import TIME, symbol
+from flexel.derive.errors import ElementError
 
 
 @dataclass(frozen=True)
@@ -74,7 +75,7 @@ class Law:
 
     Raises
     ------
-    ValueError
+    ElementError
         A name is used twice or is not a name in C, a unit or a stress is missing, an expression is not scalar or
         contains an unknown symbol, the energy depends on rates.
 
@@ -109,9 +110,9 @@ class Law:
         check_unique(owner, [s.name for s in (*symbols, *(s for s, _ in self.let))])
         check_unique(owner, [p.name for p in self.parameters])
         if not len(self.e) == len(self.ed) == len(self.sigma) or len(self.s) != len(self.tau):
-            raise ValueError(f"{owner}: give a stress for each deformation (with its rate) and slip")
+            raise ElementError(f"{owner}: give a stress for each deformation (with its rate) and slip")
         if self.limit is not None and self.limit.parameter not in self.parameter_symbols:
-            raise ValueError(
+            raise ElementError(
                 f"{owner}: the limit {self.limit.parameter} is not one of its parameters; declare it"
             )
         self._check_expressions(owner, symbols)
@@ -133,10 +134,12 @@ class Law:
         for state in self.states:
             check(f"the rate of '{state.name}'", state.rate)
             if not state.unit:
-                raise ValueError(f"{owner}: '{state.name}' has no unit; give an SI unit, or '1'")
+                raise ElementError(f"{owner}: '{state.name}' has no unit; give an SI unit, or '1'")
         check("the energy", self.energy)
         if self.energy.free_symbols & on_rates:
-            raise ValueError(f"{owner}: the energy depends on rates, slips or the time; it is one of (e, z)")
+            raise ElementError(
+                f"{owner}: the energy depends on rates, slips or the time; it is one of (e, z)"
+            )
         check_text(owner, "the law", self.doc)
 
     @property

@@ -7,6 +7,7 @@ from sympy import Matrix, Symbol
 from flexel.derive.declare.checks import check_text
 from flexel.derive.declare.symbols import symbol
 from flexel.derive.declare.words import MATRIX_SIGNS, SIGNS, check_word
+from flexel.derive.errors import ElementError
 from flexel.derive.spec import triangle
 
 
@@ -39,9 +40,9 @@ class Parameter:
 
     def __post_init__(self) -> None:
         if self.size < 1 or (self.components and len(self.components) != self.size):
-            raise ValueError(f"parameter '{self.name}': size {self.size} does not fit {self.components}")
+            raise ElementError(f"parameter '{self.name}': size {self.size} does not fit {self.components}")
         if not self.unit:
-            raise ValueError(f"parameter '{self.name}' has no unit; give an SI unit, or '1'")
+            raise ElementError(f"parameter '{self.name}' has no unit; give an SI unit, or '1'")
         check_text("a declaration", f"parameter '{self.name}'", self.doc)
         self._check_sign(f"parameter '{self.name}'")
 
@@ -49,14 +50,14 @@ class Parameter:
         if isinstance(self.sign, str):
             check_word(owner, "sign", self.sign, (*SIGNS, *MATRIX_SIGNS))
         elif len(self.sign) != self.size:
-            raise ValueError(
+            raise ElementError(
                 f"{owner}: {len(self.sign)} signs of {self.size} components; give one for each, or one word"
             )
         else:
             for word in self.sign:
                 check_word(owner, "sign", word, SIGNS)
         if self.sign == "semidefinite" and triangle(self.size) is None:
-            raise ValueError(
+            raise ElementError(
                 f"{owner}: {self.size} components are not the upper triangle of a matrix; give 1, 3, 6, ..."
             )
 
@@ -72,7 +73,7 @@ class Parameter:
     def symbol(self) -> Symbol:
         """The symbol of a scalar parameter."""
         if self.size != 1:
-            raise ValueError(f"parameter '{self.name}' has {self.size} components; use .vector")
+            raise ElementError(f"parameter '{self.name}' has {self.size} components; use .vector")
         return self.symbols[0]
 
     @property

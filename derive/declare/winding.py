@@ -14,6 +14,7 @@ from sympy import Expr, Symbol
 from flexel.derive.declare.checks import check_symbols
 from flexel.derive.declare.modes import Deformation
 from flexel.derive.declare.parameters import Parameter
+from flexel.derive.errors import ElementError
 
 Lets = tuple[tuple[Symbol, Expr], ...]
 _ANGLE = Symbol("angle", real=True)
@@ -23,7 +24,7 @@ Term = tuple[float, tuple[tuple[str, int, int], ...]]
 
 
 def check_period(owner: str, d: Deformation, let: Lets, parameters: tuple[Parameter, ...]) -> None:
-    """Raise ValueError for a period that is not a sum of products, or a jump that is not a number of periods."""
+    """Raise ElementError for a period that is not a sum of products, or a jump that is not a number of periods."""
     symbols = [s for p in parameters for s in p.symbols]
     if d.period is not None:
         check_symbols(owner, f"the period of '{d.name}'", sp.sympify(d.period), symbols)
@@ -36,12 +37,12 @@ def check_period(owner: str, d: Deformation, let: Lets, parameters: tuple[Parame
         found = list(_jumps(d, angle, known))
         wrong = [jump for jump, period in found if not _whole(jump, period)]
         if d.period is None and (wrong or not found):
-            raise ValueError(
+            raise ElementError(
                 f"{owner}: deformation '{d.name}' jumps where {angle} passes its cut; give Deformation(…, period=…), "
                 "the jump for one turn (2*pi for an angle), or period=0 if it stays away from the cut"
             )
         if wrong:
-            raise ValueError(
+            raise ElementError(
                 f"{owner}: deformation '{d.name}' jumps by {float(abs(wrong[0])):.6g} at random values where {angle} "
                 f"passes its cut; that is not a whole number of the period {d.period}: correct the period"
             )
@@ -52,7 +53,7 @@ def period_terms(d: Deformation, parameters: tuple[Parameter, ...]) -> tuple[Ter
 
     Raises
     ------
-    ValueError
+    ElementError
         It is not a sum of products of integer powers of parameters.
     """
     where = {s: (p.name, i) for p in parameters for i, s in enumerate(p.symbols)}
@@ -67,7 +68,7 @@ def period_terms(d: Deformation, parameters: tuple[Parameter, ...]) -> tuple[Ter
             elif base in where and exponent.is_Integer:
                 powers.append((*where[base], int(exponent)))
             else:
-                raise ValueError(
+                raise ElementError(
                     f"deformation '{d.name}': the period {d.period} is not a sum of products of whole powers of "
                     "parameters; give such a sum, with a separate parameter for the rest"
                 )

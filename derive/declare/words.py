@@ -2,6 +2,8 @@
 
 from collections.abc import Iterable
 
+from flexel.derive.errors import ElementError
+
 # What analyses treat alike. "" is an element of none of these, the default for user-defined ones; one that names a
 # family has the nodes and parameters of the built-in elements in it.
 FAMILIES = (
@@ -38,8 +40,8 @@ MATRIX_SIGNS = ("semidefinite",)
 
 
 def check_word(owner: str, what: str, word: object, known: Iterable[str]) -> None:
-    """Raise ValueError for a word that is not in a vocabulary."""
+    """Raise ElementError for a word that is not in a vocabulary."""
     words = list(known)
     if word not in words:
         shown = ", ".join(f"'{z}'" for z in words)
-        raise ValueError(f"{owner}: {what} '{word}' is unknown; choose one of {shown}")
+        raise ElementError(f"{owner}: {what} '{word}' is unknown; choose one of {shown}")

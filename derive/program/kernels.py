@@ -185,7 +185,7 @@ def _inertia_kernels(b: _Builder, rows: _Lowered) -> None:
     convective = list(zip(layer_v.B, forward(p, momentum, along_v), strict=True))
     complete = list(zip(layer_v.B, forward(p, momentum, along), strict=True))
     U_x = gradient(p, rows.U, x)
-    left, inner = _gathered(p, convective + T_x)
+    left, inner = _gathered(p, convective + T_x, n)
     M, h = hessian(p, rows.T, v), flat(product(p, left, [[row] for row in inner]))
     f = [p.neg(row) for row in U_x]
     outputs = {"M": ((n, n), flat(M)), "h": ((n,), h), "f": ((n,), f), "U": ((1,), [rows.U])}
@@ -193,19 +193,19 @@ def _inertia_kernels(b: _Builder, rows: _Lowered) -> None:
 
     layer_U = linear_layer(p, [rows.U], x)
     stiff = list(zip(layer_U.B, gradient(p, rows.U, layer_U.rows), strict=True))
-    left, inner = _gathered(p, complete + T_x + stiff)
+    left, inner = _gathered(p, complete + T_x + stiff, n)
     R_x, R_v = pulled_jacobian(p, left, inner, x), pulled_jacobian(p, left, inner, v)
     b.kernel("tangent", "xvap", {"R_x": ((n, n), flat(R_x)), "R_v": ((n, n), flat(R_v))})
 
 
-def _gathered(p: Program, terms: list[tuple[Rows, int]]) -> tuple[Matrix, Rows]:
-    """Sum of B' r over rows r of layers, as one matrix and one column; rows with the same B are added up."""
+def _gathered(p: Program, terms: list[tuple[Rows, int]], n: int) -> tuple[Matrix, Rows]:
+    """Sum (n,) of B' r over rows r of layers, as one matrix and one column; rows with the same B are added up."""
     sums: dict[tuple[int, ...], int] = {}
     for B, row in terms:
         sums[tuple(B)] = p.add(sums.get(tuple(B), p.zero), row)
     kept = {B: row for B, row in sums.items() if row != p.zero}
     if not kept:
-        return [[] for _ in terms[0][0]], []
+        return [[p.zero] for _ in range(n)], [p.zero]
     return transpose([list(B) for B in kept]), list(kept.values())
 
 

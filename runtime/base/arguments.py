@@ -6,6 +6,8 @@ import difflib
 import math
 import re
 from collections.abc import Iterable, Mapping
+from os import PathLike
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -47,9 +49,9 @@ def number(value: Any, owner: str, what: str) -> float:
     if isinstance(value, float) and math.isfinite(value):
         return float(value)
     d = array(value, owner, what)
-    if d.size != 1:
+    if d.shape:
         raise ModelError(f"{owner}: {what} {_shown(value)} has shape {d.shape}; give one number")
-    return float(d.reshape(()))
+    return float(d)
 
 
 def numbers(values: Mapping[str, Any] | None, owner: str, what: str) -> dict[str, float]:
@@ -59,6 +61,20 @@ def numbers(values: Mapping[str, Any] | None, owner: str, what: str) -> dict[str
     if not isinstance(values, Mapping):
         raise ModelError(f"{owner}: {what} {_shown(values)} must be given by name; write {{'name': number}}")
     return {name: number(value, owner, f"{what} of '{name}'") for name, value in values.items()}
+
+
+def index(value: Any, owner: str, what: str) -> int:
+    """A whole number, or a ModelError that names the owner."""
+    if isinstance(value, bool) or not isinstance(value, (int, np.integer)):
+        raise ModelError(f"{owner}: {what} {_shown(value)} is not a whole number; give one")
+    return int(value)
+
+
+def path_of(value: Any, owner: str) -> Path:
+    """A path, or a ModelError that names the owner."""
+    if not isinstance(value, (str, PathLike)) or not str(value):
+        raise ModelError(f"{owner}: {_shown(value)} is not a path; give one as text")
+    return Path(value)
 
 
 def names(given: Any, owner: str) -> tuple[str, ...]:

@@ -5,19 +5,21 @@ Every message has the form ``kind 'name': fact; remedy``.
 
 from __future__ import annotations
 
-from typing import Any
+from flexel.derive.errors import ElementError, FlexelError
 
-
-class FlexelError(Exception):
-    """Base of all errors that flexel raises on purpose.
-
-    Attributes
-    ----------
-    motion : Motion, optional
-        For a simulation that failed: the motion computed so far, which can be inspected, saved and continued.
-    """
-
-    motion: Any = None
+__all__ = [
+    "CompilerError",
+    "ConstraintError",
+    "DynamicsError",
+    "ElementError",
+    "FlexelError",
+    "IncompleteWarning",
+    "LinearizationError",
+    "ModelError",
+    "PositionError",
+    "RangeWarning",
+    "UnsteadyWarning",
+]
 
 
 class ModelError(FlexelError, ValueError):
@@ -40,16 +42,16 @@ class IncompleteWarning(UserWarning):
     """An analysis is incomplete: the message says what was reached and where it stopped."""
 
 
+class UnsteadyWarning(UserWarning):
+    """Eigenvalues or modes are asked for about a state that accelerates: they do not describe what follows."""
+
+
 class RangeWarning(UserWarning):
     """A motion has left the range of the data of a law: the message names the quantity and says how the law goes on."""
 
 
 class CompilerError(FlexelError, RuntimeError):
     """A user-defined law or element cannot be compiled: there is no C compiler, or it reports an error."""
-
-
-class ElementError(FlexelError, ValueError):
-    """The definition of a user-defined element or law is wrong, or fails its verification."""
 
 
 class LinearizationError(FlexelError, ValueError):

@@ -48,7 +48,7 @@ def _compiler() -> str:
 
 def _cache() -> str:
     """Return the directory in which compiled user-defined elements are kept."""
-    from flexel.derive.shared_object import cache_directory
+    from flexel.derive.cache import cache_directory
 
     return str(cache_directory())
 

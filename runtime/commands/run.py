@@ -11,8 +11,10 @@ import click
 
 from flexel.commands.modelfile import model_in, names_of, options_in, reported_by_line
 from flexel.commands.stop import INTERRUPTED
+from flexel.mechanics.steadiness import UNSTEADY
 
 if TYPE_CHECKING:
+    from flexel.mechanics.linearization import Linearization
     from flexel.model import Model
     from flexel.results.motion import Motion
 
@@ -161,9 +163,21 @@ def _report(motion: Motion, wish: Wish) -> None:
     for name in motion.system.dynamic:
         click.echo(f"  {name:<24} {last[name]: .10g}   rate {last.rate(name): .10g}")
     if wish.linearize:
-        click.echo(f"modes about t = {last.t:g} s: frequency [rad/s], damping ratio, eigenvalue [1/s]")
-        for mode in motion.system.linearize(last).modes():
-            click.echo(f"  {mode.name:<24} {mode.omega:12.6g} {mode.damping:12.6g}   {mode.eigenvalue:.6g}")
+        _report_modes(motion.system.linearize(last))
+
+
+def _report_modes(lin: Linearization) -> None:
+    """Print the modes about a state, or that it has none because it accelerates."""
+    if lin.acceleration > UNSTEADY:
+        click.echo(
+            f"no modes: the state at t = {lin.state.t:g} s is neither an equilibrium nor a steady motion (residual "
+            f"forces {lin.acceleration:.2g} of those that balance); simulate until it is at rest, or linearize about "
+            "system.equilibrium() or system.steady() in Python"
+        )
+        return
+    click.echo(f"modes about t = {lin.state.t:g} s: frequency [rad/s], damping ratio, eigenvalue [1/s]")
+    for mode in lin.modes():
+        click.echo(f"  {mode.name:<24} {mode.omega:12.6g} {mode.damping:12.6g}   {mode.eigenvalue:.6g}")
 
 
 def _keep(motion: Motion, wish: Wish, stem: str) -> None:

@@ -117,6 +117,7 @@ def _law(owner: str, m: int, na: int, nz: int, places: tuple[int, ...]) -> Any:
     import sympy
 
     from flexel.derive import Internal, Law, Parameter, symbol
+    from flexel.derive.cache import CacheError
     from flexel.derive.compile import compile_law
     from flexel.derive.shared_object import CompilationError, CompilerMissingError
 
@@ -150,5 +151,5 @@ def _law(owner: str, m: int, na: int, nz: int, places: tuple[int, ...]) -> Any:
     )
     try:
         return compile_law(law)
-    except (CompilerMissingError, CompilationError) as error:
+    except (CompilerMissingError, CompilationError, CacheError) as error:
         raise CompilerError(f"{owner}: {error}") from error

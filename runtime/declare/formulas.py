@@ -47,6 +47,7 @@ def formula_law(owner: str, stress: Any, energy: Callable[..., Any] | None = Non
     import sympy
 
     from flexel.derive import Law, symbol
+    from flexel.derive.cache import CacheError
     from flexel.derive.check.branches import check_branches
     from flexel.derive.shared_object import CompilationError, CompilerMissingError
 
@@ -67,7 +68,7 @@ def formula_law(owner: str, stress: Any, energy: Callable[..., Any] | None = Non
             "formula", f"sigma = {sigma}", (), (e,), (ed,), (), (sigma,), (), stored, "formula of the user"
         )
         return _verified(law)
-    except (CompilerMissingError, CompilationError) as error:
+    except (CompilerMissingError, CompilationError, CacheError) as error:
         raise CompilerError(f"{owner}: {error}") from error
     except (ValueError, TypeError, NotImplementedError, KeyError, AttributeError) as error:
         text = str(error).removeprefix("law 'formula': ")

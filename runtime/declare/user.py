@@ -76,11 +76,12 @@ def _by_name(owner: str, ranges: Mapping[str, tuple[float, float]] | None) -> di
 
 def _made(owner: str, make: Callable[[], Made]) -> Made:
     """The compiled result; errors of the derivation are re-raised as flexel errors."""
+    from flexel.derive.cache import CacheError
     from flexel.derive.shared_object import CompilationError, CompilerMissingError
 
     try:
         return make()
-    except (CompilerMissingError, CompilationError) as error:
+    except (CompilerMissingError, CompilationError, CacheError) as error:
         raise CompilerError(f"{owner}: {error}") from error
     except (ValueError, NotImplementedError) as error:
         text = str(error)

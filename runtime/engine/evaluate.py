@@ -10,7 +10,10 @@ from __future__ import annotations
 import threading
 from typing import Any
 
+import numpy as np
+
 from flexel.base.arrays import Array
+from flexel.base.errors import ModelError
 from flexel.base.once import once
 from flexel.engine.patterns import Pattern
 from flexel.engine.tables import Tables
@@ -72,6 +75,8 @@ class Evaluation:
             Deformations from which whole periods are counted; e holds principal values by default.
         """
         work = self.work
+        if np.shape(x) != work.x.shape:
+            raise ModelError(f"position: x has shape {np.shape(x)}; give {work.x.size} numbers")
         work.x[:] = x
         work.near[:] = 0.0 if near is None else near
         work.position()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -59,8 +59,8 @@ class Event(Constant):
 
 def checked(events: Any) -> tuple[Event, ...]:
     """The user's events, or a ModelError."""
-    listed = () if isinstance(events, Event) else tuple(events)
-    if isinstance(events, Event) or not all(isinstance(z, Event) for z in listed):
+    listed = tuple(events) if isinstance(events, Iterable) else None
+    if listed is None or not all(isinstance(z, Event) for z in listed):
         raise ModelError(
             f"simulate: events {events!r} are not a list of Events; write [Event(name, function)]"
         )

@@ -10,6 +10,7 @@ import numpy as np
 from flexel.base.arguments import step_limit, vector
 from flexel.base.arrays import Array
 from flexel.base.errors import FlexelError, ModelError
+from flexel.engine.solvers import eigenvalues
 from flexel.integration.dop853 import Dop853
 from flexel.integration.driver import Run
 from flexel.integration.events import Event
@@ -111,7 +112,7 @@ def automatic(system: Core, start: State, duration: float, options: Options) -> 
     if system.roles.nd > MANY:
         return _because(ALPHA, f"{system.roles.nd} degrees of freedom, above {MANY}")
     try:
-        fastest = float(np.max(np.abs(system.linearize(start).eigenvalues()), initial=0.0))
+        fastest = float(np.max(np.abs(eigenvalues(system.linearize(start).state_matrix)), initial=0.0))
     except InertiaError:
         return _because(ALPHA, "a degree of freedom has no inertia")
     except (FlexelError, np.linalg.LinAlgError):

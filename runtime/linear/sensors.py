@@ -10,6 +10,7 @@ import numpy as np
 from flexel.base.arguments import names
 from flexel.base.arrays import Array
 from flexel.base.errors import LinearizationError
+from flexel.linear.inputs import Inputs
 from flexel.mechanics.linearization import Linearization
 
 
@@ -30,13 +31,14 @@ def state_space(
     lin: Linearization, inputs: Sequence[str], outputs: Sequence[str]
 ) -> tuple[Array, Array, Array, Array]:
     """State-space matrices; see `Linearization.state_space`."""
-    inputs, outputs = names(inputs, "inputs"), names(outputs, "outputs")
-    loads = [z for z in inputs if z not in lin.prescribed]
-    driven = [lin.prescribed.index(z) for z in inputs if z in lin.prescribed]
-    place = {z: i for i, z in enumerate(inputs)}
+    given, outputs = Inputs.of(lin, inputs), names(outputs, "outputs")
+    loads = [z for i, z in enumerate(given.quantities) if i not in given.driven]
+    driven = [lin.prescribed.index(given.quantities[i]) for i in given.driven]
+    place = {z: i for i, z in enumerate(given.quantities)}
     nd, nq, nu = len(lin.dynamic), len(lin.dofs), len(driven)
     nz = len(lin.internal)
-    ns, ni = nd + nq + nz + 2 * nu, len(inputs)
+    own, ni = nd + nq + nz, len(given.quantities)
+    ns = own + 2 * nu
     unit = np.eye(ns + ni)
     qd, q, z, ud, u = np.split(unit[:ns], np.cumsum([nd, nq, nz, nu]))
     udd = unit[[ns + place[lin.prescribed[i]] for i in driven]]
@@ -68,7 +70,7 @@ def state_space(
         states=ns,
     )
     Y = np.array([_output(lin, motion, name) for name in outputs]).reshape(len(outputs), ns + ni)
-    return rates[:, :ns], rates[:, ns:], Y[:, :ns], Y[:, ns:]
+    return given.by_displacement((rates[:, :ns], rates[:, ns:], Y[:, :ns], Y[:, ns:]), own, outputs)
 
 
 def _output(lin: Linearization, d: Variations, name: str) -> Array:

@@ -13,7 +13,7 @@ from typing import Self
 
 import numpy as np
 
-from flexel.base.arguments import positive
+from flexel.base.arguments import number, positive, vector
 from flexel.base.arrays import Array, Index
 from flexel.engine.evaluate import Evaluation
 from flexel.mechanics import dynamics, states
@@ -177,9 +177,13 @@ class Core:
 
     def rhs(self, t: float, y: Array) -> Array:
         """Rates of y = (q_d, q_k, q_d', z) (nq + nd + nz,) at time t [s]."""
+        if type(t) is not float or t != t:
+            t = number(t, "rhs", "time t")
         choice = self.kinematics.given(t)
         if not choice.is_warm:
             choice.warm(self._continued or self._start)
+        if type(y) is not np.ndarray or y.shape != choice.y.shape or y.dtype != choice.y.dtype:
+            y = vector(y, "rhs", "y", choice.y.size)
         choice.y[:] = y
         if code := choice.rhs(t):
             raise self.kinematics.failure(code, t)
@@ -202,7 +206,13 @@ class Core:
         PositionError
             If the position cannot be reached.
         """
-        x, v, e = states.located(self.kinematics, t, q, qd, Moment.of(guess).still(t))
+        nq, nd, t = self.roles.nq, self.roles.nd, number(t, "residual", "time t")
+        q, qd, qdd = (
+            vector(z, "residual", name, size)
+            for z, name, size in ((q, "q", nq), (qd, "qd", nd), (qdd, "qdd", nd))
+        )
+        near = Moment.of(own_state(self.structure, guess, "residual"))
+        x, v, e = states.located(self.kinematics, t, q, qd, near.still(t))
         return -dynamics.driving_forces(self.kinematics, t, x, v, e, guess.z, qdd)
 
     def linearize(self, state: State | None = None) -> Linearization:
@@ -245,6 +255,10 @@ class Core:
         DynamicsError
             If a degree of freedom has no inertia; names it.
         """
+        s, t = self.structure, number(t, "state", "time t")
+        x, v = (vector(value, "state", name, s.n) for value, name in ((x, "x"), (v, "v")))
+        e = None if e is None else vector(e, "state", "e", s.m)
+        z = None if z is None else vector(z, "state", "z", s.nz)
         work = self.evaluation.at(t, x, v, z=z, near=e)
         e = work.e.copy()
         if not np.any(v) and self.roles.motions:

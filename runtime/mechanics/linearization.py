@@ -14,14 +14,17 @@ from typing import Any
 
 import numpy as np
 
+from flexel.base.arguments import index
 from flexel.base.arguments import names as checked_names
 from flexel.base.arrays import Array, ComplexArray
 from flexel.base.copies import Portable
 from flexel.base.errors import LinearizationError, ModelError
 from flexel.base.units import rate_unit
 from flexel.engine.derivatives import Derivatives, Tangents
-from flexel.engine.solvers import eigenvalues, solved
-from flexel.mechanics.modes import Mode, Reduced, check_decoupled, modes_of, sort_eigenvalues
+from flexel.engine.solvers import solved
+from flexel.mechanics.modes import Mode, Reduced, check_decoupled, modes_of, places_of, sort_eigenvalues
+from flexel.mechanics.rigid import spectrum
+from flexel.mechanics.steadiness import acceleration, check_steady
 from flexel.mechanics.transfer import Transfer
 from flexel.structure.state import State
 
@@ -98,13 +101,27 @@ class Linearization(Portable):
     def eigenvalues(self) -> ComplexArray:
         """All eigenvalues [1/s] of the state matrix, sorted by real, then imaginary part.
 
-        The zero eigenvalues of a non-holonomic system are defective and have large rounding errors; use
-        `reduced` for the degrees of freedom of interest.
+        Those of rigid-body motions and of coordinates that enter no force are zero, without rounding errors.
+
+        Warns
+        -----
+        UnsteadyWarning
+            If the state accelerates.
         """
-        return sort_eigenvalues(eigenvalues(self.state_matrix))
+        check_steady("eigenvalues", self.acceleration)
+        return sort_eigenvalues(spectrum(self.state_matrix, len(self.dynamic))[0])
+
+    @property
+    def acceleration(self) -> float:
+        """How far the state is from steady: the largest residual force, relative to those that balance.
+
+        Zero for an equilibrium or a motion with constant rates of the degrees of freedom; one in free fall.
+        """
+        return acceleration(self.M, self.transfer.H[:, : len(self.dynamic)], self.state)
 
     def modes(self) -> list[Mode]:
-        """Modes, sorted as the eigenvalues, one for each complex pair (the one with positive imaginary part)."""
+        """Modes, one for each complex pair (that with positive imaginary part); sorts and warns as `eigenvalues`."""
+        check_steady("modes", self.acceleration)
         return modes_of(self.state_matrix, self.dofs + self.internal, len(self.dynamic))
 
     def reduced(self, names: Sequence[str], tolerance: float = 1e-9) -> Reduced:
@@ -115,16 +132,7 @@ class Linearization(Portable):
         LinearizationError
             If another degree of freedom enters their equations by more than `tolerance` of the largest entry.
         """
-        if not checked_names(names, "reduced") or len(set(names)) < len(names):
-            raise LinearizationError(
-                f"reduced: {names!r} given; name one dynamic degree of freedom or more, each once"
-            )
-        for name in names:
-            if name not in self.dynamic:
-                raise LinearizationError(
-                    f"reduced: '{name}' is not a dynamic degree of freedom; name some of {self.dynamic}"
-                )
-        i, nd = np.array([self.dynamic.index(name) for name in names]), len(self.dynamic)
+        i, nd = places_of(names, self.dynamic), len(self.dynamic)
         rows = np.hstack([self.M, self.C, self.K, self.Z])[i]
         columns = {"M": self.dynamic, "C": self.dynamic, "K": self.dofs, "Z": self.internal}
         check_decoupled(names, columns, np.abs(rows).max(axis=0).tolist(), tolerance)
@@ -148,7 +156,9 @@ class Linearization(Portable):
         ----------
         inputs : sequence of str
             Names of loads (any quantity: the generalized force dual to it) or of prescribed motions.  The input of
-            a prescribed motion is its acceleration; its rate and value join the states, in that order.
+            a prescribed motion is its acceleration, labelled ``road.y''``; its rate and value join the states, in that
+            order.  ``displacement:road.y`` makes its displacement the input: the states are then shifted, so that no
+            rates of the input are needed, and marked with a star.
         outputs : sequence of str
             Names of quantities; a suffix ``'`` selects the rate, ``''`` the acceleration, and a prefix
             ``force:`` the stress or reaction.
@@ -249,7 +259,7 @@ class Linearization(Portable):
         ModelError
             The mode does not exist.
         """
-        modes = self.modes()
+        modes, number = self.modes(), index(number, "mode", "number")
         if not -len(modes) <= number < len(modes):
             raise ModelError(
                 f"mode {number}: there are {len(modes)} modes, numbered from 0; list them with modes()"

@@ -7,13 +7,12 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from scipy.linalg import eig
 
-from flexel.base.arrays import Array, ComplexArray
+from flexel.base.arguments import names as checked_names
+from flexel.base.arrays import Array, ComplexArray, Index
 from flexel.base.errors import LinearizationError
 from flexel.engine.solvers import eigenvalues, solved
-
-_eig: Any = eig
+from flexel.mechanics.rigid import spectrum
 
 
 @dataclass(frozen=True)
@@ -80,6 +79,26 @@ class Reduced:
         return sort_eigenvalues(eigenvalues(self.state_matrix))
 
 
+def places_of(names: Sequence[str], dynamic: Sequence[str]) -> Index:
+    """Places of some dynamic degrees of freedom among all.
+
+    Raises
+    ------
+    LinearizationError
+        No name, one that is given twice, or one that is not a dynamic degree of freedom.
+    """
+    if not checked_names(names, "reduced") or len(set(names)) < len(names):
+        raise LinearizationError(
+            f"reduced: {names!r} given; name one dynamic degree of freedom or more, each once"
+        )
+    for name in names:
+        if name not in dynamic:
+            raise LinearizationError(
+                f"reduced: '{name}' is not a dynamic degree of freedom; name some of {dynamic}"
+            )
+    return np.array([dynamic.index(name) for name in names])
+
+
 def check_decoupled(
     names: Sequence[str], columns: Mapping[str, Sequence[str]], sizes: Sequence[float], tolerance: float
 ) -> None:
@@ -117,10 +136,10 @@ def modes_of(state_matrix: Array, names: tuple[str, ...], nd: int) -> list[Mode]
 
     The `names` are those of (q_d, q_k, z); the first `nd` of them are dynamic.
     """
-    w, left, right = _eig(state_matrix, left=True, right=True)
+    w, left, right = spectrum(state_matrix, nd)
     scale = float(np.max(np.abs(w), initial=1e-300))
     keep = [i for i in range(w.size) if w[i].imag >= -1e-12 * scale]
-    keep.sort(key=lambda i: (round(w[i].real / scale, 11), w[i].imag))
+    keep.sort(key=lambda i: (round(float(w[i].real) / scale, 11), float(w[i].imag)))
     return [_mode(complex(w[i]), left[:, i], right[:, i], names, nd) for i in keep]
 
 

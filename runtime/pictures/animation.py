@@ -16,7 +16,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from tqdm import tqdm
 
+from flexel.base.arguments import path_of
 from flexel.base.errors import FlexelError, ModelError
+from flexel.base.files import replacing
 from flexel.pictures import drawing
 from flexel.pictures.scene import View, canvas, draw, painted
 from flexel.structure.state import State
@@ -73,7 +75,7 @@ def animate(
     FlexelError
         If matplotlib or ffmpeg is missing.
     """
-    path = Path(path)
+    path = path_of(path, "animate")
     known = [*WRITERS, ".html"]
     if path.suffix not in known:
         raise ModelError(
@@ -98,7 +100,8 @@ def animate(
     view = view or _whole(states)
     hidden = not sys.stderr.isatty() if progress is None else not progress
     frames = tqdm(_frames(states, view, title, size, dpi), "frames", len(states), disable=hidden, leave=False)
-    WRITERS[path.suffix](path, list(frames), fps)
+    with replacing(path, "animate") as part:
+        WRITERS[path.suffix](part, list(frames), fps)
     return path
 
 

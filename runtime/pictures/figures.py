@@ -7,7 +7,9 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from flexel.base.arguments import path_of
 from flexel.base.errors import FlexelError
+from flexel.base.files import replacing
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -63,4 +65,6 @@ def figure(
 def save(drawn: Figure, path: str | Path | None) -> None:
     """Write a figure to a file, if a path is given; the suffix determines the format."""
     if path is not None:
-        drawn.savefig(Path(path), dpi=130)
+        path = path_of(path, "save")
+        with replacing(path if path.suffix else path.with_suffix(".png")) as part:
+            drawn.savefig(part, dpi=130)

@@ -12,9 +12,11 @@ from typing import Any
 
 import numpy as np
 
-from flexel.base.arguments import names
+from flexel.base.arguments import names, path_of
 from flexel.base.arrays import Array
 from flexel.base.errors import LinearizationError, ModelError
+from flexel.base.files import replacing
+from flexel.linear.inputs import Inputs
 from flexel.mechanics.linearization import Linearization
 from flexel.results.saved.record import require
 
@@ -23,8 +25,7 @@ Matrices = tuple[Array, Array, Array, Array]
 
 def state_names(lin: Linearization, inputs: Sequence[str] = ()) -> tuple[str, ...]:
     """Names of the states of `Linearization.state_space` with these inputs, in order."""
-    driven = [z for z in inputs if z in lin.prescribed]
-    return (*lin.states, *(f"{z}'" for z in driven), *driven)
+    return Inputs.of(lin, inputs).states(lin.states)
 
 
 def _labelled(
@@ -42,7 +43,8 @@ def _labelled(
         double = [z for z in given if given.count(z) > 1]
         if double:
             raise LinearizationError(f"state space: {what} '{double[0]}' is named twice; name it once")
-    return lin.state_space(inputs, outputs), state_names(lin, inputs), inputs, outputs
+    asked = Inputs.of(lin, inputs)
+    return lin.state_space(inputs, outputs), asked.states(lin.states), asked.labels, outputs
 
 
 def signal_names(given: Sequence[str]) -> list[str]:
@@ -109,12 +111,13 @@ def save_state_space(
     """
     from scipy.io import savemat
 
-    path = Path(path)
+    path = path_of(path, "save_state_space")
     if path.suffix != ".mat":
         raise ModelError(f"save_state_space '{path}': suffix '{path.suffix}' is unknown; use .mat")
     matrices, *labels = _labelled(lin, inputs, outputs)
     contents: dict[str, Any] = dict(zip("ABCD", matrices, strict=True))
     for key, given in zip(("states", "inputs", "outputs"), labels, strict=True):
         contents[key] = np.array(given, dtype=object)
-    savemat(path, contents, do_compression=True)
+    with replacing(path, "save_state_space") as part:
+        savemat(part, contents, do_compression=True)
     return path

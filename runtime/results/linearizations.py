@@ -10,13 +10,11 @@ from typing import Any
 
 import numpy as np
 
-from flexel.base.arguments import names as checked_names
-from flexel.base.arguments import unknown
 from flexel.base.arrays import Array, ComplexArray
-from flexel.base.errors import LinearizationError, ModelError
+from flexel.base.errors import ModelError
 from flexel.linear.tracking import branches
 from flexel.mechanics.linearization import Linearization
-from flexel.mechanics.modes import check_decoupled
+from flexel.mechanics.modes import check_decoupled, places_of
 from flexel.results.saved.record import require
 
 
@@ -108,17 +106,7 @@ class Linearizations:
         LinearizationError
             If another degree of freedom enters their equations by more than `tolerance` of the largest entry.
         """
-        names = checked_names(names, "reduced")
-        if not names or len(set(names)) < len(names):
-            raise LinearizationError(
-                f"reduced: {names!r} given; name one dynamic degree of freedom or more, each once"
-            )
-        for name in names:
-            if name not in self.dynamic:
-                raise LinearizationError(
-                    f"reduced: {unknown(name, self.dynamic, 'dynamic degree of freedom')}"
-                )
-        i = np.array([self.dynamic.index(name) for name in names])
+        names, i = tuple(names), places_of(names, self.dynamic)
         columns = {"M": self.dynamic, "C": self.dynamic, "K": self.dofs, "Z": self.internal}
         rows = np.concatenate([getattr(self, z)[..., i, :] for z in columns], axis=-1)
         sizes = np.abs(rows).max(axis=-2).reshape(-1, rows.shape[-1])

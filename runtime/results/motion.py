@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from flexel.base.arguments import number
+from flexel.base.arguments import number, path_of
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.integration.ledger import energy_balance
@@ -175,7 +175,7 @@ class Motion(Sequence[State]):
 
     def nearest(self, t: float) -> State:
         """The stored state nearest to a time."""
-        return self._states[int(np.argmin(np.abs(self.t - t)))]
+        return self._states[int(np.argmin(np.abs(self.t - number(t, "motion.nearest", "time"))))]
 
     def at(self, t: float) -> State:
         """State at any time within the motion, from the integrator's dense output.
@@ -227,7 +227,7 @@ class Motion(Sequence[State]):
         """Animation of the mechanism as .gif or .mp4 (needs matplotlib), or .html: see `view`."""
         from flexel.pictures.plot import animate
 
-        return animate(self, Path(path), **options)
+        return animate(self, path_of(path, "animate"), **options)
 
     def view(self, path: str | Path, **options: Any) -> Path:
         """An HTML page that shows the motion in any browser, offline; see `view.scene_data`."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from flexel.base.arguments import path_of
 from flexel.base.errors import ModelError
 from flexel.spacar.lexer import Line, read_lines
 from flexel.spacar.linear import LinearModels
@@ -42,7 +43,7 @@ def read_spacar(path: str | Path, dialect: str | None = None) -> Spacar:
     >>> motion = file.system.simulate(file.duration)  # doctest: +SKIP
     >>> file.deformation(motion[-1], 2, 2)  # doctest: +SKIP
     """
-    path = Path(path)
+    path = path_of(path, "read_spacar")
     dialect, lines = read_lines(path, dialect)
     sheet = Sheet(lines)
     if not sheet.elements:

@@ -10,6 +10,7 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError, ModelError
+from flexel.base.files import replacing
 from flexel.results.motion import Motion
 from flexel.results.saved.tables_of_runs import motion_beside
 from flexel.spacar.linear import Matrices
@@ -84,14 +85,16 @@ def _write(file: Spacar, out: Path, results: Results, motion: Motion | None) -> 
     """Results as arrays, and the time histories among them as a table."""
     out.mkdir(parents=True, exist_ok=True)
     arrays = out / f"{file.path.stem}.npz"
-    np.savez(arrays, allow_pickle=False, **results)
+    with replacing(arrays, "run") as part:
+        np.savez(part, allow_pickle=False, **results)
     moved = [] if motion is None else [motion.save(motion_beside(arrays))]
     histories = {key: z for key, z in results.items() if key == "t" or key[:2] in ("x_", "e_", "s_")}
     if "t" not in results:
         return [arrays, *moved]
     table = out / f"{file.path.stem}.csv"
     columns = np.column_stack(list(histories.values()))
-    np.savetxt(table, columns, delimiter=",", header=",".join(histories), comments="", fmt="%.12e")
+    with replacing(table, "run") as part:
+        np.savetxt(part, columns, delimiter=",", header=",".join(histories), comments="", fmt="%.12e")
     return [arrays, table, *moved]
 
 

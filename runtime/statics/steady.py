@@ -8,7 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
-from flexel.base.arguments import names
+from flexel.base.arguments import names, numbers
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError, PositionError
 from flexel.engine.solvers import least
@@ -142,7 +142,7 @@ def largest(values: Array) -> float:
 
 def _with_rates(system: Core, start: State, rates: Mapping[str, float]) -> State:
     names = [system.structure.names[i] for i in system.roles.dynamic]
-    given = dict(zip(names, start.qd, strict=True)) | dict(rates)
+    given = dict(zip(names, start.qd, strict=True)) | numbers(rates, "steady", "rate")
     return system.state_at(rates=given, start=start)
 
 

@@ -9,9 +9,10 @@ from pathlib import Path
 import pytest
 import sympy as sp
 
+from flexel.derive.cache import cache_directory
 from flexel.derive.compile import compile_element, compile_law
 from flexel.derive.declare import Deformation, Element, Law, Let, Parameter, Point, symbol
-from flexel.derive.shared_object import CompilerMissingError, cache_directory
+from flexel.derive.shared_object import CompilerMissingError
 
 _KERNEL = ctypes.CFUNCTYPE(
     None,

@@ -11,7 +11,8 @@ import pytest
 
 DERIVE = Path(__file__).resolve().parents[2] / "derive"
 LAYERS = (
-    ("spec", "shared_object"),
+    ("cache", "errors", "spec"),
+    ("shared_object",),
     ("declare",),
     ("elements", "laws"),
     ("program",),

@@ -92,10 +92,34 @@ def test_matlab_gets_the_matrices_and_their_names(tmp_path: Path) -> None:
     ):
         assert np.array_equal(contents[name].reshape(expected.shape), expected)
     assert list(contents["states"]) == ["pivot.angle'", "pivot.angle", "C.x'", "C.x"]
-    assert list(contents["inputs"]) == ["pivot.angle", "C.x"]
+    assert list(contents["inputs"]) == ["pivot.angle", "C.x''"]
     assert list(contents["outputs"]) == ["B.x", "pivot.angle'"]
     with pytest.raises(fx.ModelError, match=r"use \.mat"):
         lin.save_state_space(tmp_path / "cart.m", ["C.x"])
+
+
+def test_the_displacement_of_a_prescribed_motion_as_input() -> None:
+    """The transfer function to a displacement is that to the acceleration, times s²."""
+    lin = cart(prescribed=True, damping=0.3).linearize()
+    outputs = ["pivot.angle", "B.x", "C.x"]
+    A, B, C, D = lin.state_space(["C.x''", "pivot.angle"], outputs)
+    plant = lin.state_space(["displacement:C.x", "pivot.angle"], outputs)
+    assert plant[0].shape == (2, 2)
+    for s in (0.3j, 2.0 + 1.0j, 40j):
+        by_acceleration = C @ np.linalg.solve(s * np.eye(4) - A, B) + D
+        by_displacement = plant[2] @ np.linalg.solve(s * np.eye(2) - plant[0], plant[1]) + plant[3]
+        assert by_displacement == pytest.approx(by_acceleration * [s**2, 1.0], rel=1e-9, abs=1e-12)
+    pytest.importorskip("control", reason="needs pip install 'flexel[control]'")
+    labelled = lin.to_control(["displacement:C.x"], ["pivot.angle"])
+    assert labelled.input_labels == ["displacement:C_x"]
+    assert labelled.state_labels == ["pivot_angle'*", "pivot_angle*"]
+    assert lin.to_control(["C.x"], ["pivot.angle"]).input_labels == ["C_x''"]
+    with pytest.raises(fx.LinearizationError, match=r"output 'pivot.angle'' contains its rate; .*\"C.x''\""):
+        lin.state_space(["displacement:C.x"], ["B.x", "pivot.angle'"])
+    with pytest.raises(fx.LinearizationError, match=r"'pivot.angle' is not prescribed"):
+        lin.state_space(["displacement:pivot.angle"])
+    with pytest.raises(fx.LinearizationError, match=r"'C.x' is an input already"):
+        lin.state_space(["C.x", "displacement:C.x"])
 
 
 def test_what_is_wrong_is_named(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -10,7 +10,9 @@ from pathlib import Path
 from string import Template
 from typing import TYPE_CHECKING, Any
 
+from flexel.base.arguments import path_of
 from flexel.base.errors import ModelError
+from flexel.base.files import replacing
 from flexel.pictures.view.data import FORMAT, scene_data
 from flexel.pictures.view.modes import mode_data
 
@@ -61,10 +63,11 @@ def write_page(scene: Mapping[str, Any], path: str | Path) -> Path:
     ModelError
         A suffix other than .html, or a scene of another format.
     """
-    path = Path(path)
+    path = path_of(path, "view")
     if path.suffix not in (".html", ".htm"):
         raise ModelError(f"view '{path}': the viewer writes HTML; give a file name that ends in .html")
-    path.write_text(page(scene), encoding="utf-8")
+    with replacing(path, "view") as part:
+        part.write_text(page(scene), encoding="utf-8")
     return path
 
 

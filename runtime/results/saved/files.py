@@ -8,34 +8,41 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
+from hashlib import sha256
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 from zipfile import is_zipfile
 
 import numpy as np
 
+from flexel.base.arguments import path_of
 from flexel.base.arrays import Array
 from flexel.base.errors import FlexelError, ModelError
+from flexel.base.files import replacing
 from flexel.results.saved.comma import read_csv, write_csv
-from flexel.results.saved.header import HEADER, header_of, parsed
+from flexel.results.saved.header import HEADER, digest, header_of, parsed
 from flexel.results.saved.record import Record, Variable, require
 from flexel.results.saved.tables_of_runs import refuse_table
 
+SEAL = b"flexel sha256 "  # then the digest of all before it: behind the end of a .nc file, where nobody reads
 LONGEST = 63  # most letters in the name of a Matlab variable
 
 
 def write(record: Record, path: str | Path) -> Path:
-    """Write a record; the suffix determines the format.
+    """Write a record; the suffix determines the format.  The file appears whole, or the old one stays.
 
     Raises
     ------
     ModelError
         A suffix other than .nc, .npz, .mat, .csv.
     FlexelError
-        If an optional package is missing.
+        If an optional package is missing, or the file cannot be written.
     """
-    path = Path(path)
-    _format(path, "save")[0](record, path)
+    path = path_of(path, "save")
+    writer = _format(path, "save")[0]
+    with replacing(path) as part:
+        writer(record, part)
     return path
 
 
@@ -47,7 +54,7 @@ def read(path: str | Path) -> Record:
     ModelError
         A file that is missing, damaged, or not written by flexel.
     """
-    path = Path(path)
+    path = path_of(path, "load")
     reader = _format(path, "load")[1]
     if not path.is_file():
         raise ModelError(f"load '{path}': the file does not exist; give the path of a saved result")
@@ -82,6 +89,11 @@ def _assembled(path: Path, header: Mapping[str, Any], arrays: Mapping[str, Array
         if arrays[name].size != np.prod(z["shape"], dtype=int):
             raise ModelError(f"{owner}: '{name}' does not have the shape {z['shape']}; the file is damaged")
         variables[name] = Variable(tuple(z["dims"]), arrays[name].reshape(z["shape"]), z["unit"], z["doc"])
+    if "digest" in header and header["digest"] != digest(header, [z.values for z in variables.values()]):
+        raise ModelError(
+            f"{owner}: its numbers or names are not those that were saved; the file is damaged: take a copy of it, or "
+            "compute it again"
+        )
     labels, units = ({name: tuple(z) for name, z in header[key].items()} for key in ("labels", "units"))
     return Record(header["kind"], variables, labels, units, header["header"]).checked(owner)
 
@@ -114,16 +126,38 @@ def _require_hdf5() -> None:
 
 def _write_nc(record: Record, path: Path) -> None:
     _require_hdf5()
+    from h5netcdf import File
+    from xarray.backends import H5NetCDFStore
+
     dataset = record.to_xarray()
     dataset[HEADER] = ((), header_of(record))  # a variable: attributes of HDF5 end at 64 kB
-    dataset.to_netcdf(path, engine="h5netcdf")
+    with BytesIO() as buffer:  # on a full disk the library of HDF5 ends the interpreter
+        with File(buffer, "w") as file:
+            dataset.dump_to_store(H5NetCDFStore(file))
+        data = buffer.getvalue()
+    with path.open("wb") as stream:
+        stream.write(data)
+        stream.write(SEAL + sha256(data).digest())
 
 
 def _read_nc(path: Path) -> tuple[dict[str, Any], dict[str, Array]]:
     _require_hdf5()
+    _check_seal(path)
     with require("xarray", "xarray").open_dataset(path, engine="h5netcdf", decode_times=False) as file:
         header = parsed(str(file[HEADER].values))
         return header, {name: file[name].values for name in header["variables"] if name in file.variables}
+
+
+def _check_seal(path: Path) -> None:
+    """Raise a ValueError for damage, before the library of HDF5 sees it; other programs may drop the seal."""
+    data = path.read_bytes()
+    end = len(data) - len(SEAL) - sha256().digest_size
+    if (
+        end > 0
+        and data[end : end + len(SEAL)] == SEAL
+        and sha256(data[:end]).digest() != data[end + len(SEAL) :]
+    ):
+        raise ValueError("its bytes are not those that were written")
 
 
 # -- Matlab ---------------------------------------------------------------------------------------

@@ -3,7 +3,11 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterable, Mapping
+from hashlib import sha256
 from typing import Any
+
+import numpy as np
 
 from flexel.results.saved.record import Record
 
@@ -17,16 +21,23 @@ def header_of(record: Record) -> str:
         n: {"dims": z.dims, "shape": z.values.shape, "unit": z.unit, "doc": z.doc}
         for n, z in record.variables.items()
     }
-    return json.dumps(
-        {
-            "format": FORMAT,
-            "kind": record.kind,
-            "variables": variables,
-            "labels": record.labels,
-            "units": record.units,
-            "header": record.header,
-        }
-    )
+    found = {
+        "format": FORMAT,
+        "kind": record.kind,
+        "variables": variables,
+        "labels": record.labels,
+        "units": record.units,
+        "header": record.header,
+    }
+    return json.dumps(found | {"digest": digest(found, [z.values for z in record.variables.values()])})
+
+
+def digest(header: Mapping[str, Any], arrays: Iterable[Any]) -> str:
+    """What a file must give again: a digest of its header and of its arrays in the order of the header."""
+    found = sha256(json.dumps({name: z for name, z in header.items() if name != "digest"}).encode())
+    for values in arrays:
+        found.update(np.ascontiguousarray(values, dtype="<f8").tobytes())
+    return found.hexdigest()
 
 
 def parsed(text: str) -> dict[str, Any]:

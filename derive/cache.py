@@ -1,0 +1,94 @@
+"""The user's cache of compiled elements and laws: a private folder of sealed files.
+
+What is loaded runs in the process, so nobody else may write it; a seal behind the content shows that it is whole.
+"""
+
+import atexit
+import hashlib
+import os
+import shutil
+import stat
+import tempfile
+import warnings
+from functools import cache
+from pathlib import Path
+
+SEAL = b"flexel sha256 "  # behind the content, then the digest of the content
+
+
+class CacheError(RuntimeError):
+    """The cache cannot be trusted."""
+
+
+def cache_directory() -> Path:
+    """Directory of compiled elements and laws (it may not exist yet)."""
+    base = os.environ.get("XDG_CACHE_HOME", "")
+    return (Path(base) if os.path.isabs(base) else Path.home() / ".cache") / "flexel"
+
+
+def writable_directory() -> Path:
+    """The cache; where it cannot be written, a folder for this process, with a warning.
+
+    Raises
+    ------
+    CacheError
+        If others can write to it.
+    """
+    folder = cache_directory()
+    try:
+        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+    except OSError as error:
+        return _temporary(folder, error.strerror or str(error))
+    check_private(folder)
+    if not os.access(folder, os.W_OK | os.X_OK):
+        return _temporary(folder, "it is read-only")
+    return folder
+
+
+def check_private(folder: Path) -> None:
+    """Raise a CacheError if anybody else can write to the folder."""
+    if not folder.exists():
+        return
+    found = folder.stat()
+    if found.st_uid not in (os.geteuid(), 0):
+        raise CacheError(
+            f"the cache {folder} belongs to another user, whose files would run here; remove it, or set "
+            "XDG_CACHE_HOME to a folder of your own"
+        )
+    if found.st_mode & (stat.S_IWGRP | stat.S_IWOTH):
+        raise CacheError(
+            f"others can write to the cache {folder}, and their files would run here: chmod 700 {folder}, or set "
+            "XDG_CACHE_HOME to a folder of your own"
+        )
+
+
+@cache
+def _temporary(folder: Path, reason: str) -> Path:
+    """A folder that goes with this process."""
+    warnings.warn(
+        f"the cache {folder} cannot be used ({reason}): what is compiled is lost with this process; set XDG_CACHE_HOME "
+        "to a folder that can be written",
+        RuntimeWarning,
+        stacklevel=2,
+    )
+    found = Path(tempfile.mkdtemp(prefix="flexel-"))  # mode 0700
+    atexit.register(shutil.rmtree, found, ignore_errors=True)
+    return found
+
+
+def seal(file: Path) -> None:
+    """Append the seal to a file."""
+    digest = hashlib.sha256(file.read_bytes()).digest()
+    with file.open("ab") as stream:
+        stream.write(SEAL + digest)
+
+
+def is_whole(file: Path) -> bool:
+    """Whether a file exists with its seal unbroken: it is neither cut off, nor changed, nor from elsewhere."""
+    try:
+        content = file.read_bytes()
+    except OSError:
+        return False
+    end = len(content) - len(SEAL) - hashlib.sha256().digest_size
+    sealed = end > 0 and content[end : end + len(SEAL)] == SEAL
+    return sealed and content[end + len(SEAL) :] == hashlib.sha256(content[:end]).digest()

@@ -1,0 +1,69 @@
+"""Files that appear whole or not at all: written beside their place, flushed to the disk, then renamed."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from flexel.base.errors import FlexelError
+
+
+@contextmanager
+def replacing(path: str | Path, owner: str = "save") -> Iterator[Path]:
+    """A new file that takes the place of `path` when the block is done; if it fails, the old one stays as it was.
+
+    Of several writers the last complete one wins.  What is not a regular file, such as a pipe, is written directly.
+
+    Parameters
+    ----------
+    path : str or Path
+    owner : str
+        What is being done, for messages.
+
+    Raises
+    ------
+    FlexelError
+        If it cannot be written: a full disk, a folder that does not exist or is protected.
+    """
+    target = Path(path).resolve()  # a link stays a link
+    try:
+        if target.exists() and not target.is_file():
+            yield target
+            return
+        number, name = tempfile.mkstemp(prefix=f".{target.stem}.", suffix=target.suffix, dir=target.parent)
+        os.close(number)
+        part = Path(name)
+        try:
+            yield part
+            part.chmod(_mode(target))
+            _flush(part)
+            part.replace(target)
+            _flush(target.parent)
+        finally:
+            part.unlink(missing_ok=True)
+    except OSError as error:
+        raise FlexelError(
+            f"{owner} '{path}': {error.strerror or error}; what was there before is unchanged. Free space, or give the "
+            "path of a folder that you may write to"
+        ) from error
+
+
+def _mode(target: Path) -> int:
+    """Permissions of the file that is replaced, or of a new one."""
+    if target.exists():
+        return target.stat().st_mode & 0o777
+    mask = os.umask(0)
+    os.umask(mask)
+    return 0o666 & ~mask
+
+
+def _flush(path: Path) -> None:
+    """Wait until a file, or the entries of a folder, are on the disk."""
+    number = os.open(path, os.O_RDONLY)
+    try:
+        os.fsync(number)
+    finally:
+        os.close(number)

@@ -1,0 +1,45 @@
+"""Whether a state is an equilibrium or a steady motion, about which eigenvalues describe what follows."""
+
+from __future__ import annotations
+
+import warnings
+
+import numpy as np
+
+from flexel.base.arrays import Array
+from flexel.base.errors import UnsteadyWarning
+from flexel.structure.state import State
+
+UNSTEADY = 1e-6  # residual forces, relative to those that balance, above which a state is not steady
+SMALL = 1e-3  # accelerations that count as small where no forces act, as the tolerance of steady motions
+
+
+def acceleration(M: Array, H: Array, state: State) -> float:  # noqa: N803
+    """Largest residual force M q_d'' at a state, relative to the forces that balance.
+
+    Parameters
+    ----------
+    M : ndarray (nd, nd)
+        Reduced mass matrix.
+    H : ndarray (nf, nd)
+        First-order transfer function.
+    state : State
+    """
+    inertia = _largest(M @ state.Phi_v[state.roles.dynamic]) if M.size else 0.0
+    pulled = state.J[: state.stresses.size, : H.shape[0]].T @ state.stresses
+    return inertia / max(inertia, _largest(pulled) * _largest(H), SMALL * _largest(M), 1e-300)
+
+
+def check_steady(what: str, off: float) -> None:
+    """Warn the caller of a public method about a state with that acceleration."""
+    if off > UNSTEADY:
+        warnings.warn(
+            f"{what}: the state accelerates (its residual forces are {off:.2g} of those that balance), so these do not "
+            "describe the motion that follows; linearize about system.equilibrium() or system.steady(state)",
+            UnsteadyWarning,
+            stacklevel=3,
+        )
+
+
+def _largest(values: Array) -> float:
+    return float(np.abs(values).max(initial=0.0))
