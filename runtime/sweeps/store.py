@@ -27,6 +27,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexel.base.errors import ModelError
+from flexel.base.files import replacing
 from flexel.sweeps.columns import ColumnFile
 from flexel.sweeps.forms import Form, Forms, misfit
 from flexel.sweeps.points import Points
@@ -117,12 +118,8 @@ class Store:
         """Write ``sweep.json``, whole or not at all."""
         results = None if self.forms is None else [[name, form.as_json()] for name, form in self.forms]
         text = json.dumps({"version": VERSION, "points": self.points.described(), "results": results})
-        new = self.folder / "sweep.json.new"
-        with open(new, "w", encoding="utf-8") as stream:
-            stream.write(text)
-            stream.flush()
-            os.fsync(stream.fileno())
-        new.replace(self.folder / "sweep.json")
+        with replacing(self.folder / "sweep.json", "sweep") as part:
+            part.write_text(text, encoding="utf-8")
 
     def _place(self, number: int) -> Path:
         return self.folder / "values" / f"{number}.npy"
@@ -174,12 +171,8 @@ class Store:
             file.sync()
         self._messages.flush()
         os.fsync(self._messages.fileno())
-        new = self.folder / "status.npy.new"
-        with open(new, "wb") as stream:
-            np.save(stream, self.status)
-            stream.flush()
-            os.fsync(stream.fileno())
-        new.replace(self.folder / "status.npy")
+        with replacing(self.folder / "status.npy", "sweep") as part:
+            np.save(part, self.status)
         self._written = time.monotonic()
 
 
