@@ -17,6 +17,7 @@ from flexel.examples import rope_exact as exact
 from flexel.examples import rope_hanging as hanging
 from flexel.examples import rope_hoists as hoists
 from flexel.examples import rope_models as models
+from flexel.examples import rope_pendulums as pendulums
 from flexel.examples import rope_sheaves as sheaves
 from flexel.examples import rope_swings as swings
 from flexel.examples import rope_waves as waves
@@ -36,6 +37,7 @@ def pictures(rows: Sequence[Quantity], out: Path) -> list[Path]:
         "rope_catenary.png": catenary,
         "rope_pulse.png": pulse,
         "rope_pendulum.png": pendulum,
+        "rope_wrapping.png": wrapping,
         "rope_capstan.png": capstan,
         "rope_atwood.png": atwood,
         "rope_winding_hoist.png": winding_hoist,
@@ -102,6 +104,27 @@ def pendulum(path: Path) -> None:
             axes[1].plot(t, data.TIPS[E][:, k], "o", ms=4, color=COLOURS[k], label=f"{label}, assumed modes")
         axes[1].set(xlabel="t [s]", ylabel="tip [m]", title="E = 0.7e9")
         axes[1].legend(fontsize=8)
+        save(drawn, path)
+
+
+def wrapping(path: Path) -> None:
+    """Bobs that swing on ropes over a sheave, one held at its other end, one with a mass there."""
+    cases = {"held at its other end": pendulums.HELD, "1.2 kg at its other end": pendulums.TURNING}
+    with figure(1, 2, (10.0, 4.8)) as (drawn, axes):
+        for panel, (title, case) in zip(axes, cases.items(), strict=True):
+            motion, rope = pendulums.motion(case, 56)
+            for i, colour in ((0, COLOURS[3]), (37, COLOURS[0])):
+                shape = np.array([motion[i].position(z.name) for z in rope.points])
+                panel.plot(*shape.T, color=colour, label=f"rope at {motion.t[i]:g} s")
+            given = pendulums.exact(case, np.linspace(0, case.duration, 301))
+            panel.plot(*given.T, color=COLOURS[5], lw=1, label="Lagrange's equations")
+            panel.plot(
+                *pendulums.path(case, 56)[::5].T, "o", ms=3, color=COLOURS[1], label="bob, every 0.1 s"
+            )
+            angle = np.linspace(0, 2 * np.pi, 90)
+            panel.plot(models.WHEEL * np.cos(angle), models.WHEEL * np.sin(angle), color=COLOURS[4], lw=0.8)
+            panel.set(xlabel="x [m]", ylabel="y [m]", aspect="equal", title=title)
+        axes[0].legend(fontsize=8)
         save(drawn, path)
 
 
