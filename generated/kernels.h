@@ -179,6 +179,7 @@ extern const flexel_element flexel_cable_cylinder;
 extern const flexel_element flexel_cable_plane;
 extern const flexel_element flexel_cable_v_groove;
 extern const flexel_element flexel_cable_round_groove;
+extern const flexel_element flexel_cable_helical_groove;
 extern const flexel_element flexel_planar_cable;
 extern const flexel_element flexel_planar_slope_clamp;
 extern const flexel_element flexel_planar_cable_span;

@@ -20,6 +20,7 @@ from flexel.derive.elements.planar_rope_contact import PLANAR_CABLE_CIRCLE, PLAN
 from flexel.derive.elements.planar_wheel import PLANAR_WHEEL
 from flexel.derive.elements.rope_contact import (
     CABLE_CYLINDER,
+    CABLE_HELICAL_GROOVE,
     CABLE_PLANE,
     CABLE_ROUND_GROOVE,
     CABLE_V_GROOVE,
@@ -84,6 +85,7 @@ ELEMENTS: tuple[Element, ...] = (
     CABLE_PLANE,
     CABLE_V_GROOVE,
     CABLE_ROUND_GROOVE,
+    CABLE_HELICAL_GROOVE,
     PLANAR_CABLE,
     PLANAR_SLOPE_CLAMP,
     PLANAR_CABLE_SPAN,

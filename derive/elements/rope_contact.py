@@ -7,8 +7,9 @@ Positive gaps are open; the contact force is a law's.
 """
 
 from collections.abc import Callable
+from dataclasses import replace
 
-from sympy import Expr, Matrix, Piecewise, sqrt
+from sympy import Expr, Matrix, Piecewise, atan2, cos, pi, sin, sqrt
 
 from flexel.derive.declare import Deformation, Element, Frame, Let, Parameter, Point, Slip, Slope
 from flexel.derive.declare.rotation import body_angular_velocity, components, cross, norm, product, triad
@@ -19,6 +20,9 @@ XI = Parameter("xi", 1, "1", "place along the element, from 0 at p to 1 at q")
 T = Parameter("t", 4, "1", "unit quaternion from the body frame to the surface's triad ex, ey, ez")
 OFFSET = Parameter("offset", 3, "m", "origin of the surface from the node c, on its triad", ("x", "y", "z"))
 RADIUS = Parameter("radius", 1, "m", "radius at which the rope's surface touches, about the axle ex")
+LEAD = Parameter(
+    "lead", 1, "m", "axial distance of two turns of the groove, positive for a right-handed helix"
+)
 ROPE_RADIUS = Parameter("rope_radius", 1, "m", "outer radius of the rope")
 GROOVE_RADIUS = Parameter("groove_radius", 1, "m", "radius of the groove's round bottom")
 FLANK = Parameter("flank", 2, "1", "sine and cosine of half the opening angle of the flanks", ("sin", "cos"))
@@ -118,6 +122,26 @@ def _round_groove(let: Let, y: Matrix, yd: Matrix) -> Modes:
     return (_gap(gap),), (_slip("tangential", around), _slip("across", across))
 
 
+def _helical_groove(let: Let, y: Matrix, yd: Matrix) -> Modes:
+    """The round groove, with the distance from the nearest turn in place of the axial coordinate.
+
+    The profile is that perpendicular to the groove: the gradient of the gap has the length one at the rope's centre,
+    and its force is normal to the groove.  The angle atan2 jumps on the ridges; the gap is the same on both sides.
+    """
+    pitch = let.scalar("pitch", LEAD.symbol / (2 * pi))
+    middle = let.scalar("middle", RADIUS.symbol + ROPE_RADIUS.symbol)
+    slant = let.scalar("slant", sqrt(middle**2 + pitch**2))
+    c, s = let.scalar("c_lead", middle / slant), let.scalar("s_lead", pitch / slant)
+    turned = let.scalar("turned", y[0] / pitch)
+    cosine, sine = let.scalar("c_turned", cos(turned)), let.scalar("s_turned", sin(turned))
+    ahead = atan2(sine * y[1] - cosine * y[2], cosine * y[1] + sine * y[2])
+    side = let.scalar("side", c * pitch * ahead)
+    around = let.scalar("around", (y[1] * yd[2] - y[2] * yd[1]) / norm(Matrix(y[1:])))
+    perpendicular = let.scalar("perpendicular", c * yd[0] - s * around)
+    gaps, slips = _round_groove(let, Matrix([side, y[1], y[2]]), Matrix([perpendicular, yd[1], yd[2]]))
+    return (replace(gaps[0], period=0),), (_slip("tangential", c * around + s * yd[0]), slips[1])
+
+
 CABLE_CYLINDER = _contact(
     "cable_cylinder",
     (RADIUS, ROPE_RADIUS),
@@ -146,4 +170,13 @@ CABLE_ROUND_GROOVE = _contact(
     "w = (radius + groove_radius - distance from the axle ex, yx), from the centre of the round bottom to the rope\n"
     "gap = groove_radius - rope_radius - n.w, n = w/|w| on the bottom, (sin beta, +-cos beta) on the flanks that\n"
     "continue it;  tangential as for a cylinder,  across = n_0 ydot_x + n_1 distancedot, along the groove's profile",
+)
+CABLE_HELICAL_GROOVE = _contact(
+    "cable_helical_groove",
+    (RADIUS, LEAD, GROOVE_RADIUS, FLANK, ROPE_RADIUS),
+    _helical_groove,
+    "a round groove along the helix yx = lead phi/(2 pi), phi the angle of (yy, yz) about the axle ex from ey to ez\n"
+    "side = (yx - lead phi/(2 pi)) cos gamma from the nearest turn, tan gamma = lead/(2 pi (radius + rope_radius))\n"
+    "gap of the round groove with side for yx: its profile is perpendicular to the groove\n"
+    "tangential along the groove;  across along its profile, perpendicular to the groove",
 )

@@ -204,6 +204,12 @@ class Contacts(CableLines):
                 f"{owner}: the rope of radius {a:g} m does not fit into the groove of radius {groove:g} m; use "
                 "a larger fx.RoundGroove, usually 1.06 to 1.1 times the rope's radius"
             )
+        lead = 2 * np.pi * abs(found.pitch)
+        if 0 < lead < 2 * a:
+            raise ModelError(
+                f"{owner}: a lead of {lead:g} m is smaller than the diameter of the rope, {2 * a:g} m, so that its "
+                "turns would overlap; give a larger lead, usually 1.1 to 1.2 times the diameter"
+            )
         members = list(cables.elements) if only is None else list(only)
         for name in members:
             if name not in cables.elements:
