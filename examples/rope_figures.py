@@ -13,6 +13,7 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.examples import rope_data as data
+from flexel.examples import rope_drums as drums
 from flexel.examples import rope_exact as exact
 from flexel.examples import rope_hanging as hanging
 from flexel.examples import rope_hoists as hoists
@@ -41,6 +42,7 @@ def pictures(rows: Sequence[Quantity], out: Path) -> list[Path]:
         "rope_capstan.png": capstan,
         "rope_atwood.png": atwood,
         "rope_winding_hoist.png": winding_hoist,
+        "rope_drum.png": drum,
         "rope_convergence.png": lambda path: convergence(rows, path),
     }
     for name, make in names.items():
@@ -175,6 +177,27 @@ def winding_hoist(path: Path) -> None:
             panel.set_ylabel(label)
         axes[1].legend()
         axes[1].set_xlabel("t [s]")
+        save(drawn, path)
+
+
+def drum(path: Path) -> None:
+    """A rope on a drum with a helical groove before, while and after it is wound up, and its place in the groove."""
+    motion, rope = drums.wound()
+    with figure(1, 2, (10.0, 4.8)) as (drawn, axes):
+        for i, colour in zip((0, 10, 20), COLOURS, strict=False):
+            nodes = np.array([motion[i].position(z.name) for z in rope.points])
+            label = f"turns of the drum: {abs(motion['axle.angle'][i]) / (2 * np.pi):.0f}"
+            axes[0].plot(nodes[:, 0], nodes[:, 2], color=colour, label=label)
+            along, radius, angle = drums.places(motion[i], rope).T
+            on = radius < 1.001 * drums.RADIUS
+            axes[1].plot(
+                (angle[on] - angle[on].min()) / (2 * np.pi), along[on], "o", ms=4, color=colour, label=label
+            )
+        axes[0].set(xlabel="along the axle [m]", ylabel="height [m]", xlim=(-0.12, 0.08), ylim=(-0.6, 0.25))
+        axes[0].set_title("seen from the side on which the load hangs")
+        axes[1].set(xlabel="angle about the axle, from the end of the wound part [turns]")
+        axes[1].set(ylabel="along the axle [m]", title="wound part, lead 0.03 m")
+        axes[0].legend(fontsize=8)
         save(drawn, path)
 
 

@@ -46,6 +46,12 @@ class RopePlane:
                 self.items.append((point, 0))
         self.surfaces = [z for z, _ in self.items if not isinstance(z, Node)]
         self.names = [z.name for z in self.surfaces]
+        walking = [z.name for z in self.surfaces if closed and z.pitch]
+        if walking:
+            raise ModelError(
+                f"{owner}: it is closed, and the helical groove of '{walking[0]}' would move it sideways for ever; "
+                "give the sheave an fx.RoundGroove(…)"
+            )
         ends = (None, None) if closed else (self.items[0][0], self.items[-1][0])
         self.ends = [z if isinstance(z, Node) else None for z in ends]
         self.drums = [z if isinstance(z, Surface) else None for z in ends]

@@ -8,6 +8,7 @@ import pytest
 import flexel as fx
 from flexel.base.arrays import Array
 from flexel.base.quaternions import matrix
+from flexel.examples import rope_drums as drums
 from flexel.rope.rope import Rope
 
 R, A, LEAD = (
@@ -74,14 +75,6 @@ def pulled(
     return m.build(), rope
 
 
-def on_drum(state: fx.State, rope: Rope, turned: Array | None = None, shift: Any = (0, 0, 0)) -> Array:
-    """Places (n + 1, 3) of the rope's nodes: along the axle, radius, angle about it, which grows along the rope."""
-    T = np.eye(3) if turned is None else turned
-    x = (np.array([state.position(p.name) for p in rope.points]) - np.asarray(shift)) @ T
-    angle = np.unwrap(np.arctan2(x[:, 2], x[:, 1]))
-    return np.stack([x[:, 0], np.hypot(x[:, 1], x[:, 2]), angle], axis=1)
-
-
 # -- laying ---------------------------------------------------------------------------------------
 
 
@@ -89,7 +82,7 @@ def on_drum(state: fx.State, rope: Rope, turned: Array | None = None, shift: Any
 @pytest.mark.parametrize("lead", [LEAD, -LEAD])
 def test_dead_turns_lie_side_by_side_in_the_groove(lead: float, start: Any) -> None:
     system, rope = pulled(80, turns=3.0, lead=lead, start=start)
-    places = on_drum(system.initial, rope)
+    places = drums.places(system.initial, rope)
     wound = places[:, 1] < R
     moved = lead / (2 * np.pi) * (places[wound, 2] - places[wound, 2][0])
     assert wound.sum() > 40
@@ -125,6 +118,35 @@ def test_sense_and_hand_decide_on_which_side_the_dead_turns_lie() -> None:
     assert found == pytest.approx({key: -key[0] * np.sign(key[1]) * 2 * LEAD for key in found}, abs=1e-6)
 
 
+@pytest.mark.parametrize(
+    "groove", [fx.RoundGroove(1.08 * A), fx.HelicalGroove(1.08 * A, lead=-LEAD, start=(0, 0, 1))]
+)
+def test_span_connects_the_grooves_of_drum_and_sheave(groove: fx.RoundGroove) -> None:
+    """From a drum over a sheave to a point, and the places of all nodes fit the lengths between them."""
+    m = fx.Model()
+    drum(m, start=(0, -1, 1))
+    m.point("S", (0, 2.0, 0.5), fixed=True)
+    m.sheave("over", "S", "G", radius=R - A, axle=(1, 0, 0), groove=groove)
+    end = m.point("P", (0, 2.0 + R, -1.0), fixed=True)
+    rope = m.rope(
+        "rope", [("D", -1), ("over", -1), end], 120, turns=2, contact=CONTACT, radius=A, tension=PULL, **ROPE
+    )
+    x = np.array([p.x0 for p in rope.points])
+    chords = np.linalg.norm(np.diff(x, axis=0), axis=1)
+    pieces = np.diff(rope.s) * (1 + PULL / ROPE["EA"])
+    assert chords.max() <= pieces.max() * (1 + 1e-9)
+    assert chords.min() > 0.99 * pieces.min()
+    slopes = np.array([z.x0 for z in rope.slopes])
+    along = np.sum(np.diff(x, axis=0) * (slopes[1:] + slopes[:-1]), axis=1) / (2 * chords)
+    assert along == pytest.approx(1.0, rel=0.02)
+    m.rigid("axle.angle")
+    state = m.build().equilibrium()
+    for name in ("D", "over"):
+        pressed = rope.contact_force(state, name)[1]
+        wrap = rope.path.wraps[name]
+        assert pressed.sum() == pytest.approx(rope.tension(state)[1].mean() * wrap, rel=0.05)
+
+
 # -- at rest --------------------------------------------------------------------------------------
 
 
@@ -145,7 +167,10 @@ def test_turned_and_shifted_model_gives_the_same() -> None:
     for given in ({}, {"turned": Q, "shift": SHIFT}):
         system, rope = pulled(60, held=False, **given)
         state = system.equilibrium()
-        results.append((rope.tension(state)[1], on_drum(state, rope, **given)))
+        places = np.array([state.position(p.name) for p in rope.points])
+        if given:
+            places = (places - SHIFT) @ Q
+        results.append((rope.tension(state)[1], places))
     assert results[1][0] == pytest.approx(results[0][0], rel=1e-7)
     assert results[1][1] == pytest.approx(results[0][1], abs=1e-9)
 
@@ -170,41 +195,15 @@ def test_force_sideways_is_that_of_the_fleet_angle(quarters: int) -> None:
 # -- winding --------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("lead", [LEAD, -LEAD])
+@pytest.mark.parametrize("lead", [drums.LEAD, -drums.LEAD])
 def test_winch_lifts_by_the_length_of_the_helix_and_moves_its_rope_by_the_lead(lead: float) -> None:
-    turns = 2.0
-    m = fx.Model(gravity=(0, 0, -9.81))
-    drum(m, lead=lead)
-    load = m.point("load", (0, R, -3.2))
-    m.point_mass("mass", load, PULL / 9.81)
-    rope = m.rope(
-        "rope",
-        [("D", -1), load],
-        60,
-        turns=0.5,
-        contact=CONTACT,
-        radius=A,
-        tension=PULL,
-        **ROPE | {"mass_per_length": 0.1},
-    )
-    T = 4.0  # two turns, with a smooth start and a smooth end
-    angle = 2 * np.pi * turns
-    m.prescribe("axle.angle", (
-        lambda t: angle * (t / T - np.sin(2 * np.pi * t / T) / (2 * np.pi)),
-        lambda t: angle / T * (1 - np.cos(2 * np.pi * t / T)),
-        lambda t: 2 * np.pi * angle / T**2 * np.sin(2 * np.pi * t / T),
-    ))  # fmt: skip
-    motion = m.build().simulate(
-        T, method="generalized-alpha", step=4e-3, spectral_radius=0.5, samples=21, progress=False
-    )
-    radius = on_drum(motion[-1], rope)[3, 1]
-    lifted = motion["load.z"][-1] - motion["load.z"][0]
-    assert lifted == pytest.approx(turns * np.hypot(2 * np.pi * radius, lead), rel=1e-4)
-    places = on_drum(motion[-1], rope)
-    wound = np.flatnonzero(places[:, 1] < R)[:-6]
-    moved = places[wound, 0] - lead / (2 * np.pi) * places[wound, 2]
-    print((moved - moved[0]) * 1e3)
-    assert abs(moved - moved.mean()).max() < 1e-3 * LEAD
+    found, given = drums.lift(lead)
+    assert found == pytest.approx(given, rel=5e-5)
+    assert drums.groove_error(lead) < 1e-3
+    motion, rope = drums.wound(lead)
+    before, after = (drums.places(motion[i], rope)[-8:-1, 0].mean() for i in (0, -1))
+    assert after - before == pytest.approx(drums.TURNS * -lead, rel=0.3)  # it swings a little
+    assert [row.name for row in drums.rows() if not row.ok] == []
 
 
 # -- friction -------------------------------------------------------------------------------------
@@ -271,6 +270,15 @@ def test_lead_below_the_diameter_of_the_rope_is_refused() -> None:
         pulled(60, lead=0.019)
     with pytest.raises(fx.ModelError, match="turns would overlap"):
         pulled(60, lead=-0.019)
+
+
+def test_belt_in_a_helical_groove_is_refused() -> None:
+    m = fx.Model()
+    drum(m)
+    m.point("S", (0, 2.0, 0.5), fixed=True)
+    m.sheave("other", "S", "G", radius=R - A, axle=(1, 0, 0))
+    with pytest.raises(fx.ModelError, match="helical groove of 'D' would move it sideways"):
+        m.rope("belt", ["D", "other"], 120, closed=True, contact=CONTACT, radius=A, **ROPE)
 
 
 def test_drum_without_turns_is_refused() -> None:
