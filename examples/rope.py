@@ -2,7 +2,7 @@
 
 `reproduce` gives the relative error of each problem on its finest mesh, with the order of convergence.
 Imports flexel; the problems are in `flexel.examples.rope_hanging`, `rope_waves`, `rope_swings`,
-`rope_sheaves`, `rope_hoists` and `rope_belts`.
+`rope_pendulums`, `rope_sheaves`, `rope_hoists`, `rope_drums` and `rope_belts`.
 """
 
 from __future__ import annotations
@@ -10,8 +10,10 @@ from __future__ import annotations
 from pathlib import Path
 
 from flexel.examples import rope_belts as belts
+from flexel.examples import rope_drums as drums
 from flexel.examples import rope_hanging as hanging
 from flexel.examples import rope_hoists as hoists
+from flexel.examples import rope_pendulums as pendulums
 from flexel.examples import rope_sheaves as sheaves
 from flexel.examples import rope_swings as swings
 from flexel.examples import rope_waves as waves
@@ -20,7 +22,8 @@ from flexel.results.report import Report
 
 def reproduce(out: Path | None = None) -> Report:
     """All problems beside their closed forms; figures in `out`, if given."""
-    rows = [*hanging.rows(), *waves.rows(), *swings.rows(), *sheaves.rows(), *hoists.rows(), *belts.rows()]
+    parts = (hanging, waves, swings, pendulums, sheaves, hoists, drums, belts)
+    rows = [row for part in parts for row in part.rows()]
     files: list[Path] = []
     if out is not None:
         from flexel.examples.rope_figures import pictures

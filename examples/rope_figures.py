@@ -13,10 +13,12 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.examples import rope_data as data
+from flexel.examples import rope_drums as drums
 from flexel.examples import rope_exact as exact
 from flexel.examples import rope_hanging as hanging
 from flexel.examples import rope_hoists as hoists
 from flexel.examples import rope_models as models
+from flexel.examples import rope_pendulums as pendulums
 from flexel.examples import rope_sheaves as sheaves
 from flexel.examples import rope_swings as swings
 from flexel.examples import rope_waves as waves
@@ -36,9 +38,11 @@ def pictures(rows: Sequence[Quantity], out: Path) -> list[Path]:
         "rope_catenary.png": catenary,
         "rope_pulse.png": pulse,
         "rope_pendulum.png": pendulum,
+        "rope_wrapping.png": wrapping,
         "rope_capstan.png": capstan,
         "rope_atwood.png": atwood,
         "rope_winding_hoist.png": winding_hoist,
+        "rope_drum.png": drum,
         "rope_convergence.png": lambda path: convergence(rows, path),
     }
     for name, make in names.items():
@@ -105,6 +109,27 @@ def pendulum(path: Path) -> None:
         save(drawn, path)
 
 
+def wrapping(path: Path) -> None:
+    """Bobs that swing on ropes over a sheave, one held at its other end, one with a mass there."""
+    cases = {"held at its other end": pendulums.HELD, "1.2 kg at its other end": pendulums.TURNING}
+    with figure(1, 2, (10.0, 4.8)) as (drawn, axes):
+        for panel, (title, case) in zip(axes, cases.items(), strict=True):
+            motion, rope = pendulums.motion(case, 56)
+            for i, colour in ((0, COLOURS[3]), (37, COLOURS[0])):
+                shape = np.array([motion[i].position(z.name) for z in rope.points])
+                panel.plot(*shape.T, color=colour, label=f"rope at {motion.t[i]:g} s")
+            given = pendulums.exact(case, np.linspace(0, case.duration, 301))
+            panel.plot(*given.T, color=COLOURS[5], lw=1, label="Lagrange's equations")
+            panel.plot(
+                *pendulums.path(case, 56)[::5].T, "o", ms=3, color=COLOURS[1], label="bob, every 0.1 s"
+            )
+            angle = np.linspace(0, 2 * np.pi, 90)
+            panel.plot(models.WHEEL * np.cos(angle), models.WHEEL * np.sin(angle), color=COLOURS[4], lw=0.8)
+            panel.set(xlabel="x [m]", ylabel="y [m]", aspect="equal", title=title)
+        axes[0].legend(fontsize=8)
+        save(drawn, path)
+
+
 def capstan(path: Path) -> None:
     """Ratio of the tensions over the wrap."""
     wraps = np.linspace(0, 560, 57)
@@ -152,6 +177,27 @@ def winding_hoist(path: Path) -> None:
             panel.set_ylabel(label)
         axes[1].legend()
         axes[1].set_xlabel("t [s]")
+        save(drawn, path)
+
+
+def drum(path: Path) -> None:
+    """A rope on a drum with a helical groove before, while and after it is wound up, and its place in the groove."""
+    motion, rope = drums.wound()
+    with figure(1, 2, (10.0, 4.8)) as (drawn, axes):
+        for i, colour in zip((0, 10, 20), COLOURS, strict=False):
+            nodes = np.array([motion[i].position(z.name) for z in rope.points])
+            label = f"turns of the drum: {abs(motion['axle.angle'][i]) / (2 * np.pi):.0f}"
+            axes[0].plot(nodes[:, 0], nodes[:, 2], color=colour, label=label)
+            along, radius, angle = drums.places(motion[i], rope).T
+            on = radius < 1.001 * drums.RADIUS
+            axes[1].plot(
+                (angle[on] - angle[on].min()) / (2 * np.pi), along[on], "o", ms=4, color=colour, label=label
+            )
+        axes[0].set(xlabel="along the axle [m]", ylabel="height [m]", xlim=(-0.12, 0.08), ylim=(-0.6, 0.25))
+        axes[0].set_title("seen from the side on which the load hangs")
+        axes[1].set(xlabel="angle about the axle, from the end of the wound part [turns]")
+        axes[1].set(ylabel="along the axle [m]", title="wound part, lead 0.03 m")
+        axes[0].legend(fontsize=8)
         save(drawn, path)
 
 

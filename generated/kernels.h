@@ -179,6 +179,7 @@ extern const flexel_element flexel_cable_cylinder;
 extern const flexel_element flexel_cable_plane;
 extern const flexel_element flexel_cable_v_groove;
 extern const flexel_element flexel_cable_round_groove;
+extern const flexel_element flexel_cable_helical_groove;
 extern const flexel_element flexel_point_cylinder;
 extern const flexel_element flexel_point_plane;
 extern const flexel_element flexel_point_v_groove;

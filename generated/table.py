@@ -2901,6 +2901,82 @@ ELEMENTS: dict[str, ElementSpec] = {
         family="contact",
         picture="contact",
     ),
+    # element cable_helical_groove
+    "cable_helical_groove": ElementSpec(
+        name="cable_helical_groove",
+        digest="b2108796957ca62c",
+        doc="x: point at the fraction xi of the cubic curve through p and q with the slopes h dp and h dq,\nh = 1 + D/48 + 13 D^2/5760, D = |dq - dp|^2: tan(theta/4)/(theta/4) for the angle theta between unit slopes\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\na round groove along the helix yx = lead phi/(2 pi), phi the angle of (yy, yz) about the axle ex from ey to ez\nside = (yx - lead phi/(2 pi)) cos gamma from the nearest turn, tan gamma = lead/(2 pi (radius + rope_radius))\ngap of the round groove with side for yx: its profile is perpendicular to the groove\ntangential along the groove;  across along its profile, perpendicular to the groove",
+        source="textbook mechanics",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("dp", "slope"),
+            NodeSpec("q", "point"),
+            NodeSpec("dq", "slope"),
+            NodeSpec("c", "point"),
+            NodeSpec("r", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("xi", 1, "1", "place along the element, from 0 at p to 1 at q"),
+            ParameterSpec("t", 4, "1", "unit quaternion from the body frame to the surface's triad ex, ey, ez"),
+            ParameterSpec("offset", 3, "m", "origin of the surface from the node c, on its triad"),
+            ParameterSpec("radius", 1, "m", "radius at which the rope's or sphere's surface touches, about the axle ex"),
+            ParameterSpec("lead", 1, "m", "axial distance of two turns of the groove, positive for a right-handed helix"),
+            ParameterSpec("groove_radius", 1, "m", "radius of the groove's round bottom"),
+            ParameterSpec("flank", 2, "1", "sine and cosine of half the opening angle of the flanks"),
+            ParameterSpec("rope_radius", 1, "m", "outer radius of the rope"),
+        ),
+        deformations=(
+            DeformationSpec("gap", "m", True, kind="gap"),
+        ),
+        slips=(
+            SlipSpec("tangential", "m/s", True),
+            SlipSpec("across", "m/s", True),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 19), tuple(range(19))),
+                    OutputSpec("V", (2, 19), tuple(range(38))),
+                ),
+                627,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (2,), (0, 1)),
+                ),
+                780,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 19), tuple(range(57))),
+                ),
+                1453,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (3, 19), tuple(range(57))),
+                    OutputSpec("Psi_v", (3, 19), tuple(range(57))),
+                ),
+                3709,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (19, 19), tuple(range(361))),
+                ),
+                6552,
+            ),
+        },
+        family="contact",
+        picture="contact",
+    ),
     # element point_cylinder
     "point_cylinder": ElementSpec(
         name="point_cylinder",

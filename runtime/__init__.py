@@ -44,7 +44,7 @@ if TYPE_CHECKING:
     from flexel.results.saved.loading import load
     from flexel.rope.contacts import Contact
     from flexel.rope.rope import Rope
-    from flexel.rope.surfaces import RoundGroove, VGroove
+    from flexel.rope.surfaces import HelicalGroove, RoundGroove, VGroove
     from flexel.rope.wire_rope import WireRope
     from flexel.spacar.reading import Spacar, read_spacar
     from flexel.statics.compliance import Compliance
@@ -74,6 +74,7 @@ __all__ = [
     "Event",
     "FlexelError",
     "Harmonic",
+    "HelicalGroove",
     "IBeam",
     "IncompleteWarning",
     "Linearization",
@@ -137,6 +138,7 @@ _HOMES = {
     "Event": "flexel.integration.events",
     "FlexelError": "flexel.base.errors",
     "Harmonic": "flexel.base.time_functions",
+    "HelicalGroove": "flexel.rope.surfaces",
     "IBeam": "flexel.declare.sections",
     "IncompleteWarning": "flexel.base.errors",
     "Linearization": "flexel.mechanics.linearization",

@@ -22,6 +22,7 @@ from flexel.derive.elements.planar_wheel import PLANAR_WHEEL
 from flexel.derive.elements.point_contact import POINT_CONTACTS, SPHERE_CONTACTS
 from flexel.derive.elements.rope_contact import (
     CABLE_CYLINDER,
+    CABLE_HELICAL_GROOVE,
     CABLE_PLANE,
     CABLE_ROUND_GROOVE,
     CABLE_V_GROOVE,
@@ -86,6 +87,7 @@ ELEMENTS: tuple[Element, ...] = (
     CABLE_PLANE,
     CABLE_V_GROOVE,
     CABLE_ROUND_GROOVE,
+    CABLE_HELICAL_GROOVE,
     *POINT_CONTACTS,
     *SPHERE_CONTACTS,
     PLANAR_CABLE,

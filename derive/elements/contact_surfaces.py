@@ -9,9 +9,9 @@ Positive gaps are open; the contact force is a law's.
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from sympy import Expr, Matrix, Piecewise, sqrt
+from sympy import Expr, Matrix, Piecewise, atan2, cos, pi, sin, sqrt
 
 from flexel.derive.declare import Deformation, Let, Node, Parameter, Slip
 from flexel.derive.declare.rotation import body_angular_velocity, components, cross, dot, norm, product, triad
@@ -20,6 +20,9 @@ T = Parameter("t", 4, "1", "unit quaternion from the body frame to the surface's
 OFFSET = Parameter("offset", 3, "m", "origin of the surface from the node c, on its triad", ("x", "y", "z"))
 RADIUS = Parameter(
     "radius", 1, "m", "radius at which the rope's or sphere's surface touches, about the axle ex"
+)
+LEAD = Parameter(
+    "lead", 1, "m", "axial distance of two turns of the groove, positive for a right-handed helix"
 )
 GROOVE_RADIUS = Parameter("groove_radius", 1, "m", "radius of the groove's round bottom")
 FLANK = Parameter("flank", 2, "1", "sine and cosine of half the opening angle of the flanks", ("sin", "cos"))
@@ -170,6 +173,28 @@ def _round_groove(let: Let, b: Touching) -> Modes:
     return (gap(GROOVE_RADIUS.symbol - b.radius - reach),), slips
 
 
+def _helical_groove(let: Let, b: Touching) -> Modes:
+    """The round groove, with the distance from the nearest turn in place of the axial coordinate; for ropes.
+
+    The profile is that perpendicular to the groove: the gradient of the gap has the length one at the rope's centre,
+    and its force is normal to the groove.  The angle atan2 jumps on the ridges; the gap is the same on both sides.
+    """
+    y, yd = b.y, b.yd
+    pitch = let.scalar("pitch", LEAD.symbol / (2 * pi))
+    middle = let.scalar("middle", RADIUS.symbol + b.radius)
+    slant = let.scalar("slant", sqrt(middle**2 + pitch**2))
+    c, s = let.scalar("c_lead", middle / slant), let.scalar("s_lead", pitch / slant)
+    turned = let.scalar("turned", y[0] / pitch)
+    cosine, sine = let.scalar("c_turned", cos(turned)), let.scalar("s_turned", sin(turned))
+    ahead = atan2(sine * y[1] - cosine * y[2], cosine * y[1] + sine * y[2])
+    side = let.scalar("side", c * pitch * ahead)
+    around = let.scalar("around", (y[1] * yd[2] - y[2] * yd[1]) / norm(Matrix(y[1:])))
+    perpendicular = let.scalar("perpendicular", c * yd[0] - s * around)
+    seen_along = replace(b, y=Matrix([side, y[1], y[2]]), yd=Matrix([perpendicular, yd[1], yd[2]]))
+    gaps, slips = _round_groove(let, seen_along)
+    return (replace(gaps[0], period=0),), (b.slip("tangential", c * around + s * yd[0], (0, 0, 0)), slips[1])
+
+
 SURFACES = (
     Surface(
         "cylinder",
@@ -201,4 +226,13 @@ SURFACES = (
         "continue it;  tangential as for a cylinder,  "
         "across = n_0 ydot_x + n_1 distancedot, along the groove's profile",
     ),
+)
+HELICAL_GROOVE = Surface(
+    "helical_groove",
+    (RADIUS, LEAD, GROOVE_RADIUS, FLANK),
+    _helical_groove,
+    "a round groove along the helix yx = lead phi/(2 pi), phi the angle of (yy, yz) about the axle ex from ey to ez\n"
+    "side = (yx - lead phi/(2 pi)) cos gamma from the nearest turn, tan gamma = lead/(2 pi (radius + {a}))\n"
+    "gap of the round groove with side for yx: its profile is perpendicular to the groove\n"
+    "tangential along the groove;  across along its profile, perpendicular to the groove",
 )

@@ -2,7 +2,7 @@
 
 from flexel.derive.declare import Element, Frame, Let, Parameter, Point, Slope
 from flexel.derive.elements.arc_point import ARC_POINT, arc_point
-from flexel.derive.elements.contact_surfaces import OFFSET, SEEN, SURFACES, Surface, T, seen
+from flexel.derive.elements.contact_surfaces import HELICAL_GROOVE, OFFSET, SEEN, SURFACES, Surface, T, seen
 from flexel.derive.elements.parameters import L0
 
 XI = Parameter("xi", 1, "1", "place along the element, from 0 at p to 1 at q")
@@ -30,3 +30,4 @@ def _contact(surface: Surface) -> Element:
 
 
 CABLE_CYLINDER, CABLE_PLANE, CABLE_V_GROOVE, CABLE_ROUND_GROOVE = (_contact(z) for z in SURFACES)
+CABLE_HELICAL_GROOVE = _contact(HELICAL_GROOVE)

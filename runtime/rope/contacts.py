@@ -202,6 +202,12 @@ class Contacts(CableLines):
         check_contact(contact, owner)
         a = contact_radius(cables.radius, radius, owner)
         check_fits("rope", a, found, owner)
+        lead = 2 * np.pi * abs(found.pitch)
+        if 0 < lead < 2 * a:
+            raise ModelError(
+                f"{owner}: a lead of {lead:g} m is smaller than the diameter of the rope, {2 * a:g} m, so that its "
+                "turns would overlap; give a larger lead, usually 1.1 to 1.2 times the diameter"
+            )
         members = list(cables.elements) if only is None else list(only)
         for name in members:
             if name not in cables.elements:

@@ -15,6 +15,7 @@ from flexel.base.arguments import not_negative
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.rope.contacts import Contact
+from flexel.rope.helix import helical_gaps, out_of_plane
 from flexel.rope.path import Circle, Path, taut_path
 from flexel.rope.plane import RopePlane
 from flexel.structure.surfaces import Surface
@@ -42,7 +43,7 @@ class Laying:
         self._n, self._refine = n, refine
         self._element = 0.0  # length of the elements on arcs, which matters only under tension
         self._untouched = self._circles(0.0)
-        self.bare = taut_path(self.owner, self._untouched, plane.closed)
+        self.bare = self._path(self._untouched)
         self._element = self.bare.length * float(_shares(self.bare, refine)[1][-1]) / (n * refine)
 
     def _circles(self, tension: float) -> list[Circle]:
@@ -78,7 +79,11 @@ class Laying:
         pressed = zip(circles, self._untouched, strict=True)
         if any(c.radius < (1 - DEEPEST) * free.radius for c, free in pressed):
             return None
-        return taut_path(self.owner, circles, self.plane.closed)
+        return self._path(circles)
+
+    def _path(self, circles: list[Circle]) -> Path:
+        flat = taut_path(self.owner, circles, self.plane.closed)
+        return out_of_plane(flat, {z.name: z for z in self.plane.surfaces}, self.plane.axes)
 
     def tension(self, length: float, EA: float) -> float:  # noqa: N803
         """The tension [N] at which a rope of a given undeformed length [m] fills its path.
@@ -128,6 +133,12 @@ def dead_turns(plane: RopePlane, turns: Any) -> tuple[float, float]:
             f"{plane.owner}: turns {turns!r} need a drum, and there is none at that end of the path; end it on a "
             "drum, or leave turns out"
         )
+    for drum, z in zip(plane.drums, (first, last), strict=True):
+        if drum is not None and drum.pitch and not z:
+            raise ModelError(
+                f"{plane.owner}: it has no turns in the helical groove of '{drum.name}', on which it ends; "
+                "give turns=…, usually two or three"
+            )
     return first, last
 
 
@@ -135,16 +146,20 @@ def check_clear(
     plane: RopePlane, path: Path, surfaces: Sequence[Surface], rope_radius: float, depths: Mapping[str, float]
 ) -> None:
     """The initial rope must not run through a surface: no deeper than it presses into those of its path."""
-    places = plane.place(path.at(np.linspace(0, path.length, SAMPLES))[0])
+    places = plane.at(path, np.linspace(0, path.length, SAMPLES))[0]
     for surface in surfaces:
         depth = -float(_gaps(surface, places, rope_radius).min(initial=np.inf))
         meant = depths.get(surface.name, 0.0)
         if depth > meant + INSIDE * rope_radius + 1e-9 * path.length:
-            remedy = (
-                "where another sheave guides it; move them apart, or change their order or sense"
-                if surface.name in depths
-                else "which is not on its path; put it into the path, or move it"
-            )
+            if surface.name not in depths:
+                remedy = "which is not on its path; put it into the path, or move it"
+            elif surface.pitch:
+                remedy = (
+                    "whose ridges it touches, or where another sheave guides it; change the start of the groove or its "
+                    "sense, or move the next sheave away"
+                )
+            else:
+                remedy = "where another sheave guides it; move them apart, or change their order or sense"
             raise ModelError(
                 f"{plane.owner}: in its initial configuration it runs {depth:.3g} m deep into '{surface.name}', "
                 f"{remedy}"
@@ -161,6 +176,8 @@ def _gaps(surface: Surface, places: Array, rope_radius: float) -> Array:
     along = off @ surface.axle
     radial = np.linalg.norm(off - along[:, None] * surface.axle, axis=1)
     gaps: Array = radial - surface.radius - rope_radius
+    if surface.pitch:
+        return helical_gaps(surface, off, rope_radius)
     return gaps if "flank" not in surface.parameters else gaps[np.abs(along) < rope_radius]
 
 

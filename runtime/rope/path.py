@@ -5,7 +5,7 @@ Pure geometry, in the plane of the sheaves; angles count from its first axis tow
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import product
 
@@ -35,7 +35,10 @@ class Circle:
 
 @dataclass(frozen=True)
 class Part:
-    """A straight part (`sense` 0) from a point along a direction angle, or an arc about a centre from a polar angle."""
+    """A straight part (`sense` 0) from a point along a direction angle, or an arc about a centre from a polar angle.
+
+    It lies `off` from the plane at its start, and rises from it by `rise` per length in the plane.
+    """
 
     origin: Array
     angle: float
@@ -43,9 +46,22 @@ class Part:
     radius: float = 0.0
     sense: int = 0
     on: str = ""
+    rise: float = 0.0
+    off: float = 0.0
+
+    @property
+    def slant(self) -> float:
+        """Length per length in the plane."""
+        return float(np.hypot(1, self.rise))
+
+    @property
+    def end_off(self) -> float:
+        """Distance from the plane at the part's end [m]."""
+        return self.off + self.rise * self.length / self.slant
 
     def at(self, s: Array) -> tuple[Array, Array]:
-        """Places and unit tangents (ns, 2) at arc lengths s (ns,) from the part's start."""
+        """Places in the plane and unit tangents there (ns, 2) at arc lengths s (ns,) from the part's start."""
+        s = s / self.slant
         if self.sense == 0:
             u = np.array([np.cos(self.angle), np.sin(self.angle)])
             return self.origin + s[:, None] * u, np.tile(u, (s.size, 1))
@@ -69,17 +85,29 @@ class Path:
     @property
     def wraps(self) -> dict[str, float]:
         """Angle [rad] of the arc on each circle."""
-        return {part.on: part.length / part.radius for part in self.parts if part.sense}
+        return {part.on: part.length / part.slant / part.radius for part in self.parts if part.sense}
 
     def at(self, s: Array) -> tuple[Array, Array]:
-        """Places and unit tangents (ns, 2) at arc lengths s (ns,) of the path."""
+        """Places in the plane and unit tangents there (ns, 2) at arc lengths s (ns,) of the path."""
+        places, tangents = np.zeros((2, s.size, 2))
+        for part, own, along in self._split(s):
+            places[own], tangents[own] = part.at(along)
+        return places, tangents
+
+    def off(self, s: Array) -> tuple[Array, Array]:
+        """Distances from the plane (ns,) [m], and rises per length in the plane (ns,), at arc lengths s (ns,)."""
+        places, rises = np.zeros((2, s.size))
+        for part, own, along in self._split(s):
+            places[own], rises[own] = part.off + part.rise * along / part.slant, part.rise
+        return places, rises
+
+    def _split(self, s: Array) -> Iterator[tuple[Part, Array, Array]]:
+        """The parts, which of some arc lengths (ns,) lie on each, and these from its start."""
         ends = np.cumsum([part.length for part in self.parts])
         which = np.minimum(np.searchsorted(ends, s, side="left"), len(self.parts) - 1)
-        places, tangents = np.zeros((2, s.size, 2))
         for i, part in enumerate(self.parts):
             own = which == i
-            places[own], tangents[own] = part.at(s[own] - (ends[i] - part.length))
-        return places, tangents
+            yield part, own, s[own] - (ends[i] - part.length)
 
     def spans(self) -> list[tuple[str, float, float]]:
         """Circle and ends of the arc length [m] of every arc."""

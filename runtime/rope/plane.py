@@ -11,7 +11,7 @@ from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.declare.declarations import Declarations
 from flexel.rope.contacts import find_surface
-from flexel.rope.path import Circle
+from flexel.rope.path import Circle, Path
 from flexel.structure.nodes import Node
 from flexel.structure.surfaces import Surface
 
@@ -46,6 +46,12 @@ class RopePlane:
                 self.items.append((point, 0))
         self.surfaces = [z for z, _ in self.items if not isinstance(z, Node)]
         self.names = [z.name for z in self.surfaces]
+        walking = [z.name for z in self.surfaces if closed and z.pitch]
+        if walking:
+            raise ModelError(
+                f"{owner}: it is closed, and the helical groove of '{walking[0]}' would move it sideways for ever; "
+                "give the sheave an fx.RoundGroove(…)"
+            )
         ends = (None, None) if closed else (self.items[0][0], self.items[-1][0])
         self.ends = [z if isinstance(z, Node) else None for z in ends]
         self.drums = [z if isinstance(z, Surface) else None for z in ends]
@@ -53,9 +59,10 @@ class RopePlane:
         centres = np.array([z.x0 if isinstance(z, Node) else z.centre for z, _ in self.items])
         self.planar = centres.shape[1] == 2
         if self.planar:
-            self.origin, self.axes = np.zeros(2), np.eye(2)
+            self.origin, self.axes, self.normal = np.zeros(2), np.eye(2), np.zeros(2)
         else:
             self.origin, self.axes = self._spatial(centres)
+            self.normal = np.cross(*self.axes)
         self.flat = (centres - self.origin) @ self.axes.T
         normal = np.array([0.0, 0.0, 1.0]) if self.planar else np.cross(*self.axes)
         self.signs = [1 if isinstance(z, Node) else int(np.sign(z.axle @ normal)) for z, _ in self.items]
@@ -109,18 +116,17 @@ class RopePlane:
                 sine = float(place.parameters["flank"][0])
                 deep = depth(tension / R / (2 * sine)) / sine
             else:
-                deep = depth(tension / R)
+                deep = depth(tension * R / place.per_radian(rope_radius) ** 2)
             end = {0: turns[0], len(self.items) - 1: turns[1]}.get(i, 0.0)
             found.append(Circle(place.name, self.flat[i], R - deep, sense * self.signs[i], end))
         return found
 
-    def place(self, flat: Array) -> Array:
-        """A point of the plane in global coordinates."""
-        return np.asarray(self.origin + flat @ self.axes)
-
-    def direction(self, flat: Array) -> Array:
-        """A direction of the plane in global coordinates."""
-        return np.asarray(flat @ self.axes)
+    def at(self, path: Path, s: Array) -> tuple[Array, Array]:
+        """Places and unit tangents (ns, 2 or 3) of a path in global coordinates, at arc lengths s (ns,)."""
+        flat, tangents = path.at(s)
+        off, rise = (z[:, None] for z in path.off(s))
+        places = self.origin + flat @ self.axes + off * self.normal
+        return places, (tangents @ self.axes + rise * self.normal) / np.hypot(1, rise)
 
 
 def _with_sense(owner: str, place: Any) -> tuple[Any, int]:

@@ -81,6 +81,8 @@ class PointContacts(Laws):
             raise ModelError(
                 f"{owner}: its stiffness is per length of a rope; give the stiffness of the point, with per='point'"
             )
+        if found.kind == "helical_groove":
+            raise ModelError(f"{owner}: a helical groove takes ropes only; give a sheave with another groove")
         a = not_negative(radius, owner, "radius")
         check_fits("sphere", a, found, owner)
         planar, nodes = self._find_nodes(owner, (point, "point"))

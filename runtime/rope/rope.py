@@ -28,7 +28,7 @@ class Rope(CableLine):
     radius : float
         Radius of the rope [m].
     path : Path
-        Initial path, in the plane of the sheaves.
+        Initial path, in the plane of the sheaves and away from it on helical grooves.
     tension0 : float
         Tension in the initial configuration [N].
     contacts : dict of str to list of ContactPoint
@@ -88,16 +88,16 @@ class Rope(CableLine):
     def wrap_angle(self, states: State | Sequence[State], surface: str) -> Array:
         """Angle () or (nt,) [rad] over which the rope touches.
 
-        Undeformed length from the first to the last point that touches, over the radius of the centre line.
+        Undeformed length from the first to the last point that touches, over that of the centre line per angle.
         """
         points = self._points(surface)
         s, N = self.contact_force(states, surface)
-        R = points[0].surface.radius
-        if not R:
+        found = points[0].surface
+        if not found.radius:
             return np.zeros(N.shape[:-1])
         share = float(np.mean([p.weight for p in points]))
         touched = np.array([self._touched(s[row > 0], share) for row in np.atleast_2d(N)])
-        return np.asarray(touched.reshape(N.shape[:-1]) / (R + self.radius))
+        return np.asarray(touched.reshape(N.shape[:-1]) / found.per_radian(self.radius))
 
     def _touched(self, s: Array, share: float) -> float:
         """Length [m] from the first to the last of some points; of a closed rope all but the longest gap."""

@@ -64,7 +64,8 @@ class Ropes(Contacts, Surfaces):
             in equilibrium.
         turns : float or pair of float
             Initial turns of rope on the drum, before the first straight part (after the last one for a drum at the end
-            of the path); a pair for drums at both ends, which otherwise have equally many.
+            of the path); a pair for drums at both ends, which otherwise have equally many.  In a `HelicalGroove` they
+            lie side by side; the first straight part then leaves the groove where it is nearest to the plane.
         refine : float
             Elements are shorter by this factor where the rope lies on sheaves in the initial configuration.
         also : sequence of str
@@ -82,8 +83,8 @@ class Ropes(Contacts, Surfaces):
         ------
         ModelError
             A path that runs through a sheave or plane or has slack, a contact too soft for the tension, sheaves that
-            do not lie in one plane, elements too long for the smallest sheave (with the number needed).  The model is
-            then unchanged.
+            do not lie in one plane, a rope that leaves a helical groove across its ridges, elements too long for the
+            smallest sheave (with the number needed).  The model is then unchanged.
 
         Examples
         --------
@@ -156,14 +157,14 @@ def _lay(
     properties: dict[str, Any],
 ) -> CableLine:
     """Points, slopes and elements of the rope on its path; its ends are held as the path requires."""
-    places, tangents = path.at(s * path.length / s[-1])
+    places, tangents = plane.at(path, s * path.length / s[-1])
     points: list[Node] = []
     slopes: list[Node] = []
     for i in range(s.size - plane.closed):
         end = {0: plane.ends[0], s.size - 1: plane.ends[1]}.get(i)
-        node = end if end is not None else model.point(f"{name}_p{i}", plane.place(places[i]))
+        node = end if end is not None else model.point(f"{name}_p{i}", places[i])
         points.append(node)
-        slopes.append(model.slope(f"{name}_d{i}", plane.direction(tangents[i]), stretch=stretch))
+        slopes.append(model.slope(f"{name}_d{i}", tangents[i], stretch=stretch))
     elements = []
     for i in range(s.size - 1):
         elements.append(f"{name}{i + 1}")

@@ -13,7 +13,7 @@ import numpy as np
 from flexel.base.arguments import array, new_name, number, positive
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
-from flexel.base.quaternions import in_frame, triad, unit
+from flexel.base.quaternions import in_frame, matrix, triad, unit
 from flexel.declare.declarations import Declarations
 from flexel.structure.nodes import Node
 from flexel.structure.surfaces import Surface
@@ -33,6 +33,23 @@ class RoundGroove:
 
     radius: float
     opening: float = np.pi / 4
+
+
+@dataclass(frozen=True, kw_only=True)
+class HelicalGroove(RoundGroove):
+    """Round groove along a helix on a drum: a rope that winds on it moves sideways by the lead per turn.
+
+    Parameters
+    ----------
+    lead : float
+        Axial distance of two turns [m], negative for a left-handed helix; usually 1.1 to 1.2 rope diameters.
+    start : sequence of float (3,), optional
+        Direction from the axle, in global axes as drawn, in which the groove crosses the plane through the drum's
+        centre; the global axis farthest from the axle by default.
+    """
+
+    lead: float
+    start: Any = None
 
 
 @dataclass(frozen=True)
@@ -61,7 +78,7 @@ class Surfaces(Declarations):
         *,
         radius: float,
         axle: Any = (0.0, 0.0, 1.0),
-        groove: RoundGroove | VGroove | None = None,
+        groove: RoundGroove | HelicalGroove | VGroove | None = None,
     ) -> Surface:
         """Declare a sheave or drum: a cylinder about an axle through a point of a body, smooth or with a groove.
 
@@ -74,13 +91,13 @@ class Surfaces(Declarations):
             as this requires, and touches on both flanks, a little higher [m].
         axle : sequence of float (3,)
             In global axes, as drawn; planar models need none.
-        groove : RoundGroove or VGroove, optional
+        groove : RoundGroove, HelicalGroove or VGroove, optional
             Guides the rope sideways; planar models have none.
 
         Raises
         ------
         ModelError
-            A name that is taken, a radius that is not positive, an opening that is not an angle.
+            A name that is taken, a radius that is not positive, an opening that is not an angle, a lead of zero.
 
         Examples
         --------
@@ -100,9 +117,11 @@ class Surfaces(Declarations):
             z = np.array([0.0, 0.0, 1.0])
             return _kept(self, Surface(name, "circle", c.name, r.name, values, R, c.x0, z, PLANAR))
         u = unit(axle, owner, "axle")
-        values |= {"t": in_frame(r.x0, triad(u, None, owner)), "offset": np.zeros(3)}
+        axes = triad(u, groove.start if isinstance(groove, HelicalGroove) else None, owner)
+        values |= {"t": in_frame(r.x0, axes), "offset": np.zeros(3)}
         element, gaps, more = _groove(groove, owner)
-        return _kept(self, Surface(name, element, c.name, r.name, values | more, R, c.x0, u, gaps))
+        across = matrix(axes)[:, 1] if "lead" in more else None
+        return _kept(self, Surface(name, element, c.name, r.name, values | more, R, c.x0, u, gaps, across))
 
     def plane(
         self, name: str, point: Node | str, frame: Node | str, normal: Any = (0.0, 0.0, 1.0)
@@ -142,7 +161,10 @@ def _groove(groove: Any, owner: str) -> tuple[str, tuple[tuple[str, tuple[str, .
     if groove is None:
         return "cylinder", CYLINDER, {}
     if not isinstance(groove, (RoundGroove, VGroove)):
-        raise ModelError(f"{owner}: groove {groove!r} is unknown; give fx.RoundGroove(…) or fx.VGroove(…)")
+        raise ModelError(
+            f"{owner}: groove {groove!r} is unknown; give fx.RoundGroove(…), "
+            "fx.HelicalGroove(…) or fx.VGroove(…)"
+        )
     opening = number(groove.opening, owner, "opening")
     if not 0 < opening < np.pi:
         raise ModelError(
@@ -152,7 +174,14 @@ def _groove(groove: Any, owner: str) -> tuple[str, tuple[tuple[str, tuple[str, .
     if isinstance(groove, VGroove):
         return "v_groove", VEE, flank
     flank["groove_radius"] = np.array([positive(groove.radius, owner, "groove radius")])
-    return "round_groove", ROUND, flank
+    if not isinstance(groove, HelicalGroove):
+        return "round_groove", ROUND, flank
+    lead = number(groove.lead, owner, "lead")
+    if lead == 0:
+        raise ModelError(
+            f"{owner}: the lead of its groove is zero; give the axial distance of two turns, or fx.RoundGroove(…)"
+        )
+    return "helical_groove", ROUND, flank | {"lead": np.array([lead])}
 
 
 def _new(model: Declarations, name: str, owner: str) -> None:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from flexel.base.arrays import Array
 
 
@@ -15,7 +17,7 @@ class Surface:
     ----------
     name : str
     kind : str
-        cylinder, plane, v_groove or round_groove; circle or line in planar models.
+        cylinder, plane, v_groove, round_groove or helical_groove; circle or line in planar models.
     point, frame : str
         Nodes of the body: the surface's centre, or a point of the plane, and the orientation.
     parameters : dict of str to ndarray
@@ -26,6 +28,8 @@ class Surface:
         As drawn; the axle is the normal for a plane, and (0, 0, 1) in planar models.
     gaps : tuple of (str, tuple of str)
         Gap deformations of a rope, each with the slips along the surface there.
+    across : ndarray, optional
+        Of a helical groove: where it crosses the plane through the centre, seen from the axle, as drawn.
     """
 
     name: str
@@ -37,6 +41,16 @@ class Surface:
     centre: Array
     axle: Array
     gaps: tuple[tuple[str, tuple[str, ...]], ...]
+    across: Array | None = None
+
+    @property
+    def pitch(self) -> float:
+        """Axial advance of a helical groove per angle about the axle [m/rad]; 0 for other surfaces."""
+        return float(self.parameters.get("lead", np.zeros(1))[0]) / (2 * np.pi)
+
+    def per_radian(self, rope_radius: float) -> float:
+        """Length of a rope's centre line on it per angle about the axle [m/rad]."""
+        return float(np.hypot(self.radius + rope_radius, self.pitch))
 
     @property
     def planar(self) -> bool:

@@ -24,7 +24,7 @@ from element_numbers import (
 )
 from mpmath import cos, mpf, sin, sqrt
 
-SURFACES = ["cable_cylinder", "cable_plane", "cable_v_groove", "cable_round_groove"]
+SURFACES = ["cable_cylinder", "cable_plane", "cable_v_groove", "cable_round_groove", "cable_helical_groove"]
 STILL = [1, 0, 0, 0]
 
 
@@ -105,7 +105,12 @@ def surface(name: str, rng: random.Random, **given: Any) -> tuple[Any, dict[str,
     """Return a contact, its parameters and the place and orientation of its body."""
     beta = mpf("0.4")
     values = {"l0": mpf("0.5"), "xi": mpf("0.3"), "t": unit(column(rng, 4)), "offset": column(rng, 3)}
-    values |= {"radius": mpf("0.4"), "rope_radius": mpf("0.01"), "groove_radius": mpf("0.011")}
+    values |= {
+        "radius": mpf("0.4"),
+        "rope_radius": mpf("0.01"),
+        "groove_radius": mpf("0.011"),
+        "lead": mpf("0.03"),
+    }
     values |= {"flank": [sin(beta), cos(beta)]} | given
     known = {p.name for p in BY_NAME[name].parameters}
     values = {key: value for key, value in values.items() if key in known}
@@ -185,6 +190,44 @@ def test_round_groove_is_smooth_where_the_flank_begins(rng: random.Random) -> No
     assert abs(slope(1) - slope(-1)) < 1e-9
 
 
+@pytest.mark.parametrize("lead", [mpf("0.03"), mpf("-0.05")])
+def test_rope_rests_in_every_turn_of_a_helical_groove(lead: Any, rng: random.Random) -> None:
+    for angle in (mpf(0), mpf(3), mpf(4), mpf(30), mpf(-7)):
+        y = [lead * angle / (2 * mpmath.pi), mpf("0.41") * cos(angle), mpf("0.41") * sin(angle)]
+        assert equal(gaps("cable_helical_groove", y, rng, lead=lead), [0])
+
+
+def test_helical_groove_has_the_profile_of_a_round_one_and_repeats_beyond_the_ridges(
+    rng: random.Random,
+) -> None:
+    """Sideways by z, the distance from the groove is z cos gamma; beyond a ridge, that from the other turn."""
+    lead, angle = mpf("0.03"), mpf(2)
+    slant = 1 / sqrt(1 + (lead / (2 * mpmath.pi * mpf("0.41"))) ** 2)
+    for z, nearest in (("0.004", "0.004"), ("-0.002", "0.002"), ("0.0149", "0.0149"), ("0.0151", "0.0149")):
+        off = [lead * angle / (2 * mpmath.pi) + mpf(z), mpf("0.415") * cos(angle), mpf("0.415") * sin(angle)]
+        round_one = gaps("cable_round_groove", [slant * mpf(nearest), mpf("0.415"), 0], rng)
+        assert equal(gaps("cable_helical_groove", off, rng), round_one, mpf(10) ** -25)
+
+
+def test_gap_of_a_helical_groove_grows_across_it_alone_and_as_fast_as_the_distance(
+    rng: random.Random,
+) -> None:
+    """So the contact force is normal to the groove, and its size is that of the law."""
+    state, step, pitch, r, angle = rng.getstate(), mpf("1e-15"), mpf("0.03") / (2 * mpmath.pi), mpf("0.41"), 1
+    slope = []
+    for i in range(3):
+        ends = []
+        for sign in (1, -1):
+            rng.setstate(state)
+            y = [pitch * angle + mpf("0.003"), r * cos(angle), r * sin(angle)]
+            y[i] += sign * step
+            ends.append(gaps("cable_helical_groove", y, rng)[0])
+        slope.append((ends[0] - ends[1]) / (2 * step))
+    along = [pitch, -r * sin(angle), r * cos(angle)]
+    assert equal([sum(z**2 for z in slope)], [1], mpf(10) ** -20)
+    assert equal([sum(a * b for a, b in zip(slope, along, strict=True))], [0], mpf(10) ** -20)
+
+
 @pytest.mark.parametrize("name", SURFACES)
 def test_rope_that_moves_with_the_body_does_not_slide(name: str, rng: random.Random) -> None:
     d, values, body = surface(name, rng)
@@ -200,8 +243,11 @@ def test_rope_that_moves_with_the_body_does_not_slide(name: str, rng: random.Ran
 
 @pytest.mark.parametrize("name", SURFACES)
 def test_gaps_and_slips_together_are_the_relative_velocity(name: str, rng: random.Random) -> None:
-    """Motion of the rope alone: normal (rate of the gap) and sliding velocities have the length of the velocity."""
-    for depth in (mpf("0.41"), mpf("0.9")):
+    """Motion of the rope alone: normal (rate of the gap) and sliding velocities have the length of the velocity.
+
+    In a helical groove where its lead angle is taken: at the centre of the rope.
+    """
+    for depth in (mpf("0.41"), mpf("0.9"))[: 1 if name == "cable_helical_groove" else 2]:
         d, values, body = surface(name, rng)
         x = [*rope_through(on_surface(values, body, [mpf("0.05"), mpf(0), depth]), values, rng), *body]
         v = [*column(rng, 3), *[0] * 16]

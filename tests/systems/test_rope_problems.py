@@ -10,6 +10,7 @@ import pytest
 from flexel.examples import rope_exact as exact
 from flexel.examples import rope_hanging as hanging
 from flexel.examples import rope_hoists as hoists
+from flexel.examples import rope_pendulums as pendulums
 from flexel.examples import rope_sheaves as sheaves
 from flexel.examples import rope_swings as swings
 from flexel.examples import rope_waves as waves
@@ -60,6 +61,33 @@ def test_pendulum_converges_and_a_swinging_rope_keeps_its_energy() -> None:
     found = orders(rows)
     assert found["pendulum_error"] > 3
     assert found["pendulum_soft_change"] > 2
+
+
+def test_reference_of_a_wrapping_pendulum_returns_after_the_period_of_its_energy() -> None:
+    start, once = pendulums.HELD.start, pendulums.period(pendulums.HELD.start)
+    path = pendulums.exact(pendulums.HELD, np.array([0, once / 2, once]))
+    assert path[2] == pytest.approx(path[0], abs=1e-9)
+    assert path[1, 0] < 0
+    small = 2 * np.pi * np.sqrt(pendulums.FREE / pendulums.G)  # without the mass of the rope
+    assert pendulums.period(0.01) == pytest.approx(small, rel=1e-3)
+    assert once > 1.04 * pendulums.period(start / 100)
+
+
+def test_reference_of_the_swinging_atwoods_machine_without_a_swing_is_the_cosh_law() -> None:
+    case, t = pendulums.Swing(0.0, 0.5, mass=0.8, inertia=2e-3), np.linspace(0, 0.5, 6)
+    rope, free, other = pendulums.ROPE, pendulums.FREE, pendulums.OTHER
+    moved = pendulums.BOB + 0.8 + 2e-3 / 0.1**2 + rope * (free + other + 0.1 * np.pi)
+    rate = np.sqrt(2 * rope * pendulums.G / moved)
+    start = pendulums.G * (pendulums.BOB - 0.8 + rope * (free - other)) / moved
+    fall = start * (np.cosh(rate * t) - 1) / rate**2
+    assert -free - pendulums.exact(case, t)[:, 1] == pytest.approx(fall, abs=1e-9)
+
+
+@pytest.mark.slow
+def test_ropes_wrap_and_unwrap_a_sheave_as_lagranges_equations_say() -> None:
+    rows = pendulums.rows()
+    assert failures(rows) == []
+    assert min(orders(rows).values()) > 2.5
 
 
 @pytest.mark.slow
