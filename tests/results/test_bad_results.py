@@ -11,7 +11,7 @@ from flexel.spacar.reading import read_spacar
 
 def test_results_that_do_not_exist_are_reported_with_those_that_do(tmp_path: Any) -> None:
     system = pendulum().build()
-    motion, lin = system.simulate(0.1, times=[0.0]), system.linearize()
+    motion, lin = system.simulate(0.1, times=[0.0]), system.linearize(system.equilibrium())
     with pytest.raises(ModelError, match=r"motion\[0.05\]: .* motion.at\(0.05\)"):
         motion[0.05]
     with pytest.raises(ModelError, match="mode 7: there are 2 modes, numbered from 0"):
