@@ -12,8 +12,6 @@ if TYPE_CHECKING:
         CompilerError,
         ConstraintError,
         DynamicsError,
-        ElementError,
-        FlexelError,
         IncompleteWarning,
         LinearizationError,
         ModelError,
@@ -29,6 +27,7 @@ if TYPE_CHECKING:
     from flexel.declare.sections import IBeam, Rectangle, SectionForces, StressPoint
     from flexel.declare.user import compile_element, compile_law
     from flexel.declare.wheels import Waves
+    from flexel.derive.errors import ElementError, FlexelError
     from flexel.integration.events import Event
     from flexel.mechanics.constraints import ConstraintReport
     from flexel.mechanics.linearization import Linearization
