@@ -8,7 +8,7 @@ VENV_BENCH ?= .venv-bench
 OUT ?= out
 BENCH ?=
 PYTEST ?= -n 2 --durations=10
-QUOTED ?= bicycle cardan cylinder slider-crank flexures rope contact hoist vehicle motorcycle tolerances
+QUOTED ?= bicycle cardan cylinder slider-crank flexures rope contact hoist vehicle motorcycle tolerances stability-map
 TYPED := build/typed
 
 PIP := $(VENV)/bin/pip install --quiet --disable-pip-version-check
