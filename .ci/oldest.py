@@ -1,7 +1,7 @@
 """Prints the oldest versions that pyproject.toml admits, one requirement a line, for pip.
 
-`python .ci/oldest.py test` adds those of an extra. What these versions bring with them is as new as pip finds it, except
-what would not work with them.
+`python .ci/oldest.py test` adds those of an extra. What these versions bring with them is as new as pip finds it,
+except what would not work with them.
 """
 
 import re
