@@ -5,18 +5,30 @@ PYTHON ?= python3
 VENV ?= .venv
 VENV_LINT ?= .venv-lint
 VENV_BENCH ?= .venv-bench
+VENV_OLDEST ?= .venv-oldest
 OUT ?= out
 BENCH ?=
 PYTEST ?= -n 2 --durations=10
 QUOTED ?= bicycle cardan cylinder slider-crank flexures rope contact hoist vehicle motorcycle tolerances stability-map
 TYPED := build/typed
 
+# Kernels and engine with every access to memory checked: the tests that call most of them, published systems.
+SANITIZED := build/sanitized
+SANITIZE ?= --durations=5 tests/engine tests/integration/test_threads.py tests/mechanics tests/linear
+SANITIZE_SYSTEMS ?= bicycle vehicle contact
+SANITIZER := address,undefined
+
+# What depends on other packages: files, pictures, frames, sparse matrices, integrators, worker processes.
+OLDEST_TREE := build/oldest
+OLDEST ?= -n 2 --durations=5 -m "not slow and not campaign" tests/engine tests/results tests/statics tests/linear \
+  tests/mechanics tests/pictures tests/sweeps tests/integration tests/commands/test_cli_run.py
+
 PIP := $(VENV)/bin/pip install --quiet --disable-pip-version-check
 SETUP := pyproject.toml setup.py
 SOURCES := $(SETUP) $(wildcard generated/*.[ch] runtime/engine/*.[ch] generated/build.py)
 WARNINGS := -std=c11 -O2 -fopenmp-simd -DFLEXEL_NO_CLONES -Wall -Wextra -Wpedantic -Werror -Igenerated -Iruntime/engine
 
-.PHONY: demo test test-all bench docs lint types check strict wheel venv clean prerequisites
+.PHONY: demo test test-all test-oldest sanitize bench docs lint types check strict wheel venv clean prerequisites
 
 demo: $(VENV)/installed-plot
 	$(VENV)/bin/flexel derive
@@ -31,6 +43,31 @@ test: $(VENV)/installed-test
 # With the long campaigns; PYTEST="-n 2 -m campaign -k adding" runs a sample of them alone.
 test-all: $(VENV)/installed-test
 	$(VENV)/bin/python -m pytest $(PYTEST)
+
+# With the oldest versions of all packages that pyproject.toml admits; OLDEST="-n 2 -m 'not campaign'" runs all tests.
+test-oldest: $(VENV_OLDEST)/needed
+	FLEXEL_CFLAGS="-O1 -DFLEXEL_NO_CLONES" $(VENV_OLDEST)/bin/python setup.py --quiet build --build-base $(OLDEST_TREE) \
+	  --build-lib $(OLDEST_TREE)/lib
+	$(VENV_OLDEST)/bin/pip list
+	PYTHONPATH=$(OLDEST_TREE)/lib $(VENV_OLDEST)/bin/python -m pytest $(OLDEST)
+
+# Where memory is read or written outside what was claimed, or an operation has no meaning in C, the program stops and says
+# where. The compiled files are in a tree of their own. Python's own memory is never given back: leaks are not looked for
+# here, but in a program without Python (tests/engine/test_sanitizers.py), which also looks for races of threads.
+sanitize: $(VENV)/installed-test
+	FLEXEL_CFLAGS="-O1 -g1 -fno-omit-frame-pointer -DFLEXEL_NO_CLONES -fsanitize=$(SANITIZER) -fno-sanitize-recover=all" \
+	  LDFLAGS="-fsanitize=$(SANITIZER)" $(VENV)/bin/python setup.py --quiet build --build-base $(SANITIZED) \
+	  --build-lib $(SANITIZED)/lib
+	$(VENV)/bin/python -m pytest -p no:xdist --durations=3 tests/engine/test_sanitizers.py
+	rm -f $(SANITIZED)/found.*
+	@export PYTHONPATH=$(SANITIZED)/lib PYTHONMALLOC=malloc \
+	  LD_PRELOAD="$$($(CC) -print-file-name=libasan.so) $$($(CC) -print-file-name=libstdc++.so)" \
+	  ASAN_OPTIONS=detect_leaks=0:log_path=$(abspath $(SANITIZED))/found \
+	  UBSAN_OPTIONS=print_stacktrace=1:log_path=$(abspath $(SANITIZED))/found; \
+	  set -e; trap 'cat $(SANITIZED)/found.* 2>/dev/null || true' EXIT; \
+	  $(VENV)/bin/python -m flexel verify; \
+	  for system in $(SANITIZE_SYSTEMS); do $(VENV)/bin/python -m flexel reproduce $$system; done; \
+	  $(VENV)/bin/python -m pytest -p no:xdist -m "not campaign" $(SANITIZE)
 
 # What flexel costs, beside the other programs that can be installed; BENCH="cables_56 chain_40" measures these rows alone.
 bench: $(VENV_BENCH)/installed-peers
@@ -70,7 +107,7 @@ wheel: $(VENV)/bin/python
 venv: $(VENV)/installed-test
 
 clean:
-	rm -rf build dist docs/_build docs/_generated $(OUT) $(VENV) $(VENV_LINT) $(VENV_BENCH) *.egg-info .pytest_cache .mypy_cache .ruff_cache generated/_kernels*.so
+	rm -rf build dist docs/_build docs/_generated $(OUT) $(VENV) $(VENV_LINT) $(VENV_BENCH) $(VENV_OLDEST) *.egg-info .pytest_cache .mypy_cache .ruff_cache generated/_kernels*.so
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 prerequisites:
@@ -83,7 +120,7 @@ prerequisites:
 	if [ -n "$$missing" ]; then echo "Missing; as root:  apt-get install$$missing" >&2; exit 1; fi
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "flexel needs Python 3.11 or newer: make PYTHON=...")'
 
-$(VENV)/bin/python $(VENV_LINT)/bin/python $(VENV_BENCH)/bin/python: %/bin/python: | prerequisites
+$(VENV)/bin/python $(VENV_LINT)/bin/python $(VENV_BENCH)/bin/python $(VENV_OLDEST)/bin/python: %/bin/python: | prerequisites
 	$(PYTHON) -m venv --clear $*
 
 # An editable install: compiles the kernels (a minute or two), and does so again when one of them has changed.
@@ -104,6 +141,11 @@ $(VENV_BENCH)/installed-peers: $(SOURCES) | $(VENV_BENCH)/bin/python
 	  print(*t["project"]["optional-dependencies"]["peers"], sep="\n")' | while read -r peer; do \
 	  $(VENV_BENCH)/bin/pip install --quiet --disable-pip-version-check "$$peer" \
 	    || echo "bench: $$peer cannot be installed here; its column will say so" >&2; done
+	@touch $@
+
+$(VENV_OLDEST)/needed: pyproject.toml .ci/oldest.py | $(VENV_OLDEST)/bin/python
+	$(PYTHON) .ci/oldest.py test > $(VENV_OLDEST)/needs.txt
+	$(VENV_OLDEST)/bin/pip install --quiet --disable-pip-version-check --requirement $(VENV_OLDEST)/needs.txt
 	@touch $@
 
 # The tools and what they must see, without flexel itself: nothing to compile.

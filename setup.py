@@ -1,6 +1,10 @@
-"""What pyproject.toml cannot say: the sub-packages, the C extension, one wheel for all Pythons >= 3.11."""
+"""What pyproject.toml cannot say: the sub-packages, the C extension, one wheel for all Pythons >= 3.11.
+
+The environment's FLEXEL_CFLAGS come after all other flags of the compiler, and so win over them (CFLAGS come first).
+"""
 
 import os
+import shlex
 from concurrent.futures import ThreadPoolExecutor
 
 from setuptools import Extension, find_packages, setup
@@ -18,6 +22,7 @@ class SideBySide(build_ext):
 
     def build_extension(self, ext: Extension) -> None:
         """Compile and link, with a compiler that takes many sources at once."""
+        ext.extra_compile_args += shlex.split(os.environ.get("FLEXEL_CFLAGS", ""))
         one = self.compiler.compile
 
         def many(sources: list[str], **options: object) -> list[str]:

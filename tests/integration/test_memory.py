@@ -1,11 +1,9 @@
 """Memory of long motions: that of an implicit one is constant, an explicit one keeps its steps and nothing else."""
 
-import gc
-import os
 import sys
-from pathlib import Path
 
 import pytest
+from memory import resident
 
 import flexel as fx
 
@@ -13,12 +11,6 @@ pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
 STEP, DURATION = 1e-3, 10.0  # [s]
 SLACK = 1.0  # MB that the allocator may keep
 PER_STEP = 4e-3  # MB that a step of DOP853 may keep for dense output
-
-
-def resident() -> float:
-    """Memory of this process [MB]."""
-    gc.collect()
-    return int(Path("/proc/self/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE") / 2**20
 
 
 def pendulum() -> fx.System:

@@ -1,0 +1,179 @@
+"""The engine in C without Python, under sanitizers: eight threads on the tables of one model, each in its workspace."""
+
+import os
+import shutil
+import subprocess
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from threading import Barrier
+
+import numpy as np
+import pytest
+from image import Image
+from wheels import MAGIC, MAGIC_ON, H, K, wheel
+
+import flexel as fx
+from flexel.base.arrays import Array
+from flexel.engine.structs import Struct
+from flexel.examples.bicycle import bicycle, kick
+from flexel.generated._kernels import ffi, lib
+from flexel.integration.dop853 import Steps
+
+ROOT = Path(__file__).parents[2]
+ENGINE, GENERATED = ROOT / "runtime" / "engine", ROOT / "generated"
+DRIVER = Path(__file__).parent / "threads" / "driver.c"
+STEP, STEPS = 1e-3, 20  # as in the driver
+THREADS = 8
+KINDS = "thread", "address"
+CLEAN = os.environ | {"LD_PRELOAD": "", "TSAN_OPTIONS": "", "ASAN_OPTIONS": "", "UBSAN_OPTIONS": ""}
+FLAGS = [
+    "-std=c11",
+    "-O1",
+    "-g1",
+    "-ffp-contract=off",
+    "-fopenmp-simd",
+    "-D_GNU_SOURCE",
+    "-DFLEXEL_NO_CLONES",
+]
+FLAGS += [f"-I{ENGINE}", f"-I{GENERATED}", "-Wall", "-Wextra", "-Werror"]
+
+pytestmark = pytest.mark.campaign  # compiles the engine twice; `make sanitize` runs it
+
+
+def rolling() -> tuple[fx.System, fx.State]:
+    """The bicycle after a kick: rolling conditions, eliminated by small dense matrices."""
+    system = bicycle()
+    return system, kick(system, 4.5, 0.05)[0]
+
+
+def hanging() -> tuple[fx.System, fx.State]:
+    """A rope of twelve cables, whose accelerations come from one sparse matrix."""
+    m = fx.Model(gravity=(0, 0, -9.81))
+    for i in range(13):
+        m.point(f"P{i}", (0.5 * i, 0, 0), fixed=i == 0)
+        m.slope(f"S{i}", (1, 0, 0))
+    for i in range(12):
+        ends = f"P{i}", f"S{i}", f"P{i + 1}", f"S{i + 1}"
+        m.cable(f"c{i}", *ends, EA=500.0, EI=2.0, mass_per_length=0.5, damping=0.01, bending_damping=0.01)
+    system = m.build()
+    return system, system.initial
+
+
+def slipping() -> tuple[fx.System, fx.State]:
+    """A wheel whose tyre has internal states."""
+    m = wheel(z=H)
+    m.attach("magic_formula", MAGIC_ON, name="rubber", stiffness=K, damping=0.0, **MAGIC)
+    for name, rate in (("hub.x", 10.0), ("hub.y", 0.5)):
+        m.initial(name, rate=rate)
+    system = m.build()
+    return system, system.initial
+
+
+MODELS = {z.__name__: z for z in (rolling, hanging, slipping)}
+
+
+def prepared(system: fx.System, start: fx.State) -> list[Steps]:
+    """Steps of as many threads, each in its own workspace."""
+    y, begin = np.concatenate([start.q, start.qd, start.z]), Barrier(THREADS)
+
+    def own(_: int) -> Steps:
+        begin.wait()
+        return Steps(system.kinematics, start, y, 1e-8, np.full(y.size, 1e-10))
+
+    with ThreadPoolExecutor(THREADS) as pool:
+        return list(pool.map(own, range(THREADS)))
+
+
+def moved(own: Steps) -> Array:
+    """What the driver computes: state after some steps, and the derivatives of the forces there."""
+    work, choice, run = own.choice.work.struct, own.choice.struct, own.struct
+    lib.flexel_reset(work, choice)
+    assert not lib.flexel_dop853_begin(work, choice, run, 0.0)
+    t = 0.0
+    for _ in range(STEPS):
+        assert not lib.flexel_dop853_step(work, choice, run, t, STEP)
+        lib.flexel_dop853_accept(work, run)
+        t += STEP
+    lib.flexel_complete(work, choice, 0)
+    lib.flexel_rates(work)
+    lib.flexel_convective(work)
+    arrays, energies = own.choice.work.state()
+    own.choice.work.stress[:] = np.frombuffer(
+        ffi.buffer(work.element_stress, 8 * (work.m + work.k)), count=work.m + work.k
+    )
+    lib.flexel_rate_derivatives(work)
+    lib.flexel_law_tangents(work, 0.0)
+    tangents = np.zeros((2, work.nT))
+    lib.flexel_tangents(work, *(ffi.from_buffer("double[]", z) for z in tangents))
+    return np.concatenate([*arrays, energies, tangents.ravel()])
+
+
+def written(file: Path, steps: Sequence[Steps], workspaces: int = THREADS) -> None:
+    """The file for the driver; with fewer workspaces, threads share them."""
+    evaluation = steps[0].kinematics.evaluation
+    roots: list[list[Struct]] = [[z.choice.work, z.choice, z] for z in steps]
+    image = Image(evaluation.tables, [z for root in roots for z in root])
+    samples = evaluation.tables.samples
+    assert samples is not None
+    length = sum(z.stop - z.start for z in steps[0].choice.work._state) + 4
+    place, _ = image.place(samples.ctypes.data)
+    image.write(file, [roots[i % workspaces] for i in range(THREADS)], place, samples.shape[1], length)
+
+
+@pytest.fixture(scope="module", params=KINDS)
+def driver(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> tuple[str, Path]:
+    """Kind of sanitizer, and the driver compiled with the engine and all kernels that the models need."""
+    compiler, kind = shutil.which("gcc"), str(request.param)
+    if not compiler:
+        pytest.skip("gcc is not installed")
+    folder = tmp_path_factory.mktemp(kind)
+    names = {b.spec.name for z in MODELS.values() for b in z()[0].evaluation.tables.elements}
+    sources = [
+        *ENGINE.glob("*.c"),
+        *(GENERATED / f"{z}.c" for z in sorted(names)),
+        GENERATED / "laws.c",
+        DRIVER,
+    ]
+    flags = [*FLAGS, f"-fsanitize={kind}"]
+
+    def called(*arguments: object) -> None:
+        command = [compiler, *flags, *map(str, arguments)]
+        found = subprocess.run(command, capture_output=True, text=True, check=False, env=CLEAN)
+        assert found.returncode == 0, found.stderr
+
+    def compiled(source: Path) -> Path:
+        made = folder / f"{source.parent.name}_{source.stem}.o"
+        called("-c", source, "-o", made)
+        return made
+
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        objects = list(pool.map(compiled, sources))
+    called("-rdynamic", *objects, "-o", folder / "driver", "-lm", "-ldl", "-pthread")
+    return kind, folder / "driver"
+
+
+def run(driver: Path, file: Path) -> subprocess.CompletedProcess[str]:
+    return subprocess.run([driver, file], capture_output=True, text=True, check=False, env=CLEAN, timeout=300)
+
+
+@pytest.mark.parametrize("name", MODELS)
+def test_eight_threads_race_nowhere_and_leave_nothing(
+    driver: tuple[str, Path], name: str, tmp_path: Path
+) -> None:
+    """And find the digits of the extension, up to what another optimization rounds."""
+    steps = prepared(*MODELS[name]())
+    written(tmp_path / "image", steps)
+    found = run(driver[1], tmp_path / "image")
+    assert found.returncode == 0 and not found.stderr, found.stderr
+    digits, expected = np.array(found.stdout.split(), dtype=float), moved(steps[0])
+    assert digits == pytest.approx(expected, rel=1e-9, abs=1e-9 * abs(expected).max())
+
+
+def test_two_threads_in_one_workspace_are_noticed(driver: tuple[str, Path], tmp_path: Path) -> None:
+    kind, program = driver
+    written(tmp_path / "image", prepared(*rolling()), workspaces=4)
+    found = run(program, tmp_path / "image")
+    assert found.returncode != 0
+    if kind == "thread":
+        assert "data race" in found.stderr
