@@ -51,7 +51,7 @@ HOMES = {  # sections of the page of public names: title and modules
     ),
     "Linearization": ("flexel.mechanics.linearization", "flexel.mechanics.modes"),
     "Many variants": ("flexel.results.ensemble", "flexel.results.linearizations"),
-    "Errors": ("flexel.base.errors",),
+    "Errors": ("flexel.base.errors", "flexel.derive.errors"),
 }
 RETURNED = {  # functions and options of pictures that are not names of the package itself
     "flexel.pictures.plot": ("root_loci", "Sketch"),

@@ -34,7 +34,12 @@ HEAD_HEIGHT = 0.9  # where the two beams meet on the steering axis [m]; any othe
 
 
 def bicycle(p: Mapping[str, float] = data.BENCHMARK, crown: float = 0.0) -> fx.System:
-    """The bicycle upright at the origin.
+    """The bicycle upright at the origin; parameters as for `model`."""
+    return model(p, crown).build()
+
+
+def model(p: Mapping[str, float] = data.BENCHMARK, crown: float = 0.0) -> fx.Model:
+    """The model of the bicycle upright at the origin.
 
     Parameters
     ----------
@@ -52,7 +57,7 @@ def bicycle(p: Mapping[str, float] = data.BENCHMARK, crown: float = 0.0) -> fx.S
         m.wheel(wheel, *nodes, radius=radius, axle=(0, 1, 0), normal=(0, 0, -1), crown=crown)
     m.independent("lean.angle", "steer.angle", "rear spin.angle")
     m.kinematic("rear contact.x", "rear contact.y", "yaw.angle", "front spin.angle")
-    return m.build()
+    return m
 
 
 def mechanism(m: fx.Model, p: Mapping[str, float]) -> None:

@@ -12,8 +12,6 @@ if TYPE_CHECKING:
         CompilerError,
         ConstraintError,
         DynamicsError,
-        ElementError,
-        FlexelError,
         IncompleteWarning,
         LinearizationError,
         ModelError,
@@ -29,6 +27,7 @@ if TYPE_CHECKING:
     from flexel.declare.sections import IBeam, Rectangle, SectionForces, StressPoint
     from flexel.declare.user import compile_element, compile_law
     from flexel.declare.wheels import Waves
+    from flexel.derive.errors import ElementError, FlexelError
     from flexel.integration.events import Event
     from flexel.mechanics.constraints import ConstraintReport
     from flexel.mechanics.linearization import Linearization
@@ -133,10 +132,10 @@ _HOMES = {
     "Contact": "flexel.rope.contacts",
     "Curve": "flexel.declare.curves",
     "DynamicsError": "flexel.base.errors",
-    "ElementError": "flexel.base.errors",
+    "ElementError": "flexel.derive.errors",
     "Ensemble": "flexel.results.ensemble",
     "Event": "flexel.integration.events",
-    "FlexelError": "flexel.base.errors",
+    "FlexelError": "flexel.derive.errors",
     "Harmonic": "flexel.base.time_functions",
     "HelicalGroove": "flexel.rope.surfaces",
     "IBeam": "flexel.declare.sections",

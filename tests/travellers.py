@@ -153,6 +153,7 @@ def own_law() -> fx.Model:
 
 OBJECTS: dict[str, Callable[[], Any]] = {
     "variants": pushed_many,
+    "points of a sweep": lambda: fx.grid({"speed": [1.0, 2.0]}),
     "model": lambda: rssr(universal=False),
     "model with functions": pushed,
     "model with tables": tabulated,
@@ -228,7 +229,7 @@ def fingerprint(value: Any) -> str:
 
 def eigenvalues(lin: fx.Linearization) -> str:
     """All digits of the eigenvalues."""
-    return lin.eigenvalues().tobytes().hex()
+    return np.linalg.eigvals(lin.state_matrix).tobytes().hex()
 
 
 def figures(system: fx.System) -> str:

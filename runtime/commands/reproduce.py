@@ -29,6 +29,7 @@ CASES = {
     "vehicle": "flexel.examples.vehicle",
     "motorcycle": "flexel.examples.motorcycle",
     "tolerances": "flexel.examples.tolerances",
+    "stability-map": "flexel.examples.stability_map",
 }
 
 

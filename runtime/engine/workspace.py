@@ -37,8 +37,11 @@ class Workspace(Fields):
         self._tangent()
         self._relations()
         self._constant_inertia()
+        found = (
+            self._samples()
+        )  # also fills the outputs of contacts that are not evaluated while they are far away
         if tables.samples is None:  # another thread may be first: it finds the same
-            tables.samples = self._samples()
+            tables.samples = found
         self.samples = tables.samples
         s = tables.structure
         sizes = [s.n, s.n, s.n, s.m, s.m + s.k + s.n, s.m + s.k + s.n, s.nz, s.nz]

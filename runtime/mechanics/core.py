@@ -150,9 +150,9 @@ class Core:
 
     def __repr__(self) -> str:
         c = self.counts
-        degrees = "degree" if c["degrees_of_freedom"] == 1 else "degrees"
+        nd = c["degrees_of_freedom"]
         return (
-            f"System({c['degrees_of_freedom']} {degrees} of freedom {self.dynamic}, {c['kinematic_coordinates']} "
+            f"System({nd} {'degree' if nd == 1 else 'degrees'} of freedom {self.dynamic}, {c['kinematic_coordinates']} "
             f"kinematic coordinates {self.kinematic}, {c['coordinates']} coordinates, {c['deformations']} deformations)"
         )
 
@@ -206,11 +206,8 @@ class Core:
         PositionError
             If the position cannot be reached.
         """
-        nq, nd, t = self.roles.nq, self.roles.nd, number(t, "residual", "time t")
-        q, qd, qdd = (
-            vector(z, "residual", name, size)
-            for z, name, size in ((q, "q", nq), (qd, "qd", nd), (qdd, "qdd", nd))
-        )
+        t, sizes = number(t, "residual", "time t"), (self.roles.nq, self.roles.nd, self.roles.nd)
+        q, qd, qdd = map(vector, (q, qd, qdd), ["residual"] * 3, ("q", "qd", "qdd"), sizes)
         near = Moment.of(own_state(self.structure, guess, "residual"))
         x, v, e = states.located(self.kinematics, t, q, qd, near.still(t))
         return -dynamics.driving_forces(self.kinematics, t, x, v, e, guess.z, qdd)
@@ -256,11 +253,10 @@ class Core:
             If a degree of freedom has no inertia; names it.
         """
         s, t = self.structure, number(t, "state", "time t")
-        x, v = (vector(value, "state", name, s.n) for value, name in ((x, "x"), (v, "v")))
+        x, v = vector(x, "state", "x", s.n), vector(v, "state", "v", s.n)
         e = None if e is None else vector(e, "state", "e", s.m)
         z = None if z is None else vector(z, "state", "z", s.nz)
-        work = self.evaluation.at(t, x, v, z=z, near=e)
-        e = work.e.copy()
+        e = self.evaluation.at(t, x, v, z=z, near=e).e.copy()
         if not np.any(v) and self.roles.motions:
             choice = self.kinematics.given(t)
             self.kinematics.check(choice.factorize(), t)

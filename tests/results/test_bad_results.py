@@ -5,7 +5,7 @@ from typing import Any
 import pytest
 from mistakes import pendulum
 
-from flexel.base.errors import ModelError
+from flexel.base.errors import ModelError, UnsteadyWarning
 from flexel.spacar.reading import read_spacar
 
 
@@ -14,7 +14,10 @@ def test_results_that_do_not_exist_are_reported_with_those_that_do(tmp_path: Any
     motion, lin = system.simulate(0.1, times=[0.0]), system.linearize()
     with pytest.raises(ModelError, match=r"motion\[0.05\]: .* motion.at\(0.05\)"):
         motion[0.05]
-    with pytest.raises(ModelError, match="mode 7: there are 2 modes, numbered from 0"):
+    with (
+        pytest.warns(UnsteadyWarning, match="modes: the state accelerates"),
+        pytest.raises(ModelError, match="mode 7: there are 2 modes, numbered from 0"),
+    ):
         lin.plot_mode(7)
     with pytest.raises(ModelError, match="periodic: period 0 is not positive"):
         system.periodic(period=0.0, harmonics=3)
