@@ -48,8 +48,10 @@ test-all: $(VENV)/installed-test
 test-oldest: $(VENV_OLDEST)/needed
 	FLEXEL_CFLAGS="-O1 -DFLEXEL_NO_CLONES" $(VENV_OLDEST)/bin/python setup.py --quiet build --build-base $(OLDEST_TREE) \
 	  --build-lib $(OLDEST_TREE)/lib
+	$(VENV_OLDEST)/bin/python -c 'import sysconfig as s; open(s.get_path("purelib") + "/flexel.pth", "w").write("$(abspath \
+	  $(OLDEST_TREE))/lib\n")'
 	$(VENV_OLDEST)/bin/pip list
-	PYTHONPATH=$(OLDEST_TREE)/lib $(VENV_OLDEST)/bin/python -m pytest $(OLDEST)
+	$(VENV_OLDEST)/bin/python -m pytest $(OLDEST)
 
 # Where memory is read or written outside what was claimed, or an operation has no meaning in C, the program stops and says
 # where. The compiled files are in a tree of their own. Python's own memory is never given back: leaks are not looked for

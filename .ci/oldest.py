@@ -9,7 +9,7 @@ import sys
 import tomllib
 from collections.abc import Iterator
 
-BESIDE = ["pyparsing<3.3"]  # newer ones warn of what Matplotlib 3.9 calls, and a warning fails a test
+BESIDE = ["pyparsing<3.3"]  # newer ones warn of what Matplotlib 3.10.0 calls, and a warning fails a test
 
 
 def oldest(project: dict[str, dict[str, list[str]]], requirements: list[str]) -> Iterator[str]:
