@@ -19,6 +19,7 @@ if TYPE_CHECKING:
         ModelError,
         PositionError,
         RangeWarning,
+        UnstableWarning,
         UnsteadyWarning,
     )
     from flexel.base.quaternions import turn
@@ -104,6 +105,7 @@ __all__ = [
     "System",
     "Table",
     "Tube",
+    "UnstableWarning",
     "UnsteadyWarning",
     "VGroove",
     "Vibration",
@@ -167,6 +169,7 @@ _HOMES = {
     "StressPoint": "flexel.declare.sections",
     "System": "flexel.system",
     "Table": "flexel.base.time_functions",
+    "UnstableWarning": "flexel.base.errors",
     "UnsteadyWarning": "flexel.base.errors",
     "Tube": "flexel.declare.round_sections",
     "VGroove": "flexel.rope.surfaces",

@@ -18,6 +18,7 @@ __all__ = [
     "ModelError",
     "PositionError",
     "RangeWarning",
+    "UnstableWarning",
     "UnsteadyWarning",
 ]
 
@@ -44,6 +45,10 @@ class IncompleteWarning(UserWarning):
 
 class UnsteadyWarning(UserWarning):
     """Eigenvalues or modes are asked for about a state that accelerates: they do not describe what follows."""
+
+
+class UnstableWarning(UserWarning):
+    """An equilibrium is unstable: the smallest disturbance moves the mechanism away from it."""
 
 
 class RangeWarning(UserWarning):
