@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from flexel.base.errors import (
+        AssemblyWarning,
         CompilerError,
         ConstraintError,
         DynamicsError,
@@ -60,6 +61,7 @@ if TYPE_CHECKING:
 __version__ = "0.1.0"
 
 __all__ = [
+    "AssemblyWarning",
     "BeamStress",
     "BucklingMode",
     "Circle",
@@ -125,6 +127,7 @@ __all__ = [
 ]
 
 _HOMES = {
+    "AssemblyWarning": "flexel.base.errors",
     "BeamStress": "flexel.mechanics.stress",
     "BucklingMode": "flexel.statics.stability",
     "Circle": "flexel.declare.round_sections",

@@ -138,8 +138,11 @@ def _downhill(here: Tangent, r: Array, reach: float) -> Array:
     Z, _ = null_space(here.D, r.size)
     w, V = eigh(Z.T @ here.K @ Z)
     # a direction in which no force acts is left alone, however soft
-    size = np.maximum(np.abs(w), NEUTRAL * np.abs(here.K).max(initial=0.0) + 1e-300)
     pull = V.T @ (Z.T @ r)
+    least = max(
+        NEUTRAL * float(np.abs(here.K).max(initial=0.0)), NEUTRAL * float(np.abs(pull).max(initial=0.0))
+    )
+    size = np.maximum(np.abs(w), least + 1e-300)
     return np.asarray(-Z @ (V @ np.clip(pull / size, -reach, reach)))
 
 
