@@ -7,6 +7,7 @@ Imports numpy, scipy and flexel.
 
 from __future__ import annotations
 
+import warnings
 from functools import cache, partial
 
 import numpy as np
@@ -99,7 +100,10 @@ def critical_load(system: fx.System, low: float, high: float) -> float:
     """The load parameter between two at which the lowest frequency about equilibrium falls to zero."""
 
     def stiffness(load: float) -> float:
-        lowest = system.vibrations(system.equilibrium(t=load), count=1)[0].omega
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", fx.UnstableWarning)  # the search looks on both sides
+            state = system.equilibrium(t=load)
+        lowest = system.vibrations(state, count=1)[0].omega
         return lowest * abs(lowest)
 
     return float(brentq(stiffness, low, high, xtol=1e-11 * abs(high), rtol=1e-11))

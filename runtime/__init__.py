@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from flexel.base.errors import (
+        AssemblyWarning,
         CompilerError,
         ConstraintError,
         DynamicsError,
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
         ModelError,
         PositionError,
         RangeWarning,
+        UnstableWarning,
         UnsteadyWarning,
     )
     from flexel.base.quaternions import turn
@@ -58,6 +60,7 @@ if TYPE_CHECKING:
 __version__ = "0.1.0"
 
 __all__ = [
+    "AssemblyWarning",
     "BeamStress",
     "BucklingMode",
     "Circle",
@@ -103,6 +106,7 @@ __all__ = [
     "System",
     "Table",
     "Tube",
+    "UnstableWarning",
     "UnsteadyWarning",
     "VGroove",
     "Vibration",
@@ -122,6 +126,7 @@ __all__ = [
 ]
 
 _HOMES = {
+    "AssemblyWarning": "flexel.base.errors",
     "BeamStress": "flexel.mechanics.stress",
     "BucklingMode": "flexel.statics.stability",
     "Circle": "flexel.declare.round_sections",
@@ -166,6 +171,7 @@ _HOMES = {
     "StressPoint": "flexel.declare.sections",
     "System": "flexel.system",
     "Table": "flexel.base.time_functions",
+    "UnstableWarning": "flexel.base.errors",
     "UnsteadyWarning": "flexel.base.errors",
     "Tube": "flexel.declare.round_sections",
     "VGroove": "flexel.rope.surfaces",

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import warnings
+
 from flexel.base.arguments import number
-from flexel.base.errors import ModelError
+from flexel.base.errors import AssemblyWarning, ModelError
 from flexel.declare.declarations import Declarations
 from flexel.declare.resolution import check_laws, check_names, norms, resolve_roles
 from flexel.engine.evaluate import Evaluation
+from flexel.mechanics.as_drawn import misfit
 from flexel.mechanics.diagnose import choose_dofs, named_dofs
 from flexel.mechanics.first_position import first_position
-from flexel.mechanics.kinematics import Kinematics
+from flexel.mechanics.kinematics import Kinematics, check_size
 from flexel.rope.free_ends import check_free_ends
 from flexel.structure.loads import Loads
 from flexel.structure.structure import assemble_structure
@@ -24,6 +27,7 @@ def build(model: Declarations, t: float) -> System:
     structure = assemble_structure(
         model.nodes.values(), [*model.instances.values(), *norms(model)], model.laws
     )
+    check_size(structure)
     check_laws(structure)
     evaluation = Evaluation(structure)
     roles = resolve_roles(model, structure)
@@ -34,6 +38,9 @@ def build(model: Declarations, t: float) -> System:
     loads.at(t)  # a load that fails is reported here, not in the middle of a motion
     kinematics = Kinematics(evaluation, roles, loads)
     c = first_position(model, kinematics, t)
+    wrong = misfit(model, kinematics, c)
+    if wrong is not None:
+        warnings.warn(str(wrong), AssemblyWarning, stacklevel=3)
     dynamic = named_dofs(structure, model._dynamic, "independent")
     kinematic = named_dofs(structure, model._kinematic, "kinematic")
     chosen = choose_dofs(kinematics, c.J, dynamic, kinematic)

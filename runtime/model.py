@@ -54,6 +54,12 @@ class Model(Ropes, PointContacts, Chains, Wheels, Couplings, Feedback, Loading, 
             Over- or under-constrained, named by deformations or coordinates.
         PositionError
             Initial values that contradict the constraints.
+
+        Warns
+        -----
+        AssemblyWarning
+            If the drawing contradicts rigid conditions, by more than a millionth of the size of the model: which, and
+            how far coordinates are moved to meet them.
         """
         return build(self, t)
 

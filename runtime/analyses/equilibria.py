@@ -5,8 +5,9 @@ from __future__ import annotations
 import warnings
 from collections.abc import Mapping, Sequence
 
+from flexel.base.arguments import flag
 from flexel.base.arrays import Array
-from flexel.base.errors import IncompleteWarning
+from flexel.base.errors import IncompleteWarning, UnstableWarning
 from flexel.integration.outcome import Integration, States
 from flexel.mechanics.core import Core
 from flexel.results.motion import Motion
@@ -19,12 +20,18 @@ class Equilibria(Core):
     """Statics of a system, and steady motion."""
 
     def equilibrium(
-        self, start: State | None = None, *, t: float | None = None, hold: Sequence[str] = ()
+        self,
+        start: State | None = None,
+        *,
+        t: float | None = None,
+        hold: Sequence[str] = (),
+        stable: bool = False,
     ) -> State:
         """State of rest in which all forces balance, kinematic coordinates held.
 
         Newton's method on the analytic tangent; if it fails, the residual forces at the start
-        are applied incrementally, past limit points if necessary.
+        are applied incrementally, past limit points if necessary; if nothing resists a motion at the start, such as
+        a pendulum drawn horizontal, it follows the forces down to where it rests.
 
         Parameters
         ----------
@@ -35,17 +42,34 @@ class Equilibria(Core):
         hold : sequence of str
             Coordinates and deformations held at their values in `start` by the necessary forces
             (``state.force(name)``), such as sheaves that would otherwise turn freely.
+        stable : bool
+            Accept stable equilibria only: go on downhill from one that is not.
 
         Raises
         ------
         ModelError
             If a name to be held is unknown, or is held, prescribed or fixed already.
         PositionError
-            If none is found; reports how far the loads could be increased.
+            If none is found; reports how far the loads could be increased.  If no stable one is found and one
+            was wanted.
         DynamicsError
             If a motion is unresisted; names it.
+
+        Warns
+        -----
+        UnstableWarning
+            If the equilibrium is unstable.  This is judged for forces with a potential, and where no wheel rolls.
         """
-        return path.equilibrium(self, t, start or self.at_rest, hold)
+        wanted = flag(stable, "equilibrium", "stable")
+        found = path.equilibrium(self, t, start or self.at_rest, hold, stable=wanted)
+        if found.unstable:
+            warnings.warn(
+                f"equilibrium: the one found at t = {found.state.t:g} s is unstable in {found.unstable} independent "
+                "motion(s), see system.vibrations(state); for a stable one give stable=True",
+                UnstableWarning,
+                stacklevel=2,
+            )
+        return found.state
 
     def static_path(self, start: State | None = None, *, t_end: float) -> Motion:
         """Equilibria while time, the load parameter, goes to `t_end`; past limit points by arc length.
@@ -111,7 +135,7 @@ class Equilibria(Core):
         count : int
             Number of modes, at most.
         """
-        return stability.vibrations(self, state or self.equilibrium(), count)
+        return stability.vibrations(self, state or path.equilibrium(self, None, self.at_rest).state, count)
 
     def compliance(
         self,

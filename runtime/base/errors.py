@@ -8,6 +8,7 @@ from __future__ import annotations
 from flexel.derive.errors import ElementError, FlexelError
 
 __all__ = [
+    "AssemblyWarning",
     "CompilerError",
     "ConstraintError",
     "DynamicsError",
@@ -18,6 +19,7 @@ __all__ = [
     "ModelError",
     "PositionError",
     "RangeWarning",
+    "UnstableWarning",
     "UnsteadyWarning",
 ]
 
@@ -44,6 +46,14 @@ class IncompleteWarning(UserWarning):
 
 class UnsteadyWarning(UserWarning):
     """Eigenvalues or modes are asked for about a state that accelerates: they do not describe what follows."""
+
+
+class AssemblyWarning(UserWarning):
+    """A drawing contradicts rigid conditions: the message says which, and what is moved how far."""
+
+
+class UnstableWarning(UserWarning):
+    """An equilibrium is unstable: the smallest disturbance moves the mechanism away from it."""
 
 
 class RangeWarning(UserWarning):

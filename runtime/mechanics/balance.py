@@ -19,7 +19,7 @@ from flexel.mechanics.core import Core
 from flexel.mechanics.dynamics import state_in
 from flexel.structure.state import State
 
-TINY_FORCE = 1e-3  # [N] in the denominator of relative unbalances: 1e-15 N counts as zero
+TINY_FORCE = 1e-12  # [N] in the denominator of relative unbalances: 1e-24 N counts as zero
 
 
 @dataclass(frozen=True)

@@ -5,15 +5,17 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from scipy.sparse import block_array, eye_array
+from scipy.sparse import block_array, diags_array, eye_array
 
 from flexel.base.arrays import Array, Index
 from flexel.base.errors import PositionError
 from flexel.declare.declarations import Declarations
 from flexel.engine.solvers import factorize
 from flexel.mechanics.kinematics import Configuration, Kinematics, wrap
+from flexel.mechanics.newton import shortened
 
 STEP = 0.2  # largest change of a wanted value (in its natural scale) in one step of the initial assembly
+LONGEST = 0.3  # largest change of a coordinate (in its natural scale) in one step of Newton's method
 
 
 def first_position(model: Declarations, kinematics: Kinematics, t: float) -> Configuration:
@@ -39,19 +41,20 @@ def first_position(model: Declarations, kinematics: Kinematics, t: float) -> Con
     steps = max(1, int(np.ceil(np.max(np.abs(change), initial=0.0) / STEP)))
     for i in range(1, steps + 1):
         part = start + (goal - start) * i / steps
-        x, e_near = _nearest(kinematics, rows, part, x, e_near, t)
+        x, e_near = nearest(kinematics, rows, part, x, e_near, t)
     target = e_near if structure.relations else np.zeros(structure.m)
     own = rows < structure.m
     target[rows[own]] = goal[own]
     return Configuration(t, x, *kinematics.evaluation.position(x, target))
 
 
-def _nearest(
+def nearest(
     kinematics: Kinematics, rows: Index, goal: Array, x: Array, near: Array, t: float
 ) -> tuple[Array, Array]:
     """Coordinates that meet the rows, and their deformations with turns counted from `near`."""
     structure, nf = kinematics.structure, kinematics.structure.nf
     scale, period = kinematics.scales(rows), structure.period[rows]
+    size = kinematics.scales(np.arange(nf) + structure.m + structure.k)
     x, best, stalled = x.copy(), np.inf, 0
     for _ in range(60):
         e, J = kinematics.evaluation.position(x, near)
@@ -64,8 +67,9 @@ def _nearest(
         best = min(best, error)
         if stalled > 12 or not np.isfinite(error):
             break
-        step = smallest_step(J[rows][:, :nf], residual)
-        x[:nf] -= step * min(1.0, 0.3 / max(float(np.max(np.abs(step))), 1e-300))
+        # in natural scales, so that neither way nor result depends on the units
+        step = smallest_step(_scaled(J[rows][:, :nf], scale, size), residual / scale)
+        x[:nf] -= size * shortened(step, float(np.max(np.abs(step), initial=0.0)), LONGEST)
     worst = np.argsort(-np.abs(residual) / scale)[:4]
     names = ", ".join(f"'{structure.names[rows[i]]}' (off by {residual[i]:.3g})" for i in worst)
     raise PositionError(
@@ -74,8 +78,15 @@ def _nearest(
     )
 
 
+def _scaled(C: Any, rows: Array, columns: Array) -> Any:
+    """A matrix for scaled columns, with scaled rows."""
+    if isinstance(C, np.ndarray):
+        return C / rows[:, None] * columns
+    return diags_array(1 / rows) @ C @ diags_array(columns)
+
+
 def smallest_step(C: Any, residual: Array) -> Array:
-    """The least-squares solution of C dx = residual with the smallest change of the coordinates."""
+    """The least-squares solution of C dx = residual with the smallest dx."""
     if isinstance(C, np.ndarray):
         return np.asarray(np.linalg.lstsq(C, residual, rcond=1e-10)[0])
     size, count = C.shape[1], C.shape[0]

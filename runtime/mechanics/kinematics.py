@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from flexel.base.arrays import Array
-from flexel.base.errors import ConstraintError, FlexelError, PositionError
+from flexel.base.errors import ConstraintError, FlexelError, ModelError, PositionError
 from flexel.base.once import once
 from flexel.engine.choice import Choice, ChoiceLists
 from flexel.engine.evaluate import Evaluation
@@ -27,6 +27,7 @@ from flexel.structure.loads import Loads
 from flexel.structure.roles import Roles
 from flexel.structure.structure import Structure
 
+SIZES = 1e-5, 1e5  # least and largest extent of a model [m], see `check_size`
 SHOWN = 6  # laws named in a message
 
 
@@ -43,14 +44,34 @@ class Configuration:
     J: Any
 
 
+def size_of(structure: Structure) -> float:
+    """Largest extent of the points as drawn along an axis [m]; one if there is only one place."""
+    positions = [node.x0 for node in structure.nodes if node.kind in ("point", "planar_point")]
+    if not positions:
+        return 1.0
+    columns = max(p.size for p in positions)
+    cloud = np.array([np.pad(p, (0, columns - p.size)) for p in positions])
+    return float(np.ptp(cloud, axis=0).max()) or 1.0
+
+
+def check_size(structure: Structure) -> None:
+    """Raise if a model is so large or small that lengths and angles cannot be weighed against each other.
+
+    Ranks and balances of forces hold lengths and angles together, in metres and radians: the smaller of the two would
+    be lost in the rounding of the other.
+    """
+    size, (least, most) = size_of(structure), SIZES
+    if not least <= size <= most:
+        raise ModelError(
+            f"the model measures {size:.3g} m; flexel solves models from {least:g} m to {most:g} m: write all lengths, "
+            f"forces and inertias in {'a larger' if size > most else 'a smaller'} unit of length, so that it measures "
+            "about 1"
+        )
+
+
 def natural_scales(structure: Structure) -> Array:
     """Natural scale of each quantity: the size of the model for lengths, one for the rest."""
-    positions = [node.x0 for node in structure.nodes if node.kind in ("point", "planar_point")]
-    size = 1.0
-    if positions:
-        columns = max(p.size for p in positions)
-        cloud = np.array([np.pad(p, (0, columns - p.size)) for p in positions])
-        size = float(np.ptp(cloud, axis=0).max()) or 1.0
+    size = size_of(structure)
     return np.array([size if unit == "m" else 1.0 for unit in structure.units])
 
 

@@ -12,6 +12,7 @@ import numpy as np
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.spacar.file import SpacarFile
+from flexel.statics.path import equilibrium
 from flexel.statics.stability import BucklingMode, Vibration
 from flexel.structure.state import State
 from flexel.system import System
@@ -133,7 +134,8 @@ class LinearModels(SpacarFile):
         if not loads:
             raise ModelError(f"{self.path.name}: there are no loads to multiply; add lines FORCE or XF")
         unloaded = self.variant(loads=False)
-        return unloaded.buckling(unloaded.equilibrium(), increment=loads, count=count)
+        start = equilibrium(unloaded, None, unloaded.at_rest).state  # buckling itself says if it is unstable
+        return unloaded.buckling(start, increment=loads, count=count)
 
     def static_steps(self) -> tuple[System, list[State]]:
         """Equilibria while the increments DELXF and DELINPX are applied in equal steps.

@@ -13,29 +13,71 @@ import numpy as np
 
 from flexel.base.arguments import names, number
 from flexel.base.arrays import Array, Index
-from flexel.base.errors import ModelError, PositionError
+from flexel.base.errors import DynamicsError, FlexelError, ModelError, PositionError
 from flexel.engine.finite import TangentError
 from flexel.mechanics.arclength import Arcs, Point, follow, point_at
 from flexel.mechanics.core import Core
 from flexel.mechanics.diagnose import quoted
 from flexel.statics.equilibrium import CONVERGED, STALLED, STEP, Equations, Rest, solve
+from flexel.statics.settling import descend, settle, unstable_motions
 from flexel.structure.state import State
 
 ARCS = Arcs(first=0.1, largest=0.5, smallest=1e-7, steps=500)
 
 
-def equilibrium(system: Core, t: float | None, start: State, hold: Sequence[str] = ()) -> State:
+@dataclass(frozen=True)
+class Found:
+    """An equilibrium, and the number of independent motions in which it is unstable."""
+
+    state: State
+    unstable: int
+
+
+def equilibrium(
+    system: Core, t: float | None, start: State, hold: Sequence[str] = (), *, stable: bool = False
+) -> Found:
     """State of rest in which all forces balance; see `System.equilibrium`."""
     problem = Rest(system, start, _held(system, hold))
     t = start.t if t is None else number(t, "equilibrium", "time t")
+    q, mu = _balanced(problem, t, start)
+    count = unstable_motions(problem, q)
+    if not (count and stable):
+        return Found(problem.state(q.balance), count)
+    settled = settle(problem, t, q, mu)
+    if settled is None:
+        raise PositionError(
+            f"no stable equilibrium found at t = {t:g} s: the one that was found is unstable, and downhill from it "
+            "none is reached; start nearer to one, or support what moves"
+        )
+    return Found(problem.state(settled[0].balance), 0)
+
+
+def _balanced(problem: Rest, t: float, start: State) -> tuple[Equations, Array]:
+    """The equilibrium near a start, and its multipliers.
+
+    By Newton's method; else by removing the unbalance gradually; else, where nothing resists, by going down.
+    """
     mu = problem.holding_forces(t, start)
-    direct = solve(problem, t, start.x, mu, start.e)
-    if direct is not None:
-        return problem.state(direct[0].balance)
-    states, message = _follow(problem, start, mu, t, t)
-    if message:
-        raise PositionError(f"no equilibrium found at t = {t:g} s: {message}")
-    return states[-1]
+    try:
+        found = solve(problem, t, start.x, mu, start.e)
+        if found is not None:
+            return found
+        states, message = _follow(problem, start, mu, t, t)
+        if not message:
+            return _again(problem, states[-1])
+        failure: FlexelError = PositionError(f"no equilibrium found at t = {t:g} s: {message}")
+    except DynamicsError as error:  # the stiffness is singular
+        failure = error
+    found = descend(problem, t, start.x, mu, start.e)
+    if found is None:
+        raise failure
+    return found
+
+
+def _again(problem: Rest, state: State) -> tuple[Equations, Array]:
+    """The equations at an equilibrium, and its multipliers."""
+    mu = problem.multipliers(state)
+    return problem.equations(state.t, state.x, mu, state.e), mu
 
 
 def _held(system: Core, hold: Sequence[str]) -> Index:

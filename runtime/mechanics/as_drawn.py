@@ -1,0 +1,87 @@
+"""Whether a model is drawn as its rigid conditions demand: which are violated, and what the assembly then moves.
+
+Motions that given initial values or prescribed motions cause are meant, and are none of its concern.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from flexel.base.arrays import Array
+from flexel.declare.declarations import Declarations
+from flexel.mechanics.first_position import nearest
+from flexel.mechanics.kinematics import Configuration, Kinematics, wrap
+
+# Coordinates written with six decimals of the model's size count as exact; so do angles and slopes.
+DRAWN = 1e-6
+SHOWN = 4  # names in a message
+
+
+@dataclass(frozen=True)
+class Misfit:
+    """What the assembly had to mend in a drawing.
+
+    Attributes
+    ----------
+    violated : dict of str to float
+        Rigid deformations that are not zero as drawn [m or rad], the largest first.
+    moved : dict of str to float
+        Coordinates, and how far they are moved, the largest first.
+    units : dict of str to str
+        The units of both.
+    """
+
+    violated: dict[str, float]
+    moved: dict[str, float]
+    units: dict[str, str]
+
+    def __str__(self) -> str:
+        return (
+            f"the drawing contradicts rigid conditions: as drawn {self._named(self.violated)}, not 0; "
+            f"the assembly moves {self._named(self.moved)}; draw it so that they are met, or release one"
+        )
+
+    def _named(self, values: dict[str, float]) -> str:
+        parts = [f"'{z}'{{}} {v:.4g} {self.units[z]}".rstrip() for z, v in values.items()]
+        word = " by" if values is self.moved else " is"
+        more = f" and {len(parts) - SHOWN} more" if len(parts) > SHOWN else ""
+        return ", ".join(z.format(word) for z in parts[:SHOWN]) + more
+
+
+def misfit(model: Declarations, kinematics: Kinematics, found: Configuration) -> Misfit | None:
+    """What the assembly had to mend, if the drawing violates rigid conditions by more than rounding.
+
+    Parameters
+    ----------
+    model : Declarations
+    kinematics : Kinematics
+    found : Configuration
+        The assembled one.
+    """
+    structure, rows = kinematics.structure, kinematics.roles.rigid
+    drawn = wrap(kinematics.evaluation.position(structure.x0)[0][rows], structure.period[rows])
+    off = np.abs(drawn) / kinematics.scales(rows)
+    if off.max(initial=0.0) <= DRAWN:
+        return None
+    violated = {structure.names[rows[i]]: float(drawn[i]) for i in _largest(off)}
+    x = found.x if not (model._values or model._motions) else _mended(kinematics, found.t)
+    first = structure.m + structure.k
+    change = x - structure.x0
+    moving = _largest(np.abs(change) / kinematics.scales(np.arange(structure.n) + first))
+    moved = {structure.names[first + i]: float(change[i]) for i in moving}
+    units = dict(zip(structure.names, structure.units, strict=True))
+    return Misfit(violated, moved, {z: units[z] for z in (*violated, *moved)})
+
+
+def _mended(kinematics: Kinematics, t: float) -> Array:
+    """The coordinates nearest to the drawing that meet the rigid conditions, whatever else is given."""
+    structure, rows = kinematics.structure, kinematics.roles.rigid
+    near = kinematics.evaluation.position(structure.x0)[0]
+    return nearest(kinematics, rows, np.zeros(rows.size), structure.x0, near, t)[0]
+
+
+def _largest(size: Array) -> list[int]:
+    """Numbers of the entries above the tolerance, the largest first."""
+    return [int(i) for i in np.argsort(-size, kind="stable") if size[i] > DRAWN]

@@ -1,0 +1,162 @@
+"""Whether an equilibrium is stable, and descent to a stable one where the tangent leads nowhere.
+
+Descent: Newton's step in the eigenvectors of the stiffness on the admissible motions, with the magnitude of each
+eigenvalue, so that every part goes down in potential; each is limited.  A pendulum drawn horizontal, which no
+stiffness resists, moves down until it hangs.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.linalg import eigh, ldl
+
+from flexel.base.arrays import Array
+from flexel.mechanics.diagnose import null_space
+from flexel.mechanics.newton import newton
+from flexel.statics.equilibrium import CONVERGED, STALLED, STEP, Equations, Rest
+
+LARGEST = 1500  # most coordinates and multipliers for which stability is judged
+LARGEST_DESCENT = 600  # most of them for a descent, which finds all eigenvectors at every step
+NEUTRAL = 1e-11  # eigenvalue, relative to the largest entry of the stiffness, that counts as zero
+SYMMETRIC = 1e-7  # relative difference up to which a tangent counts as symmetric
+MOST_STEPS = 200
+KICK = 0.05  # displacement from an unstable equilibrium, in natural scales
+KICKS = 10  # unstable equilibria that a descent may pass
+
+
+@dataclass(frozen=True)
+class Tangent:
+    """The tangent at one point, with coordinates in their natural scales.
+
+    Attributes
+    ----------
+    K : ndarray (nf, nf)
+        Symmetric part of the stiffness.
+    C : ndarray (nf, nm)
+        Forces of the multipliers.
+    D : ndarray (nm, nf)
+        Held conditions.
+    symmetric : bool
+        Whether the forces have a potential, and the multipliers belong to the held conditions.
+    """
+
+    K: Array
+    C: Array
+    D: Array
+    symmetric: bool
+
+
+def tangent(problem: Rest, q: Equations) -> Tangent:
+    """The tangent at evaluated equations."""
+    nf, A, scale = problem.structure.nf, q.matrix.sparse.toarray(), problem.x_scale
+    K = scale[:, None] * A[:nf, :nf] * scale
+    C, D = scale[:, None] * A[:nf, nf:], A[nf:, :nf] * scale
+    skew = np.abs(K - K.T).max(initial=0.0) <= SYMMETRIC * np.abs(K).max(initial=0.0)
+    return Tangent((K + K.T) / 2, C, D, bool(skew) and np.array_equal(problem.force_rows, problem.hold_rows))
+
+
+def unstable_motions(problem: Rest, q: Equations) -> int:
+    """Number of independent motions in which an equilibrium is unstable.
+
+    It is the number of negative eigenvalues of the tangent [K D'; D 0], less one for each condition.  Where forces
+    have no potential (follower forces, feedback), where wheels roll, and in very large models none are counted.
+    """
+    if q.matrix.pattern.size > LARGEST:
+        return 0
+    here = tangent(problem, q)
+    if not here.symmetric:
+        return 0
+    size, conditions = float(np.abs(here.K).max(initial=0.0)), here.D.shape[0]
+    D = here.D * (size / np.linalg.norm(here.D, axis=1))[:, None]
+    K = here.K + NEUTRAL * size * np.eye(len(here.K))
+    d = ldl(np.block([[K, D.T], [D, np.zeros((conditions, conditions))]]))[1] if size else np.zeros((0, 0))
+    return max(0, _negative(d) - conditions) if size else 0
+
+
+def _negative(d: Array) -> int:
+    """Number of negative eigenvalues of a symmetric matrix with blocks of one or two rows on its diagonal."""
+    diagonal, off, below = d.diagonal(), d.diagonal(-1), np.zeros(len(d), dtype=bool)
+    below[1:] = off != 0  # a block of two rows has one negative eigenvalue, by the choice of its pivots
+    alone = ~below
+    alone[:-1] &= ~below[1:]
+    return int(np.sum(diagonal[alone] < 0) + np.sum(below))
+
+
+@dataclass(frozen=True)
+class Place:
+    """A point of a descent: coordinates, multipliers, nearby deformations, and how it got there.
+
+    Attributes
+    ----------
+    reach : float
+        Longest part of the next step, in natural scales.
+    step : ndarray (nf,)
+        The last step, in natural scales.
+    slope : float
+        Power of the unbalanced forces along it, at its start.
+    """
+
+    x: Array
+    mu: Array
+    near: Array
+    reach: float
+    step: Array
+    slope: float
+
+
+def descend(problem: Rest, t: float, x: Array, mu: Array, near: Array) -> tuple[Equations, Array] | None:
+    """The equilibrium downhill from a point, and its multipliers; None if none is reached."""
+    if problem.structure.nf + mu.size > LARGEST_DESCENT or problem.roles.zero.size:
+        return None
+    nf, scale = problem.structure.nf, problem.x_scale
+
+    def evaluate(z: Place) -> tuple[Equations, float]:
+        q = problem.equations(t, z.x, z.mu, z.near)
+        return q, problem.size(q, q.residual)
+
+    def move(z: Place, q: Equations) -> Place:
+        here, r = tangent(problem, q), scale * q.residual[:nf]
+        overshot = float(r @ z.step) > 0.5 * abs(z.slope) > 0
+        reach = 0.5 * z.reach if overshot else min(STEP, 1.5 * z.reach)
+        gap = np.linalg.lstsq(here.D, q.residual[nf:], rcond=1e-12)[0] if z.mu.size else np.zeros(nf)
+        step = _downhill(here, r, reach) - gap
+        step *= min(1.0, STEP / max(float(np.abs(step).max(initial=0.0)), 1e-300))
+        mu = z.mu - np.linalg.lstsq(here.C, r + here.K @ step, rcond=1e-12)[0] if z.mu.size else z.mu
+        x = z.x.copy()
+        x[:nf] += scale * step
+        return Place(x, mu, q.balance.e, reach, step, float(r @ step))
+
+    start = Place(x, mu, near, STEP, np.zeros(nf), 0.0)
+    found = newton(start, evaluate, move, tolerance=CONVERGED, stalled=STALLED, most=MOST_STEPS)
+    return (found.equations, found.point.mu) if found.converged else None
+
+
+def _downhill(here: Tangent, r: Array, reach: float) -> Array:
+    """Admissible step (nf,) that goes down along every eigenvector, by `reach` at most."""
+    Z, _ = null_space(here.D, r.size)
+    w, V = eigh(Z.T @ here.K @ Z)
+    # a direction in which no force acts is left alone, however soft
+    pull = V.T @ (Z.T @ r)
+    least = max(
+        NEUTRAL * float(np.abs(here.K).max(initial=0.0)), NEUTRAL * float(np.abs(pull).max(initial=0.0))
+    )
+    size = np.maximum(np.abs(w), least + 1e-300)
+    return np.asarray(-Z @ (V @ np.clip(pull / size, -reach, reach)))
+
+
+def settle(problem: Rest, t: float, q: Equations, mu: Array) -> tuple[Equations, Array] | None:
+    """A stable equilibrium downhill from an unstable one, and its multipliers; None if none is reached."""
+    nf = problem.structure.nf
+    for _ in range(KICKS):
+        here = tangent(problem, q)
+        Z, _left = null_space(here.D, nf)
+        way = Z @ eigh(Z.T @ here.K @ Z)[1][:, 0]
+        x = q.balance.x.copy()
+        x[:nf] += problem.x_scale * way * (KICK / float(np.abs(way).max()))
+        found = descend(problem, t, x, mu, q.balance.e)
+        if found is None or not unstable_motions(problem, found[0]):
+            return found
+        q, mu = found
+    return None

@@ -1,0 +1,107 @@
+"""Equilibria that are found downhill, and whether they are stable."""
+
+import warnings
+from collections.abc import Sequence
+
+import numpy as np
+import pytest
+
+from flexel.base.errors import DynamicsError, PositionError, UnstableWarning
+from flexel.model import Model
+from flexel.system import System
+
+
+def hanging(*points: Sequence[float]) -> System:
+    """Rods in a row from the origin through points of the plane, under gravity in -y."""
+    m = Model(gravity=(0, -9.81))
+    m.point("P0", (0, 0), fixed=True)
+    for i, point in enumerate(points, start=1):
+        m.point(f"P{i}", point)
+        m.truss(f"r{i}", f"P{i - 1}", f"P{i}", mass_per_length=2.0)
+    return m.build()
+
+
+def upside_down(stiffness: float, gravity: float = 9.81) -> System:
+    """An upright rod of 2 kg and 1 m on a hinge with a spring."""
+    m = Model(gravity=(0, 0, -gravity))
+    m.point("O", (0, 0, 0), fixed=True)
+    m.point("A", (0, 0, 1))
+    m.frame("R0", fixed=True)
+    m.frame("R1")
+    m.hinge("pivot", "R0", "R1", axis=(0, 1, 0))
+    m.beam("rod", "O", "R1", "A", mass_per_length=2.0)
+    m.law("pivot.angle", lambda e, ed: stiffness * e)
+    return m.build()
+
+
+@pytest.mark.parametrize("x", [1.0, -1.0])
+def test_a_pendulum_drawn_horizontal_hangs(x: float) -> None:
+    state = hanging((x, 0)).equilibrium()
+    assert state["P1.y"] == pytest.approx(-1.0, abs=1e-12)
+    assert state.force("P0.y") == pytest.approx(2 * 9.81, rel=1e-9)
+
+
+def test_a_spatial_pendulum_drawn_horizontal_hangs() -> None:
+    m = Model(gravity=(0, 0, -9.81))
+    m.point("O", (0, 0, 0), fixed=True)
+    m.point("A", (1, 0, 0))
+    m.frame("R0", fixed=True)
+    m.frame("R1")
+    m.hinge("pivot", "R0", "R1", axis=(0, 1, 0))
+    m.beam("rod", "O", "R1", "A", mass_per_length=2.0)
+    state = m.build().equilibrium()
+    assert state["A.z"] == pytest.approx(-1.0, abs=1e-12)
+    assert state["pivot.angle"] == pytest.approx(np.pi / 2, abs=1e-9)
+
+
+def test_a_pendulum_drawn_upright_is_said_to_be_unstable_and_hangs_on_wish() -> None:
+    system = hanging((0, 1))
+    with pytest.warns(UnstableWarning, match=r"unstable in 1 independent motion.*stable=True"):
+        assert system.equilibrium()["P1.y"] == 1.0
+    assert system.equilibrium(stable=True)["P1.y"] == pytest.approx(-1.0, abs=1e-12)
+
+
+@pytest.mark.parametrize("way", [(1.0, 0.0), (0.0, 1.0), (0.6, 0.8)])
+def test_a_chain_of_five_hangs_wherever_it_is_drawn(way: tuple[float, float]) -> None:
+    x, y = way
+    state = hanging(*((i * x, i * y) for i in range(1, 6))).equilibrium(stable=True)
+    for i in range(1, 6):
+        assert state[f"P{i}.y"] == pytest.approx(-i, abs=1e-9)
+
+
+def test_every_unstable_motion_is_counted() -> None:
+    with pytest.warns(UnstableWarning, match="unstable in 3 independent"):
+        hanging((0, 1), (0, 2), (0, 3)).equilibrium()
+    with pytest.warns(UnstableWarning, match="unstable in 1 independent"):
+        hanging((0, -1), (0, 0)).equilibrium()  # the second rod stands on the first
+
+
+@pytest.mark.parametrize(("factor", "stable"), [(1 + 1e-6, True), (1 - 1e-6, False)])
+def test_a_spring_holds_a_rod_upright_from_its_critical_stiffness_on(factor: float, stable: bool) -> None:
+    system = upside_down(factor * 9.81)  # m g L / 2
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        state = system.equilibrium()
+    assert state["A.z"] == 1.0
+    assert [z.category for z in said] == ([] if stable else [UnstableWarning])
+    assert (system.equilibrium(stable=True)["A.z"] == 1.0) is stable
+
+
+def test_without_a_stable_equilibrium_the_search_is_refused() -> None:
+    system = upside_down(-1.0, gravity=0.0)
+    with pytest.warns(UnstableWarning):
+        system.equilibrium()
+    with pytest.raises(PositionError, match="no stable equilibrium found"):
+        system.equilibrium(stable=True)
+
+
+def test_what_falls_without_end_is_named() -> None:
+    m = Model(gravity=(0, -9.81))
+    m.point("A", (1, 0))
+    m.point_mass("b", "A", 1.0)
+    with pytest.raises(DynamicsError, match=r"nothing resists a motion of 'A\."):
+        m.build().equilibrium()
+
+
+def test_vibrations_about_an_unstable_equilibrium_do_not_warn() -> None:
+    assert hanging((0, 1)).vibrations()[0].omega == pytest.approx(-np.sqrt(1.5 * 9.81), rel=1e-9)
