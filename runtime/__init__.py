@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from flexel.declare.wheels import Waves
     from flexel.integration.events import Event
     from flexel.mechanics.constraints import ConstraintReport
+    from flexel.mechanics.findings import CheckReport, Finding
     from flexel.mechanics.linearization import Linearization
     from flexel.mechanics.modes import Mode, Reduced
     from flexel.mechanics.stress import BeamStress
@@ -64,6 +65,7 @@ __all__ = [
     "AssemblyWarning",
     "BeamStress",
     "BucklingMode",
+    "CheckReport",
     "Circle",
     "CompilerError",
     "Compliance",
@@ -75,6 +77,7 @@ __all__ = [
     "ElementError",
     "Ensemble",
     "Event",
+    "Finding",
     "FlexelError",
     "Harmonic",
     "HelicalGroove",
@@ -130,6 +133,7 @@ _HOMES = {
     "AssemblyWarning": "flexel.base.errors",
     "BeamStress": "flexel.mechanics.stress",
     "BucklingMode": "flexel.statics.stability",
+    "CheckReport": "flexel.mechanics.findings",
     "Circle": "flexel.declare.round_sections",
     "CompilerError": "flexel.base.errors",
     "Compliance": "flexel.statics.compliance",
@@ -141,6 +145,7 @@ _HOMES = {
     "ElementError": "flexel.base.errors",
     "Ensemble": "flexel.results.ensemble",
     "Event": "flexel.integration.events",
+    "Finding": "flexel.mechanics.findings",
     "FlexelError": "flexel.base.errors",
     "Harmonic": "flexel.base.time_functions",
     "HelicalGroove": "flexel.rope.surfaces",
