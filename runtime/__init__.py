@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from flexel.derive.errors import ElementError, FlexelError
     from flexel.integration.events import Event
     from flexel.mechanics.constraints import ConstraintReport
+    from flexel.mechanics.findings import CheckReport, Finding
     from flexel.mechanics.linearization import Linearization
     from flexel.mechanics.modes import Mode, Reduced
     from flexel.mechanics.stress import BeamStress
@@ -63,6 +64,7 @@ __all__ = [
     "AssemblyWarning",
     "BeamStress",
     "BucklingMode",
+    "CheckReport",
     "Circle",
     "CompilerError",
     "Compliance",
@@ -74,6 +76,7 @@ __all__ = [
     "ElementError",
     "Ensemble",
     "Event",
+    "Finding",
     "FlexelError",
     "Harmonic",
     "HelicalGroove",
@@ -129,6 +132,7 @@ _HOMES = {
     "AssemblyWarning": "flexel.base.errors",
     "BeamStress": "flexel.mechanics.stress",
     "BucklingMode": "flexel.statics.stability",
+    "CheckReport": "flexel.mechanics.findings",
     "Circle": "flexel.declare.round_sections",
     "CompilerError": "flexel.base.errors",
     "Compliance": "flexel.statics.compliance",
@@ -140,6 +144,7 @@ _HOMES = {
     "ElementError": "flexel.derive.errors",
     "Ensemble": "flexel.results.ensemble",
     "Event": "flexel.integration.events",
+    "Finding": "flexel.mechanics.findings",
     "FlexelError": "flexel.derive.errors",
     "Harmonic": "flexel.base.time_functions",
     "HelicalGroove": "flexel.rope.surfaces",

@@ -13,7 +13,9 @@ from flexel.declare.loads import Loading
 from flexel.declare.relations import RelationMethods
 from flexel.declare.user import Elements
 from flexel.declare.wheels import Wheels
+from flexel.mechanics.check import check
 from flexel.mechanics.constraints import ConstraintReport, report_of_model
+from flexel.mechanics.findings import CheckReport
 from flexel.rope.chains import Chains
 from flexel.rope.point_contacts import PointContacts
 from flexel.rope.ropes import Ropes
@@ -62,6 +64,22 @@ class Model(Ropes, PointContacts, Chains, Wheels, Couplings, Feedback, Loading, 
             how far coordinates are moved to meet them.
         """
         return build(self, t)
+
+    def check(self) -> CheckReport:
+        """Everything at once that is wrong or suspicious, in a table: ``print(m.check())``.
+
+        Degrees of freedom with their names; redundant constraints and the smallest set to release; mechanisms left
+        free; masses missing; degenerate elements and idle nodes; drawings that contradict rigid conditions; numbers
+        that look like another unit (steel with E = 210); the condition of the chosen coordinates.
+
+        Examples
+        --------
+        >>> print(m.check())  # doctest: +SKIP
+        warning  units    beam 'leaf': Young's modulus E = 210 Pa looks like another unit; steel has 210e9 Pa
+        note     freedom  1 degree(s) of freedom: 'pivot.angle'
+        1 warning(s), 1 note(s)
+        """
+        return check(self, lambda: build(self, 0.0))
 
     def constraint_report(self) -> ConstraintReport:
         """Over-constraint and under-constraint of the mechanism as drawn, counted and named.

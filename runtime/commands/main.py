@@ -11,6 +11,7 @@ import click
 
 import flexel
 from flexel.commands.bench import bench
+from flexel.commands.check import check
 from flexel.commands.convert import convert
 from flexel.commands.derive import derive
 from flexel.commands.info import info
@@ -40,7 +41,7 @@ def main() -> None:
     """A compiler for mechanisms: derive, compile, run."""
 
 
-for command in (derive, verify, reproduce, bench, run, sweep, convert, view, info):
+for command in (derive, verify, reproduce, bench, run, check, sweep, convert, view, info):
     main.add_command(command)
 
 

@@ -1,0 +1,67 @@
+"""What a check of a model finds: findings with their severity, in a readable table."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+SEVERITIES = ("error", "warning", "note")
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One result of a check.
+
+    Attributes
+    ----------
+    severity : str
+        "error" (`Model.build` refuses it), "warning" (it is built, but is hardly meant), or "note".
+    subject : str
+        What it is about: "constraints", "masses", "units", …
+    message : str
+        Names what is at fault, and says what to do.
+    """
+
+    severity: str
+    subject: str
+    message: str
+
+
+@dataclass(frozen=True)
+class CheckReport:
+    """Everything that a check of a model found; printed as a table.
+
+    Attributes
+    ----------
+    findings : tuple of Finding
+        Errors first, then warnings, then notes.
+    dynamic, kinematic : tuple of str
+        Names of the degrees of freedom; empty if the model cannot be built.
+    """
+
+    findings: tuple[Finding, ...]
+    dynamic: tuple[str, ...]
+    kinematic: tuple[str, ...]
+
+    @property
+    def errors(self) -> tuple[Finding, ...]:
+        """What `Model.build` refuses."""
+        return self._of("error")
+
+    @property
+    def warnings(self) -> tuple[Finding, ...]:
+        """What is built, but is hardly meant."""
+        return self._of("warning")
+
+    @property
+    def ok(self) -> bool:
+        """Whether there is neither an error nor a warning."""
+        return not (self.errors or self.warnings)
+
+    def _of(self, severity: str) -> tuple[Finding, ...]:
+        return tuple(z for z in self.findings if z.severity == severity)
+
+    def __str__(self) -> str:
+        width = max((len(z.subject) for z in self.findings), default=0)
+        lines = [f"{z.severity:<7}  {z.subject:<{width}}  {z.message}" for z in self.findings]
+        counts = (f"{len(found)} {kind}(s)" for kind in SEVERITIES if (found := self._of(kind)))
+        return "\n".join([*lines, ", ".join(counts) or "nothing to report"])

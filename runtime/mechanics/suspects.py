@@ -1,0 +1,107 @@
+"""Numbers of a model that look as if they were given in another unit, and parts that take no part.
+
+Every engineering material lies well within the limits.  A finding says what is suspected, not that it is wrong.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from flexel.declare.declarations import Declarations
+from flexel.declare.materials import Profile
+from flexel.mechanics.findings import Finding
+from flexel.structure.instances import Instance
+from flexel.structure.structure import Structure
+
+SOFTEST, STIFFEST = 1e6, 2e12  # Young's modulus [Pa]: soft rubber, twice diamond
+LIGHTEST, HEAVIEST = 10.0, 3e4  # density [kg/m³]: foam, beyond osmium
+GRAVITY = 300.0  # [m/s²] beyond that on Jupiter and the sun; 9810 is mm/s²
+TURNS = 4 * np.pi  # an initial angle beyond two turns is likely one in degrees
+SLENDER = 1.0  # depth of a section over the length of the beam
+SHORT = 1e-6  # length of an element over the size of the model
+
+
+def suspects(model: Declarations, structure: Structure, size: float) -> list[Finding]:
+    """Suspicious units and elements.
+
+    Parameters
+    ----------
+    model : Declarations
+    structure : Structure
+        Its structure.
+    size : float
+        Extent of the model [m].
+    """
+    found = [*_gravity(model), *_angles(model, structure), *_idle(model)]
+    for instance in structure.instances:
+        if isinstance(instance.profile, Profile):
+            found += _profile(model, instance, instance.profile)
+        found += _short(model, instance, size)
+    return found
+
+
+def _units(message: str) -> Finding:
+    return Finding("warning", "units", message)
+
+
+def _gravity(model: Declarations) -> Iterator[Finding]:
+    g = float(np.linalg.norm(model.gravity))
+    if g > GRAVITY:
+        yield _units(f"gravity of {g:.4g} m/s² looks like mm/s²; lengths are in metres")
+
+
+def _angles(model: Declarations, structure: Structure) -> Iterator[Finding]:
+    units = dict(zip(structure.names, structure.units, strict=True))
+    for name, value in model._values.items():
+        if units.get(name) == "rad" and abs(value) > TURNS:
+            yield _units(
+                f"initial value {value:.4g} rad of '{name}' looks like degrees; angles are in radians"
+            )
+
+
+def _profile(model: Declarations, beam: Instance, profile: Profile) -> Iterator[Finding]:
+    E, rho = profile.material.E, profile.material.rho
+    if not SOFTEST <= E <= STIFFEST:
+        yield _units(
+            f"beam '{beam.name}': Young's modulus E = {E:.4g} Pa looks like another unit; steel has 210e9 Pa"
+        )
+    if rho and not LIGHTEST <= rho <= HEAVIEST:
+        yield _units(
+            f"beam '{beam.name}': density {rho:.4g} kg/m³ looks like another unit; steel has 7850 kg/m³"
+        )
+    depth, length = 2 * float(np.sqrt(profile.section.Iz / profile.section.A)), _length(model, beam)
+    if length is not None and depth > SLENDER * length:
+        yield _units(
+            f"beam '{beam.name}': its section is {depth:.3g} m deep (twice the radius of gyration) on a length of "
+            f"{length:.3g} m; sections are given in metres too, and a beam is longer than deep"
+        )
+
+
+def _length(model: Declarations, instance: Instance) -> float | None:
+    """Distance between the ends of an element between two points, as drawn."""
+    ends = [model.nodes[z].x0 for z in instance.nodes if model.nodes[z].kind in ("point", "planar_point")]
+    return float(np.linalg.norm(ends[1] - ends[0])) if len(ends) == 2 else None
+
+
+def _short(model: Declarations, instance: Instance, size: float) -> Iterator[Finding]:
+    length = _length(model, instance)
+    if length is not None and length < SHORT * size and instance.spec.family in ("beam", "truss"):
+        yield Finding(
+            "warning",
+            "elements",
+            f"{instance.spec.family} '{instance.name}' is {length:.3g} m long in a model of {size:.3g} m; join its "
+            "ends in one point",
+        )
+
+
+def _idle(model: Declarations) -> Iterator[Finding]:
+    used = {z for instance in model.instances.values() for z in instance.nodes}
+    for node in model.nodes.values():
+        if node.name not in used and not np.all(node.fixed):
+            yield Finding(
+                "warning",
+                "elements",
+                f"{node.kind} '{node.name}' belongs to no element; drop it, or connect it",
+            )

@@ -1,0 +1,175 @@
+"""`Model.check` and `flexel check`: everything at once, by name, and never an exception."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+import flexel as fx
+from flexel.commands.main import main
+
+STEEL = {"section": fx.Rectangle(0.3e-3, 20e-3), "material": "steel"}
+
+
+def drawing(gravity: float = 9.81) -> fx.Model:
+    m = fx.Model(gravity=(0, 0, -gravity))
+    m.point("O", (0, 0, 0), fixed=True)
+    m.point("A", (0.1, 0, 0))
+    m.frame("R0", fixed=True)
+    m.frame("R1")
+    return m
+
+
+def leaf(**values: object) -> fx.Model:
+    """A leaf spring that is clamped at one end."""
+    m = drawing()
+    m.beam("leaf", "O", "R0", "A", "R1", direction=(0, 1, 0), **{**STEEL, **values})
+    return m
+
+
+def pendulum() -> fx.Model:
+    m = drawing()
+    m.hinge("pivot", "R0", "R1", axis=(0, 1, 0))
+    m.beam("rod", "O", "R1", "A", mass_per_length=2.0)
+    return m
+
+
+def messages(report: fx.CheckReport, severity: str, subject: str) -> str:
+    return "\n".join(z.message for z in report.findings if (z.severity, z.subject) == (severity, subject))
+
+
+def test_a_sound_structure_has_nothing_but_notes() -> None:
+    report = leaf().check()
+    assert report.ok
+    assert {z.severity for z in report.findings} == {"note"}
+    assert report.dynamic == tuple(leaf().build().dynamic)
+    assert "6 degree(s) of freedom: 'leaf.elongation'" in str(report)
+    assert str(report).endswith("1 note(s)")
+
+
+def test_a_mechanism_that_is_left_free_is_named() -> None:
+    report = pendulum().check()
+    assert report.ok
+    assert "'A.z'" in messages(report, "note", "constraints")
+
+
+def test_redundant_conditions_and_what_to_release_are_listed() -> None:
+    m = drawing()
+    m.hinge("a", "R0", "R1", axis=(0, 1, 0))
+    m.hinge("b", "R0", "R1", axis=(0, 1, 0))
+    m.beam("rod", "O", "R1", "A", mass_per_length=2.0)
+    report = m.check()
+    assert report.dynamic == ()
+    said = messages(report, "error", "constraints")
+    assert said.count("over-constrained") == 2
+    release = m.constraint_report().release
+    assert len(release) == 2
+    for name in release:
+        assert f"m.release('{name}')" in said
+        m.release(name)
+    assert not m.check().errors
+
+
+@pytest.mark.parametrize(
+    ("values", "words"),
+    [
+        ({"material": fx.Material(E=210, rho=7850, nu=0.3)}, "E = 210 Pa looks like another unit"),
+        ({"material": fx.Material(E=2.1e5, rho=7850, nu=0.3)}, "E = 2.1e+05 Pa"),
+        ({"material": fx.Material(E=2.1e11, rho=7.85, nu=0.3)}, "density 7.85"),
+        ({"section": fx.Rectangle(0.3, 20)}, "is longer than deep"),
+    ],
+)
+def test_units_that_look_wrong_are_suspected(values: dict[str, object], words: str) -> None:
+    report = leaf(**values).check()
+    assert words in messages(report, "warning", "units")
+    assert not report.ok
+    assert not report.errors
+
+
+def test_gravity_in_millimetres_and_angles_in_degrees_are_suspected() -> None:
+    m = drawing(9810.0)
+    m.hinge("pivot", "R0", "R1", axis=(0, 1, 0))
+    m.beam("rod", "O", "R1", "A", mass_per_length=2.0)
+    m.independent("pivot.angle")
+    m.initial("pivot.angle", 90.0)
+    said = messages(m.check(), "warning", "units")
+    assert "looks like mm/s²" in said
+    assert "'pivot.angle' looks like degrees" in said
+
+
+@pytest.mark.parametrize(
+    "material", ["steel", "titanium", "wire rope", fx.Material(E=5e6, rho=1100, nu=0.49)]
+)
+def test_real_materials_are_not_suspected(material: str | fx.Material) -> None:
+    assert leaf(material=material).check().ok
+
+
+def test_missing_masses_and_idle_nodes_are_named() -> None:
+    m = drawing()
+    m.hinge("pivot", "R0", "R1", axis=(0, 1, 0))
+    m.beam("rod", "O", "R1", "A")
+    m.point("Z", (1, 1, 1))
+    report = m.check()
+    assert "moves no mass" in messages(report, "warning", "masses")
+    assert "point 'Z' belongs to no element" in messages(report, "warning", "elements")
+
+
+def test_a_drawing_that_has_to_be_mended_is_a_warning() -> None:
+    m = fx.Model(gravity=(0, 0, -9.81))
+    m.point("hub", (0, 0, 0.9))
+    m.frame("rim")
+    m.point("contact", (0, 0, 0))
+    m.wheel("w", "hub", "rim", "contact", radius=0.4, axle=(0, 1, 0))
+    m.body("tyre", "hub", "rim", mass=2.0, inertia=np.eye(3))
+    assert "'hub.z' by -0.5 m" in messages(m.check(), "warning", "drawing")
+
+
+def test_poor_coordinates_are_named_with_better_ones() -> None:
+    def report(x: float) -> fx.CheckReport:
+        m = fx.Model(gravity=(0, -9.81))
+        m.point("O", (0, 0), fixed=True)
+        m.point("A", (x, 1))
+        m.truss("rod", "O", "A", mass_per_length=1)
+        m.independent("A.y")
+        return m.check()
+
+    assert "1e+03 times as far as 'A.x'" in messages(report(1e-3), "warning", "coordinates")
+    assert "20 times as far" in messages(report(0.05), "note", "coordinates")
+    assert not messages(report(1.0), "note", "coordinates")
+
+
+def test_contradictions_are_findings_too() -> None:
+    m = pendulum()
+    m.rigid("nothing")
+    assert "unknown name 'nothing'" in messages(m.check(), "error", "declarations")
+    assert "no nodes" in messages(fx.Model().check(), "error", "assembly")
+
+
+MODEL = """
+import flexel as fx
+m = fx.Model(gravity=(0, -{gravity}))
+m.point("O", (0, 0), fixed=True)
+m.point("A", (1, 0))
+m.truss("rod", "O", "A", mass_per_length=1)
+"""
+
+
+@pytest.mark.parametrize(("gravity", "status"), [("9.81", 0), ("9810", 1)])
+def test_the_command_prints_the_table_and_says_by_its_status(
+    tmp_path: Path, gravity: str, status: int
+) -> None:
+    file = tmp_path / "model.py"
+    file.write_text(MODEL.format(gravity=gravity))
+    result = CliRunner().invoke(main, ["check", str(file)])
+    assert result.exit_code == status
+    assert "1 degree(s) of freedom: 'A.y'" in result.output
+    assert ("looks like mm/s²" in result.output) is bool(status)
+
+
+def test_the_command_refuses_other_files(tmp_path: Path) -> None:
+    file = tmp_path / "model.txt"
+    file.write_text("")
+    result = CliRunner().invoke(main, ["check", str(file)])
+    assert result.exit_code == 2
+    assert "give MODEL.py or MODEL.dat" in result.output
