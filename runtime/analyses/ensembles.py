@@ -10,7 +10,7 @@ import numpy as np
 
 from flexel.analyses.motions import Motions
 from flexel.analyses.variants import Again, Runner, Values, variant_of
-from flexel.base.arguments import array, names, unknown
+from flexel.base.arguments import array, mapping, names, unknown
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.integration.outcome import stored_times
@@ -110,9 +110,9 @@ class Ensembles(Motions):
         """
         for wrong in (z for z in options if z not in OPTIONS):
             raise ModelError(f"simulate_many: {unknown(wrong, OPTIONS, 'option')}")
-        values = Values(self, parameters, initial or {}, "simulate_many")
+        values = Values(self, parameters, mapping(initial, "simulate_many", "initial"), "simulate_many")
         wanted = tuple(self.dynamic + self.kinematic if outputs is None else names(outputs, "simulate_many"))
-        begin = own_state(self.structure, start or self.initial, "simulate_many")
+        begin = own_state(self.structure, self.initial if start is None else start, "simulate_many")
         grid = stored_times(begin, duration, times, samples, "simulate_many")
         units = [history(self.structure, name).unit for name in wanted]
 
@@ -207,7 +207,7 @@ class Ensembles(Motions):
         >>> loci = bike.root_loci(rates={"rear hub.x": speeds}, of=["lean.angle", "steer.angle"])  # doctest: +SKIP
         >>> loci.plot("loci.png")  # doctest: +SKIP
         """
-        if not rates and not parameters:
+        if not mapping(rates, "root_loci", "rates") and not mapping(parameters, "root_loci", "parameters"):
             raise ModelError("root_loci: give rates or parameters over which the loci run")
         values = Values(self, parameters, {}, "root_loci")
         many = self._many(state, rates, "root_loci", steady=True)
@@ -226,9 +226,14 @@ class Ensembles(Motions):
         owner: str,
         steady: bool = False,
     ) -> LinearizedMany:
-        first = state if callable(state) else own_state(self.structure, state or self.initial, owner)
+        first = (
+            state
+            if callable(state) and not isinstance(state, type)
+            else own_state(self.structure, self.initial if state is None else state, owner)
+        )
         columns = {
-            name: np.atleast_1d(array(z, owner, f"rate '{name}'")) for name, z in (rates or {}).items()
+            name: np.atleast_1d(array(z, owner, f"rate '{name}'"))
+            for name, z in mapping(rates, owner, "rates").items()
         }
         sizes = {name: z.shape for name, z in columns.items()}
         if any(len(z) != 1 for z in sizes.values()) or len(set(sizes.values())) > 1:

@@ -13,7 +13,7 @@ from flexel.mechanics.core import Core
 from flexel.results.motion import Motion
 from flexel.statics import compliance, path, stability
 from flexel.statics.steady import steady_motion
-from flexel.structure.state import State
+from flexel.structure.state import State, own_state
 
 
 class Equilibria(Core):
@@ -61,7 +61,7 @@ class Equilibria(Core):
             If the equilibrium is unstable.  This is judged for forces with a potential, and where no wheel rolls.
         """
         wanted = flag(stable, "equilibrium", "stable")
-        found = path.equilibrium(self, t, start or self.at_rest, hold, stable=wanted)
+        found = path.equilibrium(self, t, _at(self, start, "equilibrium"), hold, stable=wanted)
         if found.unstable:
             warnings.warn(
                 f"equilibrium: the one found at t = {found.state.t:g} s is unstable in {found.unstable} independent "
@@ -94,7 +94,7 @@ class Equilibria(Core):
             If the path cannot be continued: the states so far are returned, and ``message`` says where and why it
             stopped.
         """
-        states, message = path.static_path(self, t_end, start or self.at_rest)
+        states, message = path.static_path(self, t_end, _at(self, start, "static_path"))
         if message:
             warnings.warn(message, IncompleteWarning, stacklevel=2)
         counts = {"steps": len(states) - 1, "evaluations": 0, "rechoices": 0}
@@ -121,7 +121,7 @@ class Equilibria(Core):
         DynamicsError
             If the state is already unstable.
         """
-        return stability.buckling(self, state or self.at_rest, increment, count)
+        return stability.buckling(self, _at(self, state, "buckling"), increment, count)
 
     def vibrations(self, state: State | None = None, *, count: int = 10) -> list[stability.Vibration]:
         """Lowest natural frequencies and modes about a state of rest, without damping.
@@ -135,7 +135,11 @@ class Equilibria(Core):
         count : int
             Number of modes, at most.
         """
-        return stability.vibrations(self, state or path.equilibrium(self, None, self.at_rest).state, count)
+        if state is None:
+            rest = path.equilibrium(self, None, self.at_rest).state
+        else:
+            rest = own_state(self.structure, state, "vibrations")
+        return stability.vibrations(self, rest, count)
 
     def compliance(
         self,
@@ -166,8 +170,8 @@ class Equilibria(Core):
         DynamicsError
             If a motion is unresisted; names it.
         """
-        state = self.at_rest if state is None else state
-        return compliance.compliance(self, point, frame, state, offset=offset, hold=hold)
+        rest = _at(self, state, "compliance")
+        return compliance.compliance(self, point, frame, rest, offset=offset, hold=hold)
 
     def steady(
         self,
@@ -201,4 +205,15 @@ class Equilibria(Core):
         degrees of freedom (`Model.independent`) and prescribe the rotation: with global coordinates the search would
         be for a motion with these at rest.
         """
-        return steady_motion(self, start or self.initial, rates, unknown, unknown_rates)
+        return steady_motion(
+            self,
+            self.initial if start is None else own_state(self.structure, start, "steady"),
+            rates,
+            unknown,
+            unknown_rates,
+        )
+
+
+def _at(system: Core, state: State | None, owner: str) -> State:
+    """The given state of rest, which must be one of the system, or its initial configuration."""
+    return system.at_rest if state is None else own_state(system.structure, state, owner)

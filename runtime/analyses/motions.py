@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from flexel.base.arguments import flag
 from flexel.base.arrays import Array
 from flexel.base.errors import FlexelError
 from flexel.integration import methods
@@ -108,7 +109,10 @@ class Motions(Core):
         RangeWarning
             If a quantity is outside the data of its law at a stored time, by name.
         """
-        longest = None if max_step is np.inf else max_step
+        if rechoose is not None:
+            flag(rechoose, "simulate", "rechoose")
+        unlimited = isinstance(max_step, float) and max_step == np.inf
+        longest = None if unlimited else max_step
         options = methods.Options(
             rtol, atol, step, first_step, longest, spectral_radius, newton, max_order, checked(events) or None, rechoose
         )  # fmt: skip

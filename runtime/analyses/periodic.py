@@ -6,7 +6,8 @@ import warnings
 
 import numpy as np
 
-from flexel.base.arguments import positive
+from flexel.base.arguments import positive, whole
+from flexel.base.arrays import ComplexArray
 from flexel.base.errors import IncompleteWarning, ModelError
 from flexel.integration.outcome import Integration, States
 from flexel.linear.branch import branch
@@ -52,8 +53,12 @@ class PeriodicMotions(Core):
             A period or a number of harmonics that is not positive; or as `flexel.linear.periodic.periodic_motion`.
         """
         period = positive(period, "periodic", "period")
-        _check_harmonics(harmonics, "periodic")
-        X = None if start is None else start.vibration.X
+        harmonics = whole(harmonics, "periodic", "harmonics", most=10**4)
+        if samples is not None:
+            samples = whole(samples, "periodic", "samples", most=10**6)
+        if accuracy is not None:
+            accuracy = positive(accuracy, "periodic", "accuracy")
+        X = None if start is None else _coefficients(start, harmonics, len(self.dynamic))
         orbit, vibration = periodic_motion(self, period, harmonics, X, samples, accuracy)
         return _solution(self, orbit.states, vibration)
 
@@ -102,6 +107,8 @@ class PeriodicMotions(Core):
             If the branch cannot be continued: what was found is returned, and ``message`` says where and why it
             stopped.
         """
+        most = whole(most, "periodic_branch", "most")
+        period = positive(period, "periodic_branch", "period")
         last, step = positive(end, "periodic_branch", "end"), positive(step, "periodic_branch", "step")
         if last == period:
             raise ModelError(f"periodic_branch: both periods are {last:g} s; give another end")
@@ -117,9 +124,19 @@ class PeriodicMotions(Core):
         )
 
 
-def _check_harmonics(harmonics: object, owner: str) -> None:
-    if not isinstance(harmonics, (int, np.integer)) or harmonics < 1:
-        raise ModelError(f"{owner}: {harmonics!r} harmonics requested; give a whole number, 1 or more")
+def _coefficients(start: object, harmonics: int, dofs: int) -> ComplexArray:
+    """Fourier coefficients of a neighbouring solution."""
+    if not isinstance(start, PeriodicSolution):
+        raise ModelError(
+            f"periodic: start {type(start).__name__} is not a periodic solution; give one, or none"
+        )
+    X = start.vibration.X
+    if X.shape != (2 * harmonics + 1, dofs):
+        raise ModelError(
+            f"periodic: start has {start.vibration.harmonics} harmonics of {X.shape[1]} degrees of freedom; give "
+            f"one with {harmonics} of {dofs}"
+        )
+    return X
 
 
 def _solution(system: Core, states: list[State], vibration: PeriodicVibration) -> PeriodicSolution:

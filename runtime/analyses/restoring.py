@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from flexel.base.arguments import number
+from flexel.base.arguments import flag, number
 from flexel.base.arrays import Index
 from flexel.base.errors import ModelError
 from flexel.mechanics import dynamics
@@ -48,7 +48,7 @@ class Restoring(Core):
         if not all(np.array_equal(a, b) for a, b in zip(rows, (roles.dynamic, roles.kinematic), strict=True)):
             _check_dofs(self, rows)
             roles = roles.with_dofs(*rows)
-        if as_saved:
+        if flag(as_saved, "restore", "as_saved"):
             return replace(state, roles=roles, evaluation=self.evaluation)
         return dynamics.complete(self.kinematics_of(roles), state.t, state.x, state.v, state.e, state.z)
 
@@ -56,7 +56,7 @@ class Restoring(Core):
 def _stored(saved: Any, time: float | None) -> State:
     """The stored state at a time."""
     if isinstance(saved, State):
-        if time is not None and time != saved.t:
+        if time is not None and number(time, "restore", "time") != saved.t:
             raise ModelError(
                 f"restore: the state is at t = {saved.t:g} s, not {time:g} s; give the motion instead"
             )

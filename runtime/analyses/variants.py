@@ -18,7 +18,7 @@ from typing import Any, Generic, TypeVar
 import numpy as np
 from tqdm import tqdm
 
-from flexel.base.arguments import array
+from flexel.base.arguments import array, flag, mapping, whole
 from flexel.base.arrays import Array
 from flexel.base.blas import one_thread
 from flexel.base.errors import FlexelError, ModelError
@@ -60,10 +60,9 @@ class Values:
     ) -> None:
         self._owner = owner
         parameters = Parameters(system.structure)
-        if not isinstance(given or {}, Mapping):
-            raise ModelError(f"{owner}: parameters {given!r}; give names with a list of values for each")
-        self.places = [parameters.find(name, owner) for name in given or {}]
-        rows = [_rows(z, (given or {})[z.name], owner) for z in self.places]
+        given = mapping(given, owner, "parameters")
+        self.places = [parameters.find(name, owner) for name in given]
+        rows = [_rows(z, given[z.name], owner) for z in self.places]
         starts = {name: _column(name, z, owner) for name, z in initial.items()}
         self.count = self._count({**{z.name: r for z, r in zip(self.places, rows, strict=True)}, **starts})
         self.rows = [np.broadcast_to(z, (self.count, z.shape[1])) for z in rows]
@@ -163,7 +162,7 @@ class Runner(Generic[T]):
     def run(self, threads: int | None, progress: bool | None) -> None:
         """Do it; an interrupt (Ctrl-C) keeps what is done."""
         count = min(_threads(threads), self._values.count)
-        show = sys.stderr.isatty() if progress is None else progress
+        show = sys.stderr.isatty() if progress is None else flag(progress, "variants", "progress")
         bar = tqdm(total=self._values.count, disable=not show, unit="variant", leave=False)
         try:
             with one_thread():
@@ -217,8 +216,4 @@ class Runner(Generic[T]):
 def _threads(given: int | None) -> int:
     if given is None:
         return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    if isinstance(given, bool) or not isinstance(given, (int, np.integer)) or given < 1:
-        raise ModelError(
-            f"threads {given!r}; give a whole number of at least one, or None for all processors"
-        )
-    return int(given)
+    return whole(given, "variants", "threads")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import difflib
-import math
+import os
 import re
 from collections.abc import Iterable, Mapping
 from os import PathLike
@@ -14,6 +14,10 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
+
+LARGEST = 1e150  # beyond it squares overflow
+SMALLEST = 1e-150  # of positive numbers: below it squares vanish
+LONGEST_NAME = 255  # bytes in the name of a file or folder, on all usual systems
 
 
 def array(value: Any, owner: str, what: str) -> Array:
@@ -33,6 +37,10 @@ def array(value: Any, owner: str, what: str) -> Array:
         raise ModelError(f"{owner}: {what} {_shown(value)} is not numeric; give real numbers")
     if not np.all(np.isfinite(given)):
         raise ModelError(f"{owner}: {what} {_shown(value)} is not finite; give finite numbers")
+    if not np.all(np.abs(given) <= LARGEST):
+        raise ModelError(
+            f"{owner}: {what} {_shown(value)} is too large to calculate with; give at most {LARGEST:g}"
+        )
     return np.array(given, dtype=float)
 
 
@@ -46,7 +54,7 @@ def vector(value: Any, owner: str, what: str, size: int) -> Array:
 
 def number(value: Any, owner: str, what: str) -> float:
     """One finite number, or a ModelError that names the owner."""
-    if isinstance(value, float) and math.isfinite(value):
+    if isinstance(value, float) and -LARGEST <= value <= LARGEST:
         return float(value)
     d = array(value, owner, what)
     if d.shape:
@@ -70,11 +78,52 @@ def index(value: Any, owner: str, what: str) -> int:
     return int(value)
 
 
+def whole(value: Any, owner: str, what: str, least: int = 1, most: int = 10**9) -> int:
+    """A whole number from `least` to `most`, or a ModelError that names the owner."""
+    given = index(value, owner, what)
+    if not least <= given <= most:
+        limit = f"{least} or more" if given < least else f"at most {most}"
+        raise ModelError(f"{owner}: {what} {_shown(value)}; give a whole number, {limit}")
+    return given
+
+
+def flag(value: Any, owner: str, what: str) -> bool:
+    """True or False, or a ModelError that names the owner: a text such as "no" would count as true."""
+    if not isinstance(value, (bool, np.bool_)):
+        raise ModelError(f"{owner}: {what} {_shown(value)} is neither True nor False; give one of them")
+    return bool(value)
+
+
+def text(value: Any, owner: str, what: str) -> str:
+    """A text, or a ModelError that names the owner."""
+    if not isinstance(value, str):
+        raise ModelError(f"{owner}: {what} {_shown(value)} is not a text; give one")
+    return value
+
+
+def mapping(value: Any, owner: str, what: str) -> Mapping[str, Any]:
+    """A mapping from names, empty for None; a ModelError that names the owner otherwise."""
+    if value is None:
+        return {}
+    if not isinstance(value, Mapping) or not all(isinstance(name, str) for name in value):
+        raise ModelError(f"{owner}: {what} {_shown(value)} must be given by name; write {{'name': …}}")
+    return value
+
+
 def path_of(value: Any, owner: str) -> Path:
     """A path, or a ModelError that names the owner."""
-    if not isinstance(value, (str, PathLike)) or not str(value):
+    if not isinstance(value, (str, PathLike)) or not str(value) or not _possible(str(value)):
         raise ModelError(f"{owner}: {_shown(value)} is not a path; give one as text")
     return Path(value)
+
+
+def _possible(path: str) -> bool:
+    """Whether a file can have this path: no null character, letters that can be encoded, no name of over 255 bytes."""
+    try:
+        written = os.fsencode(path)
+    except UnicodeEncodeError:
+        return False
+    return b"\0" not in written and max(map(len, written.split(os.fsencode(os.sep)))) <= LONGEST_NAME
 
 
 def names(given: Any, owner: str) -> tuple[str, ...]:
@@ -120,6 +169,10 @@ def positive(value: Any, owner: str, what: str) -> float:
     given = number(value, owner, what)
     if given <= 0:
         raise ModelError(f"{owner}: {what} {given:g} is not positive; give a positive value")
+    if given < SMALLEST:
+        raise ModelError(
+            f"{owner}: {what} {given:g} is too small to calculate with; give at least {SMALLEST:g}"
+        )
     return given
 
 
@@ -152,8 +205,8 @@ def unknown(name: str, known: Iterable[str], kind: str = "name") -> str:
 
 
 def step_limit(value: Any, owner: str, what: str, least: float = 0.0) -> float:
-    """A number above `least`, or infinity; a ModelError otherwise."""
-    checked = np.inf if value is np.inf else number(value, owner, what)
+    """A number above `least`; a ModelError otherwise."""
+    checked = number(value, owner, what)
     if checked <= least:
         raise ModelError(f"{owner}: {what} {checked:g} is too small; give more than {least:g}")
     return checked

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from flexel.base.arguments import vector
+from flexel.base.arguments import number, vector
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 
@@ -63,7 +63,7 @@ def from_matrix(R: Array) -> Array:
 
 def turn(axis: Any, angle: float) -> Array:
     """Unit quaternion of a turn by `angle` [rad] about `axis` (3,); for `Model.frame(..., orientation=)`."""
-    u = unit(axis, "turn", "axis")
+    u, angle = unit(axis, "turn", "axis"), number(angle, "turn", "angle")
     return np.concatenate([[np.cos(angle / 2)], np.sin(angle / 2) * u])
 
 

@@ -15,7 +15,7 @@ from typing import Any, Protocol, runtime_checkable
 import numpy as np
 from numpy.typing import ArrayLike
 
-from flexel.base.arguments import array, number
+from flexel.base.arguments import SMALLEST, array, number
 from flexel.base.copies import OF_TIME, Constant, check_travels
 from flexel.base.errors import FlexelError, ModelError
 from flexel.base.jets import Jet, as_jet
@@ -146,6 +146,7 @@ class Polynomial:
 
     def rates(self, t: float) -> tuple[float, float, float]:
         """Value, first and second rate at time t [s]."""
+        t = number(t, "Polynomial", "time")
         u = v = a = 0.0
         for c in reversed(self.coefficients):  # Horner's scheme for the value and its derivatives together
             u, v, a = u * t + c, v * t + u, a * t + 2 * v
@@ -164,11 +165,12 @@ class Ramp:
     def __post_init__(self) -> None:
         for name in ("t0", "t1", "u0", "u1"):
             number(getattr(self, name), "Ramp", name)
-        if not self.t1 > self.t0:
+        if not self.t1 - self.t0 > SMALLEST:
             raise ModelError(f"Ramp: t1 = {self.t1} is not after t0 = {self.t0}; give t0 < t1")
 
     def rates(self, t: float) -> tuple[float, float, float]:
         """Value, first and second rate at time t [s]."""
+        t = number(t, "Ramp", "time")
         T, d = self.t1 - self.t0, self.u1 - self.u0
         z = min(max((t - self.t0) / T, 0.0), 1.0)
         u = z**3 * (10 - 15 * z + 6 * z**2)
@@ -190,6 +192,7 @@ class Harmonic:
 
     def rates(self, t: float) -> tuple[float, float, float]:
         """Value, first and second rate at time t [s]."""
+        t = number(t, "Harmonic", "time")
         w, p = self.omega, self.omega * t + self.phase
         s, c = self.amplitude * np.sin(p), self.amplitude * np.cos(p)
         return float(self.offset + s), float(w * c), float(-w * w * s)
@@ -221,17 +224,18 @@ class Table:
     def of(self, owner: str) -> Table:
         """The same table; its errors name the quantity that it moves."""
         found = copy.copy(self)
-        found._owner = f"{owner}: "
+        found._owner = owner
         return found
 
     def rates(self, t: float) -> tuple[float, float, float]:
         """Value, first and second rate at time t [s]; a ModelError outside the table."""
+        t = number(t, self._owner or "Table", "time")
         first, last = self._range
         slack = ROUNDING * max(abs(first), abs(last))
         if not first - slack <= t <= last + slack:
-            raise ModelError(
-                f"{self._owner}Table: time {t} s lies outside {first}…{last} s; extend the table"
-            )
+            before = self._owner and f"{self._owner}: "
+            before = self._owner and f"{self._owner}: "
+            raise ModelError(f"{before}Table: time {t} s lies outside {first}…{last} s; extend the table")
         t = min(max(t, first), last)
         return float(self._spline(t)), float(self._spline(t, 1)), float(self._spline(t, 2))
 

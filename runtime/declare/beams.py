@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from flexel.base.arguments import array, names, not_negative, number, positive, span, vector
+from flexel.base.arguments import array, flag, names, not_negative, number, positive, span, vector
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.base.quaternions import in_frame, matrix, triad
@@ -108,9 +108,9 @@ class Beams(Springs):
             mass_per_length, inertia_per_length = profile.mass()
             if planar:
                 inertia_per_length = inertia_per_length[2]
-            if not rigid and frame_q is not None:
+            if not flag(rigid, owner, "rigid") and frame_q is not None:
                 given = _section_stiffness(owner, profile, flexible, planar)
-        _check_kind(owner, rigid, given, frame_q is not None)
+        _check_kind(owner, flag(rigid, owner, "rigid"), given, frame_q is not None)
         if not given and damping:
             raise ModelError(f"{owner}: damping has no effect on a rigid beam; drop it, or give a stiffness")
         unfit = sorted(given.keys() - {"EA", "EIz", "GAy"}) + (["direction"] if direction is not None else [])
@@ -128,7 +128,8 @@ class Beams(Springs):
         l0 = float(shape["l0"][0])
         phi_y, phi_z = shear_numbers(l0, given)
         shear = {"phi_z": phi_y} if planar else {"phi_y": phi_y, "phi_z": phi_z}
-        element = ("planar_beam" if planar else "beam") + ("" if second_order else "_first_order")
+        suffix = "" if flag(second_order, owner, "second_order") else "_first_order"
+        element = ("planar_beam" if planar else "beam") + suffix
         self._place(name, element, nodes, shape | mass | {key: np.array([z]) for key, z in shear.items()})
         self.instances[name] = replace(self.instances[name], profile=profile)
         modes = [d.name for d in ELEMENTS[element].deformations]

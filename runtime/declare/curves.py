@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from flexel.base.arguments import array, number
+from flexel.base.arguments import LARGEST, array, number
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.generated.table import LAWS
@@ -22,7 +22,7 @@ from flexel.generated.table import LAWS
 _SIZES = {z.name: z.size for z in LAWS["spring_curve"].parameters}
 PIECES = _SIZES["origins"]
 TERMS = _SIZES["coefficients"] // PIECES
-NEVER = 1e300  # a break that is never reached
+NEVER = LARGEST  # a break that is never reached
 CONTINUOUS = 1e-6  # largest jump at a break, relative to the terms that sum up there: rounded data pass
 
 

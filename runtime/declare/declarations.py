@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from flexel.base.arguments import array, new_name, unknown, vector
+from flexel.base.arguments import array, flag, new_name, unknown, vector
 from flexel.base.arrays import Array, Vector
 from flexel.base.errors import ModelError
 from flexel.base.time_functions import TimeFunction
@@ -58,7 +58,7 @@ class Declarations:
 
     def _new_node(self, name: str, kind: str, x0: Array, fixed: bool) -> Node:
         self._new_name(name, kind)
-        node = Node(name, kind, x0, np.full(x0.size, bool(fixed)))
+        node = Node(name, kind, x0, np.full(x0.size, flag(fixed, f"{kind} '{name}'", "fixed")))
         self.nodes[name] = node
         return node
 

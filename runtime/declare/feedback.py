@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from flexel.base.arguments import array, names, numbers, quantities
+from flexel.base.arguments import array, names, numbers, quantities, text
 from flexel.base.arrays import Array
 from flexel.base.errors import CompilerError, ModelError
 from flexel.declare.laws import Laws
@@ -71,7 +71,7 @@ class Feedback(Laws):
         >>> D, P = np.split(K, 2, axis=1)  # doctest: +SKIP
         >>> m.feedback("regulator", act=["motor.angle"], measure=lin.dynamic, P=P, D=D)  # doctest: +SKIP
         """
-        owner = f"feedback '{name}'"
+        owner = f"feedback '{text(name, 'feedback', 'name')}'"
         act, measure = names(act, owner), names(measure, owner)
         quantities([*act, *measure], owner)
         if not act or not measure or len(set(act)) < len(act) or len(set(measure)) < len(measure):
@@ -79,7 +79,7 @@ class Feedback(Laws):
                 f"{owner}: acts on {act}, measures {measure}; name one or more deformations, each once"
             )
         na, ny = len(act), len(measure)
-        nz = 0 if A is None else array(A, owner, "A").shape[0]
+        nz = 0 if A is None else len(np.atleast_1d(array(A, owner, "A")))
         asked = {
             "P": (na, ny),
             "D": (na, ny),

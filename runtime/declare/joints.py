@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from flexel.base.arguments import array, not_negative, positive, span
+from flexel.base.arguments import array, flag, not_negative, positive, span
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.base.quaternions import in_body, in_frame, matrix, triad, unit
@@ -150,7 +150,7 @@ class Joints(Beams):
             Measure the displacements (along, across1, across2), where they are released, in the frame's own axes
             instead of along and across the line from p to q.
         """
-        if not body_axes:
+        if not flag(body_axes, f"body point '{name}'", "body_axes"):
             self.beam(name, p, frame, q, rigid=True)
             return
         planar, nodes = self._find_nodes(f"body point '{name}'", (p, "point"), (frame, "frame"), (q, "point"))

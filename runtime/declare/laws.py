@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from flexel.base.arguments import array, names, numbers, quantities, unknown
+from flexel.base.arguments import array, names, numbers, quantities, text, unknown
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.declare.declarations import Declarations
@@ -167,12 +167,12 @@ class Laws(Declarations):
             raise ModelError(f"{owner}: {len(on)} names; give {m} deformations, then {k} slips, each once")
         values = _checked_parameters(owner, spec, parameters)
         check_signs(spec, values, owner)
-        start = numbers(initial or {}, owner, "initial value")
+        start = numbers(initial, owner, "initial value")
         states = [z.name for z in spec.states]
         for wrong in [z for z in start if z not in states]:
             raise ModelError(f"{owner}: {unknown(wrong, states, 'internal state')}")
         z0 = tuple(start.get(z, 0.0) for z in states)
-        label = " ".join(on) if label is None else label
+        label = " ".join(on) if label is None else text(label, owner, "name")
         if states and any(z.name == label and z.spec.states for z in self.laws):
             raise ModelError(
                 f"{owner}: there is a law '{label}' with internal states already; give another name"

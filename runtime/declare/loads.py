@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from flexel.base.arguments import unknown
+from flexel.base.arguments import flag, unknown
 from flexel.base.errors import ModelError
 from flexel.base.time_functions import Polynomial, as_function
 from flexel.declare.declarations import Declarations
@@ -35,7 +35,7 @@ class Loading(Declarations):
         value : number or function of time, or a sequence of them for a node
         """
         if isinstance(target, str) and "." in target:
-            if follower:
+            if follower is not False:
                 raise ModelError(f"load on '{target}': follower loads act on frames; leave follower out")
             self.loads.append(Load(target, as_function(value, f"load on '{target}'")))
             return
@@ -71,7 +71,7 @@ class Loading(Declarations):
             Unknown name, an element without length, wrong number of components.
         """
         owner = f"distributed load on '{beam}'"
-        if beam not in self.instances:
+        if not isinstance(beam, str) or beam not in self.instances:
             raise ModelError(f"{owner}: {unknown(str(beam), self.instances, 'element')}")
         loaded = self.instances[beam]
         if not loaded.spec.span:
@@ -90,11 +90,14 @@ class Loading(Declarations):
 
     def angular_velocity(self, frame: Node | str, body_axes: bool = False) -> str:
         """Measure a frame's angular velocity; its components are the slips ``<returned name>.wx``, ``wy``, ``wz``."""
-        return sensor(self, self._find_of_kind(frame, ("frame",), "angular_velocity"), body_axes)
+        own = flag(body_axes, "angular_velocity", "body_axes")
+        return sensor(self, self._find_of_kind(frame, ("frame",), "angular_velocity"), own)
 
 
 def _check_follower(node: Node, follower: bool | Node | str, owner: str) -> None:
     """A frame's moment follows itself (True); a point's force follows a named frame; an angle's cannot follow."""
+    if not isinstance(follower, (bool, np.bool_, Node, str)):
+        raise ModelError(f"{owner}: follower {follower!r:.60} is neither True nor a frame; give one of them")
     if node.kind == "planar_angle" and follower:
         raise ModelError(f"{owner}: a planar moment has no direction to follow; leave follower out")
     if node.kind == "frame" and not isinstance(follower, bool):

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from flexel.base.arguments import not_negative, positive, unknown
+from flexel.base.arguments import not_negative, number, positive, unknown
 from flexel.base.errors import ModelError
 from flexel.declare.sections import Section
 
@@ -42,6 +42,8 @@ class Material:
             positive(self.strength, "Material", "strength")
         if self.G is not None:
             positive(self.G, "Material", "G")
+        if self.nu is not None:
+            number(self.nu, "Material", "nu")
         if not -1 < self.poisson <= 0.5:
             raise ModelError(
                 f"Material: Poisson's ratio {self.poisson:g} is not between -1 and 1/2; correct nu, E or G"

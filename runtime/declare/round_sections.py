@@ -8,9 +8,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from flexel.base.arguments import not_negative, positive
+from flexel.base.arguments import not_negative, number, positive
 from flexel.base.errors import ModelError
-from flexel.declare.sections import SectionForces, StressPoint
+from flexel.declare.sections import SectionForces, StressPoint, check_forces
 
 
 class _Round:
@@ -45,6 +45,7 @@ class _Round:
 
     def shear_factors(self, nu: float) -> tuple[float, float]:
         """Both 6 (1+nu) (1+m²)² / ((7+6nu) (1+m²)² + (20+12nu) m²), m = inner/outer (Cowper 1966)."""
+        nu = number(nu, type(self).__name__, "Poisson's ratio")
         outer, inner = self._diameters
         m2 = (inner / outer) ** 2
         k = 6 * (1 + nu) * (1 + m2) ** 2 / ((7 + 6 * nu) * (1 + m2) ** 2 + (20 + 12 * nu) * m2)
@@ -52,6 +53,7 @@ class _Round:
 
     def stresses(self, f: SectionForces) -> list[StressPoint]:
         """Outer fibre in the plane of bending, and at the neutral axis with the largest shear."""
+        check_forces(f, type(self).__name__)
         a, b = self._diameters
         axial, r = abs(f.N) / self.A, a / 2
         twist = abs(f.T) * r / self.J

@@ -14,7 +14,7 @@ from typing import Protocol, runtime_checkable
 
 import numpy as np
 
-from flexel.base.arguments import positive
+from flexel.base.arguments import number, positive
 from flexel.base.errors import ModelError
 
 CATALAN = 0.915965594177219  # sum of (-1)^k / (2 k + 1)^2
@@ -38,6 +38,10 @@ class SectionForces:
     T: float = 0.0
     My: float = 0.0
     Mz: float = 0.0
+
+    def __post_init__(self) -> None:
+        for name in ("N", "Vy", "Vz", "T", "My", "Mz"):
+            number(getattr(self, name), "SectionForces", name)
 
 
 @dataclass(frozen=True)
@@ -122,6 +126,7 @@ class Rectangle:
 
     def shear_factors(self, nu: float) -> tuple[float, float]:
         """Both 10 (1 + nu) / (12 + 11 nu) (Cowper 1966)."""
+        nu = number(nu, "Rectangle", "Poisson's ratio")
         k = 10 * (1 + nu) / (12 + 11 * nu)
         return k, k
 
@@ -140,6 +145,7 @@ class Rectangle:
 
     def stresses(self, f: SectionForces) -> list[StressPoint]:
         """Corners, and the middles of the faces with torsion and parabolic shear 3 V / (2 A)."""
+        check_forces(f, "Rectangle")
         axial = abs(f.N) / self.A
         by, bz = abs(f.My) * self.width / 2 / self.Iy, abs(f.Mz) * self.height / 2 / self.Iz
         ty, tz = self.torsion_shear()
@@ -201,10 +207,12 @@ class IBeam:
 
     def shear_factors(self, nu: float) -> tuple[float, float]:
         """Web over area in y, 5/6 of the flanges over area in z (engineering approximations)."""
+        number(nu, "IBeam", "Poisson's ratio")
         return self._clear * self.web / self.A, 5 / 3 * self.width * self.flange / self.A
 
     def stresses(self, f: SectionForces) -> list[StressPoint]:
         """Flange tips and web; torsional shear T t / J is added on the safe side."""
+        check_forces(f, "IBeam")
         axial, twist = abs(f.N) / self.A, abs(f.T) / self.J
         bending = abs(f.My) * self.width / 2 / self.Iy + abs(f.Mz) * self.height / 2 / self.Iz
         flange = abs(f.Vz) * 0.75 / (self.width * self.flange)
@@ -215,6 +223,12 @@ class IBeam:
             ),
             StressPoint("web", axial, twist * self.web + 1.5 * abs(f.Vy) / (self._clear * self.web)),
         ]
+
+
+def check_forces(given: object, owner: str) -> None:
+    """Refuse what is not the forces of a section."""
+    if not isinstance(given, SectionForces):
+        raise ModelError(f"{owner}: {given!r:.60} are not the forces of a section; give fx.SectionForces(…)")
 
 
 def _sizes(section: Rectangle | IBeam) -> None:

@@ -149,7 +149,7 @@ class Springs(Laws):
             An unknown element, one without mass, a negative rate.
         """
         owner = f"mass_damping of '{element}'"
-        if element not in self.instances:
+        if not isinstance(element, str) or element not in self.instances:
             raise ModelError(f"{owner}: {unknown(str(element), self.instances, 'element')}")
         if "inertia" not in self.instances[element].spec.kernels:
             raise ModelError(
@@ -174,9 +174,9 @@ class Springs(Laws):
         """
         owner = f"stop on '{name}'"
         values = {
-            "gap": gap,
+            "gap": number(gap, owner, "gap"),
             "stiffness": positive(stiffness, owner, "stiffness"),  # a stop needs a stiffness
-            "damping": damping,
+            "damping": number(damping, owner, "damping"),
         }
         self._add_law(owner, LAWS["stop"], [name], values)
 

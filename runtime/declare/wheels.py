@@ -69,6 +69,7 @@ class Waves:
 
     def level(self, x: float, y: float) -> float:
         """Height of the road at a place."""
+        x, y = number(x, "waves", "x"), number(y, "waves", "y")
         c, s = unit(self.heading, "waves", "heading", 2)
         part = (c * x + s * y - self.start) / self.wavelength
         waves = (1 - np.cos(2 * np.pi * part)) / 2 if 0 < part < self.count else 0.0
@@ -178,6 +179,7 @@ class Wheels(Declarations):
         nodes = [self._find_of_kind(n, (k,), owner) for n, k in ((hub, "point"), (frame, "frame"))]
         if road is not None and not isinstance(road, Waves):
             raise ModelError(f"{owner}: road {road!r} is not known; give fx.Waves(amplitude, wavelength)")
+        height = number(height, owner, "road height")
         if road is not None and (np.any(vector(normal, owner, "road normal", 3) != UP) or height):
             raise ModelError(
                 f"{owner}: a plane and waves are both given; drop the plane: waves define their own height, z up"

@@ -10,6 +10,7 @@ from typing import Any
 
 from tqdm import tqdm
 
+from flexel.base.arguments import flag
 from flexel.base.arrays import Array
 from flexel.integration.events import Event, passages, value
 from flexel.integration.outcome import Integration, Pending, Segment, States
@@ -78,7 +79,7 @@ class Run(ABC):
         """
         self.begin()
         begin, end = float(self.times[0]), float(self.times[-1])
-        show = sys.stderr.isatty() if progress is None else progress
+        show = sys.stderr.isatty() if progress is None else flag(progress, "simulate", "progress")
         message: str | None = None
         bar = tqdm(total=end - begin, disable=not show, unit="s", leave=False, bar_format=BAR)
         try:

@@ -8,7 +8,7 @@ from typing import Any
 
 from scipy.optimize import brentq
 
-from flexel.base.arguments import number
+from flexel.base.arguments import flag, number, text
 from flexel.base.copies import Constant, check_travels
 from flexel.base.errors import ModelError
 from flexel.integration.outcome import Segment
@@ -42,11 +42,17 @@ class Event(Constant):
     direction: int = 0
 
     def __post_init__(self) -> None:
-        if not callable(self.function):
+        owner = f"event '{text(self.name, 'event', 'name')}'"
+        flag(self.terminal, owner, "terminal")
+        if not callable(self.function) or isinstance(self.function, type):
             raise ModelError(
                 f"event '{self.name}': {self.function!r} is not a function; give one of a State, lambda s: s['A.z']"
             )
-        if self.direction not in (-1, 0, 1):
+        if (
+            isinstance(self.direction, bool)
+            or not isinstance(self.direction, int)
+            or self.direction not in (-1, 0, 1)
+        ):
             raise ModelError(
                 f"event '{self.name}': direction {self.direction!r} is unknown; give 1 (up), -1 (down) or 0 (both)"
             )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -167,7 +168,7 @@ def run_of(system: Core, method: str, start: State, times: Array, duration: floa
 
 def _atol(system: Core, options: Options) -> float | Array:
     """The absolute tolerance in natural scales, one for all variables or one for each."""
-    if options.atol is None or np.ndim(options.atol) == 0:
+    if not isinstance(options.atol, Iterable):
         return options.number("atol", ATOL)
     size = system.roles.nq + system.roles.nd + system.structure.nz
     given = vector(options.atol, "simulate", "atol", size)

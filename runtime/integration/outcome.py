@@ -8,7 +8,7 @@ from typing import Any, overload
 
 import numpy as np
 
-from flexel.base.arguments import array, number
+from flexel.base.arguments import array, number, whole
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.mechanics import dynamics
@@ -181,9 +181,7 @@ def stored_times(start: State, duration: Any, times: Any, samples: Any, owner: s
     if span <= 0:
         raise ModelError(f"{owner}: duration {span:g} s is not positive; give a positive time")
     if times is None:
-        if not isinstance(samples, (int, np.integer)) or samples < 2:
-            raise ModelError(f"{owner}: {samples!r} samples requested; give a whole number, 2 or more")
-        return np.linspace(start.t, start.t + span, int(samples))
+        return np.linspace(start.t, start.t + span, whole(samples, owner, "samples", 2))
     grid = array(times, owner, "times")
     if grid.ndim != 1 or not grid.size or np.any(np.diff(grid) <= 0) or grid[0] < start.t:
         raise ModelError(f"{owner}: times must be a list that increases from {start.t:g} s; sort them")

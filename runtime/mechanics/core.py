@@ -13,7 +13,7 @@ from typing import Self
 
 import numpy as np
 
-from flexel.base.arguments import number, positive, vector
+from flexel.base.arguments import LARGEST, number, positive, vector
 from flexel.base.arrays import Array, Index
 from flexel.engine.evaluate import Evaluation
 from flexel.mechanics import dynamics, states
@@ -177,7 +177,7 @@ class Core:
 
     def rhs(self, t: float, y: Array) -> Array:
         """Rates of y = (q_d, q_k, q_d', z) (nq + nd + nz,) at time t [s]."""
-        if type(t) is not float or t != t:
+        if type(t) is not float or not -LARGEST <= t <= LARGEST:
             t = number(t, "rhs", "time t")
         choice = self.kinematics.given(t)
         if not choice.is_warm:
@@ -287,7 +287,7 @@ class Core:
         ModelError, PositionError
             A name that is not a degree of freedom; an unreachable position; inconsistent rates, by name.
         """
-        return states.state_at(self.kinematics, values or {}, rates, t, start or self.initial)
+        return states.state_at(self.kinematics, values, rates, t, self.initial if start is None else start)
 
     # -- choice of coordinates -------------------------------------------------------------------
 

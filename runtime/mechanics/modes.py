@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from flexel.base.arguments import names as checked_names
+from flexel.base.arguments import not_negative
 from flexel.base.arrays import Array, ComplexArray, Index
 from flexel.base.errors import LinearizationError
 from flexel.engine.solvers import eigenvalues, solved
@@ -117,6 +118,7 @@ def check_decoupled(
     ------
     LinearizationError
     """
+    tolerance = not_negative(tolerance, "reduced", "tolerance")
     first, largest = 0, 0.0
     for label, others in columns.items():
         own = sizes[first : first + len(others)]

@@ -91,7 +91,7 @@ def state_of(
 
 def state_at(
     kinematics: Kinematics,
-    values: Mapping[str, float],
+    values: Mapping[str, float] | None,
     rates: Mapping[str, float] | None,
     t: float | None,
     start: State,

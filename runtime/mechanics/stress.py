@@ -114,6 +114,6 @@ def largest_stress(state: State) -> BeamStress:
 
 def _find(state: State, beam: str) -> Instance:
     known = {z.name: z for z in state.structure.instances if z.spec.family == "beam"}
-    if beam not in known:
+    if not isinstance(beam, str) or beam not in known:
         raise ModelError(unknown(str(beam), known, "beam with two frames"))
     return known[beam]

@@ -9,7 +9,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from flexel.base.arguments import flag, names, number, positive, vector
 from flexel.base.arrays import Array
+from flexel.base.errors import ModelError
+from flexel.base.quaternions import unit
 from flexel.pictures import drawing
 from flexel.pictures.drawing import Sketch
 from flexel.pictures.figures import figure
@@ -66,6 +69,20 @@ class View:
     ground: bool = True
     trails: Sequence[str] = ()
     sketches: Sequence[Sketch] = ()
+
+    def __post_init__(self) -> None:
+        number(self.elevation, "View", "elevation")
+        number(self.azimuth, "View", "azimuth")
+        if self.up is not None:
+            unit(self.up, "View", "up")
+        if self.centre is not None and not isinstance(self.centre, str):
+            vector(self.centre, "View", "centre", 3)
+        if self.span is not None:
+            positive(self.span, "View", "span")
+        flag(self.ground, "View", "ground")
+        names(self.trails, "View: trails")
+        if not isinstance(self.sketches, Sequence) or not all(isinstance(z, Sketch) for z in self.sketches):
+            raise ModelError(f"View: sketches {self.sketches!r:.60} are not a list of Sketch; give one")
 
 
 @contextmanager

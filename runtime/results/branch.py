@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from flexel.base.arguments import quantities
 from flexel.base.arrays import Array, ComplexArray
 from flexel.linear.harmonics import refined
 from flexel.results.periodic import PeriodicSolution
@@ -106,6 +107,7 @@ class PeriodicBranch:
         largest magnitude of each name (the degrees of freedom by default).
         """
         pandas = require("pandas", "xarray")
+        shown = quantities(names, "to_pandas") or self.solutions[0].dofs
         own = {
             "omega": self.omega,
             "kind": self.kinds,
@@ -113,4 +115,4 @@ class PeriodicBranch:
             "modulus": self.modulus,
             "neglected": [z.vibration.error for z in self.solutions],
         }
-        return pandas.DataFrame(own | {z: self.largest(z) for z in names or self.solutions[0].dofs})
+        return pandas.DataFrame(own | {z: self.largest(z) for z in shown})

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from flexel.base.arguments import names, path_of
+from flexel.base.arguments import names, path_of, text
 from flexel.base.arrays import Array
 from flexel.base.errors import LinearizationError, ModelError
 from flexel.base.files import replacing
@@ -79,6 +79,7 @@ def to_control(
         Of the system.
     """
     control = require("control", "control")
+    text(name, "to_control", "name")
     matrices, states, ins, outs = _labelled(lin, inputs, outputs)
     labels = {"states": signal_names(states), "inputs": signal_names(ins), "outputs": signal_names(outs)}
     return control.ss(*matrices, name=name, **labels)

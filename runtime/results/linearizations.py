@@ -10,6 +10,8 @@ from typing import Any
 
 import numpy as np
 
+from flexel.base.arguments import index
+from flexel.base.arguments import names as checked_names
 from flexel.base.arrays import Array, ComplexArray
 from flexel.base.errors import ModelError
 from flexel.linear.tracking import branches
@@ -106,7 +108,7 @@ class Linearizations:
         LinearizationError
             If another degree of freedom enters their equations by more than `tolerance` of the largest entry.
         """
-        names, i = tuple(names), places_of(names, self.dynamic)
+        names, i = tuple(checked_names(names, "reduced")), places_of(names, self.dynamic)
         columns = {"M": self.dynamic, "C": self.dynamic, "K": self.dofs, "Z": self.internal}
         rows = np.concatenate([getattr(self, z)[..., i, :] for z in columns], axis=-1)
         sizes = np.abs(rows).max(axis=-2).reshape(-1, rows.shape[-1])
@@ -175,7 +177,10 @@ class RootLoci:
         from flexel.pictures.plot import root_loci
 
         w = self.eigenvalues
-        shown = w[variant] if w.ndim == 3 else w
+        chosen = index(variant, "root_loci.plot", "variant")
+        if w.ndim == 3 and not -len(w) <= chosen < len(w):
+            raise ModelError(f"root_loci.plot: variant {chosen}; give a number from 0 to {len(w) - 1}")
+        shown = w[chosen] if w.ndim == 3 else w
         return root_loci(self.values, shown, path, **{"label": self.name, **options})
 
     def to_xarray(self) -> Any:

@@ -215,7 +215,7 @@ class Motion(Sequence[State]):
         """One quantity against another, by default the rate of `x` against `x`."""
         from flexel.pictures.graphs import plot_phase
 
-        return plot_phase(self, x, y or f"{x}'", path)
+        return plot_phase(self, x, f"{x}'" if y is None else y, path)
 
     def plot_shapes(self, *times: float, path: str | Path | None = None, **options: Any) -> Any:
         """The mechanism at the stored states nearest to the times; see `flexel.pictures.deflected.plot_states`."""

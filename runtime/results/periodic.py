@@ -71,8 +71,8 @@ class PeriodicSolution:
         ModelError
             A name that is not a degree of freedom.
         """
-        if name not in self.dofs:
-            raise ModelError(unknown(name, self.dofs, "degree of freedom"))
+        if not isinstance(name, str) or name not in self.dofs:
+            raise ModelError(unknown(str(name), self.dofs, "degree of freedom"))
         a = 2 * self.vibration.X[self.vibration.harmonics :, self.dofs.index(name)]
         a[0] /= 2
         return np.asarray(a)

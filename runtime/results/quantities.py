@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from flexel.base.arguments import quantities
 from flexel.base.errors import ModelError
 from flexel.base.units import force_unit, rate_unit
 from flexel.structure.structure import Structure
@@ -35,6 +36,7 @@ def history(structure: Structure, name: str) -> History:
     ModelError
         An unknown name, more than two primes, a rate of a force, the value of a slip.
     """
+    quantities([name], "history")
     base = name.removeprefix("force:").rstrip("'")
     order = len(name) - len(base)
     if base in structure.internal:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from flexel.base.arguments import not_negative, positive
+from flexel.base.arguments import not_negative, positive, text
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.base.transactions import whole_or_nothing
@@ -91,7 +91,7 @@ class CableLines(Cables):
         >>> rope = m.cable_line("rope", [(0, 0, 0), (0, 0, -10)], 20, EA=1e6, EI=1.0, mass_per_length=1.0)
         ... # doctest: +SKIP
         """
-        owner = f"cable line '{name}'"
+        owner = f"cable line '{text(name, 'cable line', 'name')}'"
         shares = fractions(owner, n, at)
         drawn, total = curve(owner, path)
         length = total if length is None else positive(length, owner, "length")

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from flexel.base.arguments import not_negative, positive
+from flexel.base.arguments import not_negative, positive, text
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.base.transactions import whole_or_nothing
@@ -109,7 +109,7 @@ class Chains(Joints, Bodies, Nodes):
         >>> len(m.build().dynamic)
         8
         """
-        owner = f"chain '{name}'"
+        owner = f"chain '{text(name, 'chain', 'name')}'"
         if EA is None and (length is not None or damping):
             raise ModelError(
                 f"{owner}: a length or damping needs bars that stretch; give EA, or leave it out"

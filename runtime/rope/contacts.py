@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from flexel.base.arguments import not_negative, positive, unknown
+from flexel.base.arguments import names, not_negative, positive, text, unknown, whole
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.base.transactions import whole_or_nothing
@@ -75,8 +75,10 @@ class Contact:
         if self.bristle_stiffness is not None:
             positive(self.bristle_stiffness, "contact", "bristle_stiffness")
             positive(self.friction, "contact with bristles", "friction")
-        if not isinstance(self.points, (int, np.integer)) or not 1 <= self.points <= 50:
-            raise ModelError(f"contact: {self.points!r} points; give a whole number from 1 to 50")
+        whole(self.points, "contact", "number of points", 1, 50)
+        text(self.places, "contact", "places")
+        if self.per is not None:
+            text(self.per, "contact", "per")
         if self.places not in ("gauss", "equidistant") or self.per not in (None, "length", "point"):
             raise ModelError(
                 f"contact: places {self.places!r}, per {self.per!r}; choose 'gauss' or 'equidistant', "
@@ -119,6 +121,7 @@ class Contact:
 
     def depth(self, load: float, length: float) -> float:
         """Penetration [m] at which elements of a given length [m] carry a line load [N/m]."""
+        load, length = not_negative(load, "contact", "load"), not_negative(length, "contact", "length")
         share = load * length / self.points if self.per == "point" else load
         return float((share / self.stiffness) ** (1 / self.exponent))
 
@@ -208,7 +211,7 @@ class Contacts(CableLines):
                 f"{owner}: a lead of {lead:g} m is smaller than the diameter of the rope, {2 * a:g} m, so that its "
                 "turns would overlap; give a larger lead, usually 1.1 to 1.2 times the diameter"
             )
-        members = list(cables.elements) if only is None else list(only)
+        members = cables.elements if only is None else names(only, f"{owner}: only")
         for name in members:
             if name not in cables.elements:
                 raise ModelError(f"{owner}: {unknown(str(name), cables.elements, 'element')}")

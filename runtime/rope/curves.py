@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from flexel.base.arguments import array, number
+from flexel.base.arguments import array, whole
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.declare.nodes import Nodes
@@ -23,10 +23,7 @@ def fractions(owner: str, n: int | None, at: Any) -> Array:
     if (n is None) == (at is None):
         raise ModelError(f"{owner}: give either n, the number of elements, or at, the places of the nodes")
     if at is None:
-        count = number(n, owner, "n")
-        if count < 1 or count != int(count):
-            raise ModelError(f"{owner}: n = {count:g} elements; give a whole number of at least 1")
-        return np.linspace(0, 1, int(count) + 1)
+        return np.linspace(0, 1, whole(n, owner, "number of elements n", most=10**6) + 1)
     found = array(at, owner, "at").ravel()
     if found.size < 2 or found[0] != 0 or found[-1] != 1 or np.any(np.diff(found) <= 0):
         raise ModelError(f"{owner}: at = {found.tolist()} does not ascend from 0 to 1; correct it")

@@ -20,7 +20,7 @@ def dissipation(restitution: float, speed: float, law: str) -> float:
     It is 3 (1 - e)/(2 v) after Hunt and Crossley, 3 (1 - e²)/(4 v) after Lankarani and Nikravesh.
     """
     owner = "contact"
-    if law not in LAWS:
+    if not isinstance(law, str) or law not in LAWS:
         raise ModelError(f"{owner}: {unknown(str(law), LAWS, 'law of restitution')}")
     e, v = number(restitution, owner, "restitution"), positive(speed, owner, "speed of approach")
     if not 0 <= e <= 1:

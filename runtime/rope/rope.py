@@ -133,7 +133,7 @@ class Rope(CableLine):
         return listed, rows
 
     def _points(self, surface: str) -> list[ContactPoint]:
-        if surface not in self.contacts:
+        if not isinstance(surface, str) or surface not in self.contacts:
             raise ModelError(
                 f"rope '{self.name}': no contact with '{surface}'; it has {', '.join(self.contacts)}"
             )

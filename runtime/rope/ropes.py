@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from flexel.base.arguments import names, not_negative, positive
+from flexel.base.arguments import flag, names, not_negative, positive, text, whole
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.base.transactions import whole_or_nothing
@@ -91,15 +91,15 @@ class Ropes(Contacts, Surfaces):
         >>> rope = m.rope("rope", ["drum", "sheave", "end"], 56, contact=fx.Contact(1e9), tension=1e4, turns=1,
         ...               section=fx.WireRope(0.02), material="wire rope")  # doctest: +SKIP
         """
-        owner = f"rope '{name}'"
+        owner = f"rope '{text(name, 'rope', 'name')}'"
         check_contact(contact, owner)
-        plane = RopePlane(self, owner, path, closed)
+        plane = RopePlane(self, owner, path, flag(closed, owner, "closed"))
         others = [find_surface(self, z, owner) for z in names(also, f"{owner}: also")]
         EA = _axial_stiffness(self, owner, properties)
         radius = contact_radius(section_radius(properties.get("section")), radius, owner)
         if length is not None and tension is not None:
             raise ModelError(f"{owner}: both length and tension are given; drop one")
-        count = _count(owner, n)
+        count = whole(n, owner, "number of elements", most=10**6)
         laying = Laying(plane, contact, radius, turns, count, positive(refine, owner, "refine"))
         if length is not None:
             T = laying.tension(positive(length, owner, "length"), EA)
@@ -114,12 +114,6 @@ class Ropes(Contacts, Surfaces):
         touched = dict.fromkeys([*plane.names, *(z.name for z in others)])
         contacts = {z: self.rope_contact(line, z, contact) for z in touched}
         return Rope(line.name, line.elements, line.points, line.slopes, line.s, radius, laid, T, contacts)
-
-
-def _count(owner: str, n: Any) -> int:
-    if not isinstance(n, (int, np.integer)) or n < 1:
-        raise ModelError(f"{owner}: n = {n!r} elements; give a whole number of at least 1")
-    return int(n)
 
 
 def _axial_stiffness(model: Contacts, owner: str, properties: dict[str, Any]) -> float:

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from flexel.base.arguments import positive
+from flexel.base.arguments import number, positive
 from flexel.base.errors import ModelError
-from flexel.declare.sections import SectionForces, StressPoint
+from flexel.declare.sections import SectionForces, StressPoint, check_forces
 
 
 @dataclass(frozen=True)
@@ -44,6 +44,8 @@ class WireRope:
             raise ModelError(
                 f"WireRope: fill_factor {self.fill_factor:g} exceeds 1; it is the metallic fraction, about 0.55"
             )
+        if self.wire_diameter is not None:
+            positive(self.wire_diameter, "WireRope", "wire_diameter")
         if not 0 < self.wire <= self.diameter:
             raise ModelError(
                 f"WireRope: wire_diameter {self.wire:g} is not between 0 and the rope's {self.diameter:g}; correct it"
@@ -76,11 +78,13 @@ class WireRope:
 
     def shear_factors(self, nu: float) -> tuple[float, float]:
         """Shear factors of round wires (Cowper 1966)."""
+        nu = number(nu, "WireRope", "Poisson's ratio")
         k = 6 * (1 + nu) / (7 + 6 * nu)
         return k, k
 
     def stresses(self, f: SectionForces) -> list[StressPoint]:
         """Stresses in a wire: tension, bending of the wire about itself, torsion and transverse shear."""
+        check_forces(f, "WireRope")
         c = self.wire / 2
         normal = abs(f.N) / self.A + float(np.hypot(f.My, f.Mz)) * c / self.Iy
         shear = abs(f.T) * c / self.J + 4 * float(np.hypot(f.Vy, f.Vz)) / (3 * self.A)

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 
+from flexel.base.arguments import flag, index, text
 from flexel.base.copies import Portable
 from flexel.base.errors import ConstraintError, ModelError
 from flexel.model import Model
@@ -97,6 +98,7 @@ class SpacarFile(Portable):
             The element or deformation does not exist.
         """
         name, factor = self._mode(element, i)
+        self._check_state(state)
         if name in self.slips:
             return factor * state.rate(name)
         return factor * state[name]
@@ -104,9 +106,17 @@ class SpacarFile(Portable):
     def stress(self, state: State, element: int, i: int) -> float:
         """Generalized stress dual to `deformation`, in SPACAR's sign."""
         name, factor = self._mode(element, i)
+        self._check_state(state)
         return state.force(name) / factor
 
+    def _check_state(self, state: object) -> None:
+        if not isinstance(state, State):
+            raise ModelError(
+                f"{self.path.name}: {type(state).__name__} is not a state; give one of this file's system"
+            )
+
     def _mode(self, element: int, i: int) -> tuple[str, float]:
+        element, i = index(element, self.path.name, "element"), index(i, self.path.name, "deformation")
         if (element, i) not in self.deformations:
             raise ModelError(
                 f"{self.path.name}: deformation {i} of element {element} does not exist; elements are "
@@ -121,7 +131,7 @@ class SpacarFile(Portable):
 
     def factor(self, name: str) -> float:
         """Ratio of a quantity in SPACAR to the same in flexel; 1 for coordinates."""
-        return self._factors.get(name, 1.0)
+        return self._factors.get(text(name, self.path.name, "name"), 1.0)
 
     @cached_property
     def _factors(self) -> dict[str, float]:
@@ -129,6 +139,7 @@ class SpacarFile(Portable):
 
     def variant(self, *, load_steps: bool = False, loads: bool = True) -> System:
         """The system moved by the increments DELXF, DELINPX and DELINPE (times t) alone, or without its loads."""
+        load_steps, loads = flag(load_steps, "variant", "load_steps"), flag(loads, "variant", "loads")
         steps = (*self.still, *self.load_steps) if load_steps else ()
         model = build_model(self.gravity, [*self.calls, *steps])
         if not loads:

@@ -66,7 +66,7 @@ def read_lines(path: Path, dialect: str | None) -> tuple[str, list[Line]]:
     ModelError
         Text that is not a SPACAR file; names file and line.
     """
-    if dialect not in (None, *DIALECTS):
+    if dialect is not None and (not isinstance(dialect, str) or dialect not in DIALECTS):
         raise ModelError(f"read_spacar: dialect {dialect!r} is unknown; give 'delft' or 'twente'")
     if not path.is_file():
         raise ModelError(

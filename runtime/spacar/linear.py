@@ -51,6 +51,14 @@ class Matrices:
 class LinearModels(SpacarFile):
     """Linearized models, frequencies and buckling of a file."""
 
+    def _system(self, given: System | None) -> System:
+        """A variant of the file's system, or that itself."""
+        if given is not None and not isinstance(given, System):
+            raise ModelError(
+                f"{self.path.name}: {type(given).__name__} is not a system; give what variant(…) returned"
+            )
+        return self.system if given is None else given
+
     def matrices(self, state: State | None = None, *, system: System | None = None) -> Matrices:
         """Mass, damping and stiffness matrices about a state, split as in SPACAR.
 
@@ -65,7 +73,7 @@ class LinearModels(SpacarFile):
         ------
         LinearizationError, DynamicsError
         """
-        system = system or self.system
+        system = self._system(system)
         lin = system.linearize(state)
         still = np.zeros(lin.state.x.size)
         # without rates and accelerations, but with all stresses, no dynamic terms remain
@@ -105,7 +113,7 @@ class LinearModels(SpacarFile):
         ------
         LinearizationError
         """
-        lin = (system or self.system).linearize(state)
+        lin = self._system(system).linearize(state)
         A, B, C, D = lin.state_space([z.name for z in self.inputs], [z.name for z in self.outputs])
         f = np.array([self.factor(name.rstrip("'")) for name in lin.states])
         u, y = np.array([z.factor for z in self.inputs]), np.array([z.factor for z in self.outputs])

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from flexel.base.arguments import flag, vector
 from flexel.base.arguments import names as checked_names
-from flexel.base.arguments import vector
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError, ModelError
 from flexel.base.quaternions import matrix
@@ -51,7 +51,7 @@ class Compliance:
 
     def stiffness(self, body_axes: bool = False) -> dict[str, float]:
         """Stiffness in each direction, all others free to follow: 1 / C_ii; infinite for rigid directions."""
-        C = self.in_body if body_axes else self.matrix
+        C = self.in_body if flag(body_axes, "compliance", "body_axes") else self.matrix
         with np.errstate(divide="ignore"):
             return dict(zip(self.directions, (1 / np.diag(C)).tolist(), strict=True))
 
@@ -63,7 +63,7 @@ class Compliance:
         DynamicsError
             If a direction is rigid; names it.
         """
-        C = self.in_body if body_axes else self.matrix
+        C = self.in_body if flag(body_axes, "compliance", "body_axes") else self.matrix
         scale = np.sqrt(np.abs(np.diag(C)))
         if not np.all(scale):
             rigid = [d for d, z in zip(self.directions, scale, strict=True) if not z]

@@ -15,7 +15,7 @@ from scipy.linalg import eigh
 from scipy.sparse import block_diag, coo_array, csc_array
 from scipy.sparse.linalg import LinearOperator, eigsh, splu
 
-from flexel.base.arguments import numbers
+from flexel.base.arguments import numbers, whole
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError, ModelError
 from flexel.mechanics.core import Core
@@ -70,7 +70,7 @@ def buckling(system: Core, state: State, increment: Mapping[str, float], count: 
         if i >= s.m + s.k + s.nf:
             raise ModelError(f"buckling: the load acts on '{name}', which is fixed; name another quantity")
         load[i] += value
-    _check_count(count, "buckling")
+    count = whole(count, "buckling", "count")
     if not np.any(load):
         raise ModelError("buckling: the load increment is zero; name at least one load, {'tip.z': -1.0}")
     K1 = _by_load(problem, q, load)
@@ -142,7 +142,7 @@ def vibrations(system: Core, state: State, count: int) -> list[Vibration]:
     """Lowest natural frequencies and modes about a state of rest; see `System.vibrations`."""
     problem = Rest(system, state)
     q = problem.equations(state.t, state.x, problem.multipliers(state), state.e)
-    _check_count(count, "vibrations")
+    count = whole(count, "vibrations", "count")
     problem.work.tangent(0.0, 0.0, 1.0, phi=False)
     M = problem.work.tables.T.pattern.matrix(problem.free)
     w2, V = _lowest(problem, q, M, count)
@@ -204,11 +204,6 @@ def _bordered(problem: Rest, q: Equations, M: Any) -> tuple[Any, Any, Array]:
     border = A.shape[0] - problem.structure.nf
     B = block_diag([M, coo_array((border, border))], format="csc")
     return A, B, np.random.default_rng(0).standard_normal(A.shape[0])
-
-
-def _check_count(count: object, owner: str) -> None:
-    if not isinstance(count, (int, np.integer)) or count < 1:
-        raise ModelError(f"{owner}: {count!r} modes requested; give a whole number, 1 or more")
 
 
 def _pencil(K: Array, M: Array) -> tuple[Array, Array]:

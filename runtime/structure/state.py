@@ -116,7 +116,7 @@ class State:
 
     def __getitem__(self, name: str) -> float:
         """Value of a coordinate, a deformation or a law's internal state (a slip has none: see `rate`)."""
-        if name in self.structure.internal:
+        if isinstance(name, str) and name in self.structure.internal:
             return float(self.z[self.structure.internal[name]])
         i = self.structure.find(name)
         if self.structure.m <= i < self.structure.m + self.structure.k:
@@ -125,7 +125,7 @@ class State:
 
     def rate(self, name: str) -> float:
         """Rate of a coordinate, a deformation or a law's internal state, or a slip itself."""
-        if name in self.structure.internal:
+        if isinstance(name, str) and name in self.structure.internal:
             return float(self.zd[self.structure.internal[name]])
         return float(self.rates[self.structure.find(name)])
 

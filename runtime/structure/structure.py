@@ -99,8 +99,8 @@ class Structure(Constant):
 
     def node(self, name: str) -> Node:
         """The node of that name."""
-        if name not in self._by_name:
-            raise ModelError(unknown(name, self._by_name, "node"))
+        if not isinstance(name, str) or name not in self._by_name:
+            raise ModelError(unknown(str(name), self._by_name, "node"))
         return self._by_name[name]
 
     def places(self, name: str) -> Index:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from flexel.base.arguments import path_of
 from flexel.base.errors import ModelError
 from flexel.results.saved.record import require
 from flexel.sweeps.points import Points
@@ -31,15 +32,14 @@ def open_sweep(folder: str | Path) -> Dataset:
     xarray.Dataset
         See `fx.sweep`.
     """
-    place = Path(folder)
+    place = path_of(folder, "open_sweep")
     kept = described(place)
     if kept is None:
         raise ModelError(
             f"{folder} is not the folder of a sweep; give one that fx.sweep or flexel sweep has written"
         )
     columns = {
-        name: np.load(place / "points" / f"{i}.npy", mmap_mode="r")
-        for i, name in enumerate(kept["points"]["parameters"])
+        name: _array(place / "points" / f"{i}.npy") for i, name in enumerate(kept["points"]["parameters"])
     }
     return dataset_of(place, Points(columns, kept["points"]["grid"]))
 
@@ -54,10 +54,10 @@ def dataset_of(folder: Path, points: Points) -> Dataset:
     }
     data: dict[str, Any] = {}
     for i, (name, form) in enumerate(forms_of(kept) or ()):
-        values = np.load(folder / "values" / f"{i}.npy", mmap_mode="r").reshape(points.shape + form.shape)
+        values = _array(folder / "values" / f"{i}.npy", points.shape + form.shape)
         data[name] = (points.dims + form.dims, values, {"units": form.unit} if form.unit else {})
         coordinates |= {dim: (dim, list(labels)) for dim, labels in form.labels}
-    status = np.load(folder / "status.npy")
+    status = _array(folder / "status.npy")
     data["failed"] = (points.dims, _failed(folder, status).reshape(points.shape))
     about = {"kind": "sweep", "message": message_of(folder, points, status)}
     found: Dataset = xarray.Dataset(data, coordinates, about)
@@ -82,3 +82,15 @@ def message_of(folder: Path, points: Points, status: Any) -> str:
         first = int(np.argmax(status == FAILED))
         text += f", {failed} failed; the first, {points.shown(first)}: {messages_in(folder)[first]}"
     return text
+
+
+def _array(path: Path, shape: tuple[int, ...] | None = None) -> Any:
+    """An array of the folder, of the given shape if there is one; a ModelError if the file is damaged."""
+    try:
+        found = np.load(path, mmap_mode="r")
+        return found if shape is None else found.reshape(shape)
+    except Exception as error:  # a damaged file may raise anything
+        raise ModelError(
+            f"sweep '{path}': the file is missing or damaged ({error!s:.100}); take a copy of the folder, or "
+            "delete it and call fx.sweep again"
+        ) from error

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
+from flexel.base.arguments import whole
 from flexel.base.errors import FlexelError, ModelError
 from flexel.results.saved.record import require
 
@@ -118,11 +119,12 @@ class Pool:
 
 def pool_of(executor: Any, workers: int | None) -> Pool:
     """The pool for what was given to `fx.sweep` as executor."""
-    if workers is not None and (not isinstance(workers, int) or workers < 1):
-        raise ModelError(f"sweep: workers is {workers!r}; give a positive whole number")
-    if executor is None or executor == "joblib":
+    if workers is not None:
+        workers = whole(workers, "sweep", "workers")
+    named = executor if isinstance(executor, str) else ""
+    if executor is None or named == "joblib":
         return _joblib(workers)
-    if executor == "serial":
+    if named == "serial":
         return Pool(Serial(), lambda: 1)
     if isinstance(executor, Executor):
         return Pool(executor, _size(executor, workers))

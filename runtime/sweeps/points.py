@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from flexel.base.arguments import whole
 from flexel.base.errors import ModelError
 
 Column = NDArray[Any]  # float64, int64, bool or text, one-dimensional
@@ -63,7 +64,8 @@ class Points:
 
     def point(self, index: int) -> dict[str, Any]:
         """One point."""
-        return {name: z[0] for name, z in self.columns(index, index + 1).items()}
+        i = whole(index, OWNER, "number of the point", 0, len(self) - 1)
+        return {name: z[0] for name, z in self.columns(i, i + 1).items()}
 
     def shown(self, index: int) -> str:
         """A point as text."""
@@ -183,6 +185,8 @@ def _kind(value: Any) -> str:
 
 def _gathered(points: Iterable[Mapping[str, Any]]) -> dict[str, Column]:
     """Points that come one by one, as columns."""
+    if not isinstance(points, Iterable):
+        raise ModelError(f"{OWNER}: {points!r:.60} are no points; give a mapping, or a list of mappings")
     source, names, parts, total = iter(points), None, [], 0
     while block := list(islice(source, BLOCK)):
         for i, point in enumerate(block, start=total):

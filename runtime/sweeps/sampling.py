@@ -7,7 +7,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from flexel.base.arguments import number
+from flexel.base.arguments import number, text, whole
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.sweeps.points import OWNER, Points, listed
@@ -38,15 +38,15 @@ def sample(
     """
     if not isinstance(parameters, Mapping) or not parameters:
         raise ModelError(f"{OWNER}: {parameters!r} names no parameter; give {{'parameter': (low, high)}}")
-    if not isinstance(count, int | np.integer) or count < 1:
-        raise ModelError(f"{OWNER}: {count!r} is no number of points; give a positive whole number")
-    unit = _unit(len(parameters), int(count), seed, method)
+    size = whole(count, OWNER, "number of points")
+    unit = _unit(len(parameters), size, whole(seed, OWNER, "seed", 0, 2**63), method)
     return listed({name: _drawn(name, z, unit[:, i]) for i, (name, z) in enumerate(parameters.items())})
 
 
 def _unit(size: int, count: int, seed: int, method: str) -> Array:
     """Points (count, size) of the unit cube."""
     source = np.random.default_rng(seed)
+    text(method, OWNER, "method")
     if method == "random":
         return source.random((count, size))
     if method != "latin":

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from tqdm import tqdm
 
-from flexel.base.arguments import unknown
+from flexel.base.arguments import flag, path_of, unknown, whole
 from flexel.base.errors import IncompleteWarning, ModelError
 from flexel.base.stopping import StoppedError, stopping
 from flexel.results.saved.record import require
@@ -100,12 +100,16 @@ def sweep(
     require("xarray", "xarray")
     chosen = points_of(points)
     _check(build, chosen.names, analyse)
-    if chunk is not None and (not isinstance(chunk, int) or chunk < 1):
-        raise ModelError(f"sweep: chunk is {chunk!r}; give a positive whole number of points")
+    if chunk is not None:
+        whole(chunk, "sweep", "chunk")
+    flag(retry_failed, "sweep", "retry_failed")
     with ExitStack() as stack:
-        place = Path(folder if folder is not None else stack.enter_context(tempfile.TemporaryDirectory()))
+        if folder is None:
+            place = Path(stack.enter_context(tempfile.TemporaryDirectory()))
+        else:
+            place = path_of(folder, "sweep")
         store = stack.enter_context(Store(place, chosen))
-        show = sys.stderr.isatty() if progress is None else progress
+        show = sys.stderr.isatty() if progress is None else flag(progress, "sweep", "progress")
         interrupted = False
         if any(True for _ in store.missing(retry_failed)):
             pool = pool_of(executor, workers)
@@ -152,7 +156,12 @@ def _check(build: Callable[..., Any], names: tuple[str, ...], analyse: Callable[
     for what, given in (("build", build), ("analyse", analyse)):
         if not callable(given):
             raise ModelError(f"sweep: {what} is {given!r}; give a function")
-    known = inspect.signature(build).parameters
+    try:
+        known = inspect.signature(build).parameters
+    except ValueError as error:  # of some functions and classes written in C
+        raise ModelError(
+            f"sweep: the parameters of build {build!r} are unknown; give a Python function"
+        ) from error
     takes = [name for name, z in known.items() if z.kind in (z.POSITIONAL_OR_KEYWORD, z.KEYWORD_ONLY)]
     anything = any(z.kind is z.VAR_KEYWORD for z in known.values())
     for name in names:

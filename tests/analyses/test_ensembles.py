@@ -158,7 +158,7 @@ def test_an_interrupt_keeps_what_is_done(monkeypatch: pytest.MonkeyPatch) -> Non
         ({"parameters": {"bob.gravity[2]": 1.0}}, r"numbered from 0 to 1"),
         ({"parameters": {"pivot.angle.damping": [0.1, -0.1]}}, r"variant 1: 'pivot.angle'.*damping|D"),
         ({"parameters": {"bob.mass": "heavy"}}, r"parameter 'bob.mass'"),
-        ({"parameters": [1.0]}, r"give names with a list of values"),
+        ({"parameters": [1.0]}, r"must be given by name"),
         ({"initial": {"pivot.angle": [[1.0]]}}, r"one number for each variant"),
         ({"threads": 0}, r"threads 0; give a whole number"),
         ({"outputs": ["rod.angel"]}, r"unknown name 'rod.angel'"),

@@ -83,7 +83,7 @@ def test_random_points_are_independent_of_one_another() -> None:
         (lambda: fx.listed([]), "there are none"),
         (lambda: fx.sample({"a": (1, 0)}, 5), "limits of 'a', 1 and 0, do not increase"),
         (lambda: fx.sample({"a": 1.0}, 5), "'a' is 1.0; give \\(low, high\\) or a distribution"),
-        (lambda: fx.sample({"a": (0, 1)}, 0), "0 is no number of points"),
+        (lambda: fx.sample({"a": (0, 1)}, 0), "number of points 0; give a whole number, 1 or more"),
         (lambda: fx.sample({"a": (0, 1)}, 3, method="sobol"), "method 'sobol' is unknown"),  # type: ignore[arg-type]
     ],
 )
