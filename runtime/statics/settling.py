@@ -8,19 +8,24 @@ stiffness resists, moves down until it hangs.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from scipy.linalg import eigh, ldl
+from scipy.sparse import csc_array, diags_array
+from scipy.sparse.linalg import splu as untyped_splu
 
 from flexel.base.arrays import Array
 from flexel.mechanics.diagnose import null_space
 from flexel.mechanics.newton import newton
 from flexel.statics.equilibrium import CONVERGED, STALLED, STEP, Equations, Rest
 
+splu: Any = untyped_splu
 LARGEST = 1500  # most coordinates and multipliers for which stability is judged
 LARGEST_DESCENT = 600  # most of them for a descent, which finds all eigenvectors at every step
 NEUTRAL = 1e-11  # eigenvalue, relative to the largest entry of the stiffness, that counts as zero
 SYMMETRIC = 1e-7  # relative difference up to which a tangent counts as symmetric
+STIFF = 100.0  # springs on the conditions, relative to the largest entry of the stiffness
 MOST_STEPS = 200
 KICK = 0.05  # displacement from an unstable equilibrium, in natural scales
 KICKS = 10  # unstable equilibria that a descent may pass
@@ -63,7 +68,7 @@ def unstable_motions(problem: Rest, q: Equations) -> int:
     It is the number of negative eigenvalues of the tangent [K D'; D 0], less one for each condition.  Where forces
     have no potential (follower forces, feedback), where wheels roll, and in very large models none are counted.
     """
-    if q.matrix.pattern.size > LARGEST:
+    if _certainly_stable(problem, q) or q.matrix.pattern.size > LARGEST:
         return 0
     here = tangent(problem, q)
     if not here.symmetric:
@@ -73,6 +78,25 @@ def unstable_motions(problem: Rest, q: Equations) -> int:
     K = here.K + NEUTRAL * size * np.eye(len(here.K))
     d = ldl(np.block([[K, D.T], [D, np.zeros((conditions, conditions))]]))[1] if size else np.zeros((0, 0))
     return max(0, _negative(d) - conditions) if size else 0
+
+
+def _certainly_stable(problem: Rest, q: Equations) -> bool:
+    """Whether the symmetric part of the stiffness, with stiff springs on the conditions, is positive definite.
+
+    This is sufficient, and quick: the pivots of a sparse elimination without exchanges are positive.
+    """
+    nf, A, scale = problem.structure.nf, q.matrix.sparse.tocsc(), diags_array(problem.x_scale)
+    K, D = scale @ A[:nf, :nf] @ scale, A[nf:, :nf] @ scale
+    size = float(np.abs(K.data).max(initial=0.0))
+    lengths = np.sqrt(np.asarray(D.multiply(D).sum(axis=1)).ravel())
+    D = diags_array(np.sqrt(STIFF * size) / np.maximum(lengths, 1e-300)) @ D
+    whole = csc_array((K + K.T) / 2 + D.T @ D)
+    try:
+        factors = splu(whole, "MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
+    except RuntimeError:  # its only report of a zero pivot
+        return False
+    exchanged = not np.array_equal(factors.perm_r, factors.perm_c)
+    return not exchanged and bool(np.all(factors.U.diagonal() > 0))
 
 
 def _negative(d: Array) -> int:
