@@ -157,13 +157,6 @@ def quantities(given: Any, owner: str) -> tuple[str, ...]:
     return tuple(given)
 
 
-def flag(value: Any, owner: str, what: str) -> bool:
-    """True or False, or a ModelError that names the owner."""
-    if not isinstance(value, (bool, np.bool_)):
-        raise ModelError(f"{owner}: {what} is {_shown(value)}; give True or False")
-    return bool(value)
-
-
 def positive(value: Any, owner: str, what: str) -> float:
     """A positive finite number, or a ModelError."""
     given = number(value, owner, what)
