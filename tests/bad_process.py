@@ -52,6 +52,8 @@ def _watched(arguments: list[str], folder: Path) -> Iterator[tuple[int, str]]:
     finally:
         process.kill()
         process.wait()
+        assert process.stdout is not None
+        process.stdout.close()
 
 
 def _end(process: subprocess.Popen[bytes]) -> str:

@@ -162,7 +162,7 @@ def test_a_branch_that_is_not_finished_keeps_what_it_has_and_says_so() -> None:
         ({"end": PERIOD}, "both periods are"),
         ({"end": -1.0}, "end"),
         ({"step": 0.0}, "step"),
-        ({"harmonics": 0}, "0 harmonics requested"),
+        ({"harmonics": 0}, "harmonics 0; give a whole number, 1 or more"),
     ],
 )
 def test_options_without_sense_are_refused(options: dict[str, float], message: str) -> None:

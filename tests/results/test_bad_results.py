@@ -21,7 +21,7 @@ def test_results_that_do_not_exist_are_reported_with_those_that_do(tmp_path: Any
         lin.plot_mode(7)
     with pytest.raises(ModelError, match="periodic: period 0 is not positive"):
         system.periodic(period=0.0, harmonics=3)
-    with pytest.raises(ModelError, match="periodic: 0 harmonics requested"):
+    with pytest.raises(ModelError, match="periodic: harmonics 0; give a whole number, 1 or more"):
         system.periodic(period=1.0, harmonics=0)
     with pytest.raises(ModelError, match="read_spacar '.*none.dat': the file does not exist"):
         read_spacar(tmp_path / "none.dat")

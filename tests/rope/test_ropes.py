@@ -117,7 +117,7 @@ def test_bristles_hold_a_rope_that_is_pulled_less_than_the_capstan_allows() -> N
     ("change", "message"),
     [
         ({"n": 6}, "cannot follow a sheave of radius 0.1 m; it needs at least 12 elements, or 23 for"),
-        ({"n": 0}, "n = 0 elements"),
+        ({"n": 0}, "number of elements 0"),
         ({"EA": -1.0}, "EA -1 is not positive"),
         ({"EI": -1.0}, "EI -1 is negative"),
         ({"EA": None}, "EA or a section is missing"),
@@ -139,7 +139,7 @@ def test_wrong_ropes_are_refused_by_name(change: dict[str, Any], message: str) -
         ({"stiffness": -1.0}, "stiffness -1 is not positive"),
         ({"exponent": 0.5}, "exponent 0.5 is below 1"),
         ({"friction": -0.1}, "friction -0.1 is negative"),
-        ({"points": 0}, "0 points"),
+        ({"points": 0}, "number of points 0"),
         ({"bristle_stiffness": 1.0}, "friction 0 is not positive"),
     ],
 )

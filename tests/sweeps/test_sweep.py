@@ -157,8 +157,8 @@ def test_a_dimension_may_not_be_a_parameter() -> None:
         ({"analyse": None}, "analyse is None; give a function"),
         ({"points": 3}, "3 are no points"),
         ({"executor": "cluster"}, "executor is 'cluster'; give 'joblib', 'serial'"),
-        ({"workers": 0}, "workers is 0; give a positive whole number"),
-        ({"chunk": 0}, "chunk is 0; give a positive whole number"),
+        ({"workers": 0}, "workers 0; give a whole number, 1 or more"),
+        ({"chunk": 0}, "chunk 0; give a whole number, 1 or more"),
     ],
 )
 def test_bad_input_is_named(options: dict[str, Any], message: str) -> None:
