@@ -18,7 +18,7 @@ VALID = VALUES | MODELS | SYSTEMS | RESULTS
 OWN_WARNINGS = (fx.IncompleteWarning, fx.RangeWarning, fx.UnsteadyWarning)
 # Classes whose objects flexel makes: their constructors are not for users.
 MADE_BY_FLEXEL = {
-    "BeamStress", "BucklingMode", "Compliance", "ConstraintReport", "Ensemble", "Linearization", "Linearizations",
+    "BeamStress", "BucklingMode", "CheckReport", "Compliance", "ConstraintReport", "Ensemble", "Finding", "Linearization", "Linearizations",
     "Mode", "Motion", "PeriodicBranch", "PeriodicSolution", "Points", "Reduced", "RootLoci", "Rope", "Spacar", "State",
     "StressPoint", "System", "Vibration",
 }  # fmt: skip

@@ -15,7 +15,9 @@ from flexel.examples.bicycle import bicycle, kick
 from flexel.examples.vehicle import vehicle
 from flexel.examples.vehicle_runs import rounded_ramp
 
-pytestmark = pytest.mark.filterwarnings("ignore::flexel.base.errors.UnsteadyWarning")  # digits are compared, no modes
+pytestmark = pytest.mark.filterwarnings(
+    "ignore::flexel.base.errors.UnsteadyWarning"
+)  # digits are compared, no modes
 THREADS = 8
 Task = Callable[[fx.System], bytes]
 

@@ -236,6 +236,6 @@ def test_mistakes_are_told(ride: fx.Motion, tmp_path: Path) -> None:
         write_page({"format": 0}, tmp_path / "old.html")
     with pytest.raises(fx.ModelError, match="no modes given"):
         mode_data(ride[0], [])
+    system = cantilever()
     with pytest.raises(fx.ModelError, match="give the linearization, not the state"):
-        system = pendulum()
         mode_data(system.initial, system.linearize().modes())

@@ -37,7 +37,7 @@ STATICS = {
     "no modes": Case(lambda: strut().vibrations(count=0), ("vibrations", "1 or more")),
     "modes as text": Case(lambda: strut().vibrations(count="a"), ("vibrations", "whole number")),
     "steady of a text": Case(lambda: strut().steady(unknown="b.bend1"), ("steady", "write ['…'")),
-    "stability as a text": Case(lambda: strut().equilibrium(stable="yes"), ("stable", "True or False")),
+    "stability as a text": Case(lambda: strut().equilibrium(stable="yes"), ("stable", "True nor False")),
     "free fall": Case(
         lambda: _falling().equilibrium(), ("stiffness is singular", "'A.", "support it"), DynamicsError
     ),
