@@ -15,11 +15,13 @@ from valid_values import VALUES
 import flexel as fx
 
 VALID = VALUES | MODELS | SYSTEMS | RESULTS
-OWN_WARNINGS = (fx.IncompleteWarning, fx.RangeWarning, fx.UnsteadyWarning)
+OWN_WARNINGS = (
+    fx.AssemblyWarning, fx.IncompleteWarning, fx.RangeWarning, fx.UnstableWarning, fx.UnsteadyWarning,
+)  # fmt: skip
 # Classes whose objects flexel makes: their constructors are not for users.
 MADE_BY_FLEXEL = {
-    "BeamStress", "BucklingMode", "CheckReport", "Compliance", "ConstraintReport", "Ensemble", "Finding", "Linearization", "Linearizations",
-    "Mode", "Motion", "PeriodicBranch", "PeriodicSolution", "Points", "Reduced", "RootLoci", "Rope", "Spacar", "State",
+    "BeamStress", "BucklingMode", "CheckReport", "Compliance", "ConstraintReport", "Ensemble", "Finding",
+    "Linearization", "Linearizations", "Mode", "Motion", "PeriodicBranch", "PeriodicSolution", "Points", "Reduced", "RootLoci", "Rope", "Spacar", "State",
     "StressPoint", "System", "Vibration",
 }  # fmt: skip
 # Methods that the parts of flexel call with checked values, and those of tuple.
