@@ -21,8 +21,8 @@ OWN_WARNINGS = (
 # Classes whose objects flexel makes: their constructors are not for users.
 MADE_BY_FLEXEL = {
     "BeamStress", "BucklingMode", "CheckReport", "Compliance", "ConstraintReport", "Ensemble", "Finding",
-    "Linearization", "Linearizations", "Mode", "Motion", "PeriodicBranch", "PeriodicSolution", "Points", "Reduced", "RootLoci", "Rope", "Spacar", "State",
-    "StressPoint", "System", "Vibration",
+    "Linearization", "Linearizations", "Mode", "Motion", "PeriodicBranch", "PeriodicSolution", "Points",
+    "Reduced", "RootLoci", "Rope", "Spacar", "State", "StressPoint", "System", "Vibration",
 }  # fmt: skip
 # Methods that the parts of flexel call with checked values, and those of tuple.
 INTERNAL = {
