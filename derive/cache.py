@@ -4,7 +4,6 @@ What is loaded runs in the process, so nobody else may write it; a seal behind t
 """
 
 import atexit
-import hashlib
 import os
 import shutil
 import stat
@@ -13,7 +12,8 @@ import warnings
 from functools import cache
 from pathlib import Path
 
-SEAL = b"flexel sha256 "  # behind the content, then the digest of the content
+from flexel.derive.sealed import is_whole as unbroken
+from flexel.derive.sealed import seal_of
 
 
 class CacheError(RuntimeError):
@@ -78,17 +78,14 @@ def _temporary(folder: Path, reason: str) -> Path:
 
 def seal(file: Path) -> None:
     """Append the seal to a file."""
-    digest = hashlib.sha256(file.read_bytes()).digest()
+    content = file.read_bytes()
     with file.open("ab") as stream:
-        stream.write(SEAL + digest)
+        stream.write(seal_of(content))
 
 
 def is_whole(file: Path) -> bool:
-    """Whether a file exists with its seal unbroken: it is neither cut off, nor changed, nor from elsewhere."""
+    """Whether a file exists with its seal unbroken."""
     try:
-        content = file.read_bytes()
+        return unbroken(file.read_bytes())
     except OSError:
         return False
-    end = len(content) - len(SEAL) - hashlib.sha256().digest_size
-    sealed = end > 0 and content[end : end + len(SEAL)] == SEAL
-    return sealed and content[end + len(SEAL) :] == hashlib.sha256(content[:end]).digest()

@@ -20,7 +20,7 @@ PARTS = ("derive", "generated", "runtime", "examples", "benchmarks")
 SEES_GENERATED = ("derive/verify",)
 # The one module of derive that everything may import: plain Python.
 SPEC = "flexel.derive.spec."
-PLAIN = (SPEC, "flexel.derive.errors.")  # modules of `derive` without SymPy
+PLAIN = (SPEC, "flexel.derive.errors.", "flexel.derive.sealed.")  # modules of `derive` without SymPy
 # The modules of the runtime that may call derive, inside functions only: commands, user-defined elements.
 CALLS_DERIVE = (
     "runtime/commands/derive.py",

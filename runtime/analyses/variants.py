@@ -38,8 +38,7 @@ def varied(system: C, places: Sequence[Place], structure: Structure | None = Non
     """A copy of a system whose parameters can be changed without changing those of the system."""
     variant = Variant(system.evaluation, places, structure)
     found = copy(system)
-    for cached in ("initial", "at_rest"):
-        found.__dict__.pop(cached, None)
+    _forget(found)
     found._prepare(variant.evaluation, system.loads, system.roles)
     return found, variant
 
@@ -77,10 +76,11 @@ class Values:
         self._check_signs(parameters)
 
     def _check_signs(self, parameters: Parameters) -> None:
-        numbers = {place.owner for place in self.places if place.law}
-        for i in range(self.count if numbers else 0):
-            laws = parameters.changed(self.places, self.of(i)).laws
-            for law in (laws[z] for z in numbers):
+        if not any(place.law for place in self.places):
+            return
+        for i in range(self.count):
+            owners = parameters.owners(self.places, self.of(i))
+            for law in (owner for (is_law, _), owner in owners.items() if is_law):
                 check_signs(law.spec, law.parameters, f"{self._owner}: variant {i}: '{law.name}'")
 
     def _count(self, columns: Mapping[str, Array]) -> int:
@@ -208,9 +208,14 @@ class Runner(Generic[T]):
 
     def _one(self, system: Any, variant: Variant, i: int) -> None:
         variant.set(self._values.of(i))
-        for cached in ("initial", "at_rest"):
-            system.__dict__.pop(cached, None)
+        _forget(system)
         self.results[i] = self._task(system, i)
+
+
+def _forget(system: Core) -> None:
+    """Leave out what a system keeps of its start, which depends on the parameters."""
+    for kept in ("initial", "at_rest"):
+        system.__dict__.pop(kept, None)
 
 
 def _threads(given: int | None) -> int:

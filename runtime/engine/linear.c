@@ -1,6 +1,7 @@
 /* Linearized equations of motion at states; see linear.h. */
 #include "linear.h"
 
+#include "copy.h"
 #include "evaluate.h"
 #include "rows.h"
 
@@ -33,40 +34,28 @@ static size_t transfer_of(const flexel_work *s, const flexel_choice *c)
     return s->nf * (3 * values_of(c) + 2 * rates_of(c)) + c->nk * (values_of(c) + rates_of(c));
 }
 
-static const double *take(double *to, const double *from, size_t count)
-{
-    memcpy(to, from, count * sizeof(double));
-    return from + count;
-}
-
-static double *put(double *to, const double *from, size_t count)
-{
-    memcpy(to, from, count * sizeof(double));
-    return to + count;
-}
-
 /* Derivatives at a state; J and M stay in the workspace. */
 static void derive(flexel_work *s, const flexel_linear *l, const double *state, double *derivatives)
 {
     const size_t nJ = (size_t)s->J_start[s->m + s->k + s->n];
     s->t = *state++;
-    state = take(s->x, state, s->n);
-    state = take(s->v, state, s->n);
-    state = take(s->a, state, s->n);
-    state = take(s->z, state, s->nz);
-    state = take(s->near, state, s->m);
+    state = flexel_take_numbers(s->x, state, s->n);
+    state = flexel_take_numbers(s->v, state, s->n);
+    state = flexel_take_numbers(s->a, state, s->n);
+    state = flexel_take_numbers(s->z, state, s->nz);
+    state = flexel_take_numbers(s->near, state, s->m);
     flexel_position(s);
     flexel_rates(s);
-    take(s->stress, state, s->m + s->k);
+    flexel_take_numbers(s->stress, state, s->m + s->k);
     flexel_inertia(s);
     flexel_rate_derivatives(s);
     flexel_acceleration_derivatives(s);
     flexel_law_tangents(s, 0);
-    derivatives = put(derivatives, s->J, nJ);
-    derivatives = put(derivatives, s->Phi, nJ);
-    derivatives = put(derivatives, s->Psi_x, nJ);
-    derivatives = put(derivatives, s->Psi_v, nJ);
-    derivatives = put(derivatives, s->M, (size_t)s->M_start[s->n]);
+    derivatives = flexel_put_numbers(derivatives, s->J, nJ);
+    derivatives = flexel_put_numbers(derivatives, s->Phi, nJ);
+    derivatives = flexel_put_numbers(derivatives, s->Psi_x, nJ);
+    derivatives = flexel_put_numbers(derivatives, s->Psi_v, nJ);
+    derivatives = flexel_put_numbers(derivatives, s->M, (size_t)s->M_start[s->n]);
     flexel_tangents(s, derivatives, derivatives + s->nT);
     derivatives += 2 * s->nT;
     for (size_t i = 0; i < l->nlaws; i++)

@@ -1,6 +1,7 @@
 /* The complete state that a workspace holds; see state.h. */
 #include "state.h"
 
+#include "copy.h"
 #include "evaluate.h"
 
 #include <math.h>
@@ -19,12 +20,6 @@ void flexel_reactions(flexel_work *s, const flexel_choice *c, double *stresses, 
         stresses[i] = s->stress[i] + c->multiplier[i];
 }
 
-static double *put(double *to, const double *from, size_t count)
-{
-    memcpy(to, from, count * sizeof(double));
-    return to + count;
-}
-
 static double sum(size_t count, const double *values)
 {
     double z = 0;
@@ -37,19 +32,19 @@ void flexel_state(flexel_work *s, double *out)
 {
     const size_t n = s->n, first = s->m + s->k;
     flexel_rates(s);
-    out = put(out, s->x, n);
-    out = put(out, s->v, n);
-    out = put(out, s->a, n);
-    out = put(out, s->e, s->m);
-    out = put(out, s->w, first);
-    out = put(out, s->v, n);
+    out = flexel_put_numbers(out, s->x, n);
+    out = flexel_put_numbers(out, s->v, n);
+    out = flexel_put_numbers(out, s->a, n);
+    out = flexel_put_numbers(out, s->e, s->m);
+    out = flexel_put_numbers(out, s->w, first);
+    out = flexel_put_numbers(out, s->v, n);
     memset(out, 0, first * sizeof(double)); /* of rows that are left out */
     flexel_push(s, s->a, out);
     for (size_t i = 0; i < first; i++)
         out[i] += s->g[i];
-    out = put(out + first, s->a, n);
-    out = put(out, s->z, s->nz);
-    out = put(out, s->zd, s->nz);
+    out = flexel_put_numbers(out + first, s->a, n);
+    out = flexel_put_numbers(out, s->z, s->nz);
+    out = flexel_put_numbers(out, s->zd, s->nz);
     double kinetic = 0;
     for (size_t i = 0; i < n; i++)
         for (int l = s->M_start[i]; l < s->M_start[i + 1]; l++)
@@ -58,12 +53,6 @@ void flexel_state(flexel_work *s, double *out)
     out[1] = s->U;
     out[2] = sum(s->nlaws, s->law_U);
     out[3] = sum(s->nlaws, s->law_P);
-}
-
-static const double *take(double *to, const double *from, size_t count)
-{
-    memcpy(to, from, count * sizeof(double));
-    return from + count;
 }
 
 static double largest(size_t count, const double *values, double z)
@@ -82,18 +71,18 @@ size_t flexel_complete_states(flexel_work *s, flexel_choice *c, size_t count, do
         double *a = states + 1 + 2 * n, *e = a + n + s->nz, *stresses = e + s->m;
         flexel_reset(s, c);
         s->t = states[0];
-        take(s->v, take(s->x, states + 1, n), n);
-        take(s->near, take(s->z, a + n, s->nz), s->m);
+        flexel_take_numbers(s->v, flexel_take_numbers(s->x, states + 1, n), n);
+        flexel_take_numbers(s->near, flexel_take_numbers(s->z, a + n, s->nz), s->m);
         *code = flexel_complete(s, c, 0);
         if (*code)
             return i;
         flexel_reactions(s, c, stresses, space);
-        put(a, s->a, n);
-        put(e, s->e, s->m);
+        flexel_put_numbers(a, s->a, n);
+        flexel_put_numbers(e, s->e, s->m);
         memset(space, 0, n * sizeof(double));
         flexel_pull(s, stresses, space);
         forces[i] = largest(s->nf, space, largest(s->nf, s->F, 0));
-        put(qdd + i * c->nd, c->qdd, c->nd);
+        flexel_put_numbers(qdd + i * c->nd, c->qdd, c->nd);
         states = stresses + s->m + s->k;
     }
     return count;

@@ -37,9 +37,8 @@ class Workspace(Fields):
         self._tangent()
         self._relations()
         self._constant_inertia()
-        found = (
-            self._samples()
-        )  # also fills the outputs of contacts that are not evaluated while they are far away
+        # This also fills the outputs of contacts that are not evaluated while they are far away.
+        found = self._samples()
         if tables.samples is None:  # another thread may be first: it finds the same
             tables.samples = found
         self.samples = tables.samples

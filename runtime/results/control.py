@@ -23,11 +23,6 @@ from flexel.results.saved.record import require
 Matrices = tuple[Array, Array, Array, Array]
 
 
-def state_names(lin: Linearization, inputs: Sequence[str] = ()) -> tuple[str, ...]:
-    """Names of the states of `Linearization.state_space` with these inputs, in order."""
-    return Inputs.of(lin, inputs).states(lin.states)
-
-
 def _labelled(
     lin: Linearization, inputs: Sequence[str], outputs: Sequence[str]
 ) -> tuple[Matrices, tuple[str, ...], tuple[str, ...], tuple[str, ...]]:

@@ -98,20 +98,25 @@ class Parameters(Mapping[str, Array]):
 
     def changed(self, places: Sequence[Place], values: Sequence[Array]) -> Structure:
         """The structure with other values of some parameters."""
-        rows: dict[tuple[bool, int], Array] = {}
-        for place, value in zip(places, values, strict=True):
-            row = rows.setdefault((place.law, place.owner), np.array(self.owner(place).p))
-            row[place.numbers] = value
-        s = self._structure
-        instances = tuple(_with(z, rows.get((False, i))) for i, z in enumerate(s.instances))
-        laws = tuple(_with(z, rows.get((True, i))) for i, z in enumerate(s.laws))
+        s, owners = self._structure, self.owners(places, values)
+        instances = tuple(owners.get((False, i), z) for i, z in enumerate(s.instances))
+        laws = tuple(owners.get((True, i), z) for i, z in enumerate(s.laws))
         return replace(s, instances=instances, laws=laws)
 
+    def owners(self, places: Sequence[Place], values: Sequence[Array]) -> dict[tuple[bool, int], Any]:
+        """The elements and laws with other values of some parameters, by `Place.law` and `Place.owner`."""
+        rows: dict[tuple[bool, int], Array] = {}
+        found = {}
+        for place, value in zip(places, values, strict=True):
+            key, owner = (place.law, place.owner), self.owner(place)
+            row = rows.setdefault(key, np.array(owner.p))
+            row[place.numbers] = value
+            found[key] = _with(owner, row)
+        return found
 
-def _with(owner: Any, row: Array | None) -> Any:
+
+def _with(owner: Any, row: Array) -> Any:
     """An element or law with its parameters from a row of numbers."""
-    if row is None:
-        return owner
     ends = np.cumsum([0, *(z.size for z in owner.spec.parameters)]).tolist()
     parts = zip(owner.spec.parameters, ends, ends[1:], strict=False)
     return replace(owner, parameters=owner.parameters | {z.name: row[a:b] for z, a, b in parts})

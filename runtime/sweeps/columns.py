@@ -63,10 +63,8 @@ class ColumnFile:
         """Write rows, without a copy in memory that would stay there."""
         if not rows.nbytes:  # arrays of no numbers have no bytes to view
             return
-        data, place = (
-            memoryview(np.ascontiguousarray(rows).data).cast("B"),
-            self.offset + begin * self.row_bytes,
-        )
+        data = memoryview(np.ascontiguousarray(rows).data).cast("B")
+        place = self.offset + begin * self.row_bytes
         while data:
             written = os.pwrite(self.descriptor, data, place)
             data, place = data[written:], place + written

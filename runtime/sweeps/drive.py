@@ -17,9 +17,8 @@ from flexel.sweeps.store import Store
 from flexel.sweeps.work import Job, Outcome, work
 
 TARGET = 0.2  # time that a chunk is to take [s], at least: handing one out costs 0.5 ms of this process, 5 with dask
-APART = (
-    0.01  # time between two chunks [s], which take longer with many workers, so that this process keeps up
-)
+# Time between two chunks [s], which take longer with many workers, so that this process keeps up.
+APART = 0.01
 LARGEST = 20_000  # points of a chunk
 MOST_BYTES = 1 << 24  # results of a chunk
 AHEAD = 2  # chunks handed out for each worker, so that none waits

@@ -11,7 +11,8 @@ import pytest
 
 DERIVE = Path(__file__).resolve().parents[2] / "derive"
 LAYERS = (
-    ("cache", "errors", "spec"),
+    ("errors", "sealed", "spec"),
+    ("cache",),
     ("shared_object",),
     ("declare",),
     ("elements", "laws"),

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
-from hashlib import sha256
 from io import BytesIO
 from pathlib import Path
 from typing import Any
@@ -20,12 +19,12 @@ from flexel.base.arguments import path_of
 from flexel.base.arrays import Array
 from flexel.base.errors import FlexelError, ModelError
 from flexel.base.files import replacing
+from flexel.derive.sealed import has_seal, is_whole, seal_of
 from flexel.results.saved.comma import read_csv, write_csv
 from flexel.results.saved.header import HEADER, digest, header_of, parsed
 from flexel.results.saved.record import Record, Variable, require
 from flexel.results.saved.tables_of_runs import refuse_table
 
-SEAL = b"flexel sha256 "  # then the digest of all before it: behind the end of a .nc file, where nobody reads
 LONGEST = 63  # most letters in the name of a Matlab variable
 
 
@@ -137,7 +136,7 @@ def _write_nc(record: Record, path: Path) -> None:
         data = buffer.getvalue()
     with path.open("wb") as stream:
         stream.write(data)
-        stream.write(SEAL + sha256(data).digest())
+        stream.write(seal_of(data))  # behind the end of the file, where nobody reads
 
 
 def _read_nc(path: Path) -> tuple[dict[str, Any], dict[str, Array]]:
@@ -151,12 +150,7 @@ def _read_nc(path: Path) -> tuple[dict[str, Any], dict[str, Array]]:
 def _check_seal(path: Path) -> None:
     """Raise a ValueError for damage, before the library of HDF5 sees it; other programs may drop the seal."""
     data = path.read_bytes()
-    end = len(data) - len(SEAL) - sha256().digest_size
-    if (
-        end > 0
-        and data[end : end + len(SEAL)] == SEAL
-        and sha256(data[:end]).digest() != data[end + len(SEAL) :]
-    ):
+    if has_seal(data) and not is_whole(data):
         raise ValueError("its bytes are not those that were written")
 
 
