@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from functools import cache
+from pathlib import Path
 
 import numpy as np
 from mechanisms import cantilever
@@ -80,7 +81,7 @@ SYSTEMS: dict[str, Callable[[], Valid]] = {
         rod().root_loci, state=rod().initial, parameters=MASS, threads=1, progress=False
     ),
     "System.simulate": lambda: calling(
-        rod().simulate, duration=0.1, start=rod().initial, samples=3, progress=False
+        rod().simulate, duration=0.1, start=rod().initial, samples=3, progress=False, checkpoint=Path("run.npz")
     ),
     "System.simulate_many": lambda: calling(
         rod().simulate_many, duration=0.1, parameters=MASS, initial={"pivot.angle": 0.1}, outputs=["A.x"], samples=3,

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 
+from flexel.analyses.checkpoints import Checkpoint
 from flexel.base.arguments import flag
 from flexel.base.arrays import Array
 from flexel.base.errors import FlexelError
@@ -41,6 +43,7 @@ class Motions(Core):
         events: Sequence[Event] = (),
         progress: bool | None = None,
         rechoose: bool | None = None,
+        checkpoint: str | Path | None = None,
     ) -> Motion:
         """Forward dynamics; if every motion is prescribed, positions and driving forces.
 
@@ -92,6 +95,10 @@ class Motions(Core):
         rechoose : bool, optional
             For explicit methods: change the degrees of freedom where others are much better; yes by default.
             `Motion.rechoices` lists the changes.
+        checkpoint : str or Path, optional
+            A file (.npz, .nc, .mat or .csv) for the motion so far, written about every 30 s, and at the end. If a run
+            is killed, the same call continues from the file, within the tolerances of the method; if the file holds
+            the whole motion, it is returned. `fx.load` reads the file at any time.
 
         Returns
         -------
@@ -100,7 +107,8 @@ class Motions(Core):
         Raises
         ------
         ModelError
-            An option that the method does not have; a load or a prescribed motion without a value.
+            An option that the method does not have; a load or a prescribed motion without a value; a checkpoint of
+            another simulation.
         PositionError, DynamicsError
             If the motion cannot be continued; ``error.motion`` holds the motion so far.
 
@@ -122,13 +130,28 @@ class Motions(Core):
         why = ""
         if method == methods.AUTO:
             method, why = methods.automatic(self, begin, float(duration), options)
+        keeper = None if checkpoint is None else Checkpoint(checkpoint, self, begin, grid, method, options)
+        before = None if keeper is None else keeper.before()
+        if before is not None:
+            if before.complete:
+                return _motion(self, before.found)
+            begin, options = before.found.states[-1], before.going_on(options)
+            grid = np.concatenate([[begin.t], grid[grid > begin.t]])
         run = methods.run_of(self, method, begin, grid, float(duration), options)
         try:
-            found = run.run(progress)
+            found = run.run(progress, keeper)
         except FlexelError as error:
-            error.motion = Motion(self, _explained(run.kept(str(error)), why))
+            error.motion = Motion(self, _explained(_whole(run.kept(str(error)), keeper), why))
             raise
-        return _motion(self, _explained(found, why))
+        found = _explained(_whole(found, keeper), why)
+        if keeper is not None:
+            keeper.end(found, run.step)
+        return _motion(self, found)
+
+
+def _whole(found: Integration, keeper: Checkpoint | None) -> Integration:
+    """The motion with the part that an earlier process has computed."""
+    return found if keeper is None else keeper.whole(found)
 
 
 def _explained(found: Integration, why: str) -> Integration:

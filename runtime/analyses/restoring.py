@@ -13,6 +13,7 @@ from flexel.base.errors import ModelError
 from flexel.mechanics import dynamics
 from flexel.mechanics.core import Core
 from flexel.results.motion import Motion
+from flexel.structure.roles import Roles
 from flexel.structure.state import State
 from flexel.structure.structure import Structure
 
@@ -42,15 +43,25 @@ class Restoring(Core):
             A time that is not stored; a model with other quantities or other constraints.
         """
         state = _stored(saved, time)
-        _check_names(self.structure, state.structure)
-        roles = self.roles
-        rows = [state.roles.dynamic, state.roles.kinematic]
-        if not all(np.array_equal(a, b) for a, b in zip(rows, (roles.dynamic, roles.kinematic), strict=True)):
-            _check_dofs(self, rows)
-            roles = roles.with_dofs(*rows)
         if flag(as_saved, "restore", "as_saved"):
-            return replace(state, roles=roles, evaluation=self.evaluation)
+            return restored(self, state)
+        roles = _roles(self, state)
         return dynamics.complete(self.kinematics_of(roles), state.t, state.x, state.v, state.e, state.z)
+
+
+def restored(system: Core, state: State) -> State:
+    """A saved state as one of a system, with everything as it was saved; see `Restoring.restore`."""
+    return replace(state, roles=_roles(system, state), evaluation=system.evaluation)
+
+
+def _roles(system: Core, state: State) -> Roles:
+    """The roles of a system with a saved state's choice of degrees of freedom."""
+    _check_names(system.structure, state.structure)
+    roles, rows = system.roles, [state.roles.dynamic, state.roles.kinematic]
+    if all(np.array_equal(a, b) for a, b in zip(rows, (roles.dynamic, roles.kinematic), strict=True)):
+        return roles
+    _check_dofs(system, rows)
+    return roles.with_dofs(*rows)
 
 
 def _stored(saved: Any, time: float | None) -> State:

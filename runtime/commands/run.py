@@ -63,6 +63,11 @@ class Wish:
     "--linearize", is_flag=True, help="Print frequency and damping of the modes about the last state."
 )
 @click.option(
+    "--checkpoint",
+    is_flag=True,
+    help="Write the motion so far to a file in DIR every 30 s; the same command continues from it.",
+)
+@click.option(
     "--mode", type=int, metavar="N", help="Mode of analysis of a SPACAR file: 1, 2, 4, 7, 8, 9 or 10."
 )
 @click.option(
@@ -79,6 +84,7 @@ def run(
     formats: tuple[str, ...],
     plots: tuple[str, ...],
     linearize: bool,
+    checkpoint: bool,
     mode: int | None,
     dialect: str | None,
 ) -> None:
@@ -97,9 +103,9 @@ def run(
     Ctrl-C stops a simulation; what was computed is saved, and the exit status is 130.
     """
     given = {"duration": time, "samples": samples, "method": method}
-    asked = {name: value for name, value in given.items() if value is not None}
+    asked: dict[str, Any] = {name: value for name, value in given.items() if value is not None}
     if file.suffix.lower() == ".dat":
-        if asked or formats or plots or linearize:
+        if asked or formats or plots or linearize or checkpoint:
             raise click.UsageError(
                 f"{file} specifies its own analysis; only the options --mode, --dialect and "
                 "--out are for SPACAR files."
@@ -110,7 +116,10 @@ def run(
         raise click.UsageError(f"{file}: suffix '{file.suffix}' is unknown; give MODEL.py or MODEL.dat.")
     if mode is not None or dialect is not None:
         raise click.UsageError(f"{file}: --mode and --dialect are for SPACAR files, MODEL.dat.")
-    wish = Wish(out or Path("out") / file.stem, asked, formats or FORMATS[:1], plots, linearize)
+    folder = out or Path("out") / file.stem
+    if checkpoint:
+        asked["checkpoint"] = folder / f"{file.stem}.checkpoint.npz"
+    wish = Wish(folder, asked, formats or FORMATS[:1], plots, linearize)
     try:
         motion = _run_python(file, wish)
     except click.ClickException as failure:

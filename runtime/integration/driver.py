@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from abc import ABC, abstractmethod
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -18,6 +18,7 @@ from flexel.mechanics.kinematics import Kinematics
 from flexel.structure.moment import Moment
 from flexel.structure.state import State
 
+INTERRUPTED = "interrupted"  # begins the message of a motion that Ctrl-C has ended
 BAR = "{l_bar}{bar}| {n:.3g}/{total:.3g} s [{elapsed}<{remaining}]"
 
 
@@ -69,13 +70,20 @@ class Run(ABC):
         """The next time at which a state is stored."""
         return float(self.times[len(self.result.states)])
 
-    def run(self, progress: bool | None) -> Integration:
+    @property
+    def step(self) -> float | None:
+        """A first step [s] with which the motion can go on from here; None if the method chooses it anew."""
+        return None
+
+    def run(self, progress: bool | None, each: Callable[[Run], None] | None = None) -> Integration:
         """Integrate to the last time; an interrupt (Ctrl-C) keeps what was computed.
 
         Parameters
         ----------
         progress : bool, optional
             Progress bar on stderr; by default where stderr is a terminal.
+        each : callable, optional
+            Called with the run after each step.
         """
         self.begin()
         begin, end = float(self.times[0]), float(self.times[-1])
@@ -86,9 +94,11 @@ class Run(ABC):
             while self.t < end and message is None:
                 message = self.advance()
                 bar.update(self.t - begin - float(bar.n))
+                if each is not None:
+                    each(self)
         except KeyboardInterrupt:
             self.keep()
-            message = f"interrupted at t = {self.result.states.end:g} s; the motion up to there is kept"
+            message = f"{INTERRUPTED} at t = {self.result.states.end:g} s; the motion up to there is kept"
         finally:
             bar.close()
         return self.kept(message or "reached the end")
@@ -97,6 +107,13 @@ class Run(ABC):
         """The results so far, up to the last step or the event that ended it."""
         self.keep()
         return replace(self.result, message=message, statistics=self.statistics)
+
+    def so_far(self) -> Integration:
+        """The results so far and the current state, in lists of their own; the run goes on unchanged."""
+        stored = len(self.result.states)
+        found = self.kept("not at its end").copy()
+        self.result.cut(stored)
+        return found
 
 
 class DenseRun(Run):
@@ -116,9 +133,9 @@ class DenseRun(Run):
         self._span = float(times[-1] - times[0])
         self._shown: Kinematics = system.kinematics_of(start.roles)
 
-    def run(self, progress: bool | None) -> Integration:
+    def run(self, progress: bool | None, each: Callable[[Run], None] | None = None) -> Integration:
         """As for all methods; a motion without length is its start, and no step is prepared."""
-        return super().run(progress) if self._span else self.kept("reached the end")
+        return super().run(progress, each) if self._span else self.kept("reached the end")
 
     def begin(self) -> None:
         """Nothing is to be prepared."""
@@ -127,6 +144,11 @@ class DenseRun(Run):
     def t(self) -> float:
         """Current time of the motion."""
         return self.now.t
+
+    @property
+    def step(self) -> float | None:
+        """The length of the last step [s]."""
+        return self.result.segments[-1].t1 - self.result.segments[-1].t0 if self.result.segments else None
 
     def keep(self) -> None:
         """Store the current state, unless it is already stored."""

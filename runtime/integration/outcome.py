@@ -107,6 +107,14 @@ class States(Sequence[State]):
         """Add the next state."""
         self._entries.append(state)
 
+    def copy(self) -> States:
+        """The same states in a list of its own."""
+        return States(self._entries)
+
+    def cut(self, size: int) -> None:
+        """Keep the first `size` states only."""
+        del self._entries[size:]
+
     @property
     def times(self) -> list[float]:
         """Their times [s]."""
@@ -155,6 +163,24 @@ class Integration:
     message: str
     ledger: dict[str, list[float]] | None = None
     rechoices: list[tuple[float, tuple[str, ...], tuple[str, ...]]] = field(default_factory=list)
+
+    def copy(self) -> Integration:
+        """The same results in lists of their own."""
+        ledger = None if self.ledger is None else {name: list(z) for name, z in self.ledger.items()}
+        return replace(
+            self,
+            states=self.states.copy(),
+            events=list(self.events),
+            segments=list(self.segments),
+            ledger=ledger,
+            rechoices=list(self.rechoices),
+        )
+
+    def cut(self, size: int) -> None:
+        """Keep the first `size` stored states, and the ledger at these."""
+        self.states.cut(size)
+        for column in (self.ledger or {}).values():
+            del column[size:]
 
 
 def stored_times(start: State, duration: Any, times: Any, samples: Any, owner: str) -> Array:

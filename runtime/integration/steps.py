@@ -97,6 +97,11 @@ class GeneralizedAlpha(ImplicitRun):
         return self.stepper.t
 
     @property
+    def step(self) -> float | None:
+        """The length of the next step [s]."""
+        return self._wish
+
+    @property
     def statistics(self) -> dict[str, int]:
         """Counts of what was done."""
         c = self.stepper.numbers

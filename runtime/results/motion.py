@@ -190,10 +190,10 @@ class Motion(Sequence[State]):
                 "this motion has no dense output (a path, implicit integration, or a file); give the times to store"
             )
         t = number(t, "motion.at", "time")
-        if not self.t[0] <= t <= self._segments[-1].t1:
-            raise ModelError(
-                f"time {t:g} s lies outside the motion, {self.t[0]:g}…{self._segments[-1].t1:g} s"
-            )
+        begin, end = self._segments[0].t0, self._segments[-1].t1
+        if not begin <= t <= end:
+            before = "; the part before comes from a file" if self.t[0] < begin else ""
+            raise ModelError(f"time {t:g} s lies outside the motion, {begin:g}…{end:g} s{before}")
         segment = next(z for z in self._segments if t <= z.t1)
         return segment.state(t)
 

@@ -88,6 +88,7 @@ def record_of(motion: Motion) -> Record:
         "choices": choices.names,
         "statistics": motion.statistics,
         "message": motion.message,
+        "rechoices": motion.rechoices,
     }
     return Record("motion", variables, labels, units, header)
 
@@ -162,8 +163,9 @@ def motion_of(record: Record) -> Motion:
         columns = record.variables["ledger"].values.T
         ledger = {name: z.tolist() for name, z in zip(record.labels["ledger_kind"], columns, strict=True)}
     header = record.header
+    changes = [(float(t), tuple(old), tuple(new)) for t, old, new in header.get("rechoices", ())]
     found = Integration(
-        States(states), events, [], dict(header["statistics"]), str(header["message"]), ledger
+        States(states), events, [], dict(header["statistics"]), str(header["message"]), ledger, changes
     )
     return Motion(None, found)
 
