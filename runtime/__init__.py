@@ -44,6 +44,7 @@ if TYPE_CHECKING:
     from flexel.results.motion import Motion
     from flexel.results.periodic import PeriodicSolution
     from flexel.results.saved.loading import load
+    from flexel.results.saved.spacar_records import SpacarRecords
     from flexel.rope.contacts import Contact
     from flexel.rope.rope import Rope
     from flexel.rope.surfaces import HelicalGroove, RoundGroove, VGroove
@@ -104,6 +105,7 @@ __all__ = [
     "RoundGroove",
     "SectionForces",
     "Spacar",
+    "SpacarRecords",
     "State",
     "StressPoint",
     "System",
@@ -172,6 +174,7 @@ _HOMES = {
     "RoundGroove": "flexel.rope.surfaces",
     "SectionForces": "flexel.declare.sections",
     "Spacar": "flexel.spacar.reading",
+    "SpacarRecords": "flexel.results.saved.spacar_records",
     "State": "flexel.structure.state",
     "StressPoint": "flexel.declare.sections",
     "System": "flexel.system",

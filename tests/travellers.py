@@ -161,6 +161,7 @@ OBJECTS: dict[str, Callable[[], Any]] = {
     "model and its rope": roped,
     "rope": lambda: roped()[1],
     "SPACAR file": lambda: fx.read_spacar(DATA / "slider_crank.dat"),
+    "records of SPACAR": lambda: fx.load(DATA / "two_leaf_pivot.sbm"),
     "system": lambda: motion().system,
     "system with functions": lambda: pushed().build(),
     "system with a compiled law": lambda: own_law().build(),

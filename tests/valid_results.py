@@ -5,6 +5,7 @@ from functools import cache
 from pathlib import Path
 
 import travellers
+from spacar_binary import ltv
 from valid_call import Valid, calling
 from valid_systems import driven, leaf, rod
 
@@ -54,6 +55,14 @@ def rope() -> tuple[fx.Rope, fx.State]:
 def spacar() -> fx.Spacar:
     """A cantilever from a file."""
     return fx.read_spacar(DATA / "spacar_cantilever.dat")
+
+
+@cache
+def records() -> fx.SpacarRecords:
+    """State-space models in a file of SPACAR."""
+    found = fx.load(ltv(Path("records.ltv")))
+    assert isinstance(found, fx.SpacarRecords)
+    return found
 
 
 def of_rope(method: str) -> Callable[[], Valid]:
@@ -137,5 +146,7 @@ RESULTS: dict[str, Callable[[], Valid]] = {
     "Spacar.matrices": lambda: calling(spacar().matrices, state=spacar().system.initial),
     "Spacar.state_space": lambda: calling(spacar().state_space, state=spacar().system.initial),
     "Spacar.stress": lambda: calling(spacar().stress, state=spacar().system.initial, element=1, i=1),
+    "SpacarRecords.state_space": lambda: calling(records().state_space, record=0),
+    "SpacarRecords.to_control": lambda: calling(records().to_control, record=0),
     "Spacar.variant": lambda: calling(spacar().variant, loads=False),
 }  # fmt: skip

@@ -141,7 +141,18 @@ class Motion(Sequence[State]):
 
     @property
     def energy(self) -> dict[str, Array]:
-        """Kinetic, potential, strain and total energy [J] over time, each (nt,)."""
+        """Kinetic, potential, strain and total energy [J] over time, each (nt,).
+
+        Raises
+        ------
+        ModelError
+            If the motion comes from a file without energies, as SPACAR's are.
+        """
+        if np.isnan(self._states[0].energy.total):
+            raise ModelError(
+                "this motion comes from a file without energies; build its model and restore its states: "
+                "system.restore(motion, time).energy"
+            )
         names = ("kinetic", "potential", "strain", "total")
         return {z: np.array([getattr(state.energy, z) for state in self._states]) for z in names}
 

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from flexel.base.arguments import path_of
 from flexel.base.errors import FlexelError, ModelError
 from flexel.results.motion import Motion
 from flexel.results.periodic import PeriodicSolution, periodic_of
@@ -12,21 +14,25 @@ from flexel.results.saved.archive import motion_of
 from flexel.results.saved.archive_linear import linearization_of
 from flexel.results.saved.files import read
 from flexel.results.saved.record import Record
+from flexel.results.saved.spacar_motion import motion_of_sbd
+from flexel.results.saved.spacar_records import SpacarRecords, records_of
 
 if TYPE_CHECKING:
     from flexel.mechanics.linearization import Linearization
 
 
-def load(path: str | Path) -> Motion | Linearization | PeriodicSolution:
-    """A result from a file that its `save` has written: .nc, .npz, .mat or .csv.
+def load(path: str | Path) -> Motion | Linearization | PeriodicSolution | SpacarRecords:
+    """A result from a file that its `save` has written: .nc, .npz, .mat or .csv; or of SPACAR: .sbd, .sbm, .ltv.
 
     Nothing in the file is executed.  The result has the same names and units, without a model; `System.restore`
-    attaches its states to a model again.
+    attaches its states to a model again.  In SPACAR's `.sbd` positions are p1, p2 ..., orientations o1, o2 ..., and
+    beams in space beam1, beam2 ..., as in `fx.read_spacar`; the deformations of other elements are element7.e1 ..., in
+    SPACAR's signs.
 
     Returns
     -------
-    Motion, Linearization or PeriodicSolution
-        The saved result.
+    Motion, Linearization, PeriodicSolution or SpacarRecords
+        The saved result; of SPACAR, .sbd is a motion, .sbm and .ltv are records of matrices.
 
     Raises
     ------
@@ -40,6 +46,9 @@ def load(path: str | Path) -> Motion | Linearization | PeriodicSolution:
     >>> motion = fx.load("bicycle.nc")  # doctest: +SKIP
     >>> more = system.simulate(5.0, start=system.restore(motion))  # doctest: +SKIP
     """
+    path = path_of(path, "load")
+    if path.suffix.lower() in SPACAR:
+        return SPACAR[path.suffix.lower()](path)
     record = read(path)
     try:
         return _result(record, path)
@@ -50,6 +59,13 @@ def load(path: str | Path) -> Motion | Linearization | PeriodicSolution:
             f"load '{path}': a part of a {record.kind} is missing in it or has another form ({error!r:.100}); the file "
             "is damaged: take a copy of it, or compute it again"
         ) from error
+
+
+SPACAR: dict[str, Callable[[Path], Motion | SpacarRecords]] = {
+    ".sbd": motion_of_sbd,
+    ".sbm": records_of,
+    ".ltv": records_of,
+}
 
 
 def _result(record: Record, path: str | Path) -> Motion | Linearization | PeriodicSolution:

@@ -1,0 +1,186 @@
+"""Motions from SPACAR's `.sbd` files, with the names that a SPACAR input file has here.
+
+Positions are p1, p2 ..., orientations o1, o2 ..., beams in space beam1, beam2 ... with the deformations of `m.beam`,
+which are SPACAR's; other elements are element1, element2 ... with the deformations e1, e2 ... in SPACAR's signs: the
+file does not say enough about them to draw them, or to evaluate them.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from flexel.base.arrays import Array, Index
+from flexel.base.errors import ModelError
+from flexel.base.quaternions import from_matrix
+from flexel.derive.spec import DeformationSpec, ElementSpec, NodeSpec
+from flexel.generated.table import ELEMENTS
+from flexel.integration.outcome import Integration, States
+from flexel.results.motion import Motion
+from flexel.results.saved.archive import StoredGeometry
+from flexel.results.saved.spacar_entries import Entries, read_entries
+from flexel.structure.instances import Instance
+from flexel.structure.nodes import Node
+from flexel.structure.roles import Roles
+from flexel.structure.state import Energy, State
+from flexel.structure.structure import Structure, assemble_structure
+
+BEAM, NORM = 1, 4  # numbers of types in the entry IT
+KINDS = {1: ("o", "planar_angle"), 2: ("p", "planar_point"), 3: ("p", "point"), 4: ("o", "frame")}
+FIXED, DEPENDENT, PRESCRIBED, DYNAMIC, KINEMATIC = range(5)  # as they are counted in NXP and NEP
+ORDER_X = (FIXED, DEPENDENT, PRESCRIBED, DYNAMIC, KINEMATIC)  # as they follow one another in X, and in E
+ORDER_E = (FIXED, PRESCRIBED, DYNAMIC, KINEMATIC, DEPENDENT)
+UNKNOWN = float("nan")
+
+
+@dataclass(frozen=True)
+class _Layout:
+    """Names of the model in a file, with the places (from 0) of its quantities in X and in E."""
+
+    structure: Structure
+    x: Index
+    e: Index
+    roles: Roles
+
+
+def motion_of_sbd(path: Path) -> Motion:
+    """The motion in an `.sbd` file, without a system.
+
+    The reactions are SPACAR's FXT.  Energies are not in the file: they are NaN, and ``motion.energy`` says so.  Load
+    steps, which all have the time zero, are counted instead.
+
+    Raises
+    ------
+    ModelError
+        A damaged file, or one without nodes.
+    """
+    entries = read_entries(path)
+    missing = [
+        tag for tag in ("LNP", "LE", "LN", "IT", "NXP", "NEP", "RL0", "RXYZ") if tag not in entries.constant
+    ]
+    missing += [
+        tag for tag in ("T", "X", "XD", "XDD", "E", "ED", "EDD", "FXT", "SIG") if tag not in entries.records
+    ]
+    if missing:
+        raise ModelError(
+            f"load '{path}': the entries {', '.join(missing)} are missing; it is not a whole .sbd file"
+        )
+    layout = _layout(entries, path)
+    records = {tag: z[:, :, 0] for tag, z in entries.records.items() if z.shape[2] == 1}
+    t = records["T"][:, 0]
+    counted = t.size > 1 and not np.ptp(t)
+    times = np.arange(float(t.size)) if counted else t
+    states = [
+        _state(layout, {tag: z[i] for tag, z in records.items()}, float(times[i])) for i in range(t.size)
+    ]
+    message = "read from SPACAR's results" + ("; t counts the load steps" if counted else "")
+    return Motion(None, Integration(States(states), [], [], {}, message))
+
+
+def _state(layout: _Layout, record: dict[str, Array], t: float) -> State:
+    """One record as a state."""
+    s = layout.structure
+    x, v, a, reactions = (record[tag][layout.x] for tag in ("X", "XD", "XDD", "FXT"))
+    e, ed, edd, stresses = (record[tag][layout.e] for tag in ("E", "ED", "EDD", "SIG"))
+    return State(
+        t=t,
+        x=x,
+        v=v,
+        a=a,
+        e=e,
+        rates=np.concatenate([ed, v]),
+        stresses=stresses,
+        reactions=reactions,
+        roles=layout.roles,
+        evaluation=StoredGeometry(s),
+        energy=Energy(UNKNOWN, UNKNOWN, UNKNOWN),
+        drift=UNKNOWN,
+        z=np.zeros(0),
+        zd=np.zeros(0),
+        dissipated=UNKNOWN,
+        Phi_v=np.concatenate([edd, a]),
+    )
+
+
+# -- the model ------------------------------------------------------------------------------------
+
+
+def _layout(entries: Entries, path: Path) -> _Layout:
+    constant = entries.constant
+    x0 = entries.records["X"][0, :, 0]
+    parts_x, parts_e = _parts(constant["NXP"], ORDER_X), _parts(constant["NEP"], ORDER_E)
+    nodes: dict[int, tuple[Node, list[int]]] = {}
+    for n, row in enumerate(np.asarray(constant["LNP"]), 1):
+        places = [int(z) - 1 for z in row if z > 0]
+        if places:
+            nodes[n] = _node(n, places, x0, parts_x), places
+    if not nodes:
+        raise ModelError(f"load '{path}': it has no nodes")
+    instances, rows = [], []
+    for i, row in enumerate(np.asarray(constant["LE"])):
+        instance = _instance(i, constant, nodes)
+        if instance is not None:
+            instances.append(instance)
+            rows.append([int(z) - 1 for z in row if z > 0])
+    # the norms last, as in a model
+    order = sorted(range(len(rows)), key=lambda k: instances[k].spec is ELEMENTS["norm"])
+    structure = assemble_structure([node for node, _ in nodes.values()], [instances[k] for k in order], [])
+    at = {
+        name: k for node, places in nodes.values() for name, k in zip(node.coordinates, places, strict=True)
+    }
+    x = np.array([at[name] for name in structure.coordinate_of], dtype=np.intp)
+    e = np.array([z for k in order for z in rows[k]], dtype=np.intp)
+    part = np.concatenate([parts_e[e], np.where(parts_x[x] == FIXED, -1, parts_x[x])])
+    rigid, prescribed, dynamic, kinematic = (
+        np.flatnonzero(part == z) for z in (FIXED, PRESCRIBED, DYNAMIC, KINEMATIC)
+    )
+    none = np.zeros(0, dtype=np.intp)
+    return _Layout(structure, x, e, Roles(rigid, prescribed, (), none, dynamic, kinematic))
+
+
+def _parts(counts: Any, order: tuple[int, ...]) -> Index:
+    """The part of each place: fixed, dependent, prescribed, dynamic or kinematic."""
+    return np.repeat(order, np.ravel(counts)[list(order)])
+
+
+def _node(n: int, places: list[int], x0: Array, parts: Index) -> Node:
+    letter, kind = KINDS[len(places)]
+    fixed = parts[places] == FIXED
+    if kind == "frame" and fixed[1:].all():
+        fixed[0] = True  # it follows from the others
+    return Node(f"{letter}{n}", kind, np.array(x0[places]), fixed)
+
+
+def _instance(i: int, constant: Any, nodes: dict[int, tuple[Node, list[int]]]) -> Instance | None:
+    """An element; None for the norm of a frame that is fixed, which a model does not have."""
+    ends = [nodes[int(n)][0] for n in constant["LN"][i] if n > 0]
+    count = int(np.count_nonzero(constant["LE"][i]))
+    kind, kinds = int(np.ravel(constant["IT"])[i]), [z.kind for z in ends]
+    names = tuple(z.name for z in ends)
+    if kind == NORM and kinds == ["frame"]:
+        return None if ends[0].fixed.all() else Instance(ends[0].name, ELEMENTS["norm"], names, {})
+    if kind == BEAM and kinds == ["point", "frame", "point", "frame"] and count == 6:
+        return Instance(f"beam{i + 1}", ELEMENTS["beam"], names, _beam_parameters(i, constant))
+    spec = ElementSpec(
+        name="SPACAR's element",
+        digest="",
+        doc="",
+        source="",
+        nodes=tuple(NodeSpec(z.name, z.kind) for z in ends),
+        parameters=(),
+        deformations=tuple(DeformationSpec(f"e{k}", "", False) for k in range(1, count + 1)),
+        slips=(),
+        kernels={},
+    )
+    return Instance(f"element{i + 1}", spec, names, {})
+
+
+def _beam_parameters(i: int, constant: Any) -> dict[str, Array]:
+    """Length and triads of a beam, for its shape; its mass is not in the file."""
+    spec = ELEMENTS["beam"]
+    t = from_matrix(np.reshape(constant["RXYZ"][i], (3, 3)).T)
+    own = {"l0": np.ravel(constant["RL0"][i]), "tp": t, "tq": t}
+    return {z.name: own.get(z.name, np.zeros(z.size)) for z in spec.parameters}

@@ -1,0 +1,101 @@
+"""Matrices and state-space models from SPACAR's `.sbm` and `.ltv` files."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from flexel.base.arguments import index, text, unknown
+from flexel.base.arrays import Array
+from flexel.base.copies import Portable
+from flexel.base.errors import ModelError
+from flexel.results.saved.record import require
+from flexel.results.saved.spacar_entries import read_entries
+
+STATE_SPACE = ("A", "B", "C", "D")
+
+
+@dataclass(frozen=True)
+class SpacarRecords(Portable):
+    """Matrices at several times or load steps, from a file of SPACAR; ``records["M0"]`` are those of one tag.
+
+    Attributes
+    ----------
+    path : Path
+        The file.
+    t : ndarray (nt,)
+        Times [s]; zero in load steps.
+    matrices : mapping of str to ndarray (nt, rows, columns)
+        `.sbm`: M0, C0, D0, K0, N0, G0 and, where there are inputs, B0, over the degrees of freedom in SPACAR's order.
+        `.ltv`: A, B, C, D of the state-space model, M0, C0B, K0B, and the nominal inputs U0 and outputs Y0.
+    constant : mapping of str to array or str
+        The other entries: numbers of degrees of freedom, inputs and outputs.
+    """
+
+    path: Path
+    t: Array
+    matrices: Mapping[str, Array]
+    constant: Mapping[str, Any]
+
+    def __getitem__(self, tag: str) -> Array:
+        """The matrices (nt, rows, columns) of a tag.
+
+        Raises
+        ------
+        ModelError
+            A tag that the file does not have.
+        """
+        tag = text(tag, f"'{self.path.name}'", "tag")
+        if tag not in self.matrices:
+            raise ModelError(f"'{self.path.name}': {unknown(tag, self.matrices, 'tag')}")
+        return self.matrices[tag]
+
+    def __len__(self) -> int:
+        return len(self.t)
+
+    def state_space(self, record: int = 0) -> tuple[Array, Array, Array, Array]:
+        """A, B, C, D of one record of an `.ltv` file.
+
+        Raises
+        ------
+        ModelError
+            A file without these matrices, or a record that it does not have.
+        """
+        owner = f"'{self.path.name}'"
+        record = index(record, owner, "record")
+        missing = [z for z in STATE_SPACE if z not in self.matrices]
+        if missing:
+            raise ModelError(
+                f"{owner}: the matrices {', '.join(missing)} are missing; only an .ltv file has state-space models"
+            )
+        if not -len(self) <= record < len(self):
+            raise ModelError(f"{owner}: record {record} does not exist; there are {len(self)}, from 0")
+        A, B, C, D = (self.matrices[z][record] for z in STATE_SPACE)
+        return A, B, C, D
+
+    def to_xarray(self) -> Any:
+        """All matrices as one xarray.Dataset over the records."""
+        dims = {tag: ("record", f"{tag}_row", f"{tag}_column") for tag in self.matrices}
+        data = {tag: (dims[tag], z) for tag, z in self.matrices.items()}
+        return require("xarray", "xarray").Dataset({"t": ("record", self.t), **data})
+
+    def to_control(self, record: int = 0) -> Any:
+        """One record of an `.ltv` file as a state-space model of python-control; see `state_space`."""
+        return require("control", "control").ss(*self.state_space(record))
+
+
+def records_of(path: Path) -> SpacarRecords:
+    """The records of an `.sbm` or `.ltv` file.
+
+    Raises
+    ------
+    ModelError
+        A damaged file, or one without times.
+    """
+    entries = read_entries(path)
+    if "T" not in entries.records:
+        raise ModelError(f"load '{path}': the entry T is missing; it is not a whole {path.suffix} file")
+    matrices = {tag: z for tag, z in entries.records.items() if tag != "T"}
+    return SpacarRecords(path, entries.records["T"][:, 0, 0], matrices, entries.constant)
