@@ -58,14 +58,14 @@ class Equilibria(Core):
         Warns
         -----
         UnstableWarning
-            If the equilibrium is unstable.  This is judged for forces with a potential, and where no wheel rolls.
+            If the equilibrium is unstable: by its stiffness, or, where forces have no potential or wheels roll, by the
+            eigenvalues of its linearization, if every degree of freedom has inertia and nothing is held.
         """
         wanted = flag(stable, "equilibrium", "stable")
         found = path.equilibrium(self, t, _at(self, start, "equilibrium"), hold, stable=wanted)
         if found.unstable:
             warnings.warn(
-                f"equilibrium: the one found at t = {found.state.t:g} s is unstable in {found.unstable} independent "
-                "motion(s), see system.vibrations(state); for a stable one give stable=True",
+                f"equilibrium: the one found at t = {found.state.t:g} s is unstable {found.unstable}",
                 UnstableWarning,
                 stacklevel=2,
             )

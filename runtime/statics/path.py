@@ -19,6 +19,7 @@ from flexel.mechanics.arclength import Arcs, Point, follow, point_at
 from flexel.mechanics.core import Core
 from flexel.mechanics.diagnose import quoted
 from flexel.statics.equilibrium import CONVERGED, STALLED, STEP, Equations, Rest, solve
+from flexel.statics.growth import growing_motions
 from flexel.statics.settling import descend, settle, unstable_motions
 from flexel.structure.state import State
 
@@ -27,10 +28,10 @@ ARCS = Arcs(first=0.1, largest=0.5, smallest=1e-7, steps=500)
 
 @dataclass(frozen=True)
 class Found:
-    """An equilibrium, and the number of independent motions in which it is unstable."""
+    """An equilibrium, and in what it is unstable, with advice; empty if it is not known to be."""
 
     state: State
-    unstable: int
+    unstable: str
 
 
 def equilibrium(
@@ -40,16 +41,23 @@ def equilibrium(
     problem = Rest(system, start, _held(system, hold))
     t = start.t if t is None else number(t, "equilibrium", "time t")
     q, mu = _balanced(problem, t, start)
-    count = unstable_motions(problem, q)
-    if not (count and stable):
-        return Found(problem.state(q.balance), count)
-    settled = settle(problem, t, q, mu)
+    count, state = unstable_motions(problem, q), problem.state(q.balance)
+    unstable = ""
+    if count:
+        unstable = f"in {count} independent motion(s), see system.vibrations(state); for a stable one give stable=True"
+    elif count is None and not hold:
+        growing = growing_motions(system, state)
+        unstable = f"in motion: {growing} eigenvalue(s) of system.linearize(state) have positive real parts"
+        unstable *= growing > 0
+    if not (unstable and stable):
+        return Found(state, unstable)
+    settled = settle(problem, t, q, mu) if count else None
     if settled is None:
         raise PositionError(
             f"no stable equilibrium found at t = {t:g} s: the one that was found is unstable, and downhill from it "
             "none is reached; start nearer to one, or support what moves"
         )
-    return Found(problem.state(settled[0].balance), 0)
+    return Found(problem.state(settled[0].balance), "")
 
 
 def _balanced(problem: Rest, t: float, start: State) -> tuple[Equations, Array]:

@@ -43,50 +43,58 @@ class Tangent:
         Forces of the multipliers.
     D : ndarray (nm, nf)
         Held conditions.
-    symmetric : bool
-        Whether the forces have a potential, and the multipliers belong to the held conditions.
     """
 
     K: Array
     C: Array
     D: Array
-    symmetric: bool
 
 
 def tangent(problem: Rest, q: Equations) -> Tangent:
     """The tangent at evaluated equations."""
     nf, A, scale = problem.structure.nf, q.matrix.sparse.toarray(), problem.x_scale
     K = scale[:, None] * A[:nf, :nf] * scale
-    C, D = scale[:, None] * A[:nf, nf:], A[nf:, :nf] * scale
-    skew = np.abs(K - K.T).max(initial=0.0) <= SYMMETRIC * np.abs(K).max(initial=0.0)
-    return Tangent((K + K.T) / 2, C, D, bool(skew) and np.array_equal(problem.force_rows, problem.hold_rows))
+    return Tangent((K + K.T) / 2, scale[:, None] * A[:nf, nf:], A[nf:, :nf] * scale)
 
 
-def unstable_motions(problem: Rest, q: Equations) -> int:
-    """Number of independent motions in which an equilibrium is unstable.
+def unstable_motions(problem: Rest, q: Equations) -> int | None:
+    """Number of independent motions in which an equilibrium is unstable; None where it has no meaning.
 
-    It is the number of negative eigenvalues of the tangent [K D'; D 0], less one for each condition.  Where forces
-    have no potential (follower forces, feedback), where wheels roll, and in very large models none are counted.
+    It is the number of negative eigenvalues of the tangent [K D'; D 0], less one for each condition.  It has no meaning
+    where forces have no potential (follower forces, feedback) or wheels roll; in very large models none are counted.
     """
-    if _certainly_stable(problem, q) or q.matrix.pattern.size > LARGEST:
+    nf = problem.structure.nf
+    scale = diags_array(problem.x_scale)
+    A = q.matrix.sparse.tocsc()
+    K, D = scale @ A[:nf, :nf] @ scale, A[nf:, :nf] @ scale
+    if not _has_potential(K):
+        return None
+    if _certainly_stable(K, D):
+        return 0
+    if not np.array_equal(problem.force_rows, problem.hold_rows):
+        return None  # wheels roll
+    if q.matrix.pattern.size > LARGEST:
         return 0
     here = tangent(problem, q)
-    if not here.symmetric:
-        return 0
     size, conditions = float(np.abs(here.K).max(initial=0.0)), here.D.shape[0]
-    D = here.D * (size / np.linalg.norm(here.D, axis=1))[:, None]
-    K = here.K + NEUTRAL * size * np.eye(len(here.K))
-    d = ldl(np.block([[K, D.T], [D, np.zeros((conditions, conditions))]]))[1] if size else np.zeros((0, 0))
-    return max(0, _negative(d) - conditions) if size else 0
+    if not size:
+        return 0
+    held = here.D * (size / np.linalg.norm(here.D, axis=1))[:, None]
+    raised = here.K + NEUTRAL * size * np.eye(len(here.K))
+    d = ldl(np.block([[raised, held.T], [held, np.zeros((conditions, conditions))]]))[1]
+    return max(0, _negative(d) - conditions)
 
 
-def _certainly_stable(problem: Rest, q: Equations) -> bool:
-    """Whether the symmetric part of the stiffness, with stiff springs on the conditions, is positive definite.
+def _has_potential(K: Any) -> bool:
+    """Whether a stiffness is symmetric."""
+    return K.nnz == 0 or bool(abs(K - K.T).max() <= SYMMETRIC * abs(K).max())
+
+
+def _certainly_stable(K: csc_array, D: csc_array) -> bool:
+    """Whether a symmetric stiffness (nf, nf), with stiff springs on the conditions (nm, nf), is positive definite.
 
     This is sufficient, and quick: the pivots of a sparse elimination without exchanges are positive.
     """
-    nf, A, scale = problem.structure.nf, q.matrix.sparse.tocsc(), diags_array(problem.x_scale)
-    K, D = scale @ A[:nf, :nf] @ scale, A[nf:, :nf] @ scale
     size = float(np.abs(K.data).max(initial=0.0))
     lengths = np.sqrt(np.asarray(D.multiply(D).sum(axis=1)).ravel())
     D = diags_array(np.sqrt(STIFF * size) / np.maximum(lengths, 1e-300)) @ D

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from flexel.base.errors import DynamicsError, PositionError, UnstableWarning
+from flexel.examples.bicycle import bicycle
 from flexel.model import Model
 from flexel.system import System
 
@@ -105,3 +106,38 @@ def test_what_falls_without_end_is_named() -> None:
 
 def test_vibrations_about_an_unstable_equilibrium_do_not_warn() -> None:
     assert hanging((0, 1)).vibrations()[0].omega == pytest.approx(-np.sqrt(1.5 * 9.81), rel=1e-9)
+
+
+def ziegler(load: float) -> System:
+    """Two rods of 1 m with springs of 1 N m/rad, masses of 2 and 1 kg, and a force that follows the second rod."""
+    m = Model()
+    m.point("O", (0, 0), fixed=True)
+    for i, mass in ((1, 2.0), (2, 1.0)):
+        m.point_mass(f"m{i}", m.point(f"P{i}", (i, 0)), mass)
+        m.angle(f"R{i}")
+        m.beam(f"rod{i}", f"P{i - 1}" if i > 1 else "O", f"R{i}", f"P{i}", rigid=True)
+    m.angle("R0", fixed=True)
+    for i in (1, 2):
+        m.hinge(f"hinge{i}", f"R{i - 1}", f"R{i}")
+        m.spring(f"hinge{i}.angle", 1.0)
+    m.load("P2", (-load, 0.0), follower="R2")
+    return m.build()
+
+
+def test_flutter_under_a_following_force_is_said_to_be_unstable() -> None:
+    """Ziegler's double pendulum: P l/k = 7/2 - sqrt 2 (closed form); its stiffness alone never becomes singular."""
+    critical = 3.5 - np.sqrt(2)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        ziegler(critical * (1 - 1e-3)).equilibrium(stable=True)
+    system = ziegler(critical * (1 + 1e-3))
+    with pytest.warns(UnstableWarning, match="unstable in motion: 2 eigenvalue"):
+        system.equilibrium()
+    with pytest.raises(PositionError, match="no stable equilibrium"):
+        system.equilibrium(stable=True)
+
+
+def test_a_standing_bicycle_is_said_to_be_unstable() -> None:
+    """Its wheels roll: it falls over at rest, with two real eigenvalues."""
+    with pytest.warns(UnstableWarning, match="unstable in motion: 2 eigenvalue"):
+        bicycle().equilibrium()
