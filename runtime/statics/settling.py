@@ -87,7 +87,7 @@ def unstable_motions(problem: Rest, q: Equations) -> int | None:
 
 def _has_potential(K: Any) -> bool:
     """Whether a stiffness is symmetric."""
-    return K.nnz == 0 or bool(abs(K - K.T).max() <= SYMMETRIC * abs(K).max())
+    return bool(K.nnz == 0 or abs(K - K.T).max() <= SYMMETRIC * abs(K).max())
 
 
 def _certainly_stable(K: csc_array, D: csc_array) -> bool:
