@@ -76,7 +76,7 @@ def unstable_motions(problem: Rest, q: Equations) -> int | None:
     if q.matrix.pattern.size > LARGEST:
         return 0
     here = tangent(problem, q)
-    size, conditions = float(np.abs(here.K).max(initial=0.0)), here.D.shape[0]
+    size, conditions = float(np.abs(here.K).max(initial=0.0)), len(here.D)
     if not size:
         return 0
     held = here.D * (size / np.linalg.norm(here.D, axis=1))[:, None]
