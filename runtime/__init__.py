@@ -8,6 +8,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from flexel.analyses.stepper import Stepper
     from flexel.base.errors import (
         AssemblyWarning,
         CompilerError,
@@ -107,6 +108,7 @@ __all__ = [
     "Spacar",
     "SpacarRecords",
     "State",
+    "Stepper",
     "StressPoint",
     "System",
     "Table",
@@ -176,6 +178,7 @@ _HOMES = {
     "Spacar": "flexel.spacar.reading",
     "SpacarRecords": "flexel.results.saved.spacar_records",
     "State": "flexel.structure.state",
+    "Stepper": "flexel.analyses.stepper",
     "StressPoint": "flexel.declare.sections",
     "System": "flexel.system",
     "Table": "flexel.base.time_functions",

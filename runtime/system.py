@@ -8,9 +8,10 @@ from flexel.analyses.ensembles import Ensembles
 from flexel.analyses.equilibria import Equilibria
 from flexel.analyses.periodic import PeriodicMotions
 from flexel.analyses.restoring import Restoring
+from flexel.analyses.stepper import Stepping
 
 
-class System(Ensembles, Equilibria, PeriodicMotions, Restoring):
+class System(Ensembles, Equilibria, PeriodicMotions, Restoring, Stepping):
     """A mechanism ready to move; made by `Model.build`.
 
     Attributes

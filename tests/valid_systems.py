@@ -21,6 +21,11 @@ def rod() -> fx.System:
     return m.build()
 
 
+def steps() -> fx.Stepper:
+    """The rod in steps."""
+    return rod().stepper(0.01, inputs=["pivot.angle"])
+
+
 @cache
 def driven() -> fx.System:
     """A mass on a nonlinear spring, pushed to and fro."""
@@ -92,6 +97,13 @@ SYSTEMS: dict[str, Callable[[], Valid]] = {
     ),
     "System.state_at": lambda: calling(rod().state_at, values={"pivot.angle": 0.1}, rates={"pivot.angle": 0.1}, t=0.0),
     "System.static_path": lambda: calling(leaf().static_path, start=leaf().at_rest, t_end=1.0),
+    "System.stepper": lambda: calling(
+        rod().stepper, dt=0.1, inputs=["pivot.angle"], outputs=["pivot.angle"], start=rod().initial, rtol=1e-6,
+        atol=1e-8,
+    ),
+    "Stepper.reset": lambda: calling(steps().reset, start=steps().state),
+    "Stepper.restore": lambda: calling(steps().restore, saved=steps().save()),
+    "Stepper.step": lambda: calling(steps().step, values=[0.0]),
     "System.steady": lambda: calling(rod().steady, start=rod().initial, rates={"pivot.angle": 0.0}),
     "System.use_coordinates": changed,
     "System.vibrations": lambda: calling(leaf().vibrations, state=leaf().at_rest, count=2),

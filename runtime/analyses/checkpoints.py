@@ -51,10 +51,6 @@ class Before:
     step: float | None
     complete: bool
 
-    def going_on(self, options: Options) -> Options:
-        """The options of the part that follows: it begins with the step that was next, unless steps are constant."""
-        return options if options.step is not None else replace(options, first_step=self.step)
-
 
 class Checkpoint:
     """Writes the motion so far to a file during a simulation, and reads it back in the next one.

@@ -135,7 +135,7 @@ class Motions(Core):
         if before is not None:
             if before.complete:
                 return _motion(self, before.found)
-            begin, options = before.found.states[-1], before.going_on(options)
+            begin, options = before.found.states[-1], options.with_first(before.step)
             grid = np.concatenate([[begin.t], grid[grid > begin.t]])
         run = methods.run_of(self, method, begin, grid, float(duration), options)
         try:

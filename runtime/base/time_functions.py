@@ -111,6 +111,24 @@ def _finite(values: tuple[float, float, float], owner: str, t: float) -> tuple[f
     )
 
 
+@dataclass
+class Held:
+    """A value that is set from outside, and is constant in between."""
+
+    value: float = 0.0
+
+    def rates(self, t: float) -> tuple[float, float, float]:
+        """Value, first and second rate at time t [s]."""
+        return self.value, 0.0, 0.0
+
+
+def steady(function: TimeFunction) -> bool:
+    """Whether a function of time is known to be constant."""
+    return isinstance(function, Held) or (
+        isinstance(function, Polynomial) and len(function.coefficients) == 1
+    )
+
+
 @dataclass(frozen=True)
 class Faster(Constant):
     """u(factor t): a function of time that runs `factor` times as fast."""
@@ -126,9 +144,7 @@ class Faster(Constant):
 
 def faster(function: TimeFunction, factor: float) -> TimeFunction:
     """The function run `factor` times as fast; a constant is returned as it is."""
-    if isinstance(function, Polynomial) and len(function.coefficients) == 1:
-        return function
-    return Faster(function, factor)
+    return function if steady(function) else Faster(function, factor)
 
 
 @dataclass(frozen=True)

@@ -56,6 +56,10 @@ class Stepper(Saddle):
         c.forces = FORCES * max(min(LOOSE / tolerance, 1.0), 0.1) if coarse else FORCES
         self._near = NearContacts(self.work)
         self._chosen = not self._near.worthwhile
+        self.begin(start)
+
+    def begin(self, start: State) -> None:
+        """Continue from a state, with its accelerations."""
         self.t = start.t
         old = self.stepping.old
         for name in ("x", "v", "a", "e", "z", "zd"):

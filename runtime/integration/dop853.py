@@ -59,12 +59,9 @@ class Steps(Struct):
             setattr(c, name, self.pointer(array))
         c.weight = self.pointer(kinematics.lists.step_weight)
         nq, nf = self._periodic.size, s.nf
-        self.y, self.y_new, self.x, self.x_new, self.e, self.e_new = (
-            self.new(z, size)
-            for z, size in zip(
-                ("y", "y_new", "x", "x_new", "e", "e_new"), _sizes(y.size, s.n, nq), strict=True
-            )
-        )
+        self.y, self.y_new = self.new("y", y.size), self.new("y_new", y.size)
+        self.x, self.x_new = self.new("x", s.n), self.new("x_new", s.n)
+        self.e, self.e_new = self.new("e", nq), self.new("e_new", nq)
         self.K = self.new("K", 13 * y.size).reshape(13, y.size)
         self.V = self.new("V", 13 * nf).reshape(13, nf)
         for name, size in (("W", 13 * nf), ("turning", 13 * nq), ("space", max(y.size, nf))):
@@ -80,11 +77,14 @@ class Steps(Struct):
         """The prescribed motions and loads at some stages of a step."""
         motions, loads = self.kinematics.roles.motions, self.kinematics.loads
         split = self.choice.motion.size
-        for i in range(*stages.indices(13)) if motions or loads.any else ():
+        if loads.any and loads.steady:
+            self._given[stages, split:] = loads.values(t)
+        varying = loads.any and not loads.steady
+        for i in range(*stages.indices(13)) if motions or varying else ():
             time = t + TIMES[i] * h
             if motions:
                 self._given[i, :split] = self.kinematics.roles.motion(time).ravel()
-            if loads.any:
+            if varying:
                 self._given[i, split:] = loads.values(time)
 
     def begin(self, t: float) -> None:
@@ -117,10 +117,6 @@ class Steps(Struct):
         lib.flexel_dop853_accept(self.choice.work.struct, self.struct)
 
 
-def _sizes(ny: int, n: int, periodic: int) -> tuple[int, ...]:
-    return ny, ny, n, n, periodic, periodic
-
-
 class Dop853(MinimalRun):
     """One run of DOP853."""
 
@@ -138,6 +134,11 @@ class Dop853(MinimalRun):
         self.counts["evaluations"] += 1
         if not self._h:
             self._h = self.tolerances.first_step or self._first_step()
+
+    def renew(self) -> None:
+        """Rates anew, with the loads that have changed."""
+        self.steps.begin(self.t)
+        self.counts["evaluations"] += 1
 
     def _first_step(self) -> float:
         """The first step, as SciPy chooses it from the size of the rates and of their change."""
@@ -237,7 +238,7 @@ class Dop853(MinimalRun):
     def _trusted(self) -> bool:
         """Whether the solved coordinates are where the shadow is, within what is expected."""
         c, given = self.steps.struct, self.tolerances
-        expected = c.error_x + self.reached * float(np.max(given.atol) + given.rtol)
+        expected = c.error_x + self.reached * (self.largest_atol + given.rtol)
         return bool(c.defect <= FARTHEST * max(expected, FLOOR))
 
     def _exact(self, longer: float) -> bool:
@@ -246,7 +247,7 @@ class Dop853(MinimalRun):
         A defect that is no smaller than that of a longer step which was refused for it is not an error of the step.
         """
         c, given = self.steps.struct, self.tolerances
-        expected = TRUE * (c.error_v + float(np.max(given.atol)) + given.rtol * c.fastest)
+        expected = TRUE * (c.error_v + self.largest_atol + given.rtol * c.fastest)
         return (
             bool(c.defect_v <= expected or c.defect_v > STAYS * longer) or self.steps.choice.reach() <= NEAR
         )

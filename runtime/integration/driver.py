@@ -8,6 +8,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
 from tqdm import tqdm
 
 from flexel.base.arguments import flag
@@ -108,6 +109,16 @@ class Run(ABC):
         self.keep()
         return replace(self.result, message=message, statistics=self.statistics)
 
+    @property
+    @abstractmethod
+    def instant(self) -> tuple[Moment, Array]:
+        """Coordinates, rates and deformations at the current time, and internal states of laws."""
+
+    def go_on(self, until: float) -> None:
+        """Move on to another time, from a motion that has ended; what was stored before is dropped."""
+        self.times = np.array([self.t, until])
+        self.result = self.result.last()
+
     def so_far(self) -> Integration:
         """The results so far and the current state, in lists of their own; the run goes on unchanged."""
         stored = len(self.result.states)
@@ -150,6 +161,11 @@ class DenseRun(Run):
         """The length of the last step [s]."""
         return self.result.segments[-1].t1 - self.result.segments[-1].t0 if self.result.segments else None
 
+    @property
+    def instant(self) -> tuple[Moment, Array]:
+        """Coordinates, rates and deformations at the current time, and internal states of laws."""
+        return self.now, self.z
+
     def keep(self) -> None:
         """Store the current state, unless it is already stored."""
         if self.t > self.result.states.end:
@@ -166,16 +182,17 @@ class DenseRun(Run):
             end = terminal[1].t if terminal else step.t1
             self.result.events.extend((event.name, z) for event, z in found if z.t <= end)
         end = terminal[1].t if terminal else step.t1
-        self._store(step, end)
-        self.result.segments.append(replace(step, t1=end))
+        self._store(step, end, z)
+        self.result.segments.append(replace(step, t1=end) if terminal else step)
         self.now, self.z, self._shown = step.last, z, step.shown
         if terminal:
             self.now, self.z = Moment.of(terminal[1]), terminal[1].z
             return f"stopped by event '{terminal[0].name}'"
         return None
 
-    def _store(self, step: Segment, end: float) -> None:
-        """Store the states at the times passed by the step."""
+    def _store(self, step: Segment, end: float, z: Array) -> None:
+        """Store the states at the times passed by the step, at whose end the internal states are z."""
         states = self.result.states
         while len(states) < self.times.size and self.until <= end:
-            states.append(step.pending(self.until))
+            at_end = self.until == step.last.t
+            states.append(Pending(step.shown, step.last, z) if at_end else step.pending(self.until))

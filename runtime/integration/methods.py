@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -60,6 +60,10 @@ class Options:
         """A positive option, or a ModelError."""
         given = getattr(self, name)
         return default if given is None else step_limit(given, "simulate", name, least)
+
+    def with_first(self, step: float | None) -> Options:
+        """The same with another first step, to go on from a state; constant steps stay as they are."""
+        return self if self.step is not None else replace(self, first_step=step)
 
     @property
     def first(self) -> float | None:

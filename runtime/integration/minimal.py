@@ -75,6 +75,7 @@ class MinimalRun(DenseRun):
     ) -> None:
         super().__init__(system, start, times, events)
         self.tolerances = tolerances
+        self.largest_atol = float(np.max(tolerances.atol))
         self.choices = Choices(system, system.kinematics_of(start.roles), rechoose)
         self.counts = {"steps": 0, "rejected": 0, "evaluations": 0, "rechoices": 0, "bifurcations": 0}
         self.reached = 1.0

@@ -70,8 +70,8 @@ class Segment:
 
     def pending(self, t: float) -> Pending:
         """The state at a time within the step."""
-        roles = self.kinematics.roles
-        q, qd, z = np.split(self.dense(t), [roles.nq, roles.nq + roles.nd])
+        y, nq, nd = self.dense(t), self.kinematics.roles.nq, self.kinematics.roles.nd
+        q, qd, z = y[:nq], y[nq : nq + nd], y[nq + nd :]
         if t == self.last.t:
             return Pending(self.shown, self.last, z)
         near = between(self.first, self.last, t)
@@ -114,6 +114,10 @@ class States(Sequence[State]):
     def cut(self, size: int) -> None:
         """Keep the first `size` states only."""
         del self._entries[size:]
+
+    def last(self) -> States:
+        """The last state, alone."""
+        return States(self._entries[-1:])
 
     @property
     def times(self) -> list[float]:
@@ -175,6 +179,12 @@ class Integration:
             ledger=ledger,
             rechoices=list(self.rechoices),
         )
+
+    def last(self) -> Integration:
+        """The last state alone; the ledger, which goes on, keeps its last values."""
+        for column in (self.ledger or {}).values():
+            del column[:-1]
+        return Integration(self.states.last(), [], [], {}, "", self.ledger)
 
     def cut(self, size: int) -> None:
         """Keep the first `size` stored states, and the ledger at these."""

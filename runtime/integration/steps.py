@@ -11,8 +11,11 @@ from flexel.base.errors import DynamicsError
 from flexel.integration.alpha import Stepper
 from flexel.integration.driver import Run
 from flexel.integration.ledger import Ledger
+from flexel.mechanics import dynamics
 from flexel.mechanics.balance import Balance, Saddle
 from flexel.mechanics.core import Core
+from flexel.mechanics.inertia import InertiaError
+from flexel.structure.moment import Moment
 from flexel.structure.state import State
 
 SHORTEST = 1e-10  # shortest step, over the duration
@@ -59,6 +62,12 @@ class ImplicitRun(Run):
     def balance(self) -> Balance:
         """The balance of forces at the current time, in the workspace."""
 
+    @property
+    def instant(self) -> tuple[Moment, Array]:
+        """Coordinates, rates and deformations at the last stored time, and internal states of laws."""
+        state = self.result.states[-1]
+        return Moment.of(state), state.z
+
     def begin(self) -> None:
         """Open the ledger."""
         self.balance()
@@ -100,6 +109,16 @@ class GeneralizedAlpha(ImplicitRun):
     def step(self) -> float | None:
         """The length of the next step [s]."""
         return self._wish
+
+    def renew(self) -> None:
+        """Accelerations anew, with the loads that have changed; unchanged if a degree of freedom has no inertia."""
+        old, state = self.stepper.stepping.old, self.result.states[-1]
+        kinematics = self.stepper.system.kinematics_of(state.roles)
+        try:
+            found = dynamics.complete(kinematics, self.t, *(old[z].copy() for z in ("x", "v", "e", "z")))
+        except InertiaError:
+            return
+        self.stepper.begin(found)
 
     @property
     def statistics(self) -> dict[str, int]:

@@ -6,12 +6,13 @@ deformation or slip it is an applied stress of the opposite sign.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
 
 from flexel.base.arrays import Array, Index
-from flexel.base.time_functions import Polynomial, TimeFunction, faster
+from flexel.base.time_functions import Polynomial, TimeFunction, faster, steady
 from flexel.structure.structure import Structure
 
 
@@ -33,12 +34,18 @@ class Loads:
         self._slips = range(structure.m, self._split)
         self._index = np.array([structure.find(load.name) for load in loads], dtype=np.intp)
         self._functions = [load.function for load in loads]
+        self.steady = all(map(steady, self._functions))  # within one step: nothing varies with time
         self._conservative = [isinstance(f, Polynomial) and len(f.coefficients) == 1 for f in self._functions]
 
     def faster(self, factor: float) -> Loads:
         """The same loads, running `factor` times as fast."""
         structure, loads = self._given
         return Loads(structure, tuple(Load(z.name, faster(z.function, factor)) for z in loads))
+
+    def with_others(self, others: Iterable[Load]) -> Loads:
+        """These loads, and others after them."""
+        structure, loads = self._given
+        return Loads(structure, (*loads, *others))
 
     @property
     def any(self) -> bool:

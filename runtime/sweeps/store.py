@@ -192,10 +192,22 @@ def described(folder: Path) -> dict[str, Any] | None:
 
 
 def forms_of(kept: dict[str, Any]) -> Forms | None:
-    """The forms of results in a description."""
-    if kept["results"] is None:
-        return None
-    return tuple((name, Form.from_json(form)) for name, form in kept["results"])
+    """The forms of results in a description.
+
+    Raises
+    ------
+    ModelError
+        If the description is damaged.
+    """
+    try:
+        if kept["results"] is None:
+            return None
+        return tuple((name, Form.from_json(form)) for name, form in kept["results"])
+    except (KeyError, TypeError, ValueError, AttributeError) as error:
+        raise ModelError(
+            f"sweep: sweep.json does not describe its results any more ({error!r:.100}); the file is damaged: take a "
+            "copy of it, or sweep again in another folder"
+        ) from error
 
 
 def messages_in(folder: Path) -> dict[int, str]:

@@ -58,14 +58,13 @@ def read(path: str | Path) -> Record:
     if not path.is_file():
         raise ModelError(f"load '{path}': the file does not exist; give the path of a saved result")
     try:
-        header, arrays = reader(path)
+        return _assembled(path, *reader(path))
     except FlexelError:
         raise
     except Exception as error:  # a damaged file may raise anything
         raise ModelError(
             f"load '{path}': this is not a result saved by flexel, or it is damaged ({error})"
         ) from error
-    return _assembled(path, header, arrays)
 
 
 def _format(path: Path, what: str) -> tuple[Writer, Reader]:
