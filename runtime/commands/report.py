@@ -20,6 +20,7 @@ QUICK = (
     "bicycle_rhs bicycle_M1 bicycle_loci chain_40 linearize_vehicle build_bicycle build_vehicle kernels_beam"
 )
 SHOWN = ("python", "numpy", "scipy", "sympy", "matplotlib", "compiler", "kernels")  # of `flexel info`
+PEERS = ("exudyn", "symbrim", "pin", "mujoco", "bicycleparameters")
 FOLDER = Path("out/report")
 
 
@@ -126,7 +127,8 @@ def _facts() -> dict[str, str]:
     from flexel.commands.facts import facts
 
     known = dict(facts())
-    return {"machine": import_module(MACHINE).processor(), **{z: known[z] for z in SHOWN}}
+    shown = {z: known[z] for z in (*SHOWN, *PEERS) if known.get(z, "not installed") != "not installed"}
+    return {"machine": import_module(MACHINE).processor(), **shown}
 
 
 def _conclude(target: Path, found: Sequence[Section], problems: Sequence[str]) -> None:

@@ -109,7 +109,7 @@ def page(
         tag(
             "header",
             tag("h1", "flexel report"),
-            tag("p", f"flexel {version}, page written {written}. ", notes),
+            sentence(f"flexel {version}, page written {written}. {notes}"),
         ),
         _verdict(found),
         tag("nav", *(tag("a", z.title, href=f"#{z.key}") for z in found)),

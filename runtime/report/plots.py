@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import re
 from collections.abc import Callable, Mapping, Sequence
+from math import ceil, floor, log10
 from typing import TYPE_CHECKING, Any
 
 from flexel.base.errors import FlexelError
@@ -102,6 +103,10 @@ def log_log(
         )
     axes.loglog([z for z, _ in known], [z for _, z in known], "o-", color=COLOURS[0], ms=4)
     axes.set_xticks([z for z, _ in known], [f"{z:g}" for z, _ in known])
+    low, high = (log10(z([error for _, error in known], default=1.0)) for z in (min, max))
+    axes.set_ylim(
+        10.0 ** floor(low), 10.0 ** max(ceil(high), floor(low) + 1)
+    )  # whole decades: each has a label
     axes.minorticks_off()
     axes.set_xlabel(over)
     axes.set_ylabel("error")

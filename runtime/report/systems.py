@@ -25,7 +25,7 @@ KINDS = {
     "own": "Computed independently for this project",
     "none": "Without a reference, only reported",
 }
-HEAD = ("quantity", "flexel", "reference", "error", "tolerance", "unit", "source", "")
+HEAD = ("quantity", "", "error", "tolerance", "flexel", "reference", "unit", "source")
 SHOWN = 4  # entries of an array that are shown; of a larger one the worst, or the first
 
 
@@ -96,7 +96,8 @@ def _line(case: str, row: Row) -> tuple[str, Sequence[object]]:
     note, ours, reference = _values(case, row)
     verdict = "NOT OK" if failed(row) else "–" if row.reference is None else "ok"
     source = "; ".join(z for z in (row.source, f"tolerance: {row.reason}" if row.reason else "") if z)
-    cells = row.name + note, ours, reference, size(row.error), _tolerance(row), row.unit, source, verdict
+    errors = size(row.error), _tolerance(row)
+    cells = row.name + note, verdict, *errors, ours, reference, row.unit, source
     return "bad" if failed(row) else "", cells
 
 
@@ -151,8 +152,14 @@ def _array(case: str, row: Row, value: Any) -> Any:
 
 
 def _written(values: Any) -> str:
-    """Numbers in 12 digits."""
-    if isinstance(values, np.ndarray) and values.ndim:
-        return ", ".join(_written(z) for z in values.reshape(-1))
-    value = np.asarray(values).item()
-    return f"{value.real:.12g}{value.imag:+.12g}i" if isinstance(value, complex) else f"{value:.12g}"
+    """Numbers: one in 15 digits, as published ones have; several in 10 each."""
+    found = np.asarray(values)
+    digits = 15 if found.size == 1 else 10
+    return ", ".join(_digits(z.item(), digits) for z in found.reshape(-1))
+
+
+def _digits(value: Any, digits: int) -> str:
+    """A real or complex number."""
+    if isinstance(value, complex):
+        return f"{value.real:.{digits}g}{value.imag:+.{digits}g}i"
+    return f"{value:.{digits}g}"

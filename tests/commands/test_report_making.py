@@ -1,6 +1,7 @@
 """`flexel report --run`: the commands that write the files, when and where they ran."""
 
 import json
+import subprocess
 import sys
 from pathlib import Path
 
@@ -10,7 +11,8 @@ from report_files import BENCH, VERIFY
 
 from flexel.commands import main as cli
 from flexel.report import making
-from flexel.report.parts import NAMES
+from flexel.report.parts import NAMES, Sanitized
+from flexel.report.record import read_json
 
 
 def report(*arguments: str) -> Result:
@@ -80,3 +82,17 @@ def test_all_parts_have_a_command(tmp_path: Path) -> None:
         commands["sanitize"][0] == "make"
         and commands["sanitize"][-1] == f"SANITIZE_JSON={tmp_path / 'x.json'}"
     )
+
+
+def test_commands_under_sanitizers_leave_what_ran_and_what_was_found(checkout: Path, tmp_path: Path) -> None:
+    """The environment is that of the marked lines alone; after a failure the rest is listed, not run."""
+    file, logs = tmp_path / "out" / "sanitize.json", tmp_path / "found"
+    (tmp_path / "found.1").write_text("of an earlier run")
+    lines = ['test -z "$MARK"', f'+test "$MARK" = "a b" && echo ERROR: x > {logs}.7', "false", "+true"]
+    script = [sys.executable, str(checkout / ".ci" / "sanitized.py"), str(file), str(logs), "MARK=a b"]
+    answer = subprocess.run(script, input="\n".join(lines), capture_output=True, text=True, check=False)
+    assert answer.returncode == 1, answer.stderr
+    found = read_json(Sanitized, file, "make sanitize")
+    assert [z.ok for z in found.steps] == [True, True, False, None]
+    assert found.found == ["ERROR: x\n"] and "ERROR: x" in answer.stdout
+    assert found.steps[3].command == "true"
