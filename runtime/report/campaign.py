@@ -20,7 +20,7 @@ def section(found: Campaign | None) -> Section:
     said = "campaign", "Property campaign", SAYS
     if found is None:
         return Section(*said, missing=[absent("campaign", "The property campaign")])
-    failures = [f"{z.property}: error {size(z.error)}" for z in found.failures]
+    failures = [_told(z) for z in found.failures]
     told = {z.property for z in found.failures}
     failures += [f"{z.name}: largest error {size(z.largest)}, tolerance {size(z.tolerance)}"
                  for z in found.properties if _failed(z) and z.name not in told]  # fmt: skip
@@ -32,12 +32,12 @@ def section(found: Campaign | None) -> Section:
     )
     body: list[Html] = [
         *map(_program, found.failures),
-        table(HEAD, map(_line, found.properties)),
+        table(HEAD, [_line(z, z.name in told) for z in found.properties]),
         folded("Models of each family", _counts("family", found.families)),
     ]
     if found.skipped:
         skipped = {z.reason: z.models for z in found.skipped}
-        body.append(folded("Models without a comparison, and why", _counts("reason", skipped), unfolded=True))
+        body.append(folded("Models without a comparison, and why", _counts("reason", skipped)))
     return Section(*said, summary, body, failures)
 
 
@@ -46,11 +46,10 @@ def _failed(row: Property) -> bool:
     return row.models > 0 and not (row.largest is not None and row.largest <= row.tolerance)
 
 
-def _line(row: Property) -> tuple[str, Sequence[object]]:
-    """The line of a property."""
-    kind, verdict = (
-        ("bad", "NOT OK") if _failed(row) else ("", "ok") if row.models else ("missing", "no model")
-    )
+def _line(row: Property, lacking: bool) -> tuple[str, Sequence[object]]:
+    """The line of a property; a model can lack it without an error to compare."""
+    wrong = lacking or _failed(row)
+    kind, verdict = ("bad", "NOT OK") if wrong else ("", "ok") if row.models else ("missing", "no model")
     return kind, (row.name, row.models, size(row.largest), size(row.median), size(row.tolerance), verdict)
 
 
@@ -59,6 +58,11 @@ def _counts(title: str, counts: Mapping[str, int]) -> Html:
     return table((title, "models"), [("", pair) for pair in counts.items()])
 
 
+def _told(found: Counterexample) -> str:
+    """The property that a model lacks, and the error."""
+    return f"{found.property}: {found.message or f'error {size(found.error)}'}"
+
+
 def _program(found: Counterexample) -> Html:
     """A program that shows a failure."""
-    return folded(f"{found.property}: error {size(found.error)}", tag("pre", found.program), unfolded=True)
+    return folded(_told(found), tag("pre", found.program), unfolded=True)

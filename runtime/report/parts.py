@@ -110,11 +110,12 @@ class Skipped:
 
 @dataclass(frozen=True)
 class Counterexample:
-    """A program that builds a model which lacks a property."""
+    """A program that builds a model which lacks a property, or with which flexel raises an error: the message."""
 
     program: str
     property: str
     error: float | None
+    message: str = ""
 
 
 @dataclass(frozen=True)

@@ -149,6 +149,7 @@ BROKEN = changed(CAMPAIGN, "failures", to=[{"program": "m = <fx>", "property": "
         ({"bench": changed(BENCH, 0, "error", to=1e-3)}, "bicycle_rhs: error 1.0e-3, allowed 1.0e-8"),
         ({"bench": changed(BENCH, 0, "value", to=None)}, "bicycle_rhs: no time"),
         ({"campaign": BROKEN}, "energy: error 2.5e-1"),
+        ({"campaign": changed(BROKEN, "failures", 0, "message", to="DynamicsError: x")}, "energy: DynamicsError: x"),
         ({"campaign": changed(CAMPAIGN, "properties", 0, "largest", to=1.0)}, "energy: largest error 1.0e0"),
         ({"campaign": changed(CAMPAIGN, "models", to=0)}, "no model"),
         ({"sanitize": changed(SANITIZE, "steps", 0, "ok", to=False)}, "python -m flexel verify: failed"),
@@ -168,6 +169,7 @@ def test_a_failure_stands_at_the_top_and_in_the_exit_status(
 def test_the_program_of_a_failed_property_is_printed(page: Page) -> None:
     _, text = page(campaign=BROKEN)
     assert "<pre>m = &lt;fx&gt;</pre>" in text
+    assert '<tr class="bad"><td>energy</td>' in text  # though its largest error is small
 
 
 @pytest.mark.parametrize(
