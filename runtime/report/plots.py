@@ -28,6 +28,7 @@ STYLE = {
     "ytick.color": INK,
     "grid.color": LINE,
 }
+HIGHEST = 10  # order of which a line is drawn
 FLOOR = 1e-17  # where an error of 0 is drawn
 
 
@@ -96,7 +97,7 @@ def log_log(
 ) -> None:
     """Errors over the number of elements or steps, and a dashed line of the nearest whole order."""
     known = [(n, z) for n, z in zip(meshes, errors, strict=True) if z > 0 and n > 0]
-    if order is not None and known and round(order) > 0:
+    if order is not None and known and 0.5 < order < HIGHEST:
         n, last = known[-1]
         axes.loglog(
             [z for z, _ in known], [last * (n / z) ** round(order) for z, _ in known], "--", color=GUIDE, lw=1

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import MISSING, fields, is_dataclass
+from math import isfinite
 from pathlib import Path
 from types import UnionType
 from typing import Any, TypeVar, get_args, get_origin, get_type_hints
@@ -29,7 +30,8 @@ def read_json(kind: type[T] | Any, file: Path, remedy: str) -> Any:
         It cannot be read, is not JSON, or holds something else.
     """
     try:
-        value = json.loads(file.read_text(encoding="utf-8"))
+        text = file.read_text(encoding="utf-8")
+        value = json.loads(text, parse_int=_whole, parse_float=_number, parse_constant=_number)
         return _read(kind, value, "the file")
     except OSError as error:
         raise FlexelError(f"{file}: {error.strerror}; write it again: {remedy}") from error
@@ -37,6 +39,20 @@ def read_json(kind: type[T] | Any, file: Path, remedy: str) -> Any:
         raise FlexelError(f"{file}: {error}; write it again: {remedy}") from error
     except (ValueError, RecursionError) as error:  # not UTF-8, not JSON, nested without end
         raise FlexelError(f"{file}: not JSON ({error}); write it again: {remedy}") from error
+
+
+def _number(written: str) -> float:
+    """A number that a computer has; NaN and infinities are not JSON."""
+    value = float(written)
+    if not isfinite(value):
+        raise ValueError(f"{written[:20]} is no finite number")
+    return value
+
+
+def _whole(written: str) -> int:
+    """A whole number that is a finite number too."""
+    _number(written)
+    return int(written)
 
 
 class _WrongError(Exception):

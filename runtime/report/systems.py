@@ -133,22 +133,22 @@ def _values(case: str, row: Row) -> tuple[str, str, str]:
 
 def _quantity(case: str, row: Row) -> Quantity:
     """The row as it was before it was written."""
-    ours = _array(case, row, row.computed)
-    reference = None if row.reference is None else _array(case, row, row.reference)
     kinds: Any = {"kind": row.kind, "tolerance_kind": row.tolerance_kind}
-    return Quantity(row.name, ours, reference, row.tolerance, **kinds)
-
-
-def _array(case: str, row: Row, value: Any) -> Any:
-    """The numbers of a row; null is not a number."""
     try:
-        found = np.asarray(value, dtype=float)
-        return found[..., 0] + 1j * found[..., 1] if row.complex else found
+        ours = _array(row.computed, row.complex)
+        reference = None if row.reference is None else _array(row.reference, row.complex)
+        return Quantity(row.name, ours, reference, row.tolerance, **kinds)
     except (TypeError, ValueError, IndexError) as error:
         raise FlexelError(
-            f"reproduced system '{case}': '{row.name}' holds no numbers ({error}); write the file again: "
+            f"reproduced system '{case}': '{row.name}' is damaged ({error}); write the file again: "
             f"{command('reproduce')}"
         ) from error
+
+
+def _array(value: Any, pairs: bool) -> Any:
+    """Numbers, or complex numbers of pairs; null is not a number."""
+    found = np.asarray(value, dtype=float)
+    return found[..., 0] + 1j * found[..., 1] if pairs else found
 
 
 def _written(values: Any) -> str:
