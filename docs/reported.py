@@ -9,10 +9,9 @@ from __future__ import annotations
 from datetime import UTC, datetime
 from pathlib import Path
 
-import flexel
 from flexel.commands.reproduce import CASES
 from flexel.generated.table import ELEMENTS, LAWS
-from flexel.report.making import commit
+from flexel.report.making import version
 from flexel.report.page import page, sections, write
 from flexel.report.parts import files_in, read_parts
 
@@ -44,6 +43,5 @@ def write_report(docs: Path, verified: Path, target: Path) -> None:
     made = {part: z for part, z in parts.made.items() if part in KEPT}
     names = [*ELEMENTS, *(f"law {z}" for z in LAWS)]
     found = sections(parts, names, list(CASES))
-    version = " ".join(z for z in (flexel.__version__, commit()) if z)
     target.parent.mkdir(parents=True, exist_ok=True)
-    write(target, page(found, version, f"{datetime.now(UTC):%Y-%m-%d}", made, NOTES))
+    write(target, page(found, version(), f"{datetime.now(UTC):%Y-%m-%d}", made, NOTES))

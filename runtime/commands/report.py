@@ -105,10 +105,9 @@ def _write(folder: Path, out: Path | None) -> tuple[Path, list[Section]]:
     """Write the page; its place and its sections."""
     from datetime import UTC, datetime
 
-    import flexel
     from flexel.commands.reproduce import CASES
     from flexel.generated.table import ELEMENTS, LAWS
-    from flexel.report.making import commit
+    from flexel.report.making import version
     from flexel.report.page import page, sections, write
     from flexel.report.parts import files_in, read_parts
 
@@ -116,9 +115,7 @@ def _write(folder: Path, out: Path | None) -> tuple[Path, list[Section]]:
     names = [*ELEMENTS, *(f"law {z}" for z in LAWS)]
     found = sections(parts, names, list(CASES))
     target = out or folder.with_suffix(".html")
-    source = commit()
-    version = f"{flexel.__version__} ({source})" if source else flexel.__version__
-    write(target, page(found, version, f"{datetime.now(UTC):%Y-%m-%d %H:%M} UTC", parts.made))
+    write(target, page(found, version(), f"{datetime.now(UTC):%Y-%m-%d %H:%M} UTC", parts.made))
     return target, found
 
 

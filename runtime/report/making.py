@@ -49,6 +49,12 @@ def commit() -> str:
     return answer.stdout.strip()
 
 
+def version() -> str:
+    """Version of flexel, with the commit of a checkout."""
+    source = commit()
+    return f"{flexel.__version__} ({source})" if source else flexel.__version__
+
+
 def make(part: str, folder: Path, wish: Wish, facts: Mapping[str, str]) -> str:
     """Run the command of a part, and note when and where.
 

@@ -160,7 +160,7 @@ def _made(made: Mapping[str, Made]) -> Html:
     groups: dict[tuple[tuple[str, str], ...], list[str]] = {}
     for part, one in made.items():
         groups.setdefault(tuple(one.facts.items()), []).append(part)
-    facts = [tag("h3", ", ".join(parts), " on") if len(groups) > 1 else "" for parts in groups.values()]
+    facts = [tag("h3", ", ".join(parts)) for parts in groups.values()]
     lists = [tag("dl", *(tag("div", tag("dt", k), tag("dd", v)) for k, v in group)) for group in groups]
     shown = join(join(pair) for pair in zip(facts, lists, strict=True))
     return tag(
