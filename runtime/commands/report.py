@@ -61,11 +61,12 @@ def report(
     Exit status 1 if the page shows a failure, or a part could not be made; 130 after Ctrl-C.
     """
     from flexel.base.errors import FlexelError
-    from flexel.report.making import Wish
+    from flexel.report.making import Wish, check_possible
 
     chosen = _chosen(parts, run_them)
     problems: list[str] = []
     try:
+        check_possible(chosen)
         folder.mkdir(parents=True, exist_ok=True)
         for part in chosen:
             problems += _make(part, folder, Wish(rows.split(), models, seed))

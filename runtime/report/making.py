@@ -55,6 +55,23 @@ def version() -> str:
     return f"{flexel.__version__} ({source})" if source else flexel.__version__
 
 
+def check_possible(parts: Sequence[str]) -> None:
+    """Refuse parts that need a checkout where there is none, before anything runs.
+
+    Raises
+    ------
+    FlexelError
+        With the name of the part and the remedy.
+    """
+    lacking = [z for z in parts if z in NEEDS_CHECKOUT] if checkout() is None else []
+    if lacking:
+        raise FlexelError(
+            f"report: {lacking[0]} needs a checkout of flexel ({NEEDS_CHECKOUT[lacking[0]]}), and "
+            f"{Path(flexel.__file__).parent} is in none; run `make report` in a clone of the sources, or leave "
+            f"{' and '.join(lacking)} out"
+        )
+
+
 def make(part: str, folder: Path, wish: Wish, facts: Mapping[str, str]) -> str:
     """Run the command of a part, and note when and where.
 
@@ -71,11 +88,6 @@ def make(part: str, folder: Path, wish: Wish, facts: Mapping[str, str]) -> str:
     -------
     str
         What went wrong; empty if nothing.
-
-    Raises
-    ------
-    FlexelError
-        The part needs a checkout.
     """
     words, place = _command(part, (folder / f"{part}.json").resolve(), wish)
     for old in files_in(folder)[part]:
@@ -92,11 +104,6 @@ def make(part: str, folder: Path, wish: Wish, facts: Mapping[str, str]) -> str:
 def _command(part: str, file: Path, wish: Wish) -> tuple[list[str], Path | None]:
     """The command of a part, and the folder that it runs in."""
     root = checkout()
-    if part in NEEDS_CHECKOUT and root is None:
-        raise FlexelError(
-            f"report: {part} needs a checkout of flexel ({NEEDS_CHECKOUT[part]}), and {Path(flexel.__file__).parent} "
-            f"is in none; run `make report` in a clone of the sources, or leave {part} out"
-        )
     campaign = ["campaign", "--models", str(wish.models), "--seed", str(wish.seed)]
     own = {"verify": [], "reproduce": ["all"], "bench": list(wish.rows)}
     if part in own:

@@ -56,8 +56,8 @@ def test_a_real_row_of_the_benchmarks_is_measured(tmp_path: Path) -> None:
 @pytest.mark.parametrize("part", ["campaign", "sanitize"])
 def test_what_needs_a_checkout_says_so(part: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(making, "checkout", lambda: None)
-    result = report("--run", part, "--from", str(tmp_path))
-    assert result.exit_code == 1
+    result = report("--run", "verify", part, "--from", str(tmp_path))
+    assert result.exit_code == 1 and "verify ..." not in result.stderr  # refused before anything runs
     assert f"report: {part} needs a checkout of flexel" in result.stderr and "make report" in result.stderr
 
 
