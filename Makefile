@@ -17,6 +17,11 @@ SANITIZED := build/sanitized
 SANITIZE ?= --durations=5 tests/engine tests/integration/test_threads.py tests/mechanics tests/linear
 SANITIZE_SYSTEMS ?= bicycle vehicle contact
 SANITIZER := address,undefined
+SANITIZE_JSON ?= $(OUT)/report/sanitize.json
+
+# Models of the property campaign in `make report`.
+MODELS ?= 200
+SEED ?= 1
 
 # What depends on other packages: files, pictures, frames, sparse matrices, integrators, worker processes.
 OLDEST_TREE := build/oldest
@@ -28,7 +33,7 @@ SETUP := pyproject.toml setup.py
 SOURCES := $(SETUP) $(wildcard generated/*.[ch] runtime/engine/*.[ch] generated/build.py)
 WARNINGS := -std=c11 -O2 -fopenmp-simd -DFLEXEL_NO_CLONES -Wall -Wextra -Wpedantic -Werror -Igenerated -Iruntime/engine
 
-.PHONY: demo test test-all test-oldest sanitize bench docs lint types check strict wheel venv clean prerequisites
+.PHONY: demo test test-all test-oldest sanitize bench report docs lint types check strict wheel venv clean prerequisites
 
 demo: $(VENV)/installed-plot
 	$(VENV)/bin/flexel derive
@@ -55,21 +60,28 @@ test-oldest: $(VENV_OLDEST)/needed
 
 # Where memory is read or written outside what was claimed, or an operation has no meaning in C, the program stops and says
 # where. The compiled files are in a tree of their own. Python's own memory is never given back: leaks are not looked for
-# here, but in a program without Python (tests/engine/test_sanitizers.py), which also looks for races of threads.
+# here, but in a program without Python (tests/engine/test_sanitizers.py), which also looks for races of threads. What ran
+# and what was found is left in a file for `flexel report`.
 sanitize: $(VENV)/installed-test
 	FLEXEL_CFLAGS="-O1 -g1 -fno-omit-frame-pointer -DFLEXEL_NO_CLONES -fsanitize=$(SANITIZER) -fno-sanitize-recover=all" \
 	  LDFLAGS="-fsanitize=$(SANITIZER)" $(VENV)/bin/python setup.py --quiet build --build-base $(SANITIZED) \
 	  --build-lib $(SANITIZED)/lib
-	$(VENV)/bin/python -m pytest -p no:xdist --durations=3 tests/engine/test_sanitizers.py
-	rm -f $(SANITIZED)/found.*
-	@export PYTHONPATH=$(SANITIZED)/lib PYTHONMALLOC=malloc \
+	@{ echo '$(VENV)/bin/python -m pytest -p no:xdist --durations=3 tests/engine/test_sanitizers.py'; \
+	  echo '+$(VENV)/bin/python -m flexel verify'; \
+	  for system in $(SANITIZE_SYSTEMS); do echo "+$(VENV)/bin/python -m flexel reproduce $$system"; done; \
+	  echo '+$(VENV)/bin/python -m pytest -p no:xdist -m "not campaign" $(SANITIZE)'; \
+	} | $(PYTHON) .ci/sanitized.py $(SANITIZE_JSON) $(abspath $(SANITIZED))/found \
+	  PYTHONPATH=$(SANITIZED)/lib PYTHONMALLOC=malloc \
 	  LD_PRELOAD="$$($(CC) -print-file-name=libasan.so) $$($(CC) -print-file-name=libstdc++.so)" \
 	  ASAN_OPTIONS=detect_leaks=0:log_path=$(abspath $(SANITIZED))/found \
-	  UBSAN_OPTIONS=print_stacktrace=1:log_path=$(abspath $(SANITIZED))/found; \
-	  set -e; trap 'cat $(SANITIZED)/found.* 2>/dev/null || true' EXIT; \
-	  $(VENV)/bin/python -m flexel verify; \
-	  for system in $(SANITIZE_SYSTEMS); do $(VENV)/bin/python -m flexel reproduce $$system; done; \
-	  $(VENV)/bin/python -m pytest -p no:xdist -m "not campaign" $(SANITIZE)
+	  UBSAN_OPTIONS=print_stacktrace=1:log_path=$(abspath $(SANITIZED))/found
+
+# One page about all that was checked, from a clean clone; out/report.html. It runs verify, all systems, a few rows of the
+# benchmarks beside the other programs, a campaign of random models, and the sanitizers.
+report: $(VENV)/installed-test $(VENV)/installed-plot $(VENV_BENCH)/installed-peers
+	$(VENV_BENCH)/bin/flexel report --run bench --from $(OUT)/report --out $(OUT)/report.html; status=$$?; \
+	  $(VENV)/bin/flexel report --run verify reproduce campaign sanitize --models $(MODELS) --seed $(SEED) \
+	  --from $(OUT)/report --out $(OUT)/report.html && exit $$status
 
 # What flexel costs, beside the other programs that can be installed; BENCH="cables_56 chain_40" measures these rows alone.
 bench: $(VENV_BENCH)/installed-peers
@@ -78,7 +90,7 @@ bench: $(VENV_BENCH)/installed-peers
 
 # Pages of docs/ and those that docs/pages.py writes about elements, laws and public names; a warning is an error.
 # The numbers that pages quote are computed again, of all systems but those that take a minute (see tests/test_quoted.py).
-docs: $(VENV)/installed-docs
+docs: $(VENV)/installed-docs $(VENV)/installed-plot
 	$(VENV)/bin/python docs/quoted.py --check --run $(QUOTED)
 	$(VENV)/bin/python -m sphinx -W --keep-going -q docs docs/_build
 	@echo "The documentation is $(abspath docs)/_build/index.html"

@@ -109,6 +109,8 @@ class Comparison:
             "error": own.pop("error"),
             "reach": row.reach,
             "aim": row.aim,
+            "accuracy": row.accuracy,
+            "within": row.within,
             "peers": {name: None if z is None else z.to_dict() for name, z in self.peers.items()},
         }
         return found | {"sizes": list(row.sizes)} | own if row.sizes else found

@@ -11,6 +11,7 @@ from flexel.benchmarks.compare import OWN, Comparison, Figure
 from flexel.benchmarks.peers import PEERS
 from flexel.benchmarks.table import Row
 from flexel.pictures.figures import COLOURS, figure, save
+from flexel.report import speed
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -60,13 +61,7 @@ def plot(found: Sequence[Comparison], path: str | Path) -> None:
 
 def ratios(found: Comparison) -> dict[str, float]:
     """Time of each peer over flexel's, for the largest size that both can."""
-    result = {}
-    for name, other in found.installed.items():
-        pairs = zip(other.values, found.own.values, strict=True)
-        both = [time / own for time, own in pairs if time is not None and own]
-        if both:
-            result[name] = both[-1]
-    return result
+    return speed.ratios(found.own, found.peers)
 
 
 def _ratios(panel: Axes, rows: Sequence[Comparison]) -> None:

@@ -12,6 +12,7 @@ import flexel  # noqa: E402
 project, author, copyright = "flexel", "flexel contributors", "flexel contributors"  # noqa: A001
 version = release = flexel.__version__
 extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
+html_extra_path = ["_generated/report"]
 exclude_patterns = ["_build", "_generated/contents.md"]
 myst_heading_anchors = 3
 default_role = "code"

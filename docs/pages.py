@@ -13,6 +13,8 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
+from reported import write_report
+
 import flexel
 from flexel.commands.reproduce import CASES
 from flexel.derive.spec import DeformationSpec, ElementSpec, KernelSpec, LawSpec, ParameterSpec
@@ -25,7 +27,7 @@ FIRST = (
     "writing-an-element",
     "adding-an-element",
 )  # of the guides, in this order
-REFERENCE = ("theory", "architecture", "speed")
+REFERENCE = ("theory", "architecture", "speed", "report")
 Rows = list[dict[str, Any]]
 
 HOMES = {  # sections of the page of public names: title and modules
@@ -80,8 +82,8 @@ def verification(folder: Path) -> dict[str, Rows]:
     }
     file = folder / "verification.json"
     kept = json.loads(file.read_text(encoding="utf-8")) if file.is_file() else {}
-    if kept.get("digests") != digests:
-        kept = {"digests": digests, "rows": verify_generated(progress=True).as_json()["rows"]}
+    if kept.get("digests") != digests or "tolerances" not in kept:
+        kept = {"digests": digests, **verify_generated(progress=True).as_json()}
         put(file, json.dumps(kept))
     rows: dict[str, Rows] = defaultdict(list)
     for row in kept["rows"]:
@@ -256,6 +258,7 @@ def write(folder: Path) -> None:
     put(out / "laws.md", laws_page(rows))
     put(out / "api.md", api_page())
     put(out / "contents.md", contents(folder))
+    write_report(folder, out / "verification.json", out / "report" / "report-latest.html")
 
 
 if __name__ == "__main__":

@@ -153,7 +153,7 @@ def large_deflections() -> list[Quantity]:
     circle, meshes = np.array([0.0, 0.0]), (16, 32, 64)
     tips = [rolled_up(1.0, n).position(f"P{n}") for n in meshes]
     gaps = [float(np.linalg.norm(z)) for z in tips]
-    mesh = {"elements": meshes[-1], "order": order(gaps), "errors": gaps}
+    mesh = {"elements": meshes[-1], "order": order(gaps), "meshes": list(meshes), "errors": gaps}
     limit = {"elements": list(meshes)}
     rows += [
         Quantity("roll_up_tip", tips[-1], circle, 3e-3, "L", data.ROLL_UP, mesh, kind="closed form"),

@@ -121,7 +121,7 @@ def converged(
     size = float(np.max(np.abs(reference)))
     errors = [float(np.max(np.abs(z - reference))) / size for z in found]
     observed = order(errors)
-    mesh = {"elements": meshes[-1], "order": observed, "errors": errors}
+    mesh = {"elements": meshes[-1], "order": observed, "meshes": list(meshes), "errors": errors}
     limit = {"elements": list(meshes)}
     comment = f"{source}; extrapolated from the meshes of " + ", ".join(map(str, meshes)) + " elements"
     both: Any = {"kind": kind, "tolerance_kind": tolerance_kind}

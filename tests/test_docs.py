@@ -61,3 +61,6 @@ def test_the_pages_build_without_a_warning(tmp_path: Path) -> None:
     assert answer.returncode == 0, answer.stderr
     page = (tmp_path / "html" / "_generated" / "elements" / "wheel.html").read_text(encoding="utf-8")
     assert "longitudinal" in page and "against the definition" in page
+    report = (tmp_path / "html" / "report-latest.html").read_text(encoding="utf-8")
+    assert "Published numbers" in report and "<td>wheel</td>" in report
+    assert 'href="report-latest.html"' in (tmp_path / "html" / "report.html").read_text(encoding="utf-8")

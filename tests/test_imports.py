@@ -152,6 +152,12 @@ def test_import_flexel_is_light() -> None:
     assert min(float(run.stdout) for run in runs) < 0.3
 
 
+def test_the_table_of_commands_brings_no_numpy() -> None:
+    """`flexel --help` is quick, and `flexel bench` limits the threads of NumPy before it is imported."""
+    code = "import sys, flexel.commands.main; assert not {'numpy', 'scipy', 'sympy', 'matplotlib'} & set(sys.modules)"
+    subprocess.run([sys.executable, "-c", code], check=True)
+
+
 def test_every_public_name_is_defined_in_its_module_and_listed() -> None:
     homes = flexel._HOMES
     found = {name: getattr(import_module(home), name, None) for name, home in homes.items()}

@@ -31,6 +31,7 @@ LAYERS = (
     "model",
     "spacar",
     "sweeps",
+    "report",
     "commands",
     "__main__",
 )

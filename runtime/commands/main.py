@@ -15,6 +15,7 @@ from flexel.commands.check import check
 from flexel.commands.convert import convert
 from flexel.commands.derive import derive
 from flexel.commands.info import info
+from flexel.commands.report import report
 from flexel.commands.reproduce import reproduce
 from flexel.commands.run import run
 from flexel.commands.sweep import sweep
@@ -41,7 +42,7 @@ def main() -> None:
     """A compiler for mechanisms: derive, compile, run."""
 
 
-for command in (derive, verify, reproduce, bench, run, check, sweep, convert, view, info):
+for command in (derive, verify, reproduce, bench, report, run, check, sweep, convert, view, info):
     main.add_command(command)
 
 

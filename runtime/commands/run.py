@@ -11,7 +11,6 @@ import click
 
 from flexel.commands.modelfile import model_in, names_of, options_in, reported_by_line
 from flexel.commands.stop import INTERRUPTED
-from flexel.mechanics.steadiness import UNSTEADY
 
 if TYPE_CHECKING:
     from flexel.mechanics.linearization import Linearization
@@ -177,6 +176,8 @@ def _report(motion: Motion, wish: Wish) -> None:
 
 def _report_modes(lin: Linearization) -> None:
     """Print the modes about a state, or that it has none because it accelerates."""
+    from flexel.mechanics.steadiness import UNSTEADY
+
     if lin.acceleration > UNSTEADY:
         click.echo(
             f"no modes: the state at t = {lin.state.t:g} s is neither an equilibrium nor a steady motion (residual "

@@ -108,7 +108,7 @@ class Quantity:
         return None if self.ok and self.reference is None else self.ok
 
     def to_dict(self) -> dict[str, object]:
-        """Return the row of the JSON, in plain lists and numbers."""
+        """Return the row of the JSON, in plain lists and numbers; "complex" says that pairs are complex numbers."""
         return {
             "name": self.name,
             "computed": plain(self.computed),
@@ -121,6 +121,7 @@ class Quantity:
             "unit": self.unit,
             "source": self.source,
             "ok": self.verdict,
+            **({"complex": True} if np.iscomplexobj(np.asarray(self.computed)) else {}),
             **self.more,
         }
 

@@ -20,7 +20,7 @@ from flexel.benchmarks.table import ROWS, UNITS, Row
 from flexel.benchmarks.timing import Series, Work, measure
 from flexel.commands import main as cli
 
-KEYS = {"name", "value", "unit", "error", "reach", "aim", "peers"}
+KEYS = {"name", "value", "unit", "error", "reach", "aim", "accuracy", "within", "peers"}
 QUICK = ("bicycle_rhs", "bicycle_M1", "linearize_vehicle", "build_bicycle", "kernels_beam", "import_flexel")
 
 
@@ -62,7 +62,7 @@ def test_the_rows_have_units_figures_and_references() -> None:
 
 @pytest.mark.usefixtures("quick")
 def test_the_cheapest_rows_are_measured_and_accurate(tmp_path: Path) -> None:
-    """The table has a line for each, the JSON the six entries; errors are finite where there is a reference."""
+    """The table has a line for each, the JSON the entries; errors are finite where there is a reference."""
     file = tmp_path / "figures.json"
     result = run(*QUICK, "--json", str(file))
     assert result.exit_code == 0, result.output
@@ -89,8 +89,11 @@ def test_json_with_a_dash_goes_to_stdout_and_the_table_to_stderr(monkeypatch: py
     rows(monkeypatch, one=Work(lambda: 0, error=lambda _: 0.5, clock=lambda: float(next(clock)), count=2))
     result = run("one", "one", "--json", "-")
     assert json.loads(result.stdout) == [
-        {"name": "one", "value": 1500.0, "unit": "ms", "error": 0.5, "reach": 1e6, "aim": 1e5, "peers": {}}
-    ]
+        {
+            "name": "one", "value": 1500.0, "unit": "ms", "error": 0.5, "reach": 1e6, "aim": 1e5,
+            "accuracy": "a difference", "within": 1.0, "peers": {},
+        }
+    ]  # fmt: skip
     assert "yardstick" in result.stderr and "1 of 1 rows in" in result.stderr
 
 

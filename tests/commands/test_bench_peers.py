@@ -66,6 +66,7 @@ def test_a_row_has_its_peers_in_json_and_in_the_table(programs: Callable[..., No
     assert json.loads(file.read_text()) == [
         {
             "name": "row", "value": 2.0, "unit": "s", "error": 1e-9, "reach": 3.0, "aim": 1.0,
+            "accuracy": "a difference", "within": 1e-6,
             "peers": {"slow": {"value": 5.0, "error": 2e-9}, "quick": {"value": 0.5, "error": 0.0}, "absent": None},
         }
     ]  # fmt: skip

@@ -1,0 +1,77 @@
+"""HTML whose text is always escaped: `tag` makes elements, and only what it made is taken as it is."""
+
+from __future__ import annotations
+
+import html
+from collections.abc import Iterable, Sequence
+
+
+class Html(str):
+    """Text that is HTML already."""
+
+    __slots__ = ()
+
+
+def text(value: object) -> Html:
+    """HTML as it is; anything else as text, escaped."""
+    return value if isinstance(value, Html) else Html(html.escape(str(value)))
+
+
+def join(parts: Iterable[object], between: str = "") -> Html:
+    """One piece of HTML of several."""
+    return Html(str(text(between)).join(text(z) for z in parts))
+
+
+def tag(name: str, *children: object, **attributes: str) -> Html:
+    """An element with its attributes and children; `class_` stands for class, empty attributes are left out."""
+    given = "".join(
+        f' {key.rstrip("_").replace("_", "-")}="{html.escape(value)}"'
+        for key, value in attributes.items()
+        if value
+    )
+    return Html(f"<{name}{given}>{join(children)}</{name}>")
+
+
+def table(head: Sequence[str], rows: Iterable[tuple[str, Sequence[object]]]) -> Html:
+    """A table in a box of its own, which scrolls sideways on a narrow screen.
+
+    Parameters
+    ----------
+    head : sequence of str
+        Titles of the columns.
+    rows : iterable of (str, sequence)
+        Class of a row, as "bad" or "", and its cells.
+    """
+    titles = tag("thead", tag("tr", *(tag("th", z, scope="col") for z in head)))
+    lines = [tag("tr", *(tag("td", cell) for cell in cells), class_=kind) for kind, cells in rows]
+    return tag("div", tag("table", titles, tag("tbody", join(lines, "\n"))), class_="scroll")
+
+
+def folded(title: object, *children: object, unfolded: bool = False) -> Html:
+    """A part that opens with a click on its title."""
+    start = "<details open>" if unfolded else "<details>"
+    return Html(f"{start}{tag('summary', title)}{join(children)}</details>")
+
+
+def sentence(written: str, kind: str = "") -> Html:
+    """A paragraph of a class, with code between back ticks."""
+    pieces = written.split("`")
+    return tag("p", *(tag("code", z) if i % 2 else z for i, z in enumerate(pieces)), class_=kind)
+
+
+def size(error: float | None) -> str:
+    """An error with two digits; a dash for none."""
+    if error is None:
+        return "–"
+    digits, e, power = f"{error:.1e}".partition("e")
+    return digits + e + str(int(power)) if error and e else f"{error:g}"  # 0, nan and inf have no exponent
+
+
+def time(seconds: float) -> str:
+    """A time of work."""
+    return f"{seconds:.1f} s" if seconds < 100 else f"{seconds / 60:.0f} min"
+
+
+def number(count: int, noun: str) -> str:
+    """A number of things; their plural ends in s."""
+    return f"{count} {noun}{'' if count == 1 else 's'}"
