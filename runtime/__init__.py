@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from flexel.analyses.stepper import Stepper
+    from flexel.analyses.summary import Summary
     from flexel.base.errors import (
         AssemblyWarning,
         CompilerError,
@@ -110,6 +111,7 @@ __all__ = [
     "State",
     "Stepper",
     "StressPoint",
+    "Summary",
     "System",
     "Table",
     "Tube",
@@ -179,6 +181,7 @@ _HOMES = {
     "SpacarRecords": "flexel.results.saved.spacar_records",
     "State": "flexel.structure.state",
     "Stepper": "flexel.analyses.stepper",
+    "Summary": "flexel.analyses.summary",
     "StressPoint": "flexel.declare.sections",
     "System": "flexel.system",
     "Table": "flexel.base.time_functions",

@@ -6,6 +6,9 @@ Everything has a name, and every name works everywhere.  Quantities are called `
 
 from __future__ import annotations
 
+from collections import Counter
+
+from flexel.base.shown import counted
 from flexel.build import build
 from flexel.declare.couplings import Couplings
 from flexel.declare.feedback import Feedback
@@ -44,6 +47,13 @@ class Model(Ropes, PointContacts, Chains, Wheels, Couplings, Feedback, Loading, 
     >>> system.dynamic
     ('pivot.angle',)
     """
+
+    def __repr__(self) -> str:
+        nodes = Counter("point" if z.kind.endswith("point") else "frame" for z in self.nodes.values())
+        elements = Counter(z.spec.family or z.spec.name for z in self.instances.values())
+        parts = [counted(n, kind) for kind, n in nodes.items()]
+        parts += [f"{kind} × {n}" for kind, n in elements.items()]
+        return f"Model({', '.join(parts) or 'empty'})"
 
     def build(self, t: float = 0.0) -> System:
         """Count, check and assemble: the System at time t [s], in a consistent initial state.

@@ -9,6 +9,7 @@ from flexel.analyses.equilibria import Equilibria
 from flexel.analyses.periodic import PeriodicMotions
 from flexel.analyses.restoring import Restoring
 from flexel.analyses.stepper import Stepping
+from flexel.analyses.summary import Summary, summarized
 
 
 class System(Ensembles, Equilibria, PeriodicMotions, Restoring, Stepping):
@@ -21,6 +22,13 @@ class System(Ensembles, Equilibria, PeriodicMotions, Restoring, Stepping):
     roles : Roles
         The constraints and the current choice of degrees of freedom.
     """
+
+    def summary(self) -> Summary:
+        """Degrees of freedom, constraints, eigenvalues at the start, and the integrator that suits them, as a table."""
+        return summarized(self)
+
+    def _repr_html_(self) -> str:
+        return self.summary()._repr_html_()
 
     def __getstate__(self) -> dict[str, Any]:
         """What it is made of, the present coordinates and the last position; tables and caches are made again."""

@@ -22,7 +22,8 @@ OWN_WARNINGS = (
 MADE_BY_FLEXEL = {
     "BeamStress", "BucklingMode", "CheckReport", "Compliance", "ConstraintReport", "Ensemble", "Finding",
     "Linearization", "Linearizations", "Mode", "Motion", "PeriodicBranch", "PeriodicSolution", "Points",
-    "Reduced", "RootLoci", "Rope", "Spacar", "SpacarRecords", "State", "Stepper", "StressPoint", "System", "Vibration",
+    "Reduced", "RootLoci", "Rope", "Spacar", "SpacarRecords", "State", "Stepper", "StressPoint", "Summary",
+    "System", "Vibration",
 }  # fmt: skip
 # Methods that the parts of flexel call with checked values, and those of tuple.
 INTERNAL = {

@@ -163,6 +163,7 @@ OBJECTS: dict[str, Callable[[], Any]] = {
     "SPACAR file": lambda: fx.read_spacar(DATA / "slider_crank.dat"),
     "records of SPACAR": lambda: fx.load(DATA / "two_leaf_pivot.sbm"),
     "stepper": lambda: pushed().build().stepper(0.01, inputs=["P.x"]),
+    "summary": lambda: motion().system.summary(),
     "system": lambda: motion().system,
     "system with functions": lambda: pushed().build(),
     "system with a compiled law": lambda: own_law().build(),

@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 from flexel.base.arguments import flag
 from flexel.base.arrays import Array
 from flexel.base.errors import IncompleteWarning, UnstableWarning
+from flexel.base.shown import Listing
 from flexel.integration.outcome import Integration, States
 from flexel.mechanics.core import Core
 from flexel.results.motion import Motion
@@ -102,7 +103,7 @@ class Equilibria(Core):
 
     def buckling(
         self, state: State | None = None, *, increment: Mapping[str, float], count: int = 5
-    ) -> list[stability.BucklingMode]:
+    ) -> Listing[stability.BucklingMode]:
         """Load multipliers at which equilibrium bifurcates, with their shapes, nearest first.
 
         Parameters
@@ -123,7 +124,7 @@ class Equilibria(Core):
         """
         return stability.buckling(self, _at(self, state, "buckling"), increment, count)
 
-    def vibrations(self, state: State | None = None, *, count: int = 10) -> list[stability.Vibration]:
+    def vibrations(self, state: State | None = None, *, count: int = 10) -> Listing[stability.Vibration]:
         """Lowest natural frequencies and modes about a state of rest, without damping.
 
         Unlike ``linearize(state).modes()`` this needs no choice of independent coordinates.

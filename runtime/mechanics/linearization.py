@@ -19,18 +19,20 @@ from flexel.base.arguments import names as checked_names
 from flexel.base.arrays import Array, ComplexArray
 from flexel.base.copies import Portable
 from flexel.base.errors import LinearizationError, ModelError
+from flexel.base.shown import Listing
 from flexel.base.units import rate_unit
 from flexel.engine.derivatives import Derivatives, Tangents
 from flexel.engine.solvers import solved
 from flexel.mechanics.modes import Mode, Reduced, check_decoupled, modes_of, places_of, sort_eigenvalues
 from flexel.mechanics.rigid import spectrum
+from flexel.mechanics.shown import ShownLinearization
 from flexel.mechanics.steadiness import acceleration, check_steady
 from flexel.mechanics.transfer import Transfer
 from flexel.structure.state import State
 
 
-@dataclass(frozen=True)
-class Linearization(Portable):
+@dataclass(frozen=True, repr=False)
+class Linearization(ShownLinearization, Portable):
     """Linearized equations about a state.
 
     Attributes
@@ -119,7 +121,7 @@ class Linearization(Portable):
         """
         return acceleration(self.M, self.transfer.H[:, : len(self.dynamic)], self.state)
 
-    def modes(self) -> list[Mode]:
+    def modes(self) -> Listing[Mode]:
         """Modes, one for each complex pair (that with positive imaginary part); sorts and warns as `eigenvalues`."""
         check_steady("modes", self.acceleration)
         return modes_of(self.state_matrix, self.dofs + self.internal, len(self.dynamic))

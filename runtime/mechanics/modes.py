@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -12,6 +12,7 @@ from flexel.base.arguments import names as checked_names
 from flexel.base.arguments import not_negative
 from flexel.base.arrays import Array, ComplexArray, Index
 from flexel.base.errors import LinearizationError
+from flexel.base.shown import Listing
 from flexel.engine.solvers import eigenvalues, solved
 from flexel.mechanics.rigid import spectrum
 
@@ -34,6 +35,20 @@ class Mode:
     eigenvalue: complex
     shape: dict[str, complex]
     participation: dict[str, float]
+
+    HEAD: ClassVar[tuple[str, ...]] = ("mode", "eigenvalue [1/s]", "frequency [Hz]", "damping")
+
+    def row(self) -> tuple[str, ...]:
+        """Its line in a table of modes."""
+        return self.name, self._eigenvalue, f"{self.hertz:.5g}", f"{self.damping:.4g}"
+
+    def __repr__(self) -> str:
+        return f"Mode({self.name}: eigenvalue {self._eigenvalue}, {self.hertz:.5g} Hz, damping {self.damping:.4g})"
+
+    @property
+    def _eigenvalue(self) -> str:
+        z = self.eigenvalue
+        return f"{z:.5g}" if z.imag else f"{z.real:.5g}"
 
     @property
     def name(self) -> str:
@@ -133,7 +148,7 @@ def check_decoupled(
                 )
 
 
-def modes_of(state_matrix: Array, names: tuple[str, ...], nd: int) -> list[Mode]:
+def modes_of(state_matrix: Array, names: tuple[str, ...], nd: int) -> Listing[Mode]:
     """Modes of first-order equations for (q_d', q_d, q_k, z), one for each complex pair, sorted as the eigenvalues.
 
     The `names` are those of (q_d, q_k, z); the first `nd` of them are dynamic.
@@ -142,7 +157,7 @@ def modes_of(state_matrix: Array, names: tuple[str, ...], nd: int) -> list[Mode]
     scale = float(np.max(np.abs(w), initial=1e-300))
     keep = [i for i in range(w.size) if w[i].imag >= -1e-12 * scale]
     keep.sort(key=lambda i: (round(float(w[i].real) / scale, 11), float(w[i].imag)))
-    return [_mode(complex(w[i]), left[:, i], right[:, i], names, nd) for i in keep]
+    return Listing(_mode(complex(w[i]), left[:, i], right[:, i], names, nd) for i in keep)
 
 
 def _mode(value: complex, left: ComplexArray, right: ComplexArray, names: tuple[str, ...], nd: int) -> Mode:

@@ -62,6 +62,9 @@ class Motion(Sequence[State]):
     def __iter__(self) -> Iterator[State]:
         return iter(self._states)
 
+    def __repr__(self) -> str:
+        return f"Motion({len(self)} states, t = {self.t[0]:g} … {self.t[-1]:g} s; {self.message})"
+
     def __getitem__(self, key: Any) -> Any:
         if isinstance(key, str):
             return self.series(key)[0]

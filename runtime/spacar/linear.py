@@ -11,6 +11,7 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
+from flexel.base.shown import Listing
 from flexel.spacar.file import SpacarFile
 from flexel.statics.path import equilibrium
 from flexel.statics.stability import BucklingMode, Vibration
@@ -124,11 +125,11 @@ class LinearModels(SpacarFile):
             y[:, None] * D / u,
         )
 
-    def frequencies(self, state: State | None = None, count: int = 10) -> list[Vibration]:
+    def frequencies(self, state: State | None = None, count: int = 10) -> Listing[Vibration]:
         """Lowest natural frequencies [rad/s] and modes; about the static equilibrium if no state is given."""
         return self.system.vibrations(state, count=count)
 
-    def buckling(self, count: int = 5) -> list[BucklingMode]:
+    def buckling(self, count: int = 5) -> Listing[BucklingMode]:
         """Multipliers of the file's loads at which the mechanism buckles, from its unloaded equilibrium.
 
         Raises

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from scipy.linalg import eigh
@@ -18,6 +18,7 @@ from scipy.sparse.linalg import LinearOperator, eigsh, splu
 from flexel.base.arguments import numbers, whole
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError, ModelError
+from flexel.base.shown import Listing
 from flexel.mechanics.core import Core
 from flexel.mechanics.diagnose import null_space
 from flexel.statics.equilibrium import Equations, Rest
@@ -41,8 +42,17 @@ class BucklingMode:
     multiplier: float
     shape: dict[str, float]
 
+    HEAD: ClassVar[tuple[str, ...]] = ("multiplier", "largest changes")
 
-def buckling(system: Core, state: State, increment: Mapping[str, float], count: int) -> list[BucklingMode]:
+    def row(self) -> tuple[str, ...]:
+        """Its line in a table of modes."""
+        return f"{self.multiplier:.6g}", largest(self.shape)
+
+    def __repr__(self) -> str:
+        return f"BucklingMode(multiplier {self.multiplier:.6g}: {largest(self.shape)})"
+
+
+def buckling(system: Core, state: State, increment: Mapping[str, float], count: int) -> Listing[BucklingMode]:
     """Buckling multipliers of a load increment at a preloaded state; see `System.buckling`.
 
     Parameters
@@ -83,7 +93,7 @@ def buckling(system: Core, state: State, increment: Mapping[str, float], count: 
         ) from error
     modes = [(-1.0 / wi, V[:, i]) for i, wi in enumerate(w) if abs(wi) > 1e-12 * np.abs(w).max(initial=0.0)]
     modes.sort(key=lambda z: (abs(z[0]), -z[0]))
-    return [BucklingMode(float(z), _shape(system, v)) for z, v in modes[:count]]
+    return Listing(BucklingMode(float(z), _shape(system, v)) for z, v in modes[:count])
 
 
 def _by_load(problem: Rest, q: Equations, load: Array) -> Any:
@@ -132,13 +142,22 @@ class Vibration:
     omega: float
     shape: dict[str, float]
 
+    HEAD: ClassVar[tuple[str, ...]] = ("frequency [rad/s]", "[Hz]", "largest changes")
+
+    def row(self) -> tuple[str, ...]:
+        """Its line in a table of vibrations."""
+        return f"{self.omega:.6g}", f"{self.hertz:.6g}", largest(self.shape)
+
+    def __repr__(self) -> str:
+        return f"Vibration({self.omega:.6g} rad/s, {self.hertz:.6g} Hz: {largest(self.shape)})"
+
     @property
     def hertz(self) -> float:
         """Frequency [Hz], negative, like `omega`, if the equilibrium is unstable."""
         return self.omega / (2 * np.pi)
 
 
-def vibrations(system: Core, state: State, count: int) -> list[Vibration]:
+def vibrations(system: Core, state: State, count: int) -> Listing[Vibration]:
     """Lowest natural frequencies and modes about a state of rest; see `System.vibrations`."""
     problem = Rest(system, state)
     q = problem.equations(state.t, state.x, problem.multipliers(state), state.e)
@@ -147,7 +166,7 @@ def vibrations(system: Core, state: State, count: int) -> list[Vibration]:
     M = problem.work.tables.T.pattern.matrix(problem.free)
     w2, V = _lowest(problem, q, M, count)
     found = [(np.sign(z) * np.sqrt(abs(z)), V[:, i]) for i, z in enumerate(w2)]
-    return [Vibration(float(z), _shape(system, v)) for z, v in found[:count]]
+    return Listing(Vibration(float(z), _shape(system, v)) for z, v in found[:count])
 
 
 def _admitted(problem: Rest, q: Equations) -> tuple[Array, Array]:
@@ -230,3 +249,9 @@ def _shape(system: Core, dx: Array) -> dict[str, float]:
     first = s.m + s.k
     pivot = dx[int(np.argmax(np.abs(dx)))] if dx.size else 1.0
     return {s.names[first + i]: float(z / pivot) for i, z in enumerate(dx)}
+
+
+def largest(shape: Mapping[str, float], count: int = 3) -> str:
+    """The largest changes of a shape, by name."""
+    order = sorted(shape, key=lambda name: -abs(shape[name]))[:count]
+    return ", ".join(f"{name} {shape[name]:.3g}" for name in order if shape[name])

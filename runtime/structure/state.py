@@ -9,6 +9,8 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
+from flexel.base.shown import Table, listed
+from flexel.base.units import rate_unit
 from flexel.structure.roles import Roles
 from flexel.structure.structure import Structure
 
@@ -93,6 +95,22 @@ class State:
     def structure(self) -> Structure:
         """Names and index maps of the model."""
         return self.evaluation.structure
+
+    def __repr__(self) -> str:
+        names, values = self.structure.names, self.values
+        q = [f"{names[i]} = {values[i]:.6g}" for i in self.roles.dofs]
+        return f"State(t = {self.t:g} s{'; ' if q else ''}{listed(q)})"
+
+    def _repr_html_(self) -> str:
+        """The degrees of freedom with their rates, forces apart."""
+        s, rows = self.structure, []
+        for i in self.roles.dofs:
+            value, rate = (
+                f"{self.values[i]:.6g} {s.units[i]}",
+                f"{self.rates[i]:.6g} {rate_unit(s.units[i], 1)}",
+            )
+            rows.append((s.names[i], value, rate))
+        return Table(f"State at t = {self.t:g} s", ("degree of freedom", "value", "rate"), rows).html
 
     @property
     def J(self) -> Array:  # noqa: N802

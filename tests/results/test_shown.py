@@ -1,0 +1,109 @@
+"""What is printed in a shell, and shown in a notebook."""
+
+from html.parser import HTMLParser
+from typing import Any
+
+import pytest
+from mechanisms import cantilever, disc
+
+import flexel as fx
+from flexel.examples.bicycle import bicycle, model
+
+
+class Cells(HTMLParser):
+    """The texts of all cells of a table."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.found: list[str] = []
+        self.feed(text)
+
+    def handle_data(self, data: str) -> None:
+        self.found.append(data)
+
+
+def cells(shown: Any) -> list[str]:
+    return Cells(shown._repr_html_()).found
+
+
+def test_everything_has_a_short_line() -> None:
+    """One line for models, systems, states, motions and linearizations."""
+    system = bicycle()
+    motion = system.simulate(0.01, samples=3)
+    lines = {
+        "model": repr(model()),
+        "system": repr(system),
+        "state": repr(motion[0]),
+        "motion": repr(motion),
+        "linearization": repr(system.linearize()),
+        "mode": repr(system.linearize().modes()[0]),
+    }
+    assert all("\n" not in line and len(line) < 260 for line in lines.values()), lines
+    assert "hinge × 6" in lines["model"] and "5 points" in lines["model"]
+    assert lines["state"].startswith("State(t = 0 s; lean.angle = 0")
+    assert lines["motion"].startswith("Motion(3 states, t = 0 … 0.01 s; reached the end")
+    assert "lean.angle" in lines["linearization"] and "4 kinematic coordinates" in lines["linearization"]
+    assert repr(fx.Model()) == "Model(empty)"
+
+
+def test_modes_are_a_table() -> None:
+    """In a shell, in print, and as HTML with the same numbers."""
+    modes = bicycle().linearize().modes()
+    lines = repr(modes).splitlines()
+    assert len(lines) == len(modes) + 1
+    assert lines[0].split()[0] == "mode" and lines[1].split()[:2] == ["steer.angle", "-5.5309"]
+    assert "-5.5309" in cells(modes)
+    assert modes[1:] == list(modes)[1:] and isinstance(modes, list)
+
+
+def test_vibrations_and_buckling_are_tables() -> None:
+    system = cantilever()
+    for found, head in (
+        (system.vibrations(count=3), "frequency [rad/s]"),
+        (system.buckling(increment={"A.x": -1.0}, count=2), "multiplier"),
+    ):
+        assert repr(found).startswith(head) and len(repr(found).splitlines()) == len(found) + 1
+        assert head in cells(found)
+
+
+def test_a_linearization_shows_its_modes_in_a_notebook() -> None:
+    """Also about a state that accelerates, with a note."""
+    assert "-5.5309" in cells(bicycle().linearize())
+    system = disc().build()
+    tilted = system.state_at({"lean.angle": 0.3})
+    assert "the state accelerates" in system.linearize(tilted)._repr_html_()
+
+
+def test_a_summary_names_what_a_system_is() -> None:
+    text = repr(bicycle().summary())
+    for part in (
+        "3: lean.angle, steer.angle",
+        "rear contact.x",
+        "4 of them zero",
+        "3.13 to 5.53 1/s",
+        "DOP853 up to",
+    ):
+        assert part in text
+    assert "lean.angle" in bicycle()._repr_html_()
+
+
+def test_a_stiff_system_says_so() -> None:
+    """A mass on a stiff spring, beside one on a soft one."""
+    m = fx.Model()
+    for name, stiffness in (("soft", 1.0), ("hard", 1e10)):
+        m.point_mass(f"mass {name}", m.point(name, (0.0, 0.0)), 1.0)
+        m.fix(f"{name}.y")
+        m.point(f"{name} end", (1.0, 0.0), fixed=True)
+        m.truss(f"{name} bar", name, f"{name} end")
+        m.spring(f"{name} bar.elongation", stiffness)
+    text = repr(m.build().summary())
+    assert "generalized-alpha for longer motions (stiff)" in text and "1 to 1e+05 1/s" in text
+
+
+@pytest.mark.parametrize("count", [3, 100])
+def test_long_tables_are_cut(count: int) -> None:
+    from flexel.base.shown import Table
+
+    shown = Table("title", ("a", "b"), [(str(i), "<b>") for i in range(count)])
+    assert ("and 40 more" in shown.text) == (count == 100) == ("and 40 more" in shown.html)
+    assert "&lt;b&gt;" in shown.html
