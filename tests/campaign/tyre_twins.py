@@ -8,6 +8,7 @@ import numpy as np
 from campaign.algebra import body_rate, columns, cross, dot, norm, rotated
 from campaign.elastic import Stressed, rates
 from campaign.oracle import jacobian
+from campaign.twin import Twin
 from flexel.base.arrays import Array
 
 UP = (0.0, 0.0, 1.0)
@@ -46,8 +47,8 @@ class Wavy:
         return up / norm(up), above / norm(up), above
 
 
-class Tyre:
-    """The geometry of a tyre on the nodes hub and frame; coordinates (7,)."""
+class Tyre(Twin):
+    """The geometry of a tyre on the nodes hub and frame, without any force; coordinates (7,)."""
 
     def __init__(
         self, name: str, nodes: tuple[str, str], orientation: Array, options: Mapping[str, Any]
@@ -94,9 +95,10 @@ class Tyre:
         )
         return np.array(found)
 
-    def slips(self, x: Array) -> Array:
-        """Rows of the slips (6, 7) at real coordinates (7,)."""
-        return self.rates(np.repeat(x[:, None], 7, axis=1), np.eye(7))
+    def rows(self, x: Array) -> Array:
+        """The slips as rows (6, 7, …) by the rates of the coordinates."""
+        one = np.eye(7).reshape(7, 7, *(1,) * (x.ndim - 1))
+        return self.rates(x[:, None], one)
 
 
 def rotated_vector(lam: Array, vector: Array) -> Array:
@@ -170,6 +172,7 @@ def magic(now: Mapping[str, float], rate: Mapping[str, float], p: Mapping[str, A
 
 
 LAWS: dict[str, tuple[Law, tuple[str, ...]]] = {
+    "vertical_tyre": (vertical, ()),
     "linear_tyre": (linear, ()),
     "calspan_tyre": (calspan, ()),
     "magic_formula": (magic, ("kappa", "tan_alpha")),
@@ -185,7 +188,7 @@ class TyreForces(Stressed):
         self, tyre: Tyre, law: str, label: str, parameters: Mapping[str, Any], on: str = "deflection"
     ) -> None:
         self.tyre, self.nodes, self.on = tyre, tyre.nodes, on
-        self.law, own = LAWS.get(law, (vertical, ()))
+        self.law, own = LAWS[law]
         self.states = tuple(f"{label}.{z}" for z in own)
         self._own, self.parameters = own, parameters
         self.conserves = law == "vertical_tyre" and not parameters["damping"]
@@ -198,7 +201,7 @@ class TyreForces(Stressed):
 
     def force(self, x: Array, v: Array, z: Array, t: float) -> Array:  # noqa: ARG002 (no law depends on time)
         sigma, tau, _ = self._found(x, v, z)
-        De, V = jacobian(self.tyre.places, x), self.tyre.slips(x)
+        De, V = jacobian(self.tyre.places, x), self.tyre.rows(x)
         f = np.zeros_like(x)
         for name, value in sigma.items():
             f -= value * De[PLACES.index(name)]

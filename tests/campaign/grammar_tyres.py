@@ -1,0 +1,133 @@
+"""Wheels on compliant tyres at random slip: one alone, and two on a body, on planes and on waves."""
+
+from typing import Any
+
+import numpy as np
+from hypothesis import strategies as st
+
+from campaign.algebra import about, product, rotated
+from campaign.calls import Call, Case, Made, call
+from campaign.families import FAMILIES
+from campaign.grammar_beams import numbers, vectors
+
+Draw = Any
+SIDE = ("deflection", "camber", "forward", "sideways", "lateral", "spin")
+MAGIC = ("deflection", "camber", "forward", "rolling", "longitudinal", "lateral", "spin")
+CALSPAN = {
+    "A": (2625.0, 14.47, 12930.0, 2.29, 18175.0),
+    "B": (-0.464e-4, 1.216, 2.18e-11),
+    "SN": 1.0274,
+    "AF": (-0.171e-4, 0.171e-4),
+}
+RADIUS = 0.35
+
+
+def _magic(draw: Draw) -> dict[str, Any]:
+    """A Magic Formula, with initial slips."""
+    return {
+        "load0": 4000.0,
+        "rolling_radius": draw(numbers(0.3, 0.36)),
+        "friction": (draw(numbers(0.6, 1.2)), draw(numbers(-0.2, 0.0))),
+        "slip_stiffness": draw(numbers(10, 25)),
+        "cornering": (draw(numbers(8, 20)), draw(numbers(1.5, 3))),
+        "camber_stiffness": draw(numbers(0.2, 1)),
+        "shape": (draw(numbers(1.2, 1.6)), draw(numbers(-1, 0.5))),
+        "trail": (draw(numbers(0.0, 0.05)), draw(numbers(2, 10))),
+        "relaxation": (draw(numbers(0.1, 0.5)), draw(numbers(0.2, 0.8))),
+        "initial": {"kappa": draw(numbers(-0.2, 0.2)), "tan_alpha": draw(numbers(-0.3, 0.3))},
+    }
+
+
+def _law(draw: Draw, tyre: str) -> Call:
+    """A law on a tyre."""
+    law = draw(st.sampled_from(["vertical_tyre", "linear_tyre", "calspan_tyre", "magic_formula"]))
+    more: dict[str, Any] = {"stiffness": draw(numbers(5e4, 2e5)), "damping": draw(st.sampled_from([0.0, 300.0]))}
+    if law == "vertical_tyre":
+        return call("attach", law, [f"{tyre}.{draw(st.sampled_from(['drop', 'deflection']))}"], **more)
+    if law == "magic_formula":
+        return call("attach", law, [f"{tyre}.{z}" for z in MAGIC], name=f"rubber of {tyre}", **more, **_magic(draw))
+    more["standstill"] = draw(numbers(0.1, 3))
+    if law == "calspan_tyre":
+        more |= CALSPAN
+    else:
+        more |= {"cornering": draw(numbers(1e4, 5e4)), "camber_stiffness": draw(numbers(0, 7e3)), "trail": 0.06}
+    return call("attach", law, [f"{tyre}.{z}" for z in SIDE], **more)
+
+
+def _road(draw: Draw) -> dict[str, Any]:
+    """A plane that may be tilted, or waves."""
+    kind = draw(st.sampled_from(["flat", "tilted", "waves"]))
+    if kind == "flat":
+        return {}
+    if kind == "tilted":
+        return {"normal": (*draw(vectors(2, 0.1)), 1.0), "height": draw(numbers(-0.01, 0.01))}
+    heading = draw(numbers(-3, 3))
+    waves = {"start": -20.0, "count": 10.0, "heading": (float(np.cos(heading)), float(np.sin(heading)))}
+    return {"road": Made("Waves", (draw(numbers(0.005, 0.05)), 5.0), waves)}
+
+
+def _leaning(draw: Draw) -> Any:
+    """Orientation of a wheel whose axle is its y axis."""
+    yaw, lean = about((0, 0, 1), draw(numbers(-0.7, 0.7))), about((1, 0, 0), draw(numbers(-0.4, 0.4)))
+    return product(yaw, lean)
+
+
+def _wheel(draw: Draw, hub: str, frame: str, turn: Any, road: dict[str, Any]) -> list[Call]:
+    """The tyre of a wheel and its law."""
+    axle = tuple(rotated(turn, np.array([0.0, 1.0, 0.0])).tolist())
+    crown = draw(st.sampled_from([0.0, 0.05]))
+    name = f"{frame} tyre"
+    return [call("tyre", name, hub, frame, radius=RADIUS, axle=axle, crown=crown, **road), _law(draw, name)]
+
+
+@st.composite
+def wheels(draw: Draw) -> Case:
+    """A wheel alone."""
+    turn = _leaning(draw)
+    held = int(np.argmax(np.abs(turn)))
+    moment = numbers(1.0, 1.5)
+    height = draw(numbers(0.24, 0.33))
+    free = [f"wheel.lambda{i}" for i in range(4) if i != held]
+    calls = [
+        call("point", "hub", (draw(numbers(-1, 1)), draw(numbers(-1, 1)), height)),
+        call("frame", "wheel", tuple(turn.tolist())),
+        call("body", "rim", "hub", "wheel", mass=draw(numbers(20, 60)), inertia=draw(st.tuples(moment, moment, moment))),
+        *_wheel(draw, "hub", "wheel", turn, _road(draw)),
+        call("independent", "hub.x", "hub.y", "hub.z", *free),
+    ]
+    rates = (draw(numbers(1, 15)), *draw(vectors(2, 3.0)), *draw(vectors(3, 5.0)))
+    return Case("tyre", (0.0, 0.0, -9.81), tuple(calls), rates, 0.02)
+
+
+@st.composite
+def carts(draw: Draw) -> Case:
+    """A body on two wheels, one behind the other, that turn on hinges."""
+    road = _road(draw)
+    turn = _leaning(draw)
+    height = draw(numbers(0.26, 0.33))
+    calls = [
+        call("point", "C", (0.0, 0.0, height)),
+        call("frame", "chassis", tuple(turn.tolist())),
+        call("body", "frame", "C", "chassis", mass=60.0, inertia=(8.0, 9.0, 10.0), offset=draw(vectors(3, 0.2))),
+    ]
+    axle = tuple(rotated(turn, np.array([0.0, 1.0, 0.0])).tolist())
+    for name, x in (("front", draw(numbers(0.5, 0.8))), ("rear", draw(numbers(-0.8, -0.5)))):
+        hub = rotated(turn, np.array([x, 0.0, 0.0])) + [0.0, 0.0, height]
+        calls += [
+            call("point", f"{name} hub", tuple(hub.tolist())),
+            call("frame", name, tuple(turn.tolist())),
+            call("body_point", f"{name} arm", "C", "chassis", f"{name} hub"),
+            call("hinge", f"{name} axle", "chassis", name, axis=axle),
+            call("body", f"{name} rim", f"{name} hub", name, mass=15.0, inertia=(0.6, 1.0, 0.6)),
+            *_wheel(draw, f"{name} hub", name, turn, road),
+        ]
+    held = int(np.argmax(np.abs(turn)))
+    free = [f"chassis.lambda{i}" for i in range(4) if i != held]
+    calls.append(call("independent", "C.x", "C.y", "C.z", *free, "front axle.angle", "rear axle.angle"))
+    spin = st.tuples(*[numbers(10, 40)] * 2)
+    rates = (draw(numbers(4, 12)), *draw(vectors(2, 1.0)), *draw(vectors(3, 0.5)), *draw(spin))
+    return Case("cart", (0.0, 0.0, -9.81), tuple(calls), rates, 0.02)
+
+
+FAMILIES["tyres"] = wheels()
+FAMILIES["carts"] = carts()
