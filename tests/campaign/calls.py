@@ -9,7 +9,7 @@ import numpy as np
 import flexel as fx
 from flexel.base.arrays import Array
 
-SUFFIXES = {"frame": tuple(f"lambda{i}" for i in range(4)), "angle": ("angle",), "point": ("x", "y", "z")}
+SUFFIXES = {"frame": tuple(f"lambda{i}" for i in range(4)), "angle": ("angle",)}  # of others: x, y, z
 
 
 @dataclass(frozen=True)
@@ -167,13 +167,19 @@ class Node:
     @property
     def names(self) -> tuple[str, ...]:
         """Names of its coordinates."""
-        return tuple(f"{self.name}.{z}" for z in SUFFIXES[self.kind][: self.drawn.size])
+        return tuple(f"{self.name}.{z}" for z in SUFFIXES.get(self.kind, "xyz")[: self.drawn.size])
 
 
 def drawn_nodes(case: Case) -> dict[str, Node]:
     """Nodes by name, with the coordinates that ``m.fix`` and ``fixed=True`` hold."""
     found: dict[str, Node] = {}
     for z in case.calls:
+        if z.method == "slope":
+            line = np.array(z.args[1], float)
+            line *= z.options.get("stretch", 1.0) / np.linalg.norm(line)
+            found[z.name] = Node(
+                z.name, z.method, line, np.full(line.size, bool(z.options.get("fixed", False)))
+            )
         if z.method in ("point", "frame", "angle"):
             default = {"frame": (1.0, 0.0, 0.0, 0.0), "angle": 0.0, "point": ()}[z.method]
             keyword = {"frame": "orientation", "angle": "value", "point": "position"}[z.method]

@@ -41,16 +41,25 @@ def _magic(draw: Draw) -> dict[str, Any]:
 def _law(draw: Draw, tyre: str) -> Call:
     """A law on a tyre."""
     law = draw(st.sampled_from(["vertical_tyre", "linear_tyre", "calspan_tyre", "magic_formula"]))
-    more: dict[str, Any] = {"stiffness": draw(numbers(5e4, 2e5)), "damping": draw(st.sampled_from([0.0, 300.0]))}
+    more: dict[str, Any] = {
+        "stiffness": draw(numbers(5e4, 2e5)),
+        "damping": draw(st.sampled_from([0.0, 300.0])),
+    }
     if law == "vertical_tyre":
         return call("attach", law, [f"{tyre}.{draw(st.sampled_from(['drop', 'deflection']))}"], **more)
     if law == "magic_formula":
-        return call("attach", law, [f"{tyre}.{z}" for z in MAGIC], name=f"rubber of {tyre}", **more, **_magic(draw))
+        return call(
+            "attach", law, [f"{tyre}.{z}" for z in MAGIC], name=f"rubber of {tyre}", **more, **_magic(draw)
+        )
     more["standstill"] = draw(numbers(0.1, 3))
     if law == "calspan_tyre":
         more |= CALSPAN
     else:
-        more |= {"cornering": draw(numbers(1e4, 5e4)), "camber_stiffness": draw(numbers(0, 7e3)), "trail": 0.06}
+        more |= {
+            "cornering": draw(numbers(1e4, 5e4)),
+            "camber_stiffness": draw(numbers(0, 7e3)),
+            "trail": 0.06,
+        }
     return call("attach", law, [f"{tyre}.{z}" for z in SIDE], **more)
 
 
@@ -91,7 +100,14 @@ def wheels(draw: Draw) -> Case:
     calls = [
         call("point", "hub", (draw(numbers(-1, 1)), draw(numbers(-1, 1)), height)),
         call("frame", "wheel", tuple(turn.tolist())),
-        call("body", "rim", "hub", "wheel", mass=draw(numbers(20, 60)), inertia=draw(st.tuples(moment, moment, moment))),
+        call(
+            "body",
+            "rim",
+            "hub",
+            "wheel",
+            mass=draw(numbers(20, 60)),
+            inertia=draw(st.tuples(moment, moment, moment)),
+        ),
         *_wheel(draw, "hub", "wheel", turn, _road(draw)),
         call("independent", "hub.x", "hub.y", "hub.z", *free),
     ]
@@ -108,7 +124,9 @@ def carts(draw: Draw) -> Case:
     calls = [
         call("point", "C", (0.0, 0.0, height)),
         call("frame", "chassis", tuple(turn.tolist())),
-        call("body", "frame", "C", "chassis", mass=60.0, inertia=(8.0, 9.0, 10.0), offset=draw(vectors(3, 0.2))),
+        call(
+            "body", "frame", "C", "chassis", mass=60.0, inertia=(8.0, 9.0, 10.0), offset=draw(vectors(3, 0.2))
+        ),
     ]
     axle = tuple(rotated(turn, np.array([0.0, 1.0, 0.0])).tolist())
     for name, x in (("front", draw(numbers(0.5, 0.8))), ("rear", draw(numbers(-0.8, -0.5)))):
