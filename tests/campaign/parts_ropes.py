@@ -11,14 +11,13 @@ from campaign.parts import Drawing, handler
 from campaign.parts_bodies import held_in_body
 from campaign.rope_twins import Cable
 from campaign.twin import Twin
-from flexel.base.arrays import Array
 from flexel.rope.cable_lines import CableLine
 
 UP = (0.0, 0.0, 1.0)
 
 
 class Line(Made):
-    """The cables of a rope as the argument of its contact: name, elements, undeformed arc length of the nodes, radius."""
+    """The cables of a rope as the argument of its contact: name, elements, undeformed lengths, radius."""
 
     def __init__(self, name: str, elements: tuple[str, ...], s: tuple[float, ...], radius: float) -> None:
         super().__init__("rope.cable_lines.CableLine", (name, elements, (), (), s, radius))
