@@ -2,6 +2,15 @@
 
 from hypothesis.strategies import SearchStrategy
 
+import campaign.changes_of_calls
+import campaign.parts_bodies
+import campaign.parts_forces
+import campaign.parts_joints
+import campaign.parts_wheels
+import campaign.pool  # noqa: F401 (each registers what its calls mean)
 from campaign.calls import Case
+from campaign.grammar_chains import CHAINS
+from campaign.grammar_loops import LOOPS
+from campaign.grammar_wheels import WHEELS
 
-FAMILIES: dict[str, SearchStrategy[Case]] = {}
+FAMILIES: dict[str, SearchStrategy[Case]] = {**CHAINS, **LOOPS, **WHEELS}

@@ -93,6 +93,8 @@ def _spring(drawing: Drawing, call: Call) -> None:
     measure = drawing.measured(name)
     drawing.free(name)
     free, preload = call.options.get("free_length") or 0.0, call.options.get("preload") or 0.0
+    if free and name.endswith(".elongation"):  # given as the length of the bar
+        free -= float(np.linalg.norm(np.subtract(*(drawing.x(z) for z in measure.nodes))))
     drawing.twins.append(Spring(measure, k, c, free, preload))
 
 

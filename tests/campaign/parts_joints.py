@@ -83,20 +83,22 @@ def _hinge(drawing: Drawing, call: Call) -> None:
 @handler("bearing", options="axis")
 def _bearing(drawing: Drawing, call: Call) -> None:
     name, p, rp, q, rq = call.args
-    held_in_body(drawing, name, p, rp, q)
     if len(drawing.gravity) == 2:
+        held_in_body(drawing, name, p, rp, q)
         drawn = drawing.x(rp, rq)
         drawing.measure(f"{name}.angle", (rp, rq), lambda x: x[1] - x[0] - (drawn[1] - drawn[0]), False)
         return
     axis = np.array(call.options["axis"], float)
     hinged(drawing, name, rp, rq, axis)
-    e = rotated(conjugate(drawing.x(rp)), axis / np.linalg.norm(axis))
-    start = axis / np.linalg.norm(axis) @ (drawing.x(q) - drawing.x(p))
+    sides = zip(("axial", "#3", "#4"), (axis / np.linalg.norm(axis), *across(axis)), strict=True)
+    for what, side in sides:
+        e = rotated(conjugate(drawing.x(rp)), side)
+        start = float(side @ (drawing.x(q) - drawing.x(p)))
 
-    def axial(x: Array) -> Array:
-        return dot(rotated(x[3:7], e), x[7:] - x[:3]) - start
+        def distance(x: Array, e: Array = e, start: float = start) -> Array:
+            return dot(rotated(x[3:7], e), x[7:] - x[:3]) - start
 
-    drawing.measure(f"{name}.axial", (p, rp, q), axial, False)  # rigid by the three conditions above
+        drawing.measure(f"{name}.{what}", (p, rp, q), distance, True)
 
 
 @handler("gear", options="radius_p radius_q")

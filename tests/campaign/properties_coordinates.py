@@ -1,0 +1,80 @@
+"""Properties under another choice of degrees of freedom, also a bad one."""
+
+import numpy as np
+
+import flexel as fx
+from campaign.changes import Inapplicable
+from campaign.oracle import RANK
+from campaign.trial import Trial, off
+from flexel.base.arrays import Array
+
+NEAR = 1e-3  # smallest singular value of constraints at an equilibrium that is examined
+BAD = 0.03  # of the motion left by the coordinates chosen before, the least that a further one must show
+
+
+def free_motions(trial: Trial, x: Array, v: Array) -> Array:
+    """An orthonormal basis (n, nd) of the rates that all constraints admit."""
+    _, C, _, _ = trial.oracle.holonomic(x, v, trial.start.t)
+    S, _ = trial.oracle.rolling(x, v)
+    A = np.concatenate([C, S])[:, trial.oracle.free]
+    if not len(A):
+        return np.eye(trial.oracle.free.size)
+    _, s, Vt = np.linalg.svd(A)
+    return np.asarray(Vt[int(np.sum(s > RANK * s[0])) :].T)
+
+
+def other_names(trial: Trial, state: fx.State) -> tuple[str, ...]:
+    """Coordinates that determine the motion, picked in a scattered order that the case fixes; often bad ones."""
+    Z = free_motions(trial, trial.x(state), trial.v(state))
+    names = [trial.oracle.names[i] for i in trial.oracle.free]
+    rng = np.random.default_rng([round(1e3 * abs(z)) for z in trial.case.rates])
+    chosen: list[str] = []
+    left = Z.copy()
+    for i in rng.permutation(len(names)):
+        size = float(np.linalg.norm(left[i]))
+        if size > BAD and len(chosen) < Z.shape[1]:
+            chosen.append(names[i])
+            row = left[i] / size
+            left = left - np.outer(left @ row, row)
+    if len(chosen) < Z.shape[1] or set(chosen) == set(trial.system.dynamic):
+        raise Inapplicable("no other coordinates at hand")
+    return tuple(chosen)
+
+
+def other_coordinates(trial: Trial) -> float:
+    """Accelerations in other degrees of freedom are the same."""
+    start = trial.start
+    if not trial.moving:
+        raise Inapplicable("nothing moves freely")
+    m = trial.model()
+    m.independent(*other_names(trial, start))
+    same = m.build().state(start.t, start.x, start.v, z=start.z)
+    a = trial.a(start)
+    return off(trial.a(same), a, max(1.0, float(np.max(np.abs(a), initial=0.0))))
+
+
+def eigenvalues(trial: Trial) -> float:
+    """Eigenvalues about an equilibrium do not depend on the choice of degrees of freedom."""
+    if not trial.moving or not trial.oracle.conserves or trial.system.kinematic:
+        raise Inapplicable("no equilibrium is looked for")
+    try:
+        rest = trial.system.equilibrium(stable=True)
+    except (fx.PositionError, fx.DynamicsError):
+        raise Inapplicable("no equilibrium is found") from None
+    if trial.oracle.solve(trial.x(rest), trial.v(rest), {}, rest.t).gap < NEAR:
+        raise Inapplicable("the equilibrium is nearly singular")
+    names = other_names(trial, rest)
+    rows = [i for i, k in enumerate(trial.oracle.free) if trial.oracle.names[k] in names]
+    if np.linalg.svd(free_motions(trial, trial.oracle.drawn, 0 * trial.oracle.drawn)[rows])[1][-1] < NEAR:
+        raise Inapplicable("other coordinates are singular as drawn")
+    m = trial.model()
+    m.independent(*names)
+    other = m.build()
+    second = other.linearize(other.state(rest.t, rest.x, 0 * rest.v))
+    return polynomials(trial.system.linearize(rest).eigenvalues(), second.eigenvalues())
+
+
+def polynomials(first: Array, second: Array) -> float:
+    """Difference of two spectra by the coefficients of their polynomials, which multiple roots leave smooth."""
+    scale = max(float(np.max(np.abs(first))), 1e-3)
+    return off(np.poly(second / scale), np.poly(first / scale), 1.0)
