@@ -61,7 +61,7 @@ def _beam(change: Change, call: Call, case: Case) -> Call:
         turned = (
             np.array([-1.0, -1.0, 1.0]) if bend.size == 3 else -1.0
         )  # the z axis of the section is turned over
-        new = options(new, initial_curvature=_numbers(bend * turned if change.mirror else bend))
+        new = options(new, initial_curvature=bend * turned if change.mirror else bend)
     return new
 
 

@@ -9,12 +9,10 @@ from hypothesis import strategies as st
 
 from campaign.algebra import norm
 from campaign.calls import Call, Case, Made, call
-from campaign.families import FAMILIES
 
 Draw = Any
 STIFFNESS = {"EA": (100.0, 2000.0), "GJ": (0.5, 5.0), "EIy": (1.0, 12.0), "EIz": (1.0, 12.0)}
-MODES = {"EA": ("elongation",), "GJ": ("torsion",), "EIy": ("bend1", "bend2"), "EIz": ("bend3", "bend4")}
-PLANAR_MODES = {"EA": ("elongation",), "EIz": ("bend1", "bend2")}
+PLANAR = ("EA", "EIz")
 BASES = ("clamped", "hinged", "turned", "shaken", "free")
 
 
@@ -51,8 +49,6 @@ class Frame:
     size: int
     calls: list[Call] = field(default_factory=list)
     places: list[tuple[float, ...]] = field(default_factory=list)
-    chosen: list[str] = field(default_factory=list)
-    starts: list[Call] = field(default_factory=list)
 
     def node(self, place: Sequence[float], **options: Any) -> None:
         """The point P and the frame R of the next joint."""
@@ -83,9 +79,7 @@ class Frame:
             )
             axis = {} if self.size == 2 else {"axis": self.draw(directions(3))}
             self.calls += [call("fix", "P0"), ground, call("hinge", "hub", "ground", "R0", **axis)]
-            if kind == "hinged":
-                self.chosen.append("hub.angle")
-            else:
+            if kind == "turned":
                 rate = Made("Polynomial", ((0.0, self.draw(numbers(-4, 4)), self.draw(numbers(-3, 3))),))
                 self.calls.append(
                     call(
@@ -95,9 +89,9 @@ class Frame:
                     )
                 )
 
-    def properties(self, whole: bool) -> tuple[dict[str, Any], list[str]]:
-        """Options of a beam, and its flexible modes; all of them if it is whole."""
-        draw, modes = self.draw, PLANAR_MODES if self.size == 2 else MODES
+    def properties(self, whole: bool) -> dict[str, Any]:
+        """Options of a beam; all of its modes are flexible if it is whole."""
+        draw, modes = self.draw, PLANAR if self.size == 2 else tuple(STIFFNESS)
         chosen = (
             list(modes) if whole else draw(st.lists(st.sampled_from(list(modes)), min_size=1, unique=True))
         )
@@ -119,12 +113,12 @@ class Frame:
         if "EIz" in options and draw(st.booleans()):
             bend = draw(numbers(-0.2, 0.2))
             options["initial_curvature"] = bend if self.size == 2 else (0.0, 0.0, bend)
-        return options, [mode for z in chosen for mode in modes[z]]
+        return options
 
     def beam(self, i: int, j: int, tree: bool) -> None:
-        """A beam from joint i to joint j; in the tree its flexible modes are degrees of freedom, drawn deformed."""
+        """A beam from joint i to joint j; one that closes a loop is flexible in all of its modes."""
         name = f"B{j}" if tree else "closing"
-        options, modes = self.properties(whole=not tree)
+        options = self.properties(whole=not tree)
         line = np.subtract(self.places[j], self.places[i])
         if "direction" in options and np.linalg.norm(np.cross(line, options["direction"])) < 0.1:
             options["direction"] = tuple(np.roll(line, 1).tolist())
@@ -133,11 +127,6 @@ class Frame:
             self.calls.append(call("distributed_load", name, self.draw(vectors(self.size, 3.0))))
         if self.draw(st.integers(0, 5)) == 0:
             self.calls.append(call("mass_damping", name, self.draw(numbers(0.1, 2.0))))
-        if not tree:
-            return
-        for mode in modes:
-            self.chosen.append(f"{name}.{mode}")
-            self.starts.append(call("initial", f"{name}.{mode}", self.draw(numbers(-0.08, 0.08))))
 
     def load(self, i: int) -> None:
         """A body, a point mass or nothing at a joint."""
@@ -157,10 +146,10 @@ class Frame:
 
 
 @st.composite
-def frames(draw: Draw, size: int, bases: Sequence[str] = BASES, closed: bool | None = None) -> Case:
-    """A tree of one to three beams, perhaps closed by one more."""
+def frames(draw: Draw, size: int, closed: bool) -> Case:
+    """A tree of one to three beams, or one of two or three closed by one more."""
     frame = Frame(draw, size)
-    frame.base(base := draw(st.sampled_from(bases)))
+    frame.base(draw(st.sampled_from(BASES)))
     count = draw(st.integers(2 if closed else 1, 3))
     for j in range(1, count + 1):
         i = draw(st.integers(max(j - 2, 0), j - 1))
@@ -171,13 +160,22 @@ def frames(draw: Draw, size: int, bases: Sequence[str] = BASES, closed: bool | N
         frame.load(j)
     if closed and np.linalg.norm(np.subtract(frame.places[0], frame.places[count])) > 0.2:
         frame.beam(0, count, tree=False)
-    chosen = [] if base == "free" else [call("independent", *frame.chosen), *frame.starts]
+    offsets = draw(st.lists(numbers(-0.05, 0.05), min_size=3, max_size=7))
     rates = draw(st.lists(numbers(-1.0, 1.0), min_size=3, max_size=7))
     gravity = draw(vectors(size, 10.0))
-    return Case(f"beams {size}D", gravity, (*frame.calls, *chosen), tuple(rates), 0.03)
+    return Case(
+        f"{'closed ' * closed}{'planar' if size == 2 else 'spatial'} beams",
+        gravity,
+        tuple(frame.calls),
+        tuple(rates),
+        0.03,
+        offsets=tuple(offsets),
+    )
 
 
-FAMILIES["planar beams"] = frames(2)
-FAMILIES["spatial beams"] = frames(3)
-FAMILIES["closed planar beams"] = frames(2, closed=True)
-FAMILIES["closed spatial beams"] = frames(3, closed=True)
+BEAMS = {
+    "planar beams": frames(2, closed=False),
+    "spatial beams": frames(3, closed=False),
+    "closed planar beams": frames(2, closed=True),
+    "closed spatial beams": frames(3, closed=True),
+}

@@ -10,7 +10,6 @@ import numpy as np
 from hypothesis import strategies as st
 
 from campaign.calls import Call, Case, Made, call
-from campaign.families import FAMILIES
 from campaign.grammar_beams import numbers, vectors
 from campaign.parts_ropes import Line
 
@@ -113,7 +112,7 @@ def ropes(draw: Draw, size: int, most: int) -> Case:
     n = draw(st.integers(7, 9)) + 5 * (count - 1)
     calls += laid(gravity, calls, path, n, **options)
     rates = draw(st.lists(numbers(-0.3, 0.3), min_size=5, max_size=9))
-    return Case(f"rope {size}D", gravity, tuple(calls), tuple(rates), 0.01)
+    return Case(f"{'planar' if size == 2 else 'spatial'} ropes", gravity, tuple(calls), tuple(rates), 0.01)
 
 
 @st.composite
@@ -146,10 +145,18 @@ def cables(draw: Draw, size: int) -> Case:
         calls.append(call("clamp", "grip", "R", "d0"))
     calls.append(call("point_mass", "bob", names[-1], draw(numbers(0.5, 2))))
     rates = draw(st.lists(numbers(-1, 1), min_size=5, max_size=9))
-    return Case(f"cable {size}D", draw(vectors(size, 10.0)), tuple(calls), tuple(rates), 0.01)
+    return Case(
+        f"{'planar' if size == 2 else 'spatial'} cables",
+        draw(vectors(size, 10.0)),
+        tuple(calls),
+        tuple(rates),
+        0.01,
+    )
 
 
-FAMILIES["planar cables"] = cables(2)
-FAMILIES["spatial cables"] = cables(3)
-FAMILIES["planar ropes"] = ropes(2, 2)
-FAMILIES["spatial ropes"] = ropes(3, 1)
+ROPES = {
+    "planar cables": cables(2),
+    "spatial cables": cables(3),
+    "planar ropes": ropes(2, 2),
+    "spatial ropes": ropes(3, 1),
+}

@@ -7,7 +7,6 @@ from hypothesis import strategies as st
 
 from campaign.algebra import about, product, rotated
 from campaign.calls import Call, Case, Made, call
-from campaign.families import FAMILIES
 from campaign.grammar_beams import numbers, vectors
 
 Draw = Any
@@ -93,10 +92,8 @@ def _wheel(draw: Draw, hub: str, frame: str, turn: Any, road: dict[str, Any]) ->
 def wheels(draw: Draw) -> Case:
     """A wheel alone."""
     turn = _leaning(draw)
-    held = int(np.argmax(np.abs(turn)))
     moment = numbers(1.0, 1.5)
     height = draw(numbers(0.24, 0.33))
-    free = [f"wheel.lambda{i}" for i in range(4) if i != held]
     calls = [
         call("point", "hub", (draw(numbers(-1, 1)), draw(numbers(-1, 1)), height)),
         call("frame", "wheel", tuple(turn.tolist())),
@@ -109,10 +106,11 @@ def wheels(draw: Draw) -> Case:
             inertia=draw(st.tuples(moment, moment, moment)),
         ),
         *_wheel(draw, "hub", "wheel", turn, _road(draw)),
-        call("independent", "hub.x", "hub.y", "hub.z", *free),
     ]
-    rates = (draw(numbers(1, 15)), *draw(vectors(2, 3.0)), *draw(vectors(3, 5.0)))
-    return Case("tyre", (0.0, 0.0, -9.81), tuple(calls), rates, 0.02)
+    speeds = dict(
+        zip(("hub.x", "hub.y", "hub.z"), (draw(numbers(1, 15)), *draw(vectors(2, 3.0))), strict=True)
+    )
+    return Case("tyres", (0.0, 0.0, -9.81), tuple(calls), draw(vectors(4, 5.0)), 0.02, speeds=speeds)
 
 
 @st.composite
@@ -139,13 +137,13 @@ def carts(draw: Draw) -> Case:
             call("body", f"{name} rim", f"{name} hub", name, mass=15.0, inertia=(0.6, 1.0, 0.6)),
             *_wheel(draw, f"{name} hub", name, turn, road),
         ]
-    held = int(np.argmax(np.abs(turn)))
-    free = [f"chassis.lambda{i}" for i in range(4) if i != held]
-    calls.append(call("independent", "C.x", "C.y", "C.z", *free, "front axle.angle", "rear axle.angle"))
-    spin = st.tuples(*[numbers(10, 40)] * 2)
-    rates = (draw(numbers(4, 12)), *draw(vectors(2, 1.0)), *draw(vectors(3, 0.5)), *draw(spin))
-    return Case("cart", (0.0, 0.0, -9.81), tuple(calls), rates, 0.02)
+    ahead, aside = draw(numbers(4, 12)), draw(numbers(-1, 1))
+    speeds = {f"{z}.x": ahead for z in ("C", "front hub", "rear hub")} | {"C.y": aside}
+    speeds |= {"front axle.angle": draw(numbers(10, 40)), "rear axle.angle": draw(numbers(10, 40))}
+    return Case("carts", (0.0, 0.0, -9.81), tuple(calls), draw(vectors(3, 0.5)), 0.02, speeds=speeds)
 
 
-FAMILIES["tyres"] = wheels()
-FAMILIES["carts"] = carts()
+TYRES = {
+    "tyres": wheels(),
+    "carts": carts(),
+}

@@ -209,6 +209,9 @@ class TyreForces(Stressed):
             f -= value * V[RATES.index(name)]
         return f
 
+    def scaled(self, length: float, mirror: bool) -> Array:  # noqa: ARG002 (slips are relative)
+        return np.array([-1.0 if mirror and name == "tan_alpha" else 1.0 for name in self._own])
+
     def zdot(self, x: Array, v: Array, z: Array, t: float) -> Array:  # noqa: ARG002 (no law depends on time)
         found = self._found(x, v, z)[2]
         return np.array([found[name] for name in self._own])
