@@ -19,8 +19,9 @@ def unit_of(case: Case, name: str) -> str:
 
 
 def sign_of(change: Change, case: Case, name: str) -> float:
-    """Of a deformation under a reflection: angles of the plane change theirs."""
-    return change.sign if len(case.gravity) == 2 and name.endswith((".angle", ".mesh")) else 1.0
+    """Of a deformation under a reflection: angles of the plane change theirs, and so does a shift along an axis of turn."""
+    flat = len(case.gravity) == 2 and name.endswith((".angle", ".mesh"))
+    return change.sign if flat or name.endswith(".axial") else 1.0
 
 
 def deformation(case: Case, name: str) -> str:

@@ -8,7 +8,10 @@ from hypothesis import strategies as st
 from campaign.calls import Call, Case, Made, Own, call
 from campaign.numbers import Draw, directions, inertias, links, masses, moved, number, orientations, rates
 
-GRAVITY = {2: ((0.0, -9.81), (2.0, -5.0), (0.0, 0.0)), 3: ((0.0, 0.0, -9.81), (1.0, -2.0, -8.0), (0.0, 0.0, 0.0))}
+GRAVITY = {
+    2: ((0.0, -9.81), (2.0, -5.0), (0.0, 0.0)),
+    3: ((0.0, 0.0, -9.81), (1.0, -2.0, -8.0), (0.0, 0.0, 0.0)),
+}
 
 
 @dataclass

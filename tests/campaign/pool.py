@@ -102,7 +102,19 @@ def maxwell() -> CompiledLaw:
     energy = k.symbol * (e - creep) ** 2 / 2
     text = "sigma = k (e - creep)"
     return fx.compile_law(
-        Law("campaign_maxwell", text, (k, lag), (e,), (ed,), (), (force,), (), energy, "campaign", states=(state,))
+        Law(
+            "campaign_maxwell",
+            text,
+            (k, lag),
+            (e,),
+            (ed,),
+            (),
+            (force,),
+            (),
+            energy,
+            "campaign",
+            states=(state,),
+        )
     )
 
 

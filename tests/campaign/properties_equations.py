@@ -38,7 +38,9 @@ def accelerations(trial: Trial) -> float:
         raise Inapplicable("accelerations of massless parts are undetermined")
     scale = max(float(np.max(np.abs(a), initial=0.0)), 1.0)
     found = [off(trial.a(trial.start), a, scale)]
-    found += [off(np.array(trial.start.rate(z)), np.array(value), 1.0) for z, value in trial.answer.zd.items()]
+    found += [
+        off(np.array(trial.start.rate(z)), np.array(value), 1.0) for z, value in trial.answer.zd.items()
+    ]
     return max(found)
 
 
