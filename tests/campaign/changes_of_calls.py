@@ -19,7 +19,7 @@ def unit_of(case: Case, name: str) -> str:
 
 
 def sign_of(change: Change, case: Case, name: str) -> float:
-    """Of a deformation under a reflection: angles of the plane change theirs, and so does a shift along an axis of turn."""
+    """Of a deformation under a reflection: angles of the plane change theirs, and shifts along an axis of turn."""
     flat = len(case.gravity) == 2 and name.endswith((".angle", ".mesh"))
     return change.sign if flat or name.endswith(".axial") else 1.0
 

@@ -19,7 +19,7 @@ from campaign.verdict import Verdict, judged, tolerances
 Report = Callable[[int], None]
 
 
-class Failed(AssertionError):
+class ModelFailedError(AssertionError):
     """A model has failed a property; the text is the property and the program that makes the model."""
 
 
@@ -115,7 +115,7 @@ def run(
             verdict = judged(case)
             if verdict.failures and shrink:
                 last[:] = [verdict]
-                raise Failed(str(verdict))
+                raise ModelFailedError(str(verdict))
             found.add(verdict)
             if report is not None:
                 report(sum(found.families.values()))
@@ -131,7 +131,7 @@ def run(
         if share:
             try:
                 seeded(f"{seed} {name}")(drawn)()
-            except Failed:
+            except ModelFailedError:
                 found.add(last[0])
     return found.as_json(seed, time.monotonic() - begun)
 
