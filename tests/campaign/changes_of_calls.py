@@ -26,8 +26,8 @@ def unit_of(case: Case, name: str) -> str:
 
 
 def sign_of(change: Change, case: Case, name: str) -> float:
-    """Of a deformation under a reflection: angles of the plane change theirs."""
-    turned_over = (".angle", ".mesh", ".bend1", ".bend2") if len(case.gravity) == 2 else BENDING
+    """Of a deformation under a reflection: one about an axis of the plane or along an axis of turn changes its own."""
+    turned_over = (".angle", ".mesh", ".bend1", ".bend2") if len(case.gravity) == 2 else (".axial", *BENDING)
     return change.sign if name.endswith(turned_over) else 1.0
 
 

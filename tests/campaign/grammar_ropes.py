@@ -10,10 +10,9 @@ import numpy as np
 from hypothesis import strategies as st
 
 from campaign.calls import Call, Case, Made, call
-from campaign.grammar_beams import numbers, vectors
+from campaign.numbers import Draw, number, vectors
 from campaign.parts_ropes import Line
 
-Draw = Any
 AXLE = (0.0, 1.0, 0.0)
 RADIUS, THICK = 0.2, 0.005  # of sheaves at the rope's surface, of the rope [m]
 
@@ -21,8 +20,8 @@ RADIUS, THICK = 0.2, 0.005  # of sheaves at the rope's surface, of the rope [m]
 def _cable_properties(draw: Draw) -> dict[str, float]:
     """Soft cables: their waves are slow."""
     more = {"damping": 1e-3, "bending_damping": 1e-4} if draw(st.booleans()) else {}
-    EA, EI = draw(numbers(200, 2000)), draw(numbers(0.05, 0.5))
-    return {"EA": EA, "EI": EI, "mass_per_length": draw(numbers(0.3, 1.0)), **more}
+    EA, EI = draw(number(200, 2000)), draw(number(0.05, 0.5))
+    return {"EA": EA, "EI": EI, "mass_per_length": draw(number(0.3, 1.0)), **more}
 
 
 def _contact(draw: Draw) -> Made:
@@ -30,13 +29,13 @@ def _contact(draw: Draw) -> Made:
     friction = draw(st.sampled_from(["smooth", "coulomb", "bristles"]))
     options: dict[str, float] = {"exponent": draw(st.sampled_from([1.0, 1.5, 2.0]))}
     if draw(st.booleans()):
-        options["dissipation"] = draw(numbers(0.1, 2))
+        options["dissipation"] = draw(number(0.1, 2))
     if friction != "smooth":
-        options["friction"] = draw(numbers(0.1, 0.6))
-        options["slip_speed"] = draw(numbers(0.05, 0.2))
+        options["friction"] = draw(number(0.1, 0.6))
+        options["slip_speed"] = draw(number(0.05, 0.2))
     if friction == "bristles":
-        options |= {"bristle_stiffness": draw(numbers(50, 200)), "bristle_damping": draw(numbers(0.1, 0.5))}
-    return Made("Contact", (draw(numbers(3e4, 3e5)),), options)
+        options |= {"bristle_stiffness": draw(number(50, 200)), "bristle_damping": draw(number(0.1, 0.5))}
+    return Made("Contact", (draw(number(3e4, 3e5)),), options)
 
 
 def _in_plane(size: int, x: float, z: float) -> tuple[float, ...]:
@@ -45,7 +44,7 @@ def _in_plane(size: int, x: float, z: float) -> tuple[float, ...]:
 
 
 def _groove(draw: Draw, size: int) -> Made | None:
-    grooves = [None, Made("VGroove", (draw(numbers(0.6, 1.4)),)), Made("RoundGroove", (1.1 * THICK, 0.8))]
+    grooves = [None, Made("VGroove", (draw(number(0.6, 1.4)),)), Made("RoundGroove", (1.1 * THICK, 0.8))]
     return draw(st.sampled_from(grooves)) if size == 3 else None
 
 
@@ -54,7 +53,7 @@ def _sheaves(draw: Draw, size: int, count: int) -> list[Call]:
     turn, held = ("angle", {}) if size == 2 else ("frame", {"axis": AXLE})
     calls = [call(turn, "ground", fixed=True)]
     for i in range(count):
-        J = draw(numbers(0.02, 0.1))
+        J = draw(number(0.02, 0.1))
         groove = _groove(draw, size)
         more: dict[str, Any] = {} if size == 2 else {"axle": AXLE, **({"groove": groove} if groove else {})}
         calls += [
@@ -96,22 +95,22 @@ def ropes(draw: Draw, size: int, most: int) -> Case:
     gravity = _in_plane(size, 0.0, -9.81)
     count = draw(st.integers(1, most))
     calls = _sheaves(draw, size, count)
-    ends = (-RADIUS, -draw(numbers(0.15, 0.3))), (RADIUS + 0.7 * (count - 1), -draw(numbers(0.15, 0.3)))
+    ends = (-RADIUS, -draw(number(0.15, 0.3))), (RADIUS + 0.7 * (count - 1), -draw(number(0.15, 0.3)))
     for name, (x, z) in zip("AB", ends, strict=True):
         calls += [
             call("point", name, _in_plane(size, x, z)),
-            call("point_mass", f"mass {name}", name, draw(numbers(0.5, 2))),
+            call("point_mass", f"mass {name}", name, draw(number(0.5, 2))),
         ]
     path = ["A", *(f"sheave{i}" for i in range(count)), "B"]
     options = {
         "contact": _contact(draw),
         "radius": THICK,
-        "tension": draw(numbers(5, 20)),
+        "tension": draw(number(5, 20)),
         **_cable_properties(draw),
     }
     n = draw(st.integers(7, 9)) + 5 * (count - 1)
     calls += laid(gravity, calls, path, n, **options)
-    rates = draw(st.lists(numbers(-0.3, 0.3), min_size=5, max_size=9))
+    rates = draw(st.lists(number(-0.3, 0.3), min_size=5, max_size=9))
     return Case(f"{'planar' if size == 2 else 'spatial'} ropes", gravity, tuple(calls), tuple(rates), 0.01)
 
 
@@ -132,19 +131,19 @@ def cables(draw: Draw, size: int) -> Case:
     for i in range(n + 1):
         bend = np.array(draw(vectors(size, 0.3)))
         directions.append(step + bend)
-        calls.append(call("slope", f"d{i}", tuple((step + bend).tolist()), stretch=draw(numbers(0.95, 1.05))))
+        calls.append(call("slope", f"d{i}", tuple((step + bend).tolist()), stretch=draw(number(0.95, 1.05))))
         if i:
             place = place + 0.3 * (step + np.array(draw(vectors(size, 0.2))))
             calls.append(call("point", f"P{i}", tuple(place.tolist())))
             names.append(f"P{i}")
     options = _cable_properties(draw)
     for i in range(n):
-        l0 = draw(numbers(0.28, 0.34))
+        l0 = draw(number(0.28, 0.34))
         calls.append(call("cable", f"c{i}", f"P{i}", f"d{i}", f"P{i + 1}", f"d{i + 1}", l0, **options))
     if clamped:
         calls.append(call("clamp", "grip", "R", "d0"))
-    calls.append(call("point_mass", "bob", names[-1], draw(numbers(0.5, 2))))
-    rates = draw(st.lists(numbers(-1, 1), min_size=5, max_size=9))
+    calls.append(call("point_mass", "bob", names[-1], draw(number(0.5, 2))))
+    rates = draw(st.lists(number(-1, 1), min_size=5, max_size=9))
     return Case(
         f"{'planar' if size == 2 else 'spatial'} cables",
         draw(vectors(size, 10.0)),

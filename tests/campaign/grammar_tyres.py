@@ -7,9 +7,8 @@ from hypothesis import strategies as st
 
 from campaign.algebra import about, product, rotated
 from campaign.calls import Call, Case, Made, call
-from campaign.grammar_beams import numbers, vectors
+from campaign.numbers import Draw, number, vectors
 
-Draw = Any
 SIDE = ("deflection", "camber", "forward", "sideways", "lateral", "spin")
 MAGIC = ("deflection", "camber", "forward", "rolling", "longitudinal", "lateral", "spin")
 CALSPAN = {
@@ -25,15 +24,15 @@ def _magic(draw: Draw) -> dict[str, Any]:
     """A Magic Formula, with initial slips."""
     return {
         "load0": 4000.0,
-        "rolling_radius": draw(numbers(0.3, 0.36)),
-        "friction": (draw(numbers(0.6, 1.2)), draw(numbers(-0.2, 0.0))),
-        "slip_stiffness": draw(numbers(10, 25)),
-        "cornering": (draw(numbers(8, 20)), draw(numbers(1.5, 3))),
-        "camber_stiffness": draw(numbers(0.2, 1)),
-        "shape": (draw(numbers(1.2, 1.6)), draw(numbers(-1, 0.5))),
-        "trail": (draw(numbers(0.0, 0.05)), draw(numbers(2, 10))),
-        "relaxation": (draw(numbers(0.1, 0.5)), draw(numbers(0.2, 0.8))),
-        "initial": {"kappa": draw(numbers(-0.2, 0.2)), "tan_alpha": draw(numbers(-0.3, 0.3))},
+        "rolling_radius": draw(number(0.3, 0.36)),
+        "friction": (draw(number(0.6, 1.2)), draw(number(-0.2, 0.0))),
+        "slip_stiffness": draw(number(10, 25)),
+        "cornering": (draw(number(8, 20)), draw(number(1.5, 3))),
+        "camber_stiffness": draw(number(0.2, 1)),
+        "shape": (draw(number(1.2, 1.6)), draw(number(-1, 0.5))),
+        "trail": (draw(number(0.0, 0.05)), draw(number(2, 10))),
+        "relaxation": (draw(number(0.1, 0.5)), draw(number(0.2, 0.8))),
+        "initial": {"kappa": draw(number(-0.2, 0.2)), "tan_alpha": draw(number(-0.3, 0.3))},
     }
 
 
@@ -41,7 +40,7 @@ def _law(draw: Draw, tyre: str) -> Call:
     """A law on a tyre."""
     law = draw(st.sampled_from(["vertical_tyre", "linear_tyre", "calspan_tyre", "magic_formula"]))
     more: dict[str, Any] = {
-        "stiffness": draw(numbers(5e4, 2e5)),
+        "stiffness": draw(number(5e4, 2e5)),
         "damping": draw(st.sampled_from([0.0, 300.0])),
     }
     if law == "vertical_tyre":
@@ -50,13 +49,13 @@ def _law(draw: Draw, tyre: str) -> Call:
         return call(
             "attach", law, [f"{tyre}.{z}" for z in MAGIC], name=f"rubber of {tyre}", **more, **_magic(draw)
         )
-    more["standstill"] = draw(numbers(0.1, 3))
+    more["standstill"] = draw(number(0.1, 3))
     if law == "calspan_tyre":
         more |= CALSPAN
     else:
         more |= {
-            "cornering": draw(numbers(1e4, 5e4)),
-            "camber_stiffness": draw(numbers(0, 7e3)),
+            "cornering": draw(number(1e4, 5e4)),
+            "camber_stiffness": draw(number(0, 7e3)),
             "trail": 0.06,
         }
     return call("attach", law, [f"{tyre}.{z}" for z in SIDE], **more)
@@ -68,15 +67,15 @@ def _road(draw: Draw) -> dict[str, Any]:
     if kind == "flat":
         return {}
     if kind == "tilted":
-        return {"normal": (*draw(vectors(2, 0.1)), 1.0), "height": draw(numbers(-0.01, 0.01))}
-    heading = draw(numbers(-3, 3))
+        return {"normal": (*draw(vectors(2, 0.1)), 1.0), "height": draw(number(-0.01, 0.01))}
+    heading = draw(number(-3, 3))
     waves = {"start": -20.0, "count": 10.0, "heading": (float(np.cos(heading)), float(np.sin(heading)))}
-    return {"road": Made("Waves", (draw(numbers(0.005, 0.05)), 5.0), waves)}
+    return {"road": Made("Waves", (draw(number(0.005, 0.05)), 5.0), waves)}
 
 
 def _leaning(draw: Draw) -> Any:
     """Orientation of a wheel whose axle is its y axis."""
-    yaw, lean = about((0, 0, 1), draw(numbers(-0.7, 0.7))), about((1, 0, 0), draw(numbers(-0.4, 0.4)))
+    yaw, lean = about((0, 0, 1), draw(number(-0.7, 0.7))), about((1, 0, 0), draw(number(-0.4, 0.4)))
     return product(yaw, lean)
 
 
@@ -92,23 +91,23 @@ def _wheel(draw: Draw, hub: str, frame: str, turn: Any, road: dict[str, Any]) ->
 def wheels(draw: Draw) -> Case:
     """A wheel alone."""
     turn = _leaning(draw)
-    moment = numbers(1.0, 1.5)
-    height = draw(numbers(0.24, 0.33))
+    moment = number(1.0, 1.5)
+    height = draw(number(0.24, 0.33))
     calls = [
-        call("point", "hub", (draw(numbers(-1, 1)), draw(numbers(-1, 1)), height)),
+        call("point", "hub", (draw(number(-1, 1)), draw(number(-1, 1)), height)),
         call("frame", "wheel", tuple(turn.tolist())),
         call(
             "body",
             "rim",
             "hub",
             "wheel",
-            mass=draw(numbers(20, 60)),
+            mass=draw(number(20, 60)),
             inertia=draw(st.tuples(moment, moment, moment)),
         ),
         *_wheel(draw, "hub", "wheel", turn, _road(draw)),
     ]
     speeds = dict(
-        zip(("hub.x", "hub.y", "hub.z"), (draw(numbers(1, 15)), *draw(vectors(2, 3.0))), strict=True)
+        zip(("hub.x", "hub.y", "hub.z"), (draw(number(1, 15)), *draw(vectors(2, 3.0))), strict=True)
     )
     return Case("tyres", (0.0, 0.0, -9.81), tuple(calls), draw(vectors(4, 5.0)), 0.02, speeds=speeds)
 
@@ -118,7 +117,7 @@ def carts(draw: Draw) -> Case:
     """A body on two wheels, one behind the other, that turn on hinges."""
     road = _road(draw)
     turn = _leaning(draw)
-    height = draw(numbers(0.26, 0.33))
+    height = draw(number(0.26, 0.33))
     calls = [
         call("point", "C", (0.0, 0.0, height)),
         call("frame", "chassis", tuple(turn.tolist())),
@@ -127,7 +126,7 @@ def carts(draw: Draw) -> Case:
         ),
     ]
     axle = tuple(rotated(turn, np.array([0.0, 1.0, 0.0])).tolist())
-    for name, x in (("front", draw(numbers(0.5, 0.8))), ("rear", draw(numbers(-0.8, -0.5)))):
+    for name, x in (("front", draw(number(0.5, 0.8))), ("rear", draw(number(-0.8, -0.5)))):
         hub = rotated(turn, np.array([x, 0.0, 0.0])) + [0.0, 0.0, height]
         calls += [
             call("point", f"{name} hub", tuple(hub.tolist())),
@@ -137,9 +136,9 @@ def carts(draw: Draw) -> Case:
             call("body", f"{name} rim", f"{name} hub", name, mass=15.0, inertia=(0.6, 1.0, 0.6)),
             *_wheel(draw, f"{name} hub", name, turn, road),
         ]
-    ahead, aside = draw(numbers(4, 12)), draw(numbers(-1, 1))
+    ahead, aside = draw(number(4, 12)), draw(number(-1, 1))
     speeds = {f"{z}.x": ahead for z in ("C", "front hub", "rear hub")} | {"C.y": aside}
-    speeds |= {"front axle.angle": draw(numbers(10, 40)), "rear axle.angle": draw(numbers(10, 40))}
+    speeds |= {"front axle.angle": draw(number(10, 40)), "rear axle.angle": draw(number(10, 40))}
     return Case("carts", (0.0, 0.0, -9.81), tuple(calls), draw(vectors(3, 0.5)), 0.02, speeds=speeds)
 
 

@@ -99,6 +99,8 @@ class Oracle:
         norms = [Norms(z.name) for z in nodes.values() if z.kind == "frame" and not np.all(z.fixed)]
         self.nodes, self.twins = nodes, [*twins, *norms]
         sizes = np.cumsum([0, *(z.drawn.size for z in nodes.values())])
+        for twin in self.twins:
+            assert len(set(twin.nodes)) == len(twin.nodes), f"a node of {type(twin).__name__} is named twice"
         self._rows = {name: np.arange(*sizes[i : i + 2]) for i, name in enumerate(nodes)}
         self.names = tuple(name for z in nodes.values() for name in z.names)
         held = np.concatenate([z.fixed for z in nodes.values()])

@@ -122,12 +122,14 @@ def _gear(drawing: Drawing, call: Call) -> None:
 def _relation(drawing: Drawing, call: Call) -> None:
     name, terms = call.args
     found = [(drawing.measured(z), c) for z, c in terms.items()]
-    nodes = tuple(n for z, _ in found for n in z.nodes)
-    sizes = np.cumsum([0, *(drawing.x(*z.nodes).size for z, _ in found)])
+    nodes = tuple(dict.fromkeys(n for z, _ in found for n in z.nodes))
+    ends = np.cumsum([drawing.x(n).size for n in nodes])
+    rows = {n: np.arange(end - drawing.x(n).size, end) for n, end in zip(nodes, ends, strict=True)}
+    parts = [(z.value, c, np.concatenate([rows[n] for n in z.nodes])) for z, c in found]
     drawn = drawing.x(*nodes)
 
     def total(x: Array) -> Array:
-        return np.asarray(sum(c * z.value(x[sizes[i] : sizes[i + 1]]) for i, (z, c) in enumerate(found)))
+        return np.asarray(sum(c * value(x[own]) for value, c, own in parts))
 
     start = float(total(drawn))
     drawing.free(*terms)

@@ -41,13 +41,23 @@ def other_names(trial: Trial, state: fx.State) -> tuple[str, ...]:
     return tuple(chosen)
 
 
+def _check_drawn(trial: Trial, names: tuple[str, ...]) -> None:
+    """Raise Inapplicable for coordinates that are singular as drawn, where the model is built."""
+    rows = [i for i, k in enumerate(trial.oracle.free) if trial.oracle.names[k] in names]
+    drawn = trial.oracle.drawn
+    if np.linalg.svd(free_motions(trial, drawn, 0 * drawn)[rows])[1][-1] < NEAR:
+        raise Inapplicable("other coordinates are singular as drawn")
+
+
 def other_coordinates(trial: Trial) -> float:
     """Accelerations in other degrees of freedom are the same."""
     start = trial.start
     if not trial.moving:
         raise Inapplicable("nothing moves freely")
+    names = other_names(trial, start)
+    _check_drawn(trial, names)
     m = trial.model()
-    m.independent(*other_names(trial, start))
+    m.independent(*names)
     same = m.build().state(start.t, start.x, start.v, z=start.z)
     a = trial.a(start)
     return off(trial.a(same), a, max(1.0, float(np.max(np.abs(a), initial=0.0))))
@@ -64,9 +74,7 @@ def eigenvalues(trial: Trial) -> float:
     if trial.oracle.solve(trial.x(rest), trial.v(rest), {}, rest.t).gap < NEAR:
         raise Inapplicable("the equilibrium is nearly singular")
     names = other_names(trial, rest)
-    rows = [i for i, k in enumerate(trial.oracle.free) if trial.oracle.names[k] in names]
-    if np.linalg.svd(free_motions(trial, trial.oracle.drawn, 0 * trial.oracle.drawn)[rows])[1][-1] < NEAR:
-        raise Inapplicable("other coordinates are singular as drawn")
+    _check_drawn(trial, names)
     m = trial.model()
     m.independent(*names)
     other = m.build()

@@ -1,11 +1,11 @@
 """Properties of the equations in one state: accelerations, degrees of freedom, energy, linearization."""
 
 import numpy as np
+from differences import jacobian, numerical_matrices
 
 import flexel as fx
 from campaign.changes import Inapplicable
 from campaign.trial import Trial, off
-from differences import jacobian, numerical_matrices
 from flexel.base.arrays import Array
 
 STEPS = (4e-3, 1e-3)  # of the differences: the second where the equations curve much

@@ -155,3 +155,19 @@ def test_a_hanging_rod_vibrates_about_its_equilibrium_if_no_state_is_given() -> 
     m.beam("rod", m.point("O", (0, 0, 0), fixed=True), r1, m.point("A", (0.1, 0, -0.7)), mass_per_length=2.0)
     frequency = m.build().vibrations()[0].omega
     assert frequency**2 == pytest.approx(1.5 * 9.81 / np.hypot(0.1, 0.7), rel=1e-9)
+
+
+def test_an_equilibrium_at_an_extreme_of_a_degree_of_freedom_can_be_linearized() -> None:
+    m = fx.Model(gravity=(0, 0, -9.81))
+    m.point("O", (0, 0, 0), fixed=True)
+    m.point("P", (0.6, -0.9, 0))
+    m.point_mass("mass", "P", 0.5)
+    m.truss("bar", "O", "P", stiffness=20)
+    m.independent("bar.elongation", "P.x", "P.z")  # below O, the elongation does not depend on P.y
+    s = m.build()
+    rest = s.equilibrium()
+    length = np.hypot(0.6, 0.9) + 0.5 * 9.81 / 20
+    assert rest["P.z"] == pytest.approx(-length, rel=1e-12)
+    found = s.linearize(rest).eigenvalues().imag
+    swing, bounce = np.sqrt(9.81 / length), np.sqrt(20 / 0.5)
+    np.testing.assert_allclose(np.sort(found), [-bounce, -swing, -swing, swing, swing, bounce], rtol=1e-9)
