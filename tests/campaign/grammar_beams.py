@@ -28,16 +28,24 @@ class Frame(Sketch):
         if kind == "held":
             return self.ground()
         first = self.point("O", (0.0,) * self.size), self.turn("R0")
+        if kind == "free":
+            self.body("b0", *first)
         if kind == "shaken":
             rest = [f"O.{z}" for z in "xyz"[1 : self.size]]
             self.add("fix", "R0", *rest)
-            self.add("prescribe", "O.x", Made("Harmonic", (self.draw(number(0.02, 0.1)), self.draw(number(1, 8, 1)))))
+            self.add(
+                "prescribe",
+                "O.x",
+                Made("Harmonic", (self.draw(number(0.02, 0.1)), self.draw(number(1, 8, 1)))),
+            )
         if kind in ("hinged", "turned"):
             self.add("fix", "O")
             self.hinge("hub", self.turn("G", fixed=True), "R0")
         if kind == "turned":
             steady = Made("Polynomial", ((0.0, self.draw(number(-4, 4)), self.draw(number(-3, 3))),))
-            self.add("prescribe", "hub.angle", self.draw(st.sampled_from((steady, Made("Harmonic", (0.5, 3.0))))))
+            self.add(
+                "prescribe", "hub.angle", self.draw(st.sampled_from((steady, Made("Harmonic", (0.5, 3.0)))))
+            )
         return first
 
     def joint(self, i: int, at: tuple[str, str]) -> tuple[str, str]:
@@ -83,7 +91,9 @@ class Frame(Sketch):
         arm = np.subtract(self.places[q[0]], self.places[p[0]])
         options = self._options(arm, whole)
         self.add("beam", name, *p, *q, **options)
-        held = [mode for key, z in (PLANAR if self.planar else MODES).items() if key not in options for mode in z]
+        held = [
+            mode for key, z in (PLANAR if self.planar else MODES).items() if key not in options for mode in z
+        ]
         if held and self.draw(st.integers(0, 3)) == 0:
             self.add("release", f"{name}.{self.draw(st.sampled_from(held))}")
         if not self.calm and self.draw(st.booleans()):
@@ -117,7 +127,7 @@ def frames(draw: Draw, size: int, closed: bool) -> Case:
     if closed and np.linalg.norm(gap) > APART:
         s.beam("closing", joints[0], joints[-1], whole=True)
     gravity = draw(st.sampled_from(GRAVITY[size]))
-    known = {"floating"} if base == "free" and s.calm and size == 3 else set()
+    known = {"adrift", *({"floating"} if s.calm and size == 3 else ())} if base == "free" else set()
     offsets = tuple(draw(number(-0.05, 0.05)) for _ in range(5))
     family = f"{'closed ' * closed}{'planar' if size == 2 else 'spatial'} beams"
     calls, speeds = tuple(s.calls), draw(rates(most=1.5))

@@ -65,11 +65,18 @@ def _in_space(call: Call, case: Case) -> Call:
             return call
         case "fix" | "mass_damping" | "cable" | "clamp" | "anchor":
             return call
-        case "spring" | "prescribe" | "load" | "release" | "law" | "relation":
+        case "release":
+            return _same_names(replace(call, args=tuple(_bending(z) for z in args)), case)
+        case "spring" | "prescribe" | "load" | "law" | "relation":
             return _same_names(call, case)
         case "body_point" | "truss" | "point_mass":
             return call
     raise Inapplicable(f"m.{call.method} has no counterpart in space")
+
+
+def _bending(name: str) -> str:
+    """A deformation: the plane of a planar beam is that of bend3 and bend4 of the spatial one."""
+    return name.replace(".bend2", ".bend4").replace(".bend1", ".bend3")
 
 
 def _side(call: Call, case: Case) -> tuple[float, float, float]:

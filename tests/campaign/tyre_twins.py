@@ -199,10 +199,15 @@ class TyreForces(Stressed):
         now |= dict(zip(RATES, self.tyre.rates(x, v), strict=True)) | dict(zip(self._own, z, strict=True))
         return self.law(now, dict(zip(PLACES, moving, strict=True)), self.parameters)
 
+    def potential(self, x: Array) -> Array:
+        """The energy of the spring while it is pressed."""
+        e = self.tyre.places(x)[PLACES.index(self.on)]
+        return np.where(np.real(e) > 0, self.parameters["stiffness"] * e**2 / 2, 0.0)
+
     def force(self, x: Array, v: Array, z: Array, t: float) -> Array:  # noqa: ARG002 (no law depends on time)
         sigma, tau, _ = self._found(x, v, z)
         De, V = jacobian(self.tyre.places, x), self.tyre.rows(x)
-        f = np.zeros_like(x)
+        f = jacobian(self.potential, x)  # the law gives all of the vertical force
         for name, value in sigma.items():
             f -= value * De[PLACES.index(name)]
         for name, value in tau.items():
