@@ -25,7 +25,7 @@ FIRST = (
     "writing-an-element",
     "adding-an-element",
 )  # of the guides, in this order
-REFERENCE = ("theory", "architecture", "speed")
+REFERENCE = ("theory", "architecture", "verification", "speed")
 Rows = list[dict[str, Any]]
 
 HOMES = {  # sections of the page of public names: title and modules

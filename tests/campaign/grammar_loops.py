@@ -111,7 +111,7 @@ def _truss(draw: Draw, size: int, family: str) -> Case:
         rigid = draw(st.integers(0, size - 1))
         for k, p in enumerate(ends):
             gap = sum((u - v) ** 2 for u, v in zip(s.places[p], s.places[new], strict=True))
-            if gap > 0.01:
+            if gap > 0.06:
                 s.truss(f"t{i}{k}", p, new, elastic=k >= rigid)
         joined.append(new)
     s.act()

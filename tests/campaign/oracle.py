@@ -58,6 +58,8 @@ class Answer:
         Accelerations of all coordinates that are not held.
     zd : dict of str to float
         Rates of internal states.
+    reactions : dict of str to float
+        Forces of the ground on held coordinates of points; none where redundant constraints leave them open.
     position, velocity : float
         Largest violation of the constraints by the given state.
     dynamic, kinematic : int
@@ -72,6 +74,7 @@ class Answer:
 
     a: dict[str, float]
     zd: dict[str, float]
+    reactions: dict[str, float]
     position: float
     velocity: float
     dynamic: int
@@ -106,6 +109,8 @@ class Oracle:
         held = np.concatenate([z.fixed for z in nodes.values()])
         self.drawn = np.concatenate([z.drawn for z in nodes.values()])
         self.free = np.flatnonzero(~held)
+        points = np.concatenate([np.full(z.drawn.size, z.kind == "point") for z in nodes.values()])
+        self._grounded = np.flatnonzero(held & points)
         self.states = tuple(name for z in self.twins for name in z.states)
 
     @cached_property
@@ -220,19 +225,23 @@ class Oracle:
         phi, C, rate, curve = self.holonomic(x, v, t)
         S, swept = self.rolling(x, v)
         free = self.free
-        A, g = np.concatenate([C, S])[:, free], -np.concatenate([curve, swept])
-        weight = 1 / np.maximum(np.linalg.norm(A, axis=1), 1e-300)
-        A, g = A * weight[:, None], g * weight
-        M, h = self.inertia(x)[np.ix_(free, free)], self.convective(x, v)[free]
-        f = self.forces(x, v, z, t)[free]
+        full, g = np.concatenate([C, S]), -np.concatenate([curve, swept])
+        weight = 1 / np.maximum(np.linalg.norm(full[:, free], axis=1), 1e-300)
+        full, g = full * weight[:, None], g * weight
+        A = full[:, free]
+        M, unbalance = self.inertia(x), self.convective(x, v) - self.forces(x, v, z, t)
         rank, gap, particular, Z = _split(A, g)
-        reduced = Z.T @ M @ Z
-        a = particular + Z @ _solved(reduced, Z.T @ (f - h - M @ particular))
+        Mf = M[np.ix_(free, free)]
+        reduced = Z.T @ Mf @ Z
+        a = particular - Z @ _solved(reduced, Z.T @ (unbalance[free] + Mf @ particular))
         spread = np.linalg.eigvalsh(reduced) if reduced.size else np.ones(1)
-        nq = free.size - _split(C[:, free] * weight[: len(C), None], np.zeros(len(C)))[0]
+        nq = free.size - _split(A[: len(C)], np.zeros(len(C)))[0]
+        needed = M[:, free] @ a + unbalance  # by constraints
+        held = needed - full.T @ _solved(A.T, needed[free])
         return Answer(
             {self.names[i]: float(value) for i, value in zip(free, a, strict=True)},
             self.rates(x, v, z, t),
+            {self.names[i]: float(held[i]) for i in self._grounded} if rank == len(A) else {},
             float(np.max(np.abs(phi), initial=0.0)),
             float(np.max(np.abs(np.concatenate([rate, S @ v])), initial=0.0)),
             free.size - rank,

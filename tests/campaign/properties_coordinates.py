@@ -51,16 +51,28 @@ def other_names(trial: Trial, x: Array, v: Array) -> tuple[str, ...]:
     return tuple(chosen)
 
 
-def other_coordinates(trial: Trial) -> float:
-    """Accelerations in other degrees of freedom are the same."""
+def in_others(trial: Trial) -> tuple[fx.System, fx.State]:
+    """The system in other degrees of freedom, and its start."""
     start = trial.start
     if not trial.moving:
         raise Inapplicable("nothing moves freely")
     m = trial.model()
     m.independent(*other_names(trial, trial.x(start), trial.v(start)))
-    same = m.build().state(start.t, start.x, start.v, z=start.z)
-    a = trial.a(start)
+    system = m.build()
+    return system, system.state(start.t, start.x, start.v, z=start.z)
+
+
+def other_coordinates(trial: Trial) -> float:
+    """Accelerations in other degrees of freedom are the same."""
+    _, same = in_others(trial)
+    a = trial.a(trial.start)
     return off(trial.a(same), a, max(1.0, float(np.max(np.abs(a), initial=0.0))))
+
+
+def motion_in_others(trial: Trial) -> float:
+    """The end of a motion that starts in other degrees of freedom."""
+    end = trial.moved(*in_others(trial), trial.case.duration)[-1]
+    return float(np.max(np.abs(trial.x(end) - trial.x(trial.motion[-1]))))
 
 
 def eigenvalues(trial: Trial) -> float:

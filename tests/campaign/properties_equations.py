@@ -8,7 +8,7 @@ from campaign.changes import Inapplicable
 from campaign.trial import Trial, off
 from flexel.base.arrays import Array
 
-STEPS = (4e-3, 1e-3)  # of the differences: the second where the equations curve much
+STEPS = (4e-3, 1e-3, 2.5e-4)  # of the differences: the smaller ones where the equations curve much
 MANY = 4  # degrees of freedom up to which M, C, K are differentiated too
 
 
@@ -42,6 +42,15 @@ def accelerations(trial: Trial) -> float:
         off(np.array(trial.start.rate(z)), np.array(value), 1.0) for z, value in trial.answer.zd.items()
     ]
     return max(found)
+
+
+def reactions(trial: Trial) -> float:
+    """Forces of the ground on fixed points."""
+    found = trial.answer.reactions
+    if not found or trial.answer.inertia < 1e-10:
+        raise Inapplicable("no point is fixed, or redundant constraints leave its reaction open")
+    reference = np.array(list(found.values()))
+    return off(np.array([trial.start.force(z) for z in found]), reference, 1.0)
 
 
 def energy(trial: Trial) -> float:

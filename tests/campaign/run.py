@@ -108,32 +108,45 @@ def run(
     """
     found, begun = Findings(), time.monotonic()
     for (name, strategy), share in zip(families.items(), shares(count, len(families)), strict=True):
-        phases = [Phase.generate, Phase.shrink] if shrink else [Phase.generate]
-        last: list[Verdict] = []
-
-        def one(case: Case, last: list[Verdict] = last) -> None:
-            verdict = judged(case)
-            if verdict.failures and shrink:
-                last[:] = [verdict]
-                raise ModelFailedError(str(verdict))
-            found.add(verdict)
-            if report is not None:
-                report(sum(found.families.values()))
-
-        drawn = settings(
-            max_examples=share,
-            database=None,
-            deadline=None,
-            phases=phases,
-            report_multiple_bugs=False,
-            suppress_health_check=list(HealthCheck),
-        )(given(case=strategy)(one))
         if share:
-            try:
-                seeded(f"{seed} {name}")(drawn)()
-            except ModelFailedError:
-                found.add(last[0])
+            _family(found, strategy, share, f"{seed} {name}", shrink, report)
     return found.as_json(seed, time.monotonic() - begun)
+
+
+def _family(
+    found: Findings,
+    strategy: st.SearchStrategy[Case],
+    count: int,
+    seed: str,
+    shrink: bool,
+    report: Report | None,
+) -> None:
+    """The models of one family; the last verdict that failed is that of the shortest program."""
+    failed: list[Verdict] = []
+
+    def one(case: Case) -> None:
+        verdict = judged(case)
+        if verdict.failures and shrink:
+            failed.append(verdict)
+            raise ModelFailedError(str(verdict))
+        if failed:
+            return  # an attempt to shrink
+        found.add(verdict)
+        if report is not None:
+            report(sum(found.families.values()))
+
+    options = settings(
+        max_examples=count,
+        database=None,
+        deadline=None,
+        phases=[Phase.generate, Phase.shrink] if shrink else [Phase.generate],
+        report_multiple_bugs=False,
+        suppress_health_check=list(HealthCheck),
+    )
+    try:
+        seeded(seed)(options(given(case=strategy)(one)))()
+    except ModelFailedError:
+        found.add(failed[-1])
 
 
 def table(report: Mapping[str, Any]) -> str:
