@@ -67,7 +67,7 @@ def _sheaves(draw: Draw, size: int, count: int) -> list[Call]:
 
 
 def laid(
-    gravity: tuple[float, ...], calls: list[Call], path: list[str], n: int, **options: Any
+    gravity: tuple[float, ...], calls: list[Call], path: list[Any], n: int, **options: Any
 ) -> list[Call]:
     """The calls that make a rope as `Model.rope` lays it."""
     m = Case("", gravity, tuple(calls)).model()
@@ -101,7 +101,7 @@ def ropes(draw: Draw, size: int, most: int) -> Case:
             call("point", name, _in_plane(size, x, z)),
             call("point_mass", f"mass {name}", name, draw(number(0.5, 2))),
         ]
-    path = ["A", *(f"sheave{i}" for i in range(count)), "B"]
+    path: list[Any] = ["A", *((f"sheave{i}", -1 if size == 2 else 1) for i in range(count)), "B"]  # over them
     options = {
         "contact": _contact(draw),
         "radius": THICK,

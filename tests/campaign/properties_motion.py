@@ -12,7 +12,7 @@ from campaign.trial import ACCURATE, Trial, off
 from flexel.base.arrays import Array
 
 STEPS = 16  # of the implicit method, at least
-LONGEST = 10.0  # radians of the fastest vibration
+LONGEST = 4.0  # radians of the fastest vibration
 LAG = 0.002  # radians by which the implicit method may lag behind it
 
 
