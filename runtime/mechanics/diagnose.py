@@ -86,10 +86,7 @@ def _report_redundancy(structure: Structure, roles: Roles, rows: Index, left: Ar
 
 
 def candidates(structure: Structure, roles: Roles) -> Index:
-    """Candidates for degrees of freedom: free deformations and free coordinates without a role.
-
-    Gaps of grooves are none: no position follows from them where they have a kink.
-    """
+    """Candidates for degrees of freedom: coordinates and deformations that are free, but for gaps with a kink."""
     taken = {*roles.rigid, *roles.prescribed, *structure.kinked}
     first = structure.m + structure.k
     rows = [*range(structure.m), *range(first, first + structure.nf)]

@@ -90,7 +90,7 @@ class Structure(Constant):
 
     @cached_property
     def kinked(self) -> tuple[int, ...]:
-        """Gaps of round and of helical grooves: outside the groove they have a kink, in the middle between its flanks."""
+        """Gaps of round and helical grooves: outside the groove they have a kink, in the middle between its flanks."""
         grooves = ["groove_radius" in z.parameters for z in self.instances for _ in z.spec.deformations]
         return tuple(i for i, groove in enumerate(grooves) if groove and self.kinds[i] == "gap")
 
