@@ -92,7 +92,9 @@ def filled(text: str, found: Findings) -> str:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Fill or check the page; the exit status is 1 where it differs."""
-    parser = argparse.ArgumentParser(description="Tables of the page on verification from the property campaign.")
+    parser = argparse.ArgumentParser(
+        description="Tables of the page on verification from the property campaign."
+    )
     parser.add_argument("file", nargs="?", type=Path, help="JSON of python -m campaign")
     parser.add_argument("--check", action="store_true", help="change nothing; fail where a table differs")
     given = parser.parse_args(arguments)
