@@ -9,7 +9,7 @@ import numpy as np
 import flexel as fx
 from flexel.base.arrays import Array
 
-SUFFIXES = {"frame": tuple(f"lambda{i}" for i in range(4)), "angle": ("angle",), "point": ("x", "y", "z")}
+SUFFIXES = {"frame": tuple(f"lambda{i}" for i in range(4)), "angle": ("angle",)}  # of others: x, y, z
 
 
 @dataclass(frozen=True)
@@ -111,6 +111,10 @@ class Case:
         turn.
     duration : float
         Of the motions that are compared [s].
+    offsets : tuple of float
+        What is added to the values of the dynamic degrees of freedom as drawn, in turn; none leaves them.
+    speeds : dict of str to float
+        Rates of degrees of freedom that are given by name, if the system has them.
     known : frozenset of str
         What the family promises: ``floating`` (no reaction of the ground), ``redundant`` (conditions that follow from
         others in every configuration; they are released as flexel's report says).
@@ -122,6 +126,8 @@ class Case:
     rates: tuple[float, ...] = (0.5,)
     duration: float = 0.05
     known: frozenset[str] = frozenset()
+    offsets: tuple[float, ...] = ()
+    speeds: Mapping[str, float] = field(default_factory=dict)
 
     def model(self) -> fx.Model:
         """The model of flexel."""
@@ -131,13 +137,16 @@ class Case:
         return m
 
     def start(self, system: fx.System) -> fx.State:
-        """The state in which equations are compared: that drawn, with the rates of the case."""
-        rates = self.rates_of(system.dynamic)
-        return system.state_at(rates=rates) if rates else system.initial
+        """The state in which equations are compared: that drawn, or beside it, with the rates of the case."""
+        rates, names, more = self.rates_of(system.dynamic), system.dynamic, self.offsets
+        rest = system.unaccelerated
+        values = {z: rest[z] + more[i % len(more)] for i, z in enumerate(names)} if more else None
+        return system.state_at(values, rates) if rates else system.initial
 
     def rates_of(self, dynamic: tuple[str, ...]) -> dict[str, float]:
         """Rates of the degrees of freedom."""
-        return {name: self.rates[i % len(self.rates)] for i, name in enumerate(dynamic)}
+        rates = {name: self.rates[i % len(self.rates)] for i, name in enumerate(dynamic)}
+        return rates | {name: speed for name, speed in self.speeds.items() if name in rates}
 
     def program(self) -> str:
         """The shortest program that makes the model and its state."""
@@ -146,9 +155,15 @@ class Case:
         )
         lines = ["import flexel as fx", *(f"from campaign import {module}" for module in own), ""]
         lines += [f"m = fx.Model(gravity={shown(self.gravity)})", *map(repr, self.calls), "s = m.build()"]
-        rates = f"rates = {shown(self.rates)}"
-        start = "state = s.state_at(rates={z: rates[i % len(rates)] for i, z in enumerate(s.dynamic)})"
-        return "\n".join([*lines, rates, start]) + "\n"
+        lines.append(f"rates = {shown(self.rates)}")
+        lines.append("rates = {z: rates[i % len(rates)] for i, z in enumerate(s.dynamic)}")
+        if self.speeds:
+            lines.append(f"rates |= {{z: v for z, v in {shown(dict(self.speeds))}.items() if z in rates}}")
+        values = ""
+        if self.offsets:
+            lines.append(f"more, drawn = {shown(self.offsets)}, s.unaccelerated")
+            values = "{z: drawn[z] + more[i % len(more)] for i, z in enumerate(s.dynamic)}, "
+        return "\n".join([*lines, f"state = s.state_at({values}rates=rates)"]) + "\n"
 
     def with_calls(self, *more: Call) -> "Case":
         """The case with further calls."""
@@ -167,13 +182,19 @@ class Node:
     @property
     def names(self) -> tuple[str, ...]:
         """Names of its coordinates."""
-        return tuple(f"{self.name}.{z}" for z in SUFFIXES[self.kind][: self.drawn.size])
+        return tuple(f"{self.name}.{z}" for z in SUFFIXES.get(self.kind, "xyz")[: self.drawn.size])
 
 
 def drawn_nodes(case: Case) -> dict[str, Node]:
     """Nodes by name, with the coordinates that ``m.fix`` and ``fixed=True`` hold."""
     found: dict[str, Node] = {}
     for z in case.calls:
+        if z.method == "slope":
+            line = np.array(z.args[1], float)
+            line *= z.options.get("stretch", 1.0) / np.linalg.norm(line)
+            found[z.name] = Node(
+                z.name, z.method, line, np.full(line.size, bool(z.options.get("fixed", False)))
+            )
         if z.method in ("point", "frame", "angle"):
             default = {"frame": (1.0, 0.0, 0.0, 0.0), "angle": 0.0, "point": ()}[z.method]
             keyword = {"frame": "orientation", "angle": "value", "point": "position"}[z.method]

@@ -101,12 +101,16 @@ class Change:
         """Coordinates of a node."""
         if node.kind == "point":
             return self.place(x)
+        if node.kind == "slope":
+            return self.vector(x)
         return self.frame(x) if node.kind == "frame" else self.heading + self.sign * x
 
     def rates(self, node: Node, v: Array, order: int = 1) -> Array:
         """First or second rates of the coordinates of a node."""
         if node.kind == "point":
             return self.length * self.vector(v) / self.time**order
+        if node.kind == "slope":
+            return self.vector(v) / self.time**order
         return (self.frame(v) if node.kind == "frame" else self.sign * v) / self.time**order
 
 

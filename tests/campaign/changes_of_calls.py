@@ -13,15 +13,22 @@ def _numbers(values: Any) -> tuple[float, ...]:
     return tuple(np.asarray(values).tolist())
 
 
+BENDING = (
+    ".torsion",
+    ".bend1",
+    ".bend2",
+)  # of a spatial beam: those that a reflection of its z axis turns over
+
+
 def unit_of(case: Case, name: str) -> str:
     """Unit of a deformation or coordinate; an angle has none."""
     return "" if name.endswith((".angle", ".relation", ".mesh")) else "L"
 
 
 def sign_of(change: Change, case: Case, name: str) -> float:
-    """Of a deformation under a reflection: angles of the plane change theirs, and shifts along an axis of turn."""
-    flat = len(case.gravity) == 2 and name.endswith((".angle", ".mesh"))
-    return change.sign if flat or name.endswith(".axial") else 1.0
+    """Of a deformation under a reflection: one about an axis of the plane or along an axis of turn changes its own."""
+    turned_over = (".angle", ".mesh", ".bend1", ".bend2") if len(case.gravity) == 2 else (".axial", *BENDING)
+    return change.sign if name.endswith(turned_over) else 1.0
 
 
 def deformation(case: Case, name: str) -> str:

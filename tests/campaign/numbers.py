@@ -13,6 +13,11 @@ def number(least: float, most: float, step: float = 0.01) -> st.SearchStrategy[f
     return st.integers(round(least / step), round(most / step)).map(lambda i: round(i * step, 6))
 
 
+def vectors(size: int, most: float = 1.0) -> st.SearchStrategy[tuple[float, ...]]:
+    """Vectors of which no component exceeds `most`."""
+    return st.tuples(*[number(-most, most)] * size)
+
+
 def masses() -> st.SearchStrategy[float]:
     """[kg]"""
     return st.sampled_from((0.5, 1.0, 1.7, 2.3, 4.0))

@@ -34,7 +34,10 @@ def _mapped(trial: Trial, other: Trial, change: Change) -> fx.State:
 
 
 def _internal(trial: Trial, other: Trial, change: Change) -> Array:
-    return trial.start.z * (change.length if trial.start.z.size else 1.0)
+    factors: dict[str, float] = {}
+    for twin in trial.oracle.twins:
+        factors |= dict(zip(twin.states, twin.scaled(change.length, change.mirror), strict=True))
+    return np.array([trial.start[z] * factors[z] for z in other.system.structure.internal])
 
 
 def _compared(trial: Trial, change: Change) -> float:
@@ -93,7 +96,7 @@ def planar_is_spatial(trial: Trial) -> float:
     for node in trial.nodes.values():
         value, rate = start.position(node.name), start.velocity(node.name)
         rows = [index[z] for z in other.nodes[node.name].names]
-        if node.kind == "point":
+        if node.kind != "angle":
             x[rows], v[rows] = [*value, 0.0], [*rate, 0.0]
         else:
             c, d = np.cos(value[0] / 2), np.sin(value[0] / 2)

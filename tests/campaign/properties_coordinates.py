@@ -23,9 +23,16 @@ def free_motions(trial: Trial, x: Array, v: Array) -> Array:
     return np.asarray(Vt[int(np.sum(s > RANK * s[0])) :].T)
 
 
-def other_names(trial: Trial, state: fx.State) -> tuple[str, ...]:
-    """Coordinates that determine the motion, picked in a scattered order that the case fixes; often bad ones."""
-    Z = free_motions(trial, trial.x(state), trial.v(state))
+def other_names(trial: Trial, x: Array, v: Array) -> tuple[str, ...]:
+    """Coordinates that determine the motion as drawn, picked in a scattered order that the case fixes; often bad ones.
+
+    Raises
+    ------
+    Inapplicable
+        If there are no others, or they do not determine the motion in the state x, v.
+    """
+    drawn = trial.oracle.drawn
+    Z = free_motions(trial, drawn, 0 * drawn)
     names = [trial.oracle.names[i] for i in trial.oracle.free]
     rng = np.random.default_rng([round(1e3 * abs(z)) for z in trial.case.rates])
     chosen: list[str] = []
@@ -38,6 +45,9 @@ def other_names(trial: Trial, state: fx.State) -> tuple[str, ...]:
             left = left - np.outer(left @ row, row)
     if len(chosen) < Z.shape[1] or set(chosen) == set(trial.system.dynamic):
         raise Inapplicable("no other coordinates at hand")
+    rows = [i for i, k in enumerate(trial.oracle.free) if trial.oracle.names[k] in chosen]
+    if np.linalg.svd(free_motions(trial, x, v)[rows])[1][-1] < NEAR:
+        raise Inapplicable("other coordinates are nearly singular in the state")
     return tuple(chosen)
 
 
@@ -47,7 +57,7 @@ def in_others(trial: Trial) -> tuple[fx.System, fx.State]:
     if not trial.moving:
         raise Inapplicable("nothing moves freely")
     m = trial.model()
-    m.independent(*other_names(trial, start))
+    m.independent(*other_names(trial, trial.x(start), trial.v(start)))
     system = m.build()
     return system, system.state(start.t, start.x, start.v, z=start.z)
 
@@ -69,18 +79,16 @@ def eigenvalues(trial: Trial) -> float:
     """Eigenvalues about an equilibrium do not depend on the choice of degrees of freedom."""
     if not trial.moving or not trial.oracle.conserves or trial.system.kinematic:
         raise Inapplicable("no equilibrium is looked for")
+    if "adrift" in trial.case.known:
+        raise Inapplicable("nothing holds it")
     try:
         rest = trial.system.equilibrium(stable=True)
     except (fx.PositionError, fx.DynamicsError):
         raise Inapplicable("no equilibrium is found") from None
     if trial.oracle.solve(trial.x(rest), trial.v(rest), {}, rest.t).gap < NEAR:
         raise Inapplicable("the equilibrium is nearly singular")
-    names = other_names(trial, rest)
-    rows = [i for i, k in enumerate(trial.oracle.free) if trial.oracle.names[k] in names]
-    if np.linalg.svd(free_motions(trial, trial.oracle.drawn, 0 * trial.oracle.drawn)[rows])[1][-1] < NEAR:
-        raise Inapplicable("other coordinates are singular as drawn")
     m = trial.model()
-    m.independent(*names)
+    m.independent(*other_names(trial, trial.x(rest), trial.v(rest)))
     other = m.build()
     second = other.linearize(other.state(rest.t, rest.x, 0 * rest.v))
     return polynomials(trial.system.linearize(rest).eigenvalues(), second.eigenvalues())

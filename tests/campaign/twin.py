@@ -51,6 +51,10 @@ class Twin:
         """Generalized forces (n,) on x that have no potential: dampers, tyres, loads."""
         return np.zeros_like(x)
 
+    def scaled(self, length: float, mirror: bool) -> Array:
+        """Factors (len(states),) of the internal states where lengths are longer, or the model is mirrored."""
+        return np.full(len(self.states), length)
+
     def zdot(self, x: Array, v: Array, z: Array, t: float) -> Array:
         """Rates (len(states),) of the internal states."""
         return np.zeros(len(self.states))
