@@ -116,8 +116,8 @@ class Case:
     speeds : dict of str to float
         Rates of degrees of freedom that are given by name, if the system has them.
     known : frozenset of str
-        Names of properties that the case is made for, beside those of every case: ``singular`` (a singular
-        configuration may be refused).
+        What the family promises: ``floating`` (no reaction of the ground), ``redundant`` (conditions that follow from
+        others in every configuration; they are released as flexel's report says).
     """
 
     family: str

@@ -41,6 +41,22 @@ def planar_loop(draw: Draw) -> Case:
 
 
 @st.composite
+def nearly_flat(draw: Draw) -> Case:
+    """A four-bar close to its change point, or in it: all its bars are nearly on a line."""
+    s = Sketch(draw, 2)
+    gap = draw(st.sampled_from((0.0, 1e-12, 1e-9, 1e-7, 1e-5, 1e-4, 1e-3, 1e-2)))
+    s.point("O", (0.0, 0.0), fixed=True)
+    s.point("A", (1.0, gap))
+    s.point("B", (draw(number(1.5, 3)), -gap / 2))
+    s.point("C", (draw(number(3.2, 4)), 0.0), fixed=True)
+    for i, ends in enumerate(("OA", "AB", "BC")):
+        turn = s.turn(f"R{i}")
+        s.add("body_point", f"l{i}", ends[0], turn, ends[1])
+        s.body(f"b{i}", ends[0], turn)
+    return s.case("nearly flat loop", duration=1e-4)
+
+
+@st.composite
 def slider(draw: Draw) -> Case:
     """A crank, a rod and a slider on a fixed line."""
     s = Sketch(draw, 2)
@@ -97,7 +113,7 @@ def redundant(draw: Draw) -> Case:
     s.add("hinge", "last", turn, "G", axis=(0.0, 0.0, 1.0))
     if draw(st.booleans()):
         s.add("spring", "h1.angle", 20.0, damping=0.5)
-    return s.case("redundant loop")
+    return s.case("redundant loop", "redundant")
 
 
 def _truss(draw: Draw, size: int, family: str) -> Case:
@@ -175,6 +191,7 @@ def relations(draw: Draw) -> Case:
 
 LOOPS = {
     "planar loop": planar_loop(),
+    "nearly flat loop": nearly_flat(),
     "slider-crank": slider(),
     "spatial loop": rssr(),
     "redundant loop": redundant(),

@@ -23,7 +23,8 @@ def in_space(case: Case) -> Case:
     if len(case.gravity) == 3:
         raise Inapplicable("not planar")
     calls = tuple(_in_space(z, case) for z in case.calls if z.method not in CHOICES)
-    return replace(case, gravity=(*case.gravity, 0.0), calls=calls)
+    known = case.known | {"redundant"}  # a planar loop has conditions in space that follow from others
+    return replace(case, gravity=(*case.gravity, 0.0), calls=calls, known=known)
 
 
 def _in_space(call: Call, case: Case) -> Call:

@@ -37,10 +37,16 @@ class Trial:
         x = self.oracle.drawn
         return self.oracle.solve(x, np.zeros(x.size), dict.fromkeys(self.oracle.states, 0.0), 0.0)
 
+    @property
+    def singular(self) -> bool:
+        """Whether flexel may refuse the configuration, as drawn or as it moves."""
+        change_point = bool(self.drawn.redundant) and "redundant" not in self.case.known
+        return self.drawn.singular or change_point or ("start" in self.__dict__ and self.answer.singular)
+
     def model(self) -> fx.Model:
-        """The model, its redundant conditions released."""
+        """The model; of a redundant family without its redundant conditions."""
         m = self.case.model()
-        if self.drawn.redundant:
+        if "redundant" in self.case.known:
             self.released = tuple(m.constraint_report().release)
             m.release(*self.released)
         return m

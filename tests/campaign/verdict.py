@@ -70,9 +70,8 @@ def _hold(verdict: Verdict, trial: Trial, z: Property) -> None:
 
 
 def _refuse(verdict: Verdict, trial: Trial, name: str, error: Exception) -> None:
-    singular = trial.drawn.singular or ("start" in trial.__dict__ and trial.answer.singular)
     message = " ".join(str(error).split())
-    if singular:
+    if trial.singular:
         verdict.refused = message
         verdict.skipped[name] = "refused by flexel, and singular by the oracle"
     else:
