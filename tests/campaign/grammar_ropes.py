@@ -17,18 +17,18 @@ AXLE = (0.0, 1.0, 0.0)
 RADIUS, THICK = 0.2, 0.005  # of sheaves at the rope's surface, of the rope [m]
 
 
-def _cable_properties(draw: Draw) -> dict[str, float]:
-    """Soft cables: their waves are slow."""
-    more = {"damping": 1e-3, "bending_damping": 1e-4} if draw(st.booleans()) else {}
+def _cable_properties(draw: Draw, calm: bool) -> dict[str, float]:
+    """Soft cables: their waves are slow; `calm`: without damping."""
+    more = {} if calm else {"damping": 1e-3, "bending_damping": 1e-4}
     EA, EI = draw(number(200, 2000)), draw(number(0.05, 0.5))
     return {"EA": EA, "EI": EI, "mass_per_length": draw(number(0.3, 1.0)), **more}
 
 
-def _contact(draw: Draw) -> Made:
-    """A contact, smooth or with one of the two frictions."""
-    friction = draw(st.sampled_from(["smooth", "coulomb", "bristles"]))
-    options: dict[str, float] = {"exponent": draw(st.sampled_from([1.0, 1.5, 2.0]))}
-    if draw(st.booleans()):
+def _contact(draw: Draw, calm: bool) -> Made:
+    """A contact, smooth or with one of the two frictions; `calm`: without any loss."""
+    friction = "smooth" if calm else draw(st.sampled_from(["smooth", "coulomb", "bristles"]))
+    options: dict[str, float] = {"exponent": draw(st.sampled_from([1.0, 1.5, 2.0])), "points": 3}
+    if not calm:
         options["dissipation"] = draw(number(0.1, 2))
     if friction != "smooth":
         options["friction"] = draw(number(0.1, 0.6))
@@ -103,11 +103,12 @@ def ropes(draw: Draw) -> Case:
             call("point_mass", f"mass {name}", name, draw(number(0.5, 2))),
         ]
     path: list[Any] = ["A", *((f"sheave{i}", -1 if size == 2 else 1) for i in range(count)), "B"]  # over them
+    calm = draw(st.booleans())
     options = {
-        "contact": _contact(draw),
+        "contact": _contact(draw, calm),
         "radius": THICK,
         "tension": draw(number(4, 15)),
-        **_cable_properties(draw),
+        **_cable_properties(draw, calm),
     }
     n = draw(st.integers(6, 8)) + 5 * (count - 1)
     calls += laid(gravity, calls, path, n, **options)
@@ -136,7 +137,7 @@ def cables(draw: Draw) -> Case:
             place = place + 0.3 * (step + np.array(draw(vectors(size, 0.2))))
             calls.append(call("point", f"P{i}", tuple(place.tolist())))
             names.append(f"P{i}")
-    options = _cable_properties(draw)
+    options = _cable_properties(draw, draw(st.booleans()))
     for i in range(n):
         l0 = draw(number(0.28, 0.34))
         calls.append(call("cable", f"c{i}", f"P{i}", f"d{i}", f"P{i + 1}", f"d{i + 1}", l0, **options))

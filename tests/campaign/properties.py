@@ -7,6 +7,7 @@ from campaign import properties_changes as changes
 from campaign import properties_coordinates as coordinates
 from campaign import properties_equations as equations
 from campaign import properties_motion as motion
+from campaign import properties_stresses as flexible
 from campaign.trial import Trial
 
 
@@ -33,6 +34,7 @@ PROPERTIES = (
     Property("redundant constraints", equations.redundancy, 0.0),
     Property("accelerations", equations.accelerations, 1e-8),
     Property("reactions of the ground", equations.reactions, 1e-8),
+    Property("stresses", flexible.stresses, 1e-8),
     Property("energy", equations.energy, 1e-9),
     Property("linearization", equations.linearization, 1e-6),
     Property("accelerations in other coordinates", coordinates.other_coordinates, 1e-8),

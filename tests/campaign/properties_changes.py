@@ -1,5 +1,7 @@
 """Properties of the same mechanism elsewhere, in other units, and in space instead of the plane."""
 
+from dataclasses import replace
+
 import numpy as np
 
 import flexel as fx
@@ -87,7 +89,10 @@ def motion_elsewhere(trial: Trial) -> float:
 
 def planar_is_spatial(trial: Trial) -> float:
     """A planar model written in space: accelerations of its points."""
-    other = Trial(in_space(trial.case))
+    case = in_space(trial.case)
+    other = Trial(case)
+    if not other.drawn.redundant:  # then there is nothing to be released
+        other = Trial(replace(case, known=case.known - {"redundant"}))
     rest = other.system.unaccelerated
     x, v = rest.x.copy(), rest.v.copy()
     s = other.system.structure
