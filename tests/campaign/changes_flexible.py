@@ -116,6 +116,8 @@ def _rope_contact(change: Change, call: Call, case: Case) -> Call:
     line, surface, contact = call.args
     name, elements, _, _, s, radius = line.args
     (stiffness,), given = contact.args, contact.options
+    if change.time != 1 and "bristle_stiffness" in given:
+        raise Inapplicable("bristles off the surface straighten at a rate that is always the same")
     # a force per length and depth^exponent, which need not be whole
     new = stiffness * change.mass / change.time**2 / change.length ** given["exponent"]
     sized = {key: change.size(CONTACT[key], z) if key in CONTACT else z for key, z in given.items()}

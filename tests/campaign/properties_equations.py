@@ -8,7 +8,12 @@ from campaign.changes import Inapplicable
 from campaign.trial import Trial, off
 from flexel.base.arrays import Array
 
-STEPS = (4e-3, 1e-3, 2.5e-4)  # of the differences: the smaller ones where the equations curve much
+STEPS = (
+    4e-3,
+    1e-3,
+    2.5e-4,
+    2e-5,
+)  # of the differences: shorter where the equations curve much or a contact opens
 SURE = 1e-7  # error from which the differences must agree with each other better than with the linearization
 MANY = 4  # degrees of freedom up to which M, C, K are differentiated too
 

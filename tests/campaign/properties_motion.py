@@ -14,7 +14,7 @@ from flexel.base.arrays import Array
 STEPS = 16  # of the implicit method, at least
 MORE = (1, 4, 16)  # times as many steps, where the motion is fast in other ways
 ENOUGH = 1e-7  # error at which no more are tried
-LONGEST = 10.0  # radians of the fastest vibration
+LONGEST = 4.0  # radians of the fastest vibration
 LAG = 0.002  # radians by which the implicit method may lag behind it
 
 
