@@ -12,13 +12,21 @@ from campaign.space import in_space
 from campaign.trial import Trial, off
 from flexel.base.arrays import Array
 
-UNITS = Change(length=1e3, mass=1e-3, time=50.0)
 TURNED = (about(np.array([1.0, 2.0, -0.5]), 0.8), about(np.array([0.0, 0.0, 1.0]), 2.0))
 
 
 def _turn(case: Case) -> Change:
     turn = TURNED[len(case.gravity) == 2]
     return Change(turn=tuple(turn.tolist()), shift=(0.7, -1.2, 0.4))
+
+
+def _units(case: Case) -> Change:
+    """Turned as well."""
+    return replace(_turn(case), length=1e3, mass=1e-3, time=50.0)
+
+
+def _other(trial: Trial, change: Change) -> Trial:
+    return trial.keep(change, lambda: Trial(changed(trial.case, change)))
 
 
 def _mapped(trial: Trial, other: Trial, change: Change) -> fx.State:
@@ -44,7 +52,7 @@ def _internal(trial: Trial, other: Trial, change: Change) -> Array:
 
 def _compared(trial: Trial, change: Change) -> float:
     """Accelerations of the changed model against changed ones."""
-    other = Trial(changed(trial.case, change))
+    other = _other(trial, change)
     state = _mapped(trial, other, change)
     a, b = [], []
     for node in trial.nodes.values():
@@ -69,16 +77,15 @@ def mirrored(trial: Trial) -> float:
 
 
 def units(trial: Trial) -> float:
-    """In millimetres, tonnes and other seconds."""
-    return _compared(trial, UNITS)
+    """Turned, and in millimetres, tonnes and other seconds."""
+    return _compared(trial, _units(trial.case))
 
 
 def motion_elsewhere(trial: Trial) -> float:
     """The end of the motion of the model turned and in other units."""
-    turn = _turn(trial.case)
-    change = Change(turn.turn, turn.shift, length=0.1, mass=30.0, time=0.2)
+    change = _units(trial.case)
     end = trial.motion[-1]
-    other = Trial(changed(trial.case, change))
+    other = _other(trial, change)
     final = other.moved(other.system, _mapped(trial, other, change), other.case.duration)[-1]
     errors = [0.0]
     for node in trial.nodes.values():

@@ -56,9 +56,14 @@ def in_others(trial: Trial) -> tuple[fx.System, fx.State]:
     start = trial.start
     if not trial.moving:
         raise Inapplicable("nothing moves freely")
-    m = trial.model()
-    m.independent(*other_names(trial, trial.x(start), trial.v(start)))
-    system = m.build()
+    names = other_names(trial, trial.x(start), trial.v(start))
+
+    def made() -> fx.System:
+        m = trial.model()
+        m.independent(*names)
+        return m.build()
+
+    system = trial.keep(names, made)
     return system, system.state(start.t, start.x, start.v, z=start.z)
 
 

@@ -8,7 +8,7 @@ import numpy as np
 import flexel as fx
 from campaign.algebra import product
 from campaign.changes import Inapplicable
-from campaign.trial import ACCURATE, Trial, off
+from campaign.trial import Trial, off
 from flexel.base.arrays import Array
 
 STEPS = 16  # of the implicit method, at least
@@ -113,12 +113,3 @@ def continued(trial: Trial) -> float:
     system = trial.model().build()
     last = trial.moved(system, system.restore(saved), half)[-1]
     return float(np.max(np.abs(trial.x(last) - trial.x(end))))
-
-
-def explicit_methods(trial: Trial) -> float:
-    """A method of SciPy against the one in C."""
-    start, duration = trial.start, trial.case.duration
-    motion = trial.system.simulate(
-        duration, start=start, samples=2, method="LSODA", progress=False, **ACCURATE
-    )
-    return float(np.max(np.abs(trial.x(motion[-1]) - trial.x(trial.motion[-1]))))

@@ -1,6 +1,7 @@
 """A run of the campaign: so many models, and the table of what was found."""
 
 import json
+import sys
 import time
 from collections import Counter, defaultdict
 from collections.abc import Callable, Mapping
@@ -104,12 +105,15 @@ def run(
     """Draw models and hold each against all properties.
 
     A family ends with its first failure, which hypothesis shrinks to the shortest program; without `shrink` all
-    failures are kept as they are drawn.
+    failures are kept as they are drawn.  An interrupt ends the run; what was found until then is returned.
     """
     found, begun = Findings(), time.monotonic()
-    for (name, strategy), share in zip(families.items(), shares(count, len(families)), strict=True):
-        if share:
-            _family(found, strategy, share, f"{seed} {name}", shrink, report)
+    try:
+        for (name, strategy), share in zip(families.items(), shares(count, len(families)), strict=True):
+            if share:
+                _family(found, strategy, share, f"{seed} {name}", shrink, report)
+    except KeyboardInterrupt:
+        print("interrupted", file=sys.stderr)
     return found.as_json(seed, time.monotonic() - begun)
 
 

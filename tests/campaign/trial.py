@@ -1,6 +1,8 @@
 """A case with everything that its properties share: the system, a state, the oracle and its answer."""
 
+from collections.abc import Callable, Hashable
 from functools import cached_property
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -11,6 +13,7 @@ from campaign.oracle import Answer, Oracle
 from campaign.parts import twins_of
 from flexel.base.arrays import Array
 
+Made = TypeVar("Made")
 ACCURATE = {"rtol": 1e-10, "atol": 1e-12}  # of motions that are compared with each other
 
 
@@ -30,12 +33,20 @@ class Trial:
         self.case, self.nodes = case, drawn_nodes(case)
         self.oracle = Oracle(self.nodes, twins_of(case))
         self.released: tuple[str, ...] = ()
+        self._kept: dict[Hashable, Any] = {}
 
     @cached_property
     def drawn(self) -> Answer:
         """What the oracle says about the configuration as drawn, at rest."""
         x = self.oracle.drawn
         return self.oracle.solve(x, np.zeros(x.size), dict.fromkeys(self.oracle.states, 0.0), 0.0)
+
+    def keep(self, key: Hashable, make: Callable[[], Made]) -> Made:
+        """What several properties share, made once."""
+        if key not in self._kept:
+            self._kept[key] = make()
+        found: Made = self._kept[key]
+        return found
 
     @property
     def singular(self) -> bool:
