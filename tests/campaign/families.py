@@ -5,6 +5,7 @@ from hypothesis.strategies import SearchStrategy
 import campaign.changes_flexible
 import campaign.changes_of_calls
 import campaign.parts_beams
+import campaign.parts_belts
 import campaign.parts_bodies
 import campaign.parts_forces
 import campaign.parts_joints
@@ -14,6 +15,7 @@ import campaign.parts_wheels
 import campaign.pool  # noqa: F401 (each registers what its calls mean)
 from campaign.calls import Case
 from campaign.grammar_beams import BEAMS
+from campaign.grammar_belts import BELTS
 from campaign.grammar_chains import CHAINS
 from campaign.grammar_loops import LOOPS
 from campaign.grammar_ropes import ROPES
@@ -25,6 +27,7 @@ FAMILIES: dict[str, SearchStrategy[Case]] = {
     **LOOPS,
     **WHEELS,
     **BEAMS,
+    **BELTS,
     **ROPES,
     **TYRES,
 }
