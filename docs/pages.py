@@ -27,7 +27,7 @@ FIRST = (
     "writing-an-element",
     "adding-an-element",
 )  # of the guides, in this order
-REFERENCE = ("theory", "architecture", "speed", "report")
+REFERENCE = ("theory", "architecture", "verification", "speed", "report")
 Rows = list[dict[str, Any]]
 
 HOMES = {  # sections of the page of public names: title and modules

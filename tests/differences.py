@@ -39,14 +39,16 @@ def jacobian(f: Callable[[np.ndarray], np.ndarray], z0: np.ndarray, h: float = S
     return np.array(columns).T.reshape(-1, z0.size)
 
 
-def numerical_matrices(system: System, state: State) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def numerical_matrices(
+    system: System, state: State, h: float = STEP
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """M, C, K from the residual of the nonlinear equations."""
     nd = system.roles.nd
     qdd = np.array([state.acceleration(z) for z in system.dynamic])
     t, q, qd = state.t, state.q, state.qd
-    M = jacobian(lambda z: system.residual(t, q, qd, z, state), qdd)
-    C = jacobian(lambda z: system.residual(t, q, z, qdd, state), qd)
-    K = jacobian(lambda z: system.residual(t, z, qd, qdd, state), q)
+    M = jacobian(lambda z: system.residual(t, q, qd, z, state), qdd, h)
+    C = jacobian(lambda z: system.residual(t, q, z, qdd, state), qd, h)
+    K = jacobian(lambda z: system.residual(t, z, qd, qdd, state), q, h)
     assert M.shape == (nd, nd)
     return M, C, K
 

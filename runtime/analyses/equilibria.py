@@ -4,17 +4,29 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 from flexel.base.arguments import flag
 from flexel.base.arrays import Array
 from flexel.base.errors import IncompleteWarning, UnstableWarning
 from flexel.base.shown import Listing
+from flexel.integration.branch import Choices
 from flexel.integration.outcome import Integration, States
 from flexel.mechanics.core import Core
+from flexel.mechanics.reach import LOST, reach
 from flexel.results.motion import Motion
 from flexel.statics import compliance, path, stability
 from flexel.statics.steady import steady_motion
+from flexel.structure.moment import Moment
 from flexel.structure.state import State, own_state
+
+
+def _well_chosen(system: Core, state: State) -> State:
+    """The state, in the best degrees of freedom where the chosen ones have reached an extreme."""
+    own, near = system.kinematics_of(state.roles), Moment.of(state)
+    present = reach(own, near)
+    better = Choices(system, own, free=True).worse(near, present, LOST) if present > LOST else None
+    return state if better is None else replace(state, roles=better.roles)
 
 
 class Equilibria(Core):
@@ -70,7 +82,7 @@ class Equilibria(Core):
                 UnstableWarning,
                 stacklevel=2,
             )
-        return found.state
+        return _well_chosen(self, found.state)
 
     def static_path(self, start: State | None = None, *, t_end: float) -> Motion:
         """Equilibria while time, the load parameter, goes to `t_end`; past limit points by arc length.

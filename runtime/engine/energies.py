@@ -23,7 +23,8 @@ class Energies:
     def __init__(self, work: Workspace) -> None:
         kinds, law = work.tables.structure.kinds, work.tables.law
         first = flat(z[:, 0] for z in law.lines)  # quantities that the laws first act on, law by law
-        contacts = np.flatnonzero([kinds[q] == "gap" for q in first]).astype(np.int32)
+        deformed = [q < len(kinds) and kinds[q] == "gap" for q in first]  # a law may act on slips alone
+        contacts = np.flatnonzero(deformed).astype(np.int32)
         self._work, self._keep = work, (contacts, first[contacts].astype(np.int32))
         self._touching = np.zeros(contacts.size, dtype=np.uint8)
         self.struct: Any = ffi.new("flexel_energies *")

@@ -86,8 +86,8 @@ def _report_redundancy(structure: Structure, roles: Roles, rows: Index, left: Ar
 
 
 def candidates(structure: Structure, roles: Roles) -> Index:
-    """Candidates for degrees of freedom: free deformations and free coordinates without a role."""
-    taken = set(roles.rigid) | set(roles.prescribed)
+    """Candidates for degrees of freedom: coordinates and deformations that are free, but for gaps with a kink."""
+    taken = {*roles.rigid, *roles.prescribed, *structure.kinked}
     first = structure.m + structure.k
     rows = [*range(structure.m), *range(first, first + structure.nf)]
     return np.array([i for i in rows if i not in taken], dtype=np.intp)

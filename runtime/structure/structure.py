@@ -88,6 +88,12 @@ class Structure(Constant):
         i = self.index[name]
         return i < self.m and self.kinds[i] == "norm"
 
+    @cached_property
+    def kinked(self) -> tuple[int, ...]:
+        """Gaps of round and helical grooves: outside the groove they have a kink, in the middle between its flanks."""
+        grooves = ["groove_radius" in z.parameters for z in self.instances for _ in z.spec.deformations]
+        return tuple(i for i, groove in enumerate(grooves) if groove and self.kinds[i] == "gap")
+
     @property
     def has_user_code(self) -> bool:
         """Whether elements or laws are evaluated by code that was compiled for the user."""

@@ -215,3 +215,16 @@ def test_a_motion_that_cannot_go_on_says_where_and_keeps_its_states() -> None:
 def test_a_spectral_radius_out_of_range_is_refused(radius: float) -> None:
     with pytest.raises(fx.ModelError, match="spectral_radius"):
         Scheme.with_radius(radius)
+
+
+def test_a_law_on_slips_alone_brakes_an_implicit_motion() -> None:
+    m = fx.Model()
+    m.point("P", (0, 0))
+    m.angle("heading")
+    m.angle("spin", fixed=True)
+    m.body("body", "P", "heading", mass=2.0, inertia=0.1)
+    m.planar_wheel("skate", "P", "heading", "spin", radius=0.1)
+    m.spring("skate.longitudinal", damping=3.0)
+    m.initial("P.x", rate=1.0)
+    end = m.build().simulate(1.0, method="generalized-alpha", rtol=1e-8, samples=2)[-1]
+    assert end.rate("P.x") == pytest.approx(np.exp(-1.5), rel=1e-5)

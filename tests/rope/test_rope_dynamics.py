@@ -60,3 +60,24 @@ def test_energy_is_kept_without_damping() -> None:
     kinetic = max(state.energy.kinetic for state in motion)
     assert abs(energy - energy[0]).max() < 1e-8 * kinetic
     assert kinetic > 0.3
+
+
+def test_gaps_of_grooves_are_not_chosen_as_degrees_of_freedom() -> None:
+    """Outside a groove its gap has a kink in the middle: a rope that is drawn there could not move from it."""
+    m = fx.Model(gravity=(0, 0, -9.81))
+    m.point("axle", (0, 0, 0), fixed=True)
+    m.frame("ground", fixed=True)
+    m.frame("wheel")
+    m.hinge("bearing", "ground", "wheel", axis=(0, 1, 0))
+    m.body("rim", "axle", "wheel", mass=1.0, inertia=(0.07, 0.07, 0.07))
+    groove = fx.RoundGroove(5.5e-3, 0.8)
+    m.sheave("sheave", "axle", "wheel", radius=0.2, axle=(0, 1, 0), groove=groove)
+    for name, x in (("A", -0.2), ("B", 0.2)):
+        m.point(name, (x, 0, -0.2))
+        m.point_mass(f"mass {name}", name, 1.0)
+    contact = fx.Contact(2.5e5)
+    data = {"radius": 5e-3, "tension": 9.81, "EA": 450.0, "EI": 0.3, "mass_per_length": 0.9}
+    m.rope("rope", ["A", ("sheave", 1), "B"], 12, contact=contact, **data)
+    s = m.build()
+    assert not [z for z in s.dynamic if z.endswith(".gap")]
+    assert s.simulate(0.01, method="DOP853", rtol=1e-8, progress=False).message == "reached the end"

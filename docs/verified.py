@@ -1,0 +1,113 @@
+"""Fill the tables of docs/verification.md with what the property campaign found.
+
+``python docs/verified.py FILE`` takes the findings that ``python -m campaign --json FILE`` wrote and keeps them in
+``docs/verification.json``. Without FILE the tables are filled from there; ``--check`` changes nothing and fails where
+a table differs. A table stands between two marks, and is written anew:
+
+    <!--campaign: run-->          a line: models, seed
+    <!--campaign: properties-->   largest and median error of each property
+    <!--campaign: families-->     models of each family
+    <!--campaign: skipped-->      where a property had nothing to say
+    <!--end-->
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import re
+import sys
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+DOCS = Path(__file__).resolve().parent
+KEPT, PAGE = DOCS / "verification.json", DOCS / "verification.md"
+BLOCK = re.compile(r"(<!--campaign: (\w+)-->\n).*?(<!--end-->)", re.DOTALL)
+Findings = Mapping[str, Any]
+
+
+def size(error: float) -> str:
+    """Of an error: two digits; an error of nothing is 0."""
+    if not error:
+        return "0"
+    digits, power = f"{error:.1e}".split("e")
+    return f"{digits}e{int(power)}"
+
+
+def run(found: Findings) -> Iterator[str]:
+    """How many models, of which seed, and how many failed."""
+    failed = len(found["failures"])
+    yield f"{found['models']} models with the seed {found['seed']}; {failed or 'none'} failed."
+
+
+def properties(found: Findings) -> Iterator[str]:
+    """The errors of each property."""
+    yield "| property | models | largest error | median | tolerance |"
+    yield "|---|---|---|---|---|"
+    for z in found["properties"]:
+        errors = " | ".join(size(z[key]) for key in ("largest", "median", "tolerance"))
+        yield f"| {z['name']} | {z['models']} | {errors} |"
+
+
+def families(found: Findings) -> Iterator[str]:
+    """How many models of each family."""
+    yield "| family | models |"
+    yield "|---|---|"
+    for name, count in found["families"].items():
+        yield f"| {name} | {count} |"
+
+
+def skipped(found: Findings) -> Iterator[str]:
+    """Why properties had nothing to say, with the properties that one reason concerns in one row."""
+    counts: Counter[str] = Counter()
+    concerned: dict[str, list[str]] = {}
+    for z in found["skipped"]:
+        name, _, reason = z["reason"].partition(": ")
+        counts[reason] = max(counts[reason], z["models"])
+        concerned.setdefault(reason, []).append(name)
+    yield "| reason | properties | models |"
+    yield "|---|---|---|"
+    for reason, count in counts.most_common():
+        yield f"| {reason} | {', '.join(concerned[reason])} | {count} |"
+
+
+TABLES: dict[str, Callable[[Findings], Iterator[str]]] = {
+    "run": run,
+    "properties": properties,
+    "families": families,
+    "skipped": skipped,
+}
+
+
+def filled(text: str, found: Findings) -> str:
+    """The page with its tables written anew."""
+
+    def block(mark: re.Match[str]) -> str:
+        return mark[1] + "\n" + "\n".join(TABLES[mark[2]](found)) + "\n\n" + mark[3]
+
+    return BLOCK.sub(block, text)
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Fill or check the page; the exit status is 1 where it differs."""
+    parser = argparse.ArgumentParser(
+        description="Tables of the page on verification from the property campaign."
+    )
+    parser.add_argument("file", nargs="?", type=Path, help="JSON of python -m campaign")
+    parser.add_argument("--check", action="store_true", help="change nothing; fail where a table differs")
+    given = parser.parse_args(arguments)
+    content = (given.file or KEPT).read_text(encoding="utf-8")
+    if given.file is not None and not given.check:
+        KEPT.write_text(content, encoding="utf-8")
+    text = PAGE.read_text(encoding="utf-8")
+    new = filled(text, json.loads(content))
+    if new != text and not given.check:
+        PAGE.write_text(new, encoding="utf-8")
+    print(f"{PAGE.name if new != text else 'no page'} {'differs' if given.check else 'written'}")
+    return int(given.check and new != text)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

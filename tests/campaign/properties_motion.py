@@ -1,0 +1,115 @@
+"""Properties of short motions: energy, momentum, time reversal, two methods, an interrupt."""
+
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import numpy as np
+
+import flexel as fx
+from campaign.algebra import product
+from campaign.changes import Inapplicable
+from campaign.trial import Trial, off
+from flexel.base.arrays import Array
+
+STEPS = 16  # of the implicit method, at least
+MORE = (1, 4, 16)  # times as many steps, where the motion is fast in other ways
+ENOUGH = 1e-7  # error at which no more are tried
+LONGEST = 4.0  # radians of the fastest vibration
+LAG = 0.002  # radians by which the implicit method may lag behind it
+
+
+def energy_kept(trial: Trial) -> float:
+    """Energy by the oracle, at the end against the start."""
+    if not trial.oracle.conserves:
+        raise Inapplicable("energy is not conserved")
+    start, end = trial.start, trial.motion[-1]
+    kinetic = [trial.energy(z) - trial.oracle.energy(trial.x(z), 0 * trial.v(z)) for z in (start, end)]
+    return abs(trial.energy(end) - trial.energy(start)) / max(*kinetic, 1e-3)
+
+
+def fields(trial: Trial, x: Array) -> Array:
+    """Rates of all coordinates (n, 6) in unit translations along and turns about the axes."""
+    F = np.zeros((x.size, 6))
+    first = 0
+    for node in trial.nodes.values():
+        own = x[first : first + node.drawn.size]
+        for k in range(3):
+            e = np.eye(3)[k]
+            if node.kind == "point":
+                F[first : first + 3, k], F[first : first + 3, 3 + k] = e, np.cross(e, own)
+            else:
+                F[first : first + 4, 3 + k] = product(np.array([0.0, *e]), own) / 2
+        first += node.drawn.size
+    return F
+
+
+def momentum(trial: Trial) -> float:
+    """Momentum and, without gravity, angular momentum of what floats."""
+    if "floating" not in trial.case.known:
+        raise Inapplicable("the ground reacts")
+    start, end = trial.start, trial.motion[-1]
+    p = []
+    for z in (start, end):
+        x = trial.x(z)
+        F = fields(trial, x)
+        p.append(F.T @ trial.oracle.inertia(x) @ trial.v(z))
+        mass = float(F[:, 0] @ trial.oracle.inertia(x) @ F[:, 0])
+    weight = mass * np.array(trial.case.gravity) * (end.t - start.t)
+    rows = 3 if np.any(weight) else 6
+    return off(p[1][:rows], (p[0] + np.array([*weight, 0, 0, 0]))[:rows], 1.0)
+
+
+def time_reversal(trial: Trial) -> float:
+    """With all velocities reversed the motion goes back to where it began."""
+    if not trial.oracle.conserves:
+        raise Inapplicable("energy is not conserved")
+    end = trial.motion[-1]
+    back = trial.system.state(end.t, end.x, -end.v)
+    again = trial.moved(trial.system, back, trial.case.duration)[-1]
+    return float(np.max(np.abs(trial.x(again) - trial.x(trial.start))))
+
+
+def implicit(trial: Trial) -> float:
+    """The implicit method, extrapolated from two steps by its order, against the explicit one.
+
+    The motion is as short, and the steps are as many, as the fastest vibration asks for.
+    """
+    if not trial.moving:
+        raise Inapplicable("nothing moves freely")
+    A = trial.system.linearize(trial.start).state_matrix
+    fastest = float(np.max(np.abs(np.linalg.eigvals(A)), initial=0.0))
+    duration = min(trial.case.duration, LONGEST / max(fastest, 1e-3))
+    count = max(STEPS, round(((fastest * duration) ** 3 / 12 / LAG) ** 0.5))
+    end = trial.x(trial.moved(trial.system, trial.start, duration)[-1])
+    errors: list[float] = []
+    for more in MORE:
+        coarse, fine = (_implicit(trial, duration, more * n) for n in (count, 2 * count))
+        errors.append(float(np.max(np.abs((4 * fine - coarse) / 3 - end))))
+        if errors[-1] < ENOUGH:
+            break
+    return errors[-1]
+
+
+def _implicit(trial: Trial, duration: float, count: int) -> Array:
+    motion = trial.system.simulate(
+        duration,
+        start=trial.start,
+        samples=2,
+        method="generalized-alpha",
+        step=duration / count,
+        progress=False,
+    )
+    return trial.x(motion[-1])
+
+
+def continued(trial: Trial) -> float:
+    """A motion continued from a file against the uninterrupted one."""
+    end, half = trial.motion[-1], trial.case.duration / 2
+    first = trial.moved(trial.system, trial.start, half)
+    with TemporaryDirectory() as folder:
+        file = Path(folder) / "motion.npz"
+        first.save(file)
+        saved = fx.load(file)
+    system = trial.model().build()
+    last = trial.moved(system, system.restore(saved), half)[-1]
+    return float(np.max(np.abs(trial.x(last) - trial.x(end))))

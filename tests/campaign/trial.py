@@ -1,0 +1,122 @@
+"""A case with everything that its properties share: the system, a state, the oracle and its answer."""
+
+from collections.abc import Callable, Hashable
+from functools import cached_property
+from typing import Any, TypeVar
+
+import numpy as np
+
+import flexel as fx
+from campaign.calls import Case, drawn_nodes
+from campaign.changes import Inapplicable
+from campaign.oracle import Answer, Oracle
+from campaign.parts import twins_of
+from flexel.base.arrays import Array
+
+Made = TypeVar("Made")
+ACCURATE = {"rtol": 1e-10, "atol": 1e-12}  # of motions that are compared with each other
+
+
+class Trial:
+    """A case under trial.
+
+    Attributes
+    ----------
+    case : Case
+    nodes : dict of str to Node
+    oracle : Oracle
+    released : tuple of str
+        Redundant conditions that were released as flexel's report says, so that the model could be built.
+    """
+
+    def __init__(self, case: Case) -> None:
+        self.case, self.nodes = case, drawn_nodes(case)
+        self.oracle = Oracle(self.nodes, twins_of(case))
+        self.released: tuple[str, ...] = ()
+        self._kept: dict[Hashable, Any] = {}
+
+    @cached_property
+    def drawn(self) -> Answer:
+        """What the oracle says about the configuration as drawn, at rest."""
+        x = self.oracle.drawn
+        return self.oracle.solve(x, np.zeros(x.size), dict.fromkeys(self.oracle.states, 0.0), 0.0)
+
+    def keep(self, key: Hashable, make: Callable[[], Made]) -> Made:
+        """What several properties share, made once."""
+        if key not in self._kept:
+            self._kept[key] = make()
+        found: Made = self._kept[key]
+        return found
+
+    @property
+    def singular(self) -> bool:
+        """Whether flexel may refuse the configuration, as drawn or as it moves."""
+        change_point = bool(self.drawn.redundant) and "redundant" not in self.case.known
+        return self.drawn.singular or change_point or ("start" in self.__dict__ and self.answer.singular)
+
+    def model(self) -> fx.Model:
+        """The model; of a redundant family without its redundant conditions."""
+        m = self.case.model()
+        if "redundant" in self.case.known:
+            self.released = tuple(m.constraint_report().release)
+            m.release(*self.released)
+        return m
+
+    @cached_property
+    def system(self) -> fx.System:
+        """The system in the degrees of freedom that flexel chooses."""
+        return self.model().build()
+
+    @cached_property
+    def start(self) -> fx.State:
+        """The state that is examined."""
+        return self.case.start(self.system)
+
+    def x(self, state: fx.State) -> Array:
+        """All coordinates in the oracle's order."""
+        return self.oracle.vector(lambda name: state[name])
+
+    def v(self, state: fx.State) -> Array:
+        """Their rates."""
+        return self.oracle.vector(state.rate, held=False)
+
+    def a(self, state: fx.State) -> Array:
+        """Their second rates."""
+        return self.oracle.vector(state.acceleration, held=False)
+
+    def z(self, state: fx.State) -> dict[str, float]:
+        """Internal states."""
+        return {name: state[name] for name in self.oracle.states}
+
+    @cached_property
+    def answer(self) -> Answer:
+        """What the oracle finds in the state."""
+        start = self.start
+        return self.oracle.solve(self.x(start), self.v(start), self.z(start), start.t)
+
+    def energy(self, state: fx.State) -> float:
+        """Energy by the oracle [J]."""
+        return self.oracle.energy(self.x(state), self.v(state))
+
+    @property
+    def moving(self) -> bool:
+        """Whether there is a motion to be integrated."""
+        return bool(self.system.dynamic)
+
+    @cached_property
+    def motion(self) -> fx.Motion:
+        """The motion from the state."""
+        return self.moved(self.system, self.start, self.case.duration)
+
+    def moved(self, system: fx.System, start: fx.State, duration: float) -> fx.Motion:
+        """An accurate motion; only its end matters."""
+        if not system.dynamic:
+            raise Inapplicable("nothing moves freely")
+        return system.simulate(duration, start=start, samples=2, method="DOP853", progress=False, **ACCURATE)
+
+
+def off(found: Array, reference: Array, least: float = 1e-6) -> float:
+    """Largest difference, relative to the largest entry of the reference."""
+    if not np.size(reference):
+        return 0.0
+    return float(np.max(np.abs(found - reference)) / max(float(np.max(np.abs(reference))), least))

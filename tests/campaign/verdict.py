@@ -1,0 +1,84 @@
+"""One model through all properties."""
+
+import warnings
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from functools import cache
+
+import flexel as fx
+from campaign.calls import Case
+from campaign.changes import Inapplicable
+from campaign.properties import PROPERTIES, Property
+from campaign.trial import Trial
+
+
+@dataclass
+class Verdict:
+    """What became of a model.
+
+    Attributes
+    ----------
+    case : Case
+    errors : dict of str to float
+        By property.
+    skipped : dict of str to str
+        Properties that have nothing to say, and why.
+    refused : str
+        Flexel's message, if it refuses the model; allowed where the configuration is singular.
+    failures : list of (str, float, str)
+        Property, error, message.
+    """
+
+    case: Case
+    errors: dict[str, float] = field(default_factory=dict)
+    skipped: dict[str, str] = field(default_factory=dict)
+    refused: str = ""
+    failures: list[tuple[str, float, str]] = field(default_factory=list)
+
+    def __str__(self) -> str:
+        lines = [f"{name}: error {error:.3g} {text}" for name, error, text in self.failures]
+        return "\n".join([*lines, "", self.case.program()])
+
+
+def judged(case: Case, properties: Sequence[Property] = PROPERTIES) -> Verdict:
+    """Hold a model against all properties."""
+    verdict, trial = Verdict(case), Trial(case)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        try:
+            assert trial.start is not None
+        except (fx.FlexelError, Warning) as error:
+            _refuse(verdict, trial, "build", error)
+            return verdict
+        for z in properties:
+            _hold(verdict, trial, z)
+    return verdict
+
+
+def _hold(verdict: Verdict, trial: Trial, z: Property) -> None:
+    try:
+        error = float(z.error(trial))
+    except Inapplicable as reason:
+        verdict.skipped[z.name] = str(reason)
+        return
+    except (fx.FlexelError, Warning) as refusal:
+        _refuse(verdict, trial, z.name, refusal)
+        return
+    verdict.errors[z.name] = error
+    if not error <= z.tolerance:
+        verdict.failures.append((z.name, error, f"> {z.tolerance:g}"))
+
+
+def _refuse(verdict: Verdict, trial: Trial, name: str, error: Exception) -> None:
+    message = " ".join(str(error).split())
+    if trial.singular:
+        verdict.refused = message
+        verdict.skipped[name] = "refused by flexel, and singular by the oracle"
+    else:
+        verdict.failures.append((name, float("nan"), f"{type(error).__name__}: {message}"))
+
+
+@cache
+def tolerances() -> dict[str, float]:
+    """By property."""
+    return {z.name: z.tolerance for z in PROPERTIES}
