@@ -36,12 +36,16 @@ def _magic(draw: Draw) -> dict[str, Any]:
     }
 
 
-def _law(draw: Draw, tyre: str) -> Call:
-    """A law on a tyre."""
-    law = draw(st.sampled_from(["vertical_tyre", "linear_tyre", "calspan_tyre", "magic_formula"]))
+def _law(draw: Draw, tyre: str, calm: bool) -> Call:
+    """A law on a tyre; `calm`: a spring alone."""
+    law = (
+        "vertical_tyre"
+        if calm
+        else draw(st.sampled_from(["vertical_tyre", "linear_tyre", "calspan_tyre", "magic_formula"]))
+    )
     more: dict[str, Any] = {
         "stiffness": draw(number(3e4, 7e4, 1e3)),
-        "damping": draw(st.sampled_from([0.0, 300.0])),
+        "damping": 0.0 if calm else draw(st.sampled_from([0.0, 300.0])),
     }
     if law == "vertical_tyre":
         return call("attach", law, [f"{tyre}.{draw(st.sampled_from(['drop', 'deflection']))}"], **more)
@@ -79,12 +83,15 @@ def _leaning(draw: Draw) -> Any:
     return product(yaw, lean)
 
 
-def _wheel(draw: Draw, hub: str, frame: str, turn: Any, road: dict[str, Any]) -> list[Call]:
+def _wheel(draw: Draw, hub: str, frame: str, turn: Any, road: dict[str, Any], calm: bool) -> list[Call]:
     """The tyre of a wheel and its law."""
     axle = tuple(rotated(turn, np.array([0.0, 1.0, 0.0])).tolist())
     crown = draw(st.sampled_from([0.0, 0.05]))
     name = f"{frame} tyre"
-    return [call("tyre", name, hub, frame, radius=RADIUS, axle=axle, crown=crown, **road), _law(draw, name)]
+    return [
+        call("tyre", name, hub, frame, radius=RADIUS, axle=axle, crown=crown, **road),
+        _law(draw, name, calm),
+    ]
 
 
 def _velocity(draw: Draw, turn: Any) -> tuple[float, ...]:
@@ -114,7 +121,7 @@ def wheels(draw: Draw) -> Case:
             mass=draw(number(20, 60)),
             inertia=draw(st.tuples(moment, moment, moment)),
         ),
-        *_wheel(draw, "hub", "wheel", turn, _road(draw)),
+        *_wheel(draw, "hub", "wheel", turn, _road(draw), draw(st.integers(0, 3)) == 0),
     ]
     speeds = dict(zip(("hub.x", "hub.y", "hub.z"), _velocity(draw, turn), strict=True))
     return Case("tyres", (0.0, 0.0, -9.81), tuple(calls), draw(vectors(4, 5.0)), 0.01, speeds=speeds)
@@ -123,7 +130,7 @@ def wheels(draw: Draw) -> Case:
 @st.composite
 def carts(draw: Draw) -> Case:
     """A body on two wheels, one behind the other, that turn on hinges."""
-    road = _road(draw)
+    road, calm = _road(draw), draw(st.integers(0, 3)) == 0
     turn = _leaning(draw)
     height = draw(number(0.26, 0.3))
     calls = [
@@ -142,7 +149,7 @@ def carts(draw: Draw) -> Case:
             call("body_point", f"{name} arm", "C", "chassis", f"{name} hub"),
             call("hinge", f"{name} axle", "chassis", name, axis=axle),
             call("body", f"{name} rim", f"{name} hub", name, mass=15.0, inertia=(0.6, 1.0, 0.6)),
-            *_wheel(draw, f"{name} hub", name, turn, road),
+            *_wheel(draw, f"{name} hub", name, turn, road, calm),
         ]
     ahead, aside = draw(number(4, 12)), draw(number(-1, 1))
     speeds = {f"{z}.x": ahead for z in ("C", "front hub", "rear hub")} | {"C.y": aside}
