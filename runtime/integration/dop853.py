@@ -130,8 +130,7 @@ class Dop853(MinimalRun):
         """Start anew from the present position in the present degrees of freedom."""
         y = self.choices.values(self.now, self.z)
         self.steps = Steps(self.kinematics, self.now, y, self.tolerances.rtol, self.natural_atol())
-        self.steps.begin(self.t)
-        self.counts["evaluations"] += 1
+        self.renew()
         if not self._h:
             self._h = self.tolerances.first_step or self._first_step()
 
