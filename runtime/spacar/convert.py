@@ -124,8 +124,8 @@ def _analysis(file: Spacar) -> list[str]:
     elif _steps(file):
         lines += [
             "state = None",
-            f"for i in range({file.steps + 1}):",
-            f"    state = system.equilibrium(state, t=i / {file.steps})",
+            f"for i in range({file.increments + 1}):",
+            f"    state = system.equilibrium(state, t=i / {file.increments})",
         ]
     else:
         lines += ["state = system.equilibrium()"]

@@ -162,7 +162,8 @@ def test_converted_file_that_is_simulated_has_no_load_steps(tmp_path: Path) -> N
     """As with `flexel run`, where TIMESTEP comes before DELXF."""
     source = tmp_path / "crank.dat"
     source.write_text(
-        "PLBEAM 1 1 2 3 4\nX 3 0.5 0\nFIX 1\nXM 3 2.0\nINPUTX 2 1 0 1.5\nDELXF 3 0 1.0\nTIMESTEP 1.0 10\n"
+        "PLBEAM 1 1 2 3 4\nX 3 0.5 0\nFIX 1\nINPUTX 2 1\nEND\nHALT\nXM 3 2.0\nINPUTX 2 1 0 1.5\n"
+        "DELXF 3 0 1.0\nTIMESTEP 1.0 10\n"
     )
     flexel("convert", source, tmp_path / "crank.py")
     text = (tmp_path / "crank.py").read_text()
