@@ -7,6 +7,7 @@ from pathlib import Path
 
 from flexel.base.errors import ModelError
 from flexel.spacar.reading import Spacar, read_spacar
+from flexel.spacar.routines import input_lines, stress_lines
 from flexel.spacar.statements import Call, literal
 
 WIDTH = 110
@@ -70,7 +71,11 @@ def python_source(file: Spacar) -> str:
         if title != section:
             lines += ["", f"# {title}"]
             section = title
-        lines += _wrapped(call)
+        if call.method == "prescribe" and "USERINP" in file.routines:
+            lines += input_lines(call, file.routines["USERINP"])
+        else:
+            lines += _wrapped(call)
+    lines += stress_lines(file.routines, [name for name, _ in file.deformations.values()])
     if _steps(file):
         lines += ["", "# load steps, t from 0 to 1: inputs stand still unless a step changes them"]
         for call in (*file.still, *file.load_steps):

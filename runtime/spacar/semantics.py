@@ -53,8 +53,8 @@ def understand(sheet: Sheet) -> Draft:
     _mark_free(sheet)
     Claims(sheet)
     draft.calls += node_calls([sheet.nodes[n] for n in sorted(sheet.nodes)])
-    for calls in each(lambda entry: element_calls(entry, sheet.dialect), sheet.elements.values()):
-        draft.calls += calls
+    made = sum(each(lambda entry: element_calls(entry, sheet.dialect), sheet.elements.values()), start=[])
+    draft.calls += sorted(made, key=lambda call: call.method == "rotary_inertia")
     draft.calls += each(lambda line: _mass(line, sheet.node(line)), sheet.of("MASS"))
     draft.calls += _forces(sheet, draft)
     motions = Motions(sheet)
