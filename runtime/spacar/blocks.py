@@ -77,6 +77,7 @@ def blocks(raw: Sequence[Raw], dialect: str, problems: Problems) -> Iterator[tup
         with problems.collected():
             reader.take(line)
         if reader.done:
+            problems.cut = reader.cut
             return
         if line.key not in ENDS:
             yield reader.block, line
@@ -91,13 +92,13 @@ class _Reader:
     ----------
     block : int
         Number of the block.
-    done : bool
-        What follows is not read.
+    done, cut : bool
+        What follows is not read; although it may belong to the model.
     """
 
     def __init__(self, dialect: str) -> None:
         self.twente = dialect == "twente"
-        self.block, self.done = 0, False
+        self.block, self.done, self.cut = 0, False, False
         self._pending: Raw | None = None  # an END that may be the first of two
         self._ended: Raw | None = None
 
@@ -111,7 +112,7 @@ class _Reader:
         elif line.key in PICTURE:
             return
         elif self._ended is not None:
-            self.done = True
+            self.done = self.cut = True
             raise line.error(
                 f"comes after END in line {self._ended.number}, where a second run would start; put each run into a "
                 "separate file"

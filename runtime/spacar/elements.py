@@ -11,7 +11,7 @@ from flexel.base.errors import ModelError
 from flexel.base.quaternions import in_frame, matrix, triad
 from flexel.spacar.entries import ElementEntry, NodeEntry, quantity
 from flexel.spacar.keywords import KEYWORDS
-from flexel.spacar.laws import BEAMS, coefficients, law_calls, length
+from flexel.spacar.laws import BEAMS, coefficients, initial_stresses, law_calls, length
 from flexel.spacar.statements import Call
 
 # stiffnesses that make modes flexible together, and these modes, of beams in space and in the plane
@@ -22,13 +22,25 @@ PLANAR_GROUPS = {"EA": {1}, "EIz": {2, 3}}
 def element_calls(entry: ElementEntry, dialect: str) -> list[Call]:
     """Calls that make an element with its mass, its roles and its laws; none for an automatic norm."""
     keyword = entry.line.keyword
-    for given in entry.lines:
-        if given not in USES.get(keyword, ()):
-            allowed = ", ".join(USES.get(keyword, ())) or "none"
-            raise entry.lines[given].error(f"a {keyword} takes {allowed}; remove the line")
-    if keyword == "L2MIN1":
-        return []
-    return MAKERS[keyword](entry, dialect)
+    return [] if keyword == "L2MIN1" else MAKERS[keyword](entry, dialect)
+
+
+def check_line(entry: ElementEntry, given: str) -> None:
+    """Check that an element can have a line of the keyword `given`, with these numbers.
+
+    Raises
+    ------
+    LineError
+    """
+    allowed = USES.get(entry.line.keyword, ())
+    if given not in allowed:
+        raise entry.lines[given].error(
+            f"a {entry.line.keyword} takes {', '.join(allowed) or 'none'}; remove the line"
+        )
+    if given in ("ESTIFF", "EDAMPP"):
+        coefficients(entry, given)
+    if given == "ESIG":
+        initial_stresses(entry)
 
 
 # -- types ---------------------------------------------------------------------------------------

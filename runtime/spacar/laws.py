@@ -69,7 +69,7 @@ def law_calls(entry: ElementEntry) -> list[Call]:
 
     Angles of hinges and bearings need no release.
     """
-    S, D, sigma = coefficients(entry, "ESTIFF"), coefficients(entry, "EDAMPP"), _initial_stresses(entry)
+    S, D, sigma = coefficients(entry, "ESTIFF"), coefficients(entry, "EDAMPP"), initial_stresses(entry)
     acting = np.any(S, axis=1) | np.any(D, axis=1) | (sigma != 0.0)
     used = [i for i in sorted(entry.free) if i not in entry.kind.slips and acting[i - 1]]
     calls = []
@@ -95,7 +95,7 @@ def law_calls(entry: ElementEntry) -> list[Call]:
     return calls
 
 
-def _initial_stresses(entry: ElementEntry) -> Array:
+def initial_stresses(entry: ElementEntry) -> Array:
     """Stresses of all modes as drawn, of a line ESIG; only modes that are not rigid can have one."""
     given, modes = entry.values("ESIG"), len(entry.kind.modes)
     if len(given) > modes:

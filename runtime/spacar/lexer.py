@@ -15,6 +15,7 @@ from flexel.spacar.keywords import KEYWORDS, SYNONYMS, UNSUPPORTED, VALUES
 from flexel.spacar.problems import LineError, Problems
 
 DIALECTS = ("delft", "twente")
+LARGEST = 1e150
 
 
 @dataclass(frozen=True)
@@ -136,4 +137,6 @@ def _number(line: Line, word: str) -> float:
         raise line.error(f"'{word}' is not a number; correct it ({hint})") from None
     if not math.isfinite(value):
         raise line.error(f"'{word}' is not finite; correct it")
+    if abs(value) > LARGEST:
+        raise line.error(f"'{word}' is too large to calculate with; give at most {LARGEST:g}")
     return value

@@ -46,6 +46,8 @@ class Problems:
 
     Attributes
     ----------
+    cut : bool
+        The rest of the file was not read, so that no more can be said about what there is.
     unread : set of int
         Numbers of nodes and elements in lines that could not be read; what refers to them may be right.
     """
@@ -53,6 +55,7 @@ class Problems:
     def __init__(self) -> None:
         self._found: list[LineError] = []
         self.unread: set[int] = set()
+        self.cut = False
 
     def __bool__(self) -> bool:
         return bool(self._found)

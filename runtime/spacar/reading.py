@@ -52,6 +52,8 @@ def read_spacar(path: str | Path, dialect: str | None = None) -> Spacar:
     path = path_of(path, "read_spacar")
     problems, notes = Problems(), Notes()
     dialect, lines = read_lines(path, dialect, problems)
+    if problems.cut:
+        problems.report()
     sheet = Sheet(lines, dialect, problems, notes)
     draft = understand(sheet)
     increments, steps, duration = _increments(sheet), *_time_steps(sheet)

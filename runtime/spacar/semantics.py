@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 
 from flexel.base.time_functions import Polynomial
 from flexel.spacar.contradictions import Claims
-from flexel.spacar.elements import element_calls, node_calls
+from flexel.spacar.elements import check_line, element_calls, node_calls
 from flexel.spacar.entries import NodeEntry, quantity
 from flexel.spacar.lexer import Line
 from flexel.spacar.motions import Motions
@@ -53,6 +53,7 @@ def understand(sheet: Sheet) -> Draft:
     _mark_free(sheet)
     Claims(sheet)
     draft.calls += node_calls([sheet.nodes[n] for n in sorted(sheet.nodes)])
+    each(lambda z: check_line(*z), [(e, given) for e in sheet.elements.values() for given in e.lines])
     made = sum(each(lambda entry: element_calls(entry, sheet.dialect), sheet.elements.values()), start=[])
     draft.calls += sorted(made, key=lambda call: call.method == "rotary_inertia")
     draft.calls += each(lambda line: _mass(line, sheet.node(line)), sheet.of("MASS"))

@@ -121,6 +121,8 @@ WRONG = {
     "FIX 1 one": r"line 8: FIX: 'one' is not a number",
     "FIX 1 nan": r"line 8: FIX: 'nan' is not finite",
     "FIX 1 infinity": r"line 8: FIX: 'infinity' is not finite",
+    "X 5 1e300 0": r"line 8: X: '1e300' is too large to calculate with; give at most 1e\+150",
+    "X 5 1,5 0": r"line 8: X: '1,5' is not a number; correct it \(blanks separate numbers, a point their decimals\)",
     "FIX 3 0_1": r"line 8: FIX: '0_1' is not a number",
     "FIX 3 \u0661": r"line 8: FIX: '\u0661' is not a number",
 }
@@ -268,4 +270,5 @@ def test_command_line_tells_file_and_line(tmp_path: Path) -> None:
     path.write_text("* nothing\n")
     assert "it has no elements" in CliRunner().invoke(main, ["run", str(path)]).output
     path.write_text("\n".join(CRANK))
-    assert "mode 3 does not exist" in CliRunner().invoke(main, ["run", str(path), "--mode", "3"]).output
+    output = CliRunner().invoke(main, ["run", str(path), "--mode", "3"]).output
+    assert "mode 3, small motions along a stored one, is not supported" in output
