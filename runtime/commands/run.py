@@ -63,7 +63,7 @@ class Wish:
     "--linearize", is_flag=True, help="Print frequency and damping of the modes about the last state."
 )
 @click.option(
-    "--mode", type=int, metavar="N", help="Mode of analysis of a SPACAR file: 1, 2, 4, 7, 8, 9 or 10."
+    "--mode", type=int, metavar="N", help="Mode of analysis of a SPACAR file: 0, 1, 2, 4, 7, 8, 9 or 10."
 )
 @click.option(
     "--dialect",

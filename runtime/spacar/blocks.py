@@ -42,12 +42,12 @@ def recognized(raw: Sequence[Raw]) -> str:
         Keywords of both.
     """
     seen: dict[str, int] = {}
-    for line in raw:
-        if line.key in PICTURE:
-            break  # what follows are other keywords
+    picture = next((i for i, line in enumerate(raw) if line.key in PICTURE), len(raw))
+    model = raw[: picture + 1]  # what follows are other keywords
+    for line in model:
         if line.key not in ENDS:
             seen.setdefault(line.key, line.number)
-    for sign, number in _ends(raw):
+    for sign, number in _ends(model):
         seen.setdefault(sign, number)
     delft = sorted(seen.keys() & DELFT_ONLY)
     twente = sorted(seen.keys() & TWENTE_ONLY) + sorted(seen.keys() & ENDS_OF_TWENTE)

@@ -6,7 +6,6 @@ import numpy as np
 
 from flexel.base.errors import ConstraintError
 from flexel.spacar.reading import Spacar
-from flexel.system import System
 
 
 def count_lines(file: Spacar) -> tuple[list[str], float]:
@@ -25,24 +24,22 @@ def count_lines(file: Spacar) -> tuple[list[str], float]:
         system = file.system
     except ConstraintError as error:  # which is what one asks mode 0 for
         return [*lines, str(report), str(error)], np.inf
-    roles = system.roles
+    roles, places = system.roles, _in_file(file)
     lines += [
         f"{system.structure.n - system.structure.nf} coordinates are fixed, {roles.prescribed.size} motions given, "
         f"{roles.rigid.size} conditions rigid (norms of orientations among them), {report.dofs} freedoms left",
         "degrees of freedom",
-        *(f"  {i:<4} {_in_file(file, name):<10} {name}" for i, name in enumerate(_dofs(system), 1)),
+        *(
+            f"  {i:<4} {places[name]:<10} {name}"
+            for i, name in enumerate(system.dynamic + system.kinematic, 1)
+        ),
     ]
     rows = system.initial.J[roles.position_rows][:, : system.structure.nf]
     condition = float(np.linalg.cond(rows)) if rows.size else 1.0
     return [*lines, f"condition number {condition:.3e}"], condition
 
 
-def _dofs(system: System) -> tuple[str, ...]:
-    return system.dynamic + system.kinematic
-
-
-def _in_file(file: Spacar, name: str) -> str:
-    """The node and component, or the element and mode, of a degree of freedom."""
+def _in_file(file: Spacar) -> dict[str, str]:
+    """Node and component, or element and mode, of all quantities of a file by their names."""
     places = {z: f"X {n} {i}" for (n, i), z in file.coordinates.items()}
-    places |= {z: f"E {e} {i}" for (e, i), (z, _) in file.deformations.items()}
-    return places[name]
+    return places | {z: f"E {e} {i}" for (e, i), (z, _) in file.deformations.items()}

@@ -201,8 +201,8 @@ PICTURE = ("VISUALIZATION", "VISUALIZ")  # what follows is not read
 KEYWORDS["VISUALIZATION"] = Usage("", 0, 99, text=True)
 # of these, the first block names components; in later ones (Twente) they give values
 VALUES = {
-    "INPUTX": Usage("n i x0 [v0 a0], as the first block has ended; components of inputs stand there", 3, 5),
-    "INPUTE": Usage("e i e0 [v0 a0], as the first block has ended; components of inputs stand there", 3, 5),
+    "INPUTX": Usage("n i x0 [v0 a0] after END HALT; components of inputs stand before it", 3, 5),
+    "INPUTE": Usage("e i e0 [v0 a0] after END HALT; modes of inputs stand before it", 3, 5),
 }
 VALUES = {key: replace(usage, meaning=f"{key} VALUES") for key, usage in VALUES.items()}
 for _key, _type in ELEMENTS.items():
@@ -224,7 +224,7 @@ DELFT_ONLY = frozenset(
 )
 TWENTE_ONLY = frozenset(
     "XM EM XF EDAMP ESIG KINX KINE RBEAM BEAMW GRAVITY DELXF DELINPX DELINPE STARTDE ITERSTEP OUTLEVEL INPUTF INPUTS "
-    "OUTX OUTXP OUTE OUTEP USERINP USERSIG VISUALIZATION".split()
+    "OUTX OUTXP OUTE OUTEP USERINP USERSIG VISUALIZATION VISUALIZ".split()
 )
 ENDS_OF_TWENTE = frozenset({"END HALT", "END END", "HALT"})  # Delft's END stands alone
 

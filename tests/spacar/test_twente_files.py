@@ -30,6 +30,12 @@ def test_end_and_halt_are_words_over_any_lines(end: str, last: list[str], tmp_pa
     assert calls(found, "prescribe") == ['m.prescribe("o4.lambda1", fx.Polynomial((0.25, 0.5)))']
 
 
+def test_a_picture_alone_tells_the_dialect(tmp_path: Path) -> None:
+    """Its keywords are not those of the model, and END in it ends nothing."""
+    found = file(tmp_path, *HEAD, "END", "VISUALIZATION", "MASS 1", "END", "END HALT", "FIX 99")
+    assert found.dialect == "twente" and len(found.notes) == 2
+
+
 def test_further_blocks_hold_inputs_and_outputs(tmp_path: Path) -> None:
     blocks = [
         *HEAD,
