@@ -18,6 +18,8 @@ def remark(sheet: Sheet) -> None:
     for line in sheet.lines:
         if line.keyword in WITHOUT_EFFECT:
             add(line, f"has no effect: {WITHOUT_EFFECT[line.keyword]}")
+        if line.keyword == "ITERSTEP":
+            add(line, "only its second number has an effect, the load steps: iterations stop at rounding")
         if line.keyword in ROUTINES:
             what = "stresses and forces" if line.keyword == "USERSIG" else "motions of inputs"
             add(

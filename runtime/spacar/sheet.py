@@ -23,7 +23,7 @@ OF_BEAM = {
 
 # how many of the first numbers identify the subject of a line that may occur only once
 SUBJECT = dict.fromkeys("ESTIFF EDAMPP EMASS ESIG LENGTH0 DIR MASS FORCE DELXF TORQUEL".split(), 1)
-SUBJECT |= dict.fromkeys("XD XDD E ED EDD STARTDE DELINPX DELINPE".split(), 2)
+SUBJECT |= dict.fromkeys("XD XDD E ED EDD STARTDE DELINPX DELINPE ENHC".split(), 2)
 SUBJECT |= {usage.meaning: 2 for usage in VALUES.values()}
 SUBJECT |= dict.fromkeys("TIME GRAVITY TIMESTEP HMAX ITERSTEP".split(), 0)
 
