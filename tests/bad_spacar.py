@@ -1,6 +1,7 @@
 """SPACAR files with mistakes as people make them: what is changed, and the verdict on reading and running them."""
 
 import random
+import re
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -37,6 +38,10 @@ JUNK = ("nan", "1,5", "x", "--", "1_0", "é", "1e999", "END", "HALT", "%", "*", 
 MODES_TRIED = (0, 7, 8, 9, 10)
 
 Lines = list[list[str]]
+
+
+class UnplacedError(Exception):
+    """An error of the reader that names no place in the file."""
 
 
 @dataclass(frozen=True)
@@ -142,6 +147,8 @@ def verdict(mistake: Mistake) -> str:
         warnings.simplefilter("always")
         try:
             _use(path, mistake.seed)
+        except UnplacedError as error:
+            return str(error)
         except fx.FlexelError as error:
             if len(str(error)) < 20 or "Error:" in str(error):
                 return f"says only {error!s}"
@@ -153,7 +160,12 @@ def verdict(mistake: Mistake) -> str:
 
 def _use(path: Path, seed: int) -> None:
     """Read a file, convert it, and run it in one of the modes that need no motion."""
-    file = fx.read_spacar(path)
+    try:
+        file = fx.read_spacar(path)
+    except fx.ModelError as error:
+        if not all(re.match(rf"{path.name}(, lines? \d|: )|… and", z) for z in str(error).splitlines()):
+            raise UnplacedError(f"does not say where: {error!s}") from error
+        raise
     compile(python_source(file), "converted.py", "exec")
     mode = MODES_TRIED[seed % len(MODES_TRIED)]
     if mode == 9 and file.duration is not None:

@@ -253,8 +253,8 @@ def node_calls(nodes: Sequence[NodeEntry]) -> list[Call]:
         x = tuple(float(z) for z in node.x)
         whole = len(node.fixed) == len(x)
         options = {"fixed": True} if whole else {}
-        calls.append(Call(methods[node.kind], (node.name, x if len(x) > 1 else x[0]), options))
+        calls.append(Call(methods[node.kind], (node.name, x if len(x) > 1 else x[0]), options, node.line))
         if node.fixed and not whole:
             held = tuple(f"{node.name}.{node.components[i - 1]}" for i in sorted(node.fixed))
-            calls.append(Call("fix", held))
+            calls.append(Call("fix", held, {}, node.line))
     return calls

@@ -26,6 +26,8 @@ class NodeEntry:
 
     Attributes
     ----------
+    line : Line
+        Of its coordinates, or of the element by which it comes into being.
     unread : bool
         A line about it could not be read.
     """
@@ -33,6 +35,7 @@ class NodeEntry:
     number: int
     kind: str
     x: Array
+    line: Line
     fixed: set[int] = field(default_factory=set)
     unread: bool = False
 

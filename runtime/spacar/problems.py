@@ -102,6 +102,11 @@ class Problems:
 
 def numbered(what: str, numbers: Sequence[int]) -> str:
     """Numbers in words: line 3; lines 3, 4; lines 3 to 12, 17 and 20 more."""
+    return f"{what}{'s' if len(set(numbers)) > 1 else ''} {listed(numbers)}"
+
+
+def listed(numbers: Sequence[int]) -> str:
+    """Numbers and ranges of them, the first few."""
     ranges: list[list[int]] = []
     for z in sorted(set(numbers)):
         if ranges and z == ranges[-1][-1] + 1:
@@ -112,9 +117,7 @@ def numbered(what: str, numbers: Sequence[int]) -> str:
     for own in ranges:
         parts += [(f"{own[0]} to {own[-1]}", len(own))] if len(own) > 2 else [(str(i), 1) for i in own]
     rest = sum(count for _, count in parts[SHOWN:])
-    text = ", ".join(part for part, _ in parts[:SHOWN]) + (f" and {rest} more" if rest else "")
-    one = len(parts) == 1 and parts[0][1] == 1
-    return f"{what}{'' if one else 's'} {text}"
+    return ", ".join(part for part, _ in parts[:SHOWN]) + (f" and {rest} more" if rest else "")
 
 
 class Place(Protocol):
@@ -146,7 +149,5 @@ class Notes:
         for (written, text), (lines, elements) in sorted(
             self._found.items(), key=lambda z: (min(z[1][0]), z[0])
         ):
-            subject = (
-                f"{written} {numbered('', elements).removeprefix('s').strip()}:" if elements else written
-            )
+            subject = f"{written} {listed(elements)}:" if elements else written
             yield f"{numbered('line', lines)}: {subject} {text}"

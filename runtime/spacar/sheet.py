@@ -72,7 +72,7 @@ class Sheet:
         nodes = []
         for place, node_kind in enumerate(kind.nodes, 1):
             n = line.whole(place, "node")
-            node = self.nodes.setdefault(n, NodeEntry(n, node_kind, np.array(START[node_kind])))
+            node = self.nodes.setdefault(n, NodeEntry(n, node_kind, np.array(START[node_kind]), line))
             if node.kind != node_kind:
                 raise line.error(
                     f"node {n} is already a {node.kind}, and is used here as a {node_kind}; use another"
@@ -95,7 +95,7 @@ class Sheet:
                 f"{len(values)} coordinates given, but node {node.number} is a {node.kind} with {node.x.size} "
                 f"({', '.join(node.components)}); give these"
             )
-        node.x = np.array(values)
+        node.x, node.line = np.array(values), line
 
     def _fix(self, line: Line) -> None:
         for node, i in self.coordinates(line):

@@ -6,7 +6,7 @@ One list serves both, so a converted file cannot differ from the one that was re
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 from flexel.base.errors import ModelError
@@ -34,16 +34,14 @@ class Call:
 
     method: str
     arguments: tuple[Any, ...]
-    options: dict[str, Any] = field(default_factory=dict)
-    line: Line | None = None
+    options: dict[str, Any]
+    line: Line
 
     def apply(self, model: Model) -> None:
         """Call the method; an error reports the line of the file."""
         try:
             getattr(model, self.method)(*self.arguments, **self.options)
         except ModelError as error:
-            if self.line is None:
-                raise
             raise self.line.error(str(error)) from error
 
     def __str__(self) -> str:

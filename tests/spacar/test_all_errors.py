@@ -57,6 +57,11 @@ def test_mistakes_of_every_kind_come_together_in_the_order_of_the_lines(tmp_path
     assert "no element has the node 9" in found[11]
 
 
+def test_what_the_model_refuses_about_a_node_is_told_with_its_line(tmp_path: Path) -> None:
+    found = errors(tmp_path, "BEAM 1 1 2 3 4 0 1 0", "X 3 1 0 0", "X 2 2 0 0 1", "XM 3 1.0", "FIX 1")
+    assert len(found) == 1 and "line 3: X: frame 'o2': Euler parameters" in found[0]
+
+
 def test_the_same_mistake_is_one_message(tmp_path: Path) -> None:
     beams = [f"BEAMW {i} 1 2 3 4 5 6 0 1 0" for i in range(1, 5)]
     found = errors(tmp_path, *CRANK[:3], *beams, "BEAMW 9 1 2 3 4 5 6 0 1 0", *HALT, "BEAMW 7 1 2")
