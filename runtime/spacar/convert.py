@@ -97,8 +97,12 @@ def _wrapped(call: Call) -> Sequence[str]:
     text = str(call)
     if len(text) <= WIDTH:
         return [text]
-    options = [f"{key}={literal(value)}" for key, value in call.options.items()]
-    return [f"m.{call.method}(", *_filled([*map(literal, call.arguments), *options]), ")"]
+    matrices = {key: z for key, z in call.options.items() if isinstance(z, list) and isinstance(z[0], list)}
+    options = [f"{key}={literal(z)}" for key, z in call.options.items() if key not in matrices]
+    lines = [f"m.{call.method}(", *_filled([*map(literal, call.arguments), *options])]
+    for key, rows in matrices.items():
+        lines += [f"    {key}=[", *(f"        {literal(row)}," for row in rows), "    ],"]
+    return [*lines, ")"]
 
 
 def _filled(parts: Sequence[str]) -> list[str]:

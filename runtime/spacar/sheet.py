@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from flexel.spacar.entries import START, ElementEntry, NodeEntry, quantity
+from flexel.spacar.entries import START, ElementEntry, NodeEntry
 from flexel.spacar.keywords import ELEMENTS, VALUES
 from flexel.spacar.lexer import Line
 from flexel.spacar.problems import FollowingError, Notes, Problems
@@ -201,12 +201,6 @@ class Sheet:
         """Whether a line DYNE names a mode, or all of its element."""
         own = [z.values[1:] for z in self.of("DYNE") if z.values[0] == entry.number]
         return any(not z or i in z for z in own)
-
-    def named(self, line: Line) -> list[str]:
-        """Names of the coordinates or modes that a line of inputs or degrees of freedom lists."""
-        if line.keyword.endswith("X") or line.keyword == "FIX":
-            return [name_of(*z) for z in self.coordinates(line)]
-        return [quantity(*z)[0] for z in self.modes(line)]
 
 
 def name_of(node: NodeEntry, i: int) -> str:
