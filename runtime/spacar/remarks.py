@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from flexel.spacar.entries import ElementEntry
-from flexel.spacar.keywords import ROUTINES, WITHOUT_EFFECT
+from flexel.spacar.keywords import ROUTINES, VALUES, WITHOUT_EFFECT
 from flexel.spacar.laws import coefficients
 from flexel.spacar.motions import E_VALUES
 from flexel.spacar.problems import numbered
@@ -18,6 +18,8 @@ def remark(sheet: Sheet) -> None:
     for line in sheet.lines:
         if line.keyword in WITHOUT_EFFECT:
             add(line, f"has no effect: {WITHOUT_EFFECT[line.keyword]}")
+        if line.keyword in VALUES and sheet.dialect == "delft" and len(line.values) > 2:
+            add(line, "its numbers are components; values stand in lines X, XD, XDD, E, ED, EDD")
         if line.keyword == "ITERSTEP":
             add(line, "only its second number has an effect, the load steps: iterations stop at rounding")
         if line.keyword in ROUTINES:

@@ -51,6 +51,14 @@ def test_dialect_can_be_given_and_decides_the_order_of_timestep(tmp_path: Path) 
         file(tmp_path, *CRANK, "XF 3 1 0")
 
 
+def test_inputs_of_delft_list_components(tmp_path: Path) -> None:
+    found = file(tmp_path, *CRANK[:4], "INPUTX 3 1 2", "RLSE 1 1")
+    assert sum(z.method == "prescribe" for z in found.calls) == 2
+    assert found.notes == (
+        "line 5: INPUTX its numbers are components; values stand in lines X, XD, XDD, E, ED, EDD",
+    )
+
+
 def test_numbers_may_be_fortrans(tmp_path: Path) -> None:
     found = file(tmp_path, *CRANK[:3], "MASS 3 2.5D-1", *CRANK[4:])
     assert found.model.instances["mass3"].p[0] == 0.25
