@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from flexel.spacar.entries import quantity
 from flexel.spacar.lexer import Line
-from flexel.spacar.sheet import Sheet, quantity
+from flexel.spacar.sheet import Sheet, name_of
 
 HELD = "fixed"
 ROLES = {"FIX": HELD, "INPUTX": "an input", "INPUTE": "an input"}
 ROLES |= dict.fromkeys(("DYNX", "DYNE", "LINE"), "a dynamic coordinate")
 ROLES |= dict.fromkeys(("KINX", "KINE", "ENHC"), "a kinematic coordinate")
+STARTS = ("E", "ED", "STARTDE")
 
 
 @dataclass(frozen=True)
@@ -25,69 +27,66 @@ class Claim:
         return f"{self.role} by {self.line.written} in line {self.line.number}"
 
 
-def refuse_contradictions(sheet: Sheet) -> None:
-    """Each coordinate and deformation has one role, and only movable ones have initial values and forces.
+class Claims:
+    """The roles that a file gives to coordinates and deformations.
 
-    Raises
-    ------
-    ModelError
-        Names the later line and the earlier one.
+    Each has one role, and only movable ones have initial values and forces; what contradicts this becomes an error
+    that names the later line and the earlier one.
     """
-    claims: dict[str, Claim] = {}
-    for line in sheet.of(*ROLES):
-        for name, subject in _subjects(sheet, line):
-            claim = claims.setdefault(name, Claim(ROLES[line.keyword], line))
+
+    def __init__(self, sheet: Sheet) -> None:
+        self.sheet = sheet
+        self._found: dict[str, Claim] = {}
+        each = sheet.problems.each
+        each(self._claim, sheet.of(*ROLES))
+        each(self._rate, sheet.of("XD"))
+        each(self._start, sheet.of(*STARTS))
+        each(self._force, sheet.of("FORCE", "DELXF"))
+
+    def _claim(self, line: Line) -> None:
+        for name, subject in _subjects(self.sheet, line):
+            claim = self._found.setdefault(name, Claim(ROLES[line.keyword], line))
             if claim.role != ROLES[line.keyword]:
                 raise line.error(
                     f"{subject} is {ROLES[line.keyword]} here and {claim}; it can only be one: remove it from one line"
                 )
-    _refuse_values_of_what_is_held(sheet, claims)
-    _refuse_forces_on_what_is_held(sheet, claims)
 
-
-def _subjects(sheet: Sheet, line: Line) -> Iterator[tuple[str, str]]:
-    """Quantities that get a role from a line: names in the model, and in the words of the file."""
-    if line.keyword in ("INPUTE", "DYNE", "LINE", "KINE", "ENHC"):
-        element = 2 if line.keyword == "ENHC" else 0  # its first pair is a slip, not a coordinate
-        last = element + 2 if line.keyword in ("INPUTE", "ENHC") else len(line.values)
-        for place in range(element + 1, last):
-            entry, i = sheet.mode(line, element, place)
-            yield quantity(entry, i)[0], f"mode {i} of element {entry.number}"
-        return
-    node = sheet.node(line)
-    if line.keyword == "INPUTX":  # the rest are values
-        yield sheet.coordinate(line), f"coordinate {line.words[1]} of node {node.number}"
-        return
-    for i in sheet.places(line, node) or range(1, len(node.components) + 1):
-        yield f"{node.name}.{node.components[i - 1]}", f"coordinate {i} of node {node.number}"
-
-
-def _refuse_values_of_what_is_held(sheet: Sheet, claims: dict[str, Claim]) -> None:
-    for line in sheet.of("XD"):
-        claim = claims.get(sheet.coordinate(line))
+    def _rate(self, line: Line) -> None:
+        claim = self._found.get(self.sheet.coordinate(line))
         if claim and claim.role == HELD:
             raise line.error(
                 f"the coordinate is {claim}, and cannot have a given rate; remove one of the lines"
             )
-    for line in sheet.of("E", "ED", "STARTDE"):
-        entry, i = sheet.mode(line)
+
+    def _start(self, line: Line) -> None:
+        entry, i = self.sheet.mode(line)
         if i not in entry.free and i not in entry.kind.slips:
+            self.sheet.refuse_unread(line)
             raise line.error(
                 f"mode {i} of element {entry.number} is rigid and cannot have an initial value; release it (RLSE, "
                 "DYNE, INPUTE ...), or remove the line"
             )
 
-
-def _refuse_forces_on_what_is_held(sheet: Sheet, claims: dict[str, Claim]) -> None:
-    """Check that a force acts on a movable coordinate."""
-    for line in sheet.of("FORCE", "DELXF"):
-        node, values = sheet.node(line), line.values[1:]
+    def _force(self, line: Line) -> None:
+        """Check that a force acts on a movable coordinate."""
+        node, values = self.sheet.node(line), line.values[1:]
         if len(values) != len(node.components):
-            continue  # moments about axes, which are not dual to a coordinate
-        for i, (component, value) in enumerate(zip(node.components, values, strict=True), 1):
-            claim = claims.get(f"{node.name}.{component}")
+            return  # moments about axes, which are not dual to a coordinate
+        for i, value in enumerate(values, 1):
+            claim = self._found.get(name_of(node, i))
             if value and claim and claim.role == HELD:
                 raise line.error(
                     f"coordinate {i} of node {node.number} is {claim}, and a force cannot move it; give a zero, or "
                     "remove one of the lines"
                 )
+
+
+def _subjects(sheet: Sheet, line: Line) -> Iterator[tuple[str, str]]:
+    """Quantities that get a role from a line: names in the model, and in the words of the file."""
+    if line.keyword in ("INPUTX", "DYNX", "KINX", "FIX"):
+        for node, i in sheet.coordinates(line):
+            yield name_of(node, i), f"coordinate {i} of node {node.number}"
+        return
+    # of ENHC the first pair is a slip, not a coordinate
+    for entry, i in [sheet.mode(line, 2, 3)] if line.keyword == "ENHC" else sheet.modes(line):
+        yield quantity(entry, i)[0], f"mode {i} of element {entry.number}"

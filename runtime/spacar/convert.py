@@ -7,6 +7,7 @@ from pathlib import Path
 
 from flexel.base.errors import ModelError
 from flexel.spacar.reading import Spacar, read_spacar
+from flexel.spacar.routines import input_lines, stress_lines
 from flexel.spacar.statements import Call, literal
 
 WIDTH = 110
@@ -70,7 +71,11 @@ def python_source(file: Spacar) -> str:
         if title != section:
             lines += ["", f"# {title}"]
             section = title
-        lines += _wrapped(call)
+        if call.method == "prescribe" and "USERINP" in file.routines:
+            lines += input_lines(call, file.routines["USERINP"])
+        else:
+            lines += _wrapped(call)
+    lines += stress_lines(file.routines, [name for name, _ in file.deformations.values()])
     if _steps(file):
         lines += ["", "# load steps, t from 0 to 1: inputs stand still unless a step changes them"]
         for call in (*file.still, *file.load_steps):
@@ -92,8 +97,12 @@ def _wrapped(call: Call) -> Sequence[str]:
     text = str(call)
     if len(text) <= WIDTH:
         return [text]
-    options = [f"{key}={literal(value)}" for key, value in call.options.items()]
-    return [f"m.{call.method}(", *_filled([*map(literal, call.arguments), *options]), ")"]
+    matrices = {key: z for key, z in call.options.items() if isinstance(z, list) and isinstance(z[0], list)}
+    options = [f"{key}={literal(z)}" for key, z in call.options.items() if key not in matrices]
+    lines = [f"m.{call.method}(", *_filled([*map(literal, call.arguments), *options])]
+    for key, rows in matrices.items():
+        lines += [f"    {key}=[", *(f"        {literal(row)}," for row in rows), "    ],"]
+    return [*lines, ")"]
 
 
 def _filled(parts: Sequence[str]) -> list[str]:
@@ -124,8 +133,8 @@ def _analysis(file: Spacar) -> list[str]:
     elif _steps(file):
         lines += [
             "state = None",
-            f"for i in range({file.steps + 1}):",
-            f"    state = system.equilibrium(state, t=i / {file.steps})",
+            f"for i in range({file.increments + 1}):",
+            f"    state = system.equilibrium(state, t=i / {file.increments})",
         ]
     else:
         lines += ["state = system.equilibrium()"]

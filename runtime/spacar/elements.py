@@ -7,9 +7,11 @@ from typing import Any
 
 import numpy as np
 
-from flexel.base.arrays import Array
-from flexel.declare.beams import bending_block
-from flexel.spacar.sheet import ElementEntry, NodeEntry, quantity
+from flexel.base.errors import ModelError
+from flexel.base.quaternions import in_frame, matrix, triad
+from flexel.spacar.entries import ElementEntry, NodeEntry, quantity
+from flexel.spacar.keywords import KEYWORDS
+from flexel.spacar.laws import BEAMS, coefficients, initial_stresses, law_calls, length
 from flexel.spacar.statements import Call
 
 # stiffnesses that make modes flexible together, and these modes, of beams in space and in the plane
@@ -20,92 +22,25 @@ PLANAR_GROUPS = {"EA": {1}, "EIz": {2, 3}}
 def element_calls(entry: ElementEntry, dialect: str) -> list[Call]:
     """Calls that make an element with its mass, its roles and its laws; none for an automatic norm."""
     keyword = entry.line.keyword
-    for given in entry.lines:
-        if given not in USES.get(keyword, ()):
-            allowed = ", ".join(USES.get(keyword, ())) or "none"
-            raise entry.lines[given].error(f"a {keyword} takes {allowed}; remove the line")
-    if keyword == "L2MIN1":
-        return []
-    return MAKERS[keyword](entry, dialect)
+    return [] if keyword == "L2MIN1" else MAKERS[keyword](entry, dialect)
 
 
-def length(entry: ElementEntry) -> float:
-    """Distance between the first and the last position node as drawn; an error if there is none."""
-    points = [node for node in entry.nodes if node.kind.endswith("point")]
-    distance = float(np.linalg.norm(points[-1].x - points[0].x))
-    if not distance:
-        first, last = points[0].number, points[-1].number
-        raise entry.line.error(
-            f"the nodes {first} and {last} coincide as drawn and the element has no length; give their coordinates"
-        )
-    return distance
+def check_line(entry: ElementEntry, given: str) -> None:
+    """Check that an element can have a line of the keyword `given`, with these numbers.
 
-
-def coefficients(entry: ElementEntry, keyword: str) -> Array:
-    """Matrix of all modes of the element from a line ESTIFF or EDAMPP, for SPACAR's deformations."""
-    given, kind = entry.values(keyword), entry.kind
-    if len(given) > len(kind.stiffness):
-        raise entry.lines[keyword].error(
-            f"{len(given)} values given; a {entry.line.keyword} has {', '.join(kind.stiffness)}"
-        )
-    if any(value < 0 for value in given):
-        raise entry.lines[keyword].error("a value is negative; give zero or positive ones")
-    K = np.zeros((len(kind.modes),) * 2)
-    if entry.line.keyword not in BEAMS:
-        along = entry.line.keyword in ("TRUSS", "PLTRUSS", "PLBELT")
-        for i, value in enumerate(given):
-            K[i, i] = value / tangent_length(entry) if along else value
-        return K
-    l0 = length(entry)
-    values = dict(zip(kind.stiffness, given, strict=False))
-    K[0, 0] = values.get("EA", 0.0) / l0
-    if "EI" in kind.stiffness:
-        K[1:, 1:] = bending_block(values.get("EI", 0.0), 0.0, l0)
-        return K
-    K[1, 1] = values.get("GJ", 0.0) / l0**3
-    K[2:4, 2:4] = bending_block(values.get("EIy", 0.0), 12 * values.get("EIy/GAk", 0.0) / l0**2, l0)
-    K[4:, 4:] = bending_block(values.get("EIz", 0.0), 12 * values.get("EIz/GAk", 0.0) / l0**2, l0)
-    return K
-
-
-def tangent_length(entry: ElementEntry) -> float:
-    """Length of a bar without strain, or of the straight part of a belt."""
-    if entry.line.keyword == "PLBELT":
-        a, b = entry.numbers
-        return float(np.sqrt(max(length(entry) ** 2 - (a - b) ** 2, 0.0))) or length(entry)
-    return entry.values("LENGTH0")[0] if "LENGTH0" in entry.lines else length(entry)
-
-
-def law_calls(entry: ElementEntry) -> list[Call]:
-    """The linear law of the modes that are not rigid, and the release of those without one.
-
-    Angles of hinges and bearings need no release.
+    Raises
+    ------
+    LineError
     """
-    S, D = coefficients(entry, "ESTIFF"), coefficients(entry, "EDAMPP")
-    used = [i for i in sorted(entry.free) if i not in entry.kind.slips and (S[i - 1].any() or D[i - 1].any())]
-    calls = []
-    if used:
-        names, factors = zip(*(quantity(entry, i) for i in used), strict=True)
-        grid = np.ix_([i - 1 for i in used], [i - 1 for i in used])
-        ours = np.outer(factors, factors)
-        line = entry.lines.get("ESTIFF") or entry.lines["EDAMPP"]
-        given = {"stiffness": _numbers(S[grid] * ours)}
-        if np.any(D[grid]):
-            given["damping"] = _numbers(D[grid] * ours)
-        calls.append(Call("spring", (names[0] if len(used) == 1 else list(names),), given, line))
-    others = [
-        name
-        for i in sorted(entry.free)
-        if i not in used and not (name := quantity(entry, i)[0]).endswith(".angle")
-    ]
-    if others:
-        calls.append(Call("release", tuple(others), {}, entry.line))
-    return calls
-
-
-def _numbers(A: Array) -> float | list[list[float]]:
-    """A matrix in the form of `Model.spring`: rows, or one number if it has only one."""
-    return float(A[0, 0]) if A.size == 1 else [[float(z) for z in row] for row in A]
+    allowed = USES.get(entry.line.keyword, ())
+    if given not in allowed:
+        raise entry.lines[given].error(
+            f"a {entry.line.keyword} takes {', '.join(allowed) or 'none'}; remove the line"
+        )
+    if given in ("ESTIFF", "EDAMPP"):
+        coefficients(entry, given)
+    if given == "ESIG":
+        initial_stresses(entry)
 
 
 # -- types ---------------------------------------------------------------------------------------
@@ -126,16 +61,41 @@ def _beam(entry: ElementEntry, dialect: str) -> list[Call]:
     planar = entry.line.keyword.startswith("PL")
     second = entry.line.keyword.endswith("NL") or (dialect == "twente" and entry.line.keyword == "BEAM")
     options: dict[str, Any] = {} if planar else _direction(entry)
-    options |= _mass(entry, planar) | ({} if second else {"second_order": False})
+    lumped = dialect == "twente" and entry.line.keyword == "BEAM"
+    options |= _mass(entry, planar, lumped)
+    options |= {} if second else {"second_order": False}
+    inertias = _lumped_inertia(entry) if lumped else []
     stiffness = _whole_groups(entry, PLANAR_GROUPS if planar else SPATIAL_GROUPS)
     if stiffness is None:
         rigid = Call("beam", (entry.name, *entry.ends), {"rigid": True} | options, entry.line)
-        return [rigid, *law_calls(entry)]
-    return [Call("beam", (entry.name, *entry.ends), stiffness | options, entry.line)]
+        return [rigid, *law_calls(entry), *inertias]
+    return [Call("beam", (entry.name, *entry.ends), stiffness | options, entry.line), *inertias]
+
+
+def _lumped_inertia(entry: ElementEntry) -> list[Call]:
+    """Rotary inertia as in UT SPACAR: that of half the length at each node, in the axes of the section there."""
+    Jxx, Jyy, Jzz, Jyz = (*entry.values("EMASS")[1:5], 0.0, 0.0, 0.0, 0.0)[:4]
+    if not (Jxx or Jyy or Jzz or Jyz):
+        return []
+    l0, line, calls = length(entry), entry.lines["EMASS"], []
+    J = np.array([[Jxx, 0.0, 0.0], [0.0, Jyy, Jyz], [0.0, Jyz, Jzz]]) * l0 / 2
+    p, frame_p, q, frame_q = entry.nodes
+    try:
+        axes = triad((q.x - p.x) / l0, entry.numbers or None, f"beam '{entry.name}'")
+    except ModelError as error:
+        raise entry.line.error(str(error)) from error
+    for end, frame in (("p", frame_p), ("q", frame_q)):
+        T = matrix(in_frame(frame.x, axes))
+        A = T @ J @ T.T
+        six = tuple(float(A[i, j]) + 0.0 for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)))
+        calls.append(Call("rotary_inertia", (f"{entry.name}_{end}", frame.name, six), {}, line))
+    return calls
 
 
 def _whole_groups(entry: ElementEntry, groups: dict[str, set[int]]) -> dict[str, float] | None:
     """Stiffnesses and damping in the form of `Model.beam`; None if they cannot be expressed so."""
+    if any(entry.values("ESIG")):
+        return None
     given = dict(zip(entry.kind.stiffness, entry.values("ESTIFF"), strict=False))
     if "EI" in given:
         given["EIz"] = given.pop("EI")
@@ -155,17 +115,20 @@ def _whole_groups(entry: ElementEntry, groups: dict[str, set[int]]) -> dict[str,
     return chosen | ({"damping": ratio} if ratio else {})
 
 
-def _mass(entry: ElementEntry, planar: bool) -> dict[str, Any]:
+def _mass(entry: ElementEntry, planar: bool, lumped: bool = False) -> dict[str, Any]:
+    """Mass per length, and rotary inertia per length unless it is lumped at the nodes."""
     values = entry.values("EMASS")
     if not values:
         return {}
     line = entry.lines["EMASS"]
-    if len(values) > 4 and values[4]:
+    if len(values) > 5:
+        raise line.error(f"{len(values) + 1} numbers given; it is written EMASS {KEYWORDS['EMASS'].form}")
+    if len(values) > 4 and values[4] and not lumped:
         raise line.error(
             "a product of inertia of the section is not supported; turn the section to its principal axes"
         )
     options: dict[str, Any] = {"mass_per_length": values[0]}
-    if any(values[1:4]):
+    if any(values[1:4]) and not lumped:
         inertia = (*values[1:4], 0.0, 0.0)[:3]
         if planar:
             raise line.error("a planar element takes rhoA alone; remove the inertias")
@@ -245,8 +208,7 @@ def _belt(entry: ElementEntry, dialect: str) -> list[Call]:
 
 def _gear(entry: ElementEntry, dialect: str) -> list[Call]:
     options = dict(zip(("radius_p", "radius_q"), entry.numbers, strict=True))
-    if not sum(entry.numbers):  # the factor between their deformation and ours
-        raise entry.line.error("the radii are opposite, so the centres coincide; correct one of them")
+    quantity(entry, 1)  # refuses opposite radii
     return [Call("gear", (entry.name, *entry.ends), options, entry.line), *law_calls(entry)]
 
 
@@ -256,7 +218,6 @@ def _surface(entry: ElementEntry, dialect: str) -> list[Call]:
     return [Call("quadric", (entry.name, *entry.ends), options, entry.line), *law_calls(entry)]
 
 
-BEAMS = ("BEAM", "BEAMNL", "PLBEAM", "PLBEAMNL")
 MAKERS: dict[str, Callable[[ElementEntry, str], list[Call]]] = {
     **dict.fromkeys(BEAMS, _beam),
     "RBEAM": _rigid_beam,
@@ -274,7 +235,7 @@ MAKERS: dict[str, Callable[[ElementEntry, str], list[Call]]] = {
     "GEAR": _gear,
     "SURFACE": _surface,
 }
-_LAW = ("ESTIFF", "EDAMPP")
+_LAW = ("ESTIFF", "EDAMPP", "ESIG")
 USES: dict[str, Sequence[str]] = {
     **dict.fromkeys(BEAMS, ("EMASS", *_LAW)),
     "RBEAM": ("EMASS",),
@@ -292,8 +253,8 @@ def node_calls(nodes: Sequence[NodeEntry]) -> list[Call]:
         x = tuple(float(z) for z in node.x)
         whole = len(node.fixed) == len(x)
         options = {"fixed": True} if whole else {}
-        calls.append(Call(methods[node.kind], (node.name, x if len(x) > 1 else x[0]), options))
+        calls.append(Call(methods[node.kind], (node.name, x if len(x) > 1 else x[0]), options, node.line))
         if node.fixed and not whole:
             held = tuple(f"{node.name}.{node.components[i - 1]}" for i in sorted(node.fixed))
-            calls.append(Call("fix", held))
+            calls.append(Call("fix", held, {}, node.line))
     return calls

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import codecs
 from pathlib import Path
 
 from flexel.base.errors import ModelError
@@ -14,7 +15,7 @@ def file_lines(path: Path) -> list[str]:
     """The lines of a text file.
 
     Only ASCII means anything in the input language, but comments and names are in UTF-8 (with or without a mark at
-    its beginning) or, in older files, in Latin-1.
+    its beginning), in UTF-16 with a mark, or, in older files, in Latin-1.  DOS ends a file with 1a.
 
     Raises
     ------
@@ -22,6 +23,8 @@ def file_lines(path: Path) -> list[str]:
         A file that is not text.
     """
     data = path.read_bytes()
+    if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)) and len(data) % 2 == 0:
+        data = data.decode("utf-16", errors="replace").encode()
     controls = sum(byte in CONTROLS for byte in data)
     if 0 in data or controls > MANY * len(data):
         raise ModelError(
@@ -32,5 +35,6 @@ def file_lines(path: Path) -> list[str]:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError:
         text = data.decode("latin-1")
+    text = text.partition("\x1a")[0]
     # not splitlines: an ellipsis of Windows, 85, would end a comment
     return text.replace("\r\n", "\n").replace("\r", "\n").split("\n")

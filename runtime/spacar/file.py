@@ -13,6 +13,7 @@ from flexel.base.errors import ConstraintError, ModelError
 from flexel.model import Model
 from flexel.spacar.statements import Call, build_model
 from flexel.spacar.terminals import Terminal
+from flexel.spacar.weights import Weight
 from flexel.structure.state import State
 from flexel.system import System
 
@@ -34,7 +35,9 @@ class SpacarFile(Portable):
     start, duration : float
         Start and duration of the motion [s]; no duration if the file has no TIMESTEP.
     steps : int
-        Number of its stored steps, and of load steps.
+        Number of its stored steps.
+    increments : int
+        Number of its load steps.
     max_step : float or None
         HMAX [s].
     coordinates : mapping of (node, i) to name
@@ -47,6 +50,8 @@ class SpacarFile(Portable):
         Whether the file requests linearized equations: by LINE, or by inputs and outputs.
     notes : tuple of str
         Lines without effect, and assumptions where the descriptions of the language are not explicit.
+    routines : mapping of USERINP and USERSIG to str
+        Names of the user's routines, which are not run.
     """
 
     path: Path
@@ -55,6 +60,7 @@ class SpacarFile(Portable):
     start: float
     duration: float | None
     steps: int
+    increments: int
     max_step: float | None
     coordinates: Mapping[tuple[int, int], str] = field(repr=False)
     deformations: Mapping[tuple[int, int], tuple[str, float]] = field(repr=False)
@@ -66,6 +72,8 @@ class SpacarFile(Portable):
     calls: tuple[Call, ...] = field(repr=False)
     still: tuple[Call, ...] = field(repr=False)
     load_steps: tuple[Call, ...] = field(repr=False)
+    routines: Mapping[str, str] = field(repr=False)
+    rigid_weights: Mapping[tuple[int, int], Weight] = field(repr=False)
 
     @cached_property
     def system(self) -> System:
@@ -104,10 +112,16 @@ class SpacarFile(Portable):
         return factor * state[name]
 
     def stress(self, state: State, element: int, i: int) -> float:
-        """Generalized stress dual to `deformation`, in SPACAR's sign."""
+        """Generalized stress dual to `deformation`, in SPACAR's sign.
+
+        In the Twente dialect that of a rigid beam is without the moments by which its own weight bends it, as in
+        SPACAR; they are in equilibrium and move nothing.
+        """
         name, factor = self._mode(element, i)
         self._check_state(state)
-        return state.force(name) / factor
+        stress = state.force(name) / factor
+        weight = self.rigid_weights.get((element, i))
+        return stress if weight is None else stress - weight.stress(state)
 
     def _check_state(self, state: object) -> None:
         if not isinstance(state, State):

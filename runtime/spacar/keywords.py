@@ -6,17 +6,21 @@ Sources: manual SPACAR95 (Schwab and Meijaard 2000); Meijaard, Papadopoulos, Rui
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 
 @dataclass(frozen=True)
 class Usage:
-    """Syntax of a keyword: the form, the least and largest count of numbers, or any text."""
+    """Syntax of a keyword: the form, the least and largest count of numbers, or of words of any text.
+
+    `meaning` is the keyword that it is for the rest of the program, if that is another one.
+    """
 
     form: str
     least: int
     most: int
     text: bool = False
+    meaning: str = ""
 
 
 @dataclass(frozen=True)
@@ -142,15 +146,8 @@ _FORMS: dict[str, tuple[str, int, int]] = {
     "XYZ": ("n x y z", 4, 4),
     "LAMBDA": ("n lambda0 lambda1 lambda2 lambda3", 5, 5),
     # roles
-    "FIX": ("n [i ...]", 1, 5),
-    "INPUTX": ("n i [x0 v0 a0]", 2, 5),
-    "DYNX": ("n i", 2, 6),
-    "KINX": ("n i", 2, 6),
-    "RLSE": ("e i ...", 2, 7),
-    "INPUTE": ("e i [e0 v0 a0]", 2, 5),
-    "DYNE": ("e i ...", 2, 7),
-    "KINE": ("e i ...", 2, 7),
-    "LINE": ("e i ...", 2, 7),
+    **dict.fromkeys(("FIX", "INPUTX", "DYNX", "KINX"), ("n [i ...]", 1, 5)),
+    **dict.fromkeys(("RLSE", "INPUTE", "DYNE", "KINE", "LINE"), ("e [i ...]", 1, 7)),
     "ENHC": ("e1 i1 e2 i2", 4, 4),
     # initial values
     "XD": ("n i v", 3, 3),
@@ -164,9 +161,10 @@ _FORMS: dict[str, tuple[str, int, int]] = {
     "LENGTH0": ("e l0", 2, 2),
     # dynamics
     "MASS": ("n m | n Izz | n Ixx Ixy Ixz Iyy Iyz Izz", 2, 7),
-    "EMASS": ("e rhoA [Jxx Jyy Jzz Jyz]", 2, 6),
-    "ESTIFF": ("e ...", 2, 7),
-    "EDAMPP": ("e ...", 2, 7),
+    "EMASS": ("e rhoA [Jxx Jyy Jzz Jyz]", 1, 16),
+    "ESTIFF": ("e ...", 1, 16),
+    "EDAMPP": ("e ...", 1, 16),
+    "ESIG": ("e sigma1 ...", 2, 7),
     "FORCE": ("n ...", 2, 5),
     "DELXF": ("n ...", 2, 5),
     "TORQUEL": ("n T ...", 2, 4),
@@ -183,7 +181,7 @@ _FORMS: dict[str, tuple[str, int, int]] = {
     # settings
     "TIMESTEP": ("n T (Delft) or T n (Twente)", 2, 2),
     "HMAX": ("h", 1, 1),
-    "ITERSTEP": ("n [...]", 1, 4),
+    "ITERSTEP": ("iterations steps [tolerance ...]", 2, 6),
     "MAXITERAT": ("n", 1, 1),
     "EPSKIN": ("eps", 1, 1),
     "EPSINT": ("eps", 1, 1),
@@ -197,11 +195,25 @@ _FORMS: dict[str, tuple[str, int, int]] = {
 
 KEYWORDS: dict[str, Usage] = {key: Usage(*form) for key, form in _FORMS.items()}
 KEYWORDS["JOBID"] = Usage("text", 0, 99, text=True)
+ROUTINES = ("USERINP", "USERSIG")  # of the user, in MATLAB
+KEYWORDS |= {key: Usage("name", 1, 9, text=True) for key in ROUTINES}
+PICTURE = ("VISUALIZATION", "VISUALIZ")  # what follows is not read
+KEYWORDS["VISUALIZATION"] = Usage("", 0, 99, text=True)
+# of these, the first block names components; in later ones (Twente) they give values
+VALUES = {
+    "INPUTX": Usage("n i x0 [v0 a0] after END HALT; components of inputs stand before it", 3, 5),
+    "INPUTE": Usage("e i e0 [v0 a0] after END HALT; modes of inputs stand before it", 3, 5),
+}
+VALUES = {key: replace(usage, meaning=f"{key} VALUES") for key, usage in VALUES.items()}
 for _key, _type in ELEMENTS.items():
     _ends = [f"n{_i}" for _i in range(1, len(_type.nodes) + 1)]
     _most = 1 + len(_ends) + len(_type.numbers)
     KEYWORDS[_key] = Usage(" ".join(("e", *_ends, *_type.numbers)), _most - _type.optional, _most)
-_BY_FIRST_LETTERS = {"MAXITERAT", "FORCEMODE"}  # longer than the eight significant characters
+_BY_FIRST_LETTERS = {
+    "MAXITERAT",
+    "FORCEMODE",
+    "VISUALIZATION",
+}  # longer than the eight significant characters
 
 SYNONYMS = {"XM": "MASS", "EM": "EMASS", "XF": "FORCE", "EDAMP": "EDAMPP", "PLPINBODY": "PLPINBOD"}
 SYNONYMS |= {key[:8]: key for key in _BY_FIRST_LETTERS}
@@ -211,11 +223,13 @@ DELFT_ONLY = frozenset(
     "MASS EMASS FORCE EDAMPP ENHC LINE EPSKIN EPSINT EPSIND HMAX TORQUEL LENGTH0 EOF".split()
 )
 TWENTE_ONLY = frozenset(
-    "XM EM XF EDAMP KINX KINE RBEAM GRAVITY DELXF DELINPX DELINPE STARTDE ITERSTEP OUTLEVEL INPUTF INPUTS OUTX "
-    "OUTXP OUTE OUTEP VISUALIZATION".split()
+    "XM EM XF EDAMP ESIG KINX KINE RBEAM BEAMW GRAVITY DELXF DELINPX DELINPE STARTDE ITERSTEP OUTLEVEL INPUTF INPUTS "
+    "OUTX OUTXP OUTE OUTEP USERINP USERSIG VISUALIZATION VISUALIZ".split()
 )
-ENDS_OF_TWENTE = frozenset({"END HALT", "END END"})  # Delft's END stands alone
+ENDS_OF_TWENTE = frozenset({"END HALT", "END END", "HALT"})  # Delft's END stands alone
 
+# BEAMW e p1 o1 w1 p2 o2 w2 x y z has a BEAM's nodes and a node of warping at each end: a row of ELEMENTS, as BEAM,
+# once files can have such nodes
 UNSUPPORTED = {
     "BEAMW": "warping of sections is not modelled; use BEAM, with a larger GIp for restrained warping",
     "TUBE": "use a BEAM, or a TRUSS whose elongation is an input for a telescope",
@@ -223,8 +237,6 @@ UNSUPPORTED = {
     "SCREW": "relate rotation and travel in Python: flexel convert, then m.relation(...)",
     "LGEOMY": "give the geometry by the coordinates of the nodes",
     "RESTART": "in Python, motion[-1] is a state to start from: system.simulate(T, start=motion[-1])",
-    "USERSIG": "files are never executed; convert the file and attach the stress with m.law(...)",
-    "USERINP": "files are never executed; convert the file and give the motion with m.prescribe(...)",
 }
 
 # settings that change nothing here, and why

@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import difflib
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 from flexel.base.errors import ModelError
+from flexel.spacar.blocks import Raw, blocks, recognized
 from flexel.spacar.encoding import file_lines
-from flexel.spacar.keywords import DELFT_ONLY, ENDS_OF_TWENTE, KEYWORDS, SYNONYMS, TWENTE_ONLY, UNSUPPORTED
+from flexel.spacar.keywords import KEYWORDS, SYNONYMS, UNSUPPORTED, VALUES
+from flexel.spacar.problems import LineError, Problems
 
 DIALECTS = ("delft", "twente")
+LARGEST = 1e150
 
 
 @dataclass(frozen=True)
@@ -26,12 +29,14 @@ class Line:
     number : int
         Number of the line, from 1.
     keyword : str
-        In capitals, of the Delft dialect where both have one.
+        In capitals, of the Delft dialect where both have one; for values of inputs those of `keywords.VALUES`.
     written : str
         The keyword as it is spelt in the file.
     values : tuple of float
     words : tuple of str
         What follows the keyword, as written.
+    block : int
+        Number of the block, from 0.
     """
 
     file: str
@@ -40,10 +45,11 @@ class Line:
     written: str
     values: tuple[float, ...]
     words: tuple[str, ...]
+    block: int = 0
 
-    def error(self, message: str) -> ModelError:
+    def error(self, message: str) -> LineError:
         """An error that names file, line and keyword."""
-        return ModelError(f"{self.file}, line {self.number}: {self.written}: {message}")
+        return LineError.at(self.file, self.number, self.written, message)
 
     def whole(self, place: int, what: str) -> int:
         """A positive whole number among the values: of a node, an element, a mode."""
@@ -53,8 +59,8 @@ class Line:
         return int(value)
 
 
-def read_lines(path: Path, dialect: str | None) -> tuple[str, list[Line]]:
-    """The dialect of a file and its lines up to the end of its model.
+def read_lines(path: Path, dialect: str | None, problems: Problems) -> tuple[str, list[Line]]:
+    """The dialect of a file and its lines up to the end of its model; errors in them are collected.
 
     Parameters
     ----------
@@ -64,7 +70,7 @@ def read_lines(path: Path, dialect: str | None) -> tuple[str, list[Line]]:
     Raises
     ------
     ModelError
-        Text that is not a SPACAR file; names file and line.
+        Text that is not a SPACAR file, or of which the dialect is not clear.
     """
     if dialect is not None and (not isinstance(dialect, str) or dialect not in DIALECTS):
         raise ModelError(f"read_spacar: dialect {dialect!r} is unknown; give 'delft' or 'twente'")
@@ -72,87 +78,50 @@ def read_lines(path: Path, dialect: str | None) -> tuple[str, list[Line]]:
         raise ModelError(
             f"read_spacar '{path}': the file does not exist; give the path of a SPACAR input file"
         )
-    raw = [(i, words) for i, line in enumerate(file_lines(path), 1) if (words := _words(line))]
+    raw = [
+        Raw(path.name, i, tuple(words))
+        for i, line in enumerate(file_lines(path), 1)
+        if (words := _words(line))
+    ]
     if dialect is None:
-        dialect = _recognized(path.name, raw)
-    return dialect, _model(path.name, raw, dialect)
+        dialect = recognized(raw)
+    found: list[Line] = []
+    for block, line in blocks(raw, dialect, problems):
+        read = problems.each(partial(_line, block=block), [line])
+        found += read
+        if not read:
+            problems.unread |= {
+                int(z) for z in line.words[1:] if z.isascii() and z.isdecimal() and len(z) < 10
+            }
+    return dialect, found
 
 
 def _words(line: str) -> list[str]:
     """Words of a line without comments: from %, # or ; on, or all of a line that begins with an asterisk."""
-    if line.startswith("*"):
+    if line.lstrip().startswith("*"):
         return []
     for mark in "%#;":
         line = line.partition(mark)[0]
     return line.split()
 
 
-def _recognized(file: str, raw: Sequence[tuple[int, list[str]]]) -> str:
-    """The dialect that the keywords of a file belong to; Delft where they fit both."""
-    seen = {_sign(words): number for number, words in reversed(raw)}
-    delft = sorted(seen.keys() & DELFT_ONLY)
-    twente = sorted(seen.keys() & TWENTE_ONLY) + sorted(seen.keys() & ENDS_OF_TWENTE)
-    if delft and twente:
-        raise ModelError(
-            f"{file}, line {seen[twente[0]]}: {twente[0]} is a keyword of the Twente dialect, but {delft[0]} in line "
-            f"{seen[delft[0]]} of the Delft one; say which it is: dialect='delft' or dialect='twente' (they differ in "
-            "the order of TIMESTEP and in the terms of BEAM)"
-        )
-    return "twente" if twente else "delft"
-
-
-def _sign(words: Sequence[str]) -> str:
-    """The words that identify the dialect of a line: its keyword, for END with the next word."""
-    return " ".join(words[: 2 if words[0].upper() == "END" else 1]).upper()
-
-
-def _model(file: str, raw: Sequence[tuple[int, list[str]]], dialect: str) -> list[Line]:
-    """The lines of the one model in a file, without the ends of blocks."""
-    lines: list[Line] = []
-    ended, pictures = 0, False
-    for number, words in raw:
-        key = words[0].upper()
-        if key == "VISUALIZATION":
-            pictures = True
-            lines.append(Line(file, number, key, words[0], (), ()))
-        elif pictures:
-            continue  # noted below: the appearance of a picture is not part of the model
-        elif key == "EOF":
-            return lines
-        elif ended:
-            raise ModelError(
-                f"{file}, line {number}: {words[0]} comes after END in line {ended}, where a second run would start; "
-                "put each run into a separate file"
-            )
-        elif key != "END":
-            lines.append(_line(file, number, words))
-        elif dialect == "delft" or words[1:2] in (["END"], ["end"]):
-            ended = number
-        elif len(words) != 2 or words[1].upper() not in ("HALT", "END"):
-            raise ModelError(
-                f"{file}, line {number}: END stands alone, but the file is read as one of the Twente dialect; write "
-                "END HALT or END END, or give dialect='delft' (--dialect delft)"
-            )
-    return lines
-
-
-def _line(file: str, number: int, words: list[str]) -> Line:
-    written, rest = words[0], tuple(words[1:])
+def _line(raw: Raw, block: int) -> Line:
+    """A line of known keyword, with as many numbers as it takes."""
+    written, rest = raw.words[0], raw.words[1:]
     key = SYNONYMS.get(written.upper(), written.upper())
-    here = Line(file, number, key, written, (), rest)
+    here = Line(raw.file, raw.number, key, written, (), rest, block)
     if key in UNSUPPORTED:
         raise here.error(f"is not supported; {UNSUPPORTED[key]}")
     if key not in KEYWORDS:
-        near = difflib.get_close_matches(key, [*KEYWORDS, *SYNONYMS], n=3, cutoff=0.5)
+        near = difflib.get_close_matches(key[:99], [*KEYWORDS, *SYNONYMS], n=3, cutoff=0.5)
         hint = f"did you mean {', '.join(near)}?" if near else "correct it or remove the line"
         raise here.error(f"unknown keyword; {hint}")
-    usage = KEYWORDS[key]
-    if usage.text:
-        return here
-    values = tuple(_number(here, word) for word in rest)
-    if not usage.least <= len(values) <= usage.most:
-        raise here.error(f"{len(values)} numbers given; it is written {key} {usage.form}")
-    return Line(file, number, key, written, values, rest)
+    usage = VALUES[key] if block and key in VALUES else KEYWORDS[key]
+    values = () if usage.text else tuple(_number(here, word) for word in rest)
+    if not usage.least <= len(rest) <= usage.most:
+        what = "words" if usage.text else "numbers"
+        raise here.error(f"{len(rest)} {what} given; it is written {key} {usage.form}")
+    return Line(raw.file, raw.number, usage.meaning or key, written, values, rest, block)
 
 
 def _number(line: Line, word: str) -> float:
@@ -160,7 +129,14 @@ def _number(line: Line, word: str) -> float:
     try:
         value = float("" if "_" in word or not word.isascii() else word.lower().replace("d", "e"))
     except ValueError:
-        raise line.error(f"'{word}' is not a number; correct it (comments begin with %, # or ;)") from None
+        hint = (
+            "blanks separate numbers, a point their decimals"
+            if "," in word
+            else "comments begin with %, # or ;"
+        )
+        raise line.error(f"'{word}' is not a number; correct it ({hint})") from None
     if not math.isfinite(value):
         raise line.error(f"'{word}' is not finite; correct it")
+    if abs(value) > LARGEST:
+        raise line.error(f"'{word}' is too large to calculate with; give at most {LARGEST:g}")
     return value

@@ -6,10 +6,12 @@ M0 δq'' + (C0 + D0) δq' + (K0 + N0 + G0) δq = B0 δu.  Source: UT SPACAR; Jon
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
+from scipy.linalg import eigvals
 
-from flexel.base.arrays import Array
+from flexel.base.arrays import Array, ComplexArray
 from flexel.base.errors import ModelError
 from flexel.base.shown import Listing
 from flexel.spacar.file import SpacarFile
@@ -48,6 +50,39 @@ class Matrices:
         """The six matrices by name."""
         return {name: getattr(self, name) for name in ("M0", "C0", "D0", "K0", "N0", "G0")}
 
+    def frequencies(self) -> ComplexArray:
+        """Natural frequencies [rad/s] of M0 and K0 + N0 + G0, by their squares; of unstable motions imaginary.
+
+        A motion with the frequency i w grows as exp(w t).
+
+        Raises
+        ------
+        ModelError
+            If there are kinematic degrees of freedom.
+        """
+        if len(self.coordinates) != len(self.M0):
+            raise ModelError(
+                "frequencies: the stiffness has columns of kinematic coordinates; use a linearization"
+            )
+        if not self.coordinates:
+            return np.zeros(0, dtype=np.complex128)
+        squares = np.sort_complex(eigvals(self.K0 + self.N0 + self.G0, self.M0))
+        small = np.abs(squares.imag) <= 1e-9 * np.abs(squares).max(initial=0.0)
+        return np.sqrt(np.where(small, squares.real, squares).astype(np.complex128))
+
+
+def _geometric(system: System, state: State) -> Any:
+    """Derivative (nf, nf) of the forces at a state at rest with its stresses held: laws have no slope."""
+    still = np.zeros(state.x.size)
+    work = system.evaluation.at(state.t, state.x, still, still, state.z, state.e)
+    work.inertia()
+    work.laws()
+    work.stress[:] = state.stresses
+    work.S[:] = work.S_rate[:] = 0.0
+    work.tangent(1.0, 0.0, 0.0, phi=False)
+    pattern = work.tables.T.pattern
+    return pattern.matrix(work.T[: pattern.size].copy())
+
 
 class LinearModels(SpacarFile):
     """Linearized models, frequencies and buckling of a file."""
@@ -83,7 +118,10 @@ class LinearModels(SpacarFile):
         nd, nq, nf = len(lin.dynamic), len(lin.dofs), lin.state.structure.nf
         m, k = lin.state.structure.m, lin.state.structure.k
         dual, De = lin.state.J[: m + k, :nf] @ lin.transfer.H[:, :nd], lin.state.J[:m, :nf]
-        material = dual.T @ lin.tangents.stress_e @ De @ lin.transfer.G[:, :nq]
+        G = lin.transfer.G[:, :nq]
+        material = dual.T @ lin.tangents.stress_e @ De @ G
+        # not the difference of stiffnesses, in which the material's rounding would remain
+        geometric = lin.transfer.H[:, :nd].T @ (_geometric(system, lin.state) @ G)
         rows, columns = 1 / f[:nd, None], 1 / f[None, :]
         return Matrices(
             coordinates=lin.dofs,
@@ -92,7 +130,7 @@ class LinearModels(SpacarFile):
             D0=rows * rest.C * columns[:, :nd],
             K0=rows * material * columns,
             N0=rows * (lin.K - rest.K) * columns,
-            G0=rows * (rest.K - material) * columns,
+            G0=rows * geometric * columns,
         )
 
     def state_space(
@@ -163,6 +201,6 @@ class LinearModels(SpacarFile):
         """
         system = self.variant(load_steps=True)
         states: list[State] = []
-        for i in range(self.steps + 1):
-            states.append(system.equilibrium(states[-1] if states else None, t=i / self.steps))
+        for i in range(self.increments + 1):
+            states.append(system.equilibrium(states[-1] if states else None, t=i / self.increments))
         return system, states

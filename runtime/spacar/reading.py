@@ -6,13 +6,19 @@ from pathlib import Path
 
 from flexel.base.arguments import path_of
 from flexel.base.errors import ModelError
+from flexel.spacar.entries import quantity
+from flexel.spacar.file import STEPS
+from flexel.spacar.keywords import KEYWORDS, ROUTINES
 from flexel.spacar.lexer import Line, read_lines
 from flexel.spacar.linear import LinearModels
+from flexel.spacar.problems import Notes, Problems
 from flexel.spacar.semantics import understand
-from flexel.spacar.sheet import Sheet, quantity
-from flexel.spacar.statements import build_model
+from flexel.spacar.sheet import Sheet
+from flexel.spacar.statements import checked_model
+from flexel.spacar.weights import unloaded_stresses
 
-STEPS = 100  # of a file without TIMESTEP or ITERSTEP
+FORM = KEYWORDS["ITERSTEP"].form
+MOST_STEPS = 1_000_000  # whose states are kept
 
 
 class Spacar(LinearModels):
@@ -31,7 +37,7 @@ def read_spacar(path: str | Path, dialect: str | None = None) -> Spacar:
     Raises
     ------
     ModelError
-        Anything that is unknown, not supported or contradictory: names file, line, keyword and remedy.
+        Everything that is unknown, not supported or contradictory, together: names file, line, keyword and remedy.
 
     Notes
     -----
@@ -44,17 +50,25 @@ def read_spacar(path: str | Path, dialect: str | None = None) -> Spacar:
     >>> file.deformation(motion[-1], 2, 2)  # doctest: +SKIP
     """
     path = path_of(path, "read_spacar")
-    dialect, lines = read_lines(path, dialect)
-    sheet = Sheet(lines)
+    problems, notes = Problems(), Notes()
+    dialect, lines = read_lines(path, dialect, problems)
+    if problems.cut:
+        problems.report()
+    sheet = Sheet(lines, dialect, problems, notes)
+    draft = understand(sheet)
+    increments, steps, duration = _increments(sheet), *_time_steps(sheet)
+    model = checked_model(draft.gravity, draft.calls, problems)
+    if draft.steps:
+        checked_model(draft.gravity, [*draft.calls, *draft.still, *draft.steps], problems)
+    problems.report()
     if not sheet.elements:
         raise ModelError(f"{path.name}: it has no elements; give a SPACAR input file")
-    draft = understand(sheet, dialect)
-    steps, duration = _time_steps(sheet, dialect)
     hmax = sheet.of("HMAX")
     time = sheet.of("TIME")
+    elements = [sheet.elements[n] for n in sorted(sheet.elements)]
     modes = {
         (e.number, i): quantity(e, i)
-        for e in sheet.elements.values()
+        for e in elements
         if e.line.keyword != "L2MIN1"
         for i in range(1, len(e.kind.modes) + 1)
     }
@@ -66,43 +80,58 @@ def read_spacar(path: str | Path, dialect: str | None = None) -> Spacar:
     return Spacar(
         path=path,
         dialect=dialect,
-        model=build_model(draft.gravity, draft.calls),
+        model=model,
         start=time[0].values[0] if time else 0.0,
         duration=duration,
         steps=steps,
+        increments=increments,
         max_step=hmax[0].values[0] if hmax else None,
         coordinates=coordinates,
         deformations=modes,
         inputs=tuple(draft.inputs),
         outputs=tuple(draft.outputs),
-        notes=tuple(draft.notes),
+        notes=tuple(notes),
         linearized=bool(sheet.of("LINE") or draft.inputs or draft.outputs),
         gravity=draft.gravity,
         calls=tuple(draft.calls),
         still=tuple(draft.still),
         load_steps=tuple(draft.steps),
+        routines={z.keyword: " ".join(z.words) for z in sheet.of(*ROUTINES)},
+        rigid_weights=unloaded_stresses(elements, draft.gravity) if dialect == "twente" else {},
     )
 
 
-def _time_steps(sheet: Sheet, dialect: str) -> tuple[int, float | None]:
+def _increments(sheet: Sheet) -> int:
+    """Number of load steps, the second number of ITERSTEP."""
+    found = sheet.problems.each(
+        lambda line: _count(line, 1, f"it is written ITERSTEP {FORM}"), sheet.of("ITERSTEP")
+    )
+    return found[0] if found else STEPS
+
+
+def _time_steps(sheet: Sheet) -> tuple[int, float | None]:
     """Number of steps and duration; TIMESTEP has them in two orders."""
-    steps, duration = STEPS, None
-    for line in sheet.of("ITERSTEP"):
-        steps = line.whole(0, "number of steps")
-    for line in sheet.of("TIMESTEP"):
-        steps = _count(line, 0 if dialect == "delft" else 1, dialect)
-        duration = line.values[1 if dialect == "delft" else 0]
+
+    def read(line: Line) -> tuple[int, float]:
+        delft = sheet.dialect == "delft"
+        wanted = "n T" if delft else "T n"
+        order = f"the {sheet.dialect} dialect writes {wanted} (give dialect= if the file is of the other one)"
+        steps, duration = _count(line, 0 if delft else 1, order), line.values[1 if delft else 0]
         if duration <= 0:
             raise line.error(f"the time {duration:g} is not positive; correct it")
-    return steps, duration
+        return steps, duration
+
+    found: list[tuple[int, float | None]] = [*sheet.problems.each(read, sheet.of("TIMESTEP"))]
+    return found[0] if found else (STEPS, None)
 
 
-def _count(line: Line, place: int, dialect: str) -> int:
+def _count(line: Line, place: int, remedy: str) -> int:
+    """A number of steps."""
     value = line.values[place]
     if value != round(value) or value < 1:
-        order = "n T" if dialect == "delft" else "T n"
+        raise line.error(f"{line.words[place]} is not a number of steps; {remedy}")
+    if value > MOST_STEPS:
         raise line.error(
-            f"{line.words[place]} is not a number of steps; the {dialect} dialect writes {order} (give dialect= if the "
-            "file is of the other one)"
+            f"{line.words[place]} steps are more than the {MOST_STEPS} that can be kept; give fewer"
         )
     return int(value)

@@ -9,12 +9,15 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from flexel.base.time_functions import Polynomial
-from flexel.spacar.contradictions import refuse_contradictions
-from flexel.spacar.elements import element_calls, node_calls
+from flexel.spacar.contradictions import Claims
+from flexel.spacar.elements import check_line, element_calls, node_calls
+from flexel.spacar.entries import NodeEntry, quantity
 from flexel.spacar.lexer import Line
-from flexel.spacar.sheet import ElementEntry, NodeEntry, Sheet, quantity
+from flexel.spacar.motions import Motions
+from flexel.spacar.remarks import remark
+from flexel.spacar.sheet import Sheet, name_of
 from flexel.spacar.statements import Call
-from flexel.spacar.terminals import Terminal, notes, terminals
+from flexel.spacar.terminals import Terminal, terminals
 
 
 @dataclass
@@ -37,54 +40,50 @@ class Draft:
     steps: list[Call] = field(default_factory=list)
     inputs: list[Terminal] = field(default_factory=list)
     outputs: list[Terminal] = field(default_factory=list)
-    notes: list[str] = field(default_factory=list)
 
 
-def understand(sheet: Sheet, dialect: str) -> Draft:
+def understand(sheet: Sheet) -> Draft:
     """The complete meaning of a sheet.
 
-    Raises
-    ------
-    ModelError
-        A line that contradicts the others or refers to something undefined; names file and line.
+    Lines that contradict others or refer to something undefined become errors among the sheet's problems.
     """
-    draft = Draft()
+    draft, each = Draft(), sheet.problems.each
     for line in sheet.of("GRAVITY"):
         draft.gravity = (*line.values, 0.0)[:3]
     _mark_free(sheet)
-    refuse_contradictions(sheet)
+    Claims(sheet)
     draft.calls += node_calls([sheet.nodes[n] for n in sorted(sheet.nodes)])
-    for entry in sheet.elements.values():
-        draft.calls += element_calls(entry, dialect)
-    for line in sheet.of("MASS"):
-        draft.calls.append(_mass(line, sheet.node(line)))
+    each(lambda z: check_line(*z), [(e, given) for e in sheet.elements.values() for given in e.lines])
+    made = sum(each(lambda entry: element_calls(entry, sheet.dialect), sheet.elements.values()), start=[])
+    draft.calls += sorted(made, key=lambda call: call.method == "rotary_inertia")
+    draft.calls += each(lambda line: _mass(line, sheet.node(line)), sheet.of("MASS"))
     draft.calls += _forces(sheet, draft)
-    _motions(sheet, draft)
+    motions = Motions(sheet)
+    draft.calls += motions.prescribed
+    draft.still, draft.steps = motions.still, draft.steps + motions.steps
     draft.calls += _dofs(sheet)
-    draft.calls += _initial(sheet)
+    draft.calls += motions.initial
     draft.inputs, draft.outputs, measured = terminals(sheet)
     draft.calls += measured
-    draft.notes = notes(sheet, dialect)
+    if not sheet.problems:
+        remark(sheet)
     return draft
 
 
-def _modes(sheet: Sheet, line: Line) -> list[tuple[ElementEntry, int]]:
-    return [sheet.mode(line, 0, place) for place in range(1, len(line.values))]
+# -- roles -----------------------------------------------------------------------------------------
 
 
 def _mark_free(sheet: Sheet) -> None:
     """Collect the modes that are not rigid, from all lines."""
-    for line in sheet.of("RLSE", "DYNE", "KINE", "LINE"):
-        for entry, i in _modes(sheet, line):
+
+    def released(line: Line) -> None:
+        for entry, i in sheet.modes(line):
             if line.keyword != "RLSE" and i in entry.kind.slips:
-                raise line.error(f"mode {i} of a {entry.line.keyword} is a slip, not a coordinate; remove it")
+                what = "has no value" if line.keyword == "INPUTE" else "is not a coordinate"
+                raise line.error(f"mode {i} of a {entry.line.keyword} is a slip, which {what}; name others")
             entry.free.add(i)
-    for line in sheet.of("INPUTE"):
-        entry, i = sheet.mode(line)
-        if i in entry.kind.slips:
-            raise line.error(f"mode {i} of a {entry.line.keyword} is a slip, which has no value; remove it")
-        entry.free.add(i)
-    for line in sheet.of("ENHC"):
+
+    def rolling(line: Line) -> None:
         entry, i = sheet.mode(line, 0, 1)
         if i not in entry.kind.slips:
             slips = ", ".join(map(str, entry.kind.slips)) or "none"
@@ -100,6 +99,39 @@ def _mark_free(sheet: Sheet) -> None:
         if j in other.kind.slips:
             raise line.error(f"mode {j} of element {other.number} is a slip, not a coordinate; name another")
         other.free.add(j)
+
+    sheet.each(released, "RLSE", "DYNE", "KINE", "LINE", "INPUTE")
+    sheet.each(rolling, "ENHC")
+
+
+def _dofs(sheet: Sheet) -> list[Call]:
+    """Dynamic and kinematic coordinates; a coordinate that is named twice counts once.
+
+    In the Twente dialect they are in SPACAR's order: coordinates of nodes, then deformations, each by number and
+    component; in the Delft one in the order of the file.
+    """
+    chosen: dict[str, dict[str, Line]] = {"independent": {}, "kinematic": {}}
+    place: dict[str, tuple[int, int, int]] = {}
+
+    def name(line: Line) -> None:
+        own = chosen["kinematic" if line.keyword in ("KINX", "KINE", "ENHC") else "independent"]
+        if line.keyword.endswith("X"):
+            found = [((0, node.number, i), name_of(node, i)) for node, i in sheet.coordinates(line)]
+        else:
+            modes = [sheet.mode(line, 2, 3)] if line.keyword == "ENHC" else sheet.modes(line)
+            found = [((1, entry.number, i), quantity(entry, i)[0]) for entry, i in modes]
+        for where, quantity_name in found:
+            own.setdefault(quantity_name, line)
+            place[quantity_name] = where
+
+    for keywords in (("DYNX", "KINX"), ("DYNE", "LINE", "KINE"), ("ENHC",)):
+        sheet.problems.each(name, sheet.of(*keywords))
+    calls = []
+    for method, named in chosen.items():
+        names = sorted(named, key=place.__getitem__) if sheet.dialect == "twente" else list(named)
+        if names:
+            calls.append(Call(method, tuple(names), {}, named[names[0]]))
+    return calls
 
 
 # -- masses and loads ----------------------------------------------------------------------------
@@ -121,16 +153,22 @@ def _mass(line: Line, node: NodeEntry) -> Call:
 
 
 def _forces(sheet: Sheet, draft: Draft) -> list[Call]:
-    calls = [call for line in sheet.of("FORCE") for call in _force(line, sheet.node(line), line.values[1:])]
-    for line in sheet.of("DELXF"):
+    """Loads that act from the start; those of load steps go to the draft's."""
+    each = sheet.problems.each
+
+    def growing(line: Line) -> list[Call]:
         rows = tuple(Polynomial((0.0, z)) if z else 0.0 for z in line.values[1:])
-        draft.steps += _force(line, sheet.node(line), rows)
-    for line in sheet.of("TORQUEL"):
+        return _force(line, sheet.node(line), rows)
+
+    def turning(line: Line) -> list[Call]:
         node, values = sheet.node(line), line.values[1:]
         if node.kind != "frame" or len(values) != 3:
             raise line.error("it takes an orientation node and three moments about the axes of the body")
-        calls.append(Call("load", (node.name, values), {"follower": True}, line))
-    return calls
+        return [Call("load", (node.name, values), {"follower": True}, line)]
+
+    constant = each(lambda line: _force(line, sheet.node(line), line.values[1:]), sheet.of("FORCE"))
+    draft.steps += sum(each(growing, sheet.of("DELXF")), start=[])
+    return sum([*constant, *each(turning, sheet.of("TORQUEL"))], start=[])
 
 
 def _force(line: Line, node: NodeEntry, values: tuple[object, ...]) -> list[Call]:
@@ -146,101 +184,3 @@ def _force(line: Line, node: NodeEntry, values: tuple[object, ...]) -> list[Call
         return [Call("load", (f"{node.name}.{c}", z), {}, line) for c, z in pairs if z != 0.0]
     value = values if len(values) > 1 else values[0]
     return [Call("load", (node.name, value), {}, line)]
-
-
-# -- motions, degrees of freedom, initial values -----------------------------------------------------------
-
-
-def _motions(sheet: Sheet, draft: Draft) -> None:
-    """Prescribed motions u = u0 + v0 t + a0 t²/2, from the lines of inputs and of initial values."""
-    rates = {sheet.coordinate(z): z.values[2] for z in sheet.of("XD")}
-    second = {sheet.coordinate(z): z.values[2] for z in sheet.of("XDD")}
-    starts: dict[str, float] = {}
-    changes = {sheet.coordinate(z): (z, z.values[2]) for z in sheet.of("DELINPX")}
-    inputs: dict[str, tuple[Line, float]] = {}
-    for line in sheet.of("INPUTX"):
-        node = sheet.node(line)
-        name = sheet.coordinate(line)
-        starts[name] = float(node.x[line.whole(1, "coordinate") - 1])
-        inputs[name] = (line, 1.0)
-    for line in sheet.of("INPUTE"):
-        name, factor = quantity(*sheet.mode(line))
-        inputs[name] = (line, factor)
-    for line in sheet.of("E", "ED", "EDD", "STARTDE"):
-        name, _ = quantity(*sheet.mode(line))
-        tables = {"E": (starts,), "ED": (rates,), "EDD": (second,), "STARTDE": (starts, rates)}[line.keyword]
-        for table, value in zip(tables, line.values[2:], strict=False):  # STARTDE may end with the value
-            table[name] = value
-    for line in sheet.of("DELINPE"):
-        changes[quantity(*sheet.mode(line))[0]] = (line, line.values[2])
-    for name in second:
-        if name not in inputs:
-            line = next(z for z in sheet.of("XDD", "EDD") if _subject(sheet, z) == name)
-            raise line.error("an acceleration can only be given to an input; remove the line")
-    times = sheet.of("TIME")
-    start = times[0].values[0] if times else 0.0
-    for name, (line, factor) in inputs.items():
-        own = line.values[2:]
-        given = (starts, rates, second)
-        u, v, a = (own[i] if len(own) > i else table.get(name, 0.0) for i, table in enumerate(given))
-        draft.calls.append(Call("prescribe", (name, _motion(u, v, a, start, factor)), {}, line))
-        if name in changes:
-            moving = Polynomial((u / factor, changes[name][1] / factor))
-            draft.steps.append(Call("prescribe", (name, moving), {}, changes[name][0]))
-        elif v or a:
-            draft.still.append(Call("prescribe", (name, u / factor), {}, line))
-    for name, (line, _) in changes.items():
-        if name not in inputs:
-            raise line.error("it changes an input, and this is not one; add a line INPUTX or INPUTE")
-
-
-def _subject(sheet: Sheet, line: Line) -> str:
-    """Name of the quantity to which an initial-value line refers."""
-    return sheet.coordinate(line) if line.keyword.startswith("X") else quantity(*sheet.mode(line))[0]
-
-
-def _motion(u: float, v: float, a: float, t0: float, factor: float) -> Polynomial | float:
-    """The polynomial in t with these values at t0, in flexel's deformations."""
-    c = [u - v * t0 + a * t0**2 / 2, v - a * t0, a / 2]
-    while len(c) > 1 and not c[-1]:
-        c.pop()
-    ours = tuple(z / factor for z in c)
-    return Polynomial(ours) if len(ours) > 1 else ours[0]
-
-
-def _dofs(sheet: Sheet) -> list[Call]:
-    """Dynamic and kinematic coordinates; a coordinate that is named twice counts once."""
-    dynamic: dict[str, Line] = {}
-    kinematic: dict[str, Line] = {}
-    for line in sheet.of("DYNX", "KINX"):
-        node = sheet.node(line)
-        for i in sheet.places(line, node):
-            chosen = dynamic if line.keyword == "DYNX" else kinematic
-            chosen.setdefault(f"{node.name}.{node.components[i - 1]}", line)
-    for line in sheet.of("DYNE", "LINE", "KINE"):
-        for entry, i in _modes(sheet, line):
-            chosen = kinematic if line.keyword == "KINE" else dynamic
-            chosen.setdefault(quantity(entry, i)[0], line)
-    for line in sheet.of("ENHC"):
-        kinematic.setdefault(quantity(*sheet.mode(line, 2, 3))[0], line)
-    chosen_for = (("independent", dynamic), ("kinematic", kinematic))
-    return [
-        Call(method, tuple(named), {}, next(iter(named.values()))) for method, named in chosen_for if named
-    ]
-
-
-def _initial(sheet: Sheet) -> list[Call]:
-    """Initial values and rates of quantities that are not inputs."""
-    inputs = {sheet.coordinate(z) for z in sheet.of("INPUTX")}
-    inputs |= {quantity(*sheet.mode(z))[0] for z in sheet.of("INPUTE")}
-    calls = []
-    for line in sheet.of("E", "ED", "STARTDE"):
-        name, factor = quantity(*sheet.mode(line))
-        given = [z / factor for z in line.values[2:]]
-        keys = {"E": ("value",), "ED": ("rate",), "STARTDE": ("value", "rate")}[line.keyword]
-        if name not in inputs:
-            calls.append(Call("initial", (name,), dict(zip(keys, given, strict=False)), line))
-    for line in sheet.of("XD"):
-        if sheet.coordinate(line) not in inputs:
-            calls.append(Call("initial", (sheet.coordinate(line),), {"rate": line.values[2]}, line))
-    return calls

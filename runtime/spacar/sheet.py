@@ -2,87 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterable
+from dataclasses import replace
 
 import numpy as np
 
-from flexel.base.arrays import Array
-from flexel.spacar.keywords import ELEMENTS, ElementType, Mode
+from flexel.spacar.entries import START, ElementEntry, NodeEntry
+from flexel.spacar.keywords import ELEMENTS, VALUES
 from flexel.spacar.lexer import Line
-from flexel.structure.nodes import COMPONENTS
+from flexel.spacar.problems import FollowingError, Notes, Problems
 
-LETTERS = {"point": "p", "planar_point": "p", "frame": "o", "planar_angle": "o"}
-START = {
-    "point": (0.0,) * 3,
-    "planar_point": (0.0,) * 2,
-    "frame": (1.0, 0.0, 0.0, 0.0),
-    "planar_angle": (0.0,),
-}
 PLACES = {"XY": "planar_point", "XYZ": "point", "BETA": "planar_angle", "LAMBDA": "frame"}
-
+ABOUT_ELEMENTS = ("ESTIFF", "EDAMPP", "EMASS", "ESIG", "LENGTH0")
+OF_BEAM = {
+    "ESTIFF": 6,
+    "EDAMPP": 6,
+    "EMASS": 5,
+    "ESIG": 6,
+}  # numbers that mean something for a BEAM of Twente
 
 # how many of the first numbers identify the subject of a line that may occur only once
-SUBJECT = dict.fromkeys("ESTIFF EDAMPP EMASS LENGTH0 DIR MASS FORCE DELXF TORQUEL".split(), 1)
-SUBJECT |= dict.fromkeys("XD XDD E ED EDD STARTDE DELINPX DELINPE".split(), 2)
+SUBJECT = dict.fromkeys("ESTIFF EDAMPP EMASS ESIG LENGTH0 DIR MASS FORCE DELXF TORQUEL".split(), 1)
+SUBJECT |= dict.fromkeys("XD XDD E ED EDD STARTDE DELINPX DELINPE ENHC".split(), 2)
+SUBJECT |= {usage.meaning: 2 for usage in VALUES.values()}
 SUBJECT |= dict.fromkeys("TIME GRAVITY TIMESTEP HMAX ITERSTEP".split(), 0)
-
-
-@dataclass
-class NodeEntry:
-    """A node: its kind, its coordinates and which of them are fixed."""
-
-    number: int
-    kind: str
-    x: Array
-    fixed: set[int] = field(default_factory=set)
-
-    @property
-    def name(self) -> str:
-        """Name in the model: p for positions, o for orientations, then the number."""
-        return f"{LETTERS[self.kind]}{self.number}"
-
-    @property
-    def components(self) -> tuple[str, ...]:
-        """Names of its coordinates."""
-        return COMPONENTS[self.kind]
-
-
-@dataclass
-class ElementEntry:
-    """An element: its type, its nodes and the lines about it.
-
-    Attributes
-    ----------
-    numbers : tuple of float
-        Numbers after the nodes, with a direction from DIR.
-    lines : dict
-        The one line each of ESTIFF, EDAMPP, EMASS, LENGTH0 about it.
-    free : set of int
-        Modes that are not rigid, for any reason.
-    """
-
-    number: int
-    kind: ElementType
-    line: Line
-    nodes: tuple[NodeEntry, ...]
-    numbers: tuple[float, ...]
-    lines: dict[str, Line] = field(default_factory=dict)
-    free: set[int] = field(default_factory=set)
-
-    @property
-    def name(self) -> str:
-        """Name in the model: the keyword in small letters, then the number."""
-        return f"{self.line.keyword.lower()}{self.number}"
-
-    @property
-    def ends(self) -> tuple[str, ...]:
-        """Names of its nodes."""
-        return tuple(node.name for node in self.nodes)
-
-    def values(self, keyword: str) -> tuple[float, ...]:
-        """Numbers after the element's own on its line of that keyword; none without one."""
-        return self.lines[keyword].values[1:] if keyword in self.lines else ()
 
 
 class Sheet:
@@ -91,41 +34,35 @@ class Sheet:
     Parameters
     ----------
     lines : iterable of Line
-
-    Raises
-    ------
-    ModelError
-        Duplicate numbers, nodes of two kinds, nodes and elements that do not exist; names the line.
+    dialect : str
+    problems : Problems
+        Gets the errors: duplicate numbers, nodes of two kinds, nodes and elements that do not exist.
+    notes : Notes
     """
 
-    def __init__(self, lines: Iterable[Line]) -> None:
-        self.lines = list(lines)
+    def __init__(self, lines: Iterable[Line], dialect: str, problems: Problems, notes: Notes) -> None:
+        self.dialect, self.problems, self.notes = dialect, problems, notes
         self.nodes: dict[int, NodeEntry] = {}
         self.elements: dict[int, ElementEntry] = {}
-        _check_doubles(self.lines)
-        for line in self.lines:
-            if line.keyword in ELEMENTS:
-                self._element(line)
-        for line in self.of(*PLACES, "X"):
-            self._coordinates(line)
-        for line in self.of("FIX"):
-            node = self.node(line)
-            chosen = range(1, len(node.components) + 1) if len(line.values) == 1 else self.places(line, node)
-            node.fixed |= set(chosen)
-        for line in self.of("DIR"):
-            self._direction(line)
-        for line in self.of("ESTIFF", "EDAMPP", "EMASS", "LENGTH0"):
-            entry = self.element(line)
-            if line.keyword in entry.lines:
-                earlier = entry.lines[line.keyword].number
-                raise line.error(
-                    f"element {entry.number} has its {line.written} in line {earlier}; keep one of them"
-                )
-            entry.lines[line.keyword] = line
+        seen: dict[tuple[object, ...], Line] = {}
+        self.lines = problems.each(lambda line: _once(line, seen), lines)
+        self.each(self._element, *ELEMENTS)
+        self.each(self._coordinates, *PLACES, "X")
+        for n in problems.unread & self.nodes.keys():
+            self.nodes[n].unread = True
+        self.each(self._fix, "FIX")
+        self.each(self._direction, "DIR")
+        self.each(self._about_element, *ABOUT_ELEMENTS)
 
     def of(self, *keywords: str) -> list[Line]:
         """Lines of the keywords, in the order of the file."""
         return [line for line in self.lines if line.keyword in keywords]
+
+    def each(self, handle: Callable[[Line], None], *keywords: str) -> None:
+        """Handle all lines of the keywords; the numbers in those that are wrong count as unread."""
+        for line in self.of(*keywords):
+            if not self.problems.each(handle, [line]):
+                self.problems.unread |= {int(z) for z in line.values if z == round(z) and 0 < z < 1e9}
 
     def _element(self, line: Line) -> None:
         number, kind = line.whole(0, "element"), ELEMENTS[line.keyword]
@@ -135,7 +72,7 @@ class Sheet:
         nodes = []
         for place, node_kind in enumerate(kind.nodes, 1):
             n = line.whole(place, "node")
-            node = self.nodes.setdefault(n, NodeEntry(n, node_kind, np.array(START[node_kind])))
+            node = self.nodes.setdefault(n, NodeEntry(n, node_kind, np.array(START[node_kind]), line))
             if node.kind != node_kind:
                 raise line.error(
                     f"node {n} is already a {node.kind}, and is used here as a {node_kind}; use another"
@@ -147,6 +84,10 @@ class Sheet:
         self.elements[number] = ElementEntry(number, kind, line, tuple(nodes), numbers)
 
     def _coordinates(self, line: Line) -> None:
+        n = line.whole(0, "node")
+        if self.dialect == "twente" and n not in self.nodes and n not in self.problems.unread:
+            self.notes.add(line, "no effect, as no element has such a node", n)
+            return
         node, values = self.node(line), line.values[1:]
         wanted = PLACES.get(line.keyword, node.kind)
         if node.kind != wanted or len(values) != node.x.size:
@@ -154,7 +95,11 @@ class Sheet:
                 f"{len(values)} coordinates given, but node {node.number} is a {node.kind} with {node.x.size} "
                 f"({', '.join(node.components)}); give these"
             )
-        node.x = np.array(values)
+        node.x, node.line = np.array(values), line
+
+    def _fix(self, line: Line) -> None:
+        for node, i in self.coordinates(line):
+            node.fixed.add(i)
 
     def _direction(self, line: Line) -> None:
         entry = self.element(line)
@@ -166,12 +111,31 @@ class Sheet:
             )
         entry.numbers = line.values[1:]
 
+    def _about_element(self, line: Line) -> None:
+        entry = self.element(line)
+        known = 1 + OF_BEAM.get(line.keyword, len(line.values))
+        if self.dialect == "twente" and entry.line.keyword == "BEAM" and len(line.values) > known:
+            self.notes.add(
+                line, "the last numbers belong to warping, which a BEAM does not have", entry.number
+            )
+            line = replace(line, values=line.values[:known], words=line.words[:known])
+        entry.lines[line.keyword] = line
+
+    def refuse_unread(self, line: Line) -> None:
+        """An error if something else about the node or element of a line could not be read."""
+        if line.values[0] in self.problems.unread:
+            raise FollowingError(
+                f"node or element {line.words[0]} is in a line that could not be read; correct that"
+            )
+
     # -- subjects of lines -----------------------------------------------------------------------
 
     def node(self, line: Line, place: int = 0) -> NodeEntry:
         """The node whose number stands at a place of a line."""
         n = line.whole(place, "node")
         if n not in self.nodes:
+            if n in self.problems.unread:
+                raise FollowingError(f"node {n} is in a line that could not be read; correct that")
             raise line.error(f"no element has the node {n}; correct the number, or remove the line")
         return self.nodes[n]
 
@@ -179,33 +143,52 @@ class Sheet:
         """The element whose number stands at a place of a line."""
         n = line.whole(place, "element")
         if n not in self.elements:
-            known = ", ".join(map(str, sorted(self.elements)[:20]))
+            if n in self.problems.unread:
+                raise FollowingError(f"element {n} is in a line that could not be read; correct that")
+            known = ", ".join(map(str, sorted(self.elements)[:20])) or "none"
             raise line.error(f"element {n} does not exist; elements are {known}")
         return self.elements[n]
 
-    def places(self, line: Line, node: NodeEntry, first: int = 1) -> list[int]:
-        """Numbers of coordinates of a node, from a place of the line to its end."""
-        found = [line.whole(place, "coordinate") for place in range(first, len(line.values))]
-        for i in found:
-            if i > len(node.components):
-                raise line.error(
-                    f"node {node.number}, a {node.kind}, has coordinates 1 to {len(node.components)}"
-                )
-        return found
+    def coordinates(self, line: Line) -> list[tuple[NodeEntry, int]]:
+        """The node of a line and the coordinates that it names, or all of them.
+
+        All of an orientation are its last three, which determine the first, if they are to be independent.
+        """
+        node = self.node(line)
+        if len(line.values) == 1:
+            first = 2 if node.kind == "frame" and line.keyword != "FIX" else 1
+            return [(node, i) for i in range(first, len(node.components) + 1)]
+        return [self._component(line, node, place) for place in range(1, len(line.values))]
 
     def coordinate(self, line: Line, node_place: int = 0) -> str:
         """Name of the coordinate that node and component on a line speak of."""
-        node = self.node(line, node_place)
-        i = line.whole(node_place + 1, "coordinate")
+        return name_of(*self._component(line, self.node(line, node_place), node_place + 1))
+
+    def _component(self, line: Line, node: NodeEntry, place: int) -> tuple[NodeEntry, int]:
+        i = _component_number(line, place, "coordinate")
         if i > len(node.components):
             raise line.error(
                 f"node {node.number}, a {node.kind}, has coordinates 1 to {len(node.components)}"
             )
-        return f"{node.name}.{node.components[i - 1]}"
+        return node, i
+
+    def modes(self, line: Line) -> list[tuple[ElementEntry, int]]:
+        """The element of a line and the modes that it names, or all of them.
+
+        In the Twente dialect an INPUTE of a mode that is DYNE has no effect, as in SPACAR.
+        """
+        entry = self.element(line)
+        numbers = [_component_number(line, place, "mode") for place in range(1, len(line.values))]
+        found = [self._mode(line, entry, i) for i in numbers or range(1, len(entry.kind.modes) + 1)]
+        if line.keyword == "INPUTE" and self.dialect == "twente":
+            return [z for z in found if not self.is_dynamic(*z)]
+        return found
 
     def mode(self, line: Line, element_place: int = 0, mode_place: int = 1) -> tuple[ElementEntry, int]:
         """The element and the mode number to which a line refers."""
-        entry, i = self.element(line, element_place), line.whole(mode_place, "mode")
+        return self._mode(line, self.element(line, element_place), line.whole(mode_place, "mode"))
+
+    def _mode(self, line: Line, entry: ElementEntry, i: int) -> tuple[ElementEntry, int]:
         if i > len(entry.kind.modes):
             raise line.error(
                 f"a {entry.line.keyword} has modes 1 to {len(entry.kind.modes)}; correct the number"
@@ -214,28 +197,34 @@ class Sheet:
             raise line.error("the norm of Euler parameters is always constrained; remove the line")
         return entry, i
 
-
-def quantity(entry: ElementEntry, i: int) -> tuple[str, float]:
-    """Our name of a mode, and the ratio of SPACAR's value to ours."""
-    mode: Mode = entry.kind.modes[i - 1]
-    return f"{entry.name}.{mode.name}", mode.factor * _scale(entry, mode.scale)
-
-
-def _scale(entry: ElementEntry, what: str) -> float:
-    if what == "radii":
-        return entry.numbers[0] + entry.numbers[1]
-    if what == "radius":
-        return float(np.linalg.norm(entry.nodes[2].x - entry.nodes[0].x))
-    return 1.0
+    def is_dynamic(self, entry: ElementEntry, i: int) -> bool:
+        """Whether a line DYNE names a mode, or all of its element."""
+        own = [z.values[1:] for z in self.of("DYNE") if z.values[0] == entry.number]
+        return any(not z or i in z for z in own)
 
 
-def _check_doubles(lines: Iterable[Line]) -> None:
-    """Check that lines that may occur only once do so."""
-    seen: dict[tuple[object, ...], Line] = {}
-    for line in lines:
-        if line.keyword in SUBJECT or line.keyword in PLACES or line.keyword == "X":
-            group = line.keyword if line.keyword in SUBJECT else "X"
-            key = (group, *line.values[: SUBJECT.get(line.keyword, 1)])
-            if key in seen:
-                raise line.error(f"already given in line {seen[key].number}; keep one of them")
-            seen[key] = line
+def name_of(node: NodeEntry, i: int) -> str:
+    """Name of coordinate i of a node."""
+    return f"{node.name}.{node.components[i - 1]}"
+
+
+def _component_number(line: Line, place: int, what: str) -> int:
+    """The number of a coordinate or mode; not the value of an input, as lines of later blocks have."""
+    value = line.values[place]
+    if line.keyword in VALUES and (value != round(value) or value < 1):
+        raise line.error(
+            f"{line.words[place]} is no component, and a line {line.keyword} in the first block lists components; "
+            "values follow after END HALT (Twente), or stand in lines of their own: X, XD, XDD, E, ED, EDD (Delft)"
+        )
+    return line.whole(place, what)
+
+
+def _once(line: Line, seen: dict[tuple[object, ...], Line]) -> Line:
+    """The line, if it may be given again or is the first of its kind."""
+    if line.keyword not in SUBJECT and line.keyword not in PLACES and line.keyword != "X":
+        return line
+    group = line.keyword if line.keyword in SUBJECT else "X"
+    first = seen.setdefault((group, *line.values[: SUBJECT.get(line.keyword, 1)]), line)
+    if first is not line:
+        raise line.error(f"already given in line {first.number}; keep one of them")
+    return line

@@ -5,14 +5,21 @@ One list serves both, so a converted file cannot differ from the one that was re
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from flexel.base.errors import ModelError
 from flexel.base.time_functions import Polynomial
 from flexel.model import Model
 from flexel.spacar.lexer import Line
+from flexel.spacar.problems import Problems
+
+# methods whose first argument is not a new name
+ABOUT_DECLARED = frozenset(
+    "fix load prescribe independent kinematic initial rigid release spring angular_velocity".split()
+)
+KINDS = ("truss", "planar_truss")  # of `Model.element`, which are no names of this model
 
 
 @dataclass(frozen=True)
@@ -27,16 +34,14 @@ class Call:
 
     method: str
     arguments: tuple[Any, ...]
-    options: dict[str, Any] = field(default_factory=dict)
-    line: Line | None = None
+    options: dict[str, Any]
+    line: Line
 
     def apply(self, model: Model) -> None:
         """Call the method; an error reports the line of the file."""
         try:
             getattr(model, self.method)(*self.arguments, **self.options)
         except ModelError as error:
-            if self.line is None:
-                raise
             raise self.line.error(str(error)) from error
 
     def __str__(self) -> str:
@@ -59,9 +64,40 @@ def literal(value: Any) -> str:
     return repr(float(value)) if isinstance(value, float) else repr(value)
 
 
-def build_model(gravity: Sequence[float], calls: Sequence[Call]) -> Model:
-    """The model that the calls declare."""
+def build_model(gravity: Sequence[float], calls: Iterable[Call]) -> Model:
+    """The model that the calls declare.
+
+    Raises
+    ------
+    ModelError
+        The first call that the model refuses; names file and line.
+    """
     model = Model(gravity=tuple(gravity))
     for call in calls:
         call.apply(model)
     return model
+
+
+def checked_model(gravity: Sequence[float], calls: Iterable[Call], problems: Problems) -> Model:
+    """The same, with all refusals collected; where something could not be declared, what needs it is left out."""
+    model = Model(gravity=tuple(gravity))
+    for call in calls:
+        if problems and not _names(call.arguments) <= model.nodes.keys() | model.instances.keys() | _new(
+            call
+        ):
+            continue
+        with problems.collected():
+            call.apply(model)
+    return model
+
+
+def _new(call: Call) -> set[str]:
+    """The name that a call declares; none if it is about declared names alone."""
+    return set() if call.method in ABOUT_DECLARED else {call.arguments[0]}
+
+
+def _names(given: Any) -> set[str]:
+    """Names of nodes and elements in arguments."""
+    if isinstance(given, str):
+        return set() if given in KINDS else {given.split(".")[0]}
+    return set().union(*map(_names, given)) if isinstance(given, (tuple, list)) else set()

@@ -1,11 +1,13 @@
-"""Inputs and outputs of the linear model requested by a file, and the reader's notes on it."""
+"""Inputs and outputs of the linear model requested by a file."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 
-from flexel.spacar.keywords import WITHOUT_EFFECT
-from flexel.spacar.sheet import Sheet, quantity
+from flexel.spacar.entries import quantity
+from flexel.spacar.lexer import Line
+from flexel.spacar.sheet import Sheet
 from flexel.spacar.statements import Call
 
 MOMENTS = ("wx", "wy", "wz")
@@ -22,69 +24,62 @@ class Terminal:
 
 def terminals(sheet: Sheet) -> tuple[list[Terminal], list[Terminal], list[Call]]:
     """Inputs and outputs of the linear model in the order of their numbers, and the calls that measure them."""
-    inputs, measured = _inputs(sheet)
-    outputs = _outputs(sheet)
-    for found, lines in (
-        (inputs, sheet.of("INPUTF", "INPUTS")),
-        (outputs, sheet.of("OUTX", "OUTXP", "OUTE", "OUTEP")),
-    ):
-        found.sort(key=lambda z: z.number)
-        numbers = [z.number for z in found]
-        if numbers != list(range(1, len(numbers) + 1)):
-            raise lines[-1].error(
-                f"inputs and outputs are numbered 1, 2, 3 ..., each once; here they are {numbers}"
-            )
-    return inputs, outputs, measured
-
-
-def _inputs(sheet: Sheet) -> tuple[list[Terminal], list[Call]]:
-    found, measured = [], []
-    for line in sheet.of("INPUTF"):
-        node = sheet.node(line, 1)
-        name = sheet.coordinate(line, 1)
-        if node.kind == "frame":
-            i = line.whole(2, "moment")
-            if i > 3:
-                raise line.error("moments on an orientation node have numbers 1 to 3, about x, y and z")
-            measured.append(Call("angular_velocity", (node.name,), {}, line))
-            name = f"{node.name}.omega.{MOMENTS[i - 1]}"
-        found.append(Terminal(line.whole(0, "input"), name, 1.0))
-    for line in sheet.of("INPUTS"):
-        name, factor = quantity(*sheet.mode(line, 1, 2))
-        # a load in flexel does work as the deformation grows, a stress the opposite
-        found.append(Terminal(line.whole(0, "input"), name, -1.0 / factor))
-    return found, measured
-
-
-def _outputs(sheet: Sheet) -> list[Terminal]:
+    measured: list[Call] = []
+    makers = {
+        "INPUTF": lambda line: _force(sheet, line, measured),
+        "INPUTS": lambda line: _stress(sheet, line),
+        **dict.fromkeys(("OUTX", "OUTXP"), lambda line: _coordinate(sheet, line)),
+        **dict.fromkeys(("OUTE", "OUTEP"), lambda line: _deformation(sheet, line)),
+    }
     found = []
-    for line in sheet.of("OUTX", "OUTXP"):
-        prime = "'" if line.keyword == "OUTXP" else ""
-        found.append(Terminal(line.whole(0, "output"), sheet.coordinate(line, 1) + prime, 1.0))
-    for line in sheet.of("OUTE", "OUTEP"):
-        entry, i = sheet.mode(line, 1, 2)
-        name, factor = quantity(entry, i)
-        if line.keyword == "OUTE" and i in entry.kind.slips:
-            raise line.error(
-                f"mode {i} of element {entry.number} is a slip, which has only a rate; use OUTEP"
+    for what, keywords in (("input", ("INPUTF", "INPUTS")), ("output", ("OUTX", "OUTXP", "OUTE", "OUTEP"))):
+        seen: dict[int, Line] = {}
+        lines = sheet.problems.each(partial(_numbered, what=what, seen=seen), sheet.of(*keywords))
+        own = sheet.problems.each(lambda line: makers[line.keyword](line), lines)
+        own.sort(key=lambda z: z.number)
+        if own and own[-1].number != len(own) and lines:
+            numbers = ", ".join(str(z.number) for z in own)
+            sheet.notes.add(
+                lines[0], f"{what}s have the numbers {numbers}; matrices have one for each, in this order"
             )
-        found.append(Terminal(line.whole(0, "output"), name + "'" * (line.keyword == "OUTEP"), factor))
-    return found
+        found.append(own)
+    return found[0], found[1], measured
 
 
-def notes(sheet: Sheet, dialect: str) -> list[str]:
-    """Lines without effect, and assumptions, with the lines of the file."""
-    found = []
-    for line in sheet.lines:
-        if line.keyword in WITHOUT_EFFECT:
-            found.append(f"line {line.number}: {line.written} has no effect: {WITHOUT_EFFECT[line.keyword]}")
-    for entry in sheet.elements.values():
-        where = f"line {entry.line.number}: {entry.line.written} {entry.number}"
-        if entry.kind.assumed:
-            found.append(f"{where}: {entry.kind.assumed}")
-        if entry.line.keyword in ("BEAMNL",) or (dialect == "twente" and entry.line.keyword == "BEAM"):
-            found.append(f"{where}: with all terms of second order in its deformations, torsion included")
-        turned = [n for n in entry.nodes if n.kind == "frame" and abs(n.x[0]) < 1 - 1e-12]
-        if turned and entry.numbers and entry.line.keyword != "SURFACE":
-            found.append(f"{where}: its direction is read in global axes as drawn, where frames are turned")
-    return found
+def _numbered(line: Line, what: str, seen: dict[int, Line]) -> Line:
+    """The line, if its number has not been given before; there may be gaps."""
+    number = line.whole(0, what)
+    first = seen.setdefault(number, line)
+    if first is not line:
+        raise line.error(f"{what} {number} is given in line {first.number} already; give another number")
+    return line
+
+
+def _force(sheet: Sheet, line: Line, measured: list[Call]) -> Terminal:
+    node, name = sheet.node(line, 1), sheet.coordinate(line, 1)
+    if node.kind == "frame":
+        i = line.whole(2, "moment")
+        if i > 3:
+            raise line.error("moments on an orientation node have numbers 1 to 3, about x, y and z")
+        measured.append(Call("angular_velocity", (node.name,), {}, line))
+        name = f"{node.name}.omega.{MOMENTS[i - 1]}"
+    return Terminal(line.whole(0, "input"), name, 1.0)
+
+
+def _stress(sheet: Sheet, line: Line) -> Terminal:
+    name, factor = quantity(*sheet.mode(line, 1, 2))
+    # a load in flexel does work as the deformation grows, a stress the opposite
+    return Terminal(line.whole(0, "input"), name, -1.0 / factor)
+
+
+def _coordinate(sheet: Sheet, line: Line) -> Terminal:
+    prime = "'" if line.keyword == "OUTXP" else ""
+    return Terminal(line.whole(0, "output"), sheet.coordinate(line, 1) + prime, 1.0)
+
+
+def _deformation(sheet: Sheet, line: Line) -> Terminal:
+    entry, i = sheet.mode(line, 1, 2)
+    name, factor = quantity(entry, i)
+    if line.keyword == "OUTE" and i in entry.kind.slips:
+        raise line.error(f"mode {i} of element {entry.number} is a slip, which has only a rate; use OUTEP")
+    return Terminal(line.whole(0, "output"), name + "'" * (line.keyword == "OUTEP"), factor)

@@ -51,7 +51,8 @@ def test_load_steps_are_static(motion: str, change: str, end: float, tmp_path: P
     """The load parameter is not time: inputs without an increment keep their initial value, velocity or not."""
     path = tmp_path / "steps.dat"
     path.write_text(
-        "PLBEAM 1 1 2 3 4\nX 3 1 0\nFIX 1\nDYNE 1 2 3\nEM 1 1.0\nESTIFF 1 1e4 100\nDELXF 3 0 0.1\nITERSTEP 2\n"
+        "PLBEAM 1 1 2 3 4\nX 3 1 0\nFIX 1\nDYNE 1 2 3\nINPUTX 2 1\nEND\nHALT\nEM 1 1.0\nESTIFF 1 1e4 100\n"
+        "DELXF 3 0 0.1\nITERSTEP 10 2\n"
         f"TIME 3.0\n{motion}\n{change}\n"
     )
     system, states = fx.read_spacar(path).static_steps()

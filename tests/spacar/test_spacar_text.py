@@ -27,6 +27,11 @@ def test_an_end_of_one_dialect_does_not_override_keywords_of_the_other(mark: str
         pytest.param("\n".join(["* Kurbel mit Öl", *CRANK]).encode("latin-1"), id="latin-1"),
         pytest.param("\r\n".join(["* wait \x85 for it", *CRANK]).encode("latin-1"), id="ellipsis of Windows"),
         pytest.param("\r".join(["* Öl", *CRANK]).encode(), id="returns alone"),
+        pytest.param("\n".join(["% Öl", *CRANK]).encode("utf-16"), id="utf-16 with a mark"),
+        pytest.param("\r\n".join([*CRANK, "END"]).encode() + b"\x1a", id="end of DOS"),
+        pytest.param(
+            "\n\n".join(["  * indented", *CRANK]).replace(" ", "\t  ").encode(), id="tabs, empty lines"
+        ),
     ],
 )
 def test_text_is_read_in_the_usual_encodings(data: bytes, tmp_path: Path) -> None:
@@ -37,7 +42,7 @@ def test_text_is_read_in_the_usual_encodings(data: bytes, tmp_path: Path) -> Non
 
 @pytest.mark.parametrize(
     "data",
-    ["\n".join(CRANK).encode("utf-16"), b"\x89PNG\r\n" + bytes(range(1, 256))],
+    ["\n".join(CRANK).encode("utf-16-le"), b"\x89PNG\r\n" + bytes(range(1, 256))],
     ids=["utf-16", "picture"],
 )
 def test_what_is_no_text_is_refused(data: bytes, tmp_path: Path) -> None:

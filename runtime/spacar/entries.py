@@ -1,0 +1,107 @@
+"""Nodes and elements of a file, with what its lines say about them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from flexel.base.arrays import Array
+from flexel.spacar.keywords import ElementType, Mode
+from flexel.spacar.lexer import Line
+from flexel.structure.nodes import COMPONENTS
+
+LETTERS = {"point": "p", "planar_point": "p", "frame": "o", "planar_angle": "o"}
+START = {
+    "point": (0.0,) * 3,
+    "planar_point": (0.0,) * 2,
+    "frame": (1.0, 0.0, 0.0, 0.0),
+    "planar_angle": (0.0,),
+}
+
+
+@dataclass
+class NodeEntry:
+    """A node: its kind, its coordinates and which of them are fixed.
+
+    Attributes
+    ----------
+    line : Line
+        Of its coordinates, or of the element by which it comes into being.
+    unread : bool
+        A line about it could not be read.
+    """
+
+    number: int
+    kind: str
+    x: Array
+    line: Line
+    fixed: set[int] = field(default_factory=set)
+    unread: bool = False
+
+    @property
+    def name(self) -> str:
+        """Name in the model: p for positions, o for orientations, then the number."""
+        return f"{LETTERS[self.kind]}{self.number}"
+
+    @property
+    def components(self) -> tuple[str, ...]:
+        """Names of its coordinates."""
+        return COMPONENTS[self.kind]
+
+
+@dataclass
+class ElementEntry:
+    """An element: its type, its nodes and the lines about it.
+
+    Attributes
+    ----------
+    numbers : tuple of float
+        Numbers after the nodes, with a direction from DIR.
+    lines : dict
+        The one line each of ESTIFF, EDAMPP, EMASS, ESIG, LENGTH0 about it.
+    free : set of int
+        Modes that are not rigid, for any reason.
+    """
+
+    number: int
+    kind: ElementType
+    line: Line
+    nodes: tuple[NodeEntry, ...]
+    numbers: tuple[float, ...]
+    lines: dict[str, Line] = field(default_factory=dict)
+    free: set[int] = field(default_factory=set)
+
+    @property
+    def name(self) -> str:
+        """Name in the model: the keyword in small letters, then the number."""
+        return f"{self.line.keyword.lower()}{self.number}"
+
+    @property
+    def ends(self) -> tuple[str, ...]:
+        """Names of its nodes."""
+        return tuple(node.name for node in self.nodes)
+
+    def values(self, keyword: str) -> tuple[float, ...]:
+        """Numbers after the element's own on its line of that keyword; none without one."""
+        return self.lines[keyword].values[1:] if keyword in self.lines else ()
+
+
+def quantity(entry: ElementEntry, i: int) -> tuple[str, float]:
+    """Our name of a mode, and the ratio of SPACAR's value to ours."""
+    mode: Mode = entry.kind.modes[i - 1]
+    return f"{entry.name}.{mode.name}", mode.factor * _scale(entry, mode.scale)
+
+
+def _scale(entry: ElementEntry, what: str) -> float:
+    """A length of an element by which SPACAR's mode differs from ours."""
+    if what == "radii":
+        if not entry.numbers[0] + entry.numbers[1]:
+            raise entry.line.error("the radii are opposite, so the centres coincide; correct one of them")
+        return entry.numbers[0] + entry.numbers[1]
+    if what == "radius":
+        radius = float(np.linalg.norm(entry.nodes[2].x - entry.nodes[0].x))
+        if not radius:
+            raise entry.line.error("hub and contact point coincide as drawn; correct their coordinates")
+        return radius
+    return 1.0

@@ -1,0 +1,138 @@
+"""SPACAR's modes of analysis of a file: lines of a report, results as arrays, and a motion if there is one."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from flexel.base.arrays import Array, ComplexArray
+from flexel.base.errors import DynamicsError, ModelError
+from flexel.results.motion import Motion
+from flexel.spacar.count import count_lines
+from flexel.spacar.listing import frequency_lines, linear_lines, matrix_lines, state_lines
+from flexel.spacar.reading import Spacar
+from flexel.structure.state import State
+
+Results = dict[str, Array | ComplexArray]
+Analysis = tuple[list[str], Results, Motion | None]
+
+
+def _simulated(file: Spacar) -> Motion:
+    if file.duration is None:
+        raise ModelError(f"{file.path.name}: the duration of the simulation is missing; add a line TIMESTEP")
+    return file.system.simulate(file.duration, samples=file.steps + 1, max_step=file.max_step or np.inf)
+
+
+def _histories(file: Spacar, states: Motion | list[State], t: Array) -> Results:
+    """All coordinates, deformations and stresses in SPACAR's numbers and signs."""
+    found: Results = {"t": t}
+    found |= {f"x_{n}_{i}": np.array([s[name] for s in states]) for (n, i), name in file.coordinates.items()}
+    for e, i in file.deformations:
+        found[f"e_{e}_{i}"] = np.array([file.deformation(s, e, i) for s in states])
+        found[f"s_{e}_{i}"] = np.array([file.stress(s, e, i) for s in states])
+    return found
+
+
+def _counted(file: Spacar) -> Analysis:
+    lines, condition = count_lines(file)
+    return lines, {"condition": np.array(condition)}, None
+
+
+def _forward(file: Spacar) -> Analysis:
+    motion = _simulated(file)
+    results = _histories(file, motion, motion.t)
+    lines = state_lines(file, motion[-1])
+    if file.linearized:
+        found = file.matrices()
+        lines += ["", "at the start", *linear_lines(found)]
+        results |= found.as_dict()
+    return lines, results, motion
+
+
+def _inverse(file: Spacar) -> Analysis:
+    left = file.system.dynamic + file.system.kinematic
+    if left:
+        raise ModelError(
+            f"{file.path.name}: inverse dynamics needs all motions prescribed; {', '.join(left)} is free; make it "
+            "an input, or use mode 1"
+        )
+    motion = _simulated(file)
+    driven = [file.system.structure.names[i] for i in file.system.roles.prescribed]
+    lines = ["driving forces at the end", *(f"  {z}: {-motion[-1].force(z): .9e}" for z in driven)]
+    return [*state_lines(file, motion[-1]), *lines], _histories(file, motion, motion.t), motion
+
+
+def _along(file: Spacar) -> Analysis:
+    motion = _simulated(file)
+    every = [file.matrices(state) for state in motion]
+    stacked = {name: np.array([z.as_dict()[name] for z in every]) for name in every[0].as_dict()}
+    lines = ["at the start", *linear_lines(every[0]), "", "at the end", *linear_lines(every[-1])]
+    return lines, _histories(file, motion, motion.t) | stacked, motion
+
+
+def _static(file: Spacar) -> Analysis:
+    state = file.system.equilibrium()
+    lines, results = state_lines(file, state), _histories(file, [state], np.array([state.t]))
+    found = np.array([z.omega if z.omega >= 0 else -1j * z.omega for z in file.frequencies(state)])
+    results["frequencies"] = _real(found)
+    lines += frequency_lines(found)
+    if file.model.loads:
+        results["multipliers"] = np.array([z.multiplier for z in file.buckling()])
+        lines += ["load multipliers of buckling", *(f"  {z: .9e}" for z in results["multipliers"])]
+    try:
+        matrices = file.matrices(state)
+    except DynamicsError as error:  # equilibria and frequencies need no mass for every degree of freedom
+        return [*lines, f"no matrices: {error}"], results, None
+    return [*lines, *linear_lines(matrices)], results | matrices.as_dict(), None
+
+
+def _space(file: Spacar) -> Analysis:
+    state = file.system.equilibrium()
+    found = dict(zip("ABCD", file.state_space(state), strict=True))
+    return [*state_lines(file, state), *matrix_lines(found)], {**found}, None
+
+
+def _space_along(file: Spacar) -> Analysis:
+    if file.duration is None:  # about the initial configuration, with its initial rates
+        initial = file.system.initial
+        matrices = dict(zip("ABCD", file.state_space(initial), strict=True))
+        return [*state_lines(file, initial), *matrix_lines(matrices)], {**matrices}, None
+    motion = _simulated(file)
+    every = [file.state_space(state) for state in motion]
+    stacked = {name: np.array([z[i] for z in every]) for i, name in enumerate("ABCD")}
+    lines = ["at the start", *matrix_lines(dict(zip("ABCD", every[0], strict=True)))]
+    return lines, _histories(file, motion, motion.t) | stacked, motion
+
+
+def _load_steps(file: Spacar) -> Analysis:
+    system, states = file.static_steps()
+    results = _histories(file, states, np.array([z.t for z in states]))
+    lines = state_lines(file, states[-1])
+    try:
+        every = [file.matrices(state, system=system) for state in states]
+    except DynamicsError as error:
+        return [*lines, f"no matrices: {error}"], results, None
+    stacked: Results = {name: np.array([z.as_dict()[name] for z in every]) for name in every[0].as_dict()}
+    lines += linear_lines(every[-1])
+    if not system.kinematic:
+        stacked["frequencies"] = _real(np.array([z.frequencies() for z in every]))
+        lines += frequency_lines(every[-1].frequencies())
+    return lines, results | stacked, None
+
+
+def _real(found: ComplexArray) -> Array | ComplexArray:
+    """Frequencies as real numbers if all are."""
+    return found if np.any(found.imag) else found.real
+
+
+MODES: dict[int, Callable[[Spacar], Analysis]] = {
+    0: _counted,
+    1: _forward,
+    2: _inverse,
+    4: _along,
+    7: _static,
+    8: _space,
+    9: _space_along,
+    10: _load_steps,
+}

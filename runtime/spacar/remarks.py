@@ -1,0 +1,64 @@
+"""Notes of the reader: lines without effect, and assumptions where the descriptions are not explicit."""
+
+from __future__ import annotations
+
+from flexel.spacar.entries import ElementEntry
+from flexel.spacar.keywords import ROUTINES, VALUES, WITHOUT_EFFECT
+from flexel.spacar.laws import coefficients
+from flexel.spacar.motions import E_VALUES
+from flexel.spacar.problems import numbered
+from flexel.spacar.sheet import Sheet
+
+ORIENTATION = "without components: 2, 3 and 4, which determine the first"
+
+
+def remark(sheet: Sheet) -> None:
+    """Note what has no effect and what is assumed, with the lines of a file that has no errors."""
+    add = sheet.notes.add
+    for line in sheet.lines:
+        if line.keyword in WITHOUT_EFFECT:
+            add(line, f"has no effect: {WITHOUT_EFFECT[line.keyword]}")
+        if line.keyword in VALUES and sheet.dialect == "delft" and len(line.values) > 2:
+            add(line, "its numbers are components; values stand in lines X, XD, XDD, E, ED, EDD")
+        if line.keyword == "ITERSTEP":
+            add(line, "only its second number has an effect, the load steps: iterations stop at rounding")
+        if line.keyword in ROUTINES:
+            what = "stresses and forces" if line.keyword == "USERSIG" else "motions of inputs"
+            add(
+                line,
+                f"'{' '.join(line.words)}' is a program, which is not run: its {what} are missing; flexel convert "
+                "writes a function to fill in",
+            )
+        if line.keyword in ("INPUTE", E_VALUES) and sheet.dialect == "twente":
+            entry = sheet.elements[int(line.values[0])]
+            named = line.values[1:2] if line.keyword == E_VALUES else line.values[1:]
+            chosen = named or range(1, len(entry.kind.modes) + 1)
+            if any(sheet.is_dynamic(entry, int(i)) for i in chosen):
+                add(line, "no effect, as in SPACAR, on a mode that is DYNE", entry.number)
+        if (
+            line.keyword in ("INPUTX", "DYNX", "KINX")
+            and len(line.values) == 1
+            and sheet.node(line).kind == "frame"
+        ):
+            add(line, ORIENTATION, sheet.node(line).number)
+    for entry in sheet.elements.values():
+        _element(sheet, entry)
+
+
+def _element(sheet: Sheet, entry: ElementEntry) -> None:
+    add, line, twente = sheet.notes.add, entry.line, sheet.dialect == "twente"
+    if entry.kind.assumed:
+        add(line, entry.kind.assumed, entry.number)
+    if line.keyword == "BEAMNL" or (twente and line.keyword == "BEAM"):
+        add(line, "with all terms of second order in its deformations, torsion included", entry.number)
+    turned = [n for n in entry.nodes if n.kind == "frame" and abs(n.x[0]) < 1 - 1e-12]
+    if turned and entry.numbers and line.keyword != "SURFACE":
+        add(line, "its direction is read in global axes as drawn, where frames are turned", entry.number)
+    stiff = coefficients(entry, "ESTIFF").diagonal() if "ESTIFF" in entry.lines else ()
+    rigid = [i for i, value in enumerate(stiff, 1) if value and i not in entry.free]
+    if rigid:
+        modes = numbered("mode", rigid)
+        add(entry.lines["ESTIFF"], f"its stiffness has no effect in {modes}, rigid here", entry.number)
+    inertia = entry.values("EMASS")
+    if twente and line.keyword == "BEAM" and len(inertia) > 4 and inertia[4]:
+        add(entry.lines["EMASS"], "Jyz is read as a component of the tensor, as those of XM", entry.number)
