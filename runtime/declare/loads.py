@@ -79,7 +79,11 @@ class Loading(Declarations):
         spec = ELEMENTS[loaded.spec.span]
         name = f"{beam}.span"
         if name not in self.instances:
-            nodes = (loaded.nodes[0], loaded.nodes[-1]) if len(spec.nodes) == 2 else loaded.nodes
+            nodes = (
+                (loaded.nodes[0], loaded.nodes[-1])
+                if len(spec.nodes) == 2
+                else loaded.nodes[: len(spec.nodes)]
+            )
             values = {z.name: loaded.parameters[z.name] for z in spec.parameters}
             self.instances[name] = Instance(name, spec, nodes, values)
         axes = [slip.name for slip in spec.slips]
