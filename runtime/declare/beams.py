@@ -165,7 +165,9 @@ class Beams(Springs):
             self._add_linear(owner, [f"{name}.{z}" for z in free], S, D, -S @ e0, name)
         if warps:
             S = stiffness(l0, given["GJ"], given["EIw"])
-            self._add_linear(owner, [f"{name}.{z}" for z in WARPING], S, damping * S, np.zeros(2), name)
+            self._add_linear(
+                owner, [f"{name}.{z}" for z in WARPING], S, damping * S, np.zeros(2), f"{name} warping"
+            )
 
 
 def _profile(owner: str, section: Any, material: Any, stated: Sequence[str]) -> Profile:

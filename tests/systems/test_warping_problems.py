@@ -7,6 +7,7 @@ import flexel as fx
 from flexel.examples import warping as example
 from flexel.examples import warping_exact as exact
 from flexel.examples import warping_table
+from flexel.pictures.drawing import shapes
 
 
 @pytest.mark.parametrize("part", ["leaf", "torsion", "lateral", "column", "vibration", "limits"])
@@ -126,3 +127,29 @@ def test_a_relation_and_a_spring_hold_the_warping_of_an_end_elastically() -> Non
     assert held > 1.5 * free
     assert soft == pytest.approx(free, rel=1e-4)
     assert stiff == pytest.approx(held, rel=1e-4)
+
+
+def test_a_beam_that_warps_is_drawn_and_shows_the_strain_of_its_bimoment() -> None:
+    m = fx.Model()
+    m.point("P", (0, 0, 0), fixed=True)
+    m.point("Q", (0.2, 0, 0))
+    m.frame("R", fixed=True)
+    m.frame("S")
+    ends = m.warping("W", fixed=True), m.warping("V")
+    m.beam("b", "P", "R", "Q", "S", direction=(0, 1, 0), section=exact.BEAM, material="steel", warping=ends)
+    m.load("S", [100.0, 0, 0])
+    system = m.build()
+    state = system.equilibrium()
+    (shape,) = (z for z in shapes(state) if z.name == "b")
+    tip = exact.BEAM.stresses(state.section_forces("b")[0])[0].normal
+    assert shape.values["strain"][0] == pytest.approx(tip / exact.STEEL.E, rel=1e-6)
+    assert shape.lines[0][-1] == pytest.approx(state.position("Q"), abs=1e-12)
+
+
+def test_laws_of_bending_and_of_warping_have_names_of_their_own() -> None:
+    system = example.clamped(exact.BEAM, 1.0, 1).build()
+    EIw = exact.stiffnesses(exact.BEAM)[1]
+    assert system.parameters["b0 warping.stiffness"][1] == pytest.approx(
+        2 * EIw - exact.stiffnesses(exact.BEAM)[0] / 30
+    )
+    assert "b0.stiffness" in system.parameters
