@@ -72,12 +72,13 @@ class Beams(Springs):
         GAy, GAz : float
             Shear stiffness k G A [N] for deflection in y and z; none means no shear deformation.
         EIw : float
-            Warping stiffness [N m⁴], with ``warping=``.
+            Warping stiffness [N m⁴], with ``warping=``; a twist then shortens the beam if EA, EIy, EIz are given too.
         section, material : Section and Material (or its name, such as "steel")
             Give all stiffnesses, shear included, the mass and the rotary inertia, instead of the numbers; the
             stresses of the section are found by `State.stress`.
         flexible : sequence of str, optional
-            With a section: the modes that deform, of elongation, torsion, bend1 ... bend4; all by default.
+            With a section: the modes that deform, of elongation, torsion, bend1 ... bend4; all by default; warping
+            deforms with torsion.
         initial_strain : float
             Elongation per length of the unstressed beam.
         initial_curvature : sequence of float (3,), or float for a planar beam
