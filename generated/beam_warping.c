@@ -14,8 +14,8 @@
  * bend3 = b5 - h - (3 b3 b7 - (b3 + b4) b8)/(30 l0)    with h = b2 (b3 + b4)/(6 l0)
  * bend4 = b6 + h - ((b3 + b4) b7 - 3 b4 b8)/(30 l0)
  * warp1 = l0^2 wp - torsion   warp2 = l0^2 wq - torsion: zero in uniform torsion
- * the angle of twist is cubic with the ends' twist per length, so that of stiffness GJ, E Iw:
- * U = GJ/(2 l0^3) (torsion^2 + (2 warp1^2 - warp1 warp2 + 2 warp2^2)/15)
+ * the angle of twist is cubic with the ends' twist per length; the strain energy of torsion, from the beam's law, is
+ *     GJ/(2 l0^3) (torsion^2 + (2 warp1^2 - warp1 warp2 + 2 warp2^2)/15)
  *     + 2 E Iw/l0^5 (warp1^2 + warp1 warp2 + warp2^2)
  * T: as the beam, its twist cubic with the rates of wp, wq, plus rhoIw/2 times the integral of the square of the
  *    rate of twist per length
@@ -7572,7 +7572,7 @@ static void beam_warping_tangent(size_t nblocks, const real *const *in, real *co
 
 const flexel_element flexel_beam_warping = {
     .name = "beam_warping",
-    .digest = "f76c188559b9ac8b",
+    .digest = "7f55728404eaddc8",
     .n = 16,
     .m = 8,
     .k = 0,
