@@ -9,7 +9,7 @@ VENV_OLDEST ?= .venv-oldest
 OUT ?= out
 BENCH ?=
 PYTEST ?= -n 2 --durations=10
-QUOTED ?= bicycle cardan cylinder slider-crank flexures rope contact hoist vehicle motorcycle tolerances stability-map
+QUOTED ?= bicycle warping cardan cylinder slider-crank flexures rope contact hoist vehicle motorcycle tolerances stability-map
 TYPED := build/typed
 
 # Kernels and engine with every access to memory checked: the tests that call most of them, published systems.

@@ -20,7 +20,7 @@ def triangle(size: int) -> int | None:
 
 @dataclass(frozen=True)
 class NodeSpec:
-    """Node of an element; kind is "point", "frame", "slope" or "planar_point", "planar_angle", "planar_slope"."""
+    """Node of an element: a "point", "frame", "slope", "warping", "planar_point", "planar_angle" or "planar_slope"."""
 
     name: str
     kind: str

@@ -146,6 +146,7 @@ extern const flexel_element flexel_bearing;
 extern const flexel_element flexel_beam3;
 extern const flexel_element flexel_beam;
 extern const flexel_element flexel_beam_first_order;
+extern const flexel_element flexel_beam_warping;
 extern const flexel_element flexel_wheel;
 extern const flexel_element flexel_surface;
 extern const flexel_element flexel_toroidal_wheel;

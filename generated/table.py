@@ -682,6 +682,106 @@ ELEMENTS: dict[str, ElementSpec] = {
         picture="beam",
         span="beam_span",
     ),
+    # element beam_warping
+    "beam_warping": ElementSpec(
+        name="beam_warping",
+        digest="7f55728404eaddc8",
+        doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nd = xq - xp, l = |d|, el = d/l\nb1 = l - l0                 b2 = l0 (ez_p.ey_q - ey_p.ez_q)/2\nb3 = -l0 ez_p.el            b4 = l0 ez_q.el\nb5 = l0 ey_p.el             b6 = -l0 ey_q.el\nb7 = l0^2 wp - b2           b8 = l0^2 wq - b2           (wp, wq: twist per length at the ends)\nelongation = b1 + (2 b3^2 + b3 b4 + 2 b4^2 + 2 b5^2 + b5 b6 + 2 b6^2)/(30 l0)\n             + polar/(2 l0^3) (b2^2 + (2 b7^2 - b7 b8 + 2 b8^2)/15)\ntorsion = b2 + (b4 b5 - b3 b6)/l0\nbend1 = b3 + k + (3 b5 b7 - (b5 + b6) b8)/(30 l0)    with k = b2 (b5 + b6)/(6 l0)\nbend2 = b4 - k + ((b5 + b6) b7 - 3 b6 b8)/(30 l0)\nbend3 = b5 - h - (3 b3 b7 - (b3 + b4) b8)/(30 l0)    with h = b2 (b3 + b4)/(6 l0)\nbend4 = b6 + h - ((b3 + b4) b7 - 3 b4 b8)/(30 l0)\nwarp1 = l0^2 wp - torsion   warp2 = l0^2 wq - torsion: zero in uniform torsion\nthe angle of twist is cubic with the ends' twist per length; the strain energy of torsion, from the beam's law, is\n    GJ/(2 l0^3) (torsion^2 + (2 warp1^2 - warp1 warp2 + 2 warp2^2)/15)\n    + 2 E Iw/l0^5 (warp1^2 + warp1 warp2 + warp2^2)\nT: as the beam, its twist cubic with the rates of wp, wq, plus rhoIw/2 times the integral of the square of the\n   rate of twist per length\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
+        source="Vlasov 1961, Thin-walled elastic beams; Wagner 1929 (twist and axial force); Jonker 2021 (warping coordinates)",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("rp", "frame"),
+            NodeSpec("q", "point"),
+            NodeSpec("rq", "frame"),
+            NodeSpec("wp", "warping"),
+            NodeSpec("wq", "warping"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("tp", 4, "1", "unit quaternion from the body frame of node p to the element's triad there"),
+            ParameterSpec("tq", 4, "1", "unit quaternion from the body frame of node q to the element's triad there"),
+            ParameterSpec("rhoA", 1, "kg/m", "mass per length"),
+            ParameterSpec("rhoJ", 3, "kg m", "mass moments of inertia per length about the axes of the section's triad"),
+            ParameterSpec("rhoIw", 1, "kg m^3", "warping inertia per length, density times the warping constant"),
+            ParameterSpec("polar", 1, "m^2", "square of the polar radius of gyration of the section, (Iy + Iz)/A"),
+            ParameterSpec("phi_y", 1, "1", "shear number of the deflection in y, 12 E Iz/(k G A l0^2)"),
+            ParameterSpec("phi_z", 1, "1", "shear number of the deflection in z, 12 E Iy/(k G A l0^2)"),
+            ParameterSpec("gravity", 3, "m/s^2", "acceleration of gravity"),
+        ),
+        deformations=(
+            DeformationSpec("elongation", "m", False),
+            DeformationSpec("torsion", "m", False),
+            DeformationSpec("bend1", "m", False),
+            DeformationSpec("bend2", "m", False),
+            DeformationSpec("bend3", "m", False),
+            DeformationSpec("bend4", "m", False),
+            DeformationSpec("warp1", "m", False),
+            DeformationSpec("warp2", "m", False),
+        ),
+        slips=(),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (8,), tuple(range(8))),
+                    OutputSpec("De", (8, 16), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 91, 92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108, 109, 110, 112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125, 127)),
+                    OutputSpec("V", (0, 16), ()),
+                ),
+                1049,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (8,), tuple(range(8))),
+                    OutputSpec("gs", (0,), ()),
+                ),
+                770,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (8, 16), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 91, 92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108, 109, 112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125)),
+                ),
+                2154,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (8, 16), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 91, 92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108, 109, 112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125)),
+                    OutputSpec("Psi_v", (8, 16), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 91, 92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108, 109, 112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125)),
+                ),
+                5864,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (16, 16), tuple(range(256))),
+                ),
+                3185,
+            ),
+            "inertia": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("M", (16, 16), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 91, 92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108, 109, 110, 111, 112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125, 128, 129, 130, 131, 132, 133, 134, 135, 136, 137, 138, 139, 140, 141, 144, 145, 146, 147, 148, 149, 150, 151, 152, 153, 154, 155, 156, 157, 160, 161, 162, 163, 164, 165, 166, 167, 168, 169, 170, 171, 172, 173, 174, 175, 176, 177, 178, 179, 180, 181, 182, 183, 184, 185, 186, 187, 188, 189, 190, 191, 192, 193, 194, 195, 196, 197, 198, 199, 200, 201, 202, 203, 204, 205, 206, 207, 208, 209, 210, 211, 212, 213, 214, 215, 216, 217, 218, 219, 220, 221, 222, 223, 227, 228, 229, 230, 234, 235, 236, 237, 238, 239, 243, 244, 245, 246, 250, 251, 252, 253, 254, 255)),
+                    OutputSpec("h", (16,), tuple(range(16))),
+                    OutputSpec("f", (16,), tuple(range(14))),
+                    OutputSpec("U", (1,), (0,)),
+                ),
+                2563,
+            ),
+            "tangent": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("R_x", (16, 16), (3, 4, 5, 6, 10, 11, 12, 13, 19, 20, 21, 22, 26, 27, 28, 29, 35, 36, 37, 38, 42, 43, 44, 45, 51, 52, 53, 54, 58, 59, 60, 61, 67, 68, 69, 70, 74, 75, 76, 77, 83, 84, 85, 86, 90, 91, 92, 93, 99, 100, 101, 102, 106, 107, 108, 109, 115, 116, 117, 118, 122, 123, 124, 125, 131, 132, 133, 134, 138, 139, 140, 141, 147, 148, 149, 150, 154, 155, 156, 157, 163, 164, 165, 166, 170, 171, 172, 173, 179, 180, 181, 182, 186, 187, 188, 189, 195, 196, 197, 198, 202, 203, 204, 205, 211, 212, 213, 214, 218, 219, 220, 221, 227, 228, 229, 230, 234, 235, 236, 237, 243, 244, 245, 246, 250, 251, 252, 253)),
+                    OutputSpec("R_v", (16, 16), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 91, 92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108, 109, 110, 111, 112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125, 128, 129, 130, 131, 132, 133, 134, 135, 136, 137, 138, 139, 140, 141, 144, 145, 146, 147, 148, 149, 150, 151, 152, 153, 154, 155, 156, 157, 160, 161, 162, 163, 164, 165, 166, 167, 168, 169, 170, 171, 172, 173, 174, 175, 176, 177, 178, 179, 180, 181, 182, 183, 184, 185, 186, 187, 188, 189, 190, 191, 192, 193, 194, 195, 196, 197, 198, 199, 200, 201, 202, 203, 204, 205, 206, 207, 208, 209, 210, 211, 212, 213, 214, 215, 216, 217, 218, 219, 220, 221, 222, 223)),
+                ),
+                8770,
+            ),
+        },
+        family="beam",
+        picture="beam",
+        span="beam_span",
+    ),
     # element wheel
     "wheel": ElementSpec(
         name="wheel",

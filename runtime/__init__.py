@@ -25,10 +25,12 @@ if TYPE_CHECKING:
     )
     from flexel.base.quaternions import turn
     from flexel.base.time_functions import Harmonic, Polynomial, Ramp, Table
+    from flexel.declare.closed_profile import ClosedProfile
     from flexel.declare.curves import Curve
     from flexel.declare.materials import Material
     from flexel.declare.round_sections import Circle, Tube
     from flexel.declare.sections import IBeam, Rectangle, SectionForces, StressPoint
+    from flexel.declare.thin_sections import LBeam, UBeam
     from flexel.declare.user import compile_element, compile_law
     from flexel.declare.wheels import Waves
     from flexel.derive.errors import ElementError, FlexelError
@@ -69,6 +71,7 @@ __all__ = [
     "BucklingMode",
     "CheckReport",
     "Circle",
+    "ClosedProfile",
     "CompilerError",
     "Compliance",
     "ConstraintError",
@@ -85,6 +88,7 @@ __all__ = [
     "HelicalGroove",
     "IBeam",
     "IncompleteWarning",
+    "LBeam",
     "Linearization",
     "LinearizationError",
     "Linearizations",
@@ -115,6 +119,7 @@ __all__ = [
     "System",
     "Table",
     "Tube",
+    "UBeam",
     "UnstableWarning",
     "UnsteadyWarning",
     "VGroove",
@@ -140,6 +145,7 @@ _HOMES = {
     "BucklingMode": "flexel.statics.stability",
     "CheckReport": "flexel.mechanics.findings",
     "Circle": "flexel.declare.round_sections",
+    "ClosedProfile": "flexel.declare.closed_profile",
     "CompilerError": "flexel.base.errors",
     "Compliance": "flexel.statics.compliance",
     "ConstraintError": "flexel.base.errors",
@@ -156,6 +162,7 @@ _HOMES = {
     "HelicalGroove": "flexel.rope.surfaces",
     "IBeam": "flexel.declare.sections",
     "IncompleteWarning": "flexel.base.errors",
+    "LBeam": "flexel.declare.thin_sections",
     "Linearization": "flexel.mechanics.linearization",
     "LinearizationError": "flexel.base.errors",
     "Linearizations": "flexel.results.linearizations",
@@ -185,6 +192,7 @@ _HOMES = {
     "StressPoint": "flexel.declare.sections",
     "System": "flexel.system",
     "Table": "flexel.base.time_functions",
+    "UBeam": "flexel.declare.thin_sections",
     "UnstableWarning": "flexel.base.errors",
     "UnsteadyWarning": "flexel.base.errors",
     "Tube": "flexel.declare.round_sections",

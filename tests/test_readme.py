@@ -48,8 +48,9 @@ def test_the_pictures_and_links_of_a_page_exist(page: Path) -> None:
     assert [name for name in names if not (page.parent / name).is_file()] == []
 
 
-def test_the_leaf_spring_of_the_documentation_runs(capsys: pytest.CaptureFixture[str]) -> None:
-    text = (README.parent / "docs" / "flexures.md").read_text(encoding="utf-8")
+@pytest.mark.parametrize("page", ["flexures.md", "warping.md"])
+def test_the_leaf_spring_of_the_documentation_runs(page: str, capsys: pytest.CaptureFixture[str]) -> None:
+    text = (README.parent / "docs" / page).read_text(encoding="utf-8")
     found = re.search(r"```python\n(.*?)```", text, re.DOTALL)
     assert found is not None
     exec(found[1], {})

@@ -186,7 +186,13 @@ OBJECTS: dict[str, Callable[[], Any]] = {
     "constraints": lambda: rssr(universal=True).constraint_report(),
     "check": lambda: rssr(universal=True).check(),
     "stress point": lambda: fx.StressPoint("corner", 1e6, 2e5),
-    "plates": lambda: [fx.Rectangle(1e-3, 1e-2), fx.IBeam(0.1, 0.05, 0.005, 0.004)],
+    "plates": lambda: [
+        fx.Rectangle(1e-3, 1e-2),
+        fx.IBeam(0.1, 0.05, 0.005, 0.004),
+        fx.LBeam(0.1, 0.05, 0.01),
+        fx.UBeam(0.1, 0.05, 0.005, 0.004),
+        fx.ClosedProfile([(0, 0), (1, 0), (1, 1), (0, 1)], 0.1),
+    ],
     "rods": lambda: [fx.Circle(0.01), fx.Tube(0.02, 0.016)],
     "parts of ropes": lambda: [
         fx.WireRope(0.02),

@@ -97,7 +97,10 @@ def own_law() -> fx.Model:
 
 
 CABLE = {"EA": 1e5, "EI": 1.0, "mass_per_length": 0.1}
-BEAM = {"EA": 1e6, "GJ": 1e3, "EIy": 1e3, "EIz": 1e3, "mass_per_length": 1.0}
+BEAM = {
+    "EA": 1e6, "GJ": 1e3, "EIy": 1e3, "EIz": 1e3, "EIw": 1.0, "mass_per_length": 1.0,
+    "warping_inertia_per_length": 1e-3, "warping": True,
+}  # fmt: skip
 
 
 def hub() -> fx.Model:
@@ -229,6 +232,7 @@ MODELS: dict[str, Callable[[], Valid]] = {
     "Model.tyre": declared(
         hub, "tyre", name="z", hub="P", frame="F", radius=1.0, axle=(0, 1, 0), road=fx.Waves(0.01, 1.0)
     ),
+    "Model.warping": declared(spatial, "warping", name="z", fixed=True),
     "Model.wheel": declared(
         hub, "wheel", name="z", hub="P", frame="F", contact="T", radius=1.0, axle=(0, -1, 0), normal=(0, 0, 1)
     ),

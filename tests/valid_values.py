@@ -113,12 +113,15 @@ def in_beam(stressed: Any) -> Callable[[Any], None]:
     return lambda forces: stressed.stresses(forces) and None
 
 
-FORCES = fx.SectionForces(1.0, 2.0, 3.0, 4.0, 5.0, 6.0)
+FORCES = fx.SectionForces(1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0)
 SECTIONS = {
     "Circle": fx.Circle(0.1),
+    "ClosedProfile": fx.ClosedProfile([(0, 0), (0.1, 0), (0.1, 0.05), (0, 0.05)], 0.002),
     "IBeam": fx.IBeam(0.2, 0.1, 0.01, 0.01),
+    "LBeam": fx.LBeam(0.1, 0.08, 0.01),
     "Rectangle": fx.Rectangle(0.1, 0.2),
     "Tube": fx.Tube(0.1, 0.05),
+    "UBeam": fx.UBeam(0.2, 0.1, 0.01, 0.01),
     "WireRope": fx.WireRope(0.02),
 }
 
@@ -143,6 +146,11 @@ COUNTS: Mapping[str, Any] = {"executor": "serial", "progress": False}
 
 VALUES: dict[str, Callable[[], Valid]] = {
     "Circle": lambda: Valid(fx.Circle, {"diameter": 0.1}, with_section),
+    "ClosedProfile": lambda: Valid(
+        fx.ClosedProfile,
+        {"corners": [(0.0, 0.0), (0.1, 0.0), (0.1, 0.05), (0.0, 0.05)], "thickness": 0.002},
+        with_section,
+    ),
     "Contact": lambda: Valid(fx.Contact, {"stiffness": 1e6}, with_contact),
     "Contact.restitution": lambda: Valid(
         fx.Contact.restitution, {"stiffness": 1e6, "restitution": 0.5, "speed": 1.0}, with_contact
@@ -161,6 +169,7 @@ VALUES: dict[str, Callable[[], Valid]] = {
     "IBeam": lambda: Valid(
         fx.IBeam, {"height": 0.2, "width": 0.1, "flange": 0.01, "web": 0.01}, with_section
     ),
+    "LBeam": lambda: Valid(fx.LBeam, {"height": 0.1, "width": 0.08, "thickness": 0.01}, with_section),
     "Material": lambda: Valid(fx.Material, {"E": 1e9, "rho": 1e3, "nu": 0.3}, with_material),
     "Points.point": lambda: calling(points().point, index=1),
     "Points.shown": lambda: calling(points().shown, index=1),
@@ -176,6 +185,9 @@ VALUES: dict[str, Callable[[], Valid]] = {
     ),
     "Table.rates": lambda: calling(TABLE.rates, t=0.5),
     "Tube": lambda: Valid(fx.Tube, {"outer": 0.1, "inner": 0.05}, with_section),
+    "UBeam": lambda: Valid(
+        fx.UBeam, {"height": 0.2, "width": 0.1, "flange": 0.01, "web": 0.01}, with_section
+    ),
     "VGroove": lambda: Valid(fx.VGroove, {}, with_groove),
     "View": lambda: Valid(fx.View, {"up": (0, 0, 1), "centre": (0, 0, 0), "span": 1.0}, with_view),
     "Waves": lambda: Valid(fx.Waves, {"amplitude": 0.01, "wavelength": 1.0}, with_road),

@@ -4,7 +4,16 @@ from flexel.derive.declare.element import Element
 from flexel.derive.declare.law import Internal, Law, Limit
 from flexel.derive.declare.let import Let
 from flexel.derive.declare.modes import Deformation, Slip
-from flexel.derive.declare.nodes import Frame, Node, PlanarAngle, PlanarPoint, PlanarSlope, Point, Slope
+from flexel.derive.declare.nodes import (
+    Frame,
+    Node,
+    PlanarAngle,
+    PlanarPoint,
+    PlanarSlope,
+    Point,
+    Slope,
+    Warping,
+)
 from flexel.derive.declare.parameters import Parameter
 from flexel.derive.declare.symbols import TIME, symbol
 
@@ -25,5 +34,6 @@ __all__ = [
     "Point",
     "Slip",
     "Slope",
+    "Warping",
     "symbol",
 ]

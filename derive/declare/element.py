@@ -57,8 +57,8 @@ class Element:
     picture : str, optional
         Its painter, one of `flexel.derive.declare.words.PICTURES`; by default a line through its points.
     span : str, optional
-        Name of the built-in element that carries a load along its length: on its nodes, or on the first and the last of
-        them, with parameters that it has itself.
+        Name of the built-in element that carries a load along its length: on its first nodes, or on the first and the
+        last of them, with parameters that it has itself.
 
     Raises
     ------

@@ -59,3 +59,8 @@ def Slope(name: str) -> Node:  # noqa: N802
 def PlanarSlope(name: str) -> Node:  # noqa: N802
     """Derivative of position by the undeformed arc length of a cable in the plane: x, y [1]."""
     return Node(name, "planar_slope", ("x", "y"))
+
+
+def Warping(name: str) -> Node:  # noqa: N802
+    """Warping of a section: the twist of the beam per length there [rad/m]."""
+    return Node(name, "warping", ("twist",))

@@ -3,6 +3,7 @@
 from flexel.derive.declare import Element
 from flexel.derive.elements.beam import BEAM, BEAM_FIRST_ORDER
 from flexel.derive.elements.beam3 import BEAM3
+from flexel.derive.elements.beam_warping import BEAM_WARPING
 from flexel.derive.elements.bearing import BEARING
 from flexel.derive.elements.body import BODY, POINT_MASS
 from flexel.derive.elements.body_velocity import BODY_VELOCITY, PLANAR_BODY_VELOCITY
@@ -54,6 +55,7 @@ ELEMENTS: tuple[Element, ...] = (
     BEAM3,
     BEAM,
     BEAM_FIRST_ORDER,
+    BEAM_WARPING,
     WHEEL,
     SURFACE,
     TOROIDAL_WHEEL,

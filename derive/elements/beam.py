@@ -1,5 +1,7 @@
 """Flexible beam in space, with and without the second-order terms of its deformations."""
 
+from collections.abc import Callable
+
 from sympy import Expr, Matrix, Rational
 
 from flexel.derive.declare import Deformation, Element, Frame, Let, Node, Point
@@ -8,7 +10,7 @@ from flexel.derive.declare.shape import hermite_energy, hermite_mean, rotary_ene
 from flexel.derive.elements.parameters import GRAVITY, L0, PHI_Y, PHI_Z, RHOA, RHOJ, TP, TQ
 from flexel.derive.elements.triads import Triad, named_quaternion, named_triad
 
-_FIRST = """\
+FIRST = """\
 triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq
 d = xq - xp, l = |d|, el = d/l
 b1 = l - l0                 b2 = l0 (ez_p.ey_q - ey_p.ez_q)/2
@@ -26,7 +28,7 @@ T: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary
 U = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)"""
 
 
-def _first_order(let: Let, p: Node, q: Node, tp: Triad, tq: Triad) -> list[Expr]:
+def first_order(let: Let, p: Node, q: Node, tp: Triad, tq: Triad) -> list[Expr]:
     """The six deformations without second-order terms, named b1 ... b6."""
     l0 = L0.symbol
     d = let.vector("d", q.x - p.x)
@@ -56,7 +58,20 @@ def second_order(b: list[Expr], l0: Expr) -> list[Expr]:
     return [elongation, b2 + (b4 * b5 - b3 * b6) / l0, b3 + k, b4 - k, b5 - h, b6 + h]
 
 
-def _kinetic_energy(let: Let, nodes: tuple[Node, ...], us: tuple[Matrix, ...], tp: Triad, tq: Triad) -> Expr:
+def _linear_spin(wp: Expr, wq: Expr) -> Expr:
+    """Rotary energy of the twist over l0/2, linear between the ends' angular velocities about the axis."""
+    return RHOJ.symbols[0] * (wp**2 + wp * wq + wq**2) * Rational(1, 3)
+
+
+def kinetic_energy(
+    let: Let,
+    nodes: tuple[Node, ...],
+    us: tuple[Matrix, ...],
+    tp: Triad,
+    tq: Triad,
+    spin: Callable[[Expr, Expr], Expr] = _linear_spin,
+) -> Expr:
+    """Kinetic energy of the cubic axis and of the sections' rotation; `spin` gives the part of the twist."""
     p, rp, q, rq = nodes
     l0 = L0.symbol
     uds = product(rp.v, TP.vector), product(rq.v, TQ.vector)
@@ -68,10 +83,10 @@ def _kinetic_energy(let: Let, nodes: tuple[Node, ...], us: tuple[Matrix, ...], t
     chord = let.vector("chord", (q.v - p.v) / l0)
     about_z = HALF * dot(chord, tp[1] + tq[1])
     about_y = -HALF * dot(chord, tp[2] + tq[2])
-    jx, jy, jz = RHOJ.symbols
+    _, jy, jz = RHOJ.symbols
     translation = hermite_energy((p.v, l0 * exd_p, q.v, l0 * exd_q))
     rotation = (
-        jx * (wp[0] ** 2 + wp[0] * wq[0] + wq[0] ** 2) * Rational(1, 3)
+        spin(wp[0], wq[0])
         + jy * rotary_energy(PHI_Z.symbol, let.scalar("chord_about_y", about_y), wp[1], wq[1])
         + jz * rotary_energy(PHI_Y.symbol, let.scalar("chord_about_z", about_z), wp[2], wq[2])
     )
@@ -84,10 +99,10 @@ def _beam(name: str, second: bool) -> Element:
     let = Let()
     us = named_quaternion(let, rp, TP, "p"), named_quaternion(let, rq, TQ, "q")
     tp, tq = named_triad(let, us[0], "p"), named_triad(let, us[1], "q")
-    e = _first_order(let, p, q, tp, tq)
+    e = first_order(let, p, q, tp, tq)
     if second:
         e = second_order(e, l0)
-    energy = _kinetic_energy(let, nodes, us, tp, tq)
+    energy = kinetic_energy(let, nodes, us, tp, tq)
     centre = hermite_mean(p.x, l0 * tp[0], q.x, l0 * tq[0])
     names = ("elongation", "torsion", "bend1", "bend2", "bend3", "bend4")
     return Element(
@@ -101,7 +116,7 @@ def _beam(name: str, second: bool) -> Element:
         deformations=tuple(Deformation(n, "m", expr) for n, expr in zip(names, e, strict=True)),
         kinetic_energy=energy,
         potential=-RHOA.symbol * l0 * dot(GRAVITY.vector, centre),
-        doc=_FIRST + (_SECOND if second else _NO_SECOND) + _ENERGY,
+        doc=FIRST + (_SECOND if second else _NO_SECOND) + _ENERGY,
         source="Meijaard 1996, Nonlinear Dyn. 9; Jonker and Meijaard 2013, Int. J. Non-Linear Mech. 53; "
         "Przemieniecki 1968 (mass with rotary inertia)",
     )

@@ -11,6 +11,8 @@ RHOJ = Parameter(
     "mass moments of inertia per length about the axes of the section's triad",
     ("x", "y", "z"),
 )
+RHOIW = Parameter("rhoIw", 1, "kg m^3", "warping inertia per length, density times the warping constant")
+POLAR = Parameter("polar", 1, "m^2", "square of the polar radius of gyration of the section, (Iy + Iz)/A")
 MASS = Parameter("mass", 1, "kg", "mass")
 GRAVITY = Parameter("gravity", 3, "m/s^2", "acceleration of gravity", ("x", "y", "z"))
 PLANAR_GRAVITY = Parameter("gravity", 2, "m/s^2", "acceleration of gravity", ("x", "y"))

@@ -5,7 +5,7 @@ from __future__ import annotations
 # Powers of metre and second, and whether it is an angle, for the units of the element table.
 _POWERS = {"m": (1, 0, ""), "rad": (0, 0, "rad"), "1": (0, 0, ""), "-": (0, 0, ""),
            "m/s": (1, -1, ""), "rad/s": (0, -1, "rad"), "m^2/s": (2, -1, ""), "1/s": (0, -1, "")}  # fmt: skip
-_FORCES = {"m": "N", "m/s": "N", "m^2/s": "N/m"}
+_FORCES = {"m": "N", "m/s": "N", "m^2/s": "N/m", "rad/m": "N m²"}
 _POWER_SIGNS = {1: "", 2: "²", 3: "³"}
 
 

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 CASES = {
     "bicycle": "flexel.examples.bicycle",
     "beams": "flexel.examples.beams",
+    "warping": "flexel.examples.warping",
     "cardan": "flexel.examples.cardan",
     "cylinder": "flexel.examples.cylinder",
     "slider-crank": "flexel.examples.slider_crank",

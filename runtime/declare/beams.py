@@ -8,14 +8,16 @@ from typing import Any
 
 import numpy as np
 
-from flexel.base.arguments import array, flag, names, not_negative, number, positive, span, vector
+from flexel.base.arguments import array, flag, names, not_negative, number, positive, vector
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
-from flexel.base.quaternions import in_frame, matrix, triad
 from flexel.base.transactions import whole_or_nothing
+from flexel.declare.beam_shapes import offset, planar_offset, planar_triads, triads
 from flexel.declare.materials import Material, Profile, profile_of
 from flexel.declare.sections import Section
 from flexel.declare.springs import Springs
+from flexel.declare.warping import MODES as WARPING
+from flexel.declare.warping import is_wanted, nodes_of, parameters, stiffness
 from flexel.generated.table import ELEMENTS
 from flexel.structure.nodes import Node
 
@@ -44,6 +46,7 @@ class Beams(Springs):
         EIz: float | None = None,
         GAy: float | None = None,
         GAz: float | None = None,
+        EIw: float | None = None,
         section: Section | None = None,
         material: Material | str | None = None,
         flexible: Sequence[str] | None = None,
@@ -52,7 +55,9 @@ class Beams(Springs):
         damping: float = 0.0,
         mass_per_length: float = 0.0,
         inertia_per_length: Any = None,
+        warping_inertia_per_length: float = 0.0,
         second_order: bool = True,
+        warping: bool | Sequence[Node | str] = False,
     ) -> None:
         """Add a straight beam between two points; without a second frame, the rigid three-node beam.
 
@@ -66,11 +71,14 @@ class Beams(Springs):
             Axial [N], torsional and bending stiffness [N m²] about the section's axes; planar beams use EA and EIz.
         GAy, GAz : float
             Shear stiffness k G A [N] for deflection in y and z; none means no shear deformation.
+        EIw : float
+            Warping stiffness [N m⁴], with ``warping=``; a twist then shortens the beam if EA, EIy, EIz are given too.
         section, material : Section and Material (or its name, such as "steel")
             Give all stiffnesses, shear included, the mass and the rotary inertia, instead of the numbers; the
             stresses of the section are found by `State.stress`.
         flexible : sequence of str, optional
-            With a section: the modes that deform, of elongation, torsion, bend1 ... bend4; all by default.
+            With a section: the modes that deform, of elongation, torsion, bend1 ... bend4; all by default; warping
+            deforms with torsion.
         initial_strain : float
             Elongation per length of the unstressed beam.
         initial_curvature : sequence of float (3,), or float for a planar beam
@@ -82,8 +90,13 @@ class Beams(Springs):
             [kg/m]
         inertia_per_length : sequence of float (3,), or float for a planar beam
             Rotary inertia per length [kg m] about the section's x, y, z axes.
+        warping_inertia_per_length : float
+            Density times the warping constant [kg m³], with ``warping=``.
         second_order : bool
             Second-order terms in the deformations (Meijaard 1996); without them more elements are needed.
+        warping : True or two nodes
+            Sections warp (non-uniform torsion, see `warping`): the warping nodes at p and q, or True for free ones of
+            its own, ``<name>_warping_p`` and ``<name>_warping_q``.
 
         Raises
         ------
@@ -98,12 +111,14 @@ class Beams(Springs):
         owner = f"beam '{name}'"
         ends = [(p, "point"), (frame_p, "frame"), (q, "point")]
         planar, nodes = self._find_nodes(owner, *ends, *([] if frame_q is None else [(frame_q, "frame")]))
-        numbers = {"EA": EA, "GJ": GJ, "EIy": EIy, "EIz": EIz, "GAy": GAy, "GAz": GAz}
+        numbers = {"EA": EA, "GJ": GJ, "EIy": EIy, "EIz": EIz, "GAy": GAy, "GAz": GAz, "EIw": EIw}
         given = {key: positive(z, owner, key) for key, z in numbers.items() if z is not None}
+        rho_iw = not_negative(warping_inertia_per_length, owner, "warping_inertia_per_length")
         profile = None
         if section is not None or material is not None or flexible is not None:
             stated = [*given, *(["mass_per_length"] if mass_per_length else [])]
             stated += [] if inertia_per_length is None else ["inertia_per_length"]
+            stated += ["warping_inertia_per_length"] if rho_iw else []
             profile = _profile(owner, section, material, stated)
             mass_per_length, inertia_per_length = profile.mass()
             if planar:
@@ -118,26 +133,42 @@ class Beams(Springs):
             raise ModelError(
                 f"{owner}: a planar beam takes EA, EIz and GAy, not {', '.join(unfit)}; drop the others"
             )
+        second = flag(second_order, owner, "second_order")
+        warps = is_wanted(
+            owner,
+            warping,
+            {"EIw": EIw, "warping_inertia_per_length": rho_iw},
+            {"a planar beam": planar, "a rigid beam": not given, "a first-order beam": not second},
+        )
         mass = _mass(owner, planar, mass_per_length, inertia_per_length)
         if frame_q is None:
-            shape = _planar_offset(nodes) if planar else _offset(nodes, direction, owner)
+            shape = planar_offset(nodes) if planar else offset(nodes, direction, owner)
             self._place(name, "planar_beam3" if planar else "beam3", nodes, shape | mass)
             self.instances[name] = replace(self.instances[name], profile=profile)
             return
-        shape = _planar_triads(nodes, owner) if planar else _triads(nodes, direction, owner)
+        shape = planar_triads(nodes, owner) if planar else triads(nodes, direction, owner)
         l0 = float(shape["l0"][0])
         phi_y, phi_z = shear_numbers(l0, given)
         shear = {"phi_z": phi_y} if planar else {"phi_y": phi_y, "phi_z": phi_z}
-        suffix = "" if flag(second_order, owner, "second_order") else "_first_order"
+        suffix = "" if second else "_first_order"
+        if warps:
+            mass |= parameters(owner, profile, given, rho_iw)
+            nodes += nodes_of(self, owner, name, warping)
+            suffix = "_warping"
         element = ("planar_beam" if planar else "beam") + suffix
         self._place(name, element, nodes, shape | mass | {key: np.array([z]) for key, z in shear.items()})
         self.instances[name] = replace(self.instances[name], profile=profile)
-        modes = [d.name for d in ELEMENTS[element].deformations]
+        modes = [d.name for d in ELEMENTS[element].deformations if d.name not in WARPING]
         free, S = beam_stiffness(l0, modes, given, phi_y, phi_z)
         e0 = _initial_deformations(owner, planar, l0, free, initial_strain, initial_curvature)
         if given:
             D = not_negative(damping, owner, "damping") * S
             self._add_linear(owner, [f"{name}.{z}" for z in free], S, D, -S @ e0, name)
+        if warps:
+            S = stiffness(l0, given["GJ"], given["EIw"])
+            self._add_linear(
+                owner, [f"{name}.{z}" for z in WARPING], S, damping * S, np.zeros(2), f"{name} warping"
+            )
 
 
 def _profile(owner: str, section: Any, material: Any, stated: Sequence[str]) -> Profile:
@@ -225,39 +256,6 @@ def _mass(owner: str, planar: bool, per_length: float, inertia: Any) -> dict[str
     if np.any(J < 0):
         raise ModelError(f"{owner}: inertia_per_length {J.tolist()} has a negative entry; give zero or more")
     return {"rhoA": np.array([not_negative(per_length, owner, "mass_per_length")]), "rhoJ": J}
-
-
-def _triads(nodes: Sequence[Node], direction: Any, owner: str) -> dict[str, Array]:
-    """Length and reference triads of a straight spatial beam (p, frame p, q, frame q)."""
-    xp, rp, xq, rq = (n.x0 for n in nodes)
-    e_x, l0 = span(xp, xq, owner)
-    t = triad(e_x, direction, owner)
-    return {"l0": np.array([l0]), "tp": in_frame(rp, t), "tq": in_frame(rq, t)}
-
-
-def _offset(nodes: Sequence[Node], direction: Any, owner: str) -> dict[str, Array]:
-    """Offset of q in the triad of the frame; zero for coinciding points, which it then only connects."""
-    xp, rp, xq = (n.x0 for n in nodes)
-    l0 = float(np.linalg.norm(xq - xp))
-    t = triad((xq - xp) / l0, direction, owner) if l0 > 0 else rp
-    return {"tp": in_frame(rp, t), "d0": matrix(t).T @ (xq - xp), "l0": np.array([l0])}
-
-
-def _planar_triads(nodes: Sequence[Node], owner: str) -> dict[str, Array]:
-    """Length and reference directions of a straight planar beam."""
-    xp, phi_p, xq, phi_q = (n.x0 for n in nodes)
-    e, l0 = span(xp, xq, owner)
-    alpha = np.arctan2(e[1], e[0])
-    return {"l0": np.array([l0]), "alpha0": alpha - phi_p, "alphaq0": alpha - phi_q}
-
-
-def _planar_offset(nodes: Sequence[Node]) -> dict[str, Array]:
-    """Offset of q in the frame's axes, for the planar rigid link."""
-    xp, phi, xq = (n.x0 for n in nodes)
-    d = xq - xp
-    l0 = float(np.linalg.norm(d))
-    alpha = np.arctan2(d[1], d[0]) if l0 > 0 else phi
-    return {"alpha0": np.atleast_1d(alpha - phi), "d0": np.array([l0, 0.0]), "l0": np.array([l0])}
 
 
 def shear_numbers(l0: float, given: Mapping[str, float]) -> tuple[float, float]:

@@ -25,6 +25,11 @@ def displacement(model: Declarations, name: str, owner: str) -> str:
             f"{owner}: Euler parameters such as '{name}' carry no springs; measure an angle with a fully released "
             "m.hinge(…) and use its angle"
         )
+    if found.kind == "warping":
+        raise ModelError(
+            f"{owner}: '{name}' carries no springs; make it a deformation by m.relation('spring', {{'{name}': 1.0}})"
+            " and put the spring on 'spring.relation'"
+        )
     if found.fixed[COMPONENTS[found.kind].index(component)]:
         raise ModelError(f"{owner}: '{name}' is fixed and cannot move; remove spring or fixing")
     element = f"{node}.displacement"

@@ -79,7 +79,11 @@ class Loading(Declarations):
         spec = ELEMENTS[loaded.spec.span]
         name = f"{beam}.span"
         if name not in self.instances:
-            nodes = (loaded.nodes[0], loaded.nodes[-1]) if len(spec.nodes) == 2 else loaded.nodes
+            nodes = (
+                (loaded.nodes[0], loaded.nodes[-1])
+                if len(spec.nodes) == 2
+                else loaded.nodes[: len(spec.nodes)]
+            )
             values = {z.name: loaded.parameters[z.name] for z in spec.parameters}
             self.instances[name] = Instance(name, spec, nodes, values)
         axes = [slip.name for slip in spec.slips]
@@ -98,8 +102,9 @@ def _check_follower(node: Node, follower: bool | Node | str, owner: str) -> None
     """A frame's moment follows itself (True); a point's force follows a named frame; an angle's cannot follow."""
     if not isinstance(follower, (bool, np.bool_, Node, str)):
         raise ModelError(f"{owner}: follower {follower!r:.60} is neither True nor a frame; give one of them")
-    if node.kind == "planar_angle" and follower:
-        raise ModelError(f"{owner}: a planar moment has no direction to follow; leave follower out")
+    if node.kind in ("planar_angle", "warping") and follower:
+        what = "bimoment" if node.kind == "warping" else "planar moment"
+        raise ModelError(f"{owner}: a {what} has no direction to follow; leave follower out")
     if node.kind == "frame" and not isinstance(follower, bool):
         raise ModelError(f"{owner}: a moment follows its own frame; write follower=True")
     if node.kind in ("point", "planar_point") and follower is True:

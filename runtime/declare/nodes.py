@@ -52,6 +52,19 @@ class Nodes(Declarations):
             name, "planar_angle", np.array([number(value, f"angle '{name}'", "value")]), fixed
         )
 
+    def warping(self, name: str, fixed: bool = False) -> Node:
+        """Warping of a section, for `beam`: its coordinate ``name.twist`` is the beam's twist per length [rad/m].
+
+        Beams of the same section along one line share the node between them, where the warping is continuous.  Fixed
+        where a support keeps the section plane (a clamp); free where nothing does.
+
+        Raises
+        ------
+        ModelError
+            Duplicate name.
+        """
+        return self._new_node(name, "warping", np.zeros(1), fixed)
+
     def fix(self, *names: Node | str) -> None:
         """Hold nodes or single coordinates at their drawn values."""
         for given in names:

@@ -43,6 +43,16 @@ class _Round:
         """Torsion constant [m⁴]: the polar moment."""
         return 2 * self.Iy
 
+    @property
+    def Iw(self) -> float:
+        """Warping constant [m⁶]: zero, round sections stay plane."""
+        return 0.0
+
+    @property
+    def shear_centre(self) -> tuple[float, float]:
+        """Place (y, z) of the shear centre, the centroid [m]."""
+        return 0.0, 0.0
+
     def shear_factors(self, nu: float) -> tuple[float, float]:
         """Both 6 (1+nu) (1+m²)² / ((7+6nu) (1+m²)² + (20+12nu) m²), m = inner/outer (Cowper 1966)."""
         nu = number(nu, type(self).__name__, "Poisson's ratio")

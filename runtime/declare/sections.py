@@ -2,13 +2,14 @@
 
 A section lies in the y and z axes of the beam's triad (``direction=`` of `Model.beam` says where y points); its
 sizes are named along them.  Sources: Timoshenko and Goodier (1970) art. 109 for the torsion of a rectangle,
-Cowper (1966) for the shear factors, Young and Budynas (2002) for thin open sections.
+Cowper (1966) for the shear factors, Young and Budynas (2002) for thin open sections, Vlasov (1961) for warping.
 """
 
 # ruff: noqa: N802 (the letters of mechanics: A, Iy, Iz, J)
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Protocol, runtime_checkable
 
@@ -30,6 +31,9 @@ class SectionForces:
         Axial force, positive in tension, and shear forces [N].
     T, My, Mz : float
         Torque and bending moments [N m].
+    B : float
+        Bimoment E Iw times the change of the twist per length [N m²], of a beam with warping; it does work on the
+        twist per length.
     """
 
     N: float = 0.0
@@ -38,9 +42,10 @@ class SectionForces:
     T: float = 0.0
     My: float = 0.0
     Mz: float = 0.0
+    B: float = 0.0
 
     def __post_init__(self) -> None:
-        for name in ("N", "Vy", "Vz", "T", "My", "Mz"):
+        for name in self.__dataclass_fields__:
             number(getattr(self, name), "SectionForces", name)
 
 
@@ -99,7 +104,7 @@ class Rectangle:
     width: float
 
     def __post_init__(self) -> None:
-        _sizes(self)
+        check_sizes(self, self.__dataclass_fields__)
 
     @property
     def A(self) -> float:
@@ -123,6 +128,30 @@ class Rectangle:
         n = np.arange(1.0, 2000.0, 2.0)
         series = float(np.sum(np.tanh(n * np.pi * l / (2 * s)) / n**5))
         return l * s**3 / 3 * (1 - 192 / np.pi**5 * s / l * series)
+
+    @property
+    def Iw(self) -> float:
+        """Warping constant [m⁶], from Saint-Venant's series; height³ width³/144 if thin."""
+        s, l = sorted((self.height, self.width))
+        k = np.arange(1.0, 400.0, 2.0) * np.pi / s
+        t = np.tanh(k * l / 2)
+        series = 32 / (s * k**6) * (3 * t / k - l - l / 2 * (1 - t**2))
+        return s**3 * l**3 / 144 + float(np.sum(series))
+
+    @property
+    def shear_centre(self) -> tuple[float, float]:
+        """Place (y, z) of the shear centre, the centroid [m]."""
+        return 0.0, 0.0
+
+    def largest_warping(self) -> float:
+        """Largest warping of the section per twist [m²]: at the corners if thin, on the long faces otherwise."""
+        s, l = sorted((self.height, self.width))
+        k = np.arange(1.0, 400.0, 2.0)[:, None] * np.pi / s
+        z = np.linspace(0.0, l / 2, 201)
+        hyperbolic = (
+            np.exp(k * (z - l / 2)) * (1 - np.exp(-2 * k * z)) / (1 + np.exp(-k * l))
+        )  # sinh kz/cosh kl/2
+        return float(np.max(np.abs(s / 2 * z - np.sum(8 / (s * k**3) * hyperbolic, axis=0))))
 
     def shear_factors(self, nu: float) -> tuple[float, float]:
         """Both 10 (1 + nu) / (12 + 11 nu) (Cowper 1966)."""
@@ -149,8 +178,9 @@ class Rectangle:
         axial = abs(f.N) / self.A
         by, bz = abs(f.My) * self.width / 2 / self.Iy, abs(f.Mz) * self.height / 2 / self.Iz
         ty, tz = self.torsion_shear()
+        warping = abs(f.B) * self.largest_warping() / self.Iw if f.B else 0.0
         return [
-            StressPoint("corner", axial + by + bz, 0.0),
+            StressPoint("corner", axial + by + bz + warping, 0.0),
             StressPoint("face y", axial + bz, abs(f.T) * ty + 1.5 * abs(f.Vz) / self.A),
             StressPoint("face z", axial + by, abs(f.T) * tz + 1.5 * abs(f.Vy) / self.A),
         ]
@@ -174,7 +204,7 @@ class IBeam:
     web: float
 
     def __post_init__(self) -> None:
-        _sizes(self)
+        check_sizes(self, self.__dataclass_fields__)
         if 2 * self.flange >= self.height or self.web > self.width:
             raise ModelError(
                 f"IBeam: flanges of {self.flange:g} and a web of {self.web:g} do not fit into {self.height:g} by "
@@ -205,6 +235,16 @@ class IBeam:
         """Torsion constant [m⁴]: the sum of those of the three rectangles."""
         return 2 * Rectangle(self.flange, self.width).J + Rectangle(self.web, self._clear).J
 
+    @property
+    def Iw(self) -> float:
+        """Warping constant [m⁶]: flange width³ (distance of the flanges' middles)²/24, thin-walled."""
+        return self.flange * self.width**3 * (self.height - self.flange) ** 2 / 24
+
+    @property
+    def shear_centre(self) -> tuple[float, float]:
+        """Place (y, z) of the shear centre, the centroid [m]."""
+        return 0.0, 0.0
+
     def shear_factors(self, nu: float) -> tuple[float, float]:
         """Web over area in y, 5/6 of the flanges over area in z (engineering approximations)."""
         number(nu, "IBeam", "Poisson's ratio")
@@ -216,6 +256,7 @@ class IBeam:
         axial, twist = abs(f.N) / self.A, abs(f.T) / self.J
         bending = abs(f.My) * self.width / 2 / self.Iy + abs(f.Mz) * self.height / 2 / self.Iz
         flange = abs(f.Vz) * 0.75 / (self.width * self.flange)
+        bending += abs(f.B) * self.width * (self.height - self.flange) / 4 / self.Iw
         return [
             StressPoint("flange tip", axial + bending, twist * self.flange),
             StressPoint(
@@ -231,7 +272,8 @@ def check_forces(given: object, owner: str) -> None:
         raise ModelError(f"{owner}: {given!r:.60} are not the forces of a section; give fx.SectionForces(…)")
 
 
-def _sizes(section: Rectangle | IBeam) -> None:
+def check_sizes(section: object, names: Iterable[str]) -> None:
+    """Refuse sizes of a section that are not positive."""
     owner = type(section).__name__
-    for name in section.__dataclass_fields__:
+    for name in names:
         positive(getattr(section, name), owner, name)

@@ -3,7 +3,8 @@
 The forces that a beam exerts on its nodes are De' sigma, so those in its end sections follow from virtual work,
 exact in equilibrium whatever the deformations: N and V from the rows of the points, the torque and the bending
 moments M = W f / 4 from the rows f of the Euler parameters, with omega = W lambda' (Besseling 1974 for the
-generalized stresses).  Loads along the element, including weight and inertia, are lumped at its nodes.
+generalized stresses); the bimoment of a beam with warping is the row of its twist per length.  Loads along the
+element, including weight and inertia, are lumped at its nodes.
 """
 
 from __future__ import annotations
@@ -73,7 +74,8 @@ def section_forces(state: State, beam: str) -> tuple[SectionForces, SectionForce
         # the beam pulls its node with -De' sigma; the section at q transmits +De' sigma, that at p its opposite
         N, Vy, Vz = sign * (R.T @ force)
         T, My, Mz = sign * (R.T @ moment)
-        ends.append(SectionForces(float(N), float(Vy), float(Vz), float(T), float(My), float(Mz)))
+        B = sign * f[s.places(instance.nodes[4 + k])][0] if len(instance.nodes) > 4 else 0.0
+        ends.append(SectionForces(*map(float, (N, Vy, Vz, T, My, Mz, B))))
     return ends[0], ends[1]
 
 

@@ -12,6 +12,7 @@ import numpy as np
 from flexel.base.arrays import Array
 from flexel.base.quaternions import matrix, product
 from flexel.declare.materials import Profile
+from flexel.declare.sections import SectionForces
 from flexel.mechanics.stress import section_forces
 from flexel.pictures import planar_painters
 from flexel.pictures.rope_painters import contact, rope
@@ -60,7 +61,7 @@ def _across(state: State, instance: Instance, line: Array) -> Array | None:
 
 def beam(state: State, instance: Instance) -> Iterator[Shape]:
     """The axis of a beam as the cubic through its end points and end directions."""
-    p, rp, q, rq = instance.nodes
+    p, rp, q, rq = instance.nodes[:4]
     l0 = float(instance.parameters["l0"][0])
     if instance.spec.planar:
         starts = [float(instance.parameters[a][0]) for a in ("alpha0", "alphaq0")]
@@ -200,11 +201,21 @@ def _bending(state: State, instance: Instance) -> dict[str, Array]:
     """Bending moments at the ends of a beam, and the largest strain in the sections there, if known."""
     ends = section_forces(state, instance.name)
     found = {"bending moment": np.array([np.hypot(z.My, z.Mz) for z in ends])}
-    if isinstance(instance.profile, Profile):
-        k, (y, z) = instance.profile.stiffness(), np.max(np.abs(outline_of(instance.profile.section)), axis=0)
+    profile = instance.profile
+    if isinstance(profile, Profile):
+        k, (y, z) = profile.stiffness(), np.max(np.abs(outline_of(profile.section)), axis=0)
         parts = [(abs(f.N) / k["EA"], abs(f.My) * z / k["EIy"], abs(f.Mz) * y / k["EIz"]) for f in ends]
-        found["strain"] = np.array([sum(p) for p in parts])
+        warping = [_warping_strain(profile, f.B) for f in ends]
+        found["strain"] = np.array([sum(p) + w for p, w in zip(parts, warping, strict=True)])
     return found
+
+
+def _warping_strain(profile: Profile, bimoment: float) -> float:
+    """Largest strain of a section under a bimoment alone."""
+    if not bimoment:
+        return 0.0
+    places = profile.section.stresses(SectionForces(B=bimoment))
+    return max(z.normal for z in places) / profile.material.E
 
 
 # keys: the word for the picture in an element's declaration

@@ -9,9 +9,11 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.quaternions import matrix
+from flexel.declare.closed_profile import ClosedProfile
 from flexel.declare.materials import Profile
 from flexel.declare.round_sections import Circle, Tube
 from flexel.declare.sections import IBeam, Rectangle, Section
+from flexel.declare.thin_sections import LBeam, UBeam
 from flexel.rope.wire_rope import WireRope
 from flexel.structure.instances import Instance
 from flexel.structure.state import State
@@ -134,6 +136,8 @@ def outline_of(section: Section) -> Array:
         f = h - section.flange
         half = [(h, b), (f, b), (f, w), (-f, w), (-f, b), (-h, b)]
         return np.array(half + [(y, -z) for y, z in reversed(half)])
+    if isinstance(section, (UBeam, LBeam, ClosedProfile)):
+        return section.outline
     return circle(float(np.sqrt(section.A / np.pi)))
 
 

@@ -17,10 +17,17 @@ COMPONENTS: dict[str, tuple[str, ...]] = {
     "planar_angle": ("angle",),
     "slope": ("x", "y", "z"),
     "planar_slope": ("x", "y"),
+    "warping": ("twist",),
 }
 
 
-UNITS = {"frame": "-", "planar_angle": "rad", "slope": "-", "planar_slope": "-"}  # others are positions
+UNITS = {  # others are positions
+    "frame": "-",
+    "planar_angle": "rad",
+    "slope": "-",
+    "planar_slope": "-",
+    "warping": "rad/m",
+}
 
 
 @dataclass(frozen=True)

@@ -168,6 +168,8 @@ class State:
     def section_forces(self, beam: str) -> tuple[SectionForces, SectionForces]:
         """Forces [N] and moments [N m] in the sections at both ends, p and q, of a beam, in the section's axes there.
 
+        A beam with warping also has the bimoment [N m²].
+
         Raises
         ------
         ModelError

@@ -164,6 +164,8 @@ class Motion:
                 result += product(self.q, value)
             elif kind == "planar_angle":
                 result += value if rates else [value[0] + self.angle]
+            elif kind == "warping":
+                result += value
             else:
                 turned = rotated(self.q, [*value, 0][:3])
                 free = rates or kind.endswith("slope")
@@ -178,6 +180,8 @@ class Motion:
                 result += [c / 2 for c in product([0, *self.omega], value)]
             elif kind == "planar_angle":
                 result.append(self.omega[2])
+            elif kind == "warping":
+                result.append(mpf(0))
             else:
                 turning = cross(self.omega, [*value, 0][:3])
                 result += (turning if kind.endswith("slope") else plus(self.velocity, turning))[: len(value)]
@@ -228,4 +232,5 @@ def straight(rng: random.Random) -> tuple[dict[str, Any], dict[str, Vector]]:
     l0 = mpf(rng.uniform(0.5, 1.5))
     tp, tq = unit(column(rng, 4)), unit(column(rng, 4))
     values = {"l0": l0, "tp": tp, "tq": tq, "d0": [l0, 0, 0]}
-    return values, {"p": [0, 0, 0], "q": [l0, 0, 0], "rp": conjugate(tp), "rq": conjugate(tq)}
+    places = {"p": [0, 0, 0], "q": [l0, 0, 0], "rp": conjugate(tp), "rq": conjugate(tq)}
+    return values, places | {"wp": [mpf(0)], "wq": [mpf(0)]}

@@ -33,7 +33,7 @@ from flexel.derive.declare import (
 )
 
 
-@pytest.mark.parametrize("name", ["truss", "bearing", "beam3", "beam", "beam_first_order"])
+@pytest.mark.parametrize("name", ["truss", "bearing", "beam3", "beam", "beam_first_order", "beam_warping"])
 def test_straight_element_anywhere_in_space_is_undeformed(name: str, rng: random.Random) -> None:
     element = BY_NAME[name]
     values, places = straight(rng)

@@ -10,9 +10,11 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.units import force_unit, rate_unit
+from flexel.declare.closed_profile import ClosedProfile
 from flexel.declare.materials import Material, Profile
 from flexel.declare.round_sections import Circle, Tube
 from flexel.declare.sections import IBeam, Rectangle
+from flexel.declare.thin_sections import LBeam, UBeam
 from flexel.derive.spec import (
     DeformationSpec,
     ElementSpec,
@@ -28,7 +30,7 @@ from flexel.structure.instances import Instance, LawInstance
 from flexel.structure.nodes import Node
 from flexel.structure.structure import Structure, assemble_structure
 
-SECTIONS = {z.__name__: z for z in (Circle, IBeam, Rectangle, Tube)}
+SECTIONS = {z.__name__: z for z in (Circle, ClosedProfile, IBeam, LBeam, Rectangle, Tube, UBeam)}
 
 
 def described(structure: Structure) -> dict[str, Any]:

@@ -1,0 +1,120 @@
+"""Warping of beams: which beams have it, its nodes, and the stiffness and inertia of Vlasov's torsion."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, Protocol, runtime_checkable
+
+import numpy as np
+
+from flexel.base.arrays import Array
+from flexel.base.errors import ModelError
+from flexel.declare.declarations import Declarations
+from flexel.declare.materials import Profile
+from flexel.declare.sections import Section
+from flexel.structure.nodes import Node
+
+MODES = ("warp1", "warp2")
+OFF_CENTRE = (
+    1e-6  # distance of the shear centre from the centroid over the radius of gyration, still taken as zero
+)
+
+
+@runtime_checkable
+class WarpingSection(Section, Protocol):
+    """Interface of a section of a beam with warping."""
+
+    @property
+    def Iw(self) -> float:  # noqa: N802 (the letters of mechanics)
+        """Warping constant [m⁶] about the shear centre."""
+
+    @property
+    def shear_centre(self) -> tuple[float, float]:
+        """Place (y, z) of the shear centre, from the centroid [m]."""
+
+
+def is_wanted(owner: str, warping: Any, stated: Mapping[str, Any], obstacles: Mapping[str, bool]) -> bool:
+    """Whether the beam warps; refuses what contradicts this.
+
+    Parameters
+    ----------
+    stated : mapping of str to number
+        Numbers that only a beam with warping takes; None or zero: not given.
+    obstacles : mapping of str to bool
+        What a beam that warps cannot be, and whether it is.
+    """
+    if warping is False:
+        if unused := [key for key, z in stated.items() if z]:
+            raise ModelError(
+                f"{owner}: {', '.join(unused)} has no effect without warping; give warping=True or two nodes, or "
+                "drop it"
+            )
+        return False
+    if found := [what for what, is_so in obstacles.items() if is_so]:
+        raise ModelError(
+            f"{owner}: {found[0]} has no warping; drop warping=, or make it a flexible beam in space"
+        )
+    return True
+
+
+def nodes_of(model: Declarations, owner: str, name: str, warping: Any) -> list[Node]:
+    """The two warping nodes of a beam: those given, or new free ones."""
+    if warping is True:
+        ends = [f"{name}_warping_{end}" for end in "pq"]
+        return [model._new_node(end, "warping", np.zeros(1), fixed=False) for end in ends]
+    pair = isinstance(warping, Sequence) and not isinstance(warping, str) and len(warping) == 2
+    if not pair:
+        raise ModelError(
+            f"{owner}: warping {warping!r:.60} is neither True nor two nodes; give warping=(wp, wq) made by "
+            "m.warping(…)"
+        )
+    found = [model._find_of_kind(z, ("warping",), owner) for z in warping]
+    if found[0].name == found[1].name:
+        raise ModelError(f"{owner}: both ends have the warping node '{found[0].name}'; give two nodes")
+    return found
+
+
+def parameters(
+    owner: str, profile: Profile | None, given: dict[str, float], rho_iw: float
+) -> dict[str, Array]:
+    """Inertia and polar radius of the section; adds EIw of a section to the given stiffnesses."""
+    if profile is None:
+        polar = (given["EIy"] + given["EIz"]) / given["EA"] if {"EA", "EIy", "EIz"} <= given.keys() else 0.0
+    else:
+        section, material = profile.section, profile.material
+        polar, iw = (section.Iy + section.Iz) / section.A, _warping_constant(owner, section)
+        given["EIw"], rho_iw = material.E * iw, material.rho * iw
+    if missing := [key for key in ("GJ", "EIw") if not given.get(key)]:
+        raise ModelError(f"{owner}: warping needs {' and '.join(missing)}; give {_remedy(profile, missing)}")
+    return {"rhoIw": np.array([rho_iw]), "polar": np.array([polar])}
+
+
+def _remedy(profile: Profile | None, missing: Sequence[str]) -> str:
+    if profile is None:
+        return "them, or a section" if len(missing) > 1 else "it, or a section"
+    if "EIw" in missing:
+        return f"another section ({type(profile.section).__name__} does not warp) or drop warping="
+    return "torsion among the flexible modes"
+
+
+def _warping_constant(owner: str, section: Section) -> float:
+    """Iw of a section that bends and twists about the same axis."""
+    kind = type(section).__name__
+    if not isinstance(section, WarpingSection):
+        raise ModelError(
+            f"{owner}: the section {kind} has no Iw and shear_centre; add these properties to it, or give EIw and "
+            "the other stiffnesses as numbers"
+        )
+    y, z = section.shear_centre
+    if np.hypot(y, z) > OFF_CENTRE * np.sqrt((section.Iy + section.Iz) / section.A):
+        raise ModelError(
+            f"{owner}: the shear centre of {kind} is at ({y:g}, {z:g}) m from its centroid, where torsion and bending "
+            "are coupled; warping needs a section with both in one place, such as IBeam or Rectangle"
+        )
+    return float(section.Iw)
+
+
+def stiffness(l0: float, GJ: float, EIw: float) -> Array:
+    """Stiffness (2, 2) [N/m] of warp1 and warp2: what the uneven part of the twist adds to that of uniform torsion."""
+    twisting = GJ / (30 * l0**3) * np.array([[4.0, -1.0], [-1.0, 4.0]])
+    return twisting + EIw / l0**5 * np.array([[4.0, 2.0], [2.0, 4.0]])
