@@ -27,6 +27,9 @@ NEUTRAL = 1e-11  # eigenvalue, relative to the largest entry of the stiffness, t
 SYMMETRIC = 1e-7  # relative difference up to which a tangent counts as symmetric
 STIFF = 100.0  # springs on the conditions, relative to the largest entry of the stiffness
 MOST_STEPS = 200
+STEEPER = (
+    1e9  # stiffness, relative to that at the start of a descent, of a place where an element is singular
+)
 KICK = 0.05  # displacement from an unstable equilibrium, in natural scales
 KICKS = 10  # unstable equilibria that a descent may pass
 
@@ -153,8 +156,13 @@ def descend(problem: Rest, t: float, x: Array, mu: Array, near: Array) -> tuple[
         return Place(x, mu, q.balance.e, reach, step, float(r @ step))
 
     start = Place(x, mu, near, STEP, np.zeros(nf), 0.0)
+    here = evaluate(start)[0]
+    steepest = STEEPER * max(here.stiffness, here.balance.scale)
     found = newton(start, evaluate, move, tolerance=CONVERGED, stalled=STALLED, most=MOST_STEPS)
-    return (found.equations, found.point.mu) if found.converged else None
+    # beside such a stiffness every force is small: a cable whose slope vanishes would seem to be in equilibrium
+    if not found.converged or found.equations.stiffness > steepest:
+        return None
+    return found.equations, found.point.mu
 
 
 def _downhill(here: Tangent, r: Array, reach: float) -> Array:

@@ -171,3 +171,37 @@ def test_an_equilibrium_at_an_extreme_of_a_degree_of_freedom_can_be_linearized()
     found = s.linearize(rest).eigenvalues().imag
     swing, bounce = np.sqrt(9.81 / length), np.sqrt(20 / 0.5)
     np.testing.assert_allclose(np.sort(found), [-bounce, -swing, -swing, swing, swing, bounce], rtol=1e-9)
+
+
+def test_a_cable_whose_slope_vanishes_is_not_in_equilibrium() -> None:
+    """Downhill from the unstable equilibrium of a hanging cable lies a place where its curvature has no bound."""
+    m = fx.Model(gravity=(1.21, 5.55, -3.26))
+    places = (
+        (0.0, 0.0, 0.0),
+        (0.055234109480598384, -0.24626211448880891, 0.15154200751231586),
+        (0.17946821896119675, -0.5255242889776179, 0.3270840150246317),
+        (0.26770232844179515, -0.7927863434664268, 0.44862602253694756),
+    )
+    slopes = (
+        (0.4641136982686613, -0.9108737149626964, 0.6851400250410529, 0.98),
+        (0.17411369826866127, -0.8408737149626965, 0.7251400250410529, 0.96),
+        (0.4641136982686613, -0.8408737149626965, 0.4851400250410529, 0.97),
+        (0.2941136982686613, -0.5308737149626965, 0.7551400250410529, 1.03),
+    )
+    m.point("P0", places[0], fixed=True)
+    m.frame("R", fixed=True)
+    m.slope("d0", slopes[0][:3], stretch=slopes[0][3])
+    for i in (1, 2, 3):
+        m.slope(f"d{i}", slopes[i][:3], stretch=slopes[i][3])
+        m.point(f"P{i}", places[i])
+    for i, length in enumerate((0.34, 0.34, 0.3)):
+        ends = f"P{i}", f"d{i}", f"P{i + 1}", f"d{i + 1}"
+        m.cable(f"c{i}", *ends, length, EA=393.8, EI=0.41, mass_per_length=0.41)
+    m.clamp("grip", "R", "d0")
+    m.point_mass("bob", "P3", 1.87)
+    s = m.build()
+    try:
+        rest = s.equilibrium(stable=True)
+    except fx.PositionError:
+        return
+    assert np.abs(s.state(rest.t, rest.x, 0 * rest.v).a).max() < 1e-6
