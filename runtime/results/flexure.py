@@ -161,7 +161,7 @@ class Flexure:
     def plot_shapes(self, *steps: int, path: str | Path | None = None, **options: Any) -> Any:
         """The mechanism at some steps over its drawn shape; the last one by default. Options as of `Motion`."""
         chosen = [float(self.load[whole(i, "plot_shapes", "step", 0, len(self) - 1)]) for i in steps]
-        return self.motion.plot_shapes(*chosen, path=path, **options)
+        return self.motion.plot_shapes(*chosen, path=path, **{"label": "{:.3g} of the loads"} | options)
 
     def view(self, path: str | Path, **options: Any) -> Path:
         """An HTML page that shows the steps in any browser; options of `flexel.pictures.view.scene_data`."""
