@@ -68,7 +68,9 @@ def test_the_programs_of_the_pages_on_flexures_run(
     guide, hinge, stage = (names[z] for z in ("guide", "hinge", "stage"))
     stiffness = 2 * 206e9 * 25e-3 * 0.4e-3**3 / 0.1**3
     assert 8 / guide.displacements[-1, 4, 0] == pytest.approx(stiffness * (1 - 5 / 54.2), rel=0.02)
-    assert guide.displacements[-1, 4, 1] == pytest.approx(-0.6 * guide.displacements[-1, 4, 0] ** 2 / 0.1, rel=0.02)
+    assert guide.displacements[-1, 4, 1] == pytest.approx(
+        -0.6 * guide.displacements[-1, 4, 0] ** 2 / 0.1, rel=0.02
+    )
     assert hinge.moments[-1, 4, 2] == pytest.approx(2 * 206e9 * 25e-3 * 0.4e-3**3 / 12 / 0.1 * 0.4, rel=0.05)
     assert stage.released == () and len(guide.released) == len(hinge.released) == 1
     static = (names["D"] - names["C"] @ np.linalg.solve(names["A"], names["B"]))[0, 0]

@@ -58,7 +58,9 @@ def plot_states(
     figures = [(drawn, GREY, "as drawn")]
     for i, state in enumerate([motion.nearest(t) for t in times] or [motion[-1]]):
         shown = displaced(drawn, scale * (state.x - drawn.x))
-        figures.append((shown, COLOURS[i % len(COLOURS)], text(label, "plot_shapes", "label").format(state.t)))
+        figures.append(
+            (shown, COLOURS[i % len(COLOURS)], text(label, "plot_shapes", "label").format(state.t))
+        )
     return _overlaid(figures, path, view, "" if scale == 1 else f"displacements × {scale:g}")
 
 
