@@ -8,9 +8,11 @@ as in SPACAR Light: repeatedly the one with the largest share in the remaining r
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from scipy.linalg import qr
+from scipy.sparse import issparse
 
 from flexel.base.arrays import Array, Index
 from flexel.declare.declarations import Declarations
@@ -21,6 +23,7 @@ from flexel.structure.roles import Roles
 from flexel.structure.state import State
 from flexel.structure.structure import Structure, assemble_structure
 
+_issparse: Any = issparse
 SHOWN = 0.02  # smallest share that is listed, relative to the largest
 CONCERNED = 1e-6  # smallest share of a condition that takes part in a self-stress
 
@@ -68,7 +71,10 @@ def report_of_state(state: State) -> ConstraintReport:
     return _report(state.structure, state.roles, state.J)
 
 
-def _report(structure: Structure, roles: Roles, J: Array) -> ConstraintReport:
+def _report(structure: Structure, roles: Roles, J: Any) -> ConstraintReport:
+    """The report from J (m + k + n, n), which is sparse for a large model."""
+    if _issparse(J):
+        J = J.toarray()
     rows, nf = roles.holonomic, structure.nf
     C = J[rows, :nf]
     right, left = null_space(C, nf)

@@ -73,3 +73,13 @@ def test_a_motion_that_nothing_resists_is_refused_by_name() -> None:
     nodes, elements, properties, groups = tables.guide()
     with pytest.raises(fx.ConstraintError, match="nothing resists a motion of 'node"):
         fx.flexure(nodes, elements, {5: properties[5]}, groups)
+
+
+def test_a_mechanism_of_many_beams_is_reported_on_too() -> None:
+    """Its matrix is sparse: more than five hundred coordinates."""
+    m = fx.flexure_model(*tables.guide(IDEAL, beams=40))
+    report = m.constraint_report()
+    few = fx.flexure_model(*tables.guide(IDEAL, beams=4)).constraint_report()
+    assert len(report.redundant) == len(few.redundant) == 1
+    m.release(*report.release)
+    assert m.constraint_report().redundant == []
