@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Sequence
 from typing import Any
 
-import numpy as np
-
-from flexel.base.errors import ConstraintError, DynamicsError, IncompleteWarning, PositionError
+from flexel.base.errors import DynamicsError, IncompleteWarning, PositionError
 from flexel.flexures.declaring import declared
 from flexel.flexures.measuring import Measuring
+from flexel.flexures.releasing import freed
 from flexel.flexures.tables import read_tables
 from flexel.integration.outcome import Integration, States
-from flexel.mechanics.diagnose import quoted
 from flexel.model import Model
 from flexel.results.flexure import Flexure
 from flexel.results.motion import Motion
@@ -31,7 +28,8 @@ def flexure(
 
     Each node has a place and an orientation, which is that of the global axes as drawn.  An element joins two nodes; it
     is rigid, or a leaf spring of several beams.  Over-constraint is released, first that of flexible elements, the
-    largest contribution first; the result names what was released.  Nothing is printed.
+    largest contribution first; the result names what was released, which keeps the stiffness of its section.
+    Nothing is printed.
 
     Parameters
     ----------
@@ -76,7 +74,7 @@ def flexure(
     """
     tables = read_tables(nodes, elements, node_properties, element_properties, options)
     model = declared(tables)
-    released, redundant = _freed(model, tables.options.release)
+    released, redundant = freed(model, tables.options.release)
     system = model.build(t=UNLOADED)
     states, message = _load_steps(system, model, tables.options.steps)
     counts = {"steps": len(states) - 1, "evaluations": 0, "rechoices": 0}
@@ -84,31 +82,6 @@ def flexure(
     measuring = Measuring(tables, model, system)
     variables = measuring.variables(states)
     return Flexure(motion, variables, measuring.labels(variables), released, redundant, measuring.notes)
-
-
-def _freed(model: Model, release: bool | Sequence[str]) -> tuple[list[str], list[dict[str, float]]]:
-    """What was released because it over-constrained the mechanism, and the states of self-stress; or a refusal."""
-    named = [] if isinstance(release, (bool, np.bool_)) else list(release)
-    report = model.constraint_report()
-    if named:
-        model.release(*named)
-        redundant, report = report.redundant, model.constraint_report()
-    else:
-        redundant = report.redundant
-    if report.motions:
-        moving = [z for z in report.motions[0] if z.startswith("node ")] or list(report.motions[0])
-        raise ConstraintError(
-            f"flexure: nothing resists a motion of {quoted(moving[:6])}; make elements flexible, "
-            "connect or fix nodes, or prescribe the motion"
-        )
-    if report.redundant and (named or not release):
-        among = list(dict.fromkeys(name for share in report.redundant for name in share))
-        raise ConstraintError(
-            f"flexure: over-constrained {len(report.redundant)} times, among {quoted(among[:10])}; make such modes "
-            f"flexible, or release {quoted(report.release)} with options: release"
-        )
-    model.release(*report.release)
-    return [*named, *report.release], redundant
 
 
 def _load_steps(system: System, model: Model, steps: int) -> tuple[list[State], str]:

@@ -1,5 +1,7 @@
 """Flexure mechanisms from tables, beside closed forms and beside the same mechanism declared by hand."""
 
+import json
+from pathlib import Path
 from typing import Any
 
 import flexure_tables as tables
@@ -170,6 +172,36 @@ def test_a_displacement_in_steps_ends_where_an_initial_one_does() -> None:
     end = parts.steps[-1].node(2)
     assert np.concatenate([end.position, end.force]) == pytest.approx(whole, rel=1e-8, abs=1e-10)
     assert len(parts) == 11 and parts.displacements[0, 1, 1] == pytest.approx(0.005)
+
+
+def test_two_leaf_springs_come_out_as_in_spacar() -> None:
+    """UT SPACAR's own results of a mechanism of SPACAR Light, over a prescribed turn of half a radian under weight."""
+    theirs = json.loads(
+        (Path(__file__).parents[1] / "data" / "two_leaf_pivot.json").read_text(encoding="utf-8")
+    )
+    leaf = {"elements": [1, 3], "section": "rectangle", "dimensions": (50e-3, 0.2e-3), "flexible": "all"}
+    leaf |= {"E": 2.1e11, "G": 7e10, "density": 7800, "orientation": (0, 0, 1)}
+    body = {"elements": [2], "section": "rectangle", "dimensions": (50e-3, 10e-3), "density": 3000}
+    turned = {"mass": 0.1, "rotation": {"z": 2 * np.arcsin(0.247404)}}
+    found = fx.flexure(
+        [[0, 0, 0], [0, 0.1, 0], [0.1, 0.1, 0], [0.1, 0, 0]],
+        [[1, 3], [2, 3], [2, 4]],
+        {1: {"fixed": True}, 4: {"fixed": True}, 3: turned},
+        [leaf, body | {"orientation": (0, 0, 1)}],
+        {"steps": 9, "gravity": (0, 0, -9.81)},
+    )
+    modes = ("elongation", "torsion", "bend1", "bend2", "bend3", "bend4")
+    for k in (0, 9):
+        record = {key: np.array(z) for key, z in theirs["records"][str(k)].items()}
+        step = found.steps[k]
+        for node, point, frame in ((2, 4, 5), (3, 7, 8)):
+            for own, number in ((step.node(node).position, point), (step.node(node).quaternion, frame)):
+                places = [i - 1 for i in theirs["LNP"][number - 1] if i]
+                assert own == pytest.approx(record["X"][places], abs=1e-14)
+        for element in (1, 3):
+            places = [i - 1 for i in theirs["LE"][element - 1] if i]
+            stresses = [step.state.force(f"element {element}.{z}") for z in modes]
+            assert stresses == pytest.approx(record["SIG"][places], abs=1e-9 * abs(record["SIG"]).max())
 
 
 def test_weight_bends_a_cantilever() -> None:

@@ -27,6 +27,18 @@ def test_a_released_mechanism_is_no_longer_over_constrained() -> None:
     assert found.motion[-1].constraint_report().redundant == []
 
 
+def test_a_released_deformation_keeps_the_stiffness_of_its_section() -> None:
+    """Bent by 20 mm, parallel leaf springs strain one another; what was released resists with 4 EI/l³ (shear aside)."""
+    found = fx.flexure(*tables.guide(IDEAL, displacement={"x": 0.02}, moment=(1.0, 0, 0)), {"steps": 4})
+    state, name = found.steps[-1].state, found.released[0]
+    k, l0 = tables.profile(tables.LEAF).stiffness(), tables.LENGTH / 4
+    shear = 12 * k["EIz"] / (k["GAy"] * l0**2)
+    assert abs(state[name]) > 1e-9
+    assert state.force(name) == pytest.approx(
+        (4 + shear) * k["EIz"] / ((1 + shear) * l0**3) * state[name], rel=1e-9
+    )
+
+
 def test_over_constraint_is_refused_on_demand() -> None:
     with pytest.raises(
         fx.ConstraintError, match=r"over-constrained 1 times, among 'element .*options: release"
@@ -40,6 +52,8 @@ def test_deformations_are_released_by_name() -> None:
     assert found.released == ("element 3 beam 1.bend3",) and len(found.redundant) == 1
     with pytest.raises(fx.ModelError, match="unknown name 'element 3 beam 1.bend7'"):
         fx.flexure(*tables.guide(IDEAL), {"release": ["element 3 beam 1.bend7"]})
+    with pytest.raises(fx.ModelError, match="unknown name 'leaf.bend3'"):
+        fx.flexure(*tables.guide(IDEAL), {"release": ["leaf.bend3"]})
     with pytest.raises(fx.ConstraintError, match="over-constrained 1 times"):
         fx.flexure(*tables.guide(IDEAL), {"release": ["element 3 beam 1.bend1"]})
 
