@@ -24,6 +24,8 @@ from flexel.generated.table import ELEMENTS, LAWS
 FIRST = (
     "start",
     "coming-from-spacar",
+    "coming-from-spacar-light",
+    "flexure-design",
     "writing-an-element",
     "adding-an-element",
 )  # of the guides, in this order
@@ -41,6 +43,13 @@ HOMES = {  # sections of the page of public names: title and modules
         "flexel.declare.materials",
         "flexel.base.quaternions",
         "flexel.declare.user",
+    ),
+    "Flexure mechanisms": (
+        "flexel.flexures.flexure",
+        "flexel.flexures.declaring",
+        "flexel.flexures.properties",
+        "flexel.results.flexure",
+        "flexel.results.flexure_step",
     ),
     "Functions of time": ("flexel.base.time_functions",),
     "Systems, states and motions": (

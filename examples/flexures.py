@@ -19,7 +19,6 @@ import numpy as np
 
 import flexel as fx
 from flexel.base.arrays import Array
-from flexel.base.quaternions import turn
 from flexel.declare.materials import MATERIALS, Profile
 from flexel.examples import flexures_exact as exact
 from flexel.results.report import Report
@@ -80,25 +79,19 @@ def leaf(
     """A leaf spring in the plane of z from the ground to a body (point, frame), deflecting normal to that plane."""
     start, end = ends
     axis = (end - start) / np.linalg.norm(end - start)
-    normal = np.array([-axis[1], axis[0], 0.0])
-    orientation = turn((0, 0, 1), float(np.arctan2(axis[1], axis[0])))
-    nodes = [(f"{name} {i}", f"{name} frame {i}") for i in range(elements)] + [(f"{name} end", body[1])]
-    for i, (p, r) in enumerate(nodes):
-        m.point(p, start + (end - start) * i / elements, fixed=i == 0)
-        if i < elements:
-            m.frame(r, orientation, fixed=i == 0)
-    for i in range(elements):
-        label = f"{name} element {i + 1}" if elements > 1 else name
-        m.beam(
-            label,
-            *nodes[i],
-            *nodes[i + 1],
-            direction=normal,
-            section=section,
-            material=material,
-            flexible=flexible,
-        )
-    m.beam(f"{name} clamp", body[0], body[1], f"{name} end")
+    base, wall = m.point(f"{name} base", start, fixed=True), m.frame(f"{name} wall", fixed=True)
+    m.leaf_spring(
+        name,
+        base,
+        wall,
+        *body,
+        end=end,
+        direction=np.array([-axis[1], axis[0], 0.0]),
+        section=section,
+        material=material,
+        elements=elements,
+        flexible=flexible,
+    )
 
 
 def guide(

@@ -34,6 +34,9 @@ if TYPE_CHECKING:
     from flexel.declare.user import compile_element, compile_law
     from flexel.declare.wheels import Waves
     from flexel.derive.errors import ElementError, FlexelError
+    from flexel.flexures.declaring import flexure_model
+    from flexel.flexures.flexure import flexure
+    from flexel.flexures.properties import ElementProperties, FlexureOptions, NodeProperties
     from flexel.integration.events import Event
     from flexel.mechanics.constraints import ConstraintReport
     from flexel.mechanics.findings import CheckReport, Finding
@@ -44,6 +47,8 @@ if TYPE_CHECKING:
     from flexel.pictures.scene import View
     from flexel.results.branch import PeriodicBranch
     from flexel.results.ensemble import Ensemble
+    from flexel.results.flexure import Flexure
+    from flexel.results.flexure_step import FlexureElement, FlexureNode, FlexureStep
     from flexel.results.linearizations import Linearizations, RootLoci
     from flexel.results.motion import Motion
     from flexel.results.periodic import PeriodicSolution
@@ -80,10 +85,16 @@ __all__ = [
     "Curve",
     "DynamicsError",
     "ElementError",
+    "ElementProperties",
     "Ensemble",
     "Event",
     "Finding",
     "FlexelError",
+    "Flexure",
+    "FlexureElement",
+    "FlexureNode",
+    "FlexureOptions",
+    "FlexureStep",
     "Harmonic",
     "HelicalGroove",
     "IBeam",
@@ -97,6 +108,7 @@ __all__ = [
     "Model",
     "ModelError",
     "Motion",
+    "NodeProperties",
     "PeriodicBranch",
     "PeriodicSolution",
     "Points",
@@ -129,6 +141,8 @@ __all__ = [
     "WireRope",
     "compile_element",
     "compile_law",
+    "flexure",
+    "flexure_model",
     "grid",
     "listed",
     "load",
@@ -154,10 +168,16 @@ _HOMES = {
     "Curve": "flexel.declare.curves",
     "DynamicsError": "flexel.base.errors",
     "ElementError": "flexel.derive.errors",
+    "ElementProperties": "flexel.flexures.properties",
     "Ensemble": "flexel.results.ensemble",
     "Event": "flexel.integration.events",
     "Finding": "flexel.mechanics.findings",
     "FlexelError": "flexel.derive.errors",
+    "Flexure": "flexel.results.flexure",
+    "FlexureElement": "flexel.results.flexure_step",
+    "FlexureNode": "flexel.results.flexure_step",
+    "FlexureOptions": "flexel.flexures.properties",
+    "FlexureStep": "flexel.results.flexure_step",
     "Harmonic": "flexel.base.time_functions",
     "HelicalGroove": "flexel.rope.surfaces",
     "IBeam": "flexel.declare.sections",
@@ -171,6 +191,7 @@ _HOMES = {
     "Model": "flexel.model",
     "ModelError": "flexel.base.errors",
     "Motion": "flexel.results.motion",
+    "NodeProperties": "flexel.flexures.properties",
     "PeriodicBranch": "flexel.results.branch",
     "PeriodicSolution": "flexel.results.periodic",
     "Points": "flexel.sweeps.points",
@@ -193,9 +214,9 @@ _HOMES = {
     "System": "flexel.system",
     "Table": "flexel.base.time_functions",
     "UBeam": "flexel.declare.thin_sections",
+    "Tube": "flexel.declare.round_sections",
     "UnstableWarning": "flexel.base.errors",
     "UnsteadyWarning": "flexel.base.errors",
-    "Tube": "flexel.declare.round_sections",
     "VGroove": "flexel.rope.surfaces",
     "Vibration": "flexel.statics.stability",
     "View": "flexel.pictures.scene",
@@ -203,6 +224,8 @@ _HOMES = {
     "WireRope": "flexel.rope.wire_rope",
     "compile_element": "flexel.declare.user",
     "compile_law": "flexel.declare.user",
+    "flexure": "flexel.flexures.flexure",
+    "flexure_model": "flexel.flexures.declaring",
     "grid": "flexel.sweeps.points",
     "listed": "flexel.sweeps.points",
     "load": "flexel.results.saved.loading",

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from junk import ENTRIES, JUNK, NOT_FINITE, admitted, inside
+from valid_flexures import FLEXURES
 from valid_models import MODELS
 from valid_results import RESULTS
 from valid_systems import SYSTEMS
@@ -14,13 +15,14 @@ from valid_values import VALUES
 
 import flexel as fx
 
-VALID = VALUES | MODELS | SYSTEMS | RESULTS
+VALID = VALUES | MODELS | SYSTEMS | RESULTS | FLEXURES
 OWN_WARNINGS = (
     fx.AssemblyWarning, fx.IncompleteWarning, fx.RangeWarning, fx.UnstableWarning, fx.UnsteadyWarning,
 )  # fmt: skip
 # Classes whose objects flexel makes: their constructors are not for users.
 MADE_BY_FLEXEL = {
     "BeamStress", "BucklingMode", "CheckReport", "Compliance", "ConstraintReport", "Ensemble", "Finding",
+    "Flexure", "FlexureElement", "FlexureNode", "FlexureStep",
     "Linearization", "Linearizations", "Mode", "Motion", "PeriodicBranch", "PeriodicSolution", "Points",
     "Reduced", "RootLoci", "Rope", "Spacar", "SpacarRecords", "State", "Stepper", "StressPoint", "Summary",
     "System", "Vibration",

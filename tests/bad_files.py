@@ -17,6 +17,7 @@ import numpy as np
 import travellers
 from bad_calls import OWN_WARNINGS
 from swept import numbers, plain
+from valid_flexures import found as leaf
 from valid_results import forced, swing
 
 import flexel as fx
@@ -24,7 +25,7 @@ from flexel.results.saved.files import FORMATS, read, write
 from flexel.results.saved.record import Record
 
 DATA = Path(__file__).parent / "data"
-RESULTS = ("motion", "linearization", "periodic")
+RESULTS = ("motion", "linearization", "periodic", "flexure")
 SAVED = [f"{kind}{suffix}" for kind in RESULTS for suffix in FORMATS]
 SPACAR = [z.name for z in sorted(DATA.glob("*.dat"))]
 FOLDER = ["sweep.json", "status.npy", "points/0.npy", "values/0.npy"]  # of the folder of a sweep
@@ -157,7 +158,7 @@ def cases(count: int) -> list[Damage]:
 
 def prepare() -> None:
     """The whole files, in the folder of the process."""
-    results = dict(zip(RESULTS, (swing(), forced(), travellers.periodic()), strict=True))
+    results = dict(zip(RESULTS, (swing(), forced(), travellers.periodic(), leaf()), strict=True))
     for file in SAVED:
         results[Path(file).stem].save(file)
     for file in SPACAR:
@@ -189,7 +190,8 @@ def _other_numbers(damage: Damage, found: Any) -> bool:
     if mine.variables.keys() != theirs.variables.keys():
         return True
     return not all(
-        np.array_equal(mine.variables[z].values, theirs.variables[z].values) for z in mine.variables
+        np.array_equal(mine.variables[z].values, theirs.variables[z].values, equal_nan=True)
+        for z in mine.variables
     )
 
 

@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 DOCS = Path(__file__).resolve().parents[1] / "docs"
@@ -48,6 +49,35 @@ def test_the_programs_of_the_page_on_variants_run(capsys: pytest.CaptureFixture[
     assert names["found"]["pivot.angle"].shape == (200, 201) and not names["found"].failed
     assert names["many"].M.shape == (50, 1, 1) and names["loci"].stable.all()
     assert "(50, 2) True" in capsys.readouterr().out
+
+
+def test_the_programs_of_the_pages_on_flexures_run(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The mechanisms behave as the page says, and its table and its pictures are those of its programs."""
+    pytest.importorskip("matplotlib", reason="the page draws with matplotlib: pip install 'flexel[plot]'")
+    monkeypatch.chdir(tmp_path)
+    names: dict[str, Any] = {}
+    for block in programs("flexure-design.md"):
+        exec(block, names)
+    page = (DOCS / "flexure-design.md").read_text(encoding="utf-8")
+    shown = re.search(r"```text\n(.*?)```", page, re.DOTALL)
+    assert shown is not None and shown[1].strip() in capsys.readouterr().out
+    drawn = re.findall(r"\]\(images/(\w+\.png)\)", page)
+    assert len(drawn) == 5 and all((tmp_path / z).stat().st_size > 5_000 for z in drawn)
+    guide, hinge, stage = (names[z] for z in ("guide", "hinge", "stage"))
+    stiffness = 2 * 206e9 * 25e-3 * 0.4e-3**3 / 0.1**3
+    assert 8 / guide.displacements[-1, 4, 0] == pytest.approx(stiffness * (1 - 5 / 54.2), rel=0.02)
+    assert guide.displacements[-1, 4, 1] == pytest.approx(
+        -0.6 * guide.displacements[-1, 4, 0] ** 2 / 0.1, rel=0.02
+    )
+    assert hinge.moments[-1, 4, 2] == pytest.approx(2 * 206e9 * 25e-3 * 0.4e-3**3 / 12 / 0.1 * 0.4, rel=0.05)
+    assert stage.released == () and len(guide.released) == len(hinge.released) == 1
+    static = (names["D"] - names["C"] @ np.linalg.solve(names["A"], names["B"]))[0, 0]
+    assert static == pytest.approx(guide.compliance(5)[-1, 0, 0], rel=1e-6)
+    for block in programs("coming-from-spacar-light.md"):
+        exec(block, names)
+    assert names["A"].shape == (36, 36) and names["C"].shape == (2, 36)
 
 
 @pytest.mark.slow

@@ -30,6 +30,7 @@ LAYERS = (
     "build",
     "model",
     "spacar",
+    "flexures",
     "sweeps",
     "report",
     "commands",
@@ -44,6 +45,9 @@ EXCEPTIONS = {
     ("flexel.mechanics.linearization", "flexel.results.control"),  # to_control, to_scipy, save_state_space
     ("flexel.mechanics.linearization", "flexel.results.saved.archive_linear"),  # save, to_xarray, to_pandas
     ("flexel.results.branch", "flexel.pictures.graphs"),  # plot
+    ("flexel.results.flexure", "flexel.pictures.flexure_graphs"),  # plot
+    ("flexel.results.flexure_step", "flexel.pictures.deflected"),  # plot_mode
+    ("flexel.results.flexure_step", "flexel.pictures.view"),  # view_modes
     ("flexel.results.linearizations", "flexel.pictures.plot"),  # plot
     ("flexel.results.motion", "flexel.pictures.deflected"),  # plot_shapes
     ("flexel.results.motion", "flexel.pictures.graphs"),  # plot_spectrum, plot_phase

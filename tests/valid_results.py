@@ -1,5 +1,6 @@
 """Valid calls of the methods of results."""
 
+import tempfile
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
@@ -60,7 +61,7 @@ def spacar() -> fx.Spacar:
 @cache
 def records() -> fx.SpacarRecords:
     """State-space models in a file of SPACAR."""
-    found = fx.load(ltv(Path("records.ltv")))
+    found = fx.load(ltv(Path(tempfile.mkdtemp()) / "records.ltv"))
     assert isinstance(found, fx.SpacarRecords)
     return found
 

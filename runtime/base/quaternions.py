@@ -111,3 +111,25 @@ def in_body(orientation: Array, d: Array) -> Array:
         return np.asarray(matrix(orientation).T @ d)
     c, s = np.cos(orientation[0]), np.sin(orientation[0])
     return np.array([c * d[0] + s * d[1], c * d[1] - s * d[0]])
+
+
+def euler_angles(q: Array) -> Array:
+    """Angles (3,) [rad] of turns about z, then the new y, then the new x axis, that make a rotation.
+
+    At a quarter turn about y the other two turns are about one axis; all of it is then given to the one about z.
+    """
+    R = matrix(q)
+    level = float(np.hypot(R[0, 0], R[1, 0]))
+    y = np.arctan2(-R[2, 0], level)
+    if level < 1e-12:
+        return np.array([np.arctan2(-R[0, 1], R[1, 1]), y, 0.0])
+    return np.array([np.arctan2(R[1, 0], R[0, 0]), y, np.arctan2(R[2, 1], R[2, 2])])
+
+
+def axis_angle(q: Array) -> tuple[Array, float]:
+    """Axis (3,) and angle [rad], from zero to pi, of a rotation; without a rotation the axis is zero."""
+    size = float(np.linalg.norm(q[1:]))
+    if size == 0.0:
+        return np.zeros(3), 0.0
+    sign = 1.0 if q[0] >= 0 else -1.0
+    return sign * q[1:] / size, 2 * float(np.arctan2(size, abs(q[0])))

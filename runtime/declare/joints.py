@@ -12,13 +12,13 @@ from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.base.quaternions import in_body, in_frame, matrix, triad, unit
 from flexel.base.transactions import whole_or_nothing
-from flexel.declare.beams import Beams
+from flexel.declare.leaf_springs import LeafSprings
 from flexel.structure.nodes import Node
 
 Vector = Sequence[float] | Array
 
 
-class Joints(Beams):
+class Joints(LeafSprings):
     """Joints and connections."""
 
     @whole_or_nothing
@@ -170,7 +170,7 @@ def hinge_triads(rp: Array, rq: Array, axis: Any, owner: str) -> dict[str, Array
     return {"tp": in_frame(rp, t), "tq": in_frame(rq, t)}
 
 
-def _joint_springs(model: Beams, name: str, modes: Sequence[str], stiffness: Any, damping: Any) -> None:
+def _joint_springs(model: LeafSprings, name: str, modes: Sequence[str], stiffness: Any, damping: Any) -> None:
     owner = f"hinge '{name}'"
     d = np.atleast_1d(array(damping, owner, "damping"))
     if stiffness is None and not np.any(d):

@@ -8,9 +8,11 @@ as in SPACAR Light: repeatedly the one with the largest share in the remaining r
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from scipy.linalg import qr
+from scipy.sparse import issparse
 
 from flexel.base.arrays import Array, Index
 from flexel.declare.declarations import Declarations
@@ -21,7 +23,9 @@ from flexel.structure.roles import Roles
 from flexel.structure.state import State
 from flexel.structure.structure import Structure, assemble_structure
 
+_issparse: Any = issparse
 SHOWN = 0.02  # smallest share that is listed, relative to the largest
+CONCERNED = 1e-6  # smallest share of a condition that takes part in a self-stress
 
 
 @dataclass(frozen=True)
@@ -67,7 +71,10 @@ def report_of_state(state: State) -> ConstraintReport:
     return _report(state.structure, state.roles, state.J)
 
 
-def _report(structure: Structure, roles: Roles, J: Array) -> ConstraintReport:
+def _report(structure: Structure, roles: Roles, J: Any) -> ConstraintReport:
+    """The report from J (m + k + n, n), which is sparse for a large model."""
+    if _issparse(J):
+        J = J.toarray()
     rows, nf = roles.holonomic, structure.nf
     C = J[rows, :nf]
     right, left = null_space(C, nf)
@@ -101,7 +108,11 @@ def _named(structure: Structure, rows: Index, space: Array) -> list[dict[str, fl
 
 
 def _releases(structure: Structure, rows: Index, C: Array) -> list[str]:
-    """Conditions to release, each the one with the largest share in the remaining redundancy."""
+    """Conditions to release, each the one with the largest share in the remaining redundancy.
+
+    Those of beams that are otherwise flexible come first; where they do not suffice, as in a loop of rigid beams, the
+    other deformations follow.
+    """
     bending = {z.split(".")[0] for law in structure.laws for z in law.deformations}
     flexible = {
         d
@@ -109,18 +120,35 @@ def _releases(structure: Structure, rows: Index, C: Array) -> list[str]:
         if z.spec.family == "beam" and z.name in bending
         for d in z.deformations
     }
-    usable = [i for i in range(rows.size) if structure.names[rows[i]] in flexible]
-    usable = usable or [i for i in range(rows.size) if rows[i] < structure.m]
+    names = [structure.names[i] for i in rows]
+    usable = {k for k, i in enumerate(rows) if i < structure.m and not structure.is_norm(names[k])}
+    preferred = {k for k in usable if names[k] in flexible}
     kept = list(range(rows.size))
     released: list[str] = []
     while True:
         _, left = null_space(C[kept], C.shape[1])
-        share = np.linalg.norm(left, axis=1)
-        candidates = [k for k, i in enumerate(kept) if i in usable and share[k] > 1e-6] if left.size else []
-        if not candidates:
+        found = _largest_shares(kept, left, (preferred, usable)) if left.size else []
+        if not found:
             return released
+        released += [names[k] for k in found]
+        kept = [k for k in kept if k not in found]
+
+
+def _largest_shares(kept: list[int], left: Array, groups: tuple[set[int], ...]) -> list[int]:
+    """Rows that remove a left null space (kept, l), one after another; from the first group while it has a share."""
+    kept, found = list(kept), []
+    while left.shape[1]:
+        share = np.linalg.norm(left, axis=1)
+        concerned = [k for k in range(len(kept)) if share[k] > CONCERNED]
+        candidates = next((z for g in groups if (z := [k for k in concerned if kept[k] in g])), [])
+        if not candidates:
+            break
         worst = max(candidates, key=lambda k: round(float(share[k]), 9))
-        released.append(structure.names[rows[kept.pop(worst)]])
+        found.append(kept.pop(worst))
+        # of the states of self-stress, those remain in which the released condition takes no part
+        others = np.linalg.qr(left[worst][:, None], mode="complete")[0][:, 1:]
+        left = np.delete(left, worst, axis=0) @ others
+    return found
 
 
 def _shares(vector: dict[str, float]) -> str:

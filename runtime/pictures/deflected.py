@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from flexel.base.arguments import text
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.pictures import drawing
@@ -37,6 +38,7 @@ def plot_states(
     *,
     view: View | None = None,
     scale: float = 1.0,
+    label: str = "t = {:.4g} s",
 ) -> Figure:
     """The mechanism at the stored states nearest to the times, over its drawn shape in grey.
 
@@ -48,13 +50,17 @@ def plot_states(
         View direction, up and sketches.
     scale : float
         Magnification of displacements from the drawn shape.
+    label : str
+        How the time of a state is written in the legend, as a format.
     """
     first = motion[0]
     drawn = at_coordinates(first, motion.structure.x0)
     figures = [(drawn, GREY, "as drawn")]
     for i, state in enumerate([motion.nearest(t) for t in times] or [motion[-1]]):
         shown = displaced(drawn, scale * (state.x - drawn.x))
-        figures.append((shown, COLOURS[i % len(COLOURS)], f"t = {state.t:.4g} s"))
+        figures.append(
+            (shown, COLOURS[i % len(COLOURS)], text(label, "plot_shapes", "label").format(state.t))
+        )
     return _overlaid(figures, path, view, "" if scale == 1 else f"displacements × {scale:g}")
 
 
@@ -166,6 +172,6 @@ def _overlaid(
         axes.set_aspect("equal")
         if any(label for *_, label in figures):
             axes.legend(loc="upper right")
-        axes.set_title(title)
+        axes.set_title(title, y=None if flat else 0.96)  # spatial axes fill the figure
     save(drawn, path)
     return drawn

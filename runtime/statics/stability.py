@@ -164,6 +164,8 @@ def vibrations(system: Core, state: State, count: int) -> Listing[Vibration]:
     count = whole(count, "vibrations", "count")
     problem.work.tangent(0.0, 0.0, 1.0, phi=False)
     M = problem.work.tables.T.pattern.matrix(problem.free)
+    if not np.any(M.diagonal()):
+        return []
     w2, V = _lowest(problem, q, M, count)
     found = [(np.sign(z) * np.sqrt(abs(z)), V[:, i]) for i, z in enumerate(w2)]
     return Listing(Vibration(float(z), _shape(system, v)) for z, v in found[:count])
@@ -228,6 +230,8 @@ def _bordered(problem: Rest, q: Equations, M: Any) -> tuple[Any, Any, Array]:
 def _pencil(K: Array, M: Array) -> tuple[Array, Array]:
     """Finite eigenvalues of K v = w² M v, ascending; massless directions are condensed statically."""
     m, U = np.linalg.eigh(M)
+    if not np.any(m > 0):  # nothing that moves has mass, so nothing vibrates
+        return np.zeros(0), np.zeros((m.size, 0))
     massless = m < 1e-13 * max(float(m[-1]), 1e-300)
     if not massless.any():
         w2, V = eigh(K, M)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from flexel.base.arguments import path_of
 from flexel.base.errors import FlexelError, ModelError
+from flexel.results.flexure import Flexure, flexure_of
 from flexel.results.motion import Motion
 from flexel.results.periodic import PeriodicSolution, periodic_of
 from flexel.results.saved.archive import motion_of
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
     from flexel.mechanics.linearization import Linearization
 
 
-def load(path: str | Path) -> Motion | Linearization | PeriodicSolution | SpacarRecords:
+def load(path: str | Path) -> Motion | Linearization | PeriodicSolution | Flexure | SpacarRecords:
     """A result from a file that its `save` has written: .nc, .npz, .mat or .csv; or of SPACAR: .sbd, .sbm, .ltv.
 
     Nothing in the file is executed.  The result has the same names and units, without a model; `System.restore`
@@ -31,7 +32,7 @@ def load(path: str | Path) -> Motion | Linearization | PeriodicSolution | Spacar
 
     Returns
     -------
-    Motion, Linearization, PeriodicSolution or SpacarRecords
+    Motion, Linearization, PeriodicSolution, Flexure or SpacarRecords
         The saved result; of SPACAR, .sbd is a motion, .sbm and .ltv are records of matrices.
 
     Raises
@@ -68,7 +69,7 @@ SPACAR: dict[str, Callable[[Path], Motion | SpacarRecords]] = {
 }
 
 
-def _result(record: Record, path: str | Path) -> Motion | Linearization | PeriodicSolution:
+def _result(record: Record, path: str | Path) -> Motion | Linearization | PeriodicSolution | Flexure:
     """The result in a record, by its kind."""
     if record.kind == "motion":
         return motion_of(record)
@@ -76,4 +77,6 @@ def _result(record: Record, path: str | Path) -> Motion | Linearization | Period
         return linearization_of(record)
     if record.kind == "periodic":
         return periodic_of(record)
+    if record.kind == "flexure":
+        return flexure_of(record)
     raise ModelError(f"load '{path}': a result of kind '{record.kind}' is unknown here; use a newer flexel")

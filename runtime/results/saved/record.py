@@ -34,7 +34,7 @@ class Record:
     Attributes
     ----------
     kind : str
-        motion, linearization or periodic.
+        motion, linearization, periodic or flexure.
     variables : mapping of str to Variable
     labels : mapping of str to tuple of str
         Names along a dimension; dimensions that are only counted have none.

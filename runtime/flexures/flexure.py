@@ -1,0 +1,120 @@
+"""One call for flexure designers: from tables of nodes and elements to all results over the load steps."""
+
+from __future__ import annotations
+
+import warnings
+from typing import Any
+
+from flexel.base.errors import DynamicsError, IncompleteWarning, PositionError
+from flexel.flexures.declaring import declared
+from flexel.flexures.measuring import Measuring
+from flexel.flexures.releasing import freed
+from flexel.flexures.tables import read_tables
+from flexel.integration.outcome import Integration, States
+from flexel.model import Model
+from flexel.results.flexure import Flexure
+from flexel.results.motion import Motion
+from flexel.statics.path import static_path
+from flexel.structure.state import State
+from flexel.system import System
+
+UNLOADED = -1.0  # time at which only the weight acts
+
+
+def flexure(
+    nodes: Any, elements: Any, node_properties: Any = None, element_properties: Any = (), options: Any = None
+) -> Flexure:
+    """Analyse a flexure mechanism given in tables: equilibria under growing loads, and what is wanted at each.
+
+    Each node has a place and an orientation, which is that of the global axes as drawn.  An element joins two nodes; it
+    is rigid, or a leaf spring of several beams.  Over-constraint is released, first that of flexible elements, the
+    largest contribution first; the result names what was released, which keeps the stiffness of its section.
+    Nothing is printed.
+
+    Parameters
+    ----------
+    nodes : array_like (n, 3)
+        Places of the nodes [m].
+    elements : array_like of int (m, 2)
+        The two nodes of each element, numbered from 1.
+    node_properties : mapping of int to NodeProperties or mapping, optional
+        By number of the node; or a list with an entry for each node, None where there is nothing to say.
+    element_properties : sequence of ElementProperties or mapping
+        Groups of elements.
+    options : FlexureOptions or mapping, optional
+
+    Returns
+    -------
+    Flexure
+        With ``steps[i].node(3)``, ``steps[i].element(2)``, ``steps[i].frequencies``; pictures, tables and files.
+
+    Raises
+    ------
+    ModelError
+        What is wrong in the tables: it names the row.
+    ConstraintError
+        Motions that nothing resists; over-constraint, if it is not to be released.
+    PositionError, DynamicsError
+        If there is no equilibrium under the initial loads.
+
+    Warns
+    -----
+    IncompleteWarning
+        If a later load step has no equilibrium: the steps so far are returned.
+    UnstableWarning
+        If an equilibrium is unstable.
+
+    Examples
+    --------
+    >>> leaf = {"elements": [1, 3], "section": "rectangle", "dimensions": (25e-3, 0.4e-3), "material": "spring steel",
+    ...         "orientation": (0, 0, 1), "beams": 4, "flexible": [2, 3, 4]}
+    >>> found = fx.flexure([[0, 0, 0], [0, 0.1, 0], [0.06, 0.1, 0], [0.06, 0, 0]], [[1, 2], [2, 3], [3, 4]],
+    ...                    {1: {"fixed": True}, 4: {"fixed": True}, 2: {"force": (5, 0, 0), "mass": 0.5}}, [leaf])
+    >>> found.steps[-1].node(2).displacement  # doctest: +SKIP
+    """
+    tables = read_tables(nodes, elements, node_properties, element_properties, options)
+    model = declared(tables)
+    released, redundant = freed(model, tables.options.release)
+    system = model.build(t=UNLOADED)
+    states, message = _load_steps(system, model, tables.options.steps)
+    counts = {"steps": len(states) - 1, "evaluations": 0, "rechoices": 0}
+    motion = Motion(system, Integration(States(states), [], [], counts, message))
+    measuring = Measuring(tables, model, system)
+    variables = measuring.variables(states)
+    return Flexure(motion, variables, measuring.labels(variables), released, redundant, measuring.notes)
+
+
+def _load_steps(system: System, model: Model, steps: int) -> tuple[list[State], str]:
+    """Equilibria under the initial loads and at each step; a message if not all are found."""
+    state = system.equilibrium(t=UNLOADED)
+    states = [
+        _followed(system, state, 0.0) if _changes(model, UNLOADED, 0.0) else system.equilibrium(state, t=0.0)
+    ]
+    for i in range(1, steps + 1 if _changes(model, 0.0, 1.0) else 1):
+        try:
+            states.append(_followed(system, states[-1], i / steps))
+        except (PositionError, DynamicsError) as error:
+            message = f"flexure: stopped after step {i - 1} of {steps}, at {(i - 1) / steps:.3g} of the loads: {error}"
+            warnings.warn(message, IncompleteWarning, stacklevel=3)
+            return states, message
+    return states, ""
+
+
+def _changes(model: Model, start: float, end: float) -> bool:
+    """Whether a load or a prescribed motion differs between two times."""
+    functions = [*(z.function for z in model.loads), *model._motions.values()]
+    return any(z.rates(start)[0] != z.rates(end)[0] for z in functions)
+
+
+def _followed(system: System, start: State, t: float) -> State:
+    """The equilibrium at a time on the path from another; a single large step could find another one.
+
+    Raises
+    ------
+    PositionError
+        If the path does not reach that time.
+    """
+    states, message = static_path(system, t, start)
+    if message:
+        raise PositionError(message)
+    return system.equilibrium(states[-1], t=t)  # says whether it is stable

@@ -1,0 +1,195 @@
+"""All results of a flexure mechanism at its states of equilibrium, as labelled arrays."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from flexel.base.arrays import Array
+from flexel.base.errors import DynamicsError
+from flexel.base.quaternions import axis_angle, euler_angles
+from flexel.declare.materials import Profile
+from flexel.flexures.tables import Tables
+from flexel.mechanics.stress import rotation_rows
+from flexel.model import Model
+from flexel.results.flexure_step import beams_of, frame_name, node_name
+from flexel.results.saved.record import Variable
+from flexel.statics.compliance import DIRECTIONS
+from flexel.structure.state import State
+from flexel.system import System
+
+PARAMETERS = ("lambda0", "lambda1", "lambda2", "lambda3")
+TURNS = ("about z", "about new y", "about new x")
+
+
+NEVER = 1e9  # a multiplier beyond it is that of a load that no flexible part carries
+
+
+class Measuring:
+    """Results of the states of a system that was declared from tables.
+
+    Attributes
+    ----------
+    notes : list of str
+        What could not be found.
+    """
+
+    def __init__(self, tables: Tables, model: Model, system: System) -> None:
+        self.tables, self.model, self.system = tables, model, system
+        self.notes: list[str] = []
+        self.nodes = range(1, len(tables.places) + 1)
+
+    def labels(self, variables: Mapping[str, Variable]) -> dict[str, tuple[str, ...]]:
+        """Names along the dimensions of the arrays."""
+        counts = {"mode": "frequency", "buckling_mode": "buckling"}
+        numbers = {key: range(1, variables[z].values.shape[1] + 1) for key, z in counts.items()}
+        return {key: tuple(map(str, z)) for key, z in numbers.items()} | {
+            "node": tuple(map(str, self.nodes)),
+            "element": tuple(str(i + 1) for i in range(len(self.tables.ends))),
+            "component": ("x", "y", "z"),
+            "parameter": PARAMETERS,
+            "turn": TURNS,
+            "direction": DIRECTIONS,
+            "load_direction": tuple(
+                f"force {z}" if i < 3 else f"moment {z[-1]}" for i, z in enumerate(DIRECTIONS)
+            ),
+        }
+
+    def variables(self, states: Sequence[State]) -> dict[str, Variable]:
+        """All results of the states."""
+        place, per_element = ("time", "node", "component"), ("time", "element")
+        x = np.array([[z.position(node_name(i)) for i in self.nodes] for z in states])
+        q = np.array([[z.position(frame_name(i)) for i in self.nodes] for z in states])
+        turns = [[axis_angle(z) for z in row] for row in q]
+        axes, angles = (np.array([[z[i] for z in row] for row in turns]) for i in (0, 1))
+        stress = np.array([self._stress(z) for z in states])
+        forces, moments = (np.array([read(z) for z in states]) for read in (self._forces, self._moments))
+        found = {
+            "drawn": Variable(("node", "component"), self.tables.places, "m", "places as drawn"),
+            "position": Variable(place, x, "m"),
+            "quaternion": Variable(("time", "node", "parameter"), q, "", "rotation as Euler parameters"),
+            "euler_angles": Variable(
+                ("time", "node", "turn"), np.apply_along_axis(euler_angles, 2, q), "rad"
+            ),
+            "axis": Variable(place, axes, "", "axis of rotation"),
+            "angle": Variable(place[:2], angles, "rad", "angle of rotation"),
+            "reaction_force": Variable(place, forces, "N", "of supports and drives on the nodes"),
+            "reaction_moment": Variable(place, moments, "N m", "of supports and drives on the nodes"),
+            "stress": Variable(per_element, stress[:, 0], "Pa", "largest equivalent stress"),
+            "stress_at": Variable(per_element, stress[:, 1], "m", "its distance from the first node"),
+        }
+        return found | self._compliances(states) | self._vibrations(states) | self._buckling(states)
+
+    def _forces(self, state: State) -> Array:
+        return np.array([state.reactions[state.structure.places(node_name(i))] for i in self.nodes])
+
+    def _moments(self, state: State) -> Array:
+        """The moment M of reactions f on Euler parameters does the same work: f'λ' = M'ω with ω = W λ', M = W f / 4."""
+        found = []
+        for i in self.nodes:
+            places = state.structure.places(frame_name(i))
+            found.append(rotation_rows(state.x[places]) @ state.reactions[places] / 4)
+        return np.array(found)
+
+    def _stress(self, state: State) -> Array:
+        """Largest equivalent stress (m,) of each element, and its distance (m,) from the first node."""
+        elastic = {z.split(".")[0] for law in state.structure.laws for z in law.deformations}
+        instances = {z.name: z for z in state.structure.instances}
+        found = np.full((2, len(self.tables.ends)), np.nan)
+        for i, (p, q) in enumerate(self.tables.ends):
+            beams = [
+                z
+                for z in beams_of(state, i + 1)
+                if z in elastic and isinstance(instances[z].profile, Profile)
+            ]
+            if beams:
+                stresses = [state.stress(z) for z in beams]
+                k = max(range(len(beams)), key=lambda j: stresses[j].mises)
+                length = float(np.linalg.norm(self.tables.places[q - 1] - self.tables.places[p - 1]))
+                found[:, i] = stresses[k].mises, (k + (stresses[k].end == "q")) * length / len(beams)
+        return found
+
+    def _compliances(self, states: Sequence[State]) -> dict[str, Variable]:
+        """In global axes and in those that turn with the nodes; NaN for nodes that were not asked for."""
+        wanted = self.tables.options.compliance
+        if isinstance(wanted, (bool, np.bool_)):
+            chosen = list(self.nodes) if wanted else []
+        else:
+            chosen = [int(z) for z in wanted]
+        in_space = np.full((len(states), len(self.nodes), 6, 6), np.nan)
+        in_body = in_space.copy()
+        for k, state in enumerate(states):
+            for i in chosen:
+                C = self.system.compliance(node_name(i), frame_name(i), state)
+                in_space[k, i - 1], in_body[k, i - 1] = C.matrix, C.in_body
+        dims = ("time", "node", "direction", "load_direction")
+        unit = "m/N, rad/N; m/(N m), rad/(N m)"
+        return {
+            "compliance": Variable(dims, in_space, unit, "in global axes"),
+            "compliance_body": Variable(dims, in_body, unit, "in axes that turn with the node"),
+        }
+
+    def _vibrations(self, states: Sequence[State]) -> dict[str, Variable]:
+        count = self.tables.options.frequencies
+        found = [self.system.vibrations(z, count=count) if count else [] for z in states]
+        rows = [[z.hertz for z in modes] for modes in found]
+        shapes = [[self._moved(s, z.shape) for z in modes] for s, modes in zip(states, found, strict=True)]
+        return {
+            "frequency": Variable(("time", "mode"), _filled(rows), "Hz", "negative where unstable"),
+            "mode_shape": Variable(
+                ("time", "mode", "node", "direction"), _filled_shapes(shapes, len(self.nodes))
+            ),
+        }
+
+    def _buckling(self, states: Sequence[State]) -> dict[str, Variable]:
+        """Multipliers of the acting forces and moments: 1 + that of a further increment of the same."""
+        rows: list[list[float]] = []
+        shapes: list[list[Array]] = []
+        for state in states:
+            acting: dict[str, float] = {}
+            for load in self.model.loads:
+                acting[load.name] = acting.get(load.name, 0.0) + load.function.rates(state.t)[0]
+            modes = []
+            if any(acting.values()) and self.tables.options.buckling:
+                try:
+                    modes = self.system.buckling(state, increment=acting, count=self.tables.options.buckling)
+                except DynamicsError as error:
+                    self.notes.append(f"load {state.t:g}: {error}")
+            modes = [z for z in modes if abs(z.multiplier) < NEVER]
+            modes.sort(key=lambda z: abs(1 + z.multiplier))
+            rows.append([1 + z.multiplier for z in modes])
+            shapes.append([self._moved(state, z.shape) for z in modes])
+        dims = ("time", "buckling_mode", "node", "direction")
+        return {
+            "buckling": Variable(dims[:2], _filled(rows), "", "multiplier of the acting forces and moments"),
+            "buckling_shape": Variable(dims, _filled_shapes(shapes, len(self.nodes))),
+        }
+
+    def _moved(self, state: State, shape: dict[str, float]) -> Array:
+        """Displacements and rotations (n, 6) of the nodes in a shape of coordinates."""
+        found = np.zeros((len(self.nodes), 6))
+        coordinates = {z.name: z.coordinates for z in state.structure.nodes}
+        for i in self.nodes:
+            point, frame = node_name(i), frame_name(i)
+            found[i - 1, :3] = [shape.get(z, 0.0) for z in coordinates[point]]
+            change = np.array([shape.get(z, 0.0) for z in coordinates[frame]])
+            found[i - 1, 3:] = rotation_rows(state.position(frame)) @ change
+        return found
+
+
+def _filled(rows: Sequence[Sequence[float]]) -> Array:
+    """Rows of different lengths as one array, filled up with NaN."""
+    found = np.full((len(rows), max(map(len, rows))), np.nan)
+    for i, row in enumerate(rows):
+        found[i, : len(row)] = row
+    return found
+
+
+def _filled_shapes(rows: Sequence[Sequence[Array]], nodes: int) -> Array:
+    """Shapes (n, 6) in rows of different lengths as one array (rows, shapes, n, 6), filled up with NaN."""
+    found = np.full((len(rows), max(map(len, rows)), nodes, 6), np.nan)
+    for i, row in enumerate(rows):
+        for k, shape in enumerate(row):
+            found[i, k] = shape
+    return found

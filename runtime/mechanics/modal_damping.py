@@ -1,0 +1,44 @@
+"""Modal damping: every mode of a linearization gets the same damping ratio."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from scipy.linalg import eigh
+
+from flexel.base.arguments import not_negative
+from flexel.base.errors import DynamicsError, LinearizationError
+from flexel.mechanics.linearization import Linearization
+
+
+def with_modal_damping(lin: Linearization, ratio: float) -> Linearization:
+    """The linearization with the damping 2 ζ ω of each undamped mode added to C; unstable modes get none.
+
+    Parameters
+    ----------
+    lin : Linearization
+        About a state of rest, without rolling wheels.
+    ratio : float
+        Damping ratio ζ of all modes.
+
+    Raises
+    ------
+    LinearizationError
+        If there are kinematic coordinates.
+    DynamicsError
+        If a motion has no mass.
+    """
+    zeta = not_negative(ratio, "modal damping", "damping ratio")
+    if lin.kinematic:
+        raise LinearizationError(
+            "modal damping: a mechanism with rolling wheels has no undamped modes; use dampers"
+        )
+    if not zeta:
+        return lin
+    try:
+        w2, V = eigh((lin.K + lin.K.T) / 2, lin.M)
+    except np.linalg.LinAlgError as error:
+        raise DynamicsError("modal damping: a motion has no mass; give it a mass or a density") from error
+    MV = lin.M @ V
+    return replace(lin, C=lin.C + (MV * (2 * zeta * np.sqrt(np.maximum(w2, 0.0)))) @ MV.T)
