@@ -16,6 +16,7 @@ from flexel.model import Model
 from flexel.results.flexure_step import beams_of, frame_name, node_name
 from flexel.results.saved.record import Variable
 from flexel.statics.compliance import DIRECTIONS
+from flexel.statics.stability import BucklingMode
 from flexel.structure.state import State
 from flexel.system import System
 
@@ -150,10 +151,10 @@ class Measuring:
             acting: dict[str, float] = {}
             for load in self.model.loads:
                 acting[load.name] = acting.get(load.name, 0.0) + load.function.rates(state.t)[0]
-            modes = []
+            modes: list[BucklingMode] = []
             if any(acting.values()) and self.tables.options.buckling:
                 try:
-                    modes = self.system.buckling(state, increment=acting, count=self.tables.options.buckling)
+                    modes += self.system.buckling(state, increment=acting, count=self.tables.options.buckling)
                 except DynamicsError as error:
                     self.notes.append(f"load {state.t:g}: {error}")
             modes = [z for z in modes if abs(z.multiplier) < NEVER]

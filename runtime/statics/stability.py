@@ -165,7 +165,7 @@ def vibrations(system: Core, state: State, count: int) -> Listing[Vibration]:
     problem.work.tangent(0.0, 0.0, 1.0, phi=False)
     M = problem.work.tables.T.pattern.matrix(problem.free)
     if not np.any(M.diagonal()):
-        return []
+        return Listing()
     w2, V = _lowest(problem, q, M, count)
     found = [(np.sign(z) * np.sqrt(abs(z)), V[:, i]) for i, z in enumerate(w2)]
     return Listing(Vibration(float(z), _shape(system, v)) for z, v in found[:count])
