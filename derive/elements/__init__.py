@@ -7,6 +7,7 @@ from flexel.derive.elements.bearing import BEARING
 from flexel.derive.elements.body import BODY, POINT_MASS
 from flexel.derive.elements.body_velocity import BODY_VELOCITY, PLANAR_BODY_VELOCITY
 from flexel.derive.elements.cable import CABLE, PLANAR_CABLE
+from flexel.derive.elements.cam import CAM, PLANAR_CAM
 from flexel.derive.elements.hinge import HINGE
 from flexel.derive.elements.norm import NORM
 from flexel.derive.elements.planar_beam import PLANAR_BEAM, PLANAR_BEAM_FIRST_ORDER
@@ -29,6 +30,7 @@ from flexel.derive.elements.rope_contact import (
 )
 from flexel.derive.elements.rotary_inertia import PLANAR_ROTARY_INERTIA, ROTARY_INERTIA
 from flexel.derive.elements.rotation_slips import BODY_ROTATION, ROTATION
+from flexel.derive.elements.skate import PLANAR_SKATE, SKATE
 from flexel.derive.elements.slope_clamp import PLANAR_SLOPE_CLAMP, SLOPE_CLAMP
 from flexel.derive.elements.span_slips import (
     BAR_SPAN,
@@ -65,6 +67,8 @@ ELEMENTS: tuple[Element, ...] = (
     BODY_VELOCITY,
     BAR_SPAN,
     BEAM_SPAN,
+    SKATE,
+    CAM,
     PLANAR_POINT_MASS,
     PLANAR_BODY,
     PLANAR_ROTARY_INERTIA,
@@ -77,6 +81,8 @@ ELEMENTS: tuple[Element, ...] = (
     PLANAR_BELT,
     PLANAR_GEAR,
     PLANAR_WHEEL,
+    PLANAR_SKATE,
+    PLANAR_CAM,
     PLANAR_BODY_VELOCITY,
     PLANAR_BAR_SPAN,
     PLANAR_BEAM_SPAN,
