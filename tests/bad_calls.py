@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from junk import ENTRIES, JUNK, NOT_FINITE, admitted, inside
+from valid_joints import JOINTS
 from valid_models import MODELS
 from valid_results import RESULTS
 from valid_systems import SYSTEMS
@@ -14,7 +15,7 @@ from valid_values import VALUES
 
 import flexel as fx
 
-VALID = VALUES | MODELS | SYSTEMS | RESULTS
+VALID = VALUES | MODELS | JOINTS | SYSTEMS | RESULTS
 OWN_WARNINGS = (
     fx.AssemblyWarning, fx.IncompleteWarning, fx.RangeWarning, fx.UnstableWarning, fx.UnsteadyWarning,
 )  # fmt: skip
@@ -22,7 +23,8 @@ OWN_WARNINGS = (
 MADE_BY_FLEXEL = {
     "BeamStress", "BucklingMode", "CheckReport", "Compliance", "ConstraintReport", "Ensemble", "Finding",
     "Linearization", "Linearizations", "Mode", "Motion", "PeriodicBranch", "PeriodicSolution", "Points",
-    "Reduced", "RootLoci", "Rope", "Spacar", "SpacarRecords", "State", "StressPoint", "System", "Vibration",
+    "Reduced", "RigidBody", "RootLoci", "Rope", "Spacar", "SpacarRecords", "State", "StressPoint", "System",
+    "Vibration",
 }  # fmt: skip
 # Methods that the parts of flexel call with checked values, and those of tuple.
 INTERNAL = {
