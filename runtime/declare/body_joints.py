@@ -131,7 +131,7 @@ class BodyJoints(JointPlaces, RelationMethods):
         rise = number(pitch, owner, "pitch")
         if not rise:
             raise ModelError(f"{owner}: pitch 0 lets the nut turn without travel; use m.revolute")
-        self._pin("screw", name, p, q, at, axis, "a plane has no room for one")
+        self._pin("screw", name, p, q, at, axis, "relate a slide and a turn by m.relation")
         self._free(name, "axial")
         self.relation(f"{name}_thread", {f"{name}.axial": 1.0, f"{name}.angle": -rise / (2 * np.pi)})
 

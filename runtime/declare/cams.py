@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from flexel.base.arguments import array, vector
+from flexel.base.arguments import array, span, vector
 from flexel.base.arrays import Array, Vector
 from flexel.base.errors import ModelError
-from flexel.base.quaternions import from_matrix, in_frame, unit
+from flexel.base.quaternions import from_matrix, in_body, in_frame, unit
 from flexel.base.transactions import whole_or_nothing
 from flexel.declare.rigid_bodies import Given, RigidBodies
 from flexel.generated.table import ELEMENTS
@@ -74,11 +74,7 @@ class Cams(RigidBodies):
         size = bodies[0].point.x0.size
         x = vector(at, owner, "at", size)
         c = bodies[0].point.x0 if centre is None else vector(centre, owner, "centre", size)
-        e = (
-            unit(x - c, owner, "line from the centre to 'at'", size)
-            if start is None
-            else unit(start, owner, "start", size)
-        )
+        e = span(c, x, owner)[0] if start is None else unit(start, owner, "start", size)
         values = {"control": control_values(outline, owner)}
         points = [
             self._point_of(z, y, f"{name}_{end}") for z, y, end in zip(bodies, (c, x), "pq", strict=True)
@@ -86,8 +82,13 @@ class Cams(RigidBodies):
         frame = bodies[0].frame
         if size == 2:
             values["alpha0"] = np.arctan2(e[1], e[0]) - frame.x0
+            arm = x - c
         else:
-            values["tp"] = in_frame(frame.x0, _axes(owner, e, axis))
+            T = _axes(owner, e, axis)
+            values["tp"] = in_frame(frame.x0, T)
+            arm = in_body(T, x - c)[:2]
+        if np.linalg.norm(arm) < 1e-9 * np.max(values["control"]):
+            raise ModelError(f"{owner}: the roller is drawn on the axis of the cam; move 'at' to the outline")
         self._place(name, "cam" if size == 3 else "planar_cam", (points[0], frame, points[1]), values)
 
 

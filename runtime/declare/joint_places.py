@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from flexel.base.arguments import number, vector
+from flexel.base.arguments import not_negative, vector
 from flexel.base.arrays import Array, Vector
 from flexel.base.errors import ModelError
 from flexel.base.quaternions import in_body, unit
@@ -101,8 +101,9 @@ class JointPlaces(RigidBodies, Friction):
     ) -> None:
         """A spring, a damper, stops and friction on the free deformation of a joint."""
         owner = f"joint '{on.partition('.')[0]}'"
-        if stiffness is not None or number(damping, owner, "damping"):
-            self.spring(on, stiffness, damping)
+        d = not_negative(damping, owner, "damping")
+        if stiffness is not None or d:
+            self.spring(on, stiffness, d)
         if stops is not None:
             self.limits(on, *_few(owner, "stops", stops, ("low", "high", "stiffness", "damping"), 3))
         if friction is not None:

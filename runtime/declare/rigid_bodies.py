@@ -103,12 +103,12 @@ class RigidBodies(Joints, Bodies, Nodes):
         """The bodies that a joint joins, both planar or both spatial; the ground is made when first asked for."""
         planar = None
         for given in (p, q):
-            if given != GROUND:
+            if not _is_ground(given):
                 planar = self._rigid_body(given, owner).planar
         if planar is None:
             raise ModelError(f"{owner}: both its bodies are the ground; name two different ones")
         first, second = (
-            self._ground(planar, owner) if given == GROUND else self._rigid_body(given, owner)
+            self._ground(planar, owner) if _is_ground(given) else self._rigid_body(given, owner)
             for given in (p, q)
         )
         if first.planar != second.planar:
@@ -161,6 +161,10 @@ class RigidBodies(Joints, Bodies, Nodes):
             if np.linalg.norm(node.x0 - place) <= NEAR * max(1.0, float(np.max(np.abs(place)))):
                 return self.nodes[node.name]
         return _new_point(self, body, name, place)
+
+
+def _is_ground(given: object) -> bool:
+    return isinstance(given, str) and given == GROUND
 
 
 def _new_point(model: RigidBodies, body: RigidBody, name: str, place: Array) -> Node:
