@@ -9,7 +9,10 @@ from flexel.declare.displacements import displacement
 from flexel.declare.springs import Springs
 from flexel.generated.table import LAWS
 
-PLAY = {"bearing": ("radial1", "radial2", "angle"), "planar_bearing": ("along", "across", "angle")}
+PLAY = {
+    False: ("radial1", "radial2", "angle"),
+    True: ("along", "across", "angle"),
+}  # of a bearing: planar or not
 
 
 class Friction(Springs):
@@ -95,7 +98,7 @@ class Friction(Springs):
         """
         owner = f"clearance of '{joint}'"
         spec = self.instances[joint].spec if isinstance(joint, str) and joint in self.instances else None
-        if spec is None or spec.name not in PLAY:
+        if spec is None or spec.family != "bearing":
             raise ModelError(f"{owner}: it is no joint with a pin; name one made by m.revolute or m.bearing")
         values = {
             "gap": positive(gap, owner, "gap"),
@@ -104,4 +107,4 @@ class Friction(Springs):
             "friction_radius": not_negative(friction_radius, owner, "friction_radius"),
             "slip_speed": positive(slip_speed, owner, "slip_speed"),
         }
-        self._add_law(owner, LAWS["loose_journal"], [f"{joint}.{z}" for z in PLAY[spec.name]], values)
+        self._add_law(owner, LAWS["loose_journal"], [f"{joint}.{z}" for z in PLAY[spec.planar]], values)
