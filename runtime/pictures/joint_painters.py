@@ -28,8 +28,8 @@ def blade(state: State, instance: Instance) -> Iterator[Shape]:
 
 
 def cam(state: State, instance: Instance) -> Iterator[Shape]:
-    """The pitch curve of a cam, with a spoke at the angle zero, and the centre of the follower's roller."""
-    p, frame, q = instance.nodes
+    """The pitch curve of a cam, with a spoke at the angle zero."""
+    p, frame, _ = instance.nodes
     turn = instance.parameters["alpha0" if instance.spec.planar else "tp"]
     axes = axes_of(state, frame) @ (turned(float(turn[0])) if instance.spec.planar else matrix(turn))
     r = at_knots(instance.parameters["control"])
@@ -39,4 +39,3 @@ def cam(state: State, instance: Instance) -> Iterator[Shape]:
     line = centre + ring @ axes.T
     yield Shape("rim", instance.name, (line,), (centre, axes))
     yield Shape("valve", instance.name, (np.array([centre, line[0]]),), (centre, axes))
-    yield Shape("joint", instance.name, (place(state, q)[None],))
