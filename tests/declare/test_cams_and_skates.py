@@ -95,6 +95,23 @@ def test_values_at_equal_steps_are_met_whatever_their_number() -> None:
             assert found == pytest.approx(whole(np.arange(PIECES) * n / PIECES), abs=1e-13)
 
 
+def test_implicit_steps_follow_cams_and_skates_too() -> None:
+    m = valve(True)
+    m.prescribe("shaft.angle", lambda t: -2.0 * t)
+    motion = m.build().simulate(2.0, samples=21, method="generalized-alpha")
+    at_rest = eccentric(np.pi / 2)
+    angles = np.pi / 2 + 2.0 * motion.t
+    expected = [eccentric(float(z)) - at_rest for z in angles]
+    assert motion["guide.along"] == pytest.approx(expected, abs=1e-8)
+    for planar in (True, False):
+        m = sleigh(planar)
+        m.initial("sled_frame.angle" if planar else "ice.angle", rate=3.0)
+        m.initial("sled.y", rate=0.9)
+        s = m.build()
+        ends = [s.simulate(1.0, rtol=1e-8, method=z)[-1]["sled.x"] for z in ("DOP853", "generalized-alpha")]
+        assert ends[0] == pytest.approx(ends[1], abs=2e-5)
+
+
 def test_outlines_that_are_none_are_refused_by_name() -> None:
     for outline, words in (
         ([0.1] * 7, r"has shape \(7,\); give 6, 8"),
