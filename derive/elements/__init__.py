@@ -7,7 +7,6 @@ from flexel.derive.elements.bearing import BEARING
 from flexel.derive.elements.body import BODY, POINT_MASS
 from flexel.derive.elements.body_velocity import BODY_VELOCITY, PLANAR_BODY_VELOCITY
 from flexel.derive.elements.cable import CABLE, PLANAR_CABLE
-from flexel.derive.elements.cam import CAM, PLANAR_CAM
 from flexel.derive.elements.hinge import HINGE
 from flexel.derive.elements.norm import NORM
 from flexel.derive.elements.planar_beam import PLANAR_BEAM, PLANAR_BEAM_FIRST_ORDER
@@ -21,6 +20,7 @@ from flexel.derive.elements.planar_point_contact import PLANAR_DISC_CONTACTS, PL
 from flexel.derive.elements.planar_rope_contact import PLANAR_CABLE_CIRCLE, PLANAR_CABLE_LINE
 from flexel.derive.elements.planar_wheel import PLANAR_WHEEL
 from flexel.derive.elements.point_contact import POINT_CONTACTS, SPHERE_CONTACTS
+from flexel.derive.elements.roller_cam import PLANAR_ROLLER_CAM, ROLLER_CAM
 from flexel.derive.elements.rope_contact import (
     CABLE_CYLINDER,
     CABLE_HELICAL_GROOVE,
@@ -68,7 +68,7 @@ ELEMENTS: tuple[Element, ...] = (
     BAR_SPAN,
     BEAM_SPAN,
     SKATE,
-    CAM,
+    ROLLER_CAM,
     PLANAR_POINT_MASS,
     PLANAR_BODY,
     PLANAR_ROTARY_INERTIA,
@@ -82,7 +82,7 @@ ELEMENTS: tuple[Element, ...] = (
     PLANAR_GEAR,
     PLANAR_WHEEL,
     PLANAR_SKATE,
-    PLANAR_CAM,
+    PLANAR_ROLLER_CAM,
     PLANAR_BODY_VELOCITY,
     PLANAR_BAR_SPAN,
     PLANAR_BEAM_SPAN,

@@ -15,7 +15,7 @@ from flexel.base.transactions import whole_or_nothing
 from flexel.declare.rigid_bodies import Given, RigidBodies
 from flexel.generated.table import ELEMENTS
 
-PIECES = next(z.size for z in ELEMENTS["cam"].parameters if z.name == "control")
+PIECES = next(z.size for z in ELEMENTS["roller_cam"].parameters if z.name == "control")
 FEWEST = 6  # equal steps of an outline: the support of a spline of degree five
 AT_KNOTS = np.array([1, 26, 66, 26, 1]) / 120  # B-splines of degree five at the knots of their support
 
@@ -89,7 +89,9 @@ class Cams(RigidBodies):
             arm = in_body(T, x - c)[:2]
         if np.linalg.norm(arm) < 1e-9 * np.max(values["control"]):
             raise ModelError(f"{owner}: the roller is drawn on the axis of the cam; move 'at' to the outline")
-        self._place(name, "cam" if size == 3 else "planar_cam", (points[0], frame, points[1]), values)
+        self._place(
+            name, "roller_cam" if size == 3 else "planar_roller_cam", (points[0], frame, points[1]), values
+        )
 
 
 def control_values(outline: Outline, owner: str) -> Array:

@@ -51,18 +51,18 @@ def test_a_planar_skate_is_the_spatial_one_upright(rng: random.Random) -> None:
 
 
 def test_a_cam_with_equal_control_values_is_round(rng: random.Random) -> None:
-    for name in ("cam", "planar_cam"):
+    for name in ("roller_cam", "planar_roller_cam"):
         d = numbers(BY_NAME[name], control=[mpf("0.3")] * PIECES, tp=[1, 0, 0, 0])
         for _ in range(20):
             a = mpf(rng.uniform(-3.14, 3.14))
             place = [mpf("0.7") * cos(a), mpf("0.7") * sin(a)]
-            x = [0, 0, 0, 1, 0, 0, 0, *place, mpf("0.2")] if name == "cam" else [0, 0, 0, *place]
+            x = [0, 0, 0, 1, 0, 0, 0, *place, mpf("0.2")] if name == "roller_cam" else [0, 0, 0, *place]
             assert equal(d.D([mpf(z) for z in x]), [mpf("0.4")])
 
 
 def test_the_outline_of_a_cam_is_smooth_at_all_its_knots(rng: random.Random) -> None:
     """Fourth differences do not jump across a knot, nor the outline across the cut of the angle."""
-    d = numbers(BY_NAME["planar_cam"], control=[mpf(rng.uniform(0.2, 0.4)) for _ in range(PIECES)])
+    d = numbers(BY_NAME["planar_roller_cam"], control=[mpf(rng.uniform(0.2, 0.4)) for _ in range(PIECES)])
     h = mpf(10) ** -4
 
     def outline(a: mpf) -> mpf:
@@ -85,8 +85,8 @@ def test_the_plane_of_a_cam_may_lie_anywhere(rng: random.Random) -> None:
     """In space it is the planar cam in the plane of its triad, whatever the distance from that plane."""
     control = [mpf(rng.uniform(0.2, 0.4)) for _ in range(PIECES)]
     triad, frame = unit(column(rng, 4)), unit(column(rng, 4))
-    tall = numbers(BY_NAME["cam"], control=control, tp=triad)
-    flat = numbers(BY_NAME["planar_cam"], control=control)
+    tall = numbers(BY_NAME["roller_cam"], control=control, tp=triad)
+    flat = numbers(BY_NAME["planar_roller_cam"], control=control)
     p, (a, b, c) = column(rng, 3), column(rng, 3)
     q = plus(p, rotated(product(frame, triad), [a, b, c]))
     assert equal(tall.D([*p, *frame, *q]), flat.D([mpf(0), mpf(0), mpf(0), a, b]))

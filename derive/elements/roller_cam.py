@@ -91,7 +91,7 @@ def _cam() -> Element:
     let = Let()
     axes = named_triad(let, named_quaternion(let, rp, TP, "p"), "p")
     place = components(axes, let.vector("d", q.x - p.x))
-    return _element("cam", nodes, "ex, ey, columns of R(lambda_p o tp)", let, place, TP)
+    return _element("roller_cam", nodes, "ex, ey, columns of R(lambda_p o tp)", let, place, TP)
 
 
 def _planar_cam() -> Element:
@@ -100,9 +100,9 @@ def _planar_cam() -> Element:
     ex, ey = named_directions(let, rp, ALPHA0, "p")
     d = let.vector("d", q.x - p.x)
     return _element(
-        "planar_cam", nodes, "ex, ey (angle_p + alpha0)", let, Matrix([dot(ex, d), dot(ey, d)]), ALPHA0
+        "planar_roller_cam", nodes, "ex, ey (angle_p + alpha0)", let, Matrix([dot(ex, d), dot(ey, d)]), ALPHA0
     )
 
 
-CAM = _cam()
-PLANAR_CAM = _planar_cam()
+ROLLER_CAM = _cam()
+PLANAR_ROLLER_CAM = _planar_cam()
