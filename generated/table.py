@@ -1479,10 +1479,10 @@ ELEMENTS: dict[str, ElementSpec] = {
         },
         picture="blade",
     ),
-    # element cam
-    "cam": ElementSpec(
-        name="cam",
-        digest="c29bc7f6cefe7c6e",
+    # element roller_cam
+    "roller_cam": ElementSpec(
+        name="roller_cam",
+        digest="daab8fbbccc939a8",
         doc="(a, b) = components of xq - xp on ex, ey, columns of R(lambda_p o tp), r = sqrt(a^2 + b^2), theta = atan2(b, a)\nu = 48 theta/(2 pi), between i and i + 1; t = u - i\noutline = sum over j = 0 ... 5 of control[(i + j - 2) mod 48] B_j(t), uniform B-splines of degree five\ngap = r - outline",
         source="pitch curve of a radial cam; de Boor 1978, A Practical Guide to Splines",
         nodes=(
@@ -2388,10 +2388,10 @@ ELEMENTS: dict[str, ElementSpec] = {
         },
         picture="blade",
     ),
-    # element planar_cam
-    "planar_cam": ElementSpec(
-        name="planar_cam",
-        digest="2063e159bbb5a54d",
+    # element planar_roller_cam
+    "planar_roller_cam": ElementSpec(
+        name="planar_roller_cam",
+        digest="7a0670c019a4279f",
         doc="(a, b) = components of xq - xp on ex, ey (angle_p + alpha0), r = sqrt(a^2 + b^2), theta = atan2(b, a)\nu = 48 theta/(2 pi), between i and i + 1; t = u - i\noutline = sum over j = 0 ... 5 of control[(i + j - 2) mod 48] B_j(t), uniform B-splines of degree five\ngap = r - outline",
         source="pitch curve of a radial cam; de Boor 1978, A Practical Guide to Splines",
         nodes=(

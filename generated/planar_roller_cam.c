@@ -1,4 +1,4 @@
-/* planar_cam: kernels of an element. Written by `flexel derive`; do not edit.
+/* planar_roller_cam: kernels of an element. Written by `flexel derive`; do not edit.
  *
  * (a, b) = components of xq - xp on ex, ey (angle_p + alpha0), r = sqrt(a^2 + b^2), theta = atan2(b, a)
  * u = 48 theta/(2 pi), between i and i + 1; t = u - i
@@ -19,7 +19,7 @@
  * in:  x (5), p (49)
  * out: e (1), De (1,5), V (0,5) */
 FLEXEL_CLONES
-static void planar_cam_position(size_t nblocks, const real *const *in, real *const *out)
+static void planar_roller_cam_position(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict x = in[0] + b * (5 * 8);
@@ -338,7 +338,7 @@ static void planar_cam_position(size_t nblocks, const real *const *in, real *con
  * in:  x (5), v (5), p (49)
  * out: g (1), gs (0) */
 FLEXEL_CLONES
-static void planar_cam_acceleration(size_t nblocks, const real *const *in, real *const *out)
+static void planar_roller_cam_acceleration(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict x = in[0] + b * (5 * 8);
@@ -678,7 +678,7 @@ static void planar_cam_acceleration(size_t nblocks, const real *const *in, real 
  * in:  x (5), v (5), p (49)
  * out: Phi_x (1,5) */
 FLEXEL_CLONES
-static void planar_cam_rates(size_t nblocks, const real *const *in, real *const *out)
+static void planar_roller_cam_rates(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict x = in[0] + b * (5 * 8);
@@ -1048,7 +1048,7 @@ static void planar_cam_rates(size_t nblocks, const real *const *in, real *const 
  * in:  x (5), v (5), a (5), p (49)
  * out: Psi_x (1,5), Psi_v (1,5) */
 FLEXEL_CLONES
-static void planar_cam_kinematics(size_t nblocks, const real *const *in, real *const *out)
+static void planar_roller_cam_kinematics(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict x = in[0] + b * (5 * 8);
@@ -1548,7 +1548,7 @@ static void planar_cam_kinematics(size_t nblocks, const real *const *in, real *c
  * in:  x (5), sigma (1), tau (0), p (49)
  * out: K (5,5) */
 FLEXEL_CLONES
-static void planar_cam_stiffness(size_t nblocks, const real *const *in, real *const *out)
+static void planar_roller_cam_stiffness(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict x = in[0] + b * (5 * 8);
@@ -1899,16 +1899,16 @@ static void planar_cam_stiffness(size_t nblocks, const real *const *in, real *co
     }
 }
 
-const flexel_element flexel_planar_cam = {
-    .name = "planar_cam",
-    .digest = "2063e159bbb5a54d",
+const flexel_element flexel_planar_roller_cam = {
+    .name = "planar_roller_cam",
+    .digest = "7a0670c019a4279f",
     .n = 5,
     .m = 1,
     .k = 0,
     .np = 49,
-    .position = planar_cam_position,
-    .acceleration = planar_cam_acceleration,
-    .rates = planar_cam_rates,
-    .kinematics = planar_cam_kinematics,
-    .stiffness = planar_cam_stiffness,
+    .position = planar_roller_cam_position,
+    .acceleration = planar_roller_cam_acceleration,
+    .rates = planar_roller_cam_rates,
+    .kinematics = planar_roller_cam_kinematics,
+    .stiffness = planar_roller_cam_stiffness,
 };

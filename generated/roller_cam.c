@@ -1,4 +1,4 @@
-/* cam: kernels of an element. Written by `flexel derive`; do not edit.
+/* roller_cam: kernels of an element. Written by `flexel derive`; do not edit.
  *
  * (a, b) = components of xq - xp on ex, ey, columns of R(lambda_p o tp), r = sqrt(a^2 + b^2), theta = atan2(b, a)
  * u = 48 theta/(2 pi), between i and i + 1; t = u - i
@@ -19,7 +19,7 @@
  * in:  x (10), p (52)
  * out: e (1), De (1,10), V (0,10) */
 FLEXEL_CLONES
-static void cam_position(size_t nblocks, const real *const *in, real *const *out)
+static void roller_cam_position(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict x = in[0] + b * (10 * 8);
@@ -382,7 +382,7 @@ static void cam_position(size_t nblocks, const real *const *in, real *const *out
  * in:  x (10), v (10), p (52)
  * out: g (1), gs (0) */
 FLEXEL_CLONES
-static void cam_acceleration(size_t nblocks, const real *const *in, real *const *out)
+static void roller_cam_acceleration(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict x = in[0] + b * (10 * 8);
@@ -767,7 +767,7 @@ static void cam_acceleration(size_t nblocks, const real *const *in, real *const 
  * in:  x (10), v (10), p (52)
  * out: Phi_x (1,10) */
 FLEXEL_CLONES
-static void cam_rates(size_t nblocks, const real *const *in, real *const *out)
+static void roller_cam_rates(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict x = in[0] + b * (10 * 8);
@@ -1209,7 +1209,7 @@ static void cam_rates(size_t nblocks, const real *const *in, real *const *out)
  * in:  x (10), v (10), a (10), p (52)
  * out: Psi_x (1,10), Psi_v (1,10) */
 FLEXEL_CLONES
-static void cam_kinematics(size_t nblocks, const real *const *in, real *const *out)
+static void roller_cam_kinematics(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict x = in[0] + b * (10 * 8);
@@ -1866,7 +1866,7 @@ static void cam_kinematics(size_t nblocks, const real *const *in, real *const *o
  * in:  x (10), sigma (1), tau (0), p (52)
  * out: K (10,10) */
 FLEXEL_CLONES
-static void cam_stiffness(size_t nblocks, const real *const *in, real *const *out)
+static void roller_cam_stiffness(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict x = in[0] + b * (10 * 8);
@@ -2387,16 +2387,16 @@ static void cam_stiffness(size_t nblocks, const real *const *in, real *const *ou
     }
 }
 
-const flexel_element flexel_cam = {
-    .name = "cam",
-    .digest = "c29bc7f6cefe7c6e",
+const flexel_element flexel_roller_cam = {
+    .name = "roller_cam",
+    .digest = "daab8fbbccc939a8",
     .n = 10,
     .m = 1,
     .k = 0,
     .np = 52,
-    .position = cam_position,
-    .acceleration = cam_acceleration,
-    .rates = cam_rates,
-    .kinematics = cam_kinematics,
-    .stiffness = cam_stiffness,
+    .position = roller_cam_position,
+    .acceleration = roller_cam_acceleration,
+    .rates = roller_cam_rates,
+    .kinematics = roller_cam_kinematics,
+    .stiffness = roller_cam_stiffness,
 };
