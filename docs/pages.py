@@ -35,6 +35,7 @@ Rows = list[dict[str, Any]]
 HOMES = {  # sections of the page of public names: title and modules
     "Models": (
         "flexel.model",
+        "flexel.structure.rigid_bodies",
         "flexel.mechanics.findings",
         "flexel.declare.sections",
         "flexel.declare.round_sections",

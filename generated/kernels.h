@@ -158,6 +158,8 @@ extern const flexel_element flexel_body_rotation;
 extern const flexel_element flexel_body_velocity;
 extern const flexel_element flexel_bar_span;
 extern const flexel_element flexel_beam_span;
+extern const flexel_element flexel_skate;
+extern const flexel_element flexel_roller_cam;
 extern const flexel_element flexel_planar_point_mass;
 extern const flexel_element flexel_planar_body;
 extern const flexel_element flexel_planar_rotary_inertia;
@@ -170,6 +172,8 @@ extern const flexel_element flexel_planar_bearing;
 extern const flexel_element flexel_planar_belt;
 extern const flexel_element flexel_planar_gear;
 extern const flexel_element flexel_planar_wheel;
+extern const flexel_element flexel_planar_skate;
+extern const flexel_element flexel_planar_roller_cam;
 extern const flexel_element flexel_planar_body_velocity;
 extern const flexel_element flexel_planar_bar_span;
 extern const flexel_element flexel_planar_beam_span;
@@ -223,6 +227,10 @@ extern const flexel_law flexel_law_hertz_coulomb_2;
 extern const flexel_law flexel_law_hertz_bristle_1;
 extern const flexel_law flexel_law_hertz_bristle_2;
 extern const flexel_law flexel_law_journal;
+extern const flexel_law flexel_law_friction;
+extern const flexel_law flexel_law_slip_friction;
+extern const flexel_law flexel_law_limits;
+extern const flexel_law flexel_law_loose_journal;
 /* cdef: end */
 
 #endif

@@ -66,7 +66,7 @@ static void linear_1_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_1 = {
     .name = "linear_1",
-    .digest = "7a357eb97af146ca",
+    .digest = "b8fb0fdf1d03c48e",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -159,7 +159,7 @@ static void linear_2_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_2 = {
     .name = "linear_2",
-    .digest = "7a357eb97af146ca",
+    .digest = "b8fb0fdf1d03c48e",
     .m = 2,
     .k = 0,
     .nz = 0,
@@ -279,7 +279,7 @@ static void linear_3_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_3 = {
     .name = "linear_3",
-    .digest = "7a357eb97af146ca",
+    .digest = "b8fb0fdf1d03c48e",
     .m = 3,
     .k = 0,
     .nz = 0,
@@ -436,7 +436,7 @@ static void linear_4_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_4 = {
     .name = "linear_4",
-    .digest = "7a357eb97af146ca",
+    .digest = "b8fb0fdf1d03c48e",
     .m = 4,
     .k = 0,
     .nz = 0,
@@ -633,7 +633,7 @@ static void linear_5_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_5 = {
     .name = "linear_5",
-    .digest = "7a357eb97af146ca",
+    .digest = "b8fb0fdf1d03c48e",
     .m = 5,
     .k = 0,
     .nz = 0,
@@ -884,7 +884,7 @@ static void linear_6_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_6 = {
     .name = "linear_6",
-    .digest = "7a357eb97af146ca",
+    .digest = "b8fb0fdf1d03c48e",
     .m = 6,
     .k = 0,
     .nz = 0,
@@ -1026,7 +1026,7 @@ static void diagonal_6_tangent(size_t nblocks, const real *const *in, real *cons
 
 const flexel_law flexel_law_diagonal_6 = {
     .name = "diagonal_6",
-    .digest = "7a357eb97af146ca",
+    .digest = "b8fb0fdf1d03c48e",
     .m = 6,
     .k = 0,
     .nz = 0,
@@ -1250,7 +1250,7 @@ static void diagonal_12_tangent(size_t nblocks, const real *const *in, real *con
 
 const flexel_law flexel_law_diagonal_12 = {
     .name = "diagonal_12",
-    .digest = "7a357eb97af146ca",
+    .digest = "b8fb0fdf1d03c48e",
     .m = 12,
     .k = 0,
     .nz = 0,
@@ -1310,7 +1310,7 @@ static void viscous_1_tangent(size_t nblocks, const real *const *in, real *const
 
 const flexel_law flexel_law_viscous_1 = {
     .name = "viscous_1",
-    .digest = "7a357eb97af146ca",
+    .digest = "b8fb0fdf1d03c48e",
     .m = 0,
     .k = 1,
     .nz = 0,
@@ -1379,7 +1379,7 @@ static void viscous_2_tangent(size_t nblocks, const real *const *in, real *const
 
 const flexel_law flexel_law_viscous_2 = {
     .name = "viscous_2",
-    .digest = "7a357eb97af146ca",
+    .digest = "b8fb0fdf1d03c48e",
     .m = 0,
     .k = 2,
     .nz = 0,
@@ -1460,7 +1460,7 @@ static void viscous_3_tangent(size_t nblocks, const real *const *in, real *const
 
 const flexel_law flexel_law_viscous_3 = {
     .name = "viscous_3",
-    .digest = "7a357eb97af146ca",
+    .digest = "b8fb0fdf1d03c48e",
     .m = 0,
     .k = 3,
     .nz = 0,
@@ -1901,7 +1901,7 @@ static void spring_curve_tangent(size_t nblocks, const real *const *in, real *co
 
 const flexel_law flexel_law_spring_curve = {
     .name = "spring_curve",
-    .digest = "7a357eb97af146ca",
+    .digest = "b8fb0fdf1d03c48e",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -2317,7 +2317,7 @@ static void damper_curve_tangent(size_t nblocks, const real *const *in, real *co
 
 const flexel_law flexel_law_damper_curve = {
     .name = "damper_curve",
-    .digest = "7a357eb97af146ca",
+    .digest = "b8fb0fdf1d03c48e",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -2398,7 +2398,7 @@ static void stop_tangent(size_t nblocks, const real *const *in, real *const *out
 
 const flexel_law flexel_law_stop = {
     .name = "stop",
-    .digest = "7a357eb97af146ca",
+    .digest = "b8fb0fdf1d03c48e",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -2474,7 +2474,7 @@ static void vertical_tyre_tangent(size_t nblocks, const real *const *in, real *c
 
 const flexel_law flexel_law_vertical_tyre = {
     .name = "vertical_tyre",
-    .digest = "7a357eb97af146ca",
+    .digest = "b8fb0fdf1d03c48e",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -2634,7 +2634,7 @@ static void linear_tyre_tangent(size_t nblocks, const real *const *in, real *con
 
 const flexel_law flexel_law_linear_tyre = {
     .name = "linear_tyre",
-    .digest = "7a357eb97af146ca",
+    .digest = "b8fb0fdf1d03c48e",
     .m = 2,
     .k = 4,
     .nz = 0,
@@ -2871,7 +2871,7 @@ static void calspan_tyre_tangent(size_t nblocks, const real *const *in, real *co
 
 const flexel_law flexel_law_calspan_tyre = {
     .name = "calspan_tyre",
-    .digest = "7a357eb97af146ca",
+    .digest = "b8fb0fdf1d03c48e",
     .m = 2,
     .k = 4,
     .nz = 0,
@@ -3211,7 +3211,7 @@ static void magic_formula_tangent(size_t nblocks, const real *const *in, real *c
 
 const flexel_law flexel_law_magic_formula = {
     .name = "magic_formula",
-    .digest = "7a357eb97af146ca",
+    .digest = "b8fb0fdf1d03c48e",
     .m = 2,
     .k = 5,
     .nz = 2,
@@ -3324,7 +3324,7 @@ static void hertz_tangent(size_t nblocks, const real *const *in, real *const *ou
 
 const flexel_law flexel_law_hertz = {
     .name = "hertz",
-    .digest = "7a357eb97af146ca",
+    .digest = "b8fb0fdf1d03c48e",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -3468,7 +3468,7 @@ static void hertz_coulomb_1_tangent(size_t nblocks, const real *const *in, real 
 
 const flexel_law flexel_law_hertz_coulomb_1 = {
     .name = "hertz_coulomb_1",
-    .digest = "7a357eb97af146ca",
+    .digest = "b8fb0fdf1d03c48e",
     .m = 1,
     .k = 1,
     .nz = 0,
@@ -3632,7 +3632,7 @@ static void hertz_coulomb_2_tangent(size_t nblocks, const real *const *in, real 
 
 const flexel_law flexel_law_hertz_coulomb_2 = {
     .name = "hertz_coulomb_2",
-    .digest = "7a357eb97af146ca",
+    .digest = "b8fb0fdf1d03c48e",
     .m = 1,
     .k = 2,
     .nz = 0,
@@ -3810,7 +3810,7 @@ static void hertz_bristle_1_tangent(size_t nblocks, const real *const *in, real 
 
 const flexel_law flexel_law_hertz_bristle_1 = {
     .name = "hertz_bristle_1",
-    .digest = "7a357eb97af146ca",
+    .digest = "b8fb0fdf1d03c48e",
     .m = 1,
     .k = 1,
     .nz = 1,
@@ -4015,7 +4015,7 @@ static void hertz_bristle_2_tangent(size_t nblocks, const real *const *in, real 
 
 const flexel_law flexel_law_hertz_bristle_2 = {
     .name = "hertz_bristle_2",
-    .digest = "7a357eb97af146ca",
+    .digest = "b8fb0fdf1d03c48e",
     .m = 1,
     .k = 2,
     .nz = 2,
@@ -4125,11 +4125,389 @@ static void journal_tangent(size_t nblocks, const real *const *in, real *const *
 
 const flexel_law flexel_law_journal = {
     .name = "journal",
-    .digest = "7a357eb97af146ca",
+    .digest = "b8fb0fdf1d03c48e",
     .m = 3,
     .k = 0,
     .nz = 0,
     .np = 4,
     .law = journal_law,
     .tangent = journal_tangent,
+};
+
+/* friction
+ *
+ * sigma = limit w/sqrt(w^2 + speed^2), w = edot
+ *
+ * Source: Coulomb's friction, regularized
+ *
+ * 1 deformations, 0 slips
+ * p (2):
+ *   limit (1) [N or N m]: friction of fast motion
+ *   speed (1) [m/s or rad/s]: speed at which 71 % of the friction acts */
+
+/* law: 8 operations.
+ * in:  e (1), ed (1), s (0), z (0), t (1), p (2)
+ * out: sigma (1), tau (0), zd (0), U (1), 0 of 1 entries, P (1) */
+FLEXEL_CLONES
+static void friction_law(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict ed = in[1] + b * (1 * 8);
+        const real *restrict p = in[5] + b * (2 * 8);
+        real *restrict sigma = out[0] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real ed_ = ed[0 * 8 + j];
+            const real speed = p[1 * 8 + j];
+            const real limit = p[0 * 8 + j];
+            const real t0 = 1.0 / real_sqrt(ed_ * ed_ + speed * speed) * ed_ * limit;
+            sigma[0 * 8 + j] = t0;
+            P[0 * 8 + j] = ed_ * t0;
+        }
+    }
+}
+
+/* tangent: 10 operations.
+ * in:  e (1), ed (1), s (0), z (0), t (1), p (2)
+ * out: J (1,2), 1 of 2 entries */
+FLEXEL_CLONES
+static void friction_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict ed = in[1] + b * (1 * 8);
+        const real *restrict p = in[5] + b * (2 * 8);
+        real *restrict J = out[0] + b * (1 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real ed_ = ed[0 * 8 + j];
+            const real t0 = ed_ * ed_;
+            const real speed = p[1 * 8 + j];
+            const real t1 = 1.0 / real_sqrt(t0 + speed * speed);
+            const real limit = p[0 * 8 + j];
+            J[0 * 8 + j] = t1 * (1.0 - t0 * t1 * t1) * limit; /* J(0,1) */
+        }
+    }
+}
+
+const flexel_law flexel_law_friction = {
+    .name = "friction",
+    .digest = "b8fb0fdf1d03c48e",
+    .m = 1,
+    .k = 0,
+    .nz = 0,
+    .np = 2,
+    .law = friction_law,
+    .tangent = friction_tangent,
+};
+
+/* slip_friction
+ *
+ * tau = limit w/sqrt(w^2 + speed^2), w the slip
+ *
+ * Source: Coulomb's friction, regularized
+ *
+ * 0 deformations, 1 slips
+ * p (2):
+ *   limit (1) [N or N m]: friction of fast motion
+ *   speed (1) [m/s or rad/s]: speed at which 71 % of the friction acts */
+
+/* law: 8 operations.
+ * in:  e (0), ed (0), s (1), z (0), t (1), p (2)
+ * out: sigma (0), tau (1), zd (0), U (1), 0 of 1 entries, P (1) */
+FLEXEL_CLONES
+static void slip_friction_law(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict s = in[2] + b * (1 * 8);
+        const real *restrict p = in[5] + b * (2 * 8);
+        real *restrict tau = out[1] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real s_ = s[0 * 8 + j];
+            const real speed = p[1 * 8 + j];
+            const real limit = p[0 * 8 + j];
+            const real t0 = 1.0 / real_sqrt(s_ * s_ + speed * speed) * s_ * limit;
+            tau[0 * 8 + j] = t0;
+            P[0 * 8 + j] = s_ * t0;
+        }
+    }
+}
+
+/* tangent: 10 operations.
+ * in:  e (0), ed (0), s (1), z (0), t (1), p (2)
+ * out: J (1,1) */
+FLEXEL_CLONES
+static void slip_friction_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict s = in[2] + b * (1 * 8);
+        const real *restrict p = in[5] + b * (2 * 8);
+        real *restrict J = out[0] + b * (1 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real s_ = s[0 * 8 + j];
+            const real t0 = s_ * s_;
+            const real speed = p[1 * 8 + j];
+            const real t1 = 1.0 / real_sqrt(t0 + speed * speed);
+            const real limit = p[0 * 8 + j];
+            J[0 * 8 + j] = t1 * (1.0 - t0 * t1 * t1) * limit; /* J(0,0) */
+        }
+    }
+}
+
+const flexel_law flexel_law_slip_friction = {
+    .name = "slip_friction",
+    .digest = "b8fb0fdf1d03c48e",
+    .m = 0,
+    .k = 1,
+    .nz = 0,
+    .np = 2,
+    .law = slip_friction_law,
+    .tangent = slip_friction_tangent,
+};
+
+/* limits
+ *
+ * above = max(0, e - high), below = max(0, low - e)
+ * sigma = stiffness (above max(0, 1 + damping edot) - below max(0, 1 - damping edot))
+ *
+ * Source: Hunt and Crossley 1975, J. Appl. Mech. 42:440, exponent one
+ *
+ * 1 deformations, 0 slips
+ * p (4):
+ *   low (1) [m or rad]: deformation at which the lower stop is touched
+ *   high (1) [m or rad]: deformation at which the upper stop is touched
+ *   stiffness (1) [N/m or N m/rad]: stiffness once touched
+ *   damping (1) [s/m or s/rad]: loss relative to the elastic force, for unit rate */
+
+/* law: 28 operations.
+ * in:  e (1), ed (1), s (0), z (0), t (1), p (4)
+ * out: sigma (1), tau (0), zd (0), U (1), P (1) */
+FLEXEL_CLONES
+static void limits_law(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (1 * 8);
+        const real *restrict ed = in[1] + b * (1 * 8);
+        const real *restrict p = in[5] + b * (4 * 8);
+        real *restrict sigma = out[0] + b * (1 * 8);
+        real *restrict U = out[3] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real e_ = e[0 * 8 + j];
+            const real high = p[1 * 8 + j];
+            const real t0 = e_ - high;
+            const real t1 = real_max(0.0, t0);
+            const real ed_ = ed[0 * 8 + j];
+            const real damping = p[3 * 8 + j];
+            const real t2 = ed_ * damping;
+            const real low = p[0 * 8 + j];
+            const real t3 = low - e_;
+            const real t4 = real_max(0.0, t3);
+            const real t5 = t1 * real_max(0.0, 1.0 + t2) - t4 * real_max(0.0, 1.0 - t2);
+            const real stiffness = p[2 * 8 + j];
+            const real t6 = stiffness * t5;
+            sigma[0 * 8 + j] = t6;
+            U[0 * 8 + j] = 0.5 * stiffness * (t4 * t4 + t1 * t1);
+            const real t7 = t1 * (real_le(t0, 0.0) ? 0.0 : 1.0) - t4 * (real_le(t3, 0.0) ? 0.0 : 1.0);
+            P[0 * 8 + j] = ed_ * (t6 - stiffness * t7);
+        }
+    }
+}
+
+/* tangent: 26 operations.
+ * in:  e (1), ed (1), s (0), z (0), t (1), p (4)
+ * out: J (1,2) */
+FLEXEL_CLONES
+static void limits_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (1 * 8);
+        const real *restrict ed = in[1] + b * (1 * 8);
+        const real *restrict p = in[5] + b * (4 * 8);
+        real *restrict J = out[0] + b * (2 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real ed_ = ed[0 * 8 + j];
+            const real damping = p[3 * 8 + j];
+            const real t0 = ed_ * damping;
+            const real t1 = 1.0 - t0;
+            const real low = p[0 * 8 + j];
+            const real e_ = e[0 * 8 + j];
+            const real t2 = low - e_;
+            const real t3 = 1.0 + t0;
+            const real high = p[1 * 8 + j];
+            const real t4 = e_ - high;
+            const real t5 = real_max(0.0, t1) * (real_le(t2, 0.0) ? 0.0 : 1.0) + real_max(0.0, t3) * (real_le(t4, 0.0)
+                ? 0.0 : 1.0);
+            const real stiffness = p[2 * 8 + j];
+            J[0 * 8 + j] = stiffness * t5; /* J(0,0) */
+            const real t6 = real_max(0.0, t2) * (real_le(t1, 0.0) ? 0.0 : 1.0) + real_max(0.0, t4) * (real_le(t3, 0.0)
+                ? 0.0 : 1.0);
+            J[1 * 8 + j] = stiffness * t6 * damping; /* J(0,1) */
+        }
+    }
+}
+
+const flexel_law flexel_law_limits = {
+    .name = "limits",
+    .digest = "b8fb0fdf1d03c48e",
+    .m = 1,
+    .k = 0,
+    .nz = 0,
+    .np = 4,
+    .law = limits_law,
+    .tangent = limits_tangent,
+};
+
+/* loose_journal
+ *
+ * r = |(e_0, e_1)|, depth = max(0, r - gap), N = stiffness depth max(0, 1 + damping dr/dt)
+ * sigma_i = N e_i/r (i = 0, 1);  torque = friction_radius N w/sqrt(w^2 + slip_speed^2) on e_2, w = ed_2
+ *
+ * Source: Hunt and Crossley 1975, J. Appl. Mech. 42:440, exponent one; Coulomb's friction, regularized
+ *
+ * 3 deformations, 0 slips
+ * p (5):
+ *   gap (1) [m]: radial play as drawn
+ *   stiffness (1) [N/m or N m/rad]: stiffness once touched
+ *   damping (1) [s/m or s/rad]: loss relative to the elastic force, for unit rate
+ *   friction_radius (1) [m]: coefficient of friction times the radius of the journal
+ *   slip_speed (1) [rad/s]: speed of turning at which 71 % of the friction acts */
+
+/* law: 45 operations.
+ * in:  e (3), ed (3), s (0), z (0), t (1), p (5)
+ * out: sigma (3), tau (0), zd (0), U (1), P (1) */
+FLEXEL_CLONES
+static void loose_journal_law(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (3 * 8);
+        const real *restrict ed = in[1] + b * (3 * 8);
+        const real *restrict p = in[5] + b * (5 * 8);
+        real *restrict sigma = out[0] + b * (3 * 8);
+        real *restrict U = out[3] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real gap = p[0 * 8 + j];
+            const real e_0 = e[0 * 8 + j];
+            const real e_1 = e[1 * 8 + j];
+            const real square = e_0 * e_0 + e_1 * e_1;
+            const real safe = real_lt(gap * gap, square) ? square : 1.0;
+            const real r = real_sqrt(safe);
+            const real t0 = 1.0 / r;
+            const real ed_0 = ed[0 * 8 + j];
+            const real ed_1 = ed[1 * 8 + j];
+            const real t1 = e_0 * ed_0 + e_1 * ed_1;
+            const real rate = t0 * t1;
+            const real damping = p[2 * 8 + j];
+            const real depth = real_lt(gap * gap, square) ? r - gap : 0.0;
+            const real stiffness = p[1 * 8 + j];
+            const real t2 = stiffness * depth;
+            const real N = real_max(0.0, 1.0 + damping * rate) * t2;
+            const real t3 = e_0 * t0 * N;
+            sigma[0 * 8 + j] = t3;
+            const real t4 = e_1 * t0 * N;
+            sigma[1 * 8 + j] = t4;
+            const real ed_2 = ed[2 * 8 + j];
+            const real slip_speed = p[4 * 8 + j];
+            const real friction_radius = p[3 * 8 + j];
+            const real t5 = 1.0 / real_sqrt(ed_2 * ed_2 + slip_speed * slip_speed) * friction_radius;
+            const real t6 = ed_2 * t5 * N;
+            sigma[2 * 8 + j] = t6;
+            U[0 * 8 + j] = 0.5 * depth * t2;
+            const real t7 = real_lt(gap * gap, square) ? 0.5 * t0 * (real_lt(gap * gap, square) ? 2.0 * t1 : 0.0)
+                : 0.0;
+            P[0 * 8 + j] = ed_2 * t6 + ed_0 * t3 + ed_1 * t4 - t2 * t7;
+        }
+    }
+}
+
+/* tangent: 87 operations.
+ * in:  e (3), ed (3), s (0), z (0), t (1), p (5)
+ * out: J (3,6), 13 of 18 entries */
+FLEXEL_CLONES
+static void loose_journal_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (3 * 8);
+        const real *restrict ed = in[1] + b * (3 * 8);
+        const real *restrict p = in[5] + b * (5 * 8);
+        real *restrict J = out[0] + b * (13 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real gap = p[0 * 8 + j];
+            const real e_0 = e[0 * 8 + j];
+            const real e_1 = e[1 * 8 + j];
+            const real square = e_0 * e_0 + e_1 * e_1;
+            const real safe = real_lt(gap * gap, square) ? square : 1.0;
+            const real r = real_sqrt(safe);
+            const real t0 = 1.0 / r;
+            const real ed_0 = ed[0 * 8 + j];
+            const real ed_1 = ed[1 * 8 + j];
+            const real t1 = e_0 * ed_0 + e_1 * ed_1;
+            const real rate = t0 * t1;
+            const real damping = p[2 * 8 + j];
+            const real t2 = 1.0 + damping * rate;
+            const real t3 = real_max(0.0, t2);
+            const real depth = real_lt(gap * gap, square) ? r - gap : 0.0;
+            const real stiffness = p[1 * 8 + j];
+            const real t4 = stiffness * depth;
+            const real N = t3 * t4;
+            const real t5 = t0 * N;
+            const real t6 = e_0 * t0;
+            const real t7 = real_lt(gap * gap, square) ? 1.0 : 0.0;
+            const real t8 = t0 * t7;
+            const real t9 = e_0 * t8;
+            const real t10 = stiffness * t3 * t7;
+            const real t11 = damping * t4 * (real_le(t2, 0.0) ? 0.0 : 1.0);
+            const real t12 = t0 * t11;
+            const real t13 = t0 * t0;
+            const real t14 = t13 * t9;
+            const real t15 = t1 * t11;
+            const real t16 = t9 * t10 + ed_0 * t12 - t14 * t15;
+            const real t17 = e_0 * N;
+            J[0 * 8 + j] = t5 + t6 * t16 - t17 * t14; /* J(0,0) */
+            const real t18 = e_1 * t8;
+            const real t19 = t13 * t18;
+            const real t20 = t18 * t10 + ed_1 * t12 - t19 * t15;
+            J[1 * 8 + j] = t6 * t20 - t17 * t19; /* J(0,1) */
+            const real t21 = e_0 * t12;
+            J[2 * 8 + j] = t6 * t21; /* J(0,3) */
+            const real t22 = e_1 * t12;
+            J[3 * 8 + j] = t6 * t22; /* J(0,4) */
+            const real t23 = e_1 * t0;
+            const real t24 = e_1 * N;
+            J[4 * 8 + j] = t23 * t16 - t24 * t14; /* J(1,0) */
+            J[5 * 8 + j] = t5 + t23 * t20 - t24 * t19; /* J(1,1) */
+            J[6 * 8 + j] = t23 * t21; /* J(1,3) */
+            J[7 * 8 + j] = t23 * t22; /* J(1,4) */
+            const real ed_2 = ed[2 * 8 + j];
+            const real slip_speed = p[4 * 8 + j];
+            const real t25 = 1.0 / real_sqrt(ed_2 * ed_2 + slip_speed * slip_speed);
+            const real friction_radius = p[3 * 8 + j];
+            const real t26 = friction_radius * t25;
+            const real t27 = ed_2 * t26;
+            J[8 * 8 + j] = t27 * t16; /* J(2,0) */
+            J[9 * 8 + j] = t27 * t20; /* J(2,1) */
+            J[10 * 8 + j] = t27 * t21; /* J(2,3) */
+            J[11 * 8 + j] = t27 * t22; /* J(2,4) */
+            J[12 * 8 + j] = N * (t26 - ed_2 * friction_radius * ed_2 * t25 * t25 * t25); /* J(2,5) */
+        }
+    }
+}
+
+const flexel_law flexel_law_loose_journal = {
+    .name = "loose_journal",
+    .digest = "b8fb0fdf1d03c48e",
+    .m = 3,
+    .k = 0,
+    .nz = 0,
+    .np = 5,
+    .law = loose_journal_law,
+    .tangent = loose_journal_tangent,
 };

@@ -1514,6 +1514,133 @@ ELEMENTS: dict[str, ElementSpec] = {
         },
         family="span",
     ),
+    # element skate
+    "skate": ElementSpec(
+        name="skate",
+        digest="63ffbad555510bf5",
+        doc="b = R(lambda) blade, n = normal, ey = (n x b)/|n x b|, ex = ey x n\nsurface = n.x - height,  forward = ex.v,  lateral = ey.v",
+        source="Chaplygin 1911, sleigh; Neimark and Fufaev 1972, Dynamics of Nonholonomic Systems",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("r", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("blade", 3, "1", "unit vector along the blade in body axes"),
+            ParameterSpec("normal", 3, "1", "unit normal of the road"),
+            ParameterSpec("height", 1, "m", "distance of the road from the origin along its normal"),
+        ),
+        deformations=(
+            DeformationSpec("surface", "m", False),
+        ),
+        slips=(
+            SlipSpec("forward", "m/s", True),
+            SlipSpec("lateral", "m/s", False),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 7), (0, 1, 2)),
+                    OutputSpec("V", (2, 7), (0, 1, 2, 7, 8, 9)),
+                ),
+                77,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), ()),
+                    OutputSpec("gs", (2,), (0, 1)),
+                ),
+                163,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 7), (10, 11, 12, 13, 17, 18, 19, 20)),
+                ),
+                200,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (3, 7), (10, 11, 12, 13, 17, 18, 19, 20)),
+                    OutputSpec("Psi_v", (3, 7), (7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20)),
+                ),
+                666,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (7, 7), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20)),
+                ),
+                254,
+            ),
+        },
+        picture="blade",
+    ),
+    # element roller_cam
+    "roller_cam": ElementSpec(
+        name="roller_cam",
+        digest="daab8fbbccc939a8",
+        doc="(a, b) = components of xq - xp on ex, ey, columns of R(lambda_p o tp), r = sqrt(a^2 + b^2), theta = atan2(b, a)\nu = 48 theta/(2 pi), between i and i + 1; t = u - i\noutline = sum over j = 0 ... 5 of control[(i + j - 2) mod 48] B_j(t), uniform B-splines of degree five\ngap = r - outline",
+        source="pitch curve of a radial cam; de Boor 1978, A Practical Guide to Splines",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("rp", "frame"),
+            NodeSpec("q", "point"),
+        ),
+        parameters=(
+            ParameterSpec("tp", 4, "1", "unit quaternion from the body frame of node p to the element's triad there"),
+            ParameterSpec("control", 48, "m", "control values of the periodic spline of degree five, its knots at equal steps of the angle"),
+        ),
+        deformations=(
+            DeformationSpec("gap", "m", False, kind="gap"),
+        ),
+        slips=(),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 10), tuple(range(10))),
+                    OutputSpec("V", (0, 10), ()),
+                ),
+                678,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (0,), ()),
+                ),
+                800,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (1, 10), tuple(range(10))),
+                ),
+                901,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (1, 10), tuple(range(10))),
+                    OutputSpec("Psi_v", (1, 10), tuple(range(10))),
+                ),
+                1561,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (10, 10), tuple(range(100))),
+                ),
+                1155,
+            ),
+        },
+        picture="cam",
+    ),
     # element planar_point_mass
     "planar_point_mass": ElementSpec(
         name="planar_point_mass",
@@ -2299,6 +2426,129 @@ ELEMENTS: dict[str, ElementSpec] = {
         },
         family="wheel",
         picture="disc",
+    ),
+    # element planar_skate
+    "planar_skate": ElementSpec(
+        name="planar_skate",
+        digest="e95f773889309b06",
+        doc="ex, ey: direction of the blade (angle + alpha0) and its normal;  forward = ex.v,  lateral = ey.v",
+        source="Chaplygin 1911, sleigh; Neimark and Fufaev 1972, Dynamics of Nonholonomic Systems",
+        nodes=(
+            NodeSpec("p", "planar_point"),
+            NodeSpec("r", "planar_angle"),
+        ),
+        parameters=(
+            ParameterSpec("alpha0", 1, "rad", "initial direction of the element minus the angle of node p"),
+        ),
+        deformations=(),
+        slips=(
+            SlipSpec("forward", "m/s", True),
+            SlipSpec("lateral", "m/s", False),
+        ),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (0,), ()),
+                    OutputSpec("De", (0, 3), ()),
+                    OutputSpec("V", (2, 3), (0, 1, 3, 4)),
+                ),
+                4,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (0,), ()),
+                    OutputSpec("gs", (2,), (0, 1)),
+                ),
+                12,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (2, 3), (2, 5)),
+                ),
+                10,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (2, 3), (2, 5)),
+                    OutputSpec("Psi_v", (2, 3), tuple(range(6))),
+                ),
+                29,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (3, 3), (2, 5)),
+                ),
+                10,
+            ),
+        },
+        picture="blade",
+    ),
+    # element planar_roller_cam
+    "planar_roller_cam": ElementSpec(
+        name="planar_roller_cam",
+        digest="7a0670c019a4279f",
+        doc="(a, b) = components of xq - xp on ex, ey (angle_p + alpha0), r = sqrt(a^2 + b^2), theta = atan2(b, a)\nu = 48 theta/(2 pi), between i and i + 1; t = u - i\noutline = sum over j = 0 ... 5 of control[(i + j - 2) mod 48] B_j(t), uniform B-splines of degree five\ngap = r - outline",
+        source="pitch curve of a radial cam; de Boor 1978, A Practical Guide to Splines",
+        nodes=(
+            NodeSpec("p", "planar_point"),
+            NodeSpec("rp", "planar_angle"),
+            NodeSpec("q", "planar_point"),
+        ),
+        parameters=(
+            ParameterSpec("alpha0", 1, "rad", "initial direction of the element minus the angle of node p"),
+            ParameterSpec("control", 48, "m", "control values of the periodic spline of degree five, its knots at equal steps of the angle"),
+        ),
+        deformations=(
+            DeformationSpec("gap", "m", False, kind="gap"),
+        ),
+        slips=(),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 5), tuple(range(5))),
+                    OutputSpec("V", (0, 5), ()),
+                ),
+                553,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (0,), ()),
+                ),
+                641,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (1, 5), tuple(range(5))),
+                ),
+                669,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (1, 5), tuple(range(5))),
+                    OutputSpec("Psi_v", (1, 5), tuple(range(5))),
+                ),
+                1053,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (5, 5), tuple(range(25))),
+                ),
+                650,
+            ),
+        },
+        picture="cam",
     ),
     # element planar_body_velocity
     "planar_body_velocity": ElementSpec(
@@ -4270,7 +4520,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_1
     "linear_1": LawSpec(
         name="linear_1",
-        digest="7a357eb97af146ca",
+        digest="b8fb0fdf1d03c48e",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=1,
         slips=0,
@@ -4304,7 +4554,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_2
     "linear_2": LawSpec(
         name="linear_2",
-        digest="7a357eb97af146ca",
+        digest="b8fb0fdf1d03c48e",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=2,
         slips=0,
@@ -4338,7 +4588,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_3
     "linear_3": LawSpec(
         name="linear_3",
-        digest="7a357eb97af146ca",
+        digest="b8fb0fdf1d03c48e",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=3,
         slips=0,
@@ -4372,7 +4622,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_4
     "linear_4": LawSpec(
         name="linear_4",
-        digest="7a357eb97af146ca",
+        digest="b8fb0fdf1d03c48e",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=4,
         slips=0,
@@ -4406,7 +4656,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_5
     "linear_5": LawSpec(
         name="linear_5",
-        digest="7a357eb97af146ca",
+        digest="b8fb0fdf1d03c48e",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=5,
         slips=0,
@@ -4440,7 +4690,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_6
     "linear_6": LawSpec(
         name="linear_6",
-        digest="7a357eb97af146ca",
+        digest="b8fb0fdf1d03c48e",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=6,
         slips=0,
@@ -4474,7 +4724,7 @@ LAWS: dict[str, LawSpec] = {
     # law diagonal_6
     "diagonal_6": LawSpec(
         name="diagonal_6",
-        digest="7a357eb97af146ca",
+        digest="b8fb0fdf1d03c48e",
         doc="sigma_i = preload_i + S_i e_i + D_i ed_i\nenergy = sum of preload_i e_i + S_i e_i^2/2",
         deformations=6,
         slips=0,
@@ -4508,7 +4758,7 @@ LAWS: dict[str, LawSpec] = {
     # law diagonal_12
     "diagonal_12": LawSpec(
         name="diagonal_12",
-        digest="7a357eb97af146ca",
+        digest="b8fb0fdf1d03c48e",
         doc="sigma_i = preload_i + S_i e_i + D_i ed_i\nenergy = sum of preload_i e_i + S_i e_i^2/2",
         deformations=12,
         slips=0,
@@ -4542,7 +4792,7 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_1
     "viscous_1": LawSpec(
         name="viscous_1",
-        digest="7a357eb97af146ca",
+        digest="b8fb0fdf1d03c48e",
         doc="tau = C s",
         deformations=0,
         slips=1,
@@ -4574,7 +4824,7 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_2
     "viscous_2": LawSpec(
         name="viscous_2",
-        digest="7a357eb97af146ca",
+        digest="b8fb0fdf1d03c48e",
         doc="tau = C s",
         deformations=0,
         slips=2,
@@ -4606,7 +4856,7 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_3
     "viscous_3": LawSpec(
         name="viscous_3",
-        digest="7a357eb97af146ca",
+        digest="b8fb0fdf1d03c48e",
         doc="tau = C s",
         deformations=0,
         slips=3,
@@ -4638,7 +4888,7 @@ LAWS: dict[str, LawSpec] = {
     # law spring_curve
     "spring_curve": LawSpec(
         name="spring_curve",
-        digest="7a357eb97af146ca",
+        digest="b8fb0fdf1d03c48e",
         doc="y = x - origin, sum of c_i y^i in the piece in which x lies (x < next break), end pieces beyond\nsigma = that sum with x = e;  energy = its integral",
         deformations=1,
         slips=0,
@@ -4673,7 +4923,7 @@ LAWS: dict[str, LawSpec] = {
     # law damper_curve
     "damper_curve": LawSpec(
         name="damper_curve",
-        digest="7a357eb97af146ca",
+        digest="b8fb0fdf1d03c48e",
         doc="y = x - origin, sum of c_i y^i in the piece in which x lies (x < next break), end pieces beyond\nsigma = that sum with x = the rate of e",
         deformations=1,
         slips=0,
@@ -4707,7 +4957,7 @@ LAWS: dict[str, LawSpec] = {
     # law stop
     "stop": LawSpec(
         name="stop",
-        digest="7a357eb97af146ca",
+        digest="b8fb0fdf1d03c48e",
         doc="depth = max(0, e - gap);  sigma = stiffness depth max(0, 1 + damping edot), never pulling",
         deformations=1,
         slips=0,
@@ -4741,7 +4991,7 @@ LAWS: dict[str, LawSpec] = {
     # law vertical_tyre
     "vertical_tyre": LawSpec(
         name="vertical_tyre",
-        digest="7a357eb97af146ca",
+        digest="b8fb0fdf1d03c48e",
         doc="sigma = Fz\nFz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0",
         deformations=1,
         slips=0,
@@ -4774,7 +5024,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_tyre
     "linear_tyre": LawSpec(
         name="linear_tyre",
-        digest="7a357eb97af146ca",
+        digest="b8fb0fdf1d03c48e",
         doc="Fz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0\nslip angle alpha = atan(sideways/max(|forward|, standstill)), of the wheel's centre\ntau(lateral) = -fade Fy, tau(spin) = -fade Mz;  fade = 3 u^2 - 2 u^3, u = min(1, |forward|/standstill)\nFy = -cornering alpha - camber_stiffness camber while pressed, whatever the load;  Mz = -trail Fy",
         deformations=2,
         slips=4,
@@ -4811,7 +5061,7 @@ LAWS: dict[str, LawSpec] = {
     # law calspan_tyre
     "calspan_tyre": LawSpec(
         name="calspan_tyre",
-        digest="7a357eb97af146ca",
+        digest="b8fb0fdf1d03c48e",
         doc="Fz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0\nslip angle alpha = atan(sideways/max(|forward|, standstill)), of the wheel's centre\ntau(lateral) = -fade Fy, tau(spin) = -fade Mz;  fade = 3 u^2 - 2 u^3, u = min(1, |forward|/standstill)\nF = min(Fz, A2): beyond the load A2 the data end, friction and stiffnesses keep their values there\nmu = SN (B1 F + B3 + B4 F^2),  C_alpha = A0 + A1 F (1 - F/A2),  C_gamma = A3 F (1 - F/A4)\nslip = -(C_alpha alpha + C_gamma camber)/(mu Fz), at most 3\nFy = mu Fz (slip - slip |slip|/3 + slip^3/27),  Mz = (AF1 Fz + AF2 |Fy|) Fy,  Fx = 0",
         deformations=2,
         slips=4,
@@ -4850,7 +5100,7 @@ LAWS: dict[str, LawSpec] = {
     # law magic_formula
     "magic_formula": LawSpec(
         name="magic_formula",
-        digest="7a357eb97af146ca",
+        digest="b8fb0fdf1d03c48e",
         doc="Fz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0\nlx kappadot = Re rolling - forward - |forward| kappa\nly (tan alpha)dot = lateral - |forward| tan alpha,  lateral of the contact point\nmu = mu0 + mu1 min(1, Fz/Fz0 - 1),  Kx = kx Fz,  Ky = c1 Fz0 sin(2 atan(Fz/(c2 Fz0))),  Kg = kg Fz\nx = Kx kappa/(mu Fz),  y = (Ky tan alpha + Kg camber)/(mu Fz),  slip = |(x, y)|,  b = slip/C\n(Fx, Fy) = mu Fz sin(C atan(b - E (b - atan b))) (x, -y)/slip, combined slip by similarity\nMz = -t0 Fz/Fz0 cos(atan(B tan alpha)) Fy;  tau(longitudinal, lateral, spin) = -(Fx, Fy, Mz)",
         deformations=2,
         slips=5,
@@ -4895,7 +5145,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz
     "hertz": LawSpec(
         name="hertz",
-        digest="7a357eb97af146ca",
+        digest="b8fb0fdf1d03c48e",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1)",
         deformations=1,
         slips=0,
@@ -4929,7 +5179,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz_coulomb_1
     "hertz_coulomb_1": LawSpec(
         name="hertz_coulomb_1",
-        digest="7a357eb97af146ca",
+        digest="b8fb0fdf1d03c48e",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1)\ntau = friction N s/sqrt(s.s + slip_speed^2)",
         deformations=1,
         slips=1,
@@ -4965,7 +5215,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz_coulomb_2
     "hertz_coulomb_2": LawSpec(
         name="hertz_coulomb_2",
-        digest="7a357eb97af146ca",
+        digest="b8fb0fdf1d03c48e",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1)\ntau = friction N s/sqrt(s.s + slip_speed^2)",
         deformations=1,
         slips=2,
@@ -5001,7 +5251,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz_bristle_1
     "hertz_bristle_1": LawSpec(
         name="hertz_bristle_1",
-        digest="7a357eb97af146ca",
+        digest="b8fb0fdf1d03c48e",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1) + stiffness d^exponent bristle_stiffness z.z/2\ndz/dt = s - bristle_stiffness |s| z/friction in contact, -release z when open\ntau = N (bristle_stiffness z + bristle_damping dz/dt)",
         deformations=1,
         slips=1,
@@ -5041,7 +5291,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz_bristle_2
     "hertz_bristle_2": LawSpec(
         name="hertz_bristle_2",
-        digest="7a357eb97af146ca",
+        digest="b8fb0fdf1d03c48e",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1) + stiffness d^exponent bristle_stiffness z.z/2\ndz/dt = s - bristle_stiffness |s| z/friction in contact, -release z when open\ntau = N (bristle_stiffness z + bristle_damping dz/dt)",
         deformations=1,
         slips=2,
@@ -5082,7 +5332,7 @@ LAWS: dict[str, LawSpec] = {
     # law journal
     "journal": LawSpec(
         name="journal",
-        digest="7a357eb97af146ca",
+        digest="b8fb0fdf1d03c48e",
         doc="N_i = stiffness e_i + damping ed_i in two directions (i = 0, 1), N = |(N_0, N_1)|\ntorque = friction_radius N w/sqrt(w^2 + slip_speed^2) on the angle e_2, w = ed_2",
         deformations=3,
         slips=0,
@@ -5111,6 +5361,143 @@ LAWS: dict[str, LawSpec] = {
                     OutputSpec("J", (3, 6), (0, 3, 7, 10, 12, 13, 15, 16, 17)),
                 ),
                 39,
+            ),
+        },
+    ),
+    # law friction
+    "friction": LawSpec(
+        name="friction",
+        digest="b8fb0fdf1d03c48e",
+        doc="sigma = limit w/sqrt(w^2 + speed^2), w = edot",
+        deformations=1,
+        slips=0,
+        states=(),
+        parameters=(
+            ParameterSpec("limit", 1, "N or N m", "friction of fast motion", sign=("not negative",)),
+            ParameterSpec("speed", 1, "m/s or rad/s", "speed at which 71 % of the friction acts", sign=("positive",)),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (1,), (0,)),
+                    OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (0,), ()),
+                    OutputSpec("U", (1,), ()),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                8,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (1, 2), (1,)),
+                ),
+                10,
+            ),
+        },
+    ),
+    # law slip_friction
+    "slip_friction": LawSpec(
+        name="slip_friction",
+        digest="b8fb0fdf1d03c48e",
+        doc="tau = limit w/sqrt(w^2 + speed^2), w the slip",
+        deformations=0,
+        slips=1,
+        states=(),
+        parameters=(
+            ParameterSpec("limit", 1, "N or N m", "friction of fast motion", sign=("not negative",)),
+            ParameterSpec("speed", 1, "m/s or rad/s", "speed at which 71 % of the friction acts", sign=("positive",)),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (0,), ()),
+                    OutputSpec("tau", (1,), (0,)),
+                    OutputSpec("zd", (0,), ()),
+                    OutputSpec("U", (1,), ()),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                8,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (1, 1), (0,)),
+                ),
+                10,
+            ),
+        },
+    ),
+    # law limits
+    "limits": LawSpec(
+        name="limits",
+        digest="b8fb0fdf1d03c48e",
+        doc="above = max(0, e - high), below = max(0, low - e)\nsigma = stiffness (above max(0, 1 + damping edot) - below max(0, 1 - damping edot))",
+        deformations=1,
+        slips=0,
+        states=(),
+        parameters=(
+            ParameterSpec("low", 1, "m or rad", "deformation at which the lower stop is touched"),
+            ParameterSpec("high", 1, "m or rad", "deformation at which the upper stop is touched"),
+            ParameterSpec("stiffness", 1, "N/m or N m/rad", "stiffness once touched", sign=("not negative",)),
+            ParameterSpec("damping", 1, "s/m or s/rad", "loss relative to the elastic force, for unit rate", sign=("not negative",)),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (1,), (0,)),
+                    OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (0,), ()),
+                    OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                28,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (1, 2), (0, 1)),
+                ),
+                26,
+            ),
+        },
+    ),
+    # law loose_journal
+    "loose_journal": LawSpec(
+        name="loose_journal",
+        digest="b8fb0fdf1d03c48e",
+        doc="r = |(e_0, e_1)|, depth = max(0, r - gap), N = stiffness depth max(0, 1 + damping dr/dt)\nsigma_i = N e_i/r (i = 0, 1);  torque = friction_radius N w/sqrt(w^2 + slip_speed^2) on e_2, w = ed_2",
+        deformations=3,
+        slips=0,
+        states=(),
+        parameters=(
+            ParameterSpec("gap", 1, "m", "radial play as drawn", sign=("positive",)),
+            ParameterSpec("stiffness", 1, "N/m or N m/rad", "stiffness once touched", sign=("not negative",)),
+            ParameterSpec("damping", 1, "s/m or s/rad", "loss relative to the elastic force, for unit rate", sign=("not negative",)),
+            ParameterSpec("friction_radius", 1, "m", "coefficient of friction times the radius of the journal", sign=("not negative",)),
+            ParameterSpec("slip_speed", 1, "rad/s", "speed of turning at which 71 % of the friction acts", sign=("positive",)),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (3,), (0, 1, 2)),
+                    OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (0,), ()),
+                    OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                45,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (3, 6), (0, 1, 3, 4, 6, 7, 9, 10, 12, 13, 15, 16, 17)),
+                ),
+                87,
             ),
         },
     ),

@@ -61,6 +61,7 @@ if TYPE_CHECKING:
     from flexel.spacar.reading import Spacar, read_spacar
     from flexel.statics.compliance import Compliance
     from flexel.statics.stability import BucklingMode, Vibration
+    from flexel.structure.rigid_bodies import RigidBody
     from flexel.structure.state import State
     from flexel.sweeps.dataset import open_sweep
     from flexel.sweeps.points import Points, grid, listed
@@ -118,6 +119,7 @@ __all__ = [
     "RangeWarning",
     "Rectangle",
     "Reduced",
+    "RigidBody",
     "RootLoci",
     "Rope",
     "RoundGroove",
@@ -201,6 +203,7 @@ _HOMES = {
     "RangeWarning": "flexel.base.errors",
     "Rectangle": "flexel.declare.sections",
     "Reduced": "flexel.mechanics.modes",
+    "RigidBody": "flexel.structure.rigid_bodies",
     "RootLoci": "flexel.results.linearizations",
     "Rope": "flexel.rope.rope",
     "RoundGroove": "flexel.rope.surfaces",

@@ -10,10 +10,12 @@ from collections import Counter
 
 from flexel.base.shown import counted
 from flexel.build import build
+from flexel.declare.cams import Cams
 from flexel.declare.couplings import Couplings
 from flexel.declare.feedback import Feedback
+from flexel.declare.gearing import Gearing
 from flexel.declare.loads import Loading
-from flexel.declare.relations import RelationMethods
+from flexel.declare.skates import Skates
 from flexel.declare.user import Elements
 from flexel.declare.wheels import Wheels
 from flexel.mechanics.check import check
@@ -25,7 +27,9 @@ from flexel.rope.ropes import Ropes
 from flexel.system import System
 
 
-class Model(Ropes, PointContacts, Chains, Wheels, Couplings, Feedback, Loading, Elements, RelationMethods):
+class Model(
+    Gearing, Cams, Skates, Ropes, PointContacts, Chains, Wheels, Couplings, Feedback, Loading, Elements
+):
     """A mechanism to be declared.
 
     Parameters

@@ -8,6 +8,7 @@ from typing import Any
 
 from junk import ENTRIES, JUNK, NOT_FINITE, admitted, inside
 from valid_flexures import FLEXURES
+from valid_joints import JOINTS
 from valid_models import MODELS
 from valid_results import RESULTS
 from valid_systems import SYSTEMS
@@ -15,7 +16,7 @@ from valid_values import VALUES
 
 import flexel as fx
 
-VALID = VALUES | MODELS | SYSTEMS | RESULTS | FLEXURES
+VALID = VALUES | MODELS | JOINTS | SYSTEMS | RESULTS | FLEXURES
 OWN_WARNINGS = (
     fx.AssemblyWarning, fx.IncompleteWarning, fx.RangeWarning, fx.UnstableWarning, fx.UnsteadyWarning,
 )  # fmt: skip
@@ -24,8 +25,8 @@ MADE_BY_FLEXEL = {
     "BeamStress", "BucklingMode", "CheckReport", "Compliance", "ConstraintReport", "Ensemble", "Finding",
     "Flexure", "FlexureElement", "FlexureNode", "FlexureStep",
     "Linearization", "Linearizations", "Mode", "Motion", "PeriodicBranch", "PeriodicSolution", "Points",
-    "Reduced", "RootLoci", "Rope", "Spacar", "SpacarRecords", "State", "Stepper", "StressPoint", "Summary",
-    "System", "Vibration",
+    "Reduced", "RigidBody", "RootLoci", "Rope", "Spacar", "SpacarRecords", "State", "Stepper", "StressPoint",
+    "Summary", "System", "Vibration",
 }  # fmt: skip
 # Methods that the parts of flexel call with checked values, and those of tuple.
 INTERNAL = {

@@ -21,6 +21,7 @@ from flexel.derive.elements.planar_point_contact import PLANAR_DISC_CONTACTS, PL
 from flexel.derive.elements.planar_rope_contact import PLANAR_CABLE_CIRCLE, PLANAR_CABLE_LINE
 from flexel.derive.elements.planar_wheel import PLANAR_WHEEL
 from flexel.derive.elements.point_contact import POINT_CONTACTS, SPHERE_CONTACTS
+from flexel.derive.elements.roller_cam import PLANAR_ROLLER_CAM, ROLLER_CAM
 from flexel.derive.elements.rope_contact import (
     CABLE_CYLINDER,
     CABLE_HELICAL_GROOVE,
@@ -30,6 +31,7 @@ from flexel.derive.elements.rope_contact import (
 )
 from flexel.derive.elements.rotary_inertia import PLANAR_ROTARY_INERTIA, ROTARY_INERTIA
 from flexel.derive.elements.rotation_slips import BODY_ROTATION, ROTATION
+from flexel.derive.elements.skate import PLANAR_SKATE, SKATE
 from flexel.derive.elements.slope_clamp import PLANAR_SLOPE_CLAMP, SLOPE_CLAMP
 from flexel.derive.elements.span_slips import (
     BAR_SPAN,
@@ -67,6 +69,8 @@ ELEMENTS: tuple[Element, ...] = (
     BODY_VELOCITY,
     BAR_SPAN,
     BEAM_SPAN,
+    SKATE,
+    ROLLER_CAM,
     PLANAR_POINT_MASS,
     PLANAR_BODY,
     PLANAR_ROTARY_INERTIA,
@@ -79,6 +83,8 @@ ELEMENTS: tuple[Element, ...] = (
     PLANAR_BELT,
     PLANAR_GEAR,
     PLANAR_WHEEL,
+    PLANAR_SKATE,
+    PLANAR_ROLLER_CAM,
     PLANAR_BODY_VELOCITY,
     PLANAR_BAR_SPAN,
     PLANAR_BEAM_SPAN,

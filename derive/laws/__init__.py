@@ -6,9 +6,10 @@ deformations, k of slips and nz of internal states.
 
 from flexel.derive.declare import Law
 from flexel.derive.laws.contact import CONTACT
+from flexel.derive.laws.joint import JOINT
 from flexel.derive.laws.journal import JOURNAL
 from flexel.derive.laws.linear import LINEAR
 from flexel.derive.laws.suspension import CURVES
 from flexel.derive.laws.tyre import TYRES
 
-LAWS: tuple[Law, ...] = (*LINEAR, *CURVES, *TYRES, *CONTACT, *JOURNAL)
+LAWS: tuple[Law, ...] = (*LINEAR, *CURVES, *TYRES, *CONTACT, *JOURNAL, *JOINT)

@@ -119,6 +119,8 @@ class Motions(Core):
         """
         if rechoose is not None:
             flag(rechoose, "simulate", "rechoose")
+        if progress is not None:  # where a checkpoint has the whole motion, nothing runs that would refuse it
+            flag(progress, "simulate", "progress")
         unlimited = isinstance(max_step, float) and max_step == np.inf
         longest = None if unlimited else max_step
         options = methods.Options(

@@ -54,6 +54,10 @@ class Couplings(Springs):
         ModelError
             Pulleys that overlap.
 
+        See Also
+        --------
+        belt_drive : Pulleys on joints of one body, in the plane and in space.
+
         Notes
         -----
         The line of centres may turn by less than half a turn from its drawn direction.
@@ -107,6 +111,10 @@ class Couplings(Springs):
         ------
         ModelError
             Radii that are zero or add up to zero.
+
+        See Also
+        --------
+        gear_pair : Gears on joints of one body, in the plane and in space: spur, bevel, worm.
         """
         owner = f"gear '{name}'"
         nodes = _ends(self, owner, (p, angle_p, q, angle_q))
@@ -186,6 +194,10 @@ class Couplings(Springs):
             [m]; a skate whose slip ``longitudinal`` is released may have any.
         direction : sequence of float (2,)
             Direction of travel as drawn.
+
+        See Also
+        --------
+        skate : A knife edge without a spin.
         """
         owner = f"planar wheel '{name}'"
         given = (point, "planar_point"), (heading, "planar_angle"), (spin, "planar_angle")

@@ -20,6 +20,7 @@ from flexel.generated.table import ELEMENTS
 from flexel.structure.instances import Code, Instance, LawInstance
 from flexel.structure.loads import Load
 from flexel.structure.nodes import Node
+from flexel.structure.rigid_bodies import RigidBody
 from flexel.structure.surfaces import Surface
 
 PLANAR = {"point": "planar_point", "frame": "planar_angle", "slope": "planar_slope"}
@@ -48,6 +49,7 @@ class Declarations:
         self.instances: dict[str, Instance] = {}
         self.laws: list[LawInstance] = []
         self.surfaces: dict[str, Surface] = {}
+        self._rigid_bodies: dict[str, RigidBody] = {}
         self.loads: list[Load] = []
         self._motions: dict[str, TimeFunction] = {}
         self._roles: dict[str, str] = {}  # "rigid" or "free", as declared

@@ -12,10 +12,10 @@ from dataclasses import replace
 import numpy as np
 
 from flexel.base.arrays import Array
-from flexel.base.quaternions import conjugate, matrix, product
+from flexel.base.quaternions import matrix
 from flexel.pictures.painters import PAINTERS, rolls
 from flexel.pictures.rope_painters import is_ball, sheaves
-from flexel.pictures.shape import Shape, Sketch, place
+from flexel.pictures.shape import Shape, Sketch, axes_of, place, turned
 from flexel.structure.instances import Instance
 from flexel.structure.state import Geometry, State
 
@@ -90,7 +90,8 @@ def _element(state: State, instance: Instance) -> Iterator[Shape]:
 def _sketch(state: State, sketch: Sketch) -> Shape:
     structure = state.structure
     point, frame = structure.node(sketch.point), structure.node(sketch.frame)
-    turn = matrix(product(state.position(frame.name), conjugate(frame.x0)))
-    arms = np.asarray(sketch.drawn, dtype=float) - point.x0
+    start = turned(float(frame.x0[0])) if frame.kind == "planar_angle" else matrix(frame.x0)
+    turn = axes_of(state, frame.name) @ start.T
+    arms = np.asarray(sketch.drawn, dtype=float) - np.append(point.x0, 0.0)[:3]
     origin = place(state, point.name)
     return Shape("sketch", sketch.frame, (origin + arms @ turn.T,), (origin, turn))

@@ -14,7 +14,7 @@ from flexel.base.quaternions import matrix, product
 from flexel.declare.materials import Profile
 from flexel.declare.sections import SectionForces
 from flexel.mechanics.stress import section_forces
-from flexel.pictures import planar_painters
+from flexel.pictures import joint_painters, planar_painters
 from flexel.pictures.rope_painters import contact, rope
 from flexel.pictures.shape import (
     Shape,
@@ -225,7 +225,9 @@ PAINTERS: dict[str, Callable[[State, Instance], Iterator[Shape]]] = {
     "beam": beam,
     "bearing": bearing,
     "belt": planar_painters.belt,
+    "blade": joint_painters.blade,
     "body": body,
+    "cam": joint_painters.cam,
     "contact": contact,
     "disc": planar_painters.wheel,
     "gears": planar_painters.gears,

@@ -1,0 +1,38 @@
+"""Rigid bodies as declared: a point, an orientation and further points, under one name."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from flexel.base.copies import Constant
+from flexel.structure.nodes import Node
+
+
+@dataclass(frozen=True)
+class RigidBody(Constant):
+    """A rigid body as `Model.rigid_body` made it.
+
+    Attributes
+    ----------
+    name : str
+    point, frame : Node
+        Its mass centre and its orientation.
+    points : mapping of str to Node
+        Further points, by the names that were given.
+    """
+
+    name: str
+    point: Node
+    frame: Node
+    points: Mapping[str, Node]
+
+    @property
+    def planar(self) -> bool:
+        """Whether it moves in the plane."""
+        return self.point.kind == "planar_point"
+
+    @property
+    def still(self) -> bool:
+        """Whether all its coordinates are fixed."""
+        return bool(self.point.fixed.all() and self.frame.fixed.all())
