@@ -110,7 +110,7 @@ def ropes(draw: Draw) -> Case:
         "tension": draw(number(4, 15)),
         **_cable_properties(draw, calm),
     }
-    n = draw(st.integers(6, 8)) + 5 * (count - 1)
+    n = draw(st.integers(7, 8)) + 5 * (count - 1)
     calls += laid(gravity, calls, path, n, **options)
     rates = draw(st.lists(number(-0.3, 0.3), min_size=5, max_size=9))
     return Case("ropes", gravity, tuple(calls), tuple(rates), 0.003, frozenset({"adrift"}))
