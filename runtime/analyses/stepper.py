@@ -70,7 +70,7 @@ class Stepper:
         self.dt = number(dt, "stepper", "dt")
         if self.dt <= 0:
             raise ModelError(f"stepper: dt {self.dt:g} s is not positive; give the length of a step")
-        if method not in METHODS:
+        if not isinstance(method, str) or method not in METHODS:
             raise ModelError(f"stepper: method {method!r} is unknown; choose {' or '.join(METHODS)}")
         self.inputs, self.outputs = names(inputs, "stepper: inputs"), names(outputs, "stepper: outputs")
         methods.check(method, options)
@@ -288,5 +288,5 @@ class Stepping(Core):
         ModelError
             An unknown name, method or option; a step that is not positive.
         """
-        options = methods.Options(rtol=rtol, atol=atol)
+        options = methods.Options(rtol=number(rtol, "stepper", "rtol"), atol=atol)
         return Stepper(self, dt, inputs, outputs, start, method, options)

@@ -36,6 +36,7 @@ OPTIONS: dict[str, frozenset[str]] = {  # by method; the remaining options apply
     SUNDIALS: _STEPS | {"max_order"},
 }
 RTOL, ATOL, IMPLICIT_RTOL = 1e-9, 1e-11, 1e-6
+LEAST_ATOL = 1e-100  # less would overflow
 RADIUS, NEWTON, MAX_ORDER = 0.8, "full", 2
 STIFF = 3e4  # max |λ| times the duration from which a motion is integrated implicitly
 MANY = 300  # degrees of freedom above which it is integrated implicitly whatever its eigenvalues
@@ -173,7 +174,7 @@ def run_of(system: Core, method: str, start: State, times: Array, duration: floa
 def _atol(system: Core, options: Options) -> float | Array:
     """The absolute tolerance in natural scales, one for all variables or one for each."""
     if not isinstance(options.atol, Iterable):
-        return options.number("atol", ATOL)
+        return options.number("atol", ATOL, LEAST_ATOL)
     size = system.roles.nq + system.roles.nd + system.structure.nz
     given = vector(options.atol, "simulate", "atol", size)
     if options.rechoose is not False:
