@@ -224,7 +224,11 @@ def contents(folder: Path) -> str:
     systems = [name for name in CASES if name in found]
     guides = [*FIRST, *sorted(found - {*FIRST, *REFERENCE, *systems})]
     elements = ["_generated/elements", "_generated/laws", "_generated/api"]
-    groups = {"Guides": guides, "Systems reproduced": systems, "Reference": [*REFERENCE, *elements]}
+    groups = {
+        "Guides": [*guides, "_generated/gallery/index"],
+        "Systems reproduced": systems,
+        "Reference": [*REFERENCE, *elements],
+    }
     return "\n".join(
         f"```{{toctree}}\n:caption: {caption}\n:maxdepth: 1\n\n" + "\n".join(names) + "\n```\n"
         for caption, names in groups.items()

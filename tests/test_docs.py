@@ -52,7 +52,7 @@ def test_the_programs_of_the_page_on_variants_run(capsys: pytest.CaptureFixture[
 
 @pytest.mark.slow
 def test_the_pages_build_without_a_warning(tmp_path: Path) -> None:
-    for package in ("sphinx", "myst_parser"):
+    for package in ("sphinx", "myst_parser", "furo", "sphinx_gallery"):
         pytest.importorskip(package, reason="the documentation needs pip install 'flexel[docs]'")
     command = [sys.executable, "-m", "sphinx", "-W", "--keep-going", "-q", "-d", str(tmp_path / "trees")]
     answer = subprocess.run(
@@ -63,4 +63,9 @@ def test_the_pages_build_without_a_warning(tmp_path: Path) -> None:
     assert "longitudinal" in page and "against the definition" in page
     report = (tmp_path / "html" / "report-latest.html").read_text(encoding="utf-8")
     assert "Published numbers" in report and "<td>wheel</td>" in report
+    formulas = (tmp_path / "html" / "theory.html").read_text(encoding="utf-8")
+    assert formulas.count("<math") > 50 and 'class="accented">q\u0308' in formulas
+    assert "mathjax" not in formulas.lower()  # nor anything else from a network
+    classic = (tmp_path / "html" / "_generated" / "gallery" / "four_bar.html").read_text(encoding="utf-8")
+    assert "sphx_glr_four_bar_001.png" in classic and "the rocker swings between" in classic
     assert 'href="report-latest.html"' in (tmp_path / "html" / "report.html").read_text(encoding="utf-8")
