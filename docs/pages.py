@@ -23,6 +23,7 @@ from flexel.generated.table import ELEMENTS, LAWS
 
 FIRST = (
     "start",
+    "concepts",
     "coming-from-spacar",
     "writing-an-element",
     "adding-an-element",
@@ -57,7 +58,7 @@ HOMES = {  # sections of the page of public names: title and modules
     "Errors": ("flexel.base.errors", "flexel.derive.errors"),
 }
 RETURNED = {  # functions and options of pictures that are not names of the package itself
-    "flexel.pictures.plot": ("root_loci", "Sketch"),
+    "flexel.pictures.plot": ("draw", "root_loci", "Sketch"),
     "flexel.pictures.view": ("scene_data", "view_modes"),
 }
 DECLARATIONS = (
@@ -201,21 +202,31 @@ def directive(name: str, module: str = "flexel") -> str:
     return f".. autoclass:: {module}.{name}\n   :members:\n"
 
 
-def api_page() -> str:
-    """Every public name with its docstring, in sections."""
+def api_pages() -> dict[str, str]:
+    """Return the pages of public names by file name: one for each topic, and ``api``, which lists topics and names."""
     modules = dict.fromkeys(flexel._HOMES.values())
     titles = {module: title for title, homes in HOMES.items() for module in homes}
-    sections: dict[str, list[str]] = {title: [] for title in (*HOMES, "Analyses and results")}
+    names: dict[str, list[str]] = {title: [] for title in (*HOMES, "Analyses and results")}
     for module in modules:
-        names = [name for name, home in flexel._HOMES.items() if home == module]
-        sections[titles.get(module, "Analyses and results")] += [directive(name) for name in names]
-    text = "# Public names\n\nAfter `import flexel as fx`, each of these is available as `fx.NAME`.\n"
-    for title, entries in sections.items():
-        text += f"\n## {title}\n\n```{{eval-rst}}\n" + "\n".join(entries) + "```\n"
-    given = [directive(name, module) for module, names in RETURNED.items() for name in names]
-    text += "\n## Pictures\n\n```{eval-rst}\n" + "\n".join(given) + "```\n"
-    text += "\n## Declaring elements and laws\n\n```{eval-rst}\n"
-    return text + "\n".join(f".. automodule:: {module}\n   :members:\n" for module in DECLARATIONS) + "```\n"
+        found = [name for name, home in flexel._HOMES.items() if home == module]
+        names[titles.get(module, "Analyses and results")] += found
+    entries = {title: [directive(name) for name in found] for title, found in names.items()}
+    entries["Pictures"] = [directive(name, module) for module, given in RETURNED.items() for name in given]
+    names["Pictures"] = [name for given in RETURNED.values() for name in given]
+    entries["Declaring elements and laws"] = [f".. automodule:: {z}\n   :members:\n" for z in DECLARATIONS]
+    slugs = {title: f"api/{title.lower().replace(' ', '-').replace(',', '')}" for title in entries}
+    rows = [
+        (f"[{title}]({slugs[title]}.md)", ", ".join(f"`{name}`" for name in names.get(title, [])) or "–")
+        for title in entries
+    ]
+    text = "# Public names\n\nAfter `import flexel as fx`, each of these is available as `fx.NAME`, except those of\n"
+    text += "the last two topics, whose pages name their modules.\n\n" + table(("topic", "names"), rows)
+    text += "\n```{toctree}\n:hidden:\n\n" + "\n".join(slugs.values()) + "\n```\n"
+    pages = {
+        slugs[title]: f"# {title}\n\n```{{eval-rst}}\n" + "\n".join(found) + "```\n"
+        for title, found in entries.items()
+    }
+    return {"api": text, **pages}
 
 
 def contents(folder: Path) -> str:
@@ -260,7 +271,8 @@ def write(folder: Path) -> None:
         put(out / "elements" / f"{name}.md", element_page(spec, rows.get(name, [])))
     put(out / "elements.md", elements_page())
     put(out / "laws.md", laws_page(rows))
-    put(out / "api.md", api_page())
+    for name, text in api_pages().items():
+        put(out / f"{name}.md", text)
     put(out / "contents.md", contents(folder))
     write_report(folder, out / "verification.json", out / "report" / "report-latest.html")
 

@@ -41,6 +41,14 @@ def test_the_program_of_the_page_on_control_steadies_the_rod() -> None:
     assert abs(names["motion"]["motor.angle"][-1]) < 1e-4
 
 
+def test_the_program_of_the_page_on_concepts_runs(capsys: pytest.CaptureFixture[str]) -> None:
+    """A spring on a deformation that was rigid frees a degree of freedom."""
+    for block in programs("concepts.md"):
+        exec(block, {})
+    first, second = (line.count("'") // 2 for line in capsys.readouterr().out.splitlines())
+    assert (first, second) == (1, 2)
+
+
 def test_the_programs_of_the_page_on_variants_run(capsys: pytest.CaptureFixture[str]) -> None:
     names: dict[str, Any] = {}
     for block in programs("many.md"):
