@@ -21,13 +21,8 @@ from flexel.derive.spec import DeformationSpec, ElementSpec, KernelSpec, LawSpec
 from flexel.derive.verify import verify_generated
 from flexel.generated.table import ELEMENTS, LAWS
 
-FIRST = (
-    "start",
-    "concepts",
-    "coming-from-spacar",
-    "writing-an-element",
-    "adding-an-element",
-)  # of the guides, in this order
+# Of the guides, in this order.
+FIRST = ("start", "concepts", "coming-from-spacar", "writing-an-element", "adding-an-element")
 REFERENCE = ("theory", "architecture", "speed", "report")
 Rows = list[dict[str, Any]]
 
@@ -36,17 +31,37 @@ HOMES = {  # sections of the page of public names: title and modules
         "flexel.model",
         "flexel.mechanics.findings",
         "flexel.declare.sections",
+        "flexel.declare.round_sections",
         "flexel.declare.materials",
+        "flexel.declare.curves",
+        "flexel.declare.wheels",
         "flexel.base.quaternions",
         "flexel.declare.user",
+    ),
+    "Ropes and contact": (
+        "flexel.rope.rope",
+        "flexel.rope.wire_rope",
+        "flexel.rope.surfaces",
+        "flexel.rope.contacts",
     ),
     "Functions of time": ("flexel.base.time_functions",),
     "Systems, states and motions": (
         "flexel.system",
         "flexel.structure.state",
         "flexel.integration.events",
+        "flexel.analyses.stepper",
         "flexel.results.motion",
+        "flexel.results.saved.loading",
     ),
+    "Statics, stresses and periodic motions": (
+        "flexel.mechanics.constraints",
+        "flexel.mechanics.stress",
+        "flexel.statics.stability",
+        "flexel.statics.compliance",
+        "flexel.results.periodic",
+        "flexel.results.branch",
+    ),
+    "SPACAR": ("flexel.spacar.reading", "flexel.results.saved.spacar_records"),
     "Sweeps": (
         "flexel.sweeps.sweep",
         "flexel.sweeps.points",
@@ -56,6 +71,7 @@ HOMES = {  # sections of the page of public names: title and modules
     "Linearization": ("flexel.mechanics.linearization", "flexel.mechanics.modes"),
     "Many variants": ("flexel.results.ensemble", "flexel.results.linearizations"),
     "Errors": ("flexel.base.errors", "flexel.derive.errors"),
+    "Pictures": ("flexel.pictures.scene",),
 }
 RETURNED = {  # functions and options of pictures that are not names of the package itself
     "flexel.pictures.plot": ("draw", "root_loci", "Sketch"),
@@ -204,15 +220,14 @@ def directive(name: str, module: str = "flexel") -> str:
 
 def api_pages() -> dict[str, str]:
     """Return the pages of public names by file name: one for each topic, and ``api``, which lists topics and names."""
-    modules = dict.fromkeys(flexel._HOMES.values())
     titles = {module: title for title, homes in HOMES.items() for module in homes}
-    names: dict[str, list[str]] = {title: [] for title in (*HOMES, "Analyses and results")}
-    for module in modules:
-        found = [name for name, home in flexel._HOMES.items() if home == module]
-        names[titles.get(module, "Analyses and results")] += found
+    names: dict[str, list[str]] = {title: [] for title in HOMES}
+    for name, module in flexel._HOMES.items():
+        names[titles[module]].append(name)
     entries = {title: [directive(name) for name in found] for title, found in names.items()}
-    entries["Pictures"] = [directive(name, module) for module, given in RETURNED.items() for name in given]
-    names["Pictures"] = [name for given in RETURNED.values() for name in given]
+    for module, given in RETURNED.items():
+        entries["Pictures"] += [directive(name, module) for name in given]
+        names["Pictures"] += given
     entries["Declaring elements and laws"] = [f".. automodule:: {z}\n   :members:\n" for z in DECLARATIONS]
     slugs = {title: f"api/{title.lower().replace(' ', '-').replace(',', '')}" for title in entries}
     rows = [
@@ -271,8 +286,12 @@ def write(folder: Path) -> None:
         put(out / "elements" / f"{name}.md", element_page(spec, rows.get(name, [])))
     put(out / "elements.md", elements_page())
     put(out / "laws.md", laws_page(rows))
-    for name, text in api_pages().items():
+    public = api_pages()
+    for name, text in public.items():
         put(out / f"{name}.md", text)
+    for file in (out / "api").glob("*.md"):
+        if f"api/{file.stem}" not in public:  # of a topic that is gone
+            file.unlink()
     put(out / "contents.md", contents(folder))
     write_report(folder, out / "verification.json", out / "report" / "report-latest.html")
 
