@@ -11,7 +11,28 @@ import flexel  # noqa: E402
 
 project, author, copyright = "flexel", "flexel contributors", "flexel contributors"  # noqa: A001
 version = release = flexel.__version__
-extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
+extensions = [
+    "myst_parser",
+    "sphinx.ext.autodoc",
+    "sphinx.ext.napoleon",
+    "sphinx_gallery.gen_gallery",
+    "mathml",
+]
+sphinx_gallery_conf = {
+    "examples_dirs": "../examples/gallery",
+    "gallery_dirs": "_generated/gallery",
+    "filename_pattern": ".py",
+    "ignore_pattern": "__init__",
+    "abort_on_example_error": True,
+    "download_all_examples": False,
+    "show_signature": False,
+    "min_reported_time": 60,
+    "write_computation_times": False,
+    "thumbnail_size": (400, 280),
+    "within_subsection_order": "FileNameSortKey",
+}
+html_math_renderer = "mathml"  # of mathml.py in this folder
+myst_enable_extensions = ["dollarmath"]
 html_extra_path = ["_generated/report"]
 exclude_patterns = ["_build", "_generated/contents.md"]
 myst_heading_anchors = 3
@@ -23,12 +44,10 @@ napoleon_use_ivar = True
 suppress_warnings = [
     "ref.python"
 ]  # short attribute names, such as x, occur in several classes: no link is meant
-html_theme = "alabaster"
-html_theme_options = {
-    "description": flexel.__doc__.split(":")[0],
-    "fixed_sidebar": True,
-    "page_width": "1100px",
-}
+html_theme = "furo"
+html_title = "flexel"
+html_static_path = ["static"]
+html_css_files = ["flexel.css"]
 html_show_sourcelink = False
 templates_path: list[str] = []
 

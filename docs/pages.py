@@ -21,14 +21,17 @@ from flexel.derive.spec import DeformationSpec, ElementSpec, KernelSpec, LawSpec
 from flexel.derive.verify import verify_generated
 from flexel.generated.table import ELEMENTS, LAWS
 
+# Of the guides, in this order.
 FIRST = (
     "start",
+    "concepts",
     "coming-from-spacar",
     "coming-from-spacar-light",
     "flexure-design",
+    "joints",
     "writing-an-element",
     "adding-an-element",
-)  # of the guides, in this order
+)
 REFERENCE = ("theory", "architecture", "verification", "speed", "report")
 Rows = list[dict[str, Any]]
 
@@ -42,6 +45,8 @@ HOMES = {  # sections of the page of public names: title and modules
         "flexel.declare.thin_sections",
         "flexel.declare.closed_profile",
         "flexel.declare.materials",
+        "flexel.declare.curves",
+        "flexel.declare.wheels",
         "flexel.base.quaternions",
         "flexel.declare.user",
     ),
@@ -52,13 +57,31 @@ HOMES = {  # sections of the page of public names: title and modules
         "flexel.results.flexure",
         "flexel.results.flexure_step",
     ),
+    "Ropes and contact": (
+        "flexel.rope.rope",
+        "flexel.rope.wire_rope",
+        "flexel.rope.surfaces",
+        "flexel.rope.contacts",
+    ),
     "Functions of time": ("flexel.base.time_functions",),
     "Systems, states and motions": (
         "flexel.system",
         "flexel.structure.state",
         "flexel.integration.events",
+        "flexel.analyses.stepper",
+        "flexel.analyses.summary",
         "flexel.results.motion",
+        "flexel.results.saved.loading",
     ),
+    "Statics, stresses and periodic motions": (
+        "flexel.mechanics.constraints",
+        "flexel.mechanics.stress",
+        "flexel.statics.stability",
+        "flexel.statics.compliance",
+        "flexel.results.periodic",
+        "flexel.results.branch",
+    ),
+    "SPACAR": ("flexel.spacar.reading", "flexel.results.saved.spacar_records"),
     "Sweeps": (
         "flexel.sweeps.sweep",
         "flexel.sweeps.points",
@@ -68,9 +91,10 @@ HOMES = {  # sections of the page of public names: title and modules
     "Linearization": ("flexel.mechanics.linearization", "flexel.mechanics.modes"),
     "Many variants": ("flexel.results.ensemble", "flexel.results.linearizations"),
     "Errors": ("flexel.base.errors", "flexel.derive.errors"),
+    "Pictures": ("flexel.pictures.scene",),
 }
 RETURNED = {  # functions and options of pictures that are not names of the package itself
-    "flexel.pictures.plot": ("root_loci", "Sketch"),
+    "flexel.pictures.plot": ("draw", "root_loci", "Sketch"),
     "flexel.pictures.view": ("scene_data", "view_modes"),
 }
 DECLARATIONS = (
@@ -214,21 +238,30 @@ def directive(name: str, module: str = "flexel") -> str:
     return f".. autoclass:: {module}.{name}\n   :members:\n"
 
 
-def api_page() -> str:
-    """Every public name with its docstring, in sections."""
-    modules = dict.fromkeys(flexel._HOMES.values())
+def api_pages() -> dict[str, str]:
+    """Return the pages of public names by file name: one for each topic, and ``api``, which lists topics and names."""
     titles = {module: title for title, homes in HOMES.items() for module in homes}
-    sections: dict[str, list[str]] = {title: [] for title in (*HOMES, "Analyses and results")}
-    for module in modules:
-        names = [name for name, home in flexel._HOMES.items() if home == module]
-        sections[titles.get(module, "Analyses and results")] += [directive(name) for name in names]
-    text = "# Public names\n\nAfter `import flexel as fx`, each of these is available as `fx.NAME`.\n"
-    for title, entries in sections.items():
-        text += f"\n## {title}\n\n```{{eval-rst}}\n" + "\n".join(entries) + "```\n"
-    given = [directive(name, module) for module, names in RETURNED.items() for name in names]
-    text += "\n## Pictures\n\n```{eval-rst}\n" + "\n".join(given) + "```\n"
-    text += "\n## Declaring elements and laws\n\n```{eval-rst}\n"
-    return text + "\n".join(f".. automodule:: {module}\n   :members:\n" for module in DECLARATIONS) + "```\n"
+    names: dict[str, list[str]] = {title: [] for title in HOMES}
+    for name, module in flexel._HOMES.items():
+        names[titles[module]].append(name)
+    entries = {title: [directive(name) for name in found] for title, found in names.items()}
+    for module, given in RETURNED.items():
+        entries["Pictures"] += [directive(name, module) for name in given]
+        names["Pictures"] += given
+    entries["Declaring elements and laws"] = [f".. automodule:: {z}\n   :members:\n" for z in DECLARATIONS]
+    slugs = {title: f"api/{title.lower().replace(' ', '-').replace(',', '')}" for title in entries}
+    rows = [
+        (f"[{title}]({slugs[title]}.md)", ", ".join(f"`{name}`" for name in names.get(title, [])) or "–")
+        for title in entries
+    ]
+    text = "# Public names\n\nAfter `import flexel as fx`, each of these is available as `fx.NAME`, except those of\n"
+    text += "the last two topics, whose pages name their modules.\n\n" + table(("topic", "names"), rows)
+    text += "\n```{toctree}\n:hidden:\n\n" + "\n".join(slugs.values()) + "\n```\n"
+    pages = {
+        slugs[title]: f"# {title}\n\n```{{eval-rst}}\n" + "\n".join(found) + "```\n"
+        for title, found in entries.items()
+    }
+    return {"api": text, **pages}
 
 
 def contents(folder: Path) -> str:
@@ -237,7 +270,11 @@ def contents(folder: Path) -> str:
     systems = [name for name in CASES if name in found]
     guides = [*FIRST, *sorted(found - {*FIRST, *REFERENCE, *systems})]
     elements = ["_generated/elements", "_generated/laws", "_generated/api"]
-    groups = {"Guides": guides, "Systems reproduced": systems, "Reference": [*REFERENCE, *elements]}
+    groups = {
+        "Guides": [*guides, "_generated/gallery/index"],
+        "Systems reproduced": systems,
+        "Reference": [*REFERENCE, *elements],
+    }
     return "\n".join(
         f"```{{toctree}}\n:caption: {caption}\n:maxdepth: 1\n\n" + "\n".join(names) + "\n```\n"
         for caption, names in groups.items()
@@ -269,7 +306,12 @@ def write(folder: Path) -> None:
         put(out / "elements" / f"{name}.md", element_page(spec, rows.get(name, [])))
     put(out / "elements.md", elements_page())
     put(out / "laws.md", laws_page(rows))
-    put(out / "api.md", api_page())
+    public = api_pages()
+    for name, text in public.items():
+        put(out / f"{name}.md", text)
+    for file in (out / "api").glob("*.md"):
+        if f"api/{file.stem}" not in public:  # of a topic that is gone
+            file.unlink()
     put(out / "contents.md", contents(folder))
     write_report(folder, out / "verification.json", out / "report" / "report-latest.html")
 

@@ -42,6 +42,14 @@ def test_the_program_of_the_page_on_control_steadies_the_rod() -> None:
     assert abs(names["motion"]["motor.angle"][-1]) < 1e-4
 
 
+def test_the_program_of_the_page_on_concepts_runs(capsys: pytest.CaptureFixture[str]) -> None:
+    """A spring on a deformation that was rigid frees a degree of freedom."""
+    for block in programs("concepts.md"):
+        exec(block, {})
+    first, second = (line.count("'") // 2 for line in capsys.readouterr().out.splitlines())
+    assert (first, second) == (1, 2)
+
+
 def test_the_programs_of_the_page_on_variants_run(capsys: pytest.CaptureFixture[str]) -> None:
     names: dict[str, Any] = {}
     for block in programs("many.md"):
@@ -82,7 +90,7 @@ def test_the_programs_of_the_pages_on_flexures_run(
 
 @pytest.mark.slow
 def test_the_pages_build_without_a_warning(tmp_path: Path) -> None:
-    for package in ("sphinx", "myst_parser"):
+    for package in ("sphinx", "myst_parser", "furo", "sphinx_gallery"):
         pytest.importorskip(package, reason="the documentation needs pip install 'flexel[docs]'")
     command = [sys.executable, "-m", "sphinx", "-W", "--keep-going", "-q", "-d", str(tmp_path / "trees")]
     answer = subprocess.run(
@@ -93,4 +101,9 @@ def test_the_pages_build_without_a_warning(tmp_path: Path) -> None:
     assert "longitudinal" in page and "against the definition" in page
     report = (tmp_path / "html" / "report-latest.html").read_text(encoding="utf-8")
     assert "Published numbers" in report and "<td>wheel</td>" in report
+    formulas = (tmp_path / "html" / "theory.html").read_text(encoding="utf-8")
+    assert formulas.count("<math") > 50 and 'class="accented">q\u0308' in formulas
+    assert not re.search(r"<(script|link)[^>]*(src|href)=.https?://", formulas)  # nothing from a network
+    classic = (tmp_path / "html" / "_generated" / "gallery" / "four_bar.html").read_text(encoding="utf-8")
+    assert "sphx_glr_four_bar_001.png" in classic and "the rocker swings between" in classic
     assert 'href="report-latest.html"' in (tmp_path / "html" / "report.html").read_text(encoding="utf-8")

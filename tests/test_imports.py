@@ -34,6 +34,8 @@ CALLS_DERIVE = (
 PEERS = {"bicycleparameters", "exudyn", "mujoco", "pinocchio", "symbrim"}  # of `flexel bench`
 LAZY = {"sympy", "jinja2", "matplotlib", "xarray", "h5netcdf", "pandas", "control", "sksundae"}
 LAZY |= {"joblib", "cloudpickle", "dask", "distributed"} | PEERS
+# Programs as users write them: nothing imports them.
+PROGRAMS = "examples/gallery/"
 # The peer that derives by SymPy.
 DERIVES = "benchmarks/peers/symbrim.py"
 
@@ -118,14 +120,23 @@ def test_runtime_and_examples_derive_only_when_called_and_only_in_named_modules(
     symbolic = [
         z
         for z in imports("runtime", "examples", "benchmarks")
-        if (z.part == "derive" and not z.module.startswith(PLAIN)) or z.module.startswith(("sympy", "jinja2"))
+        if not z.file.startswith(PROGRAMS)
+        and (
+            (z.part == "derive" and not z.module.startswith(PLAIN))
+            or z.module.startswith(("sympy", "jinja2"))
+        )
     ]
     assert [str(z) for z in symbolic if not (z.lazy and z.file in (*CALLS_DERIVE, DERIVES))] == []
 
 
 def test_slow_and_optional_packages_are_imported_when_used() -> None:
     found = imports("runtime", "examples", "benchmarks")
-    assert [str(z) for z in found if not z.lazy and z.head in LAZY] == []
+    eager = [z for z in found if not z.lazy and z.head in LAZY]
+    assert [str(z) for z in eager if not z.file.startswith(PROGRAMS)] == []
+
+
+def test_nothing_imports_the_programs_of_the_gallery() -> None:
+    assert [str(z) for z in imports(*PARTS) if z.module.startswith("flexel.examples.gallery.")] == []
 
 
 def test_the_runtime_imports_neither_examples_nor_benchmarks() -> None:

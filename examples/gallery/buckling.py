@@ -1,0 +1,32 @@
+r"""
+Buckling of a column
+====================
+
+A slender column on hinges buckles under :math:`\pi^2 E I/L^2` (Euler, 1744). Eight elements find its first loads.
+"""
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+import flexel as fx
+
+length, EI, n = 1.0, 100.0, 8
+m = fx.Model()
+for i in range(n + 1):
+    m.point(f"P{i}", (0, i * length / n), fixed=i == 0)
+    m.angle(f"R{i}")
+for i in range(n):
+    m.beam(f"beam {i}", f"P{i}", f"R{i}", f"P{i + 1}", f"R{i + 1}", EIz=EI, EA=1e8)
+m.fix(f"P{n}.x")
+s = m.build()
+modes = s.buckling(increment={f"P{n}.y": -1.0}, count=3)
+
+found = [mode.multiplier for mode in modes]
+known = [(i * np.pi / length) ** 2 * EI for i in (1, 2, 3)]
+print("buckling loads", found, "Euler", known, "N")
+
+for mode in modes:
+    plt.plot([mode.shape.get(f"P{i}.x", 0) for i in range(n + 1)], np.linspace(0, length, n + 1))
+plt.xlabel("shape")
+plt.ylabel("height [m]")
+plt.show()

@@ -1,0 +1,50 @@
+"""Every program of the gallery runs, draws, and finds its known number."""
+
+import ast
+import inspect
+import runpy
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from flexel.examples import gallery
+
+FOLDER = Path(inspect.getfile(gallery)).parent
+NAMES = sorted(file.stem for file in FOLDER.glob("[a-z]*.py"))
+TIGHT = 1e-7
+LOOSE = {  # relative differences that are due to the model, where they are more than rounding and integration
+    "bicycle": 2e-5,  # speeds are interpolated between those computed
+    "buckling": 3e-3,  # eight elements
+    "flexure_stage": 1e-5,  # the leaves stretch
+    "four_bar": 1e-6,  # extremes of stored instants
+    "hanging_chain": 1e-3,  # forty links
+    "own_element": 1e-7,
+}
+LONGEST = 40  # lines of code
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_program_finds_what_is_known(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    pyplot = pytest.importorskip("matplotlib.pyplot", reason="the gallery draws: pip install 'flexel[plot]'")
+    shown: list[int] = []
+    monkeypatch.setattr(pyplot, "show", lambda: shown.extend(pyplot.get_fignums()))
+    try:
+        names = runpy.run_path(str(FOLDER / f"{name}.py"))
+        assert len(shown) == 1 and pyplot.figure(shown[0]).axes[0].has_data()
+    finally:
+        pyplot.close("all")
+    known = np.asarray(names["known"])
+    scale = abs(known).max()
+    np.testing.assert_allclose(names["found"], known, rtol=0, atol=LOOSE.get(name, TIGHT) * scale)
+
+
+def test_there_are_enough_and_they_are_short() -> None:
+    """Code is counted without the text at the head, empty lines and comments."""
+    lengths = {}
+    for name in NAMES:
+        text = (FOLDER / f"{name}.py").read_text(encoding="utf-8")
+        code = text.split("\n")[ast.parse(text).body[0].end_lineno :]
+        lengths[name] = sum(1 for line in code if line.strip() and not line.lstrip().startswith("#"))
+    assert len(NAMES) >= 24
+    assert {name: n for name, n in lengths.items() if n >= LONGEST} == {}
