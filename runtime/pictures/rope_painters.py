@@ -44,6 +44,10 @@ def _stretch(state: State, instance: Instance) -> dict[str, Array]:
     """Tension and strain along a cable, at equal steps between the points where it is known."""
     rows, steps = cable_rows(state, [instance.name]), np.linspace(0, 1, 5)
     found = {"tension": rows.tension(state)[0], "strain": abs(rows.strain(state)[0])}
+    outline = section_outline(instance)
+    if outline is not None:  # the outermost fibre of a solid section
+        found["bending strain"] = rows.curvature(state)[0] * float(np.max(np.linalg.norm(outline, axis=1)))
+        found["strain"] = found["strain"] + found["bending strain"]
     return {key: np.interp(steps, PLACES, values) for key, values in found.items()}
 
 

@@ -26,7 +26,20 @@ if TYPE_CHECKING:
 __all__ = ["mode_data", "page", "scene_data", "view_modes", "view_motion", "write_page"]
 
 # One module in the page, in this order.
-SCRIPTS = ("start.js", "decode.js", "sweep.js", "parts.js", "orbit.js", "viewer.js")
+SCRIPTS = (
+    *(
+        "start.js",
+        "decode.js",
+        "sweep.js",
+        "batch.js",
+        "colours.js",
+        "parts.js",
+        "pieces.js",
+        "ground.js",
+        "orbit.js",
+    ),
+    *("fit.js", "hover.js", "strip.js", "controls.js", "viewer.js"),
+)
 
 
 def view_motion(motion: Motion, path: str | Path, **options: Any) -> Path:

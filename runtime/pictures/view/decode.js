@@ -18,6 +18,15 @@ class Track {
     this.now = new Float32Array(width);
   }
 
+  /** Whether the numbers differ from those at the last call. */
+  changes(instant) {
+    if (this.modes) return true;
+    const key = this.moving ? instant.frame + instant.fraction : 0;
+    const changed = key !== this.key;
+    this.key = key;
+    return changed;
+  }
+
   /** Numbers at an instant; poses have their quaternion in places 3 to 6. */
   at(instant, pose = false) {
     const { all, width, now } = this, a = this.moving ? instant.frame * width : 0;

@@ -57,7 +57,7 @@ def mode_data(
     view = view or View()
     base = drawing.shapes(state, view.sketches)
     displaced = [_displaced(state, _coordinates(about, state, mode), base, view) for mode in modes]
-    found = common(state, [base], view, title, caption)
+    found = common(state, [base], view, title or "Modes of vibration", caption)
     found |= {
         "times": [state.t],
         "speed": 1.0,
