@@ -57,8 +57,8 @@ HOMES = {  # sections of the page of public names: title and modules
     "Errors": ("flexel.base.errors", "flexel.derive.errors"),
 }
 RETURNED = {  # functions and options of pictures that are not names of the package itself
-    "flexel.pictures.plot": ("root_loci", "Sketch"),
-    "flexel.pictures.view": ("scene_data", "view_modes"),
+    "flexel.pictures.plot": ("root_loci",),
+    "flexel.pictures.view": ("scene_data", "view_modes", "Page"),
 }
 DECLARATIONS = (
     "flexel.derive.declare.element",

@@ -39,6 +39,7 @@ if TYPE_CHECKING:
     from flexel.mechanics.stress import BeamStress
     from flexel.model import Model
     from flexel.pictures.scene import View
+    from flexel.pictures.solids import Box, Cylinder, Mesh, Sketch
     from flexel.results.branch import PeriodicBranch
     from flexel.results.ensemble import Ensemble
     from flexel.results.linearizations import Linearizations, RootLoci
@@ -65,6 +66,7 @@ __version__ = "0.1.0"
 __all__ = [
     "AssemblyWarning",
     "BeamStress",
+    "Box",
     "BucklingMode",
     "CheckReport",
     "Circle",
@@ -74,6 +76,7 @@ __all__ = [
     "ConstraintReport",
     "Contact",
     "Curve",
+    "Cylinder",
     "DynamicsError",
     "ElementError",
     "Ensemble",
@@ -88,6 +91,7 @@ __all__ = [
     "LinearizationError",
     "Linearizations",
     "Material",
+    "Mesh",
     "Mode",
     "Model",
     "ModelError",
@@ -105,6 +109,7 @@ __all__ = [
     "Rope",
     "RoundGroove",
     "SectionForces",
+    "Sketch",
     "Spacar",
     "SpacarRecords",
     "State",
@@ -135,6 +140,7 @@ __all__ = [
 _HOMES = {
     "AssemblyWarning": "flexel.base.errors",
     "BeamStress": "flexel.mechanics.stress",
+    "Box": "flexel.pictures.solids",
     "BucklingMode": "flexel.statics.stability",
     "CheckReport": "flexel.mechanics.findings",
     "Circle": "flexel.declare.round_sections",
@@ -144,6 +150,7 @@ _HOMES = {
     "ConstraintReport": "flexel.mechanics.constraints",
     "Contact": "flexel.rope.contacts",
     "Curve": "flexel.declare.curves",
+    "Cylinder": "flexel.pictures.solids",
     "DynamicsError": "flexel.base.errors",
     "ElementError": "flexel.derive.errors",
     "Ensemble": "flexel.results.ensemble",
@@ -158,6 +165,7 @@ _HOMES = {
     "LinearizationError": "flexel.base.errors",
     "Linearizations": "flexel.results.linearizations",
     "Material": "flexel.declare.materials",
+    "Mesh": "flexel.pictures.solids",
     "Mode": "flexel.mechanics.modes",
     "Model": "flexel.model",
     "ModelError": "flexel.base.errors",
@@ -175,6 +183,7 @@ _HOMES = {
     "Rope": "flexel.rope.rope",
     "RoundGroove": "flexel.rope.surfaces",
     "SectionForces": "flexel.declare.sections",
+    "Sketch": "flexel.pictures.solids",
     "Spacar": "flexel.spacar.reading",
     "SpacarRecords": "flexel.results.saved.spacar_records",
     "State": "flexel.structure.state",
@@ -182,9 +191,9 @@ _HOMES = {
     "StressPoint": "flexel.declare.sections",
     "System": "flexel.system",
     "Table": "flexel.base.time_functions",
+    "Tube": "flexel.declare.round_sections",
     "UnstableWarning": "flexel.base.errors",
     "UnsteadyWarning": "flexel.base.errors",
-    "Tube": "flexel.declare.round_sections",
     "VGroove": "flexel.rope.surfaces",
     "Vibration": "flexel.statics.stability",
     "View": "flexel.pictures.scene",

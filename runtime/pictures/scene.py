@@ -146,8 +146,7 @@ def draw(
     for track in (trails or {}).values():
         axes.plot(*(track @ turn.T).T[: 2 if flat else 3], color="#2e8540", lw=1.2, zorder=1, clip_on=False)
     for order, (style, (colour, width, mark)) in enumerate(PAINT.items(), start=2):
-        lines = [line for part in parts if part.style == style for line in part.lines]
-        lines = [(zigzag(z) if style == "spring" else z) @ turn.T for z in lines]
+        lines = [line @ turn.T for part in parts if part.style == style for line in _lines(part)]
         if lines:
             _paint(axes, flat, lines, colour, width, mark, order)
     _limits(axes, flat, turn @ centre, span)
@@ -179,6 +178,16 @@ def _window(state: State, view: View, parts: Sequence[drawing.Shape]) -> tuple[A
 def painted(parts: Iterable[drawing.Shape]) -> Array:
     """All vertices (k, 3) that are painted."""
     return np.vstack([line for part in parts if part.style in PAINT for line in part.lines])
+
+
+def _lines(part: drawing.Shape) -> tuple[Array, ...]:
+    """Polylines of a part as they are painted: springs as zigzags, tyres where they are widest."""
+    if part.style == "spring":
+        return (zigzag(part.lines[0]),)
+    if part.style == "tyre" and part.pose is not None and part.outline is not None:
+        arms = part.lines[0] - part.pose[0]
+        return (part.lines[0] + float(part.outline[:, 1].max()) * arms / np.linalg.norm(arms[0]),)
+    return part.lines
 
 
 def _paint(
