@@ -224,9 +224,11 @@ def outline(p: dict[str, float]) -> Outline:
     front = [[low, (p["w"], 0, -p["rF"])], [low, bar]]
     front.append([steering(1.02, 0.26 * z, back) for z, back in ((-1, 0.25), (-1, 0), (1, 0), (1, 0.25))])
     frame = [[hub, crank, saddle, hub], [saddle, top, low, crank]]
-    lines = [[np.array(line, dtype=float) for line in z] for z in (frame, front)]
     return Outline(
-        *lines, [(np.array(line, dtype=float), d) for line, d in rider], np.array([0.53, 0, -1.63])
+        frame=[np.array(line, dtype=float) for line in frame],
+        front=[np.array(line, dtype=float) for line in front],
+        rider=[(np.array(line, dtype=float), d) for line, d in rider],
+        head=np.array([0.53, 0, -1.63]),
     )
 
 

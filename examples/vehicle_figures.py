@@ -129,7 +129,7 @@ def bodywork() -> list[Box]:
         ("#6f8fae", (middle, 0, 0.5), (length + 0.5, 0.3, 0.16)),
         ("#6f8fae", (middle - sign * 0.12 * length, 0, 0.62), (0.55 * length, 0.9, 0.1)),
         ("#9fb6cc", (middle - sign * 0.12 * length, 0, 0.92), (0.42 * length, 0.8, 0.5)),
-        ("#6f8fae", (front + sign * 0.2, 0, 0.74), (0.5, 0.3, 0.12)),
+        ("#6f8fae", (front + sign * 0.05, 0, 0.64), (0.5, 0.3, 0.16)),
     ]
     return [Box("chassis", "body", centre, sides, colour=colour) for colour, centre, sides in boxes]
 

@@ -96,7 +96,8 @@ class Page:
         style = f"resize:both;overflow:hidden;width:100%;height:{self.height}px;border:1px solid #d0d7de"
         title = html.escape(str(self.scene.get("title") or "Motion"), quote=True)
         inner = html.escape(page(self.scene), quote=True)
-        frame = f'<iframe title="{title}" srcdoc="{inner}" style="width:100%;height:100%;border:0" allowfullscreen></iframe>'
+        filled = "width:100%;height:100%;border:0"
+        frame = f'<iframe title="{title}" srcdoc="{inner}" style="{filled}" allowfullscreen></iframe>'
         return f'<div style="{style}">{frame}</div>'
 
 

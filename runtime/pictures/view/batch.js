@@ -46,7 +46,7 @@ class Batch {
     if (!this.size) return null;
     const mesh = this.rigid ? this.skinned() : new THREE.Mesh(this.geometry, this.material);
     mesh.frustumCulled = false; // its bounds change with every frame
-    mesh.castShadow = !this.material.transparent;
+    mesh.castShadow = mesh.receiveShadow = !this.material.transparent;
     return mesh;
   }
 

@@ -110,7 +110,11 @@ function prepareControls() {
   const visible = (styles) => (on) => parts.forEach((z) => styles.includes(z.spec.style) && (z.visible = on));
   for (const [text, styles] of Object.entries(KINDS_SHOWN))
     if (parts.some((z) => styles.includes(z.spec.style))) checkbox(text, true, visible(styles));
-  if (roads.length) checkbox("road", true, (on) => roads.forEach((z) => (z.object.visible = on)));
+  if (roads.length || parts.some((z) => z.spec.style === "ground"))
+    checkbox("road", true, (on) => {
+      roads.forEach((z) => (z.object.visible = on));
+      visible(["ground"])(on);
+    });
   if (floor) checkbox("floor", true, (on) => (floor.object.visible = on));
   checkbox("axes x y z", false, (on) => (triad.visible = on));
   prepareArrows();

@@ -23,6 +23,7 @@ from flexel.pictures.scene import PAINT, View, display_axes, painted
 from flexel.pictures.shape import UNITS, Shape, extent
 from flexel.pictures.spring_painters import united
 from flexel.pictures.view.series import floors, histories
+from flexel.pictures.wavy_roads import wavy_roads
 from flexel.structure.state import State
 
 if TYPE_CHECKING:
@@ -31,7 +32,14 @@ if TYPE_CHECKING:
 FORMAT = 2
 FRAMES = 301
 COLOURS = {style: paint[0] for style, paint in PAINT.items()}
-COLOURS |= {"box": "#8fa3b3", "force": "#d4351c", "load": "#7b3f98", "joint": "#f0f3f5", "sketch": "#8fa3b3"}
+COLOURS |= {
+    "box": "#8fa3b3",
+    "force": "#d4351c",
+    "load": "#7b3f98",
+    "joint": "#f0f3f5",
+    "sketch": "#8fa3b3",
+    "ground": "#c9d0d6",
+}
 WINDOW = 4.0  # the camera follows motions that go farther than this many times the model's size
 
 
@@ -93,7 +101,12 @@ def scene_data(
     found["floors"] = floors(states, table, found["size"])
     found["plots"] = _packed_rows(histories(states, asked))
     found["digits"] = int(np.clip(2 - np.floor(np.log10(max(times[-1] - times[0], 1e-6))), 0, 6))
-    found["shapes"] = [part(_whole(column)) for column in zip(*table, strict=True) if _acts(column)]
+    ground = list(wavy_roads(states))
+    if ground:
+        found["floor"] = None
+    found["shapes"] = [part([z]) for z in ground] + [
+        part(_whole(column)) for column in zip(*table, strict=True) if _acts(column)
+    ]
     return found
 
 

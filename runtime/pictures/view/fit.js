@@ -33,7 +33,7 @@ function fitted(parts, orbit, root, followed, now, aspect) {
   for (const instant of samples(now)) {
     if (followed) base.fromArray(followed.track.at(instant));
     for (const part of parts) {
-      if (!part.visible || part instanceof Arrow) continue;
+      if (!part.visible || part instanceof Arrow || part.spec.style === "ground") continue;
       const points = outermost(part, instant), extra = part.radius;
       for (let i = 0; i < points.length; i += 3) {
         v.set(points[i], points[i + 1], points[i + 2]).sub(base);

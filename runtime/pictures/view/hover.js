@@ -3,7 +3,7 @@
 const NEAR = 9; // pixels
 const WORDS = {
   joint: "point", fixed: "fixed point", mass: "mass centre", box: "body", rim: "wheel", spoke: "part of", valve: "spoke of",
-  force: "force of", load: "load on", sketch: "outline on", solid: "solid on", slide: "slider", spiral: "torsional spring",
+  force: "force of", load: "load on", sketch: "outline on", solid: "solid on", ground: "surface of the", slide: "slider", spiral: "torsional spring",
 };
 
 /** Distance in pixels from p to the segment ab, and where along it the nearest place is; [x, y] each. */
@@ -52,13 +52,13 @@ class Hover {
     let best = null, least = NEAR;
     for (const part of this.parts) {
       if (!part.visible || part.bounds || part.spec.style === "box") continue;
-      const points = part.places(now), mark = part instanceof Mark;
+      const points = part.places(now), before = !(part instanceof Mark) ? 0 : part.spec.style === "mass" ? 4 : 5;
       let k = 0;
-      for (const n of part.spec.counts)
+      for (const n of part.counts)
         for (let i = 0; i < n; i++, k++) {
           if (i === 0 && n > 1) continue;
           const b = pixels(points, 3 * k), a = n > 1 ? pixels(points, 3 * k - 3) : b, [d, s] = toSegment(p, a, b);
-          const far = d - (part.radius * scale) / Math.max(b[2], 1e-9) - (mark ? 5 : 0);
+          const far = d - (part.radius * scale) / Math.max(b[2], 1e-9) - before;
           if (b[2] > 0 && far < least) [best, least] = [{ part, now, x: n > 1 ? (i - 1 + s) / (n - 1) : 0 }, far];
         }
     }

@@ -122,6 +122,11 @@ class Part {
     return out;
   }
 
+  /** Vertices of each of these lines. */
+  get counts() {
+    return this.spec.counts;
+  }
+
   /** Half the thickness of what is drawn. */
   get radius() {
     return this.section.widest;

@@ -168,10 +168,20 @@ class Arrow extends Piece {
   paint() {
     for (const { at, size } of this.taken) this.batch.fill(at, size, this.colour);
   }
+
+  get counts() {
+    return [2];
+  }
+
+  /** Both ends of the arrow. */
+  places(instant) {
+    const a = this.track.at(instant), f = this.force.at(instant), scale = (Arrow.reach * scene.size) / (Arrow.unit || 1);
+    return Float32Array.of(a[0], a[1], a[2], a[0] + scale * f[0], a[1] + scale * f[1], a[2] + scale * f[2]);
+  }
 }
 Arrow.reach = 0.35; // of the largest force, relative to the model; changed by a slider
 
-const KINDS = { force: Arrow, load: Arrow, spring: Coil, damper: Damper, solid: Solid, joint: Mark, fixed: Mark, mass: Mark };
+const KINDS = { force: Arrow, load: Arrow, spring: Coil, damper: Damper, solid: Solid, ground: Solid, joint: Mark, fixed: Mark, mass: Mark };
 
 /** All parts of the scene, and the meshes that draw them. */
 function makeParts() {

@@ -20,7 +20,7 @@ world.add(root, sun, lamp, new THREE.HemisphereLight("#ffffff", "#9aa3ab", 1.5))
 const { parts, batches, meshes } = makeParts();
 const roads = scene.roads.map((z) => new Road(z)), floor = scene.floor ? new Road(scene.floor) : null;
 const grounds = floor ? [...roads, floor] : roads;
-renderer.shadowMap.enabled = sun.castShadow = grounds.length > 0;
+renderer.shadowMap.enabled = sun.castShadow = grounds.length > 0 || parts.some((z) => z.spec.style === "ground");
 sun.shadow.mapSize.set(1024, 1024);
 const triad = new THREE.AxesHelper(0.2 * scene.size), traces = new Traces();
 root.add(...meshes, ...grounds.map((z) => z.object), triad, traces.line);
