@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import base64
 import sys
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -22,6 +22,7 @@ from flexel.pictures import drawing
 from flexel.pictures.scene import PAINT, View, display_axes, painted
 from flexel.pictures.shape import UNITS, Shape, extent
 from flexel.pictures.spring_painters import united
+from flexel.pictures.view.packing import packed, rounded
 from flexel.pictures.view.series import floors, histories
 from flexel.pictures.wavy_roads import wavy_roads
 from flexel.structure.state import State
@@ -179,11 +180,11 @@ def common(
         "format": FORMAT,
         "title": title,
         "caption": caption,
-        "axes": _rounded(axes),
+        "axes": rounded(axes),
         "size": float(f"{size:.6g}"),
         "colours": COLOURS,
         "units": UNITS,
-        "roads": [{"axes": _rounded(display_axes(n)), "height": height} for n, height in roads],
+        "roads": [{"axes": rounded(display_axes(n)), "height": height} for n, height in roads],
         "floor": _floor(state, table, up, size) if view.ground and not roads and not flat else None,
         "camera": _camera(table, view, flat, size),
         "trails": list(view.trails),
@@ -198,7 +199,7 @@ def _floor(state: State, table: Sequence[Sequence[Shape]], up: Array, size: floa
     if not any(np.any(z.parameters.get("gravity", 0.0)) for z in state.structure.instances):
         return None
     low = min(float(np.min(painted(shapes) @ up)) for shapes in table)
-    return {"axes": _rounded(display_axes(up)), "height": float(f"{low - 0.02 * size:.6g}")}
+    return {"axes": rounded(display_axes(up)), "height": float(f"{low - 0.02 * size:.6g}")}
 
 
 def _camera(table: Sequence[Sequence[Shape]], view: View, flat: bool, size: float) -> dict[str, Any]:
@@ -215,7 +216,7 @@ def _camera(table: Sequence[Sequence[Shape]], view: View, flat: bool, size: floa
     return {
         "azimuth": -90.0 if flat else view.azimuth,
         "elevation": 0.0 if flat else view.elevation,
-        "centre": _rounded(centre),
+        "centre": rounded(centre),
         "span": float(f"{view.span or span:.6g}"),
         "fit": view.span is None and (view.centre is None or bool(follow)),
         "follow": follow,
@@ -244,7 +245,7 @@ def part(shapes: Sequence[Shape]) -> dict[str, Any]:
         },
     }
     if first.outline is not None:
-        found["outline"] = _rounded(first.outline)
+        found["outline"] = rounded(first.outline)
     if first.colour is not None:
         found["colour"] = first.colour
     if first.surface is not None:
@@ -273,19 +274,3 @@ def numbers(shape: Shape) -> Array:
         return np.vstack(shape.lines).ravel()
     origin, R = shape.pose
     return np.concatenate([origin, from_matrix(R)])
-
-
-def packed(rows: Iterable[Any]) -> str:
-    """Rows of numbers as Float32 in base64; one row only if all are equal."""
-    values = np.array([np.ravel(row) for row in rows], dtype="<f4")
-    if not np.all(np.isfinite(values)):
-        raise ModelError(
-            "view: a state has positions or forces that are not finite; show the part before it with between="
-        )
-    if np.all(values == values[0]):
-        values = values[:1]
-    return base64.b64encode(values.tobytes()).decode()
-
-
-def _rounded(values: Any) -> Any:
-    return np.round(np.asarray(values, dtype=float), 9).tolist()

@@ -55,6 +55,20 @@ class Track {
   }
 }
 
+/** Amplitudes of values in the modes, `width` in each: those at unit amplitude times the one that is shown. */
+class Modal {
+  constructor(text, width) {
+    this.all = floats(text);
+    this.now = new Float32Array(width);
+  }
+
+  at(instant) {
+    const a = this.now.length * instant.mode;
+    for (let i = 0; i < this.now.length; i++) this.now[i] = instant.amplitude * this.all[a + i];
+    return this.now;
+  }
+}
+
 /** Frame and fraction of a time. */
 function locate(t) {
   const times = scene.times;

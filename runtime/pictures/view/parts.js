@@ -27,7 +27,7 @@ class Part {
     this.track = new Track(spec.data, spec.rigid ? 7 : 3 * this.vertices, spec.modes);
     this.colour = new THREE.Color(spec.colour || scene.colours[spec.style]);
     this.values = Object.fromEntries(
-      Object.entries(spec.values).map(([k, v]) => [k, new Track(v.data, v.count, v.modes)]),
+      Object.entries(spec.values).map(([k, v]) => [k, v.modal ? new Modal(v.modal, v.count) : new Track(v.data, v.count)]),
     );
     this.local = spec.rigid ? floats(spec.local) : null;
     this.across = spec.across ? new Track(spec.across, 6) : null;
