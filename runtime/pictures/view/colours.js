@@ -36,6 +36,7 @@ function rangeOf(parts, name, kind, instant) {
   if (!values.length) return [0, 0];
   const cut = kind === "robust" ? 0.01 : 0, last = values.length - 1;
   let range = [values[Math.floor(cut * last)], values[Math.ceil((1 - cut) * last)]];
+  if (parts.some((z) => z.values[name] instanceof Modal)) range[0] = 0; // amplitudes
   const floor = Math.max(scene.floors[name] || 0, 1e-6 * Math.max(Math.abs(range[0]), Math.abs(range[1])));
   if (range[1] - range[0] <= floor) range = [range[0], range[0]];
   return range;

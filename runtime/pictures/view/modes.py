@@ -18,6 +18,7 @@ from flexel.pictures.shape import Shape, extent
 from flexel.pictures.view.data import common, numbers, part
 from flexel.pictures.view.modal import modal_units, modal_values, packed_values
 from flexel.pictures.view.packing import packed
+from flexel.pictures.view.series import floors
 from flexel.statics.stability import Vibration
 from flexel.structure.state import State, own_state
 
@@ -66,6 +67,7 @@ def mode_data(
         "digits": 2,
         "modes": [_words(i, z) for i, z in enumerate(modes)],
     }
+    found["floors"] = floors([state], [base], found["size"])
     found["units"] = found["units"] | modal_units()
     found["shapes"] = []
     for i, shape in enumerate(base):
