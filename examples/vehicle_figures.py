@@ -47,7 +47,8 @@ def model(results: Results, path: Path) -> None:
     view = View(elevation=16, azimuth=-62, span=3.0, sketches=bodywork())
     with canvas(results.equilibrium, (7.6, 5.2)) as (drawn, axes):
         draw(results.equilibrium, axes, view)
-        note = "Four corners by one function: arm, leaf end as upper link, upright, tie rod, unit, tyre.  Grey: for display only."
+        note = "Four corners by one function: arm, leaf end as upper link, upright, tie rod, unit, tyre.\n"
+        note += "Grey: for display only."
         drawn.text(0.02, 0.03, note, fontsize=9)
         save(drawn, path)
 

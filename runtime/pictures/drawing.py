@@ -23,17 +23,20 @@ from flexel.structure.loads import Loads
 from flexel.structure.state import Geometry, State
 
 __all__ = ["Shape", "Sketch", "Solid", "loads", "planar", "roads", "shapes", "upward"]
-# What the painters read; an element of a user may have a picture and lack some of it.
+# What painters read: an element of a user may have a picture without it.  In space other triads than in the plane.
 NEEDS = {
-    "bearing": {"tp"},
+    "beam": {"l0"},
     "belt": {"radius_p", "radius_q"},
     "body": {"c", "J", "mass"},
-    "contact": {"centre"},
     "disc": {"radius", "alpha0"},
     "gears": {"radius_p", "radius_q"},
+    "rope": {"l0"},
     "tyre": {"radius", "axle"},
     "wheel": {"radius", "axle"},
 }
+IN_SPACE = {"beam": {"tp", "tq"}, "bearing": {"tp"}, "hinge": {"tp"}}
+IN_PLANE = {"beam": {"alpha0", "alphaq0"}}
+FAMILIES = {"beam": "beam", "rope": "cable"}  # whose forces are shown
 
 
 def shapes(state: State, sketches: Sequence[Sketch | Solid] = ()) -> list[Shape]:
@@ -102,9 +105,18 @@ def planar(state: State) -> bool:
 
 def _element(state: State, instance: Instance) -> Iterator[Shape]:
     """Shapes of one element; norms and sensors have none, a user's without the numbers of its picture is a line."""
-    picture = PAINTERS[instance.spec.picture]
-    complete = instance.code is None or NEEDS.get(instance.spec.picture, set()) <= instance.parameters.keys()
-    yield from (picture if complete else bar)(state, instance)
+    painter = PAINTERS[instance.spec.picture] if _complete(instance) else bar
+    yield from painter(state, instance)
+
+
+def _complete(instance: Instance) -> bool:
+    """Whether an element has what its picture shows."""
+    word = instance.spec.picture
+    needed = NEEDS.get(word, set()) | (IN_PLANE if instance.spec.planar else IN_SPACE).get(word, set())
+    return (
+        needed <= instance.parameters.keys()
+        and FAMILIES.get(word, instance.spec.family) == instance.spec.family
+    )
 
 
 def _sketch(state: State, sketch: Sketch | Solid) -> Shape:

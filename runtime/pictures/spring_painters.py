@@ -19,11 +19,9 @@ LENGTH = 0.12  # of a spring that holds a displacement, relative to the model
 SPIRAL = 0.035  # radius of a torsional spring, relative to the model
 GUIDE = 0.08  # half length of a guide beside what slides in it, relative to the model
 TURNS = np.linspace(0.2, 1.0, 49)  # along a torsional spring: two turns and a half
-# Deformations that are displacements along the axes of a triad, in their order.
-DISPLACEMENTS = {
-    "link": ("along", "across1", "across2"),
-    "bearing": ("axial", "radial1", "radial2"),
-}
+# Deformations that are displacements along the axes of a triad.
+AXES = {"along": 0, "axial": 0, "across": 1, "across1": 1, "radial1": 1, "across2": 2, "radial2": 2}
+SLIDING = ("link", "bearing")  # families that measure them
 
 
 def springs(state: State) -> Iterator[Shape]:
@@ -83,13 +81,14 @@ def _spring(state: State, law: LawInstance, i: int, instance: Instance) -> Itera
         if instance.profile is None and not _is_bar(law, i, instance):
             ends = place(state, instance.nodes[0]), place(state, instance.nodes[-1])
             yield from _line(name, law, i, ends, state.force(law.deformations[i]))
-    elif part in DISPLACEMENTS.get(family, ()):
-        k = DISPLACEMENTS[family].index(part)
-        along = _triad(state, instance)[:, k]
-        end = place(state, instance.nodes[2])
-        start = end - (LENGTH * extent(state.structure) + state[law.deformations[i]]) * along
+    elif family in SLIDING and part in AXES:
+        along = _triad(state, instance)[:, AXES[part]]
+        start, end = (place(state, z) for z in (instance.nodes[0], instance.nodes[2]))
+        # by the places, not by the deformation: a displaced state of a picture has only these
+        d0 = float(np.append(instance.parameters["d0"], 0.0)[AXES[part]])
+        foot = end - (LENGTH * extent(state.structure) + (end - start) @ along - d0) * along
         shown = name.removesuffix(".displacement")  # a spring to the ground is the point's
-        yield from _line(shown, law, i, (start, end), state.force(law.deformations[i]))
+        yield from _line(shown, law, i, (foot, end), state.force(law.deformations[i]))
 
 
 def _is_bar(law: LawInstance, i: int, instance: Instance) -> bool:
@@ -149,12 +148,11 @@ def guides(state: State) -> Iterator[Shape]:
 
 def _slides(state: State, instance: Instance) -> int | None:
     """The only free displacement of a link or bearing that holds the others, if there is one."""
-    parts = DISPLACEMENTS.get(instance.spec.family, ())
-    names = [f"{instance.name}.{z.name}" for z in instance.spec.deformations if z.name in parts]
-    if "." in instance.name or len(names) < 2:
+    if "." in instance.name or instance.spec.family not in SLIDING:
         return None
-    free = [i for i, name in enumerate(names) if state.structure.index[name] not in state.roles.rigid]
-    return free[0] if len(free) == 1 else None
+    parts = [z.name for z in instance.spec.deformations if z.name in AXES]
+    free = [z for z in parts if state.structure.index[f"{instance.name}.{z}"] not in state.roles.rigid]
+    return AXES[free[0]] if len(free) == 1 and len(parts) > 1 else None
 
 
 def _guide(name: str, at: Array, axis: Array, half: float) -> Iterator[Shape]:

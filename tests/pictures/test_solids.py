@@ -2,12 +2,15 @@
 
 import base64
 import struct
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
+import sympy as sp
 
 import flexel as fx
+from flexel.derive.declare import Deformation, Element, Parameter, Point
 from flexel.pictures.drawing import loads, shapes
 from flexel.pictures.meshes import read_mesh
 from flexel.pictures.shape import Shape
@@ -139,6 +142,52 @@ def test_springs_dampers_guides_and_loads_are_drawn_where_they_act() -> None:
     (arrow,) = loads(state, system.loads)
     assert arrow.force is not None and np.allclose(arrow.force, (3, 0, 0))
     assert arrow.name == "A"
+
+
+def test_a_spring_to_the_ground_keeps_its_foot_in_a_displaced_picture() -> None:
+    """Only the end at the point moves with the coordinates, as in a mode of vibration; across as along."""
+    m = fx.Model()
+    m.point("A", (0.2, 0.1))
+    m.spring("A.x", 10.0)
+    m.spring("A.y", 10.0)
+    m.point_mass("mass", "A", 1.0)
+    state = m.build().initial
+    moved = replace(
+        state, x=state.x + np.array([0.01 * (z == "A.x") for z in state.structure.names[-state.x.size :]])
+    )
+    before, after = ([z.lines[0] for z in shapes(s) if z.style == "spring"] for s in (state, moved))
+    assert len(before) == 2
+    assert np.allclose(after[0][1] - before[0][1], (0.01, 0, 0)) and np.allclose(after[0][0], before[0][0])
+    assert np.allclose(before[1][1] - before[1][0], (0, before[1][1][1] - before[1][0][1], 0))
+
+
+@pytest.mark.parametrize(("picture", "style"), [("mass", "mass"), ("beam", "bar")])
+def test_a_users_element_has_the_picture_of_its_page(picture: str, style: str) -> None:
+    """A mark where it asks for one; one that lacks what a beam shows is a line."""
+    truss = fx.compile_element(stretch(f"user_{picture}", picture))
+    m = fx.Model()
+    m.point("O", (0, 0, 0), fixed=True)
+    m.point("A", (1, 0, 0))
+    m.element("mine", truss, "O", "A", l0=1.0)
+    m.point_mass("mass", "A", 1.0)
+    m.spring("mine.e", 10.0)
+    found = shapes(m.build().initial)
+    assert [z.style for z in found if z.name == "mine"] == [style]
+
+
+def stretch(name: str, picture: str) -> Element:
+    """A bar between two points."""
+    p, q = Point("p"), Point("q")
+    l0 = Parameter("l0", 1, "m", "length", sign="positive")
+    d = q.x - p.x
+    return Element(
+        name=name,
+        nodes=(p, q),
+        parameters=(l0,),
+        deformations=(Deformation("e", "m", sp.sqrt(d.dot(d)) - l0.symbol),),
+        picture=picture,
+        doc="e = |xq - xp| - l0",
+    )
 
 
 def test_a_guide_is_as_long_as_what_slides_goes() -> None:
