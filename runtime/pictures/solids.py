@@ -6,10 +6,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
-from flexel.base.arguments import positive, vector
+from flexel.base.arguments import array, positive, text, vector
 from flexel.base.arrays import Array, Index
 from flexel.base.errors import ModelError
 from flexel.base.quaternions import unit
@@ -18,6 +19,15 @@ from flexel.pictures.meshes import read_mesh, sharp_edges
 SIDES = 32  # of a cylinder
 MOST = 200_000  # triangles of a mesh: 7 MB in a page
 STEEL = "#8fa3b3"
+
+
+def carried(thing: Sketch | Solid) -> str:
+    """Name of an outline or solid for messages; a ModelError if its point or frame is no name."""
+    kind = type(thing).__name__
+    text(thing.point, kind, "point")
+    if thing.frame is not None:
+        text(thing.frame, kind, "frame")
+    return f"{kind} on '{thing.point:.40}'"
 
 
 @dataclass(frozen=True)
@@ -37,6 +47,11 @@ class Sketch:
     point: str
     frame: str | None
     drawn: Sequence[Sequence[float]]
+
+    def __post_init__(self) -> None:
+        owner = carried(self)
+        if array(self.drawn, owner, "drawn").shape[1:] != (3,) or len(self.drawn) < 2:
+            raise ModelError(f"{owner}: drawn is not a list of places (x, y, z); give two or more")
 
     @cached_property
     def lines(self) -> tuple[Array, ...]:
@@ -71,7 +86,7 @@ class Solid:
         return sharp_edges(*self.surface)
 
     def _check(self) -> str:
-        owner = f"{type(self).__name__} on {self.point!r:.40}"
+        owner = carried(self)
         if not isinstance(self.colour, str) or not _is_colour(self.colour):
             raise ModelError(
                 f"{owner}: colour {self.colour!r:.40} is not of the form '#rrggbb'; give one that is"
@@ -79,8 +94,8 @@ class Solid:
         return owner
 
 
-def _is_colour(text: str) -> bool:
-    return len(text) == 7 and text[0] == "#" and all(z in "0123456789abcdefABCDEF" for z in text[1:])
+def _is_colour(given: str) -> bool:
+    return len(given) == 7 and given[0] == "#" and all(z in "0123456789abcdefABCDEF" for z in given[1:])
 
 
 @dataclass(frozen=True)
@@ -112,8 +127,7 @@ class Box(Solid):
         vector(self.centre, owner, "centre", 3)
         for side in vector(self.sides, owner, "sides", 3):
             positive(float(side), owner, "side")
-        for axis in self.axes:
-            unit(axis, owner, "axis")
+        _check_axes(self.axes, owner)
 
     @cached_property
     def surface(self) -> tuple[Array, Index]:
@@ -199,8 +213,7 @@ class Mesh(Solid):
         owner = self._check()
         positive(self.scale, owner, "scale")
         vector(self.origin, owner, "origin", 3)
-        for axis in self.axes:
-            unit(axis, owner, "axis")
+        _check_axes(self.axes, owner)
         count = len(self.surface[1])
         if count > MOST:
             raise ModelError(f"{owner}: '{self.path}' has {count} triangles; simplify it to {MOST} or fewer")
@@ -210,6 +223,14 @@ class Mesh(Solid):
         """The triangles of the file, read once."""
         vertices, triangles = read_mesh(self.path)
         return np.asarray(self.origin, dtype=float) + self.scale * vertices @ _rows(self.axes), triangles
+
+
+def _check_axes(axes: Any, owner: str) -> None:
+    """Three directions, or a ModelError that names the owner."""
+    if array(axes, owner, "axes").shape != (3, 3):
+        raise ModelError(f"{owner}: axes {axes!r:.60} are not three directions (x, y, z); give three rows")
+    for axis in axes:
+        unit(axis, owner, "axis")
 
 
 def _rows(axes: Sequence[Sequence[float]]) -> Array:
