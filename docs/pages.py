@@ -91,11 +91,11 @@ HOMES = {  # sections of the page of public names: title and modules
     "Linearization": ("flexel.mechanics.linearization", "flexel.mechanics.modes"),
     "Many variants": ("flexel.results.ensemble", "flexel.results.linearizations"),
     "Errors": ("flexel.base.errors", "flexel.derive.errors"),
-    "Pictures": ("flexel.pictures.scene",),
+    "Pictures": ("flexel.pictures.scene", "flexel.pictures.solids"),
 }
 RETURNED = {  # functions and options of pictures that are not names of the package itself
-    "flexel.pictures.plot": ("draw", "root_loci", "Sketch"),
-    "flexel.pictures.view": ("scene_data", "view_modes"),
+    "flexel.pictures.plot": ("draw", "root_loci"),
+    "flexel.pictures.view": ("scene_data", "view_modes", "Page"),
 }
 DECLARATIONS = (
     "flexel.derive.declare.element",

@@ -6,7 +6,9 @@ Imports numpy and flexel; matplotlib is imported by `flexel.pictures.plot` when 
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -15,7 +17,7 @@ from flexel.base.arrays import Array
 from flexel.examples import bicycle_data as data
 from flexel.examples.bicycle import Results, eigenvalues, kick, manoeuvre_m1
 from flexel.pictures.figures import COLOURS, figure, save
-from flexel.pictures.plot import Sketch, draw, root_loci
+from flexel.pictures.plot import Cylinder, Sketch, draw, root_loci
 from flexel.pictures.scene import canvas
 
 FASTEST = 10.0  # of the root loci [m/s]
@@ -42,9 +44,7 @@ def pictures(results: Results, out: Path) -> list[Path]:
 
 def model(results: Results, path: Path) -> None:
     """The mechanism with its beams, wheels and mass centres, and the outline of bicycle and rider."""
-    view = View(
-        elevation=14, azimuth=-66, centre=(0.5, 0.0, -0.8), span=2.3, sketches=outline(data.BENCHMARK)
-    )
+    view = View(elevation=14, azimuth=-66, centre=(0.5, 0.0, -0.8), span=2.3, sketches=lines(data.BENCHMARK))
     with canvas(results.system.initial, (7.0, 5.2)) as (drawn, axes):
         draw(results.system.initial, axes, view)
         note = "Two wheels, two beams (blue), six hinges; mass centres orange.\nThe grey outline is for display only."
@@ -184,8 +184,28 @@ def ranges(results: Results, path: Path) -> None:
 # -- the animation --------------------------------------------------------------------------------
 
 
-def outline(p: dict[str, float]) -> list[Sketch]:
-    """Frame, saddle, rider, fork and handlebar as lines on the two frames; they have no part in the mechanics."""
+@dataclass(frozen=True)
+class Outline:
+    """Lines of the bicycle and of its rider in global axes, for display; they have no part in the mechanics.
+
+    Attributes
+    ----------
+    frame, front : list of ndarray (k, 3)
+        On the rear and the front frame [m].
+    rider : list of (ndarray (k, 3), float)
+        Lines of trunk, legs and arms on the rear frame, and their thickness [m].
+    head : ndarray (3,)
+        Its middle [m].
+    """
+
+    frame: list[Array]
+    front: list[Array]
+    rider: list[tuple[Array, float]]
+    head: Array
+
+
+def outline(p: dict[str, float]) -> Outline:
+    """Frame, saddle, rider, fork and handlebar for the parameters of a bicycle."""
     axis = np.array([np.sin(p["lam"]), 0, np.cos(p["lam"])])
     foot = np.array([p["w"] + p["c"], 0, 0])
 
@@ -195,16 +215,49 @@ def outline(p: dict[str, float]) -> list[Sketch]:
     hub, crank, saddle, hip = (0, 0, -p["rR"]), (0.42, 0, -0.28), (0.28, 0, -0.86), (0.26, 0, -0.93)
     shoulder, neck = np.array([0.45, 0, -1.42]), (0.49, 0, -1.52)
     top, low, bar = steering(0.88), steering(0.72), steering(1.0)
-    angles = np.linspace(0, 2 * np.pi, 17)
-    skull = np.column_stack([0.53 + 0.09 * np.cos(angles), 0 * angles, -1.63 + 0.12 * np.sin(angles)])
-    lines = [[hub, crank, saddle, hub], [saddle, top, low, crank], [hip, shoulder, neck], skull]
+    rider: list[tuple[Any, float]] = [([hip, shoulder, neck], 0.13)]
     for side in (-1, 1):
-        lines.append([hip, (0.6, 0.1 * side, -0.62), (0.42, 0.09 * side, -0.2)])
-        lines.append([shoulder, shoulder + (0, 0.17 * side, 0.03), steering(1.02, 0.24 * side, 0.22)])
+        rider.append(([hip, (0.6, 0.1 * side, -0.62), (0.42, 0.09 * side, -0.2)], 0.07))
+        rider.append(
+            ([shoulder, shoulder + (0, 0.17 * side, 0.03), steering(1.02, 0.24 * side, 0.22)], 0.045)
+        )
     front = [[low, (p["w"], 0, -p["rF"])], [low, bar]]
     front.append([steering(1.02, 0.26 * z, back) for z, back in ((-1, 0.25), (-1, 0), (1, 0), (1, 0.25))])
-    sketches = [Sketch("rear hub", "rear frame", np.array(line, dtype=float).tolist()) for line in lines]
-    return sketches + [Sketch("head", "front frame", np.array(line, dtype=float).tolist()) for line in front]
+    frame = [[hub, crank, saddle, hub], [saddle, top, low, crank]]
+    return Outline(
+        frame=[np.array(line, dtype=float) for line in frame],
+        front=[np.array(line, dtype=float) for line in front],
+        rider=[(np.array(line, dtype=float), d) for line, d in rider],
+        head=np.array([0.53, 0, -1.63]),
+    )
+
+
+def lines(p: dict[str, float]) -> list[Sketch]:
+    """The outline as lines, for a figure."""
+    found = outline(p)
+    angles = np.linspace(0, 2 * np.pi, 17)
+    skull = found.head + np.column_stack([0.09 * np.cos(angles), 0 * angles, 0.12 * np.sin(angles)])
+    rear = [*found.frame, *(line for line, _ in found.rider), skull]
+    return _sketched(rear, "rear hub", "rear frame") + _sketched(found.front, "head", "front frame")
+
+
+def _sketched(drawn: list[Array], point: str, frame: str) -> list[Sketch]:
+    return [Sketch(point, frame, line.tolist()) for line in drawn]
+
+
+def solids(p: dict[str, float]) -> list[Sketch | Cylinder]:
+    """The outline with tubes and limbs, for the viewer."""
+    found = outline(p)
+    pieces = [("rear hub", "rear frame", line, 0.016, "#8fa3b3") for line in found.frame]
+    pieces += [("head", "front frame", line, 0.016, "#8fa3b3") for line in found.front]
+    pieces += [("rear hub", "rear frame", line, d, "#b98a68") for line, d in found.rider]
+    skull = found.head + np.array([(0, 0, -0.12), (0.01, 0, 0.11)])
+    pieces.append(("rear hub", "rear frame", skull, 0.09, "#b98a68"))
+    return [
+        Cylinder(point, frame, a.tolist(), b.tolist(), radius, colour=colour)
+        for point, frame, line, radius, colour in pieces
+        for a, b in zip(line, line[1:], strict=False)
+    ]
 
 
 def animation(results: Results, path: Path) -> None:
@@ -215,12 +268,13 @@ def animation(results: Results, path: Path) -> None:
         centre="head",
         span=2.4,
         trails=("rear contact", "front contact"),
-        sketches=outline(data.BENCHMARK),
+        sketches=solids(data.BENCHMARK),
     )
     results.kicks[3.5].view(
         path,
         between=(0.0, SHOWN_SECONDS),
         view=view,
+        plots=["lean.angle", "steer.angle"],
         title="Uncontrolled bicycle, kicked from the side at 3.5 m/s",
         caption="Below the weave speed of 4.29 m/s the oscillation of lean and steer grows. Nonlinear motion, energy "
         "conserved to 1e-11; the rider is rigid and keeps the hands off.",

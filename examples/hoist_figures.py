@@ -17,6 +17,7 @@ from flexel.examples.hoist import FALLS, Results
 from flexel.pictures.figures import COLOURS, figure, save
 
 TIMES = (9.9, 15.0, 25.0)
+DENSITY = 7850.0  # of steel [kg/m³]
 ALONG = "length along the rope from its anchor on the drum [m]"
 
 
@@ -114,4 +115,22 @@ def _labelled(axes: Any, quantity: str) -> None:
 
 def animation(results: Results, path: Path) -> None:
     """The whole lift as a page for the browser, coloured by tension."""
-    results.motion.view(path, frames=121, title="Hoist with a steel wire rope")
+    data = results.model.data
+    R, r, low = data.pitch, data.sheave_radius, -data.depth
+    side = float(np.cbrt(data.load / DENSITY))  # of a cube of steel
+    hook = low - 1.3 * r
+    block = [  # two cheeks with a hook between the sheaves' axles, the load on it, and the frame that carries the drum
+        fx.Box("block", None, (2 * R, low, z), (4 * R + r, 0.6 * r, 0.1 * r), colour="#d9a441")
+        for z in (-0.4 * r, 0.4 * r)
+    ]
+    load = fx.Box("block", None, (2 * R, hook - side / 2, 0), (side, side, side), colour="#8a5a44")
+    rod = fx.Cylinder("block", None, (2 * R, low, 0), (2 * R, hook, 0), 0.12 * r, colour="#55606a")
+    beam = fx.Box("frame", None, (1.5 * R, 1.9 * r, 0), (9 * R, 0.5 * r, 0.8 * r), colour="#b9c2ca")
+    results.motion.view(
+        path,
+        frames=121,
+        title="Hoist with a steel wire rope",
+        caption=f"The load of {data.load / 1000:g} t is drawn as a cube of steel.",
+        view=fx.View(elevation=8, azimuth=-70, sketches=[*block, load, rod, beam]),
+        plots=["block.y'", "drive.angle'"],
+    )

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from flexel import View
+from flexel import Box, Cylinder, View
 from flexel.base.arrays import Array
 from flexel.examples import slider_crank_data as data
 from flexel.examples.slider_crank import CONVERGED, Results, deflection
@@ -176,9 +176,15 @@ def harmonics(results: Results, path: Path) -> None:
 
 def animation(results: Results, path: Path) -> None:
     """The motion from the straight rod, to be turned and played in a browser."""
+    p = data.DATA
+    end = (p["r"] + p["l"], 0.0, 0.0)
+    disc = Cylinder(
+        "O", "crank arm", (0, 0, -0.03 * p["l"]), (0, 0, -0.05 * p["l"]), 1.1 * p["r"], colour="#c3ccd4"
+    )
+    piston = Box(f"p{CONVERGED}", None, end, (0.14 * p["l"], 0.1 * p["l"], 0.08 * p["l"]), colour="#6f8fae")
     results.transients[0.02].view(
         path,
-        view=View(trails=["p2"]),
+        view=View(trails=["p2"], sketches=[disc, piston]),
         title=f"Slider-crank with a flexible connecting rod, {data.SPEED:g} rad/s",
         caption="2 % damping, from the straight rod; deflections are true to scale.",
     )

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from flexel import View
+from flexel import Box, View
 from flexel.examples import vehicle_data as data
 from flexel.examples.vehicle_runs import LOCI, Results
 from flexel.examples.vehicle_signals import history, load_histories
@@ -44,10 +44,11 @@ def pictures(results: Results, out: Path) -> list[Path]:
 
 def model(results: Results, path: Path) -> None:
     """The mechanism in static equilibrium."""
-    view = View(elevation=16, azimuth=-62, span=3.0)
+    view = View(elevation=16, azimuth=-62, span=3.0, sketches=bodywork())
     with canvas(results.equilibrium, (7.6, 5.2)) as (drawn, axes):
         draw(results.equilibrium, axes, view)
-        note = "Four corners by one function: arm, leaf end as upper link, upright, tie rod, unit, tyre."
+        note = "Four corners by one function: arm, leaf end as upper link, upright, tie rod, unit, tyre.\n"
+        note += "Grey: for display only."
         drawn.text(0.02, 0.03, note, fontsize=9)
         save(drawn, path)
 
@@ -120,7 +121,22 @@ def bumps(results: Results, path: Path) -> None:
         save(drawn, path)
 
 
+def bodywork() -> list[Box]:
+    """Frame and cabin as boxes on the chassis; they have no part in the mechanics."""
+    front, rear = data.AXLES["front"], data.AXLES["rear"]
+    middle, length = (front + rear) / 2, abs(front - rear)
+    sign = float(np.sign(front - rear))
+    boxes = [  # colour, centre, sides
+        ("#6f8fae", (middle, 0, 0.5), (length + 0.5, 0.3, 0.16)),
+        ("#6f8fae", (middle - sign * 0.12 * length, 0, 0.62), (0.55 * length, 0.9, 0.1)),
+        ("#9fb6cc", (middle - sign * 0.12 * length, 0, 0.92), (0.42 * length, 0.8, 0.5)),
+        ("#6f8fae", (front + sign * 0.05, 0, 0.64), (0.5, 0.3, 0.16)),
+    ]
+    return [Box("chassis", "body", centre, sides, colour=colour) for colour, centre, sides in boxes]
+
+
 def animation(results: Results, path: Path) -> None:
     """Over the bump with the left wheels, through the hollow with the right ones, at 5 m/s."""
-    view = View(elevation=14, azimuth=-125, centre="chassis", span=3.4)
-    animate(results.bumps[5, True], path, fps=15, view=view)
+    view = View(elevation=14, azimuth=-125, centre="chassis", span=3.4, sketches=bodywork())
+    title = "Over a bump with the left wheels, through a hollow with the right ones, at 5 m/s"
+    animate(results.bumps[5, True], path, fps=15, view=view, title=title)

@@ -45,6 +45,7 @@ if TYPE_CHECKING:
     from flexel.mechanics.stress import BeamStress
     from flexel.model import Model
     from flexel.pictures.scene import View
+    from flexel.pictures.solids import Box, Cylinder, Mesh, Sketch
     from flexel.results.branch import PeriodicBranch
     from flexel.results.ensemble import Ensemble
     from flexel.results.flexure import Flexure
@@ -74,6 +75,7 @@ __version__ = "0.1.0"
 __all__ = [
     "AssemblyWarning",
     "BeamStress",
+    "Box",
     "BucklingMode",
     "CheckReport",
     "Circle",
@@ -84,6 +86,7 @@ __all__ = [
     "ConstraintReport",
     "Contact",
     "Curve",
+    "Cylinder",
     "DynamicsError",
     "ElementError",
     "ElementProperties",
@@ -105,6 +108,7 @@ __all__ = [
     "LinearizationError",
     "Linearizations",
     "Material",
+    "Mesh",
     "Mode",
     "Model",
     "ModelError",
@@ -124,6 +128,7 @@ __all__ = [
     "Rope",
     "RoundGroove",
     "SectionForces",
+    "Sketch",
     "Spacar",
     "SpacarRecords",
     "State",
@@ -158,6 +163,7 @@ __all__ = [
 _HOMES = {
     "AssemblyWarning": "flexel.base.errors",
     "BeamStress": "flexel.mechanics.stress",
+    "Box": "flexel.pictures.solids",
     "BucklingMode": "flexel.statics.stability",
     "CheckReport": "flexel.mechanics.findings",
     "Circle": "flexel.declare.round_sections",
@@ -168,6 +174,7 @@ _HOMES = {
     "ConstraintReport": "flexel.mechanics.constraints",
     "Contact": "flexel.rope.contacts",
     "Curve": "flexel.declare.curves",
+    "Cylinder": "flexel.pictures.solids",
     "DynamicsError": "flexel.base.errors",
     "ElementError": "flexel.derive.errors",
     "ElementProperties": "flexel.flexures.properties",
@@ -189,6 +196,7 @@ _HOMES = {
     "LinearizationError": "flexel.base.errors",
     "Linearizations": "flexel.results.linearizations",
     "Material": "flexel.declare.materials",
+    "Mesh": "flexel.pictures.solids",
     "Mode": "flexel.mechanics.modes",
     "Model": "flexel.model",
     "ModelError": "flexel.base.errors",
@@ -208,6 +216,7 @@ _HOMES = {
     "Rope": "flexel.rope.rope",
     "RoundGroove": "flexel.rope.surfaces",
     "SectionForces": "flexel.declare.sections",
+    "Sketch": "flexel.pictures.solids",
     "Spacar": "flexel.spacar.reading",
     "SpacarRecords": "flexel.results.saved.spacar_records",
     "State": "flexel.structure.state",

@@ -216,10 +216,10 @@ class Browser:
 
         self.frame()
         box = self.value(
-            "(() => { const b = document.querySelector('canvas').getBoundingClientRect(); "
+            "(() => { const b = document.querySelector('#picture').getBoundingClientRect(); "
             "return {x: b.x, y: b.y, width: b.width, height: b.height, scale: 1} })()"
         )
-        hidden = "#panel, #legend { visibility: hidden } canvas { outline: none !important }"
+        hidden = "#panel, #keys, #tip { visibility: hidden } canvas { outline: none !important }"
         self.value(
             f"document.head.append(Object.assign(document.createElement('style'), {{textContent: '{hidden}'}}))"
         )

@@ -205,6 +205,12 @@ OBJECTS: dict[str, Callable[[], Any]] = {
     "curve": lambda: fx.Curve([[0, 3e4], [-700.0, 4e4]], breaks=[0.07]),
     "waves": lambda: fx.Waves(0.01, 1.0),
     "view": lambda: fx.View(azimuth=10.0, trails=("A",)),
+    "solids": lambda: [
+        fx.Sketch("A", "R", [(0, 0, 0), (1, 0, 0)]),
+        fx.Box("A", "R", (0, 0, 0), (1, 2, 3)),
+        fx.Cylinder("A", None, (0, 0, 0), (0, 0, 1), 0.1),
+        fx.Mesh("A", "R", DATA / "tetrahedron.obj"),
+    ],
     "event": lambda: fx.Event("steered", steered, terminal=True),
     "compiled law": lambda: fx.compile_law(HARDENING),
     "error": failed,

@@ -103,6 +103,7 @@ RESULTS: dict[str, Callable[[], Valid]] = {
     "Linearizations.reduced": lambda: calling(many()[1].reduced, names=["A.displacement.along"]),
     "Motion.acceleration": of_motion("acceleration", "A.x"),
     "Motion.animate": lambda: calling(swing().animate, path=Path("swing.html")),
+    "Motion.page": lambda: calling(swing().page),
     "Motion.at": lambda: calling(swing().at, t=0.05),
     "Motion.force": of_motion("force", "pivot.angle"),
     "Motion.nearest": lambda: calling(swing().nearest, t=0.05),

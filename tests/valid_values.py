@@ -108,6 +108,11 @@ def with_view(view: Any) -> None:
     m.build().simulate(0.01, samples=2).view("scene.html", view=view)
 
 
+def with_solid(solid: Any) -> None:
+    """A page with it."""
+    with_view(fx.View(sketches=[solid]))
+
+
 def in_beam(stressed: Any) -> Callable[[Any], None]:
     """Stresses of a section under the forces."""
     return lambda forces: stressed.stresses(forces) and None
@@ -189,6 +194,20 @@ VALUES: dict[str, Callable[[], Valid]] = {
         fx.UBeam, {"height": 0.2, "width": 0.1, "flange": 0.01, "web": 0.01}, with_section
     ),
     "VGroove": lambda: Valid(fx.VGroove, {}, with_groove),
+    "Box": lambda: Valid(
+        fx.Box, {"point": "A", "frame": None, "centre": (0, 0, 0), "sides": (1, 1, 1)}, with_solid
+    ),
+    "Cylinder": lambda: Valid(
+        fx.Cylinder,
+        {"point": "A", "frame": None, "start": (0, 0, 0), "end": (0, 0, 1), "radius": 0.1},
+        with_solid,
+    ),
+    "Mesh": lambda: Valid(
+        fx.Mesh, {"point": "A", "frame": None, "path": DATA / "tetrahedron.obj", "scale": 1.0}, with_solid
+    ),
+    "Sketch": lambda: Valid(
+        fx.Sketch, {"point": "A", "frame": None, "drawn": [(0, 0, 0), (1, 0, 0)]}, with_solid
+    ),
     "View": lambda: Valid(fx.View, {"up": (0, 0, 1), "centre": (0, 0, 0), "span": 1.0}, with_view),
     "Waves": lambda: Valid(fx.Waves, {"amplitude": 0.01, "wavelength": 1.0}, with_road),
     "Waves.level": lambda: calling(WAVES.level, x=0.5, y=0.5),

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
     from flexel.results.motion import Motion
 
-UNSHOWN = ("spoke", "axle", "box")
+UNSHOWN = ("spoke", "axle", "box", "guide", "slide", "spiral", "damper")
 GREY = "#b8bfc6"
 LARGEST = 0.1  # displacement of a mode shape, relative to the size of the model
 

@@ -13,16 +13,33 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.quaternions import matrix
-from flexel.pictures.painters import PAINTERS, rolls
+from flexel.pictures.painters import PAINTERS, bar, rolls
 from flexel.pictures.rope_painters import is_ball, sheaves
-from flexel.pictures.shape import Shape, Sketch, axes_of, place, turned
+from flexel.pictures.shape import Shape, axes_of, place, turned
+from flexel.pictures.solids import Sketch, Solid
+from flexel.pictures.spring_painters import guides, springs
 from flexel.structure.instances import Instance
+from flexel.structure.loads import Loads
 from flexel.structure.state import Geometry, State
 
-__all__ = ["Shape", "Sketch", "planar", "roads", "shapes", "upward"]
+__all__ = ["Shape", "Sketch", "Solid", "loads", "planar", "roads", "shapes", "upward"]
+# What painters read: an element of a user may have a picture without it.  In space other triads than in the plane.
+NEEDS = {
+    "beam": {"l0"},
+    "belt": {"radius_p", "radius_q"},
+    "body": {"c", "J", "mass"},
+    "disc": {"radius", "alpha0"},
+    "gears": {"radius_p", "radius_q"},
+    "rope": {"l0"},
+    "tyre": {"radius", "axle"},
+    "wheel": {"radius", "axle"},
+}
+IN_SPACE = {"beam": {"tp", "tq"}, "bearing": {"tp"}, "hinge": {"tp"}}
+IN_PLANE = {"beam": {"alpha0", "alphaq0"}}
+FAMILIES = {"beam": "beam", "rope": "cable"}  # whose forces are shown
 
 
-def shapes(state: State, sketches: Sequence[Sketch] = ()) -> list[Shape]:
+def shapes(state: State, sketches: Sequence[Sketch | Solid] = ()) -> list[Shape]:
     """All parts of the model at a state: elements in order of declaration, then sketches, then nodes."""
     shown = [z for z in state.structure.instances if "." not in z.name]  # the others are sensors
     # a body that has a sketch or is a wheel or a ball needs no box
@@ -32,6 +49,10 @@ def shapes(state: State, sketches: Sequence[Sketch] = ()) -> list[Shape]:
     for instance in shown:
         boxed = outlined.isdisjoint(instance.nodes)
         found += [z for z in _element(state, instance) if boxed or z.style != "box"]
+    held = list(springs(state))
+    sprung = {z.name for z in held if z.style in ("spring", "damper")}
+    found = [z for z in found if z.style != "bar" or z.name not in sprung]  # a coil instead
+    found += [*held, *guides(state)]
     found += sheaves(state, (z for z in shown if z.spec.family == "contact"))
     found += [_sketch(state, sketch) for sketch in sketches]
     for node in state.structure.nodes:
@@ -83,15 +104,42 @@ def planar(state: State) -> bool:
 
 
 def _element(state: State, instance: Instance) -> Iterator[Shape]:
-    """Shapes of one element; norms and sensors have none."""
-    yield from PAINTERS[instance.spec.picture](state, instance)
+    """Shapes of one element; norms and sensors have none, a user's without the numbers of its picture is a line."""
+    painter = PAINTERS[instance.spec.picture] if _complete(instance) else bar
+    yield from painter(state, instance)
 
 
-def _sketch(state: State, sketch: Sketch) -> Shape:
-    structure = state.structure
-    point, frame = structure.node(sketch.point), structure.node(sketch.frame)
-    start = turned(float(frame.x0[0])) if frame.kind == "planar_angle" else matrix(frame.x0)
-    turn = axes_of(state, frame.name) @ start.T
-    arms = np.asarray(sketch.drawn, dtype=float) - np.append(point.x0, 0.0)[:3]
-    origin = place(state, point.name)
-    return Shape("sketch", sketch.frame, (origin + arms @ turn.T,), (origin, turn))
+def _complete(instance: Instance) -> bool:
+    """Whether an element has what its picture shows."""
+    word = instance.spec.picture
+    needed = NEEDS.get(word, set()) | (IN_PLANE if instance.spec.planar else IN_SPACE).get(word, set())
+    return (
+        needed <= instance.parameters.keys()
+        and FAMILIES.get(word, instance.spec.family) == instance.spec.family
+    )
+
+
+def _sketch(state: State, sketch: Sketch | Solid) -> Shape:
+    start, R = np.append(state.structure.node(sketch.point).x0, 0.0)[:3], np.eye(3)
+    if sketch.frame is not None:
+        x0 = state.structure.node(sketch.frame).x0
+        R = axes_of(state, sketch.frame) @ (turned(float(x0[0])) if x0.size == 1 else matrix(x0)).T
+    origin, name = place(state, sketch.point), sketch.frame or sketch.point
+    lines = tuple(origin + (line - start) @ R.T for line in sketch.lines)
+    if isinstance(sketch, Sketch):
+        return Shape("sketch", name, lines, (origin, R))
+    vertices, triangles = sketch.surface
+    return Shape(
+        "solid", name, lines, (origin, R), surface=(vertices - start, triangles), colour=sketch.colour
+    )
+
+
+def loads(state: State, given: Loads) -> list[Shape]:
+    """An arrow for each point on which loads act, of one length with the forces of contacts."""
+    s, nodal = state.structure, given.at(state.t)[0]
+    found, loaded = [], {s.names[i] for i in given.quantities}
+    for node in s.nodes:
+        if node.kind.endswith("point") and loaded.intersection(node.coordinates):
+            force = np.append(nodal[s.places(node.name)], 0.0)[:3]
+            found.append(Shape("load", node.name, (place(state, node.name)[None],), force=force))
+    return found

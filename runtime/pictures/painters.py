@@ -34,6 +34,8 @@ from flexel.structure.state import State
 from flexel.structure.structure import Structure
 
 SPOKES = 8
+TYRE = 0.22  # half the height of a tyre's section, relative to its radius
+ROUND = np.linspace(0, 2 * np.pi, 12, endpoint=False)
 RIM = np.linspace(0, 2 * np.pi, 49)
 STEPS = np.linspace(0, 1, 17)[:, None]  # vertices of a bent beam
 HINGE = 0.02  # half the length of a hinge's pin, relative to the model
@@ -98,7 +100,13 @@ def tyre(state: State, instance: Instance) -> Iterator[Shape]:
         return np.asarray(centre + radius * (R @ across @ np.array([np.cos(angles), np.sin(angles)])).T)
 
     name, pose = instance.name, (centre, R)
-    yield Shape("rim", name, (ring(RIM),), pose)
+    if instance.spec.picture == "tyre":
+        side = R @ axle
+        inner = centre + (1 - TYRE) * (ring(RIM) - centre)
+        profile = TYRE * radius * np.column_stack([1.1 * np.sin(ROUND), np.cos(ROUND)])
+        yield Shape("tyre", name, (inner,), pose, profile, np.array([side, side]))
+    else:
+        yield Shape("rim", name, (ring(RIM),), pose)
     tips = ring(np.arange(SPOKES) * 2 * np.pi / SPOKES)
     yield Shape("spoke", name, tuple(np.array([centre, tip]) for tip in tips[1:]), pose)
     yield Shape("valve", name, (np.array([centre, tips[0]]),), pose)
@@ -151,13 +159,28 @@ def bearing(state: State, instance: Instance) -> Iterator[Shape]:
 
 def hinge(state: State, instance: Instance) -> Iterator[Shape]:
     """The pin, if the bodies of the hinge have a common point; a hinge between frames alone has no place."""
+    held = _pin_point(state, instance)
+    if held:
+        yield _pin(state, instance, held, _pin_axis(state, instance))
+
+
+def pin_place(state: State, instance: Instance) -> tuple[Array, Array] | None:
+    """Place and axis, (3,) each, of the pin of a hinge, if it has a place."""
+    held = _pin_point(state, instance)
+    return (place(state, held), _pin_axis(state, instance)) if held else None
+
+
+def _pin_point(state: State, instance: Instance) -> str:
+    """A point that the bodies of a hinge have in common, or one of them has."""
     held = [_points(state.structure, r) for r in instance.nodes]
     found = [z for z in held[1] if z in held[0]] or held[1] or held[0]
-    if found:
-        planar = instance.spec.planar
-        turn = None if planar else product(state.position(instance.nodes[0]), instance.parameters["tp"])
-        axis = np.array([0.0, 0.0, 1.0]) if turn is None else matrix(turn)[:, 0]
-        yield _pin(state, instance, found[0], axis)
+    return found[0] if found else ""
+
+
+def _pin_axis(state: State, instance: Instance) -> Array:
+    if instance.spec.planar:
+        return np.array([0.0, 0.0, 1.0])
+    return matrix(product(state.position(instance.nodes[0]), instance.parameters["tp"]))[:, 0]
 
 
 def _pin(state: State, instance: Instance, point: str, axis: Array) -> Shape:
@@ -207,6 +230,7 @@ def _bending(state: State, instance: Instance) -> dict[str, Array]:
         parts = [(abs(f.N) / k["EA"], abs(f.My) * z / k["EIy"], abs(f.Mz) * y / k["EIz"]) for f in ends]
         warping = [_warping_strain(profile, f.B) for f in ends]
         found["strain"] = np.array([sum(p) + w for p, w in zip(parts, warping, strict=True)])
+        found["bending strain"] = np.array([sum(p[1:]) for p in parts])
     return found
 
 

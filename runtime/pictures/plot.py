@@ -15,9 +15,9 @@ from numpy.typing import NDArray
 from flexel.base.arrays import Array, ComplexArray
 from flexel.linear.tracking import branches
 from flexel.pictures.animation import animate
-from flexel.pictures.drawing import Sketch
 from flexel.pictures.figures import COLOURS, figure, save
 from flexel.pictures.scene import draw
+from flexel.pictures.solids import Box, Cylinder, Mesh, Sketch
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
     from flexel.results.motion import Motion
 
-__all__ = ["Sketch", "animate", "draw", "plot_histories", "root_loci"]
+__all__ = ["Box", "Cylinder", "Mesh", "Sketch", "animate", "draw", "plot_histories", "root_loci"]
 
 
 # -- time histories -------------------------------------------------------------------------------

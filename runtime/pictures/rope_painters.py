@@ -8,10 +8,23 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.quaternions import matrix, product
+from flexel.declare.materials import Profile
+from flexel.declare.sections import Section
 from flexel.pictures.planar_painters import disc
-from flexel.pictures.shape import Shape, axes_of, circle, cubic, place, resultant, section_outline, turned
+from flexel.pictures.shape import (
+    Shape,
+    axes_of,
+    circle,
+    cubic,
+    outline_of,
+    place,
+    resultant,
+    section_outline,
+    turned,
+)
 from flexel.rope.cable_results import cable_rows
 from flexel.rope.cables import PLACES
+from flexel.rope.wire_rope import WireRope
 from flexel.structure.instances import Instance
 from flexel.structure.state import State
 
@@ -44,7 +57,17 @@ def _stretch(state: State, instance: Instance) -> dict[str, Array]:
     """Tension and strain along a cable, at equal steps between the points where it is known."""
     rows, steps = cable_rows(state, [instance.name]), np.linspace(0, 1, 5)
     found = {"tension": rows.tension(state)[0], "strain": abs(rows.strain(state)[0])}
+    if isinstance(instance.profile, Profile):
+        found["bending strain"] = rows.curvature(state)[0] * _fibre(instance.profile.section)
+        found["strain"] = found["strain"] + found["bending strain"]
     return {key: np.interp(steps, PLACES, values) for key, values in found.items()}
+
+
+def _fibre(section: Section) -> float:
+    """Distance [m] of the outermost fibre from the axis about which it bends: of a wire in a rope of wires."""
+    if isinstance(section, WireRope):
+        return section.wire / 2
+    return float(np.max(np.linalg.norm(outline_of(section), axis=1)))
 
 
 def contact(state: State, instance: Instance) -> Iterator[Shape]:

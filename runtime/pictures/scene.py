@@ -14,8 +14,9 @@ from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.base.quaternions import unit
 from flexel.pictures import drawing
-from flexel.pictures.drawing import Sketch
 from flexel.pictures.figures import figure
+from flexel.pictures.shape import zigzag
+from flexel.pictures.solids import Sketch, Solid
 from flexel.structure.state import State
 
 if TYPE_CHECKING:
@@ -26,12 +27,19 @@ PAINT: dict[str, tuple[str, float, str]] = {
     "sketch": ("#8fa3b3", 2.0, ""),
     "spoke": ("#9aa3ab", 0.6, ""),
     "valve": ("#c8501e", 1.4, ""),
+    "solid": ("#8fa3b3", 1.4, ""),
+    "guide": ("#7d868d", 2.0, ""),
+    "slide": ("#5a646c", 6.0, ""),
+    "tyre": ("#3a3f44", 2.6, ""),
     "rim": ("#222222", 2.2, ""),
     "axle": ("#222222", 2.2, ""),
     "bar": ("#0b5fa5", 2.6, ""),
     "beam": ("#2e8540", 2.6, ""),
     "rope": ("#6b4f2a", 2.0, ""),
     "sheave": ("#8a8f94", 2.2, ""),
+    "spring": ("#b5651d", 1.4, ""),
+    "damper": ("#55606a", 1.4, ""),
+    "spiral": ("#b5651d", 1.2, ""),
     "hinge": ("#444444", 4.0, ""),
     "joint": ("#ffffff", 4.0, "o"),
     "fixed": ("#444444", 5.0, "s"),
@@ -57,8 +65,8 @@ class View:
         Draw a grid on the roads of the wheels.
     trails : sequence of str
         Point nodes whose past track is drawn in an animation.
-    sketches : sequence of Sketch
-        Lines carried by bodies, for display only.
+    sketches : sequence of Sketch, Box, Cylinder or Mesh
+        Lines and solids carried by bodies, for display only.
     """
 
     elevation: float = 20.0
@@ -68,7 +76,7 @@ class View:
     span: float | None = None
     ground: bool = True
     trails: Sequence[str] = ()
-    sketches: Sequence[Sketch] = ()
+    sketches: Sequence[Sketch | Solid] = ()
 
     def __post_init__(self) -> None:
         number(self.elevation, "View", "elevation")
@@ -81,8 +89,12 @@ class View:
             positive(self.span, "View", "span")
         flag(self.ground, "View", "ground")
         names(self.trails, "View: trails")
-        if not isinstance(self.sketches, Sequence) or not all(isinstance(z, Sketch) for z in self.sketches):
-            raise ModelError(f"View: sketches {self.sketches!r:.60} are not a list of Sketch; give one")
+        if not isinstance(self.sketches, Sequence) or not all(
+            isinstance(z, (Sketch, Solid)) for z in self.sketches
+        ):
+            raise ModelError(
+                f"View: sketches {self.sketches!r:.60} are not a list of Sketch, Box, Cylinder or Mesh; give one"
+            )
 
 
 @contextmanager
@@ -134,7 +146,7 @@ def draw(
     for track in (trails or {}).values():
         axes.plot(*(track @ turn.T).T[: 2 if flat else 3], color="#2e8540", lw=1.2, zorder=1, clip_on=False)
     for order, (style, (colour, width, mark)) in enumerate(PAINT.items(), start=2):
-        lines = [line @ turn.T for part in parts if part.style == style for line in part.lines]
+        lines = [line @ turn.T for part in parts if part.style == style for line in _lines(part)]
         if lines:
             _paint(axes, flat, lines, colour, width, mark, order)
     _limits(axes, flat, turn @ centre, span)
@@ -166,6 +178,16 @@ def _window(state: State, view: View, parts: Sequence[drawing.Shape]) -> tuple[A
 def painted(parts: Iterable[drawing.Shape]) -> Array:
     """All vertices (k, 3) that are painted."""
     return np.vstack([line for part in parts if part.style in PAINT for line in part.lines])
+
+
+def _lines(part: drawing.Shape) -> tuple[Array, ...]:
+    """Polylines of a part as they are painted: springs as zigzags, tyres where they are widest."""
+    if part.style == "spring":
+        return (zigzag(part.lines[0]),)
+    if part.style == "tyre" and part.pose is not None and part.outline is not None:
+        arms = part.lines[0] - part.pose[0]
+        return (part.lines[0] + float(part.outline[:, 1].max()) * arms / np.linalg.norm(arms[0]),)
+    return part.lines
 
 
 def _paint(

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from flexel.base.arrays import Array
+from flexel.base.arrays import Array, Index
 from flexel.base.quaternions import matrix
 from flexel.declare.closed_profile import ClosedProfile
 from flexel.declare.materials import Profile
@@ -29,7 +29,8 @@ class Shape:
     Attributes
     ----------
     style : str
-        bar, beam, rope, sheave, rim, spoke, valve, axle, hinge, box, mass, joint, fixed, sketch or force.
+        bar, beam, rope, sheave, tyre, rim, spoke, valve, axle, hinge, spring, damper, spiral, guide, slide, box, mass,
+        joint, fixed, sketch, solid, force or load; springs and dampers are two points.
     name : str
         Name of the element or node.
     lines : tuple of ndarray (k, 3)
@@ -44,6 +45,10 @@ class Shape:
         A force on the point that is the only vertex [N].
     values : mapping of str to ndarray
         Quantities for colouring the line: values at equal steps along it, or one for the whole line.
+    surface : (vertices (k, 3), triangles (t, 3)), optional
+        A surface that the pose carries, in the body's axes [m].
+    colour : str, optional
+        Its own colour.
     """
 
     style: str
@@ -54,26 +59,16 @@ class Shape:
     across: Array | None = None
     force: Array | None = None
     values: Mapping[str, Array] = field(default_factory=dict)
+    surface: tuple[Array, Index] | None = None
+    colour: str | None = None
 
 
-UNITS = {"tension": "N", "bending moment": "N m", "strain": "-"}  # of the values used for colouring
-
-
-@dataclass(frozen=True)
-class Sketch:
-    """A polyline carried by a body; the outline is for display only and does not affect the mechanics.
-
-    Parameters
-    ----------
-    point, frame : str
-        Nodes of the body.
-    drawn : sequence of (x, y, z)
-        Vertices in global axes, as the model is drawn (before it moves) [m].
-    """
-
-    point: str
-    frame: str
-    drawn: Sequence[Sequence[float]]
+UNITS = {
+    "tension": "N",
+    "bending moment": "N m",
+    "strain": "-",
+    "bending strain": "-",
+}  # of the values used for colouring
 
 
 def place(state: State, node: str) -> Array:
@@ -162,3 +157,14 @@ def resultant(state: State, instance: Instance, points: Sequence[str]) -> Array:
     f = -(state.J[rows].T @ stress)
     total = np.sum([f[s.places(n)] for n in points], axis=0)
     return np.append(total, 0.0)[:3]
+
+
+def zigzag(ends: Array) -> Array:
+    """A spring between two points (2, 3) as a line in the plane of both and the vertical, or of x and y."""
+    d = ends[1] - ends[0]
+    length = float(np.linalg.norm(d))
+    across = np.cross(d, (0.0, 0.0, 1.0) if abs(d[2]) < 0.9 * length else (0.0, 1.0, 0.0))
+    across /= max(float(np.linalg.norm(across)), 1e-300)
+    steps = np.concatenate([[0.0], np.linspace(0.15, 0.85, 12), [1.0]])[:, None]
+    sides = np.concatenate([[0.0, 0.0], np.tile([1.0, -1.0], 5), [0.0, 0.0]])[:, None]
+    return np.asarray(ends[0] + steps * d + 0.09 * length * sides * across)

@@ -19,6 +19,7 @@ from flexel.structure.structure import Structure
 
 if TYPE_CHECKING:
     from flexel.integration.outcome import Integration
+    from flexel.pictures.view import Page
 
 
 class Motion(Sequence[State]):
@@ -248,6 +249,16 @@ class Motion(Sequence[State]):
         from flexel.pictures.view import view_motion
 
         return view_motion(self, path, **options)
+
+    def page(self, **options: Any) -> Page:
+        """The same page in memory, which a notebook shows as the result of a cell; see `view.scene_data`."""
+        from flexel.pictures.view import Page, scene_data
+
+        return Page(scene_data(self, **options))
+
+    def _repr_html_(self) -> str:
+        """The motion as a notebook shows it, with a third of the frames."""
+        return self.page(frames=101, progress=False)._repr_html_()
 
     # -- tables and files ------------------------------------------------------------------------
 

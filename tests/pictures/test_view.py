@@ -239,3 +239,19 @@ def test_mistakes_are_told(ride: fx.Motion, tmp_path: Path) -> None:
     system = cantilever()
     with pytest.raises(fx.ModelError, match="give the linearization, not the state"):
         mode_data(system.initial, system.linearize().modes())
+
+
+def test_modes_show_the_strains_of_their_shape() -> None:
+    """A cantilever of one element: strain E-free, by the curvature at the clamp of the cubic, 6/l^2 u - 2/l phi."""
+    system = cantilever()
+    state = system.equilibrium()
+    (mode,) = system.vibrations(state, count=1)
+    scene = mode_data(state, [mode])
+    leaf = parts(scene, "beam", "leaf")[0]
+    strain = np.frombuffer(base64.b64decode(leaf["values"]["bending strain of the mode"]["modal"]), "<f4")
+    moved = unpacked(leaf["modes"], 3 * 17)[0].reshape(17, 3)[:, 1]
+    slope = (3 * moved[-1] - 4 * moved[-2] + moved[-3]) / (2 * 0.1 / 16)  # of the cubic at the tip
+    curvature = 6 / 0.1**2 * moved[-1] - 2 / 0.1 * slope
+    assert strain[0] == pytest.approx(abs(curvature) * 0.25e-3, rel=0.02)
+    assert strain[1] < 0.3 * strain[0]
+    assert scene["units"]["bending moment of the mode"] == "N m"

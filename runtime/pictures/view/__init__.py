@@ -10,7 +10,7 @@ from pathlib import Path
 from string import Template
 from typing import TYPE_CHECKING, Any
 
-from flexel.base.arguments import path_of
+from flexel.base.arguments import path_of, whole
 from flexel.base.errors import ModelError
 from flexel.base.files import replacing
 from flexel.pictures.view.data import FORMAT, scene_data
@@ -23,10 +23,23 @@ if TYPE_CHECKING:
     from flexel.statics.stability import Vibration
     from flexel.structure.state import State
 
-__all__ = ["mode_data", "page", "scene_data", "view_modes", "view_motion", "write_page"]
+__all__ = ["Page", "mode_data", "page", "scene_data", "view_modes", "view_motion", "write_page"]
 
 # One module in the page, in this order.
-SCRIPTS = ("start.js", "decode.js", "sweep.js", "parts.js", "orbit.js", "viewer.js")
+SCRIPTS = (
+    *(
+        "start.js",
+        "decode.js",
+        "sweep.js",
+        "batch.js",
+        "colours.js",
+        "parts.js",
+        "pieces.js",
+        "ground.js",
+        "orbit.js",
+    ),
+    *("fit.js", "hover.js", "strip.js", "controls.js", "viewer.js"),
+)
 
 
 def view_motion(motion: Motion, path: str | Path, **options: Any) -> Path:
@@ -53,6 +66,39 @@ def view_modes(
     >>> view_modes(state, "modes.html", system.vibrations(state))  # doctest: +SKIP
     """
     return write_page(mode_data(about, modes, **options), path)
+
+
+class Page:
+    """A page of the viewer in memory; a notebook shows it as the result of a cell, in a frame that can be resized.
+
+    Parameters
+    ----------
+    scene : mapping
+        From `scene_data` or `mode_data`.
+    height : int
+        Of the frame [pixels].
+
+    Examples
+    --------
+    >>> Page(mode_data(system.linearize()))  # doctest: +SKIP
+    """
+
+    def __init__(self, scene: Mapping[str, Any], height: int = 520) -> None:
+        self.scene = scene
+        self.height = whole(height, "Page", "height", least=100, most=10_000)
+
+    def write(self, path: str | Path) -> Path:
+        """Write the page to a file; see `write_page`."""
+        return write_page(self.scene, path)
+
+    def _repr_html_(self) -> str:
+        """The page in a frame of its own, for notebooks; nothing is fetched and no other file is needed."""
+        style = f"resize:both;overflow:hidden;width:100%;height:{self.height}px;border:1px solid #d0d7de"
+        title = html.escape(str(self.scene.get("title") or "Motion"), quote=True)
+        inner = html.escape(page(self.scene), quote=True)
+        filled = "width:100%;height:100%;border:0"
+        frame = f'<iframe title="{title}" srcdoc="{inner}" style="{filled}" allowfullscreen></iframe>'
+        return f'<div style="{style}">{frame}</div>'
 
 
 def write_page(scene: Mapping[str, Any], path: str | Path) -> Path:

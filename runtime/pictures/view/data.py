@@ -8,27 +8,39 @@ from __future__ import annotations
 
 import base64
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from tqdm import tqdm
 
+from flexel.base.arguments import quantities
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.base.quaternions import from_matrix
 from flexel.pictures import drawing
 from flexel.pictures.scene import PAINT, View, display_axes, painted
 from flexel.pictures.shape import UNITS, Shape, extent
+from flexel.pictures.spring_painters import united
+from flexel.pictures.view.packing import packed, rounded
+from flexel.pictures.view.series import floors, histories
+from flexel.pictures.wavy_roads import wavy_roads
 from flexel.structure.state import State
 
 if TYPE_CHECKING:
     from flexel.results.motion import Motion
 
-FORMAT = 1
+FORMAT = 2
 FRAMES = 301
 COLOURS = {style: paint[0] for style, paint in PAINT.items()}
-COLOURS |= {"box": "#8fa3b3", "force": "#d4351c", "joint": "#f0f3f5"}
+COLOURS |= {
+    "box": "#8fa3b3",
+    "force": "#d4351c",
+    "load": "#7b3f98",
+    "joint": "#f0f3f5",
+    "sketch": "#8fa3b3",
+    "ground": "#c9d0d6",
+}
 WINDOW = 4.0  # the camera follows motions that go farther than this many times the model's size
 
 
@@ -40,6 +52,7 @@ def scene_data(
     view: View | None = None,
     title: str = "",
     caption: str = "",
+    plots: Sequence[str] | None = None,
     slower: float | None = None,
     progress: bool | None = None,
 ) -> dict[str, Any]:
@@ -54,7 +67,10 @@ def scene_data(
     view : View, optional
         Camera, window, node to follow, trails and sketches.
     title, caption : str
-        Written above the picture.
+        Written above the picture; the title is the time of the motion by default.
+    plots : sequence of str, optional
+        Quantities in the plot strip when the page opens, by the names of `Motion.series`; three degrees of freedom by
+        default.  The page offers more.
     slower : float, optional
         Seconds of picture per second of motion; by default chosen so that the motion can be followed.
     progress : bool, optional
@@ -72,17 +88,46 @@ def scene_data(
     """
     states = _sampled(motion, frames, between)
     view = view or View()
+    asked = None if plots is None else quantities(plots, "view: plots")
     for name in (*view.trails, *([view.centre] if isinstance(view.centre, str) else [])):
         states[0].structure.node(name)
     hidden = not sys.stderr.isatty() if progress is None else not progress
     steps = tqdm(states, "frames", disable=hidden, leave=False)
-    table = [drawing.shapes(state, view.sketches) for state in steps]
+    applied = _loads(motion)
+    table = [drawing.shapes(state, view.sketches) + applied(state) for state in steps]
     times = [round(state.t, 9) for state in states]
     speed = _speed(times[-1] - times[0]) if slower is None else 1 / slower
+    title = title or f"Motion from {times[0]:.4g} to {times[-1]:.4g} s"
     found = common(states[0], table, view, title, caption) | {"times": times, "speed": speed}
+    found["floors"] = floors(states, table, found["size"])
+    found["plots"] = _packed_rows(histories(states, asked))
     found["digits"] = int(np.clip(2 - np.floor(np.log10(max(times[-1] - times[0], 1e-6))), 0, 6))
-    found["shapes"] = [part(column) for column in zip(*table, strict=True) if _acts(column)]
+    ground = list(wavy_roads(states))
+    if ground:
+        found["floor"] = None
+    found["shapes"] = [part([z]) for z in ground] + [
+        part(_whole(column)) for column in zip(*table, strict=True) if _acts(column)
+    ]
     return found
+
+
+def _loads(motion: Motion) -> Callable[[State], list[Shape]]:
+    """Arrows of the loads at a state; a motion from a file has lost its loads."""
+    system = motion._system
+    if system is None or not system.loads.any:
+        return lambda _: []
+    return lambda state: drawing.loads(state, system.loads)
+
+
+def _packed_rows(found: dict[str, Any]) -> dict[str, Any]:
+    """Histories with their values as text."""
+    rows = [z | {"values": packed([z["values"]])} for z in found["rows"]]
+    return found | {"rows": rows}
+
+
+def _whole(column: Sequence[Shape]) -> Sequence[Shape]:
+    """What is drawn once for all frames: guides."""
+    return united(list(column)) if column[0].style == "guide" else column
 
 
 def _sampled(motion: Motion, frames: int, between: tuple[float, float] | None) -> list[State]:
@@ -101,7 +146,7 @@ def _sampled(motion: Motion, frames: int, between: tuple[float, float] | None) -
 
 def _acts(column: Sequence[Shape]) -> bool:
     """Whether a shape is ever visible: contacts that never close are not."""
-    return column[0].style != "force" or any(np.any(z.force) for z in column)
+    return column[0].style not in ("force", "load") or any(np.any(z.force) for z in column)
 
 
 def _speed(duration: float) -> float:
@@ -135,15 +180,26 @@ def common(
         "format": FORMAT,
         "title": title,
         "caption": caption,
-        "axes": _rounded(axes),
+        "axes": rounded(axes),
         "size": float(f"{size:.6g}"),
         "colours": COLOURS,
         "units": UNITS,
-        "roads": [{"axes": _rounded(display_axes(n)), "height": height} for n, height in roads],
+        "roads": [{"axes": rounded(display_axes(n)), "height": height} for n, height in roads],
+        "floor": _floor(state, table, up, size) if view.ground and not roads and not flat else None,
         "camera": _camera(table, view, flat, size),
         "trails": list(view.trails),
         "modes": [],
+        "floors": {},
+        "plots": {"shown": [], "rows": []},
     }
+
+
+def _floor(state: State, table: Sequence[Sequence[Shape]], up: Array, size: float) -> dict[str, Any] | None:
+    """A floor below all that is painted, where there is gravity; for display only."""
+    if not any(np.any(z.parameters.get("gravity", 0.0)) for z in state.structure.instances):
+        return None
+    low = min(float(np.min(painted(shapes) @ up)) for shapes in table)
+    return {"axes": rounded(display_axes(up)), "height": float(f"{low - 0.02 * size:.6g}")}
 
 
 def _camera(table: Sequence[Sequence[Shape]], view: View, flat: bool, size: float) -> dict[str, Any]:
@@ -160,8 +216,9 @@ def _camera(table: Sequence[Sequence[Shape]], view: View, flat: bool, size: floa
     return {
         "azimuth": -90.0 if flat else view.azimuth,
         "elevation": 0.0 if flat else view.elevation,
-        "centre": _rounded(centre),
+        "centre": rounded(centre),
         "span": float(f"{view.span or span:.6g}"),
+        "fit": view.span is None and (view.centre is None or bool(follow)),
         "follow": follow,
     }
 
@@ -188,7 +245,13 @@ def part(shapes: Sequence[Shape]) -> dict[str, Any]:
         },
     }
     if first.outline is not None:
-        found["outline"] = _rounded(first.outline)
+        found["outline"] = rounded(first.outline)
+    if first.colour is not None:
+        found["colour"] = first.colour
+    if first.surface is not None:
+        vertices, triangles = first.surface
+        found["surface"] = packed([vertices])
+        found["triangles"] = base64.b64encode(triangles.astype("<u4").tobytes()).decode()
     if first.pose is not None:
         origin, R = first.pose
         found["local"] = packed([(np.vstack(first.lines) - origin) @ R])
@@ -211,19 +274,3 @@ def numbers(shape: Shape) -> Array:
         return np.vstack(shape.lines).ravel()
     origin, R = shape.pose
     return np.concatenate([origin, from_matrix(R)])
-
-
-def packed(rows: Iterable[Any]) -> str:
-    """Rows of numbers as Float32 in base64; one row only if all are equal."""
-    values = np.array([np.ravel(row) for row in rows], dtype="<f4")
-    if not np.all(np.isfinite(values)):
-        raise ModelError(
-            "view: a state has positions or forces that are not finite; show the part before it with between="
-        )
-    if np.all(values == values[0]):
-        values = values[:1]
-    return base64.b64encode(values.tobytes()).decode()
-
-
-def _rounded(values: Any) -> Any:
-    return np.round(np.asarray(values, dtype=float), 9).tolist()

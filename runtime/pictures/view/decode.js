@@ -18,6 +18,15 @@ class Track {
     this.now = new Float32Array(width);
   }
 
+  /** Whether the numbers differ from those at the last call. */
+  changes(instant) {
+    if (this.modes) return true;
+    const key = this.moving ? instant.frame + instant.fraction : 0;
+    const changed = key !== this.key;
+    this.key = key;
+    return changed;
+  }
+
   /** Numbers at an instant; poses have their quaternion in places 3 to 6. */
   at(instant, pose = false) {
     const { all, width, now } = this, a = this.moving ? instant.frame * width : 0;
@@ -43,6 +52,20 @@ class Track {
       for (let i = 3; i < 7; i++) now[i] /= n;
     }
     return now;
+  }
+}
+
+/** Amplitudes of values in the modes, `width` in each: those at unit amplitude times the one that is shown. */
+class Modal {
+  constructor(text, width) {
+    this.all = floats(text);
+    this.now = new Float32Array(width);
+  }
+
+  at(instant) {
+    const a = this.now.length * instant.mode;
+    for (let i = 0; i < this.now.length; i++) this.now[i] = instant.amplitude * this.all[a + i];
+    return this.now;
   }
 }
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -15,7 +15,10 @@ from flexel.mechanics.modes import Mode
 from flexel.pictures import drawing
 from flexel.pictures.scene import View
 from flexel.pictures.shape import Shape, extent
-from flexel.pictures.view.data import common, numbers, packed, part
+from flexel.pictures.view.data import common, numbers, part
+from flexel.pictures.view.modal import modal_units, modal_values, packed_values
+from flexel.pictures.view.packing import packed
+from flexel.pictures.view.series import floors
 from flexel.statics.stability import Vibration
 from flexel.structure.state import State, own_state
 
@@ -57,16 +60,37 @@ def mode_data(
     view = view or View()
     base = drawing.shapes(state, view.sketches)
     displaced = [_displaced(state, _coordinates(about, state, mode), base, view) for mode in modes]
-    found = common(state, [base], view, title, caption)
+    found = common(state, [base], view, title or "Modes of vibration", caption)
     found |= {
         "times": [state.t],
         "speed": 1.0,
         "digits": 2,
         "modes": [_words(i, z) for i, z in enumerate(modes)],
     }
-    found["shapes"] = [part([shape]) | {"modes": packed_pairs([z[i] for z in displaced])}
-                       for i, shape in enumerate(base)]  # fmt: skip
+    found["floors"] = floors([state], [base], found["size"])
+    found["units"] = found["units"] | modal_units()
+    found["shapes"] = []
+    for i, shape in enumerate(base):
+        one = part([shape]) | {"modes": packed_pairs([z.rates[i] for z in displaced])}
+        one["values"] |= packed_values([z.values[i] for z in displaced])
+        found["shapes"].append(one)
     return found
+
+
+@dataclass(frozen=True)
+class _Displaced:
+    """A mode as what the parts do in it, scaled so that the farthest vertex moves by 1.
+
+    Attributes
+    ----------
+    rates : list of (ndarray, ndarray)
+        Real and imaginary displacement of every part's numbers.
+    values : list of dict
+        Amplitudes of the values used for colouring.
+    """
+
+    rates: list[tuple[Array, Array]]
+    values: list[dict[str, Array]]
 
 
 def own_state_of(state: object) -> State:
@@ -104,10 +128,8 @@ def _known(shape: Mapping[str, complex], coordinates: Mapping[str, int]) -> Mapp
     return shape
 
 
-def _displaced(
-    state: State, amplitude: ComplexArray, base: list[Shape], view: View
-) -> list[tuple[Array, Array]]:
-    """Real and imaginary displacement of every part's numbers, scaled so that the farthest vertex moves by 1."""
+def _displaced(state: State, amplitude: ComplexArray, base: list[Shape], view: View) -> _Displaced:
+    """What the parts do in a mode, by differences."""
     s = state.structure
     parts: list[tuple[list[Array], list[Array]]] = []
     step = SMALL * extent(s) / max(float(np.max(np.abs(amplitude))), 1e-300)
@@ -124,7 +146,11 @@ def _displaced(
         float(np.max(np.sqrt(a**2 + b**2).sum(axis=1))) for a, b in zip(moved_re, moved_im, strict=True)
     )
     scale = 1 / farthest if farthest > 0 else 0.0
-    return [(scale * a, scale * b) for a, b in zip(re, im, strict=True)]
+    values = modal_values(state, amplitude, step, view)
+    return _Displaced(
+        [(scale * a, scale * b) for a, b in zip(re, im, strict=True)],
+        [{name: scale * x for name, x in z.items()} for z in values],
+    )
 
 
 def _same_side(pose: Array, base: Array) -> Array:

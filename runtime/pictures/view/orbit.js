@@ -28,10 +28,27 @@ class Orbit {
     this.azimuth = (azimuth * Math.PI) / 180;
     this.elevation = (elevation * Math.PI) / 180;
     if (span) {
+      this.fits = false;
       this.span = span;
       this.shift.set(0, 0, 0);
     }
     this.changed();
+  }
+
+  /** Look from a direction, and at the next picture from where all is seen; also when the window changes. */
+  fit(azimuth, elevation) {
+    this.look(azimuth, elevation);
+    this.fits = this.due = true;
+  }
+
+  /** Take the place that Fit has found. */
+  take({ right, up, span }, aspect) {
+    const m = this.camera.matrixWorld.elements;
+    this.span = span;
+    this.shift.set(0, 0, 0);
+    this.shift.addScaledVector(new THREE.Vector3(m[0], m[1], m[2]), right);
+    this.shift.addScaledVector(new THREE.Vector3(m[4], m[5], m[6]), up);
+    this.place(aspect);
   }
 
   turn(right, up) {
@@ -41,12 +58,14 @@ class Orbit {
   }
 
   zoom(factor) {
+    this.fits = false;
     this.span *= factor;
     this.changed();
   }
 
   /** Move the target by parts of the picture's height. */
   move(right, up) {
+    this.fits = false;
     const m = this.camera.matrixWorld.elements;
     this.shift.addScaledVector(new THREE.Vector3(m[0], m[1], m[2]), -right * this.span);
     this.shift.addScaledVector(new THREE.Vector3(m[4], m[5], m[6]), up * this.span);

@@ -1,189 +1,147 @@
-// The parts of the mechanism as three.js objects: swept lines, marks, arrows of forces, traces, and the road.
+// The parts of the mechanism: swept lines, marks, solids, springs and arrows, each a piece of a batch.
 
-const THIN = { bar: 0.008, beam: 0.008, rope: 0.005, rim: 0.008, spoke: 0.0018, valve: 0.003, axle: 0.009, sketch: 0.005 };
+const THIN = {
+  bar: 0.008, beam: 0.008, rope: 0.005, rim: 0.008, spoke: 0.0018, valve: 0.003, axle: 0.009, sketch: 0.005, spiral: 0.0025,
+};
 const MARKS = { joint: 0.011, fixed: 0.014, mass: 0.014 }; // sizes relative to the model
 const THINNEST = 0.0012;
-const ARROW = 0.35; // length of the largest force, relative to the model
-const RAMP = ["#440154", "#3b528b", "#21918c", "#5ec962", "#fde725"].map((c) => new THREE.Color(c));
+const GREY = new THREE.Color("#c3ccd4");
+const ZERO = new THREE.Matrix4().makeScale(0, 0, 0); // hides a rigid piece
 
-/** Colour of a value between 0 and 1. */
-function ramp(x, out) {
-  const z = 4 * Math.min(Math.max(x, 0), 1), i = Math.min(Math.floor(z), 3);
-  return out.copy(RAMP[i]).lerp(RAMP[i + 1], z - i);
+/** Lines of two vertices each as the twelve edges of a swept box with an outline of four corners. */
+function edgesOf(points, outline, across) {
+  const P = new Float32Array(48), N = new Float32Array(48), section = sectionOf(outline), o = outline.length;
+  sweep(P, N, 0, [2], { ...section, columns: Float32Array.from(outline.flatMap(([y, z]) => [y, z, 0, 0])) }, points, across);
+  const found = [], at = (i) => P.subarray(3 * i, 3 * i + 3);
+  for (let j = 0; j < o; j++) found.push(at(j), at((j + 1) % o), at(o + j), at(o + ((j + 1) % o)), at(j), at(o + j));
+  return Float32Array.from(found.flatMap((z) => [...z]));
 }
 
-/** One part; `object` is in the scene, `update` moves it. */
+/** One part: `update` moves it, `paint` colours it; its pieces lie in batches. */
 class Part {
-  constructor(spec) {
+  constructor(spec, batches) {
     this.spec = spec;
+    this.batches = batches;
+    this.visible = true;
     this.vertices = spec.counts.reduce((a, b) => a + b, 0);
     this.track = new Track(spec.data, spec.rigid ? 7 : 3 * this.vertices, spec.modes);
-    this.colour = new THREE.Color(scene.colours[spec.style]);
-    this.object = new THREE.Group();
-    this.object.name = spec.name;
-    this.values = Object.fromEntries(Object.entries(spec.values).map(([k, v]) => [k, new Track(v.data, v.count)]));
-    this.build();
+    this.colour = new THREE.Color(spec.colour || scene.colours[spec.style]);
+    this.values = Object.fromEntries(
+      Object.entries(spec.values).map(([k, v]) => [k, v.modal ? new Modal(v.modal, v.count) : new Track(v.data, v.count)]),
+    );
+    this.local = spec.rigid ? floats(spec.local) : null;
+    this.across = spec.across ? new Track(spec.across, 6) : null;
+    this.shown = null; // the visibility that is drawn
+    this.reserve();
   }
 
-  build() {
+  get batch() {
+    return this.spec.style === "box" ? this.batches.glass : this.spec.rigid ? this.batches.solid : this.batches.soft;
+  }
+
+  /** Take room in the batch. */
+  reserve() {
     const { spec } = this;
     let outline = spec.outline || round((THIN[spec.style] || 0.006) * scene.size);
     const widest = Math.max(...outline.map((p) => Math.hypot(...p))), least = THINNEST * scene.size;
     if (widest < least) outline = outline.map((p) => p.map((x) => (x * least) / widest));
-    this.outline = outline;
-    this.across = spec.across ? new Track(spec.across, 6) : null;
-    this.geometry = sweepGeometry(spec.counts, outline);
-    const seeThrough = spec.style === "box";
-    const material = new THREE.MeshLambertMaterial({
-      vertexColors: true, flatShading: !isRound(outline), side: THREE.DoubleSide,
-      transparent: seeThrough, opacity: seeThrough ? 0.22 : 1, depthWrite: !seeThrough,
-    });
-    this.mesh = new THREE.Mesh(this.geometry, material);
-    this.mesh.frustumCulled = false; // its bounds change with every frame
-    this.object.add(this.mesh);
-    this.paint(null);
-    if (spec.rigid) this.lay(floats(spec.local), 0);
-    if (seeThrough) {
-      const edges = new THREE.EdgesGeometry(this.geometry, 20);
-      this.object.add(new THREE.LineSegments(edges, new THREE.LineBasicMaterial({ color: this.colour })));
-    }
+    this.section = sectionOf(outline);
+    if (spec.rigid) this.bone = this.batch.bone();
+    this.size = sweptSize(spec.counts, this.section);
+    this.at = this.batch.add(this.size, sweptIndex(spec.counts, this.section), this.bone);
+    if (spec.style === "box") this.reserveEdges(outline);
   }
 
-  lay(points, instant) {
-    const across = this.across && (this.spec.rigid ? this.across.all : this.across.at(instant));
-    sweep(this.geometry, this.spec.counts, this.outline, points, across);
+  /** The edges of a see-through box, as thin lines of the solid batch. */
+  reserveEdges(outline) {
+    const thin = sectionOf(round(THINNEST * scene.size)), counts = Array(12).fill(2);
+    const bone = this.batches.solid.bone(), points = edgesOf(this.local, outline, this.across?.all);
+    const at = this.batches.solid.add(sweptSize(counts, thin), sweptIndex(counts, thin), bone);
+    this.edges = { thin, counts, bone, points, at };
+  }
+
+  /** Fill what never changes. */
+  fill() {
+    if (this.spec.rigid) this.lay(this.local, this.across?.all);
+    if (this.edges) {
+      const { solid } = this.batches, { thin, counts, points, at } = this.edges;
+      sweep(solid.P, solid.N, at, counts, thin, points, null);
+      solid.fill(at, sweptSize(counts, thin), this.colour);
+    }
+    this.paint(null);
+  }
+
+  lay(points, across) {
+    sweep(this.batch.P, this.batch.N, this.at, this.spec.counts, this.section, points, across);
+    this.batch.moved = true;
   }
 
   update(instant) {
-    const now = this.track.at(instant, this.spec.rigid);
+    const changed = this.shown !== this.visible;
+    if (!changed && !this.track.changes(instant) && !this.across?.changes(instant)) return;
+    this.shown = this.visible;
     if (this.spec.rigid) {
-      this.object.position.set(now[0], now[1], now[2]);
-      this.object.quaternion.set(now[4], now[5], now[6], now[3]);
+      this.pose(this.visible ? poseMatrix(this.track.at(instant, true)) : ZERO);
+    } else if (this.visible) {
+      this.lay(this.track.at(instant), this.across?.at(instant));
     } else {
-      this.lay(now, instant);
+      this.batch.P.fill(0, 3 * this.at, 3 * (this.at + this.size));
+      this.batch.moved = true;
     }
+  }
+
+  pose(matrix) {
+    this.batch.bones[this.bone].matrixWorld.copy(matrix);
+    if (this.edges) this.batches.solid.bones[this.edges.bone].matrixWorld.copy(matrix);
   }
 
   /** Colour by a value over its range, or by style. */
   paint(name, range, instant) {
-    const colours = this.geometry.attributes.color, m = this.outline.length, c = new THREE.Color();
     const values = name && this.values[name] ? this.values[name].at(instant) : null;
-    let vertex = 0;
-    const at = (s) => {
-      if (!values) return name ? c.set("#c3ccd4") : c.copy(this.colour);
-      const z = s * (values.length - 1), i = Math.min(Math.floor(z), Math.max(values.length - 2, 0));
-      const value = values[i] + (z - i) * ((values[i + 1] ?? values[i]) - values[i]);
-      return ramp((value - range[0]) / (range[1] - range[0] || 1), c);
-    };
-    const fill = (s) => {
-      at(s);
-      for (let j = 0; j < m; j++) c.toArray(colours.array, 3 * vertex++);
-    };
+    const batch = this.batch, w = this.section.columns.length / 4, m = this.section.outline.length / 2;
+    if (!values || values.length === 1) {
+      const colour = values ? ramp(share(values[0], range)) : name && this.spec.style !== "solid" ? GREY : this.colour;
+      batch.fill(this.at, this.size, colour);
+      return;
+    }
+    let vertex = this.at;
     for (const n of this.spec.counts) {
-      for (let i = 0; i < n; i++) fill(i / Math.max(n - 1, 1));
-      fill(0);
-      fill(1);
+      for (let i = 0; i < n; i++, vertex += w) batch.fill(vertex, w, ramp(share(valueAt(values, i / Math.max(n - 1, 1)), range)));
+      batch.fill(vertex, m, ramp(share(values[0], range)));
+      batch.fill(vertex + m, m, ramp(share(values[values.length - 1], range)));
+      vertex += 2 * m;
     }
-    colours.needsUpdate = true;
+  }
+
+  /** Vertices of its lines at an instant, relative to the root of the scene; those of rigid parts are turned and moved. */
+  places(instant) {
+    const now = this.track.at(instant, this.spec.rigid);
+    if (!this.spec.rigid) return now;
+    const M = poseMatrix(now), out = new Float32Array(this.local), v = new THREE.Vector3();
+    for (let i = 0; i < out.length; i += 3) v.fromArray(out, i).applyMatrix4(M).toArray(out, i);
+    return out;
+  }
+
+  /** Vertices of each of these lines. */
+  get counts() {
+    return this.spec.counts;
+  }
+
+  /** Half the thickness of what is drawn. */
+  get radius() {
+    return this.section.widest;
   }
 }
 
-/** A point, a fixed point or a mass centre. */
-class Mark extends Part {
-  build() {
-    const { style } = this.spec, r = MARKS[style] * scene.size;
-    const shape = style === "fixed" ? new THREE.BoxGeometry(1.7 * r, 1.7 * r, 1.7 * r) : new THREE.SphereGeometry(r, 16, 12);
-    this.object.add(new THREE.Mesh(shape, new THREE.MeshLambertMaterial({ color: this.colour })));
-  }
-
-  update(instant) {
-    this.object.position.fromArray(this.track.at(instant));
-  }
-
-  paint() {}
+/** A value between the equal steps along a line, x from 0 to 1. */
+function valueAt(values, x) {
+  const z = x * (values.length - 1), i = Math.min(Math.floor(z), Math.max(values.length - 2, 0));
+  return values[i] + (z - i) * ((values[i + 1] ?? values[i]) - values[i]);
 }
 
-/** A force as an arrow that points away from its place. */
-class Arrow extends Part {
-  build() {
-    this.force = new Track(this.spec.force, 3);
-    const material = new THREE.MeshLambertMaterial({ color: this.colour });
-    const shaft = new THREE.CylinderGeometry(0.02, 0.02, 0.8, 12).translate(0, 0.4, 0);
-    const head = new THREE.ConeGeometry(0.06, 0.2, 16).translate(0, 0.9, 0);
-    this.object.add(new THREE.Mesh(shaft, material), new THREE.Mesh(head, material));
-  }
+const posed = new THREE.Matrix4(), turned = new THREE.Quaternion(), moved = new THREE.Vector3(), unscaled = new THREE.Vector3(1, 1, 1);
 
-  /** Largest force of all frames. */
-  get largest() {
-    let found = 0;
-    for (let i = 0; i < this.force.all.length; i += 3) found = Math.max(found, Math.hypot(...this.force.all.subarray(i, i + 3)));
-    return found;
-  }
-
-  update(instant) {
-    const force = new THREE.Vector3(...this.force.at(instant)), size = force.length();
-    this.object.position.fromArray(this.track.at(instant));
-    const length = (ARROW * scene.size * size) / (Arrow.unit || 1);
-    this.object.children.forEach((z) => (z.visible = length > 1e-6 * scene.size));
-    this.object.scale.setScalar(Math.max(length, 1e-9));
-    if (size > 0) this.object.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), force.divideScalar(size));
-  }
-
-  paint() {}
-}
-
-/** All parts of the scene. */
-function makeParts() {
-  const parts = scene.shapes.map((spec) => new (spec.style === "force" ? Arrow : MARKS[spec.style] ? Mark : Part)(spec));
-  Arrow.unit = Math.max(0, ...parts.filter((z) => z instanceof Arrow).map((z) => z.largest));
-  return parts;
-}
-
-/** The past track of a point. */
-class Trace {
-  constructor(part, colour) {
-    const n = scene.times.length;
-    this.part = part;
-    this.geometry = new THREE.BufferGeometry();
-    this.geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(3 * (n + 1)), 3));
-    this.line = new THREE.Line(this.geometry, new THREE.LineBasicMaterial({ color: colour }));
-    this.line.frustumCulled = false;
-  }
-
-  update(instant) {
-    const { track } = this.part, P = this.geometry.attributes.position, k = instant.frame;
-    if (track.moving) P.array.set(track.all.subarray(0, 3 * (k + 1)));
-    P.array.set(track.at(instant), track.moving ? 3 * (k + 1) : 0);
-    P.needsUpdate = true;
-    this.geometry.setDrawRange(0, track.moving ? k + 2 : 1);
-  }
-}
-
-/** A grid on a road: round steps fixed to the ground, wherever one looks. */
-class Road {
-  constructor(spec) {
-    this.T = new THREE.Matrix4().makeBasis(...spec.axes.map((row) => new THREE.Vector3(...row)));
-    this.height = spec.height;
-    this.object = new THREE.Group();
-    this.object.matrixAutoUpdate = false;
-    this.step = 0;
-  }
-
-  update(target, span) {
-    const power = 10 ** Math.floor(Math.log10(span / 4)), half = 20;
-    const step = power * [1, 2, 5].findLast((z) => power * z <= span / 4);
-    if (step !== this.step) {
-      this.step = step;
-      this.object.clear();
-      const grid = new THREE.GridHelper(2 * half * step, 2 * half, "#c3ccd4", "#c3ccd4").rotateX(Math.PI / 2);
-      const plane = new THREE.Mesh(
-        new THREE.PlaneGeometry(2 * half * step, 2 * half * step),
-        new THREE.MeshBasicMaterial({ color: "#e9edf0", side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }),
-      );
-      this.object.add(grid, plane);
-    }
-    const local = target.clone().applyMatrix4(this.T.clone().transpose());
-    const place = new THREE.Vector3(Math.round(local.x / step) * step, Math.round(local.y / step) * step, this.height);
-    this.object.matrix.copy(this.T).setPosition(place.applyMatrix4(this.T));
-  }
+/** Matrix of a place and a quaternion; the same object at every call. */
+function poseMatrix(now) {
+  return posed.compose(moved.set(now[0], now[1], now[2]), turned.set(now[4], now[5], now[6], now[3]), unscaled);
 }

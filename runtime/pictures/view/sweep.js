@@ -1,6 +1,6 @@
 // A section swept along a polyline: the surface of beams, ropes, rims, pins, sheaves and boxes.
 
-const CORNERS = 10;
+const CORNERS = 8;
 
 /** Outline of a thin round line. */
 function round(radius) {
@@ -10,93 +10,137 @@ function round(radius) {
   });
 }
 
-/** Whether an outline is a circle, to be shaded smoothly. */
+/** Whether an outline is a circle or close to it, to be shaded smoothly. */
 function isRound(outline) {
   const r = outline.map((p) => Math.hypot(...p));
-  return outline.length > 7 && Math.max(...r) - Math.min(...r) < 1e-6 * r[0];
-}
-
-/** Buffers for polylines with `counts` vertices each: all sides, then two caps a line. */
-function sweepGeometry(counts, outline) {
-  const m = outline.length, index = [];
-  const caps = THREE.ShapeUtils.triangulateShape(outline.map((p) => new THREE.Vector2(...p)), []);
-  let first = 0;
-  for (const n of counts) {
-    for (let i = 0; i + 1 < n; i++) {
-      for (let j = 0; j < m; j++) {
-        const a = first + i * m + j, b = first + i * m + ((j + 1) % m);
-        index.push(a, b, a + m, b, b + m, a + m);
-      }
-    }
-    const start = first + n * m, end = start + m;
-    for (const [a, b, c] of caps) index.push(start + a, start + c, start + b, end + a, end + b, end + c);
-    first = end + m;
-  }
-  const geometry = new THREE.BufferGeometry();
-  for (const name of ["position", "normal", "color"])
-    geometry.setAttribute(name, new THREE.BufferAttribute(new Float32Array(3 * first), 3));
-  geometry.setIndex(index);
-  return geometry;
-}
-
-/** Unit vector from vertex a to vertex b of a flat array into `out`; kept as it was where they coincide. */
-function direction(points, a, b, out) {
-  const d = [0, 1, 2].map((k) => points[3 * b + k] - points[3 * a + k]), n = Math.hypot(...d);
-  if (n > 1e-12) for (let k = 0; k < 3; k++) out[k] = d[k] / n;
-  return out;
-}
-
-/** The part of u normal to the unit vector t, as a unit vector; some normal of t if there is none. */
-function normalTo(u, t) {
-  const s = u[0] * t[0] + u[1] * t[1] + u[2] * t[2];
-  const w = [u[0] - s * t[0], u[1] - s * t[1], u[2] - s * t[2]], n = Math.hypot(...w);
-  if (n > 1e-9) return w.map((x) => x / n);
-  const k = t.map(Math.abs).indexOf(Math.min(...t.map(Math.abs)));
-  return normalTo([k === 0, k === 1, k === 2].map(Number), t);
-}
-
-function cross(a, b) {
-  return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+  return outline.length > 7 && Math.max(...r) < 1.2 * Math.min(...r);
 }
 
 /**
- * Lay the surface along the vertices `points`; `across` holds the directions of the section's y axis at both ends.
+ * The columns of an outline: y, z and the normal of each. A round outline shares them between its sides; of a polygon
+ * every side has its own two. `pairs` are the columns between which a side lies, `caps` the triangles of an end.
  */
-function sweep(geometry, counts, outline, points, across) {
-  const position = geometry.attributes.position, normal = geometry.attributes.normal, m = outline.length;
-  const P = position.array, N = normal.array;
-  let vertex = 0, first = 0;
-  const put = (c, t, u, sideways) => {
-    const w = cross(t, u);
-    for (const [y, z] of outline) {
-      const r = Math.hypot(y, z) || 1;
-      for (let k = 0; k < 3; k++) {
-        P[3 * vertex + k] = points[3 * c + k] + y * u[k] + z * w[k];
-        N[3 * vertex + k] = sideways ? (y * u[k] + z * w[k]) / r : 0;
-      }
-      vertex++;
+function sectionOf(outline) {
+  const m = outline.length, smooth = isRound(outline), columns = [], pairs = [];
+  const area = outline.reduce((s, p, i) => s + p[0] * outline[(i + 1) % m][1] - p[1] * outline[(i + 1) % m][0], 0);
+  outline.forEach(([y, z], i) => {
+    const [y2, z2] = outline[(i + 1) % m], r = Math.hypot(y, z) || 1;
+    if (smooth) {
+      columns.push([y, z, y / r, z / r]);
+      pairs.push([i, (i + 1) % m]);
+    } else {
+      const l = (Math.hypot(y2 - y, z2 - z) || 1) * Math.sign(area), n = [(z2 - z) / l, (y - y2) / l];
+      columns.push([y, z, ...n], [y2, z2, ...n]);
+      pairs.push([2 * i, 2 * i + 1]);
     }
-  };
-  const cap = (c, t, u, sign) => {
-    const start = 3 * vertex;
-    put(c, t, u, false);
-    for (let i = 0; i < 3 * m; i++) N[start + i] = sign * t[i % 3];
-  };
+  });
+  const caps = THREE.ShapeUtils.triangulateShape(outline.map((p) => new THREE.Vector2(...p)), []);
+  const widest = Math.max(...outline.map((p) => Math.hypot(...p)));
+  return { outline: Float32Array.from(outline.flat()), columns: Float32Array.from(columns.flat()), pairs, caps, smooth, widest };
+}
+
+/** How many vertices polylines with `counts` vertices each need, swept with a section. */
+function sweptSize(counts, section) {
+  const w = section.columns.length / 4, m = section.outline.length / 2;
+  return counts.reduce((s, n) => s + n * w + 2 * m, 0);
+}
+
+/** Triangles of swept polylines: all sides, then two caps a line. */
+function sweptIndex(counts, section) {
+  const w = section.columns.length / 4, m = section.outline.length / 2, index = [];
+  let first = 0;
   for (const n of counts) {
-    const closed = n > 3 && [0, 1, 2].every((k) => Math.abs(points[3 * first + k] - points[3 * (first + n - 1) + k]) < 1e-7);
-    const ends = [];
-    let t = [1, 0, 0], u = [0, 0, 0];
-    for (let i = 0; i < n; i++) {
-      const a = first + (i > 0 ? i - 1 : closed ? n - 2 : 0), b = first + (i + 1 < n ? i + 1 : closed ? 1 : n - 1);
-      direction(points, a, b, t);
-      if (across) u = [0, 1, 2].map((k) => across[k] + (i / Math.max(n - 1, 1)) * (across[3 + k] - across[k]));
-      u = normalTo(u, t);
-      put(first + i, t, u, true);
-      if (i === 0 || i === n - 1) ends.push([first + i, [...t], u]);
+    for (let i = 0; i + 1 < n; i++)
+      for (const [a, b] of section.pairs) {
+        const p = first + i * w + a, q = first + i * w + b;
+        index.push(p, q, p + w, q, q + w, p + w);
+      }
+    const start = first + n * w, end = start + m;
+    for (const [a, b, c] of section.caps) index.push(start + a, start + c, start + b, end + a, end + b, end + c);
+    first = end + m;
+  }
+  return index;
+}
+
+const along = new Float64Array(3), side = new Float64Array(3), third = new Float64Array(3);
+
+/** Unit tangent at the vertex between a and b; kept as it was where they coincide. */
+function tangent(points, a, b) {
+  const x = points[3 * b] - points[3 * a], y = points[3 * b + 1] - points[3 * a + 1], z = points[3 * b + 2] - points[3 * a + 2];
+  const n = Math.sqrt(x * x + y * y + z * z);
+  if (n > 1e-12) {
+    along[0] = x / n;
+    along[1] = y / n;
+    along[2] = z / n;
+  }
+}
+
+/** Make `side` normal to `along` and of unit length, some normal if it has none, and `third` the normal to both. */
+function square() {
+  let s = side[0] * along[0] + side[1] * along[1] + side[2] * along[2], n = 0;
+  for (let k = 0; k < 3; k++) n += (side[k] -= s * along[k]) ** 2;
+  if (n < 1e-18) {
+    const [x, y, z] = [Math.abs(along[0]), Math.abs(along[1]), Math.abs(along[2])];
+    side.fill(0);
+    side[x <= y && x <= z ? 0 : y <= z ? 1 : 2] = 1;
+    s = side[0] * along[0] + side[1] * along[1] + side[2] * along[2];
+    n = 0;
+    for (let k = 0; k < 3; k++) n += (side[k] -= s * along[k]) ** 2;
+  }
+  n = Math.sqrt(n);
+  for (let k = 0; k < 3; k++) side[k] /= n;
+  third[0] = along[1] * side[2] - along[2] * side[1];
+  third[1] = along[2] * side[0] - along[0] * side[2];
+  third[2] = along[0] * side[1] - along[1] * side[0];
+}
+
+/** One end: the outline, with the tangent as normal. */
+function putCap(P, N, vertex, section, points, c, sign) {
+  const o = section.outline;
+  for (let j = 0; j < o.length; j += 2, vertex++)
+    for (let k = 0; k < 3; k++) {
+      P[3 * vertex + k] = points[3 * c + k] + o[j] * side[k] + o[j + 1] * third[k];
+      N[3 * vertex + k] = sign * along[k];
     }
-    cap(...ends[0], -1);
-    cap(...ends[1], 1);
+}
+
+/**
+ * Lay the surface along the vertices `points` into positions P and normals N, from vertex `at`; `across` holds the
+ * directions of the section's y axis at both ends of each line.
+ */
+function sweep(P, N, at, counts, section, points, across) {
+  const C = section.columns, w = C.length / 4, m = section.outline.length / 2;
+  let vertex = at, first = 0;
+  for (const n of counts) {
+    const a = 3 * first, z = 3 * (first + n - 1);
+    const closed = n > 3 && Math.abs(points[a] - points[z]) + Math.abs(points[a + 1] - points[z + 1]) + Math.abs(points[a + 2] - points[z + 2]) < 1e-7;
+    const caps = vertex + n * w;
+    side.fill(0);
+    along.set([1, 0, 0]);
+    for (let i = 0; i < n; i++) {
+      const before = i > 0 ? i - 1 : closed ? n - 2 : 0, after = i + 1 < n ? i + 1 : closed ? 1 : n - 1;
+      tangent(points, first + before, first + after);
+      if (across) {
+        const f = n > 1 ? i / (n - 1) : 0;
+        for (let k = 0; k < 3; k++) side[k] = across[k] + f * (across[3 + k] - across[k]);
+      }
+      square();
+      const c = 3 * (first + i), x = points[c], y = points[c + 1], q = points[c + 2];
+      const [u0, u1, u2] = side, [w0, w1, w2] = third;
+      for (let j = 0, v = 3 * vertex; j < w; j++, v += 3) {
+        const cy = C[4 * j], cz = C[4 * j + 1], ny = C[4 * j + 2], nz = C[4 * j + 3];
+        P[v] = x + cy * u0 + cz * w0;
+        P[v + 1] = y + cy * u1 + cz * w1;
+        P[v + 2] = q + cy * u2 + cz * w2;
+        N[v] = ny * u0 + nz * w0;
+        N[v + 1] = ny * u1 + nz * w1;
+        N[v + 2] = ny * u2 + nz * w2;
+      }
+      vertex += w;
+      if (i === 0) putCap(P, N, caps, section, points, first, -1);
+      if (i === n - 1) putCap(P, N, caps + m, section, points, first + i, 1);
+    }
+    vertex = caps + 2 * m;
     first += n;
   }
-  position.needsUpdate = normal.needsUpdate = true;
 }

@@ -1,10 +1,10 @@
-// The page: plays the scene, and joins the controls to it.
+// The page: plays the scene.
 
 const get = (id) => document.getElementById(id);
 const start = scene.times[0], end = scene.times[scene.times.length - 1];
 const wished = new URLSearchParams(location.hash.slice(1)); // #t=1.5 opens at that time, at rest
 const canvas = get("picture");
-const state = { t: start, phase: 0, playing: false, dirty: true, last: 0 };
+const state = { t: start, phase: 0, playing: false, dirty: true, last: 0, scale: "robust" };
 
 // -- what there is to see ---------------------------------------------------------------------
 
@@ -15,26 +15,19 @@ root.quaternion.setFromRotationMatrix(
   new THREE.Matrix4().makeBasis(...scene.axes.map((row) => new THREE.Vector3(...row))).transpose(),
 );
 root.updateMatrixWorld();
-const sun = new THREE.DirectionalLight("#ffffff", 2.2);
-world.add(root, sun, new THREE.HemisphereLight("#ffffff", "#9aa3ab", 1.6));
-const parts = makeParts(), roads = scene.roads.map((z) => new Road(z));
-root.add(...parts.map((z) => z.object), ...roads.map((z) => z.object));
-const triad = new THREE.AxesHelper(0.2 * scene.size);
-root.add(triad);
+const sun = new THREE.DirectionalLight("#ffffff", 1.7), lamp = new THREE.DirectionalLight("#ffffff", 0.7);
+world.add(root, sun, lamp, new THREE.HemisphereLight("#ffffff", "#9aa3ab", 1.5));
+const { parts, batches, meshes } = makeParts();
+const roads = scene.roads.map((z) => new Road(z)), floor = scene.floor ? new Road(scene.floor) : null;
+const grounds = floor ? [...roads, floor] : roads;
+renderer.shadowMap.enabled = sun.castShadow = grounds.length > 0 || parts.some((z) => z.spec.style === "ground");
+sun.shadow.mapSize.set(1024, 1024);
+const triad = new THREE.AxesHelper(0.2 * scene.size), traces = new Traces();
+root.add(...meshes, ...grounds.map((z) => z.object), triad, traces.line);
 const points = new Map(parts.filter((z) => z instanceof Mark).map((z) => [z.spec.name, z]));
 const orbit = new Orbit(canvas, () => (state.dirty = true));
-let traces = [];
-
-/** Smallest and largest of a value over all parts and frames. */
-function range(name) {
-  let low = Infinity, high = -Infinity;
-  for (const part of parts)
-    for (const x of part.values[name]?.all ?? []) {
-      low = Math.min(low, x);
-      high = Math.max(high, x);
-    }
-  return [low, high];
-}
+const strip = new Strip((t) => go(t));
+const hover = new Hover(canvas, parts, orbit, root, () => instant());
 
 // -- one picture ------------------------------------------------------------------------------
 
@@ -43,29 +36,57 @@ function instant() {
   return { ...locate(state.t), mode, phase: state.phase, amplitude: +get("amplitude").value * scene.size };
 }
 
-function show() {
-  const now = instant(), name = get("colour").value, limits = name ? range(name) : null;
-  for (const part of parts) {
-    part.update(now);
-    if (name) part.paint(name, limits, now);
+/** Colour all parts; constant scales are found once. */
+function paint(now) {
+  const name = get("colour").value, kind = state.scale, constant = kind !== "frame" && !scene.modes.length;
+  if (!name) return;
+  const key = `${name} ${kind}`;
+  if (!constant || state.ranged !== key) {
+    state.range = rangeOf(parts, name, kind, scene.modes.length ? { ...now, phase: 0 } : now);
+    state.ranged = key;
+    showLegend(name, state.range);
   }
-  traces.forEach((z) => z.update(now));
-  const followed = points.get(get("follow").value);
-  orbit.base.fromArray(followed ? followed.track.at(now) : scene.camera.centre).applyQuaternion(root.quaternion);
+  for (const part of parts) part.paint(name, state.range, now);
+}
+
+function resize() {
   const width = canvas.clientWidth || 1, height = canvas.clientHeight || 1;
   if (renderer.shown !== `${width} ${height}`) {
     renderer.shown = `${width} ${height}`;
     renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     renderer.setSize(width, height, false);
+    if (orbit.fits) orbit.due = true;
   }
-  orbit.place(width / height);
-  sun.position.copy(orbit.camera.position).add(new THREE.Vector3(0, 0, orbit.span));
-  sun.target.position.copy(orbit.target);
-  sun.target.updateMatrixWorld();
+  return width / height;
+}
+
+/** Aim the eye; if Fit is due, from where all that is visible is seen. */
+function aim(now, aspect) {
+  const followed = points.get(get("follow").value);
+  orbit.base.fromArray(followed ? followed.track.at(now) : scene.camera.centre).applyQuaternion(root.quaternion);
+  orbit.place(aspect);
+  if (!orbit.due) return;
+  orbit.due = false;
+  const found = fitted(parts, orbit, root, followed, now, aspect);
+  if (found) orbit.take(found, aspect);
+}
+
+function show() {
+  const begun = performance.now(), now = instant();
+  for (const part of parts) part.update(now);
+  paint(now);
+  batches.forEach((z) => z.upload());
+  traces.update(now);
+  aim(now, resize());
+  placeSun(sun, orbit.target, orbit.span);
+  lamp.position.copy(orbit.camera.position).sub(orbit.target);
   const target = orbit.target.applyQuaternion(root.quaternion.clone().invert());
-  roads.forEach((z) => z.update(target, orbit.span));
+  grounds.forEach((z) => z.update(target, orbit.span));
   renderer.render(world, orbit.camera);
   tell(now);
+  strip.update(now, state.t);
+  canvas.dataset.calls = renderer.info.render.calls; // of the graphics card, in this picture
+  canvas.dataset.script = (performance.now() - begun).toFixed(2); // milliseconds
 }
 
 function tell(now) {
@@ -91,7 +112,7 @@ function tick(time) {
   requestAnimationFrame(tick);
 }
 
-// -- controls ---------------------------------------------------------------------------------
+// -- time -------------------------------------------------------------------------------------
 
 function play(on) {
   state.playing = on;
@@ -114,80 +135,6 @@ function step(by) {
   } else {
     go(scene.times[Math.min(Math.max(k, 0), scene.times.length - 1)]);
   }
-}
-
-function options(id, pairs, chosen = []) {
-  for (const [value, text] of pairs) {
-    const option = new Option(text, value, false, chosen.includes(value));
-    get(id).add(option);
-  }
-  get(id).addEventListener("change", () => (state.dirty = true));
-}
-
-function checkbox(text, on, act) {
-  const label = document.createElement("label"), box = document.createElement("input");
-  box.type = "checkbox";
-  box.checked = on;
-  box.addEventListener("change", () => {
-    act(box.checked);
-    state.dirty = true;
-  });
-  label.append(box, text);
-  get("show").append(label);
-  act(on);
-}
-
-function retrace() {
-  const colours = ["#2e8540", "#c8501e", "#0b5fa5", "#7b3f98", "#b8860b"];
-  root.remove(...traces.map((z) => z.line));
-  const chosen = [...get("trace").selectedOptions].map((z) => points.get(z.value));
-  traces = chosen.map((part, i) => new Trace(part, colours[i % colours.length]));
-  if (traces.length) root.add(...traces.map((z) => z.line));
-}
-
-function recolour() {
-  const name = get("colour").value;
-  get("legend").hidden = !name;
-  if (name) {
-    const unit = scene.units[name] === "-" ? "" : ` ${scene.units[name] || ""}`, [low, high] = range(name);
-    get("low").textContent = `${name} ${short(low)}`;
-    get("high").textContent = short(high) + unit;
-  } else {
-    parts.forEach((z) => z.paint(null));
-  }
-}
-
-function prepareControls() {
-  get("title").textContent = scene.title;
-  get("caption").textContent = scene.caption;
-  canvas.setAttribute("aria-label", `Picture of ${scene.title || "the mechanism"}; arrow keys turn it, plus and minus zoom`);
-  const names = [...points.keys()].map((z) => [z, z]);
-  options("follow", [["", "nothing"], ...names], [scene.camera.follow]);
-  options("trace", names, scene.trails);
-  const values = [...new Set(parts.flatMap((z) => Object.keys(z.values)))];
-  options("colour", [["", "kind of part"], ...values.map((z) => [z, z])]);
-  options("mode", scene.modes.map((z, i) => [String(i), z.name]));
-  const speeds = [...new Set([0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, scene.speed])];
-  options("speed", speeds.sort((a, b) => a - b).map((z) => [String(z), `${z} ×`]), [String(scene.speed)]);
-  get("modes").hidden = get("size").hidden = !scene.modes.length;
-  get("trace").parentElement.hidden = get("follow").parentElement.hidden = Boolean(scene.modes.length);
-  get("colour").parentElement.hidden = !values.length;
-  get("trace").addEventListener("change", retrace);
-  get("colour").addEventListener("change", recolour);
-  get("amplitude").addEventListener("input", () => (state.dirty = true));
-  const visible = (styles) => (on) => parts.forEach((z) => styles.includes(z.spec.style) && (z.object.visible = on));
-  const kinds = { bodies: ["box"], "mass centres": ["mass"], points: ["joint", "fixed"], hinges: ["hinge"], forces: ["force"], outlines: ["sketch"] };
-  for (const [text, styles] of Object.entries(kinds))
-    if (parts.some((z) => styles.includes(z.spec.style))) checkbox(text, true, visible(styles));
-  if (roads.length) checkbox("road", true, (on) => roads.forEach((z) => (z.object.visible = on)));
-  checkbox("axes x y z", false, (on) => (triad.visible = on));
-  const { azimuth, elevation, span } = scene.camera;
-  get("fit").onclick = () => orbit.look(azimuth, elevation, span);
-  get("front").onclick = () => orbit.look(0, 0);
-  get("side").onclick = () => orbit.look(-90, 0);
-  get("top").onclick = () => orbit.look(-90, 90);
-  orbit.look(azimuth, elevation, span);
-  get("panel").open = innerWidth > 800;
 }
 
 function prepareTime() {
@@ -220,7 +167,6 @@ function prepareTime() {
 
 prepareControls();
 prepareTime();
-retrace();
 new ResizeObserver(() => (state.dirty = true)).observe(canvas);
 canvas.addEventListener("webglcontextrestored", () => (state.dirty = true));
 requestAnimationFrame((time) => {

@@ -1,0 +1,98 @@
+"""Surfaces of triangles from `.stl` and `.obj` files, and their sharp edges."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from flexel.base.arguments import path_of
+from flexel.base.arrays import Array, Index
+from flexel.base.errors import ModelError
+
+HEADER = 84  # bytes of a binary .stl before its triangles
+RECORD = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("unused", "<u2")])
+MANY = 400  # edges; more are not drawn
+SHARP = np.cos(np.radians(30.0))  # edges between faces that turn by more are drawn
+
+
+def read_mesh(path: str | Path) -> tuple[Array, Index]:
+    """Vertices (k, 3), in units of the file, and triangles (t, 3) of a surface.
+
+    Parameters
+    ----------
+    path : path
+        ``.stl``, binary or text, or ``.obj``; polygons with more corners are split.
+
+    Raises
+    ------
+    ModelError
+        Another suffix, a file that cannot be read, or one without triangles.
+    """
+    path = path_of(path, "mesh")
+    readers = {".stl": _stl, ".obj": _obj}
+    if path.suffix.lower() not in readers:
+        raise ModelError(f"mesh '{path}': only .stl and .obj files are read; convert it to one of these")
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        raise ModelError(f"mesh '{path}': {error.strerror}; give a file that can be read") from error
+    try:
+        vertices, triangles = readers[path.suffix.lower()](data)
+    except (ValueError, IndexError) as error:
+        raise ModelError(f"mesh '{path}': it is damaged ({error}); export it again") from error
+    if not len(triangles):
+        raise ModelError(f"mesh '{path}': it has no triangles; export a surface")
+    if not np.all(np.isfinite(vertices)):
+        raise ModelError(f"mesh '{path}': it has vertices that are not finite; export it again")
+    return vertices, triangles
+
+
+def _stl(data: bytes) -> tuple[Array, Index]:
+    """Triangles of a binary file, known by its length, or of a text."""
+    count = int.from_bytes(data[HEADER - 4 : HEADER], "little")
+    if len(data) >= HEADER and len(data) == HEADER + count * RECORD.itemsize:
+        corners = np.frombuffer(data, RECORD, count, HEADER)["corners"].reshape(-1, 3)
+    else:
+        words = [line.split() for line in data.decode("ascii", "replace").splitlines()]
+        corners = np.array([z[1:4] for z in words if z[:1] == ["vertex"]], dtype=float).reshape(-1, 3)
+    if len(corners) % 3:
+        raise ValueError(f"{len(corners)} corners")
+    vertices, where = np.unique(corners.astype(float), axis=0, return_inverse=True)
+    return vertices, where.reshape(-1, 3).astype(np.intp)
+
+
+def _obj(data: bytes) -> tuple[Array, Index]:
+    """Vertices and faces; textures, normals and groups are not read."""
+    places: list[list[float]] = []
+    found: list[tuple[int, int, int]] = []
+    for line in data.decode("utf-8", "replace").splitlines():
+        word, *rest = line.split() or [""]
+        if word == "v":
+            places.append([float(z) for z in rest[:3]])
+        elif word == "f":
+            corners = [int(z.partition("/")[0]) for z in rest]
+            corners = [z - 1 if z > 0 else len(places) + z for z in corners]
+            found += [(corners[0], b, c) for b, c in zip(corners[1:], corners[2:], strict=False)]
+    triangles = np.array(found, dtype=np.intp).reshape(-1, 3)
+    if triangles.size and not 0 <= triangles.min() <= triangles.max() < len(places):
+        raise ValueError("a face names a vertex that is not there")
+    return np.array(places, dtype=float).reshape(-1, 3), triangles
+
+
+def sharp_edges(vertices: Array, triangles: Index) -> tuple[Array, ...]:
+    """Edges (2, 3) where a surface ends or turns by more than 30 degrees; its bounding box's if none or many do."""
+    a, b, c = (vertices[triangles[:, i]] for i in range(3))
+    normals = np.cross(b - a, c - a)
+    normals /= np.maximum(np.linalg.norm(normals, axis=1), 1e-300)[:, None]
+    faces: dict[tuple[int, int], list[int]] = {}
+    for face, corners in enumerate(triangles.tolist()):
+        for i in range(3):
+            ends = sorted((corners[i], corners[i - 1]))
+            faces.setdefault((ends[0], ends[1]), []).append(face)
+    sharp = [ends for ends, z in faces.items() if len(z) != 2 or normals[z[0]] @ normals[z[1]] < SHARP]
+    if 0 < len(sharp) <= MANY:
+        return tuple(vertices[list(ends)] for ends in sharp)
+    low, high = vertices.min(axis=0), vertices.max(axis=0)
+    corners = np.array([np.where([x, y, z], high, low) for x in (0, 1) for y in (0, 1) for z in (0, 1)])
+    return tuple(corners[[i, i ^ k]] for i in range(8) for k in (1, 2, 4) if not i & k)
