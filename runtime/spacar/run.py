@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -11,6 +12,7 @@ from flexel.base.errors import ModelError
 from flexel.base.files import replacing
 from flexel.results.motion import Motion
 from flexel.results.saved.tables_of_runs import motion_beside
+from flexel.spacar.compare import comparison, results_of_spacar
 from flexel.spacar.modes import MODES, Results
 from flexel.spacar.reading import Spacar, read_spacar
 
@@ -29,7 +31,12 @@ class Outcome:
 
 
 def run_spacar(
-    path: str | Path, out: Path | None = None, *, mode: int | None = None, dialect: str | None = None
+    path: str | Path,
+    out: Path | None = None,
+    *,
+    mode: int | None = None,
+    dialect: str | None = None,
+    compare: Sequence[str | Path] = (),
 ) -> Outcome:
     """Run a SPACAR file and report.
 
@@ -45,6 +52,8 @@ def run_spacar(
         motion, or at the start of a file without TIMESTEP, 10 static load steps.  By default 1 if the file has
         TIMESTEP, 10 if it has load steps, else 7.
     dialect : "delft" or "twente", optional
+    compare : sequence of str or Path
+        Results of SPACAR, .sbd, .sbm or .ltv: the report has their differences from these.
 
     Returns
     -------
@@ -67,16 +76,20 @@ def run_spacar(
         raise ModelError(
             f"{file.path.name}: mode {mode} does not exist; modes are {', '.join(map(str, MODES))}"
         )
-    lines, results, motion = MODES[mode](file)
+    others = [results_of_spacar(z) for z in compare]  # before the computation, which may be long
+    found = MODES[mode](file)
+    motion = found.motion
     head = [
         f"{file.path.name}: SPACAR, {file.dialect} dialect, mode {mode}",
         *(f"note: {z}" for z in file.notes),
     ]
     if mode != COUNT:  # which may find that they do not determine a motion
         head.append(f"degrees of freedom: {', '.join(file.system.dynamic + file.system.kinematic) or 'none'}")
-    report = [*head, *([] if motion is None else [motion.message]), "", *lines]
+    report = [*head, *([] if motion is None else [motion.message]), "", *found.lines]
+    for other in others:
+        report += ["", *comparison(file, found, other)]
     if out is not None:
-        report += ["", *(f"wrote {z}" for z in _write(file, out, results, motion))]
+        report += ["", *(f"wrote {z}" for z in _write(file, out, found.results, motion))]
     return Outcome("\n".join(report), motion)
 
 

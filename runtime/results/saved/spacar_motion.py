@@ -121,7 +121,7 @@ def _layout(entries: Entries, path: Path) -> _Layout:
         raise ModelError(f"load '{path}': it has no nodes")
     instances, rows = [], []
     for i, row in enumerate(np.asarray(constant["LE"])):
-        instance = _instance(i, constant, nodes)
+        instance = _instance(i, constant, nodes, path)
         if instance is not None:
             instances.append(instance)
             rows.append([int(z) - 1 for z in row if z > 0])
@@ -154,8 +154,13 @@ def _node(n: int, places: list[int], x0: Array, parts: Index) -> Node:
     return Node(f"{letter}{n}", kind, np.array(x0[places]), fixed)
 
 
-def _instance(i: int, constant: Any, nodes: dict[int, tuple[Node, list[int]]]) -> Instance | None:
+def _instance(i: int, constant: Any, nodes: dict[int, tuple[Node, list[int]]], path: Path) -> Instance | None:
     """An element; None for the norm of a frame that is fixed, which a model does not have."""
+    absent = [int(n) for n in constant["LN"][i] if n > 0 and int(n) not in nodes]
+    if absent:
+        raise ModelError(
+            f"load '{path}': element {i + 1} has the node {absent[0]}, which the file does not have; it is damaged"
+        )
     ends = [nodes[int(n)][0] for n in constant["LN"][i] if n > 0]
     count = int(np.count_nonzero(constant["LE"][i]))
     kind, kinds = int(np.ravel(constant["IT"])[i]), [z.kind for z in ends]
