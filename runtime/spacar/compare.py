@@ -183,7 +183,7 @@ def _matrix_rows(found: Analysis, theirs: Theirs, pairs: Sequence[Pair]) -> Iter
 def _row(title: str, ours: Array, theirs: Array, where: Sequence[str], records: Sequence[int]) -> str:
     """The largest difference, the largest entry, their ratio, and where the difference is."""
     difference = np.abs(ours - theirs)
-    record, column = np.unravel_index(int(np.argmax(difference)), difference.shape)
+    record, column = divmod(int(np.argmax(difference)), difference.shape[1])
     largest, entry = float(difference[record, column]), float(np.max(np.abs(theirs)))
     entry = entry or float(np.max(np.abs(ours)))
     ratio = largest / entry if entry else 0.0

@@ -109,7 +109,8 @@ def _static(file: Spacar) -> Analysis:
         matrices = file.matrices(state)
     except DynamicsError as error:  # equilibria and frequencies need no mass for every degree of freedom
         return Analysis([*lines, f"no matrices: {error}"], results, states=[state])
-    return Analysis([*lines, *linear_lines(matrices)], results | matrices.as_dict(), states=[state])
+    results |= matrices.as_dict()
+    return Analysis([*lines, *linear_lines(matrices)], results, states=[state])
 
 
 def _space(file: Spacar) -> Analysis:

@@ -13,6 +13,8 @@ from flexel.base.files import replacing
 from flexel.results.motion import Motion
 from flexel.results.saved.tables_of_runs import motion_beside
 from flexel.spacar.compare import comparison, results_of_spacar
+from flexel.spacar.log import log_lines
+from flexel.spacar.matfile import write_mat
 from flexel.spacar.modes import MODES, Results
 from flexel.spacar.reading import Spacar, read_spacar
 
@@ -37,6 +39,8 @@ def run_spacar(
     mode: int | None = None,
     dialect: str | None = None,
     compare: Sequence[str | Path] = (),
+    log: bool = False,
+    mat: bool = False,
 ) -> Outcome:
     """Run a SPACAR file and report.
 
@@ -45,7 +49,8 @@ def run_spacar(
     path : str or Path
     out : Path, optional
         Directory for the results: time histories as .csv, everything as .npz, and a motion, for `flexel view` and
-        `flexel.load`, as ``<name>_motion.npz``; without it no files are written.
+        `flexel.load`, as ``<name>_motion.npz``; without it no files are written, and
+        `log` and `mat` are refused.
     mode : int, optional
         0 count of constraints and degrees of freedom, 1 forward dynamics, 2 inverse dynamics, 4 linearization along
         the motion, 7 equilibrium, frequencies and buckling, 8 state space in equilibrium, 9 state space along the
@@ -54,6 +59,10 @@ def run_spacar(
     dialect : "delft" or "twente", optional
     compare : sequence of str or Path
         Results of SPACAR, .sbd, .sbm or .ltv: the report has their differences from these.
+    log : bool
+        Write ``<name>.log`` as well: counts, degrees of freedom, fixed and dependent quantities.
+    mat : bool
+        Write ``<name>.mat`` as well, with SPACAR's names of variables.
 
     Returns
     -------
@@ -64,6 +73,8 @@ def run_spacar(
     FlexelError
         An invalid file, an unknown mode, an analysis that fails.
     """
+    if (log or mat) and out is None:
+        raise ModelError("run_spacar: log and mat write files; give out, the directory for results")
     file = read_spacar(path, dialect)
     if mode is None:
         mode = 1 if file.duration is not None else 10 if file.load_steps else 7
@@ -89,13 +100,23 @@ def run_spacar(
     for other in others:
         report += ["", *comparison(file, found, other)]
     if out is not None:
-        report += ["", *(f"wrote {z}" for z in _write(file, out, found.results, motion))]
+        out.mkdir(parents=True, exist_ok=True)
+        written = _write(file, out, found.results, motion)
+        written += [write_mat(file, found, out / f"{file.path.stem}.mat")] if mat else []
+        written += [_write_log(file, mode, out)] if log else []
+        report += ["", *(f"wrote {z}" for z in written)]
     return Outcome("\n".join(report), motion)
+
+
+def _write_log(file: Spacar, mode: int, out: Path) -> Path:
+    path = out / f"{file.path.stem}.log"
+    with replacing(path, "run") as part:
+        part.write_text("\n".join(log_lines(file, mode)) + "\n", encoding="utf-8")
+    return path
 
 
 def _write(file: Spacar, out: Path, results: Results, motion: Motion | None) -> list[Path]:
     """Results as arrays, and the time histories among them as a table."""
-    out.mkdir(parents=True, exist_ok=True)
     arrays = out / f"{file.path.stem}.npz"
     with replacing(arrays, "run") as part:
         np.savez(part, allow_pickle=False, **results)
