@@ -74,6 +74,16 @@ class Wish:
     type=click.Choice(DIALECTS),
     help="Dialect of a SPACAR file; recognized by its keywords if not given.",
 )
+@click.option(
+    "--compare",
+    type=click.Path(exists=True, dir_okay=False, path_type=Path),
+    multiple=True,
+    metavar="RESULT",
+    help="Print the differences of a SPACAR file from SPACAR's own results, .sbd, .sbm or .ltv; repeat for more.",
+)
+@click.option(
+    "--log", is_flag=True, help="Write MODEL.log of a SPACAR file: counts and lists of degrees of freedom."
+)
 def run(
     file: Path,
     time: float | None,
@@ -86,6 +96,8 @@ def run(
     checkpoint: bool,
     mode: int | None,
     dialect: str | None,
+    compare: tuple[Path, ...],
+    log: bool,
 ) -> None:
     """Build and simulate the model in a file MODEL.py and save its motion, or run a SPACAR input file MODEL.dat.
 
@@ -95,7 +107,8 @@ def run(
     results, and a Motion that it returns is saved.
 
     A SPACAR file is read as data and never executed; results are printed in SPACAR's numbering and signs, and written
-    where --out says, a motion also as MODEL_motion.npz for `flexel view`. Without --mode a file with TIMESTEP is
+    where --out says, a motion also as MODEL_motion.npz for `flexel view`, and with --format mat everything as MODEL.mat
+    with SPACAR's names. Without --mode a file with TIMESTEP is
     simulated, one with load steps is loaded by these, and for any other the equilibrium, its frequencies and its
     buckling loads are computed.
 
@@ -104,17 +117,21 @@ def run(
     given = {"duration": time, "samples": samples, "method": method}
     asked: dict[str, Any] = {name: value for name, value in given.items() if value is not None}
     if file.suffix.lower() == ".dat":
-        if asked or formats or plots or linearize or checkpoint:
+        if asked or set(formats) - {"mat"} or plots or linearize or checkpoint:
             raise click.UsageError(
-                f"{file} specifies its own analysis; only the options --mode, --dialect and "
-                "--out are for SPACAR files."
+                f"{file} specifies its own analysis; only the options --mode, --dialect, "
+                "--compare, --log, --format mat and --out are for SPACAR files."
             )
-        _run_spacar(file, out, mode, dialect)
+        out = out or (Path("out") / file.stem if log or formats else None)
+        own = {"mode": mode, "dialect": dialect, "compare": compare, "log": log, "mat": bool(formats)}
+        _run_spacar(file, out, own)
         return
     if file.suffix != ".py":
         raise click.UsageError(f"{file}: suffix '{file.suffix}' is unknown; give MODEL.py or MODEL.dat.")
-    if mode is not None or dialect is not None:
-        raise click.UsageError(f"{file}: --mode and --dialect are for SPACAR files, MODEL.dat.")
+    if mode is not None or dialect is not None or compare or log:
+        raise click.UsageError(
+            f"{file}: --mode, --dialect, --compare and --log are for SPACAR files, MODEL.dat."
+        )
     folder = out or Path("out") / file.stem
     if checkpoint:
         asked["checkpoint"] = folder / f"{file.stem}.checkpoint.npz"
@@ -208,13 +225,13 @@ def _keep_what_there_is(failure: click.ClickException, wish: Wish, stem: str) ->
         click.echo(f"the motion up to t = {motion.t[-1]:g} s is kept")
 
 
-def _run_spacar(file: Path, out: Path | None, mode: int | None, dialect: str | None) -> None:
+def _run_spacar(file: Path, out: Path | None, options: Mapping[str, Any]) -> None:
     """Run a SPACAR input file and print its results."""
     from flexel.base.errors import FlexelError
     from flexel.spacar.run import run_spacar
 
     try:
-        outcome = run_spacar(file, out, mode=mode, dialect=dialect)
+        outcome = run_spacar(file, out, **options)
     except FlexelError as error:
         raise click.ClickException(str(error)) from error
     click.echo(outcome.report)

@@ -11,11 +11,13 @@ from flexel.spacar.routines import input_lines, stress_lines
 from flexel.spacar.statements import Call, literal
 
 WIDTH = 110
+NODES = "nodes: positions p, orientations o, warping w"
 SECTIONS = {
-    "point": "nodes: positions p, orientations o",
-    "frame": "nodes: positions p, orientations o",
-    "angle": "nodes: positions p, orientations o",
-    "fix": "nodes: positions p, orientations o",
+    "point": NODES,
+    "frame": NODES,
+    "angle": NODES,
+    "warping": NODES,
+    "fix": NODES,
     "point_mass": "masses of nodes",
     "rotary_inertia": "masses of nodes",
     "load": "loads",

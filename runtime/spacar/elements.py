@@ -13,9 +13,12 @@ from flexel.spacar.entries import ElementEntry, NodeEntry, quantity
 from flexel.spacar.keywords import KEYWORDS
 from flexel.spacar.laws import BEAMS, coefficients, initial_stresses, law_calls, length
 from flexel.spacar.statements import Call
+from flexel.spacar.warping import warping_calls
 
+TWENTE_BEAMS = ("BEAM", "BEAMW")  # of second order in the Twente dialect, with lumped rotary inertia
 # stiffnesses that make modes flexible together, and these modes, of beams in space and in the plane
 SPATIAL_GROUPS = {"EA": {1}, "GJ": {2}, "EIy": {3, 4}, "EIz": {5, 6}}
+WARPING_GROUPS = SPATIAL_GROUPS | {"GJ": {2, 7, 8}, "EIw": {2, 7, 8}}
 PLANAR_GROUPS = {"EA": {1}, "EIz": {2, 3}}
 
 
@@ -59,13 +62,17 @@ def _axis(entry: ElementEntry) -> tuple[float, ...]:
 def _beam(entry: ElementEntry, dialect: str) -> list[Call]:
     """A beam, by its stiffnesses if whole groups of modes deform, else rigid with a separate law."""
     planar = entry.line.keyword.startswith("PL")
-    second = entry.line.keyword.endswith("NL") or (dialect == "twente" and entry.line.keyword == "BEAM")
+    warps = entry.line.keyword == "BEAMW"
+    lumped = dialect == "twente" and entry.line.keyword in TWENTE_BEAMS
+    second = entry.line.keyword.endswith("NL") or lumped or warps
     options: dict[str, Any] = {} if planar else _direction(entry)
-    lumped = dialect == "twente" and entry.line.keyword == "BEAM"
     options |= _mass(entry, planar, lumped)
     options |= {} if second else {"second_order": False}
     inertias = _lumped_inertia(entry) if lumped else []
-    stiffness = _whole_groups(entry, PLANAR_GROUPS if planar else SPATIAL_GROUPS)
+    groups = PLANAR_GROUPS if planar else WARPING_GROUPS if warps else SPATIAL_GROUPS
+    stiffness = _whole_groups(entry, groups)
+    if warps:
+        return [*warping_calls(entry, stiffness, options), *inertias]
     if stiffness is None:
         rigid = Call("beam", (entry.name, *entry.ends), {"rigid": True} | options, entry.line)
         return [rigid, *law_calls(entry), *inertias]
@@ -79,7 +86,7 @@ def _lumped_inertia(entry: ElementEntry) -> list[Call]:
         return []
     l0, line, calls = length(entry), entry.lines["EMASS"], []
     J = np.array([[Jxx, 0.0, 0.0], [0.0, Jyy, Jyz], [0.0, Jyz, Jzz]]) * l0 / 2
-    p, frame_p, q, frame_q = entry.nodes
+    p, frame_p, q, frame_q = entry.nodes[:4]
     try:
         axes = triad((q.x - p.x) / l0, entry.numbers or None, f"beam '{entry.name}'")
     except ModelError as error:
@@ -104,6 +111,8 @@ def _whole_groups(entry: ElementEntry, groups: dict[str, set[int]]) -> dict[str,
     }
     if not chosen or set().union(*(groups[key] for key in chosen)) != entry.free:
         return None
+    if "EIw" in groups and not {"GJ", "EIw"} <= chosen.keys():
+        return None
     for bending, key, shear in (("EIy", "EIy/GAk", "GAz"), ("EIz", "EIz/GAk", "GAy")):
         if bending in chosen and given.get(key, 0.0) > 0:
             chosen[shear] = given[bending] / given[key]
@@ -121,13 +130,15 @@ def _mass(entry: ElementEntry, planar: bool, lumped: bool = False) -> dict[str, 
     if not values:
         return {}
     line = entry.lines["EMASS"]
-    if len(values) > 5:
+    if len(values) > (6 if entry.line.keyword == "BEAMW" else 5):
         raise line.error(f"{len(values) + 1} numbers given; it is written EMASS {KEYWORDS['EMASS'].form}")
     if len(values) > 4 and values[4] and not lumped:
         raise line.error(
             "a product of inertia of the section is not supported; turn the section to its principal axes"
         )
     options: dict[str, Any] = {"mass_per_length": values[0]}
+    if any(values[5:]):
+        options["warping_inertia_per_length"] = values[5]
     if any(values[1:4]) and not lumped:
         inertia = (*values[1:4], 0.0, 0.0)[:3]
         if planar:
@@ -253,6 +264,9 @@ def node_calls(nodes: Sequence[NodeEntry]) -> list[Call]:
         x = tuple(float(z) for z in node.x)
         whole = len(node.fixed) == len(x)
         options = {"fixed": True} if whole else {}
+        if node.kind == "warping":  # drawn without twist
+            calls.append(Call("warping", (node.name,), options, node.line))
+            continue
         calls.append(Call(methods[node.kind], (node.name, x if len(x) > 1 else x[0]), options, node.line))
         if node.fixed and not whole:
             held = tuple(f"{node.name}.{node.components[i - 1]}" for i in sorted(node.fixed))

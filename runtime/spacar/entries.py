@@ -11,12 +11,13 @@ from flexel.spacar.keywords import ElementType, Mode
 from flexel.spacar.lexer import Line
 from flexel.structure.nodes import COMPONENTS
 
-LETTERS = {"point": "p", "planar_point": "p", "frame": "o", "planar_angle": "o"}
+LETTERS = {"point": "p", "planar_point": "p", "frame": "o", "planar_angle": "o", "warping": "w"}
 START = {
     "point": (0.0,) * 3,
     "planar_point": (0.0,) * 2,
     "frame": (1.0, 0.0, 0.0, 0.0),
     "planar_angle": (0.0,),
+    "warping": (0.0,),
 }
 
 
@@ -41,7 +42,7 @@ class NodeEntry:
 
     @property
     def name(self) -> str:
-        """Name in the model: p for positions, o for orientations, then the number."""
+        """Name in the model: p for positions, o for orientations, w for warping, then the number."""
         return f"{LETTERS[self.kind]}{self.number}"
 
     @property
@@ -56,6 +57,8 @@ class ElementEntry:
 
     Attributes
     ----------
+    nodes : tuple of NodeEntry
+        In the order of our element.
     numbers : tuple of float
         Numbers after the nodes, with a direction from DIR.
     lines : dict

@@ -54,6 +54,8 @@ class ElementType:
         The entries of ESTIFF and EDAMPP.
     assumed : str
         How an ambiguity of the published descriptions is resolved; reported to the user where it matters.
+    order : tuple of int
+        Places (from 0) of our element's nodes among SPACAR's; empty if they are the same.
     """
 
     nodes: tuple[str, ...]
@@ -63,9 +65,10 @@ class ElementType:
     slips: tuple[int, ...] = ()
     stiffness: tuple[str, ...] = ()
     assumed: str = ""
+    order: tuple[int, ...] = ()
 
 
-P, F, XY, B = "point", "frame", "planar_point", "planar_angle"
+P, F, XY, B, W = "point", "frame", "planar_point", "planar_angle", "warping"
 AXIS = ("x", "y", "z")
 BENDS = tuple(Mode(name) for name in ("elongation", "torsion", "bend1", "bend2", "bend3", "bend4"))
 PLANAR_BENDS = (
@@ -80,6 +83,16 @@ _BEAM = ("EA", "GJ", "EIy", "EIz")
 ELEMENTS: dict[str, ElementType] = {
     "BEAM": ElementType((P, F, P, F), BENDS, AXIS, 3, stiffness=(*_BEAM, "EIy/GAk", "EIz/GAk")),
     "BEAMNL": ElementType((P, F, P, F), BENDS, AXIS, 3, stiffness=_BEAM),
+    "BEAMW": ElementType(
+        (P, F, W, P, F, W),
+        (*BENDS, Mode("warp1"), Mode("warp2")),
+        AXIS,
+        3,
+        stiffness=(*_BEAM, "EIy/GAk", "EIz/GAk", "EIw"),
+        assumed="a node of warping is read as the twist per length [rad/m], modes 7 and 8 as l0² times it minus mode "
+        "2, and Jw as spread over the length; no description says what signs and scales SPACAR gives them",
+        order=(0, 1, 3, 4, 2, 5),
+    ),
     "RBEAM": ElementType((P, F, P), BODY_POINT, AXIS, 3),
     "TRUSS": ElementType((P, P), (Mode("elongation"),), stiffness=("EA",)),
     "HINGE": ElementType((F, F), HINGE, AXIS, 3, stiffness=("S1", "S2", "S3")),
@@ -147,7 +160,7 @@ _FORMS: dict[str, tuple[str, int, int]] = {
     "LAMBDA": ("n lambda0 lambda1 lambda2 lambda3", 5, 5),
     # roles
     **dict.fromkeys(("FIX", "INPUTX", "DYNX", "KINX"), ("n [i ...]", 1, 5)),
-    **dict.fromkeys(("RLSE", "INPUTE", "DYNE", "KINE", "LINE"), ("e [i ...]", 1, 7)),
+    **dict.fromkeys(("RLSE", "INPUTE", "DYNE", "KINE", "LINE"), ("e [i ...]", 1, 9)),
     "ENHC": ("e1 i1 e2 i2", 4, 4),
     # initial values
     "XD": ("n i v", 3, 3),
@@ -161,10 +174,10 @@ _FORMS: dict[str, tuple[str, int, int]] = {
     "LENGTH0": ("e l0", 2, 2),
     # dynamics
     "MASS": ("n m | n Izz | n Ixx Ixy Ixz Iyy Iyz Izz", 2, 7),
-    "EMASS": ("e rhoA [Jxx Jyy Jzz Jyz]", 1, 16),
+    "EMASS": ("e rhoA [Jxx Jyy Jzz Jyz] [Jw of a BEAMW]", 1, 16),
     "ESTIFF": ("e ...", 1, 16),
     "EDAMPP": ("e ...", 1, 16),
-    "ESIG": ("e sigma1 ...", 2, 7),
+    "ESIG": ("e sigma1 ...", 2, 9),
     "FORCE": ("n ...", 2, 5),
     "DELXF": ("n ...", 2, 5),
     "TORQUEL": ("n T ...", 2, 4),
@@ -228,10 +241,7 @@ TWENTE_ONLY = frozenset(
 )
 ENDS_OF_TWENTE = frozenset({"END HALT", "END END", "HALT"})  # Delft's END stands alone
 
-# BEAMW e p1 o1 w1 p2 o2 w2 x y z has a BEAM's nodes and a node of warping at each end: a row of ELEMENTS, as BEAM,
-# once files can have such nodes
 UNSUPPORTED = {
-    "BEAMW": "warping of sections is not modelled; use BEAM, with a larger GIp for restrained warping",
     "TUBE": "use a BEAM, or a TRUSS whose elongation is an input for a telescope",
     "PLTUBE": "use a PLBEAM, or a PLTRUSS whose elongation is an input for a telescope",
     "SCREW": "relate rotation and travel in Python: flexel convert, then m.relation(...)",

@@ -7,12 +7,13 @@ from typing import Any
 import numpy as np
 
 from flexel.base.arrays import Array
+from flexel.declare import warping
 from flexel.declare.beams import bending_block
 from flexel.spacar.entries import ElementEntry, quantity
 from flexel.spacar.problems import FollowingError
 from flexel.spacar.statements import Call
 
-BEAMS = ("BEAM", "BEAMNL", "PLBEAM", "PLBEAMNL")
+BEAMS = ("BEAM", "BEAMNL", "BEAMW", "PLBEAM", "PLBEAMNL")
 
 
 def length(entry: ElementEntry) -> float:
@@ -52,7 +53,9 @@ def coefficients(entry: ElementEntry, keyword: str) -> Array:
         return K
     K[1, 1] = values.get("GJ", 0.0) / l0**3
     K[2:4, 2:4] = bending_block(values.get("EIy", 0.0), 12 * values.get("EIy/GAk", 0.0) / l0**2, l0)
-    K[4:, 4:] = bending_block(values.get("EIz", 0.0), 12 * values.get("EIz/GAk", 0.0) / l0**2, l0)
+    K[4:6, 4:6] = bending_block(values.get("EIz", 0.0), 12 * values.get("EIz/GAk", 0.0) / l0**2, l0)
+    if "EIw" in kind.stiffness:
+        K[6:, 6:] = warping.stiffness(l0, values.get("GJ", 0.0), values.get("EIw", 0.0))
     return K
 
 
@@ -72,19 +75,12 @@ def law_calls(entry: ElementEntry) -> list[Call]:
     S, D, sigma = coefficients(entry, "ESTIFF"), coefficients(entry, "EDAMPP"), initial_stresses(entry)
     acting = np.any(S, axis=1) | np.any(D, axis=1) | (sigma != 0.0)
     used = [i for i in sorted(entry.free) if i not in entry.kind.slips and acting[i - 1]]
-    calls = []
-    if used:
-        names, factors = zip(*(quantity(entry, i) for i in used), strict=True)
-        grid = np.ix_([i - 1 for i in used], [i - 1 for i in used])
-        ours = np.outer(factors, factors)
-        line = next(entry.lines[z] for z in ("ESTIFF", "EDAMPP", "ESIG") if z in entry.lines)
-        given: dict[str, Any] = {"stiffness": _numbers(S[grid] * ours)}
-        if np.any(D[grid]):
-            given["damping"] = _numbers(D[grid] * ours)
-        if np.any(sigma):
-            preload = [float(sigma[i - 1] * f) for i, f in zip(used, factors, strict=True)]
-            given["preload"] = preload if len(used) > 1 else preload[0]
-        calls.append(Call("spring", (names[0] if len(used) == 1 else list(names),), given, line))
+    # a law takes six deformations at most; those of warping, 7 and 8, are coupled with no other
+    calls = [
+        _law(entry, part, S, D, sigma)
+        for part in ([i for i in used if i <= 6], [i for i in used if i > 6])
+        if part
+    ]
     others = [
         name
         for i in sorted(entry.free)
@@ -93,6 +89,21 @@ def law_calls(entry: ElementEntry) -> list[Call]:
     if others:
         calls.append(Call("release", tuple(others), {}, entry.line))
     return calls
+
+
+def _law(entry: ElementEntry, used: list[int], S: Array, D: Array, sigma: Array) -> Call:
+    """The linear law of some modes together."""
+    names, factors = zip(*(quantity(entry, i) for i in used), strict=True)
+    grid = np.ix_([i - 1 for i in used], [i - 1 for i in used])
+    ours = np.outer(factors, factors)
+    line = next(entry.lines[z] for z in ("ESTIFF", "EDAMPP", "ESIG") if z in entry.lines)
+    given: dict[str, Any] = {"stiffness": _numbers(S[grid] * ours)}
+    if np.any(D[grid]):
+        given["damping"] = _numbers(D[grid] * ours)
+    if np.any(sigma[[i - 1 for i in used]]):
+        preload = [float(sigma[i - 1] * f) for i, f in zip(used, factors, strict=True)]
+        given["preload"] = preload if len(used) > 1 else preload[0]
+    return Call("spring", (names[0] if len(used) == 1 else list(names),), given, line)
 
 
 def initial_stresses(entry: ElementEntry) -> Array:

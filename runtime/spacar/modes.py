@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -13,9 +14,32 @@ from flexel.spacar.count import count_lines
 from flexel.spacar.listing import frequency_lines, linear_lines, matrix_lines, state_lines
 from flexel.spacar.reading import Spacar
 from flexel.structure.state import State
+from flexel.system import System
 
 Results = dict[str, Array | ComplexArray]
-Analysis = tuple[list[str], Results, Motion | None]
+
+
+@dataclass(frozen=True)
+class Analysis:
+    """What an analysis gives.
+
+    Attributes
+    ----------
+    lines : list of str
+        The report.
+    results : dict of str to array
+        Everything by names; matrices of several states (nt, rows, columns).
+    states : sequence of State
+        Of the results.
+    system : System, optional
+        Of these states, if it is a variant of the file's system.
+    """
+
+    lines: list[str]
+    results: Results
+    motion: Motion | None = None
+    states: Sequence[State] = ()
+    system: System | None = None
 
 
 def _simulated(file: Spacar) -> Motion:
@@ -36,7 +60,7 @@ def _histories(file: Spacar, states: Motion | list[State], t: Array) -> Results:
 
 def _counted(file: Spacar) -> Analysis:
     lines, condition = count_lines(file)
-    return lines, {"condition": np.array(condition)}, None
+    return Analysis(lines, {"condition": np.array(condition)})
 
 
 def _forward(file: Spacar) -> Analysis:
@@ -47,7 +71,7 @@ def _forward(file: Spacar) -> Analysis:
         found = file.matrices()
         lines += ["", "at the start", *linear_lines(found)]
         results |= found.as_dict()
-    return lines, results, motion
+    return Analysis(lines, results, motion, list(motion))
 
 
 def _inverse(file: Spacar) -> Analysis:
@@ -60,7 +84,8 @@ def _inverse(file: Spacar) -> Analysis:
     motion = _simulated(file)
     driven = [file.system.structure.names[i] for i in file.system.roles.prescribed]
     lines = ["driving forces at the end", *(f"  {z}: {-motion[-1].force(z): .9e}" for z in driven)]
-    return [*state_lines(file, motion[-1]), *lines], _histories(file, motion, motion.t), motion
+    lines = [*state_lines(file, motion[-1]), *lines]
+    return Analysis(lines, _histories(file, motion, motion.t), motion, list(motion))
 
 
 def _along(file: Spacar) -> Analysis:
@@ -68,7 +93,7 @@ def _along(file: Spacar) -> Analysis:
     every = [file.matrices(state) for state in motion]
     stacked = {name: np.array([z.as_dict()[name] for z in every]) for name in every[0].as_dict()}
     lines = ["at the start", *linear_lines(every[0]), "", "at the end", *linear_lines(every[-1])]
-    return lines, _histories(file, motion, motion.t) | stacked, motion
+    return Analysis(lines, _histories(file, motion, motion.t) | stacked, motion, list(motion))
 
 
 def _static(file: Spacar) -> Analysis:
@@ -83,26 +108,29 @@ def _static(file: Spacar) -> Analysis:
     try:
         matrices = file.matrices(state)
     except DynamicsError as error:  # equilibria and frequencies need no mass for every degree of freedom
-        return [*lines, f"no matrices: {error}"], results, None
-    return [*lines, *linear_lines(matrices)], results | matrices.as_dict(), None
+        return Analysis([*lines, f"no matrices: {error}"], results, states=[state])
+    results |= matrices.as_dict()
+    return Analysis([*lines, *linear_lines(matrices)], results, states=[state])
 
 
 def _space(file: Spacar) -> Analysis:
     state = file.system.equilibrium()
     found = dict(zip("ABCD", file.state_space(state), strict=True))
-    return [*state_lines(file, state), *matrix_lines(found)], {**found}, None
+    return Analysis([*state_lines(file, state), *matrix_lines(found)], {**found}, states=[state])
 
 
 def _space_along(file: Spacar) -> Analysis:
     if file.duration is None:  # about the initial configuration, with its initial rates
         initial = file.system.initial
         matrices = dict(zip("ABCD", file.state_space(initial), strict=True))
-        return [*state_lines(file, initial), *matrix_lines(matrices)], {**matrices}, None
+        return Analysis(
+            [*state_lines(file, initial), *matrix_lines(matrices)], {**matrices}, states=[initial]
+        )
     motion = _simulated(file)
     every = [file.state_space(state) for state in motion]
     stacked = {name: np.array([z[i] for z in every]) for i, name in enumerate("ABCD")}
     lines = ["at the start", *matrix_lines(dict(zip("ABCD", every[0], strict=True)))]
-    return lines, _histories(file, motion, motion.t) | stacked, motion
+    return Analysis(lines, _histories(file, motion, motion.t) | stacked, motion, list(motion))
 
 
 def _load_steps(file: Spacar) -> Analysis:
@@ -112,13 +140,13 @@ def _load_steps(file: Spacar) -> Analysis:
     try:
         every = [file.matrices(state, system=system) for state in states]
     except DynamicsError as error:
-        return [*lines, f"no matrices: {error}"], results, None
+        return Analysis([*lines, f"no matrices: {error}"], results, None, states, system)
     stacked: Results = {name: np.array([z.as_dict()[name] for z in every]) for name in every[0].as_dict()}
     lines += linear_lines(every[-1])
     if not system.kinematic:
         stacked["frequencies"] = _real(np.array([z.frequencies() for z in every]))
         lines += frequency_lines(every[-1].frequencies())
-    return lines, results | stacked, None
+    return Analysis(lines, results | stacked, None, states, system)
 
 
 def _real(found: ComplexArray) -> Array | ComplexArray:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from flexel.spacar.elements import TWENTE_BEAMS
 from flexel.spacar.entries import ElementEntry
 from flexel.spacar.keywords import ROUTINES, VALUES, WITHOUT_EFFECT
 from flexel.spacar.laws import coefficients
@@ -49,7 +50,7 @@ def _element(sheet: Sheet, entry: ElementEntry) -> None:
     add, line, twente = sheet.notes.add, entry.line, sheet.dialect == "twente"
     if entry.kind.assumed:
         add(line, entry.kind.assumed, entry.number)
-    if line.keyword == "BEAMNL" or (twente and line.keyword == "BEAM"):
+    if line.keyword == "BEAMNL" or (twente and line.keyword in TWENTE_BEAMS):
         add(line, "with all terms of second order in its deformations, torsion included", entry.number)
     turned = [n for n in entry.nodes if n.kind == "frame" and abs(n.x[0]) < 1 - 1e-12]
     if turned and entry.numbers and line.keyword != "SURFACE":
@@ -60,5 +61,5 @@ def _element(sheet: Sheet, entry: ElementEntry) -> None:
         modes = numbered("mode", rigid)
         add(entry.lines["ESTIFF"], f"its stiffness has no effect in {modes}, rigid here", entry.number)
     inertia = entry.values("EMASS")
-    if twente and line.keyword == "BEAM" and len(inertia) > 4 and inertia[4]:
+    if twente and line.keyword in TWENTE_BEAMS and len(inertia) > 4 and inertia[4]:
         add(entry.lines["EMASS"], "Jyz is read as a component of the tensor, as those of XM", entry.number)

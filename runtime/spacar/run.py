@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -11,6 +12,9 @@ from flexel.base.errors import ModelError
 from flexel.base.files import replacing
 from flexel.results.motion import Motion
 from flexel.results.saved.tables_of_runs import motion_beside
+from flexel.spacar.compare import comparison, results_of_spacar
+from flexel.spacar.log import log_lines
+from flexel.spacar.matfile import write_mat
 from flexel.spacar.modes import MODES, Results
 from flexel.spacar.reading import Spacar, read_spacar
 
@@ -29,7 +33,14 @@ class Outcome:
 
 
 def run_spacar(
-    path: str | Path, out: Path | None = None, *, mode: int | None = None, dialect: str | None = None
+    path: str | Path,
+    out: Path | None = None,
+    *,
+    mode: int | None = None,
+    dialect: str | None = None,
+    compare: Sequence[str | Path] = (),
+    log: bool = False,
+    mat: bool = False,
 ) -> Outcome:
     """Run a SPACAR file and report.
 
@@ -38,13 +49,20 @@ def run_spacar(
     path : str or Path
     out : Path, optional
         Directory for the results: time histories as .csv, everything as .npz, and a motion, for `flexel view` and
-        `flexel.load`, as ``<name>_motion.npz``; without it no files are written.
+        `flexel.load`, as ``<name>_motion.npz``; without it no files are written, and
+        `log` and `mat` are refused.
     mode : int, optional
         0 count of constraints and degrees of freedom, 1 forward dynamics, 2 inverse dynamics, 4 linearization along
         the motion, 7 equilibrium, frequencies and buckling, 8 state space in equilibrium, 9 state space along the
         motion, or at the start of a file without TIMESTEP, 10 static load steps.  By default 1 if the file has
         TIMESTEP, 10 if it has load steps, else 7.
     dialect : "delft" or "twente", optional
+    compare : sequence of str or Path
+        Results of SPACAR, .sbd, .sbm or .ltv: the report has their differences from these.
+    log : bool
+        Write ``<name>.log`` as well: counts, degrees of freedom, fixed and dependent quantities.
+    mat : bool
+        Write ``<name>.mat`` as well, with SPACAR's names of variables.
 
     Returns
     -------
@@ -55,6 +73,8 @@ def run_spacar(
     FlexelError
         An invalid file, an unknown mode, an analysis that fails.
     """
+    if (log or mat) and out is None:
+        raise ModelError("run_spacar: log and mat write files; give out, the directory for results")
     file = read_spacar(path, dialect)
     if mode is None:
         mode = 1 if file.duration is not None else 10 if file.load_steps else 7
@@ -67,22 +87,36 @@ def run_spacar(
         raise ModelError(
             f"{file.path.name}: mode {mode} does not exist; modes are {', '.join(map(str, MODES))}"
         )
-    lines, results, motion = MODES[mode](file)
+    others = [results_of_spacar(z) for z in compare]  # before the computation, which may be long
+    found = MODES[mode](file)
+    motion = found.motion
     head = [
         f"{file.path.name}: SPACAR, {file.dialect} dialect, mode {mode}",
         *(f"note: {z}" for z in file.notes),
     ]
     if mode != COUNT:  # which may find that they do not determine a motion
         head.append(f"degrees of freedom: {', '.join(file.system.dynamic + file.system.kinematic) or 'none'}")
-    report = [*head, *([] if motion is None else [motion.message]), "", *lines]
+    report = [*head, *([] if motion is None else [motion.message]), "", *found.lines]
+    for other in others:
+        report += ["", *comparison(file, found, other)]
     if out is not None:
-        report += ["", *(f"wrote {z}" for z in _write(file, out, results, motion))]
+        out.mkdir(parents=True, exist_ok=True)
+        written = _write(file, out, found.results, motion)
+        written += [write_mat(file, found, out / f"{file.path.stem}.mat")] if mat else []
+        written += [_write_log(file, mode, out)] if log else []
+        report += ["", *(f"wrote {z}" for z in written)]
     return Outcome("\n".join(report), motion)
+
+
+def _write_log(file: Spacar, mode: int, out: Path) -> Path:
+    path = out / f"{file.path.stem}.log"
+    with replacing(path, "run") as part:
+        part.write_text("\n".join(log_lines(file, mode)) + "\n", encoding="utf-8")
+    return path
 
 
 def _write(file: Spacar, out: Path, results: Results, motion: Motion | None) -> list[Path]:
     """Results as arrays, and the time histories among them as a table."""
-    out.mkdir(parents=True, exist_ok=True)
     arrays = out / f"{file.path.stem}.npz"
     with replacing(arrays, "run") as part:
         np.savez(part, allow_pickle=False, **results)

@@ -138,6 +138,8 @@ def _dofs(sheet: Sheet) -> list[Call]:
 
 
 def _mass(line: Line, node: NodeEntry) -> Call:
+    if node.kind == "warping":
+        raise line.error("a node of warping has no mass; give Jw of its beams, the last number of EM")
     wanted = {"point": 1, "planar_point": 1, "planar_angle": 1, "frame": 6}[node.kind]
     values = line.values[1:]
     if len(values) != wanted:
@@ -172,8 +174,10 @@ def _forces(sheet: Sheet, draft: Draft) -> list[Call]:
 
 
 def _force(line: Line, node: NodeEntry, values: tuple[object, ...]) -> list[Call]:
-    """A force on a position, a moment on an orientation, or four forces dual to Euler parameters."""
-    sizes = {"point": (3,), "planar_point": (2,), "planar_angle": (1,), "frame": (3, 4)}[node.kind]
+    """A force, a moment, a bimoment on a node of warping, or four forces dual to Euler parameters."""
+    sizes = {"point": (3,), "planar_point": (2,), "planar_angle": (1,), "warping": (1,), "frame": (3, 4)}[
+        node.kind
+    ]
     if len(values) not in sizes:
         wanted = " or ".join(map(str, sizes))
         raise line.error(

@@ -14,12 +14,13 @@ from flexel.spacar.problems import FollowingError, Notes, Problems
 
 PLACES = {"XY": "planar_point", "XYZ": "point", "BETA": "planar_angle", "LAMBDA": "frame"}
 ABOUT_ELEMENTS = ("ESTIFF", "EDAMPP", "EMASS", "ESIG", "LENGTH0")
-OF_BEAM = {
-    "ESTIFF": 6,
-    "EDAMPP": 6,
-    "EMASS": 5,
-    "ESIG": 6,
-}  # numbers that mean something for a BEAM of Twente
+# numbers that mean something for a beam of Twente, and what is noted about the others
+OF_BEAM = {"ESTIFF": 6, "EDAMPP": 6, "EMASS": 5, "ESIG": 6}
+OF_BEAMW = {"ESTIFF": 7, "EDAMPP": 7, "EMASS": 6, "ESIG": 8}
+MEANING = {
+    "BEAM": (OF_BEAM, "the last numbers belong to warping, which a BEAM does not have"),
+    "BEAMW": (OF_BEAMW, "the last numbers are left out, as no description says what they are"),
+}
 
 # how many of the first numbers identify the subject of a line that may occur only once
 SUBJECT = dict.fromkeys("ESTIFF EDAMPP EMASS ESIG LENGTH0 DIR MASS FORCE DELXF TORQUEL".split(), 1)
@@ -78,10 +79,11 @@ class Sheet:
                     f"node {n} is already a {node.kind}, and is used here as a {node_kind}; use another"
                 )
             nodes.append(node)
+        ordered = tuple(nodes[i] for i in kind.order) or tuple(nodes)
         numbers = line.values[1 + len(nodes) :]
         if len(numbers) not in (len(kind.numbers), len(kind.numbers) - kind.optional):
             raise line.error(f"{len(numbers)} numbers follow the nodes; give {' '.join(kind.numbers)}")
-        self.elements[number] = ElementEntry(number, kind, line, tuple(nodes), numbers)
+        self.elements[number] = ElementEntry(number, kind, line, ordered, numbers)
 
     def _coordinates(self, line: Line) -> None:
         n = line.whole(0, "node")
@@ -94,6 +96,11 @@ class Sheet:
             raise line.error(
                 f"{len(values)} coordinates given, but node {node.number} is a {node.kind} with {node.x.size} "
                 f"({', '.join(node.components)}); give these"
+            )
+        if node.kind == "warping" and any(values):
+            raise line.error(
+                "a node of warping is drawn without twist, as the element is then without strain; give 0, or make it "
+                "an input with this value"
             )
         node.x, node.line = np.array(values), line
 
@@ -113,11 +120,10 @@ class Sheet:
 
     def _about_element(self, line: Line) -> None:
         entry = self.element(line)
-        known = 1 + OF_BEAM.get(line.keyword, len(line.values))
-        if self.dialect == "twente" and entry.line.keyword == "BEAM" and len(line.values) > known:
-            self.notes.add(
-                line, "the last numbers belong to warping, which a BEAM does not have", entry.number
-            )
+        numbers, what = MEANING.get(entry.line.keyword, ({}, ""))
+        known = 1 + numbers.get(line.keyword, len(line.values))
+        if self.dialect == "twente" and len(line.values) > known:
+            self.notes.add(line, what, entry.number)
             line = replace(line, values=line.values[:known], words=line.words[:known])
         entry.lines[line.keyword] = line
 

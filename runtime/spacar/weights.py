@@ -58,9 +58,14 @@ def unloaded_stresses(
     g = np.array(gravity)
     for entry in elements:
         mass = entry.values("EMASS")[:1]
-        if entry.line.keyword not in ("BEAM", "PLBEAM") or entry.free or not any(mass) or not g.any():
+        if (
+            entry.line.keyword not in ("BEAM", "BEAMW", "PLBEAM")
+            or entry.free
+            or not any(mass)
+            or not g.any()
+        ):
             continue
-        p, frame, q, _ = entry.nodes
+        p, frame, q = entry.nodes[:3]
         l0 = length(entry)
         force = mass[0] * l0 * g / 12
         if entry.line.keyword == "PLBEAM":

@@ -174,7 +174,7 @@ def test_options_of_models_are_refused_for_spacar_files(
 ) -> None:
     result = run(checkout / "tests" / "data" / "slider_crank.dat", "--out", tmp_path / "results", *option)
     assert result.exit_code == 2
-    assert "only the options --mode, --dialect and --out are for SPACAR files" in result.stderr
+    assert "only the options --mode, --dialect, --compare, --log, --format mat and --out are" in result.stderr
     assert not (tmp_path / "results").exists()
 
 

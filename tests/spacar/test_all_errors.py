@@ -33,7 +33,7 @@ def test_mistakes_of_every_kind_come_together_in_the_order_of_the_lines(tmp_path
         "RLSE 7 1",
         "PLBEAM 2 5 6 7 8",
         "X 7 1 0",
-        "BEAMW 3 1 2 3 4 5 6 0 1 0",
+        "TUBE 3 1 2 3 4 5 6 0 1 0",
         *HALT,
         "XM 3 -2.0",
         "EM 2 1 2 3",
@@ -51,7 +51,7 @@ def test_mistakes_of_every_kind_come_together_in_the_order_of_the_lines(tmp_path
     assert "unknown keyword" in found[1]
     assert "coordinate 1 of node 2 is an input here" in found[2] or "is fixed here and" in found[2]
     assert "element 7 does not exist; elements are 1, 2" in found[3]
-    assert "BEAMW: is not supported" in found[4]
+    assert "TUBE: is not supported" in found[4]
     assert "point mass 'mass3'" in found[5] and "XM" in found[5]
     assert "node is fixed and cannot move" in found[8]
     assert "no element has the node 9" in found[11]
@@ -63,9 +63,9 @@ def test_what_the_model_refuses_about_a_node_is_told_with_its_line(tmp_path: Pat
 
 
 def test_the_same_mistake_is_one_message(tmp_path: Path) -> None:
-    beams = [f"BEAMW {i} 1 2 3 4 5 6 0 1 0" for i in range(1, 5)]
-    found = errors(tmp_path, *CRANK[:3], *beams, "BEAMW 9 1 2 3 4 5 6 0 1 0", *HALT, "BEAMW 7 1 2")
-    assert len(found) == 1 and found[0].startswith("lines 4 to 8, 11: BEAMW: is not supported")
+    beams = [f"TUBE {i} 1 2 3 4 5 6 0 1 0" for i in range(1, 5)]
+    found = errors(tmp_path, *CRANK[:3], *beams, "TUBE 9 1 2 3 4 5 6 0 1 0", *HALT, "TUBE 7 1 2")
+    assert len(found) == 1 and found[0].startswith("lines 4 to 8, 11: TUBE: is not supported")
 
 
 def test_what_only_follows_from_a_mistake_is_not_told(tmp_path: Path) -> None:

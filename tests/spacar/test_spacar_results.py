@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 from mechanisms import DATA
-from spacar_binary import ltv, sbd
+from spacar_binary import ltv, sbd, write
 
 import flexel as fx
 from flexel.commands.main import main
@@ -143,3 +143,25 @@ def test_view_of_matrices_is_refused(tmp_path: Path) -> None:
         CliRunner().invoke(main, ["view", str(DATA / "two_leaf_pivot.sbd"), "--out", str(out)]).exit_code == 0
     )
     assert out.exists()
+
+
+def test_nodes_of_warping_are_named_as_in_an_input_file(tmp_path: Path) -> None:
+    """A BEAMW between p1, o2, w3 and p4, o5, w6, one that twists evenly at its free end."""
+    x = np.array([0.0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0.5])
+    constant = {
+        "NXP": [[8, 8, 0, 0, 0]],
+        "NEP": [[0, 8, 0, 0, 0]],
+        "LNP": [[1, 2, 3, 0], [4, 5, 6, 7], [8, 0, 0, 0], [9, 10, 11, 0], [12, 13, 14, 15], [16, 0, 0, 0]],
+        "LE": [[1, 2, 3, 4, 5, 6, 7, 8]],
+        "LN": [[1, 2, 3, 4, 5, 6]],
+        "IT": [[77]],
+        "RL0": [[1.0]],
+        "RXYZ": np.zeros((1, 9)),
+    }
+    nodes = dict.fromkeys(("XD", "XDD", "FXT"), np.zeros((1, 16, 1)))
+    modes = dict.fromkeys(("E", "ED", "EDD", "SIG"), np.zeros((1, 8, 1)))
+    records = {"T": np.zeros((1, 1, 1)), "X": x.reshape(1, 16, 1)} | nodes | modes
+    found = fx.load(write(tmp_path / "a.sbd", constant, records))
+    assert isinstance(found, fx.Motion)
+    assert found[0]["w6.twist"] == 0.5 and found[0]["w3.twist"] == 0.0
+    assert found[0].position("o5").tolist() == [1.0, 0.0, 0.0, 0.0]

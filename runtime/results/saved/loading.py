@@ -26,9 +26,9 @@ def load(path: str | Path) -> Motion | Linearization | PeriodicSolution | Flexur
     """A result from a file that its `save` has written: .nc, .npz, .mat or .csv; or of SPACAR: .sbd, .sbm, .ltv.
 
     Nothing in the file is executed.  The result has the same names and units, without a model; `System.restore`
-    attaches its states to a model again.  In SPACAR's `.sbd` positions are p1, p2 ..., orientations o1, o2 ..., and
-    beams in space beam1, beam2 ..., as in `fx.read_spacar`; the deformations of other elements are element7.e1 ..., in
-    SPACAR's signs.
+    attaches its states to a model again.  In SPACAR's `.sbd` positions are p1, p2 ..., orientations o1, o2 ..., nodes
+    of warping w1, w2 ..., and beams in space beam1, beam2 ..., as in `fx.read_spacar`; the deformations of other
+    elements are element7.e1 ..., in SPACAR's signs.
 
     Returns
     -------

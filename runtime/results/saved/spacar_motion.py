@@ -1,8 +1,8 @@
 """Motions from SPACAR's `.sbd` files, with the names that a SPACAR input file has here.
 
-Positions are p1, p2 ..., orientations o1, o2 ..., beams in space beam1, beam2 ... with the deformations of `m.beam`,
-which are SPACAR's; other elements are element1, element2 ... with the deformations e1, e2 ... in SPACAR's signs: the
-file does not say enough about them to draw them, or to evaluate them.
+Positions are p1, p2 ..., orientations o1, o2 ..., nodes of warping w1, w2 ..., beams in space beam1, beam2 ... with the
+deformations of `m.beam`, which are SPACAR's; other elements are element1, element2 ... with the deformations e1, e2 ...
+in SPACAR's signs: the file does not say enough about them to draw them, or to evaluate them.
 """
 
 from __future__ import annotations
@@ -29,6 +29,7 @@ from flexel.structure.state import Energy, State
 from flexel.structure.structure import Structure, assemble_structure
 
 BEAM, NORM = 1, 4  # numbers of types in the entry IT
+BEAMW_NODES = 6  # two of them of warping
 KINDS = {1: ("o", "planar_angle"), 2: ("p", "planar_point"), 3: ("p", "point"), 4: ("o", "frame")}
 FIXED, DEPENDENT, PRESCRIBED, DYNAMIC, KINEMATIC = range(5)  # as they are counted in NXP and NEP
 ORDER_X = (FIXED, DEPENDENT, PRESCRIBED, DYNAMIC, KINEMATIC)  # as they follow one another in X, and in E
@@ -113,15 +114,16 @@ def _layout(entries: Entries, path: Path) -> _Layout:
     x0 = entries.records["X"][0, :, 0]
     parts_x, parts_e = _parts(constant["NXP"], ORDER_X), _parts(constant["NEP"], ORDER_E)
     nodes: dict[int, tuple[Node, list[int]]] = {}
+    warping = {int(n) for row in constant["LN"] if np.count_nonzero(row) == BEAMW_NODES for n in row}
     for n, row in enumerate(np.asarray(constant["LNP"]), 1):
         places = [int(z) - 1 for z in row if z > 0]
         if places:
-            nodes[n] = _node(n, places, x0, parts_x), places
+            nodes[n] = _node(n, places, x0, parts_x, n in warping), places
     if not nodes:
         raise ModelError(f"load '{path}': it has no nodes")
     instances, rows = [], []
     for i, row in enumerate(np.asarray(constant["LE"])):
-        instance = _instance(i, constant, nodes)
+        instance = _instance(i, constant, nodes, path)
         if instance is not None:
             instances.append(instance)
             rows.append([int(z) - 1 for z in row if z > 0])
@@ -146,16 +148,21 @@ def _parts(counts: Any, order: tuple[int, ...]) -> Index:
     return np.repeat(order, np.ravel(counts)[list(order)])
 
 
-def _node(n: int, places: list[int], x0: Array, parts: Index) -> Node:
-    letter, kind = KINDS[len(places)]
+def _node(n: int, places: list[int], x0: Array, parts: Index, of_beamw: bool) -> Node:
+    letter, kind = ("w", "warping") if of_beamw and len(places) == 1 else KINDS[len(places)]
     fixed = parts[places] == FIXED
     if kind == "frame" and fixed[1:].all():
         fixed[0] = True  # it follows from the others
     return Node(f"{letter}{n}", kind, np.array(x0[places]), fixed)
 
 
-def _instance(i: int, constant: Any, nodes: dict[int, tuple[Node, list[int]]]) -> Instance | None:
+def _instance(i: int, constant: Any, nodes: dict[int, tuple[Node, list[int]]], path: Path) -> Instance | None:
     """An element; None for the norm of a frame that is fixed, which a model does not have."""
+    absent = [int(n) for n in constant["LN"][i] if n > 0 and int(n) not in nodes]
+    if absent:
+        raise ModelError(
+            f"load '{path}': element {i + 1} has the node {absent[0]}, which the file does not have; it is damaged"
+        )
     ends = [nodes[int(n)][0] for n in constant["LN"][i] if n > 0]
     count = int(np.count_nonzero(constant["LE"][i]))
     kind, kinds = int(np.ravel(constant["IT"])[i]), [z.kind for z in ends]
