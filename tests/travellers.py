@@ -10,6 +10,7 @@ import numpy as np
 from mechanisms import DATA, cantilever, disc, rssr
 from rides import ride
 from scipy.sparse import issparse
+from valid_flexures import tables
 
 import flexel as fx
 from flexel.derive import Law, Parameter, symbol
@@ -211,6 +212,16 @@ OBJECTS: dict[str, Callable[[], Any]] = {
         fx.Cylinder("A", None, (0, 0, 0), (0, 0, 1), 0.1),
         fx.Mesh("A", "R", DATA / "tetrahedron.obj"),
     ],
+    "flexure": lambda: fx.flexure(**tables()),
+    "step of a flexure": lambda: (
+        (step := fx.flexure(**tables()).steps[0]) and [step, step.node(2), step.element(1)]
+    ),
+    "tables of a flexure": lambda: [
+        fx.NodeProperties(fixed=True),
+        fx.ElementProperties(elements=[1], section="rod", dimensions=0.001, material="steel"),
+        fx.FlexureOptions(steps=1),
+    ],
+    "body": lambda: fx.Model().rigid_body("B", (0, 0, 0), mass=1.0, inertia=(1, 1, 1)),
     "event": lambda: fx.Event("steered", steered, terminal=True),
     "compiled law": lambda: fx.compile_law(HARDENING),
     "error": failed,
