@@ -35,6 +35,8 @@ def tree(checkout: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
         "README.md",
         "LICENSE",
         "CHANGELOG.md",
+        "CITATION.cff",
+        "CONTRIBUTING.md",
         "Makefile",
     ):
         shutil.copy(checkout / name, copy)
@@ -78,7 +80,15 @@ def test_the_sdist_holds_every_file(tree: Path, tmp_path: Path) -> None:
     setup(tree, "sdist", "--dist-dir", str(tmp_path))
     with tarfile.open(next(tmp_path.glob("*.tar.gz"))) as archive:
         names = {name.partition("/")[2] for name in archive.getnames()}
-    wanted = sources(tree) | {"setup.py", "Makefile", ".ci/run", "tests/conftest.py", "LICENSE", "README.md"}
+    wanted = sources(tree) | {
+        "setup.py",
+        "Makefile",
+        ".ci/run",
+        "tests/conftest.py",
+        "LICENSE",
+        "README.md",
+        "CITATION.cff",
+    }
     assert wanted - names == set()
 
 
@@ -91,9 +101,10 @@ def test_the_extension_fits_every_python() -> None:
 
 
 def test_one_version(checkout: Path) -> None:
-    """pyproject.toml, the package and the change log tell the same version."""
+    """pyproject.toml, the package, the change log and the citation tell the same version."""
     project = tomllib.loads((checkout / "pyproject.toml").read_text())["project"]
     assert project["version"] == flexel.__version__
+    assert f"\nversion: {flexel.__version__}\n" in (checkout / "CITATION.cff").read_text()
     assert f"## {flexel.__version__}" in (checkout / "CHANGELOG.md").read_text()
 
 
