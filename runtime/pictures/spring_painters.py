@@ -46,16 +46,22 @@ def springs(state: State) -> Iterator[Shape]:
 
 def _acts(law: LawInstance, i: int) -> tuple[bool, bool]:
     """Whether a law is a spring and a damper for its deformation i; curves and formulas of one are springs."""
-    name, m = law.spec.name, len(law.deformations)
-    if name.startswith(("linear_", "diagonal_")):
+    m = len(law.deformations)
+    if _is_linear(law):
         found = []
         for key in ("S", "D"):
             z = law.parameters[key]
             found.append(bool(z[i if z.size == m else _diagonal(m, i)] > 0))
         return found[0], found[1]
-    if name == "damper_curve":
-        return False, True
-    return (name == "spring_curve" or law.code is not None) and m == 1, False
+    if "coefficients" not in law.parameters:
+        return law.code is not None and m == 1, False
+    stores = "stored" in law.parameters  # the energy of a spring's curve
+    return stores, not stores
+
+
+def _is_linear(law: LawInstance) -> bool:
+    """Whether a law has a stiffness and a damping, in full or by their diagonals."""
+    return {"S", "D"} <= law.parameters.keys()
 
 
 def _diagonal(m: int, i: int) -> int:
@@ -65,7 +71,11 @@ def _diagonal(m: int, i: int) -> int:
 
 def _between(state: State, law: LawInstance, instances: dict[str, Instance]) -> tuple[Array, Array] | None:
     """Places of two points whose difference in one coordinate a spring measures."""
-    if law.spec.name != "linear_2" or not all(".displacement." in z for z in law.deformations):
+    if (
+        not _is_linear(law)
+        or len(law.deformations) != 2
+        or not all(".displacement." in z for z in law.deformations)
+    ):
         return None
     points = [instances[z.rpartition(".")[0]].nodes[-1] for z in law.deformations]
     if points[0] == points[1] or any(not state.structure.node(z).kind.endswith("point") for z in points):
@@ -93,7 +103,7 @@ def _spring(state: State, law: LawInstance, i: int, instance: Instance) -> Itera
 
 def _is_bar(law: LawInstance, i: int, instance: Instance) -> bool:
     """Whether a linear law is so stiff that its element is an elastic bar."""
-    if not law.spec.name.startswith(("linear_", "diagonal_")) or "l0" not in instance.parameters:
+    if not _is_linear(law) or "l0" not in instance.parameters:
         return False
     S, m = law.parameters["S"], len(law.deformations)
     return bool(S[i if S.size == m else _diagonal(m, i)] * float(instance.parameters["l0"][0]) >= BAR)

@@ -56,10 +56,12 @@ SPATIAL |= {"planar_cable": "cable", "planar_cable_span": "cable_span", "planar_
 SPATIAL |= {"planar_cable_circle": "cable_cylinder", "planar_cable_line": "cable_plane"}
 SPATIAL |= {"planar_point_circle": "point_cylinder", "planar_point_line": "point_plane"}
 SPATIAL |= {"planar_disc_circle": "sphere_cylinder", "planar_disc_line": "sphere_plane"}
+SPATIAL |= {"planar_skate": "skate", "planar_roller_cam": "roller_cam"}
 MODES = {"planar_beam": (0, 4, 5), "planar_beam_first_order": (0, 4, 5), "planar_beam3": (0, 1)}
 MODES |= {"planar_cable": (0, 1, 2, 5, 8, 11), "planar_slope_clamp": (0,)}
 MODES |= {"planar_cable_circle": (0,), "planar_cable_line": (0,)}
 MODES |= {f"planar_{z}": (0,) for z in ("point_circle", "point_line", "disc_circle", "disc_line")}
+MODES |= {"planar_roller_cam": (0,)}
 MODES |= {"planar_truss": (0,), "planar_hinge": (0,), "planar_body": (), "planar_point_mass": ()}
 
 
@@ -102,6 +104,8 @@ def test_planar_element_is_the_spatial_one_in_a_plane(name: str, rng: random.Ran
     x, v = random_coordinates(planar, rng), random_coordinates(planar, rng)
     names = {p.name for p in space.parameters}
     twin = spatial_parameters(values, turned="hinge" in name)
+    if name == "planar_skate":  # its blade, on the plane z = 0
+        twin |= {"blade": rotated(twin["t"], X), "normal": Z, "height": mpf(0)}
     flat, full = numbers(planar, **values), numbers(space, **{k: u for k, u in twin.items() if k in names})
     y, w = spatial(planar, x, v)
     e = full.D(y)
