@@ -169,7 +169,7 @@ def _joined(first: Integration, second: Integration, times: Array) -> Integratio
     That state, and the ledger at it, are dropped unless it is at one of the times to be stored.
     """
     at = first.states.times
-    kept = [i for i, t in enumerate(at) if t in times]
+    kept = np.flatnonzero(np.isin(at, times)).tolist()
     states = States([first.states[i] for i in kept])
     for state in second.states[1:]:
         states.append(state)

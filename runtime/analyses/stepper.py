@@ -129,8 +129,8 @@ class Stepper:
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickled as what it was made of, and where it is."""
-        made = (self._plain, self.dt, self.inputs, self.outputs, self._first, self._method, self._options)
-        return _again, (*made, self.save())
+        made = (self._plain, self.dt, self.inputs, self.outputs, None, self._method, self._options)
+        return _again, (made, self._first, self.save())
 
     @property
     def t(self) -> float:
@@ -209,11 +209,10 @@ class Stepper:
         return np.concatenate([at.e, at.x, at.ed, at.v, z])
 
 
-def _again(*made: Any) -> Stepper:
-    """A stepper from a pickle."""
-    *own, saved = made
-    stepper = Stepper(own[0], own[1], own[2], own[3], None, own[5], own[6])
-    stepper._first = restored(stepper._system, own[4])
+def _again(made: tuple[Any, ...], first: State, saved: Saved) -> Stepper:
+    """A stepper from a pickle: the arguments that it was made with, its start, and where it was."""
+    stepper = Stepper(*made)
+    stepper._first = restored(stepper._system, first)
     stepper.restore(saved)
     return stepper
 

@@ -4,14 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numpy as np
-
-from flexel.base.errors import FlexelError
 from flexel.base.shown import Table, listed
-from flexel.engine.solvers import eigenvalues
-from flexel.integration.methods import ALPHA, EXPLICIT, MANY, STIFF
+from flexel.integration.methods import ALPHA, AUTO, EXPLICIT, STIFF, Options, start_of, suitable
 from flexel.mechanics.core import Core
-from flexel.mechanics.inertia import InertiaError
+
+RIGID = 1e-6  # eigenvalue, relative to the largest, of a motion that nothing resists
+SHORT = 10.0  # longest motion [s] for the explicit method below which a system is called stiff
 
 
 @dataclass(frozen=True)
@@ -60,23 +58,15 @@ def _speed(system: Core) -> list[tuple[str, str]]:
     """The fastest eigenvalue at the start, and the integrator that `simulate` takes by itself."""
     if not system.roles.nq:
         return [("integrator", "none: every motion is prescribed")]
-    if system.roles.nd > MANY:
-        return [("integrator", f"{ALPHA}, above {MANY} degrees of freedom")]
-    try:
-        w = np.abs(eigenvalues(system.linearize().state_matrix))
-    except InertiaError as error:
-        return [("integrator", f"{ALPHA}: {error}")]
-    except (FlexelError, np.linalg.LinAlgError) as error:
-        return [("integrator", f"{EXPLICIT}; the start cannot be linearized: {error}")]
-    fastest = float(w.max(initial=0.0))
-    slow = w[w > 1e-6 * fastest]
-    lines = (
-        [("eigenvalues", f"{slow.min():.3g} to {fastest:.3g} 1/s in magnitude at the start")]
-        if slow.size
-        else []
-    )
+    found = suitable(system, start_of(system, AUTO, None, Options()))
+    if found.method:
+        return [("integrator", f"{found.method}: {found.detail or found.why}")]
+    fastest = float(found.rates.max(initial=0.0))
     if not fastest:
         return [("integrator", EXPLICIT)]
-    longest = STIFF / fastest
-    stiff = " (stiff)" if longest < 10 else ""
-    return [*lines, ("integrator", f"{EXPLICIT} up to {longest:.3g} s, {ALPHA} for longer motions{stiff}")]
+    slowest, longest = float(found.rates[found.rates > RIGID * fastest].min()), STIFF / fastest
+    stiff = " (stiff)" if longest < SHORT else ""
+    return [
+        ("eigenvalues", f"{slowest:.3g} to {fastest:.3g} 1/s in magnitude at the start"),
+        ("integrator", f"{EXPLICIT} up to {longest:.3g} s, {ALPHA} for longer motions{stiff}"),
+    ]

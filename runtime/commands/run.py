@@ -240,5 +240,7 @@ def _run_spacar(file: Path, out: Path | None, options: Mapping[str, Any]) -> Non
 
 def _end(motion: Motion | None) -> None:
     """The exit status of an interrupt, if that is how a motion ended."""
-    if motion is not None and motion.message.startswith("interrupted"):
+    from flexel.integration.driver import INTERRUPTED as ENDED
+
+    if motion is not None and motion.message.startswith(ENDED):
         raise SystemExit(INTERRUPTED)

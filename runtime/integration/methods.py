@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -109,21 +109,48 @@ def start_of(system: Core, method: str, start: Any, options: Options) -> State:
         return system.unaccelerated
 
 
+@dataclass(frozen=True)
+class Suitable:
+    """What a system asks of an integrator at its start.
+
+    Attributes
+    ----------
+    method : str
+        The one that suits motions of any length; empty where it depends on the length.
+    why, detail : str
+        Why, and the message of the error that shows it.
+    rates : ndarray
+        Magnitudes of the eigenvalues [1/s] of the linearized start, if it was linearized.
+    """
+
+    method: str
+    why: str = ""
+    detail: str = ""
+    rates: Array = field(default_factory=lambda: np.zeros(0))
+
+
+def suitable(system: Core, start: State) -> Suitable:
+    """What a system asks of an integrator at a start; no eigenvalues are taken of very large systems."""
+    if system.roles.nd > MANY:
+        return Suitable(ALPHA, f"{system.roles.nd} degrees of freedom, above {MANY}")
+    try:
+        return Suitable("", rates=np.abs(eigenvalues(system.linearize(start).state_matrix)))
+    except InertiaError as error:
+        return Suitable(ALPHA, "a degree of freedom has no inertia", str(error))
+    except (FlexelError, np.linalg.LinAlgError) as error:
+        return Suitable(EXPLICIT, "the start cannot be linearized", str(error))
+
+
 def automatic(system: Core, start: State, duration: float, options: Options) -> tuple[str, str]:
     """The appropriate method for a motion, and why."""
     if system.roles.nq == 0:
         return EXPLICIT, "not integrated: every motion is prescribed"
     if options.events:
         return _because(EXPLICIT, "events are given")
-    if system.roles.nd > MANY:
-        return _because(ALPHA, f"{system.roles.nd} degrees of freedom, above {MANY}")
-    try:
-        fastest = float(np.max(np.abs(eigenvalues(system.linearize(start).state_matrix)), initial=0.0))
-    except InertiaError:
-        return _because(ALPHA, "a degree of freedom has no inertia")
-    except (FlexelError, np.linalg.LinAlgError):
-        return _because(EXPLICIT, "the start cannot be linearized")
-    turns = fastest * duration
+    found = suitable(system, start)
+    if found.method:
+        return _because(found.method, found.why)
+    turns = float(found.rates.max(initial=0.0)) * duration
     stiff = turns > STIFF
     return _because(
         ALPHA if stiff else EXPLICIT,

@@ -42,13 +42,7 @@ def equilibrium(
     t = start.t if t is None else number(t, "equilibrium", "time t")
     q, mu = _balanced(problem, t, start)
     count, state = unstable_motions(problem, q), problem.state(q.balance)
-    unstable = ""
-    if count:
-        unstable = f"in {count} independent motion(s), see system.vibrations(state); for a stable one give stable=True"
-    elif count is None and not hold:
-        growing = growing_motions(system, state)
-        unstable = f"in motion: {growing} eigenvalue(s) of system.linearize(state) have positive real parts"
-        unstable *= growing > 0
+    unstable = _unstable(system, state, count, held=bool(hold))
     if not (unstable and stable):
         return Found(state, unstable)
     settled = settle(problem, t, q, mu) if count else None
@@ -58,6 +52,16 @@ def equilibrium(
             "none is reached; start nearer to one, or support what moves"
         )
     return Found(problem.state(settled[0].balance), "")
+
+
+def _unstable(system: Core, state: State, count: int | None, *, held: bool) -> str:
+    """In what an equilibrium is unstable, with advice, from the count of `unstable_motions`; empty if in nothing."""
+    if count:
+        return f"in {count} independent motion(s), see system.vibrations(state); for a stable one give stable=True"
+    growing = growing_motions(system, state) if count is None and not held else 0
+    if growing:
+        return f"in motion: {growing} eigenvalue(s) of system.linearize(state) have positive real parts"
+    return ""
 
 
 def _balanced(problem: Rest, t: float, start: State) -> tuple[Equations, Array]:
