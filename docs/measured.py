@@ -20,9 +20,11 @@ from fnmatch import fnmatchcase
 from pathlib import Path
 from typing import Any
 
+import filling
+
 DOCS = Path(__file__).resolve().parent
 KEPT = DOCS / "measured.json"
-BLOCK = re.compile(r"(<!--(measured|scaling): ([^>]+?)-->\n).*?(<!--end-->)", re.DOTALL)
+BLOCK = filling.marked("measured|scaling")
 Figures = Sequence[Mapping[str, Any]]
 
 
@@ -66,11 +68,8 @@ def time(value: float | None) -> str:
 
 
 def size(error: float | None) -> str:
-    """Of an error: two digits."""
-    if error is None:
-        return "–"
-    digits, power = f"{error:.1e}".split("e")
-    return f"{digits}e{int(power)}"
+    """Of an error: two digits; a dash where there is none."""
+    return "–" if error is None else filling.size(error)
 
 
 def beside(row: Mapping[str, Any]) -> str:
@@ -112,11 +111,10 @@ def scaling(figures: Figures) -> Iterator[str]:
 def filled(text: str, figures: Figures) -> str:
     """The page with its tables written anew."""
 
-    def block(found: re.Match[str]) -> str:
-        lines = (rows if found[2] == "measured" else scaling)(chosen(figures, found[3]))
-        return found[1] + "\n" + "\n".join(lines).rstrip() + "\n\n" + found[4]
+    def lines(found: re.Match[str]) -> Iterator[str]:
+        return (rows if found[2] == "measured" else scaling)(chosen(figures, found[3]))
 
-    return BLOCK.sub(block, text)
+    return filling.filled(text, BLOCK, lines)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -131,16 +129,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         lines = ",\n".join(json.dumps(z, ensure_ascii=False, allow_nan=False) for z in figures)
         if not given.check:
             KEPT.write_text(f"[\n{lines}\n]\n", encoding="utf-8")
-    differing = []
-    for page in pages():
-        text = page.read_text(encoding="utf-8")
-        found = filled(text, figures)
-        if found != text:
-            differing.append(page.name)
-            if not given.check:
-                page.write_text(found, encoding="utf-8")
-    print(f"{', '.join(differing) or 'no page'} {'differs' if given.check else 'written'}")
-    return int(given.check and bool(differing))
+    return filling.fill(pages(), lambda text: filled(text, figures), check=given.check)
 
 
 if __name__ == "__main__":

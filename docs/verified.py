@@ -15,25 +15,23 @@ from __future__ import annotations
 
 import argparse
 import json
-import re
 import sys
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+import filling
+
 DOCS = Path(__file__).resolve().parent
 KEPT, PAGE = DOCS / "verification.json", DOCS / "verification.md"
-BLOCK = re.compile(r"(<!--campaign: (\w+)-->\n).*?(<!--end-->)", re.DOTALL)
+BLOCK = filling.marked("campaign")
 Findings = Mapping[str, Any]
 
 
 def size(error: float) -> str:
     """Of an error: two digits; an error of nothing is 0."""
-    if not error:
-        return "0"
-    digits, power = f"{error:.1e}".split("e")
-    return f"{digits}e{int(power)}"
+    return filling.size(error) if error else "0"
 
 
 def run(found: Findings) -> Iterator[str]:
@@ -83,11 +81,7 @@ TABLES: dict[str, Callable[[Findings], Iterator[str]]] = {
 
 def filled(text: str, found: Findings) -> str:
     """The page with its tables written anew."""
-
-    def block(mark: re.Match[str]) -> str:
-        return mark[1] + "\n" + "\n".join(TABLES[mark[2]](found)) + "\n\n" + mark[3]
-
-    return BLOCK.sub(block, text)
+    return filling.filled(text, BLOCK, lambda mark: TABLES[mark[3]](found))
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -101,12 +95,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     content = (given.file or KEPT).read_text(encoding="utf-8")
     if given.file is not None and not given.check:
         KEPT.write_text(content, encoding="utf-8")
-    text = PAGE.read_text(encoding="utf-8")
-    new = filled(text, json.loads(content))
-    if new != text and not given.check:
-        PAGE.write_text(new, encoding="utf-8")
-    print(f"{PAGE.name if new != text else 'no page'} {'differs' if given.check else 'written'}")
-    return int(given.check and new != text)
+    findings = json.loads(content)
+    return filling.fill([PAGE], lambda text: filled(text, findings), check=given.check)
 
 
 if __name__ == "__main__":

@@ -18,6 +18,7 @@ DOCS = Path(__file__).resolve().parents[1] / "docs"
 
 @pytest.fixture
 def measured(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
+    monkeypatch.syspath_prepend(DOCS)
     spec = spec_from_file_location("measured", DOCS / "measured.py")
     assert spec is not None and spec.loader is not None
     module = module_from_spec(spec)

@@ -30,7 +30,8 @@ FOUND = {
 
 
 @pytest.fixture
-def verified() -> ModuleType:
+def verified(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
+    monkeypatch.syspath_prepend(DOCS)
     spec = spec_from_file_location("verified", DOCS / "verified.py")
     assert spec is not None and spec.loader is not None
     module = module_from_spec(spec)
