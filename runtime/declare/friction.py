@@ -99,7 +99,9 @@ class Friction(Springs):
         owner = f"clearance of '{joint}'"
         spec = self.instances[joint].spec if isinstance(joint, str) and joint in self.instances else None
         if spec is None or spec.family != "bearing":
-            raise ModelError(f"{owner}: it is no joint with a pin; name one made by m.revolute or m.bearing")
+            raise ModelError(
+                f"{owner}: it is not a joint with a pin; name one made by m.revolute or m.bearing"
+            )
         values = {
             "gap": positive(gap, owner, "gap"),
             "stiffness": positive(stiffness, owner, "stiffness"),

@@ -228,7 +228,7 @@ class Gearing(BodyJoints):
         instance = self.instances.get(joint) if isinstance(joint, str) else None
         if instance is None or instance.spec.family != "bearing":
             raise ModelError(
-                f"{owner}: {joint!r:.60} is no joint with an axis; name one made by m.revolute or m.prismatic"
+                f"{owner}: {joint!r:.60} is not a joint with an axis; name one made by m.revolute or m.prismatic"
             )
         point, frame = self._start(joint, 0), self._start(joint, 1)
         axis = np.array([0.0, 0.0, 1.0])

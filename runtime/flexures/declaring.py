@@ -159,7 +159,7 @@ def _flexible(group: ElementProperties, owner: str) -> tuple[str, ...]:
             found.append(MODES[int(mode) - 1])
         else:
             raise ModelError(
-                f"{owner}: flexible {mode!r} is no mode of a beam; give numbers from 1 to 6, or {', '.join(MODES)}"
+                f"{owner}: flexible {mode!r} is not a mode of a beam; give numbers from 1 to 6, or {', '.join(MODES)}"
             )
     for a, b in (MODES[2:4], MODES[4:6]):
         if (a in found) != (b in found):

@@ -133,7 +133,7 @@ def properties_of(kind: type[Properties], given: Any, owner: str) -> Properties:
         return given
     if is_dataclass(given) or not isinstance(given, Mapping):
         raise ModelError(
-            f"{owner}: {given!r:.60} are no properties; give {{'name': …}} or fx.{kind.__name__}(…)"
+            f"{owner}: {given!r:.60} is not a set of properties; give {{'name': …}} or fx.{kind.__name__}(…)"
         )
     known = [z.name for z in fields(kind)]
     for name in given:

@@ -243,7 +243,7 @@ class Dop853(MinimalRun):
     def _exact(self, longer: float) -> bool:
         """Whether the solved rates are those of the shadow: near an extreme of a degree of freedom they are not.
 
-        A defect no smaller than that of a longer, refused step is no error of the step. Later steps may have such a
+        A defect no smaller than that of a longer, refused step is not an error of the step. Later steps may have such a
         defect too, within the tolerance, or each would have to be shorter than the last.
         """
         c, given = self.steps.struct, self.tolerances

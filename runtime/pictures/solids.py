@@ -22,7 +22,7 @@ STEEL = "#8fa3b3"
 
 
 def carried(thing: Sketch | Solid) -> str:
-    """Name of an outline or solid for messages; a ModelError if its point or frame is no name."""
+    """Name of an outline or solid for messages; a ModelError if its point or frame is not a name."""
     kind = type(thing).__name__
     text(thing.point, kind, "point")
     if thing.frame is not None:

@@ -46,15 +46,10 @@ def springs(state: State) -> Iterator[Shape]:
 
 def _acts(law: LawInstance, i: int) -> tuple[bool, bool]:
     """Whether a law is a spring and a damper for its deformation i; curves and formulas of one are springs."""
-    m = len(law.deformations)
     if _is_linear(law):
-        found = []
-        for key in ("S", "D"):
-            z = law.parameters[key]
-            found.append(bool(z[i if z.size == m else _diagonal(m, i)] > 0))
-        return found[0], found[1]
+        return _own(law, "S", i) > 0, _own(law, "D", i) > 0
     if "coefficients" not in law.parameters:
-        return law.code is not None and m == 1, False
+        return law.code is not None and len(law.deformations) == 1, False
     stores = "stored" in law.parameters  # the energy of a spring's curve
     return stores, not stores
 
@@ -64,9 +59,13 @@ def _is_linear(law: LawInstance) -> bool:
     return {"S", "D"} <= law.parameters.keys()
 
 
-def _diagonal(m: int, i: int) -> int:
-    """Index of the diagonal element i in the upper triangle of a matrix (m, m), row by row."""
-    return i * m - i * (i - 1) // 2
+def _own(law: LawInstance, key: str, i: int) -> float:
+    """Stiffness or damping of a linear law for its deformation i alone.
+
+    It is given by the diagonal of a matrix, or by its upper triangle, row by row.
+    """
+    z, m = law.parameters[key], len(law.deformations)
+    return float(z[i if z.size == m else i * m - i * (i - 1) // 2])
 
 
 def _between(state: State, law: LawInstance, instances: dict[str, Instance]) -> tuple[Array, Array] | None:
@@ -105,8 +104,7 @@ def _is_bar(law: LawInstance, i: int, instance: Instance) -> bool:
     """Whether a linear law is so stiff that its element is an elastic bar."""
     if not _is_linear(law) or "l0" not in instance.parameters:
         return False
-    S, m = law.parameters["S"], len(law.deformations)
-    return bool(S[i if S.size == m else _diagonal(m, i)] * float(instance.parameters["l0"][0]) >= BAR)
+    return _own(law, "S", i) * float(instance.parameters["l0"][0]) >= BAR
 
 
 def _line(

@@ -20,10 +20,10 @@ def section(found: Campaign | None) -> Section:
     said = "campaign", "Property campaign", SAYS
     if found is None:
         return Section(*said, missing=[absent("campaign", "The property campaign")])
-    failures = [_told(z) for z in found.failures]
-    told = {z.property for z in found.failures}
+    failures = [_said(z) for z in found.failures]
+    shown = {z.property for z in found.failures}
     failures += [f"{z.name}: largest error {size(z.largest)}, tolerance {size(z.tolerance)}"
-                 for z in found.properties if _failed(z) and z.name not in told]  # fmt: skip
+                 for z in found.properties if _failed(z) and z.name not in shown]  # fmt: skip
     if not found.models or not found.properties:
         failures.append("no model, or no property, was tried")
     summary = (
@@ -32,7 +32,7 @@ def section(found: Campaign | None) -> Section:
     )
     body: list[Html] = [
         *map(_program, found.failures),
-        table(HEAD, [_line(z, z.name in told) for z in found.properties]),
+        table(HEAD, [_line(z, z.name in shown) for z in found.properties]),
         folded("Models of each family", _counts("family", found.families)),
     ]
     if found.skipped:
@@ -58,11 +58,11 @@ def _counts(title: str, counts: Mapping[str, int]) -> Html:
     return table((title, "models"), [("", pair) for pair in counts.items()])
 
 
-def _told(found: Counterexample) -> str:
+def _said(found: Counterexample) -> str:
     """The property that a model lacks, and the error."""
     return f"{found.property}: {found.message or f'error {size(found.error)}'}"
 
 
 def _program(found: Counterexample) -> Html:
     """A program that shows a failure."""
-    return folded(_told(found), tag("pre", found.program), unfolded=True)
+    return folded(_said(found), tag("pre", found.program), unfolded=True)

@@ -36,7 +36,7 @@ class Kernels:
 
 @dataclass(frozen=True)
 class Row:
-    """A quantity of a system, of complex numbers as pairs or not; the last four tell how it converges."""
+    """A quantity of a system, of complex numbers as pairs or not; the last four say how it converges."""
 
     name: str
     computed: Any

@@ -45,7 +45,7 @@ def _number(written: str) -> float:
     """A number that a computer has; NaN and infinities are not JSON."""
     value = float(written)
     if not isfinite(value):
-        raise ValueError(f"{written[:20]} is no finite number")
+        raise ValueError(f"{written[:20]} is not a finite number")
     return value
 
 
@@ -97,7 +97,7 @@ def _record(kind: Any, value: Any, place: str) -> Any:
 
 
 def _plain(kind: type, value: Any, place: str) -> Any:
-    """A value of a plain kind; a whole number is a float too, a truth value is no number."""
+    """A value of a plain kind; a whole number is a float too, a truth value is not a number."""
     if kind is float and isinstance(value, int) and not isinstance(value, bool):
         return float(value)
     if not isinstance(value, kind) or (isinstance(value, bool) and kind is not bool):

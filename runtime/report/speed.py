@@ -14,7 +14,7 @@ from flexel.report.section import Section, absent
 SAYS = (
     "The shortest CPU time of many runs in one thread (`flexel bench`), beside other programs with the same model, "
     "data and reference of the error, where they are installed. A failure is a row without a time, or an error above "
-    "what the row allows. A figure to reach that is missed is no failure: machines differ."
+    "what the row allows. A figure to reach that is missed is not a failure: machines differ."
 )
 HEAD = (
     "row",

@@ -1,4 +1,4 @@
-"""What mode 0 of UT SPACAR tells: how many constraints and freedoms a mechanism has, which, and their condition."""
+"""What mode 0 of UT SPACAR prints: constraints and degrees of freedom of a mechanism, and their condition."""
 
 from __future__ import annotations
 
@@ -27,7 +27,8 @@ def count_lines(file: Spacar) -> tuple[list[str], float]:
     roles, places = system.roles, _in_file(file)
     lines += [
         f"{system.structure.n - system.structure.nf} coordinates are fixed, {roles.prescribed.size} motions given, "
-        f"{roles.rigid.size} conditions rigid (norms of orientations among them), {report.dofs} freedoms left",
+        f"{roles.rigid.size} conditions rigid (norms of orientations among them), {report.dofs} degrees of freedom "
+        "left",
         "degrees of freedom",
         *(
             f"  {i:<4} {places[name]:<10} {name}"

@@ -219,7 +219,7 @@ def _component_number(line: Line, place: int, what: str) -> int:
     value = line.values[place]
     if line.keyword in VALUES and (value != round(value) or value < 1):
         raise line.error(
-            f"{line.words[place]} is no component, and a line {line.keyword} in the first block lists components; "
+            f"{line.words[place]} is not a component, and a line {line.keyword} in the first block lists components; "
             "values follow after END HALT (Twente), or stand in lines of their own: X, XD, XDD, E, ED, EDD (Delft)"
         )
     return line.whole(place, what)

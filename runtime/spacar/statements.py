@@ -19,7 +19,7 @@ from flexel.spacar.problems import Problems
 ABOUT_DECLARED = frozenset(
     "fix load prescribe independent kinematic initial rigid release spring angular_velocity".split()
 )
-KINDS = ("truss", "planar_truss", "beam_warping")  # of `Model.element`, which are no names of this model
+KINDS = ("truss", "planar_truss", "beam_warping")  # of `Model.element`, which are not names of this model
 
 
 @dataclass(frozen=True)

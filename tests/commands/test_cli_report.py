@@ -177,8 +177,8 @@ def test_the_program_of_a_failed_property_is_printed(page: Page) -> None:
     [
         ("verify", '{"ok": tr', "not JSON"),
         ("verify", "[" * 100_000, "not JSON"),
-        ("verify", '{"ok": true, "seconds": NaN}', "NaN is no finite number"),
-        ("verify", '{"ok": true, "seconds": 1' + 400 * "0" + "}", "is no finite number"),
+        ("verify", '{"ok": true, "seconds": NaN}', "NaN is not a finite number"),
+        ("verify", '{"ok": true, "seconds": 1' + 400 * "0" + "}", "is not a finite number"),
         ("verify", "[]", "the file is [], not an object"),
         ("verify", json.dumps(changed(VERIFY, "rows", 1, "ok", to="yes")), "the file.rows[1].ok is \"yes\", not true"),
         ("reproduce", json.dumps(changed(REPRODUCE, "quantities", 0, "error", to=True)), "quantities[0].error is true"),

@@ -145,7 +145,7 @@ def test_wrong_numbers_are_refused_by_name() -> None:
         m.limits("guide.along", 1.0, 0.0, 10.0)
     with pytest.raises(fx.ModelError, match=r"friction on 'guide.along': speed 0 is not positive"):
         m.friction("guide.along", 1.0, 0.0)
-    with pytest.raises(fx.ModelError, match=r"clearance of 'block_body': it is no joint with a pin"):
+    with pytest.raises(fx.ModelError, match=r"clearance of 'block_body': it is not a joint with a pin"):
         m.clearance("block_body", 0.1, 1.0)
     with pytest.raises(
         fx.ModelError, match=r"joint 'z': stops 3 are not numbers; give \(low, high, stiffness\)"

@@ -56,7 +56,7 @@ CASES: list[tuple[Change, str]] = [
     (row(1, 3, [2, 3]), "nodes row 5: no element has this node; connect it"),
     (table(2, {9: {"fixed": True}}), "node_properties: there is no node 9"),
     (table(2, [None] * 6), "node_properties has 6 entries for 5 nodes"),
-    (table(2, {1: True}), r"node_properties of node 1: True are no properties; give \{"),
+    (table(2, {1: True}), r"node_properties of node 1: True is not a set of properties; give \{"),
     (node(1, fixd=True), "node_properties of node 1: unknown property 'fixd'; did you mean fixed"),
     (node(1, fixed="all"), "node_properties of node 1: fixed 'all' is unknown; give True"),
     (node(1, fixed=2), "node_properties of node 1: fixed: 2 is not a list of names"),
@@ -75,7 +75,7 @@ CASES: list[tuple[Change, str]] = [
     (node(5, inertia=(1, 1, 9)), "node 5: .*triangle inequality"),
     (table(3, {"elements": [1]}), "element_properties is one mapping; give a list of groups"),
     (table(3, [{"section": "circle"}]), "element_properties row 1: .*for which elements"),
-    (table(3, [3]), "element_properties row 1: 3 are no properties"),
+    (table(3, [3]), "element_properties row 1: 3 is not a set of properties"),
     (leaf(elements=[1, 9]), "element_properties row 1: there is no element 9; they are numbered from 1 to 4"),
     (leaf(elements=[1, 1]), "element_properties row 1: element 1 is in row 1 already"),
     (leaf(elements=[]), "element_properties row 1: elements .*give a list of rows"),
@@ -96,7 +96,7 @@ CASES: list[tuple[Change, str]] = [
     (leaf(flexible=7), "element_properties row 1: flexible 7 is not a list"),
     (
         leaf(flexible=[7]),
-        "element_properties row 1: flexible 7 is no mode of a beam; give numbers from 1 to 6",
+        "element_properties row 1: flexible 7 is not a mode of a beam; give numbers from 1 to 6",
     ),
     (leaf(flexible=[2, 3]), r"element_properties row 1: flexible has only one of 3 and 4"),
     (leaf(flexible=(), beams=3), "element_properties row 1: a rigid element is one beam; drop beams=3"),
@@ -110,7 +110,7 @@ CASES: list[tuple[Change, str]] = [
     (table(4, {"release": "element 1.bend3"}), "options: release: .* is not a list of names"),
     (table(4, {"compliance": [9]}), "options: compliance: there is no node 9"),
     (table(4, {"frequencies": -1}), "options: frequencies -1; give a whole number, 0 or more"),
-    (table(4, 3), "options: 3 are no properties"),
+    (table(4, 3), "options: 3 is not a set of properties"),
 ]
 
 

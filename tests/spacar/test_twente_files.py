@@ -85,7 +85,7 @@ def test_before_halt_the_numbers_of_inputs_are_components(tmp_path: Path) -> Non
 
 def test_values_in_the_first_block_are_not_taken_for_components(tmp_path: Path) -> None:
     with pytest.raises(
-        fx.ModelError, match=r"line 5: INPUTX: 0.25 is no component.* values follow after END HALT"
+        fx.ModelError, match=r"line 5: INPUTX: 0.25 is not a component.* values follow after END HALT"
     ):
         file(tmp_path, *HEAD, "INPUTX 3 1 0.25", "END", "HALT", *TAIL)
 
