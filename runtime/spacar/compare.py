@@ -11,7 +11,7 @@ import numpy as np
 from flexel.base.arguments import path_of
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
-from flexel.results.saved.loading import SPACAR, load
+from flexel.results.saved.loading import SPACAR
 from flexel.results.saved.spacar_entries import read_entries
 from flexel.results.saved.spacar_motion import NORM
 from flexel.spacar.modes import Analysis
@@ -69,8 +69,8 @@ def results_of_spacar(path: str | Path) -> Theirs:
         raise ModelError(
             f"compare '{path}': suffix '{path.suffix}' is unknown; give one of {', '.join(SPACAR)}"
         )
-    load(path)  # which says what is wrong with a file
     entries = read_entries(path)
+    SPACAR[path.suffix.lower()](entries, path)  # which says what is wrong with a file
     time = entries.records["T"][:, 0, 0]
     if path.suffix.lower() != ".sbd":
         known = {tag: z for tag, z in entries.records.items() if tag in MATRICES}

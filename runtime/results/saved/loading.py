@@ -15,6 +15,7 @@ from flexel.results.saved.archive import motion_of
 from flexel.results.saved.archive_linear import linearization_of
 from flexel.results.saved.files import read
 from flexel.results.saved.record import Record
+from flexel.results.saved.spacar_entries import Entries, read_entries
 from flexel.results.saved.spacar_motion import motion_of_sbd
 from flexel.results.saved.spacar_records import SpacarRecords, records_of
 
@@ -49,7 +50,7 @@ def load(path: str | Path) -> Motion | Linearization | PeriodicSolution | Flexur
     """
     path = path_of(path, "load")
     if path.suffix.lower() in SPACAR:
-        return SPACAR[path.suffix.lower()](path)
+        return SPACAR[path.suffix.lower()](read_entries(path), path)
     record = read(path)
     try:
         return _result(record, path)
@@ -62,7 +63,7 @@ def load(path: str | Path) -> Motion | Linearization | PeriodicSolution | Flexur
         ) from error
 
 
-SPACAR: dict[str, Callable[[Path], Motion | SpacarRecords]] = {
+SPACAR: dict[str, Callable[[Entries, Path], Motion | SpacarRecords]] = {
     ".sbd": motion_of_sbd,
     ".sbm": records_of,
     ".ltv": records_of,

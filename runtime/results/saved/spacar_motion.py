@@ -21,7 +21,7 @@ from flexel.generated.table import ELEMENTS
 from flexel.integration.outcome import Integration, States
 from flexel.results.motion import Motion
 from flexel.results.saved.archive import StoredGeometry
-from flexel.results.saved.spacar_entries import Entries, read_entries
+from flexel.results.saved.spacar_entries import Entries
 from flexel.structure.instances import Instance
 from flexel.structure.nodes import Node
 from flexel.structure.roles import Roles
@@ -47,8 +47,8 @@ class _Layout:
     roles: Roles
 
 
-def motion_of_sbd(path: Path) -> Motion:
-    """The motion in an `.sbd` file, without a system.
+def motion_of_sbd(entries: Entries, path: Path) -> Motion:
+    """The motion in the entries of an `.sbd` file, without a system.
 
     The reactions are SPACAR's FXT.  Energies are not in the file: they are NaN, and ``motion.energy`` says so.  Load
     steps, which all have the time zero, are counted instead.
@@ -58,7 +58,6 @@ def motion_of_sbd(path: Path) -> Motion:
     ModelError
         A damaged file, or one without nodes.
     """
-    entries = read_entries(path)
     missing = [
         tag for tag in ("LNP", "LE", "LN", "IT", "NXP", "NEP", "RL0", "RXYZ") if tag not in entries.constant
     ]

@@ -12,7 +12,7 @@ from flexel.base.arrays import Array
 from flexel.base.copies import Portable
 from flexel.base.errors import ModelError
 from flexel.results.saved.record import require
-from flexel.results.saved.spacar_entries import read_entries
+from flexel.results.saved.spacar_entries import Entries
 
 STATE_SPACE = ("A", "B", "C", "D")
 
@@ -86,15 +86,14 @@ class SpacarRecords(Portable):
         return require("control", "control").ss(*self.state_space(record))
 
 
-def records_of(path: Path) -> SpacarRecords:
-    """The records of an `.sbm` or `.ltv` file.
+def records_of(entries: Entries, path: Path) -> SpacarRecords:
+    """The records in the entries of an `.sbm` or `.ltv` file.
 
     Raises
     ------
     ModelError
         A damaged file, or one without times.
     """
-    entries = read_entries(path)
     if "T" not in entries.records:
         raise ModelError(f"load '{path}': the entry T is missing; it is not a whole {path.suffix} file")
     matrices = {tag: z for tag, z in entries.records.items() if tag != "T"}
