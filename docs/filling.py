@@ -31,9 +31,3 @@ def fill(pages: Sequence[Path], new: Callable[[str], str], *, check: bool) -> in
                 page.write_text(found, encoding="utf-8")
     print(f"{', '.join(differing) or 'no page'} {'differs' if check else 'written'}")
     return int(check and bool(differing))
-
-
-def size(error: float) -> str:
-    """Of an error: two digits."""
-    digits, power = f"{error:.1e}".split("e")
-    return f"{digits}e{int(power)}"

@@ -22,6 +22,8 @@ from typing import Any
 
 import filling
 
+from flexel.report.markup import size
+
 DOCS = Path(__file__).resolve().parent
 KEPT = DOCS / "measured.json"
 BLOCK = filling.marked("measured|scaling")
@@ -65,11 +67,6 @@ def time(value: float | None) -> str:
     whole = len(str(int(abs(value)))) if abs(value) >= 1 else 0
     leading = 0 if whole or not value else -int(f"{value:e}".partition("e")[2]) - 1
     return f"{value:.{max(3 - whole + leading, 0)}f}"
-
-
-def size(error: float | None) -> str:
-    """Of an error: two digits; a dash where there is none."""
-    return "–" if error is None else filling.size(error)
 
 
 def beside(row: Mapping[str, Any]) -> str:

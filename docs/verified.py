@@ -23,15 +23,12 @@ from typing import Any
 
 import filling
 
+from flexel.report.markup import size
+
 DOCS = Path(__file__).resolve().parent
 KEPT, PAGE = DOCS / "verification.json", DOCS / "verification.md"
 BLOCK = filling.marked("campaign")
 Findings = Mapping[str, Any]
-
-
-def size(error: float) -> str:
-    """Of an error: two digits; an error of nothing is 0."""
-    return filling.size(error) if error else "0"
 
 
 def run(found: Findings) -> Iterator[str]:

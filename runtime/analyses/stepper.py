@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from flexel.analyses.restoring import restored
-from flexel.base.arguments import names, number, vector
+from flexel.base.arguments import names, number, positive, vector
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.base.time_functions import Held
@@ -67,9 +67,7 @@ class Stepper:
         method: str,
         options: methods.Options,
     ) -> None:
-        self.dt = number(dt, "stepper", "dt")
-        if self.dt <= 0:
-            raise ModelError(f"stepper: dt {self.dt:g} s is not positive; give the length of a step")
+        self.dt = positive(dt, "stepper", "dt")
         if not isinstance(method, str) or method not in METHODS:
             raise ModelError(f"stepper: method {method!r} is unknown; choose {' or '.join(METHODS)}")
         self.inputs, self.outputs = names(inputs, "stepper: inputs"), names(outputs, "stepper: outputs")

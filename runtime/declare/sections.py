@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Protocol, runtime_checkable
+from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 
@@ -204,12 +204,7 @@ class IBeam:
     web: float
 
     def __post_init__(self) -> None:
-        check_sizes(self, self.__dataclass_fields__)
-        if 2 * self.flange >= self.height or self.web > self.width:
-            raise ModelError(
-                f"IBeam: flanges of {self.flange:g} and a web of {self.web:g} do not fit into {self.height:g} by "
-                f"{self.width:g}; give 2 flange < height and web <= width"
-            )
+        check_flanges(self, "<=")
 
     @property
     def A(self) -> float:
@@ -270,6 +265,18 @@ def check_forces(given: object, owner: str) -> None:
     """Refuse what is not the forces of a section."""
     if not isinstance(given, SectionForces):
         raise ModelError(f"{owner}: {given!r:.60} are not the forces of a section; give fx.SectionForces(…)")
+
+
+def check_flanges(section: Any, limit: str) -> None:
+    """Check the sizes of a web with two flanges, whose web is "<" or "<=" as thick as the section is wide."""
+    check_sizes(section, section.__dataclass_fields__)
+    s = section
+    fits = s.web < s.width or (limit == "<=" and s.web == s.width)
+    if 2 * s.flange >= s.height or not fits:
+        raise ModelError(
+            f"{type(s).__name__}: flanges of {s.flange:g} and a web of {s.web:g} do not fit into {s.height:g} by "
+            f"{s.width:g}; give 2 flange < height and web {limit} width"
+        )
 
 
 def check_sizes(section: object, names: Iterable[str]) -> None:

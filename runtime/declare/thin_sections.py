@@ -15,7 +15,14 @@ import numpy as np
 from flexel.base.arguments import number
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
-from flexel.declare.sections import Rectangle, SectionForces, StressPoint, check_forces, check_sizes
+from flexel.declare.sections import (
+    Rectangle,
+    SectionForces,
+    StressPoint,
+    check_flanges,
+    check_forces,
+    check_sizes,
+)
 
 
 def combined(
@@ -48,12 +55,7 @@ class UBeam:
     web: float
 
     def __post_init__(self) -> None:
-        check_sizes(self, self.__dataclass_fields__)
-        if 2 * self.flange >= self.height or self.web >= self.width:
-            raise ModelError(
-                f"UBeam: flanges of {self.flange:g} and a web of {self.web:g} do not fit into {self.height:g} by "
-                f"{self.width:g}; give 2 flange < height and web < width"
-            )
+        check_flanges(self, "<")
 
     @property
     def _clear(self) -> float:

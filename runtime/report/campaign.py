@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from flexel.report.markup import Html, folded, number, size, table, tag, time
+from flexel.base.shown import counted
+from flexel.report.markup import Html, folded, size, table, tag, time
 from flexel.report.parts import Campaign, Counterexample, Property
 from flexel.report.section import Section, absent
 
@@ -27,7 +28,7 @@ def section(found: Campaign | None) -> Section:
     if not found.models or not found.properties:
         failures.append("no model, or no property, was tried")
     summary = (
-        f"{number(found.models, 'model')} of {len(found.families)} families, {len(found.properties)} properties; "
+        f"{counted(found.models, 'model')} of {len(found.families)} families, {len(found.properties)} properties; "
         f"seed {found.seed}; {time(found.seconds)}."
     )
     body: list[Html] = [

@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from flexel.report.markup import Html, folded, number, sentence, size, table, tag
+from flexel.base.shown import counted
+from flexel.report.markup import Html, folded, sentence, size, table, tag
 from flexel.report.parts import Case, Row
 from flexel.report.plots import Plots, log_log
 from flexel.report.section import Section, absent
@@ -68,13 +69,13 @@ def section(cases: Sequence[Case], plots: Plots) -> Section:
     drawn = (
         [_group(*group, plots) for group in groups] if plots.possible else [sentence(plots.remedy, "missing")]
     )
-    return Section(*said, f"{len(found)} quantities of {number(len(groups), 'system')}.", [*drawn, listing])
+    return Section(*said, f"{len(found)} quantities of {counted(len(groups), 'system')}.", [*drawn, listing])
 
 
 def _group(case: str, found: Sequence[Series], plots: Plots) -> Html:
     """The plots of a system."""
     drawn = tag("div", *(_plot(one, plots) for one in found), class_="plots")
-    return folded(f"{case}: {number(len(found), 'plot')}", drawn, unfolded=True)
+    return folded(f"{case}: {counted(len(found), 'plot')}", drawn, unfolded=True)
 
 
 def _listed(numbers: Sequence[float]) -> str:

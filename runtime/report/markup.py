@@ -70,8 +70,3 @@ def size(error: float | None) -> str:
 def time(seconds: float) -> str:
     """A time of work."""
     return f"{seconds:.1f} s" if seconds < 100 else f"{seconds / 60:.0f} min"
-
-
-def number(count: int, noun: str) -> str:
-    """A number of things; their plural ends in s."""
-    return f"{count} {noun}{'' if count == 1 else 's'}"

@@ -9,8 +9,9 @@ from pathlib import Path
 from string import Template
 
 from flexel.base.files import replacing
+from flexel.base.shown import counted
 from flexel.report import campaign, convergence, kernels, sanitizers, speed, systems
-from flexel.report.markup import Html, join, number, sentence, table, tag, time
+from flexel.report.markup import Html, join, sentence, table, tag, time
 from flexel.report.parts import NAMES, Made, Parts, command
 from flexel.report.plots import Plots, limits
 from flexel.report.section import Section, listed
@@ -135,7 +136,7 @@ def _verdict(found: Sequence[Section]) -> Html:
     lines: list[object] = []
     if failures:
         lines += [
-            tag("p", tag("strong", number(len(failures), "failure")), f": {counts}", class_="bad"),
+            tag("p", tag("strong", counted(len(failures), "failure")), f": {counts}", class_="bad"),
             listed(failures),
         ]
     else:

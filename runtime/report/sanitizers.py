@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from flexel.report.markup import number, table, tag, time
+from flexel.base.shown import counted
+from flexel.report.markup import table, tag, time
 from flexel.report.parts import Sanitized, Step
 from flexel.report.section import Section, absent
 
@@ -24,8 +25,8 @@ def section(found: Sanitized | None) -> Section:
     if not found.steps:
         failures.append("nothing ran")
     summary = (
-        f"{', '.join(found.sanitizers)}: {number(len(found.steps), 'command')}, {number(len(found.found), 'finding')}; "
-        f"{time(sum(z.seconds for z in found.steps))}."
+        f"{', '.join(found.sanitizers)}: {counted(len(found.steps), 'command')}, "
+        f"{counted(len(found.found), 'finding')}; {time(sum(z.seconds for z in found.steps))}."
     )
     written = [tag("pre", z) for z in found.found]
     return Section(

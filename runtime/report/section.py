@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from flexel.report.markup import Html, join, number, sentence, tag, text
+from flexel.base.shown import counted
+from flexel.report.markup import Html, join, sentence, tag, text
 from flexel.report.parts import command
 
 
@@ -40,7 +41,7 @@ class Section:
 
     def html(self) -> Html:
         """The section, its failures first."""
-        wrong = [tag("p", number(len(self.failures), "failure"), ":", class_="bad"), listed(self.failures)]
+        wrong = [tag("p", counted(len(self.failures), "failure"), ":", class_="bad"), listed(self.failures)]
         return tag(
             "section",
             tag("h2", self.title),

@@ -6,7 +6,8 @@ from collections.abc import Mapping, Sequence
 from math import isfinite
 from typing import Protocol
 
-from flexel.report.markup import Html, folded, join, number, size, table, tag
+from flexel.base.shown import counted
+from flexel.report.markup import Html, folded, join, size, table, tag
 from flexel.report.parts import Measured, Timed
 from flexel.report.plots import Plots, bars
 from flexel.report.section import Section, absent
@@ -47,10 +48,10 @@ def section(rows: Sequence[Timed], plots: Plots) -> Section:
         body.append(folded("Times over the size", join(map(_scaling, scaled))))
     faster = sum(z > 1 for z in beside.values())
     others = (
-        f"{number(len(beside), 'time')} of other programs; flexel is the faster one beside {faster} of them"
+        f"{counted(len(beside), 'time')} of other programs; flexel is the faster one beside {faster} of them"
     )
     return Section(
-        *said, f"{number(len(rows), 'row')}; {others if beside else 'no other program'}.", body, failures
+        *said, f"{counted(len(rows), 'row')}; {others if beside else 'no other program'}.", body, failures
     )
 
 

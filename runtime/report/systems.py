@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 
 from flexel.base.errors import FlexelError
-from flexel.report.markup import Html, folded, number, size, table, tag, time
+from flexel.base.shown import counted
+from flexel.report.markup import Html, folded, size, table, tag, time
 from flexel.report.parts import Case, Row, command
 from flexel.report.section import Section, absent, without
 from flexel.results.report import Quantity
@@ -64,7 +65,7 @@ def _sum(cases: Sequence[Case]) -> str:
         f"{n} {kind}" for kind in list(KINDS)[:-1] if (n := sum(z.kind == kind for z in compared))
     )
     return (
-        f"{number(len(cases), 'system')}, {len(rows)} quantities, {len(compared)} with a reference: {kinds}."
+        f"{counted(len(cases), 'system')}, {len(rows)} quantities, {len(compared)} with a reference: {kinds}."
     )
 
 
@@ -88,7 +89,7 @@ def _case(case: Case) -> Html:
         if rows:
             tables += [tag("h4", title), table(HEAD, [_line(case.case, z) for z in rows])]
     wrong = any(map(failed, case.quantities))
-    return folded(f"{case.case}: {number(len(case.quantities), 'row')}", *tables, unfolded=wrong)
+    return folded(f"{case.case}: {counted(len(case.quantities), 'row')}", *tables, unfolded=wrong)
 
 
 def _line(case: str, row: Row) -> tuple[str, Sequence[object]]:

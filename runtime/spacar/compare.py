@@ -131,7 +131,7 @@ def _vector_rows(file: Spacar, found: Analysis, theirs: Theirs, pairs: Sequence[
     """Differences of coordinates and of deformations."""
     if not theirs.tables:
         return
-    own = vectors(file, [found.states[i] for i, _ in pairs], found.system)
+    own = vectors(file, [found.states[i] for i, _ in pairs], found.system, TABLES)
     records = [k for _, k in pairs]
     for name, (_, title) in TABLES.items():
         letter = "x" if name in OF_NODES else "e"

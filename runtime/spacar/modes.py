@@ -13,6 +13,7 @@ from flexel.results.motion import Motion
 from flexel.spacar.count import count_lines
 from flexel.spacar.listing import frequency_lines, linear_lines, matrix_lines, state_lines
 from flexel.spacar.reading import Spacar
+from flexel.spacar.vectors import vectors
 from flexel.structure.state import State
 from flexel.system import System
 
@@ -50,11 +51,12 @@ def _simulated(file: Spacar) -> Motion:
 
 def _histories(file: Spacar, states: Motion | list[State], t: Array) -> Results:
     """All coordinates, deformations and stresses in SPACAR's numbers and signs."""
+    own = vectors(file, states, wanted=("x", "e", "sig"))
+    x, deformations, stresses = (own.tables[name].T for name in ("x", "e", "sig"))
     found: Results = {"t": t}
-    found |= {f"x_{n}_{i}": np.array([s[name] for s in states]) for (n, i), name in file.coordinates.items()}
-    for e, i in file.deformations:
-        found[f"e_{e}_{i}"] = np.array([file.deformation(s, e, i) for s in states])
-        found[f"s_{e}_{i}"] = np.array([file.stress(s, e, i) for s in states])
+    found |= {f"x_{n}_{i}": values for (n, i), values in zip(own.nodes, x, strict=True)}
+    for (e, i), values, forces in zip(own.elements, deformations, stresses, strict=True):
+        found |= {f"e_{e}_{i}": values, f"s_{e}_{i}": forces}
     return found
 
 

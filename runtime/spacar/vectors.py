@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,8 +14,8 @@ from flexel.structure.state import State
 from flexel.system import System
 
 Place = tuple[int, int]  # node and coordinate, or element and mode
+Reader = Callable[[Spacar, State, System], list[float]]  # a row of a table
 OF_NODES = ("x", "xd", "xdd", "fx", "fxtot")
-OF_ELEMENTS = ("e", "ed", "edd", "sig")
 
 
 @dataclass(frozen=True)
@@ -41,35 +41,36 @@ class Vectors:
         return self.nodes if table in OF_NODES else self.elements
 
 
-def vectors(file: Spacar, states: Sequence[State], system: System | None = None) -> Vectors:
-    """All quantities at some states of a file.
+def vectors(
+    file: Spacar, states: Sequence[State], system: System | None = None, wanted: Iterable[str] | None = None
+) -> Vectors:
+    """Quantities at some states of a file.
 
     Parameters
     ----------
     system : System, optional
         Of the states, if it is a variant of the file's system.
+    wanted : iterable of str, optional
+        Names of tables; all by default.
     """
-    rows = [_row(file, state, system or file.system) for state in states]
-    tables = {name: np.array([row[name] for row in rows]) for name in (*OF_NODES, *OF_ELEMENTS)}
+    of = system or file.system
+    chosen = READERS if wanted is None else wanted
+    tables = {name: np.array([READERS[name](file, state, of) for state in states]) for name in chosen}
     time = np.array([state.t for state in states])
     return Vectors(time, tuple(file.coordinates), tuple(file.deformations), tables)
 
 
-def _row(file: Spacar, state: State, system: System) -> dict[str, list[float]]:
-    names, modes = file.coordinates.values(), file.deformations
-    loads = _loads(state, system)
-    first = state.structure.m + state.structure.k
-    return {
-        "x": [state[z] for z in names],
-        "xd": [state.rate(z) for z in names],
-        "xdd": [state.acceleration(z) for z in names],
-        "fx": [float(loads[state.structure.find(z) - first]) for z in names],
-        "fxtot": [state.force(z) for z in names],
-        "e": [file.deformation(state, *place) for place in modes],
-        "ed": [factor * state.rate(z) for z, factor in modes.values()],
-        "edd": [factor * state.acceleration(z) for z, factor in modes.values()],
-        "sig": [file.stress(state, *place) for place in modes],
-    }
+def _of_nodes(read: Callable[[State, str], float]) -> Reader:
+    return lambda file, state, _: [read(state, z) for z in file.coordinates.values()]
+
+
+def _of_modes(read: Callable[[State, str, float], float]) -> Reader:
+    return lambda file, state, _: [read(state, z, factor) for z, factor in file.deformations.values()]
+
+
+def _loaded(file: Spacar, state: State, system: System) -> list[float]:
+    loads, first = _loads(state, system), state.structure.m + state.structure.k
+    return [float(loads[state.structure.find(z) - first]) for z in file.coordinates.values()]
 
 
 def _loads(state: State, system: System) -> Array:
@@ -84,3 +85,16 @@ def numbered_places(places: Sequence[Place], width: int) -> NDArray[np.int32]:
     for column, (n, i) in enumerate(places, 1):
         found[n - 1, i - 1] = column
     return found
+
+
+READERS: dict[str, Reader] = {
+    "x": _of_nodes(lambda state, z: state[z]),
+    "xd": _of_nodes(lambda state, z: state.rate(z)),
+    "xdd": _of_nodes(lambda state, z: state.acceleration(z)),
+    "fx": _loaded,
+    "fxtot": _of_nodes(lambda state, z: state.force(z)),
+    "e": lambda file, state, _: [file.deformation(state, *place) for place in file.deformations],
+    "ed": _of_modes(lambda state, z, factor: factor * state.rate(z)),
+    "edd": _of_modes(lambda state, z, factor: factor * state.acceleration(z)),
+    "sig": lambda file, state, _: [file.stress(state, *place) for place in file.deformations],
+}

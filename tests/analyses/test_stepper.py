@@ -85,7 +85,7 @@ def test_bad_input_is_refused() -> None:
     system = arm()
     stepper = system.stepper(0.1, inputs=["motor.angle"])
     for call, what in (
-        (lambda: system.stepper(0.0), "dt 0 s is not positive"),
+        (lambda: system.stepper(0.0), "dt 0 is not positive"),
         (lambda: system.stepper(0.1, inputs=["moter.angle"]), "motor.angle"),
         (lambda: system.stepper(0.1, outputs=["force:tip.x"]), "stepper.state"),
         (lambda: system.stepper(0.1, outputs=["tip.x''"]), "stepper.state"),
