@@ -38,11 +38,12 @@ def equilibrium(
     system: Core, t: float | None, start: State, hold: Sequence[str] = (), *, stable: bool = False
 ) -> Found:
     """State of rest in which all forces balance; see `System.equilibrium`."""
-    problem = Rest(system, start, _held(system, hold))
+    held = _held(system, hold)
+    problem = Rest(system, start, held)
     t = start.t if t is None else number(t, "equilibrium", "time t")
     q, mu = _balanced(problem, t, start)
     count, state = unstable_motions(problem, q), problem.state(q.balance)
-    unstable = _unstable(system, state, count, held=bool(hold))
+    unstable = _unstable(system, state, count, held=held.size > 0)
     if not (unstable and stable):
         return Found(state, unstable)
     settled = settle(problem, t, q, mu) if count else None
