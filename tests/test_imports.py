@@ -152,15 +152,13 @@ def test_the_specification_brings_no_sympy() -> None:
 
 
 def test_import_flexel_is_light() -> None:
-    """`import flexel` loads no numerical or symbolic package and takes less than 0.3 s."""
+    """`import flexel` loads no numerical or symbolic package (`flexel bench start` tells how long it takes)."""
     code = (
-        "import sys, time; start = time.perf_counter(); import flexel; seconds = time.perf_counter() - start;"
+        "import sys; import flexel;"
         "heavy = {'sympy', 'jinja2', 'numpy', 'scipy', 'matplotlib', 'cffi', 'click'} & set(sys.modules);"
-        "assert not heavy, heavy; print(seconds)"
+        "assert not heavy, heavy"
     )
-    runs = [subprocess.run([sys.executable, "-c", code], capture_output=True, text=True) for _ in range(3)]
-    assert [run.stderr for run in runs if run.returncode] == []
-    assert min(float(run.stdout) for run in runs) < 0.3
+    subprocess.run([sys.executable, "-c", code], check=True)
 
 
 def test_the_table_of_commands_brings_no_numpy() -> None:

@@ -1,7 +1,6 @@
 """A user-defined element moves, and is linearized, like the same mechanics written out manually."""
 
 import re
-import time
 from pathlib import Path
 from typing import Any
 
@@ -127,9 +126,7 @@ def test_an_element_is_verified_once(cache: Path) -> None:
     note = first.path.with_suffix(".verified")
     assert "all within tolerance" in note.read_text()
     stamp = note.stat().st_mtime_ns
-    begin = time.perf_counter()
     assert fx.compile_element(own_bar(name="once")).address == first.address
-    assert time.perf_counter() - begin < 3
     assert note.stat().st_mtime_ns == stamp
 
 
