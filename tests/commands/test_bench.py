@@ -29,10 +29,17 @@ def run(*arguments: str) -> Result:
     return CliRunner().invoke(cli.main, ["bench", *arguments])
 
 
+@pytest.fixture(autouse=True)
+def few_readings(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of the yardstick, which all rows are printed with."""
+    monkeypatch.setattr(timing, "MOST", 20)
+
+
 @pytest.fixture
 def quick(monkeypatch: pytest.MonkeyPatch) -> None:
     """Spend next to no time on a row."""
     monkeypatch.setattr(timing, "BUDGET", 1e-3)
+    monkeypatch.setattr(timing, "FEWEST", 1)
 
 
 def rows(monkeypatch: pytest.MonkeyPatch, **works: Work | Exception) -> None:

@@ -37,6 +37,12 @@ def ticking(seconds: float, error: float = 0.0) -> Work:
     return Work(work, error=float, clock=lambda: time[0])
 
 
+@pytest.fixture(autouse=True)
+def few_readings(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of the yardstick, which all rows are printed with."""
+    monkeypatch.setattr(timing, "MOST", 20)
+
+
 @pytest.fixture
 def programs(monkeypatch: pytest.MonkeyPatch) -> Callable[..., None]:
     """A function that puts one row, of 2 s a run, beside the peers of these names."""
