@@ -65,13 +65,16 @@ class Import:
         return first if first in PARTS else "runtime"
 
 
-@cache
 def imports(*parts: str) -> tuple[Import, ...]:
     """All imports of the parts, those for type checkers apart."""
-    files = [path for part in parts for path in sorted((ROOT / part).rglob("*.py"))]
+    return tuple(entry for part in parts for entry in _imports(part))
+
+
+@cache
+def _imports(part: str) -> tuple[Import, ...]:
     return tuple(
         entry
-        for path in files
+        for path in sorted((ROOT / part).rglob("*.py"))
         for entry in _walk(path.relative_to(ROOT).as_posix(), ast.parse(path.read_text()), lazy=False)
     )
 
