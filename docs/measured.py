@@ -2,7 +2,7 @@
 
 ``python docs/measured.py FILE`` takes the figures of a file that `flexel bench --json FILE` wrote: rows that it has
 replace those in ``docs/measured.json``. Without FILE the tables are filled from there; ``--check`` changes nothing and
-fails where a table differs. A table stands between two marks, and is written anew:
+fails where a table differs. A table is between two marks, and is written anew:
 
     <!--measured: bicycle_rhs chain_*-->     these rows, flexel beside its peers
     <!--scaling: scaling_*-->                rows that scale: a table of times over the size for each

@@ -203,7 +203,7 @@ def over_range(make: Maker, d: Design, steps: int = 16) -> list[Station]:
 
 
 def coarse_end(make: Maker, d: Design) -> Station:
-    """The end of the range with half the elements, to tell how far the mesh has converged."""
+    """The end of the range with half the elements, to see how far the mesh has converged."""
     system = make(elements=ELEMENTS // 2).build()
     half = system.equilibrium(t=d.largest_drive / 2)
     return station(system, d, system.equilibrium(half, t=d.largest_drive))

@@ -70,7 +70,7 @@ def test_a_row_that_was_not_measured_is_refused() -> None:
 def test_new_figures_replace_those_of_their_rows(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """With --check nothing is written, and the exit status tells what differs."""
+    """With --check nothing is written, and the exit status says so what differs."""
     page, new = tmp_path / "page.md", tmp_path / "new.json"
     page.write_text("<!--measured: ride walk-->\n<!--end-->\n")
     monkeypatch.setattr(measured, "KEPT", tmp_path / "measured.json")

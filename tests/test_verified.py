@@ -48,7 +48,7 @@ def test_a_table_is_written_from_the_findings(table: str, line: str) -> None:
 def test_new_findings_are_kept_and_fill_the_page(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """With --check nothing is written, and the exit status tells whether the page differs."""
+    """With --check nothing is written, and the exit status says so whether the page differs."""
     monkeypatch.setattr(verified, "PAGE", tmp_path / "page.md")
     monkeypatch.setattr(verified, "KEPT", tmp_path / "kept.json")
     verified.PAGE.write_text("<!--campaign: run-->\n<!--end-->\n")

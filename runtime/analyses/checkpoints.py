@@ -1,4 +1,4 @@
-"""Checkpoints: the motion so far in a file while a simulation runs, from which a killed one goes on."""
+"""Checkpoints: the motion so far in a file while a simulation runs, from which an aborted one continues."""
 
 from __future__ import annotations
 

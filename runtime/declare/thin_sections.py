@@ -111,7 +111,7 @@ class UBeam:
         return self._clear * self.web / self.A, 5 / 3 * self.width * self.flange / self.A
 
     def stresses(self, f: SectionForces) -> list[StressPoint]:
-        """Largest normal and shear stress of the whole outline, taken together on the safe side."""
+        """Largest normal and shear stress of the whole outline, combined conservatively."""
         b, h, e = self._walls
         return combined(self, f, max(self.flange, self.web), h / 2 * max(e, b - e))
 
@@ -217,7 +217,7 @@ class LBeam:
         return 5 / 6 * in_y, 5 / 6 * (1 - in_y)
 
     def stresses(self, f: SectionForces) -> list[StressPoint]:
-        """Largest normal and shear stress of the whole outline, taken together on the safe side."""
+        """Largest normal and shear stress of the whole outline, combined conservatively."""
         leg = max(self.height, self.width) - self.thickness / 2
         return combined(self, f, self.thickness, leg * self.thickness / 2)
 

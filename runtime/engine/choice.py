@@ -147,7 +147,7 @@ class Choice(Struct):
         return self.G.reshape(-1, self.struct.columns)[:, :nd].copy()
 
     def reset(self) -> None:
-        """Forget what was found on the way: what follows then depends on nothing computed before.
+        """Discard intermediate results: what follows then depends on nothing computed before.
 
         These are pivot orders, and rates of fixed coordinates that a user's state may have had.
         """

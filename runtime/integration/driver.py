@@ -115,7 +115,7 @@ class Run(ABC):
         """Coordinates, rates and deformations at the current time, and internal states of laws."""
 
     def go_on(self, until: float) -> None:
-        """Move on to another time, from a motion that has ended; what was stored before is dropped."""
+        """Continue to another time, from a motion that has ended; what was stored before is dropped."""
         self.times = np.array([self.t, until])
         self.result = self.result.last()
 

@@ -111,7 +111,7 @@ def start_of(system: Core, method: str, start: Any, options: Options) -> State:
 
 @dataclass(frozen=True)
 class Suitable:
-    """What a system asks of an integrator at its start.
+    """Demands of a system on an integrator at its start.
 
     Attributes
     ----------
@@ -130,7 +130,7 @@ class Suitable:
 
 
 def suitable(system: Core, start: State) -> Suitable:
-    """What a system asks of an integrator at a start; no eigenvalues are taken of very large systems."""
+    """Demands of a system on an integrator at a start; no eigenvalues are taken of very large systems."""
     if system.roles.nd > MANY:
         return Suitable(ALPHA, f"{system.roles.nd} degrees of freedom, above {MANY}")
     try:

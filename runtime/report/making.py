@@ -67,7 +67,7 @@ def check_possible(parts: Sequence[str]) -> None:
     if lacking:
         raise FlexelError(
             f"report: {lacking[0]} needs a checkout of flexel ({NEEDS_CHECKOUT[lacking[0]]}), and "
-            f"{Path(flexel.__file__).parent} is in none; run `make report` in a clone of the sources, or leave "
+            f"{Path(flexel.__file__).parent} is not in one; run `make report` in a clone of the sources, or leave "
             f"{' and '.join(lacking)} out"
         )
 

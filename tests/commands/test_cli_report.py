@@ -186,7 +186,7 @@ def test_the_program_of_a_failed_property_is_printed(page: Page) -> None:
         ("reproduce", json.dumps(changed(REPRODUCE, "quantities", 0, "computed", to=["x"])), "'tip' is damaged"),
         ("bench", json.dumps(changed(BENCH, 0, "peers", "symbrim", to=[1])), "the file[0].peers.symbrim is [1], not"),
         ("campaign", "null", "the file is null, not an object"),
-        ("sanitize", json.dumps(changed(SANITIZE, "found", to=[1])), "the file.found[0] is 1, not a text"),
+        ("sanitize", json.dumps(changed(SANITIZE, "found", to=[1])), "the file.found[0] is 1, not a string"),
         ("facts", "{", "not JSON"),
     ],
 )  # fmt: skip
