@@ -228,7 +228,7 @@ def counts(results: Results) -> list[Quantity]:
     """Size of the model."""
     found = results.system.counts
     return [
-        Quantity("freedoms", found["degrees_of_freedom"], 3, 0, "", data.TALK, kind="published"),
+        Quantity("degrees_of_freedom", found["degrees_of_freedom"], 3, 0, "", data.TALK, kind="published"),
         Quantity(
             "kinematic_coordinates", found["kinematic_coordinates"], 4, 0, "", data.TALK, kind="published"
         ),

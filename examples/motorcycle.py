@@ -153,7 +153,9 @@ def reproduce(out: Path | None = None) -> Report:
     error = mismatch(system, straight(system, 30.0))
     counted = "six of the frame, steering, fork, swinging arm, spins"
     rows = [
-        Quantity("freedoms", system.counts["degrees_of_freedom"], 11, 0, "", counted, kind="closed form"),
+        Quantity(
+            "degrees_of_freedom", system.counts["degrees_of_freedom"], 11, 0, "", counted, kind="closed form"
+        ),
         Quantity(
             "linearization_error",
             error,

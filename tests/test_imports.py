@@ -155,7 +155,7 @@ def test_the_specification_brings_no_sympy() -> None:
 
 
 def test_import_flexel_is_light() -> None:
-    """`import flexel` loads no numerical or symbolic package (`flexel bench start` tells how long it takes)."""
+    """`import flexel` loads no numerical or symbolic package (`flexel bench start` shows how long it takes)."""
     code = (
         "import sys; import flexel;"
         "heavy = {'sympy', 'jinja2', 'numpy', 'scipy', 'matplotlib', 'cffi', 'click'} & set(sys.modules);"

@@ -45,7 +45,7 @@ def test_a_number_before_a_mark_is_filled_in_its_own_style(before: str, after: s
     ("mark", "said"),
     [("12.33<!--= speed-->", "12.33 (= speed) is 12.3456"), ("1e-6<!--≤ speed:error-->", "is 3.21e-06")],
 )
-def test_a_number_that_the_program_does_not_give_is_told(mark: str, said: str) -> None:
+def test_a_number_that_the_program_does_not_give_is_reported(mark: str, said: str) -> None:
     (found,) = quoted.wrong(f"<!--quoted: road-->{mark}", TABLES)
     assert said in found
 
@@ -65,7 +65,7 @@ def test_the_pages_are_filled_from_the_kept_tables() -> None:
     assert set(quoted.kept()) == set(CASES)
 
 
-def test_rows_of_another_kind_or_that_fail_are_told() -> None:
+def test_rows_of_another_kind_or_that_fail_are_reported() -> None:
     files = {"road": [dict(z) for z in TABLES["road"]]}
     assert quoted.differences(TABLES, files) == []
     files["road"][0]["kind"] = "published"

@@ -82,7 +82,7 @@ def test_a_row_has_its_peers_in_json_and_in_the_table(programs: Callable[..., No
     assert "aim" not in lines["quick"] and lines["absent"].split(maxsplit=1)[1] == "not installed"
 
 
-def test_a_peer_that_fails_or_is_inaccurate_is_told_and_the_row_goes_on(
+def test_a_peer_that_fails_or_is_inaccurate_is_reported_and_the_row_goes_on(
     programs: Callable[..., None],
 ) -> None:
     def broken() -> Work:

@@ -71,16 +71,18 @@ def test_what_needs_a_checkout_says_so(part: str, tmp_path: Path, monkeypatch: p
 
 
 @pytest.mark.parametrize(
-    ("arguments", "told"),
+    ("arguments", "reported"),
     [
         (["--run", "verfy"], "no part named 'verfy'; there are: verify, reproduce"),
         (["--run"], "write --run and the parts"),
         (["verify"], "write --run and the parts"),
     ],
 )
-def test_arguments_that_cannot_be_meant_are_refused(arguments: list[str], told: str, tmp_path: Path) -> None:
+def test_arguments_that_cannot_be_meant_are_refused(
+    arguments: list[str], reported: str, tmp_path: Path
+) -> None:
     result = report(*arguments, "--from", str(tmp_path))
-    assert result.exit_code == 2 and told in result.stderr
+    assert result.exit_code == 2 and reported in result.stderr
 
 
 def test_all_parts_have_a_command(tmp_path: Path) -> None:

@@ -129,6 +129,6 @@ def test_pieces_that_are_no_lists_are_refused(given: Any, message: str) -> None:
         fx.Curve(*given)
 
 
-def test_a_place_that_is_no_number_is_refused() -> None:
+def test_a_place_that_is_not_a_number_is_refused() -> None:
     with pytest.raises(fx.ModelError, match="curve: place 'a' is not numeric; give"):
         fx.Curve([[0.0, 1.0]])("a")  # type: ignore[arg-type]

@@ -229,7 +229,7 @@ E, ED = sympy.symbols("e ed", real=True)
         sympy.log(E) + sympy.Piecewise((E, E < 0), (2 * E, True)),
     ],
 )
-def test_pieces_that_join_are_no_jump(formula: Any) -> None:
+def test_pieces_that_join_are_not_a_jump(formula: Any) -> None:
     check_law_joins("law on 'strut.elongation'", formula)
 
 

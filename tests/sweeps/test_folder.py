@@ -142,7 +142,7 @@ def test_ctrl_c_keeps_what_is_done(tmp_path: Path, executor: str) -> None:
     assert 20 <= kept < 2000
 
 
-def test_an_interrupted_simulation_is_no_result(tmp_path: Path) -> None:
+def test_an_interrupted_simulation_is_not_a_result(tmp_path: Path) -> None:
     """`System.simulate` answers Ctrl-C with the motion up to there: a sweep does not take it for the whole."""
 
     def analyse(system: fx.System) -> dict[str, float]:
