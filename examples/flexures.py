@@ -5,7 +5,7 @@ springs that cross at right angles in their middles (through a slot) and let a b
 gives, along the range: compliance and stiffness in every direction, frequencies, the largest stress, buckling
 multipliers of a payload along x; and what is over-constrained, by name.  At the start of the range, and under
 payload, closed forms are known; the rest is reported.
-Imports numpy and flexel; the table is made in `flexel.examples.flexures_table`, the pictures in
+The table is made in `flexel.examples.flexures_table`, the pictures in
 `flexel.examples.flexures_figures`.
 """
 

@@ -1,7 +1,4 @@
-"""The table of the flexure mechanisms: computed quantities beside their closed forms, and what is reported only.
-
-Imports numpy and flexel.
-"""
+"""The table of the flexure mechanisms: computed quantities beside their closed forms, and what is reported only."""
 
 from __future__ import annotations
 

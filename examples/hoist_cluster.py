@@ -3,7 +3,7 @@
 ``python -m flexel.examples.hoist_cluster`` starts two workers on this machine; with the address of a scheduler, such as
 ``tcp://node:8786``, it uses the cluster there.  Each point computes the rope at rest under the first share of the load,
 applies the rest at once, and follows the blow.
-Imports numpy and flexel; the cluster needs dask.distributed, the extra ``cluster``.
+The cluster needs dask.distributed, the extra ``cluster``.
 """
 
 from __future__ import annotations

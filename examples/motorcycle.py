@@ -3,7 +3,6 @@
 Rear frame with rider, swinging arm, telescopic fork on an inclined steering axis, two wheels with compliant toroidal
 tyres (crown radius, Magic Formula with relaxation). The data are those of no real machine, but of usual size. Weave,
 wobble and capsize are followed over the speed. x forward, y left, z up, origin on the road below the rear hub.
-Imports numpy and flexel.
 """
 
 from __future__ import annotations
