@@ -82,7 +82,7 @@ class Stepper:
         self.reset()
 
     def reset(self, start: State | None = None) -> Array:
-        """Begin anew with all inputs zero; returns the outputs.
+        """Restart with all inputs zero; returns the outputs.
 
         Parameters
         ----------

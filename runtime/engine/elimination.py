@@ -32,7 +32,7 @@ class Elimination:
     size : int
         Unknowns.
     samples : tuple of ndarray (stored,), optional
-        Stored matrices for which the first order is sought.
+        Stored matrices from which the first order is determined.
 
     Attributes
     ----------

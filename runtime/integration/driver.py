@@ -73,7 +73,7 @@ class Run(ABC):
 
     @property
     def step(self) -> float | None:
-        """A first step [s] with which the motion can go on from here; None if the method chooses it anew."""
+        """A first step [s] with which the motion can continue from here; None if the method chooses it again."""
         return None
 
     def run(self, progress: bool | None, each: Callable[[Run], None] | None = None) -> Integration:
@@ -120,7 +120,7 @@ class Run(ABC):
         self.result = self.result.last()
 
     def so_far(self) -> Integration:
-        """The results so far and the current state, in lists of their own; the run goes on unchanged."""
+        """The results so far and the current state, in lists of their own; the run continues unchanged."""
         stored = len(self.result.states)
         found = self.kept("not at its end").copy()
         self.result.cut(stored)

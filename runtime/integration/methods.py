@@ -63,7 +63,7 @@ class Options:
         return default if given is None else step_limit(given, "simulate", name, least)
 
     def with_first(self, step: float | None) -> Options:
-        """The same with another first step, to go on from a state; constant steps stay as they are."""
+        """The same with another first step, to continue from a state; constant steps stay as they are."""
         return self if self.step is not None else replace(self, first_step=step)
 
     @property
@@ -206,7 +206,7 @@ def _atol(system: Core, options: Options) -> float | Array:
     given = vector(options.atol, "simulate", "atol", size)
     if options.rechoose is not False:
         raise ModelError(
-            "simulate: atol of each variable, but these may be chosen anew during the motion; give rechoose=False too"
+            "simulate: atol of each variable, but the variables may change during the motion; give rechoose=False too"
         )
     if np.any(given <= 0):
         raise ModelError(f"simulate: atol {given.min():g} is too small; give more than 0")

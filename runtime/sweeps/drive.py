@@ -21,7 +21,7 @@ TARGET = 0.2  # time that a chunk is to take [s], at least: handing one out cost
 APART = 0.01
 LARGEST = 20_000  # points of a chunk
 MOST_BYTES = 1 << 24  # results of a chunk
-AHEAD = 2  # chunks handed out for each worker, so that none waits
+AHEAD = 2  # chunks submitted for each worker, so that none waits
 PARTS = 16  # of a chunk in which a point kills its worker
 PATIENCE = 3  # points that may kill their workers before any other has been computed
 
@@ -163,7 +163,7 @@ class Drive:
         self.held.clear()
 
     def _died(self, future: Future[Outcome], error: BaseException) -> None:
-        """The worker of a chunk is gone; an executor of processes has then lost all that it had."""
+        """The worker of a chunk has died; an executor of processes has then lost all that it had."""
         if isinstance(error, BrokenExecutor):
             self._broken(error)
         else:

@@ -64,7 +64,7 @@ def sweep(
         Results go to this folder as they come. The same call continues what was interrupted in whatever way. Without it
         they are kept in memory at the end.
     chunk : int, optional
-        Number of points handed to a worker at a time; by default as many as take 0.2 s.
+        Number of points given to a worker at a time; by default as many as take 0.2 s.
     retry_failed : bool
         Compute points again that failed when the folder was written.
     progress : bool, optional

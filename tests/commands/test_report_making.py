@@ -27,8 +27,8 @@ def test_the_parts_are_made_and_the_page_says_when(tmp_path: Path, monkeypatch: 
     (folder / "bench.json").write_text("old")
     programs = {"verify": VERIFY, "bench": BENCH}
 
-    def command(part: str, file: Path, wish: making.Wish) -> tuple[list[str], None]:
-        assert (wish.rows, wish.models, wish.seed) == (["chain_40"], 7, 3)
+    def command(part: str, file: Path, request: making.Request) -> tuple[list[str], None]:
+        assert (request.rows, request.models, request.seed) == (["chain_40"], 7, 3)
         code = f"open({str(file)!r}, 'w').write({json.dumps(programs[part])!r})"
         return [sys.executable, "-c", code if part == "verify" else "raise SystemExit(3)"], None
 
@@ -86,8 +86,8 @@ def test_arguments_that_cannot_be_meant_are_refused(
 
 
 def test_all_parts_have_a_command(tmp_path: Path) -> None:
-    wish = making.Wish(["chain_40"], 5, 2)
-    commands = {part: making._command(part, tmp_path / "x.json", wish)[0] for part in NAMES}
+    request = making.Request(["chain_40"], 5, 2)
+    commands = {part: making._command(part, tmp_path / "x.json", request)[0] for part in NAMES}
     assert commands["bench"][1:] == ["-m", "flexel", "bench", "chain_40", "--json", str(tmp_path / "x.json")]
     assert commands["campaign"][1:7] == ["-m", "campaign", "--models", "5", "--seed", "2"]
     assert (
