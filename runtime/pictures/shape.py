@@ -10,6 +10,7 @@ import numpy as np
 from flexel.base.arrays import Array, Index
 from flexel.base.quaternions import matrix
 from flexel.declare.closed_profile import ClosedProfile
+from flexel.declare.looks import Look
 from flexel.declare.materials import Profile
 from flexel.declare.round_sections import Circle, Tube
 from flexel.declare.sections import IBeam, Rectangle, Section
@@ -49,6 +50,8 @@ class Shape:
         A surface that the pose carries, in the body's axes [m].
     colour : str, optional
         Its own colour.
+    opacity : float
+        From 0 to 1.
     """
 
     style: str
@@ -61,6 +64,7 @@ class Shape:
     values: Mapping[str, Array] = field(default_factory=dict)
     surface: tuple[Array, Index] | None = None
     colour: str | None = None
+    opacity: float = 1.0
 
 
 UNITS = {
@@ -137,7 +141,9 @@ def outline_of(section: Section) -> Array:
 
 
 def section_outline(instance: Instance) -> Array | None:
-    """Outline of an element's section, if it has one."""
+    """Outline of the section that an element is to be shown with, or else of its own, if it has one."""
+    if isinstance(instance.look, Look) and instance.look.section is not None:
+        return outline_of(instance.look.section)
     return outline_of(instance.profile.section) if isinstance(instance.profile, Profile) else None
 
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from flexel.base.arrays import Array, ComplexArray
 from flexel.base.errors import DynamicsError, ModelError
+from flexel.integration.outcome import Integration
 from flexel.results.motion import Motion
 from flexel.spacar.count import count_lines
 from flexel.spacar.listing import frequency_lines, linear_lines, matrix_lines, state_lines
@@ -137,18 +138,19 @@ def _space_along(file: Spacar) -> Analysis:
 
 def _load_steps(file: Spacar) -> Analysis:
     system, states = file.static_steps()
+    motion = Motion(system, Integration.of_equilibria(states, f"{file.increments} load steps"))
     results = _histories(file, states, np.array([z.t for z in states]))
     lines = state_lines(file, states[-1])
     try:
         every = [file.matrices(state, system=system) for state in states]
     except DynamicsError as error:
-        return Analysis([*lines, f"no matrices: {error}"], results, None, states, system)
+        return Analysis([*lines, f"no matrices: {error}"], results, motion, states, system)
     stacked: Results = {name: np.array([z.as_dict()[name] for z in every]) for name in every[0].as_dict()}
     lines += linear_lines(every[-1])
     if not system.kinematic:
         stacked["frequencies"] = _real(np.array([z.frequencies() for z in every]))
         lines += frequency_lines(every[-1].frequencies())
-    return Analysis(lines, results | stacked, None, states, system)
+    return Analysis(lines, results | stacked, motion, states, system)
 
 
 def _real(found: ComplexArray) -> Array | ComplexArray:

@@ -248,6 +248,8 @@ def part(shapes: Sequence[Shape]) -> dict[str, Any]:
         found["outline"] = rounded(first.outline)
     if first.colour is not None:
         found["colour"] = first.colour
+    if first.opacity < 1:
+        found["opacity"] = first.opacity
     if first.surface is not None:
         vertices, triangles = first.surface
         found["surface"] = packed([vertices])
