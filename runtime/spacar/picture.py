@@ -144,7 +144,8 @@ class Picture:
         """Add the call for a group, or note that it has no effect."""
         head, notes = group.line.keyword, self.sheet.notes
         if head == "INITIAL":
-            notes.add(group.line, "no effect: the drawn position has no colour of its own here")
+            for line in (group.line, *group.own.values()):
+                notes.add(line, "no effect: the drawn position has no colour of its own here")
             return
         options: dict[str, Any] = {"hidden": True} if head == "DONOTDRAW" else {}
         section = self._section(group)

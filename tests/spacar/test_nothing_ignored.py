@@ -99,7 +99,7 @@ def silent(tmp_path: Path, text: str) -> list[str]:
     lines = [line for line in lines if line.strip() and not line.startswith("*")]
     whole = file(tmp_path, *lines)
     before = content(whole)
-    noted = {int(z) for note in whole.notes if "effect" in note for z in _numbers(note)}
+    noted = {int(z) for note in whole.notes if "effect" in note or "not read" in note for z in _numbers(note)}
     found = []
     for i, line in enumerate(lines):
         words = line.split()

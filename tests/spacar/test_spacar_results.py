@@ -128,7 +128,9 @@ def test_a_state_space_file_with_all_entries(tmp_path: Path) -> None:
         kept = {tag: z for tag, z in records.items() if tag != "D"}
         without = fx.load(write(tmp_path / "b.ltv", constant, kept))
         assert isinstance(without, fx.SpacarRecords) and not without.state_space(0)[3].any()
-    no_inputs = {tag: z[:, :, :0] if tag == "B" else z for tag, z in records.items() if tag not in ("D", "U0")}
+    no_inputs = {
+        tag: z[:, :, :0] if tag == "B" else z for tag, z in records.items() if tag not in ("D", "U0")
+    }
     free = fx.load(write(tmp_path / "c.ltv", {"LTV": "LTV", "NU": [[0]]}, no_inputs))
     assert isinstance(free, fx.SpacarRecords) and free.state_space(0)[3].shape == (ny, 0)
 

@@ -16,6 +16,7 @@ from flexel.base.errors import ModelError
 from flexel.results.saved.record import require
 from flexel.results.saved.spacar_entries import Entries
 
+
 @dataclass(frozen=True)
 class SpacarRecords(Portable):
     """Matrices at several times or load steps, from a file of SPACAR; ``records["M0"]`` are those of one tag.
@@ -72,7 +73,9 @@ class SpacarRecords(Portable):
         if not -len(self) <= record < len(self):
             raise ModelError(f"{owner}: record {record} does not exist; there are {len(self)}, from 0")
         A, B, C = (self.matrices[z][record] for z in "ABC")
-        through = "D" in self.matrices and np.any(self.constant.get("DFT", 1))  # else outputs see no input directly
+        through = "D" in self.matrices and np.any(
+            self.constant.get("DFT", 1)
+        )  # else outputs see no input directly
         return A, B, C, self.matrices["D"][record] if through else np.zeros((C.shape[0], B.shape[1]))
 
     def to_xarray(self) -> Any:
