@@ -113,6 +113,20 @@ def extent(structure: Structure) -> float:
     return max(sizes) or 3 * gyration or 1.0
 
 
+def lowest(shape: Shape, up: Array) -> float:
+    """The height along `up` of the lowest place of a shape, with the section that is swept along it."""
+    low = float(np.min(np.vstack(shape.lines) @ up))
+    if shape.outline is None:
+        return low
+    if shape.across is None:
+        return low - float(np.max(np.linalg.norm(shape.outline, axis=1)))
+    for line in shape.lines:
+        for end, along, y in ((line[0], line[1] - line[0], 0), (line[-1], line[-1] - line[-2], 1)):
+            z = np.cross(along / np.linalg.norm(along), shape.across[y])
+            low = min(low, float(np.min(end @ up + shape.outline @ np.array([shape.across[y] @ up, z @ up]))))
+    return low
+
+
 def circle(radius: float, corners: int = CORNERS) -> Array:
     """Outline (corners, 2) of a round section."""
     angles = np.arange(corners) * 2 * np.pi / corners

@@ -107,7 +107,8 @@ def _static(file: Spacar) -> Analysis:
     lines += frequency_lines(found)
     if file.model.loads:
         results["multipliers"] = np.array([z.multiplier for z in file.buckling()])
-        lines += ["load multipliers of buckling", *(f"  {z: .9e}" for z in results["multipliers"])]
+        multipliers = [f"  {z: .9e}" for z in results["multipliers"]]
+        lines += ["load multipliers of buckling", *(multipliers or ["  none: these loads do not buckle it"])]
     try:
         matrices = file.matrices(state)
     except DynamicsError as error:  # equilibria and frequencies need no mass for every degree of freedom
