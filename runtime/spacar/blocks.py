@@ -34,8 +34,9 @@ class Raw:
 
 
 def picture_at(raw: Sequence[Raw]) -> int:
-    """Place of the line where the appearance of a picture begins; the number of lines if there is none."""
-    return next((i for i, line in enumerate(raw) if line.key in PICTURE), len(raw))
+    """Place of the line where the appearance of a picture begins; the number of lines if none is before EOF."""
+    found = next((i for i, line in enumerate(raw) if line.key in (*PICTURE, "EOF")), len(raw))
+    return len(raw) if found < len(raw) and raw[found].key == "EOF" else found
 
 
 def recognized(raw: Sequence[Raw]) -> str:

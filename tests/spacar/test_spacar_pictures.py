@@ -4,7 +4,7 @@ import re
 from pathlib import Path
 
 import pytest
-from spacar_lines import file
+from spacar_lines import CRANK, file
 
 import flexel as fx
 from flexel.pictures import drawing
@@ -119,6 +119,16 @@ def test_groups_without_elements_are_about_all_of_them(tmp_path: Path) -> None:
         'm.look(("beam1", "beam2", "beam3"), section=fx.Rectangle(0.02, 0.01))',
         'm.look(("beam1", "beam2", "beam3", "hinge4"), colour=(0.0, 1.0, 0.0))',
     ]
+
+
+def test_what_comes_after_the_end_of_the_file_is_not_read(tmp_path: Path) -> None:
+    found = file(tmp_path, *CRANK, "END", "EOF", "VISUALIZATION", "GRAPHICS 99", "OPACITY 7", dialect="delft")
+    assert looks(found) == [] and found.notes == ()
+
+
+def test_the_section_may_begin_on_the_line_of_its_name(tmp_path: Path) -> None:
+    found = file(tmp_path, *MODEL, "visualization graphics 2", "opacity 0.5")
+    assert looks(found) == ['m.look(("beam2",), opacity=0.5)']
 
 
 @pytest.mark.parametrize(
