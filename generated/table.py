@@ -3201,7 +3201,7 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("rope_radius", 1, "m", "outer radius of the rope"),
         ),
         deformations=(
-            DeformationSpec("gap", "m", True, kind="gap"),
+            DeformationSpec("gap", "m", True, kind="gap", kinked=True),
         ),
         slips=(
             SlipSpec("tangential", "m/s", True),
@@ -3277,7 +3277,7 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("rope_radius", 1, "m", "outer radius of the rope"),
         ),
         deformations=(
-            DeformationSpec("gap", "m", True, kind="gap"),
+            DeformationSpec("gap", "m", True, kind="gap", kinked=True),
         ),
         slips=(
             SlipSpec("tangential", "m/s", True),
@@ -3553,7 +3553,7 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("sphere_radius", 1, "m", "radius of the sphere; 0: a point", sign=("not negative",)),
         ),
         deformations=(
-            DeformationSpec("gap", "m", True, kind="gap"),
+            DeformationSpec("gap", "m", True, kind="gap", kinked=True),
         ),
         slips=(
             SlipSpec("tangential", "m/s", True),
@@ -3838,7 +3838,7 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("sphere_radius", 1, "m", "radius of the sphere; 0: a point", sign=("not negative",)),
         ),
         deformations=(
-            DeformationSpec("gap", "m", True, kind="gap"),
+            DeformationSpec("gap", "m", True, kind="gap", kinked=True),
         ),
         slips=(
             SlipSpec("tangential", "m/s", True),

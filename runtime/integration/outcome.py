@@ -168,6 +168,12 @@ class Integration:
     ledger: dict[str, list[float]] | None = None
     rechoices: list[tuple[float, tuple[str, ...], tuple[str, ...]]] = field(default_factory=list)
 
+    @classmethod
+    def of_equilibria(cls, states: Sequence[State], message: str) -> Integration:
+        """Equilibria in the order of their load parameter, without anything between them."""
+        counts = {"steps": len(states) - 1, "evaluations": 0, "rechoices": 0}
+        return cls(States(states), [], [], counts, message)
+
     def copy(self) -> Integration:
         """The same results in lists of their own."""
         ledger = None if self.ledger is None else {name: list(z) for name, z in self.ledger.items()}
