@@ -7,7 +7,7 @@ import warnings
 from flexel.base.arguments import number
 from flexel.base.errors import AssemblyWarning, ModelError
 from flexel.declare.declarations import Declarations
-from flexel.declare.resolution import check_laws, check_names, norms, resolve_roles
+from flexel.declare.resolution import check_names, norms, resolve_roles
 from flexel.engine.evaluate import Evaluation
 from flexel.mechanics.as_drawn import misfit
 from flexel.mechanics.diagnose import choose_dofs, named_dofs
@@ -28,7 +28,6 @@ def build(model: Declarations, t: float) -> System:
         model.nodes.values(), [*model.instances.values(), *norms(model)], model.laws
     )
     check_size(structure)
-    check_laws(structure)
     evaluation = Evaluation(structure)
     roles = resolve_roles(model, structure)
     loads = Loads(structure, tuple(model.loads))
