@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import warnings
 
 from flexel.base.arguments import number
@@ -17,6 +18,8 @@ from flexel.rope.free_ends import check_free_ends
 from flexel.structure.loads import Loads
 from flexel.structure.structure import assemble_structure
 from flexel.system import System
+
+log = logging.getLogger("flexel.build")
 
 
 def build(model: Declarations, t: float) -> System:
@@ -43,4 +46,6 @@ def build(model: Declarations, t: float) -> System:
     dynamic = named_dofs(structure, model._dynamic, "independent")
     kinematic = named_dofs(structure, model._kinematic, "kinematic")
     chosen = choose_dofs(kinematics, c.J, dynamic, kinematic)
-    return System(evaluation, loads, chosen, c, model._rates)
+    system = System(evaluation, loads, chosen, c, model._rates)
+    log.info("%s; degrees of freedom %s", system, "chosen" if model._dynamic is None else "as named")
+    return system

@@ -7,6 +7,7 @@ largest entries.
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -25,6 +26,7 @@ from flexel.mechanics.kinematics import Kinematics
 from flexel.structure.roles import Roles
 from flexel.structure.structure import Structure
 
+log = logging.getLogger("flexel.build")
 _block_array: Any = block_array
 RANK_TOLERANCE = 1e-9  # singular value of the row-scaled constraint matrix that counts as zero
 SINGULAR = "no independent coordinates can be chosen here: the position is singular"
@@ -73,6 +75,7 @@ def _report_redundancy(structure: Structure, roles: Roles, rows: Index, left: Ar
         return
     names: list[str] = []
     for column in left.T:
+        log.info("not independent: %s", quoted(largest(structure, rows, column)))
         names += [z for z in largest(structure, rows, column) if z not in names]
     count = left.shape[1]
     mine = [z for z in names if structure.find(z) not in roles.prescribed]
