@@ -73,11 +73,9 @@ def _report_redundancy(structure: Structure, roles: Roles, rows: Index, left: Ar
     """Raise if there are left null vectors (rows, l) of the constraint rows."""
     if not left.shape[1]:
         return
-    names: list[str] = []
-    for column in left.T:
-        log.info("not independent: %s", quoted(largest(structure, rows, column)))
-        names += [z for z in largest(structure, rows, column) if z not in names]
-    count = left.shape[1]
+    concerned, count = [largest(structure, rows, column) for column in left.T], left.shape[1]
+    log.info("not independent: %s", "; ".join(map(quoted, concerned)))
+    names = list(dict.fromkeys(z for each in concerned for z in each))
     mine = [z for z in names if structure.find(z) not in roles.prescribed]
     mine.sort(key=lambda z: structure.find(z) not in roles.zero)  # slips are released first
     remedy = f"m.release('{mine[0]}')" if mine else f"without m.prescribe('{names[0]}', …)"
