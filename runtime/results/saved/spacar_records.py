@@ -11,6 +11,7 @@ from flexel.base.arguments import index, text, unknown
 from flexel.base.arrays import Array
 from flexel.base.copies import Portable
 from flexel.base.errors import ModelError
+from flexel.base.outside import Dataset
 from flexel.results.saved.record import require
 from flexel.results.saved.spacar_entries import Entries
 
@@ -75,7 +76,7 @@ class SpacarRecords(Portable):
         A, B, C, D = (self.matrices[z][record] for z in STATE_SPACE)
         return A, B, C, D
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """All matrices as one xarray.Dataset over the records."""
         dims = {tag: ("record", f"{tag}_row", f"{tag}_column") for tag in self.matrices}
         data = {tag: (dims[tag], z) for tag, z in self.matrices.items()}
