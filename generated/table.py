@@ -1641,6 +1641,70 @@ ELEMENTS: dict[str, ElementSpec] = {
         },
         picture="cam",
     ),
+    # element flat_cam
+    "flat_cam": ElementSpec(
+        name="flat_cam",
+        digest="8e6868f82116424d",
+        doc="n: normal of the face, first column of R(lambda_q o tq);  (a, b) = components of n on ex, ey, columns of R(lambda_p o tp)\npsi = atan2(b, a), u = 48 psi/(2 pi), between i and i + 1; t = u - i\nh = sum over j = 0 ... 5 of control[(i + j - 2) mod 48] B_j(t), uniform B-splines of degree five\ngap = n.(xq - xp) - h sqrt(a^2 + b^2)",
+        source="support function of a convex cam; de Boor 1978, A Practical Guide to Splines",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("rp", "frame"),
+            NodeSpec("q", "point"),
+            NodeSpec("rq", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("tp", 4, "1", "unit quaternion from the body frame of node p to the element's triad there"),
+            ParameterSpec("tq", 4, "1", "unit quaternion from the body frame of node q to the element's triad there"),
+            ParameterSpec("control", 48, "m", "control values of the periodic spline of degree five, its knots at equal steps of the angle"),
+        ),
+        deformations=(
+            DeformationSpec("gap", "m", False, kind="gap"),
+        ),
+        slips=(),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 14), tuple(range(14))),
+                    OutputSpec("V", (0, 14), ()),
+                ),
+                798,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (0,), ()),
+                ),
+                1067,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (1, 14), tuple(range(14))),
+                ),
+                1315,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (1, 14), tuple(range(14))),
+                    OutputSpec("Psi_v", (1, 14), tuple(range(14))),
+                ),
+                2538,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (14, 14), (10, 11, 12, 13, 24, 25, 26, 27, 38, 39, 40, 41, 45, 46, 47, 48, 52, 53, 54, 55, 59, 60, 61, 62, 66, 67, 68, 69, 73, 74, 75, 76, 80, 81, 82, 83, 87, 88, 89, 90, 94, 95, 96, 97, 108, 109, 110, 111, 122, 123, 124, 125, 136, 137, 138, 139, 140, 141, 142, 143, 144, 145, 146, 147, 148, 149, 150, 151, 152, 153, 154, 155, 156, 157, 158, 159, 160, 161, 162, 163, 164, 165, 166, 167, 168, 169, 170, 171, 172, 173, 174, 175, 176, 177, 178, 179, 180, 181, 182, 183, 184, 185, 186, 187, 188, 189, 190, 191, 192, 193, 194, 195)),
+                ),
+                1967,
+            ),
+        },
+        picture="flat cam",
+    ),
     # element planar_point_mass
     "planar_point_mass": ElementSpec(
         name="planar_point_mass",
@@ -2549,6 +2613,70 @@ ELEMENTS: dict[str, ElementSpec] = {
             ),
         },
         picture="cam",
+    ),
+    # element planar_flat_cam
+    "planar_flat_cam": ElementSpec(
+        name="planar_flat_cam",
+        digest="b3acdf81245f1bdb",
+        doc="n: normal of the face, direction angle_q + alphaq0;  (a, b) = components of n on ex, ey (angle_p + alpha0)\npsi = atan2(b, a), u = 48 psi/(2 pi), between i and i + 1; t = u - i\nh = sum over j = 0 ... 5 of control[(i + j - 2) mod 48] B_j(t), uniform B-splines of degree five\ngap = n.(xq - xp) - h",
+        source="support function of a convex cam; de Boor 1978, A Practical Guide to Splines",
+        nodes=(
+            NodeSpec("p", "planar_point"),
+            NodeSpec("rp", "planar_angle"),
+            NodeSpec("q", "planar_point"),
+            NodeSpec("rq", "planar_angle"),
+        ),
+        parameters=(
+            ParameterSpec("alpha0", 1, "rad", "initial direction of the element minus the angle of node p"),
+            ParameterSpec("alphaq0", 1, "rad", "initial direction of the element minus the angle of node q"),
+            ParameterSpec("control", 48, "m", "control values of the periodic spline of degree five, its knots at equal steps of the angle"),
+        ),
+        deformations=(
+            DeformationSpec("gap", "m", False, kind="gap"),
+        ),
+        slips=(),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 6), tuple(range(6))),
+                    OutputSpec("V", (0, 6), ()),
+                ),
+                518,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (0,), ()),
+                ),
+                653,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (1, 6), tuple(range(6))),
+                ),
+                594,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (1, 6), tuple(range(6))),
+                    OutputSpec("Psi_v", (1, 6), tuple(range(6))),
+                ),
+                1015,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (6, 6), (5, 11, 14, 17, 23, 29, 30, 31, 32, 33, 34, 35)),
+                ),
+                608,
+            ),
+        },
+        picture="flat cam",
     ),
     # element planar_body_velocity
     "planar_body_velocity": ElementSpec(
