@@ -233,6 +233,7 @@ extern const flexel_law flexel_law_friction;
 extern const flexel_law flexel_law_slip_friction;
 extern const flexel_law flexel_law_limits;
 extern const flexel_law flexel_law_loose_journal;
+extern const flexel_law flexel_law_loose_ball;
 /* cdef: end */
 
 #endif
