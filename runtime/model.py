@@ -66,7 +66,7 @@ class Model(
         Raises
         ------
         ModelError
-            Unknown names, contradicting roles.
+            Contradicting roles.
         ConstraintError
             Over- or under-constrained, named by deformations or coordinates.
         PositionError
@@ -104,7 +104,7 @@ class Model(
         Raises
         ------
         ModelError
-            Unknown names, contradicting roles.
+            Contradicting roles.
 
         Examples
         --------
@@ -112,5 +112,6 @@ class Model(
         1 degree(s) of freedom left by the rigid conditions
         over-constrained: 'a.bend1' 1.00, 'b.bend1' -1.00
         release 'a.bend1'
+        in place of 'a.bend1' equally well: 'b.bend1'
         """
         return report_of_model(self)

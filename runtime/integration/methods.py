@@ -121,12 +121,15 @@ class Suitable:
         Why, and the message of the error that shows it.
     rates : ndarray
         Magnitudes of the eigenvalues [1/s] of the linearized start, if it was linearized.
+    inertia : ndarray (nd,)
+        Inertia of each dynamic degree of freedom in its natural scale [kg m²], if it was linearized.
     """
 
     method: str
     why: str = ""
     detail: str = ""
     rates: Array = field(default_factory=lambda: np.zeros(0))
+    inertia: Array = field(default_factory=lambda: np.zeros(0))
 
 
 def suitable(system: Core, start: State) -> Suitable:
@@ -134,7 +137,9 @@ def suitable(system: Core, start: State) -> Suitable:
     if system.roles.nd > MANY:
         return Suitable(ALPHA, f"{system.roles.nd} degrees of freedom, above {MANY}")
     try:
-        return Suitable("", rates=np.abs(eigenvalues(system.linearize(start).state_matrix)))
+        lin = system.linearize(start)
+        inertia = np.diag(lin.M) * system.kinematics.scales(system.roles.dynamic) ** 2
+        return Suitable("", rates=np.abs(eigenvalues(lin.state_matrix)), inertia=inertia)
     except InertiaError as error:
         return Suitable(ALPHA, "a degree of freedom has no inertia", str(error))
     except (FlexelError, np.linalg.LinAlgError) as error:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, overload
+from typing import Any, SupportsIndex, overload
 
 import numpy as np
 
@@ -133,10 +133,10 @@ class States(Sequence[State]):
         return len(self._entries)
 
     @overload
-    def __getitem__(self, key: int) -> State: ...
+    def __getitem__(self, key: SupportsIndex) -> State: ...
     @overload
     def __getitem__(self, key: slice) -> list[State]: ...
-    def __getitem__(self, key: int | slice) -> State | list[State]:
+    def __getitem__(self, key: SupportsIndex | slice) -> State | list[State]:
         if isinstance(key, slice):
             return [self[i] for i in range(*key.indices(len(self)))]
         entry = self._entries[key]

@@ -16,9 +16,10 @@ import numpy as np
 
 from flexel.base.arguments import index
 from flexel.base.arguments import names as checked_names
-from flexel.base.arrays import Array, ComplexArray
+from flexel.base.arrays import Array, ComplexArray, StateSpace
 from flexel.base.copies import Portable
 from flexel.base.errors import LinearizationError, ModelError
+from flexel.base.outside import DataFrame, Dataset, Figure
 from flexel.base.shown import Listing
 from flexel.base.units import rate_unit
 from flexel.engine.derivatives import Derivatives, Tangents
@@ -153,9 +154,7 @@ class Linearization(ShownLinearization, Portable):
         nd, nf = len(self.dynamic), self.state.structure.nf
         return np.asarray((self.state.J[rows, :nf] @ self.transfer.H[:, :nd]).T)
 
-    def state_space(
-        self, inputs: Sequence[str] = (), outputs: Sequence[str] = ()
-    ) -> tuple[Array, Array, Array, Array]:
+    def state_space(self, inputs: Sequence[str] = (), outputs: Sequence[str] = ()) -> StateSpace:
         """State-space matrices A, B, C, D.
 
         Parameters
@@ -222,14 +221,16 @@ class Linearization(ShownLinearization, Portable):
 
         return save_state_space(self, path, inputs, outputs)
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Matrices, eigenvalues and modes as an xarray.Dataset with names and units along rows and columns."""
         from flexel.results.saved.archive_linear import to_xarray
 
         return to_xarray(self)
 
-    def to_pandas(self) -> Any:
-        """A pandas.DataFrame of the modes: eigenvalue, frequency, damping ratio, and the degrees of freedom in each."""
+    def to_pandas(self) -> DataFrame:
+        """A pandas.DataFrame of the modes: eigenvalue, frequency, damping ratio, and the degrees of freedom that
+        take part.
+        """
         from flexel.results.saved.archive_linear import to_pandas
 
         return to_pandas(self)
@@ -279,13 +280,13 @@ class Linearization(ShownLinearization, Portable):
         first = structure.m + structure.k
         return {structure.names[first + i]: complex(z) for i, z in enumerate(x)}
 
-    def plot(self, path: str | Path | None = None) -> Any:
+    def plot(self, path: str | Path | None = None) -> Figure:
         """Eigenvalues in the complex plane (needs matplotlib)."""
         from flexel.pictures.graphs import plot_poles
 
         return plot_poles([self.eigenvalues()], path)
 
-    def plot_mode(self, number: int, path: str | Path | None = None, **options: Any) -> Any:
+    def plot_mode(self, number: int, path: str | Path | None = None, **options: Any) -> Figure:
         """The shape of a mode of `modes`, over the state in grey; see `flexel.pictures.deflected.plot_shape`."""
         from flexel.pictures.deflected import plot_shape
 

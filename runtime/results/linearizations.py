@@ -9,11 +9,13 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from flexel.base.arguments import index
 from flexel.base.arguments import names as checked_names
 from flexel.base.arrays import Array, ComplexArray
 from flexel.base.errors import ModelError
+from flexel.base.outside import Dataset, Figure
 from flexel.linear.tracking import branches
 from flexel.mechanics.linearization import Linearization
 from flexel.mechanics.modes import check_decoupled, first_order, places_of
@@ -110,7 +112,7 @@ class Linearizations:
         blocks |= {z: np.zeros((*first, *size)) for z, size in sizes_of.items()}
         return replace(self, dynamic=names, kinematic=(), internal=(), **blocks)
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """M, C, K and the eigenvalues as an xarray.Dataset, with the parameters, rates and names along their axes."""
         xarray = require("xarray", "xarray")
         lead = ("variant", "rate") if self.rates else ("variant",)
@@ -158,11 +160,11 @@ class RootLoci:
         return found[0] if not self.linearizations.parameters else found
 
     @property
-    def stable(self) -> Any:
+    def stable(self) -> NDArray[np.bool_]:
         """Whether all real parts are negative (np,) or (variants, np)."""
-        return (self.eigenvalues.real < 0).all(axis=-1)
+        return np.asarray((self.eigenvalues.real < 0).all(axis=-1))
 
-    def plot(self, path: str | Path | None = None, *, variant: int = 0, **options: Any) -> Any:
+    def plot(self, path: str | Path | None = None, *, variant: int = 0, **options: Any) -> Figure:
         """Real and imaginary parts over the values (needs matplotlib); see `flexel.pictures.plot.root_loci`."""
         from flexel.pictures.plot import root_loci
 
@@ -173,7 +175,7 @@ class RootLoci:
         shown = w[chosen] if w.ndim == 3 else w
         return root_loci(self.values, shown, path, **{"label": self.name, **options})
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """The branches as an xarray.Dataset, besides those of `Linearizations.to_xarray`."""
         found, w = self.linearizations.to_xarray(), self.eigenvalues
         axes = (
