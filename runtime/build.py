@@ -14,6 +14,7 @@ from flexel.mechanics.diagnose import choose_dofs, named_dofs
 from flexel.mechanics.first_position import first_position
 from flexel.mechanics.kinematics import Kinematics, check_size
 from flexel.rope.free_ends import check_free_ends
+from flexel.results.quantities import history
 from flexel.structure.loads import Loads
 from flexel.structure.structure import assemble_structure
 from flexel.system import System
@@ -25,10 +26,16 @@ def build(model: Declarations, t: float) -> System:
     if not model.nodes:
         raise ModelError("the model has no nodes; add points and frames first")
     structure = assemble_structure(
-        model.nodes.values(), [*model.instances.values(), *norms(model)], model.laws
+        model.nodes.values(), [*model.instances.values(), *norms(model)], model.laws, model.controllers
     )
     check_size(structure)
     check_laws(structure)
+    for c in structure.controllers:
+        for name in c.inputs:
+            try:
+                history(structure, name)
+            except ModelError as error:
+                raise ModelError(f"{c.owner}: input {error}") from None
     evaluation = Evaluation(structure)
     roles = resolve_roles(model, structure)
     loads = Loads(structure, tuple(model.loads))

@@ -139,9 +139,15 @@ class Dop853(MinimalRun):
         self.steps.begin(self.t)
         self.counts["evaluations"] += 1
 
+    def jump(self, z: Array) -> None:
+        """Go on from here with other internal states."""
+        self.z = z
+        self.steps.y[self.steps.y.size - z.size :] = z
+        self.renew()
+
     def _first_step(self) -> float:
         """The first step, as SciPy chooses it from the size of the rates and of their change."""
-        s, left = self.steps, float(self.times[-1]) - self.t
+        s, left = self.steps, self.stop - self.t
         y, f = s.y.copy(), s.K[0].copy()
         scale = self.natural_atol() + np.abs(y) * self.tolerances.rtol
         d0, d1 = _norm(y / scale), _norm(f / scale)
@@ -163,8 +169,9 @@ class Dop853(MinimalRun):
 
     def advance(self) -> str | None:
         """One accepted step."""
-        end, rejected, careful, across = float(self.times[-1]), False, False, 0.0
+        end, rejected, careful, across = self.stop, False, False, 0.0
         crossing, self._crossing, defect = self._crossing, False, np.inf
+        wished = self._h
         while True:
             s, c = self.steps, self.steps.struct
             shortest = max(SHORTEST * self._span, 10 * abs(np.nextafter(self.t, np.inf) - self.t))
@@ -199,6 +206,8 @@ class Dop853(MinimalRun):
         factor = min(LARGEST, SAFETY * error**EXPONENT) if error > 0 else LARGEST
         self._crossing = across > 0
         self._h = across or h * (min(1.0, factor) if rejected else factor)
+        if t1 == end and not rejected:
+            self._h = max(self._h, wished)  # it was cut short
         return self._accepted(t1)
 
     def _error(self, careful: bool) -> float:

@@ -215,12 +215,23 @@ class Core:
     def linearize(self, state: State | None = None) -> Linearization:
         """Analytic linearization about a state (the initial one by default).
 
+        The equations are differentiated analytically, the Python functions of controllers numerically.  Sampled
+        controllers hold their outputs, which are internal states; `Linearization.sampled` closes their loop.
+
+        Raises
+        ------
+        LinearizationError
+            If a continuous controller is not smooth there, or at its limit.
+
         Examples
         --------
         >>> lin = system.linearize(motion[-1])  # doctest: +SKIP
         >>> lin.eigenvalues()  # doctest: +SKIP
         """
         state = self.initial if state is None else own_state(self.structure, state, "linearize")
+        for c in self.structure.controllers:
+            if c.period is None:
+                c.slopes(state)  # raises where it has none
         return linearize(self._usable(state), state)
 
     def _usable(self, state: State) -> Kinematics:
