@@ -13,10 +13,10 @@ from flexel.mechanics.as_drawn import misfit
 from flexel.mechanics.diagnose import choose_dofs, named_dofs
 from flexel.mechanics.first_position import first_position
 from flexel.mechanics.kinematics import Kinematics, check_size
-from flexel.rope.free_ends import check_free_ends
 from flexel.results.quantities import history
+from flexel.rope.free_ends import check_free_ends
 from flexel.structure.loads import Loads
-from flexel.structure.structure import assemble_structure
+from flexel.structure.structure import Structure, assemble_structure
 from flexel.system import System
 
 
@@ -30,12 +30,7 @@ def build(model: Declarations, t: float) -> System:
     )
     check_size(structure)
     check_laws(structure)
-    for c in structure.controllers:
-        for name in c.inputs:
-            try:
-                history(structure, name)
-            except ModelError as error:
-                raise ModelError(f"{c.owner}: input {error}") from None
+    _check_inputs(structure)
     evaluation = Evaluation(structure)
     roles = resolve_roles(model, structure)
     loads = Loads(structure, tuple(model.loads))
@@ -52,3 +47,13 @@ def build(model: Declarations, t: float) -> System:
     kinematic = named_dofs(structure, model._kinematic, "kinematic")
     chosen = choose_dofs(kinematics, c.J, dynamic, kinematic)
     return System(evaluation, loads, chosen, c, model._rates)
+
+
+def _check_inputs(structure: Structure) -> None:
+    """Check that all that controllers measure has a value."""
+    for controller in structure.controllers:
+        for name in controller.inputs:
+            try:
+                history(structure, name)
+            except ModelError as error:
+                raise ModelError(f"{controller.owner}: input {error}") from None

@@ -17,8 +17,8 @@ from flexel.mechanics.reach import LOST, reach
 from flexel.results.motion import Motion
 from flexel.statics import compliance, path, stability
 from flexel.statics.steady import steady_motion
-from flexel.structure.moment import Moment
 from flexel.structure.controllers import refuse_sampled
+from flexel.structure.moment import Moment
 from flexel.structure.state import State, own_state
 
 

@@ -1,4 +1,4 @@
-"""What controls: gains, linear systems of python-control and SciPy, and Python functions, as rules with their period."""
+"""What controls: gains, linear systems of python-control and SciPy, Python functions: rules, with their period."""
 
 from __future__ import annotations
 

@@ -43,8 +43,9 @@ def wired(model: Declarations, c: Controller) -> tuple[Wires, list[str]]:
         if slip != bool(order) and slip:
             raise ModelError(f"{c.owner}: '{z}' is a slip, which has no value; name its rate, \"{z}'\"")
         sources.append((name, slip, order, 0.0 if order else offset))
-    on = list(dict.fromkeys(name for name, slip, *_ in (*targets, *sources) if not slip))
-    slips = list(dict.fromkeys(name for name, slip, *_ in (*targets, *sources) if slip))
+    both = [z[:2] for z in targets] + [z[:2] for z in sources]
+    on = list(dict.fromkeys(name for name, slip in both if not slip))
+    slips = list(dict.fromkeys(name for name, slip in both if slip))
     m, k = len(on), len(slips)
     inputs = tuple(
         2 * m + slips.index(z) if slip else order * m + on.index(z) for z, slip, order, _ in sources
@@ -74,12 +75,9 @@ def _target(model: Declarations, c: Controller, name: str, what: str) -> tuple[s
 def known_names(model: Declarations) -> dict[str, str]:
     """Coordinates, deformations and slips declared so far, with their units."""
     known = {z: node.unit for node in model.nodes.values() for z in node.coordinates}
-    for instance in model.instances.values():
-        for full, own in (
-            *zip(instance.deformations, instance.spec.deformations, strict=True),
-            *zip(instance.slips, instance.spec.slips, strict=True),
-        ):
-            known[full] = own.unit
+    for z in model.instances.values():
+        deformations, slips = [d.unit for d in z.spec.deformations], [s.unit for s in z.spec.slips]
+        known |= dict(zip(z.deformations, deformations, strict=True)) | dict(zip(z.slips, slips, strict=True))
     return known
 
 
@@ -166,8 +164,8 @@ def add_sampled(model: Declarations, c: Controller, start: Sequence[float]) -> N
         state = InternalSpec(name, force_unit(units[target], slip))
         forces.append(state)
         spec = replace(LAWS["slip_held" if slip else "held"], states=(state,))
-        on = ((), (found,)) if slip else ((found,), ())
-        model.laws.append(LawInstance(c.name, spec, *on, {}, None, (0.0,)))
+        on, slips = ((), (found,)) if slip else ((found,), ())
+        model.laws.append(LawInstance(c.name, spec, on, slips, {}, None, (0.0,)))
     waiting = [InternalSpec(f"next{i}", forces[i % len(forces)].unit) for i in range(len(c.waiting))]
     own = [InternalSpec(f"x{i}", "1") for i in range(c.rule.nx)]
     for state, value in zip([*waiting, *own], [*[0.0] * len(waiting), *start], strict=True):

@@ -81,7 +81,7 @@ class Run(ABC):
     def stop(self) -> float:
         """The time at which the next step ends at the latest: the end, or an instant of a sampled controller."""
         end = float(self.times[-1])
-        return min(end, self.sampling.next(self.t)) if self.sampling.all else end
+        return min(end, self.sampling.stop(self.t, self.times)) if self.sampling.all else end
 
     @property
     def step(self) -> float | None:

@@ -75,7 +75,7 @@ class Sampled:
 
     def jump(self, t: float, at: Moment, z: Array, complete: Completed, new: Array) -> None:
         """Put what changes at t into `new`; z are all internal states before."""
-        c, (whole, rest) = self.controller, self.controller.lag
+        c, rest = self.controller, self.controller.lag[1]
         if self.due(t, 0.0):
             if self.inputs is None:
                 state = complete()
@@ -111,10 +111,23 @@ class Sampling:
 
     def __init__(self, structure: Structure) -> None:
         self.all = [Sampled.of(structure, c) for c in structure.controllers if c.period is not None]
+        self._same = SAME * min((c.period for c in structure.controllers if c.period is not None), default=0.0)
 
     def next(self, t: float) -> float:
         """The first instant after t; infinite without controllers."""
         return min((z.next(t) for z in self.all), default=np.inf)
+
+    def stop(self, t: float, times: Array) -> float:
+        """The first instant after t; a stored time that is the same but for rounding is taken for it.
+
+        Otherwise a state could be stored just after an instant, and would be sampled again by who goes on from it.
+        """
+        found = self.next(t)
+        i = int(np.searchsorted(times, found))
+        for near in times[max(i - 1, 0) : i + 1].tolist():
+            if near > t and abs(near - found) <= self._same + ROUNDING * abs(found):
+                return near
+        return found
 
     def due(self, t: float) -> bool:
         """Whether something changes at t."""

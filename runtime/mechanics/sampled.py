@@ -45,4 +45,4 @@ class SampledLinearization:
     def _check(self, owner: str) -> None:
         """Refuse eigenvalues of a loop that sampled controllers close; warn where the state accelerates."""
         refuse_sampled(self.state.structure.controllers, owner, INSTEAD)
-        check_steady(owner, self.acceleration)
+        check_steady(owner, self.acceleration, 4)

@@ -21,7 +21,10 @@ AT_LIMIT = 1e-12  # relative
 class State(Protocol):
     """What is read from the state of a mechanism."""
 
-    t: float
+    @property
+    def t(self) -> float:
+        """Time [s]."""
+        ...
 
     def __getitem__(self, name: str) -> float:
         """Value of a quantity or internal state."""
@@ -120,7 +123,7 @@ class Controller(Constant):
         return self.limited(self.rule(state.t, self.measured(state), self.remembered(state))[0])
 
     def slopes(self, state: State) -> Array:
-        """Derivatives (nu + nx, ny + nx) of the outputs and the own state, or its rate, by the inputs and the own state.
+        """Derivatives (nu + nx, ny + nx) of the outputs and own state, or its rate, by inputs and own state.
 
         Raises
         ------

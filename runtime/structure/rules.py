@@ -20,7 +20,10 @@ KINK = 1e-3  # relative difference of slopes from which a function counts as not
 class Rule(Protocol):
     """Outputs u (nu,) of a controller, and its own state after the instant or its rate (nx,)."""
 
-    nx: int
+    @property
+    def nx(self) -> int:
+        """Number of own states."""
+        ...
 
     def __call__(self, t: float, y: Array, x: Array) -> tuple[Array, Array]:
         """u and the own state (sampled) or its rate (continuous) from inputs y (ny,) and own state x (nx,)."""
