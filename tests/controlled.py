@@ -19,6 +19,7 @@ def carriage() -> fx.Model:
     m.point("A", (0.5, 0))
     m.fix("A.y")
     m.point_mass("body", "A", MASS)
+    m.independent("A.x")
     return m
 
 
