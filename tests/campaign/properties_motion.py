@@ -64,7 +64,7 @@ def time_reversal(trial: Trial) -> float:
     if not trial.oracle.conserves:
         raise Inapplicable("energy is not conserved")
     end = trial.motion[-1]
-    back = trial.system.state(end.t, end.x, -end.v)
+    back = trial.system.state(end.t, end.x, -end.v, e=end.e)
     again = trial.moved(trial.system, back, trial.case.duration)[-1]
     return float(np.max(np.abs(trial.x(again) - trial.x(trial.start))))
 
