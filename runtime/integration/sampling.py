@@ -111,7 +111,9 @@ class Sampling:
 
     def __init__(self, structure: Structure) -> None:
         self.all = [Sampled.of(structure, c) for c in structure.controllers if c.period is not None]
-        self._same = SAME * min((c.period for c in structure.controllers if c.period is not None), default=0.0)
+        self._same = SAME * min(
+            (c.period for c in structure.controllers if c.period is not None), default=0.0
+        )
 
     def next(self, t: float) -> float:
         """The first instant after t; infinite without controllers."""
@@ -124,6 +126,7 @@ class Sampling:
         """
         found = self.next(t)
         i = int(np.searchsorted(times, found))
+        near: float
         for near in times[max(i - 1, 0) : i + 1].tolist():
             if near > t and abs(near - found) <= self._same + ROUNDING * abs(found):
                 return near

@@ -149,6 +149,13 @@ def refuse_sampled(controllers: Iterable[Controller], owner: str, instead: str) 
             raise LinearizationError(f"{owner}: {c.owner} is sampled (period {c.period:g} s); {instead}")
 
 
+def check_smooth(controllers: Iterable[Controller], state: State) -> None:
+    """Raise if a continuous controller has no linearization at a state."""
+    for c in controllers:
+        if c.period is None:
+            c.slopes(state)
+
+
 def numbered(letter: str, size: int) -> tuple[str, ...]:
     """The letter for one thing; with numbers for several."""
     return (letter,) if size == 1 else tuple(f"{letter}{i}" for i in range(size))
