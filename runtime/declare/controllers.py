@@ -176,7 +176,7 @@ def _limit(owner: str, given: Any, nu: int, none: float) -> Array:
         found = np.full(nu, none) if given is None else np.asarray(given)
         found = np.array(np.broadcast_to(found, (nu,)), dtype=float)
         good = np.asarray(given if given is not None else 0.0).dtype.kind in "iuf"
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         good = False
     if not good or np.isnan(found).any() or np.any(np.isfinite(found) & (np.abs(found) > LARGEST)):
         raise ModelError(

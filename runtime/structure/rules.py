@@ -107,7 +107,7 @@ class FunctionRule(Constant):
     def _vector(value: Any, size: int, what: str) -> Array:
         try:
             found = np.asarray(value, dtype=float).reshape(-1)
-        except (TypeError, ValueError):
+        except (TypeError, ValueError, OverflowError):
             found = np.zeros(0)
         if found.size != size or not np.all(np.abs(found) <= LARGEST):
             numbers = "1 finite number" if size == 1 else f"{size} finite numbers"
