@@ -177,3 +177,34 @@ def test_variants_side_by_side_are_those_alone() -> None:
     motion = alone.simulate(0.5, start=alone.state_at({"pivot.angle": 0.1}), samples=11, method="DOP853")
     assert many["cart.x"][0] == pytest.approx(motion["cart.x"], abs=1e-12)
     assert many["c.u"][0] == pytest.approx(motion["c.u"], abs=1e-9)
+
+
+def test_where_every_motion_is_prescribed_a_controller_takes_part_in_the_driving_force() -> None:
+    """It samples what is prescribed; an own state that would have to be integrated is refused."""
+
+    def driven(function: Any, **options: Any) -> fx.System:
+        m = fx.Model()
+        m.point("A", (0.5, 0))
+        m.fix("A.y")
+        m.point_mass("body", "A", 2.0)
+        m.prescribe("A.x", lambda t: 0.5 + 0.1 * np.sin(t))
+        m.controller(function, **{**GIVEN, "inputs": ["A.x"], **options})
+        return m.build()
+
+    motion = driven(lambda t, y: -y[0], period=0.1).simulate(1.0, samples=11)
+    known = -(0.5 + 0.1 * np.sin(0.1 * np.arange(10)))
+    assert motion["c.u"][1:] == pytest.approx(known, abs=1e-12)
+    inertia = -2.0 * 0.1 * np.sin(motion.t)
+    assert motion["force:A.x"] == pytest.approx(inertia - motion["c.u"], abs=1e-12)
+    assert motion.at(0.55)["c.u"] == motion["c.u"][6]
+    with pytest.raises(fx.ModelError, match="the own state of controller 'c' would stay as it is"):
+        driven(lambda t, y, x: (y[0], y), state=[0.0]).simulate(1.0)
+
+
+def test_gains_are_no_parameters() -> None:
+    m = cart()
+    m.controller([[14.0, 80.0]], inputs=["pivot.angle'", "pivot.angle"], outputs=["cart.x"], name="c")
+    s = m.build()
+    assert "cart mass.mass" in s.parameters and not [z for z in s.parameters if z.startswith("c.")]
+    with pytest.raises(fx.ModelError, match="unknown parameter 'c.damping'"):
+        s.with_parameters({"c.damping": [1.0, 2.0]})
