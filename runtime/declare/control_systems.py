@@ -99,12 +99,12 @@ def _linear_system(
     try:
         system = _matrices(given)
         A, B, C, D = (np.atleast_2d(array(getattr(system, z), owner, f"matrix {z}")) for z in "ABCD")
+        nx = A.shape[0]
+        A, B, C = A.reshape(nx, nx), B.reshape(nx, D.shape[1]), C.reshape(D.shape[0], nx)
     except (ImportError, ValueError, NotImplementedError) as error:
         raise ModelError(
             f"{owner}: the system has no state-space form ({error}); give one with A, B, C, D"
         ) from error
-    nx = A.shape[0]
-    A, B, C, D = A.reshape(nx, nx), B.reshape(nx, -1), C.reshape(-1, nx), D
     if D.shape != (nu, ny):
         raise ModelError(
             f"{owner}: the system has {D.shape[1]} inputs and {D.shape[0]} outputs; it is connected to {ny} inputs and "

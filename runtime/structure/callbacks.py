@@ -120,13 +120,15 @@ class Callback:
 
     def raise_failure(self) -> None:
         """Raise what the function raised in this thread since the last time."""
-        failed: FlexelError | None = self._failed.__dict__.pop("error", None)
+        failed: BaseException | None = self._failed.__dict__.pop("error", None)
         if failed is not None:
             raise failed
 
     def forget_failure(self) -> None:
-        """Forget what the function raised: the engine has gone another way."""
-        self._failed.__dict__.pop("error", None)
+        """Forget an error of the function: the engine has gone another way; an interrupt is raised."""
+        if isinstance(getattr(self._failed, "error", None), FlexelError):
+            del self._failed.error
+        self.raise_failure()
 
     def _guarded(self, kernel: Any) -> Any:
         """A kernel for C: an error is kept, and its outputs are not numbers."""
@@ -137,7 +139,7 @@ class Callback:
         def run(_: int, given: Any, out: Any) -> None:
             try:
                 found = kernel(given)
-            except FlexelError as error:
+            except BaseException as error:  # an interrupt too: nothing may leave a function that C has called
                 self._failed.error = error
                 found = [np.full(size, np.nan) for size in sizes]
             for i, values in enumerate(found):

@@ -116,6 +116,34 @@ def test_every_method_names_a_continuous_function_that_fails(method: str) -> Non
     assert s.simulate(0.1, method=method).t[-1] == 0.1
 
 
+def test_an_interrupt_within_a_continuous_function_ends_the_motion() -> None:
+    """Ctrl-C while C calls the function: the motion up to there is kept."""
+    count = []
+
+    def slow(t: float, y: Array) -> float:
+        count.append(t)
+        if len(count) == 300:
+            raise KeyboardInterrupt
+        return -20 * y[0]
+
+    m = carriage()
+    m.controller(slow, **GIVEN)
+    motion = m.build().simulate(5.0, method="DOP853", times=np.linspace(0, 5, 51))
+    assert motion.message.startswith("interrupted at t =") and 0 < motion.t[-1] < 5
+    assert motion["A.x"][:-1] == pytest.approx(0.5 * np.cos(np.sqrt(10) * motion.t[:-1]), abs=1e-7)
+
+
+def test_a_system_without_states_is_its_gains() -> None:
+    control = pytest.importorskip("control", reason="pip install 'flexel[control]'")
+    for period in (None, 0.05):
+        found = []
+        for function in (control.ss([], [], [], [[30.0, 8.0]], period or 0), [[30.0, 8.0]]):
+            m = carriage()
+            m.controller(function, **GIVEN, period=period)
+            found.append(m.build().simulate(1.0, method="DOP853")["A.x"])
+        assert np.array_equal(*found)
+
+
 def test_what_is_not_smooth_has_no_linearization() -> None:
     for function in (lambda t, y: -3 * np.sign(y[0] - 0.5), lambda t, y: -abs(y[0] - 0.5)):
         m = carriage()
