@@ -84,7 +84,7 @@ HOMES = {  # sections of the page of public names: title and modules
         "flexel.sweeps.sampling",
         "flexel.sweeps.dataset",
     ),
-    "Linearization": ("flexel.mechanics.linearization", "flexel.mechanics.modes"),
+    "Linearization": ("flexel.mechanics.linearization", "flexel.mechanics.modes", "flexel.linear.sampled"),
     "Many variants": ("flexel.results.ensemble", "flexel.results.linearizations"),
     "Errors": ("flexel.base.errors", "flexel.derive.errors"),
     "Pictures": ("flexel.pictures.scene", "flexel.pictures.solids"),

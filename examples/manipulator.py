@@ -80,7 +80,8 @@ def manipulator(
     m.prescribe("elbow command.angle", elbow)
     m.independent(*(JOINTS if rigid else MEASURED))
     if gains is not None:
-        m.feedback("controller", act=JOINTS, measure=gains.measured, P=gains.P, D=gains.D)
+        inputs = [*gains.measured, *(f"{z}'" for z in gains.measured)]
+        m.controller(np.hstack([gains.P, gains.D]), inputs=inputs, outputs=JOINTS)
     return m.build()
 
 

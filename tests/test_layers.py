@@ -44,6 +44,7 @@ EXCEPTIONS = {
     ("flexel.mechanics.linearization", "flexel.pictures.view"),  # view
     ("flexel.mechanics.linearization", "flexel.results.control"),  # to_control, to_scipy, save_state_space
     ("flexel.mechanics.linearization", "flexel.results.saved.archive_linear"),  # save, to_xarray, to_pandas
+    ("flexel.mechanics.sampled", "flexel.linear.sampled"),  # sampled
     ("flexel.results.branch", "flexel.pictures.graphs"),  # plot
     ("flexel.results.flexure", "flexel.pictures.flexure_graphs"),  # plot
     ("flexel.results.flexure_step", "flexel.pictures.deflected"),  # plot_mode

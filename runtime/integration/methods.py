@@ -25,6 +25,7 @@ from flexel.mechanics.inertia import InertiaError
 from flexel.mechanics.reach import LOST, reach
 from flexel.structure.moment import Moment
 from flexel.structure.state import State, own_state
+from flexel.structure.structure import Structure
 
 AUTO, EXPLICIT, ALPHA, SUNDIALS = "auto", "DOP853", "generalized-alpha", "sundials"
 _STEPS = frozenset({"rtol", "atol", "first_step", "max_step"})
@@ -195,12 +196,23 @@ def run_of(system: Core, method: str, start: State, times: Array, duration: floa
         options.number("max_step", np.inf),
     )
     if system.roles.nq == 0:
+        _check_own_states(system.structure)
         return Followed(system, start, times, events)
     own = _in_own_roles(system, start)
     rechoose = options.rechoose is not False
     if method == EXPLICIT:
         return Dop853(system, own, times, tolerances, events, rechoose)
     return Scipy(system, own, times, method, tolerances, events, rechoose)
+
+
+def _check_own_states(structure: Structure) -> None:
+    """Refuse continuous controllers with own states in a motion that is not integrated."""
+    for c in structure.controllers:
+        if c.period is None and c.own:
+            raise ModelError(
+                f"simulate: every motion is prescribed, so nothing is integrated, and the own state of {c.owner} would "
+                "stay as it is; give it a period, or free a motion"
+            )
 
 
 def _atol(system: Core, options: Options) -> float | Array:

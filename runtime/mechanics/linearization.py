@@ -33,14 +33,15 @@ from flexel.mechanics.modes import (
     sort_eigenvalues,
 )
 from flexel.mechanics.rigid import spectrum
+from flexel.mechanics.sampled import SampledLinearization
 from flexel.mechanics.shown import ShownLinearization
-from flexel.mechanics.steadiness import acceleration, check_steady
+from flexel.mechanics.steadiness import acceleration
 from flexel.mechanics.transfer import Transfer
 from flexel.structure.state import State
 
 
 @dataclass(frozen=True, repr=False)
-class Linearization(ShownLinearization, Portable):
+class Linearization(SampledLinearization, ShownLinearization, Portable):
     """Linearized equations about a state.
 
     Attributes
@@ -115,7 +116,7 @@ class Linearization(ShownLinearization, Portable):
         UnsteadyWarning
             If the state accelerates.
         """
-        check_steady("eigenvalues", self.acceleration)
+        self._check("eigenvalues")
         return sort_eigenvalues(spectrum(self.state_matrix, len(self.dynamic))[0])
 
     @property
@@ -128,7 +129,7 @@ class Linearization(ShownLinearization, Portable):
 
     def modes(self) -> Listing[Mode]:
         """Modes, one for each complex pair (that with positive imaginary part); sorts and warns as `eigenvalues`."""
-        check_steady("modes", self.acceleration)
+        self._check("modes")
         return modes_of(self.state_matrix, self.dofs + self.internal, len(self.dynamic))
 
     def reduced(self, names: Sequence[str], tolerance: float = 1e-9) -> Reduced:
@@ -275,8 +276,7 @@ class Linearization(ShownLinearization, Portable):
         """Displacements of all free coordinates in a mode, for pictures; degrees of freedom have amplitudes up to 1."""
         mode = self.mode(number)
         q = np.array([mode.shape[name] for name in self.dofs])
-        structure = self.state.structure
-        x = self.transfer.G[:, : q.size] @ q
+        x, structure = self.transfer.G[:, : q.size] @ q, self.state.structure
         first = structure.m + structure.k
         return {structure.names[first + i]: complex(z) for i, z in enumerate(x)}
 
