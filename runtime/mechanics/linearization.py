@@ -23,16 +23,16 @@ from flexel.base.shown import Listing
 from flexel.base.units import rate_unit
 from flexel.engine.derivatives import Derivatives, Tangents
 from flexel.engine.solvers import solved
+from flexel.mechanics.drawn import DrawnLinearization
 from flexel.mechanics.modes import Mode, Reduced, check_decoupled, modes_of, places_of, sort_eigenvalues
 from flexel.mechanics.rigid import spectrum
-from flexel.mechanics.shown import ShownLinearization
 from flexel.mechanics.steadiness import acceleration, check_steady
 from flexel.mechanics.transfer import Transfer
 from flexel.structure.state import State
 
 
 @dataclass(frozen=True, repr=False)
-class Linearization(ShownLinearization, Portable):
+class Linearization(DrawnLinearization, Portable):
     """Linearized equations about a state.
 
     Attributes
@@ -278,23 +278,3 @@ class Linearization(ShownLinearization, Portable):
         x = self.transfer.G[:, : q.size] @ q
         first = structure.m + structure.k
         return {structure.names[first + i]: complex(z) for i, z in enumerate(x)}
-
-    def plot(self, path: str | Path | None = None) -> Any:
-        """Eigenvalues in the complex plane (needs matplotlib)."""
-        from flexel.pictures.graphs import plot_poles
-
-        return plot_poles([self.eigenvalues()], path)
-
-    def plot_mode(self, number: int, path: str | Path | None = None, **options: Any) -> Any:
-        """The shape of a mode of `modes`, over the state in grey; see `flexel.pictures.deflected.plot_shape`."""
-        from flexel.pictures.deflected import plot_shape
-
-        mode = self.mode(number)
-        title = f"{mode.name}: {mode.eigenvalue:.4g} 1/s"
-        return plot_shape(self.state, self.mode_shape(number), path, **{"title": title, **options})
-
-    def view(self, path: str | Path, **options: Any) -> Path:
-        """An HTML page that shows the modes in any browser, with amplitude and phase; see `view.mode_data`."""
-        from flexel.pictures.view import view_modes
-
-        return view_modes(self, path, **options)
