@@ -1,8 +1,9 @@
 """Eigenvalues over a parameter as branches: each is followed by the shape of its mode, not by its place in a list.
 
-From one value of the parameter to the next, shapes are compared by left and right eigenvectors: |l₁ r₂| |l₂ r₁|
-over |l₁ r₁| |l₂ r₂| is one for a mode and itself and zero for two modes of one matrix, whatever the units of the states.  Where shapes say
-little (equal eigenvalues, two that meet and become a pair) the linear continuation of the eigenvalues decides.
+From one value of the parameter to the next, shapes are compared by left and right eigenvectors: |l₁ r₂| |l₂ r₁| over
+|l₁ r₁| |l₂ r₂| is one for a mode and itself and zero for two modes of one matrix, whatever the units of the states.
+Where shapes say little (equal eigenvalues, two that meet and become a pair) the linear continuation of the eigenvalues
+decides.
 """
 
 from __future__ import annotations
@@ -169,9 +170,7 @@ def _neighbours(p: Array, known: NDArray[np.bool_], i: int, k: int) -> Index:
 def _lagrange(p: Array, value: float) -> Array:
     """Weights of a polynomial through the points p at a value."""
     off = value - p
-    return np.array(
-        [np.prod(np.delete(off, i) / (p[i] - np.delete(p, i))) for i in range(p.size)]
-    )
+    return np.array([np.prod(np.delete(off, i) / (p[i] - np.delete(p, i))) for i in range(p.size)])
 
 
 def _ordered(
@@ -203,7 +202,9 @@ def _ordered(
 def _distance(expected: ComplexArray, w: ComplexArray) -> Array:
     """Differences of expected (rows) and found eigenvalues, relative to both: from zero to one."""
     size = np.abs(expected)[:, None] + np.abs(w)[None, :]
-    return np.asarray(np.abs(expected[:, None] - w[None, :]) / np.maximum(size, 1e-9 * size.max(initial=1e-300)))
+    return np.asarray(
+        np.abs(expected[:, None] - w[None, :]) / np.maximum(size, 1e-9 * size.max(initial=1e-300))
+    )
 
 
 def _likeness(left: ComplexArray, right: ComplexArray, left2: ComplexArray, right2: ComplexArray) -> Array:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -76,7 +76,7 @@ def axis_label(names: Sequence[str], unit: str, before: str = "") -> str:
     return f"{before}{word} {unit_text(unit)}"
 
 
-def panels(count: int, **options: Any) -> Any:
+def panels(count: int, **options: Any) -> AbstractContextManager[tuple[Figure, Any]]:
     """A figure with so many axes one below the other, which share the horizontal axis; see `figure`."""
     size = (WIDTH, 1.2 + 2.2 * count)
     return figure(count, size=size, **{"sharex": True, "squeeze": False, **options})

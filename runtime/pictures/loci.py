@@ -90,7 +90,9 @@ def _names(branches: Branches, names: Names) -> tuple[list[str], Mapping[str, tu
         return own, {}
     if not isinstance(names, Mapping):
         if isinstance(names, str) or len(names) != len(own):
-            raise ModelError(f"root_loci: names {names!r}; give one for each of {own}, or places of some of them")
+            raise ModelError(
+                f"root_loci: names {names!r}; give one for each of {own}, or places of some of them"
+            )
         return [str(z) for z in names], {}
     p, w = branches.parameter, branches.eigenvalues.real
     for name, place in names.items():
@@ -101,7 +103,9 @@ def _names(branches: Branches, names: Names) -> tuple[list[str], Mapping[str, tu
     return own, names
 
 
-def _marks(branches: Branches, called: Sequence[str], marks: Mapping[str, float] | None) -> list[tuple[str, float]]:
+def _marks(
+    branches: Branches, called: Sequence[str], marks: Mapping[str, float] | None
+) -> list[tuple[str, float]]:
     if marks is not None:
         return list(marks.items())
     return [(z.branch, z.value) for z in branches.boundaries(called)]
@@ -134,7 +138,9 @@ def _over(
                 axes[0].plot(p, w[:, j].real, **_style(i), label=None if k or name in places else name)
                 axes[1].plot(p, np.abs(w[:, j].imag), "--", **_style(i))
             if name in places:
-                axes[0].text(*places[name], name, style="italic", ha="center", color=COLOURS[i % len(COLOURS)])
+                axes[0].text(
+                    *places[name], name, style="italic", ha="center", color=COLOURS[i % len(COLOURS)]
+                )
         _limits(axes[0], limits, axes[0].set_ylim)
         axes[1].set_ylim(0, None)
         axes[0].fill_between([], [], [], **SHADE, label="asymptotically stable")

@@ -79,18 +79,18 @@ def frequency_response(
     matrices = state_space(lin, ins, outs)
     given = Inputs.of(lin, ins)
     if frequencies is None:
-        omega = _range(matrices[0])
+        f = _range(matrices[0]) / (2 * np.pi)
     else:
-        omega = 2 * np.pi * array(frequencies, "frequency_response", "frequencies").ravel()
-        if not omega.size or not np.isfinite(omega).all() or (omega < 0).any():
+        f = array(frequencies, "frequency_response", "frequencies").ravel()
+        if not f.size or not np.isfinite(f).all() or (f < 0).any():
             raise ModelError("frequency_response: give frequencies that are not negative, in Hz")
     if frequencies is None or refine:
-        sharp = _sharp(matrices)
-        omega = np.unique([*omega, *sharp[(sharp > omega.min()) & (sharp < omega.max())]])
+        sharp = _sharp(matrices) / (2 * np.pi)
+        f = np.unique([*f, *sharp[(sharp > f.min()) & (sharp < f.max())]])
     by = [_input_unit(lin, label, base) for label, base in zip(given.labels, given.quantities, strict=True)]
     of = [history(lin.state.structure, name).unit for name in outs]
     units = tuple(tuple(_ratio(a, b) for b in by) for a in of)
-    return FrequencyResponse(omega / (2 * np.pi), _solved(matrices, omega), given.labels, outs, units)
+    return FrequencyResponse(f, _solved(matrices, 2 * np.pi * f), given.labels, outs, units)
 
 
 def _solved(matrices: tuple[Array, Array, Array, Array], omega: Array) -> ComplexArray:
@@ -157,4 +157,4 @@ def _ratio(output: str, given: str) -> str:
     if given in ("1", "-", ""):
         return output
     below = f"({given})" if any(z in given for z in " /") else given
-    return f"{output}/{below}"
+    return f"({output})/{below}" if "/" in output else f"{output}/{below}"

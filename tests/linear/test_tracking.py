@@ -38,7 +38,9 @@ def test_modes_whose_frequencies_cross_keep_their_names(count: int) -> None:
         omega, decay = exact[name]
         assert len(family) == 2
         for j in family:
-            assert np.abs(found.eigenvalues[:, j].imag) == pytest.approx(np.sqrt(omega**2 - decay**2), rel=1e-9)
+            assert np.abs(found.eigenvalues[:, j].imag) == pytest.approx(
+                np.sqrt(omega**2 - decay**2), rel=1e-9
+            )
             assert found.eigenvalues[:, j].real == pytest.approx(np.full(count, -decay), abs=1e-9)
 
 
@@ -64,7 +66,9 @@ def test_a_veering_pair_is_followed_along_its_continuous_shapes() -> None:
     assert of_a[0] > 0.99 and of_a[-1] < 0.01 and np.abs(np.diff(of_a)).max() < 0.2
     leaping = crossing(np.linspace(0, 2, 7), 0.08)
     low = int(np.argmin(np.abs(leaping.eigenvalues[0].imag)))
-    assert np.abs(leaping.eigenvalues[-1, low].imag) == pytest.approx(np.abs(leaping.eigenvalues[-1].imag).max())
+    assert np.abs(leaping.eigenvalues[-1, low].imag) == pytest.approx(
+        np.abs(leaping.eigenvalues[-1].imag).max()
+    )
 
 
 def test_boundaries_of_the_bicycle_are_the_published_ones_to_the_last_digits() -> None:

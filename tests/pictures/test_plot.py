@@ -97,7 +97,11 @@ def test_histories_have_a_panel_for_each_unit(motion: fx.Motion, tmp_path: Path)
     drawn = motion.plot(
         "lean.angle", "steer.angle", "lean.angle'", "force:rear.surface", path=tmp_path / "h.png"
     )
-    assert [axes.get_ylabel() for axes in drawn.axes] == ["[rad]", "[rad/s]", "[N]"]
+    assert [axes.get_ylabel() for axes in drawn.axes] == [
+        "angle [rad]",
+        "lean.angle' [rad/s]",
+        "force:rear.surface [N]",
+    ]
     assert np.array_equal(drawn.axes[1].lines[0].get_ydata(), motion.rate("lean.angle"))
     assert (tmp_path / "h.png").exists()
     with pytest.raises(fx.ModelError, match=r"did you mean lean\.angle"):
