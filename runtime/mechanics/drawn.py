@@ -79,13 +79,12 @@ class DrawnLinearization(ShownLinearization):
         --------
         >>> lin.bode("motor.angle", ["tip.y", "motor.angle"], path="bode.png")  # doctest: +SKIP
         """
-        from flexel.base.arguments import flag, text
+        from flexel.base.arguments import flag
         from flexel.pictures.bode import plot_bode
         from flexel.results.response import frequency_response
 
         found = frequency_response(self, inputs, outputs, frequencies, refine=True)  # type: ignore[arg-type]
-        decibels, title = flag(decibels, "bode", "decibels"), text(title, "bode", "title")
-        return plot_bode(found, path, decibels=decibels, title=title)
+        return plot_bode(found, path, decibels=flag(decibels, "bode", "decibels"), title=title)
 
     def plot(self, path: str | Path | None = None) -> Any:
         """Eigenvalues in the complex plane (needs matplotlib)."""

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from flexel.pictures.figures import COLOURS, panels, save, unit_text
+from flexel.base.errors import ModelError
+from flexel.pictures.figures import COLOURS, caption, panels, save, unit_text
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -29,7 +30,9 @@ def plot_bode(
         Magnitudes in decibels of one unit; ratios on a logarithmic axis otherwise.
     title : str
     """
-    f = response.frequencies
+    f, title = response.frequencies, caption(title, "bode")
+    if f[0] <= 0:
+        raise ModelError("bode: the axis of frequencies is logarithmic; give positive ones")
     pairs = [(i, j) for i in range(len(response.outputs)) for j in range(len(response.inputs))]
     units = list(dict.fromkeys(response.units[i][j] for i, j in pairs))
     shown = response.decibels if decibels else response.magnitude
@@ -49,8 +52,8 @@ def plot_bode(
                 panel.legend(loc="best")
         below.set(xscale="log", xlabel="frequency [Hz]", ylabel="phase [°]")
         below.yaxis.set_major_locator(_steps())
-        if f.size > 1 and f[-1] > max(f[0], 0):
-            below.set_xlim(f[0] if f[0] > 0 else None, f[-1])
+        if f.size > 1 and f[-1] > f[0]:
+            below.set_xlim(f[0], f[-1])
         names = _pair(response, 0, 0) if len(pairs) == 1 else _several(response.outputs, response.inputs)
         axes[0, 0].set_title(title or f"Frequency response: {names}")
         drawn.align_ylabels()

@@ -7,8 +7,8 @@ from contextlib import AbstractContextManager, contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from flexel.base.arguments import path_of
-from flexel.base.errors import FlexelError
+from flexel.base.arguments import path_of, text
+from flexel.base.errors import FlexelError, ModelError
 from flexel.base.files import replacing
 
 if TYPE_CHECKING:
@@ -74,6 +74,20 @@ def axis_label(names: Sequence[str], unit: str, before: str = "") -> str:
     """
     word = names[0] if len(names) == 1 else WORDS.get(unit_text(unit)[1:-1], "value")
     return f"{before}{word} {unit_text(unit)}"
+
+
+def caption(given: Any, owner: str, what: str = "title") -> str:
+    """A text that can be drawn.
+
+    Raises
+    ------
+    ModelError
+        No text, or characters that cannot be printed.
+    """
+    found = text(given, owner, what)
+    if not found.replace("\n", "").isprintable():
+        raise ModelError(f"{owner}: {what} {found!r} has characters that cannot be printed; leave them out")
+    return found
 
 
 def panels(count: int, **options: Any) -> AbstractContextManager[tuple[Figure, Any]]:

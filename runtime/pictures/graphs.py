@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from flexel.base.arguments import flag, positive, quantities, text
+from flexel.base.arguments import flag, positive, quantities
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.base.shown import listed

@@ -6,10 +6,10 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from flexel.base.arguments import quantities, text
+from flexel.base.arguments import quantities
 from flexel.base.errors import ModelError
 from flexel.base.shown import listed
-from flexel.pictures.figures import COLOURS, axis_label, panels, save
+from flexel.pictures.figures import COLOURS, axis_label, caption, panels, save
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -54,7 +54,7 @@ def plot_histories(
         if end > start:  # a motion interrupted immediately has only one state
             axes[-1, 0].set_xlim(start, end)
         shown = [name for members, _ in groups for name in members]
-        axes[0, 0].set_title(text(title, "plot", "title") or f"{listed(shown, 4)} over time")
+        axes[0, 0].set_title(caption(title, "plot") or f"{listed(shown, 4)} over time")
         drawn.align_ylabels()
     save(drawn, path)
     return drawn
@@ -81,7 +81,7 @@ def _labels(labels: Sequence[str], count: int) -> list[str]:
         )
     if not labels:
         return [""] if count == 1 else [f"motion {i + 1}" for i in range(count)]
-    return [text(z, "plot", "label") for z in labels]
+    return [caption(z, "plot", "label") for z in labels]
 
 
 def _groups(motion: Any, names: Sequence[str | Sequence[str]]) -> Iterator[tuple[list[str], str]]:

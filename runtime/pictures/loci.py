@@ -12,7 +12,7 @@ from flexel.base.arguments import array, number
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.linear.tracking import Boundary, Branches
-from flexel.pictures.figures import COLOURS, GUIDE, MARK, STABLE, figure, save
+from flexel.pictures.figures import COLOURS, GUIDE, MARK, STABLE, caption, figure, save
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 Names = Mapping[str, "tuple[float, float]"] | Sequence[str] | None
 SHADE: Any = {"color": STABLE, "alpha": 0.13, "lw": 0}
-MANY = 8  # branches with which the legend stands beside the axes
+MANY = 6  # branches with which the legend stands beside the axes
 
 
 def root_loci(
@@ -74,6 +74,7 @@ def plot_loci(
 ) -> Figure:
     """A figure of branches; see `root_loci`."""
     called, places = _names(branches, names)
+    label, title = caption(label, "root_loci", "label"), caption(title, "root_loci")
     title = title or f"Eigenvalues over {label.partition(' [')[0]}"
     if plane:
         drawn = _plane(branches, called, label, title, limits)
@@ -93,7 +94,7 @@ def _names(branches: Branches, names: Names) -> tuple[list[str], Mapping[str, tu
             raise ModelError(
                 f"root_loci: names {names!r}; give one for each of {own}, or places of some of them"
             )
-        return [str(z) for z in names], {}
+        return [caption(z, "root_loci", "name") for z in names], {}
     p, w = branches.parameter, branches.eigenvalues.real
     for name, place in names.items():
         x, y = (number(z, "root_loci", f"place of '{name}'") for z in place)

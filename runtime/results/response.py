@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from scipy.linalg import eigvals
 
-from flexel.base.arguments import array
+from flexel.base.arguments import array, names
 from flexel.base.arrays import Array, ComplexArray
 from flexel.base.errors import LinearizationError, ModelError
 from flexel.base.units import force_unit, rate_unit
@@ -72,8 +72,8 @@ def frequency_response(
     refine: bool = False,
 ) -> FrequencyResponse:
     """See `Linearization.frequency_response`; `refine` adds resonances to given frequencies."""
-    ins = (inputs,) if isinstance(inputs, str) else tuple(inputs)
-    outs = (outputs,) if isinstance(outputs, str) else tuple(outputs)
+    ins = (inputs,) if isinstance(inputs, str) else names(inputs, "inputs")
+    outs = (outputs,) if isinstance(outputs, str) else names(outputs, "outputs")
     if not ins or not outs:
         raise LinearizationError("frequency_response: name an input and an output, ('motor.angle', 'tip.y')")
     matrices = state_space(lin, ins, outs)
