@@ -94,7 +94,10 @@ HOMES = {  # sections of the page of public names: title and modules
     "Pictures": ("flexel.pictures.scene", "flexel.pictures.solids"),
 }
 RETURNED = {  # functions and options of pictures that are not names of the package itself
-    "flexel.pictures.plot": ("draw", "root_loci"),
+    "flexel.linear.tracking": ("Branches", "Boundary"),
+    "flexel.results.response": ("FrequencyResponse",),
+    "flexel.pictures.scene": ("draw",),
+    "flexel.pictures.loci": ("root_loci",),
     "flexel.pictures.view": ("scene_data", "view_modes", "Page"),
 }
 DECLARATIONS = (

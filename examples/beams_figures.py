@@ -106,7 +106,11 @@ def princeton(rows: Sequence[Quantity], path: Path) -> None:
                 ax.plot(angles, factor * found[:, k, column], color=COLOURS[k], label=f"{load:g} N")
                 exact = table[table[:, 0] == load]
                 ax.plot(exact[:, 1], factor * exact[:, 2 + column], "o", color=COLOURS[k], markersize=4)
-            ax.set(ylabel=title, xlabel="angle of the load from the width [°]", xticks=angles)
+            ax.set(
+                ylabel=title,
+                xlabel="angle of the load from the width [°]",
+                xticks=angles,
+            )
         axes[2].legend()
         drawn.suptitle("Princeton beam: 16 elements (lines) and the exact rod (dots)")
         save(drawn, path)

@@ -16,7 +16,7 @@ from flexel.base.arguments import flag, positive, quantities
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.base.shown import listed
-from flexel.pictures.figures import COLOURS, GUIDE, MARK, axis_label, figure, panels, save
+from flexel.pictures.figures import COLOURS, GUIDE, MARK, axis_label, caption, figure, panels, save
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -40,10 +40,7 @@ def plot_spectra(
     title: str = "",
 ) -> Figure:
     """Amplitude spectra of named quantities, one panel for each unit; see `Motion.spectrum_plot`."""
-    logarithmic, title = (
-        flag(logarithmic, "spectrum_plot", "logarithmic"),
-        text(title, "spectrum_plot", "title"),
-    )
+    logarithmic, title = flag(logarithmic, "spectrum_plot", "logarithmic"), caption(title, "spectrum_plot")
     shown = quantities(names, "spectrum_plot") or motion.dofs
     found = {name: (*motion.spectrum(name, window), motion.unit(name)) for name in shown}
     units = list(dict.fromkeys(unit for *_, unit in found.values()))
