@@ -90,7 +90,10 @@ HOMES = {  # sections of the page of public names: title and modules
     "Pictures": ("flexel.pictures.scene", "flexel.pictures.solids"),
 }
 RETURNED = {  # functions and options of pictures that are not names of the package itself
-    "flexel.pictures.plot": ("draw", "root_loci"),
+    "flexel.linear.tracking": ("Branches", "Boundary"),
+    "flexel.results.response": ("FrequencyResponse",),
+    "flexel.pictures.scene": ("draw",),
+    "flexel.pictures.loci": ("root_loci",),
     "flexel.pictures.view": ("scene_data", "view_modes", "Page"),
 }
 DECLARATIONS = (
@@ -130,7 +133,19 @@ def directive(name: str, module: str = "flexel") -> str:
         return f".. autofunction:: {module}.{name}\n"
     if issubclass(value, Exception):
         return f".. autoexception:: {module}.{name}\n"
-    return f".. autoclass:: {module}.{name}\n   :members:\n"
+    families = [z for z in value.__mro__[1:] if z.__module__.startswith("flexel.")]
+    if not families:
+        return f".. autoclass:: {module}.{name}\n   :members:\n"
+    # Methods that stand in families of their own; those of Python's own bases, as of a sequence, stay out.
+    members = dict.fromkeys(
+        key
+        for base in (value, *families)
+        for key, member in vars(base).items()
+        if not key.startswith("_")
+        and inspect.getdoc(member)
+        and not isinstance(member, str | tuple | int | float)
+    )
+    return f".. autoclass:: {module}.{name}\n   :members: {', '.join(members)}\n"
 
 
 def api_pages() -> dict[str, str]:

@@ -29,7 +29,18 @@ from flexel.system import System
 
 
 class Model(
-    Gearing, Cams, Skates, Ropes, PointContacts, Chains, Wheels, Couplings, Controllers, Loading, Elements, Looks
+    Gearing,
+    Cams,
+    Skates,
+    Ropes,
+    PointContacts,
+    Chains,
+    Wheels,
+    Couplings,
+    Controllers,
+    Loading,
+    Elements,
+    Looks,
 ):
     """A mechanism to be declared.
 

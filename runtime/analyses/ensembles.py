@@ -218,7 +218,9 @@ class Ensembles(Motions):
         run = axis[name]
         if run.ndim != 1:
             raise ModelError(f"root_loci: '{name}' has several numbers; let the loci run over '{name}[0]'")
-        return RootLoci(f"{name}'" if found.rates else name, run, found if of is None else found.reduced(of))
+        full = f"{name}'" if found.rates else name
+        unit = history(self.structure, full).unit if found.rates else values.units[name]
+        return RootLoci(full, run, found if of is None else found.reduced(of), unit)
 
     def _many(
         self,

@@ -54,6 +54,7 @@ class Values:
         Number of variants.
     given : dict of str to ndarray (count, …)
         By name.
+    units : dict of str to str
     """
 
     def __init__(
@@ -63,6 +64,7 @@ class Values:
         parameters = Parameters(system.structure)
         given = mapping(given, owner, "parameters")
         self.places = [parameters.find(name, owner) for name in given]
+        self.units = {z.name: parameters.unit(z) for z in self.places}
         rows = [_rows(z, given[z.name], owner) for z in self.places]
         starts = {name: _column(name, z, owner) for name, z in initial.items()}
         self.count = self._count({**{z.name: r for z, r in zip(self.places, rows, strict=True)}, **starts})

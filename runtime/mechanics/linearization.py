@@ -19,10 +19,11 @@ from flexel.base.arguments import names as checked_names
 from flexel.base.arrays import Array, ComplexArray, StateSpace
 from flexel.base.copies import Portable
 from flexel.base.errors import LinearizationError, ModelError
-from flexel.base.outside import DataFrame, Dataset, Figure
+from flexel.base.outside import DataFrame, Dataset
 from flexel.base.shown import Listing
 from flexel.base.units import rate_unit
 from flexel.engine.derivatives import Derivatives, Tangents
+from flexel.mechanics.drawn import DrawnLinearization
 from flexel.mechanics.modes import (
     Mode,
     Reduced,
@@ -34,14 +35,13 @@ from flexel.mechanics.modes import (
 )
 from flexel.mechanics.rigid import spectrum
 from flexel.mechanics.sampled import SampledLinearization
-from flexel.mechanics.shown import ShownLinearization
 from flexel.mechanics.steadiness import acceleration
 from flexel.mechanics.transfer import Transfer
 from flexel.structure.state import State
 
 
 @dataclass(frozen=True, repr=False)
-class Linearization(SampledLinearization, ShownLinearization, Portable):
+class Linearization(SampledLinearization, DrawnLinearization, Portable):
     """Linearized equations about a state.
 
     Attributes
@@ -279,23 +279,3 @@ class Linearization(SampledLinearization, ShownLinearization, Portable):
         x, structure = self.transfer.G[:, : q.size] @ q, self.state.structure
         first = structure.m + structure.k
         return {structure.names[first + i]: complex(z) for i, z in enumerate(x)}
-
-    def plot(self, path: str | Path | None = None) -> Figure:
-        """Eigenvalues in the complex plane (needs matplotlib)."""
-        from flexel.pictures.graphs import plot_poles
-
-        return plot_poles([self.eigenvalues()], path)
-
-    def plot_mode(self, number: int, path: str | Path | None = None, **options: Any) -> Figure:
-        """The shape of a mode of `modes`, over the state in grey; see `flexel.pictures.deflected.plot_shape`."""
-        from flexel.pictures.deflected import plot_shape
-
-        mode = self.mode(number)
-        title = f"{mode.name}: {mode.eigenvalue:.4g} 1/s"
-        return plot_shape(self.state, self.mode_shape(number), path, **{"title": title, **options})
-
-    def view(self, path: str | Path, **options: Any) -> Path:
-        """An HTML page that shows the modes in any browser, with amplitude and phase; see `view.mode_data`."""
-        from flexel.pictures.view import view_modes
-
-        return view_modes(self, path, **options)
