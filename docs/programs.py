@@ -3,8 +3,8 @@
 A block ``python`` is a part of its page's program: the parts run in order, with common names, in an empty folder, and a
 warning is an error. A block ``text`` straight after a part is what this part prints, all of it. ``python
 docs/programs.py PAGE…`` runs pages (all without a name) and writes such blocks anew; ``--check`` only says which pages
-differ, ``--pictures`` keeps the pictures that a program draws under names that its page shows. The check of all pages is
-`tests/test_page_programs.py`.
+differ, ``--pictures`` keeps the pictures that a program draws under names that its page shows.
+`tests/test_page_programs.py` checks all pages.
 """
 
 from __future__ import annotations
@@ -14,12 +14,12 @@ import contextlib
 import io
 import os
 import re
-import shutil
 import sys
 import tempfile
 import warnings
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -33,26 +33,43 @@ NUMBER = re.compile(r"(?<![\w.])[-+]?\d+\.?\d*(?:e[-+]?\d+)?|(?<![\w.])[-+]?\.\d
 # Parts that are not run here: the page, the first line of the part (or * for all), and why.
 LEFT_OUT = {
     ("README.md", "let = Let()"): "a part of derive/elements/truss.py, shown as an example",
-    ("adding-an-element.md", "*"): "needs its element to be compiled: tests/test_adding_an_element.py follows the page",
-    ("start.md", "from concurrent.futures import ProcessPoolExecutor"): "other processes import the function from a file",
+    (
+        "adding-an-element.md",
+        "*",
+    ): "needs its element to be compiled: tests/test_adding_an_element.py follows the page",
+    (
+        "coming-from-exudyn.md",
+        "import exudyn as exu",
+    ): "needs Exudyn; tests/test_page_programs.py runs it where it is",
+    (
+        "start.md",
+        "from concurrent.futures import ProcessPoolExecutor",
+    ): "other processes import the function from a file",
     ("sweeps.md", "from distributed import Client, LocalCluster"): "tests/sweeps start such a cluster",
     ("sweeps.md", "from dask_jobqueue import SLURMCluster"): "needs a cluster with a queue",
-    ("stability-map.md", "def build(wheelbase, trail):"): "some minutes; `flexel reproduce` runs it",
 }
 
 
 @dataclass(frozen=True)
 class Part:
-    """One block of a program: its code, where it ends in the page, and what it prints according to the page."""
+    """One block of a program: its code, and the block of what it prints according to the page."""
 
     code: str
-    end: int
     shown: re.Match[str] | None
 
     @property
     def head(self) -> str:
         """The first line."""
         return self.code.split("\n", 1)[0]
+
+
+@dataclass(frozen=True)
+class Ran:
+    """What a program leaves: its names, what each part printed, and the pictures that it drew."""
+
+    names: dict[str, Any]
+    printed: list[tuple[Part, str]] = field(default_factory=list)
+    drawn: dict[str, bytes] = field(default_factory=dict)
 
 
 def pages() -> list[Path]:
@@ -63,39 +80,37 @@ def pages() -> list[Path]:
 def parts(text: str) -> Iterator[Part]:
     """The parts of the program of a page."""
     blocks = list(BLOCK.finditer(text))
-    for block, after in zip(blocks, [*blocks[1:], None], strict=True):
-        if block["language"] == "python":
-            follows = after is not None and after["language"] == "text"
-            follows = follows and not text[block.end() : after.start()].strip()  # type: ignore[union-attr]
-            yield Part(block["text"], block.end(), after if follows else None)
+    for block, after in pairwise([*blocks, None]):
+        if block is not None and block["language"] == "python":
+            if after is not None and (
+                after["language"] != "text" or text[block.end() : after.start()].strip()
+            ):
+                after = None
+            yield Part(block["text"], after)
 
 
-def run(page: Path, images: Path | None = None) -> tuple[dict[str, Any], list[tuple[Part, str]]]:
-    """Run a page in a folder of its own: the names that it leaves, and what each part printed.
-
-    Pictures that the page shows from ``images/`` and that its program has drawn are copied to `images`.
-    """
-    names: dict[str, Any] = {"__name__": page.stem}
-    printed: list[tuple[Part, str]] = []
-    before, text = Path.cwd(), page.read_text(encoding="utf-8")
+def run(page: Path) -> Ran:
+    """Run the program of a page in a folder of its own."""
+    ran, text, before = Ran({"__name__": page.stem}), page.read_text(encoding="utf-8"), Path.cwd()
     with tempfile.TemporaryDirectory() as folder, warnings.catch_warnings():
-        warnings.simplefilter("error")
-        warnings.simplefilter("ignore", ResourceWarning)
+        warnings.simplefilter("error", UserWarning)
         os.chdir(folder)
         try:
-            for number, part in enumerate(parts(text)):
-                if LEFT_OUT.keys() & {(page.name, part.head), (page.name, "*")}:
-                    continue
-                out = io.StringIO()
-                with contextlib.redirect_stdout(out):
-                    exec(compile(part.code, f"{page.name}, part {number}", "exec"), names)  # noqa: S102
-                printed.append((part, out.getvalue()))
-            for name in PICTURE.findall(text) if images else ():
-                if Path(name).is_file():
-                    shutil.copy(name, images / name)
+            for part in parts(text):
+                if not LEFT_OUT.keys() & {(page.name, part.head), (page.name, "*")}:
+                    ran.printed.append((part, execute(part, page.name, ran.names)))
+            ran.drawn.update({file.name: file.read_bytes() for file in Path().glob("*.png")})
         finally:
             os.chdir(before)
-    return names, printed
+    return ran
+
+
+def execute(part: Part, page: str, names: dict[str, Any]) -> str:
+    """Run one part; what it prints is returned."""
+    out = io.StringIO()
+    with contextlib.redirect_stdout(out):
+        exec(compile(part.code, f"{page}: {part.head}", "exec"), names)  # noqa: S102
+    return out.getvalue()
 
 
 def agree(shown: str, printed: str) -> bool:
@@ -114,13 +129,19 @@ def _unit(number: str) -> float:
     return float(10.0 ** (int(exponent or 0) - len(mantissa.partition(".")[2])))
 
 
-def renewed(page: Path, images: Path | None = None) -> str:
-    """The text of a page with what its program prints now, where that differs from what it shows."""
-    text = page.read_text(encoding="utf-8")
-    for part, out in reversed(run(page, images)[1]):
+def renewed(page: Path, images: Path | None) -> str:
+    """The text of a page with what its program prints now, where that differs from what it shows.
+
+    Pictures that the program draws and the page shows from ``images/`` are written to `images`.
+    """
+    text, ran = page.read_text(encoding="utf-8"), run(page)
+    for part, out in reversed(ran.printed):
         if part.shown is not None and not agree(part.shown["text"], out):
             start, end = part.shown.span("text")
             text = text[:start] + "".join(f"{line.rstrip()}\n" for line in out.splitlines()) + text[end:]
+    if images is not None:
+        for name in ran.drawn.keys() & set(PICTURE.findall(text)):
+            (images / name).write_bytes(ran.drawn[name])
     return text
 
 
