@@ -13,6 +13,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
+from methods import method_pages, method_rows
 from reported import write_report
 
 import flexel
@@ -25,14 +26,20 @@ from flexel.generated.table import ELEMENTS, LAWS
 FIRST = (
     "start",
     "concepts",
+    "joints",
+    "flexure-design",
+    "vehicles",
+    "cranes",
+    "control",
+    "writing-an-element",
     "coming-from-spacar",
     "coming-from-spacar-light",
-    "flexure-design",
-    "joints",
-    "writing-an-element",
-    "adding-an-element",
+    "coming-from-exudyn",
+    "coming-from-sympy",
+    "many",
+    "sweeps",
 )
-REFERENCE = ("theory", "architecture", "verification", "speed", "report")
+REFERENCE = ("theory", "architecture", "adding-an-element", "verification", "speed", "report")
 Rows = list[dict[str, Any]]
 
 HOMES = {  # sections of the page of public names: title and modules
@@ -235,7 +242,9 @@ def directive(name: str, module: str = "flexel") -> str:
         return f".. autofunction:: {module}.{name}\n"
     if issubclass(value, Exception):
         return f".. autoexception:: {module}.{name}\n"
-    return f".. autoclass:: {module}.{name}\n   :members:\n"
+    inherited = [] if value is flexel.Model else [z for z in value.__mro__[1:-1] if z.__module__.startswith("flexel.")]
+    members = "   :inherited-members:\n" if inherited else ""  # those of Model have pages of their own
+    return f".. autoclass:: {module}.{name}\n   :members:\n{members}"
 
 
 def api_pages() -> dict[str, str]:
@@ -254,14 +263,16 @@ def api_pages() -> dict[str, str]:
         (f"[{title}]({slugs[title]}.md)", ", ".join(f"`{name}`" for name in names.get(title, [])) or "–")
         for title in entries
     ]
-    text = "# Public names\n\nAfter `import flexel as fx`, each of these is available as `fx.NAME`, except those of\n"
-    text += "the last two topics, whose pages name their modules.\n\n" + table(("topic", "names"), rows)
-    text += "\n```{toctree}\n:hidden:\n\n" + "\n".join(slugs.values()) + "\n```\n"
+    rows[1:1] = method_rows()
+    methods = method_pages()
+    text = "# Public names\n\nAfter `import flexel as fx`, each of these is available as `fx.NAME`, except methods\n"
+    text += "(`m` is a `Model`) and those of the last two topics, whose pages name their modules.\n\n" + table(("topic", "names"), rows)
+    text += "\n```{toctree}\n:hidden:\n\n" + "\n".join([*slugs.values(), *methods]) + "\n```\n"
     pages = {
         slugs[title]: f"# {title}\n\n```{{eval-rst}}\n" + "\n".join(found) + "```\n"
         for title, found in entries.items()
     }
-    return {"api": text, **pages}
+    return {"api": text, **methods, **pages}
 
 
 def contents(folder: Path) -> str:
