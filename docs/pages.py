@@ -242,7 +242,11 @@ def directive(name: str, module: str = "flexel") -> str:
         return f".. autofunction:: {module}.{name}\n"
     if issubclass(value, Exception):
         return f".. autoexception:: {module}.{name}\n"
-    inherited = [] if value is flexel.Model else [z for z in value.__mro__[1:-1] if z.__module__.startswith("flexel.")]
+    inherited = (
+        []
+        if value is flexel.Model
+        else [z for z in value.__mro__[1:-1] if z.__module__.startswith("flexel.")]
+    )
     members = "   :inherited-members:\n" if inherited else ""  # those of Model have pages of their own
     return f".. autoclass:: {module}.{name}\n   :members:\n{members}"
 
@@ -266,7 +270,10 @@ def api_pages() -> dict[str, str]:
     rows[1:1] = method_rows()
     methods = method_pages()
     text = "# Public names\n\nAfter `import flexel as fx`, each of these is available as `fx.NAME`, except methods\n"
-    text += "(`m` is a `Model`) and those of the last two topics, whose pages name their modules.\n\n" + table(("topic", "names"), rows)
+    text += (
+        "(`m` is a `Model`) and those of the last two topics, whose pages name their modules.\n\n"
+        + table(("topic", "names"), rows)
+    )
     text += "\n```{toctree}\n:hidden:\n\n" + "\n".join([*slugs.values(), *methods]) + "\n```\n"
     pages = {
         slugs[title]: f"# {title}\n\n```{{eval-rst}}\n" + "\n".join(found) + "```\n"
