@@ -4,7 +4,6 @@ Two slender links in a horizontal plane, each of two beam elements, with motors 
 Each motor works between its link and a frame that is turned as commanded, so that the measured joint angles are the
 errors.  A linear-quadratic regulator of joints and bending, designed at one position of the elbow, is compared
 with proportional-derivative control of the joints alone, which is all that a rigid arm would need.
-Imports numpy, scipy and flexel; matplotlib when a picture is drawn.
 """
 
 from __future__ import annotations

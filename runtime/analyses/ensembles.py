@@ -180,7 +180,7 @@ class Ensembles(Motions):
     ) -> RootLoci:
         """Eigenvalues of steady motions over a rate, or over a parameter, as tracked branches.
 
-        Each state is confirmed to be steady; where it is not, the steady motion nearest to it is sought.
+        Each state is confirmed to be steady; where it is not, the steady motion nearest to it is computed.
 
         Parameters
         ----------

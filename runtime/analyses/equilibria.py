@@ -56,7 +56,7 @@ class Equilibria(Core):
             Coordinates and deformations held at their values in `start` by the necessary forces
             (``state.force(name)``), such as sheaves that would otherwise turn freely.
         stable : bool
-            Accept stable equilibria only: go on downhill from one that is not.
+            Accept stable equilibria only: continue downhill from one that is not.
 
         Raises
         ------

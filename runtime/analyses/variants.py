@@ -122,7 +122,7 @@ def _column(name: str, given: Any, owner: str) -> Array:
 
 
 def variant_of(system: C, values: Values, i: int) -> C:
-    """Variant number i as a system of its own."""
+    """Variant number i as a separate system."""
     row = values.of(i)
     found, variant = varied(system, values.places, Parameters(system.structure).changed(values.places, row))
     variant.set(row)
@@ -131,7 +131,7 @@ def variant_of(system: C, values: Values, i: int) -> C:
 
 @dataclass(frozen=True)
 class Again(Generic[C, T]):
-    """Does a task for one variant again, as a system of its own."""
+    """Repeats the task of one variant, as a separate system."""
 
     system: C
     values: Values

@@ -62,20 +62,20 @@ def resolve_roles(model: Declarations, structure: Structure) -> Roles:
         contradicted = [z for z in (*law.deformations, *law.slips) if model._roles.get(z) == "rigid"]
         if contradicted:
             raise ModelError(f"'{contradicted[0]}' is rigid and also has a law; remove one of them")
-    for name, wish in model._roles.items():
+    for name, given in model._roles.items():
         if structure.find(name, "rigid or release") >= structure.m + structure.k:
             raise ModelError(
                 f"'{name}' is a coordinate; rigid and free are roles of deformations and slips, use fix"
             )
         refuse_norm(structure, name, "rigid or release")
-        role[name] = wish
+        role[name] = given
     for name in [*(model._dynamic or []), *(model._kinematic or []), *model._motions]:
         structure.find(name, "independent, kinematic or prescribe")
         refuse_norm(structure, name, "independent, kinematic or prescribe")
         if model._roles.get(name) == "rigid":
             raise ModelError(f"'{name}' is rigid and also independent or prescribed; remove one of them")
         role[name] = "free"
-    rigid = [structure.index[z] for z, wish in role.items() if wish == "rigid"]
+    rigid = [structure.index[z] for z, given in role.items() if given == "rigid"]
     prescribed = [structure.find(z) for z in model._motions]
     empty = np.zeros(0, dtype=np.intp)
     return Roles(

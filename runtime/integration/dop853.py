@@ -26,7 +26,7 @@ from flexel.structure.moment import Moment
 
 SAFETY, SMALLEST, LARGEST = 0.9, 0.2, 10.0  # factors of the step control
 EXPONENT = -1 / 8
-ACCEPT = 0.01  # error of a position below which J is not evaluated anew, relative to rtol
+ACCEPT = 0.01  # error of a position below which J is not evaluated again, relative to rtol
 SHADOW = 1e-3  # error of the shadow in one step, in natural scales
 TURNS = 0.1  # of periodic deformations, in periods
 CAREFUL = 1e-9  # of the shadow and its rates where the sign of the position matrix changes
@@ -127,7 +127,7 @@ class Dop853(MinimalRun):
     _crossing = False  # the next step goes across a bifurcation
 
     def restart(self) -> None:
-        """Start anew from the present position in the present degrees of freedom."""
+        """Restart from the present position in the present degrees of freedom."""
         y = self.choices.values(self.now, self.z)
         self.steps = Steps(self.kinematics, self.now, y, self.tolerances.rtol, self.natural_atol())
         self.renew()
@@ -135,7 +135,7 @@ class Dop853(MinimalRun):
             self._h = self.tolerances.first_step or self._first_step()
 
     def renew(self) -> None:
-        """Rates anew, with the loads that have changed."""
+        """Rates with the loads that have changed."""
         self.steps.begin(self.t)
         self.counts["evaluations"] += 1
 

@@ -73,7 +73,7 @@ class Run(ABC):
 
     @property
     def step(self) -> float | None:
-        """A first step [s] with which the motion can go on from here; None if the method chooses it anew."""
+        """A first step [s] with which the motion can continue from here; None if the method chooses it again."""
         return None
 
     def run(self, progress: bool | None, each: Callable[[Run], None] | None = None) -> Integration:
@@ -115,12 +115,12 @@ class Run(ABC):
         """Coordinates, rates and deformations at the current time, and internal states of laws."""
 
     def go_on(self, until: float) -> None:
-        """Move on to another time, from a motion that has ended; what was stored before is dropped."""
+        """Continue to another time, from a motion that has ended; what was stored before is dropped."""
         self.times = np.array([self.t, until])
         self.result = self.result.last()
 
     def so_far(self) -> Integration:
-        """The results so far and the current state, in lists of their own; the run goes on unchanged."""
+        """The results so far and the current state, in lists of their own; the run continues unchanged."""
         stored = len(self.result.states)
         found = self.kept("not at its end").copy()
         self.result.cut(stored)

@@ -63,7 +63,7 @@ class Options:
         return default if given is None else step_limit(given, "simulate", name, least)
 
     def with_first(self, step: float | None) -> Options:
-        """The same with another first step, to go on from a state; constant steps stay as they are."""
+        """The same with another first step, to continue from a state; constant steps stay as they are."""
         return self if self.step is not None else replace(self, first_step=step)
 
     @property
@@ -111,7 +111,7 @@ def start_of(system: Core, method: str, start: Any, options: Options) -> State:
 
 @dataclass(frozen=True)
 class Suitable:
-    """What a system asks of an integrator at its start.
+    """Demands of a system on an integrator at its start.
 
     Attributes
     ----------
@@ -130,7 +130,7 @@ class Suitable:
 
 
 def suitable(system: Core, start: State) -> Suitable:
-    """What a system asks of an integrator at a start; no eigenvalues are taken of very large systems."""
+    """Demands of a system on an integrator at a start; no eigenvalues are taken of very large systems."""
     if system.roles.nd > MANY:
         return Suitable(ALPHA, f"{system.roles.nd} degrees of freedom, above {MANY}")
     try:
@@ -206,7 +206,7 @@ def _atol(system: Core, options: Options) -> float | Array:
     given = vector(options.atol, "simulate", "atol", size)
     if options.rechoose is not False:
         raise ModelError(
-            "simulate: atol of each variable, but these may be chosen anew during the motion; give rechoose=False too"
+            "simulate: atol of each variable, but the variables may change during the motion; give rechoose=False too"
         )
     if np.any(given <= 0):
         raise ModelError(f"simulate: atol {given.min():g} is too small; give more than 0")

@@ -24,7 +24,7 @@ from flexel.mechanics.reach import LOST, reach
 from flexel.structure.moment import Moment
 from flexel.structure.state import State
 
-SHORTEST = 1e-11  # step, relative to the times, below which the integration gives up
+SHORTEST = 1e-11  # step, relative to the times, below which the integration stops
 EXTREME = 10.0  # reach, relative to the best one, of kept degrees of freedom to which the end of a motion is put down
 SINGULAR = 1e6  # reach of the best choice above which the position is singular
 
@@ -98,7 +98,7 @@ class MinimalRun(DenseRun):
 
     @abstractmethod
     def restart(self) -> None:
-        """Start anew from the present position in the present degrees of freedom."""
+        """Restart from the present position in the present degrees of freedom."""
 
     def natural_atol(self) -> Array:
         """Absolute tolerances of y."""
@@ -121,7 +121,7 @@ class MinimalRun(DenseRun):
         if not choices.free:
             if self.reached > LOST * choices.best:
                 raise self.lost()
-            return False  # shorter steps may still go on
+            return False  # shorter steps may still succeed
         choices.change(other, self.t)
         self.counts["rechoices"] += 1
         self.reached = choices.best

@@ -22,8 +22,15 @@ from flexel.base.errors import LinearizationError, ModelError
 from flexel.base.shown import Listing
 from flexel.base.units import rate_unit
 from flexel.engine.derivatives import Derivatives, Tangents
-from flexel.engine.solvers import solved
-from flexel.mechanics.modes import Mode, Reduced, check_decoupled, modes_of, places_of, sort_eigenvalues
+from flexel.mechanics.modes import (
+    Mode,
+    Reduced,
+    check_decoupled,
+    first_order,
+    modes_of,
+    places_of,
+    sort_eigenvalues,
+)
 from flexel.mechanics.rigid import spectrum
 from flexel.mechanics.shown import ShownLinearization
 from flexel.mechanics.steadiness import acceleration, check_steady
@@ -94,11 +101,8 @@ class Linearization(ShownLinearization, Portable):
     @property
     def state_matrix(self) -> Array:
         """Matrix of the first-order equations for (δq_d', δq_d, δq_k, δz), (2 nd + nk + nz) square."""
-        nd, nk, nz = len(self.dynamic), len(self.kinematic), len(self.internal)
-        top = -solved(self.M, np.hstack([self.C, self.K, self.Z])) if nd else np.zeros((0, nk + nz))
-        middle = np.hstack([np.eye(nd), np.zeros((nd, nd + nk + nz))])
-        rolling = np.hstack([self.A_k, self.B_k, np.zeros((nk, nz))])
-        return np.vstack([top, middle, rolling, np.hstack([self.Z_v, self.Z_q, self.Z_z])])
+        rolling, lags = (self.A_k, self.B_k), (self.Z_v, self.Z_q, self.Z_z)
+        return first_order(self.M, (self.C, self.K, self.Z), rolling, lags)
 
     def eigenvalues(self) -> ComplexArray:
         """All eigenvalues [1/s] of the state matrix, sorted by real, then imaginary part.
@@ -225,9 +229,7 @@ class Linearization(ShownLinearization, Portable):
         return to_xarray(self)
 
     def to_pandas(self) -> Any:
-        """A pandas.DataFrame of the modes: eigenvalue, frequency, damping ratio, and the degrees of freedom that
-        take part.
-        """
+        """A pandas.DataFrame of the modes: eigenvalue, frequency, damping ratio, and the degrees of freedom in each."""
         from flexel.results.saved.archive_linear import to_pandas
 
         return to_pandas(self)
@@ -269,9 +271,7 @@ class Linearization(ShownLinearization, Portable):
         return modes[number]
 
     def mode_shape(self, number: int) -> dict[str, complex]:
-        """Displacements of all free coordinates in a mode of `modes`, for pictures; degrees of freedom of amplitude
-        1 at most.
-        """
+        """Displacements of all free coordinates in a mode, for pictures; degrees of freedom have amplitudes up to 1."""
         mode = self.mode(number)
         q = np.array([mode.shape[name] for name in self.dofs])
         structure = self.state.structure

@@ -16,7 +16,7 @@ from flexel.base.arrays import Array, ComplexArray
 from flexel.base.errors import ModelError
 from flexel.linear.tracking import branches
 from flexel.mechanics.linearization import Linearization
-from flexel.mechanics.modes import check_decoupled, places_of
+from flexel.mechanics.modes import check_decoupled, first_order, places_of
 from flexel.results.saved.record import require
 
 
@@ -83,18 +83,8 @@ class Linearizations:
     @property
     def state_matrices(self) -> Array:
         """Matrices (…, n, n) of the first-order equations, each as `Linearization.state_matrix`."""
-        nd, nk, nz = len(self.dynamic), len(self.kinematic), len(self.internal)
-        first = self.M.shape[:-2]
-        A = np.zeros((*first, 2 * nd + nk + nz, 2 * nd + nk + nz))
-        forces = np.concatenate([self.C, self.K, self.Z], axis=-1)
-        good = np.isfinite(self.M).all(axis=(-2, -1))
-        A[good, :nd] = -np.linalg.solve(self.M[good], forces[good]) if nd else 0.0
-        A[..., nd : 2 * nd, :nd] = np.eye(nd)
-        A[..., 2 * nd : 2 * nd + nk, :nd], A[..., 2 * nd : 2 * nd + nk, nd : 2 * nd + nk] = self.A_k, self.B_k
-        A[..., 2 * nd + nk :, :nd], A[..., 2 * nd + nk :, nd : 2 * nd + nk] = self.Z_v, self.Z_q
-        A[..., 2 * nd + nk :, 2 * nd + nk :] = self.Z_z
-        A[~good] = np.nan
-        return A
+        rolling, lags = (self.A_k, self.B_k), (self.Z_v, self.Z_q, self.Z_z)
+        return first_order(self.M, (self.C, self.K, self.Z), rolling, lags)
 
     def eigenvalues(self) -> ComplexArray:
         """Eigenvalues (…, n) [1/s] of the state matrices, in no particular order; NaN where a variant failed."""

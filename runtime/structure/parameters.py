@@ -34,7 +34,7 @@ class Place:
     Attributes
     ----------
     name : str
-        As it was asked for.
+        As requested.
     law : bool
         Whether it belongs to a law, otherwise to an element.
     owner : int

@@ -78,7 +78,7 @@ def test_the_tables_of_a_spacar_run_name_the_motion_beside(tmp_path: Path, check
         assert "is a table of a SPACAR run" in result.output and "its motion is not beside" in result.output
 
 
-def test_a_file_that_is_no_result_is_told(tmp_path: Path) -> None:
+def test_a_file_that_is_not_a_result_is_reported(tmp_path: Path) -> None:
     """In one line, without a traceback."""
     path = tmp_path / "notes.npz"
     path.write_text("import os")
