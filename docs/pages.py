@@ -246,7 +246,9 @@ def directive(name: str, module: str = "flexel") -> str:
         key
         for base in (value, *families)
         for key, member in vars(base).items()
-        if not key.startswith("_") and inspect.getdoc(member) and not isinstance(member, str | tuple | int | float)
+        if not key.startswith("_")
+        and inspect.getdoc(member)
+        and not isinstance(member, str | tuple | int | float)
     )
     return f".. autoclass:: {module}.{name}\n   :members: {', '.join(members)}\n"
 
