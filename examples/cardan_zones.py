@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.polynomial import Chebyshev
@@ -92,7 +93,7 @@ def trace(at: Callable[[float], Equations], angles: Sequence[float], order: int,
             a, p = (rows[-2][0], rows[-2][3]) if len(rows) > 1 else (0.0, centre)
             b, q = rows[-1][0], rows[-1][3]
             centre = q + (q - p) * (degrees**2 - b**2) / (b**2 - a**2)
-        found = _across(lambda w, at=equations: _growth(at, w), centre, width)
+        found = _across(partial(_growth, equations), centre, width)
         if found is None:
             break
         rows.append((degrees, *found))
@@ -147,7 +148,7 @@ def _across(
     squares = fit(s)
     peak = int(np.argmax(squares))
     shape = Chebyshev.fit(s, squares, DEGREE, domain=[low, high])
-    return low, high, float(s[peak]), float(np.sqrt(squares[peak])), shape.coef
+    return low, high, float(s[peak]), float(np.sqrt(squares[peak])), np.asarray(shape.coef, dtype=float)
 
 
 def _end(g: Callable[[float], float], inside: float, step: float) -> float:
