@@ -144,7 +144,7 @@ def free_run(results: Results, path: Path) -> None:
         axes.plot(t, [z.rate("in.angle") for z in states], color=COLOURS[0], label="driving rotor")
         axes.plot(t, [z.rate("out.angle") for z in states], color=COLOURS[1], label="driven rotor")
         axes.plot(*np.array(data.FREE_RUN)[:, [0, 2]].T, "o", color=COLOURS[0], mfc="none", label="reference")
-        axes.set(xlabel="time [s]", ylabel="speed [rad/s]", xlim=(0, t[-1]))
+        axes.set(xlabel="time [s]", ylabel="speed [rad/s]", xlim=(0, t[-1]), ylim=(9.8, 12.4))
         axes.legend(ncols=3, loc="upper right", framealpha=0.9, frameon=True)
         axes.set_title("Two rotors turn freely through a universal joint, 30° between the shafts")
         save(drawn, path)

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.polynomial import Chebyshev
@@ -80,18 +81,19 @@ def trace(at: Callable[[float], Equations], angles: Sequence[float], order: int,
     at : function
         The equations for an angle [rad], for any speed.
     angles : sequence of float
-        [degrees]
+        [degrees]; so close together that the zone hardly leaves its own width from one to the next.
     width : float
         Half width of the range of speeds in which it is sought at the largest angle.
     """
     rows: list[tuple[float, float, float, float, float, Array]] = []
     for degrees in sorted(angles, reverse=True):
         equations = at(float(np.radians(degrees)))
-        centre = 1 / order if not rows else rows[-1][3]
-        if len(rows) > 1:  # the centre shifts with the square of the angle
-            (a, *_, p, _, _), (b, *_, q, _, _) = rows[-2], rows[-1]
+        centre = 1 / order
+        if rows:  # the centre shifts with the square of the angle
+            a, p = (rows[-2][0], rows[-2][3]) if len(rows) > 1 else (0.0, centre)
+            b, q = rows[-1][0], rows[-1][3]
             centre = q + (q - p) * (degrees**2 - b**2) / (b**2 - a**2)
-        found = _across(lambda w, at=equations: _growth(at, w), centre, width)
+        found = _across(partial(_growth, equations), centre, width)
         if found is None:
             break
         rows.append((degrees, *found))
@@ -146,7 +148,7 @@ def _across(
     squares = fit(s)
     peak = int(np.argmax(squares))
     shape = Chebyshev.fit(s, squares, DEGREE, domain=[low, high])
-    return low, high, float(s[peak]), float(np.sqrt(squares[peak])), shape.coef
+    return low, high, float(s[peak]), float(np.sqrt(squares[peak])), np.asarray(shape.coef, dtype=float)
 
 
 def _end(g: Callable[[float], float], inside: float, step: float) -> float:
