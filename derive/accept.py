@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 import sympy as sp
 
-from flexel.derive.check.smooth import check_joins, check_smooth
+from flexel.derive.check.joins import check_element_joins
+from flexel.derive.check.smooth import check_smooth
 from flexel.derive.check.stored import check_stored
 from flexel.derive.compile import CompiledElement, CompiledLaw, compile_element, compile_law
 from flexel.derive.declare import Element, Law
@@ -55,7 +56,7 @@ def accepted_element(element: Element, ranges: Ranges = NOTHING) -> CompiledElem
         raise ValueError(f"element '{element.name}': flexel has an element of this name; choose another")
     for what, expr in _expressions(element):
         check_smooth(_owner(element), what, sp.sympify(expr))
-        check_joins(_owner(element), what, sp.sympify(expr))
+        check_element_joins(_owner(element), what, sp.sympify(expr))
     check_ranges(element, ranges)
     compiled = compile_element(element)
     _verify_once(element, compiled, ranges)

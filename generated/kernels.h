@@ -234,6 +234,9 @@ extern const flexel_law flexel_law_slip_friction;
 extern const flexel_law flexel_law_limits;
 extern const flexel_law flexel_law_loose_journal;
 extern const flexel_law flexel_law_loose_ball;
+extern const flexel_law flexel_law_held;
+extern const flexel_law flexel_law_slip_held;
+extern const flexel_law flexel_law_memory;
 /* cdef: end */
 
 #endif

@@ -39,6 +39,7 @@ if TYPE_CHECKING:
     from flexel.flexures.flexure import flexure
     from flexel.flexures.properties import ElementProperties, FlexureOptions, NodeProperties
     from flexel.integration.events import Event
+    from flexel.linear.sampled import SampledLoop
     from flexel.mechanics.constraints import ConstraintReport
     from flexel.mechanics.findings import CheckReport, Finding
     from flexel.mechanics.linearization import Linearization
@@ -128,6 +129,7 @@ __all__ = [
     "RootLoci",
     "Rope",
     "RoundGroove",
+    "SampledLoop",
     "SectionForces",
     "Sketch",
     "Spacar",
@@ -216,6 +218,7 @@ _HOMES = {
     "RootLoci": "flexel.results.linearizations",
     "Rope": "flexel.rope.rope",
     "RoundGroove": "flexel.rope.surfaces",
+    "SampledLoop": "flexel.linear.sampled",
     "SectionForces": "flexel.declare.sections",
     "Sketch": "flexel.pictures.solids",
     "Spacar": "flexel.spacar.reading",

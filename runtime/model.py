@@ -11,10 +11,11 @@ from collections import Counter
 from flexel.base.shown import counted
 from flexel.build import build
 from flexel.declare.cams import Cams
+from flexel.declare.controllers import Controllers
 from flexel.declare.couplings import Couplings
-from flexel.declare.feedback import Feedback
 from flexel.declare.gearing import Gearing
 from flexel.declare.loads import Loading
+from flexel.declare.looks import Looks
 from flexel.declare.skates import Skates
 from flexel.declare.user import Elements
 from flexel.declare.wheels import Wheels
@@ -28,7 +29,18 @@ from flexel.system import System
 
 
 class Model(
-    Gearing, Cams, Skates, Ropes, PointContacts, Chains, Wheels, Couplings, Feedback, Loading, Elements
+    Gearing,
+    Cams,
+    Skates,
+    Ropes,
+    PointContacts,
+    Chains,
+    Wheels,
+    Couplings,
+    Controllers,
+    Loading,
+    Elements,
+    Looks,
 ):
     """A mechanism to be declared.
 

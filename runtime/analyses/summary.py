@@ -1,4 +1,4 @@
-"""What a system is and what it asks of an integrator, in a few lines."""
+"""Summary of a system and of its demands on an integrator."""
 
 from __future__ import annotations
 

@@ -54,6 +54,7 @@ class Values:
         Number of variants.
     given : dict of str to ndarray (count, …)
         By name.
+    units : dict of str to str
     """
 
     def __init__(
@@ -63,6 +64,7 @@ class Values:
         parameters = Parameters(system.structure)
         given = mapping(given, owner, "parameters")
         self.places = [parameters.find(name, owner) for name in given]
+        self.units = {z.name: parameters.unit(z) for z in self.places}
         rows = [_rows(z, given[z.name], owner) for z in self.places]
         starts = {name: _column(name, z, owner) for name, z in initial.items()}
         self.count = self._count({**{z.name: r for z, r in zip(self.places, rows, strict=True)}, **starts})
@@ -124,7 +126,7 @@ def _column(name: str, given: Any, owner: str) -> Array:
 
 
 def variant_of(system: C, values: Values, i: int) -> C:
-    """Variant number i as a system of its own."""
+    """Variant number i as a separate system."""
     row = values.of(i)
     found, variant = varied(system, values.places, Parameters(system.structure).changed(values.places, row))
     variant.set(row)
@@ -133,7 +135,7 @@ def variant_of(system: C, values: Values, i: int) -> C:
 
 @dataclass(frozen=True)
 class Again(Generic[C, T]):
-    """Does a task for one variant again, as a system of its own."""
+    """Repeats the task of one variant, as a separate system."""
 
     system: C
     values: Values

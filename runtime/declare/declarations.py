@@ -17,6 +17,7 @@ from flexel.base.errors import ModelError
 from flexel.base.time_functions import TimeFunction
 from flexel.derive.spec import ElementSpec
 from flexel.generated.table import ELEMENTS
+from flexel.structure.controllers import Controller
 from flexel.structure.instances import Code, Instance, LawInstance
 from flexel.structure.loads import Load
 from flexel.structure.nodes import COMPONENTS, Node
@@ -38,7 +39,7 @@ class Declarations:
     ----------
     nodes, instances, surfaces : dict
         Declared so far, by name: nodes, elements, and surfaces for ropes.  Read-only.
-    laws, loads : list
+    laws, loads, controllers : list
         As declared.  Read-only.
     """
 
@@ -51,6 +52,7 @@ class Declarations:
         self.surfaces: dict[str, Surface] = {}
         self._rigid_bodies: dict[str, RigidBody] = {}
         self.loads: list[Load] = []
+        self.controllers: list[Controller] = []
         self._motions: dict[str, TimeFunction] = {}
         self._roles: dict[str, str] = {}  # "rigid" or "free", as declared
         self._dynamic: list[str] | None = None

@@ -65,7 +65,7 @@ class Friction(Springs):
         (on,) = quantities([on], owner)
         values = {"low": number(low, owner, "low"), "high": number(high, owner, "high")}
         if values["low"] >= values["high"]:
-            raise ModelError(f"{owner}: low {low:g} is not below high {high:g}; exchange them")
+            raise ModelError(f"{owner}: low {low:g} is not below high {high:g}; swap them")
         values["stiffness"] = positive(stiffness, owner, "stiffness")
         values["damping"] = not_negative(damping, owner, "damping")
         self._add_law(owner, LAWS["limits"], [displacement(self, on, owner)], values)

@@ -37,7 +37,7 @@ def resolve_roles(model: Declarations, structure: Structure) -> Roles:
         if model._roles.get(name) == "rigid":
             raise ModelError(f"'{name}' is rigid and also independent or prescribed; remove one of them")
         role[name] = "free"
-    rigid = [structure.index[z] for z, wish in role.items() if wish == "rigid"]
+    rigid = [structure.index[z] for z, given in role.items() if given == "rigid"]
     prescribed = [structure.find(z) for z in model._motions]
     empty = np.zeros(0, dtype=np.intp)
     return Roles(

@@ -77,7 +77,7 @@ class Scipy(MinimalRun):
         self._choice = self.kinematics.choice
         self._choice.reset()
         self._choice.warm(self.now)
-        left = float(self.times[-1]) - self.t
+        left = self.stop - self.t
         options: dict[str, Any] = {
             "rtol": self.tolerances.rtol,
             "atol": self.natural_atol(),
@@ -90,9 +90,14 @@ class Scipy(MinimalRun):
         self._solver = self._started(y, options)
         self._sign = self._sign_at(self.now)
 
+    def jump(self, z: Array) -> None:
+        """Go on from here with other internal states."""
+        self.z = z
+        self.restart()
+
     def _started(self, y: Array, options: dict[str, Any]) -> Any:
         """A solver; with a short first step if its own choice leads to an unreachable position."""
-        begin = self._rates, self.t, y, float(self.times[-1])
+        begin = self._rates, self.t, y, self.stop
         try:
             return self.method(*begin, **options)
         except (PositionError, ConstraintError):

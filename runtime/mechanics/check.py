@@ -1,4 +1,4 @@
-"""A check of a model: at once all that `Model.build` would refuse one after another, and what is hardly meant."""
+"""A check of a model: all errors that `Model.build` would raise one after another, and probable mistakes."""
 
 from __future__ import annotations
 
@@ -97,7 +97,7 @@ def _degenerate(model: Declarations, structure: Structure) -> Iterator[Finding]:
 
 @dataclass(frozen=True)
 class Attempt:
-    """The system of a model, if it can be built, and what was said."""
+    """The system of a model, if it can be built, and the messages."""
 
     system: Core | None
     findings: list[Finding]

@@ -87,7 +87,8 @@ def _report(structure: Structure, roles: Roles, J: Any) -> ConstraintReport:
     rows, nf = roles.holonomic, structure.nf
     C = J[rows, :nf]
     right, left = null_space(C, nf)
-    elastic = [structure.index[z] for law in structure.laws for z in law.deformations]
+    resisting = [law for law in structure.laws if law.spec.name != "held"]  # a held force does not resist
+    elastic = [structure.index[z] for law in resisting for z in law.deformations]
     still = np.concatenate([rows, np.array(elastic, dtype=np.intp)])
     loose, _ = null_space(J[still, :nf], nf)
     moving = np.arange(nf) + structure.m + structure.k

@@ -87,7 +87,7 @@ def _report_redundancy(structure: Structure, roles: Roles, rows: Index, left: Ar
 
 
 def candidates(structure: Structure, roles: Roles) -> Index:
-    """Candidates for degrees of freedom: coordinates and deformations that are free, but for gaps with a kink."""
+    """Candidates for degrees of freedom: coordinates and deformations that are free, but for those with a kink."""
     taken = {*roles.rigid, *roles.prescribed, *structure.kinked}
     first = structure.m + structure.k
     rows = [*range(structure.m), *range(first, first + structure.nf)]

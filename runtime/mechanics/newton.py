@@ -52,7 +52,7 @@ def newton(
     """Newton's method from a starting point.
 
     It has converged when the error is below the tolerance, or below `stalled` and no longer halved, which means that
-    rounding prevents further progress.  It gives up at an error that is not finite, or a step without progress.
+    rounding prevents further progress.  It stops at an error that is not finite, or a step without progress.
 
     Parameters
     ----------

@@ -55,7 +55,7 @@ class FlexureNode:
         What a support or a prescribed motion exerts on it, in global axes [N], [N m]; zero where it is free.
     compliance : Compliance or None
         Its displacements and rotations by small forces and moments on it: ``.matrix`` in global axes, ``.in_body``
-        in axes that turn with the node.  None if it was not asked for.
+        in axes that turn with the node.  None if it was not requested.
     """
 
     position: Array

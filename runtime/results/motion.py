@@ -4,26 +4,26 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, SupportsIndex, overload
+from typing import TYPE_CHECKING, SupportsIndex, overload
 
 import numpy as np
 
-from flexel.base.arguments import number, path_of
+from flexel.base.arguments import number
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
-from flexel.base.outside import DataFrame, Dataset, Figure
+from flexel.base.outside import DataFrame, Dataset
 from flexel.integration.ledger import energy_balance
 from flexel.mechanics.core import Core
+from flexel.results.drawn import DrawnMotion
 from flexel.results.quantities import history
 from flexel.structure.state import State
 from flexel.structure.structure import Structure
 
 if TYPE_CHECKING:
     from flexel.integration.outcome import Integration
-    from flexel.pictures.view import Page
 
 
-class Motion(Sequence[State]):
+class Motion(DrawnMotion, Sequence[State]):
     """The states of a simulated or prescribed motion at the stored times, from a simulation or a file.
 
     ``motion["rod.bend1"]`` is the time history (nt,) of a quantity, ``motion["rod.bend1'"]`` of its rate,
@@ -218,54 +218,6 @@ class Motion(Sequence[State]):
             raise ModelError(f"time {t:g} s lies outside the motion, {begin:g}…{end:g} s{before}")
         segment = next(z for z in self._segments if t <= z.t1)
         return segment.state(t)
-
-    # -- pictures --------------------------------------------------------------------------------
-
-    def plot(self, *names: str, path: str | Path | None = None) -> Figure:
-        """Time histories of named quantities (needs matplotlib); written to `path` if given."""
-        from flexel.pictures.plot import plot_histories
-
-        return plot_histories(self, names, path)
-
-    def plot_spectrum(self, *names: str, path: str | Path | None = None, **options: Any) -> Figure:
-        """Amplitudes of named quantities over the frequency; see `flexel.pictures.graphs.plot_spectra`."""
-        from flexel.pictures.graphs import plot_spectra
-
-        return plot_spectra(self, names, path, **options)
-
-    def plot_phase(self, x: str, y: str | None = None, *, path: str | Path | None = None) -> Figure:
-        """One quantity against another, by default the rate of `x` against `x`."""
-        from flexel.pictures.graphs import plot_phase
-
-        return plot_phase(self, x, f"{x}'" if y is None else y, path)
-
-    def plot_shapes(self, *times: float, path: str | Path | None = None, **options: Any) -> Figure:
-        """The mechanism at the stored states nearest to the times; see `flexel.pictures.deflected.plot_states`."""
-        from flexel.pictures.deflected import plot_states
-
-        return plot_states(self, times, path, **options)
-
-    def animate(self, path: str | Path, **options: Any) -> Path:
-        """Animation of the mechanism as .gif or .mp4 (needs matplotlib), or .html: see `view`."""
-        from flexel.pictures.plot import animate
-
-        return animate(self, path_of(path, "animate"), **options)
-
-    def view(self, path: str | Path, **options: Any) -> Path:
-        """An HTML page that shows the motion in any browser, offline; see `view.scene_data`."""
-        from flexel.pictures.view import view_motion
-
-        return view_motion(self, path, **options)
-
-    def page(self, **options: Any) -> Page:
-        """The same page in memory, which a notebook shows as the result of a cell; see `view.scene_data`."""
-        from flexel.pictures.view import Page, scene_data
-
-        return Page(scene_data(self, **options))
-
-    def _repr_html_(self) -> str:
-        """The motion as a notebook shows it, with a third of the frames."""
-        return self.page(frames=101, progress=False)._repr_html_()
 
     # -- tables and files ------------------------------------------------------------------------
 

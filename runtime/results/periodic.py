@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -84,15 +85,15 @@ class PeriodicSolution:
 
     # -- pictures --------------------------------------------------------------------------------
 
-    def plot(self, *names: str, path: str | Path | None = None) -> Figure:
-        """Time histories over one period (needs matplotlib)."""
-        return self.motion.plot(*names, path=path)
+    def plot(self, *names: str | Sequence[str], path: str | Path | None = None, **options: Any) -> Figure:
+        """Time histories over one period (needs matplotlib), with the options of `Motion.plot`."""
+        return self.motion.plot(*names, path=path, **options)
 
     def plot_phase(self, x: str, y: str | None = None, *, path: str | Path | None = None) -> Figure:
         """One quantity against another, by default the rate of `x` against `x`."""
         return self.motion.plot_phase(x, y, path=path)
 
-    def plot_spectrum(self, path: str | Path | None = None) -> Figure:
+    def spectrum_plot(self, path: str | Path | None = None) -> Figure:
         """Amplitudes of the harmonics of all degrees of freedom."""
         from flexel.pictures.graphs import plot_harmonics
 

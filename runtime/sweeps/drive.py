@@ -23,7 +23,7 @@ TARGET = 0.2  # time that a chunk is to take [s], at least: handing one out cost
 APART = 0.01
 LARGEST = 20_000  # points of a chunk
 MOST_BYTES = 1 << 24  # results of a chunk
-AHEAD = 2  # chunks handed out for each worker, so that none waits
+AHEAD = 2  # chunks submitted for each worker, so that none waits
 PARTS = 16  # of a chunk in which a point kills its worker
 PATIENCE = 3  # points that may kill their workers before any other has been computed
 
@@ -38,7 +38,7 @@ class Chunk:
 
     @property
     def alone(self) -> bool:
-        """After a second death nothing else is computed at the same time, so that it is known whose fault it is."""
+        """After a second death nothing else is computed at the same time, so that the cause is known."""
         return self.deaths > 1
 
     def parts(self) -> list[Chunk]:
@@ -49,7 +49,7 @@ class Chunk:
 
 
 class Drive:
-    """A sweep under way.
+    """A running sweep.
 
     Until the form of the results is known, each worker gets one chunk at a time, and nothing is stored before all of
     them have come back: the form is that of the first point that succeeds, whichever worker is faster.
@@ -102,7 +102,7 @@ class Drive:
             columns = self.points.columns(chunk.begin, chunk.end)
             try:
                 future = self.pool.executor.submit(work, self.job, chunk.begin, columns)
-            except self.pool.deaths as error:  # it broke down before the futures told
+            except self.pool.deaths as error:  # it broke down before the futures reported it
                 self._broken(error)
                 self._blame(chunk, error)
                 return
@@ -166,7 +166,7 @@ class Drive:
         self.held.clear()
 
     def _died(self, future: Future[Outcome], error: BaseException) -> None:
-        """The worker of a chunk is gone; an executor of processes has then lost all that it had."""
+        """The worker of a chunk has died; an executor of processes has then lost all that it had."""
         if isinstance(error, BrokenExecutor):
             self._broken(error)
         else:

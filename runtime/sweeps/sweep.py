@@ -67,7 +67,7 @@ def sweep(
         Results go to this folder as they come. The same call continues what was interrupted in whatever way. Without it
         they are kept in memory at the end.
     chunk : int, optional
-        Number of points handed to a worker at a time; by default as many as take 0.2 s.
+        Number of points given to a worker at a time; by default as many as take 0.2 s.
     retry_failed : bool
         Compute points again that failed when the folder was written.
     progress : bool, optional
@@ -129,7 +129,7 @@ def _driven(
     job: Job, points: Points, store: Store, pool: Pool, show: bool, retry_failed: bool, chunk: int | None
 ) -> bool:
     """Compute what is missing; returns whether Ctrl-C ended it."""
-    interrupted = True  # also by an error: nobody waits for what is still under way
+    interrupted = True  # also by an error: what is still under way is not waited for
     with tqdm(total=len(points), disable=not show, unit="point", leave=False) as bar:
         drive = Drive(job, points, store, pool, bar)
         try:
@@ -162,7 +162,7 @@ def _count(store: Store, status: int) -> int:
 
 
 def _check(build: Callable[..., Any], names: tuple[str, ...], analyse: Callable[[Any], Any]) -> None:
-    """Refuse what is no function, and parameters that `build` does not have or still needs."""
+    """Refuse what is not a function, and parameters that `build` does not have or still needs."""
     for what, given in (("build", build), ("analyse", analyse)):
         if not callable(given):
             raise ModelError(f"sweep: {what} is {given!r}; give a function")
