@@ -252,9 +252,8 @@ _HOMES = {
     "turn": "flexel.base.quaternions",
 }
 
-logging.getLogger("flexel").addHandler(
-    logging.NullHandler()
-)  # records go where the program that uses it wants them
+# records go where the program that imports it wants them
+logging.getLogger("flexel").addHandler(logging.NullHandler())
 
 
 def __getattr__(name: str) -> object:
