@@ -4,6 +4,7 @@ Imports are lazy (PEP 562), so that ``import flexel`` is quick and
 ``python -m flexel.derive`` starts even when the compiled kernels are missing or broken.
 """
 
+import logging
 from importlib import import_module
 from typing import TYPE_CHECKING
 
@@ -250,6 +251,10 @@ _HOMES = {
     "sweep": "flexel.sweeps.sweep",
     "turn": "flexel.base.quaternions",
 }
+
+logging.getLogger("flexel").addHandler(
+    logging.NullHandler()
+)  # records go where the program that uses it wants them
 
 
 def __getattr__(name: str) -> object:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import logging
 import warnings
 
 from flexel.base.arguments import number
 from flexel.base.errors import AssemblyWarning, ModelError
 from flexel.declare.declarations import Declarations
-from flexel.declare.resolution import check_laws, check_names, norms, resolve_roles
+from flexel.declare.resolution import check_names, norms, resolve_roles
 from flexel.engine.evaluate import Evaluation
 from flexel.mechanics.as_drawn import misfit
 from flexel.mechanics.diagnose import choose_dofs, named_dofs
@@ -19,6 +20,8 @@ from flexel.structure.loads import Loads
 from flexel.structure.structure import Structure, assemble_structure
 from flexel.system import System
 
+log = logging.getLogger("flexel.build")
+
 
 def build(model: Declarations, t: float) -> System:
     """The system of a model at time t; see `Model.build`."""
@@ -29,7 +32,6 @@ def build(model: Declarations, t: float) -> System:
         model.nodes.values(), [*model.instances.values(), *norms(model)], model.laws, model.controllers
     )
     check_size(structure)
-    check_laws(structure)
     _check_inputs(structure)
     evaluation = Evaluation(structure)
     roles = resolve_roles(model, structure)
@@ -46,7 +48,9 @@ def build(model: Declarations, t: float) -> System:
     dynamic = named_dofs(structure, model._dynamic, "independent")
     kinematic = named_dofs(structure, model._kinematic, "kinematic")
     chosen = choose_dofs(kinematics, c.J, dynamic, kinematic)
-    return System(evaluation, loads, chosen, c, model._rates)
+    system = System(evaluation, loads, chosen, c, model._rates)
+    log.info("%s; degrees of freedom %s", system, "chosen" if model._dynamic is None else "as named")
+    return system
 
 
 def _check_inputs(structure: Structure) -> None:

@@ -216,6 +216,9 @@ MODELS: dict[str, Callable[[], Valid]] = {
         tension=5.0, properties={"EA": 1e5, "EI": 1e-5, "mass_per_length": 0.01},
     ),
     "Model.rope_contact": rope_contact,
+    "Model.look": declared(
+        spatial, "look", elements=["rod"], section=fx.Circle(0.1), colour=(0.1, 0.2, 0.3), opacity=0.5, hidden=False
+    ),
     "Model.rotary_inertia": declared(
         spatial, "rotary_inertia", name="z", frame="R1", inertia=(1.0, 1.0, 1.0, 0.0, 0.0, 0.0)
     ),

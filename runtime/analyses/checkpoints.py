@@ -1,4 +1,4 @@
-"""Checkpoints: the motion so far in a file while a simulation runs, from which a killed one goes on."""
+"""Checkpoints: the motion so far in a file while a simulation runs, from which an aborted one continues."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ class Before:
     found : Integration
         Up to the last checkpoint, with the state at it.
     step : float or None
-        The step [s] with which to go on.
+        The step [s] with which to continue.
     complete : bool
         Whether it is the whole motion.
     """

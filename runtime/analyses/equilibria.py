@@ -11,7 +11,7 @@ from flexel.base.arrays import Array
 from flexel.base.errors import IncompleteWarning, UnstableWarning
 from flexel.base.shown import Listing
 from flexel.integration.branch import Choices
-from flexel.integration.outcome import Integration, States
+from flexel.integration.outcome import Integration
 from flexel.mechanics.core import Core
 from flexel.mechanics.reach import LOST, reach
 from flexel.results.motion import Motion
@@ -57,7 +57,7 @@ class Equilibria(Core):
             Coordinates and deformations held at their values in `start` by the necessary forces
             (``state.force(name)``), such as sheaves that would otherwise turn freely.
         stable : bool
-            Accept stable equilibria only: go on downhill from one that is not.
+            Accept stable equilibria only: continue downhill from one that is not.
 
         Raises
         ------
@@ -111,8 +111,7 @@ class Equilibria(Core):
         states, message = path.static_path(self, t_end, _at(self, start, "static_path"))
         if message:
             warnings.warn(message, IncompleteWarning, stacklevel=2)
-        counts = {"steps": len(states) - 1, "evaluations": 0, "rechoices": 0}
-        return Motion(self, Integration(States(states), [], [], counts, message))
+        return Motion(self, Integration.of_equilibria(states, message))
 
     def buckling(
         self, state: State | None = None, *, increment: Mapping[str, float], count: int = 5

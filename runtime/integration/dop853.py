@@ -44,7 +44,7 @@ class Dop853(MinimalRun):
     _crossing = False  # the next step goes across a bifurcation
 
     def restart(self) -> None:
-        """Start anew from the present position in the present degrees of freedom."""
+        """Restart from the present position in the present degrees of freedom."""
         y = self.choices.values(self.now, self.z)
         self.steps = Steps(self.kinematics, self.now, y, self.tolerances.rtol, self.natural_atol())
         self.renew()
@@ -52,7 +52,7 @@ class Dop853(MinimalRun):
             self._h = self.tolerances.first_step or self._first_step()
 
     def renew(self) -> None:
-        """Rates anew, with the loads that have changed."""
+        """Rates with the loads that have changed."""
         self.steps.begin(self.t)
         self.counts["evaluations"] += 1
 

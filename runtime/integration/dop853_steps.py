@@ -14,7 +14,7 @@ from flexel.generated._kernels import ffi, lib
 from flexel.mechanics.kinematics import Kinematics
 from flexel.structure.moment import Moment
 
-ACCEPT = 0.01  # error of a position below which J is not evaluated anew, relative to rtol
+ACCEPT = 0.01  # error of a position below which J is not evaluated again, relative to rtol
 A, B, C = (np.ascontiguousarray(z, dtype=float) for z in (tableau.A[:12, :12], tableau.B, tableau.C[:12]))
 E3, E5 = (np.ascontiguousarray(z, dtype=float) for z in (tableau.E3, tableau.E5))
 TIMES = np.append(C, 1.0)  # of the stages and the end

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import sys
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
@@ -22,6 +23,7 @@ from flexel.structure.callbacks import Callback, raise_failures
 from flexel.structure.moment import Moment
 from flexel.structure.state import State
 
+log = logging.getLogger("flexel.simulate")
 INTERRUPTED = "interrupted"  # begins the message of a motion that Ctrl-C has ended
 BAR = "{l_bar}{bar}| {n:.3g}/{total:.3g} s [{elapsed}<{remaining}]"
 
@@ -85,7 +87,7 @@ class Run(ABC):
 
     @property
     def step(self) -> float | None:
-        """A first step [s] with which the motion can go on from here; None if the method chooses it anew."""
+        """A first step [s] with which the motion can continue from here; None if the method chooses it again."""
         return None
 
     @property
@@ -128,10 +130,13 @@ class Run(ABC):
         begin, end = float(self.times[0]), float(self.times[-1])
         show = sys.stderr.isatty() if progress is None else flag(progress, "simulate", "progress")
         message: str | None = None
+        detailed = log.isEnabledFor(logging.DEBUG)
         bar = tqdm(total=end - begin, disable=not show, unit="s", leave=False, bar_format=BAR)
         try:
             while self.t < end and message is None:
                 message = self.forward()
+                if detailed:
+                    log.debug("step to t = %.9g s", self.t)
                 bar.update(self.t - begin - float(bar.n))
                 if each is not None:
                     each(self)
@@ -153,12 +158,12 @@ class Run(ABC):
         """Coordinates, rates and deformations at the current time, and internal states of laws."""
 
     def go_on(self, until: float) -> None:
-        """Move on to another time, from a motion that has ended; what was stored before is dropped."""
+        """Continue to another time, from a motion that has ended; what was stored before is dropped."""
         self.times = np.array([self.t, until])
         self.result = self.result.last()
 
     def so_far(self) -> Integration:
-        """The results so far and the current state, in lists of their own; the run goes on unchanged."""
+        """The results so far and the current state, in lists of their own; the run continues unchanged."""
         stored = len(self.result.states)
         found = self.kept("not at its end").copy()
         self.result.cut(stored)
@@ -223,7 +228,9 @@ class DenseRun(Run):
             found, self._values = passages(self.events, step, last, self._values, times)
             terminal = next((z for z in found if z[0].terminal), None)
             end = terminal[1].t if terminal else step.t1
-            self.result.events.extend((event.name, z) for event, z in found if z.t <= end)
+            for event, z_event in [z for z in found if z[1].t <= end]:
+                log.info("t = %.9g s: event '%s'", z_event.t, event.name)
+                self.result.events.append((event.name, z_event))
         end = terminal[1].t if terminal else step.t1
         self._store(step, end, z)
         self.result.segments.append(replace(step, t1=end) if terminal else step)

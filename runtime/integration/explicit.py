@@ -6,6 +6,7 @@ the dense output.  The implicit ones have the Jacobian of the analytic lineariza
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Sequence
 from typing import Any
 
@@ -26,6 +27,7 @@ from flexel.mechanics.states import between, located
 from flexel.structure.moment import Moment
 from flexel.structure.state import State
 
+log = logging.getLogger("flexel.simulate")
 METHODS: dict[str, Any] = {"RK45": RK45, "Radau": Radau, "BDF": BDF, "LSODA": LSODA}
 IMPLICIT = ("Radau", "BDF", "LSODA")
 FIRST = 1e-4  # first step, relative to the time left, after an unreachable position
@@ -156,6 +158,7 @@ class Scipy(MinimalRun):
         tried = float(getattr(solver, "h_abs", None) or 1e-3 * (solver.t_bound - self.t))
         tried = min(tried, abs(solver.t - self.t) or tried)
         self.counts["rejected"] += 1
+        log.debug("starts anew at t = %.9g s with a shorter step: %s", self.t, error)
         self._first_step = min(tried, self._first_step or np.inf) / 2
         if self._first_step < SHORTEST * self._span:
             raise self.gives_up(error)

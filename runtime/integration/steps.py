@@ -117,7 +117,7 @@ class GeneralizedAlpha(ImplicitRun):
         return self._wish
 
     def renew(self) -> None:
-        """Accelerations anew, with the loads that have changed; unchanged if a degree of freedom has no inertia."""
+        """Accelerations with the loads that have changed; unchanged if a degree of freedom has no inertia."""
         old, state = self.stepper.stepping.old, self.result.states[-1]
         kinematics = self.stepper.system.kinematics_of(state.roles)
         try:

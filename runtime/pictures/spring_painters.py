@@ -10,7 +10,7 @@ import numpy as np
 from flexel.base.arrays import Array
 from flexel.base.quaternions import matrix, product
 from flexel.pictures.painters import pin_place
-from flexel.pictures.shape import Shape, axes_of, extent, place, rectangle, turned
+from flexel.pictures.shape import Shape, axes_of, extent, place, rectangle, section_outline, turned
 from flexel.structure.instances import Instance, LawInstance
 from flexel.structure.state import State
 
@@ -88,7 +88,7 @@ def _spring(state: State, law: LawInstance, i: int, instance: Instance) -> Itera
     name, _, part = law.deformations[i].rpartition(".")
     family = instance.spec.family
     if family == "truss" and part == "elongation":
-        if instance.profile is None and not _is_bar(law, i, instance):
+        if section_outline(instance) is None and not _is_bar(law, i, instance):
             ends = place(state, instance.nodes[0]), place(state, instance.nodes[-1])
             yield from _line(name, law, i, ends, state.force(law.deformations[i]))
     elif family in SLIDING and part in AXES:

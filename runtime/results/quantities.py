@@ -12,7 +12,7 @@ from flexel.structure.structure import Structure
 
 @dataclass(frozen=True)
 class History:
-    """What a name stands for.
+    """The quantity with a name.
 
     Attributes
     ----------
@@ -29,7 +29,7 @@ class History:
 
 
 def history(structure: Structure, name: str) -> History:
-    """What a name stands for.
+    """The quantity with a name.
 
     Raises
     ------

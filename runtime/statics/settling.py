@@ -1,4 +1,4 @@
-"""Whether an equilibrium is stable, and descent to a stable one where the tangent leads nowhere.
+"""Whether an equilibrium is stable, and descent to a stable one where the tangent does not lead to one.
 
 Descent: Newton's step in the eigenvectors of the stiffness on the admissible motions, with the magnitude of each
 eigenvalue, so that every part goes down in potential; each is limited.  A pendulum drawn horizontal, which no

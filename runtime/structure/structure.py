@@ -94,9 +94,9 @@ class Structure(Constant):
 
     @cached_property
     def kinked(self) -> tuple[int, ...]:
-        """Gaps of round and helical grooves: outside the groove they have a kink, in the middle between its flanks."""
-        grooves = ["groove_radius" in z.parameters for z in self.instances for _ in z.spec.deformations]
-        return tuple(i for i, groove in enumerate(grooves) if groove and self.kinds[i] == "gap")
+        """Deformations whose derivatives jump where motions may go, as their elements say: no degrees of freedom."""
+        specs = [d for z in self.instances for d in z.spec.deformations]
+        return tuple(i for i, d in enumerate(specs) if d.kinked)
 
     @property
     def has_user_code(self) -> bool:

@@ -66,7 +66,7 @@ def test_one_design_is_stable_over_the_workspace_and_damps_more_than_joint_contr
     folded = workspace([np.radians(170.0)], regulator(design))[0]
     assert (
         folded.eigenvalues().real.max() > 1.0
-    )  # there the gains must be others: the linearizations tell in advance
+    )  # there the gains must be others: the linearizations show it in advance
 
 
 def test_the_nonlinear_closed_loop_settles_where_joint_control_still_swings(design: fx.Linearization) -> None:
