@@ -91,13 +91,16 @@ HOMES = {  # sections of the page of public names: title and modules
         "flexel.sweeps.sampling",
         "flexel.sweeps.dataset",
     ),
-    "Linearization": ("flexel.mechanics.linearization", "flexel.mechanics.modes"),
+    "Linearization": ("flexel.mechanics.linearization", "flexel.mechanics.modes", "flexel.linear.sampled"),
     "Many variants": ("flexel.results.ensemble", "flexel.results.linearizations"),
     "Errors": ("flexel.base.errors", "flexel.derive.errors"),
     "Pictures": ("flexel.pictures.scene", "flexel.pictures.solids"),
 }
 RETURNED = {  # functions and options of pictures that are not names of the package itself
-    "flexel.pictures.plot": ("draw", "root_loci"),
+    "flexel.linear.tracking": ("Branches", "Boundary"),
+    "flexel.results.response": ("FrequencyResponse",),
+    "flexel.pictures.scene": ("draw",),
+    "flexel.pictures.loci": ("root_loci",),
     "flexel.pictures.view": ("scene_data", "view_modes", "Page"),
 }
 DECLARATIONS = (
@@ -137,13 +140,19 @@ def directive(name: str, module: str = "flexel") -> str:
         return f".. autofunction:: {module}.{name}\n"
     if issubclass(value, Exception):
         return f".. autoexception:: {module}.{name}\n"
-    inherited = (
-        []
-        if value is flexel.Model
-        else [z for z in value.__mro__[1:-1] if z.__module__.startswith("flexel.")]
+    families = [z for z in value.__mro__[1:] if z.__module__.startswith("flexel.")]
+    if not families or value is flexel.Model:  # its methods have pages of their own
+        return f".. autoclass:: {module}.{name}\n   :members:\n"
+    # Methods that stand in families of their own; those of Python's own bases, as of a sequence, stay out.
+    members = dict.fromkeys(
+        key
+        for base in (value, *families)
+        for key, member in vars(base).items()
+        if not key.startswith("_")
+        and inspect.getdoc(member)
+        and not isinstance(member, str | tuple | int | float)
     )
-    members = "   :inherited-members:\n" if inherited else ""  # those of Model have pages of their own
-    return f".. autoclass:: {module}.{name}\n   :members:\n{members}"
+    return f".. autoclass:: {module}.{name}\n   :members: {', '.join(members)}\n"
 
 
 def api_pages() -> dict[str, str]:
