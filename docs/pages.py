@@ -141,7 +141,7 @@ def directive(name: str, module: str = "flexel") -> str:
     if issubclass(value, Exception):
         return f".. autoexception:: {module}.{name}\n"
     families = [z for z in value.__mro__[1:] if z.__module__.startswith("flexel.")]
-    if not families or value is flexel.Model:  # its methods have pages of their own
+    if value is flexel.Model or not families:  # the methods of Model have pages of their own
         return f".. autoclass:: {module}.{name}\n   :members:\n"
     # Methods that stand in families of their own; those of Python's own bases, as of a sequence, stay out.
     members = dict.fromkeys(
