@@ -9,7 +9,7 @@ import flexel
 
 # Titles of the pages, and the families on them. A family that is not named here is found by the folder that it is in.
 TOPICS = {
-    "Nodes, bodies, roles and loads": ("Nodes", "RigidBodies", "Bodies", "Loading"),
+    "Nodes, bodies, roles and loads": ("Nodes", "RigidBodies", "Bodies", "Loading", "Looks"),
     "Joints, gears and cams": (
         "BodyJoints", "Gearing", "Cams", "Skates", "Friction", "Joints", "Couplings", "RelationMethods",
     ),

@@ -41,6 +41,7 @@ LEFT_OUT = {
         "coming-from-exudyn.md",
         "import exudyn as exu",
     ): "needs Exudyn; tests/test_page_programs.py runs it where it is",
+    ("start.md", "import logging"): "sets up the log of the whole process",
     (
         "start.md",
         "from concurrent.futures import ProcessPoolExecutor",
