@@ -16,12 +16,11 @@ void flexel_lu_free(flexel_lu *lu)
 {
     if (!lu)
         return;
-    int *const arrays[] = {lu->row, lu->column, lu->first, lu->diagonal, lu->at, lu->slot, lu->group,
-                           lu->below, lu->multiplier, lu->run};
+    int *const arrays[] = {lu->row, lu->column, lu->first, lu->diagonal, lu->at, lu->slot, lu->list};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
         free(arrays[i]);
     free(lu->scale);
-    free(lu->stretch);
+    free(lu->pass);
     free(lu);
 }
 
@@ -58,69 +57,50 @@ static inline void load(const flexel_lu *lu, const int *restrict source, const d
         a[lu->slots + i] = norm(a + lu->first[i], lu->scale + lu->first[i], lu->first[i + 1] - lu->first[i]);
 }
 
-/* The multipliers of a row for `width` neighbouring pivots, in their slots and in z; rows[j] is pivot row j from the
- * column behind these pivots on. */
-INLINE void multipliers(double *slots, const double *const *rows, int width, double *z)
+/* The multipliers of rows for `width` neighbouring pivots, in their slots. */
+INLINE const int *multipliers(const int *list, int count, int width, double *a)
 {
-    for (int j = 0; j < width; j++) {
-        double sum = slots[j];
-        for (int i = 0; i < j; i++)
-            sum -= z[i] * rows[i][j - width];
-        z[j] = slots[j] = sum * rows[j][j - width];
+    for (int r = 0; r < count; r++, list += 1 + width) {
+        double *slots = a + list[0];
+        for (int j = 0; j < width; j++) {
+            const double *row = a + list[1 + j] - width;
+            double sum = slots[j];
+            for (int i = 0; i < j; i++)
+                sum -= slots[i] * a[list[1 + i] - width + j];
+            slots[j] = sum * row[j];
+        }
     }
+    return list;
 }
 
-/* Subtract `width` pivot rows times z from neighbouring slots of another row; they start at `from` in the rows. */
-INLINE void subtract_rows(double *restrict to, const double *const *rows, int from, int length, int width, const double *z)
+/* Subtract `width` pivot rows times multipliers from `length` neighbouring slots of other rows. */
+INLINE const int *subtract(const int *list, int count, int length, int width, double *a)
 {
-    const double *p = rows[0] + from, *q = width > 1 ? rows[1] + from : p, *r = width > 2 ? rows[2] + from : p;
-    const double *s = width > 3 ? rows[3] + from : p;
+    for (int r = 0; r < count; r++, list += 2 + width) {
+        double *restrict to = a + list[0];
+        const double *z = a + list[1], *p = a + list[2], *q = width > 1 ? a + list[3] : p;
+        const double *s = width > 2 ? a + list[4] : p, *t = width > 3 ? a + list[5] : p;
 #pragma omp simd simdlen(4)
-    for (int i = 0; i < length; i++) {
-        double sum = to[i] - z[0] * p[i];
-        if (width > 1)
-            sum -= z[1] * q[i];
-        if (width > 2)
-            sum -= z[2] * r[i];
-        if (width > 3)
-            sum -= z[3] * s[i];
-        to[i] = sum;
+        for (int i = 0; i < length; i++) {
+            double sum = to[i] - z[0] * p[i];
+            if (width > 1)
+                sum -= z[1] * q[i];
+            if (width > 2)
+                sum -= z[2] * s[i];
+            if (width > 3)
+                sum -= z[3] * t[i];
+            to[i] = sum;
+        }
     }
+    return list;
 }
 
-/* The rows of `width` pivots from the column behind them on. */
-INLINE void behind(const flexel_lu *lu, int first, int width, const double *a, const double **rows)
+INLINE const int *eliminate(const flexel_pass *pass, const int *list, int width, double *a)
 {
-    for (int j = 0; j < width; j++)
-        rows[j] = a + lu->diagonal[first + j] + width - j;
-}
-
-/* Subtract the first `width` rows of a group from its next row. */
-INLINE void eliminate_inside(const flexel_lu *lu, int first, int width, double *a)
-{
-    const int d = lu->diagonal[first + width];
-    const double *rows[FLEXEL_GROUP];
-    double z[FLEXEL_GROUP];
-    behind(lu, first, width, a, rows);
-    multipliers(a + d - width, rows, width, z);
-    subtract_rows(a + d, rows, 0, lu->first[first + width + 1] - d, width, z);
-}
-
-/* Subtract the rows of a group, `width` of them, from all rows below. */
-INLINE void eliminate_below(const flexel_lu *lu, size_t g, int width, double *a)
-{
-    const int *run = lu->run + 3 * g;
-    const double *rows[FLEXEL_GROUP];
-    double z[FLEXEL_GROUP];
-    behind(lu, lu->group[g], width, a, rows);
-    for (int l = lu->below[g]; l < lu->below[g + 1]; l++)
-        multipliers(a + lu->multiplier[l], rows, width, z);
-    for (const flexel_stretch *r = lu->stretch + run[0]; r < lu->stretch + run[1]; r++)
-        subtract_rows(a + r->to, rows, r->from, 4, width, a + r->by);
-    for (const flexel_stretch *r = lu->stretch + run[1]; r < lu->stretch + run[2]; r++)
-        subtract_rows(a + r->to, rows, r->from, 2, width, a + r->by);
-    for (const flexel_stretch *r = lu->stretch + run[2]; r < lu->stretch + run[3]; r++)
-        subtract_rows(a + r->to, rows, r->from, 1, width, a + r->by);
+    list = multipliers(list, pass->rows, width, a);
+    list = subtract(list, pass->fours, 4, width, a);
+    list = subtract(list, pass->twos, 2, width, a);
+    return subtract(list, pass->ones, 1, width, a);
 }
 
 /* Whether a pivot is large enough; it is replaced by its inverse. */
@@ -136,25 +116,19 @@ static inline int invert(const flexel_lu *lu, size_t k, double *a)
 FLEXEL_CLONES
 size_t flexel_lu_factor(const flexel_lu *lu, const int *source, const double *buffer, double *a)
 {
+    const int *list = lu->list;
     load(lu, source, buffer, a);
-    for (size_t g = 0; g < lu->groups; g++) {
-        const int first = lu->group[g], width = lu->group[g + 1] - first;
-        for (int j = 0; j < width; j++) {
-            switch (j) {
-            case 0: break;
-            case 1: eliminate_inside(lu, first, 1, a); break;
-            case 2: eliminate_inside(lu, first, 2, a); break;
-            default: eliminate_inside(lu, first, FLEXEL_GROUP - 1, a);
-            }
-            if (!invert(lu, (size_t)(first + j), a))
-                return (size_t)(first + j) + 1;
+    for (const flexel_pass *pass = lu->pass; pass < lu->pass + lu->npasses; pass++) {
+        switch (pass->width) {
+        case 0: break;
+        case 1: list = eliminate(pass, list, 1, a); break;
+        case 2: list = eliminate(pass, list, 2, a); break;
+        case 3: list = eliminate(pass, list, 3, a); break;
+        default: list = eliminate(pass, list, FLEXEL_GROUP, a);
         }
-        switch (width) {
-        case 1: eliminate_below(lu, g, 1, a); break;
-        case 2: eliminate_below(lu, g, 2, a); break;
-        case 3: eliminate_below(lu, g, 3, a); break;
-        default: eliminate_below(lu, g, FLEXEL_GROUP, a);
-        }
+        for (int i = 0; i < pass->pivots; i++, list++)
+            if (!invert(lu, (size_t)*list, a))
+                return (size_t)*list + 1;
     }
     return 0;
 }

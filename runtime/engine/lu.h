@@ -5,14 +5,23 @@
 #include "elimination.h"
 #include "pivots.h"
 
-/* One, two or four neighbouring slots of a row, from which multiples of as many slots of each pivot row of a group are
- * subtracted; the multipliers are in the slots from `by` on. */
-typedef struct {
-    int to, from, by;
-} flexel_stretch;
-
 /* Most pivots of a group. */
 #define FLEXEL_GROUP 4
+
+/* A part of the elimination whose subtractions do not depend on one another. From rows of the matrix the rows of `width`
+ * pivots each are subtracted; then these `pivots` are done. What they are is listed one after another in `list`:
+ *
+ *   rows               the slot of the first multiplier; slots behind the diagonal of the pivots' rows, where these have the
+ *                      column that follows the last of the pivots
+ *   fours, twos, ones  as many neighbouring slots of a row: the first of them, the first multiplier, the slots of the pivots'
+ *                      rows in the same column
+ *   pivots             their numbers
+ *
+ * Loops that are always as long need no guess from the processor, and what does not depend on one another need not wait:
+ * with both, an elimination takes half of the time. */
+typedef struct {
+    int width, rows, fours, twos, ones, pivots;
+} flexel_pass;
 
 /* Rows and columns are counted in the order of the pivots. The factors are stored row by row, the entries of a row by
  * column: multipliers of L from first[i], the inverse of the pivot in slot diagonal[i], then U until first[i + 1].
@@ -20,26 +29,32 @@ typedef struct {
  *
  * Neighbouring pivots whose rows have the same columns, and whose columns the same rows, apart from their own, form
  * groups: their rows are subtracted from another row together. The multipliers of a row for the pivots of a group are
- * neighbours. What is subtracted from all rows below a group is listed by its length: loops that are always as long need no
- * guess from the processor, and wrong guesses took half of the time. */
+ * neighbours. */
 struct flexel_lu {
     size_t n, nentries, slots, operations;
-    int sign;                /* of the permutations */
-    int *row, *column;       /* of each pivot in the matrix */
-    int *first, *diagonal;   /* (n + 1), (n) */
-    int *at;                 /* column of each slot */
-    double *scale;           /* of the column of each slot */
-    int *slot;               /* of each entry of the matrix */
-    size_t groups;
-    int *group;              /* (groups + 1): their first pivots */
-    int *below;              /* (groups + 1): rows below a group's, by group */
-    int *multiplier;         /* the first slot of each for the group */
-    int *run;                /* (3 groups + 1): the stretches of four, of two and of one slot of these rows, by group */
-    flexel_stretch *stretch; /* `from` is counted from the first column behind the group's */
+    int sign;           /* of the permutations */
+    int *row, *column;  /* of each pivot in the matrix */
+    int *first, *diagonal; /* (n + 1), (n) */
+    int *at;            /* column of each slot */
+    double *scale;      /* of the column of each slot */
+    int *slot;          /* of each entry of the matrix */
+    size_t npasses;
+    flexel_pass *pass;
+    int *list;
 };
+
+/* Groups of pivots, and the rows below each, by group: the first slot of their multipliers. */
+typedef struct {
+    size_t count;
+    int *first;      /* (count + 1): first pivots */
+    int *below;      /* (count + 1): where the list of rows below begins */
+    int *multiplier; /* of each such row */
+} flexel_groups;
 
 /* The tables for pivots that are all found; NULL if memory is exhausted. `scale` is of the columns of the matrix. */
 flexel_lu *flexel_lu_tables(const flexel_pivots *pivots, size_t nentries, const int *rows, const int *columns,
                             const double *scale);
+/* The passes; false if memory is exhausted. */
+int flexel_lu_passes(flexel_lu *lu, const flexel_groups *groups);
 
 #endif
