@@ -1,4 +1,4 @@
-/* The tables of a sparse elimination: written by ordering.c, read by elimination.c. */
+/* The tables of a sparse elimination: written by tables.c and passes.c, read by elimination.c and substitution.c. */
 #ifndef FLEXEL_LU_H
 #define FLEXEL_LU_H
 
@@ -18,7 +18,7 @@
  *   pivots             their numbers
  *
  * Loops that are always as long need no guess from the processor, and what does not depend on one another need not wait:
- * with both, an elimination takes half of the time. */
+ * with both, an elimination takes a fifth to a quarter less time than row by row. */
 typedef struct {
     int width, rows, fours, twos, ones, pivots;
 } flexel_pass;
