@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define INLINE static inline __attribute__((always_inline)) /* so that widths are known to the compiler */
+
 static const double SINGULAR = 1e-14; /* least size of a pivot relative to its row of the matrix, columns scaled */
 static const double GROWTH = 1e4;     /* largest size of a row when it is eliminated, relative to its pivot */
 
@@ -14,12 +16,11 @@ void flexel_lu_free(flexel_lu *lu)
 {
     if (!lu)
         return;
-    int *const arrays[] = {lu->row, lu->column, lu->first, lu->diagonal, lu->at, lu->slot, lu->group,
-                           lu->below, lu->multiplier, lu->run};
+    int *const arrays[] = {lu->row, lu->column, lu->first, lu->diagonal, lu->at, lu->slot, lu->list};
     for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++)
         free(arrays[i]);
     free(lu->scale);
-    free(lu->stretch);
+    free(lu->pass);
     free(lu);
 }
 
@@ -56,67 +57,50 @@ static inline void load(const flexel_lu *lu, const int *restrict source, const d
         a[lu->slots + i] = norm(a + lu->first[i], lu->scale + lu->first[i], lu->first[i + 1] - lu->first[i]);
 }
 
-/* The multipliers of a row for `width` neighbouring pivots, in their slots and in z; rows[j] is pivot row j from the
- * column behind these pivots on. */
-static inline void multipliers(double *slots, const double *const *rows, int width, double *z)
+/* The multipliers of rows for `width` neighbouring pivots, in their slots. */
+INLINE const int *multipliers(const int *list, int count, int width, double *a)
 {
-    for (int j = 0; j < width; j++) {
-        double sum = slots[j];
-        for (int i = 0; i < j; i++)
-            sum -= z[i] * rows[i][j - width];
-        z[j] = slots[j] = sum * rows[j][j - width];
+    for (int r = 0; r < count; r++, list += 1 + width) {
+        double *slots = a + list[0];
+        for (int j = 0; j < width; j++) {
+            const double *row = a + list[1 + j] - width;
+            double sum = slots[j];
+            for (int i = 0; i < j; i++)
+                sum -= slots[i] * a[list[1 + i] - width + j];
+            slots[j] = sum * row[j];
+        }
     }
+    return list;
 }
 
-/* Subtract `width` pivot rows times z from neighbouring slots of another row; they start at `from` in the rows. */
-static inline void subtract_rows(double *restrict to, const double *const *rows, int from, int length, int width,
-                                 const double *z)
+/* Subtract `width` pivot rows times multipliers from `length` neighbouring slots of other rows. */
+INLINE const int *subtract(const int *list, int count, int length, int width, double *a)
 {
-    const double *p = rows[0] + from, *q = width > 1 ? rows[1] + from : p, *r = width > 2 ? rows[2] + from : p;
-    const double *s = width > 3 ? rows[3] + from : p;
+    for (int r = 0; r < count; r++, list += 2 + width) {
+        double *restrict to = a + list[0];
+        const double *z = a + list[1], *p = a + list[2], *q = width > 1 ? a + list[3] : p;
+        const double *s = width > 2 ? a + list[4] : p, *t = width > 3 ? a + list[5] : p;
 #pragma omp simd simdlen(4)
-    for (int i = 0; i < length; i++) {
-        double sum = to[i] - z[0] * p[i];
-        if (width > 1)
-            sum -= z[1] * q[i];
-        if (width > 2)
-            sum -= z[2] * r[i];
-        if (width > 3)
-            sum -= z[3] * s[i];
-        to[i] = sum;
+        for (int i = 0; i < length; i++) {
+            double sum = to[i] - z[0] * p[i];
+            if (width > 1)
+                sum -= z[1] * q[i];
+            if (width > 2)
+                sum -= z[2] * s[i];
+            if (width > 3)
+                sum -= z[3] * t[i];
+            to[i] = sum;
+        }
     }
+    return list;
 }
 
-/* Subtract the first `width` rows of a group from what comes after them: the group's next row, or all rows below. */
-static inline void eliminate(const flexel_lu *lu, size_t g, int width, int inside, double *a)
+INLINE const int *eliminate(const flexel_pass *pass, const int *list, int width, double *a)
 {
-    const int first = lu->group[g];
-    const double *rows[FLEXEL_GROUP];
-    double z[FLEXEL_GROUP];
-    for (int j = 0; j < width; j++)
-        rows[j] = a + lu->diagonal[first + j] + width - j;
-    if (inside) {
-        const int d = lu->diagonal[first + width];
-        multipliers(a + d - width, rows, width, z);
-        subtract_rows(a + d, rows, 0, lu->first[first + width + 1] - d, width, z);
-        return;
-    }
-    for (int l = lu->below[g]; l < lu->below[g + 1]; l++) {
-        multipliers(a + lu->multiplier[l], rows, width, z);
-        for (int r = lu->run[l]; r < lu->run[l + 1]; r++)
-            subtract_rows(a + lu->stretch[r].to, rows, lu->stretch[r].from, lu->stretch[r].length, width, z);
-    }
-}
-
-/* The same, with the width known to the compiler. */
-static inline void eliminate_by(const flexel_lu *lu, size_t g, int width, int inside, double *a)
-{
-    switch (width) {
-    case 1: eliminate(lu, g, 1, inside, a); break;
-    case 2: eliminate(lu, g, 2, inside, a); break;
-    case 3: eliminate(lu, g, 3, inside, a); break;
-    default: eliminate(lu, g, FLEXEL_GROUP, inside, a);
-    }
+    list = multipliers(list, pass->rows, width, a);
+    list = subtract(list, pass->fours, 4, width, a);
+    list = subtract(list, pass->twos, 2, width, a);
+    return subtract(list, pass->ones, 1, width, a);
 }
 
 /* Whether a pivot is large enough; it is replaced by its inverse. */
@@ -132,16 +116,19 @@ static inline int invert(const flexel_lu *lu, size_t k, double *a)
 FLEXEL_CLONES
 size_t flexel_lu_factor(const flexel_lu *lu, const int *source, const double *buffer, double *a)
 {
+    const int *list = lu->list;
     load(lu, source, buffer, a);
-    for (size_t g = 0; g < lu->groups; g++) {
-        const int first = lu->group[g], width = lu->group[g + 1] - first;
-        for (int j = 0; j < width; j++) {
-            if (j)
-                eliminate_by(lu, g, j, 1, a);
-            if (!invert(lu, (size_t)(first + j), a))
-                return (size_t)(first + j) + 1;
+    for (const flexel_pass *pass = lu->pass; pass < lu->pass + lu->npasses; pass++) {
+        switch (pass->width) {
+        case 0: break;
+        case 1: list = eliminate(pass, list, 1, a); break;
+        case 2: list = eliminate(pass, list, 2, a); break;
+        case 3: list = eliminate(pass, list, 3, a); break;
+        default: list = eliminate(pass, list, FLEXEL_GROUP, a);
         }
-        eliminate_by(lu, g, width, 0, a);
+        for (int i = 0; i < pass->pivots; i++, list++)
+            if (!invert(lu, (size_t)*list, a))
+                return (size_t)*list + 1;
     }
     return 0;
 }

@@ -28,7 +28,7 @@ size_t flexel_lu_slots(const flexel_lu *lu);
 size_t flexel_lu_operations(const flexel_lu *lu);
 
 /* Factors, into a (slots), of the matrix whose entry i is buffer[source[i]]. Zero, or one more than the number of the
- * first pivot that is zero, not finite, below 1e-14 of its row, or below 1e-4 of what is left of its row when it is
+ * a pivot that is zero, not finite, below 1e-14 of its row, or below 1e-4 of what is left of its row when it is
  * eliminated: the factors are then incomplete, and the pivots must be ordered anew, from these values.
  *
  * The size of a row is the sum of those of its entries. Columns are compared by the scales found with the order, rows

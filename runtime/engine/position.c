@@ -61,8 +61,10 @@ int flexel_locate(flexel_work *s, flexel_choice *c)
             return failed;
         flexel_matrix_solve(&c->P, 1, c->residual, c->step, c->work);
         double largest = 0;
-        for (size_t i = 0; i < s->nf; i++)
-            largest = fmax(largest, fabs(c->step[i]) * c->step_weight[i]);
+        for (size_t i = 0; i < s->nf; i++) {
+            const double z = fabs(c->step[i]) * c->step_weight[i]; /* fmax would be a call */
+            largest = z > largest ? z : largest;
+        }
         const double share = largest < LONGEST_STEP ? 1 : LONGEST_STEP / largest;
         for (size_t i = 0; i < s->nf; i++)
             s->x[i] -= share * c->step[i];

@@ -43,8 +43,10 @@ static void predict(flexel_work *s, flexel_choice *c, const double *q)
     }
     flexel_matrix_solve(&c->P, 1, c->residual, c->step, c->work);
     double largest = 0;
-    for (size_t i = 0; i < s->nf; i++)
-        largest = fmax(largest, fabs(c->step[i]) * c->step_weight[i]);
+    for (size_t i = 0; i < s->nf; i++) {
+        const double z = fabs(c->step[i]) * c->step_weight[i]; /* fmax would be a call */
+        largest = z > largest ? z : largest;
+    }
     if (largest < LONGEST_PREDICTION)
         for (size_t i = 0; i < s->nf; i++)
             s->x[i] += c->step[i];

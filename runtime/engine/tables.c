@@ -110,7 +110,7 @@ static void lay_out(const flexel_pivots *p, const places *at, flexel_lu *lu, int
 }
 
 /* Multipliers by column, rows in order: those of column k from start[k] to start[k + 1]. */
-static void list_multipliers(flexel_lu *lu, int *start)
+static void list_multipliers(const flexel_lu *lu, flexel_groups *groups, int *start)
 {
     memset(start, 0, (lu->n + 1) * sizeof *start);
     for (size_t i = 0; i < lu->n; i++)
@@ -120,7 +120,7 @@ static void list_multipliers(flexel_lu *lu, int *start)
         start[i + 1] += start[i];
     for (size_t i = 0; i < lu->n; i++)
         for (int s = lu->first[i]; s < lu->diagonal[i]; s++)
-            lu->multiplier[start[lu->at[s]]++] = s;
+            groups->multiplier[start[lu->at[s]]++] = s;
     memmove(start + 1, start, lu->n * sizeof *start);
     start[0] = 0;
 }
@@ -136,19 +136,19 @@ static int alike(const flexel_lu *lu, const int *start, size_t k)
 }
 
 /* Groups of pivots, and the rows below each; the lists of multipliers are shortened to those of first pivots. */
-static void form_groups(flexel_lu *lu, const int *start)
+static void form_groups(const flexel_lu *lu, flexel_groups *groups, const int *start)
 {
     int kept = 0;
     for (size_t k = 0, end; k < lu->n; k = end) {
         for (end = k + 1; end < lu->n && end < k + FLEXEL_GROUP && alike(lu, start, end - 1);)
             end++;
-        lu->group[lu->groups] = (int)k;
-        lu->below[lu->groups++] = kept;
+        groups->first[groups->count] = (int)k;
+        groups->below[groups->count++] = kept;
         for (int l = start[k] + (int)(end - k - 1); l < start[k + 1]; l++)
-            lu->multiplier[kept++] = lu->multiplier[l];
+            groups->multiplier[kept++] = groups->multiplier[l];
     }
-    lu->group[lu->groups] = (int)lu->n;
-    lu->below[lu->groups] = kept;
+    groups->first[groups->count] = (int)lu->n;
+    groups->below[groups->count] = kept;
 }
 
 /* Slots of the matrix's entries, each found in its row by halving. */
@@ -168,40 +168,6 @@ static void find_slots(flexel_lu *lu, const places *at, const int *rows, const i
     }
 }
 
-/* The stretches of every row below a group: the columns of the group's rows, found again in that row. */
-static int list_stretches(flexel_lu *lu)
-{
-    size_t count = 0, room = 0;
-    for (size_t g = 0; g < lu->groups; g++) {
-        const int last = lu->group[g + 1] - 1, behind = last - lu->group[g];
-        const int begin = lu->diagonal[last] + 1, end = lu->first[last + 1];
-        for (int l = lu->below[g]; l < lu->below[g + 1]; l++) {
-            lu->run[l] = (int)count;
-            if (count + (size_t)(end - begin) > room) {
-                room = 2 * (count + (size_t)(end - begin));
-                flexel_stretch *more = room < INT_MAX ? realloc(lu->stretch, room * sizeof *more) : NULL;
-                if (!more)
-                    return 0;
-                lu->stretch = more;
-            }
-            int to = lu->multiplier[l] + behind;
-            for (int from = begin; from < end; from++) {
-                const int before = to++;
-                while (lu->at[to] != lu->at[from])
-                    to++;
-                if (from > begin && to == before + 1)
-                    lu->stretch[count - 1].length++;
-                else
-                    lu->stretch[count++] = (flexel_stretch){to, from - begin, 1};
-            }
-        }
-    }
-    lu->run[lu->below[lu->groups]] = (int)count;
-    flexel_stretch *exact = realloc(lu->stretch, (count + 1) * sizeof *exact);
-    lu->stretch = exact ? exact : lu->stretch;
-    return 1;
-}
-
 /* Sign of a permutation, by following its cycles. */
 static int sign(size_t n, const int *permutation, int *work)
 {
@@ -217,7 +183,7 @@ static int sign(size_t n, const int *permutation, int *work)
     return found;
 }
 
-static flexel_lu *allocate(size_t n, size_t nentries, size_t nlower, size_t slots)
+static flexel_lu *allocate(size_t n, size_t nentries, size_t slots)
 {
     flexel_lu *lu = calloc(1, sizeof *lu);
     if (!lu)
@@ -225,9 +191,8 @@ static flexel_lu *allocate(size_t n, size_t nentries, size_t nlower, size_t slot
     lu->n = n;
     lu->nentries = nentries;
     lu->slots = slots;
-    int **const arrays[] = {&lu->row, &lu->column, &lu->first, &lu->diagonal, &lu->at, &lu->slot,
-                            &lu->group, &lu->below, &lu->multiplier, &lu->run};
-    const size_t sizes[] = {n, n, n + 1, n, slots, nentries, n + 1, n + 1, nlower, nlower + 1};
+    int **const arrays[] = {&lu->row, &lu->column, &lu->first, &lu->diagonal, &lu->at, &lu->slot};
+    const size_t sizes[] = {n, n, n + 1, n, slots, nentries};
     int good = 1;
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
         good &= (*arrays[i] = malloc((sizes[i] + 1) * sizeof(int))) != NULL;
@@ -238,6 +203,20 @@ static flexel_lu *allocate(size_t n, size_t nentries, size_t nlower, size_t slot
     return NULL;
 }
 
+/* Groups and passes; `start` has space for n + 1 numbers. */
+static int group(flexel_lu *lu, size_t nlower, int *start)
+{
+    int *space = malloc((2 * lu->n + 2 + nlower) * sizeof *space);
+    if (!space)
+        return 0;
+    flexel_groups groups = {0, space, space + lu->n + 1, space + 2 * lu->n + 2};
+    list_multipliers(lu, &groups, start);
+    form_groups(lu, &groups, start);
+    const int good = flexel_lu_passes(lu, &groups);
+    free(space);
+    return good;
+}
+
 flexel_lu *flexel_lu_tables(const flexel_pivots *p, size_t nentries, const int *rows, const int *columns,
                             const double *scale)
 {
@@ -245,7 +224,7 @@ flexel_lu *flexel_lu_tables(const flexel_pivots *p, size_t nentries, const int *
     if (slots + n > INT_MAX)
         return NULL;
     int *work = malloc((7 * n + 2 + p->upper_start[n]) * sizeof *work);
-    flexel_lu *lu = allocate(n, nentries, p->lower_start[n], slots);
+    flexel_lu *lu = allocate(n, nentries, slots);
     int good = work && lu;
     if (good) {
         places at = {work, work + n, work + 2 * n};
@@ -258,11 +237,9 @@ flexel_lu *flexel_lu_tables(const flexel_pivots *p, size_t nentries, const int *
         }
         for (size_t s = 0; s < slots; s++)
             lu->scale[s] = scale[lu->column[lu->at[s]]];
-        list_multipliers(lu, rest);
-        form_groups(lu, rest);
         find_slots(lu, &at, rows, columns);
         lu->sign = sign(n, lu->row, rest) * sign(n, lu->column, rest);
-        good = list_stretches(lu);
+        good = group(lu, p->lower_start[n], rest);
     }
     free(work);
     if (good)
