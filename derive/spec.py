@@ -60,13 +60,17 @@ class TermSpec:
 
 @dataclass(frozen=True)
 class DeformationSpec:
-    """Deformation; free: free by default (else rigid), period: a sum, kind: "gap" of a contact, "norm" of a frame."""
+    """Deformation; free: free by default (else rigid), period: a sum, kind: "gap" of a contact, "norm" of a frame.
+
+    kinked: its derivatives jump at configurations that motions reach.
+    """
 
     name: str
     unit: str
     free: bool
     period: tuple[TermSpec, ...] = ()
     kind: str = ""
+    kinked: bool = False
 
     def repeats(self, parameters: Parameters) -> float:
         """The length after which it repeats, for values of the parameters; zero if it does not."""

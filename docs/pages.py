@@ -11,6 +11,7 @@ from importlib import import_module
 from pathlib import Path
 
 from element_pages import Rows, element_page, elements_page, laws_page, table
+from methods import method_pages, method_rows
 from reported import write_report
 
 import flexel
@@ -22,14 +23,20 @@ from flexel.generated.table import ELEMENTS, LAWS
 FIRST = (
     "start",
     "concepts",
+    "joints",
+    "flexure-design",
+    "vehicles",
+    "cranes",
+    "control",
+    "writing-an-element",
     "coming-from-spacar",
     "coming-from-spacar-light",
-    "flexure-design",
-    "joints",
-    "writing-an-element",
-    "adding-an-element",
+    "coming-from-exudyn",
+    "coming-from-sympy",
+    "many",
+    "sweeps",
 )
-REFERENCE = ("theory", "architecture", "verification", "speed", "report")
+REFERENCE = ("theory", "architecture", "adding-an-element", "verification", "speed", "report")
 
 HOMES = {  # sections of the page of public names: title and modules
     "Models": (
@@ -84,13 +91,16 @@ HOMES = {  # sections of the page of public names: title and modules
         "flexel.sweeps.sampling",
         "flexel.sweeps.dataset",
     ),
-    "Linearization": ("flexel.mechanics.linearization", "flexel.mechanics.modes"),
+    "Linearization": ("flexel.mechanics.linearization", "flexel.mechanics.modes", "flexel.linear.sampled"),
     "Many variants": ("flexel.results.ensemble", "flexel.results.linearizations"),
     "Errors": ("flexel.base.errors", "flexel.derive.errors"),
     "Pictures": ("flexel.pictures.scene", "flexel.pictures.solids"),
 }
 RETURNED = {  # functions and options of pictures that are not names of the package itself
-    "flexel.pictures.plot": ("draw", "root_loci"),
+    "flexel.linear.tracking": ("Branches", "Boundary"),
+    "flexel.results.response": ("FrequencyResponse",),
+    "flexel.pictures.scene": ("draw",),
+    "flexel.pictures.loci": ("root_loci",),
     "flexel.pictures.view": ("scene_data", "view_modes", "Page"),
 }
 DECLARATIONS = (
@@ -130,7 +140,19 @@ def directive(name: str, module: str = "flexel") -> str:
         return f".. autofunction:: {module}.{name}\n"
     if issubclass(value, Exception):
         return f".. autoexception:: {module}.{name}\n"
-    return f".. autoclass:: {module}.{name}\n   :members:\n"
+    families = [z for z in value.__mro__[1:] if z.__module__.startswith("flexel.")]
+    if value is flexel.Model or not families:  # the methods of Model have pages of their own
+        return f".. autoclass:: {module}.{name}\n   :members:\n"
+    # Methods that stand in families of their own; those of Python's own bases, as of a sequence, stay out.
+    members = dict.fromkeys(
+        key
+        for base in (value, *families)
+        for key, member in vars(base).items()
+        if not key.startswith("_")
+        and inspect.getdoc(member)
+        and not isinstance(member, str | tuple | int | float)
+    )
+    return f".. autoclass:: {module}.{name}\n   :members: {', '.join(members)}\n"
 
 
 def api_pages() -> dict[str, str]:
@@ -149,14 +171,19 @@ def api_pages() -> dict[str, str]:
         (f"[{title}]({slugs[title]}.md)", ", ".join(f"`{name}`" for name in names.get(title, [])) or "–")
         for title in entries
     ]
-    text = "# Public names\n\nAfter `import flexel as fx`, each of these is available as `fx.NAME`, except those of\n"
-    text += "the last two topics, whose pages name their modules.\n\n" + table(("topic", "names"), rows)
-    text += "\n```{toctree}\n:hidden:\n\n" + "\n".join(slugs.values()) + "\n```\n"
+    rows[1:1] = method_rows()
+    methods = method_pages()
+    text = "# Public names\n\nAfter `import flexel as fx`, each of these is available as `fx.NAME`, except methods\n"
+    text += (
+        "(`m` is a `Model`) and those of the last two topics, whose pages name their modules.\n\n"
+        + table(("topic", "names"), rows)
+    )
+    text += "\n```{toctree}\n:hidden:\n\n" + "\n".join([*slugs.values(), *methods]) + "\n```\n"
     pages = {
         slugs[title]: f"# {title}\n\n```{{eval-rst}}\n" + "\n".join(found) + "```\n"
         for title, found in entries.items()
     }
-    return {"api": text, **pages}
+    return {"api": text, **methods, **pages}
 
 
 def contents(folder: Path) -> str:

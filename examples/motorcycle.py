@@ -243,19 +243,22 @@ def confirmations() -> list[Quantity]:
 
 def picture(found: dict[str, list[dict[str, fx.Mode]]], out: Path) -> Path:
     """Real and imaginary parts of the lateral modes over the speed."""
-    from flexel.pictures.figures import COLOURS, figure, save
+    from scipy.interpolate import CubicSpline
+
+    from flexel.pictures.figures import COLOURS, GUIDE, figure, save
 
     out.mkdir(parents=True, exist_ok=True)
     path = out / "motorcycle_modes.png"
     with figure(2, size=(8.0, 6.4), sharex=True) as (drawn, axes):
         for style, (tyres, modes) in zip(("-", "--"), found.items(), strict=True):
             for colour, name in zip(COLOURS, ("weave", "wobble", "capsize"), strict=False):
-                points = np.array([[v, z[name].eigenvalue.real, z[name].eigenvalue.imag]
+                points = np.array([[v, z[name].eigenvalue.real, z[name].eigenvalue.imag / (2 * np.pi)]
                                    for v, z in zip(SPEEDS, modes, strict=True) if name in z])  # fmt: skip
-                axes[0].plot(points[:, 0], points[:, 1], style, color=colour, label=f"{name}, {tyres} tyres")
-                axes[1].plot(points[:, 0], points[:, 2] / (2 * np.pi), style, color=colour)
-        axes[0].axhline(0, color="#222222", lw=0.6)
-        axes[0].set_ylabel("real part [1/s]")
+                fine = np.linspace(points[0, 0], points[-1, 0], 300)
+                for panel, values in zip(axes, CubicSpline(points[:, 0], points[:, 1:])(fine).T, strict=True):
+                    panel.plot(fine, values, style, color=colour, label=f"{name}, {tyres} tyres")
+        axes[0].axhline(0, **GUIDE)
+        axes[0].set(ylabel="real part [1/s]", title="Lateral modes of a motorcycle over its speed")
         axes[1].set_ylabel("frequency [Hz]")
         axes[1].set_xlabel("speed [m/s]")
         axes[0].legend(fontsize=8)

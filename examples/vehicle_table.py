@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 import flexel as fx
 from flexel.examples import vehicle_data as data
 from flexel.examples.reasons import PRINTED, ROUNDING
-from flexel.examples.vehicle_runs import Results, mode_name
+from flexel.examples.vehicle_runs import Results, mode_name, moving
 from flexel.examples.vehicle_signals import (
     SIGNALS,
     at_stop,
@@ -160,7 +160,7 @@ def linear(results: Results) -> list[Quantity]:
     modes = {
         mode_name(m): [m.eigenvalue.real, m.eigenvalue.imag] for m in lin.modes() if m.eigenvalue.imag > 1e-6
     }
-    rightmost = results.loci.real.max(axis=1)
+    rightmost = np.array([moving(z).real.max() for z in results.straight])
     growing = f"5 ... 40 m/s, {np.count_nonzero(rightmost > 0) or 'no'} speed(s) with a growing mode"
     indicative = "; toe and camber change differ there"
     return [

@@ -24,7 +24,9 @@ def pictures(out: Path) -> list[Path]:
             found = [example.leaf_stiffness(float(z), n) for z in marks]
             label = f"{n} element{'s' * (n > 1)}"
             left.loglog(marks, found, marker, color=COLOURS[n % 2 + 1], label=label)
-        left.set(xlabel="k l", ylabel="torsional stiffness over GJ/l", title="Leaf, clamped at both ends")
+        left.set(
+            xlabel="k l [-]", ylabel="torsional stiffness over GJ/l [-]", title="Leaf, clamped at both ends"
+        )
         left.legend()
         x, angles, _ = example.cantilever_torsion(8)
         fine = np.linspace(0.0, SPAN, 200)
@@ -35,5 +37,6 @@ def pictures(out: Path) -> list[Path]:
         right.plot(x, 1e3 * angles, "o", color=COLOURS[1], label="8 elements")
         right.set(xlabel="x [m]", ylabel="twist [mrad]", title="I beam, end torque of 1 N m")
         right.legend()
+        drawn.suptitle("Torsion with restrained warping")
         save(drawn, path)
     return [path]

@@ -26,7 +26,7 @@ CALLS_DERIVE = (
     "runtime/commands/derive.py",
     "runtime/commands/verify.py",
     "runtime/commands/facts.py",
-    "runtime/declare/feedback.py",
+    "runtime/declare/controller_laws.py",
     "runtime/declare/formulas.py",
     "runtime/declare/user.py",
 )

@@ -169,7 +169,7 @@ class Stepper:
         until = self._begin + (self._count + 1) * self.dt
         run.go_on(until)
         while run.t < until:
-            run.advance()
+            run.forward()
         self._count += 1
         return self._outputs()
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, overload
+from typing import Any, SupportsIndex, overload
 
 import numpy as np
 
@@ -133,10 +133,10 @@ class States(Sequence[State]):
         return len(self._entries)
 
     @overload
-    def __getitem__(self, key: int) -> State: ...
+    def __getitem__(self, key: SupportsIndex) -> State: ...
     @overload
     def __getitem__(self, key: slice) -> list[State]: ...
-    def __getitem__(self, key: int | slice) -> State | list[State]:
+    def __getitem__(self, key: SupportsIndex | slice) -> State | list[State]:
         if isinstance(key, slice):
             return [self[i] for i in range(*key.indices(len(self)))]
         entry = self._entries[key]
@@ -167,6 +167,12 @@ class Integration:
     message: str
     ledger: dict[str, list[float]] | None = None
     rechoices: list[tuple[float, tuple[str, ...], tuple[str, ...]]] = field(default_factory=list)
+
+    @classmethod
+    def of_equilibria(cls, states: Sequence[State], message: str) -> Integration:
+        """Equilibria in the order of their load parameter, without anything between them."""
+        counts = {"steps": len(states) - 1, "evaluations": 0, "rechoices": 0}
+        return cls(States(states), [], [], counts, message)
 
     def copy(self) -> Integration:
         """The same results in lists of their own."""

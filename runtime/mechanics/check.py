@@ -68,6 +68,9 @@ def _constraints(report: ConstraintReport) -> Iterator[Finding]:
     if report.release:
         calls = ", ".join(f"m.release('{z}')" for z in report.release)
         yield Finding("error", "constraints", f"release {quoted(report.release)}: {calls}")
+    for name, others in report.alternatives.items():
+        if others:
+            yield Finding("note", "constraints", f"in place of '{name}' equally well: {quoted(others)}")
     for share in report.motions:
         yield Finding("note", "constraints", f"a mechanism: no law resists a motion of {_leading(share)}")
 

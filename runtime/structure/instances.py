@@ -77,6 +77,7 @@ class Instance(_Row):
     profile: object = None  # section and material of a beam, if given
     mass_damping: float = 0.0  # force per momentum [1/s], the mass-proportional part of Rayleigh damping
     terms: Mapping[str, float] | None = None  # coefficients of a relation, by quantity
+    look: object = None  # how pictures show it, if that was said
 
     @property
     def p(self) -> Array:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from collections import deque
 from collections.abc import Iterator
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Future, wait
@@ -16,6 +17,7 @@ from flexel.sweeps.points import Points
 from flexel.sweeps.store import Store
 from flexel.sweeps.work import Job, Outcome, work
 
+log = logging.getLogger("flexel.sweep")
 TARGET = 0.2  # time that a chunk is to take [s], at least: handing one out costs 0.5 ms of this process, 5 with dask
 # Time between two chunks [s], which take longer with many workers, so that this process keeps up.
 APART = 0.01
@@ -145,7 +147,8 @@ class Drive:
                 f"sweep: the executor failed with {type(error).__name__}: {error}; what workers import must be "
                 "installed where they are"
             ) from error
-        del self.pending[future]
+        chunk = self.pending.pop(future)
+        log.debug("points %d to %d in %.3g s", chunk.begin, chunk.end - 1, outcome.seconds)
         self.succeeded = True
         each = outcome.seconds / outcome.count
         self.seconds = each if self.seconds is None else (self.seconds + each) / 2
@@ -181,6 +184,7 @@ class Drive:
 
     def _blame(self, chunk: Chunk, error: BaseException) -> None:
         """Do a chunk again: at first as before, then alone and in parts, until one point is left."""
+        log.info("the worker of points %d to %d died: %s", chunk.begin, chunk.end - 1, error)
         died = replace(chunk, deaths=chunk.deaths + 1)
         if chunk.alone and chunk.end - chunk.begin == 1:
             self._give_up(chunk, error)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import logging
 import sys
 import tempfile
 import warnings
@@ -27,6 +28,8 @@ from flexel.sweeps.work import Job
 
 if TYPE_CHECKING:
     import xarray
+
+log = logging.getLogger("flexel.sweep")
 
 
 def sweep(
@@ -113,9 +116,11 @@ def sweep(
         interrupted = False
         if any(True for _ in store.missing(retry_failed)):
             pool = pool_of(executor, workers)
+            log.info("%d points, %d done before; %d workers", len(chosen), _count(store, DONE), pool.slots())
             job = Job.of(build, analyse, pickled=not pool.shares_memory)
             interrupted = _driven(job, chosen, store, pool, show, retry_failed, chunk)
         store.write()
+        log.info("%d points done, %d failed", _count(store, DONE), _count(store, FAILED))
         data = dataset_of(place, chosen)
         return _told(data if folder is not None else data.copy(deep=True), store, interrupted)
 
@@ -140,7 +145,7 @@ def _driven(
 
 def _told(data: xarray.Dataset, store: Store, interrupted: bool) -> xarray.Dataset:
     """The dataset with a message that says if it is not complete; a warning if points failed."""
-    done, failed = (int(np.count_nonzero(store.status == z)) for z in (DONE, FAILED))
+    done, failed = (_count(store, z) for z in (DONE, FAILED))
     message = data.attrs["message"]
     if interrupted:
         data.attrs["message"] = f"interrupted: {message}"
@@ -149,6 +154,11 @@ def _told(data: xarray.Dataset, store: Store, interrupted: bool) -> xarray.Datas
     elif failed:
         warnings.warn(f"sweep: {message}", IncompleteWarning, stacklevel=3)
     return data
+
+
+def _count(store: Store, status: int) -> int:
+    """Number of points with a status."""
+    return int(np.count_nonzero(store.status == status))
 
 
 def _check(build: Callable[..., Any], names: tuple[str, ...], analyse: Callable[[Any], Any]) -> None:

@@ -33,7 +33,7 @@ def test_delft_and_twente_say_the_same_in_their_words(tmp_path: Path) -> None:
     assert (delft.dialect, twente.dialect) == ("delft", "twente")
     assert [str(call) for call in delft.calls] == [str(call) for call in twente.calls]
     assert (delft.duration, delft.steps) == (twente.duration, twente.steps) == (2.0, 100)
-    assert delft.notes == () and "VISUALIZATION has no effect" in twente.notes[0]
+    assert delft.notes == () and "COLOR no effect: no GRAPHICS" in twente.notes[0]
 
 
 def test_dialect_can_be_given_and_decides_the_order_of_timestep(tmp_path: Path) -> None:
