@@ -233,7 +233,7 @@ def test_mistakes_are_reported(tmp_path: Path) -> None:
     with pytest.raises(fx.ModelError, match="no triangles"):
         fx.Mesh("A", None, tmp_path / "empty.obj")
     (tmp_path / "cut.obj").write_text("v 0 0 0\nf 1 2 9\n")
-    with pytest.raises(fx.ModelError, match="a vertex that is not there"):
+    with pytest.raises(fx.ModelError, match="a vertex that does not exist"):
         fx.Mesh("A", None, tmp_path / "cut.obj")
     with pytest.raises(fx.ModelError, match="not a list of Sketch, Box"):
         fx.View(sketches=["box"])  # type: ignore[list-item]
