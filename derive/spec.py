@@ -1,4 +1,4 @@
-"""What the runtime knows of elements and laws: the classes of the entries of ``generated/table.py``.
+"""What the runtime reads about elements and laws: the classes of the entries of ``generated/table.py``.
 
 Plain Python: the one module of ``derive`` that the runtime imports, without SymPy.
 """

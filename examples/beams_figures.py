@@ -1,7 +1,4 @@
-"""Pictures of the published beam problems.
-
-Imports numpy and flexel; matplotlib is imported by `flexel.pictures.figures` when a picture is drawn.
-"""
+"""Pictures of the published beam problems."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""Pictures of the universal joint: kinematics, reactions, free run, convergence, zones of instability.
-
-Imports numpy and flexel; matplotlib is imported by `flexel.pictures.figures` when a picture is drawn.
-"""
+"""Pictures of the universal joint: kinematics, reactions, free run, convergence, zones of instability."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""Pictures of balls in contact: impact, from sliding to rolling, off a cylinder.
-
-Imports numpy and flexel; matplotlib is imported by `flexel.pictures.figures` when a picture is drawn.
-"""
+"""Pictures of balls in contact: impact, from sliding to rolling, off a cylinder."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""Pictures of the boom on its cylinder.
-
-Imports numpy and flexel; matplotlib is imported by `flexel.pictures.figures` when a picture is drawn.
-"""
+"""Pictures of the boom on its cylinder."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""Pictures of the flexure mechanisms: shapes, stiffness, frequencies, stress and buckling over the range.
-
-Imports numpy and flexel; matplotlib is imported by `flexel.pictures.figures` when a picture is drawn.
-"""
+"""Pictures of the flexure mechanisms: shapes, stiffness, frequencies, stress and buckling over the range."""
 
 from __future__ import annotations
 

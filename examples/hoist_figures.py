@@ -1,7 +1,4 @@
-"""Pictures of the hoist: speeds and tensions over time; tension, contact, strain and wire stress along the rope.
-
-Imports numpy and flexel; matplotlib is imported by `flexel.pictures.figures` when a picture is drawn.
-"""
+"""Pictures of the hoist: speeds and tensions over time; tension, contact, strain and wire stress along the rope."""
 
 from __future__ import annotations
 

@@ -4,7 +4,6 @@ Two slender links in a horizontal plane, each of two beam elements, with motors 
 Each motor works between its link and a frame that is turned as commanded, so that the measured joint angles are the
 errors.  A linear-quadratic regulator of joints and bending, designed at one position of the elbow, is compared
 with proportional-derivative control of the joints alone, which is all that a rigid arm would need.
-Imports numpy, scipy and flexel; matplotlib when a picture is drawn.
 """
 
 from __future__ import annotations
@@ -81,7 +80,8 @@ def manipulator(
     m.prescribe("elbow command.angle", elbow)
     m.independent(*(JOINTS if rigid else MEASURED))
     if gains is not None:
-        m.feedback("controller", act=JOINTS, measure=gains.measured, P=gains.P, D=gains.D)
+        inputs = [*gains.measured, *(f"{z}'" for z in gains.measured)]
+        m.controller(np.hstack([gains.P, gains.D]), inputs=inputs, outputs=JOINTS)
     return m.build()
 
 

@@ -3,7 +3,6 @@
 Rear frame with rider, swinging arm, telescopic fork on an inclined steering axis, two wheels with compliant toroidal
 tyres (crown radius, Magic Formula with relaxation). The data are those of no real machine, but of usual size. Weave,
 wobble and capsize are followed over the speed. x forward, y left, z up, origin on the road below the rear hub.
-Imports numpy and flexel.
 """
 
 from __future__ import annotations
@@ -153,7 +152,9 @@ def reproduce(out: Path | None = None) -> Report:
     error = mismatch(system, straight(system, 30.0))
     counted = "six of the frame, steering, fork, swinging arm, spins"
     rows = [
-        Quantity("freedoms", system.counts["degrees_of_freedom"], 11, 0, "", counted, kind="closed form"),
+        Quantity(
+            "degrees_of_freedom", system.counts["degrees_of_freedom"], 11, 0, "", counted, kind="closed form"
+        ),
         Quantity(
             "linearization_error",
             error,

@@ -1,7 +1,4 @@
-"""Pictures of the rope problems beside their closed forms.
-
-Imports numpy and flexel; matplotlib is imported by `flexel.pictures.figures` when a picture is drawn.
-"""
+"""Pictures of the rope problems beside their closed forms."""
 
 from __future__ import annotations
 

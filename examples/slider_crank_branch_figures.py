@@ -1,7 +1,4 @@
-"""Pictures of the slider-crank's excitation, of its nonlinear motions past the fold, and of their stability.
-
-Imports numpy and flexel; matplotlib is imported by `flexel.pictures.figures` when a picture is drawn.
-"""
+"""Pictures of the slider-crank's excitation, of its nonlinear motions past the fold, and of their stability."""
 
 from __future__ import annotations
 

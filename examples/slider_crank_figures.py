@@ -1,7 +1,4 @@
-"""Pictures of the slider-crank, after slides 23 to 30 of the talk.
-
-Imports numpy and flexel; matplotlib is imported by `flexel.pictures.figures` when a picture is drawn.
-"""
+"""Pictures of the slider-crank, after slides 23 to 30 of the talk."""
 
 from __future__ import annotations
 

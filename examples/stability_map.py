@@ -3,7 +3,7 @@
 The bicycle of the 2007 benchmark with other wheelbases and trails: each is built and linearized by `fx.sweep`, and its
 equations are compared with the formulas of the benchmark at every point.  The stable range follows from Routh and
 Hurwitz.
-Imports numpy and flexel; `fx.sweep` needs joblib and xarray, the extra ``sweep``.
+`fx.sweep` needs joblib and xarray, the extra ``sweep``.
 """
 
 from __future__ import annotations

@@ -1,7 +1,4 @@
-"""The picture of the stability map.
-
-Imports numpy and flexel; matplotlib is imported by `flexel.pictures.figures` when a picture is drawn.
-"""
+"""The picture of the stability map."""
 
 from __future__ import annotations
 

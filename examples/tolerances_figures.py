@@ -1,7 +1,4 @@
-"""The picture of the tolerances: how the lowest frequency of the stages is distributed.
-
-Imports numpy and flexel; matplotlib is imported by `flexel.pictures.figures` when a picture is drawn.
-"""
+"""The picture of the tolerances: how the lowest frequency of the stages is distributed."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""Pictures of the road vehicle: model, root loci, steering with CALSPAN tyres and without lateral slip, sines, bumps.
-
-Imports numpy and flexel; matplotlib is imported by `flexel.pictures.plot` when a picture is drawn.
-"""
+"""Pictures of the road vehicle: model, root loci, steering with CALSPAN tyres and without slip, sines, bumps."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """What is done with the road vehicle: equilibrium, linearization, steering, bumps, and the energy that goes round.
 
-What is read off the motions is in `flexel.examples.vehicle_signals`. Imports numpy and flexel.
+What is read off the motions is in `flexel.examples.vehicle_signals`.
 """
 
 from __future__ import annotations

@@ -1,7 +1,4 @@
-"""Picture of restrained torsion: the stiffness of a clamped leaf over its length, and the twist of an I beam.
-
-Imports numpy and flexel; matplotlib is imported by `flexel.pictures.figures` when a picture is drawn.
-"""
+"""Picture of restrained torsion: the stiffness of a clamped leaf over its length, and the twist of an I beam."""
 
 from __future__ import annotations
 

@@ -11,8 +11,8 @@ from collections import Counter
 from flexel.base.shown import counted
 from flexel.build import build
 from flexel.declare.cams import Cams
+from flexel.declare.controllers import Controllers
 from flexel.declare.couplings import Couplings
-from flexel.declare.feedback import Feedback
 from flexel.declare.gearing import Gearing
 from flexel.declare.loads import Loading
 from flexel.declare.looks import Looks
@@ -29,7 +29,7 @@ from flexel.system import System
 
 
 class Model(
-    Gearing, Cams, Skates, Ropes, PointContacts, Chains, Wheels, Couplings, Feedback, Loading, Elements, Looks
+    Gearing, Cams, Skates, Ropes, PointContacts, Chains, Wheels, Couplings, Controllers, Loading, Elements, Looks
 ):
     """A mechanism to be declared.
 
@@ -66,7 +66,7 @@ class Model(
         Raises
         ------
         ModelError
-            Unknown names, contradicting roles.
+            Contradicting roles.
         ConstraintError
             Over- or under-constrained, named by deformations or coordinates.
         PositionError
@@ -104,7 +104,7 @@ class Model(
         Raises
         ------
         ModelError
-            Unknown names, contradicting roles.
+            Contradicting roles.
 
         Examples
         --------
@@ -112,5 +112,6 @@ class Model(
         1 degree(s) of freedom left by the rigid conditions
         over-constrained: 'a.bend1' 1.00, 'b.bend1' -1.00
         release 'a.bend1'
+        in place of 'a.bend1' equally well: 'b.bend1'
         """
         return report_of_model(self)

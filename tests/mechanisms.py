@@ -136,3 +136,15 @@ def slider(mass: float = 2.0, force: float = 0.0) -> fx.Model:
         m.load("A.x", force)
     m.independent("strut.elongation")
     return m
+
+
+def strut(length: float = 1.0) -> fx.Model:
+    """A point mass on a bar along x that may change its length."""
+    m = fx.Model()
+    m.point("O", (0, 0, 0), fixed=True)
+    m.point("A", (length, 0, 0))
+    m.fix("A.y", "A.z")
+    m.truss("strut", "O", "A")
+    m.point_mass("mass", "A", 2.0)
+    m.independent("strut.elongation")
+    return m

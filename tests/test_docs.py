@@ -33,13 +33,16 @@ def test_the_programs_of_the_first_five_minutes_run(
 
 
 def test_the_program_of_the_page_on_control_steadies_the_rod() -> None:
-    """Upright and falling at first, then at rest and upright with the controller."""
+    """Upright and falling at first, then at rest and upright with a controller; sampled too, unless too late."""
     names: dict[str, Any] = {}
     for block in programs("control.md"):
         exec(block, names)
     assert names["lin"].eigenvalues().real.max() == pytest.approx((1.5 * 9.81 / 0.5) ** 0.5, rel=1e-9)
-    assert names["s"].linearize().eigenvalues().real.max() < -1
+    assert names["regulated"].linearize().eigenvalues().real.max() < -1
     assert abs(names["motion"]["motor.angle"][-1]) < 1e-4
+    assert names["sampled"]["motor.angle"][-1] == pytest.approx(0.2, abs=1e-6)
+    assert names["delay"] == 0.03 and not names["loop"].stable
+    assert abs(names["angle"]) < 1e-3
 
 
 def test_the_program_of_the_page_on_concepts_runs(capsys: pytest.CaptureFixture[str]) -> None:

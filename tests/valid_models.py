@@ -180,9 +180,9 @@ MODELS: dict[str, Callable[[], Valid]] = {
     "Model.element": declared(
         lambda: spare("P"), "element", name="z", kind="truss", nodes=("A", "P"), parameters={"l0": 1.0, "rhoA": 0.1}
     ),
-    "Model.feedback": declared(
-        spatial, "feedback", name="z", act=["pivot.angle"], measure=["pivot.angle"], P=[[1.0]], D=[[1.0]],
-        reference={"pivot.angle": 0.1},
+    "Model.controller": declared(
+        spatial, "controller", function=[[1.0, 1.0]], name="z", inputs=["pivot.angle", "pivot.angle'"],
+        outputs=["pivot.angle"], period=0.01, delay=0.02, limits=(-1.0, 1.0), reference={"pivot.angle": 0.1},
     ),
     "Model.fix": declared(lambda: spare("P"), "fix", names=("P.x", "P.y", "P.z")),
     "Model.frame": declared(spatial, "frame", name="z", orientation=(1.0, 0.0, 0.0, 0.0), fixed=True),

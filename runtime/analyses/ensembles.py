@@ -19,6 +19,7 @@ from flexel.results.ensemble import Ensemble
 from flexel.results.linearizations import Linearizations, RootLoci
 from flexel.results.motion import Motion
 from flexel.results.quantities import history
+from flexel.structure.controllers import refuse_sampled
 from flexel.structure.parameters import Parameters
 from flexel.structure.state import State, own_state
 
@@ -180,7 +181,7 @@ class Ensembles(Motions):
     ) -> RootLoci:
         """Eigenvalues of steady motions over a rate, or over a parameter, as tracked branches.
 
-        Each state is confirmed to be steady; where it is not, the steady motion nearest to it is sought.
+        Each state is confirmed to be steady; where it is not, the steady motion nearest to it is computed.
 
         Parameters
         ----------
@@ -226,6 +227,7 @@ class Ensembles(Motions):
         owner: str,
         steady: bool = False,
     ) -> LinearizedMany:
+        refuse_sampled(self.structure.controllers, owner, "only linearize(…).sampled() closes its loop")
         first = (
             state
             if callable(state) and not isinstance(state, type)

@@ -17,6 +17,7 @@ from flexel.mechanics.reach import LOST, reach
 from flexel.results.motion import Motion
 from flexel.statics import compliance, path, stability
 from flexel.statics.steady import steady_motion
+from flexel.structure.controllers import refuse_sampled
 from flexel.structure.moment import Moment
 from flexel.structure.state import State, own_state
 
@@ -56,7 +57,7 @@ class Equilibria(Core):
             Coordinates and deformations held at their values in `start` by the necessary forces
             (``state.force(name)``), such as sheaves that would otherwise turn freely.
         stable : bool
-            Accept stable equilibria only: go on downhill from one that is not.
+            Accept stable equilibria only: continue downhill from one that is not.
 
         Raises
         ------
@@ -217,6 +218,9 @@ class Equilibria(Core):
         degrees of freedom (`Model.independent`) and prescribe the rotation: with global coordinates the search would
         be for a motion with these at rest.
         """
+        refuse_sampled(
+            self.structure.controllers, "steady", "simulate it, or take an equilibrium with its outputs held"
+        )
         return steady_motion(
             self,
             self.initial if start is None else own_state(self.structure, start, "steady"),

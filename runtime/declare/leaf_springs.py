@@ -1,4 +1,4 @@
-"""Leaf springs: the method of `Model` that lays beams in series between two bodies."""
+"""Leaf springs: the method of `Model` that puts beams in series between two bodies."""
 
 from __future__ import annotations
 

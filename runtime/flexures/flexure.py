@@ -24,7 +24,7 @@ UNLOADED = -1.0  # time at which only the weight acts
 def flexure(
     nodes: Any, elements: Any, node_properties: Any = None, element_properties: Any = (), options: Any = None
 ) -> Flexure:
-    """Analyse a flexure mechanism given in tables: equilibria under growing loads, and what is wanted at each.
+    """Analyse a flexure mechanism given in tables: equilibria under growing loads, and the requested results at each.
 
     Each node has a place and an orientation, which is that of the global axes as drawn.  An element joins two nodes; it
     is rigid, or a leaf spring of several beams.  Over-constraint is released, first that of flexible elements, the

@@ -1,4 +1,4 @@
-"""What a flexure designer says of nodes and of groups of elements, and the options of the analysis.
+"""Properties of nodes and of groups of elements, and the options of the analysis.
 
 Each is a dataclass; a mapping with the same names serves as well.
 """

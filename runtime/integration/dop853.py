@@ -8,25 +8,17 @@ cure.
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
-from scipy.integrate._ivp import dop853_coefficients as tableau
 
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError, FlexelError
-from flexel.engine.choice import EXACT, TOLERANCE, Choice
-from flexel.engine.structs import Struct
-from flexel.generated._kernels import ffi, lib
 from flexel.integration.branch import REFUSED
 from flexel.integration.dense import Interpolant
+from flexel.integration.dop853_steps import TIMES, B, C, Steps
 from flexel.integration.minimal import SHORTEST, MinimalRun
-from flexel.mechanics.kinematics import Kinematics
-from flexel.structure.moment import Moment
 
 SAFETY, SMALLEST, LARGEST = 0.9, 0.2, 10.0  # factors of the step control
 EXPONENT = -1 / 8
-ACCEPT = 0.01  # error of a position below which J is not evaluated anew, relative to rtol
 SHADOW = 1e-3  # error of the shadow in one step, in natural scales
 TURNS = 0.1  # of periodic deformations, in periods
 CAREFUL = 1e-9  # of the shadow and its rates where the sign of the position matrix changes
@@ -38,82 +30,7 @@ NOISE = 2.0  # of one step to another
 TRUE = 0.1  # error of a step of order eight, relative to the estimates by its embedded formulas
 FIRST = 1e-9  # least first step, relative to the time left: values of y that are rounding errors ask for less
 SHORTER = 0.4  # factor of a step that is refused
-A, B, C = (np.ascontiguousarray(z, dtype=float) for z in (tableau.A[:12, :12], tableau.B, tableau.C[:12]))
-E3, E5 = (np.ascontiguousarray(z, dtype=float) for z in (tableau.E3, tableau.E5))
-TIMES = np.append(C, 1.0)  # of the stages and the end
 GAPS = 7 / 15, float(C[1]) / 2  # middles of the widest gap between them, and of the first one
-
-
-class Steps(Struct):
-    """The struct of runge_kutta.h for one choice of degrees of freedom."""
-
-    def __init__(self, kinematics: Kinematics, now: Moment, y: Array, rtol: float, atol: Array) -> None:
-        super().__init__(ffi.new("flexel_dop853 *"))
-        self.kinematics = kinematics
-        self.choice = Choice(kinematics.evaluation.work, kinematics.lists)  # samples leave no trace in it
-        c, s = self.struct, kinematics.structure
-        self._periodic = np.flatnonzero(s.period[: s.m])
-        c.ny, c.rtol = y.size, rtol
-        for name, array in (("A", A), ("B", B), ("C", C), ("E3", E3), ("E5", E5), ("atol", atol)):
-            setattr(c, name, self.pointer(array))
-        c.weight = self.pointer(kinematics.lists.step_weight)
-        nq, nf = self._periodic.size, s.nf
-        self.y, self.y_new = self.new("y", y.size), self.new("y_new", y.size)
-        self.x, self.x_new = self.new("x", s.n), self.new("x_new", s.n)
-        self.e, self.e_new = self.new("e", nq), self.new("e_new", nq)
-        self.K = self.new("K", 13 * y.size).reshape(13, y.size)
-        self.V = self.new("V", 13 * nf).reshape(13, nf)
-        for name, size in (("W", 13 * nf), ("turning", 13 * nq), ("space", max(y.size, nf))):
-            self.new(name, size)
-        self.determinant = np.zeros(TIMES.size)
-        self._determinant = self.pointer(self.determinant)
-        motion, loads = self.choice.motion.size, self.choice.loads.size
-        c.ngiven = motion + loads
-        self._given = self.new("given", 13 * (motion + loads)).reshape(13, -1)
-        self.y[:], self.x[:], self.e[:] = y, now.x, now.e[self._periodic]
-
-    def given(self, t: float, h: float, stages: slice) -> None:
-        """The prescribed motions and loads at some stages of a step."""
-        motions, loads = self.kinematics.roles.motions, self.kinematics.loads
-        split = self.choice.motion.size
-        if loads.any and loads.steady:
-            self._given[stages, split:] = loads.values(t)
-        varying = loads.any and not loads.steady
-        for i in range(*stages.indices(13)) if motions or varying else ():
-            time = t + TIMES[i] * h
-            if motions:
-                self._given[i, :split] = self.kinematics.roles.motion(time).ravel()
-            if varying:
-                self._given[i, split:] = loads.values(time)
-
-    def begin(self, t: float) -> None:
-        """Rates at the start."""
-        self.given(t, 0.0, slice(0, 1))
-        self.kinematics.check(lib.flexel_dop853_begin(*self._structs, t), t, self.choice)
-
-    def step(self, t: float, h: float, careful: bool) -> int:
-        """One step; the code of what failed, or zero.  A careful one finds positions as exactly as rounding allows."""
-        choice = self.choice.struct
-        choice.accept, choice.tolerance = (0.0, EXACT) if careful else (ACCEPT * self.struct.rtol, TOLERANCE)
-        self.struct.determinant = self._determinant if careful else ffi.NULL
-        if careful:
-            self.begin(t)
-        self.given(t, h, slice(1, 13))
-        return int(lib.flexel_dop853_step(*self._structs, t, h))
-
-    @property
-    def _structs(self) -> tuple[Any, Any, Any]:
-        return self.choice.work.struct, self.choice.struct, self.struct
-
-    def end(self, t: float) -> Moment:
-        """Position and rates at the end of the last step."""
-        work = self.choice.work
-        work.rates()
-        return Moment(t, self.x_new.copy(), work.v.copy(), work.e.copy(), work.w[: work.e.size].copy())
-
-    def accept(self) -> None:
-        """Continue from the end of the last step."""
-        lib.flexel_dop853_accept(self.choice.work.struct, self.struct)
 
 
 class Dop853(MinimalRun):
@@ -127,7 +44,7 @@ class Dop853(MinimalRun):
     _crossing = False  # the next step goes across a bifurcation
 
     def restart(self) -> None:
-        """Start anew from the present position in the present degrees of freedom."""
+        """Restart from the present position in the present degrees of freedom."""
         y = self.choices.values(self.now, self.z)
         self.steps = Steps(self.kinematics, self.now, y, self.tolerances.rtol, self.natural_atol())
         self.renew()
@@ -135,13 +52,19 @@ class Dop853(MinimalRun):
             self._h = self.tolerances.first_step or self._first_step()
 
     def renew(self) -> None:
-        """Rates anew, with the loads that have changed."""
+        """Rates with the loads that have changed."""
         self.steps.begin(self.t)
         self.counts["evaluations"] += 1
 
+    def jump(self, z: Array) -> None:
+        """Go on from here with other internal states."""
+        self.z = z
+        self.steps.y[self.steps.y.size - z.size :] = z
+        self.renew()
+
     def _first_step(self) -> float:
         """The first step, as SciPy chooses it from the size of the rates and of their change."""
-        s, left = self.steps, float(self.times[-1]) - self.t
+        s, left = self.steps, self.stop - self.t
         y, f = s.y.copy(), s.K[0].copy()
         scale = self.natural_atol() + np.abs(y) * self.tolerances.rtol
         d0, d1 = _norm(y / scale), _norm(f / scale)
@@ -163,8 +86,9 @@ class Dop853(MinimalRun):
 
     def advance(self) -> str | None:
         """One accepted step."""
-        end, rejected, careful, across = float(self.times[-1]), False, False, 0.0
+        end, rejected, careful, across = self.stop, False, False, 0.0
         crossing, self._crossing, defect = self._crossing, False, np.inf
+        wished = self._h
         while True:
             s, c = self.steps, self.steps.struct
             shortest = max(SHORTEST * self._span, 10 * abs(np.nextafter(self.t, np.inf) - self.t))
@@ -199,6 +123,8 @@ class Dop853(MinimalRun):
         factor = min(LARGEST, SAFETY * error**EXPONENT) if error > 0 else LARGEST
         self._crossing = across > 0
         self._h = across or h * (min(1.0, factor) if rejected else factor)
+        if t1 == end and not rejected:
+            self._h = max(self._h, wished)  # it was cut short
         return self._accepted(t1)
 
     def _error(self, careful: bool) -> float:

@@ -49,7 +49,8 @@ def _acts(law: LawInstance, i: int) -> tuple[bool, bool]:
     if _is_linear(law):
         return _own(law, "S", i) > 0, _own(law, "D", i) > 0
     if "coefficients" not in law.parameters:
-        return law.code is not None and len(law.deformations) == 1, False
+        formula = law.code is not None and not law.spec.name.endswith("controller")
+        return formula and len(law.deformations) == 1, False
     stores = "stored" in law.parameters  # the energy of a spring's curve
     return stores, not stores
 

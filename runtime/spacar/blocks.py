@@ -1,4 +1,4 @@
-"""The blocks of a file: END and HALT are words of their own, on one line or on several, and separate them.
+"""The blocks of a file: END and HALT are separate words, on one line or on several, and separate them.
 
 Delft: END ends the model, EOF the file.  Twente: END HALT ends a block, END END the model; a picture may follow.
 """

@@ -21,7 +21,7 @@ class Code(Protocol):
 
     @property
     def address(self) -> int:
-        """Address of its kernels; code from another process is loaded, or compiled, when it is first asked for."""
+        """Address of its kernels; code from another process is loaded, or compiled, at first use."""
 
 
 TABLES: dict[type, Mapping[str, Any]] = {ElementSpec: ELEMENTS, LawSpec: LAWS}

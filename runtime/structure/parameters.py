@@ -34,7 +34,7 @@ class Place:
     Attributes
     ----------
     name : str
-        As it was asked for.
+        As requested.
     law : bool
         Whether it belongs to a law, otherwise to an element.
     owner : int
@@ -129,11 +129,17 @@ def _split(name: Any) -> tuple[str, int | None]:
 
 
 def _places(structure: Structure) -> Iterator[tuple[str, Place]]:
-    """All parameters with their names; laws have also those in words."""
+    """All parameters with their names; laws have also those in words.
+
+    Gains of controllers are none: the controller has them too, for its outputs and its limits.
+    """
+    controllers = {c.name for c in structure.controllers}
     for law, owners in ((False, structure.instances), (True, structure.laws)):
         count: Counter[str] = Counter()
         for number, owner in enumerate(owners):
             count[owner.name] += 1
+            if law and owner.name in controllers:
+                continue
             label = owner.name if count[owner.name] == 1 else f"{owner.name}#{count[owner.name]}"
             first = 0
             for z in owner.spec.parameters:

@@ -65,7 +65,7 @@ def test_what_never_moves_is_stored_once(swing: fx.Motion) -> None:
 
 
 def test_a_model_in_one_point_has_a_size() -> None:
-    """Where no lengths are given, the largest body tells the scale, as the cube that has its inertia."""
+    """Where no lengths are given, the largest body determines the scale, as the cube that has its inertia."""
     m = fx.Model()
     m.point("O", (0, 0, 0), fixed=True)
     m.frame("R")
@@ -223,7 +223,7 @@ def test_the_page_is_small_alone_and_executes_nothing_of_the_data(ride: fx.Motio
     assert not re.search(r"https?://|src=|href=", own)
 
 
-def test_mistakes_are_told(ride: fx.Motion, tmp_path: Path) -> None:
+def test_mistakes_are_reported(ride: fx.Motion, tmp_path: Path) -> None:
     """Each names the remedy."""
     with pytest.raises(fx.ModelError, match="ends in .html"):
         view_motion(ride, tmp_path / "ride.txt", frames=2)

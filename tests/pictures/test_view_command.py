@@ -94,7 +94,7 @@ def test_the_load_steps_of_a_spacar_file_are_kept_and_played(tmp_path: Path, che
     assert scene_in(kept.with_suffix(".html"))["times"] == pytest.approx(motion.t)
 
 
-def test_a_file_that_is_no_result_is_told(tmp_path: Path) -> None:
+def test_a_file_that_is_not_a_result_is_reported(tmp_path: Path) -> None:
     """In one line, without a traceback."""
     path = tmp_path / "notes.npz"
     path.write_text("import os")

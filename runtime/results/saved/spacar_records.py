@@ -13,6 +13,7 @@ from flexel.base.arguments import index, text, unknown
 from flexel.base.arrays import Array
 from flexel.base.copies import Portable
 from flexel.base.errors import ModelError
+from flexel.base.outside import Dataset
 from flexel.results.saved.record import require
 from flexel.results.saved.spacar_entries import Entries
 
@@ -78,7 +79,7 @@ class SpacarRecords(Portable):
         )  # else outputs see no input directly
         return A, B, C, self.matrices["D"][record] if through else np.zeros((C.shape[0], B.shape[1]))
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """All matrices as one xarray.Dataset over the records."""
         dims = {tag: ("record", f"{tag}_row", f"{tag}_column") for tag in self.matrices}
         data = {tag: (dims[tag], z) for tag, z in self.matrices.items()}
