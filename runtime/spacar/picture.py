@@ -105,8 +105,7 @@ class Picture:
         if not line.values:
             if line.keyword == "DONOTDRAW":
                 raise line.error("it names no elements; give their numbers, or remove the line")
-            fits = SWEPT if swept else ()
-            return [z for z in self.sheet.elements.values() if z.line.keyword in (fits or (z.line.keyword,))]
+            return [z for z in self.sheet.elements.values() if not swept or z.line.keyword in SWEPT]
         found = [self.sheet.element(line, place) for place in range(len(line.values))]
         for entry in found:
             if swept and entry.line.keyword not in SWEPT:

@@ -6,6 +6,7 @@ flexel's in the model, by the tables of `flexel.spacar.keywords`.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from flexel.base.time_functions import Polynomial
@@ -18,6 +19,7 @@ from flexel.spacar.remarks import remark
 from flexel.spacar.sheet import Sheet, name_of
 from flexel.spacar.statements import Call
 from flexel.spacar.terminals import Terminal, terminals
+from flexel.spacar.warping import unnamed_warping
 
 
 @dataclass
@@ -51,6 +53,7 @@ def understand(sheet: Sheet) -> Draft:
     for line in sheet.of("GRAVITY"):
         draft.gravity = (*line.values, 0.0)[:3]
     _mark_free(sheet)
+    twisting = unnamed_warping(sheet)
     Claims(sheet)
     draft.calls += node_calls([sheet.nodes[n] for n in sorted(sheet.nodes)])
     each(lambda z: check_line(*z), [(e, given) for e in sheet.elements.values() for given in e.lines])
@@ -61,7 +64,7 @@ def understand(sheet: Sheet) -> Draft:
     motions = Motions(sheet)
     draft.calls += motions.prescribed
     draft.still, draft.steps = motions.still, draft.steps + motions.steps
-    draft.calls += _dofs(sheet)
+    draft.calls += _dofs(sheet, twisting)
     draft.calls += motions.initial
     draft.inputs, draft.outputs, measured = terminals(sheet)
     draft.calls += measured
@@ -104,11 +107,16 @@ def _mark_free(sheet: Sheet) -> None:
     sheet.each(rolling, "ENHC")
 
 
-def _dofs(sheet: Sheet) -> list[Call]:
+def _dofs(sheet: Sheet, twisting: Sequence[NodeEntry]) -> list[Call]:
     """Dynamic and kinematic coordinates; a coordinate that is named twice counts once.
 
     In the Twente dialect they are in SPACAR's order: coordinates of nodes, then deformations, each by number and
     component; in the Delft one in the order of the file.
+
+    Parameters
+    ----------
+    twisting : sequence of NodeEntry
+        Nodes of warping that are dynamic coordinates beside those that are named, if any are.
     """
     chosen: dict[str, dict[str, Line]] = {"independent": {}, "kinematic": {}}
     place: dict[str, tuple[int, int, int]] = {}
@@ -126,6 +134,9 @@ def _dofs(sheet: Sheet) -> list[Call]:
 
     for keywords in (("DYNX", "KINX"), ("DYNE", "LINE", "KINE"), ("ENHC",)):
         sheet.problems.each(name, sheet.of(*keywords))
+    for node in twisting if chosen["independent"] else ():
+        chosen["independent"][name_of(node, 1)] = node.line
+        place[name_of(node, 1)] = (0, node.number, 1)
     calls = []
     for method, named in chosen.items():
         names = sorted(named, key=place.__getitem__) if sheet.dialect == "twente" else list(named)

@@ -8,11 +8,37 @@ import numpy as np
 
 from flexel.base.errors import ModelError
 from flexel.base.quaternions import in_frame, triad
-from flexel.spacar.entries import ElementEntry
+from flexel.spacar.entries import ElementEntry, NodeEntry
 from flexel.spacar.laws import law_calls, length
+from flexel.spacar.sheet import Sheet
 from flexel.spacar.statements import Call
 
 FIRST_NODE = 4  # of warping, among those of our element
+TORSION, WARPS = 2, {7, 8}  # modes
+
+
+def unnamed_warping(sheet: Sheet) -> list[NodeEntry]:
+    """Free the modes of warping that no line names, and return the nodes that are dynamic coordinates then.
+
+    Files that SPACAR Light writes name the modes 1 to 6 only, and have as many releases as without warping: so modes 7
+    and 8 are not conditions there, and free nodes of warping are degrees of freedom.  Of a beam that is rigid in
+    torsion, the nodes are held.
+    """
+    beams = [z for z in sheet.elements.values() if z.line.keyword == "BEAMW"]
+    own = [z for z in beams if sheet.dialect == "twente" and not z.free & WARPS]
+    named = {line.values[0] for line in sheet.of("INPUTX", "DYNX", "KINX")}
+    for entry in own:
+        text = "modes 7 and 8 are not named: read as free, and free nodes of warping as dynamic coordinates"
+        if TORSION not in entry.free:
+            text = "modes 7 and 8 are not named: its nodes of warping are read as held, as it does not twist"
+            for node in entry.nodes[FIRST_NODE:]:
+                if node.number not in named:
+                    node.fixed.add(1)
+        sheet.notes.add(entry.line, text, entry.number)
+        entry.free |= WARPS
+    others = {node.number for z in beams if z not in own for node in z.nodes}
+    nodes = {node.number: node for z in own for node in z.nodes[FIRST_NODE:] if not node.fixed}
+    return [node for n, node in nodes.items() if n not in others | named]
 
 
 def warping_calls(

@@ -122,3 +122,37 @@ def test_what_a_warping_node_cannot_have_is_refused_or_noted(tmp_path: Path) -> 
         tmp_path, *NODES, "FIX 3", "RLSE 1 7", "DYNE 1 1 2 3 4 5 6 8", *HALT, f"{LAWS[0]} 4.0", LAWS[1]
     )
     assert any("the last numbers are left out" in z for z in found.notes)
+
+
+def as_light(elements: int, *rest: str) -> list[str]:
+    """The same leaf in the form of SPACAR Light: modes 1 to 6 are named alone; at its end a rigid beam."""
+    lines = [z for z in leaf(elements) if not z.startswith(("DYNE", "RLSE", "FIX"))]
+    a, b = 3 * elements + 1, 3 * elements + 4
+    end = lines.index("END")
+    rigid = f"BEAMW {elements + 1} {a} {a + 1} {a + 2} {b} {b + 1} {b + 2} 0 0 1"
+    flexible = [f"DYNE {e} 1 2 3 4 5 6" for e in range(1, elements + 1)]
+    more = [rigid, f"X {b} 0 0.12 0", *flexible, "FIX 1", "FIX 2", "FIX 3  #warping"]
+    return [*lines[:end], *more, *lines[end:], *rest]
+
+
+def test_modes_of_warping_that_no_line_names_are_no_conditions(tmp_path: Path) -> None:
+    """As in files of SPACAR Light, whose releases are as many as without warping; a rigid end stays plane."""
+    found = file(tmp_path, *as_light(4))
+    named = file(tmp_path, *leaf(4))
+    turn = [z.system.equilibrium()["o14.lambda2"] for z in (found, named)]
+    assert turn[0] == pytest.approx(turn[1], rel=1e-9) and abs(turn[0]) > 1e-4
+    assert found.system.dynamic[:3] == ("w6.twist", "w9.twist", "w12.twist")
+    assert len(found.system.dynamic) == 3 + 4 * 6
+    notes = [z for z in found.notes if "modes 7 and 8 are not named" in z]
+    assert len(notes) == 2 and "BEAMW 1 to 4" in notes[0] and "BEAMW 5: " in notes[1]
+    assert not any("are not named" in z for z in named.notes)
+    w = [[z.omega for z in z.frequencies(count=3)] for z in (found, named)]
+    assert w[0] == pytest.approx(w[1], rel=1e-6)
+
+
+def test_nodes_of_warping_that_are_named_keep_their_roles(tmp_path: Path) -> None:
+    lines = as_light(2)
+    end = lines.index("END")
+    found = file(tmp_path, *lines[:end], "INPUTX 6", *lines[end:])
+    assert [str(z) for z in found.calls if z.method == "prescribe"] == ['m.prescribe("w6.twist", 0.0)']
+    assert not any("w6" in z or "w9" in z for z in found.system.dynamic)
