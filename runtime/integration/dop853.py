@@ -21,6 +21,7 @@ from flexel.generated._kernels import ffi, lib
 from flexel.integration.branch import REFUSED
 from flexel.integration.dense import Interpolant
 from flexel.integration.minimal import SHORTEST, MinimalRun
+from flexel.integration.outcome import Segment
 from flexel.mechanics.kinematics import Kinematics
 from flexel.structure.moment import Moment
 
@@ -63,8 +64,9 @@ class Steps(Struct):
         self.e, self.e_new = self.new("e", nq), self.new("e_new", nq)
         self.K = self.new("K", 13 * y.size).reshape(13, y.size)
         self.V = self.new("V", 13 * nf).reshape(13, nf)
-        for name, size in (("W", 13 * nf), ("turning", 13 * nq), ("space", max(y.size, nf))):
-            self.new(name, size)
+        self.W = self.new("W", 13 * nf).reshape(13, nf)
+        self.turning = self.new("turning", 13 * nq).reshape(13, nq)
+        self.new("space", max(y.size, nf))
         self.determinant = np.zeros(TIMES.size)
         self._determinant = self.pointer(self.determinant)
         motion, loads = self.choice.motion.size, self.choice.loads.size
@@ -270,6 +272,28 @@ class Dop853(MinimalRun):
         dense = Interpolant(self.kinematics, first, last, s.y.copy(), s.y_new.copy(), s.K.copy())
         s.accept()
         return self.end_step(first.t, dense, first, s.y[s.y.size - self.z.size :].copy(), last)
+
+    # -- steps that are taken in a lane, see abreast.py ------------------------------------------------
+
+    @property
+    def next_step(self) -> float:
+        """Length of the next step [s]."""
+        return self._h
+
+    def pass_step(self, first: Moment, last: Moment, dense: Interpolant) -> None:
+        """Store the states at the times within an accepted step."""
+        z = dense.y1[dense.y1.size - self.z.size :].copy()
+        self.accept(Segment(first.t, last.t, self.kinematics, self._shown, dense, first, last), z)
+
+    def go_on_alone(self, now: Moment, h: float, reached: float) -> None:
+        """Continue from the start of a step, whose variables and rates are in `steps`."""
+        self.now, self.z, self._h, self.reached = now, self.steps.y[self.steps.y.size - self.z.size :].copy(), h, reached
+
+    def count(self, taken: int, refused: int) -> None:
+        """Count steps that were taken and refused."""
+        self.counts["steps"] += taken
+        self.counts["rejected"] += refused
+        self.counts["evaluations"] += lib.FLEXEL_STAGES * (taken + refused)
 
     def _stopped(self) -> FlexelError:
         """The error of steps that have become too short."""

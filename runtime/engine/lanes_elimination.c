@@ -1,0 +1,211 @@
+/* Factors and solutions in all lanes with one order of the pivots; see lanes.h, and elimination.c and substitution.c for one
+ * variant, whose sums are taken in the same order. */
+#include "lanes_inside.h"
+#include "lu.h"
+
+#include <float.h>
+#include <string.h>
+
+/* Sum of the sizes of neighbouring entries, columns scaled. */
+FLEXEL_INLINE vec norm(const vec *a, const double *scale, int count)
+{
+    vec even = flexel_all(0), odd = even;
+    int i = 0;
+    for (; i + 1 < count; i += 2) {
+        even += flexel_size(a[i]) * scale[i];
+        odd += flexel_size(a[i + 1]) * scale[i + 1];
+    }
+    return i < count ? even + odd + flexel_size(a[i]) * scale[i] : even + odd;
+}
+
+FLEXEL_INLINE void load(const flexel_lu *lu, const int *source, const vec *buffer, vec *a)
+{
+    memset(a, 0, lu->slots * sizeof *a);
+    for (size_t e = 0; e < lu->nentries; e++)
+        a[lu->slot[e]] = buffer[source[e]];
+    for (size_t i = 0; i < lu->n; i++)
+        a[lu->slots + i] = norm(a + lu->first[i], lu->scale + lu->first[i], lu->first[i + 1] - lu->first[i]);
+}
+
+FLEXEL_INLINE void multipliers(vec *slots, const vec *const *rows, int width, vec *z)
+{
+    for (int j = 0; j < width; j++) {
+        vec sum = slots[j];
+        for (int i = 0; i < j; i++)
+            sum -= z[i] * rows[i][j - width];
+        z[j] = slots[j] = sum * rows[j][j - width];
+    }
+}
+
+FLEXEL_INLINE void subtract_rows(vec *to, const vec *const *rows, int from, int length, int width, const vec *z)
+{
+    for (int i = 0; i < length; i++) {
+        vec sum = to[i];
+        for (int j = 0; j < width; j++)
+            sum -= z[j] * rows[j][from + i];
+        to[i] = sum;
+    }
+}
+
+FLEXEL_INLINE void eliminate(const flexel_lu *lu, size_t g, int width, int inside, vec *a)
+{
+    const int first = lu->group[g];
+    const vec *rows[FLEXEL_GROUP];
+    vec z[FLEXEL_GROUP];
+    for (int j = 0; j < width; j++)
+        rows[j] = a + lu->diagonal[first + j] + width - j;
+    if (inside) {
+        const int d = lu->diagonal[first + width];
+        multipliers(a + d - width, rows, width, z);
+        subtract_rows(a + d, rows, 0, lu->first[first + width + 1] - d, width, z);
+        return;
+    }
+    for (int l = lu->below[g]; l < lu->below[g + 1]; l++) {
+        multipliers(a + lu->multiplier[l], rows, width, z);
+        for (int r = lu->run[l]; r < lu->run[l + 1]; r++)
+            subtract_rows(a + lu->stretch[r].to, rows, lu->stretch[r].from, lu->stretch[r].length, width, z);
+    }
+}
+
+/* The same, with the width known to the compiler. */
+FLEXEL_INLINE void eliminate_by(const flexel_lu *lu, size_t g, int width, int inside, vec *a)
+{
+    switch (width) {
+    case 1: eliminate(lu, g, 1, inside, a); break;
+    case 2: eliminate(lu, g, 2, inside, a); break;
+    case 3: eliminate(lu, g, 3, inside, a); break;
+    default: eliminate(lu, g, FLEXEL_GROUP, inside, a);
+    }
+}
+
+FLEXEL_INLINE mask invert(const flexel_lu *lu, size_t k, vec *a)
+{
+    const int d = lu->diagonal[k], u = lu->first[k + 1] - d - 1;
+    const vec size = flexel_size(a[d]) * lu->scale[d], rest = norm(a + d + 1, lu->scale + d + 1, u);
+    const mask sound = (mask)(size > 0) & (mask)(size <= DBL_MAX) & (mask)(size >= FLEXEL_LEAST_PIVOT * a[lu->slots + k]) &
+                       (mask)(size * FLEXEL_MOST_GROWTH >= rest);
+    a[d] = 1 / a[d];
+    return ~sound;
+}
+
+FLEXEL_CLONES
+void flexel_lanes_factor(const flexel_matrix *A, const double *buffer, mask *unsound)
+{
+    const flexel_lu *lu = A->lu;
+    vec *a = V(A->a);
+    load(lu, A->source, V(buffer), a);
+    for (size_t g = 0; g < lu->groups; g++) {
+        const int first = lu->group[g], width = lu->group[g + 1] - first;
+        for (int j = 0; j < width; j++) {
+            if (j)
+                eliminate_by(lu, g, j, 1, a);
+            *unsound |= invert(lu, (size_t)(first + j), a);
+        }
+        eliminate_by(lu, g, width, 0, a);
+    }
+}
+
+FLEXEL_CLONES
+void flexel_lanes_sign(const flexel_matrix *A, mask *negative)
+{
+    *negative = A->lu->sign < 0 ? ~(mask){0} : (mask){0};
+    for (size_t k = 0; k < A->lu->n; k++)
+        *negative ^= (mask)(V(A->a)[A->lu->diagonal[k]] < 0);
+}
+
+/* The sum of a[s] y[at[s]] over neighbouring slots, a multiple of four. */
+FLEXEL_INLINE vec product(const vec *a, const int *at, int slots, const vec *y)
+{
+    vec sum[4] = {flexel_all(0), flexel_all(0), flexel_all(0), flexel_all(0)};
+    for (int s = 0; s < slots; s += 4)
+        for (int i = 0; i < 4; i++)
+            sum[i] += a[s + i] * y[at[s + i]];
+    return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+}
+
+/* L, then U, row by row, on one column that is zero before row `first`. */
+FLEXEL_INLINE void sweep_one(const flexel_lu *lu, const vec *a, size_t first, vec *y)
+{
+    for (size_t i = first; i < lu->n; i++) {
+        const int begin = lu->first[i], slots = lu->diagonal[i] - begin, *at = lu->at + begin;
+        const int whole = slots > 0 ? (slots - 1) / 4 * 4 : 0;
+        vec z = y[i];
+        if (whole)
+            z -= product(a + begin, at, whole, y);
+        for (int s = whole; s < slots; s++)
+            z -= a[begin + s] * y[at[s]];
+        y[i] = z;
+    }
+    for (size_t i = lu->n; i-- > 0;) {
+        const int begin = lu->diagonal[i] + 1, slots = lu->first[i + 1] - begin, *at = lu->at + begin;
+        const int rest = slots > 0 ? (slots - 1) % 4 + 1 : 0;
+        vec z = y[i];
+        if (rest < slots)
+            z -= product(a + begin + rest, at + rest, slots - rest, y);
+        for (int s = rest; s-- > 0;)
+            z -= a[begin + s] * y[at[s]];
+        y[i] = z * a[begin - 1];
+    }
+}
+
+/* z -= the sum of a[s] times row at[s] of y, over neighbouring slots. */
+FLEXEL_INLINE void subtract(vec *z, const vec *a, const int *at, int slots, const vec *y, size_t count, size_t width)
+{
+    for (int s = 0; s < slots; s++)
+        for (size_t c = 0; c < width; c++)
+            z[c] -= a[s] * y[(size_t)at[s] * count + c];
+}
+
+/* The same on `width` of `count` columns. */
+FLEXEL_INLINE void sweep(const flexel_lu *lu, const vec *a, size_t first, vec *y, size_t count, size_t width)
+{
+    vec z[4];
+    for (size_t i = first; i < lu->n; i++) {
+        const int s = lu->first[i];
+        memcpy(z, y + i * count, width * sizeof *z);
+        subtract(z, a + s, lu->at + s, lu->diagonal[i] - s, y, count, width);
+        memcpy(y + i * count, z, width * sizeof *z);
+    }
+    for (size_t i = lu->n; i-- > 0;) {
+        const int s = lu->diagonal[i] + 1;
+        memcpy(z, y + i * count, width * sizeof *z);
+        subtract(z, a + s, lu->at + s, lu->first[i + 1] - s, y, count, width);
+        for (size_t c = 0; c < width; c++)
+            y[i * count + c] = z[c] * a[s - 1];
+    }
+}
+
+/* The rows of b in the order of the pivots; the first one that is not zero. */
+FLEXEL_INLINE size_t gather(const flexel_lu *lu, size_t count, const vec *b, vec *y)
+{
+    size_t first = 0;
+    for (size_t k = 0; k < lu->n; k++)
+        memcpy(y + k * count, b + (size_t)lu->row[k] * count, count * sizeof *y);
+    for (; first < lu->n; first++)
+        for (size_t c = 0; c < count; c++) {
+            const mask some = (mask)(y[first * count + c] != 0);
+            if (flexel_any(&some))
+                return first;
+        }
+    return lu->n;
+}
+
+FLEXEL_CLONES
+void flexel_lanes_solve(const flexel_matrix *A, size_t count, const double *b, double *x, double *work)
+{
+    const flexel_lu *lu = A->lu;
+    const vec *a = V(A->a);
+    vec *y = V(work);
+    const size_t first = gather(lu, count, V(b), y);
+    size_t c = 0;
+    if (count == 1)
+        sweep_one(lu, a, first, y), c = 1;
+    for (; c + 4 <= count; c += 4)
+        sweep(lu, a, first, y + c, count, 4);
+    for (; c + 2 <= count; c += 2)
+        sweep(lu, a, first, y + c, count, 2);
+    for (; c < count; c++)
+        sweep(lu, a, first, y + c, count, 1);
+    for (size_t k = 0; k < lu->n; k++)
+        memcpy(V(x) + (size_t)lu->column[k] * count, y + k * count, count * sizeof *y);
+}
