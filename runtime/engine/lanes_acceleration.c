@@ -53,7 +53,7 @@ FLEXEL_INLINE void reduce(const flexel_work *s, const flexel_choice *c, vec *MX,
 }
 
 /* The accelerations of the degrees of freedom, from R and b. */
-static void solve(size_t nd, const double *R, const double *b, double *qdd, mask *failed)
+FLEXEL_INLINE void solve(size_t nd, const double *R, const double *b, double *qdd, mask *failed)
 {
     double A[FLEXEL_MOST_DYNAMIC * FLEXEL_MOST_DYNAMIC], own[FLEXEL_MOST_DYNAMIC];
     for (size_t lane = 0; lane < FLEXEL_BLOCK; lane++) {

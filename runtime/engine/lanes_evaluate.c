@@ -4,24 +4,24 @@
 
 #include <string.h>
 
-static void clear(size_t n, double *values)
+FLEXEL_INLINE void clear(size_t n, double *values)
 {
     memset(values, 0, n * sizeof(vec));
 }
 
-static void take(const flexel_gather *gather, const double *from, double *to)
+FLEXEL_INLINE void take(const flexel_gather *gather, const double *from, double *to)
 {
     for (size_t i = 0; i < gather->n; i++)
         V(to)[gather->place[i]] = V(from)[gather->index[i]];
 }
 
-static void pick(size_t n, const int *source, const double *from, double *to)
+FLEXEL_INLINE void pick(size_t n, const int *source, const double *from, double *to)
 {
     for (size_t i = 0; i < n; i++)
         V(to)[i] = V(from)[source[i]];
 }
 
-static void sum(const flexel_sums *sums, const double *buffer, double *out)
+FLEXEL_INLINE void sum(const flexel_sums *sums, const double *buffer, double *out)
 {
     if (!sums->start) { /* one source each */
         pick(sums->n, sums->source, buffer, out);
@@ -39,7 +39,7 @@ static void sum(const flexel_sums *sums, const double *buffer, double *out)
     }
 }
 
-static void add(const flexel_terms *terms, const double *in, double *out)
+FLEXEL_INLINE void add(const flexel_terms *terms, const double *in, double *out)
 {
     for (size_t i = 0; i < terms->n; i++)
         V(out)[terms->target[i]] += terms->factor[i] * V(in)[terms->source[i]];
@@ -83,7 +83,7 @@ void flexel_lanes_convective(flexel_work *s)
     add(&s->relation_g, s->g, s->g);
 }
 
-static void laws(flexel_work *s)
+FLEXEL_INLINE void laws(flexel_work *s)
 {
     if (!s->nlaws)
         return; /* the stresses stay zero */
@@ -96,7 +96,7 @@ static void laws(flexel_work *s)
     sum(&s->zd_sums, s->law_out, s->zd);
 }
 
-static void inertia(flexel_work *s)
+FLEXEL_INLINE void inertia(flexel_work *s)
 {
     if (!s->constant_inertia) {
         flexel_run(&s->inertia);
@@ -114,7 +114,7 @@ static void inertia(flexel_work *s)
 }
 
 /* The coordinates' shares of given stresses, into the forces. */
-static void pull(const flexel_work *s, double *out)
+FLEXEL_INLINE void pull(const flexel_work *s, double *out)
 {
     for (size_t i = 0; i < s->m + s->k; i++) {
         const vec z = V(s->stress)[i];

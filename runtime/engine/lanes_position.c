@@ -6,7 +6,7 @@
 #include <string.h>
 
 /* Wanted values of the rows. */
-static void set_targets(flexel_work *s, flexel_choice *c)
+FLEXEL_INLINE void set_targets(flexel_work *s, flexel_choice *c)
 {
     for (size_t i = 0; i < s->nf; i++) {
         V(c->target)[i] = i < c->nr ? flexel_all(0) : V(c->q)[i - c->nr];
@@ -74,7 +74,7 @@ void flexel_lanes_locate(const flexel_lanes *l, mask *failed)
 }
 
 /* Inverses (S G_k)^-1 of the lanes, with their own row interchanges. */
-static void invert(size_t n, const double *A, double *inverse, mask *failed)
+FLEXEL_INLINE void invert(size_t n, const double *A, double *inverse, mask *failed)
 {
     double own[FLEXEL_MOST_KINEMATIC * FLEXEL_MOST_KINEMATIC], found[FLEXEL_MOST_KINEMATIC * FLEXEL_MOST_KINEMATIC];
     for (size_t lane = 0; lane < FLEXEL_BLOCK; lane++) {

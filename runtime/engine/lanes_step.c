@@ -149,12 +149,13 @@ void flexel_lanes_step(const flexel_lanes *l, flexel_trial *trial)
     judge(l, trial);
 }
 
-static void carry(size_t n, const mask *where, const double *from, double *to)
+FLEXEL_INLINE void carry(size_t n, const mask *where, const double *from, double *to)
 {
     for (size_t i = 0; i < n; i++)
         V(to)[i] = flexel_either(*where, V(from)[i], V(to)[i]);
 }
 
+FLEXEL_CLONES
 void flexel_lanes_accept(const flexel_lanes *l, const mask *where)
 {
     const flexel_work *s = l->work;

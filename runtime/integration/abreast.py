@@ -6,6 +6,8 @@ motion goes on alone, from the start of that step.
 
 from __future__ import annotations
 
+from typing import TypeGuard
+
 import numpy as np
 
 from flexel.engine.abreast import IDLE, PASSED, RUNNING, STOPPED, Abreast, WideChoice, WideSteps
@@ -14,27 +16,29 @@ from flexel.generated._kernels import lib
 from flexel.integration import dop853 as rules
 from flexel.integration.branch import WORSE
 from flexel.integration.dense import Interpolant
+from flexel.integration.driver import Run
 from flexel.integration.minimal import SHORTEST, SINGULAR
-from flexel.integration.outcome import Segment
 from flexel.structure.moment import Moment
 
 TABLEAU = {"A": rules.A, "B": rules.B, "C": rules.C, "E3": rules.E3, "E5": rules.E5}
 
 
-def suits(run: rules.Dop853) -> bool:
+def suits(run: Run) -> TypeGuard[rules.Dop853]:
     """Whether a motion that has begun can go on in a lane."""
-    kinematics, s = run.kinematics, run.kinematics.structure
-    roles, loads, choice = kinematics.roles, kinematics.loads, run.steps.choice.struct
+    if not isinstance(run, rules.Dop853) or run.t >= run.times[-1]:
+        return False
+    kinematics = run.kinematics
+    roles, n = kinematics.roles, kinematics.structure.nf
     return not (
-        roles.motions
-        or run.events
+        run.events
+        or roles.motions
+        or not kinematics.loads.constant
         or kinematics.lists.saddle
-        or not loads.constant
         or roles.nq - roles.nd > lib.FLEXEL_MOST_KINEMATIC
-        or not choice.P.first
-        or choice.P.lu != choice.P.first
+        or not run.steps.first_order
         or run.choices.changes
-        or run.now.v[s.nf :].any()
+        or not run.usual
+        or run.now.v[n:].any()
     )
 
 
@@ -77,7 +81,7 @@ class Abreasts:
                 "atol": run.largest_atol,
             },
         )
-        self.roles = kinematics.roles
+        self._roles = kinematics.roles
 
     def enter(self, lane: int, run: rules.Dop853) -> None:
         """Take up a motion that has begun."""
@@ -96,19 +100,39 @@ class Abreasts:
         l.doing[lane] = RUNNING
         self._runs[lane] = run
 
-    def advance(self) -> list[int]:
-        """Take steps until motions are at their ends or cannot go on abreast; their lanes."""
-        l, done = self._lanes, []
-        while not done:
-            l.run()
-            for lane in np.flatnonzero((l.doing == PASSED) | (l.doing == STOPPED)).tolist():
-                run = self._runs[lane]
-                if l.doing[lane] == PASSED:
-                    self._pass(lane, run)
-                if l.doing[lane] == STOPPED or run.t >= l.struct.end:
-                    self._leave(lane, run)
-                    done.append(lane)
-        return done
+    def run(self) -> list[int]:
+        """Take steps until lanes have to be looked at; these."""
+        self._lanes.run()
+        doing = self._lanes.doing
+        return np.flatnonzero((doing == PASSED) | (doing == STOPPED)).tolist()
+
+    def look(self, lane: int) -> bool:
+        """Store the states at the times that a motion has passed, or take its step alone; whether it has left the lane.
+
+        Raises
+        ------
+        FlexelError
+            If the motion cannot be continued.
+        """
+        l, run = self._lanes, self._runs[lane]
+        stopped = l.doing[lane] == STOPPED
+        if not stopped:
+            self._pass(lane, run)
+            if run.t < run.times[-1]:
+                return False
+        self._leave(lane, run)
+        if stopped and run.advance() is None and self.takes(run):
+            self.enter(lane, run)
+            return False
+        return True
+
+    def drop(self, lane: int) -> None:
+        """Leave a lane empty."""
+        self._lanes.doing[lane] = IDLE
+
+    def takes(self, run: Run) -> TypeGuard[rules.Dop853]:
+        """Whether a motion that has begun can go on in these lanes."""
+        return suits(run) and run.kinematics.roles is self._roles
 
     def _pass(self, lane: int, run: rules.Dop853) -> None:
         """Store the states at the times within a step."""
@@ -128,7 +152,7 @@ class Abreasts:
     def _leave(self, lane: int, run: rules.Dop853) -> None:
         """Give a motion back, at its end or at the start of a step that it takes alone."""
         l, steps = self._lanes, self._lanes.steps
-        ended = l.doing[lane] == PASSED
+        ended = bool(l.doing[lane] == PASSED)
         taken, refused = int(l.taken[lane]) + ended, int(l.refused[lane]) + ended * int(l.tries[lane])
         if not ended:
             pairs = [(steps.y, run.steps.y), (steps.x, run.steps.x), (steps.e, run.steps.e)]

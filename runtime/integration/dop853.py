@@ -88,6 +88,16 @@ class Steps(Struct):
             if varying:
                 self._given[i, split:] = loads.values(time)
 
+    @property
+    def first_order(self) -> bool:
+        """Whether the position matrix is factorized in the order of pivots that was found first."""
+        P = self.choice.struct.P
+        return bool(P.lu == P.first)
+
+    def use_first_order(self) -> None:
+        """Go back to that order."""
+        lib.flexel_matrix_reset(self.choice.P)
+
     def begin(self, t: float) -> None:
         """Rates at the start."""
         self.given(t, 0.0, slice(0, 1))
@@ -167,6 +177,7 @@ class Dop853(MinimalRun):
         """One accepted step."""
         end, rejected, careful, across = float(self.times[-1]), False, False, 0.0
         crossing, self._crossing, defect = self._crossing, False, np.inf
+        first_order = self.steps.first_order
         while True:
             s, c = self.steps, self.steps.struct
             shortest = max(SHORTEST * self._span, 10 * abs(np.nextafter(self.t, np.inf) - self.t))
@@ -191,6 +202,8 @@ class Dop853(MinimalRun):
                 error = np.inf
             self._failed = code
             self.counts["rejected"] += 1
+            if first_order:  # what was tried in vain leaves no other order behind
+                self.steps.use_first_order()
             rejected = True
             self._h = h * (max(SMALLEST, SAFETY * error**EXPONENT) if np.isfinite(error) else SHORTER)
             if careful and c.changed and not code:
@@ -274,6 +287,11 @@ class Dop853(MinimalRun):
         return self.end_step(first.t, dense, first, s.y[s.y.size - self.z.size :].copy(), last)
 
     # -- steps that are taken in a lane, see abreast.py ------------------------------------------------
+
+    @property
+    def usual(self) -> bool:
+        """Whether no earlier step was judged by other rules."""
+        return not self._noise and not self._crossing
 
     @property
     def next_step(self) -> float:
