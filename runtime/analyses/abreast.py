@@ -25,7 +25,7 @@ class MotionRunner(Runner[T]):
     system : Core
     values : Values
     begin : callable
-        Begins the motion of a system that is variant number i.
+        Begins the motion of a system that is variant number i, after another motion of the same system.
     end : callable
         What is kept of the motion of a system, which it continues to its end.
     """
@@ -34,10 +34,10 @@ class MotionRunner(Runner[T]):
         self,
         system: Core,
         values: Values,
-        begin: Callable[[Any, int], Begun],
+        begin: Callable[[Any, int, Run | None], Begun],
         end: Callable[[Any, Run, str], T],
     ) -> None:
-        super().__init__(system, values, lambda own, i: end(own, *begin(own, i)))
+        super().__init__(system, values, lambda own, i: end(own, *begin(own, i, None)))
         self._begin, self._end = begin, end
 
     def _work(self) -> Iterator[None]:
@@ -84,7 +84,8 @@ class _Slots:
             self._systems[lane] = varied(runner._system, runner._values.places)
         system, variant = self._systems[lane]
         runner._set(system, variant, i)
-        self.number[lane], self._begun[lane] = i, runner._begin(system, i)
+        before = self._begun[lane][0] if lane in self._begun else None
+        self.number[lane], self._begun[lane] = i, runner._begin(system, i, before)
         run = self._begun[lane][0]
         if self._lanes is None and suits(run):
             self._lanes = Abreasts(run)

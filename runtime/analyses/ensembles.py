@@ -276,9 +276,9 @@ class _MotionOf:
     def __call__(self, system: Motions, i: int) -> Motion:
         return system.simulate(self.duration, start=self._first(system, i), progress=False, **self._options)
 
-    def begun(self, system: Motions, i: int) -> tuple[Run, str]:
-        """The same, only begun."""
-        return system._begun(self.duration, start=self._first(system, i), **self._options)
+    def begun(self, system: Motions, i: int, before: Run | None) -> tuple[Run, str]:
+        """The same, only begun; after another motion of the same system."""
+        return system._begun(self.duration, before, start=self._first(system, i), **self._options)
 
     @property
     def _options(self) -> dict[str, Any]:

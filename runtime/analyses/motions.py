@@ -14,6 +14,7 @@ from flexel.base.arguments import flag
 from flexel.base.arrays import Array
 from flexel.base.errors import FlexelError
 from flexel.integration import methods
+from flexel.integration.dop853 import Dop853
 from flexel.integration.driver import Run
 from flexel.integration.events import Event, checked
 from flexel.integration.outcome import Integration, stored_times
@@ -173,10 +174,12 @@ class Motions(Core):
         chosen, why = methods.automatic(self, begin, float(duration), options)
         return chosen, why, begin, grid, options
 
-    def _begun(self, duration: float, **given: Any) -> tuple[Run, str]:
-        """A motion that has begun, and why its method is taken."""
+    def _begun(self, duration: float, before: Run | None = None, **given: Any) -> tuple[Run, str]:
+        """A motion that has begun, and why its method is taken; it takes over what one with the same options leaves."""
         method, why, begin, grid, options = self._planned(duration, **given)
         run = methods.run_of(self, method, begin, grid, float(duration), options)
+        if isinstance(run, Dop853) and isinstance(before, Dop853):
+            run.spare = before.steps
         if run.times[-1] > run.times[0]:
             run.begin()
         return run, why

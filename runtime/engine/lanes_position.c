@@ -42,6 +42,7 @@ void flexel_lanes_locate(const flexel_lanes *l, mask *failed)
     for (size_t iteration = 0; flexel_any(&left); iteration++) {
         mask unsound = {0};
         flexel_lanes_position(s);
+        c->positions++;
         const vec error = residuals(s, c);
         flexel_lanes_factor(&c->P, s->M, &unsound);
         unsound |= ~(mask)(error < INFINITY);

@@ -72,6 +72,12 @@ class Steps(Struct):
         motion, loads = self.choice.motion.size, self.choice.loads.size
         c.ngiven = motion + loads
         self._given = self.new("given", 13 * (motion + loads)).reshape(13, -1)
+        self.start(now, y)
+
+    def start(self, now: Moment, y: Array) -> None:
+        """Begin at an instant; what follows depends on nothing computed before."""
+        self.choice.reset()
+        self.choice.struct.accept, self.choice.struct.tolerance = 0.0, TOLERANCE
         self.y[:], self.x[:], self.e[:] = y, now.x, now.e[self._periodic]
 
     def given(self, t: float, h: float, stages: slice) -> None:
@@ -129,9 +135,17 @@ class Steps(Struct):
 
 
 class Dop853(MinimalRun):
-    """One run of DOP853."""
+    """One run of DOP853.
+
+    Attributes
+    ----------
+    steps : Steps
+    spare : Steps, optional
+        Those of another motion that has ended, with the same tolerances: used again if they are of these degrees of freedom.
+    """
 
     steps: Steps
+    spare: Steps | None = None
     _h = 0.0
     _tried = 0.0
     _failed = 0
@@ -141,7 +155,12 @@ class Dop853(MinimalRun):
     def restart(self) -> None:
         """Start anew from the present position in the present degrees of freedom."""
         y = self.choices.values(self.now, self.z)
-        self.steps = Steps(self.kinematics, self.now, y, self.tolerances.rtol, self.natural_atol())
+        spare, self.spare = self.spare, None
+        if spare is not None and spare.kinematics is self.kinematics:
+            self.steps = spare
+            spare.start(self.now, y)
+        else:
+            self.steps = Steps(self.kinematics, self.now, y, self.tolerances.rtol, self.natural_atol())
         self.renew()
         if not self._h:
             self._h = self.tolerances.first_step or self._first_step()
