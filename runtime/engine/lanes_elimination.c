@@ -20,11 +20,14 @@ FLEXEL_INLINE vec norm(const vec *a, const double *scale, int count)
 
 FLEXEL_INLINE void load(const flexel_lu *lu, const int *source, const vec *buffer, vec *a)
 {
-    memset(a, 0, lu->slots * sizeof *a);
-    for (size_t e = 0; e < lu->nentries; e++)
-        a[lu->slot[e]] = buffer[source[e]];
+    const size_t slots = lu->slots, nentries = lu->nentries;
+    const int *slot = lu->slot;
+    for (size_t i = 0; i < slots; i++)
+        a[i] = flexel_all(0);
+    for (size_t e = 0; e < nentries; e++)
+        a[slot[e]] = buffer[source[e]];
     for (size_t i = 0; i < lu->n; i++)
-        a[lu->slots + i] = norm(a + lu->first[i], lu->scale + lu->first[i], lu->first[i + 1] - lu->first[i]);
+        a[slots + i] = norm(a + lu->first[i], lu->scale + lu->first[i], lu->first[i + 1] - lu->first[i]);
 }
 
 FLEXEL_INLINE void multipliers(vec *slots, const vec *const *rows, int width, vec *z)
@@ -78,14 +81,14 @@ FLEXEL_INLINE void eliminate_by(const flexel_lu *lu, size_t g, int width, int in
     }
 }
 
+/* The inverse of a pivot; negative numbers tell that it is not sound. Zeros and what is not finite are found later: they make
+ * the solution infinite, or not a number. */
 FLEXEL_INLINE mask invert(const flexel_lu *lu, size_t k, vec *a)
 {
     const int d = lu->diagonal[k], u = lu->first[k + 1] - d - 1;
     const vec size = flexel_size(a[d]) * lu->scale[d], rest = norm(a + d + 1, lu->scale + d + 1, u);
-    const mask sound = (mask)(size > 0) & (mask)(size <= DBL_MAX) & (mask)(size >= FLEXEL_LEAST_PIVOT * a[lu->slots + k]) &
-                       (mask)(size * FLEXEL_MOST_GROWTH >= rest);
     a[d] = 1 / a[d];
-    return ~sound;
+    return (mask)(size - FLEXEL_LEAST_PIVOT * a[lu->slots + k]) | (mask)(size * FLEXEL_MOST_GROWTH - rest);
 }
 
 FLEXEL_CLONES
@@ -93,24 +96,27 @@ void flexel_lanes_factor(const flexel_matrix *A, const double *buffer, mask *uns
 {
     const flexel_lu *lu = A->lu;
     vec *a = V(A->a);
+    mask negative = {0};
     load(lu, A->source, V(buffer), a);
     for (size_t g = 0; g < lu->groups; g++) {
         const int first = lu->group[g], width = lu->group[g + 1] - first;
         for (int j = 0; j < width; j++) {
             if (j)
                 eliminate_by(lu, g, j, 1, a);
-            *unsound |= invert(lu, (size_t)(first + j), a);
+            negative |= invert(lu, (size_t)(first + j), a);
         }
         eliminate_by(lu, g, width, 0, a);
     }
+    *unsound |= flexel_negative(negative);
 }
 
 FLEXEL_CLONES
 void flexel_lanes_sign(const flexel_matrix *A, mask *negative)
 {
-    *negative = A->lu->sign < 0 ? ~(mask){0} : (mask){0};
+    mask signs = {0};
     for (size_t k = 0; k < A->lu->n; k++)
-        *negative ^= (mask)(V(A->a)[A->lu->diagonal[k]] < 0);
+        signs ^= (mask)(V(A->a)[A->lu->diagonal[k]]);
+    *negative = A->lu->sign < 0 ? ~flexel_negative(signs) : flexel_negative(signs);
 }
 
 /* The sum of a[s] y[at[s]] over neighbouring slots, a multiple of four. */
@@ -178,16 +184,28 @@ FLEXEL_INLINE void sweep(const flexel_lu *lu, const vec *a, size_t first, vec *y
 /* The rows of b in the order of the pivots; the first one that is not zero. */
 FLEXEL_INLINE size_t gather(const flexel_lu *lu, size_t count, const vec *b, vec *y)
 {
-    size_t first = 0;
-    for (size_t k = 0; k < lu->n; k++)
-        memcpy(y + k * count, b + (size_t)lu->row[k] * count, count * sizeof *y);
-    for (; first < lu->n; first++)
+    const size_t n = lu->n;
+    const int *row = lu->row;
+    size_t first = n;
+    for (size_t k = n; k-- > 0;) {
+        mask some = {0};
         for (size_t c = 0; c < count; c++) {
-            const mask some = (mask)(y[first * count + c] != 0);
-            if (flexel_any(&some))
-                return first;
+            y[k * count + c] = b[(size_t)row[k] * count + c];
+            some |= (mask)y[k * count + c] << 1; /* all bits but the sign */
         }
-    return lu->n;
+        if (flexel_any(&some))
+            first = k;
+    }
+    return first;
+}
+
+FLEXEL_INLINE void scatter(const flexel_lu *lu, size_t count, const vec *y, vec *x)
+{
+    const size_t n = lu->n;
+    const int *column = lu->column;
+    for (size_t k = 0; k < n; k++)
+        for (size_t c = 0; c < count; c++)
+            x[(size_t)column[k] * count + c] = y[k * count + c];
 }
 
 FLEXEL_CLONES
@@ -206,6 +224,5 @@ void flexel_lanes_solve(const flexel_matrix *A, size_t count, const double *b, d
         sweep(lu, a, first, y + c, count, 2);
     for (; c < count; c++)
         sweep(lu, a, first, y + c, count, 1);
-    for (size_t k = 0; k < lu->n; k++)
-        memcpy(V(x) + (size_t)lu->column[k] * count, y + k * count, count * sizeof *y);
+    scatter(lu, count, y, V(x));
 }

@@ -118,7 +118,7 @@ FLEXEL_INLINE void pull(const flexel_work *s, double *out)
 {
     for (size_t i = 0; i < s->m + s->k; i++) {
         const vec z = V(s->stress)[i];
-        const mask some = (mask)(z != 0);
+        const mask some = (mask)z << 1; /* all bits but the sign */
         if (flexel_any(&some))
             for (int j = s->J_start[i]; j < s->J_start[i + 1]; j++)
                 V(out)[s->J_column[j]] += V(s->J)[j] * z;

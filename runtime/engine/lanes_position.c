@@ -15,17 +15,45 @@ FLEXEL_INLINE void set_targets(flexel_work *s, flexel_choice *c)
     }
 }
 
+/* The errors of the rows; the largest one, which is infinite where one is not finite. */
 FLEXEL_INLINE vec residuals(const flexel_work *s, flexel_choice *c)
 {
-    vec error = flexel_all(0);
+    vec error = flexel_all(0), sum = error;
     for (size_t i = 0; i < s->nf; i++) {
         const size_t row = (size_t)c->rows[i];
         const vec value = row < s->m ? V(s->e)[row] : V(s->x)[row - s->m - s->k];
         V(c->residual)[i] = value - V(c->target)[i];
         const vec z = flexel_size(V(c->residual)[i]) * c->weight[i];
-        error = flexel_either((mask)(z <= error), error, z); /* not a number is kept */
+        error = flexel_most(error, z);
+        sum += z;
     }
+    for (size_t i = 0; i < FLEXEL_BLOCK; i++)
+        error[i] = isfinite(sum[i]) ? error[i] : INFINITY;
     return error;
+}
+
+/* What an error says of each lane: that its position is found, that one more correction is enough, or that it fails. */
+FLEXEL_INLINE void judge(const flexel_choice *c, const vec *error, const vec *last, mask *found, mask *accepted, mask *failed)
+{
+    for (size_t i = 0; i < FLEXEL_BLOCK; i++) {
+        const double z = (*error)[i];
+        (*found)[i] = z < c->tolerance || (z < FLEXEL_STALLED && z > 0.5 * (*last)[i]) ? -1 : 0;
+        (*accepted)[i] = z < c->accept ? -1 : 0;
+        (*failed)[i] |= z < INFINITY ? 0 : -1;
+    }
+}
+
+/* Where a correction would have to be damped. */
+FLEXEL_INLINE void damped(const flexel_work *s, const flexel_choice *c, mask *where)
+{
+    const vec longest = flexel_all(FLEXEL_LONGEST_STEP);
+    vec largest = flexel_all(0);
+    for (size_t i = 0; i < s->nf; i++) {
+        const vec size = flexel_size(V(c->step)[i]) * c->step_weight[i];
+        largest = flexel_most(largest, size);
+    }
+    flexel_less(&largest, &longest, where);
+    *where = ~*where;
 }
 
 /* Newton's method. Lanes whose position is found stay where J was evaluated last, and are evaluated there again, to the same
@@ -35,35 +63,29 @@ void flexel_lanes_locate(const flexel_lanes *l, mask *failed)
 {
     flexel_work *s = l->work;
     flexel_choice *c = l->choice;
+    const size_t nf = s->nf;
     vec last = flexel_all(INFINITY), *x = V(s->x), *step = V(c->step), *after = V(l->after);
     mask done = *failed, left = ~done;
     set_targets(s, c);
-    memcpy(after, x, s->nf * sizeof *x);
+    for (size_t i = 0; i < nf; i++)
+        after[i] = x[i];
     for (size_t iteration = 0; flexel_any(&left); iteration++) {
-        mask unsound = {0};
+        mask found, accepted, bad = iteration < FLEXEL_MOST_ITERATIONS ? (mask){0} : ~(mask){0};
         flexel_lanes_position(s);
         c->positions++;
         const vec error = residuals(s, c);
-        flexel_lanes_factor(&c->P, s->M, &unsound);
-        unsound |= ~(mask)(error < INFINITY);
-        if (iteration == FLEXEL_MOST_ITERATIONS)
-            unsound = ~(mask){0};
-        *failed |= ~done & unsound;
-        done |= unsound | (mask)(error < c->tolerance) |
-                ((mask)(error < FLEXEL_STALLED) & (mask)(error > 0.5 * last));
+        flexel_lanes_factor(&c->P, s->M, &bad);
+        judge(c, &error, &last, &found, &accepted, &bad);
+        *failed |= ~done & bad;
+        done |= bad | found;
         left = ~done;
         if (!flexel_any(&left))
             break;
         flexel_lanes_solve(&c->P, 1, c->residual, c->step, c->work);
-        vec largest = flexel_all(0);
-        for (size_t i = 0; i < s->nf; i++) {
-            const vec size = flexel_size(step[i]) * c->step_weight[i];
-            largest = flexel_most(largest, size);
-        }
-        const mask damped = ~done & ~(mask)(largest < FLEXEL_LONGEST_STEP), accepted = (mask)(error < c->accept);
-        *failed |= damped; /* not usual */
-        done |= damped;
-        for (size_t i = 0; i < s->nf; i++) {
+        damped(s, c, &bad); /* not usual */
+        *failed |= left & bad;
+        done |= bad;
+        for (size_t i = 0; i < nf; i++) {
             after[i] = flexel_either(done, after[i], x[i] - step[i]);
             x[i] = flexel_either(done | accepted, x[i], after[i]);
         }
@@ -71,7 +93,8 @@ void flexel_lanes_locate(const flexel_lanes *l, mask *failed)
         left = ~done;
         last = error;
     }
-    memcpy(x, after, s->nf * sizeof *x);
+    for (size_t i = 0; i < nf; i++)
+        x[i] = after[i];
 }
 
 /* Inverses (S G_k)^-1 of the lanes, with their own row interchanges. */

@@ -1,6 +1,7 @@
 /* A step of DOP853 in all lanes; see lanes.h, and runge_kutta.c for one variant. */
 #include "lanes_inside.h"
 
+#include <math.h>
 #include <string.h>
 
 /* out = start + h sum of share[j] rates[j], j < count */
@@ -75,19 +76,20 @@ FLEXEL_INLINE vec largest_error(const flexel_dop853 *o, const double *K, size_t 
         vec e5, e3;
         errors(o, K, n, i, &e5, &e3);
         e5 *= *h, e3 *= *h;
-        vec size = e5 * e5 + 0.01 * e3 * e3;
+        vec z = e5 * e5, size = z + 0.01 * e3 * e3;
         flexel_root(&size);
-        const vec z = flexel_either((mask)(size > 0), e5 * e5 / size, flexel_all(0));
+        for (size_t k = 0; k < FLEXEL_BLOCK; k++)
+            z[k] = size[k] > 0 ? z[k] / size[k] : size[k]; /* not a number is kept */
         const vec scaled = inverse ? z / weight[i] : z * weight[i];
-        largest = flexel_either((mask)(scaled <= largest), largest, scaled);
+        largest = flexel_most(largest, scaled);
     }
     return largest;
 }
 
+/* The norm of the errors of y, both embedded formulas together. */
 FLEXEL_INLINE vec norm(const flexel_dop853 *o, const vec *h)
 {
-    const vec zero = flexel_all(0);
-    vec sum5 = zero, sum3 = zero;
+    vec sum5 = flexel_all(0), sum3 = sum5, found = sum5;
     for (size_t i = 0; i < o->ny; i++) {
         vec e5, e3;
         errors(o, o->K, o->ny, i, &e5, &e3);
@@ -96,9 +98,10 @@ FLEXEL_INLINE vec norm(const flexel_dop853 *o, const vec *h)
         sum5 += e5 / scale * (e5 / scale);
         sum3 += e3 / scale * (e3 / scale);
     }
-    vec root = (sum5 + 0.01 * sum3) * (double)o->ny;
-    flexel_root(&root);
-    return flexel_either((mask)(sum5 == 0) & (mask)(sum3 == 0), zero, flexel_size(*h) * sum5 / root);
+    for (size_t k = 0; k < FLEXEL_BLOCK; k++)
+        if (!(sum5[k] == 0 && sum3[k] == 0))
+            found[k] = fabs((*h)[k]) * sum5[k] / sqrt((sum5[k] + 0.01 * sum3[k]) * (double)o->ny);
+    return found;
 }
 
 /* The errors of the step, from the rates at all stages, and how far the end is from its shadow. */
@@ -107,19 +110,22 @@ static void judge(const flexel_lanes *l, flexel_trial *trial)
 {
     flexel_work *s = l->work;
     flexel_dop853 *o = l->steps;
-    vec defect = flexel_all(0), defect_v = defect, fastest = defect;
+    vec defect = flexel_all(0), defect_v = defect, fastest = defect, sum = defect;
     combine(s->nf, o->V, &trial->h, FLEXEL_STAGES, o->B, o->W, o->space);
     for (size_t i = 0; i < s->nf; i++) {
         const vec z = flexel_size(V(s->x)[i] - V(o->x_new)[i]) * o->weight[i];
         const vec zd = flexel_size(V(s->v)[i] - V(o->space)[i]) * o->weight[i];
-        defect = flexel_either((mask)(z <= defect), defect, z);
-        defect_v = flexel_either((mask)(zd <= defect_v), defect_v, zd);
+        defect = flexel_most(defect, z);
+        defect_v = flexel_most(defect_v, zd);
+        sum += z + zd;
         const vec speed = flexel_size(V(s->v)[i]) * o->weight[i];
         fastest = flexel_most(fastest, speed);
     }
     memcpy(o->x_new, s->x, s->n * sizeof(vec));
     for (size_t i = 0; i < s->nperiodic; i++)
         V(o->e_new)[i] = V(s->e)[s->periodic[i]];
+    for (size_t k = 0; k < FLEXEL_BLOCK; k++)
+        trial->failed[k] |= isfinite(sum[k]) ? 0 : -1;
     trial->defect = defect, trial->defect_v = defect_v, trial->fastest = fastest;
     trial->error = norm(o, &trial->h);
     trial->error_x = largest_error(o, o->V, s->nf, o->weight, 0, &trial->h);
@@ -132,7 +138,7 @@ void flexel_lanes_step(const flexel_lanes *l, flexel_trial *trial)
 {
     flexel_work *s = l->work;
     flexel_dop853 *o = l->steps;
-    const mask before = (mask)(V(l->sign)[0] < 0);
+    const mask before = flexel_negative(V(l->sign)[0]);
     memcpy(V(s->x) + s->nf, V(o->x) + s->nf, (s->n - s->nf) * sizeof(vec));
     for (size_t stage = 1; stage <= FLEXEL_STAGES; stage++) {
         const int last = stage == FLEXEL_STAGES;
