@@ -42,10 +42,10 @@ FLEXEL_INLINE void reduce(const flexel_work *s, const flexel_choice *c, vec *MX,
             b[j] += V(c->force)[i] * X[j];
         if (s->M_start[i] == s->M_free[i])
             continue;
-        memset(MX, 0, stride * sizeof *MX);
-        for (int l = s->M_start[i]; l < s->M_free[i]; l++)
-            for (size_t j = 0; j < stride; j++)
-                MX[j] += V(s->M)[l] * V(c->X)[(size_t)s->M_column[l] * stride + j];
+        const int first = s->M_start[i];
+        for (size_t j = 0; j < stride; j++)
+            MX[j] = flexel_all(0);
+        flexel_lanes_sums(MX, V(s->M) + first, s->M_column + first, s->M_free[i] - first, V(c->X), stride);
         for (size_t j = 0; j < nd; j++)
             for (size_t k = 0; k < stride; k++)
                 R[j * stride + k] += X[j] * MX[k];

@@ -42,10 +42,16 @@ FLEXEL_INLINE void multipliers(vec *slots, const vec *const *rows, int width, ve
 
 FLEXEL_INLINE void subtract_rows(vec *to, const vec *const *rows, int from, int length, int width, const vec *z)
 {
+    const vec *p = rows[0] + from, *q = width > 1 ? rows[1] + from : p, *r = width > 2 ? rows[2] + from : p;
+    const vec *s = width > 3 ? rows[3] + from : p;
     for (int i = 0; i < length; i++) {
-        vec sum = to[i];
-        for (int j = 0; j < width; j++)
-            sum -= z[j] * rows[j][from + i];
+        vec sum = to[i] - z[0] * p[i];
+        if (width > 1)
+            sum -= z[1] * q[i];
+        if (width > 2)
+            sum -= z[2] * r[i];
+        if (width > 3)
+            sum -= z[3] * s[i];
         to[i] = sum;
     }
 }
@@ -154,30 +160,20 @@ FLEXEL_INLINE void sweep_one(const flexel_lu *lu, const vec *a, size_t first, ve
     }
 }
 
-/* z -= the sum of a[s] times row at[s] of y, over neighbouring slots. */
-FLEXEL_INLINE void subtract(vec *z, const vec *a, const int *at, int slots, const vec *y, size_t count, size_t width)
-{
-    for (int s = 0; s < slots; s++)
-        for (size_t c = 0; c < width; c++)
-            z[c] -= a[s] * y[(size_t)at[s] * count + c];
-}
-
 /* The same on `width` of `count` columns. */
-FLEXEL_INLINE void sweep(const flexel_lu *lu, const vec *a, size_t first, vec *y, size_t count, size_t width)
+FLEXEL_INLINE void sweep(const flexel_lu *lu, const vec *a, size_t first, vec *y, size_t count, int width)
 {
-    vec z[4];
-    for (size_t i = first; i < lu->n; i++) {
-        const int s = lu->first[i];
-        memcpy(z, y + i * count, width * sizeof *z);
-        subtract(z, a + s, lu->at + s, lu->diagonal[i] - s, y, count, width);
-        memcpy(y + i * count, z, width * sizeof *z);
+    const size_t n = lu->n;
+    const int *begin = lu->first, *diagonal = lu->diagonal, *at = lu->at;
+    for (size_t i = first; i < n; i++) {
+        const int s = begin[i];
+        flexel_lanes_sums_by(y + i * count, a + s, at + s, diagonal[i] - s, y, count, width, 1);
     }
-    for (size_t i = lu->n; i-- > 0;) {
-        const int s = lu->diagonal[i] + 1;
-        memcpy(z, y + i * count, width * sizeof *z);
-        subtract(z, a + s, lu->at + s, lu->first[i + 1] - s, y, count, width);
-        for (size_t c = 0; c < width; c++)
-            y[i * count + c] = z[c] * a[s - 1];
+    for (size_t i = n; i-- > 0;) {
+        const int s = diagonal[i] + 1;
+        flexel_lanes_sums_by(y + i * count, a + s, at + s, begin[i + 1] - s, y, count, width, 1);
+        for (int c = 0; c < width; c++)
+            y[i * count + (size_t)c] *= a[s - 1];
     }
 }
 
@@ -220,8 +216,6 @@ void flexel_lanes_solve(const flexel_matrix *A, size_t count, const double *b, d
         sweep_one(lu, a, first, y), c = 1;
     for (; c + 4 <= count; c += 4)
         sweep(lu, a, first, y + c, count, 4);
-    for (; c + 2 <= count; c += 2)
-        sweep(lu, a, first, y + c, count, 2);
     for (; c < count; c++)
         sweep(lu, a, first, y + c, count, 1);
     scatter(lu, count, y, V(x));

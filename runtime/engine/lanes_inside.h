@@ -38,14 +38,51 @@ void flexel_lanes_step(const flexel_lanes *l, flexel_trial *trial);
 /* The end of the step becomes the start of the next in some lanes. */
 void flexel_lanes_accept(const flexel_lanes *l, const mask *where);
 
+/* z += (or, for `minus`, -=) the sum of a[l] times row at[l] of x, l < n, for `width` of `count` columns. The sums stay in
+ * registers; the width is known to the compiler and is at most four. */
+FLEXEL_INLINE void flexel_lanes_sums_by(vec *z, const vec *a, const int *at, int n, const vec *x, size_t count, int width,
+                                        int minus)
+{
+    vec sum[4] = {z[0], z[width > 1 ? 1 : 0], z[width > 2 ? 2 : 0], z[width > 3 ? 3 : 0]};
+    for (int l = 0; l < n; l++) {
+        const vec *row = x + (size_t)at[l] * count, factor = minus ? -a[l] : a[l];
+        sum[0] += factor * row[0];
+        if (width > 1)
+            sum[1] += factor * row[1];
+        if (width > 2)
+            sum[2] += factor * row[2];
+        if (width > 3)
+            sum[3] += factor * row[3];
+    }
+    z[0] = sum[0];
+    if (width > 1)
+        z[1] = sum[1];
+    if (width > 2)
+        z[2] = sum[2];
+    if (width > 3)
+        z[3] = sum[3];
+}
+
+/* The same for all columns. */
+FLEXEL_INLINE void flexel_lanes_sums(vec *z, const vec *a, const int *at, int n, const vec *x, size_t count)
+{
+    size_t c = 0;
+    for (; c + 4 <= count; c += 4)
+        flexel_lanes_sums_by(z + c, a, at, n, x + c, count, 4, 0);
+    for (; c < count; c++)
+        flexel_lanes_sums_by(z + c, a, at, n, x + c, count, 1, 0);
+}
+
 /* A row of J times columns over the free coordinates. */
 FLEXEL_INLINE void flexel_lanes_row(const flexel_work *s, int row, const vec *in, size_t count, vec *out)
 {
+    const int first = s->J_start[row];
+    int end = first;
+    while (end < s->J_start[row + 1] && (size_t)s->J_column[end] < s->nf)
+        end++;
     for (size_t j = 0; j < count; j++)
         out[j] = flexel_all(0);
-    for (int l = s->J_start[row]; l < s->J_start[row + 1] && (size_t)s->J_column[l] < s->nf; l++)
-        for (size_t j = 0; j < count; j++)
-            out[j] += V(s->J)[l] * in[(size_t)s->J_column[l] * count + j];
+    flexel_lanes_sums(out, V(s->J) + first, s->J_column + first, end - first, in, count);
 }
 
 /* A row of J times a vector over all coordinates. */

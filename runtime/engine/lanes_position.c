@@ -154,7 +154,7 @@ void flexel_lanes_velocity(const flexel_lanes *l, mask *failed)
     const size_t nd = c->nd, count = c->columns;
     directions(l, failed);
     for (size_t i = 0; i < s->nf; i++) {
-        vec z = V(c->G)[i * count + nd + c->nk];
+        vec z = flexel_all(0);
         for (size_t j = 0; j < nd; j++)
             z += V(c->G)[i * count + j] * V(c->qd)[j];
         V(s->v)[i] = z;
