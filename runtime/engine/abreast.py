@@ -53,7 +53,7 @@ class WideChoice(WideStruct):
         factors = aligned(lib.flexel_lu_slots(c.P.lu) * LANES)
         c.P.a = self.pointer(factors)
         nd, nk, nf = c.nd, c.nk, s.nf
-        c.columns, c.stride = nd + nk, nd + 1  # no column for prescribed motions
+        c.columns, c.stride = max(nd + nk, 2), nd + 1  # none for prescribed motions; one alone is summed otherwise
         small = max((nk + 1) * (c.columns + nk), (nd + 2) * c.stride)
         sizes = {"q": nd + nk, "qd": nd, "qdd": nd, "force": s.n, "inverse": nk * nk, "small": small}
         sizes |= dict.fromkeys(("target", "residual", "step"), nf)

@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define INLINE static inline __attribute__((always_inline)) /* so that widths are known to the compiler */
+
 void flexel_lu_free(flexel_lu *lu)
 {
     if (!lu)
@@ -55,7 +57,7 @@ static inline void load(const flexel_lu *lu, const int *restrict source, const d
 
 /* The multipliers of a row for `width` neighbouring pivots, in their slots and in z; rows[j] is pivot row j from the
  * column behind these pivots on. */
-static inline void multipliers(double *slots, const double *const *rows, int width, double *z)
+INLINE void multipliers(double *slots, const double *const *rows, int width, double *z)
 {
     for (int j = 0; j < width; j++) {
         double sum = slots[j];
@@ -66,8 +68,7 @@ static inline void multipliers(double *slots, const double *const *rows, int wid
 }
 
 /* Subtract `width` pivot rows times z from neighbouring slots of another row; they start at `from` in the rows. */
-static inline void subtract_rows(double *restrict to, const double *const *rows, int from, int length, int width,
-                                 const double *z)
+INLINE void subtract_rows(double *restrict to, const double *const *rows, int from, int length, int width, const double *z)
 {
     const double *p = rows[0] + from, *q = width > 1 ? rows[1] + from : p, *r = width > 2 ? rows[2] + from : p;
     const double *s = width > 3 ? rows[3] + from : p;
@@ -84,36 +85,39 @@ static inline void subtract_rows(double *restrict to, const double *const *rows,
     }
 }
 
-/* Subtract the first `width` rows of a group from what comes after them: the group's next row, or all rows below. */
-static inline void eliminate(const flexel_lu *lu, size_t g, int width, int inside, double *a)
+/* The rows of `width` pivots from the column behind them on. */
+INLINE void behind(const flexel_lu *lu, int first, int width, const double *a, const double **rows)
 {
-    const int first = lu->group[g];
-    const double *rows[FLEXEL_GROUP];
-    double z[FLEXEL_GROUP];
     for (int j = 0; j < width; j++)
         rows[j] = a + lu->diagonal[first + j] + width - j;
-    if (inside) {
-        const int d = lu->diagonal[first + width];
-        multipliers(a + d - width, rows, width, z);
-        subtract_rows(a + d, rows, 0, lu->first[first + width + 1] - d, width, z);
-        return;
-    }
-    for (int l = lu->below[g]; l < lu->below[g + 1]; l++) {
-        multipliers(a + lu->multiplier[l], rows, width, z);
-        for (int r = lu->run[l]; r < lu->run[l + 1]; r++)
-            subtract_rows(a + lu->stretch[r].to, rows, lu->stretch[r].from, lu->stretch[r].length, width, z);
-    }
 }
 
-/* The same, with the width known to the compiler. */
-static inline void eliminate_by(const flexel_lu *lu, size_t g, int width, int inside, double *a)
+/* Subtract the first `width` rows of a group from its next row. */
+INLINE void eliminate_inside(const flexel_lu *lu, int first, int width, double *a)
 {
-    switch (width) {
-    case 1: eliminate(lu, g, 1, inside, a); break;
-    case 2: eliminate(lu, g, 2, inside, a); break;
-    case 3: eliminate(lu, g, 3, inside, a); break;
-    default: eliminate(lu, g, FLEXEL_GROUP, inside, a);
-    }
+    const int d = lu->diagonal[first + width];
+    const double *rows[FLEXEL_GROUP];
+    double z[FLEXEL_GROUP];
+    behind(lu, first, width, a, rows);
+    multipliers(a + d - width, rows, width, z);
+    subtract_rows(a + d, rows, 0, lu->first[first + width + 1] - d, width, z);
+}
+
+/* Subtract the rows of a group, `width` of them, from all rows below. */
+INLINE void eliminate_below(const flexel_lu *lu, size_t g, int width, double *a)
+{
+    const int *run = lu->run + 3 * g;
+    const double *rows[FLEXEL_GROUP];
+    double z[FLEXEL_GROUP];
+    behind(lu, lu->group[g], width, a, rows);
+    for (int l = lu->below[g]; l < lu->below[g + 1]; l++)
+        multipliers(a + lu->multiplier[l], rows, width, z);
+    for (const flexel_stretch *r = lu->stretch + run[0]; r < lu->stretch + run[1]; r++)
+        subtract_rows(a + r->to, rows, r->from, 4, width, a + r->by);
+    for (const flexel_stretch *r = lu->stretch + run[1]; r < lu->stretch + run[2]; r++)
+        subtract_rows(a + r->to, rows, r->from, 2, width, a + r->by);
+    for (const flexel_stretch *r = lu->stretch + run[2]; r < lu->stretch + run[3]; r++)
+        subtract_rows(a + r->to, rows, r->from, 1, width, a + r->by);
 }
 
 /* Whether a pivot is large enough; it is replaced by its inverse. */
@@ -133,12 +137,21 @@ size_t flexel_lu_factor(const flexel_lu *lu, const int *source, const double *bu
     for (size_t g = 0; g < lu->groups; g++) {
         const int first = lu->group[g], width = lu->group[g + 1] - first;
         for (int j = 0; j < width; j++) {
-            if (j)
-                eliminate_by(lu, g, j, 1, a);
+            switch (j) {
+            case 0: break;
+            case 1: eliminate_inside(lu, first, 1, a); break;
+            case 2: eliminate_inside(lu, first, 2, a); break;
+            default: eliminate_inside(lu, first, FLEXEL_GROUP - 1, a);
+            }
             if (!invert(lu, (size_t)(first + j), a))
                 return (size_t)(first + j) + 1;
         }
-        eliminate_by(lu, g, width, 0, a);
+        switch (width) {
+        case 1: eliminate_below(lu, g, 1, a); break;
+        case 2: eliminate_below(lu, g, 2, a); break;
+        case 3: eliminate_below(lu, g, 3, a); break;
+        default: eliminate_below(lu, g, FLEXEL_GROUP, a);
+        }
     }
     return 0;
 }

@@ -56,35 +56,39 @@ FLEXEL_INLINE void subtract_rows(vec *to, const vec *const *rows, int from, int 
     }
 }
 
-FLEXEL_INLINE void eliminate(const flexel_lu *lu, size_t g, int width, int inside, vec *a)
+/* The rows of `width` pivots from the column behind them on. */
+FLEXEL_INLINE void behind(const flexel_lu *lu, int first, int width, const vec *a, const vec **rows)
 {
-    const int first = lu->group[g];
-    const vec *rows[FLEXEL_GROUP];
-    vec z[FLEXEL_GROUP];
     for (int j = 0; j < width; j++)
         rows[j] = a + lu->diagonal[first + j] + width - j;
-    if (inside) {
-        const int d = lu->diagonal[first + width];
-        multipliers(a + d - width, rows, width, z);
-        subtract_rows(a + d, rows, 0, lu->first[first + width + 1] - d, width, z);
-        return;
-    }
-    for (int l = lu->below[g]; l < lu->below[g + 1]; l++) {
-        multipliers(a + lu->multiplier[l], rows, width, z);
-        for (int r = lu->run[l]; r < lu->run[l + 1]; r++)
-            subtract_rows(a + lu->stretch[r].to, rows, lu->stretch[r].from, lu->stretch[r].length, width, z);
-    }
 }
 
-/* The same, with the width known to the compiler. */
-FLEXEL_INLINE void eliminate_by(const flexel_lu *lu, size_t g, int width, int inside, vec *a)
+/* Subtract the first `width` rows of a group from its next row. */
+FLEXEL_INLINE void eliminate_inside(const flexel_lu *lu, int first, int width, vec *a)
 {
-    switch (width) {
-    case 1: eliminate(lu, g, 1, inside, a); break;
-    case 2: eliminate(lu, g, 2, inside, a); break;
-    case 3: eliminate(lu, g, 3, inside, a); break;
-    default: eliminate(lu, g, FLEXEL_GROUP, inside, a);
-    }
+    const int d = lu->diagonal[first + width];
+    const vec *rows[FLEXEL_GROUP];
+    vec z[FLEXEL_GROUP];
+    behind(lu, first, width, a, rows);
+    multipliers(a + d - width, rows, width, z);
+    subtract_rows(a + d, rows, 0, lu->first[first + width + 1] - d, width, z);
+}
+
+/* Subtract the rows of a group, `width` of them, from all rows below. */
+FLEXEL_INLINE void eliminate_below(const flexel_lu *lu, size_t g, int width, vec *a)
+{
+    const int *run = lu->run + 3 * g;
+    const vec *rows[FLEXEL_GROUP];
+    vec z[FLEXEL_GROUP];
+    behind(lu, lu->group[g], width, a, rows);
+    for (int l = lu->below[g]; l < lu->below[g + 1]; l++)
+        multipliers(a + lu->multiplier[l], rows, width, z);
+    for (const flexel_stretch *r = lu->stretch + run[0]; r < lu->stretch + run[1]; r++)
+        subtract_rows(a + r->to, rows, r->from, 4, width, a + r->by);
+    for (const flexel_stretch *r = lu->stretch + run[1]; r < lu->stretch + run[2]; r++)
+        subtract_rows(a + r->to, rows, r->from, 2, width, a + r->by);
+    for (const flexel_stretch *r = lu->stretch + run[2]; r < lu->stretch + run[3]; r++)
+        subtract_rows(a + r->to, rows, r->from, 1, width, a + r->by);
 }
 
 /* The inverse of a pivot; negative numbers tell that it is not sound. Zeros and what is not finite are found later: they make
@@ -107,11 +111,20 @@ void flexel_lanes_factor(const flexel_matrix *A, const double *buffer, mask *uns
     for (size_t g = 0; g < lu->groups; g++) {
         const int first = lu->group[g], width = lu->group[g + 1] - first;
         for (int j = 0; j < width; j++) {
-            if (j)
-                eliminate_by(lu, g, j, 1, a);
+            switch (j) {
+            case 0: break;
+            case 1: eliminate_inside(lu, first, 1, a); break;
+            case 2: eliminate_inside(lu, first, 2, a); break;
+            default: eliminate_inside(lu, first, FLEXEL_GROUP - 1, a);
+            }
             negative |= invert(lu, (size_t)(first + j), a);
         }
-        eliminate_by(lu, g, width, 0, a);
+        switch (width) {
+        case 1: eliminate_below(lu, g, 1, a); break;
+        case 2: eliminate_below(lu, g, 2, a); break;
+        case 3: eliminate_below(lu, g, 3, a); break;
+        default: eliminate_below(lu, g, FLEXEL_GROUP, a);
+        }
     }
     *unsound |= flexel_negative(negative);
 }

@@ -5,9 +5,10 @@
 #include "elimination.h"
 #include "pivots.h"
 
-/* Neighbouring slots of a row from which a multiple of neighbouring slots of a pivot row is subtracted. */
+/* One, two or four neighbouring slots of a row, from which multiples of as many slots of each pivot row of a group are
+ * subtracted; the multipliers are in the slots from `by` on. */
 typedef struct {
-    int to, from, length;
+    int to, from, by;
 } flexel_stretch;
 
 /* Most pivots of a group. */
@@ -22,7 +23,8 @@ typedef struct {
  *
  * Neighbouring pivots whose rows have the same columns, and whose columns the same rows, apart from their own, form
  * groups: their rows are subtracted from another row together. The multipliers of a row for the pivots of a group are
- * neighbours. */
+ * neighbours. What is subtracted from all rows below a group is listed by its length: loops that are always as long need no
+ * guess from the processor, and wrong guesses took half of the time. */
 struct flexel_lu {
     size_t n, nentries, slots, operations;
     int sign;                /* of the permutations */
@@ -35,7 +37,7 @@ struct flexel_lu {
     int *group;              /* (groups + 1): their first pivots */
     int *below;              /* (groups + 1): rows below a group's, by group */
     int *multiplier;         /* the first slot of each for the group */
-    int *run;                /* the stretches of each: columns behind the group's */
+    int *run;                /* (3 groups + 1): the stretches of four, of two and of one slot of these rows, by group */
     flexel_stretch *stretch; /* `from` is counted from the first column behind the group's */
 };
 

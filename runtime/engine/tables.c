@@ -168,35 +168,45 @@ static void find_slots(flexel_lu *lu, const places *at, const int *rows, const i
     }
 }
 
-/* The stretches of every row below a group: the columns of the group's rows, found again in that row. */
+/* The stretches with `size` slots of one row below a group, from *stretch on, which moves behind them: the columns of the
+ * group's rows, from `begin` to `end` in the last of these, found again in that row from slot `to` on. */
+static void cut_stretches(const flexel_lu *lu, int begin, int end, int to, int by, int size, flexel_stretch **stretch)
+{
+    for (int from = begin, length; from < end; from += length, to += length) {
+        while (lu->at[to] != lu->at[from])
+            to++;
+        for (length = 1; from + length < end && lu->at[to + length] == lu->at[from + length];)
+            length++;
+        const int done = size == 4 ? 0 : length / (2 * size) * (2 * size); /* in larger ones */
+        for (int i = done; i + size <= length; i += size)
+            *(*stretch)++ = (flexel_stretch){to + i, from + i - begin, by};
+    }
+}
+
+/* The stretches of all rows below each group, the largest first. */
 static int list_stretches(flexel_lu *lu)
 {
     size_t count = 0, room = 0;
     for (size_t g = 0; g < lu->groups; g++) {
         const int last = lu->group[g + 1] - 1, behind = last - lu->group[g];
         const int begin = lu->diagonal[last] + 1, end = lu->first[last + 1];
-        for (int l = lu->below[g]; l < lu->below[g + 1]; l++) {
-            lu->run[l] = (int)count;
-            if (count + (size_t)(end - begin) > room) {
-                room = 2 * (count + (size_t)(end - begin));
-                flexel_stretch *more = room < INT_MAX ? realloc(lu->stretch, room * sizeof *more) : NULL;
-                if (!more)
-                    return 0;
-                lu->stretch = more;
-            }
-            int to = lu->multiplier[l] + behind;
-            for (int from = begin; from < end; from++) {
-                const int before = to++;
-                while (lu->at[to] != lu->at[from])
-                    to++;
-                if (from > begin && to == before + 1)
-                    lu->stretch[count - 1].length++;
-                else
-                    lu->stretch[count++] = (flexel_stretch){to, from - begin, 1};
-            }
+        const size_t most = (size_t)(end - begin) * (size_t)(lu->below[g + 1] - lu->below[g]);
+        if (count + most > room) {
+            room = 2 * (count + most);
+            flexel_stretch *more = room < INT_MAX ? realloc(lu->stretch, room * sizeof *more) : NULL;
+            if (!more)
+                return 0;
+            lu->stretch = more;
         }
+        flexel_stretch *stretch = lu->stretch + count;
+        for (int size = 4, i = 0; size; size /= 2, i++) {
+            lu->run[3 * g + (size_t)i] = (int)(stretch - lu->stretch);
+            for (int l = lu->below[g]; l < lu->below[g + 1]; l++)
+                cut_stretches(lu, begin, end, lu->multiplier[l] + behind + 1, lu->multiplier[l], size, &stretch);
+        }
+        count = (size_t)(stretch - lu->stretch);
     }
-    lu->run[lu->below[lu->groups]] = (int)count;
+    lu->run[3 * lu->groups] = (int)count;
     flexel_stretch *exact = realloc(lu->stretch, (count + 1) * sizeof *exact);
     lu->stretch = exact ? exact : lu->stretch;
     return 1;
@@ -227,7 +237,7 @@ static flexel_lu *allocate(size_t n, size_t nentries, size_t nlower, size_t slot
     lu->slots = slots;
     int **const arrays[] = {&lu->row, &lu->column, &lu->first, &lu->diagonal, &lu->at, &lu->slot,
                             &lu->group, &lu->below, &lu->multiplier, &lu->run};
-    const size_t sizes[] = {n, n, n + 1, n, slots, nentries, n + 1, n + 1, nlower, nlower + 1};
+    const size_t sizes[] = {n, n, n + 1, n, slots, nentries, n + 1, n + 1, nlower, 3 * n + 1};
     int good = 1;
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
         good &= (*arrays[i] = malloc((sizes[i] + 1) * sizeof(int))) != NULL;
