@@ -95,7 +95,7 @@ def eigenvalues(trial: Trial) -> float:
     m = trial.model()
     m.independent(*other_names(trial, trial.x(rest), trial.v(rest)))
     other = m.build()
-    second = other.linearize(other.state(rest.t, rest.x, 0 * rest.v))
+    second = other.linearize(other.state(rest.t, rest.x, 0 * rest.v, e=rest.e))
     return polynomials(trial.system.linearize(rest).eigenvalues(), second.eigenvalues())
 
 

@@ -62,7 +62,7 @@ def reactions(trial: Trial) -> float:
 def energy(trial: Trial) -> float:
     """Kinetic and potential energy and that of springs, up to a constant: its change from the state at rest."""
     rest, start = trial.system.unaccelerated, trial.start
-    still = trial.system.state(start.t, rest.x, 0 * rest.v) if trial.moving else rest
+    still = trial.system.state(start.t, rest.x, 0 * rest.v, e=rest.e) if trial.moving else rest
     E = trial.energy(start) - trial.energy(still)
     if not trial.oracle.conserves:
         raise Inapplicable("energy is not conserved")

@@ -8,13 +8,14 @@ import numpy as np
 import flexel as fx
 from campaign.algebra import product
 from campaign.changes import Inapplicable
-from campaign.trial import Trial, off
+from campaign.trial import ACCURATE, Trial, off
 from flexel.base.arrays import Array
 
 STEPS = 16  # of the implicit method, at least
 MORE = (1, 4, 16)  # times as many steps, where the motion is fast in other ways
 ENOUGH = 1e-7  # error at which no more are tried
 LONGEST = 4.0  # radians of the fastest vibration
+WATCHED = 201  # instants at which a tyre is looked at for whether it leaves the road
 LAG = 0.002  # radians by which the implicit method may lag behind it
 
 
@@ -64,7 +65,7 @@ def time_reversal(trial: Trial) -> float:
     if not trial.oracle.conserves:
         raise Inapplicable("energy is not conserved")
     end = trial.motion[-1]
-    back = trial.system.state(end.t, end.x, -end.v)
+    back = trial.system.state(end.t, end.x, -end.v, e=end.e)
     again = trial.moved(trial.system, back, trial.case.duration)[-1]
     return float(np.max(np.abs(trial.x(again) - trial.x(trial.start))))
 
@@ -79,6 +80,8 @@ def implicit(trial: Trial) -> float:
     A = trial.system.linearize(trial.start).state_matrix
     fastest = float(np.max(np.abs(np.linalg.eigvals(A)), initial=0.0))
     duration = min(trial.case.duration, LONGEST / max(fastest, 1e-3))
+    if _lifts(trial, duration):
+        raise Inapplicable("a tyre leaves the road, where forces jump")
     count = max(STEPS, round(((fastest * duration) ** 3 / 12 / LAG) ** 0.5))
     end = trial.x(trial.moved(trial.system, trial.start, duration)[-1])
     errors: list[float] = []
@@ -88,6 +91,15 @@ def implicit(trial: Trial) -> float:
         if errors[-1] < ENOUGH:
             break
     return errors[-1]
+
+
+def _lifts(trial: Trial, duration: float) -> bool:
+    """Whether a tyre leaves the road or comes down on it; the order of the method holds for smooth forces."""
+    tyres = [f"{z.name}.deflection" for z in trial.case.calls if z.method == "tyre"]
+    if not tyres:
+        return False
+    motion = trial.system.simulate(duration, start=trial.start, samples=WATCHED, progress=False, **ACCURATE)
+    return any(np.min(motion[name]) < 0 < np.max(motion[name]) for name in tyres)
 
 
 def _implicit(trial: Trial, duration: float, count: int) -> Array:

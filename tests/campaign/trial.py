@@ -52,7 +52,20 @@ class Trial:
     def singular(self) -> bool:
         """Whether flexel may refuse the configuration, as drawn or as it moves."""
         change_point = bool(self.drawn.redundant) and "redundant" not in self.case.known
-        return self.drawn.singular or change_point or ("start" in self.__dict__ and self.answer.singular)
+        if self.drawn.singular or change_point:
+            return True
+        return "start" in self.__dict__ and (self.answer.singular or self.ends_singular)
+
+    @cached_property
+    def ends_singular(self) -> bool:
+        """Whether flexel gives the motion up, and where the oracle finds the configuration singular, too."""
+        try:
+            assert self.motion
+        except fx.DynamicsError as error:
+            return error.motion is not None and self.solved(error.motion[-1]).singular
+        except Inapplicable:
+            pass  # nothing moves
+        return False
 
     def model(self) -> fx.Model:
         """The model; of a redundant family without its redundant conditions."""
@@ -90,9 +103,12 @@ class Trial:
 
     @cached_property
     def answer(self) -> Answer:
-        """What the oracle finds in the state."""
-        start = self.start
-        return self.oracle.solve(self.x(start), self.v(start), self.z(start), start.t)
+        """What the oracle finds in the state that is examined."""
+        return self.solved(self.start)
+
+    def solved(self, state: fx.State) -> Answer:
+        """What the oracle finds in a state."""
+        return self.oracle.solve(self.x(state), self.v(state), self.z(state), state.t)
 
     def energy(self, state: fx.State) -> float:
         """Energy by the oracle [J]."""
