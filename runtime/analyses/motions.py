@@ -123,7 +123,12 @@ class Motions(Core):
         if progress is not None:  # where a checkpoint has the whole motion, nothing runs that would refuse it
             flag(progress, "simulate", "progress")
         given: dict[str, Any] = {"rtol": rtol, "atol": atol, "step": step, "first_step": first_step}
-        given |= {"max_step": max_step, "spectral_radius": spectral_radius, "newton": newton, "max_order": max_order}
+        given |= {
+            "max_step": max_step,
+            "spectral_radius": spectral_radius,
+            "newton": newton,
+            "max_order": max_order,
+        }
         method, why, begin, grid, options = self._planned(
             duration, start=start, times=times, samples=samples, method=method, events=events, rechoose=rechoose, **given
         )  # fmt: skip
@@ -175,7 +180,7 @@ class Motions(Core):
         return chosen, why, begin, grid, options
 
     def _begun(self, duration: float, before: Run | None = None, **given: Any) -> tuple[Run, str]:
-        """A motion that has begun, and why its method is taken; it takes over what one with the same options leaves."""
+        """A motion that has begun, and why its method is taken; it uses what one with the same options leaves."""
         method, why, begin, grid, options = self._planned(duration, **given)
         run = methods.run_of(self, method, begin, grid, float(duration), options)
         if isinstance(run, Dop853) and isinstance(before, Dop853):

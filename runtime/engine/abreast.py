@@ -53,7 +53,10 @@ class WideChoice(WideStruct):
         factors = aligned(lib.flexel_lu_slots(c.P.lu) * LANES)
         c.P.a = self.pointer(factors)
         nd, nk, nf = c.nd, c.nk, s.nf
-        c.columns, c.stride = max(nd + nk, 2), nd + 1  # none for prescribed motions; one alone is summed otherwise
+        c.columns, c.stride = (
+            max(nd + nk, 2),
+            nd + 1,
+        )  # none for prescribed motions; one alone is summed otherwise
         small = max((nk + 1) * (c.columns + nk), (nd + 2) * c.stride)
         sizes = {"q": nd + nk, "qd": nd, "qdd": nd, "force": s.n, "inverse": nk * nk, "small": small}
         sizes |= dict.fromkeys(("target", "residual", "step"), nf)

@@ -125,7 +125,8 @@ static inline int invert(const flexel_lu *lu, size_t k, double *a)
 {
     const int d = lu->diagonal[k], u = lu->first[k + 1] - d - 1;
     const double size = fabs(a[d]) * lu->scale[d], rest = norm(a + d + 1, lu->scale + d + 1, u);
-    const int sound = size > 0 && size <= DBL_MAX && size >= FLEXEL_LEAST_PIVOT * a[lu->slots + k] && size * FLEXEL_MOST_GROWTH >= rest;
+    const int sound = size > 0 && size <= DBL_MAX && size >= FLEXEL_LEAST_PIVOT * a[lu->slots + k] &&
+                      size * FLEXEL_MOST_GROWTH >= rest;
     a[d] = 1 / a[d];
     return sound;
 }

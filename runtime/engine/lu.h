@@ -15,7 +15,7 @@ typedef struct {
 #define FLEXEL_GROUP 4
 
 #define FLEXEL_LEAST_PIVOT 1e-14 /* least size of a pivot relative to its row of the matrix, columns scaled */
-#define FLEXEL_MOST_GROWTH 1e4     /* largest size of a row when it is eliminated, relative to its pivot */
+#define FLEXEL_MOST_GROWTH 1e4   /* largest size of a row when it is eliminated, relative to its pivot */
 
 /* Rows and columns are counted in the order of the pivots. The factors are stored row by row, the entries of a row by
  * column: multipliers of L from first[i], the inverse of the pivot in slot diagonal[i], then U until first[i + 1].

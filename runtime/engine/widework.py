@@ -69,7 +69,9 @@ class WideWork(Fields):
             self.wide(name, s.nz)
         self._matrices()
         self._gathers()
-        self._parameters = [[_spread(z, b) for z, b in zip(*part, strict=True)] for part in self._owners(work)]
+        self._parameters = [
+            [_spread(z, b) for z, b in zip(*part, strict=True)] for part in self._owners(work)
+        ]
         self._kernels()
         c.nrelations, c.relations = s.relations.rows.size, self.ints(s.relations.rows)
         c.drawn = self.pointer(work.drawn)

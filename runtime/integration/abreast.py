@@ -1,7 +1,7 @@
 """Motions by DOP853 abreast in the lanes of the processor: up to eight variants of a system, each with its own steps.
 
-A lane does what `flexel.integration.dop853` does, to the same digits, as long as nothing unusual happens.  Otherwise its
-motion goes on alone, from the start of that step.
+A lane does what `flexel.integration.dop853` does, to the same digits.  A step in which anything unusual happens is
+taken alone, from its start; then the motion returns to its lane, or stays alone if it no longer suits one.
 """
 
 from __future__ import annotations
@@ -18,9 +18,8 @@ from flexel.integration.branch import WORSE
 from flexel.integration.dense import Interpolant
 from flexel.integration.driver import Run
 from flexel.integration.minimal import SHORTEST, SINGULAR
+from flexel.integration.stages import ACCEPT, TABLEAU
 from flexel.structure.moment import Moment
-
-TABLEAU = {"A": rules.A, "B": rules.B, "C": rules.C, "E3": rules.E3, "E5": rules.E5}
 
 
 def suits(run: Run) -> TypeGuard[rules.Dop853]:
@@ -56,7 +55,7 @@ class Abreasts:
         self._runs: dict[int, rules.Dop853] = {}
         work = WideWork(kinematics.evaluation.work)
         choice = WideChoice(kinematics.lists, s.choice)
-        choice.struct.accept = rules.ACCEPT * given.rtol
+        choice.struct.accept = ACCEPT * given.rtol
         steps = WideSteps(work, s.y.size, run.natural_atol(), kinematics.lists.step_weight, TABLEAU)
         steps.struct.rtol = given.rtol
         span = float(run.times[-1] - run.times[0])
@@ -88,7 +87,14 @@ class Abreasts:
         l, s, choice = self._lanes, run.steps, run.steps.choice
         l.work.load(lane, choice.work)
         steps, now = l.steps, run.now
-        for wide, own in ((steps.y, s.y), (steps.x, s.x), (steps.e, s.e), (l.v, now.v), (l.e, now.e), (l.w, now.ed)):
+        for wide, own in (
+            (steps.y, s.y),
+            (steps.x, s.x),
+            (steps.e, s.e),
+            (l.v, now.v),
+            (l.e, now.e),
+            (l.w, now.ed),
+        ):
             wide[:, lane] = own
         for wide, own in ((steps.K, s.K), (steps.V, s.V), (steps.W, s.W), (steps.turning, s.turning)):
             wide[0, :, lane] = own[0]

@@ -52,8 +52,8 @@ def heavier(system: fx.System, name: str, count: int = 10) -> dict[str, np.ndarr
     return {name: float(system.parameters[name][0]) * np.linspace(1.0, 3.0, count)}
 
 
-# What enters a lane, and what must stop there: kinks of friction, other degrees of freedom, pivots that are no longer sound
-# (the tumbling body), a spring pendulum that never stops, rolling with kinematic coordinates, laws and constant loads.
+# What stays in its lane, and what takes steps alone: near extremes of degrees of freedom, with other ones, where pivots
+# are no longer sound. With kinematic coordinates, laws, loads, contacts, and a mass matrix that varies.
 CASES: dict[str, tuple[Callable[[], fx.Model | fx.System], str, bool]] = {
     "pendulum": (mechanisms.pendulum, "rod.rhoA", False),
     "top": (mechanisms.heavy_top, "body.mass", True),

@@ -1,0 +1,110 @@
+"""The stages of a step of DOP853 in C: the coefficients, and the arrays of runge_kutta.h."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from scipy.integrate._ivp import dop853_coefficients as tableau
+
+from flexel.base.arrays import Array
+from flexel.engine.choice import EXACT, TOLERANCE, Choice
+from flexel.engine.structs import Struct
+from flexel.generated._kernels import ffi, lib
+from flexel.mechanics.kinematics import Kinematics
+from flexel.structure.moment import Moment
+
+ACCEPT = 0.01  # error of a position below which J is not evaluated anew, relative to rtol
+A, B, C = (np.ascontiguousarray(z, dtype=float) for z in (tableau.A[:12, :12], tableau.B, tableau.C[:12]))
+E3, E5 = (np.ascontiguousarray(z, dtype=float) for z in (tableau.E3, tableau.E5))
+TIMES = np.append(C, 1.0)  # of the stages and the end
+TABLEAU = {"A": A, "B": B, "C": C, "E3": E3, "E5": E5}
+
+
+class Steps(Struct):
+    """The struct of runge_kutta.h for one choice of degrees of freedom."""
+
+    def __init__(self, kinematics: Kinematics, now: Moment, y: Array, rtol: float, atol: Array) -> None:
+        super().__init__(ffi.new("flexel_dop853 *"))
+        self.kinematics = kinematics
+        self.choice = Choice(kinematics.evaluation.work, kinematics.lists)  # samples leave no trace in it
+        c, s = self.struct, kinematics.structure
+        self._periodic = np.flatnonzero(s.period[: s.m])
+        c.ny, c.rtol = y.size, rtol
+        for name, array in (*TABLEAU.items(), ("atol", atol)):
+            setattr(c, name, self.pointer(array))
+        c.weight = self.pointer(kinematics.lists.step_weight)
+        nq, nf = self._periodic.size, s.nf
+        self.y, self.y_new = self.new("y", y.size), self.new("y_new", y.size)
+        self.x, self.x_new = self.new("x", s.n), self.new("x_new", s.n)
+        self.e, self.e_new = self.new("e", nq), self.new("e_new", nq)
+        self.K = self.new("K", 13 * y.size).reshape(13, y.size)
+        self.V = self.new("V", 13 * nf).reshape(13, nf)
+        self.W = self.new("W", 13 * nf).reshape(13, nf)
+        self.turning = self.new("turning", 13 * nq).reshape(13, nq)
+        self.new("space", max(y.size, nf))
+        self.determinant = np.zeros(TIMES.size)
+        self._determinant = self.pointer(self.determinant)
+        motion, loads = self.choice.motion.size, self.choice.loads.size
+        c.ngiven = motion + loads
+        self._given = self.new("given", 13 * (motion + loads)).reshape(13, -1)
+        self.start(now, y)
+
+    def start(self, now: Moment, y: Array) -> None:
+        """Begin at an instant; what follows depends on nothing computed before."""
+        self.choice.reset()
+        self.choice.struct.accept, self.choice.struct.tolerance = 0.0, TOLERANCE
+        self.y[:], self.x[:], self.e[:] = y, now.x, now.e[self._periodic]
+
+    def given(self, t: float, h: float, stages: slice) -> None:
+        """The prescribed motions and loads at some stages of a step."""
+        motions, loads = self.kinematics.roles.motions, self.kinematics.loads
+        split = self.choice.motion.size
+        if loads.any and loads.steady:
+            self._given[stages, split:] = loads.values(t)
+        varying = loads.any and not loads.steady
+        for i in range(*stages.indices(13)) if motions or varying else ():
+            time = t + TIMES[i] * h
+            if motions:
+                self._given[i, :split] = self.kinematics.roles.motion(time).ravel()
+            if varying:
+                self._given[i, split:] = loads.values(time)
+
+    @property
+    def first_order(self) -> bool:
+        """Whether the position matrix is factorized in the order of pivots that was found first."""
+        P = self.choice.struct.P
+        return bool(P.lu == P.first)
+
+    def use_first_order(self) -> None:
+        """Go back to that order."""
+        lib.flexel_matrix_reset(self.choice.P)
+
+    def begin(self, t: float) -> None:
+        """Rates at the start."""
+        self.given(t, 0.0, slice(0, 1))
+        self.kinematics.check(lib.flexel_dop853_begin(*self._structs, t), t, self.choice)
+
+    def step(self, t: float, h: float, careful: bool) -> int:
+        """One step; the code of what failed, or zero.  A careful one finds positions as exactly as rounding allows."""
+        choice = self.choice.struct
+        choice.accept, choice.tolerance = (0.0, EXACT) if careful else (ACCEPT * self.struct.rtol, TOLERANCE)
+        self.struct.determinant = self._determinant if careful else ffi.NULL
+        if careful:
+            self.begin(t)
+        self.given(t, h, slice(1, 13))
+        return int(lib.flexel_dop853_step(*self._structs, t, h))
+
+    @property
+    def _structs(self) -> tuple[Any, Any, Any]:
+        return self.choice.work.struct, self.choice.struct, self.struct
+
+    def end(self, t: float) -> Moment:
+        """Position and rates at the end of the last step."""
+        work = self.choice.work
+        work.rates()
+        return Moment(t, self.x_new.copy(), work.v.copy(), work.e.copy(), work.w[: work.e.size].copy())
+
+    def accept(self) -> None:
+        """Continue from the end of the last step."""
+        lib.flexel_dop853_accept(self.choice.work.struct, self.struct)
