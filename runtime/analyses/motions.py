@@ -130,8 +130,15 @@ class Motions(Core):
             "max_order": max_order,
         }
         method, why, begin, grid, options = self._planned(
-            duration, start=start, times=times, samples=samples, method=method, events=events, rechoose=rechoose, **given
-        )  # fmt: skip
+            duration,
+            start=start,
+            times=times,
+            samples=samples,
+            method=method,
+            events=events,
+            rechoose=rechoose,
+            **given,
+        )
         keeper = None if checkpoint is None else Checkpoint(checkpoint, self, begin, grid, method, options)
         before = None if keeper is None else keeper.before()
         if before is not None:
@@ -183,9 +190,9 @@ class Motions(Core):
         """A motion that has begun, and why its method is taken; it uses what one with the same options leaves."""
         method, why, begin, grid, options = self._planned(duration, **given)
         run = methods.run_of(self, method, begin, grid, float(duration), options)
-        if isinstance(run, Dop853) and isinstance(before, Dop853):
-            run.spare = before.steps
         if run.times[-1] > run.times[0]:
+            if isinstance(run, Dop853) and isinstance(before, Dop853):
+                run.spare = before.steps
             run.begin()
         return run, why
 
