@@ -1,6 +1,6 @@
 """The machine that the figures belong to, and one thread for the BLAS.
 
-Imports no NumPy, which reads the number of threads when it is imported.
+NumPy is not imported here: it reads the number of threads when it is imported.
 """
 
 from __future__ import annotations

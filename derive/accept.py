@@ -5,13 +5,15 @@ definition in 60 digits and against numerical differences. Its success is noted 
 cache, which is named by content.
 """
 
+import logging
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 import sympy as sp
 
-from flexel.derive.check.smooth import check_joins, check_smooth
+from flexel.derive.check.joins import check_element_joins
+from flexel.derive.check.smooth import check_smooth
 from flexel.derive.check.stored import check_stored
 from flexel.derive.compile import CompiledElement, CompiledLaw, compile_element, compile_law
 from flexel.derive.declare import Element, Law
@@ -25,6 +27,7 @@ from flexel.derive.verify.samples import NOTHING, Ranges, check_ranges, element_
 if TYPE_CHECKING:
     from flexel.derive.verify import Row
 
+log = logging.getLogger("flexel.compile")
 _OWN = frozenset(element.name for element in ELEMENTS)
 
 
@@ -53,7 +56,7 @@ def accepted_element(element: Element, ranges: Ranges = NOTHING) -> CompiledElem
         raise ValueError(f"element '{element.name}': flexel has an element of this name; choose another")
     for what, expr in _expressions(element):
         check_smooth(_owner(element), what, sp.sympify(expr))
-        check_joins(_owner(element), what, sp.sympify(expr))
+        check_element_joins(_owner(element), what, sp.sympify(expr))
     check_ranges(element, ranges)
     compiled = compile_element(element)
     _verify_once(element, compiled, ranges)
@@ -85,6 +88,7 @@ def _verify_once(declared: Element | Law, compiled: CompiledElement | CompiledLa
             "write it so that it loses fewer digits (by differences of nearly equal numbers, high powers), or name its "
             "range: ranges={'name': (lowest, highest)}"
         )
+    log.info("%s agrees with its definition: %d outputs of its kernels", _owner(declared), len(rows))
     _write(note, Verification(tuple(rows), 0.0).table())
 
 

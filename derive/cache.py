@@ -1,6 +1,6 @@
 """The user's cache of compiled elements and laws: a private folder of sealed files.
 
-What is loaded runs in the process, so nobody else may write it; a seal behind the content shows that it is whole.
+What is loaded runs in the process, so no other user may write it; a seal behind the content shows that it is whole.
 """
 
 import atexit

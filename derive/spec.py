@@ -1,4 +1,4 @@
-"""What the runtime knows of elements and laws: the classes of the entries of ``generated/table.py``.
+"""What the runtime reads about elements and laws: the classes of the entries of ``generated/table.py``.
 
 Plain Python: the one module of ``derive`` that the runtime imports, without SymPy.
 """
@@ -60,13 +60,17 @@ class TermSpec:
 
 @dataclass(frozen=True)
 class DeformationSpec:
-    """Deformation; free: free by default (else rigid), period: a sum, kind: "gap" of a contact, "norm" of a frame."""
+    """Deformation; free: free by default (else rigid), period: a sum, kind: "gap" of a contact, "norm" of a frame.
+
+    kinked: its derivatives jump at configurations that motions reach.
+    """
 
     name: str
     unit: str
     free: bool
     period: tuple[TermSpec, ...] = ()
     kind: str = ""
+    kinked: bool = False
 
     def repeats(self, parameters: Parameters) -> float:
         """The length after which it repeats, for values of the parameters; zero if it does not."""

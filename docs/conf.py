@@ -48,6 +48,7 @@ html_theme = "furo"
 html_title = "flexel"
 html_static_path = ["static"]
 html_css_files = ["flexel.css"]
+html_search_scorer = str(Path(__file__).resolve().parent / "search.js")
 html_show_sourcelink = False
 templates_path: list[str] = []
 

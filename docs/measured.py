@@ -2,7 +2,7 @@
 
 ``python docs/measured.py FILE`` takes the figures of a file that `flexel bench --json FILE` wrote: rows that it has
 replace those in ``docs/measured.json``. Without FILE the tables are filled from there; ``--check`` changes nothing and
-fails where a table differs. A table stands between two marks, and is written anew:
+fails where a table differs. A table is between two marks, and is written anew:
 
     <!--measured: bicycle_rhs chain_*-->     these rows, flexel beside its peers
     <!--scaling: scaling_*-->                rows that scale: a table of times over the size for each
@@ -21,18 +21,13 @@ from pathlib import Path
 from typing import Any
 
 import filling
+from filling import DOCS, pages
 
 from flexel.report.markup import size
 
-DOCS = Path(__file__).resolve().parent
 KEPT = DOCS / "measured.json"
 BLOCK = filling.marked("measured|scaling")
 Figures = Sequence[Mapping[str, Any]]
-
-
-def pages() -> list[Path]:
-    """README.md and the pages."""
-    return [DOCS.parent / "README.md", *sorted(DOCS.glob("*.md"))]
 
 
 def kept() -> list[dict[str, Any]]:
@@ -123,9 +118,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     figures: Figures = kept() if KEPT.is_file() else []
     if given.file is not None:
         figures = merged(figures, json.loads(given.file.read_text(encoding="utf-8")))
-        lines = ",\n".join(json.dumps(z, ensure_ascii=False, allow_nan=False) for z in figures)
         if not given.check:
-            KEPT.write_text(f"[\n{lines}\n]\n", encoding="utf-8")
+            KEPT.write_text(f"[\n{filling.entries(figures)}\n]\n", encoding="utf-8")
     return filling.fill(pages(), lambda text: filled(text, figures), check=given.check)
 
 

@@ -6,18 +6,16 @@ numbers of the verification are those of `flexel verify`, computed once for each
 
 import inspect
 import json
-import math
 from collections import defaultdict
-from collections.abc import Iterable, Sequence
 from importlib import import_module
 from pathlib import Path
-from typing import Any
 
+from element_pages import Rows, element_page, elements_page, laws_page, table
+from methods import method_pages, method_rows
 from reported import write_report
 
 import flexel
 from flexel.commands.reproduce import CASES
-from flexel.derive.spec import DeformationSpec, ElementSpec, KernelSpec, LawSpec, ParameterSpec
 from flexel.derive.verify import verify_generated
 from flexel.generated.table import ELEMENTS, LAWS
 
@@ -25,15 +23,20 @@ from flexel.generated.table import ELEMENTS, LAWS
 FIRST = (
     "start",
     "concepts",
+    "joints",
+    "flexure-design",
+    "vehicles",
+    "cranes",
+    "control",
+    "writing-an-element",
     "coming-from-spacar",
     "coming-from-spacar-light",
-    "flexure-design",
-    "joints",
-    "writing-an-element",
-    "adding-an-element",
+    "coming-from-exudyn",
+    "coming-from-sympy",
+    "many",
+    "sweeps",
 )
-REFERENCE = ("theory", "architecture", "verification", "speed", "report")
-Rows = list[dict[str, Any]]
+REFERENCE = ("theory", "architecture", "adding-an-element", "verification", "speed", "report")
 
 HOMES = {  # sections of the page of public names: title and modules
     "Models": (
@@ -88,13 +91,16 @@ HOMES = {  # sections of the page of public names: title and modules
         "flexel.sweeps.sampling",
         "flexel.sweeps.dataset",
     ),
-    "Linearization": ("flexel.mechanics.linearization", "flexel.mechanics.modes"),
+    "Linearization": ("flexel.mechanics.linearization", "flexel.mechanics.modes", "flexel.linear.sampled"),
     "Many variants": ("flexel.results.ensemble", "flexel.results.linearizations"),
     "Errors": ("flexel.base.errors", "flexel.derive.errors"),
     "Pictures": ("flexel.pictures.scene", "flexel.pictures.solids"),
 }
 RETURNED = {  # functions and options of pictures that are not names of the package itself
-    "flexel.pictures.plot": ("draw", "root_loci"),
+    "flexel.linear.tracking": ("Branches", "Boundary"),
+    "flexel.results.response": ("FrequencyResponse",),
+    "flexel.pictures.scene": ("draw",),
+    "flexel.pictures.loci": ("root_loci",),
     "flexel.pictures.view": ("scene_data", "view_modes", "Page"),
 }
 DECLARATIONS = (
@@ -102,14 +108,6 @@ DECLARATIONS = (
     "flexel.derive.declare.rotation",
     "flexel.derive.declare.shape",
 )
-
-
-def table(head: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
-    """Return a table in Markdown, or "None." if there are no rows."""
-    lines = [[str(cell).replace("|", r"\|") for cell in row] for row in rows]
-    if not lines:
-        return "None.\n"
-    return "\n".join(f"| {' | '.join(row)} |" for row in [head, ["---"] * len(head), *lines]) + "\n"
 
 
 def verification(folder: Path) -> dict[str, Rows]:
@@ -135,99 +133,6 @@ def put(file: Path, text: str) -> None:
         file.write_text(text, encoding="utf-8")
 
 
-def parameters(specs: Sequence[ParameterSpec]) -> str:
-    """Table of the parameters of an element or a law."""
-    return table(("name", "size", "unit", "meaning"), [(f"`{z.name}`", z.size, z.unit, z.doc) for z in specs])
-
-
-def kernels(specs: dict[str, KernelSpec]) -> str:
-    """Table of kernels: inputs, outputs and number of operations."""
-    rows = []
-    for name, kernel in specs.items():
-        written = [f"{z.name} {'×'.join(map(str, z.shape))} ({len(z.nonzeros)})" for z in kernel.outputs]
-        rows.append((name, ", ".join(kernel.inputs), ", ".join(written), kernel.operations))
-    return table(("kernel", "inputs", "outputs (stored entries)", "operations"), rows)
-
-
-def errors(rows: Rows) -> str:
-    """Table of the verification."""
-    return table(
-        ("kernel", "output", "against finite differences", "against the definition"),
-        [(z["kernel"], z["output"], number(z["differences"]), number(z["reference"])) for z in rows],
-    )
-
-
-def number(value: float | None) -> str:
-    """Format an error; a dash if there is none."""
-    return "–" if value is None else f"{value:.0e}"
-
-
-def element_page(spec: ElementSpec, rows: Rows) -> str:
-    """Definition, source, kernels, counts and verification of one element."""
-    modes = [(f"`{z.name}`", z.unit, "free" if z.free else "rigid", period(z)) for z in spec.deformations]
-    slips = [(f"`{z.name}`", z.unit, "free" if z.free else "zero") for z in spec.slips]
-    return f"""# {spec.name}
-
-```text
-{spec.doc}
-```
-
-Source: {spec.source}.
-
-## Nodes
-
-{table(("node", "kind"), [(f"`{z.name}`", z.kind.replace("_", " ")) for z in spec.nodes])}
-## Parameters
-
-{parameters(spec.parameters)}
-## Deformations
-
-{table(("name", "unit", "default", "period"), modes)}
-## Slips
-
-{table(("name", "unit", "default"), slips)}
-## Kernels
-
-{kernels(spec.kernels)}
-## Verification
-
-Largest relative errors at random configurations, printed by `flexel verify {spec.name}`: against finite differences of
-the kernel one order below, and against the definition in 60 digits.
-
-{errors(rows)}"""
-
-
-def period(spec: DeformationSpec) -> str:
-    """The period of a deformation as a formula."""
-    terms = []
-    for term in spec.period:
-        turns = f"{term.factor / (2 * math.pi):g}·2π".removeprefix("1·").replace("-1·", "-")
-        terms.append(" ".join([turns, *(name if n == 1 else f"{name}^{n}" for name, _, n in term.powers)]))
-    return " + ".join(terms)
-
-
-def laws_page(rows: dict[str, Rows]) -> str:
-    """All laws on one page."""
-    parts = [
-        "# Laws\n\nA law gives the stress of free deformations and slips. It does not depend on geometry.\n"
-        "`m.spring` and `m.stop` attach the common ones, `m.attach` any of them by name.\n"
-    ]
-    for spec in LAWS.values():
-        parts += [
-            f"## {spec.name}\n\n```text\n{spec.doc}\n```\n",
-            law_facts(spec),
-            parameters(spec.parameters),
-        ]
-        parts += [kernels(spec.kernels), f"Verification:\n\n{errors(rows.get(f'law {spec.name}', []))}"]
-    return "\n".join(parts)
-
-
-def law_facts(spec: LawSpec) -> str:
-    """Return the numbers of deformations and slips of a law, and its internal states."""
-    states = ", ".join(f"`{z.name}` [{z.unit}]" for z in spec.states) or "none"
-    return f"Deformations: {spec.deformations}; slips: {spec.slips}; internal states: {states}.\n"
-
-
 def directive(name: str, module: str = "flexel") -> str:
     """The autodoc directive of a name."""
     value = getattr(import_module(module), name)
@@ -235,7 +140,19 @@ def directive(name: str, module: str = "flexel") -> str:
         return f".. autofunction:: {module}.{name}\n"
     if issubclass(value, Exception):
         return f".. autoexception:: {module}.{name}\n"
-    return f".. autoclass:: {module}.{name}\n   :members:\n"
+    families = [z for z in value.__mro__[1:] if z.__module__.startswith("flexel.")]
+    if value is flexel.Model or not families:  # the methods of Model have pages of their own
+        return f".. autoclass:: {module}.{name}\n   :members:\n"
+    # Methods that stand in families of their own; those of Python's own bases, as of a sequence, stay out.
+    members = dict.fromkeys(
+        key
+        for base in (value, *families)
+        for key, member in vars(base).items()
+        if not key.startswith("_")
+        and inspect.getdoc(member)
+        and not isinstance(member, str | tuple | int | float)
+    )
+    return f".. autoclass:: {module}.{name}\n   :members: {', '.join(members)}\n"
 
 
 def api_pages() -> dict[str, str]:
@@ -254,14 +171,19 @@ def api_pages() -> dict[str, str]:
         (f"[{title}]({slugs[title]}.md)", ", ".join(f"`{name}`" for name in names.get(title, [])) or "–")
         for title in entries
     ]
-    text = "# Public names\n\nAfter `import flexel as fx`, each of these is available as `fx.NAME`, except those of\n"
-    text += "the last two topics, whose pages name their modules.\n\n" + table(("topic", "names"), rows)
-    text += "\n```{toctree}\n:hidden:\n\n" + "\n".join(slugs.values()) + "\n```\n"
+    rows[1:1] = method_rows()
+    methods = method_pages()
+    text = "# Public names\n\nAfter `import flexel as fx`, each of these is available as `fx.NAME`, except methods\n"
+    text += (
+        "(`m` is a `Model`) and those of the last two topics, whose pages name their modules.\n\n"
+        + table(("topic", "names"), rows)
+    )
+    text += "\n```{toctree}\n:hidden:\n\n" + "\n".join([*slugs.values(), *methods]) + "\n```\n"
     pages = {
         slugs[title]: f"# {title}\n\n```{{eval-rst}}\n" + "\n".join(found) + "```\n"
         for title, found in entries.items()
     }
-    return {"api": text, **pages}
+    return {"api": text, **methods, **pages}
 
 
 def contents(folder: Path) -> str:
@@ -279,23 +201,6 @@ def contents(folder: Path) -> str:
         f"```{{toctree}}\n:caption: {caption}\n:maxdepth: 1\n\n" + "\n".join(names) + "\n```\n"
         for caption, names in groups.items()
     )
-
-
-def elements_page() -> str:
-    """The list of element pages."""
-    costs = [(f"[{z.name}](elements/{z.name}.md)", z.source, count(z)) for z in ELEMENTS.values()]
-    pages = "\n".join(f"elements/{name}" for name in ELEMENTS)
-    return (
-        "# Elements\n\nEach element is declared in `derive/elements` and added to a model by a method of `Model`:\n"
-        "its own, or `Model.element`.\n\n"
-        + table(("element", "source", "operations, all kernels"), costs)
-        + f"\n```{{toctree}}\n:hidden:\n\n{pages}\n```\n"
-    )
-
-
-def count(spec: ElementSpec) -> int:
-    """Operations of all kernels together."""
-    return sum(kernel.operations for kernel in spec.kernels.values())
 
 
 def write(folder: Path) -> None:

@@ -30,12 +30,12 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from filling import DOCS, differing, entries, fill, pages
 
 import flexel
 from flexel.commands.reproduce import CASES
 from flexel.results.report import Report
 
-DOCS = Path(__file__).resolve().parent
 KEPT = DOCS / "quoted"
 DIGITS = 15  # that are kept of each number
 SPACE = "\u00a0"  # between thousands, from five digits on
@@ -48,11 +48,6 @@ SAME = ("name", "kind", "tolerance", "tolerance_kind", "reason", "unit")  # of a
 Tables = Mapping[str, Sequence[Mapping[str, Any]]]  # the rows of each system
 
 
-def pages() -> list[Path]:
-    """README.md and the pages."""
-    return [DOCS.parent / "README.md", *sorted(DOCS.glob("*.md"))]
-
-
 # -- numbers in a page ----------------------------------------------------------------------------
 
 
@@ -60,7 +55,7 @@ def look_up(path: str, case: str, tables: Tables) -> float:
     """The number that a mark names: the largest size of several, with the sign of a single one."""
     found = PATH.fullmatch(path)
     if found is None:
-        raise ValueError(f"{path!r} is no [CASE/]ROW[:KEY][[INDEX]][ ×FACTOR]")
+        raise ValueError(f"{path!r} does not read [CASE/]ROW[:KEY][[INDEX]][ ×FACTOR]")
     rows = [z for z in tables.get(found["case"] or case, ()) if fnmatchcase(z["name"], found["row"])]
     key = found["key"] or "computed"
     if not rows or any(key not in z for z in rows):
@@ -156,10 +151,9 @@ def kept() -> dict[str, list[dict[str, Any]]]:
 
 def keep(case: str, rows: Sequence[Mapping[str, Any]]) -> None:
     """Write the rows of a system, a line each."""
-    lines = ",\n".join(json.dumps(z, ensure_ascii=False, allow_nan=False) for z in rows)
     KEPT.mkdir(exist_ok=True)
     (KEPT / f"{case}.json").write_text(
-        f'{{"case": "{case}", "quantities": [\n{lines}\n]}}\n', encoding="utf-8"
+        f'{{"case": "{case}", "quantities": [\n{entries(rows)}\n]}}\n', encoding="utf-8"
     )
 
 
@@ -201,11 +195,10 @@ def differences(tables: Tables, files: Tables) -> list[str]:
 def check(tables: Tables) -> list[str]:
     """All that is wrong: pages beside the kept files, and both beside tables computed now."""
     files = kept()
-    problems = differences(tables, files)
+    unfilled = differing(pages(), lambda text: filled(text, files))
+    problems = differences(tables, files) + [f"{z.name}: not filled from docs/quoted" for z in unfilled]
     for page in pages():
         text = page.read_text(encoding="utf-8")
-        if filled(text, files) != text:
-            problems.append(f"{page.name}: not filled from docs/quoted")
         problems += [f"{page.name}: {z}" for z in wrong(text, {**files, **tables})]
     return problems
 
@@ -225,10 +218,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     for case, rows in tables.items():
         keep(case, rows)
     files = kept()
-    for page in pages():
-        text = page.read_text(encoding="utf-8")
-        page.write_text(filled(text, files), encoding="utf-8")
-        print("\n".join(f"{page.name}: {z}" for z in wrong(filled(text, files), files)), end="")
+    fill(pages(), lambda text: filled(text, files), check=False)
+    for problem in check({}):
+        print(problem)
     return 0
 
 

@@ -2,7 +2,7 @@
 
 ``python docs/verified.py FILE`` takes the findings that ``python -m campaign --json FILE`` wrote and keeps them in
 ``docs/verification.json``. Without FILE the tables are filled from there; ``--check`` changes nothing and fails where
-a table differs. A table stands between two marks, and is written anew:
+a table differs. A table is between two marks, and is written anew:
 
     <!--campaign: run-->          a line: models, seed
     <!--campaign: properties-->   largest and median error of each property

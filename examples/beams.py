@@ -3,7 +3,7 @@
 `reproduce` compares each with its closed form or with a solution computed by other means, gives the order of
 convergence, and counts the elements that each needs for 1 % and for 0.1 %, with and without the second-order terms
 of the deformations.
-Imports flexel; the analyses are in `flexel.examples.beams_static` and `flexel.examples.beams_dynamic`, the pictures
+The analyses are in `flexel.examples.beams_static` and `flexel.examples.beams_dynamic`, the pictures
 in `flexel.examples.beams_figures`.
 """
 

@@ -1,7 +1,6 @@
 """Reference numbers of the published beam problems, read from `examples/data`, where their origin is stated.
 
 Each is a closed form, or was computed twice independently.  SI units unless a comment says otherwise.
-Imports the standard library only.
 """
 
 from __future__ import annotations

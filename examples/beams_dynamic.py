@@ -1,7 +1,4 @@
-"""The published beam problems in motion: frequencies, rotating blades, whirling shafts, the spin-up beam.
-
-Imports numpy and flexel.
-"""
+"""The published beam problems in motion: frequencies, rotating blades, whirling shafts, the spin-up beam."""
 
 from __future__ import annotations
 

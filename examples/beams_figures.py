@@ -1,7 +1,4 @@
-"""Pictures of the published beam problems.
-
-Imports numpy and flexel; matplotlib is imported by `flexel.pictures.figures` when a picture is drawn.
-"""
+"""Pictures of the published beam problems."""
 
 from __future__ import annotations
 
@@ -51,21 +48,22 @@ def large_deflections(rows: Sequence[Quantity], path: Path) -> None:
         for load, w, u in data.TIP_FORCE:
             axes[0].plot(*line(static.elastica(load, ELEMENTS), ELEMENTS).T, label=f"{load:g}")
             axes[0].plot(1 - u, w, "o", color="black", markersize=4)
-        axes[0].set_title("Tip force P, by PL²/EI")
-        axes[0].legend()
+        axes[0].set_title("tip force P")
+        axes[0].legend(title="PL²/EI")
         for turns in (0.125, 0.25, 0.5, 0.75, 1.0):
             axes[1].plot(*line(static.rolled_up(turns, 32), 32).T, label=f"{turns:g}")
-        axes[1].set_title("End moment, by turns")
-        axes[1].legend(fontsize=8, loc="center left", bbox_to_anchor=(1.0, 0.5))
+        axes[1].set_title("end moment")
+        axes[1].legend(title="turns", fontsize=8, loc="center left", bbox_to_anchor=(1.0, 0.5))
         for load, x, y in data.POST_BUCKLED:
             shape = line(static.post_buckled(load, ELEMENTS), ELEMENTS)
             axes[2].plot(*shape.T, label=f"{load:.3g}")
             axes[2].plot(x, y, "o", color="black", markersize=4)
-        axes[2].set_title("Column, by P/Pcr")
-        axes[2].legend(fontsize=8, loc="center left", bbox_to_anchor=(1.0, 0.5))
+        axes[2].set_title("column")
+        axes[2].legend(title="P/Pcr", fontsize=8, loc="center left", bbox_to_anchor=(1.0, 0.5))
         for ax in axes:
             ax.set_aspect("equal")
-        axes[0].set_xlabel(f"{ELEMENTS} elements (roll-up 32); dots: elliptic integrals")
+            ax.set(xlabel="x / L [-]", ylabel="y / L [-]")
+        drawn.suptitle(f"Large deflections: {ELEMENTS} elements (roll-up 32); dots: elliptic integrals")
         save(drawn, path)
 
 
@@ -81,8 +79,10 @@ def bend(rows: Sequence[Quantity], path: Path) -> None:
                 ax.plot(x[:, i], x[:, j], label=f"{row[0]:g} lbf")
                 ax.plot(row[1 + i], row[1 + j], "o", color="black", markersize=4)
             ax.set(xlabel="xyz"[i] + " [in]", ylabel="xyz"[j] + " [in]", aspect="equal")
-        axes[0].set_title("45° bend from above")
+        axes[0].set_title("from above")
         axes[1].set_title("from the side")
+        axes[1].plot([], [], "o", color="black", markersize=4, label="published")
+        drawn.suptitle(f"45° bend, {ELEMENTS} elements")
         axes[1].legend()
         save(drawn, path)
 
@@ -93,14 +93,23 @@ def princeton(rows: Sequence[Quantity], path: Path) -> None:
     found = np.array([static.princeton_tips(z, 16) for z in static.PRINCETON_ANGLES])
     table = np.array(data.PRINCETON_TIPS)
     with figure(1, 3, size=(12.0, 4.0)) as (drawn, axes):
-        names = (("flatwise [mm]", 2, 1e3), ("edgewise [mm]", 1, 1e3), ("twist [degrees]", 3, 180 / np.pi))
+        names = (
+            ("flatwise deflection [mm]", 2, 1e3),
+            ("edgewise deflection [mm]", 1, 1e3),
+            ("twist [°]", 3, 180 / np.pi),
+        )
         for ax, (title, column, factor) in zip(axes, names, strict=True):
             for k, load in enumerate(sorted(set(table[:, 0]))):
                 ax.plot(angles, factor * found[:, k, column], color=COLOURS[k], label=f"{load:g} N")
                 exact = table[table[:, 0] == load]
                 ax.plot(exact[:, 1], factor * exact[:, 2 + column], "o", color=COLOURS[k], markersize=4)
-            ax.set(title=title, xlabel="angle of the load from the width [degrees]", xticks=angles)
-        axes[0].legend(title="16 elements; dots: exact rod")
+            ax.set(
+                ylabel=title,
+                xlabel="angle of the load from the width [°]",
+                xticks=angles,
+            )
+        axes[2].legend()
+        drawn.suptitle("Princeton beam: 16 elements (lines) and the exact rod (dots)")
         save(drawn, path)
 
 
@@ -123,7 +132,11 @@ def convergence(rows: Sequence[Quantity], path: Path) -> None:
                 ax.loglog(meshes, errors, "o-", label=problems[row.name])
         n = np.array([8.0, 32.0])
         ax.loglog(n, 0.03 / n**2, "--", color="black", label="order 2")
-        ax.set(xlabel="elements", ylabel="relative error", title="Convergence, second-order terms on")
+        ax.set(
+            xlabel="number of elements [-]",
+            ylabel="relative error [-]",
+            title="Convergence, second-order terms on",
+        )
         ax.set_xticks([4, 8, 16, 32], labels=["4", "8", "16", "32"])
         ax.minorticks_off()
         ax.legend(fontsize=8)
@@ -142,11 +155,12 @@ def elements_needed(rows: Sequence[Quantity], path: Path) -> None:
                 ax.bar_label(
                     bars, labels=["none" if z is None else str(z) for z in found], padding=3, fontsize=8
                 )
-            ax.set(title=f"elements for {title}", xlabel="elements")
+            ax.set(title=f"for {title}", xlabel="number of elements [-]")
         names = [row.name.removeprefix("elements_for_").replace("_", " ") for row in counted]
         axes[0].set_yticks(place + 0.2, labels=names)
         axes[0].invert_yaxis()
         axes[1].legend(title="second-order terms", loc="center right")
+        drawn.suptitle("Elements that are needed for an error of 1 % and of 0.1 %")
         save(drawn, path)
 
 
@@ -160,15 +174,22 @@ def rotation(rows: Sequence[Quantity], path: Path) -> None:
             left.plot(spins, found[:, :4], ("-", "--")[k], color=COLOURS[k], label=[label, "", "", ""])
         exact = [(z[1], w) for z in data.ROTATING_BLADES if z[0] == 0 for w in np.sort(z[2:])[:4]]
         left.plot(*np.array(exact).T, "o", color="black", markersize=4, label="exact")
-        left.set(xlabel="spin W √(ρA L⁴/EI)", ylabel="frequency ω √(ρA L⁴/EI)", title="Rotating blade")
+        left.set(
+            xlabel="spin W √(ρA L⁴/EI) [-]", ylabel="frequency ω √(ρA L⁴/EI) [-]", title="Rotating blade"
+        )
         left.legend(fontsize=8)
         whirl = np.array([dynamic.whirl(8, z) for z in speeds])
         exact_whirl = np.array([dynamic.whirl_reference(z) for z in speeds])
         for k, label in enumerate(("1 backward", "1 forward", "2 backward", "2 forward")):
             right.plot(speeds, np.abs(whirl[:, k]), color=COLOURS[k], label=label)
             right.plot(speeds, np.abs(exact_whirl[:, k]), "o", color="black", markersize=3)
+        right.plot([], [], "o", color="black", markersize=3, label="exact")
         right.plot(speeds, speeds, ":", color="#888888", label="ω = W")
-        right.set(xlabel="spin W √(ρA L⁴/EI)", ylabel="|ω| √(ρA L⁴/EI)", title="Whirl of a Rayleigh shaft")
+        right.set(
+            xlabel="spin W √(ρA L⁴/EI) [-]",
+            ylabel="frequency |ω| √(ρA L⁴/EI) [-]",
+            title="Whirl of a Rayleigh shaft",
+        )
         right.legend(fontsize=8)
         save(drawn, path)
 
@@ -182,8 +203,9 @@ def spin_up(rows: Sequence[Quantity], path: Path) -> None:
             for k, name in enumerate(("along", "across")):
                 ax.plot(table[:, 0], tip[:, k], color=COLOURS[k], label=f"{name}, 8 elements")
                 ax.plot(table[:, 0], table[:, 1 + k], "o", color=COLOURS[k], markersize=3, label="reference")
-            ax.set(xlabel="t [s]", ylabel="tip displacement [m]", title=title)
+            ax.set(xlabel="time [s]", ylabel="tip displacement [m]", title=title)
         axes[0].legend(fontsize=8)
+        drawn.suptitle("Spin-up of a flexible beam")
         save(drawn, path)
 
 

@@ -1,7 +1,6 @@
 """Models of the published beam problems: chains of equal beam elements and what holds, loads or spins them.
 
 Points are called P0, P1, ..., frames R0, R1, ... and elements b1, b2, ... from the clamp on.
-Imports numpy and flexel.
 """
 
 from __future__ import annotations

@@ -2,7 +2,6 @@
 
 Every problem is a function of the number of elements and of whether the second-order terms are on; its rows give
 the result on the finest mesh, the observed order, and the limit extrapolated from three meshes.
-Imports numpy, scipy and flexel.
 """
 
 from __future__ import annotations

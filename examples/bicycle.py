@@ -4,7 +4,7 @@ The model of the SPACAR talk (2 wheels, 2 beams, 6 hinges; 3 degrees of freedom,
 parameters of the 2007 benchmark.  Axes are the benchmark's: x forward, y right, z down, origin at the rear contact.
 `reproduce` compares the linear equations, their eigenvalues, the stable range of speeds and one nonlinear motion
 with published numbers, and lets the bicycle roll on after a kick from the side.
-Imports numpy, scipy and flexel; the pictures are in `flexel.examples.bicycle_figures`.
+The pictures are in `flexel.examples.bicycle_figures`.
 """
 
 from __future__ import annotations
@@ -228,7 +228,7 @@ def counts(results: Results) -> list[Quantity]:
     """Size of the model."""
     found = results.system.counts
     return [
-        Quantity("freedoms", found["degrees_of_freedom"], 3, 0, "", data.TALK, kind="published"),
+        Quantity("degrees_of_freedom", found["degrees_of_freedom"], 3, 0, "", data.TALK, kind="published"),
         Quantity(
             "kinematic_coordinates", found["kinematic_coordinates"], 4, 0, "", data.TALK, kind="published"
         ),

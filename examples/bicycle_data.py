@@ -2,7 +2,6 @@
 
 Symbols are those of the 2007 paper: rear wheel R, rear frame with rider B, front frame H, front wheel F; SI units;
 axes x forward, y right, z down; w wheelbase, c trail, lam tilt of the steering axis.
-Imports the standard library only.
 """
 
 from __future__ import annotations

@@ -1,7 +1,4 @@
-"""Pictures of the bicycle: root loci, kicks, tracks, manoeuvre M1, stable ranges, and an animation.
-
-Imports numpy and flexel; matplotlib is imported by `flexel.pictures.plot` when a picture is drawn.
-"""
+"""Pictures of the bicycle: root loci, kicks, tracks, manoeuvre M1, stable ranges, and an animation."""
 
 from __future__ import annotations
 

@@ -3,7 +3,7 @@
 Only orientations are needed: ground, driving shaft, cross and driven shaft, joined by the bearings of the shafts and
 the pins of the cross.  `reproduce` compares kinematics, reaction moments, the linearization about steady rotation and
 a free run with closed forms, shows how (b) converges to (a), and finds the zones of parametric instability.
-Imports numpy, scipy.special and flexel; pictures and table are in `cardan_figures` and `cardan_table`.
+Pictures and table are in `cardan_figures` and `cardan_table`.
 """
 
 from __future__ import annotations

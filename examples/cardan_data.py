@@ -1,7 +1,6 @@
 """Reference numbers of the universal joint, from `examples/data`; SI units, angles in radians where no degree is named.
 
 The angle of the driving shaft is zero where its fork's pin axis lies in the plane of the two shafts.
-Imports the standard library only.
 """
 
 from __future__ import annotations

@@ -1,11 +1,9 @@
-"""Pictures of the universal joint: kinematics, reactions, free run, convergence, zones of instability.
-
-Imports numpy and flexel; matplotlib is imported by `flexel.pictures.figures` when a picture is drawn.
-"""
+"""Pictures of the universal joint: kinematics, reactions, free run, convergence, zones of instability."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +11,6 @@ import numpy as np
 
 from flexel import View
 from flexel.base.arrays import Array
-from flexel.base.errors import LinearizationError
 from flexel.base.quaternions import matrix
 from flexel.examples import cardan_data as data
 from flexel.examples.cardan import (
@@ -25,20 +22,17 @@ from flexel.examples.cardan import (
     elastic_shaft,
     family,
     flexible,
-    growth,
     mathieu_edges,
     modulation,
     pins_for_unit_frequency,
 )
 from flexel.examples.cardan_table import bearing_moment
-from flexel.linear.periodic import Coefficients
+from flexel.examples.cardan_zones import Zone, trace
 from flexel.pictures.figures import COLOURS, figure, save
 from flexel.pictures.plot import Sketch
 
-CHART_ANGLES = np.linspace(5.0, 45.0, 6)  # degrees
-CHART_SPEEDS = np.concatenate(  # close together near 1/3, 1/2 and 1
-    [np.linspace(0.3, 0.4, 9), np.linspace(0.45, 0.6, 13), np.linspace(0.85, 1.2, 24)]
-)
+CHART_ANGLES = np.linspace(5.0, 45.0, 9)  # degrees
+EDGE = "#7a2e00"  # lines of a zone, over its colours
 
 
 def pictures(results: Results, out: Path) -> list[Path]:
@@ -99,7 +93,7 @@ def fork(panel: Any, pin: Array, root: Array, colour: str) -> None:
 
 def kinematics(results: Results, path: Path) -> None:
     """Lead of the driven shaft, ratios of speed and acceleration over a turn."""
-    labels = ("driven - driving angle [°]", "speed ratio", "acceleration / speed²")
+    labels = ("driven - driving angle [°]", "speed ratio [-]", "acceleration / speed² [-]")
     with figure(3, size=(8.0, 8.0), sharex=True) as (drawn, axes):
         for j, (degrees, turn) in enumerate(results.turns.items()):
             angle = np.degrees(turn.t)
@@ -130,7 +124,10 @@ def moments(results: Results, path: Path) -> None:
             axes.plot(np.degrees(turn.t), y, color=COLOURS[j], label=label.replace(" bearing of its", ""))
             axes.plot(np.degrees(turn.t)[::6], exact[::6], "o", ms=3, color=COLOURS[j])
         axes.set(
-            xlabel="angle of the driving shaft [°]", ylabel="moment / torque", xlim=(0, 360), ylim=(0, 1.6)
+            xlabel="angle of the driving shaft [°]",
+            ylabel="moment / torque [-]",
+            xlim=(0, 360),
+            ylim=(0, 1.6),
         )
         axes.set_xticks(range(0, 361, 45))
         axes.legend(loc="upper right", ncols=3)
@@ -148,7 +145,8 @@ def free_run(results: Results, path: Path) -> None:
         axes.plot(t, [z.rate("out.angle") for z in states], color=COLOURS[1], label="driven rotor")
         axes.plot(*np.array(data.FREE_RUN)[:, [0, 2]].T, "o", color=COLOURS[0], mfc="none", label="reference")
         axes.set(xlabel="time [s]", ylabel="speed [rad/s]", xlim=(0, t[-1]))
-        axes.legend(ncols=3, loc="lower left", bbox_to_anchor=(0.0, 1.0))
+        axes.legend(ncols=3, loc="upper right", framealpha=0.9, frameon=True)
+        axes.set_title("Two rotors turn freely through a universal joint, 30° between the shafts")
         save(drawn, path)
 
 
@@ -166,41 +164,40 @@ def limit(results: Results, path: Path) -> None:
         save(drawn, path)
 
 
-def chart(at: Callable[[float], Callable[[float], Coefficients]]) -> Array:
-    """Growth in one turn over speeds (rows) and angles between the shafts (columns)."""
-    found = np.zeros((CHART_SPEEDS.size, CHART_ANGLES.size))
-    for j, degrees in enumerate(CHART_ANGLES):
-        equations = at(float(np.radians(degrees)))
-        for i, speed in enumerate(CHART_SPEEDS):
-            try:
-                found[i, j] = growth(equations(float(speed)), 1e-4)
-            except LinearizationError:  # left blank
-                found[i, j] = np.nan
-    return found
-
-
 def zones(results: Results, path: Path) -> None:
     """Zones of parametric instability over angle and speed, pins or shaft elastic."""
-    pins = chart(lambda b: family(lambda w: flexible(b, w, pins_for_unit_frequency(b), cross=0.01)).at)
-    shaft = chart(lambda b: family(lambda w: elastic_shaft(b, w, 1.0), 64).at)
-    titles = ("(b) pins flexible in bending", "(a) with an elastic driving shaft")
+    pins = cache(lambda b: family(lambda w: flexible(b, w, pins_for_unit_frequency(b))).at)
+    shaft = cache(lambda b: family(lambda w: elastic_shaft(b, w, 1.0), 64).at)
+    charts = (
+        ("(b) pins flexible in bending", pins, ((1, 0.12), (2, 0.03)), results.edges),
+        ("(a) with an elastic driving shaft", shaft, ((1, 0.2), (2, 0.06), (3, 0.03)), results.shaft_edges),
+    )
     edges = np.array([mathieu_edges(modulation(np.radians(z))) for z in CHART_ANGLES])
-    with figure(1, 2, size=(11.0, 4.8), sharey=True) as (drawn, axes):
-        for panel, found, title in zip(axes, (pins, shaft), titles, strict=True):
-            levels = np.linspace(0.005, 0.6, 13)
-            shown = panel.contourf(CHART_ANGLES, CHART_SPEEDS, found, levels, cmap="Oranges", extend="max")
-            panel.set_title(title)
-            panel.set_xlabel("angle between the shafts [°]")
-        axes[0].plot(CHART_ANGLES, edges, "--", color=COLOURS[0], lw=1.2)
-        axes[0].plot([], [], "--", color=COLOURS[0], label="Mathieu, first zone")
-        axes[0].plot([30, 30], results.edges, "o", color=COLOURS[2], label="edges at 30°")
-        axes[1].plot([30, 30], results.shaft_edges, "o", color=COLOURS[2], label="edges at 30°")
+    with figure(1, 2, size=(11.0, 5.4), sharey=True) as (drawn, axes):
+        for panel, (title, at, orders, known) in zip(axes, charts, strict=True):
+            for order, width in orders:
+                shown = _zone(panel, trace(at, CHART_ANGLES.tolist(), order, width))
+            panel.plot([30, 30], known, "o", color=COLOURS[2], label="edges at 30° by bisection", zorder=4)
+            panel.set(title=title, xlabel="angle between the shafts [°]", xlim=(0, CHART_ANGLES[-1]))
+        axes[0].plot(CHART_ANGLES, edges, "--", color=COLOURS[0], lw=1.2, label=["Mathieu, first zone", None])
         for panel in axes:
+            panel.plot([], [], color=EDGE, lw=1.2, label="edges")
+            panel.plot([], [], ":", color=EDGE, lw=1.0, label="largest growth")
             panel.legend(loc="upper left")
-        axes[0].set_ylabel("speed / natural frequency")
-        drawn.colorbar(shown, ax=axes, label="growth in one turn, log |multiplier|")
+        axes[0].set(ylabel="speed / natural frequency [-]", ylim=(0.3, 1.42))
+        drawn.colorbar(shown, ax=axes, label="growth in one turn, log |multiplier| [-]")
         drawn.suptitle("Parametric instability by Floquet multipliers, no damping")
         save(drawn, path)
+
+
+def _zone(panel: Any, zone: Zone) -> Any:
+    """The growth in a zone with its edges and the speed at which it is largest."""
+    angle, speed, growth = zone.field()
+    shown = panel.contourf(angle, speed, growth, np.linspace(0.0, 0.65, 14), cmap="Oranges")
+    for line in zone.edges(angle[0]):
+        panel.plot(angle[0], line, color=EDGE, lw=1.2)
+    panel.plot(angle[0], zone.ridge(angle[0]), ":", color=EDGE, lw=1.0)
+    return shown
 
 
 def animation(results: Results, path: Path) -> None:

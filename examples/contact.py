@@ -1,6 +1,6 @@
 """Points, balls and discs in contact with surfaces: impact, sliding, rolling, a ball between the flanks of a groove.
 
-`reproduce` compares each with its closed form.  Imports numpy and flexel.
+`reproduce` compares each with its closed form.
 """
 
 from __future__ import annotations

@@ -1,7 +1,4 @@
-"""Pictures of balls in contact: impact, from sliding to rolling, off a cylinder.
-
-Imports numpy and flexel; matplotlib is imported by `flexel.pictures.figures` when a picture is drawn.
-"""
+"""Pictures of balls in contact: impact, from sliding to rolling, off a cylinder."""
 
 from __future__ import annotations
 
@@ -68,6 +65,6 @@ def drum(found: Results, axes: Any) -> None:
     angle = np.linspace(angle[0], 60, 15)
     exact = pressed_rolling(np.cos(np.radians(angle))) / (MASS * G)
     axes.plot(angle[exact > 0], exact[exact > 0], "o", ms=5, mfc="none", color="#222222", label="closed form")
-    axes.set(xlabel="angle from the top [°]", ylabel="normal force / weight", xlim=(angle[0], 65))
+    axes.set(xlabel="angle from the top [°]", ylabel="normal force / weight [-]", xlim=(angle[0], 65))
     axes.set_title(f"A ball of {A:g} m rolls off a cylinder")
     axes.legend(loc="upper right")

@@ -1,7 +1,4 @@
-"""How many elements a problem needs: convergence over meshes, orders, extrapolation.
-
-Imports numpy, the errors and the rows of reports.
-"""
+"""How many elements a problem needs: convergence over meshes, orders, extrapolation."""
 
 from __future__ import annotations
 

@@ -2,7 +2,7 @@
 
 A boom turns on a hinge; a cylinder between the ground and a pin of the boom is a truss whose elongation is not rigid.
 It is prescribed (the boom is driven, and its force follows), it is the degree of freedom (the boom falls), or a spring
-of oil acts on it.  `reproduce` compares all three with the law of cosines and virtual work.  Imports numpy and flexel.
+of oil acts on it.  `reproduce` compares all three with the law of cosines and virtual work.
 """
 
 from __future__ import annotations

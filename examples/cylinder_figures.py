@@ -1,7 +1,4 @@
-"""Pictures of the boom on its cylinder.
-
-Imports numpy and flexel; matplotlib is imported by `flexel.pictures.figures` when a picture is drawn.
-"""
+"""Pictures of the boom on its cylinder."""
 
 from __future__ import annotations
 
@@ -59,7 +56,7 @@ def shapes(found: Results, path: Path) -> None:
         for point in (O, foot):
             axes.plot(*point, "^", ms=10, color="#222222", zorder=3)
         axes.set_aspect("equal")
-        axes.set(xlabel="x [m]", ylabel="z [m]")
+        axes.set(xlabel="x [m]", ylabel="z [m]", title="A boom on a hydraulic cylinder")
         axes.legend(loc="lower right")
         save(drawn, path)
 

@@ -1,7 +1,4 @@
-"""State matrices by differences of the nonlinear equations of motion: what confirms an analytic linearization.
-
-Imports numpy and flexel.
-"""
+"""State matrices by differences of the nonlinear equations of motion: what confirms an analytic linearization."""
 
 from __future__ import annotations
 

@@ -5,7 +5,7 @@ springs that cross at right angles in their middles (through a slot) and let a b
 gives, along the range: compliance and stiffness in every direction, frequencies, the largest stress, buckling
 multipliers of a payload along x; and what is over-constrained, by name.  At the start of the range, and under
 payload, closed forms are known; the rest is reported.
-Imports numpy and flexel; the table is made in `flexel.examples.flexures_table`, the pictures in
+The table is made in `flexel.examples.flexures_table`, the pictures in
 `flexel.examples.flexures_figures`.
 """
 
@@ -203,7 +203,7 @@ def over_range(make: Maker, d: Design, steps: int = 16) -> list[Station]:
 
 
 def coarse_end(make: Maker, d: Design) -> Station:
-    """The end of the range with half the elements, to tell how far the mesh has converged."""
+    """The end of the range with half the elements, to see how far the mesh has converged."""
     system = make(elements=ELEMENTS // 2).build()
     half = system.equilibrium(t=d.largest_drive / 2)
     return station(system, d, system.equilibrium(half, t=d.largest_drive))

@@ -1,7 +1,4 @@
-"""Pictures of the flexure mechanisms: shapes, stiffness, frequencies, stress and buckling over the range.
-
-Imports numpy and flexel; matplotlib is imported by `flexel.pictures.figures` when a picture is drawn.
-"""
+"""Pictures of the flexure mechanisms: shapes, stiffness, frequencies, stress and buckling over the range."""
 
 from __future__ import annotations
 
@@ -25,6 +22,7 @@ from flexel.examples.flexures import (
     expected_stiffness,
     guided_directions,
 )
+from flexel.linear.tracking import Branches
 from flexel.pictures.drawing import shapes
 from flexel.pictures.figures import COLOURS, figure, save
 from flexel.pictures.view import view_modes
@@ -53,7 +51,7 @@ def overview(results: Results, d: Design, path: Path, title: str) -> None:
     """Six panels of one mechanism."""
     stations = results.guide if d is GUIDE else results.pivot
     travel = np.array([z.travel for z in stations]) * (1e3 if d is GUIDE else 180 / np.pi)
-    label = "travel [mm]" if d is GUIDE else "rotation [degrees]"
+    label = "travel [mm]" if d is GUIDE else "rotation [°]"
     with figure(2, 3, size=(13.0, 7.6)) as (drawn, axes):
         _shapes(axes[0, 0], stations, d)
         _stiffness(axes[0, 1], stations, travel, d)
@@ -114,20 +112,22 @@ def _stiffness(axis: Any, stations: list[Station], travel: Any, d: Design) -> No
         axis.semilogy(
             travel, found / found[0], color=colour, label=f"{NAMES.get(z, z)}: {found[0]:.3g} {unit}"
         )
-    axis.set_title("stiffness over that at rest (given), drive held")
+    axis.set(title="stiffness (at rest: given), drive held", ylabel="stiffness / that at rest [-]")
     axis.legend(fontsize=8)
 
 
 def _frequencies(axis: Any, stations: list[Station], travel: Any) -> None:
     """Natural frequencies, the drive's force constant."""
     found = np.array([z.frequencies for z in stations]) / (2 * np.pi)
+    found = np.abs(Branches.of(travel, 1j * found).eigenvalues)  # by continuation, where they cross
+    found = found[:, np.argsort(found[-1])]
     for i in range(found.shape[1]):
         axis.semilogy(travel, found[:, i], color=COLOURS[i % len(COLOURS)])
         if i == 0 or found[-1, i] > 1.15 * found[-1, i - 1]:
             axis.text(
                 travel[-1], found[-1, i], f" {found[-1, i]:.3g}", fontsize=8, va="center", clip_on=False
             )
-    axis.set_title("natural frequencies [Hz], drive free")
+    axis.set(title="natural frequencies, drive free", ylabel="frequency [Hz]")
 
 
 def _stress(axis: Any, stations: list[Station], travel: Any) -> None:
@@ -136,7 +136,8 @@ def _stress(axis: Any, stations: list[Station], travel: Any) -> None:
     axis.set_ylim(bottom=0)
     worst = stations[-1].stress
     safety = f"; safety {worst.safety:.1f}" if worst.safety is not None else ""
-    axis.set_title(f"largest stress [MPa] (yield {(STEEL.strength or np.nan) / 1e6:g}{safety})")
+    axis.set_ylabel("equivalent stress [MPa]")
+    axis.set_title(f"largest stress (yield {(STEEL.strength or np.nan) / 1e6:g} MPa{safety})")
 
 
 def _buckling(axis: Any, stations: list[Station], travel: Any, d: Design) -> None:
@@ -148,7 +149,7 @@ def _buckling(axis: Any, stations: list[Station], travel: Any, d: Design) -> Non
             axis.plot(0, exact, "o", color=COLOURS[k], mfc="white", clip_on=False, zorder=5)
     axis.plot([], [], "o", color="#444444", mfc="white", label="closed form")
     axis.set_ylim(bottom=0)
-    axis.set_title("payload along x that buckles [N]")
+    axis.set(title="payload along x that buckles", ylabel="payload [N]")
     axis.legend(fontsize=8)
 
 
@@ -164,5 +165,5 @@ def _payload(axis: Any, results: Results, d: Design) -> None:
     axis.plot(loads, found / rest, "o", color=COLOURS[1], label="computed")
     axis.axhline(0, color="#444444", lw=0.8)
     axis.set_xlabel("payload in +x [N]")
-    axis.set_title("stiffness of the drive over that without payload")
+    axis.set(title="stiffness of the drive under payload", ylabel="stiffness / that without payload [-]")
     axis.legend(fontsize=8)

@@ -1,7 +1,4 @@
-"""The table of the flexure mechanisms: computed quantities beside their closed forms, and what is reported only.
-
-Imports numpy and flexel.
-"""
+"""The table of the flexure mechanisms: computed quantities beside their closed forms, and what is reported only."""
 
 from __future__ import annotations
 
@@ -169,7 +166,7 @@ def constraint_rows(make: Maker, d: Design) -> list[Quantity]:
         dofs = m.build().counts["degrees_of_freedom"] if not m.constraint_report().redundant else -1
         rows.append(
             Quantity(
-                f"{d.case}_freedoms_after_release{name}",
+                f"{d.case}_degrees_of_freedom_after_release{name}",
                 dofs,
                 1,
                 0,

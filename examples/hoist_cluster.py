@@ -1,9 +1,9 @@
 """A parameter study of the hoist on a dask cluster: how the dynamic factor depends on damping and rope.
 
 ``python -m flexel.examples.hoist_cluster`` starts two workers on this machine; with the address of a scheduler, such as
-``tcp://node:8786``, it uses the cluster there.  Each point lays the rope under the first share of the load, applies the
-rest at once, and follows the blow.
-Imports numpy and flexel; the cluster needs dask.distributed, the extra ``cluster``.
+``tcp://node:8786``, it uses the cluster there.  Each point computes the rope at rest under the first share of the load,
+applies the rest at once, and follows the blow.
+The cluster needs dask.distributed, the extra ``cluster``.
 """
 
 from __future__ import annotations

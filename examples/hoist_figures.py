@@ -1,7 +1,4 @@
-"""Pictures of the hoist: speeds and tensions over time; tension, contact, strain and wire stress along the rope.
-
-Imports numpy and flexel; matplotlib is imported by `flexel.pictures.figures` when a picture is drawn.
-"""
+"""Pictures of the hoist: speeds and tensions over time; tension, contact, strain and wire stress along the rope."""
 
 from __future__ import annotations
 
@@ -46,8 +43,9 @@ def motion(results: Results, path: Path) -> None:
         axes[1].set_ylabel("speed of the load [m/s]")
         for tension, colour, name in zip(results.tension.T, COLOURS, FALLS, strict=False):
             axes[2].plot(m.t, tension / static, color=colour, linewidth=0.8, label=name)
-        axes[2].set_ylabel("tension over W/4")
-        axes[2].set_xlabel("t [s]")
+        axes[0].set_title("Lift of the hoist: drum, load and the four falls")
+        axes[2].set_ylabel("tension over W/4 [-]")
+        axes[2].set_xlabel("time [s]")
         axes[2].legend(fontsize="small")
         save(drawn, path)
 
@@ -61,6 +59,8 @@ def along_the_rope(results: Results, path: Path) -> None:
             axes.plot(s, T / 1e3, ".", color=colour, markersize=3, label=f"t = {state.t:g} s")
             ends, free = hoist_rest.free_tensions(model, state)
             axes.plot(ends.ravel(), np.repeat(free, 2) / 1e3, color=colour, linewidth=0.8)
+        axes.plot([], [], color="#444444", linewidth=0.8, label="statics of the free parts")
+        axes.set_title("Tension along the rope at rest, accelerating and at constant speed")
         _labelled(axes, "tension [kN]")
         save(drawn, path)
 
@@ -79,7 +79,8 @@ def contact(results: Results, path: Path) -> None:
             row.plot([], [], color="black", linewidth=0.8, label="T/R")
             row.set_title(f"t = {state.t:g} s")
             row.set_ylabel("contact force [kN/m]")
-        axes[0].legend(fontsize="small", ncol=3)
+        axes[0].legend(fontsize="small", ncol=5, loc="lower center")
+        drawn.suptitle("Contact with drum and sheaves, and tension over radius")
         axes[-1].set_xlabel(ALONG)
         save(drawn, path)
 
@@ -96,7 +97,7 @@ def strain(results: Results, path: Path) -> None:
                 s, data.wire_stress(1.0) * found / 1e6, ".-", color=colour, markersize=3, linewidth=0.6
             )
         axes[1].axhline(data.wire_stress(1 / data.pitch) / 1e6, color="black", linewidth=0.8, label="E d/D")
-        axes[0].set_ylabel("strain [0.001]")
+        axes[0].set(ylabel="strain [10⁻³]", title="Strain of the rope and bending stress of its wires")
         axes[0].legend()
         _labelled(axes[1], "bending stress of a wire [MPa]")
         save(drawn, path)

@@ -129,6 +129,18 @@ def valve(m: fx.Model) -> None:
     m.cam("lobe", "a", "b", at=(0, lobe(np.pi / 2)), outline=lobe, start=(1, 0))
 
 
+def support(angle: float) -> float:
+    """Distance of a flat face from the centre of an egg-shaped cam."""
+    return float(0.36 + 0.08 * np.cos(angle) + 0.02 * np.cos(2 * angle))
+
+
+def tappet(m: fx.Model) -> None:
+    """A cam and a follower with a flat face."""
+    m.revolute("shaft", "ground", "a", at=(0, 0))
+    m.prismatic("guide", "ground", "b", axis=(0, 1))
+    m.cam("lobe", "a", "b", at=(0, support(np.pi / 2)), outline=support, start=(1, 0), face=(0, 1))
+
+
 AT, LOW, HIGH = (0.5, 0.0, 0.0), (-0.5, -0.1, -0.1), (0.5, 0.1, 0.1)
 ROD = {"a": [(LOW, HIGH)], "b": [((0.5, -0.08, -0.08), (1.5, 0.08, 0.08))]}
 PAIR = ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0))
@@ -193,6 +205,10 @@ JOINTS: dict[str, Shown] = {
     "cam": Shown(
         planar((0.0, 0.0), (0.0, 0.8), joint=valve), ("shaft.angle",), {"shaft.angle": 1.2},
         {"b": [((-0.05, lobe(np.pi / 2), 0.0), (0.05, 1.0, 0.0))]},
+    ),
+    "flat_cam": Shown(
+        planar((0.0, 0.0), (0.0, 0.8), joint=tappet), ("shaft.angle",), {"shaft.angle": -1.2},
+        {"b": [((-0.05, support(np.pi / 2), 0.0), (0.05, 1.0, 0.0))]},
     ),
     "skate": Shown(
         planar((0.3, 0.0), joint=lambda m: m.skate("blade", "a", at=(0, 0), direction=(1, 0))),

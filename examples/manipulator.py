@@ -4,7 +4,6 @@ Two slender links in a horizontal plane, each of two beam elements, with motors 
 Each motor works between its link and a frame that is turned as commanded, so that the measured joint angles are the
 errors.  A linear-quadratic regulator of joints and bending, designed at one position of the elbow, is compared
 with proportional-derivative control of the joints alone, which is all that a rigid arm would need.
-Imports numpy, scipy and flexel; matplotlib when a picture is drawn.
 """
 
 from __future__ import annotations
@@ -81,7 +80,8 @@ def manipulator(
     m.prescribe("elbow command.angle", elbow)
     m.independent(*(JOINTS if rigid else MEASURED))
     if gains is not None:
-        m.feedback("controller", act=JOINTS, measure=gains.measured, P=gains.P, D=gains.D)
+        inputs = [*gains.measured, *(f"{z}'" for z in gains.measured)]
+        m.controller(np.hstack([gains.P, gains.D]), inputs=inputs, outputs=JOINTS)
     return m.build()
 
 
@@ -183,7 +183,8 @@ def pictures(out: Path) -> list[Path]:
             panel.set(xlim=(-40, 2), ylim=(0, 120), title=name, xlabel="real part [1/s]")
             panel.axvline(0, color="#222222", lw=0.8)
         axes[0].set_ylabel("imaginary part [rad/s]")
-        drawn.colorbar(axes[1].collections[0], ax=axes, label="elbow [°]")
+        drawn.colorbar(axes[1].collections[0], ax=axes, label="angle of the elbow [°]")
+        drawn.suptitle("Closed-loop eigenvalues over the pose")
     save(drawn, out / "manipulator_poles.png")
     motions = {name: manoeuvre(gains) for name, gains in both.items()}
     with figure(3, 1, (8.0, 7.0), sharex=True) as (drawn, axes):
@@ -191,10 +192,11 @@ def pictures(out: Path) -> list[Path]:
             axes[0].plot(motion.t, 1e3 * tip_error(motion), color=colour, label=name)
             for panel, joint in zip(axes[1:], JOINTS, strict=True):
                 panel.plot(motion.t, -motion.force(joint), color=colour, label=name)
-                panel.set_ylabel(f"{joint.removesuffix('.angle')} [N m]")
+                panel.set_ylabel(f"moment, {joint.removesuffix('.angle')} [N m]")
         axes[0].set_ylabel("error of the tip [mm]")
         axes[0].legend(loc="upper right")
         axes[-1].set_xlabel("time [s]")
+        axes[0].set_title("The same manoeuvre with two controllers")
     save(drawn, out / "manipulator_closed_loop.png")
     motions["regulator"].plot_shapes(0.0, 0.25, 0.5, 0.75, 1.0, path=out / "manipulator_shapes.png")
     return [out / f"manipulator_{name}.png" for name in ("poles", "closed_loop", "shapes")]

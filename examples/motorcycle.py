@@ -3,7 +3,6 @@
 Rear frame with rider, swinging arm, telescopic fork on an inclined steering axis, two wheels with compliant toroidal
 tyres (crown radius, Magic Formula with relaxation). The data are those of no real machine, but of usual size. Weave,
 wobble and capsize are followed over the speed. x forward, y left, z up, origin on the road below the rear hub.
-Imports numpy and flexel.
 """
 
 from __future__ import annotations
@@ -153,7 +152,9 @@ def reproduce(out: Path | None = None) -> Report:
     error = mismatch(system, straight(system, 30.0))
     counted = "six of the frame, steering, fork, swinging arm, spins"
     rows = [
-        Quantity("freedoms", system.counts["degrees_of_freedom"], 11, 0, "", counted, kind="closed form"),
+        Quantity(
+            "degrees_of_freedom", system.counts["degrees_of_freedom"], 11, 0, "", counted, kind="closed form"
+        ),
         Quantity(
             "linearization_error",
             error,
@@ -242,19 +243,22 @@ def confirmations() -> list[Quantity]:
 
 def picture(found: dict[str, list[dict[str, fx.Mode]]], out: Path) -> Path:
     """Real and imaginary parts of the lateral modes over the speed."""
-    from flexel.pictures.figures import COLOURS, figure, save
+    from scipy.interpolate import CubicSpline
+
+    from flexel.pictures.figures import COLOURS, GUIDE, figure, save
 
     out.mkdir(parents=True, exist_ok=True)
     path = out / "motorcycle_modes.png"
     with figure(2, size=(8.0, 6.4), sharex=True) as (drawn, axes):
         for style, (tyres, modes) in zip(("-", "--"), found.items(), strict=True):
             for colour, name in zip(COLOURS, ("weave", "wobble", "capsize"), strict=False):
-                points = np.array([[v, z[name].eigenvalue.real, z[name].eigenvalue.imag]
+                points = np.array([[v, z[name].eigenvalue.real, z[name].eigenvalue.imag / (2 * np.pi)]
                                    for v, z in zip(SPEEDS, modes, strict=True) if name in z])  # fmt: skip
-                axes[0].plot(points[:, 0], points[:, 1], style, color=colour, label=f"{name}, {tyres} tyres")
-                axes[1].plot(points[:, 0], points[:, 2] / (2 * np.pi), style, color=colour)
-        axes[0].axhline(0, color="#222222", lw=0.6)
-        axes[0].set_ylabel("real part [1/s]")
+                fine = np.linspace(points[0, 0], points[-1, 0], 300)
+                for panel, values in zip(axes, CubicSpline(points[:, 0], points[:, 1:])(fine).T, strict=True):
+                    panel.plot(fine, values, style, color=colour, label=f"{name}, {tyres} tyres")
+        axes[0].axhline(0, **GUIDE)
+        axes[0].set(ylabel="real part [1/s]", title="Lateral modes of a motorcycle over its speed")
         axes[1].set_ylabel("frequency [Hz]")
         axes[1].set_xlabel("speed [m/s]")
         axes[0].legend(fontsize=8)

@@ -1,7 +1,4 @@
-"""Reasons for tolerances that are larger than three times the error found: `Quantity.reason` in the tables.
-
-Imports nothing.
-"""
+"""Reasons for tolerances that are larger than three times the error found: `Quantity.reason` in the tables."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """Ropes beside closed forms: hanging, over drums and sheaves, striking a plane.
 
 `reproduce` gives the relative error of each problem on its finest mesh, with the order of convergence.
-Imports flexel; the problems are in `flexel.examples.rope_hanging`, `rope_waves`, `rope_swings`,
+The problems are in `flexel.examples.rope_hanging`, `rope_waves`, `rope_swings`,
 `rope_pendulums`, `rope_sheaves`, `rope_hoists`, `rope_drums` and `rope_belts`.
 """
 

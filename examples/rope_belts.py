@@ -1,7 +1,4 @@
-"""A closed belt around two pulleys that transmits a torque: tensions, creep and arcs of slip.
-
-Imports numpy, scipy and flexel.
-"""
+"""A closed belt around two pulleys that transmits a torque: tensions, creep and arcs of slip."""
 
 from __future__ import annotations
 

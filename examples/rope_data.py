@@ -1,7 +1,4 @@
-"""Data of the falling flexible pendulum: the rod of the literature, and the history of its tip by assumed modes.
-
-Imports numpy.
-"""
+"""Data of the falling flexible pendulum: the rod of the literature, and the history of its tip by assumed modes."""
 
 from __future__ import annotations
 

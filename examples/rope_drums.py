@@ -1,7 +1,4 @@
-"""A winch whose drum has a helical groove: the rope that winds on moves sideways by the lead per turn.
-
-Imports numpy and flexel.
-"""
+"""A winch whose drum has a helical groove: the rope that winds on moves sideways by the lead per turn."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""Closed forms and small reference solutions of the rope problems.
-
-Imports numpy and scipy.
-"""
+"""Closed forms and small reference solutions of the rope problems."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""Pictures of the rope problems beside their closed forms.
-
-Imports numpy and flexel; matplotlib is imported by `flexel.pictures.figures` when a picture is drawn.
-"""
+"""Pictures of the rope problems beside their closed forms."""
 
 from __future__ import annotations
 
@@ -74,7 +71,8 @@ def catenary(path: Path) -> None:
         for i in range(n):
             s, T = cable_tension(state, f"rope{i + 1}")
             axes[1].plot(i * case.L0 / n + s, T, "o", color=COLOURS[0], ms=3)
-        axes[1].set(xlabel="undeformed length [m]", ylabel="tension at the Gauss points [N]")
+        axes[1].set(xlabel="undeformed length [m]", ylabel="tension [N]", title="tension at the Gauss points")
+        drawn.suptitle("A hanging cable of six elements")
         save(drawn, path)
 
 
@@ -85,9 +83,9 @@ def pulse(path: Path) -> None:
             t, T, given = waves.pulse(20, ratio)
             panel.plot(t, T, color=COLOURS[0], label="20 elements")
             panel.plot(t[::10], given[::10], "o", ms=3, color=COLOURS[1], label="d'Alembert")
-            panel.set(ylabel="tension / Z₁v", title=f"second rope of {ratio:g} times the mass")
+            panel.set(ylabel="tension / Z₁v [-]", title=f"second rope of {ratio:g} times the mass")
         axes[0].legend()
-        axes[1].set_xlabel("t c/L")
+        axes[1].set_xlabel("time t c/L [-]")
         save(drawn, path)
 
 
@@ -99,12 +97,13 @@ def pendulum(path: Path) -> None:
         for i in range(0, 21, 2):
             shade = 0.25 + 0.75 * i / 20
             axes[0].plot(*curve(motion[i], "rod", n, L / n).T, color=COLOURS[0], alpha=shade)
-        axes[0].set(xlabel="x [m]", ylabel="y [m]", aspect="equal", title="E = 0.7e6, every 0.1 s")
+        axes[0].set(xlabel="x [m]", ylabel="y [m]", aspect="equal", title="E = 0.7 MPa, every 0.1 s")
         t = np.linspace(0, 1, 21)
         for k, label in enumerate("xy"):
             axes[1].plot(t, swings.tip(E, 8, 1e-3)[:, k], color=COLOURS[k], label=f"{label}, 8 elements")
             axes[1].plot(t, data.TIPS[E][:, k], "o", ms=4, color=COLOURS[k], label=f"{label}, assumed modes")
-        axes[1].set(xlabel="t [s]", ylabel="tip [m]", title="E = 0.7e9")
+        axes[1].set(xlabel="time [s]", ylabel="position of the tip [m]", title="E = 0.7 GPa")
+        drawn.suptitle("Flexible pendulums released from the horizontal")
         axes[1].legend(fontsize=8)
         save(drawn, path)
 
@@ -127,6 +126,7 @@ def wrapping(path: Path) -> None:
             panel.plot(models.WHEEL * np.cos(angle), models.WHEEL * np.sin(angle), color=COLOURS[4], lw=0.8)
             panel.set(xlabel="x [m]", ylabel="y [m]", aspect="equal", title=title)
         axes[0].legend(fontsize=8)
+        drawn.suptitle("Bobs that swing on ropes over a sheave")
         save(drawn, path)
 
 
@@ -138,7 +138,9 @@ def capstan(path: Path) -> None:
             panel.plot(wraps, np.exp(mu * np.radians(wraps)), color=colour, label=f"μ = {mu:g}")
             found = [sheaves.capstan_ratio(mu, z, sheaves.capstan_elements(z)) for z in sheaves.WRAPS]
             panel.plot(sheaves.WRAPS, found, "o", color=colour)
-        panel.set(xlabel="wrap [°]", ylabel="tension held over tension pulled", yscale="log", xlim=(0, 560))
+        panel.set(
+            xlabel="wrap [°]", ylabel="tension held over tension pulled [-]", yscale="log", xlim=(0, 560)
+        )
         panel.set_title("A drum that slides under a rope (dots) and exp(μφ) (lines)")
         panel.legend()
         save(drawn, path)
@@ -157,9 +159,10 @@ def atwood(path: Path) -> None:
             tension = rope.tension(list(motion))[1]
             for end, style in ((0, "-"), (-1, "--")):
                 axes[1].plot(motion.t, tension[:, end], style, color=colour)
-        axes[0].set(xlabel="t [s]", ylabel="fall of 3 kg against 2 kg [m]")
+        axes[0].set(xlabel="time [s]", ylabel="fall of 3 kg against 2 kg [m]")
         axes[0].legend(title="closed form; 56 elements (dots)")
-        axes[1].set(xlabel="t [s]", ylabel="tension at 3 kg, at 2 kg (dashed) [N]")
+        drawn.suptitle("Atwood's machine with a rope")
+        axes[1].set(xlabel="time [s]", ylabel="tension at 3 kg, at 2 kg (dashed) [N]")
         save(drawn, path)
 
 
@@ -169,14 +172,15 @@ def winding_hoist(path: Path) -> None:
     t, depth, tension = hoists.wound_up(n)
     fine = np.linspace(0, 3, 1201)
     given = hoists.reduced(fine, True)
-    labels = "depth of the load [m]", "tension over the weight"
+    labels = "depth of the load [m]", "tension over the weight [-]"
     with figure(2, 1, (8.0, 5.5), sharex=True) as (drawn, axes):
         for panel, found, closed, label in zip(axes, (depth, tension), given, labels, strict=True):
             panel.plot(fine, closed, color=COLOURS[5], lw=0.9, label="one degree of freedom")
             panel.plot(t, found, "o", ms=3, color=COLOURS[0], label=f"{n + 3} elements on a drum")
             panel.set_ylabel(label)
         axes[1].legend()
-        axes[1].set_xlabel("t [s]")
+        axes[0].set_title("A drum winds up a rope with a load")
+        axes[1].set_xlabel("time [s]")
         save(drawn, path)
 
 
@@ -195,6 +199,7 @@ def drum(path: Path) -> None:
             )
         axes[0].set(xlabel="along the axle [m]", ylabel="height [m]", xlim=(-0.12, 0.08), ylim=(-0.6, 0.25))
         axes[0].set_title("seen from the side on which the load hangs")
+        drawn.suptitle("A rope wound up in the helical groove of a drum")
         axes[1].set(xlabel="angle about the axle, from the end of the wound part [turns]")
         axes[1].set(ylabel="along the axle [m]", title="wound part, lead 0.03 m")
         axes[0].legend(fontsize=8)

@@ -1,7 +1,4 @@
-"""Ropes at rest and their frequencies: catenary, hanging chain, cantilever under a large load, rope over a sheave.
-
-Imports numpy and flexel.
-"""
+"""Ropes at rest and their frequencies: catenary, hanging chain, cantilever under a large load, rope over a sheave."""
 
 from __future__ import annotations
 

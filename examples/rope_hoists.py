@@ -1,7 +1,4 @@
-"""Ropes that lift: a drum that winds up a load, a tackle with friction in its journals; a rope that slides off an edge.
-
-Imports numpy and flexel.
-"""
+"""Ropes that lift: a drum that winds up a load, a tackle with friction; a rope that slides off an edge."""
 
 from __future__ import annotations
 

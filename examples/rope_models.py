@@ -1,7 +1,4 @@
-"""Models of the rope problems with closed forms: planar ropes that hang, and ropes over drums, sheaves and planes.
-
-Imports numpy and flexel.
-"""
+"""Models of the rope problems with closed forms: planar ropes that hang, and ropes over drums, sheaves and planes."""
 
 from __future__ import annotations
 

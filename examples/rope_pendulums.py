@@ -1,7 +1,4 @@
-"""Ropes over a sheave of which one end swings: the rope wraps and unwraps, held at its other end, or with a mass there.
-
-Imports numpy, scipy and flexel.
-"""
+"""Ropes over a sheave of which one end swings: the rope wraps and unwraps, with its other end held or a mass there."""
 
 from __future__ import annotations
 

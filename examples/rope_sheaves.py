@@ -1,7 +1,4 @@
-"""Ropes in contact: capstan, Atwood's machine, Hertz's impact.
-
-Imports numpy and flexel.
-"""
+"""Ropes in contact: capstan, Atwood's machine, Hertz's impact."""
 
 from __future__ import annotations
 

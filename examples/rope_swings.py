@@ -1,7 +1,4 @@
-"""Ropes that swing: the falling flexible pendulum of the literature, and the energy of a rope over 10 000 steps.
-
-Imports numpy and flexel.
-"""
+"""Ropes that swing: the falling flexible pendulum of the literature, and the energy of a rope over 10 000 steps."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""Straight ropes in motion: tension waves, loads that are suddenly applied, frequencies.
-
-Imports numpy and flexel.
-"""
+"""Straight ropes in motion: tension waves, loads that are suddenly applied, frequencies."""
 
 from __future__ import annotations
 

@@ -2,7 +2,7 @@
 
 Planar rod of any even number of beam elements, axially rigid, or the same in space.  `reproduce` compares transient,
 periodic and swept midpoint deflections, linearized and nonlinear, with reference numbers; the general functions are
-those of `flexel.linear.periodic`.  Imports numpy and flexel; the pictures are in `slider_crank_figures`,
+those of `flexel.linear.periodic`.  The pictures are in `slider_crank_figures`,
 the rows of the table in `slider_crank_table`.
 """
 

@@ -1,7 +1,4 @@
-"""What excites the slider-crank's rod harmonic by harmonic, and its nonlinear motions past the fold at 1 % damping.
-
-Imports numpy, scipy and flexel.
-"""
+"""What excites the slider-crank's rod harmonic by harmonic, and its nonlinear motions past the fold at 1 % damping."""
 
 from __future__ import annotations
 

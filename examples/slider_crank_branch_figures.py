@@ -1,7 +1,4 @@
-"""Pictures of the slider-crank's excitation, of its nonlinear motions past the fold, and of their stability.
-
-Imports numpy and flexel; matplotlib is imported by `flexel.pictures.figures` when a picture is drawn.
-"""
+"""Pictures of the slider-crank's excitation, of its nonlinear motions past the fold, and of their stability."""
 
 from __future__ import annotations
 
@@ -39,8 +36,8 @@ def excitations(found: Branches, path: Path) -> None:
                 panel.bar(
                     rows[:, 0] + 0.27 * (j - 1), np.abs(rows[:, j + 1]), 0.25, color=COLOURS[j], label=label
                 )
-            panel.set(yscale="log", xlabel="harmonic of the crank speed", ylim=(1e-7, 3e-2), title=title)
-        axes[0].set_ylabel("static midpoint deflection / l")
+            panel.set(yscale="log", xlabel="harmonic of the crank speed [-]", ylim=(1e-7, 3e-2), title=title)
+        axes[0].set_ylabel("static midpoint deflection / l [-]")
         axes[1].legend(loc="upper right")
         drawn.suptitle("Excitation of the first mode by harmonic n at the speed ω₀/n")
         save(drawn, path)
@@ -80,7 +77,7 @@ def folds(found: Branches, path: Path) -> None:
                 f"{one.omega[i]:.2f}", (one.omega[i], found.deflections[0.01][i]), place, ha="center",
                 textcoords="offset points", arrowprops={"arrowstyle": "-", "color": "#999999"},
             )  # fmt: skip
-        axes[0].set_ylabel("largest midpoint deflection / l")
+        axes[0].set_ylabel("largest midpoint deflection / l [-]")
         drawn.suptitle("Nonlinear periodic motions followed by arc length")
         save(drawn, path)
 
@@ -100,7 +97,9 @@ def floquet(found: Branches, path: Path) -> None:
         axes.plot([], [], ":", color="#444444", lw=1, label="rod at rest: exp(-ζ ω₀ T)")
         axes.plot([], [], "v", ms=6, color="#444444", label="largest")
         axes.axhline(1, color="#222222", lw=0.8)
-        axes.set(xlabel="crank speed ω [rad/s]", ylabel="modulus of the largest multiplier", ylim=(0.5, 1.5))
+        axes.set(
+            xlabel="crank speed ω [rad/s]", ylabel="modulus of the largest multiplier [-]", ylim=(0.5, 1.5)
+        )
         axes.legend(loc="upper left")
         axes.set_title("Floquet multipliers of the nonlinear motions: stable below 1")
         save(drawn, path)

@@ -1,7 +1,7 @@
 """Published and reference numbers of the flexible slider-crank; SI units.
 
 Data: Song and Haug (1980), as in the manual SPACAR95.  Deflections are of the rod's midpoint from the line through
-its ends, left of crank pin to slider positive, over the rod's length.  Imports the standard library only.
+its ends, left of crank pin to slider positive, over the rod's length.
 """
 
 from __future__ import annotations

@@ -1,7 +1,4 @@
-"""Pictures of the slider-crank, after slides 23 to 30 of the talk.
-
-Imports numpy and flexel; matplotlib is imported by `flexel.pictures.figures` when a picture is drawn.
-"""
+"""Pictures of the slider-crank, after slides 23 to 30 of the talk."""
 
 from __future__ import annotations
 
@@ -21,7 +18,7 @@ from flexel.linear import periodic
 from flexel.pictures.figures import COLOURS, figure, save
 
 ENLARGED = 4.0  # deflection in the picture of the mechanism
-LABEL = "midpoint deflection / l"
+LABEL = "midpoint deflection / l [-]"
 
 
 def pictures(results: Results, followed: Branches, out: Path) -> list[Path]:
@@ -82,7 +79,8 @@ def mechanism(results: Results, path: Path) -> None:
         drawn.suptitle(
             f"Second turn at {data.SPEED:g} rad/s, 2 % damping; deflection enlarged {ENLARGED:g} times"
         )
-        drawn.supxlabel("x [m]")
+        drawn.supxlabel("x [m]", fontsize=10)
+        drawn.supylabel("y [m]", fontsize=10)
         save(drawn, path)
 
 
@@ -126,7 +124,12 @@ def motions(results: Results, path: Path) -> None:
         left.set(xlabel="crank angle [°]", ylabel=LABEL, xlim=(0, 360), xticks=range(0, 361, 60))
         left.set_ylim(-0.0145, 0.019)
         left.legend(loc="upper right")
-        right.set(xlabel="harmonic of the crank speed", ylabel="amplitude", yscale="log", xticks=range(9))
+        right.set(
+            xlabel="harmonic of the crank speed [-]",
+            ylabel="amplitude of " + LABEL,
+            yscale="log",
+            xticks=range(9),
+        )
         drawn.suptitle(f"Periodic motion at {data.SPEED:g} rad/s, 2 % damping")
         save(drawn, path)
 

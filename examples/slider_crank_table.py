@@ -1,7 +1,4 @@
-"""The table of the slider-crank: every quantity beside its reference, with what explains their difference.
-
-Imports numpy and flexel.
-"""
+"""The table of the slider-crank: every quantity beside its reference, with what explains their difference."""
 
 from __future__ import annotations
 

@@ -3,7 +3,7 @@
 The bicycle of the 2007 benchmark with other wheelbases and trails: each is built and linearized by `fx.sweep`, and its
 equations are compared with the formulas of the benchmark at every point.  The stable range follows from Routh and
 Hurwitz.
-Imports numpy and flexel; `fx.sweep` needs joblib and xarray, the extra ``sweep``.
+`fx.sweep` needs joblib and xarray, the extra ``sweep``.
 """
 
 from __future__ import annotations
@@ -49,12 +49,56 @@ def sweep(count: int, **options: Any) -> Any:
 
 def stable(found: Any) -> Array:
     """Whether the straight motion is stable (wheelbases, trails, speeds): by Routh and Hurwitz."""
+    return np.asarray((conditions(found, SPEEDS) > 0).all(axis=0))
+
+
+def conditions(found: Any, v: Array) -> Array:
+    """The conditions of Routh and Hurwitz (6, wheelbases, trails, speeds), all positive where stable."""
     M, C1, K0, K2 = (found[z].values[:, :, None] for z in MATRICES)
-    v = SPEEDS[:, None, None]
+    v = v[..., None, None]
     C, K = v * C1, data.BENCHMARK["g"] * K0 + v**2 * K2
     a4, a3, a2, a1, a0 = _determinant(M, C, K)
     hurwitz = a3 * (a2 * a1 - a3 * a0) - a4 * a1**2
-    return np.asarray((a4 > 0) & (a3 > 0) & (a2 > 0) & (a1 > 0) & (a0 > 0) & (hurwitz > 0))
+    return np.array(np.broadcast_arrays(a4, a3, a2, a1, a0, hurwitz))
+
+
+def margins(found: Any) -> tuple[Array, Array]:
+    """The smallest condition over the speeds (wheelbases, trails, speeds), and the largest of these, refined.
+
+    Each condition is divided by its largest magnitude over the speeds, so that their order does not depend on units.
+    """
+    every = conditions(found, SPEEDS)
+    size = np.abs(every).max(axis=-1, keepdims=True)
+    over = np.min(every / size, axis=0)
+    step = SPEEDS[1] - SPEEDS[0]
+    near = np.maximum(SPEEDS[np.argmax(over, axis=-1)][..., None] + step * np.linspace(-1, 1, 41), 0.0)
+    return over, np.max(np.min(conditions(found, near) / size, axis=0), axis=-1)
+
+
+def ranges(found: Any) -> tuple[Array, Array, Array]:
+    """Ends [m/s] of the stable range, by interpolation between the speeds, and the largest margin in it.
+
+    Where no speed is stable both ends are the speed that is nearest to it, so that they continue the ranges.
+    """
+    size, most = margins(found)
+    best = np.argmax(size, axis=-1)
+    ends = []
+    for step in (-1, 1):
+        at = best.copy()
+        for _ in range(SPEEDS.size):  # outwards from the best speed, while it is stable
+            further = np.clip(at + step, 0, SPEEDS.size - 1)
+            at = np.where(_at(size, further) > 0, further, at)
+        beyond = np.clip(at + step, 0, SPEEDS.size - 1)
+        inside, outside = _at(size, at), _at(size, beyond)
+        crossing = (inside > 0) & (outside <= 0)
+        share = np.where(crossing, inside / np.where(crossing, inside - outside, 1.0), 0.0)
+        ends.append(SPEEDS[at] + share * (SPEEDS[beyond] - SPEEDS[at]))
+    return ends[0], ends[1], most
+
+
+def _at(values: Array, number: Any) -> Array:
+    """One value of the last axis for each of the others."""
+    return np.asarray(np.take_along_axis(values, number[..., None], axis=-1)[..., 0])
 
 
 def _determinant(M: Array, C: Array, K: Array) -> list[Array]:

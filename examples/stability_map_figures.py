@@ -1,7 +1,4 @@
-"""The picture of the stability map.
-
-Imports numpy and flexel; matplotlib is imported by `flexel.pictures.figures` when a picture is drawn.
-"""
+"""The picture of the stability map."""
 
 from __future__ import annotations
 
@@ -11,28 +8,32 @@ from typing import Any
 import numpy as np
 
 from flexel.examples import bicycle_data as data
-from flexel.examples.stability_map import SPEEDS, stable, widths
+from flexel.examples.stability_map import SPEEDS, ranges
 from flexel.pictures.figures import COLOURS, figure, save
 
 
 def stability(found: Any, path: Path) -> Path:
-    """Width and lower end of the stable range of speeds over wheelbase and trail."""
-    steady = stable(found)
-    lowest = np.where(steady.any(axis=-1), SPEEDS[np.argmax(steady, axis=-1)], np.nan)
+    """Width and lower end of the stable range of speeds over wheelbase and trail, with a smooth boundary."""
+    low, high, margin = ranges(found)
     w, c = found.wheelbase.values, found.trail.values * 1000
-    with figure(1, 2, size=(11.0, 4.6), sharey=True) as (drawn, axes):
+    own = data.BENCHMARK["w"], data.BENCHMARK["c"] * 1000
+    with figure(1, 2, size=(11.0, 4.8), sharey=True) as (drawn, axes):
+        from matplotlib.ticker import MaxNLocator
+
         for axis, values, title in (
-            (axes[0], widths(steady), "width of the stable range [m/s]"),
-            (axes[1], lowest, "lowest stable speed [m/s]"),
+            (axes[0], high - low, "width of the stable range"),
+            (axes[1], low, "lowest stable speed"),
         ):
-            filled = axis.pcolormesh(w, c, values.T, cmap="viridis", shading="nearest", rasterized=True)
-            drawn.colorbar(filled, ax=axis)
-            axis.set_facecolor("#d9d9d9")
-            axis.plot(data.BENCHMARK["w"], data.BENCHMARK["c"] * 1000, "o", color=COLOURS[1], mec="white")
-            axis.annotate("benchmark", (data.BENCHMARK["w"], data.BENCHMARK["c"] * 1000), xytext=(6, 6),
-                          textcoords="offset points", color="white")  # fmt: skip
-            axis.set_xlabel("wheelbase [m]")
-            axis.set_title(title)
+            inside = values[margin > 0]
+            levels = MaxNLocator(16).tick_values(inside.min(), inside.max())
+            filled = axis.contourf(w, c, values.T, levels, cmap="viridis")
+            drawn.colorbar(filled, ax=axis, label=f"{title} [m/s]")
+            axis.contourf(w, c, margin.T, [-np.inf, 0.0], colors=["#d9d9d9"])
+            axis.contour(w, c, margin.T, [0.0], colors=["#222222"], linewidths=1.2)
+            axis.plot(*own, "o", color=COLOURS[1], mec="white")
+            axis.annotate("benchmark", own, xytext=(6, 6), textcoords="offset points", color="white")
+            axis.grid(visible=False)
+            axis.set(xlabel="wheelbase [m]", title=title)
         axes[0].set_ylabel("trail [mm]")
         drawn.suptitle(
             f"{len(w) * len(c)} bicycles, hands off; grey: stable at no speed up to {SPEEDS[-1]:g} m/s"

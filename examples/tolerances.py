@@ -4,7 +4,7 @@ The parallel leaf-spring guide of `flexel.examples.flexures`, with the thickness
 Young's modulus and the mass of the shuttle drawn from normal distributions: a Latin hypercube of stages, each built and
 analysed by `fx.sweep`.  Of the lowest frequency a closed form is known at each point, and its scatter from the
 propagation of errors; the frequencies of the leaf springs themselves are reported.
-Imports numpy and flexel; `fx.sweep` needs joblib and xarray, the extra ``sweep``.
+`fx.sweep` needs joblib and xarray, the extra ``sweep``.
 """
 
 from __future__ import annotations

@@ -1,7 +1,4 @@
-"""The picture of the tolerances: how the lowest frequency of the stages is distributed.
-
-Imports numpy and flexel; matplotlib is imported by `flexel.pictures.figures` when a picture is drawn.
-"""
+"""The picture of the tolerances: how the lowest frequency of the stages is distributed."""
 
 from __future__ import annotations
 
@@ -19,11 +16,10 @@ def distribution(found: Array, closed: Array, path: Path) -> Path:
     with figure(1, 2, size=(11.0, 4.0)) as (drawn, axes):
         axes[0].plot(np.sort(found[:, 0]), part, color=COLOURS[0], label="sweep")
         axes[0].plot(np.sort(closed), part, "--", color=COLOURS[1], label="closed form at the same points")
-        axes[0].set_title("lowest frequency [Hz]")
-        axes[0].set_ylabel("part of the stages below")
+        axes[0].set(title="lowest frequency", xlabel="frequency [Hz]", ylabel="part of the stages below [-]")
         for mode in range(1, found.shape[1]):
             axes[1].plot(np.sort(found[:, mode]), part, color=COLOURS[mode], label=f"mode {mode + 1}")
-        axes[1].set_title("frequencies of the leaf springs [Hz]")
+        axes[1].set(title="frequencies of the leaf springs", xlabel="frequency [Hz]")
         for axis in axes:
             axis.legend(fontsize=8)
         drawn.suptitle(f"{len(found)} parallel guides within their tolerances")

@@ -4,7 +4,7 @@ A rigid chassis on four independently suspended wheels: lower arm, upright with 
 leaf spring as upper link, tie rod to the rack, spring-damper unit, and a compliant tyre. One function builds a corner;
 the rear is the front mirrored. 10 degrees of freedom with the rack and the wheel spins
 prescribed, 8 without lateral slip.
-Imports numpy and flexel; what is done with the model is in `flexel.examples.vehicle_runs`.
+What is done with the model is in `flexel.examples.vehicle_runs`.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Published and recomputed numbers of the road vehicle: the IAVSD benchmark "Bombardier Iltis", from `examples/data`.
 
 Lengths in m above the road with the chassis at its nominal height; x forward, y left, z up, origin below the mass
-centre of the chassis. Corners are named by what they physically are: y < 0 is right. Imports the standard library only.
+centre of the chassis. Corners are named by what they physically are: y < 0 is right.
 """
 
 from __future__ import annotations

@@ -1,28 +1,30 @@
-"""Pictures of the road vehicle: model, root loci, steering with CALSPAN tyres and without lateral slip, sines, bumps.
-
-Imports numpy and flexel; matplotlib is imported by `flexel.pictures.plot` when a picture is drawn.
-"""
+"""Pictures of the road vehicle: model, root loci, steering with CALSPAN tyres and without slip, sines, bumps."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections import Counter
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
 from flexel import Box, View
 from flexel.examples import vehicle_data as data
-from flexel.examples.vehicle_runs import LOCI, Results
+from flexel.examples.vehicle_runs import LOCI, Results, mode_name
 from flexel.examples.vehicle_signals import history, load_histories
+from flexel.linear.tracking import Branches
+from flexel.mechanics.linearization import Linearization
 from flexel.pictures.figures import COLOURS, figure, save
-from flexel.pictures.plot import animate, draw, root_loci
+from flexel.pictures.loci import plot_loci
+from flexel.pictures.plot import animate, draw
 from flexel.pictures.scene import canvas
 
 LABELS = {
     "lateral_acceleration": "lateral acceleration [m/s²]",
     "yaw_rate": "yaw rate [rad/s]",
-    "roll": "roll [deg]",
-    "side_slip": "side-slip angle [deg]",
+    "roll": "roll [°]",
+    "side_slip": "side-slip angle [°]",
 }
 
 
@@ -55,14 +57,39 @@ def model(results: Results, path: Path) -> None:
 
 def loci(results: Results, path: Path) -> None:
     """Eigenvalues of straight running over the speed."""
-    root_loci(
-        np.array(LOCI),
-        results.loci,
+    followed = branches(results.straight)
+    plot_loci(
+        followed,
         path,
         label="speed [m/s]",
+        names=patterns(followed, results.straight[-1]),
         limits=(-40.0, 1.0),
         title="Eigenvalues of steady straight running, CALSPAN tyres",
     )
+
+
+def branches(straight: Sequence[Linearization]) -> Branches:
+    """Eigenvalues over the speed by the shapes of their modes, without what nothing restores: place and heading."""
+    first = straight[0]
+    found = Branches.of(
+        np.array(LOCI), [z.state_matrix for z in straight], (*first.dynamic, *first.dofs, *first.internal)
+    )
+    size = np.abs(found.eigenvalues).max(axis=0)
+    kept = np.sort(np.argsort(size)[4:])
+    assert found.shares is not None
+    return replace(found, eigenvalues=found.eigenvalues[:, kept], shares=found.shares[:, kept], matrices=None)
+
+
+def patterns(followed: Branches, fast: Linearization) -> list[str]:
+    """What moves in each branch at the highest speed, numbered where that says the same of several."""
+    modes = fast.modes()
+    ends = [followed.eigenvalues[-1, family[0]] for family in followed.families]
+    names = [
+        mode_name(min(modes, key=lambda m: min(abs(m.eigenvalue - w), abs(m.eigenvalue - w.conj()))))
+        for w in ends
+    ]
+    count = Counter(names)
+    return [z if count[z] == 1 else f"{z} ({names[: i + 1].count(z)})" for i, z in enumerate(names)]
 
 
 def steering(results: Results, path: Path) -> None:
@@ -108,15 +135,19 @@ def bumps(results: Results, path: Path) -> None:
                 axes[0, column].plot(x, 1000 * history(motion, "z"), color=colour, label=f"{v} m/s")
                 angle = "roll" if mirrored else "pitch"
                 axes[1, column].plot(x, history(motion, angle), color=colour)
-                axes[1, column].set_ylabel(f"{angle} [deg]")
+                axes[1, column].set_ylabel(f"{angle} [°]")
                 loads = load_histories(motion) / 1000
                 axes[2, column].plot(x, loads[:, 1], color=colour)
                 axes[2, column].plot(x, loads[:, 3], "--", color=colour)
             axes[0, column].set_ylabel("height of chassis [mm]")
-            axes[2, column].set_ylabel("left tyres, front, rear -- [kN]")
+            axes[2, column].set_ylabel("load of left tyres [kN]")
             axes[2, column].set_xlabel("x of the chassis [m]")
             axes[0, column].set_title("in anti-phase" if mirrored else "in phase")
         axes[0, 0].legend()
+        for label, style in (("front", "-"), ("rear", "--")):
+            axes[2, 0].plot([], [], style, color="#444444", label=label)
+        axes[2, 0].legend()
+        drawn.suptitle("Over a cosine bump of both wheels, or of left and right wheels in turn")
         drawn.align_ylabels()
         save(drawn, path)
 

@@ -1,6 +1,6 @@
 """What is done with the road vehicle: equilibrium, linearization, steering, bumps, and the energy that goes round.
 
-What is read off the motions is in `flexel.examples.vehicle_signals`. Imports numpy and flexel.
+What is read off the motions is in `flexel.examples.vehicle_signals`.
 """
 
 from __future__ import annotations
@@ -200,7 +200,7 @@ class Results:
     linear: Linearization
     differentiated: Array
     no_side_force: Linearization
-    loci: Array
+    straight: list[Linearization]  # at the speeds of `LOCI`
     steering: dict[tuple[int, str], fx.Motion]
     dropped: fx.State  # the end of the fastest, with the tyres' loads straight below the wheels' centres
     sines: dict[int, fx.Motion]
@@ -235,7 +235,7 @@ def analyse() -> Results:
         linear=lin,
         differentiated=state_matrix(system, lin.state),
         no_side_force=linear(20.0, "vertical")[1],
-        loci=np.array([moving(linear(v)[1]) for v in LOCI]),
+        straight=[linear(v)[1] for v in LOCI],
         steering=steering,
         dropped=steer(30.0, deflection="drop")[-1],
         sines={mm: sine_steer(mm) for mm in data.SINE_STEER},

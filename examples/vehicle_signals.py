@@ -1,7 +1,7 @@
 """What is read off a motion of the road vehicle: angles, accelerations, tyre loads, what leaves its range.
 
 Rotations are reported in the benchmark's order (pitch, roll, yaw from the road, so that they mix when the vehicle has
-turned) and accelerations along its yawed axes. Imports numpy and flexel.
+turned) and accelerations along its yawed axes.
 """
 
 from __future__ import annotations

@@ -1,7 +1,4 @@
-"""The table of the road vehicle: every quantity beside its reference, with what explains their difference.
-
-Imports numpy and flexel.
-"""
+"""The table of the road vehicle: every quantity beside its reference, with what explains their difference."""
 
 from __future__ import annotations
 
@@ -14,7 +11,7 @@ from numpy.typing import ArrayLike
 import flexel as fx
 from flexel.examples import vehicle_data as data
 from flexel.examples.reasons import PRINTED, ROUNDING
-from flexel.examples.vehicle_runs import Results, mode_name
+from flexel.examples.vehicle_runs import Results, mode_name, moving
 from flexel.examples.vehicle_signals import (
     SIGNALS,
     at_stop,
@@ -57,9 +54,9 @@ def counts(results: Results) -> list[Quantity]:
     }
     zero_slip = results.steering[30, "zero slip"].system.counts["degrees_of_freedom"]
     return [
-        Quantity("freedoms", found["degrees_of_freedom"], 10, 0, "", data.TALK, kind="published"),
+        Quantity("degrees_of_freedom", found["degrees_of_freedom"], 10, 0, "", data.TALK, kind="published"),
         Quantity(
-            "freedoms_zero_slip",
+            "degrees_of_freedom_zero_slip",
             zero_slip,
             8,
             0,
@@ -70,7 +67,7 @@ def counts(results: Results) -> list[Quantity]:
         *(Quantity(z, n, source=f"the talk's model has {data.TALK_COUNTS[z]}") for z, n in sizes.items()),
         *(Quantity(f"{kind}_nodes", sum(z.kind == kind for z in s.nodes), source=data.TALK_NODES[kind])
           for kind in ("point", "frame")),
-        *(Quantity(z, found[z], source="free coordinates are as many as these conditions and the freedoms")
+        *(Quantity(z, found[z], source="free coordinates are as many as these conditions and the degrees of freedom")
           for z in ("free_coordinates", "rigid_deformations", "norms", "prescribed")),
     ]  # fmt: skip
 
@@ -163,7 +160,7 @@ def linear(results: Results) -> list[Quantity]:
     modes = {
         mode_name(m): [m.eigenvalue.real, m.eigenvalue.imag] for m in lin.modes() if m.eigenvalue.imag > 1e-6
     }
-    rightmost = results.loci.real.max(axis=1)
+    rightmost = np.array([moving(z).real.max() for z in results.straight])
     growing = f"5 ... 40 m/s, {np.count_nonzero(rightmost > 0) or 'no'} speed(s) with a growing mode"
     indicative = "; toe and camber change differ there"
     return [

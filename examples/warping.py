@@ -3,7 +3,7 @@
 The models are rows of beams along x that share their warping nodes.  `reproduce` compares restrained torsion, uneven
 torsion with its bimoment, lateral and torsional buckling, frequencies, the twist of a leaf in tension, and the limit
 without restraint, in which the beam is the plain one.
-Imports numpy and flexel; closed forms, table and picture are in `warping_exact`, `warping_table` and
+Closed forms, table and picture are in `warping_exact`, `warping_table` and
 `warping_figures`.
 """
 

@@ -1,7 +1,4 @@
-"""Closed forms of Vlasov's torsion, for the beams of `warping`: stiffness, twist, buckling, frequencies.
-
-Imports numpy, scipy and flexel.
-"""
+"""Closed forms of Vlasov's torsion, for the beams of `warping`: stiffness, twist, buckling, frequencies."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""Picture of restrained torsion: the stiffness of a clamped leaf over its length, and the twist of an I beam.
-
-Imports numpy and flexel; matplotlib is imported by `flexel.pictures.figures` when a picture is drawn.
-"""
+"""Picture of restrained torsion: the stiffness of a clamped leaf over its length, and the twist of an I beam."""
 
 from __future__ import annotations
 
@@ -27,7 +24,9 @@ def pictures(out: Path) -> list[Path]:
             found = [example.leaf_stiffness(float(z), n) for z in marks]
             label = f"{n} element{'s' * (n > 1)}"
             left.loglog(marks, found, marker, color=COLOURS[n % 2 + 1], label=label)
-        left.set(xlabel="k l", ylabel="torsional stiffness over GJ/l", title="Leaf, clamped at both ends")
+        left.set(
+            xlabel="k l [-]", ylabel="torsional stiffness over GJ/l [-]", title="Leaf, clamped at both ends"
+        )
         left.legend()
         x, angles, _ = example.cantilever_torsion(8)
         fine = np.linspace(0.0, SPAN, 200)
@@ -38,5 +37,6 @@ def pictures(out: Path) -> list[Path]:
         right.plot(x, 1e3 * angles, "o", color=COLOURS[1], label="8 elements")
         right.set(xlabel="x [m]", ylabel="twist [mrad]", title="I beam, end torque of 1 N m")
         right.legend()
+        drawn.suptitle("Torsion with restrained warping")
         save(drawn, path)
     return [path]

@@ -1,7 +1,4 @@
-"""The table of beams whose sections warp: every quantity beside its closed form.
-
-Imports numpy and flexel.
-"""
+"""The table of beams whose sections warp: every quantity beside its closed form."""
 
 from __future__ import annotations
 

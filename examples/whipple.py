@@ -1,7 +1,4 @@
-"""The linear equations of the bicycle by the formulas of the 2007 benchmark (its appendix A), from the 25 parameters.
-
-Imports numpy only.
-"""
+"""The linear equations of the bicycle by the formulas of the 2007 benchmark (appendix A), from the 25 parameters."""
 
 from __future__ import annotations
 

@@ -160,6 +160,7 @@ extern const flexel_element flexel_bar_span;
 extern const flexel_element flexel_beam_span;
 extern const flexel_element flexel_skate;
 extern const flexel_element flexel_roller_cam;
+extern const flexel_element flexel_flat_cam;
 extern const flexel_element flexel_planar_point_mass;
 extern const flexel_element flexel_planar_body;
 extern const flexel_element flexel_planar_rotary_inertia;
@@ -174,6 +175,7 @@ extern const flexel_element flexel_planar_gear;
 extern const flexel_element flexel_planar_wheel;
 extern const flexel_element flexel_planar_skate;
 extern const flexel_element flexel_planar_roller_cam;
+extern const flexel_element flexel_planar_flat_cam;
 extern const flexel_element flexel_planar_body_velocity;
 extern const flexel_element flexel_planar_bar_span;
 extern const flexel_element flexel_planar_beam_span;
@@ -231,6 +233,10 @@ extern const flexel_law flexel_law_friction;
 extern const flexel_law flexel_law_slip_friction;
 extern const flexel_law flexel_law_limits;
 extern const flexel_law flexel_law_loose_journal;
+extern const flexel_law flexel_law_loose_ball;
+extern const flexel_law flexel_law_held;
+extern const flexel_law flexel_law_slip_held;
+extern const flexel_law flexel_law_memory;
 /* cdef: end */
 
 #endif

@@ -66,7 +66,7 @@ static void linear_1_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_1 = {
     .name = "linear_1",
-    .digest = "b8fb0fdf1d03c48e",
+    .digest = "1bb4fefea9bf7461",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -159,7 +159,7 @@ static void linear_2_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_2 = {
     .name = "linear_2",
-    .digest = "b8fb0fdf1d03c48e",
+    .digest = "1bb4fefea9bf7461",
     .m = 2,
     .k = 0,
     .nz = 0,
@@ -279,7 +279,7 @@ static void linear_3_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_3 = {
     .name = "linear_3",
-    .digest = "b8fb0fdf1d03c48e",
+    .digest = "1bb4fefea9bf7461",
     .m = 3,
     .k = 0,
     .nz = 0,
@@ -436,7 +436,7 @@ static void linear_4_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_4 = {
     .name = "linear_4",
-    .digest = "b8fb0fdf1d03c48e",
+    .digest = "1bb4fefea9bf7461",
     .m = 4,
     .k = 0,
     .nz = 0,
@@ -633,7 +633,7 @@ static void linear_5_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_5 = {
     .name = "linear_5",
-    .digest = "b8fb0fdf1d03c48e",
+    .digest = "1bb4fefea9bf7461",
     .m = 5,
     .k = 0,
     .nz = 0,
@@ -884,7 +884,7 @@ static void linear_6_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_6 = {
     .name = "linear_6",
-    .digest = "b8fb0fdf1d03c48e",
+    .digest = "1bb4fefea9bf7461",
     .m = 6,
     .k = 0,
     .nz = 0,
@@ -1026,7 +1026,7 @@ static void diagonal_6_tangent(size_t nblocks, const real *const *in, real *cons
 
 const flexel_law flexel_law_diagonal_6 = {
     .name = "diagonal_6",
-    .digest = "b8fb0fdf1d03c48e",
+    .digest = "1bb4fefea9bf7461",
     .m = 6,
     .k = 0,
     .nz = 0,
@@ -1250,7 +1250,7 @@ static void diagonal_12_tangent(size_t nblocks, const real *const *in, real *con
 
 const flexel_law flexel_law_diagonal_12 = {
     .name = "diagonal_12",
-    .digest = "b8fb0fdf1d03c48e",
+    .digest = "1bb4fefea9bf7461",
     .m = 12,
     .k = 0,
     .nz = 0,
@@ -1310,7 +1310,7 @@ static void viscous_1_tangent(size_t nblocks, const real *const *in, real *const
 
 const flexel_law flexel_law_viscous_1 = {
     .name = "viscous_1",
-    .digest = "b8fb0fdf1d03c48e",
+    .digest = "1bb4fefea9bf7461",
     .m = 0,
     .k = 1,
     .nz = 0,
@@ -1379,7 +1379,7 @@ static void viscous_2_tangent(size_t nblocks, const real *const *in, real *const
 
 const flexel_law flexel_law_viscous_2 = {
     .name = "viscous_2",
-    .digest = "b8fb0fdf1d03c48e",
+    .digest = "1bb4fefea9bf7461",
     .m = 0,
     .k = 2,
     .nz = 0,
@@ -1460,7 +1460,7 @@ static void viscous_3_tangent(size_t nblocks, const real *const *in, real *const
 
 const flexel_law flexel_law_viscous_3 = {
     .name = "viscous_3",
-    .digest = "b8fb0fdf1d03c48e",
+    .digest = "1bb4fefea9bf7461",
     .m = 0,
     .k = 3,
     .nz = 0,
@@ -1901,7 +1901,7 @@ static void spring_curve_tangent(size_t nblocks, const real *const *in, real *co
 
 const flexel_law flexel_law_spring_curve = {
     .name = "spring_curve",
-    .digest = "b8fb0fdf1d03c48e",
+    .digest = "1bb4fefea9bf7461",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -2317,7 +2317,7 @@ static void damper_curve_tangent(size_t nblocks, const real *const *in, real *co
 
 const flexel_law flexel_law_damper_curve = {
     .name = "damper_curve",
-    .digest = "b8fb0fdf1d03c48e",
+    .digest = "1bb4fefea9bf7461",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -2398,7 +2398,7 @@ static void stop_tangent(size_t nblocks, const real *const *in, real *const *out
 
 const flexel_law flexel_law_stop = {
     .name = "stop",
-    .digest = "b8fb0fdf1d03c48e",
+    .digest = "1bb4fefea9bf7461",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -2474,7 +2474,7 @@ static void vertical_tyre_tangent(size_t nblocks, const real *const *in, real *c
 
 const flexel_law flexel_law_vertical_tyre = {
     .name = "vertical_tyre",
-    .digest = "b8fb0fdf1d03c48e",
+    .digest = "1bb4fefea9bf7461",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -2634,7 +2634,7 @@ static void linear_tyre_tangent(size_t nblocks, const real *const *in, real *con
 
 const flexel_law flexel_law_linear_tyre = {
     .name = "linear_tyre",
-    .digest = "b8fb0fdf1d03c48e",
+    .digest = "1bb4fefea9bf7461",
     .m = 2,
     .k = 4,
     .nz = 0,
@@ -2871,7 +2871,7 @@ static void calspan_tyre_tangent(size_t nblocks, const real *const *in, real *co
 
 const flexel_law flexel_law_calspan_tyre = {
     .name = "calspan_tyre",
-    .digest = "b8fb0fdf1d03c48e",
+    .digest = "1bb4fefea9bf7461",
     .m = 2,
     .k = 4,
     .nz = 0,
@@ -3211,7 +3211,7 @@ static void magic_formula_tangent(size_t nblocks, const real *const *in, real *c
 
 const flexel_law flexel_law_magic_formula = {
     .name = "magic_formula",
-    .digest = "b8fb0fdf1d03c48e",
+    .digest = "1bb4fefea9bf7461",
     .m = 2,
     .k = 5,
     .nz = 2,
@@ -3324,7 +3324,7 @@ static void hertz_tangent(size_t nblocks, const real *const *in, real *const *ou
 
 const flexel_law flexel_law_hertz = {
     .name = "hertz",
-    .digest = "b8fb0fdf1d03c48e",
+    .digest = "1bb4fefea9bf7461",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -3468,7 +3468,7 @@ static void hertz_coulomb_1_tangent(size_t nblocks, const real *const *in, real 
 
 const flexel_law flexel_law_hertz_coulomb_1 = {
     .name = "hertz_coulomb_1",
-    .digest = "b8fb0fdf1d03c48e",
+    .digest = "1bb4fefea9bf7461",
     .m = 1,
     .k = 1,
     .nz = 0,
@@ -3632,7 +3632,7 @@ static void hertz_coulomb_2_tangent(size_t nblocks, const real *const *in, real 
 
 const flexel_law flexel_law_hertz_coulomb_2 = {
     .name = "hertz_coulomb_2",
-    .digest = "b8fb0fdf1d03c48e",
+    .digest = "1bb4fefea9bf7461",
     .m = 1,
     .k = 2,
     .nz = 0,
@@ -3810,7 +3810,7 @@ static void hertz_bristle_1_tangent(size_t nblocks, const real *const *in, real 
 
 const flexel_law flexel_law_hertz_bristle_1 = {
     .name = "hertz_bristle_1",
-    .digest = "b8fb0fdf1d03c48e",
+    .digest = "1bb4fefea9bf7461",
     .m = 1,
     .k = 1,
     .nz = 1,
@@ -4015,7 +4015,7 @@ static void hertz_bristle_2_tangent(size_t nblocks, const real *const *in, real 
 
 const flexel_law flexel_law_hertz_bristle_2 = {
     .name = "hertz_bristle_2",
-    .digest = "b8fb0fdf1d03c48e",
+    .digest = "1bb4fefea9bf7461",
     .m = 1,
     .k = 2,
     .nz = 2,
@@ -4125,7 +4125,7 @@ static void journal_tangent(size_t nblocks, const real *const *in, real *const *
 
 const flexel_law flexel_law_journal = {
     .name = "journal",
-    .digest = "b8fb0fdf1d03c48e",
+    .digest = "1bb4fefea9bf7461",
     .m = 3,
     .k = 0,
     .nz = 0,
@@ -4192,7 +4192,7 @@ static void friction_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_friction = {
     .name = "friction",
-    .digest = "b8fb0fdf1d03c48e",
+    .digest = "1bb4fefea9bf7461",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -4259,7 +4259,7 @@ static void slip_friction_tangent(size_t nblocks, const real *const *in, real *c
 
 const flexel_law flexel_law_slip_friction = {
     .name = "slip_friction",
-    .digest = "b8fb0fdf1d03c48e",
+    .digest = "1bb4fefea9bf7461",
     .m = 0,
     .k = 1,
     .nz = 0,
@@ -4354,7 +4354,7 @@ static void limits_tangent(size_t nblocks, const real *const *in, real *const *o
 
 const flexel_law flexel_law_limits = {
     .name = "limits",
-    .digest = "b8fb0fdf1d03c48e",
+    .digest = "1bb4fefea9bf7461",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -4503,11 +4503,307 @@ static void loose_journal_tangent(size_t nblocks, const real *const *in, real *c
 
 const flexel_law flexel_law_loose_journal = {
     .name = "loose_journal",
-    .digest = "b8fb0fdf1d03c48e",
+    .digest = "1bb4fefea9bf7461",
     .m = 3,
     .k = 0,
     .nz = 0,
     .np = 5,
     .law = loose_journal_law,
     .tangent = loose_journal_tangent,
+};
+
+/* loose_ball
+ *
+ * r = |(e_0, e_1, e_2)|, depth = max(0, r - gap), N = stiffness depth max(0, 1 + damping dr/dt)
+ * sigma_i = N e_i/r
+ *
+ * Source: Hunt and Crossley 1975, J. Appl. Mech. 42:440, exponent one
+ *
+ * 3 deformations, 0 slips
+ * p (3):
+ *   gap (1) [m]: radial play as drawn
+ *   stiffness (1) [N/m or N m/rad]: stiffness once touched
+ *   damping (1) [s/m or s/rad]: loss relative to the elastic force, for unit rate */
+
+/* law: 43 operations.
+ * in:  e (3), ed (3), s (0), z (0), t (1), p (3)
+ * out: sigma (3), tau (0), zd (0), U (1), P (1) */
+FLEXEL_CLONES
+static void loose_ball_law(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (3 * 8);
+        const real *restrict ed = in[1] + b * (3 * 8);
+        const real *restrict p = in[5] + b * (3 * 8);
+        real *restrict sigma = out[0] + b * (3 * 8);
+        real *restrict U = out[3] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real gap = p[0 * 8 + j];
+            const real e_1 = e[1 * 8 + j];
+            const real e_0 = e[0 * 8 + j];
+            const real e_2 = e[2 * 8 + j];
+            const real square = e_0 * e_0 + e_2 * e_2 + e_1 * e_1;
+            const real safe = real_lt(gap * gap, square) ? square : 1.0;
+            const real r = real_sqrt(safe);
+            const real t0 = 1.0 / r;
+            const real ed_1 = ed[1 * 8 + j];
+            const real ed_0 = ed[0 * 8 + j];
+            const real ed_2 = ed[2 * 8 + j];
+            const real t1 = e_0 * ed_0 + e_2 * ed_2 + e_1 * ed_1;
+            const real rate = t0 * t1;
+            const real damping = p[2 * 8 + j];
+            const real depth = real_lt(gap * gap, square) ? r - gap : 0.0;
+            const real stiffness = p[1 * 8 + j];
+            const real t2 = stiffness * depth;
+            const real N = real_max(0.0, 1.0 + damping * rate) * t2;
+            const real t3 = e_0 * t0 * N;
+            sigma[0 * 8 + j] = t3;
+            const real t4 = e_1 * t0 * N;
+            sigma[1 * 8 + j] = t4;
+            const real t5 = e_2 * t0 * N;
+            sigma[2 * 8 + j] = t5;
+            U[0 * 8 + j] = 0.5 * depth * t2;
+            const real t6 = real_lt(gap * gap, square) ? 0.5 * t0 * (real_lt(gap * gap, square) ? 2.0 * t1 : 0.0)
+                : 0.0;
+            P[0 * 8 + j] = ed_2 * t5 + ed_0 * t3 + ed_1 * t4 - t2 * t6;
+        }
+    }
+}
+
+/* tangent: 100 operations.
+ * in:  e (3), ed (3), s (0), z (0), t (1), p (3)
+ * out: J (3,6) */
+FLEXEL_CLONES
+static void loose_ball_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (3 * 8);
+        const real *restrict ed = in[1] + b * (3 * 8);
+        const real *restrict p = in[5] + b * (3 * 8);
+        real *restrict J = out[0] + b * (18 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real gap = p[0 * 8 + j];
+            const real e_1 = e[1 * 8 + j];
+            const real e_0 = e[0 * 8 + j];
+            const real e_2 = e[2 * 8 + j];
+            const real square = e_0 * e_0 + e_2 * e_2 + e_1 * e_1;
+            const real safe = real_lt(gap * gap, square) ? square : 1.0;
+            const real r = real_sqrt(safe);
+            const real t0 = 1.0 / r;
+            const real ed_1 = ed[1 * 8 + j];
+            const real ed_0 = ed[0 * 8 + j];
+            const real ed_2 = ed[2 * 8 + j];
+            const real t1 = e_0 * ed_0 + e_2 * ed_2 + e_1 * ed_1;
+            const real rate = t0 * t1;
+            const real damping = p[2 * 8 + j];
+            const real t2 = 1.0 + damping * rate;
+            const real t3 = real_max(0.0, t2);
+            const real depth = real_lt(gap * gap, square) ? r - gap : 0.0;
+            const real stiffness = p[1 * 8 + j];
+            const real N = stiffness * depth * t3;
+            const real t4 = t0 * N;
+            const real t5 = e_0 * t0;
+            const real t6 = damping * depth * (real_le(t2, 0.0) ? 0.0 : 1.0);
+            const real t7 = stiffness * t0 * t6;
+            const real t8 = real_lt(gap * gap, square) ? 1.0 : 0.0;
+            const real t9 = t0 * t8;
+            const real t10 = t0 * t0 * t9;
+            const real t11 = stiffness * (t3 * t9 * t8 - t1 * t10 * t6);
+            const real t12 = ed_0 * t7 + e_0 * t11;
+            const real t13 = e_0 * N * t10;
+            J[0 * 8 + j] = t4 + t5 * t12 - e_0 * t13; /* J(0,0) */
+            const real t14 = ed_1 * t7 + e_1 * t11;
+            J[1 * 8 + j] = t5 * t14 - e_1 * t13; /* J(0,1) */
+            const real t15 = ed_2 * t7 + e_2 * t11;
+            J[2 * 8 + j] = t5 * t15 - e_2 * t13; /* J(0,2) */
+            const real t16 = e_0 * t7;
+            J[3 * 8 + j] = t5 * t16; /* J(0,3) */
+            const real t17 = e_1 * t7;
+            J[4 * 8 + j] = t5 * t17; /* J(0,4) */
+            const real t18 = e_2 * t7;
+            J[5 * 8 + j] = t5 * t18; /* J(0,5) */
+            const real t19 = e_1 * t0;
+            const real t20 = e_1 * N * t10;
+            J[6 * 8 + j] = t19 * t12 - e_0 * t20; /* J(1,0) */
+            J[7 * 8 + j] = t4 + t19 * t14 - e_1 * t20; /* J(1,1) */
+            J[8 * 8 + j] = t19 * t15 - e_2 * t20; /* J(1,2) */
+            J[9 * 8 + j] = t19 * t16; /* J(1,3) */
+            J[10 * 8 + j] = t19 * t17; /* J(1,4) */
+            J[11 * 8 + j] = t19 * t18; /* J(1,5) */
+            const real t21 = e_2 * t0;
+            const real t22 = e_2 * N * t10;
+            J[12 * 8 + j] = t21 * t12 - e_0 * t22; /* J(2,0) */
+            J[13 * 8 + j] = t21 * t14 - e_1 * t22; /* J(2,1) */
+            J[14 * 8 + j] = t4 + t21 * t15 - e_2 * t22; /* J(2,2) */
+            J[15 * 8 + j] = t21 * t16; /* J(2,3) */
+            J[16 * 8 + j] = t21 * t17; /* J(2,4) */
+            J[17 * 8 + j] = t21 * t18; /* J(2,5) */
+        }
+    }
+}
+
+const flexel_law flexel_law_loose_ball = {
+    .name = "loose_ball",
+    .digest = "1bb4fefea9bf7461",
+    .m = 3,
+    .k = 0,
+    .nz = 0,
+    .np = 3,
+    .law = loose_ball_law,
+    .tangent = loose_ball_tangent,
+};
+
+/* held
+ *
+ * sigma = -u, du/dt = 0
+ *
+ * Source: zero-order hold
+ *
+ * 1 deformations, 0 slips, z: u [N or N m]
+ * p (0): none */
+
+/* law: 3 operations.
+ * in:  e (1), ed (1), s (0), z (1), t (1), p (0)
+ * out: sigma (1), tau (0), zd (1), 0 of 1 entries, U (1), 0 of 1 entries, P (1) */
+FLEXEL_CLONES
+static void held_law(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict ed = in[1] + b * (1 * 8);
+        const real *restrict z = in[3] + b * (1 * 8);
+        real *restrict sigma = out[0] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real u = z[0 * 8 + j];
+            sigma[0 * 8 + j] = -u;
+            const real ed_ = ed[0 * 8 + j];
+            P[0 * 8 + j] = -(ed_ * u);
+        }
+    }
+}
+
+/* tangent: 0 operations.
+ * in:  e (1), ed (1), s (0), z (1), t (1), p (0)
+ * out: J (2,3), 1 of 6 entries */
+FLEXEL_CLONES
+static void held_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        real *restrict J = out[0] + b * (1 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            J[0 * 8 + j] = -1.0; /* J(0,2) */
+        }
+    }
+    (void)in;
+}
+
+const flexel_law flexel_law_held = {
+    .name = "held",
+    .digest = "1bb4fefea9bf7461",
+    .m = 1,
+    .k = 0,
+    .nz = 1,
+    .np = 0,
+    .law = held_law,
+    .tangent = held_tangent,
+};
+
+/* slip_held
+ *
+ * tau = -u, du/dt = 0
+ *
+ * Source: zero-order hold
+ *
+ * 0 deformations, 1 slips, z: u [N or N m]
+ * p (0): none */
+
+/* law: 3 operations.
+ * in:  e (0), ed (0), s (1), z (1), t (1), p (0)
+ * out: sigma (0), tau (1), zd (1), 0 of 1 entries, U (1), 0 of 1 entries, P (1) */
+FLEXEL_CLONES
+static void slip_held_law(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict s = in[2] + b * (1 * 8);
+        const real *restrict z = in[3] + b * (1 * 8);
+        real *restrict tau = out[1] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real u = z[0 * 8 + j];
+            tau[0 * 8 + j] = -u;
+            const real s_ = s[0 * 8 + j];
+            P[0 * 8 + j] = -(s_ * u);
+        }
+    }
+}
+
+/* tangent: 0 operations.
+ * in:  e (0), ed (0), s (1), z (1), t (1), p (0)
+ * out: J (2,2), 1 of 4 entries */
+FLEXEL_CLONES
+static void slip_held_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        real *restrict J = out[0] + b * (1 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            J[0 * 8 + j] = -1.0; /* J(0,1) */
+        }
+    }
+    (void)in;
+}
+
+const flexel_law flexel_law_slip_held = {
+    .name = "slip_held",
+    .digest = "1bb4fefea9bf7461",
+    .m = 0,
+    .k = 1,
+    .nz = 1,
+    .np = 0,
+    .law = slip_held_law,
+    .tangent = slip_held_tangent,
+};
+
+/* memory
+ *
+ * dz/dt = 0, without a force
+ *
+ * Source: state of a sampled controller
+ *
+ * 0 deformations, 0 slips, z: z [1]
+ * p (0): none */
+
+/* law: 0 operations.
+ * in:  e (0), ed (0), s (0), z (1), t (1), p (0)
+ * out: sigma (0), tau (0), zd (1), 0 of 1 entries, U (1), 0 of 1 entries, P (1), 0 of 1 entries */
+FLEXEL_CLONES
+static void memory_law(size_t nblocks, const real *const *in, real *const *out)
+{
+    (void)nblocks, (void)in, (void)out; /* every entry is zero */
+}
+
+/* tangent: 0 operations.
+ * in:  e (0), ed (0), s (0), z (1), t (1), p (0)
+ * out: J (1,1), 0 of 1 entries */
+FLEXEL_CLONES
+static void memory_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    (void)nblocks, (void)in, (void)out; /* every entry is zero */
+}
+
+const flexel_law flexel_law_memory = {
+    .name = "memory",
+    .digest = "1bb4fefea9bf7461",
+    .m = 0,
+    .k = 0,
+    .nz = 1,
+    .np = 0,
+    .law = memory_law,
+    .tangent = memory_tangent,
 };

@@ -1641,6 +1641,70 @@ ELEMENTS: dict[str, ElementSpec] = {
         },
         picture="cam",
     ),
+    # element flat_cam
+    "flat_cam": ElementSpec(
+        name="flat_cam",
+        digest="8e6868f82116424d",
+        doc="n: normal of the face, first column of R(lambda_q o tq);  (a, b) = components of n on ex, ey, columns of R(lambda_p o tp)\npsi = atan2(b, a), u = 48 psi/(2 pi), between i and i + 1; t = u - i\nh = sum over j = 0 ... 5 of control[(i + j - 2) mod 48] B_j(t), uniform B-splines of degree five\ngap = n.(xq - xp) - h sqrt(a^2 + b^2)",
+        source="support function of a convex cam; de Boor 1978, A Practical Guide to Splines",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("rp", "frame"),
+            NodeSpec("q", "point"),
+            NodeSpec("rq", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("tp", 4, "1", "unit quaternion from the body frame of node p to the element's triad there"),
+            ParameterSpec("tq", 4, "1", "unit quaternion from the body frame of node q to the element's triad there"),
+            ParameterSpec("control", 48, "m", "control values of the periodic spline of degree five, its knots at equal steps of the angle"),
+        ),
+        deformations=(
+            DeformationSpec("gap", "m", False, kind="gap"),
+        ),
+        slips=(),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 14), tuple(range(14))),
+                    OutputSpec("V", (0, 14), ()),
+                ),
+                798,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (0,), ()),
+                ),
+                1067,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (1, 14), tuple(range(14))),
+                ),
+                1315,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (1, 14), tuple(range(14))),
+                    OutputSpec("Psi_v", (1, 14), tuple(range(14))),
+                ),
+                2538,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (14, 14), (10, 11, 12, 13, 24, 25, 26, 27, 38, 39, 40, 41, 45, 46, 47, 48, 52, 53, 54, 55, 59, 60, 61, 62, 66, 67, 68, 69, 73, 74, 75, 76, 80, 81, 82, 83, 87, 88, 89, 90, 94, 95, 96, 97, 108, 109, 110, 111, 122, 123, 124, 125, 136, 137, 138, 139, 140, 141, 142, 143, 144, 145, 146, 147, 148, 149, 150, 151, 152, 153, 154, 155, 156, 157, 158, 159, 160, 161, 162, 163, 164, 165, 166, 167, 168, 169, 170, 171, 172, 173, 174, 175, 176, 177, 178, 179, 180, 181, 182, 183, 184, 185, 186, 187, 188, 189, 190, 191, 192, 193, 194, 195)),
+                ),
+                1967,
+            ),
+        },
+        picture="flat cam",
+    ),
     # element planar_point_mass
     "planar_point_mass": ElementSpec(
         name="planar_point_mass",
@@ -2550,6 +2614,70 @@ ELEMENTS: dict[str, ElementSpec] = {
         },
         picture="cam",
     ),
+    # element planar_flat_cam
+    "planar_flat_cam": ElementSpec(
+        name="planar_flat_cam",
+        digest="b3acdf81245f1bdb",
+        doc="n: normal of the face, direction angle_q + alphaq0;  (a, b) = components of n on ex, ey (angle_p + alpha0)\npsi = atan2(b, a), u = 48 psi/(2 pi), between i and i + 1; t = u - i\nh = sum over j = 0 ... 5 of control[(i + j - 2) mod 48] B_j(t), uniform B-splines of degree five\ngap = n.(xq - xp) - h",
+        source="support function of a convex cam; de Boor 1978, A Practical Guide to Splines",
+        nodes=(
+            NodeSpec("p", "planar_point"),
+            NodeSpec("rp", "planar_angle"),
+            NodeSpec("q", "planar_point"),
+            NodeSpec("rq", "planar_angle"),
+        ),
+        parameters=(
+            ParameterSpec("alpha0", 1, "rad", "initial direction of the element minus the angle of node p"),
+            ParameterSpec("alphaq0", 1, "rad", "initial direction of the element minus the angle of node q"),
+            ParameterSpec("control", 48, "m", "control values of the periodic spline of degree five, its knots at equal steps of the angle"),
+        ),
+        deformations=(
+            DeformationSpec("gap", "m", False, kind="gap"),
+        ),
+        slips=(),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (1,), (0,)),
+                    OutputSpec("De", (1, 6), tuple(range(6))),
+                    OutputSpec("V", (0, 6), ()),
+                ),
+                518,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (1,), (0,)),
+                    OutputSpec("gs", (0,), ()),
+                ),
+                653,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (1, 6), tuple(range(6))),
+                ),
+                594,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (1, 6), tuple(range(6))),
+                    OutputSpec("Psi_v", (1, 6), tuple(range(6))),
+                ),
+                1015,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (6, 6), (5, 11, 14, 17, 23, 29, 30, 31, 32, 33, 34, 35)),
+                ),
+                608,
+            ),
+        },
+        picture="flat cam",
+    ),
     # element planar_body_velocity
     "planar_body_velocity": ElementSpec(
         name="planar_body_velocity",
@@ -3201,7 +3329,7 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("rope_radius", 1, "m", "outer radius of the rope"),
         ),
         deformations=(
-            DeformationSpec("gap", "m", True, kind="gap"),
+            DeformationSpec("gap", "m", True, kind="gap", kinked=True),
         ),
         slips=(
             SlipSpec("tangential", "m/s", True),
@@ -3277,7 +3405,7 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("rope_radius", 1, "m", "outer radius of the rope"),
         ),
         deformations=(
-            DeformationSpec("gap", "m", True, kind="gap"),
+            DeformationSpec("gap", "m", True, kind="gap", kinked=True),
         ),
         slips=(
             SlipSpec("tangential", "m/s", True),
@@ -3553,7 +3681,7 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("sphere_radius", 1, "m", "radius of the sphere; 0: a point", sign=("not negative",)),
         ),
         deformations=(
-            DeformationSpec("gap", "m", True, kind="gap"),
+            DeformationSpec("gap", "m", True, kind="gap", kinked=True),
         ),
         slips=(
             SlipSpec("tangential", "m/s", True),
@@ -3838,7 +3966,7 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("sphere_radius", 1, "m", "radius of the sphere; 0: a point", sign=("not negative",)),
         ),
         deformations=(
-            DeformationSpec("gap", "m", True, kind="gap"),
+            DeformationSpec("gap", "m", True, kind="gap", kinked=True),
         ),
         slips=(
             SlipSpec("tangential", "m/s", True),
@@ -4520,7 +4648,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_1
     "linear_1": LawSpec(
         name="linear_1",
-        digest="b8fb0fdf1d03c48e",
+        digest="1bb4fefea9bf7461",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=1,
         slips=0,
@@ -4554,7 +4682,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_2
     "linear_2": LawSpec(
         name="linear_2",
-        digest="b8fb0fdf1d03c48e",
+        digest="1bb4fefea9bf7461",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=2,
         slips=0,
@@ -4588,7 +4716,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_3
     "linear_3": LawSpec(
         name="linear_3",
-        digest="b8fb0fdf1d03c48e",
+        digest="1bb4fefea9bf7461",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=3,
         slips=0,
@@ -4622,7 +4750,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_4
     "linear_4": LawSpec(
         name="linear_4",
-        digest="b8fb0fdf1d03c48e",
+        digest="1bb4fefea9bf7461",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=4,
         slips=0,
@@ -4656,7 +4784,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_5
     "linear_5": LawSpec(
         name="linear_5",
-        digest="b8fb0fdf1d03c48e",
+        digest="1bb4fefea9bf7461",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=5,
         slips=0,
@@ -4690,7 +4818,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_6
     "linear_6": LawSpec(
         name="linear_6",
-        digest="b8fb0fdf1d03c48e",
+        digest="1bb4fefea9bf7461",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=6,
         slips=0,
@@ -4724,7 +4852,7 @@ LAWS: dict[str, LawSpec] = {
     # law diagonal_6
     "diagonal_6": LawSpec(
         name="diagonal_6",
-        digest="b8fb0fdf1d03c48e",
+        digest="1bb4fefea9bf7461",
         doc="sigma_i = preload_i + S_i e_i + D_i ed_i\nenergy = sum of preload_i e_i + S_i e_i^2/2",
         deformations=6,
         slips=0,
@@ -4758,7 +4886,7 @@ LAWS: dict[str, LawSpec] = {
     # law diagonal_12
     "diagonal_12": LawSpec(
         name="diagonal_12",
-        digest="b8fb0fdf1d03c48e",
+        digest="1bb4fefea9bf7461",
         doc="sigma_i = preload_i + S_i e_i + D_i ed_i\nenergy = sum of preload_i e_i + S_i e_i^2/2",
         deformations=12,
         slips=0,
@@ -4792,7 +4920,7 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_1
     "viscous_1": LawSpec(
         name="viscous_1",
-        digest="b8fb0fdf1d03c48e",
+        digest="1bb4fefea9bf7461",
         doc="tau = C s",
         deformations=0,
         slips=1,
@@ -4824,7 +4952,7 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_2
     "viscous_2": LawSpec(
         name="viscous_2",
-        digest="b8fb0fdf1d03c48e",
+        digest="1bb4fefea9bf7461",
         doc="tau = C s",
         deformations=0,
         slips=2,
@@ -4856,7 +4984,7 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_3
     "viscous_3": LawSpec(
         name="viscous_3",
-        digest="b8fb0fdf1d03c48e",
+        digest="1bb4fefea9bf7461",
         doc="tau = C s",
         deformations=0,
         slips=3,
@@ -4888,7 +5016,7 @@ LAWS: dict[str, LawSpec] = {
     # law spring_curve
     "spring_curve": LawSpec(
         name="spring_curve",
-        digest="b8fb0fdf1d03c48e",
+        digest="1bb4fefea9bf7461",
         doc="y = x - origin, sum of c_i y^i in the piece in which x lies (x < next break), end pieces beyond\nsigma = that sum with x = e;  energy = its integral",
         deformations=1,
         slips=0,
@@ -4923,7 +5051,7 @@ LAWS: dict[str, LawSpec] = {
     # law damper_curve
     "damper_curve": LawSpec(
         name="damper_curve",
-        digest="b8fb0fdf1d03c48e",
+        digest="1bb4fefea9bf7461",
         doc="y = x - origin, sum of c_i y^i in the piece in which x lies (x < next break), end pieces beyond\nsigma = that sum with x = the rate of e",
         deformations=1,
         slips=0,
@@ -4957,7 +5085,7 @@ LAWS: dict[str, LawSpec] = {
     # law stop
     "stop": LawSpec(
         name="stop",
-        digest="b8fb0fdf1d03c48e",
+        digest="1bb4fefea9bf7461",
         doc="depth = max(0, e - gap);  sigma = stiffness depth max(0, 1 + damping edot), never pulling",
         deformations=1,
         slips=0,
@@ -4991,7 +5119,7 @@ LAWS: dict[str, LawSpec] = {
     # law vertical_tyre
     "vertical_tyre": LawSpec(
         name="vertical_tyre",
-        digest="b8fb0fdf1d03c48e",
+        digest="1bb4fefea9bf7461",
         doc="sigma = Fz\nFz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0",
         deformations=1,
         slips=0,
@@ -5024,7 +5152,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_tyre
     "linear_tyre": LawSpec(
         name="linear_tyre",
-        digest="b8fb0fdf1d03c48e",
+        digest="1bb4fefea9bf7461",
         doc="Fz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0\nslip angle alpha = atan(sideways/max(|forward|, standstill)), of the wheel's centre\ntau(lateral) = -fade Fy, tau(spin) = -fade Mz;  fade = 3 u^2 - 2 u^3, u = min(1, |forward|/standstill)\nFy = -cornering alpha - camber_stiffness camber while pressed, whatever the load;  Mz = -trail Fy",
         deformations=2,
         slips=4,
@@ -5061,7 +5189,7 @@ LAWS: dict[str, LawSpec] = {
     # law calspan_tyre
     "calspan_tyre": LawSpec(
         name="calspan_tyre",
-        digest="b8fb0fdf1d03c48e",
+        digest="1bb4fefea9bf7461",
         doc="Fz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0\nslip angle alpha = atan(sideways/max(|forward|, standstill)), of the wheel's centre\ntau(lateral) = -fade Fy, tau(spin) = -fade Mz;  fade = 3 u^2 - 2 u^3, u = min(1, |forward|/standstill)\nF = min(Fz, A2): beyond the load A2 the data end, friction and stiffnesses keep their values there\nmu = SN (B1 F + B3 + B4 F^2),  C_alpha = A0 + A1 F (1 - F/A2),  C_gamma = A3 F (1 - F/A4)\nslip = -(C_alpha alpha + C_gamma camber)/(mu Fz), at most 3\nFy = mu Fz (slip - slip |slip|/3 + slip^3/27),  Mz = (AF1 Fz + AF2 |Fy|) Fy,  Fx = 0",
         deformations=2,
         slips=4,
@@ -5100,7 +5228,7 @@ LAWS: dict[str, LawSpec] = {
     # law magic_formula
     "magic_formula": LawSpec(
         name="magic_formula",
-        digest="b8fb0fdf1d03c48e",
+        digest="1bb4fefea9bf7461",
         doc="Fz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0\nlx kappadot = Re rolling - forward - |forward| kappa\nly (tan alpha)dot = lateral - |forward| tan alpha,  lateral of the contact point\nmu = mu0 + mu1 min(1, Fz/Fz0 - 1),  Kx = kx Fz,  Ky = c1 Fz0 sin(2 atan(Fz/(c2 Fz0))),  Kg = kg Fz\nx = Kx kappa/(mu Fz),  y = (Ky tan alpha + Kg camber)/(mu Fz),  slip = |(x, y)|,  b = slip/C\n(Fx, Fy) = mu Fz sin(C atan(b - E (b - atan b))) (x, -y)/slip, combined slip by similarity\nMz = -t0 Fz/Fz0 cos(atan(B tan alpha)) Fy;  tau(longitudinal, lateral, spin) = -(Fx, Fy, Mz)",
         deformations=2,
         slips=5,
@@ -5145,7 +5273,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz
     "hertz": LawSpec(
         name="hertz",
-        digest="b8fb0fdf1d03c48e",
+        digest="1bb4fefea9bf7461",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1)",
         deformations=1,
         slips=0,
@@ -5179,7 +5307,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz_coulomb_1
     "hertz_coulomb_1": LawSpec(
         name="hertz_coulomb_1",
-        digest="b8fb0fdf1d03c48e",
+        digest="1bb4fefea9bf7461",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1)\ntau = friction N s/sqrt(s.s + slip_speed^2)",
         deformations=1,
         slips=1,
@@ -5215,7 +5343,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz_coulomb_2
     "hertz_coulomb_2": LawSpec(
         name="hertz_coulomb_2",
-        digest="b8fb0fdf1d03c48e",
+        digest="1bb4fefea9bf7461",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1)\ntau = friction N s/sqrt(s.s + slip_speed^2)",
         deformations=1,
         slips=2,
@@ -5251,7 +5379,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz_bristle_1
     "hertz_bristle_1": LawSpec(
         name="hertz_bristle_1",
-        digest="b8fb0fdf1d03c48e",
+        digest="1bb4fefea9bf7461",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1) + stiffness d^exponent bristle_stiffness z.z/2\ndz/dt = s - bristle_stiffness |s| z/friction in contact, -release z when open\ntau = N (bristle_stiffness z + bristle_damping dz/dt)",
         deformations=1,
         slips=1,
@@ -5291,7 +5419,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz_bristle_2
     "hertz_bristle_2": LawSpec(
         name="hertz_bristle_2",
-        digest="b8fb0fdf1d03c48e",
+        digest="1bb4fefea9bf7461",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1) + stiffness d^exponent bristle_stiffness z.z/2\ndz/dt = s - bristle_stiffness |s| z/friction in contact, -release z when open\ntau = N (bristle_stiffness z + bristle_damping dz/dt)",
         deformations=1,
         slips=2,
@@ -5332,7 +5460,7 @@ LAWS: dict[str, LawSpec] = {
     # law journal
     "journal": LawSpec(
         name="journal",
-        digest="b8fb0fdf1d03c48e",
+        digest="1bb4fefea9bf7461",
         doc="N_i = stiffness e_i + damping ed_i in two directions (i = 0, 1), N = |(N_0, N_1)|\ntorque = friction_radius N w/sqrt(w^2 + slip_speed^2) on the angle e_2, w = ed_2",
         deformations=3,
         slips=0,
@@ -5367,7 +5495,7 @@ LAWS: dict[str, LawSpec] = {
     # law friction
     "friction": LawSpec(
         name="friction",
-        digest="b8fb0fdf1d03c48e",
+        digest="1bb4fefea9bf7461",
         doc="sigma = limit w/sqrt(w^2 + speed^2), w = edot",
         deformations=1,
         slips=0,
@@ -5400,7 +5528,7 @@ LAWS: dict[str, LawSpec] = {
     # law slip_friction
     "slip_friction": LawSpec(
         name="slip_friction",
-        digest="b8fb0fdf1d03c48e",
+        digest="1bb4fefea9bf7461",
         doc="tau = limit w/sqrt(w^2 + speed^2), w the slip",
         deformations=0,
         slips=1,
@@ -5433,7 +5561,7 @@ LAWS: dict[str, LawSpec] = {
     # law limits
     "limits": LawSpec(
         name="limits",
-        digest="b8fb0fdf1d03c48e",
+        digest="1bb4fefea9bf7461",
         doc="above = max(0, e - high), below = max(0, low - e)\nsigma = stiffness (above max(0, 1 + damping edot) - below max(0, 1 - damping edot))",
         deformations=1,
         slips=0,
@@ -5468,7 +5596,7 @@ LAWS: dict[str, LawSpec] = {
     # law loose_journal
     "loose_journal": LawSpec(
         name="loose_journal",
-        digest="b8fb0fdf1d03c48e",
+        digest="1bb4fefea9bf7461",
         doc="r = |(e_0, e_1)|, depth = max(0, r - gap), N = stiffness depth max(0, 1 + damping dr/dt)\nsigma_i = N e_i/r (i = 0, 1);  torque = friction_radius N w/sqrt(w^2 + slip_speed^2) on e_2, w = ed_2",
         deformations=3,
         slips=0,
@@ -5498,6 +5626,136 @@ LAWS: dict[str, LawSpec] = {
                     OutputSpec("J", (3, 6), (0, 1, 3, 4, 6, 7, 9, 10, 12, 13, 15, 16, 17)),
                 ),
                 87,
+            ),
+        },
+    ),
+    # law loose_ball
+    "loose_ball": LawSpec(
+        name="loose_ball",
+        digest="1bb4fefea9bf7461",
+        doc="r = |(e_0, e_1, e_2)|, depth = max(0, r - gap), N = stiffness depth max(0, 1 + damping dr/dt)\nsigma_i = N e_i/r",
+        deformations=3,
+        slips=0,
+        states=(),
+        parameters=(
+            ParameterSpec("gap", 1, "m", "radial play as drawn", sign=("positive",)),
+            ParameterSpec("stiffness", 1, "N/m or N m/rad", "stiffness once touched", sign=("not negative",)),
+            ParameterSpec("damping", 1, "s/m or s/rad", "loss relative to the elastic force, for unit rate", sign=("not negative",)),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (3,), (0, 1, 2)),
+                    OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (0,), ()),
+                    OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                43,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (3, 6), tuple(range(18))),
+                ),
+                100,
+            ),
+        },
+    ),
+    # law held
+    "held": LawSpec(
+        name="held",
+        digest="1bb4fefea9bf7461",
+        doc="sigma = -u, du/dt = 0",
+        deformations=1,
+        slips=0,
+        states=(
+            InternalSpec("u", "N or N m"),
+        ),
+        parameters=(),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (1,), (0,)),
+                    OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (1,), ()),
+                    OutputSpec("U", (1,), ()),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                3,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (2, 3), (2,)),
+                ),
+                0,
+            ),
+        },
+    ),
+    # law slip_held
+    "slip_held": LawSpec(
+        name="slip_held",
+        digest="1bb4fefea9bf7461",
+        doc="tau = -u, du/dt = 0",
+        deformations=0,
+        slips=1,
+        states=(
+            InternalSpec("u", "N or N m"),
+        ),
+        parameters=(),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (0,), ()),
+                    OutputSpec("tau", (1,), (0,)),
+                    OutputSpec("zd", (1,), ()),
+                    OutputSpec("U", (1,), ()),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                3,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (2, 2), (1,)),
+                ),
+                0,
+            ),
+        },
+    ),
+    # law memory
+    "memory": LawSpec(
+        name="memory",
+        digest="1bb4fefea9bf7461",
+        doc="dz/dt = 0, without a force",
+        deformations=0,
+        slips=0,
+        states=(
+            InternalSpec("z", "1"),
+        ),
+        parameters=(),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (0,), ()),
+                    OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (1,), ()),
+                    OutputSpec("U", (1,), ()),
+                    OutputSpec("P", (1,), ()),
+                ),
+                0,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (1, 1), ()),
+                ),
+                0,
             ),
         },
     ),

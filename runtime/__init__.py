@@ -4,6 +4,7 @@ Imports are lazy (PEP 562), so that ``import flexel`` is quick and
 ``python -m flexel.derive`` starts even when the compiled kernels are missing or broken.
 """
 
+import logging
 from importlib import import_module
 from typing import TYPE_CHECKING
 
@@ -38,6 +39,7 @@ if TYPE_CHECKING:
     from flexel.flexures.flexure import flexure
     from flexel.flexures.properties import ElementProperties, FlexureOptions, NodeProperties
     from flexel.integration.events import Event
+    from flexel.linear.sampled import SampledLoop
     from flexel.mechanics.constraints import ConstraintReport
     from flexel.mechanics.findings import CheckReport, Finding
     from flexel.mechanics.linearization import Linearization
@@ -127,6 +129,7 @@ __all__ = [
     "RootLoci",
     "Rope",
     "RoundGroove",
+    "SampledLoop",
     "SectionForces",
     "Sketch",
     "Spacar",
@@ -215,6 +218,7 @@ _HOMES = {
     "RootLoci": "flexel.results.linearizations",
     "Rope": "flexel.rope.rope",
     "RoundGroove": "flexel.rope.surfaces",
+    "SampledLoop": "flexel.linear.sampled",
     "SectionForces": "flexel.declare.sections",
     "Sketch": "flexel.pictures.solids",
     "Spacar": "flexel.spacar.reading",
@@ -247,6 +251,10 @@ _HOMES = {
     "sweep": "flexel.sweeps.sweep",
     "turn": "flexel.base.quaternions",
 }
+
+logging.getLogger("flexel").addHandler(
+    logging.NullHandler()
+)  # records go where the program that uses it wants them
 
 
 def __getattr__(name: str) -> object:

@@ -2,21 +2,25 @@
 
 from __future__ import annotations
 
+import logging
 import warnings
 
 from flexel.base.arguments import number
 from flexel.base.errors import AssemblyWarning, ModelError
 from flexel.declare.declarations import Declarations
-from flexel.declare.resolution import check_laws, check_names, norms, resolve_roles
+from flexel.declare.resolution import check_names, norms, resolve_roles
 from flexel.engine.evaluate import Evaluation
 from flexel.mechanics.as_drawn import misfit
 from flexel.mechanics.diagnose import choose_dofs, named_dofs
 from flexel.mechanics.first_position import first_position
 from flexel.mechanics.kinematics import Kinematics, check_size
+from flexel.results.quantities import history
 from flexel.rope.free_ends import check_free_ends
 from flexel.structure.loads import Loads
-from flexel.structure.structure import assemble_structure
+from flexel.structure.structure import Structure, assemble_structure
 from flexel.system import System
+
+log = logging.getLogger("flexel.build")
 
 
 def build(model: Declarations, t: float) -> System:
@@ -25,10 +29,10 @@ def build(model: Declarations, t: float) -> System:
     if not model.nodes:
         raise ModelError("the model has no nodes; add points and frames first")
     structure = assemble_structure(
-        model.nodes.values(), [*model.instances.values(), *norms(model)], model.laws
+        model.nodes.values(), [*model.instances.values(), *norms(model)], model.laws, model.controllers
     )
     check_size(structure)
-    check_laws(structure)
+    _check_inputs(structure)
     evaluation = Evaluation(structure)
     roles = resolve_roles(model, structure)
     loads = Loads(structure, tuple(model.loads))
@@ -44,4 +48,16 @@ def build(model: Declarations, t: float) -> System:
     dynamic = named_dofs(structure, model._dynamic, "independent")
     kinematic = named_dofs(structure, model._kinematic, "kinematic")
     chosen = choose_dofs(kinematics, c.J, dynamic, kinematic)
-    return System(evaluation, loads, chosen, c, model._rates)
+    system = System(evaluation, loads, chosen, c, model._rates)
+    log.info("%s; degrees of freedom %s", system, "chosen" if model._dynamic is None else "as named")
+    return system
+
+
+def _check_inputs(structure: Structure) -> None:
+    """Check that all that controllers measure has a value."""
+    for controller in structure.controllers:
+        for name in controller.inputs:
+            try:
+                history(structure, name)
+            except ModelError as error:
+                raise ModelError(f"{controller.owner}: input {error}") from None

@@ -11,10 +11,11 @@ from collections import Counter
 from flexel.base.shown import counted
 from flexel.build import build
 from flexel.declare.cams import Cams
+from flexel.declare.controllers import Controllers
 from flexel.declare.couplings import Couplings
-from flexel.declare.feedback import Feedback
 from flexel.declare.gearing import Gearing
 from flexel.declare.loads import Loading
+from flexel.declare.looks import Looks
 from flexel.declare.skates import Skates
 from flexel.declare.user import Elements
 from flexel.declare.wheels import Wheels
@@ -28,7 +29,18 @@ from flexel.system import System
 
 
 class Model(
-    Gearing, Cams, Skates, Ropes, PointContacts, Chains, Wheels, Couplings, Feedback, Loading, Elements
+    Gearing,
+    Cams,
+    Skates,
+    Ropes,
+    PointContacts,
+    Chains,
+    Wheels,
+    Couplings,
+    Controllers,
+    Loading,
+    Elements,
+    Looks,
 ):
     """A mechanism to be declared.
 
@@ -65,7 +77,7 @@ class Model(
         Raises
         ------
         ModelError
-            Unknown names, contradicting roles.
+            Contradicting roles.
         ConstraintError
             Over- or under-constrained, named by deformations or coordinates.
         PositionError
@@ -103,7 +115,7 @@ class Model(
         Raises
         ------
         ModelError
-            Unknown names, contradicting roles.
+            Contradicting roles.
 
         Examples
         --------
@@ -111,5 +123,6 @@ class Model(
         1 degree(s) of freedom left by the rigid conditions
         over-constrained: 'a.bend1' 1.00, 'b.bend1' -1.00
         release 'a.bend1'
+        in place of 'a.bend1' equally well: 'b.bend1'
         """
         return report_of_model(self)

@@ -25,8 +25,8 @@ MADE_BY_FLEXEL = {
     "BeamStress", "BucklingMode", "CheckReport", "Compliance", "ConstraintReport", "Ensemble", "Finding",
     "Flexure", "FlexureElement", "FlexureNode", "FlexureStep",
     "Linearization", "Linearizations", "Mode", "Motion", "PeriodicBranch", "PeriodicSolution", "Points",
-    "Reduced", "RigidBody", "RootLoci", "Rope", "Spacar", "SpacarRecords", "State", "Stepper", "StressPoint",
-    "Summary", "System", "Vibration",
+    "Reduced", "RigidBody", "RootLoci", "Rope", "SampledLoop", "Spacar", "SpacarRecords", "State", "Stepper",
+    "StressPoint", "Summary", "System", "Vibration",
 }  # fmt: skip
 # Methods that the parts of flexel call with checked values, and those of tuple.
 INTERNAL = {

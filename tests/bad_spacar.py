@@ -13,6 +13,7 @@ import flexel as fx
 from flexel.spacar.convert import python_source
 from flexel.spacar.keywords import KEYWORDS, UNSUPPORTED
 from flexel.spacar.modes import MODES
+from flexel.spacar.picture import HEADS, PROPERTIES
 
 DATA = Path(__file__).parent / "data"
 FILES = [z.name for z in sorted(DATA.glob("*.dat"))]
@@ -77,7 +78,9 @@ def _more(lines: Lines, r: random.Random) -> None:
 
 def _other_keyword(lines: Lines, r: random.Random) -> None:
     i, _ = _place(lines, r)
-    lines[i][0] = r.choice([*KEYWORDS, *UNSUPPORTED, "XM", "EM", "XF", "EDAMP", "PLBEAN"])
+    lines[i][0] = r.choice(
+        [*KEYWORDS, *UNSUPPORTED, *HEADS, *PROPERTIES, "XM", "EM", "XF", "EDAMP", "PLBEAN"]
+    )
 
 
 def _new_line(lines: Lines, r: random.Random) -> None:

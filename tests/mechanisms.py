@@ -11,8 +11,8 @@ DATA = Path(__file__).parent / "data"
 DISC = json.loads((DATA / "rolling_disc.json").read_text())["data"]
 
 
-def pendulum() -> fx.System:
-    """A planar rod of 1 m, let go from 60 degrees below the horizontal."""
+def pendulum_model() -> fx.Model:
+    """A planar rod of 1 m, at 60 degrees below the horizontal."""
     m = fx.Model(gravity=(0, -9.81))
     m.point("O", (0, 0), fixed=True)
     m.point("A", (0.5, -np.sqrt(0.75)))
@@ -20,7 +20,12 @@ def pendulum() -> fx.System:
     m.angle("turn")
     m.hinge("pivot", "ground", "turn")
     m.beam("rod", "O", "turn", "A", mass_per_length=1.0)
-    return m.build()
+    return m
+
+
+def pendulum() -> fx.System:
+    """The rod, let go."""
+    return pendulum_model().build()
 
 
 def cantilever() -> fx.System:
@@ -129,5 +134,17 @@ def slider(mass: float = 2.0, force: float = 0.0) -> fx.Model:
     m.point_mass("body", "A", mass)
     if force:
         m.load("A.x", force)
+    m.independent("strut.elongation")
+    return m
+
+
+def strut(length: float = 1.0) -> fx.Model:
+    """A point mass on a bar along x that may change its length."""
+    m = fx.Model()
+    m.point("O", (0, 0, 0), fixed=True)
+    m.point("A", (length, 0, 0))
+    m.fix("A.y", "A.z")
+    m.truss("strut", "O", "A")
+    m.point_mass("mass", "A", 2.0)
     m.independent("strut.elongation")
     return m

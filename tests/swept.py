@@ -1,4 +1,9 @@
-"""Functions for tests of sweeps, in a module of their own: workers find them by name."""
+"""Functions for tests of sweeps, in a module of their own: workers find them by name.
+
+Annotations are not evaluated: a worker that needs no model does not import it.
+"""
+
+from __future__ import annotations
 
 import os
 import signal

@@ -26,7 +26,7 @@ CALLS_DERIVE = (
     "runtime/commands/derive.py",
     "runtime/commands/verify.py",
     "runtime/commands/facts.py",
-    "runtime/declare/feedback.py",
+    "runtime/declare/controller_laws.py",
     "runtime/declare/formulas.py",
     "runtime/declare/user.py",
 )
@@ -65,13 +65,16 @@ class Import:
         return first if first in PARTS else "runtime"
 
 
-@cache
 def imports(*parts: str) -> tuple[Import, ...]:
     """All imports of the parts, those for type checkers apart."""
-    files = [path for part in parts for path in sorted((ROOT / part).rglob("*.py"))]
+    return tuple(entry for part in parts for entry in _imports(part))
+
+
+@cache
+def _imports(part: str) -> tuple[Import, ...]:
     return tuple(
         entry
-        for path in files
+        for path in sorted((ROOT / part).rglob("*.py"))
         for entry in _walk(path.relative_to(ROOT).as_posix(), ast.parse(path.read_text()), lazy=False)
     )
 
@@ -152,7 +155,7 @@ def test_the_specification_brings_no_sympy() -> None:
 
 
 def test_import_flexel_is_light() -> None:
-    """`import flexel` loads no numerical or symbolic package (`flexel bench start` tells how long it takes)."""
+    """`import flexel` loads no numerical or symbolic package (`flexel bench start` shows how long it takes)."""
     code = (
         "import sys; import flexel;"
         "heavy = {'sympy', 'jinja2', 'numpy', 'scipy', 'matplotlib', 'cffi', 'click'} & set(sys.modules);"

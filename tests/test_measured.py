@@ -3,28 +3,15 @@
 from __future__ import annotations
 
 import json
-import sys
-from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
-from types import ModuleType
 from typing import Any
 
+import measured
 import pytest
 
 from flexel.benchmarks.table import ROWS
 
 DOCS = Path(__file__).resolve().parents[1] / "docs"
-
-
-@pytest.fixture
-def measured(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
-    monkeypatch.syspath_prepend(DOCS)
-    spec = spec_from_file_location("measured", DOCS / "measured.py")
-    assert spec is not None and spec.loader is not None
-    module = module_from_spec(spec)
-    monkeypatch.setitem(sys.modules, "measured", module)
-    spec.loader.exec_module(module)
-    return module
 
 
 def row(name: str, value: float, **more: Any) -> dict[str, Any]:
@@ -42,7 +29,7 @@ FIGURES = [
 ]  # fmt: skip
 
 
-def test_a_table_between_marks_is_written_from_the_figures(measured: ModuleType) -> None:
+def test_a_table_between_marks_is_written_from_the_figures() -> None:
     """What stands there before is replaced, and a second time changes nothing."""
     text = measured.filled("a\n<!--measured: ride w*-->\nold\n<!--end-->\nb", FIGURES)
     assert "| `ride` | 8.48 ms | 6, 3.5 | 2.6e-11 | kane 60.2 (**7.09**); other not installed |" in text
@@ -51,7 +38,7 @@ def test_a_table_between_marks_is_written_from_the_figures(measured: ModuleType)
     assert measured.filled(text, FIGURES) == text
 
 
-def test_times_over_the_size_have_a_table_for_each_row(measured: ModuleType) -> None:
+def test_times_over_the_size_have_a_table_for_each_row() -> None:
     text = measured.filled("<!--scaling: grow-->\n<!--end-->", FIGURES)
     assert "| `grow` [ms] | N = 1 | N = 2 | power of N | error |" in text
     assert "| flexel | 1.00 | 4.00 | 2.00 | 2.6e-11 |" in text
@@ -70,20 +57,20 @@ def test_times_over_the_size_have_a_table_for_each_row(measured: ModuleType) -> 
         (0.0, "0.000"),
     ],
 )
-def test_times_have_three_digits(measured: ModuleType, value: float, written: str) -> None:
+def test_times_have_three_digits(value: float, written: str) -> None:
     assert float(measured.time(value)) == pytest.approx(value, rel=5e-3)
     assert float(measured.time(value)) == float(written)
 
 
-def test_a_row_that_was_not_measured_is_refused(measured: ModuleType) -> None:
+def test_a_row_that_was_not_measured_is_refused() -> None:
     with pytest.raises(ValueError, match=r"'sail'; there are: ride, walk, grow"):
         measured.filled("<!--measured: sail-->\n<!--end-->", FIGURES)
 
 
 def test_new_figures_replace_those_of_their_rows(
-    measured: ModuleType, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """With --check nothing is written, and the exit status tells what differs."""
+    """With --check nothing is written, and the exit status says so what differs."""
     page, new = tmp_path / "page.md", tmp_path / "new.json"
     page.write_text("<!--measured: ride walk-->\n<!--end-->\n")
     monkeypatch.setattr(measured, "KEPT", tmp_path / "measured.json")
@@ -97,7 +84,7 @@ def test_new_figures_replace_those_of_their_rows(
     assert measured.main(["--check"]) == 0
 
 
-def test_the_pages_are_filled_from_the_kept_figures(measured: ModuleType) -> None:
+def test_the_pages_are_filled_from_the_kept_figures() -> None:
     """Which are of rows that there are."""
     assert measured.main(["--check"]) == 0
     assert {z["name"] for z in measured.kept()} <= set(ROWS)

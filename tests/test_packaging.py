@@ -101,7 +101,7 @@ def test_the_extension_fits_every_python() -> None:
 
 
 def test_one_version(checkout: Path) -> None:
-    """pyproject.toml, the package, the change log and the citation tell the same version."""
+    """pyproject.toml, the package, the change log and the citation state the same version."""
     project = tomllib.loads((checkout / "pyproject.toml").read_text())["project"]
     assert project["version"] == flexel.__version__
     assert f"\nversion: {flexel.__version__}\n" in (checkout / "CITATION.cff").read_text()

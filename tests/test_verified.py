@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import json
-from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
-from types import ModuleType
 
 import pytest
+import verified
 from campaign.families import FAMILIES
 from campaign.properties import PROPERTIES
 
@@ -29,16 +28,6 @@ FOUND = {
 }
 
 
-@pytest.fixture
-def verified(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
-    monkeypatch.syspath_prepend(DOCS)
-    spec = spec_from_file_location("verified", DOCS / "verified.py")
-    assert spec is not None and spec.loader is not None
-    module = module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
 @pytest.mark.parametrize(
     ("table", "line"),
     [
@@ -48,7 +37,7 @@ def verified(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
         ("skipped", "| damped | energy, time reversed | 4 |"),
     ],
 )
-def test_a_table_is_written_from_the_findings(verified: ModuleType, table: str, line: str) -> None:
+def test_a_table_is_written_from_the_findings(table: str, line: str) -> None:
     """What stands there before is replaced, and a second time changes nothing."""
     text = verified.filled(f"a\n<!--campaign: {table}-->\nold\n<!--end-->\nb", FOUND)
     assert line in text.splitlines() and "old" not in text
@@ -57,9 +46,9 @@ def test_a_table_is_written_from_the_findings(verified: ModuleType, table: str, 
 
 
 def test_new_findings_are_kept_and_fill_the_page(
-    verified: ModuleType, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """With --check nothing is written, and the exit status tells whether the page differs."""
+    """With --check nothing is written, and the exit status says so whether the page differs."""
     monkeypatch.setattr(verified, "PAGE", tmp_path / "page.md")
     monkeypatch.setattr(verified, "KEPT", tmp_path / "kept.json")
     verified.PAGE.write_text("<!--campaign: run-->\n<!--end-->\n")
@@ -71,7 +60,7 @@ def test_new_findings_are_kept_and_fill_the_page(
     assert "12 models" in verified.PAGE.read_text()
 
 
-def test_the_page_is_filled_from_the_kept_findings(verified: ModuleType) -> None:
+def test_the_page_is_filled_from_the_kept_findings() -> None:
     """Which are of all families and properties, and without failures."""
     assert verified.main(["--check"]) == 0
     found = json.loads((DOCS / "verification.json").read_text(encoding="utf-8"))

@@ -70,7 +70,7 @@ def strip() -> Valid:
         m.frame(f"R{name}", fixed=name == "A")
     more = {"name": "z", "elements": 2, "start": (0, 0, 0), "end": (0.09, 0, 0), "direction": (0, 1, 0)}
     more |= {"section": fx.Rectangle(0.5e-3, 20e-3), "material": "steel", "flexible": ["torsion"]}
-    more |= {"damping": 1e-4, "second_order": True}
+    more |= {"damping": 1e-4, "second_order": True, "warping": True}
     return Valid(m.leaf_spring, BODIES | more, lambda result: m.build() and None)
 
 
@@ -78,7 +78,8 @@ FLEXURES: dict[str, Callable[[], Valid]] = {
     "ElementProperties": lambda: Valid(
         fx.ElementProperties,
         {z: v for z, v in LEAF.items() if z != "material"}
-        | {"E": 2e11, "nu": 0.3, "density": 7800.0, "strength": 1e9},
+        | {"E": 2e11, "nu": 0.3, "density": 7800.0, "strength": 1e9, "warping": True}
+        | {"colour": (0.1, 0.2, 0.3), "opacity": 0.5, "hidden": False},
         lambda values: fx.flexure(**tables(element_properties=[values])) and None,
     ),
     "Flexure.compliance": lambda: calling(found().compliance, node=2, body_axes=True),

@@ -35,7 +35,7 @@ JOINTS: dict[str, Callable[[], Valid]] = {
     ),
     "Model.cam": declared(
         lambda: bodies(flat=True), "cam", name="z", cam="a", follower="b", at=(1.0, 0.0), outline=[1.0] * 6,
-        centre=(0.0, 0.0), start=(1.0, 0.0)
+        centre=(0.0, 0.0), start=(1.0, 0.0), face=(1.0, 0.0)
     ),
     "Model.cardan_chain": declared(
         bodies, "cardan_chain", first="yaw", second="lean", third="pitch", body="b", base="a", axes="zxy"

@@ -180,9 +180,9 @@ MODELS: dict[str, Callable[[], Valid]] = {
     "Model.element": declared(
         lambda: spare("P"), "element", name="z", kind="truss", nodes=("A", "P"), parameters={"l0": 1.0, "rhoA": 0.1}
     ),
-    "Model.feedback": declared(
-        spatial, "feedback", name="z", act=["pivot.angle"], measure=["pivot.angle"], P=[[1.0]], D=[[1.0]],
-        reference={"pivot.angle": 0.1},
+    "Model.controller": declared(
+        spatial, "controller", function=[[1.0, 1.0]], name="z", inputs=["pivot.angle", "pivot.angle'"],
+        outputs=["pivot.angle"], period=0.01, delay=0.02, limits=(-1.0, 1.0), reference={"pivot.angle": 0.1},
     ),
     "Model.fix": declared(lambda: spare("P"), "fix", names=("P.x", "P.y", "P.z")),
     "Model.frame": declared(spatial, "frame", name="z", orientation=(1.0, 0.0, 0.0, 0.0), fixed=True),
@@ -216,6 +216,9 @@ MODELS: dict[str, Callable[[], Valid]] = {
         tension=5.0, properties={"EA": 1e5, "EI": 1e-5, "mass_per_length": 0.01},
     ),
     "Model.rope_contact": rope_contact,
+    "Model.look": declared(
+        spatial, "look", elements=["rod"], section=fx.Circle(0.1), colour=(0.1, 0.2, 0.3), opacity=0.5, hidden=False
+    ),
     "Model.rotary_inertia": declared(
         spatial, "rotary_inertia", name="z", frame="R1", inertia=(1.0, 1.0, 1.0, 0.0, 0.0, 0.0)
     ),

@@ -85,6 +85,12 @@ RESULTS: dict[str, Callable[[], Valid]] = {
     "Compliance.stiffness": lambda: calling(leaf().compliance("A", "tip").stiffness, body_axes=True),
     "Compliance.stiffness_matrix": lambda: calling(leaf().compliance("A", "tip").stiffness_matrix, body_axes=True),
     "Ensemble.motion": lambda: calling(many()[0].motion, i=0),
+    "Linearization.bode": lambda: calling(
+        forced().bode, inputs="P.x", outputs="P.x", frequencies=[1.0, 2.0], path=Path("bode.png")
+    ),
+    "Linearization.frequency_response": lambda: calling(
+        forced().frequency_response, inputs="P.x", outputs="P.x", frequencies=[1.0, 2.0]
+    ),
     "Linearization.input_matrix": lambda: calling(forced().input_matrix, names=["P.x"]),
     "Linearization.mode": lambda: calling(forced().mode, number=0),
     "Linearization.mode_shape": lambda: calling(forced().mode_shape, number=0),
@@ -110,7 +116,8 @@ RESULTS: dict[str, Callable[[], Valid]] = {
     "Motion.plot": lambda: calling(swing().plot, names=("A.x",), path=Path("plot.png")),
     "Motion.plot_phase": lambda: calling(swing().plot_phase, x="A.x", y="A.z", path=Path("phase.png")),
     "Motion.plot_shapes": lambda: calling(swing().plot_shapes, times=(0.0, 0.1), path=Path("shapes.png")),
-    "Motion.plot_spectrum": lambda: calling(swing().plot_spectrum, names=("A.x",), path=Path("spectrum.png")),
+    "Motion.spectrum": of_motion("spectrum", "A.x"),
+    "Motion.spectrum_plot": lambda: calling(swing().spectrum_plot, names=("A.x",), path=Path("spectrum.png")),
     "Motion.position": of_motion("position", "A", "node"),
     "Motion.rate": of_motion("rate", "A.x"),
     "Motion.save": lambda: calling(swing().save, path=Path("motion.npz")),
@@ -128,11 +135,12 @@ RESULTS: dict[str, Callable[[], Valid]] = {
     "PeriodicSolution.plot": lambda: calling(vibration().plot, names=("P.x",), path=Path("periodic.png")),
     "PeriodicSolution.plot_phase": lambda: calling(vibration().plot_phase, x="P.x", path=Path("phase.png")),
     "PeriodicSolution.plot_shapes": lambda: calling(vibration().plot_shapes, times=(0.0,), path=Path("shapes.png")),
-    "PeriodicSolution.plot_spectrum": lambda: calling(vibration().plot_spectrum, path=Path("spectrum.png")),
+    "PeriodicSolution.spectrum_plot": lambda: calling(vibration().spectrum_plot, path=Path("spectrum.png")),
     "PeriodicSolution.save": lambda: calling(vibration().save, path=Path("periodic.npz")),
     "PeriodicSolution.to_pandas": lambda: calling(vibration().to_pandas, names=("P.x",)),
     "PeriodicSolution.unit": lambda: calling(vibration().unit, name="P.x"),
     "PeriodicSolution.view": lambda: calling(vibration().view, path=Path("periodic.html")),
+    "RootLoci.branches": lambda: calling(many()[2].branches, variant=0),
     "RootLoci.plot": lambda: calling(many()[2].plot, path=Path("loci.png")),
     "Rope.contact_force": on_sheave("contact_force"),
     "Rope.curvature": of_rope("curvature"),

@@ -22,6 +22,9 @@ class Deformation:
         jumps, although an atan2 in it could.
     kind : str, optional
         The gap of a contact ("gap") or the norm of a frame's Euler parameters ("norm").
+    kinked : bool, optional
+        Whether its derivatives jump at configurations that motions reach; it is then never chosen as a degree of
+        freedom.
     """
 
     name: str
@@ -30,6 +33,7 @@ class Deformation:
     free: bool = False
     period: Expr | int | float | None = None
     kind: str = ""
+    kinked: bool = False
 
     def __post_init__(self) -> None:
         check_word(f"deformation '{self.name}'", "kind", self.kind, KINDS)

@@ -24,6 +24,7 @@ PICTURES = (
         "cam",
         "contact",
         "disc",
+        "flat cam",
         "gears",
         "hinge",
         "mass",

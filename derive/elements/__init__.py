@@ -8,6 +8,7 @@ from flexel.derive.elements.bearing import BEARING
 from flexel.derive.elements.body import BODY, POINT_MASS
 from flexel.derive.elements.body_velocity import BODY_VELOCITY, PLANAR_BODY_VELOCITY
 from flexel.derive.elements.cable import CABLE, PLANAR_CABLE
+from flexel.derive.elements.flat_cam import FLAT_CAM, PLANAR_FLAT_CAM
 from flexel.derive.elements.hinge import HINGE
 from flexel.derive.elements.norm import NORM
 from flexel.derive.elements.planar_beam import PLANAR_BEAM, PLANAR_BEAM_FIRST_ORDER
@@ -71,6 +72,7 @@ ELEMENTS: tuple[Element, ...] = (
     BEAM_SPAN,
     SKATE,
     ROLLER_CAM,
+    FLAT_CAM,
     PLANAR_POINT_MASS,
     PLANAR_BODY,
     PLANAR_ROTARY_INERTIA,
@@ -85,6 +87,7 @@ ELEMENTS: tuple[Element, ...] = (
     PLANAR_WHEEL,
     PLANAR_SKATE,
     PLANAR_ROLLER_CAM,
+    PLANAR_FLAT_CAM,
     PLANAR_BODY_VELOCITY,
     PLANAR_BAR_SPAN,
     PLANAR_BEAM_SPAN,

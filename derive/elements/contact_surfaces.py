@@ -40,9 +40,9 @@ ROLLING = (
 Modes = tuple[tuple[Deformation, ...], tuple[Slip, ...]]
 
 
-def gap(expr: Expr, name: str = "gap") -> Deformation:
+def gap(expr: Expr, name: str = "gap", kinked: bool = False) -> Deformation:
     """The mode of a gap, free by default."""
-    return Deformation(name, "m", expr, free=True, kind="gap")
+    return Deformation(name, "m", expr, free=True, kind="gap", kinked=kinked)
 
 
 @dataclass(frozen=True)
@@ -153,7 +153,10 @@ def _v_groove(let: Let, b: Touching) -> Modes:
 
 
 def _round_groove(let: Let, b: Touching) -> Modes:
-    """The normal (n_r, n_x) points into the wall: along w on the round bottom, constant on a flank."""
+    """The normal (n_r, n_x) points into the wall: along w on the round bottom, constant on a flank.
+
+    Outside the groove, in the middle between its flanks, the gap has a kink.
+    """
     s, c = FLANK.vector
     distance, radial, around, (_, ny, nz) = _around(let, b)
     depth = let.scalar("depth", RADIUS.symbol + GROOVE_RADIUS.symbol - distance)
@@ -170,7 +173,7 @@ def _round_groove(let: Let, b: Touching) -> Modes:
         b.slip("tangential", around, (n_depth, n_side * ny, n_side * nz)),
         b.slip("across", across, (0, nz, -ny)),
     )
-    return (gap(GROOVE_RADIUS.symbol - b.radius - reach),), slips
+    return (gap(GROOVE_RADIUS.symbol - b.radius - reach, kinked=True),), slips
 
 
 def _helical_groove(let: Let, b: Touching) -> Modes:

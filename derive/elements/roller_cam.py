@@ -49,8 +49,8 @@ def basis(t: Expr) -> list[Expr]:
     ]
 
 
-def _outline(let: Let, theta: Expr) -> Expr:
-    """Radius of the pitch curve at an angle from -pi to pi."""
+def outline(let: Let, theta: Expr) -> Expr:
+    """Value of the periodic spline at an angle from -pi to pi."""
     u = let.scalar("u", theta * PIECES / (2 * pi))
     first = -(PIECES // 2)
     pieces = range(first, first + PIECES)
@@ -73,14 +73,14 @@ def _element(
 ) -> Element:
     """A cam from the components of the roller's place in its plane, in body axes."""
     a, b = let.scalar("a", place[0]), let.scalar("b", place[1])
-    outline = let.scalar("outline", _outline(let, let.scalar("theta", atan2(b, a))))
+    radius = let.scalar("outline", outline(let, let.scalar("theta", atan2(b, a))))
     return Element(
         name=name,
         picture="cam",
         nodes=nodes,
         parameters=(turn, CONTROL),
         let=let.entries,
-        deformations=(Deformation("gap", "m", sqrt(a * a + b * b) - outline, period=0, kind="gap"),),
+        deformations=(Deformation("gap", "m", sqrt(a * a + b * b) - radius, period=0, kind="gap"),),
         doc=_DOC.format(axes=axes),
         source="pitch curve of a radial cam; de Boor 1978, A Practical Guide to Splines",
     )

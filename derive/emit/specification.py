@@ -54,7 +54,7 @@ def law_spec(law: Law, derived: Derived, digest: str) -> LawSpec:
 
 def _deformation(d: Deformation, parameters: tuple[Parameter, ...]) -> DeformationSpec:
     period = tuple(TermSpec(*term) for term in period_terms(d, parameters))
-    return DeformationSpec(d.name, d.unit, d.free, period, d.kind)
+    return DeformationSpec(d.name, d.unit, d.free, period, d.kind, d.kinked)
 
 
 def _limit(law: Law) -> LimitSpec | None:

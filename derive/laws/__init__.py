@@ -6,10 +6,11 @@ deformations, k of slips and nz of internal states.
 
 from flexel.derive.declare import Law
 from flexel.derive.laws.contact import CONTACT
+from flexel.derive.laws.held import HELD
 from flexel.derive.laws.joint import JOINT
 from flexel.derive.laws.journal import JOURNAL
 from flexel.derive.laws.linear import LINEAR
 from flexel.derive.laws.suspension import CURVES
 from flexel.derive.laws.tyre import TYRES
 
-LAWS: tuple[Law, ...] = (*LINEAR, *CURVES, *TYRES, *CONTACT, *JOURNAL, *JOINT)
+LAWS: tuple[Law, ...] = (*LINEAR, *CURVES, *TYRES, *CONTACT, *JOURNAL, *JOINT, *HELD)

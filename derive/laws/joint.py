@@ -1,4 +1,4 @@
-"""Laws of joints: dry friction, stops on both sides, and a journal with play in its bearing."""
+"""Laws of joints: dry friction, stops on both sides, and a journal or ball with play in its socket."""
 
 import sympy as sp
 
@@ -55,18 +55,46 @@ def _limits() -> Law:
     )
 
 
-def _loose_journal() -> Law:
-    e, ed = ([symbol(f"{name}_{i}") for i in range(3)] for name in ("e", "ed"))
-    let, k, gap = Let(), STIFFNESS.symbol, CLEARANCE.symbol
-    square = let.scalar("square", e[0] ** 2 + e[1] ** 2)
+def _play(let: Let, e: list[sp.Symbol], ed: list[sp.Symbol]) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+    """Force of a contact beyond the play in some directions; distance from the centre, and depth of the contact."""
+    gap = CLEARANCE.symbol
+    square = let.scalar("square", sum(z**2 for z in e))
     touching = square > gap**2
     safe = let.scalar(
         "safe", sp.Piecewise((square, touching), (1, True))
     )  # SymPy takes roots of pieces apart
     r = let.scalar("r", sp.sqrt(safe))
     depth = let.scalar("depth", sp.Piecewise((r - gap, touching), (0, True)))
-    rate = let.scalar("rate", (e[0] * ed[0] + e[1] * ed[1]) / r)
-    N = let.scalar("N", k * depth * sp.Max(0, 1 + LOSS.symbol * rate))
+    rate = let.scalar("rate", sum(z * zd for z, zd in zip(e, ed, strict=True)) / r)
+    return let.scalar("N", STIFFNESS.symbol * depth * sp.Max(0, 1 + LOSS.symbol * rate)), r, depth
+
+
+def _loose_ball() -> Law:
+    e, ed = ([symbol(f"{name}_{i}") for i in range(3)] for name in ("e", "ed"))
+    let = Let()
+    N, r, depth = _play(let, e, ed)
+    return Law(
+        name="loose_ball",
+        doc=(
+            "r = |(e_0, e_1, e_2)|, depth = max(0, r - gap), N = stiffness depth max(0, 1 + damping dr/dt)\n"
+            "sigma_i = N e_i/r"
+        ),
+        parameters=(CLEARANCE, STIFFNESS, LOSS),
+        e=tuple(e),
+        ed=tuple(ed),
+        s=(),
+        sigma=tuple(N * z / r for z in e),
+        tau=(),
+        energy=STIFFNESS.symbol * depth**2 / 2,
+        source=_CONTACT,
+        let=let.entries,
+    )
+
+
+def _loose_journal() -> Law:
+    e, ed = ([symbol(f"{name}_{i}") for i in range(3)] for name in ("e", "ed"))
+    let, k = Let(), STIFFNESS.symbol
+    N, r, depth = _play(let, e[:2], ed[:2])
     turning = ed[2] / sp.sqrt(ed[2] ** 2 + SPEED.symbol**2)
     return Law(
         name="loose_journal",
@@ -86,4 +114,4 @@ def _loose_journal() -> Law:
     )
 
 
-JOINT: tuple[Law, ...] = (_friction(False), _friction(True), _limits(), _loose_journal())
+JOINT: tuple[Law, ...] = (_friction(False), _friction(True), _limits(), _loose_journal(), _loose_ball())

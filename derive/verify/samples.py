@@ -57,7 +57,7 @@ def _coordinates(rng: np.random.Generator, count: int, element: Element) -> Arra
 
 
 def _inside(rng: np.random.Generator, element: Element, compiled: Compiled, x: Array, p: Array) -> Array:
-    """Coordinates drawn anew where the element has no deformation, such as pulleys inside one another."""
+    """Coordinates drawn again where the element has no deformation, such as pulleys inside one another."""
     for _ in range(100):
         outside = ~np.isfinite(compiled("position", {"x": x, "p": p})["e"]).all(axis=1)
         if not outside.any():
@@ -122,7 +122,7 @@ def element_samples(
     """Inputs of all kernels of an element, each (count, rows), every second near zero deformation.
 
     `ranges` limits coordinates and parameters by name, in place of those that follow from their kinds.  Coordinates
-    at which the element has no real deformation are drawn anew, unless `redraw` says not.
+    at which the element has no real deformation are drawn again, unless `redraw` says not.
     """
     rng = _generator(element.name)
     p = _parameters(rng, count, element.parameters)

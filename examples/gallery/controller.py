@@ -29,8 +29,7 @@ lin = m.build().linearize()
 A, B, *_ = lin.state_space(["rail.elongation"])
 X = solve_continuous_are(A, B, np.diag([1, 1, 10, 10]), 0.1 * np.eye(1))
 K = 10 * B.T @ X
-D, P = np.split(K, 2, axis=1)
-m.feedback("regulator", act=["rail.elongation"], measure=list(lin.dynamic), P=P, D=D)
+m.controller(K, inputs=lin.states, outputs=["rail.elongation"])
 s = m.build()
 
 found = np.sort_complex(s.linearize().eigenvalues())

@@ -34,8 +34,7 @@ print("upright it falls at", found, "closed form", known, "1/s")
 
 A, B, *_ = lin.state_space(["motor.angle"])
 X = solve_continuous_are(A, B, np.diag([1, 1, 10, 100]), np.eye(1))
-D, P = np.split(B.T @ X, 2, axis=1)
-m.feedback("regulator", act=["motor.angle"], measure=list(lin.dynamic), P=P, D=D)
+m.controller(B.T @ X, inputs=lin.states, outputs=["motor.angle"])
 s = m.build()
 motion = s.simulate(4, start=s.state_at({"joint.angle": 0.3}))
 

@@ -1,4 +1,4 @@
-"""Checkpoints: the motion so far in a file while a simulation runs, from which a killed one goes on."""
+"""Checkpoints: the motion so far in a file while a simulation runs, from which an aborted one continues."""
 
 from __future__ import annotations
 
@@ -24,6 +24,7 @@ from flexel.results.saved.archive import motion_of, record_of, roles_in_names
 from flexel.results.saved.description import described
 from flexel.results.saved.files import read, write
 from flexel.results.saved.record import Record
+from flexel.structure.controllers import Controller
 from flexel.structure.state import State
 
 EVERY = 30.0  # seconds between two checkpoints
@@ -42,7 +43,7 @@ class Before:
     found : Integration
         Up to the last checkpoint, with the state at it.
     step : float or None
-        The step [s] with which to go on.
+        The step [s] with which to continue.
     complete : bool
         Whether it is the whole motion.
     """
@@ -131,13 +132,18 @@ def _marks(system: Core, start: State, times: Array, method: str, options: Optio
     begin = [start.t, *(z.tolist() for z in (start.x, start.v, start.e, start.z)), roles_in_names(start)]
     events = [(z.name, z.terminal, z.direction) for z in options.events or ()]
     contents = (
-        described(system.structure),
+        [described(system.structure), [_settings(c) for c in system.structure.controllers]],
         [system.structure.names[i] for i in system.loads.quantities] + given,
         begin,
         times.tolist(),
         [method, {**vars(options), "events": events}],
     )
     return {part: _digest(z) for part, z in zip(PARTS, contents, strict=True)}
+
+
+def _settings(c: Controller) -> list[Any]:
+    """What can be compared of a controller: all but its function."""
+    return [c.name, c.inputs, c.outputs, c.period, c.delay, c.low.tolist(), c.high.tolist()]
 
 
 def _digest(contents: Any) -> str:

@@ -21,6 +21,7 @@ from flexel.results.ensemble import Ensemble
 from flexel.results.linearizations import Linearizations, RootLoci
 from flexel.results.motion import Motion
 from flexel.results.quantities import history
+from flexel.structure.controllers import refuse_sampled
 from flexel.structure.parameters import Parameters
 from flexel.structure.state import State, own_state
 
@@ -182,7 +183,7 @@ class Ensembles(Motions):
     ) -> RootLoci:
         """Eigenvalues of steady motions over a rate, or over a parameter, as tracked branches.
 
-        Each state is confirmed to be steady; where it is not, the steady motion nearest to it is sought.
+        Each state is confirmed to be steady; where it is not, the steady motion nearest to it is computed.
 
         Parameters
         ----------
@@ -219,7 +220,9 @@ class Ensembles(Motions):
         run = axis[name]
         if run.ndim != 1:
             raise ModelError(f"root_loci: '{name}' has several numbers; let the loci run over '{name}[0]'")
-        return RootLoci(f"{name}'" if found.rates else name, run, found if of is None else found.reduced(of))
+        full = f"{name}'" if found.rates else name
+        unit = history(self.structure, full).unit if found.rates else values.units[name]
+        return RootLoci(full, run, found if of is None else found.reduced(of), unit)
 
     def _many(
         self,
@@ -228,6 +231,7 @@ class Ensembles(Motions):
         owner: str,
         steady: bool = False,
     ) -> LinearizedMany:
+        refuse_sampled(self.structure.controllers, owner, "only linearize(…).sampled() closes its loop")
         first = (
             state
             if callable(state) and not isinstance(state, type)

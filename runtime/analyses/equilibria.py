@@ -11,12 +11,13 @@ from flexel.base.arrays import Array
 from flexel.base.errors import IncompleteWarning, UnstableWarning
 from flexel.base.shown import Listing
 from flexel.integration.branch import Choices
-from flexel.integration.outcome import Integration, States
+from flexel.integration.outcome import Integration
 from flexel.mechanics.core import Core
 from flexel.mechanics.reach import LOST, reach
 from flexel.results.motion import Motion
 from flexel.statics import compliance, path, stability
 from flexel.statics.steady import steady_motion
+from flexel.structure.controllers import refuse_sampled
 from flexel.structure.moment import Moment
 from flexel.structure.state import State, own_state
 
@@ -56,7 +57,7 @@ class Equilibria(Core):
             Coordinates and deformations held at their values in `start` by the necessary forces
             (``state.force(name)``), such as sheaves that would otherwise turn freely.
         stable : bool
-            Accept stable equilibria only: go on downhill from one that is not.
+            Accept stable equilibria only: continue downhill from one that is not.
 
         Raises
         ------
@@ -110,8 +111,7 @@ class Equilibria(Core):
         states, message = path.static_path(self, t_end, _at(self, start, "static_path"))
         if message:
             warnings.warn(message, IncompleteWarning, stacklevel=2)
-        counts = {"steps": len(states) - 1, "evaluations": 0, "rechoices": 0}
-        return Motion(self, Integration(States(states), [], [], counts, message))
+        return Motion(self, Integration.of_equilibria(states, message))
 
     def buckling(
         self, state: State | None = None, *, increment: Mapping[str, float], count: int = 5
@@ -218,6 +218,9 @@ class Equilibria(Core):
         degrees of freedom (`Model.independent`) and prescribe the rotation: with global coordinates the search would
         be for a motion with these at rest.
         """
+        refuse_sampled(
+            self.structure.controllers, "steady", "simulate it, or take an equilibrium with its outputs held"
+        )
         return steady_motion(
             self,
             self.initial if start is None else own_state(self.structure, start, "steady"),

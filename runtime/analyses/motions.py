@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -22,6 +23,8 @@ from flexel.integration.ranges import warn_outside
 from flexel.mechanics.core import Core
 from flexel.results.motion import Motion
 from flexel.structure.state import State
+
+log = logging.getLogger("flexel.simulate")
 
 
 class Motions(Core):
@@ -146,12 +149,15 @@ class Motions(Core):
                 return _motion(self, before.found)
             begin, options = before.found.states[-1], options.with_first(before.step)
             grid = np.concatenate([[begin.t], grid[grid > begin.t]])
+            log.info("continues at t = %g s from the checkpoint %s", begin.t, checkpoint)
+        log.info("t = %g to %g s by %s", begin.t, grid[-1], why or method)
         run = methods.run_of(self, method, begin, grid, float(duration), options)
         try:
             found = run.run(progress, keeper)
         except FlexelError as error:
             error.motion = Motion(self, _explained(_whole(run.kept(str(error)), keeper), why))
             raise
+        log.info("t = %g s: %s; %s", run.t, found.message, found.statistics)
         found = _explained(_whole(found, keeper), why)
         if keeper is not None:
             keeper.end(found, run.step)

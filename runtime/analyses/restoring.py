@@ -78,7 +78,7 @@ def _stored(saved: Any, time: float | None) -> State:
             "its states"
         )
     if time is None:
-        return saved[-1]  # type: ignore[no-any-return]
+        return saved[-1]
     t = number(time, "restore", "time")
     state = saved.nearest(t)
     if abs(state.t - t) > 1e-9 * max(float(np.ptp(saved.t)), abs(t)):

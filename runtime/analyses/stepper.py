@@ -82,7 +82,7 @@ class Stepper:
         self.reset()
 
     def reset(self, start: State | None = None) -> Array:
-        """Begin anew with all inputs zero; returns the outputs.
+        """Restart with all inputs zero; returns the outputs.
 
         Parameters
         ----------
@@ -137,7 +137,7 @@ class Stepper:
 
     @property
     def state(self) -> State:
-        """The complete state, with accelerations and forces; it is computed when it is asked for."""
+        """The complete state, with accelerations and forces; computed on demand."""
         return self._run.result.states[-1]
 
     def step(self, values: Sequence[float] | Array | None = None) -> Array:
@@ -169,7 +169,7 @@ class Stepper:
         until = self._begin + (self._count + 1) * self.dt
         run.go_on(until)
         while run.t < until:
-            run.advance()
+            run.forward()
         self._count += 1
         return self._outputs()
 
@@ -258,7 +258,7 @@ class Stepping(Core):
         rtol: float = RTOL,
         atol: float | None = None,
     ) -> Stepper:
-        """The system in steps of constant length, for loops of your own: hardware, games, learning, controllers.
+        """The system in steps of constant length, for your own loops: hardware, games, learning, controllers.
 
         Parameters
         ----------

@@ -1,13 +1,17 @@
-"""What a system is and what it asks of an integrator, in a few lines."""
+"""Summary of a system and of its demands on an integrator."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
+from flexel.base.arrays import Array
 from flexel.base.shown import Table, listed
 from flexel.integration.methods import ALPHA, AUTO, EXPLICIT, STIFF, Options, start_of, suitable
 from flexel.mechanics.core import Core
 
+UNEVEN = 1e8  # ratio of inertias from which a system is called badly scaled: half the digits are lost
 RIGID = 1e-6  # eigenvalue, relative to the largest, of a motion that nothing resists
 SHORT = 10.0  # longest motion [s] for the explicit method below which a system is called stiff
 
@@ -61,12 +65,23 @@ def _speed(system: Core) -> list[tuple[str, str]]:
     found = suitable(system, start_of(system, AUTO, None, Options()))
     if found.method:
         return [("integrator", f"{found.method}: {found.detail or found.why}")]
-    fastest = float(found.rates.max(initial=0.0))
+    uneven, fastest = _uneven(system, found.inertia), float(found.rates.max(initial=0.0))
     if not fastest:
-        return [("integrator", EXPLICIT)]
+        return [*uneven, ("integrator", EXPLICIT)]
     slowest, longest = float(found.rates[found.rates > RIGID * fastest].min()), STIFF / fastest
     stiff = " (stiff)" if longest < SHORT else ""
     return [
+        *uneven,
         ("eigenvalues", f"{slowest:.3g} to {fastest:.3g} 1/s in magnitude at the start"),
         ("integrator", f"{EXPLICIT} up to {longest:.3g} s, {ALPHA} for longer motions{stiff}"),
     ]
+
+
+def _uneven(system: Core, inertia: Array) -> list[tuple[str, str]]:
+    """A line if inertias differ so much that digits are lost; a start without inertia is another line's concern."""
+    low, high = (int(z(inertia)) for z in (np.argmin, np.argmax)) if inertia.size else (0, 0)
+    if low == high or not inertia[high] > UNEVEN * inertia[low] > 0:
+        return []
+    ratio, names = inertia[high] / inertia[low], system.dynamic
+    what = f"badly scaled: the inertia of '{names[high]}' is {ratio:.1g} times that of '{names[low]}'"
+    return [("scales", f"{what}; check masses and units, or hold the light part")]

@@ -6,6 +6,7 @@ Every variant begins from the same pivot orders, so that its digits depend neith
 
 from __future__ import annotations
 
+import logging
 import os
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -28,6 +29,7 @@ from flexel.mechanics.core import Core
 from flexel.structure.parameters import Parameters, Place
 from flexel.structure.structure import Structure
 
+log = logging.getLogger("flexel.variants")
 C = TypeVar("C", bound=Core)
 T = TypeVar("T")
 INTERRUPTED = "interrupted before it was done"
@@ -52,6 +54,7 @@ class Values:
         Number of variants.
     given : dict of str to ndarray (count, …)
         By name.
+    units : dict of str to str
     """
 
     def __init__(
@@ -61,6 +64,7 @@ class Values:
         parameters = Parameters(system.structure)
         given = mapping(given, owner, "parameters")
         self.places = [parameters.find(name, owner) for name in given]
+        self.units = {z.name: parameters.unit(z) for z in self.places}
         rows = [_rows(z, given[z.name], owner) for z in self.places]
         starts = {name: _column(name, z, owner) for name, z in initial.items()}
         self.count = self._count({**{z.name: r for z, r in zip(self.places, rows, strict=True)}, **starts})
@@ -122,7 +126,7 @@ def _column(name: str, given: Any, owner: str) -> Array:
 
 
 def variant_of(system: C, values: Values, i: int) -> C:
-    """Variant number i as a system of its own."""
+    """Variant number i as a separate system."""
     row = values.of(i)
     found, variant = varied(system, values.places, Parameters(system.structure).changed(values.places, row))
     variant.set(row)
@@ -131,7 +135,7 @@ def variant_of(system: C, values: Values, i: int) -> C:
 
 @dataclass(frozen=True)
 class Again(Generic[C, T]):
-    """Does a task for one variant again, as a system of its own."""
+    """Repeats the task of one variant, as a separate system."""
 
     system: C
     values: Values
@@ -163,6 +167,7 @@ class Runner(Generic[T]):
     def run(self, threads: int | None, progress: bool | None) -> None:
         """Do it; an interrupt (Ctrl-C) keeps what is done."""
         count = self._threads = min(_threads(threads), self._values.count)
+        log.info("%d variants in %d threads", self._values.count, count)
         show = sys.stderr.isatty() if progress is None else flag(progress, "variants", "progress")
         bar = tqdm(total=self._values.count, disable=not show, unit="variant", leave=False)
         try:
@@ -176,6 +181,7 @@ class Runner(Generic[T]):
         for i in range(self._values.count):
             if i not in self.results:
                 self.failed.setdefault(i, INTERRUPTED)
+        log.info("%d variants computed, %d failed", len(self.results), len(self.failed))
 
     def _alone(self, bar: Any) -> None:
         for _ in self._work():

@@ -97,7 +97,7 @@ def flag(value: Any, owner: str, what: str) -> bool:
 def text(value: Any, owner: str, what: str) -> str:
     """A text, or a ModelError that names the owner."""
     if not isinstance(value, str):
-        raise ModelError(f"{owner}: {what} {_shown(value)} is not a text; give one")
+        raise ModelError(f"{owner}: {what} {_shown(value)} is not a string; give one")
     return value
 
 

@@ -11,3 +11,4 @@ Array = NDArray[np.float64]
 Index = NDArray[np.intp]
 ComplexArray = NDArray[np.complex128]
 Vector = Sequence[float] | Array
+StateSpace = tuple[Array, Array, Array, Array]  # A, B, C, D

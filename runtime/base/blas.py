@@ -25,7 +25,7 @@ class _Limit:
 
     @cached_property
     def _controller(self) -> Any:
-        """The libraries that are loaded at first use, sought once: this takes 8 ms, and a limit 0.02 ms."""
+        """The libraries that are loaded at first use, listed once: this takes 8 ms, and a limit 0.02 ms."""
         return ThreadpoolController()
 
     def threads(self) -> list[int]:

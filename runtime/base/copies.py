@@ -15,7 +15,7 @@ OF_TIME = f"{REMEDY}, or one of flexel's functions of time (fx.Polynomial, fx.Ra
 
 
 class Portable:
-    """Base of dataclasses that are pickled and copied as their fields: what they cache is made again."""
+    """Base of dataclasses that are pickled and copied as their fields: cached values are computed again."""
 
     def __getstate__(self) -> dict[str, Any]:
         """The fields alone."""

@@ -45,7 +45,7 @@ class IncompleteWarning(UserWarning):
 
 
 class UnsteadyWarning(UserWarning):
-    """Eigenvalues or modes are asked for about a state that accelerates: they do not describe what follows."""
+    """Eigenvalues or modes are requested about a state that accelerates: they do not describe what follows."""
 
 
 class AssemblyWarning(UserWarning):
@@ -57,7 +57,7 @@ class UnstableWarning(UserWarning):
 
 
 class RangeWarning(UserWarning):
-    """A motion has left the range of the data of a law: the message names the quantity and says how the law goes on."""
+    """A motion has left the range of the data of a law: the message names it and says how the law continues."""
 
 
 class CompilerError(FlexelError, RuntimeError):

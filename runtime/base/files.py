@@ -1,4 +1,4 @@
-"""Files that appear whole or not at all: written beside their place, flushed to the disk, then renamed."""
+"""Files that appear whole or not at all: written beside their destination, flushed to the disk, then renamed."""
 
 from __future__ import annotations
 

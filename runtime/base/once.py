@@ -1,4 +1,4 @@
-"""Properties that are computed once, in whichever thread asks first."""
+"""Properties that are computed once, in whichever thread needs them first."""
 
 from __future__ import annotations
 

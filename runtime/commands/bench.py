@@ -1,4 +1,4 @@
-"""`flexel bench`: what flexel costs, beside its peers; the rows are found by name when it runs."""
+"""`flexel bench`: computing times, beside those of other programs; the rows are found by name when it runs."""
 
 import json
 import sys
@@ -42,7 +42,7 @@ MACHINE, TABLE, TIMING, COMPARE, PEERS, PLOT = (
     help="Draw the ratios to the peers, and times over the size; the suffix determines the format.",
 )
 def bench(names: tuple[str, ...], json_file: str | None, plot_file: str | None) -> None:
-    """Measure what flexel costs, and print it beside other programs and the figures to reach and to aim at.
+    """Measure computing times, and print them beside those of other programs and beside the targets.
 
     Without NAME all rows, which takes many minutes; each figure is the shortest CPU time of many runs in one thread.
     Other programs run the same model in turn with flexel, where they are installed: pip install 'flexel[peers]'.
@@ -127,7 +127,7 @@ def _measured(rows: "list[Row]", table: Any) -> "tuple[list[Comparison], list[st
         except StoppedError:
             click.echo(f"\n{row.name}: interrupted", err=True)
             return found, failed, True
-        except Exception as error:  # whatever it is: the other rows are measured, and the exit status tells
+        except Exception as error:  # whatever it is: the other rows are measured, and the exit status says so
             click.echo(f"{row.name}: {type(error).__name__}: {error}", err=True)
             failed.append(row.name)
             found.append(compare.nothing(row))

@@ -4,6 +4,7 @@ A command imports its modules when it runs, so that ``flexel --help`` is quick a
 compiled kernels.
 """
 
+import logging
 import sys
 from typing import Any
 
@@ -38,8 +39,27 @@ class Commands(click.Group):
 
 @click.group(cls=Commands, context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(flexel.__version__, prog_name="flexel")
-def main() -> None:
+@click.option("-v", "--verbose", count=True, help="Show what is done, on stderr; -vv in every step.")
+@click.pass_context
+def main(ctx: click.Context, verbose: int) -> None:
     """A compiler for mechanisms: derive, compile, run."""
+    if verbose:
+        _show_records(ctx, logging.DEBUG if verbose > 1 else logging.INFO)
+
+
+def _show_records(ctx: click.Context, level: int) -> None:
+    """Write the records of the library to stderr until the command ends."""
+    handler, log = logging.StreamHandler(), logging.getLogger("flexel")
+    handler.setFormatter(logging.Formatter("%(name)s: %(message)s"))
+    before = log.level
+    log.addHandler(handler)
+    log.setLevel(level)
+
+    def end() -> None:
+        log.removeHandler(handler)
+        log.setLevel(before)
+
+    ctx.call_on_close(end)
 
 
 for command in (derive, verify, reproduce, bench, report, run, check, sweep, convert, view, info):

@@ -61,7 +61,7 @@ def report(
     Exit status 1 if the page shows a failure, or a part could not be made; 130 after Ctrl-C.
     """
     from flexel.base.errors import FlexelError
-    from flexel.report.making import Wish, check_possible
+    from flexel.report.making import Request, check_possible
 
     chosen = _chosen(parts, run_them)
     problems: list[str] = []
@@ -69,7 +69,7 @@ def report(
         check_possible(chosen)
         folder.mkdir(parents=True, exist_ok=True)
         for part in chosen:
-            problems += _make(part, folder, Wish(rows.split(), models, seed))
+            problems += _make(part, folder, Request(rows.split(), models, seed))
         target, found = _write(folder, out)
     except FlexelError as error:
         raise click.ClickException(str(error)) from error
@@ -93,12 +93,12 @@ def _chosen(parts: Sequence[str], run_them: bool) -> list[str]:
     return [z for z in NAMES if z in parts or "all" in parts]
 
 
-def _make(part: str, folder: Path, wish: object) -> list[str]:
+def _make(part: str, folder: Path, request: object) -> list[str]:
     """Make one part; what went wrong."""
     from flexel.report.making import make
 
     click.echo(f"{part} ...", err=True)
-    problem = make(part, folder, wish, _facts())  # type: ignore[arg-type]
+    problem = make(part, folder, request, _facts())  # type: ignore[arg-type]
     return [problem] if problem else []
 
 

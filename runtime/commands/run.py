@@ -23,7 +23,7 @@ FORMATS = ("npz", "nc", "mat", "csv")
 
 
 @dataclass(frozen=True)
-class Wish:
+class Request:
     """Options of the command line: the folder for results, and what to do with a motion."""
 
     out: Path
@@ -135,36 +135,36 @@ def run(
     folder = out or Path("out") / file.stem
     if checkpoint:
         asked["checkpoint"] = folder / f"{file.stem}.checkpoint.npz"
-    wish = Wish(folder, asked, formats or FORMATS[:1], plots, linearize)
+    request = Request(folder, asked, formats or FORMATS[:1], plots, linearize)
     try:
-        motion = _run_python(file, wish)
+        motion = _run_python(file, request)
     except click.ClickException as failure:
-        _keep_what_there_is(failure, wish, file.stem)
+        _keep_what_there_is(failure, request, file.stem)
         raise
     if motion is None:
         return
     with reported_by_line(file):
-        _keep(motion, wish, file.stem)
-        _report(motion, wish)
+        _keep(motion, request, file.stem)
+        _report(motion, request)
     _end(motion)
 
 
-def _run_python(file: Path, wish: Wish) -> Motion | None:
+def _run_python(file: Path, request: Request) -> Motion | None:
     """The motion of a model declared in Python, or what its ``main(out)`` returns."""
     from flexel.results.motion import Motion
 
     names = names_of(file)
     # now, so that a folder that cannot be created is reported before the computation
-    wish.out.mkdir(parents=True, exist_ok=True)
+    request.out.mkdir(parents=True, exist_ok=True)
     if callable(names.get("main")):
-        if wish.simulate:
+        if request.simulate:
             raise click.UsageError(
                 f"{file} has a main(out), which runs its own simulation; omit --time and the like."
             )
         with reported_by_line(file):
-            made = names["main"](wish.out)
+            made = names["main"](request.out)
         return made if isinstance(made, Motion) else None
-    return simulated(model_in(names, file), {**options_in(names, file), **wish.simulate}, file)
+    return simulated(model_in(names, file), {**options_in(names, file), **request.simulate}, file)
 
 
 def simulated(model: Model, options: Mapping[str, Any], file: Path) -> Motion:
@@ -180,14 +180,14 @@ def simulated(model: Model, options: Mapping[str, Any], file: Path) -> Motion:
         return system.simulate(**options)
 
 
-def _report(motion: Motion, wish: Wish) -> None:
+def _report(motion: Motion, request: Request) -> None:
     """Print how the motion ended and, if requested, the modes about its end."""
     last, total = motion[-1], motion.energy["total"]
     click.echo(f"{motion.message}; {motion.statistics.get('steps', 0)} steps, {len(motion)} states")
     click.echo(f"energy {total[0]:.6g} J at the start, {total[-1]:.6g} J at t = {last.t:g} s")
     for name in motion.system.dynamic:
         click.echo(f"  {name:<24} {last[name]: .10g}   rate {last.rate(name): .10g}")
-    if wish.linearize:
+    if request.linearize:
         _report_modes(motion.system.linearize(last))
 
 
@@ -207,21 +207,21 @@ def _report_modes(lin: Linearization) -> None:
         click.echo(f"  {mode.name:<24} {mode.omega:12.6g} {mode.damping:12.6g}   {mode.eigenvalue:.6g}")
 
 
-def _keep(motion: Motion, wish: Wish, stem: str) -> None:
+def _keep(motion: Motion, request: Request, stem: str) -> None:
     """Save the motion, and draw the requested plots."""
-    for suffix in wish.formats:
-        click.echo(f"wrote {motion.save(wish.out / f'{stem}.{suffix}')}")
-    if wish.plots:
-        path = wish.out / f"{stem}.png"
-        motion.plot(*wish.plots, path=path)
+    for suffix in request.formats:
+        click.echo(f"wrote {motion.save(request.out / f'{stem}.{suffix}')}")
+    if request.plots:
+        path = request.out / f"{stem}.png"
+        motion.plot(*request.plots, path=path)
         click.echo(f"wrote {path}")
 
 
-def _keep_what_there_is(failure: click.ClickException, wish: Wish, stem: str) -> None:
+def _keep_what_there_is(failure: click.ClickException, request: Request, stem: str) -> None:
     """Save the motion up to where a simulation failed."""
     motion = getattr(failure.__cause__, "motion", None)
     if motion is not None and len(motion) > 1:
-        _keep(motion, wish, stem)
+        _keep(motion, request, stem)
         click.echo(f"the motion up to t = {motion.t[-1]:g} s is kept")
 
 

@@ -59,7 +59,7 @@ def sweep(file: Path, out: Path | None, workers: int | None, scheduler: str | No
 
 
 def _swept(names: Mapping[str, Any], place: Path, executor: Any, workers: int | None, retry: bool) -> Dataset:
-    """The dataset; what failed stands in its message."""
+    """The dataset; what failed is in its message."""
     import flexel as fx
 
     with warnings.catch_warnings():

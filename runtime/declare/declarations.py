@@ -11,15 +11,16 @@ from typing import Any
 
 import numpy as np
 
-from flexel.base.arguments import array, flag, new_name, unknown, vector
+from flexel.base.arguments import array, flag, new_name, quantities, unknown, vector
 from flexel.base.arrays import Array, Vector
 from flexel.base.errors import ModelError
 from flexel.base.time_functions import TimeFunction
 from flexel.derive.spec import ElementSpec
 from flexel.generated.table import ELEMENTS
+from flexel.structure.controllers import Controller
 from flexel.structure.instances import Code, Instance, LawInstance
 from flexel.structure.loads import Load
-from flexel.structure.nodes import Node
+from flexel.structure.nodes import COMPONENTS, Node
 from flexel.structure.rigid_bodies import RigidBody
 from flexel.structure.surfaces import Surface
 
@@ -38,7 +39,7 @@ class Declarations:
     ----------
     nodes, instances, surfaces : dict
         Declared so far, by name: nodes, elements, and surfaces for ropes.  Read-only.
-    laws, loads : list
+    laws, loads, controllers : list
         As declared.  Read-only.
     """
 
@@ -51,6 +52,7 @@ class Declarations:
         self.surfaces: dict[str, Surface] = {}
         self._rigid_bodies: dict[str, RigidBody] = {}
         self.loads: list[Load] = []
+        self.controllers: list[Controller] = []
         self._motions: dict[str, TimeFunction] = {}
         self._roles: dict[str, str] = {}  # "rigid" or "free", as declared
         self._dynamic: list[str] | None = None
@@ -96,6 +98,38 @@ class Declarations:
         """Nodes of the required kinds, all spatial or all planar, and whether they are planar."""
         planar = self._find_node(nodes[0][0], owner).kind.startswith("planar")
         return planar, [self._find_of_kind(n, (PLANAR[k] if planar else k,), owner) for n, k in nodes]
+
+    def _quantity_kind(self, name: str, owner: str) -> str:
+        """What a declared quantity is, "coordinate", "deformation" or "slip"; a ModelError with near names otherwise.
+
+        Parameters
+        ----------
+        name : str
+            Of a node or element that is declared already.
+        owner : str
+            The declaration that refers to it, for the message.
+        """
+        quantities([name], owner)
+        part, _, component = name.rpartition(".")
+        node, element = self.nodes.get(part), self.instances.get(part)
+        if node is not None and component in COMPONENTS[node.kind]:
+            return "coordinate"
+        if node is not None and node.kind == "frame" and component == "norm":
+            raise ModelError(
+                f"{owner}: '{name}' is the norm of the Euler parameters of frame '{part}', always constrained; name "
+                "another quantity"
+            )
+        if element is not None and name in element.deformations:
+            return "deformation"
+        if element is not None and name in element.slips:
+            return "slip"
+        raise ModelError(f"{owner}: {unknown(name, self._quantities())}")
+
+    def _quantities(self) -> list[str]:
+        """Names of all quantities declared so far: deformations, slips, coordinates."""
+        elements, nodes = self.instances.values(), self.nodes.values()
+        own = [z for instance in elements for z in (*instance.deformations, *instance.slips)]
+        return [*own, *(z for node in nodes for z in node.coordinates)]
 
     def _place(
         self,

@@ -48,13 +48,13 @@ def formula_law(owner: str, stress: Any, energy: Callable[..., Any] | None = Non
 
     from flexel.derive import Law, symbol
     from flexel.derive.cache import CacheError
-    from flexel.derive.check.branches import check_branches
+    from flexel.derive.check.joins import check_law_joins
     from flexel.derive.shared_object import CompilationError, CompilerMissingError
 
     e, ed = symbol("e"), symbol("ed")
     sigma = _formula(owner, "stress", of_both(stress), e, ed)
     try:
-        check_branches(owner, sigma, (e, ed))
+        check_law_joins(owner, sigma)
     except ValueError as error:
         raise ModelError(str(error)) from error
     if energy is None:

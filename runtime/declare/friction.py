@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from flexel.base.arguments import not_negative, number, positive, quantities
 from flexel.base.errors import ModelError
 from flexel.base.transactions import whole_or_nothing
@@ -63,7 +65,7 @@ class Friction(Springs):
         (on,) = quantities([on], owner)
         values = {"low": number(low, owner, "low"), "high": number(high, owner, "high")}
         if values["low"] >= values["high"]:
-            raise ModelError(f"{owner}: low {low:g} is not below high {high:g}; exchange them")
+            raise ModelError(f"{owner}: low {low:g} is not below high {high:g}; swap them")
         values["stiffness"] = positive(stiffness, owner, "stiffness")
         values["damping"] = not_negative(damping, owner, "damping")
         self._add_law(owner, LAWS["limits"], [displacement(self, on, owner)], values)
@@ -79,12 +81,13 @@ class Friction(Springs):
         friction_radius: float = 0.0,
         slip_speed: float = 0.01,
     ) -> None:
-        """Give the pin of a revolute joint or bearing radial play in its bush: it touches beyond the gap.
+        """Give the pin of a revolute joint play in its bush, or a ball in its socket: it touches beyond the gap.
 
         Parameters
         ----------
         joint : str
-            Its radial displacements become free, and its angle carries the friction.
+            A revolute joint or bearing: its radial displacements become free, and its angle carries the friction.  Or
+            a spherical or universal joint: the three displacements of its ball become free.
         gap : float
             Radius of the bush less that of the pin [m]; the pin is drawn in the centre.
         stiffness : float
@@ -93,14 +96,17 @@ class Friction(Springs):
             Loss relative to the elastic force, for unit rate [s/m].
         friction_radius : float
             Coefficient of friction times the radius of the pin [m]: the moment is this times the force of the contact.
+            A ball has none, since its turns have no angles.
         slip_speed : float
             Speed of turning at which 71 % of the friction acts [rad/s].
         """
         owner = f"clearance of '{joint}'"
         spec = self.instances[joint].spec if isinstance(joint, str) and joint in self.instances else None
-        if spec is None or spec.family != "bearing":
+        link = spec is not None and spec.family == "link" and not spec.planar
+        ball = link and not np.any(self.instances[joint].parameters["d0"])
+        if spec is None or not (spec.family == "bearing" or ball):
             raise ModelError(
-                f"{owner}: it is not a joint with a pin; name one made by m.revolute or m.bearing"
+                f"{owner}: it is not a joint with a pin or a ball; name one of m.revolute or m.spherical"
             )
         values = {
             "gap": positive(gap, owner, "gap"),
@@ -109,4 +115,10 @@ class Friction(Springs):
             "friction_radius": not_negative(friction_radius, owner, "friction_radius"),
             "slip_speed": positive(slip_speed, owner, "slip_speed"),
         }
+        if ball:
+            if friction_radius:
+                raise ModelError(f"{owner}: a ball has no angle for the friction; leave friction_radius out")
+            del values["friction_radius"], values["slip_speed"]
+            self._add_law(owner, LAWS["loose_ball"], [f"{joint}.{z.name}" for z in spec.deformations], values)
+            return
         self._add_law(owner, LAWS["loose_journal"], [f"{joint}.{z}" for z in PLAY[spec.planar]], values)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from flexel.base.arguments import array, names, numbers, quantities, text, unknown
+from flexel.base.arguments import array, names, numbers, text, unknown
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.declare.declarations import Declarations
@@ -162,9 +162,14 @@ class Laws(Declarations):
             Its name; the names in `on`, joined, by default.
         """
         m, k = spec.deformations, spec.slips
-        on = quantities(on, owner)
+        on = tuple(on)
+        kinds = [self._quantity_kind(z, owner) for z in on]
         if len(on) != m + k or len(set(on)) < len(on):
             raise ModelError(f"{owner}: {len(on)} names; give {m} deformations, then {k} slips, each once")
+        for wrong in [z for z, kind in zip(on[:m], kinds[:m], strict=True) if kind != "deformation"]:
+            raise ModelError(f"{owner}: '{wrong}' is not a deformation; springs and formulas act on these")
+        for wrong in [z for z, kind in zip(on[m:], kinds[m:], strict=True) if kind != "slip"]:
+            raise ModelError(f"{owner}: '{wrong}' is not a slip; use m.spring(…, damping=…) on deformations")
         values = _checked_parameters(owner, spec, parameters)
         check_signs(spec, values, owner)
         start = numbers(initial, owner, "initial value")
@@ -201,7 +206,7 @@ class Laws(Declarations):
                 f"{owner}: a formula acts on one deformation and {len(on)} are named; compile a law of more with "
                 "fx.compile_law"
             )
-        quantities(on, owner)
+        self._quantity_kind(on[0], owner)  # before a formula is compiled for it
         compiled = formula_law(owner, stress, energy)
         self._add_law(owner, compiled.spec, on, {}, code=compiled.code, label=label)
 

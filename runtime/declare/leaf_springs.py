@@ -1,4 +1,4 @@
-"""Leaf springs: the method of `Model` that lays beams in series between two bodies."""
+"""Leaf springs: the method of `Model` that puts beams in series between two bodies."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ from flexel.declare.beams import Beams
 from flexel.declare.materials import Material
 from flexel.declare.nodes import Nodes
 from flexel.declare.sections import Section
+from flexel.declare.warping import nodes_of
 from flexel.structure.nodes import Node
 
 
@@ -39,6 +40,7 @@ class LeafSprings(Beams, Nodes):
         flexible: Sequence[str] | None = None,
         damping: float = 0.0,
         second_order: bool = True,
+        warping: bool | Sequence[Node | str] = False,
     ) -> tuple[str, ...]:
         """Lay a straight leaf spring between two bodies, or between two nodes: beams in series.
 
@@ -65,6 +67,9 @@ class LeafSprings(Beams, Nodes):
             Kelvin–Voigt damping: ratio of damping to stiffness [s].
         second_order : bool
             Second-order terms in the deformations.
+        warping : True or two nodes
+            Sections warp, as of `beam`: the warping nodes at both ends, or True for free ones of its own; those between
+            the beams are ``<name> warping 1``, ….
 
         Returns
         -------
@@ -98,7 +103,8 @@ class LeafSprings(Beams, Nodes):
         places = [first.x0 + along * length * i / count for i in range(1, count)]
         nodes = [(first, bodies[1]), *self._between(name, places, along, across), (last, bodies[3])]
         beams = tuple(f"{name} beam {i + 1}" for i in range(count)) if count > 1 else (name,)
-        for beam, (a, b) in zip(beams, zip(nodes, nodes[1:], strict=False), strict=True):
+        twists = self._twists(name, owner, count, warping)
+        for beam, (a, b), twist in zip(beams, zip(nodes, nodes[1:], strict=False), twists, strict=True):
             self.beam(
                 beam,
                 *a,
@@ -109,8 +115,19 @@ class LeafSprings(Beams, Nodes):
                 flexible=flexible,
                 damping=damping,
                 second_order=second_order,
+                warping=twist,
             )
         return beams
+
+    def _twists(
+        self, name: str, owner: str, count: int, warping: bool | Sequence[Node | str]
+    ) -> list[bool | tuple[Node, Node]]:
+        """The warping nodes at the ends of each beam; False where there are none."""
+        if warping is False:
+            return [False] * count
+        first, last = nodes_of(self, owner, name, warping)
+        nodes = [first, *(self.warping(f"{name} warping {i}") for i in range(1, count)), last]
+        return list(zip(nodes, nodes[1:], strict=False))
 
     def _clamped(self, name: str, point: Node, frame: Node, place: Vector | None) -> Node:
         """The point of a body where the leaf is clamped: its own point, or another one at a place as drawn."""

@@ -37,6 +37,7 @@ class Loading(Declarations):
         if isinstance(target, str) and "." in target:
             if follower is not False:
                 raise ModelError(f"load on '{target}': follower loads act on frames; leave follower out")
+            self._quantity_kind(target, f"load on '{target}'")
             self.loads.append(Load(target, as_function(value, f"load on '{target}'")))
             return
         node = self._find_node(target, "load")

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from flexel.base.arguments import array, number, quantities, vector
+from flexel.base.arguments import array, number, vector
 from flexel.base.arrays import Vector
 from flexel.base.errors import ModelError
 from flexel.base.time_functions import as_function
@@ -84,11 +84,20 @@ class Nodes(Declarations):
 
     def release(self, *names: str) -> None:
         """Make deformations or slips free: no constraint, stress from laws and loads only."""
-        self._roles.update(dict.fromkeys(quantities(names, "release"), "free"))
+        self._set_role("release", names, "free")
 
     def rigid(self, *names: str) -> None:
         """Hold deformations (or slips) at zero."""
-        self._roles.update(dict.fromkeys(quantities(names, "rigid"), "rigid"))
+        self._set_role("rigid", names, "rigid")
+
+    def _set_role(self, owner: str, names: tuple[str, ...], role: str) -> None:
+        """Give deformations or slips a role; all of them or, if one is refused, none."""
+        for name in names:
+            if self._quantity_kind(name, owner) == "coordinate":
+                raise ModelError(
+                    f"{owner}: '{name}' is a coordinate; rigid and free are roles of deformations and slips, use fix"
+                )
+        self._roles.update(dict.fromkeys(names, role))
 
     def prescribe(self, name: str, motion: Any) -> None:
         """Give a coordinate or deformation a motion u(t); replaces any given earlier.
@@ -98,16 +107,28 @@ class Nodes(Declarations):
         motion : number, callable, triple of callables, or Ramp, Harmonic, Polynomial, Table
             A callable is called with a second-order jet: operators and NumPy functions give u, u' and u''.
         """
-        quantities([name], "prescribe")
+        if self._quantity_kind(name, "prescribe") == "slip":
+            raise ModelError(
+                f"prescribe: '{name}' is a slip; only coordinates and deformations are prescribed"
+            )
         self._motions[name] = as_function(motion, f"prescribe '{name}'")
 
     def independent(self, *names: str) -> None:
         """Name the dynamic degrees of freedom q_d; by default the program chooses them."""
-        self._dynamic = [*(self._dynamic or []), *quantities(names, "independent")]
+        self._dynamic = [*(self._dynamic or []), *self._freedoms("independent", names)]
 
     def kinematic(self, *names: str) -> None:
         """Name the kinematic coordinates q_k of a non-holonomic system; by default the program chooses them."""
-        self._kinematic = [*(self._kinematic or []), *quantities(names, "kinematic")]
+        self._kinematic = [*(self._kinematic or []), *self._freedoms("kinematic", names)]
+
+    def _freedoms(self, owner: str, names: tuple[str, ...]) -> tuple[str, ...]:
+        """Names of coordinates and deformations."""
+        for name in names:
+            if self._quantity_kind(name, owner) == "slip":
+                raise ModelError(
+                    f"{owner}: '{name}' is a slip and not a degree of freedom; name movable coordinates or deformations"
+                )
+        return names
 
     def initial(self, name: str, value: float | None = None, rate: float | None = None) -> None:
         """Initial value and rate of a coordinate or deformation (a slip: rate only).
@@ -116,7 +137,7 @@ class Nodes(Declarations):
         matters, name these with `independent` or give enough rates.
         """
         owner = f"initial '{name}'"
-        quantities([name], "initial")
+        self._quantity_kind(name, "initial")
         if value is None and rate is None:
             raise ModelError(f"{owner}: neither a value nor a rate; give one of them")
         if value is not None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from flexel.base.arguments import number, unknown
+from flexel.base.arguments import number
 from flexel.base.errors import ModelError
 from flexel.declare.declarations import Declarations
 from flexel.derive.spec import DeformationSpec, ElementSpec
@@ -76,20 +76,15 @@ class RelationMethods(Declarations):
 
     def _unit_of(self, term: str, owner: str) -> str:
         """Unit of a deformation or coordinate that may be a term of a relation."""
-        part, _, component = str(term).partition(".")
-        if part in self.nodes and component in COMPONENTS[self.nodes[part].kind]:
+        kind, (part, _, component) = self._quantity_kind(term, owner), term.rpartition(".")
+        if kind == "coordinate":
             node = self.nodes[part]
             if node.fixed[COMPONENTS[node.kind].index(component)]:
                 raise ModelError(f"{owner}: '{term}' is fixed and does not change; leave it out")
             return node.unit
-        if part in self.instances:
-            element = self.instances[part]
-            if term in element.slips:
-                raise ModelError(
-                    f"{owner}: '{term}' is a slip, which has a rate but no value; name a deformation"
-                )
-            if term in element.deformations:
-                return element.spec.deformations[element.deformations.index(term)].unit
-        known = [z for instance in self.instances.values() for z in instance.deformations]
-        known += [z for node in self.nodes.values() for z in node.coordinates]
-        raise ModelError(f"{owner}: {unknown(str(term), known)}")
+        if kind == "slip":
+            raise ModelError(
+                f"{owner}: '{term}' is a slip, which has a rate but no value; name a deformation"
+            )
+        element = self.instances[part]
+        return element.spec.deformations[element.deformations.index(term)].unit

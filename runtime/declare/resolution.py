@@ -18,36 +18,6 @@ def norms(model: Declarations) -> list[Instance]:
     return [Instance(n.name, ELEMENTS["norm"], (n.name,), {}) for n in frames]
 
 
-def check_laws(structure: Structure) -> None:
-    """Each law must act on deformations (springs) or slips (viscous resistance) that exist."""
-    m, k = structure.m, structure.k
-    for law in structure.laws:
-        owner = f"law on '{law.name}'"
-        for name in law.deformations:
-            if structure.find(name, owner) >= m:
-                raise ModelError(
-                    f"{owner}: '{name}' is not a deformation; springs and formulas act on these (declare an element "
-                    "before the damper on its slip)"
-                )
-            refuse_norm(structure, name, owner)
-        for name in law.slips:
-            if not m <= structure.find(name, owner) < m + k:
-                raise ModelError(
-                    f"{owner}: '{name}' is not a slip; use m.spring(…, damping=…) on deformations"
-                )
-
-
-def refuse_norm(structure: Structure, name: str, owner: str) -> None:
-    """The norm of Euler parameters takes no role, law or load."""
-    structure.find(name, owner)
-    if structure.is_norm(name):
-        frame = name.rpartition(".")[0]
-        raise ModelError(
-            f"{owner}: '{name}' is the norm of the Euler parameters of frame '{frame}', always constrained; name "
-            "another quantity"
-        )
-
-
 def resolve_roles(model: Declarations, structure: Structure) -> Roles:
     """Rigid, prescribed and rolling conditions, from the declarations and the elements' defaults."""
     role = {}
@@ -62,20 +32,12 @@ def resolve_roles(model: Declarations, structure: Structure) -> Roles:
         contradicted = [z for z in (*law.deformations, *law.slips) if model._roles.get(z) == "rigid"]
         if contradicted:
             raise ModelError(f"'{contradicted[0]}' is rigid and also has a law; remove one of them")
-    for name, wish in model._roles.items():
-        if structure.find(name, "rigid or release") >= structure.m + structure.k:
-            raise ModelError(
-                f"'{name}' is a coordinate; rigid and free are roles of deformations and slips, use fix"
-            )
-        refuse_norm(structure, name, "rigid or release")
-        role[name] = wish
+    role |= model._roles
     for name in [*(model._dynamic or []), *(model._kinematic or []), *model._motions]:
-        structure.find(name, "independent, kinematic or prescribe")
-        refuse_norm(structure, name, "independent, kinematic or prescribe")
         if model._roles.get(name) == "rigid":
             raise ModelError(f"'{name}' is rigid and also independent or prescribed; remove one of them")
         role[name] = "free"
-    rigid = [structure.index[z] for z, wish in role.items() if wish == "rigid"]
+    rigid = [structure.index[z] for z, given in role.items() if given == "rigid"]
     prescribed = [structure.find(z) for z in model._motions]
     empty = np.zeros(0, dtype=np.intp)
     return Roles(
@@ -92,18 +54,12 @@ def check_names(model: Declarations, structure: Structure, roles: Roles) -> None
     """Contradictions between roles, loads and initial values, by name."""
     first, nf = structure.m + structure.k, structure.nf
     for name in model._motions:
-        i = structure.find(name)
-        if structure.m <= i < first:
-            raise ModelError(
-                f"prescribe: '{name}' is a slip; only coordinates and deformations are prescribed"
-            )
-        if i >= first + nf:
+        if structure.find(name) >= first + nf:
             raise ModelError(f"prescribe: '{name}' is fixed; release the node, or do not prescribe it")
     for name in model._dynamic or []:
         if name in model._motions or name in (model._kinematic or []):
             raise ModelError(f"'{name}' is independent and also prescribed or kinematic; choose one")
     for load in model.loads:
-        refuse_norm(structure, load.name, "load")
         if structure.find(load.name) >= first + nf:
             raise ModelError(
                 f"load on '{load.name}': this coordinate is fixed and cannot move; remove load or fixing"

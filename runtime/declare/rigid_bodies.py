@@ -1,4 +1,4 @@
-"""Rigid bodies as one thing: the method of `Model` that makes nodes, mass and further points of a body at once."""
+"""Rigid bodies: the method of `Model` that makes nodes, mass and further points of a body at once."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ class RigidBodies(Joints, Bodies, Nodes):
         Returns
         -------
         RigidBody
-            With ``point``, ``frame`` and ``points``; its name serves as well wherever a body is asked for.
+            With ``point``, ``frame`` and ``points``; its name can be given wherever a body is expected.
 
         Raises
         ------
@@ -76,7 +76,7 @@ class RigidBodies(Joints, Bodies, Nodes):
         new_name(name, "rigid body")
         owner = f"rigid body '{name}'"
         if name == GROUND:
-            raise ModelError(f"{owner}: the ground is there already; joints take it by this name")
+            raise ModelError(f"{owner}: the ground exists already; joints refer to it by this name")
         x0 = array(position, owner, "position")
         planar = x0.shape == (2,)
         x0 = vector(x0, owner, "position", 2 if planar else 3)
@@ -100,7 +100,7 @@ class RigidBodies(Joints, Bodies, Nodes):
         return self._rigid_bodies[name]
 
     def _two_bodies(self, owner: str, p: Given, q: Given) -> tuple[RigidBody, RigidBody]:
-        """The bodies that a joint joins, both planar or both spatial; the ground is made when first asked for."""
+        """The bodies that a joint joins, both planar or both spatial; the ground is made at first use."""
         planar = None
         for given in (p, q):
             if not _is_ground(given):
@@ -113,7 +113,7 @@ class RigidBodies(Joints, Bodies, Nodes):
         )
         if first.planar != second.planar:
             raise ModelError(
-                f"{owner}: '{first.name}' and '{second.name}' are one planar and one spatial; join alike ones"
+                f"{owner}: '{first.name}' and '{second.name}' are one planar and one spatial; join two of one kind"
             )
         if first.frame.name == second.frame.name:
             raise ModelError(f"{owner}: both its bodies are '{first.name}'; name two different ones")
@@ -144,7 +144,7 @@ class RigidBodies(Joints, Bodies, Nodes):
         if GROUND not in self._rigid_bodies:
             if taken := [z for z in (GROUND, f"{GROUND}_frame") if z in self.nodes or z in self.instances]:
                 raise ModelError(
-                    f"{owner}: '{taken[0]}' is a name of your own here; give the nodes (point, frame) of the ground"
+                    f"{owner}: '{taken[0]}' is a name in this model; give the nodes (point, frame) of the ground"
                 )
             point = self.point(GROUND, np.zeros(2 if planar else 3), fixed=True)
             frame = (

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any, Protocol, runtime_checkable
+from typing import Protocol, runtime_checkable
 
 import numpy as np
 
@@ -187,7 +187,52 @@ class Rectangle:
 
 
 @dataclass(frozen=True)
-class IBeam:
+class Flanged:
+    """Common base of sections of a web along y and two equal flanges along z."""
+
+    height: float
+    width: float
+    flange: float
+    web: float
+
+    @property
+    def A(self) -> float:
+        """Area [m²]."""
+        return 2 * self.width * self.flange + self._clear * self.web
+
+    @property
+    def _clear(self) -> float:
+        """Height of the web between the flanges [m]."""
+        return self.height - 2 * self.flange
+
+    @property
+    def Iz(self) -> float:
+        """Second moment of area about z [m⁴], the axis along the flanges."""
+        return (self.width * self.height**3 - (self.width - self.web) * self._clear**3) / 12
+
+    @property
+    def J(self) -> float:
+        """Torsion constant [m⁴]: the sum of those of the three rectangles."""
+        return 2 * Rectangle(self.flange, self.width).J + Rectangle(self.web, self._clear).J
+
+    def shear_factors(self, nu: float) -> tuple[float, float]:
+        """Web over area in y, 5/6 of the flanges over area in z (engineering approximations)."""
+        number(nu, type(self).__name__, "Poisson's ratio")
+        return self._clear * self.web / self.A, 5 / 3 * self.width * self.flange / self.A
+
+    def _check(self, limit: str) -> None:
+        """Check the sizes; the web is "<" or "<=" as thick as the section is wide."""
+        check_sizes(self, self.__dataclass_fields__)
+        fits = self.web < self.width or (limit == "<=" and self.web == self.width)
+        if 2 * self.flange >= self.height or not fits:
+            raise ModelError(
+                f"{type(self).__name__}: flanges of {self.flange:g} and a web of {self.web:g} do not fit into "
+                f"{self.height:g} by {self.width:g}; give 2 flange < height and web {limit} width"
+            )
+
+
+@dataclass(frozen=True)
+class IBeam(Flanged):
     """I section: web along y, two flanges along z; torsion as a thin open section, warping free.
 
     Parameters
@@ -198,37 +243,13 @@ class IBeam:
         Thicknesses [m].
     """
 
-    height: float
-    width: float
-    flange: float
-    web: float
-
     def __post_init__(self) -> None:
-        check_flanges(self, "<=")
-
-    @property
-    def A(self) -> float:
-        """Area [m²]."""
-        return 2 * self.width * self.flange + self._clear * self.web
-
-    @property
-    def _clear(self) -> float:
-        return self.height - 2 * self.flange
+        self._check("<=")
 
     @property
     def Iy(self) -> float:
         """Second moment of area about y [m⁴], the weak axis."""
         return (2 * self.flange * self.width**3 + self._clear * self.web**3) / 12
-
-    @property
-    def Iz(self) -> float:
-        """Second moment of area about z [m⁴], the strong axis."""
-        return (self.width * self.height**3 - (self.width - self.web) * self._clear**3) / 12
-
-    @property
-    def J(self) -> float:
-        """Torsion constant [m⁴]: the sum of those of the three rectangles."""
-        return 2 * Rectangle(self.flange, self.width).J + Rectangle(self.web, self._clear).J
 
     @property
     def Iw(self) -> float:
@@ -239,11 +260,6 @@ class IBeam:
     def shear_centre(self) -> tuple[float, float]:
         """Place (y, z) of the shear centre, the centroid [m]."""
         return 0.0, 0.0
-
-    def shear_factors(self, nu: float) -> tuple[float, float]:
-        """Web over area in y, 5/6 of the flanges over area in z (engineering approximations)."""
-        number(nu, "IBeam", "Poisson's ratio")
-        return self._clear * self.web / self.A, 5 / 3 * self.width * self.flange / self.A
 
     def stresses(self, f: SectionForces) -> list[StressPoint]:
         """Flange tips and web; torsional shear T t / J is added on the safe side."""
@@ -265,18 +281,6 @@ def check_forces(given: object, owner: str) -> None:
     """Refuse what is not the forces of a section."""
     if not isinstance(given, SectionForces):
         raise ModelError(f"{owner}: {given!r:.60} are not the forces of a section; give fx.SectionForces(…)")
-
-
-def check_flanges(section: Any, limit: str) -> None:
-    """Check the sizes of a web with two flanges, whose web is "<" or "<=" as thick as the section is wide."""
-    check_sizes(section, section.__dataclass_fields__)
-    s = section
-    fits = s.web < s.width or (limit == "<=" and s.web == s.width)
-    if 2 * s.flange >= s.height or not fits:
-        raise ModelError(
-            f"{type(s).__name__}: flanges of {s.flange:g} and a web of {s.web:g} do not fit into {s.height:g} by "
-            f"{s.width:g}; give 2 flange < height and web {limit} width"
-        )
 
 
 def check_sizes(section: object, names: Iterable[str]) -> None:

@@ -15,14 +15,7 @@ import numpy as np
 from flexel.base.arguments import number
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
-from flexel.declare.sections import (
-    Rectangle,
-    SectionForces,
-    StressPoint,
-    check_flanges,
-    check_forces,
-    check_sizes,
-)
+from flexel.declare.sections import Flanged, Rectangle, SectionForces, StressPoint, check_forces, check_sizes
 
 
 def combined(
@@ -38,7 +31,7 @@ def combined(
 
 
 @dataclass(frozen=True)
-class UBeam:
+class UBeam(Flanged):
     """U section (channel): web along y, two flanges along z, open towards positive z.
 
     Parameters
@@ -49,22 +42,8 @@ class UBeam:
         Thicknesses [m].
     """
 
-    height: float
-    width: float
-    flange: float
-    web: float
-
     def __post_init__(self) -> None:
-        check_flanges(self, "<")
-
-    @property
-    def _clear(self) -> float:
-        return self.height - 2 * self.flange
-
-    @property
-    def A(self) -> float:
-        """Area [m²]."""
-        return 2 * self.width * self.flange + self._clear * self.web
+        self._check("<")
 
     @property
     def _back(self) -> float:
@@ -76,16 +55,6 @@ class UBeam:
         """Second moment of area about y [m⁴], the axis along the web."""
         about_back = (2 * self.flange * self.width**3 + self._clear * self.web**3) / 3
         return about_back - self.A * self._back**2
-
-    @property
-    def Iz(self) -> float:
-        """Second moment of area about z [m⁴], the axis of symmetry."""
-        return (self.width * self.height**3 - (self.width - self.web) * self._clear**3) / 12
-
-    @property
-    def J(self) -> float:
-        """Torsion constant [m⁴]: the sum of those of the three rectangles."""
-        return 2 * Rectangle(self.flange, self.width).J + Rectangle(self.web, self._clear).J
 
     @property
     def _walls(self) -> tuple[float, float, float]:
@@ -105,13 +74,8 @@ class UBeam:
         flange, web = b * self.flange, h * self.web
         return flange * b**2 * h**2 / 12 * (3 * flange + 2 * web) / (6 * flange + web)
 
-    def shear_factors(self, nu: float) -> tuple[float, float]:
-        """Web over area in y, 5/6 of the flanges over area in z (engineering approximations)."""
-        number(nu, "UBeam", "Poisson's ratio")
-        return self._clear * self.web / self.A, 5 / 3 * self.width * self.flange / self.A
-
     def stresses(self, f: SectionForces) -> list[StressPoint]:
-        """Largest normal and shear stress of the whole outline, taken together on the safe side."""
+        """Largest normal and shear stress of the whole outline, combined conservatively."""
         b, h, e = self._walls
         return combined(self, f, max(self.flange, self.web), h / 2 * max(e, b - e))
 
@@ -217,7 +181,7 @@ class LBeam:
         return 5 / 6 * in_y, 5 / 6 * (1 - in_y)
 
     def stresses(self, f: SectionForces) -> list[StressPoint]:
-        """Largest normal and shear stress of the whole outline, taken together on the safe side."""
+        """Largest normal and shear stress of the whole outline, combined conservatively."""
         leg = max(self.height, self.width) - self.thickness / 2
         return combined(self, f, self.thickness, leg * self.thickness / 2)
 

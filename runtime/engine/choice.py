@@ -147,7 +147,7 @@ class Choice(Struct):
         return self.G.reshape(-1, self.struct.columns)[:, :nd].copy()
 
     def reset(self) -> None:
-        """Forget what was found on the way: what follows then depends on nothing computed before.
+        """Discard intermediate results: what follows then depends on nothing computed before.
 
         These are pivot orders, and rates of fixed coordinates that a user's state may have had.
         """
@@ -205,12 +205,12 @@ class Choice(Struct):
         lib.flexel_forces(*self._pair)
 
     def rhs(self, t: float) -> int:
-        """Rates dy of y = (q, q_d', z), the position sought from the last one."""
+        """Rates dy of y = (q, q_d', z), the position found from the last one."""
         code: int = self._rhs(t, self._y, self._dy)
         return code
 
     def evaluate(self, t: float, y: Array, guess: Array, near: Array) -> int:
-        """The same, the position sought from coordinates and deformations nearby."""
+        """The same, the position found from coordinates and deformations nearby."""
         self.y[:], self.work.x[:], self.work.near[:] = y, guess, near
         self.struct.predict = 0
         return int(lib.flexel_evaluate(*self._pair, t, self._y, self._dy))

@@ -23,17 +23,16 @@ class Elimination:
     """Places of the entries of square matrices, and LU factors with a pivot order that serves all of them.
 
     The first order is found from samples, or from the first matrix that is factorized. Where it is unsound for a later
-    one it is replaced by another that is sound for that one, and for the samples if possible, until `forget` is called:
-    a computation that begins with it gives the same digits, whatever was computed before.
+    one it is replaced by another that is sound for that one, and for the samples if possible.
 
     Parameters
     ----------
     rows, columns : ndarray of int (entries,)
-        Place of each entry; several entries of one place are summed, those outside of the matrix are dropped.
+        Place of each entry; several entries of one place are stored as one, those outside of the matrix not at all.
     size : int
         Unknowns.
     samples : tuple of ndarray (stored,), optional
-        Stored matrices for which the first order is sought.
+        Stored matrices from which the first order is determined.
 
     Attributes
     ----------
@@ -44,34 +43,20 @@ class Elimination:
     def __init__(self, rows: Index, columns: Index, size: int, samples: tuple[Array, ...] = ()) -> None:
         self.size = size
         inside = (rows < size) & (columns < size)
-        unique, position = np.unique(np.where(inside, columns * size + rows, -1), return_inverse=True)
-        dropped = int(
-            unique.size > 0 and unique[0] < 0
-        )  # they come first: one place in front of the stored ones
-        self._position = position.ravel() + 1 - dropped
-        unique = unique[dropped:]
+        unique = np.unique((columns * size + rows)[inside])
         self.rows, self.columns = unique % max(size, 1), unique // max(size, 1)
         self._samples = samples
         self._order: PivotOrder | None = None
-        self._first: PivotOrder | None = None
         self._filled: bool | None = None if size > BORDER else False
 
     def __getstate__(self) -> dict[str, Any]:
-        """Everything but the orders, which live in C; the first one is found again from the same samples."""
-        return self.__dict__ | {"_order": None, "_first": None}
-
-    def forget(self) -> None:
-        """Go back to the first order."""
-        self._order = self._first
+        """Everything but the order, which lives in C; it is found again from the same samples."""
+        return self.__dict__ | {"_order": None}
 
     @property
     def order(self) -> PivotOrder | None:
         """The present order of the pivots; None before the first factorization, and by SuperLU."""
         return self._order
-
-    def assemble(self, entries: Array) -> Array:
-        """The matrix as it is stored, from its entries in the order in which their places were given."""
-        return np.asarray(np.bincount(self._position, entries, self.rows.size + 1)[1:], dtype=np.float64)
 
     def matrix(self, stored: Array) -> Any:
         """A stored matrix as a scipy.sparse array."""
@@ -104,7 +89,7 @@ class Elimination:
         samples = self._samples or (stored.copy(),)
         order = self._found(samples)
         if order is not None:
-            self._samples, self._first, self._order = samples, order, order
+            self._samples, self._order = samples, order
         return order
 
     def _ordered_anew(self, stored: Array) -> Eliminated:

@@ -22,8 +22,10 @@ class Energies:
 
     def __init__(self, work: Workspace) -> None:
         kinds, law = work.tables.structure.kinds, work.tables.law
-        first = flat(z[:, 0] for z in law.lines)  # quantities that the laws first act on, law by law
-        deformed = [q < len(kinds) and kinds[q] == "gap" for q in first]  # a law may act on slips alone
+        none = work.tables.structure.m  # no deformation: a law may act on nothing, or on slips alone
+        parts = (z[:, 0] if z.shape[1] else np.full(len(z), none) for z in law.lines)
+        first = flat(parts)  # quantities that the laws first act on, law by law
+        deformed = [q < len(kinds) and kinds[q] == "gap" for q in first]
         contacts = np.flatnonzero(deformed).astype(np.int32)
         self._work, self._keep = work, (contacts, first[contacts].astype(np.int32))
         self._touching = np.zeros(contacts.size, dtype=np.uint8)

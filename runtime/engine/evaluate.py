@@ -20,7 +20,7 @@ from flexel.engine.tables import Tables
 from flexel.engine.workspace import Workspace
 from flexel.structure.structure import Structure
 
-LARGE = 400  # coordinates above which matrices are handed out as sparse ones
+LARGE = 400  # coordinates above which matrices are returned as sparse ones
 
 
 class Evaluation:

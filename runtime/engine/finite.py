@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError
+from flexel.structure.callbacks import raise_failures
 from flexel.structure.structure import Structure
 
 
@@ -23,6 +24,7 @@ def check_finite(structure: Structure, stress: Array, zd: Array, t: float) -> No
     """
     if np.isfinite(stress).all() and np.isfinite(zd).all():
         return
+    raise_failures(law.code for law in structure.laws)
     if name := _first(structure, np.isfinite(stress), np.isfinite(zd)):
         what = "rate" if name in structure.internal else "stress"
         raise DynamicsError(
@@ -39,6 +41,7 @@ def check_tangent(structure: Structure, finite: NDArray[np.bool_], t: float) -> 
     TangentError
     """
     size = structure.m + structure.k
+    raise_failures(law.code for law in structure.laws)
     if name := _first(structure, finite[:size], finite[size:]):
         raise TangentError(
             f"the tangent of the law on '{name}' at t = {t:g} s is not finite: the law has no slope here; correct the "

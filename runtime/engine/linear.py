@@ -19,7 +19,7 @@ from flexel.structure.state import State
 
 @dataclass(frozen=True, eq=False)
 class Linearized:
-    """What the engine finds at some states.
+    """Results of the engine at some states.
 
     Attributes
     ----------
@@ -40,7 +40,7 @@ class Linearized:
 
 @dataclass(frozen=True, eq=False)
 class Completed:
-    """What the engine finds where it completes some states.
+    """Results of the engine that complete some states.
 
     Attributes
     ----------

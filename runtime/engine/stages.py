@@ -1,4 +1,4 @@
-"""Where the outputs of the kernels lie in their buffers, and lists that carry them to where they belong."""
+"""Places of the kernels' outputs in their buffers, and lists that scatter them to the arrays of the model."""
 
 from __future__ import annotations
 
@@ -85,7 +85,7 @@ class Stage:
         return self.width + 1
 
     def nonzeros(self, i: int, name: str) -> Index:
-        """Flat places of the stored entries in the local array; none if the batch lacks this kernel."""
+        """Flat places of the stored entries in the local array; none if the batch does not have this kernel."""
         stored = self._outputs[i][name].nonzeros if i in self._outputs else ()
         return np.array(stored, dtype=np.intp)
 

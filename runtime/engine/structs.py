@@ -13,7 +13,7 @@ from flexel.generated._kernels import ffi
 
 
 class Struct:
-    """Base of what is a structure in C: its `struct`, and arrays by the names of its fields."""
+    """Base of classes that are a structure in C: its `struct`, and arrays by the names of its fields."""
 
     struct: Any
 

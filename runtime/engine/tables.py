@@ -1,4 +1,4 @@
-"""The tables of a model: constant lists that tell the engine in C what to call, and where numbers come from and go.
+"""The tables of a model: constant lists of what the engine in C calls, and of where numbers come from and go.
 
 They are built once for a structure and shared by all its workspaces (`flexel.engine.workspace`).
 """

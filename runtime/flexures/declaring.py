@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from flexel.base.arguments import array, names, number, whole
+from flexel.base.arguments import array, flag, names, number, whole
 from flexel.base.errors import ModelError
 from flexel.declare.beams import MODES
 from flexel.declare.materials import MATERIALS, Material, material_of
@@ -17,7 +17,9 @@ from flexel.declare.round_sections import Circle, Tube
 from flexel.declare.sections import Rectangle, Section
 from flexel.flexures.loading import load_node
 from flexel.flexures.properties import ElementProperties, NodeProperties
+from flexel.flexures.showing import show
 from flexel.flexures.tables import Tables, group_owner, node_owner, read_tables
+from flexel.flexures.warping import warping_ends
 from flexel.model import Model
 from flexel.results.flexure_step import element_name, frame_name, node_name
 
@@ -72,7 +74,9 @@ def declared(tables: Tables) -> Model:
         _hold(m, node, given)
         _inertia(m, node, given)
     for i, (p, q) in enumerate(tables.ends, start=1):
+        before = set(m.instances)
         _element(m, i, (p, q), tables)
+        show(m, [z for z in m.instances if z not in before], tables, i)
     for node, given in tables.nodes.items():
         load_node(m, node, given)
     if all(np.all(m.nodes[node_name(i + 1)].fixed) for i in range(len(tables.places))):
@@ -125,6 +129,9 @@ def _element(m: Model, element: int, ends: tuple[int, int], tables: Tables) -> N
         raise ModelError(f"{owner}: flexible modes without a section; give section='rectangle', dimensions=…")
     material = _material(group, owner, bool(flexible))
     beams = whole(group.beams, owner, "beams")
+    warps = flag(group.warping, owner, "warping")
+    if warps and not flexible:
+        raise ModelError(f"{owner}: a rigid element does not warp; drop warping, or name flexible modes")
     if flexible and section is not None:
         with _in(owner):
             m.leaf_spring(
@@ -135,6 +142,7 @@ def _element(m: Model, element: int, ends: tuple[int, int], tables: Tables) -> N
                 elements=beams,
                 direction=group.orientation,
                 flexible=flexible,
+                warping=warping_ends(m, element, tables) if warps else False,
             )
         return
     if beams > 1:

@@ -10,7 +10,7 @@ from flexel.flexures.declaring import declared
 from flexel.flexures.measuring import Measuring
 from flexel.flexures.releasing import freed
 from flexel.flexures.tables import read_tables
-from flexel.integration.outcome import Integration, States
+from flexel.integration.outcome import Integration
 from flexel.model import Model
 from flexel.results.flexure import Flexure
 from flexel.results.motion import Motion
@@ -24,7 +24,7 @@ UNLOADED = -1.0  # time at which only the weight acts
 def flexure(
     nodes: Any, elements: Any, node_properties: Any = None, element_properties: Any = (), options: Any = None
 ) -> Flexure:
-    """Analyse a flexure mechanism given in tables: equilibria under growing loads, and what is wanted at each.
+    """Analyse a flexure mechanism given in tables: equilibria under growing loads, and the requested results at each.
 
     Each node has a place and an orientation, which is that of the global axes as drawn.  An element joins two nodes; it
     is rigid, or a leaf spring of several beams.  Over-constraint is released, first that of flexible elements, the
@@ -77,8 +77,7 @@ def flexure(
     released, redundant = freed(model, tables.options.release)
     system = model.build(t=UNLOADED)
     states, message = _load_steps(system, model, tables.options.steps)
-    counts = {"steps": len(states) - 1, "evaluations": 0, "rechoices": 0}
-    motion = Motion(system, Integration(States(states), [], [], counts, message))
+    motion = Motion(system, Integration.of_equilibria(states, message))
     measuring = Measuring(tables, model, system)
     variables = measuring.variables(states)
     return Flexure(motion, variables, measuring.labels(variables), released, redundant, measuring.notes)

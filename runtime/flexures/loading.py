@@ -1,6 +1,6 @@
 """Loads and prescribed motions of the nodes of a flexure mechanism, over time as the load parameter.
 
-From -1 to 0 the initial ones grow from nothing, from 0 to 1 the others: so every step is reached from the drawn shape,
+From -1 to 0 the initial ones grow from zero, from 0 to 1 the others: so every step is reached from the drawn shape,
 however far it is.
 """
 

@@ -112,7 +112,7 @@ class Measuring:
         return found
 
     def _compliances(self, states: Sequence[State]) -> dict[str, Variable]:
-        """In global axes and in those that turn with the nodes; NaN for nodes that were not asked for."""
+        """In global axes and in those that turn with the nodes; NaN for nodes that were not requested."""
         wanted = self.tables.options.compliance
         if isinstance(wanted, (bool, np.bool_)):
             chosen = list(self.nodes) if wanted else []

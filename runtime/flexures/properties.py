@@ -1,4 +1,4 @@
-"""What a flexure designer says of nodes and of groups of elements, and the options of the analysis.
+"""Properties of nodes and of groups of elements, and the options of the analysis.
 
 Each is a dataclass; a mapping with the same names serves as well.
 """
@@ -81,6 +81,15 @@ class ElementProperties:
     flexible : sequence of int or of str
         The modes that deform: 1 or "elongation", 2 or "torsion", 3 and 4 or "bend1" and "bend2" (the deflection is
         normal to `orientation`), 5 and 6 or "bend3" and "bend4"; or "all".  The others are rigid.
+    warping : bool
+        Whether its sections warp when it twists (Vlasov).  They stay plane at both ends; where two elements of the
+        group continue each other in line and nothing else holds their node, they warp there too.
+    colour : str or sequence of float (3,), optional
+        In pictures, as "#0b5fa5", or red, green and blue from 0 to 1.
+    opacity : float, optional
+        In pictures, from 0 to 1.
+    hidden : bool
+        True: not drawn.
     """
 
     elements: Sequence[int]
@@ -95,6 +104,10 @@ class ElementProperties:
     orientation: Vector | None = None
     beams: int = 1
     flexible: Sequence[int | str] | str = ()
+    warping: bool = False
+    colour: str | Vector | None = None
+    opacity: float | None = None
+    hidden: bool = False
 
 
 @dataclass(frozen=True)

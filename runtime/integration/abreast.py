@@ -16,9 +16,9 @@ from flexel.generated._kernels import lib
 from flexel.integration import dop853 as rules
 from flexel.integration.branch import WORSE
 from flexel.integration.dense import Interpolant
+from flexel.integration.dop853_steps import ACCEPT, TABLEAU
 from flexel.integration.driver import Run
 from flexel.integration.minimal import SHORTEST, SINGULAR
-from flexel.integration.stages import ACCEPT, TABLEAU
 from flexel.structure.moment import Moment
 
 
@@ -30,6 +30,7 @@ def suits(run: Run) -> TypeGuard[rules.Dop853]:
     roles, n = kinematics.roles, kinematics.structure.nf
     return not (
         run.events
+        or run.sampling.all
         or roles.motions
         or not kinematics.loads.constant
         or kinematics.lists.saddle

@@ -37,7 +37,7 @@ class Choices:
     free : bool
         Whether they may change.
     best : float
-        Reach A* of the best choice, when last sought; zero before, infinite at a singular position.
+        Reach A* of the best choice, when last determined; zero before, infinite at a singular position.
     changes : list of (float, tuple of str, tuple of str)
         Times [s], old and new names.
     """

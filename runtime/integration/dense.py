@@ -1,4 +1,4 @@
-"""Dense output of DOP853: y(t) within a step, by three more evaluations that are made when it is asked for."""
+"""Dense output of DOP853: y(t) within a step, by three more evaluations, made on demand."""
 
 from __future__ import annotations
 

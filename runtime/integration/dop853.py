@@ -15,9 +15,9 @@ from flexel.base.errors import DynamicsError, FlexelError
 from flexel.generated._kernels import lib
 from flexel.integration.branch import REFUSED
 from flexel.integration.dense import Interpolant
+from flexel.integration.dop853_steps import TIMES, B, C, Steps
 from flexel.integration.minimal import SHORTEST, MinimalRun
 from flexel.integration.outcome import Segment
-from flexel.integration.stages import TIMES, B, C, Steps
 from flexel.structure.moment import Moment
 
 SAFETY, SMALLEST, LARGEST = 0.9, 0.2, 10.0  # factors of the step control
@@ -56,7 +56,7 @@ class Dop853(MinimalRun):
     _crossing = False  # the next step goes across a bifurcation
 
     def restart(self) -> None:
-        """Start anew from the present position in the present degrees of freedom."""
+        """Restart from the present position in the present degrees of freedom."""
         y = self.choices.values(self.now, self.z)
         spare, self.spare = self.spare, None
         if spare is not None and spare.kinematics is self.kinematics:
@@ -69,13 +69,19 @@ class Dop853(MinimalRun):
             self._h = self.tolerances.first_step or self._first_step()
 
     def renew(self) -> None:
-        """Rates anew, with the loads that have changed."""
+        """Rates with the loads that have changed."""
         self.steps.begin(self.t)
         self.counts["evaluations"] += 1
 
+    def jump(self, z: Array) -> None:
+        """Go on from here with other internal states."""
+        self.z = z
+        self.steps.y[self.steps.y.size - z.size :] = z
+        self.renew()
+
     def _first_step(self) -> float:
         """The first step, as SciPy chooses it from the size of the rates and of their change."""
-        s, left = self.steps, float(self.times[-1]) - self.t
+        s, left = self.steps, self.stop - self.t
         y, f = s.y.copy(), s.K[0].copy()
         scale = self.natural_atol() + np.abs(y) * self.tolerances.rtol
         d0, d1 = _norm(y / scale), _norm(f / scale)
@@ -97,9 +103,10 @@ class Dop853(MinimalRun):
 
     def advance(self) -> str | None:
         """One accepted step."""
-        end, rejected, careful, across = float(self.times[-1]), False, False, 0.0
+        end, rejected, careful, across = self.stop, False, False, 0.0
         crossing, self._crossing, defect = self._crossing, False, np.inf
         first_order = self.steps.first_order
+        wished = self._h
         while True:
             s, c = self.steps, self.steps.struct
             shortest = max(SHORTEST * self._span, 10 * abs(np.nextafter(self.t, np.inf) - self.t))
@@ -136,6 +143,8 @@ class Dop853(MinimalRun):
         factor = min(LARGEST, SAFETY * error**EXPONENT) if error > 0 else LARGEST
         self._crossing = across > 0
         self._h = across or h * (min(1.0, factor) if rejected else factor)
+        if t1 == end and not rejected:
+            self._h = max(self._h, wished)  # it was cut short
         return self._accepted(t1)
 
     def _error(self, careful: bool) -> float:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import sys
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
@@ -13,12 +14,16 @@ from tqdm import tqdm
 
 from flexel.base.arguments import flag
 from flexel.base.arrays import Array
+from flexel.base.errors import FlexelError
 from flexel.integration.events import Event, passages, value
 from flexel.integration.outcome import Integration, Pending, Segment, States
+from flexel.integration.sampling import Sampling
 from flexel.mechanics.kinematics import Kinematics
+from flexel.structure.callbacks import Callback, raise_failures
 from flexel.structure.moment import Moment
 from flexel.structure.state import State
 
+log = logging.getLogger("flexel.simulate")
 INTERRUPTED = "interrupted"  # begins the message of a motion that Ctrl-C has ended
 BAR = "{l_bar}{bar}| {n:.3g}/{total:.3g} s [{elapsed}<{remaining}]"
 
@@ -37,6 +42,9 @@ class Run(ABC):
     def __init__(self, start: State, times: Array) -> None:
         self.times = times
         self.result = Integration(States([start]), [], [], {}, "")
+        self.sampling = Sampling(start.structure)
+        self._callbacks = [law.code for law in start.structure.laws if isinstance(law.code, Callback)]
+        self._jumped: float | None = None  # when controllers were sampled last
 
     @property
     @abstractmethod
@@ -72,9 +80,41 @@ class Run(ABC):
         return float(self.times[len(self.result.states)])
 
     @property
+    def stop(self) -> float:
+        """The time at which the next step ends at the latest: the end, or an instant of a sampled controller."""
+        end = float(self.times[-1])
+        return min(end, self.sampling.stop(self.t, self.times)) if self.sampling.all else end
+
+    @property
     def step(self) -> float | None:
-        """A first step [s] with which the motion can go on from here; None if the method chooses it anew."""
+        """A first step [s] with which the motion can continue from here; None if the method chooses it again."""
         return None
+
+    @property
+    @abstractmethod
+    def present(self) -> State:
+        """The complete state at the current time."""
+
+    @abstractmethod
+    def jump(self, z: Array) -> None:
+        """Go on from here with other internal states: the right-hand side jumps, the motion does not."""
+
+    def forward(self) -> str | None:
+        """Sample the controllers if it is time, and take one step; otherwise as `advance`."""
+        if self.sampling.all and self.t != self._jumped and self.sampling.due(self.t):
+            at, z = self.instant
+            self._jumped = self.t
+            self.jump(self.sampling.after(at, z, lambda: self.present))
+        if not self._callbacks:
+            return self.advance()
+        try:
+            message = self.advance()
+        except FlexelError:
+            raise_failures(self._callbacks)
+            raise
+        for code in self._callbacks:
+            code.forget_failure()  # of a trial that was refused
+        return message
 
     def run(self, progress: bool | None, each: Callable[[Run], None] | None = None) -> Integration:
         """Integrate to the last time; an interrupt (Ctrl-C) keeps what was computed.
@@ -94,10 +134,13 @@ class Run(ABC):
         begin, end = float(self.times[0]), float(self.times[-1])
         show = sys.stderr.isatty() if progress is None else flag(progress, "simulate", "progress")
         message: str | None = None
+        detailed = log.isEnabledFor(logging.DEBUG)
         bar = tqdm(total=end - begin, disable=not show, unit="s", leave=False, bar_format=BAR)
         try:
             while self.t < end and message is None:
-                message = self.advance()
+                message = self.forward()
+                if detailed:
+                    log.debug("step to t = %.9g s", self.t)
                 bar.update(self.t - begin - float(bar.n))
                 if each is not None:
                     each(self)
@@ -119,12 +162,12 @@ class Run(ABC):
         """Coordinates, rates and deformations at the current time, and internal states of laws."""
 
     def go_on(self, until: float) -> None:
-        """Move on to another time, from a motion that has ended; what was stored before is dropped."""
+        """Continue to another time, from a motion that has ended; what was stored before is dropped."""
         self.times = np.array([self.t, until])
         self.result = self.result.last()
 
     def so_far(self) -> Integration:
-        """The results so far and the current state, in lists of their own; the run goes on unchanged."""
+        """The results so far and the current state, in lists of their own; the run continues unchanged."""
         stored = len(self.result.states)
         found = self.kept("not at its end").copy()
         self.result.cut(stored)
@@ -170,6 +213,11 @@ class DenseRun(Run):
         """Coordinates, rates and deformations at the current time, and internal states of laws."""
         return self.now, self.z
 
+    @property
+    def present(self) -> State:
+        """The complete state at the current time."""
+        return Pending(self._shown, self.now, self.z).state()
+
     def keep(self) -> None:
         """Store the current state, unless it is already stored."""
         if self.t > self.result.states.end:
@@ -184,7 +232,9 @@ class DenseRun(Run):
             found, self._values = passages(self.events, step, last, self._values, times)
             terminal = next((z for z in found if z[0].terminal), None)
             end = terminal[1].t if terminal else step.t1
-            self.result.events.extend((event.name, z) for event, z in found if z.t <= end)
+            for event, z_event in [z for z in found if z[1].t <= end]:
+                log.info("t = %.9g s: event '%s'", z_event.t, event.name)
+                self.result.events.append((event.name, z_event))
         end = terminal[1].t if terminal else step.t1
         self._store(step, end, z)
         self.result.segments.append(replace(step, t1=end) if terminal else step)

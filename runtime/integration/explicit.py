@@ -6,6 +6,7 @@ the dense output.  The implicit ones have the Jacobian of the analytic lineariza
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Sequence
 from typing import Any
 
@@ -26,6 +27,7 @@ from flexel.mechanics.states import between, located
 from flexel.structure.moment import Moment
 from flexel.structure.state import State
 
+log = logging.getLogger("flexel.simulate")
 METHODS: dict[str, Any] = {"RK45": RK45, "Radau": Radau, "BDF": BDF, "LSODA": LSODA}
 IMPLICIT = ("Radau", "BDF", "LSODA")
 FIRST = 1e-4  # first step, relative to the time left, after an unreachable position
@@ -75,7 +77,7 @@ class Scipy(MinimalRun):
         self._choice = self.kinematics.choice
         self._choice.reset()
         self._choice.warm(self.now)
-        left = float(self.times[-1]) - self.t
+        left = self.stop - self.t
         options: dict[str, Any] = {
             "rtol": self.tolerances.rtol,
             "atol": self.natural_atol(),
@@ -88,9 +90,14 @@ class Scipy(MinimalRun):
         self._solver = self._started(y, options)
         self._sign = self._sign_at(self.now)
 
+    def jump(self, z: Array) -> None:
+        """Go on from here with other internal states."""
+        self.z = z
+        self.restart()
+
     def _started(self, y: Array, options: dict[str, Any]) -> Any:
         """A solver; with a short first step if its own choice leads to an unreachable position."""
-        begin = self._rates, self.t, y, float(self.times[-1])
+        begin = self._rates, self.t, y, self.stop
         try:
             return self.method(*begin, **options)
         except (PositionError, ConstraintError):
@@ -151,6 +158,7 @@ class Scipy(MinimalRun):
         tried = float(getattr(solver, "h_abs", None) or 1e-3 * (solver.t_bound - self.t))
         tried = min(tried, abs(solver.t - self.t) or tried)
         self.counts["rejected"] += 1
+        log.debug("starts anew at t = %.9g s with a shorter step: %s", self.t, error)
         self._first_step = min(tried, self._first_step or np.inf) / 2
         if self._first_step < SHORTEST * self._span:
             raise self.gives_up(error)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
@@ -37,9 +38,9 @@ def longest_step(v: Array, a: Array, weights: Array) -> float:
     return 2 * TRAVEL / max(rate + float(np.sqrt(rate * rate + 2 * change * TRAVEL)), 1e-300)
 
 
-def _no_state(t: float) -> Array:
-    """The dense output: a fully prescribed motion has no q, q_d' or z."""
-    return NOTHING
+def _held(z: Array, t: float) -> Array:
+    """The dense output: a fully prescribed motion has no q or q_d', and its internal states are held."""
+    return z
 
 
 class Followed(DenseRun):
@@ -57,12 +58,17 @@ class Followed(DenseRun):
         """Counts of what was done."""
         return {"steps": len(self.result.segments), "evaluations": 0, "rechoices": 0}
 
+    def jump(self, z: Array) -> None:
+        """Go on from here with other internal states."""
+        self.z = z
+
     def advance(self) -> str | None:
         """One step towards the next stored time."""
         here = self.now
-        self._step = min(self._step, self.until - here.t, longest_step(here.v, self._a, self._weights))
+        until = min(self.until, self.stop)
+        self._step = min(self._step, until - here.t, longest_step(here.v, self._a, self._weights))
         while True:
-            t = min(here.t + self._step, self.until)
+            t = min(here.t + self._step, until)
             ahead = replace(here, x=here.x + (t - here.t) * here.v)
             try:
                 x, v, e = located(self._kinematics, t, NOTHING, NOTHING, ahead)
@@ -74,8 +80,8 @@ class Followed(DenseRun):
         work = self._kinematics.evaluation.at(t, x, v, near=e)
         there = Moment(t, x, v, e, work.w[: e.size].copy())
         self._a = (v - here.v) / (t - here.t)
-        arrived = t >= self.until
-        segment = Segment(here.t, t, self._kinematics, self._kinematics, _no_state, here, there)
+        arrived = t >= until
+        segment = Segment(here.t, t, self._kinematics, self._kinematics, partial(_held, self.z), here, there)
         ended = self.accept(segment, self.z)
         if arrived:
             self._step = np.inf

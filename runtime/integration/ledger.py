@@ -60,6 +60,11 @@ class Ledger:
         self._work += h / 2 * (self._drives + drives)
         self._enter()
 
+    def renew(self) -> None:
+        """Go on from the balance that the workspace holds, where forces have jumped."""
+        self.look()
+        self._enter()
+
     def keep(self) -> None:
         """Store the current values."""
         for name, value in zip(self.kept, (self._stored, self._dissipated, self._work), strict=True):

@@ -25,6 +25,7 @@ from flexel.mechanics.inertia import InertiaError
 from flexel.mechanics.reach import LOST, reach
 from flexel.structure.moment import Moment
 from flexel.structure.state import State, own_state
+from flexel.structure.structure import Structure
 
 AUTO, EXPLICIT, ALPHA, SUNDIALS = "auto", "DOP853", "generalized-alpha", "sundials"
 _STEPS = frozenset({"rtol", "atol", "first_step", "max_step"})
@@ -63,7 +64,7 @@ class Options:
         return default if given is None else step_limit(given, "simulate", name, least)
 
     def with_first(self, step: float | None) -> Options:
-        """The same with another first step, to go on from a state; constant steps stay as they are."""
+        """The same with another first step, to continue from a state; constant steps stay as they are."""
         return self if self.step is not None else replace(self, first_step=step)
 
     @property
@@ -111,7 +112,7 @@ def start_of(system: Core, method: str, start: Any, options: Options) -> State:
 
 @dataclass(frozen=True)
 class Suitable:
-    """What a system asks of an integrator at its start.
+    """Demands of a system on an integrator at its start.
 
     Attributes
     ----------
@@ -121,20 +122,25 @@ class Suitable:
         Why, and the message of the error that shows it.
     rates : ndarray
         Magnitudes of the eigenvalues [1/s] of the linearized start, if it was linearized.
+    inertia : ndarray (nd,)
+        Inertia of each dynamic degree of freedom in its natural scale [kg m²], if it was linearized.
     """
 
     method: str
     why: str = ""
     detail: str = ""
     rates: Array = field(default_factory=lambda: np.zeros(0))
+    inertia: Array = field(default_factory=lambda: np.zeros(0))
 
 
 def suitable(system: Core, start: State) -> Suitable:
-    """What a system asks of an integrator at a start; no eigenvalues are taken of very large systems."""
+    """Demands of a system on an integrator at a start; no eigenvalues are taken of very large systems."""
     if system.roles.nd > MANY:
         return Suitable(ALPHA, f"{system.roles.nd} degrees of freedom, above {MANY}")
     try:
-        return Suitable("", rates=np.abs(eigenvalues(system.linearize(start).state_matrix)))
+        lin = system.linearize(start)
+        inertia = np.diag(lin.M) * system.kinematics.scales(system.roles.dynamic) ** 2
+        return Suitable("", rates=np.abs(eigenvalues(lin.state_matrix)), inertia=inertia)
     except InertiaError as error:
         return Suitable(ALPHA, "a degree of freedom has no inertia", str(error))
     except (FlexelError, np.linalg.LinAlgError) as error:
@@ -190,12 +196,23 @@ def run_of(system: Core, method: str, start: State, times: Array, duration: floa
         options.number("max_step", np.inf),
     )
     if system.roles.nq == 0:
+        _check_own_states(system.structure)
         return Followed(system, start, times, events)
     own = _in_own_roles(system, start)
     rechoose = options.rechoose is not False
     if method == EXPLICIT:
         return Dop853(system, own, times, tolerances, events, rechoose)
     return Scipy(system, own, times, method, tolerances, events, rechoose)
+
+
+def _check_own_states(structure: Structure) -> None:
+    """Refuse continuous controllers with own states in a motion that is not integrated."""
+    for c in structure.controllers:
+        if c.period is None and c.own:
+            raise ModelError(
+                f"simulate: every motion is prescribed, so nothing is integrated, and the own state of {c.owner} would "
+                "stay as it is; give it a period, or free a motion"
+            )
 
 
 def _atol(system: Core, options: Options) -> float | Array:
@@ -206,7 +223,7 @@ def _atol(system: Core, options: Options) -> float | Array:
     given = vector(options.atol, "simulate", "atol", size)
     if options.rechoose is not False:
         raise ModelError(
-            "simulate: atol of each variable, but these may be chosen anew during the motion; give rechoose=False too"
+            "simulate: atol of each variable, but the variables may change during the motion; give rechoose=False too"
         )
     if np.any(given <= 0):
         raise ModelError(f"simulate: atol {given.min():g} is too small; give more than 0")

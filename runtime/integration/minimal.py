@@ -6,6 +6,7 @@ much better, the motion continues in them from the same x and v.
 
 from __future__ import annotations
 
+import logging
 from abc import abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -24,7 +25,8 @@ from flexel.mechanics.reach import LOST, reach
 from flexel.structure.moment import Moment
 from flexel.structure.state import State
 
-SHORTEST = 1e-11  # step, relative to the times, below which the integration gives up
+log = logging.getLogger("flexel.simulate")
+SHORTEST = 1e-11  # step, relative to the times, below which the integration stops
 EXTREME = 10.0  # reach, relative to the best one, of kept degrees of freedom to which the end of a motion is put down
 SINGULAR = 1e6  # reach of the best choice above which the position is singular
 
@@ -98,7 +100,7 @@ class MinimalRun(DenseRun):
 
     @abstractmethod
     def restart(self) -> None:
-        """Start anew from the present position in the present degrees of freedom."""
+        """Restart from the present position in the present degrees of freedom."""
 
     def natural_atol(self) -> Array:
         """Absolute tolerances of y."""
@@ -121,8 +123,10 @@ class MinimalRun(DenseRun):
         if not choices.free:
             if self.reached > LOST * choices.best:
                 raise self.lost()
-            return False  # shorter steps may still go on
+            return False  # shorter steps may still succeed
+        before = choices.names
         choices.change(other, self.t)
+        log.info("t = %.9g s: degrees of freedom %s instead of %s", self.t, choices.names, before)
         self.counts["rechoices"] += 1
         self.reached = choices.best
         return True

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, overload
+from typing import Any, SupportsIndex, overload
 
 import numpy as np
 
@@ -21,7 +21,7 @@ from flexel.structure.structure import Structure
 
 @dataclass(frozen=True)
 class Pending:
-    """A state that is known by its coordinates and rates, and completed when asked for.
+    """A state that is known by its coordinates and rates, and completed on demand.
 
     Attributes
     ----------
@@ -84,7 +84,7 @@ class Segment:
 
 
 class States(Sequence[State]):
-    """States in the order of time; those that are pending are completed when they are asked for."""
+    """States in the order of time; those that are pending are completed on demand."""
 
     def __init__(self, states: Sequence[State | Pending] = ()) -> None:
         self._entries: list[State | Pending] = list(states)
@@ -133,10 +133,10 @@ class States(Sequence[State]):
         return len(self._entries)
 
     @overload
-    def __getitem__(self, key: int) -> State: ...
+    def __getitem__(self, key: SupportsIndex) -> State: ...
     @overload
     def __getitem__(self, key: slice) -> list[State]: ...
-    def __getitem__(self, key: int | slice) -> State | list[State]:
+    def __getitem__(self, key: SupportsIndex | slice) -> State | list[State]:
         if isinstance(key, slice):
             return [self[i] for i in range(*key.indices(len(self)))]
         entry = self._entries[key]
@@ -168,6 +168,12 @@ class Integration:
     ledger: dict[str, list[float]] | None = None
     rechoices: list[tuple[float, tuple[str, ...], tuple[str, ...]]] = field(default_factory=list)
 
+    @classmethod
+    def of_equilibria(cls, states: Sequence[State], message: str) -> Integration:
+        """Equilibria in the order of their load parameter, without anything between them."""
+        counts = {"steps": len(states) - 1, "evaluations": 0, "rechoices": 0}
+        return cls(States(states), [], [], counts, message)
+
     def copy(self) -> Integration:
         """The same results in lists of their own."""
         ledger = None if self.ledger is None else {name: list(z) for name, z in self.ledger.items()}
@@ -181,7 +187,7 @@ class Integration:
         )
 
     def last(self) -> Integration:
-        """The last state alone; the ledger, which goes on, keeps its last values."""
+        """The last state alone; the ledger, which continues, keeps its last values."""
         for column in (self.ledger or {}).values():
             del column[:-1]
         return Integration(self.states.last(), [], [], {}, "", self.ledger)

@@ -64,9 +64,15 @@ class ImplicitRun(Run):
 
     @property
     def instant(self) -> tuple[Moment, Array]:
-        """Coordinates, rates and deformations at the last stored time, and internal states of laws."""
-        state = self.result.states[-1]
+        """Coordinates, rates and deformations at the current time, and internal states of laws."""
+        state = self.present
         return Moment.of(state), state.z
+
+    @property
+    def present(self) -> State:
+        """The complete state at the current time."""
+        stored = self.result.states[-1]
+        return stored if stored.t == self.t else self.saddle.state(self.balance())
 
     def begin(self) -> None:
         """Open the ledger."""
@@ -111,7 +117,7 @@ class GeneralizedAlpha(ImplicitRun):
         return self._wish
 
     def renew(self) -> None:
-        """Accelerations anew, with the loads that have changed; unchanged if a degree of freedom has no inertia."""
+        """Accelerations with the loads that have changed; unchanged if a degree of freedom has no inertia."""
         old, state = self.stepper.stepping.old, self.result.states[-1]
         kinematics = self.stepper.system.kinematics_of(state.roles)
         try:
@@ -119,6 +125,13 @@ class GeneralizedAlpha(ImplicitRun):
         except InertiaError:
             return
         self.stepper.begin(found)
+
+    def jump(self, z: Array) -> None:
+        """Go on from here with other internal states."""
+        self.stepper.stepping.old["z"][:] = z
+        self.renew()
+        self.balance()
+        self.ledger.renew()
 
     @property
     def statistics(self) -> dict[str, int]:
@@ -140,7 +153,7 @@ class GeneralizedAlpha(ImplicitRun):
 
     def advance(self) -> None:
         """One accepted step."""
-        stepper, now, until = self.stepper, self.t, self.until
+        stepper, now, until = self.stepper, self.t, min(self.until, self.stop)
         gap = until - now
         parts = max(math.ceil(gap / min(self._wish, self.control.longest) * (1 - 1e-9)), 1)
         step = asked = gap / parts
@@ -159,7 +172,7 @@ class GeneralizedAlpha(ImplicitRun):
         reached = abs(end - until) < 1e-6 * step
         stepper.accept(until if reached else end)
         self.ledger.add(step)
-        if reached:
+        if self.t >= self.until:
             self.keep()
 
     def _error(self, h: float) -> float:

@@ -15,6 +15,7 @@ import numpy as np
 from flexel.base.arrays import Array
 from flexel.base.errors import FlexelError
 from flexel.integration.steps import Control, ImplicitRun
+from flexel.mechanics import dynamics
 from flexel.mechanics.balance import Balance, Saddle
 from flexel.mechanics.core import Core
 from flexel.mechanics.saddle import Matrix, SaddlePattern
@@ -37,6 +38,11 @@ class DifferentialAlgebraic(Saddle):
         self._coupling: Any = None
         nf = self.structure.nf
         self.ends = np.cumsum([0, nf, nf, self.force_rows.size, self.structure.nz])
+
+    def restart(self, start: State) -> Balance:
+        """Start anew from a state."""
+        self._start, self.near, self.z = start, start.e, start.z
+        return self.balance(start.t, start.x, start.v, start.a, self.multipliers(start), start.e)
 
     def split(self, y: Array) -> list[Array]:
         """(x, v, mu, z) of y, or their rates of y'."""
@@ -133,10 +139,7 @@ class Sundials(ImplicitRun):
             ) from error
         self.equations = equations = DifferentialAlgebraic(system, start, PULL / duration)
         super().__init__(equations, start, times)
-        equations.z = start.z
-        self._balance = equations.balance(
-            start.t, start.x, start.v, start.a, equations.multipliers(start), start.e
-        )
+        self._balance = equations.restart(start)
         self._steps = 0
         nc = equations.ends[2:4]
         self._solver = IDA(
@@ -163,6 +166,14 @@ class Sundials(ImplicitRun):
         b, self.equations.z = self._balance, self._balance.z
         return self.equations.balance(b.t, b.x, b.v, b.a, b.mu, b.e)
 
+    def jump(self, z: Array) -> None:
+        """Go on from here with other internal states: the solver starts anew."""
+        b, equations = self._balance, self.equations
+        found = dynamics.complete(equations.system.kinematics, b.t, b.x, b.v, b.e, z)
+        self._balance = equations.restart(found)
+        self.ledger.renew()
+        self._started = False
+
     @property
     def statistics(self) -> dict[str, int]:
         """Counts of what was done."""
@@ -178,7 +189,7 @@ class Sundials(ImplicitRun):
 
     def advance(self) -> None:
         """One step of IDA."""
-        equations, old, until = self.equations, self.t, self.until
+        equations, old, until = self.equations, self.t, min(self.until, self.stop)
         if not self._started:
             self._solver.init_step(old, *equations.start_values(self._balance.mu))
             self._started = True
@@ -193,5 +204,5 @@ class Sundials(ImplicitRun):
         self.ledger.look()
         self.ledger.add(t - old)
         self._steps += 1
-        if t >= until:
+        if t >= self.until:
             self.keep()

@@ -6,6 +6,7 @@ Folds, and maxima of the largest Floquet multiplier, are located between the poi
 
 from __future__ import annotations
 
+import logging
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -19,6 +20,7 @@ from flexel.mechanics.arclength import Arcs, Point, corrected, follow, point_at
 from flexel.mechanics.core import Core
 from flexel.structure.state import State
 
+log = logging.getLogger("flexel.continuation")
 FIRST, SMALLEST = 0.2, 1e-6  # arc lengths, relative to the largest
 FOLD = 1e-3  # of the distance of two points: accuracy of a fold's place along the curve
 PEAK = 0.05  # the same of a maximum's
@@ -106,6 +108,7 @@ def branch(
     if message:
         speed = curve.omega * np.exp(sense * points[-1].y[-1])
         message = f"the branch stopped at {speed:g} rad/s: {message}"
+    log.info("branch of %d periodic motions%s", len(points), f"; {message}" if message else "")
     stations = [_station(z, "end" if i in (0, len(points) - 1) else "") for i, z in enumerate(points)]
     try:
         stations = _with_folds(curve, stations)

@@ -18,7 +18,7 @@ Matrices = tuple[Array, Array, Array, Array]
 
 @dataclass(frozen=True)
 class Inputs:
-    """The inputs of a state-space model as they were asked for.
+    """The inputs of a state-space model as requested.
 
     Attributes
     ----------

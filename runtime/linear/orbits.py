@@ -98,7 +98,7 @@ def orbit(
         Number of equidistant times, from that of `start` on.
     motion : callable, optional
         Degrees of freedom, rates and accelerations (ns, nd) at times (ns,); by default the degrees of freedom are held
-        at their initial values, while the prescribed motions go on: the nominal motion.
+        at their initial values, while the prescribed motions continue: the nominal motion.
     start : State, optional
         The initial state by default.
 

@@ -47,7 +47,7 @@ __all__ = [
 
 TOLERANCE = 1e-9  # largest last change, relative to the largest amplitude; convergence is quadratic
 STALLED = 1e-7  # the same, when rounding prevents further progress
-USELESS = 1e6  # a change so much larger leads nowhere
+USELESS = 1e6  # a change so much larger does not converge
 MAX_ITERATIONS = 30
 HALVINGS = 4  # halvings of a step in speed
 Result = TypeVar("Result")

@@ -1,25 +1,220 @@
-"""Eigenvalues over a parameter, put in order so that each column continues smoothly."""
+"""Eigenvalues over a parameter as branches: each is followed by the shape of its mode, not by its place in a list.
+
+From one value of the parameter to the next, shapes are compared by left and right eigenvectors: |l₁ r₂| |l₂ r₁| over
+|l₁ r₁| |l₂ r₂| is one for a mode and itself and zero for two modes of one matrix, whatever the units of the states.
+Where shapes say little (equal eigenvalues, two that meet and become a pair) the linear continuation of the eigenvalues
+decides.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 import numpy as np
-from scipy.optimize import linear_sum_assignment
+from numpy.typing import NDArray
+from scipy.linalg import eig
+from scipy.optimize import brentq, linear_sum_assignment
 
-from flexel.base.arrays import Array, ComplexArray
+from flexel.base.arrays import Array, ComplexArray, Index
+
+NEAR = 1e-6  # relative difference below which eigenvalues count as equal, and their vectors as arbitrary
+ZERO = 1e-7  # of the largest eigenvalue: smaller real parts may come from rounding
+POINTS = 4  # neighbours through which is interpolated between the values of the parameter
+
+_eig: Any = eig
+_brentq: Any = brentq
 
 
-def branches(parameter: Array, eigenvalues: Any) -> ComplexArray:
-    """Eigenvalues (np, n) with their columns reordered so that each column continues smoothly.
+@dataclass(frozen=True)
+class Boundary:
+    """Where a branch becomes stable or unstable.
 
-    From one value of the parameter to the next the eigenvalues are assigned to the linear continuation of the
-    branches so that the sum of the distances is smallest.
+    Attributes
+    ----------
+    value : float
+        Of the parameter.
+    branch : str
+        Name of the branch.
+    frequency : float
+        Magnitude of the imaginary part there [rad/s]; zero for a real eigenvalue.
     """
-    found = np.array(eigenvalues, dtype=complex)
-    for i in range(1, len(found)):
-        step = (parameter[i] - parameter[i - 1]) / (parameter[i - 1] - parameter[i - 2]) if i > 1 else 0.0
-        expected = found[i - 1] + step * (found[i - 1] - found[i - 2] if i > 1 else 0.0)
-        order = linear_sum_assignment(np.abs(expected[:, None] - found[i][None, :]))[1]
-        found[i] = found[i][order]
-    return found
+
+    value: float
+    branch: str
+    frequency: float
+
+
+@dataclass(frozen=True)
+class Branches:
+    """Eigenvalues over a parameter, each column one branch; complex pairs share a name.
+
+    Attributes
+    ----------
+    parameter : ndarray (np,)
+    eigenvalues : ndarray (np, n)
+        [1/s]; rows of NaN where none are known.
+    matrices : ndarray (np, n, n), optional
+        State matrices of which they are the eigenvalues.
+    shares : ndarray (np, n, n), optional
+        Share of each state (last axis) in each branch, by left and right eigenvectors.
+    labels : tuple of str
+        Names of the states to which the shares belong.
+    """
+
+    parameter: Array
+    eigenvalues: ComplexArray
+    matrices: Array | None = field(default=None, repr=False)
+    shares: Array | None = field(default=None, repr=False)
+    labels: tuple[str, ...] = ()
+
+    @classmethod
+    def of(cls, parameter: Array, given: Any, labels: Sequence[str] = ()) -> Branches:
+        """Branches of state matrices (np, n, n), or of their eigenvalues (np, n) alone."""
+        values = np.asarray(given)
+        if values.ndim < 3:
+            return cls(parameter, _ordered(parameter, values.astype(complex))[0])
+        n = values.shape[-1]
+        w = np.full(values.shape[:2], np.nan, dtype=complex)
+        left, right = (np.full(values.shape, np.nan, dtype=complex) for _ in range(2))
+        for i in np.flatnonzero(np.isfinite(values).all(axis=(1, 2))) if n else ():
+            w[i], left[i], right[i] = _eig(values[i], left=True, right=True)
+        w, order = _ordered(parameter, w, left, right)
+        share = np.take_along_axis(np.abs(left.conj() * right), order[:, None, :], axis=2).transpose(0, 2, 1)
+        total = share.sum(axis=2, keepdims=True)
+        return cls(parameter, w, values, share / np.where(total > 0, total, 1.0), tuple(labels))
+
+    @cached_property
+    def families(self) -> list[list[int]]:
+        """Columns of one complex pair (where one is complex, the other is its conjugate nearly everywhere), or one."""
+        w, found = self.eigenvalues, list[list[int]]()
+        size = np.abs(w)
+        for j in range(w.shape[1]):
+            oscillates = np.abs(w[:, j].imag) > NEAR * size[:, j]
+            for other in found:
+                pair = oscillates & (np.abs(w[:, j] - w[:, other[0]].conj()) <= NEAR * size[:, j])
+                if len(other) == 1 and 2 * pair.sum() > oscillates.sum():
+                    other.append(j)
+                    break
+            else:
+                found.append([j])
+        return found
+
+    @cached_property
+    def names(self) -> list[str]:
+        """A name for each family: that of the state with the largest share in it, numbered where several have it."""
+        if self.shares is None or not self.labels:
+            return [f"branch {i + 1}" for i in range(len(self.families))]
+        unique = list(dict.fromkeys(self.labels))
+        to = np.array([unique.index(z) for z in self.labels])
+        largest = []
+        for family in self.families:
+            mean = np.nanmean(self.shares[:, family], axis=(0, 1))
+            largest.append(unique[int(np.argmax(np.bincount(to, mean, len(unique))))])
+        return [
+            name if largest.count(name) == 1 else f"{name} ({largest[: i + 1].count(name)})"
+            for i, name in enumerate(largest)
+        ]
+
+    def boundaries(self, names: Sequence[str] | None = None) -> list[Boundary]:
+        """Where real parts change sign, refined between the values of the parameter, in increasing order.
+
+        Between them the state matrix is interpolated through four neighbours, which is exact for a polynomial of third
+        degree, as of equations over a speed; without matrices, the eigenvalues are.
+        """
+        w, found = self.eigenvalues, list[Boundary]()
+        floor = ZERO * float(np.nanmax(np.abs(w), initial=0.0))
+        for name, family in zip(names or self.names, self.families, strict=True):
+            for value, frequency in self._crossings(family, floor):
+                if not any(z.branch == name and np.isclose(z.value, value, rtol=1e-9) for z in found):
+                    found.append(Boundary(value, name, frequency))
+        return sorted(found, key=lambda z: z.value)
+
+    def _crossings(self, family: Sequence[int], floor: float) -> Iterator[tuple[float, float]]:
+        for j in family:
+            real = self.eigenvalues[:, j].real
+            known = np.flatnonzero(np.abs(real) > floor)
+            for i, k in zip(known, known[1:], strict=False):
+                if real[i] * real[k] < 0:
+                    at = self._between(int(i), int(k), j)
+                    root = float(_brentq(lambda p, at=at: at(p).real, *self.parameter[[i, k]], xtol=1e-14))
+                    yield root, abs(at(root).imag)
+
+    def _between(self, i: int, k: int, j: int) -> Callable[[float], complex]:
+        """The branch j as a function of the parameter between its values i and k."""
+        given = self.eigenvalues[:, j] if self.matrices is None else self.matrices
+        near = _neighbours(self.parameter, np.isfinite(self.eigenvalues[:, j]), i, k)
+        p, values = self.parameter[near], given[near]
+        ends = self.parameter[[i, k]], self.eigenvalues[[i, k], j]
+
+        def at(value: float) -> complex:
+            found = np.tensordot(_lagrange(p, value), values, axes=1)
+            if self.matrices is None:
+                return complex(found)
+            w = np.linalg.eigvals(found)
+            share = (value - ends[0][0]) / (ends[0][1] - ends[0][0])
+            return complex(w[np.argmin(np.abs(w - (ends[1][0] + share * (ends[1][1] - ends[1][0]))))])
+
+        return at
+
+
+def _neighbours(p: Array, known: NDArray[np.bool_], i: int, k: int) -> Index:
+    """The values of the parameter nearest to the middle of two, both among them."""
+    usable = np.flatnonzero(known)
+    order = usable[np.argsort(np.abs(p[usable] - (p[i] + p[k]) / 2), kind="stable")][:POINTS]
+    return np.unique([*order, i, k])
+
+
+def _lagrange(p: Array, value: float) -> Array:
+    """Weights of a polynomial through the points p at a value."""
+    off = value - p
+    return np.array([np.prod(np.delete(off, i) / (p[i] - np.delete(p, i))) for i in range(p.size)])
+
+
+def _ordered(
+    p: Array, w: ComplexArray, left: ComplexArray | None = None, right: ComplexArray | None = None
+) -> tuple[ComplexArray, Index]:
+    """Eigenvalues (np, n) with their columns in the order of the branches, and that order; unknown rows stay."""
+    found, order = w.copy(), np.tile(np.arange(w.shape[1]), (len(w), 1))
+    known = np.flatnonzero(np.isfinite(w).all(axis=1))
+    if not known.size:
+        return found, order
+    first = known[0]
+    vectors = None if left is None or right is None else (left[first].copy(), right[first].copy())
+    for i, (before, last, now) in enumerate(zip([known[0], *known], known, known[1:], strict=False)):
+        expected = found[last]
+        if i:
+            expected = expected + (p[now] - p[last]) / (p[last] - p[before]) * (expected - found[before])
+        cost = _distance(expected, w[now])
+        if vectors is not None and left is not None and right is not None:
+            cost = cost + 1 - _likeness(*vectors, left[now], right[now])
+        order[now] = linear_sum_assignment(cost)[1]
+        found[now] = w[now][order[now]]
+        if vectors is not None and left is not None and right is not None:
+            alone = _alone(found[now])  # those of equal eigenvalues are any combination
+            for kept, new in zip(vectors, (left[now], right[now]), strict=True):
+                kept[:, alone] = new[:, order[now]][:, alone]
+    return found, order
+
+
+def _distance(expected: ComplexArray, w: ComplexArray) -> Array:
+    """Differences of expected (rows) and found eigenvalues, relative to both: from zero to one."""
+    size = np.abs(expected)[:, None] + np.abs(w)[None, :]
+    return np.asarray(
+        np.abs(expected[:, None] - w[None, :]) / np.maximum(size, 1e-9 * size.max(initial=1e-300))
+    )
+
+
+def _likeness(left: ComplexArray, right: ComplexArray, left2: ComplexArray, right2: ComplexArray) -> Array:
+    """How much the shapes of one matrix (rows) are those of another: from zero to one."""
+    own = np.abs((left.conj() * right).sum(axis=0))[:, None] * np.abs((left2.conj() * right2).sum(axis=0))
+    across = np.abs(left.conj().T @ right2) * np.abs(left2.conj().T @ right).T
+    return np.asarray(np.minimum(across / np.maximum(own, 1e-300), 1.0))
+
+
+def _alone(w: ComplexArray) -> NDArray[np.bool_]:
+    """Whether no other eigenvalue is nearly equal."""
+    apart = np.abs(w[:, None] - w[None, :]) + np.diag(np.full(w.size, np.inf))
+    return np.asarray(apart.min(axis=1, initial=np.inf) > NEAR * np.abs(w).max(initial=0.0))

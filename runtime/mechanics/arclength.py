@@ -7,6 +7,7 @@ halved.  Source: Crisfield (1981).
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Generic, Protocol, TypeVar
@@ -16,6 +17,7 @@ import numpy as np
 from flexel.base.arrays import Array
 from flexel.mechanics.newton import newton
 
+log = logging.getLogger("flexel.continuation")
 MAX_ITERATIONS = 20
 FEW, GROWTH, CUT = 4, 1.5, 0.7  # after so few iterations the arc grows, after more it is cut
 Equations = TypeVar("Equations")
@@ -185,10 +187,12 @@ def follow(
             found = None
         if found is None:
             arc /= 2
+            log.debug("no point found; arc halved to %.3g", arc)
             if arc < arcs.smallest:
                 return arc
             continue
         here = found
+        log.debug("parameter %.6g after an arc of %.3g, %d evaluations", here.y[-1], arc, here.iterations)
         keep(here)
         arc = min(arc * (GROWTH if here.iterations <= FEW else CUT), arcs.largest)
     return arc

@@ -1,4 +1,4 @@
-"""A check of a model: at once all that `Model.build` would refuse one after another, and what is hardly meant."""
+"""A check of a model: all errors that `Model.build` would raise one after another, and probable mistakes."""
 
 from __future__ import annotations
 
@@ -68,6 +68,9 @@ def _constraints(report: ConstraintReport) -> Iterator[Finding]:
     if report.release:
         calls = ", ".join(f"m.release('{z}')" for z in report.release)
         yield Finding("error", "constraints", f"release {quoted(report.release)}: {calls}")
+    for name, others in report.alternatives.items():
+        if others:
+            yield Finding("note", "constraints", f"in place of '{name}' equally well: {quoted(others)}")
     for share in report.motions:
         yield Finding("note", "constraints", f"a mechanism: no law resists a motion of {_leading(share)}")
 
@@ -94,7 +97,7 @@ def _degenerate(model: Declarations, structure: Structure) -> Iterator[Finding]:
 
 @dataclass(frozen=True)
 class Attempt:
-    """The system of a model, if it can be built, and what was said."""
+    """The system of a model, if it can be built, and the messages."""
 
     system: Core | None
     findings: list[Finding]

@@ -7,7 +7,7 @@ as in SPACAR Light: repeatedly the one with the largest share in the remaining r
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -18,7 +18,7 @@ from flexel.base.arrays import Array, Index
 from flexel.declare.declarations import Declarations
 from flexel.declare.resolution import norms, resolve_roles
 from flexel.engine.evaluate import Evaluation
-from flexel.mechanics.diagnose import null_space
+from flexel.mechanics.diagnose import RANK_TOLERANCE, null_space, quoted
 from flexel.structure.roles import Roles
 from flexel.structure.state import State
 from flexel.structure.structure import Structure, assemble_structure
@@ -41,20 +41,29 @@ class ConstraintReport:
     redundant : list of dict
         States of self-stress (over-constraint): shares of the redundant conditions, the largest scaled to 1.
     release : list of str
-        Conditions whose release removes all redundancy, preferably of beams that are otherwise flexible.
+        Conditions whose release removes all redundancy: of beams that are otherwise flexible where these suffice, then
+        of joints, then of rigid beams.
+    alternatives : dict of str to list of str
+        For each of `release` the conditions of which any one may be released in its place: with it they form a smallest
+        set of dependent conditions.  Every set of releases that is as good is reached by such exchanges, one at a time.
     """
 
     dofs: int
     motions: list[dict[str, float]]
     redundant: list[dict[str, float]]
     release: list[str]
+    alternatives: dict[str, list[str]] = field(default_factory=dict)
 
     def __str__(self) -> str:
         lines = [f"{self.dofs} degree(s) of freedom left by the rigid conditions"]
         lines += [f"over-constrained: {_shares(z)}" for z in self.redundant]
         lines += [f"nothing resists: {_shares(z)}" for z in self.motions]
         if self.release:
-            lines.append("release " + ", ".join(f"'{z}'" for z in self.release))
+            lines.append(f"release {quoted(self.release)}")
+        lines += [
+            f"in place of '{name}' equally well: {quoted(others) or 'none'}"
+            for name, others in self.alternatives.items()
+        ]
         return "\n".join(lines)
 
 
@@ -78,15 +87,24 @@ def _report(structure: Structure, roles: Roles, J: Any) -> ConstraintReport:
     rows, nf = roles.holonomic, structure.nf
     C = J[rows, :nf]
     right, left = null_space(C, nf)
-    elastic = [structure.index[z] for law in structure.laws for z in law.deformations]
+    resisting = [law for law in structure.laws if law.spec.name != "held"]  # a held force does not resist
+    elastic = [structure.index[z] for law in resisting for z in law.deformations]
     still = np.concatenate([rows, np.array(elastic, dtype=np.intp)])
     loose, _ = null_space(J[still, :nf], nf)
     moving = np.arange(nf) + structure.m + structure.k
+    names = [structure.names[i] for i in rows]
+    usable = {k for k, i in enumerate(rows) if i < structure.m and not structure.is_norm(names[k])}
+    groups = [{k for k in usable if names[k] in z} for z in (_flexible(structure), _joints(structure))]
+    released = _releases(C, (*groups, usable))
     return ConstraintReport(
         dofs=right.shape[1],
         motions=_named(structure, moving, loose),
         redundant=_named(structure, rows, left),
-        release=_releases(structure, rows, C),
+        release=[names[k] for k in released],
+        alternatives={
+            names[k]: [names[i] for i in others if i in usable]
+            for k, others in zip(released, _exchanges(C, released), strict=True)
+        },
     )
 
 
@@ -107,31 +125,44 @@ def _named(structure: Structure, rows: Index, space: Array) -> list[dict[str, fl
     return found
 
 
-def _releases(structure: Structure, rows: Index, C: Array) -> list[str]:
-    """Conditions to release, each the one with the largest share in the remaining redundancy.
-
-    Those of beams that are otherwise flexible come first; where they do not suffice, as in a loop of rigid beams, the
-    other deformations follow.
-    """
+def _flexible(structure: Structure) -> set[str]:
+    """Deformations of beams of which some are flexible."""
     bending = {z.split(".")[0] for law in structure.laws for z in law.deformations}
-    flexible = {
-        d
-        for z in structure.instances
-        if z.spec.family == "beam" and z.name in bending
-        for d in z.deformations
-    }
-    names = [structure.names[i] for i in rows]
-    usable = {k for k, i in enumerate(rows) if i < structure.m and not structure.is_norm(names[k])}
-    preferred = {k for k in usable if names[k] in flexible}
-    kept = list(range(rows.size))
-    released: list[str] = []
+    beams = [z for z in structure.instances if z.spec.family == "beam" and z.name in bending]
+    return {d for z in beams for d in z.deformations}
+
+
+def _joints(structure: Structure) -> set[str]:
+    """Deformations of all elements but rigid beams and links, which are the arms of bodies."""
+    arms = ("beam", "link")
+    return {d for z in structure.instances if z.spec.family not in arms for d in z.deformations}
+
+
+def _releases(C: Array, groups: tuple[set[int], ...]) -> list[int]:
+    """Rows of C to release, each the one with the largest share in the remaining redundancy.
+
+    Those of the first group come first; where they do not suffice, those of the next one follow.
+    """
+    kept = list(range(C.shape[0]))
+    released: list[int] = []
     while True:
         _, left = null_space(C[kept], C.shape[1])
-        found = _largest_shares(kept, left, (preferred, usable)) if left.size else []
+        found = _largest_shares(kept, left, groups) if left.size else []
         if not found:
             return released
-        released += [names[k] for k in found]
+        released += found
         kept = [k for k in kept if k not in found]
+
+
+def _exchanges(C: Array, released: list[int]) -> list[list[int]]:
+    """For each released row of C the kept ones of which it is a combination: any of them can be released instead."""
+    size = np.linalg.norm(C, axis=1, keepdims=True)
+    rows = C / np.where(size > 0, size, 1.0)
+    kept = np.setdiff1d(np.arange(C.shape[0]), released)
+    if not released or not kept.size:
+        return [[] for _ in released]
+    shares = np.linalg.lstsq(rows[kept].T, rows[released].T, rcond=RANK_TOLERANCE)[0]
+    return [kept[np.abs(column) > CONCERNED].tolist() for column in shares.T]
 
 
 def _largest_shares(kept: list[int], left: Array, groups: tuple[set[int], ...]) -> list[int]:

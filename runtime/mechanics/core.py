@@ -22,6 +22,7 @@ from flexel.mechanics.kinematics import Configuration, Kinematics
 from flexel.mechanics.linearization import Linearization
 from flexel.mechanics.linearize import linearize
 from flexel.mechanics.reach import LOST, reach
+from flexel.structure.controllers import check_smooth
 from flexel.structure.loads import Loads
 from flexel.structure.moment import Moment
 from flexel.structure.roles import Roles
@@ -118,8 +119,6 @@ class Core:
             found = self._others.setdefault(key, self.kinematics_of(other))
         return found
 
-    # -- counts and names ------------------------------------------------------------------------
-
     @property
     def dynamic(self) -> tuple[str, ...]:
         """Names of the dynamic degrees of freedom q_d."""
@@ -167,8 +166,6 @@ class Core:
         found._start = Moment(c.t / factor, c.x, factor * c.v, c.e, factor * c.ed)
         return found
 
-    # -- evaluation ------------------------------------------------------------------------------
-
     def warm(self, state: State | Moment) -> None:
         """Start the next right-hand side from a state: where to look for its position, and turns of angles."""
         choice = self.kinematics.choice
@@ -215,12 +212,16 @@ class Core:
     def linearize(self, state: State | None = None) -> Linearization:
         """Analytic linearization about a state (the initial one by default).
 
+        Functions of continuous controllers are differentiated numerically, and must be smooth there and within limits.
+        Sampled controllers hold their outputs; `Linearization.sampled` closes their loop.
+
         Examples
         --------
         >>> lin = system.linearize(motion[-1])  # doctest: +SKIP
         >>> lin.eigenvalues()  # doctest: +SKIP
         """
         state = self.initial if state is None else own_state(self.structure, state, "linearize")
+        check_smooth(self.structure.controllers, state)
         return linearize(self._usable(state), state)
 
     def _usable(self, state: State) -> Kinematics:
@@ -230,8 +231,6 @@ class Core:
         theirs, near = self.kinematics_of(state.roles), Moment.of(state)
         poor = reach(self.kinematics, near) > LOST * max(reach(theirs, near), 1.0)
         return theirs if poor else self.kinematics
-
-    # -- states ----------------------------------------------------------------------------------
 
     def state(self, t: float, x: Array, v: Array, e: Array | None = None, z: Array | None = None) -> State:
         """Complete state from coordinates and rates that satisfy the constraints.
@@ -288,8 +287,6 @@ class Core:
             A name that is not a degree of freedom; an unreachable position; inconsistent rates, by name.
         """
         return states.state_at(self.kinematics, values, rates, t, self.initial if start is None else start)
-
-    # -- choice of coordinates -------------------------------------------------------------------
 
     def use_coordinates(self, dynamic: Sequence[str], kinematic: Sequence[str] | None = None) -> None:
         """Use the named quantities as degrees of freedom from now on; checked at the initial state."""

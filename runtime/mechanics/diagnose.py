@@ -7,6 +7,7 @@ largest entries.
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -25,6 +26,7 @@ from flexel.mechanics.kinematics import Kinematics
 from flexel.structure.roles import Roles
 from flexel.structure.structure import Structure
 
+log = logging.getLogger("flexel.build")
 _block_array: Any = block_array
 RANK_TOLERANCE = 1e-9  # singular value of the row-scaled constraint matrix that counts as zero
 SINGULAR = "no independent coordinates can be chosen here: the position is singular"
@@ -71,10 +73,9 @@ def _report_redundancy(structure: Structure, roles: Roles, rows: Index, left: Ar
     """Raise if there are left null vectors (rows, l) of the constraint rows."""
     if not left.shape[1]:
         return
-    names: list[str] = []
-    for column in left.T:
-        names += [z for z in largest(structure, rows, column) if z not in names]
-    count = left.shape[1]
+    concerned, count = [largest(structure, rows, column) for column in left.T], left.shape[1]
+    log.info("not independent: %s", "; ".join(map(quoted, concerned)))
+    names = list(dict.fromkeys(z for each in concerned for z in each))
     mine = [z for z in names if structure.find(z) not in roles.prescribed]
     mine.sort(key=lambda z: structure.find(z) not in roles.zero)  # slips are released first
     remedy = f"m.release('{mine[0]}')" if mine else f"without m.prescribe('{names[0]}', …)"
@@ -86,7 +87,7 @@ def _report_redundancy(structure: Structure, roles: Roles, rows: Index, left: Ar
 
 
 def candidates(structure: Structure, roles: Roles) -> Index:
-    """Candidates for degrees of freedom: coordinates and deformations that are free, but for gaps with a kink."""
+    """Candidates for degrees of freedom: coordinates and deformations that are free, but for those with a kink."""
     taken = {*roles.rigid, *roles.prescribed, *structure.kinked}
     first = structure.m + structure.k
     rows = [*range(structure.m), *range(first, first + structure.nf)]

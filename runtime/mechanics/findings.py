@@ -14,7 +14,7 @@ class Finding:
     Attributes
     ----------
     severity : str
-        "error" (`Model.build` refuses it), "warning" (it is built, but is hardly meant), or "note".
+        "error" (`Model.build` refuses it), "warning" (it is built, but is probably a mistake), or "note".
     subject : str
         What it is about: "constraints", "masses", "units", …
     message : str
@@ -49,7 +49,7 @@ class CheckReport:
 
     @property
     def warnings(self) -> tuple[Finding, ...]:
-        """What is built, but is hardly meant."""
+        """What is built, but is probably a mistake."""
         return self._of("warning")
 
     @property

@@ -23,6 +23,7 @@ from flexel.engine.evaluate import Evaluation
 from flexel.engine.linear import Linearizer
 from flexel.generated._kernels import lib
 from flexel.mechanics.inertia import massless
+from flexel.structure.callbacks import raise_failures
 from flexel.structure.loads import Loads
 from flexel.structure.roles import Roles
 from flexel.structure.structure import Structure
@@ -226,6 +227,7 @@ class Kinematics:
         residual = choice.residual
         if np.isnan(residual[self.roles.holonomic.size :]).any():
             laws = self.structure.laws
+            raise_failures(law.code for law in laws)
             own = [law for law in laws if law.kernels]
             named = ", ".join(dict.fromkeys(f"'{law.name}'" for law in own or laws[:SHOWN]))
             suspects = f" and the laws{' given by formulas' * bool(own)} (on {named})" * bool(laws)

@@ -16,23 +16,32 @@ import numpy as np
 
 from flexel.base.arguments import index
 from flexel.base.arguments import names as checked_names
-from flexel.base.arrays import Array, ComplexArray
+from flexel.base.arrays import Array, ComplexArray, StateSpace
 from flexel.base.copies import Portable
 from flexel.base.errors import LinearizationError, ModelError
+from flexel.base.outside import DataFrame, Dataset
 from flexel.base.shown import Listing
 from flexel.base.units import rate_unit
 from flexel.engine.derivatives import Derivatives, Tangents
-from flexel.engine.solvers import solved
-from flexel.mechanics.modes import Mode, Reduced, check_decoupled, modes_of, places_of, sort_eigenvalues
+from flexel.mechanics.drawn import DrawnLinearization
+from flexel.mechanics.modes import (
+    Mode,
+    Reduced,
+    check_decoupled,
+    first_order,
+    modes_of,
+    places_of,
+    sort_eigenvalues,
+)
 from flexel.mechanics.rigid import spectrum
-from flexel.mechanics.shown import ShownLinearization
-from flexel.mechanics.steadiness import acceleration, check_steady
+from flexel.mechanics.sampled import SampledLinearization
+from flexel.mechanics.steadiness import acceleration
 from flexel.mechanics.transfer import Transfer
 from flexel.structure.state import State
 
 
 @dataclass(frozen=True, repr=False)
-class Linearization(ShownLinearization, Portable):
+class Linearization(SampledLinearization, DrawnLinearization, Portable):
     """Linearized equations about a state.
 
     Attributes
@@ -94,11 +103,8 @@ class Linearization(ShownLinearization, Portable):
     @property
     def state_matrix(self) -> Array:
         """Matrix of the first-order equations for (δq_d', δq_d, δq_k, δz), (2 nd + nk + nz) square."""
-        nd, nk, nz = len(self.dynamic), len(self.kinematic), len(self.internal)
-        top = -solved(self.M, np.hstack([self.C, self.K, self.Z])) if nd else np.zeros((0, nk + nz))
-        middle = np.hstack([np.eye(nd), np.zeros((nd, nd + nk + nz))])
-        rolling = np.hstack([self.A_k, self.B_k, np.zeros((nk, nz))])
-        return np.vstack([top, middle, rolling, np.hstack([self.Z_v, self.Z_q, self.Z_z])])
+        rolling, lags = (self.A_k, self.B_k), (self.Z_v, self.Z_q, self.Z_z)
+        return first_order(self.M, (self.C, self.K, self.Z), rolling, lags)
 
     def eigenvalues(self) -> ComplexArray:
         """All eigenvalues [1/s] of the state matrix, sorted by real, then imaginary part.
@@ -110,7 +116,7 @@ class Linearization(ShownLinearization, Portable):
         UnsteadyWarning
             If the state accelerates.
         """
-        check_steady("eigenvalues", self.acceleration)
+        self._check("eigenvalues")
         return sort_eigenvalues(spectrum(self.state_matrix, len(self.dynamic))[0])
 
     @property
@@ -123,7 +129,7 @@ class Linearization(ShownLinearization, Portable):
 
     def modes(self) -> Listing[Mode]:
         """Modes, one for each complex pair (that with positive imaginary part); sorts and warns as `eigenvalues`."""
-        check_steady("modes", self.acceleration)
+        self._check("modes")
         return modes_of(self.state_matrix, self.dofs + self.internal, len(self.dynamic))
 
     def reduced(self, names: Sequence[str], tolerance: float = 1e-9) -> Reduced:
@@ -149,9 +155,7 @@ class Linearization(ShownLinearization, Portable):
         nd, nf = len(self.dynamic), self.state.structure.nf
         return np.asarray((self.state.J[rows, :nf] @ self.transfer.H[:, :nd]).T)
 
-    def state_space(
-        self, inputs: Sequence[str] = (), outputs: Sequence[str] = ()
-    ) -> tuple[Array, Array, Array, Array]:
+    def state_space(self, inputs: Sequence[str] = (), outputs: Sequence[str] = ()) -> StateSpace:
         """State-space matrices A, B, C, D.
 
         Parameters
@@ -218,13 +222,13 @@ class Linearization(ShownLinearization, Portable):
 
         return save_state_space(self, path, inputs, outputs)
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Matrices, eigenvalues and modes as an xarray.Dataset with names and units along rows and columns."""
         from flexel.results.saved.archive_linear import to_xarray
 
         return to_xarray(self)
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> DataFrame:
         """A pandas.DataFrame of the modes: eigenvalue, frequency, damping ratio, and the degrees of freedom that
         take part.
         """
@@ -269,32 +273,9 @@ class Linearization(ShownLinearization, Portable):
         return modes[number]
 
     def mode_shape(self, number: int) -> dict[str, complex]:
-        """Displacements of all free coordinates in a mode of `modes`, for pictures; degrees of freedom of amplitude
-        1 at most.
-        """
+        """Displacements of all free coordinates in a mode, for pictures; degrees of freedom have amplitudes up to 1."""
         mode = self.mode(number)
         q = np.array([mode.shape[name] for name in self.dofs])
-        structure = self.state.structure
-        x = self.transfer.G[:, : q.size] @ q
+        x, structure = self.transfer.G[:, : q.size] @ q, self.state.structure
         first = structure.m + structure.k
         return {structure.names[first + i]: complex(z) for i, z in enumerate(x)}
-
-    def plot(self, path: str | Path | None = None) -> Any:
-        """Eigenvalues in the complex plane (needs matplotlib)."""
-        from flexel.pictures.graphs import plot_poles
-
-        return plot_poles([self.eigenvalues()], path)
-
-    def plot_mode(self, number: int, path: str | Path | None = None, **options: Any) -> Any:
-        """The shape of a mode of `modes`, over the state in grey; see `flexel.pictures.deflected.plot_shape`."""
-        from flexel.pictures.deflected import plot_shape
-
-        mode = self.mode(number)
-        title = f"{mode.name}: {mode.eigenvalue:.4g} 1/s"
-        return plot_shape(self.state, self.mode_shape(number), path, **{"title": title, **options})
-
-    def view(self, path: str | Path, **options: Any) -> Path:
-        """An HTML page that shows the modes in any browser, with amplitude and phase; see `view.mode_data`."""
-        from flexel.pictures.view import view_modes
-
-        return view_modes(self, path, **options)

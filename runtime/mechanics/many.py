@@ -83,7 +83,7 @@ class LinearizedMany:
         return found | stack.all_lags() if self._nz else found
 
     def _together(self, system: Any, rows: Array) -> Stack | None:
-        """The equations at all states; None if one must be sought, or has no forces, which is reported then."""
+        """The equations at all states; None if one must be found first, or has no forces, which is reported then."""
         kinematics = system.kinematics_of(self._roles)
         done = kinematics.linearizer.complete(kinematics.choice, rows)
         if done.code:

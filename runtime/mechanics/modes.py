@@ -13,7 +13,7 @@ from flexel.base.arguments import not_negative
 from flexel.base.arrays import Array, ComplexArray, Index
 from flexel.base.errors import LinearizationError
 from flexel.base.shown import Listing
-from flexel.engine.solvers import eigenvalues, solved
+from flexel.engine.solvers import eigenvalues
 from flexel.mechanics.rigid import spectrum
 
 
@@ -84,11 +84,7 @@ class Reduced:
     @property
     def state_matrix(self) -> Array:
         """First-order form for (q', q)."""
-        n = len(self.names)
-        A = np.zeros((2 * n, 2 * n))
-        A[:n, :n], A[:n, n:], A[n:, :n] = self.C, self.K, np.eye(n)
-        A[:n] = -solved(self.M, A[:n])
-        return A
+        return first_order(self.M, (self.C, self.K))
 
     def eigenvalues(self) -> ComplexArray:
         """The 2 n eigenvalues [1/s], sorted by real, then imaginary part."""
@@ -146,6 +142,32 @@ def check_decoupled(
                     f"{tuple(names)} are not decoupled: '{name}' enters through {label} ({size:.3g}); include it, or "
                     "use the full state matrix"
                 )
+
+
+def first_order(M: Array, forces: Sequence[Array], *rest: Sequence[Array]) -> Array:
+    """Matrices (…, n, n) of first-order equations for (q_d', q_d, …), from M q_d'' + forces = 0; NaN where M has NaN.
+
+    Parameters
+    ----------
+    M : ndarray (…, nd, nd)
+    forces : sequence of ndarray (…, nd, columns)
+        Blocks, side by side, by columns of all n unknowns.
+    *rest : sequence of ndarray (…, rows, columns)
+        Rates of the unknowns after q_d: blocks side by side; columns that are left out are zero.
+    """
+    top = np.concatenate(forces, axis=-1)
+    nd, n = top.shape[-2:]
+    A = np.zeros((*M.shape[:-2], n, n))
+    good = np.isfinite(M).all(axis=(-2, -1))
+    A[good, :nd] = -np.linalg.solve(M[good], top[good])
+    A[..., nd : 2 * nd, :nd] = np.eye(nd)
+    row = 2 * nd
+    for blocks in rest:
+        rates = np.concatenate(blocks, axis=-1)
+        A[..., row : row + rates.shape[-2], : rates.shape[-1]] = rates
+        row += rates.shape[-2]
+    A[~good] = np.nan
+    return A
 
 
 def modes_of(state_matrix: Array, names: tuple[str, ...], nd: int) -> Listing[Mode]:

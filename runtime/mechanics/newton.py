@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Generic, TypeVar
@@ -10,6 +11,7 @@ import numpy as np
 
 from flexel.base.arrays import Array
 
+log = logging.getLogger("flexel.newton")
 Point = TypeVar("Point")
 Equations = TypeVar("Equations")
 
@@ -50,7 +52,7 @@ def newton(
     """Newton's method from a starting point.
 
     It has converged when the error is below the tolerance, or below `stalled` and no longer halved, which means that
-    rounding prevents further progress.  It gives up at an error that is not finite, or a step without progress.
+    rounding prevents further progress.  It stops at an error that is not finite, or a step without progress.
 
     Parameters
     ----------
@@ -72,6 +74,7 @@ def newton(
     point, best = start, np.inf
     for iteration in range(1, most + 1):
         equations, error = evaluate(point)
+        log.debug("evaluation %d: error %.3g", iteration, error)
         if error < tolerance or (error < stalled and error > 0.5 * best):
             return Arrival(point, equations, error, iteration, True)
         best = min(best, error)

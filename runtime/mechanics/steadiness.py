@@ -30,14 +30,14 @@ def acceleration(M: Array, H: Array, state: State) -> float:  # noqa: N803
     return inertia / max(inertia, _largest(pulled) * _largest(H), SMALL * _largest(M), 1e-300)
 
 
-def check_steady(what: str, off: float) -> None:
+def check_steady(what: str, off: float, depth: int = 3) -> None:
     """Warn the caller of a public method about a state with that acceleration."""
     if off > UNSTEADY:
         warnings.warn(
             f"{what}: the state accelerates (its residual forces are {off:.2g} of those that balance), so these do not "
             "describe the motion that follows; linearize about system.equilibrium() or system.steady(state)",
             UnsteadyWarning,
-            stacklevel=3,
+            stacklevel=depth,
         )
 
 

@@ -13,6 +13,7 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.quaternions import matrix
+from flexel.declare.looks import Look
 from flexel.pictures.painters import PAINTERS, bar, rolls
 from flexel.pictures.rope_painters import is_ball, sheaves
 from flexel.pictures.shape import Shape, axes_of, place, turned
@@ -54,12 +55,27 @@ def shapes(state: State, sketches: Sequence[Sketch | Solid] = ()) -> list[Shape]
     found = [z for z in found if z.style != "bar" or z.name not in sprung]  # a coil instead
     found += [*held, *guides(state)]
     found += sheaves(state, (z for z in shown if z.spec.family == "contact"))
+    found = _dressed(found, shown)
     found += [_sketch(state, sketch) for sketch in sketches]
     for node in state.structure.nodes:
         if node.kind.endswith("point") and "." not in node.name:
             style = "fixed" if node.fixed.all() else "joint"
             found.append(Shape(style, node.name, (place(state, node.name)[None],)))
     return found
+
+
+def _dressed(found: Sequence[Shape], instances: Sequence[Instance]) -> list[Shape]:
+    """The shapes of elements in the colours that were said for them, without those that are hidden."""
+    looks = {z.name: z.look for z in instances if isinstance(z.look, Look)}
+    dressed = []
+    for shape in found:
+        look = looks.get(shape.name)
+        if look is None or shape.style == "force":
+            dressed.append(shape)
+        elif not look.hidden:
+            opacity = 1.0 if look.opacity is None else look.opacity
+            dressed.append(replace(shape, colour=look.colour, opacity=opacity))
+    return dressed
 
 
 class _Geometry:

@@ -2,31 +2,98 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from contextlib import contextmanager
+from collections.abc import Iterator, Sequence
+from contextlib import AbstractContextManager, contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from flexel.base.arguments import path_of
-from flexel.base.errors import FlexelError
+from flexel.base.arguments import path_of, text
+from flexel.base.errors import FlexelError, ModelError
 from flexel.base.files import replacing
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-COLOURS = ("#0b5fa5", "#c8501e", "#2e8540", "#7b3f98", "#b8860b", "#444444")
+COLOURS = ("#0b5fa5", "#d55e00", "#009e73", "#cc79a7", "#d9a000", "#444444")  # apart for the colour-blind too
+STABLE = "#009e73"  # ranges that are stable, shaded
+MARK = "#c8501e"  # marked values
+GUIDE: Any = {"color": "#222222", "lw": 0.8}  # lines at zero, or at a limit
 STYLE: Any = {
     "font.size": 10,
+    "axes.titlesize": 11,
     "axes.grid": True,
     "grid.color": "#dddddd",
     "grid.linewidth": 0.6,
     "axes.spines.top": False,
     "axes.spines.right": False,
     "axes.axisbelow": True,
+    "axes.prop_cycle": "cycler('color', [" + ", ".join(f"'{z}'" for z in COLOURS) + "])",
     "figure.dpi": 110,
+    "figure.titlesize": 12,
     "legend.frameon": False,
+    "legend.fontsize": 9,
     "lines.linewidth": 1.6,
+    "savefig.facecolor": "white",  # black text stays readable on a dark page
 }
+WIDTH = 8.0  # of a figure with one column of axes [in]
+WORDS = {  # what several quantities of one unit have in common
+    "m": "displacement",
+    "m/s": "velocity",
+    "m/s²": "acceleration",
+    "rad": "angle",
+    "rad/s": "angular velocity",
+    "rad/s²": "angular acceleration",
+    "N": "force",
+    "N m": "moment",
+    "N/m": "force per length",
+    "J": "energy",
+    "rad/m": "curvature",
+}
+
+
+def unit_text(unit: str) -> str:
+    """A unit as it stands on an axis: raised powers, and a dash for a number.
+
+    Examples
+    --------
+    >>> unit_text("m^2/s"), unit_text("1")
+    ('[m²/s]', '[-]')
+    """
+    for plain, raised in (("^2", "²"), ("^3", "³"), ("^4", "⁴")):
+        unit = unit.replace(plain, raised)
+    return "[-]" if unit in ("", "1", "-") else f"[{unit}]"
+
+
+def axis_label(names: Sequence[str], unit: str, before: str = "") -> str:
+    """Quantity and unit for an axis: the name of a single quantity, or what several of one unit have in common.
+
+    Examples
+    --------
+    >>> axis_label(["crank.angle"], "rad"), axis_label(["A.x", "A.y"], "m")
+    ('crank.angle [rad]', 'displacement [m]')
+    """
+    word = names[0] if len(names) == 1 else WORDS.get(unit_text(unit)[1:-1], "value")
+    return f"{before}{word} {unit_text(unit)}"
+
+
+def caption(given: Any, owner: str, what: str = "title") -> str:
+    """A text that can be drawn.
+
+    Raises
+    ------
+    ModelError
+        No text, or characters that cannot be printed.
+    """
+    found = text(given, owner, what)
+    if not found.replace("\n", "").isprintable():
+        raise ModelError(f"{owner}: {what} {found!r} has characters that cannot be printed; leave them out")
+    return found
+
+
+def panels(count: int, **options: Any) -> AbstractContextManager[tuple[Figure, Any]]:
+    """A figure with so many axes one below the other, which share the horizontal axis; see `figure`."""
+    size = (WIDTH, 1.2 + 2.2 * count)
+    return figure(count, size=size, **{"sharex": True, "squeeze": False, **options})
 
 
 def require_matplotlib() -> None:
@@ -40,7 +107,7 @@ def require_matplotlib() -> None:
 
 @contextmanager
 def figure(
-    rows: int = 1, columns: int = 1, size: tuple[float, float] = (8.0, 5.0), **options: Any
+    rows: int = 1, columns: int = 1, size: tuple[float, float] = (WIDTH, 5.0), **options: Any
 ) -> Iterator[tuple[Figure, Any]]:
     """A figure with its axes in flexel's style, drawn without a window.
 

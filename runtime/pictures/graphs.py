@@ -11,65 +11,21 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.signal import get_window
 
+from flexel.base.arguments import flag, positive, quantities
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
-from flexel.pictures.figures import COLOURS, figure, save
+from flexel.base.shown import listed
+from flexel.pictures.figures import COLOURS, GUIDE, MARK, axis_label, caption, figure, panels, save
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
     from flexel.linear.harmonics import PeriodicVibration
+    from flexel.mechanics.linearization import Linearization
     from flexel.results.branch import PeriodicBranch
     from flexel.results.motion import Motion
-
-
-def spectrum(motion: Motion, name: str, window: str = "hann") -> tuple[Array, Array, str]:
-    """One-sided amplitude spectrum of a quantity: a harmonic on a line of the spectrum shows its own amplitude.
-
-    Parameters
-    ----------
-    name : str
-        Name as in `Motion.series`.
-    window : str
-        A window of `scipy.signal.get_window`; ``boxcar`` for a whole number of periods.
-
-    Returns
-    -------
-    f : ndarray (nf,)
-        Frequencies [Hz].
-    amplitude : ndarray (nf,)
-    unit : str
-
-    Raises
-    ------
-    ModelError
-        Times that are not equidistant, or fewer than four; an unknown window.
-    """
-    values, unit = motion.series(name)
-    t = motion.t
-    steps = np.diff(t)
-    if t.size < 4:
-        raise ModelError(
-            f"spectrum of '{name}': {t.size} stored times are too few; simulate with more samples"
-        )
-    if np.ptp(steps) > 1e-6 * steps.mean():
-        raise ModelError(
-            f"spectrum of '{name}': the {t.size} stored times are not equidistant; simulate with samples=…, or with "
-            "equidistant times"
-        )
-    try:
-        w = get_window(window, t.size)
-    except ValueError as error:
-        raise ModelError(
-            f"spectrum of '{name}': {error}; 'hann', 'boxcar' and 'flattop' are usual"
-        ) from error
-    amplitude: Array = np.asarray(2 * np.abs(np.fft.rfft(w * values)) / w.sum(), dtype=float)
-    amplitude[0] /= 2
-    if t.size % 2 == 0:
-        amplitude[-1] /= 2
-    return np.asarray(np.fft.rfftfreq(t.size, float(steps.mean())), dtype=float), amplitude, unit
 
 
 def plot_spectra(
@@ -78,36 +34,47 @@ def plot_spectra(
     path: str | Path | None = None,
     *,
     window: str = "hann",
+    lin: Linearization | None = None,
     logarithmic: bool = True,
     limit: float | None = None,
+    title: str = "",
 ) -> Figure:
-    """Amplitude spectra of named quantities (the degrees of freedom by default), one panel for each unit.
-
-    Parameters
-    ----------
-    window : str
-        See `spectrum`.
-    logarithmic : bool
-        Logarithmic scale of the amplitudes.
-    limit : float, optional
-        Largest frequency shown [Hz].
-    """
-    found = {name: spectrum(motion, name, window) for name in names or motion.dofs}
-    units = list(dict.fromkeys(unit for _, _, unit in found.values()))
-    size = (8.0, 1.2 + 2.2 * len(units))
-    with figure(len(units), size=size, sharex=True, squeeze=False) as (drawn, axes):
+    """Amplitude spectra of named quantities, one panel for each unit; see `Motion.spectrum_plot`."""
+    logarithmic, title = flag(logarithmic, "spectrum_plot", "logarithmic"), caption(title, "spectrum_plot")
+    shown = quantities(names, "spectrum_plot") or motion.dofs
+    found = {name: (*motion.spectrum(name, window), motion.unit(name)) for name in shown}
+    units = list(dict.fromkeys(unit for *_, unit in found.values()))
+    highest = float(found[shown[0]][0][-1]) if limit is None else positive(limit, "spectrum_plot", "limit")
+    with panels(len(units)) as (drawn, axes):
         for panel, unit in zip(axes[:, 0], units, strict=True):
-            for i, (name, (f, amplitude, own)) in enumerate(found.items()):
-                if own == unit:
-                    panel.plot(f, amplitude, color=COLOURS[i % len(COLOURS)], label=name)
+            members = [name for name in found if found[name][2] == unit]
+            for name in members:
+                f, amplitude, _ = found[name]
+                panel.plot(f, amplitude, color=COLOURS[list(found).index(name) % len(COLOURS)], label=name)
             if logarithmic:
                 panel.set_yscale("log")
-            panel.set_ylabel(f"amplitude [{unit}]" if unit else "amplitude")
-            panel.legend(loc="upper right")
-        axes[-1, 0].set_xlabel("frequency [Hz]")
-        axes[-1, 0].set_xlim(0, limit or f[-1])
+            panel.set_ylabel(
+                axis_label(members, unit, "amplitude of " if len(members) == 1 else "amplitude, ")
+            )
+            _natural(panel, lin, highest)
+            if len(members) > 1 or lin is not None:
+                panel.legend(loc="upper right")
+        axes[0, 0].set_title(title or f"Spectrum of {listed(shown, 4)}")
+        axes[-1, 0].set(xlabel="frequency [Hz]", xlim=(0, highest))
+        drawn.align_ylabels()
     save(drawn, path)
     return drawn
+
+
+def _natural(panel: Axes, lin: Linearization | None, highest: float) -> None:
+    """Marks at the frequencies at which the modes oscillate."""
+    if lin is None:
+        return
+    if not hasattr(lin, "eigenvalues"):
+        raise ModelError(f"spectrum_plot: lin is {lin!r}; give a linearization, system.linearize(state)")
+    f = lin.eigenvalues().imag / (2 * np.pi)
+    for i, value in enumerate(f[(f > 0) & (f <= highest)]):
+        panel.axvline(value, color=MARK, lw=0.9, ls=":", label=None if i else "natural frequencies")
 
 
 def plot_phase(motion: Motion, x: str, y: str, path: str | Path | None = None) -> Figure:
@@ -125,8 +92,9 @@ def plot_phase(motion: Motion, x: str, y: str, path: str | Path | None = None) -
     with figure(size=(6.0, 5.0)) as (drawn, axes):
         axes.plot(across, up, color=COLOURS[0])
         axes.plot(across[:1], up[:1], "o", color=COLOURS[1], ms=5, label=f"t = {motion.t[0]:g} s")
-        axes.set_xlabel(f"{x} [{unit_x}]" if unit_x else x)
-        axes.set_ylabel(f"{y} [{unit_y}]" if unit_y else y)
+        axes.set(xlabel=axis_label([x], unit_x), ylabel=axis_label([y], unit_y), title=f"{y} over {x}")
+        if unit_x == unit_y == "m":  # the path of a point
+            axes.set_aspect("equal", adjustable="datalim")
         axes.legend(loc="upper right")
     save(drawn, path)
     return drawn
@@ -157,16 +125,16 @@ def plot_poles(
     w = np.concatenate(sets)
     colour = np.concatenate([np.full(z.size, s) for z, s in zip(sets, shade, strict=True)])
     with figure(size=(6.4, 5.4)) as (drawn, axes):
-        axes.axvline(0, color="#222222", lw=0.8)
-        axes.axhline(0, color="#222222", lw=0.8)
+        axes.axvline(0, **GUIDE)
+        axes.axhline(0, **GUIDE)
         style: dict[str, Any] = {"marker": "x", "s": 36, "linewidths": 1.6, "zorder": 3}
         if parameter is None:
             axes.scatter(w.real, w.imag, color=COLOURS[0], **style)
         else:
             marks = axes.scatter(w.real, w.imag, c=colour, cmap="viridis", **style)
             drawn.colorbar(marks, ax=axes, label=label)
-        axes.set_xlabel("real part [1/s]")
-        axes.set_ylabel("imaginary part [rad/s]")
+        title = "Eigenvalues" if parameter is None else f"Eigenvalues over {label.partition(' [')[0]}"
+        axes.set(xlabel="real part [1/s]", ylabel="imaginary part [rad/s]", title=title)
     save(drawn, path)
     return drawn
 
@@ -178,8 +146,7 @@ def plot_harmonics(
     names, k = vibration.coefficients.names, vibration.harmonics
     amplitude = harmonic_amplitudes(vibration)
     kinds = list(dict.fromkeys(units))
-    size = (8.0, 1.2 + 2.2 * len(kinds))
-    with figure(len(kinds), size=size, sharex=True, squeeze=False) as (drawn, axes):
+    with panels(len(kinds)) as (drawn, axes):
         for panel, unit in zip(axes[:, 0], kinds, strict=True):
             members = [i for i, own in enumerate(units) if own == unit]
             width = 0.8 / len(members)
@@ -187,9 +154,11 @@ def plot_harmonics(
                 place = np.arange(k + 1) + (j - (len(members) - 1) / 2) * width
                 panel.bar(place, amplitude[:, i], width, color=COLOURS[i % len(COLOURS)], label=names[i])
             panel.set_yscale("log")
-            panel.set_ylabel(f"amplitude [{unit}]" if unit else "amplitude")
-            panel.legend(loc="upper right")
-        axes[-1, 0].set_xlabel(f"harmonic of {vibration.coefficients.omega:.4g} rad/s")
+            panel.set_ylabel(axis_label([names[i] for i in members], unit, "amplitude, "))
+            if len(members) > 1:
+                panel.legend(loc="upper right")
+        axes[0, 0].set_title("Harmonics of the periodic motion")
+        axes[-1, 0].set_xlabel(f"harmonic of {vibration.coefficients.omega:.4g} rad/s [-]")
     save(drawn, path)
     return drawn
 
@@ -207,15 +176,24 @@ def plot_branch(branch: PeriodicBranch, names: Sequence[str], path: str | Path |
     rows = [(branch.largest(name), name, branch[0].unit(name)) for name in names]
     rows.append((branch.modulus, "largest multiplier", ""))
     w = branch.omega
-    with figure(len(rows), size=(8.0, 1.2 + 2.2 * len(rows)), sharex=True, squeeze=False) as (drawn, axes):
+    with panels(len(rows)) as (drawn, axes):
         for panel, (values, name, unit) in zip(axes[:, 0], rows, strict=True):
             for part, stable in branch.stretches:
                 panel.plot(w[part], values[part], "-" if stable else "--", color=COLOURS[0])
-            panel.plot(w[branch.folds], values[branch.folds], "o", color=COLOURS[1], label="fold")
-            panel.set_ylabel(f"{name} [{unit}]" if unit else name)
-        axes[-1, 0].axhline(1, color="#222222", lw=0.8)
+            panel.plot(
+                w[branch.folds],
+                values[branch.folds],
+                "o",
+                color=COLOURS[1],
+                label="fold" if branch.folds else None,
+            )
+            panel.set_ylabel(axis_label([name], unit))
+        axes[-1, 0].axhline(1, **GUIDE)
         axes[-1, 0].set_xlabel("speed [rad/s]")
-        if branch.folds:
-            axes[0, 0].legend(loc="upper left")
+        axes[0, 0].plot([], [], "-", color=COLOURS[0], label="stable")
+        if not branch.stable.all():
+            axes[0, 0].plot([], [], "--", color=COLOURS[0], label="unstable")
+        axes[0, 0].set_title("Largest magnitudes of the periodic motions over their speed")
+        axes[0, 0].legend(loc="upper left")
     save(drawn, path)
     return drawn

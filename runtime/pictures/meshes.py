@@ -76,7 +76,7 @@ def _obj(data: bytes) -> tuple[Array, Index]:
             found += [(corners[0], b, c) for b, c in zip(corners[1:], corners[2:], strict=False)]
     triangles = np.array(found, dtype=np.intp).reshape(-1, 3)
     if triangles.size and not 0 <= triangles.min() <= triangles.max() < len(places):
-        raise ValueError("a face names a vertex that is not there")
+        raise ValueError("a face refers to a vertex that does not exist")
     return np.array(places, dtype=float).reshape(-1, 3), triangles
 
 

@@ -253,6 +253,7 @@ PAINTERS: dict[str, Callable[[State, Instance], Iterator[Shape]]] = {
     "body": body,
     "cam": joint_painters.cam,
     "contact": contact,
+    "flat cam": joint_painters.flat_cam,
     "disc": planar_painters.wheel,
     "gears": planar_painters.gears,
     "hinge": hinge,

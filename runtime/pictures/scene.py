@@ -146,9 +146,12 @@ def draw(
     for track in (trails or {}).values():
         axes.plot(*(track @ turn.T).T[: 2 if flat else 3], color="#2e8540", lw=1.2, zorder=1, clip_on=False)
     for order, (style, (colour, width, mark)) in enumerate(PAINT.items(), start=2):
-        lines = [line @ turn.T for part in parts if part.style == style for line in _lines(part)]
-        if lines:
-            _paint(axes, flat, lines, colour, width, mark, order)
+        dyes: dict[tuple[str, float], list[Array]] = {}
+        for part in (z for z in parts if z.style == style):
+            own = dyes.setdefault((part.colour or colour, part.opacity), [])
+            own += [line @ turn.T for line in _lines(part)]
+        for dye, lines in dyes.items():
+            _paint(axes, flat, lines, dye, width, mark, order)
     _limits(axes, flat, turn @ centre, span)
     return axes
 
@@ -191,9 +194,10 @@ def _lines(part: drawing.Shape) -> tuple[Array, ...]:
 
 
 def _paint(
-    axes: Any, flat: bool, lines: list[Array], colour: str, width: float, mark: str, order: int
+    axes: Any, flat: bool, lines: list[Array], dye: tuple[str, float], width: float, mark: str, order: int
 ) -> None:
-    """All lines or marks of one style at once."""
+    """All lines or marks of one style, colour and opacity at once."""
+    colour, opacity = dye
     if mark:
         points = np.vstack(lines).T[: 2 if flat else 3]
         options = {
@@ -201,6 +205,7 @@ def _paint(
             "marker": mark,
             "ms": width,
             "color": colour,
+            "alpha": opacity,
             "mec": "#222222",
             "mew": 0.8,
         }
@@ -208,15 +213,19 @@ def _paint(
     elif flat:
         from matplotlib.collections import LineCollection
 
-        axes.add_collection(LineCollection([z[:, :2] for z in lines], colors=colour, lw=width, zorder=order))
+        axes.add_collection(
+            LineCollection([z[:, :2] for z in lines], colors=colour, alpha=opacity, lw=width, zorder=order)
+        )
     else:
-        _spatial_lines(axes, lines, colour, width, order)
+        _spatial_lines(axes, lines, colour, width, order, opacity)
 
 
-def _spatial_lines(axes: Any, lines: list[Array], colour: str, width: float, order: int) -> None:
+def _spatial_lines(
+    axes: Any, lines: list[Array], colour: str, width: float, order: int, opacity: float = 1.0
+) -> None:
     from mpl_toolkits.mplot3d.art3d import Line3DCollection  # type: ignore[import-untyped]
 
-    collection = Line3DCollection(lines, colors=colour, lw=width, zorder=order, clip_on=False)
+    collection = Line3DCollection(lines, colors=colour, alpha=opacity, lw=width, zorder=order, clip_on=False)
     axes.add_collection3d(collection, autolim=False)
 
 

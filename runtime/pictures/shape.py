@@ -10,6 +10,7 @@ import numpy as np
 from flexel.base.arrays import Array, Index
 from flexel.base.quaternions import matrix
 from flexel.declare.closed_profile import ClosedProfile
+from flexel.declare.looks import Look
 from flexel.declare.materials import Profile
 from flexel.declare.round_sections import Circle, Tube
 from flexel.declare.sections import IBeam, Rectangle, Section
@@ -49,6 +50,8 @@ class Shape:
         A surface that the pose carries, in the body's axes [m].
     colour : str, optional
         Its own colour.
+    opacity : float
+        From 0 to 1.
     """
 
     style: str
@@ -61,6 +64,7 @@ class Shape:
     values: Mapping[str, Array] = field(default_factory=dict)
     surface: tuple[Array, Index] | None = None
     colour: str | None = None
+    opacity: float = 1.0
 
 
 UNITS = {
@@ -109,6 +113,20 @@ def extent(structure: Structure) -> float:
     return max(sizes) or 3 * gyration or 1.0
 
 
+def lowest(shape: Shape, up: Array) -> float:
+    """The height along `up` of the lowest place of a shape, with the section that is swept along it."""
+    low = float(np.min(np.vstack(shape.lines) @ up))
+    if shape.outline is None:
+        return low
+    if shape.across is None:
+        return low - float(np.max(np.linalg.norm(shape.outline, axis=1)))
+    for line in shape.lines:
+        for end, along, y in ((line[0], line[1] - line[0], 0), (line[-1], line[-1] - line[-2], 1)):
+            z = np.cross(along / np.linalg.norm(along), shape.across[y])
+            low = min(low, float(np.min(end @ up + shape.outline @ np.array([shape.across[y] @ up, z @ up]))))
+    return low
+
+
 def circle(radius: float, corners: int = CORNERS) -> Array:
     """Outline (corners, 2) of a round section."""
     angles = np.arange(corners) * 2 * np.pi / corners
@@ -137,7 +155,9 @@ def outline_of(section: Section) -> Array:
 
 
 def section_outline(instance: Instance) -> Array | None:
-    """Outline of an element's section, if it has one."""
+    """Outline of the section that an element is to be shown with, or else of its own, if it has one."""
+    if isinstance(instance.look, Look) and instance.look.section is not None:
+        return outline_of(instance.look.section)
     return outline_of(instance.profile.section) if isinstance(instance.profile, Profile) else None
 
 

@@ -14,6 +14,7 @@ from flexel.base.arguments import array, positive, text, vector
 from flexel.base.arrays import Array, Index
 from flexel.base.errors import ModelError
 from flexel.base.quaternions import unit
+from flexel.declare.looks import colour_of
 from flexel.pictures.meshes import read_mesh, sharp_edges
 
 SIDES = 32  # of a cylinder
@@ -87,15 +88,8 @@ class Solid:
 
     def _check(self) -> str:
         owner = carried(self)
-        if not isinstance(self.colour, str) or not _is_colour(self.colour):
-            raise ModelError(
-                f"{owner}: colour {self.colour!r:.40} is not of the form '#rrggbb'; give one that is"
-            )
+        colour_of(text(self.colour, owner, "colour"), owner)
         return owner
-
-
-def _is_colour(given: str) -> bool:
-    return len(given) == 7 and given[0] == "#" and all(z in "0123456789abcdefABCDEF" for z in given[1:])
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ import numpy as np
 from flexel.base.arrays import Array
 from flexel.base.quaternions import matrix, product
 from flexel.pictures.painters import pin_place
-from flexel.pictures.shape import Shape, axes_of, extent, place, rectangle, turned
+from flexel.pictures.shape import Shape, axes_of, extent, place, rectangle, section_outline, turned
 from flexel.structure.instances import Instance, LawInstance
 from flexel.structure.state import State
 
@@ -49,7 +49,8 @@ def _acts(law: LawInstance, i: int) -> tuple[bool, bool]:
     if _is_linear(law):
         return _own(law, "S", i) > 0, _own(law, "D", i) > 0
     if "coefficients" not in law.parameters:
-        return law.code is not None and len(law.deformations) == 1, False
+        formula = law.code is not None and not law.spec.name.endswith("controller")
+        return formula and len(law.deformations) == 1, False
     stores = "stored" in law.parameters  # the energy of a spring's curve
     return stores, not stores
 
@@ -87,7 +88,7 @@ def _spring(state: State, law: LawInstance, i: int, instance: Instance) -> Itera
     name, _, part = law.deformations[i].rpartition(".")
     family = instance.spec.family
     if family == "truss" and part == "elongation":
-        if instance.profile is None and not _is_bar(law, i, instance):
+        if section_outline(instance) is None and not _is_bar(law, i, instance):
             ends = place(state, instance.nodes[0]), place(state, instance.nodes[-1])
             yield from _line(name, law, i, ends, state.force(law.deformations[i]))
     elif family in SLIDING and part in AXES:

@@ -48,7 +48,7 @@ def _failed(row: Property) -> bool:
 
 
 def _line(row: Property, lacking: bool) -> tuple[str, Sequence[object]]:
-    """The line of a property; a model can lack it without an error to compare."""
+    """The line of a property; a model can violate it without an error to compare."""
     wrong = lacking or _failed(row)
     kind, verdict = ("bad", "NOT OK") if wrong else ("", "ok") if row.models else ("missing", "no model")
     return kind, (row.name, row.models, size(row.largest), size(row.median), size(row.tolerance), verdict)
@@ -60,7 +60,7 @@ def _counts(title: str, counts: Mapping[str, int]) -> Html:
 
 
 def _said(found: Counterexample) -> str:
-    """The property that a model lacks, and the error."""
+    """The property that a model violates, and the error."""
     return f"{found.property}: {found.message or f'error {size(found.error)}'}"
 
 

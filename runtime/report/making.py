@@ -21,7 +21,7 @@ NEEDS_CHECKOUT = {"campaign": "tests", "sanitize": "Makefile"}  # and what of it
 
 
 @dataclass(frozen=True)
-class Wish:
+class Request:
     """What is to be made: rows of `flexel bench`; number of models and seed of the campaign."""
 
     rows: Sequence[str]
@@ -67,12 +67,12 @@ def check_possible(parts: Sequence[str]) -> None:
     if lacking:
         raise FlexelError(
             f"report: {lacking[0]} needs a checkout of flexel ({NEEDS_CHECKOUT[lacking[0]]}), and "
-            f"{Path(flexel.__file__).parent} is in none; run `make report` in a clone of the sources, or leave "
+            f"{Path(flexel.__file__).parent} is not in one; run `make report` in a clone of the sources, or leave "
             f"{' and '.join(lacking)} out"
         )
 
 
-def make(part: str, folder: Path, wish: Wish, facts: Mapping[str, str]) -> str:
+def make(part: str, folder: Path, request: Request, facts: Mapping[str, str]) -> str:
     """Run the command of a part, and note when and where.
 
     Parameters
@@ -89,7 +89,7 @@ def make(part: str, folder: Path, wish: Wish, facts: Mapping[str, str]) -> str:
     str
         What went wrong; empty if nothing.
     """
-    words, place = _command(part, (folder / f"{part}.json").resolve(), wish)
+    words, place = _command(part, (folder / f"{part}.json").resolve(), request)
     for old in files_in(folder)[part]:
         old.unlink()
     begin = time.perf_counter()
@@ -101,11 +101,11 @@ def make(part: str, folder: Path, wish: Wish, facts: Mapping[str, str]) -> str:
     return f"{part}: exit status {status}" if status else ""
 
 
-def _command(part: str, file: Path, wish: Wish) -> tuple[list[str], Path | None]:
+def _command(part: str, file: Path, request: Request) -> tuple[list[str], Path | None]:
     """The command of a part, and the folder that it runs in."""
     root = checkout()
-    campaign = ["campaign", "--models", str(wish.models), "--seed", str(wish.seed)]
-    own = {"verify": [], "reproduce": ["all"], "bench": list(wish.rows)}
+    campaign = ["campaign", "--models", str(request.models), "--seed", str(request.seed)]
+    own = {"verify": [], "reproduce": ["all"], "bench": list(request.rows)}
     if part in own:
         return [*PYTHON, "flexel", part, *own[part], "--json", str(file)], None
     if part == "campaign":

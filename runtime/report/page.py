@@ -1,4 +1,4 @@
-"""The whole page: what failed and what is missing at the top, the sections, and how it is made again."""
+"""The whole page: what failed and what is missing at the top, the sections, and how to make it again."""
 
 from __future__ import annotations
 

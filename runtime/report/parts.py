@@ -91,7 +91,7 @@ class Timed(Measured):
 
 @dataclass(frozen=True)
 class Property:
-    """A property that models have: the largest and the middle error of all models that it was asked of."""
+    """A property that models have: the largest and the middle error of all models to which it applies."""
 
     name: str
     models: int
@@ -110,7 +110,7 @@ class Skipped:
 
 @dataclass(frozen=True)
 class Counterexample:
-    """A program that builds a model which lacks a property, or with which flexel raises an error: the message."""
+    """A program that builds a model which violates a property, or with which flexel raises an error: the message."""
 
     program: str
     property: str

@@ -56,7 +56,7 @@ def _whole(written: str) -> int:
 
 
 class _WrongError(Exception):
-    """A value is not what stands at its place."""
+    """A value is not of the kind that belongs in its place."""
 
 
 def _read(kind: Any, value: Any, place: str) -> Any:
@@ -114,7 +114,7 @@ def _shown(value: Any) -> str:
 NAMES = {
     float: "a number",
     int: "a whole number",
-    str: "a text",
+    str: "a string",
     bool: "true or false",
     list: "a list",
     dict: "an object",

@@ -1,4 +1,4 @@
-"""A section of the page: what it shows, what is wrong, and what it lacks."""
+"""A section of the page: what it shows, what is wrong, and what is missing."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ class Section:
 
 
 def listed(entries: Sequence[str]) -> Html:
-    """A list of things that are wrong."""
+    """A list of defects."""
     return tag("ul", *(tag("li", z) for z in entries), class_="bad")
 
 

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from flexel.base.arguments import quantities
 from flexel.base.arrays import Array, ComplexArray
+from flexel.base.outside import DataFrame, Figure
 from flexel.linear.harmonics import refined
 from flexel.results.periodic import PeriodicSolution
 from flexel.results.saved.record import require
@@ -88,7 +88,7 @@ class PeriodicBranch:
         """Complex amplitudes (n, k + 1) of a degree of freedom, as in `PeriodicSolution.harmonics`."""
         return np.array([z.harmonics(name) for z in self.solutions])
 
-    def plot(self, *names: str, path: str | Path | None = None) -> Any:
+    def plot(self, *names: str, path: str | Path | None = None) -> Figure:
         """Largest magnitudes and multipliers over the speed, unstable motions dashed (needs matplotlib).
 
         Parameters
@@ -102,7 +102,7 @@ class PeriodicBranch:
 
         return plot_branch(self, names or self.solutions[0].dofs, path)
 
-    def to_pandas(self, *names: str) -> Any:
+    def to_pandas(self, *names: str) -> DataFrame:
         """A pandas.DataFrame: speed, kind, stability, largest multiplier, share of neglected harmonics, and the
         largest magnitude of each name (the degrees of freedom by default).
         """

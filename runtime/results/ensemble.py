@@ -10,6 +10,7 @@ import numpy as np
 from flexel.base.arguments import unknown
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
+from flexel.base.outside import Dataset
 from flexel.results.motion import Motion
 from flexel.results.saved.record import require
 
@@ -77,7 +78,7 @@ class Ensemble:
             raise ModelError(f"ensemble: variant {i!r}; give a number from 0 to {len(self) - 1}")
         return self._again(int(i) % len(self))
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """An xarray.Dataset over (variant, time), with the parameters as coordinates and the messages of failures."""
         xarray = require("xarray", "xarray")
         data: dict[str, Any] = {

@@ -11,6 +11,7 @@ import numpy as np
 from flexel.base.arguments import flag, whole
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
+from flexel.base.outside import Dataset, Figure
 from flexel.results.flexure_step import FlexureStep
 from flexel.results.motion import Motion
 from flexel.results.saved.archive import motion_of, record_of
@@ -144,7 +145,7 @@ class Flexure:
 
     # -- pictures --------------------------------------------------------------------------------
 
-    def plot(self, *nodes: int, path: str | Path | None = None) -> Any:
+    def plot(self, *nodes: int, path: str | Path | None = None) -> Figure:
         """Displacements, frequencies, largest stress and buckling multipliers over the load (needs matplotlib).
 
         Parameters
@@ -158,7 +159,7 @@ class Flexure:
 
         return plot_flexure(self, nodes, path)
 
-    def plot_shapes(self, *steps: int, path: str | Path | None = None, **options: Any) -> Any:
+    def plot_shapes(self, *steps: int, path: str | Path | None = None, **options: Any) -> Figure:
         """The mechanism at some steps over its drawn shape; the last one by default. Options as of `Motion`."""
         chosen = [float(self.load[whole(i, "plot_shapes", "step", 0, len(self) - 1)]) for i in steps]
         return self.motion.plot_shapes(*chosen, path=path, **{"label": "{:.3g} of the loads"} | options)
@@ -183,7 +184,7 @@ class Flexure:
         variables = {**own.variables, **self.variables}
         return Record("flexure", variables, {**own.labels, **self.labels}, own.units, header)
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """All results as an xarray.Dataset, labelled by step, node, element, direction and mode."""
         require("xarray", "xarray")
         time = {"time": Variable(("time",), self.load, "", "share of the loads")}

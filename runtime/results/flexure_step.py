@@ -12,6 +12,7 @@ import numpy as np
 from flexel.base.arguments import whole
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
+from flexel.base.outside import Figure
 from flexel.base.quaternions import axis_angle, euler_angles, matrix
 from flexel.mechanics.linearization import Linearization
 from flexel.mechanics.modal_damping import with_modal_damping
@@ -54,7 +55,7 @@ class FlexureNode:
         What a support or a prescribed motion exerts on it, in global axes [N], [N m]; zero where it is free.
     compliance : Compliance or None
         Its displacements and rotations by small forces and moments on it: ``.matrix`` in global axes, ``.in_body``
-        in axes that turn with the node.  None if it was not asked for.
+        in axes that turn with the node.  None if it was not requested.
     """
 
     position: Array
@@ -187,7 +188,7 @@ class FlexureStep:
         """
         return with_modal_damping(self._motion.system.linearize(self.state), damping)
 
-    def plot_mode(self, number: int, path: str | Path | None = None, **options: Any) -> Any:
+    def plot_mode(self, number: int, path: str | Path | None = None, **options: Any) -> Figure:
         """A mode of vibration over the shape at this step; options of `flexel.pictures.deflected.plot_shape`."""
         from flexel.pictures.deflected import plot_shape
 

@@ -9,14 +9,16 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from flexel.base.arguments import index
 from flexel.base.arguments import names as checked_names
 from flexel.base.arrays import Array, ComplexArray
 from flexel.base.errors import ModelError
-from flexel.linear.tracking import branches
+from flexel.base.outside import Dataset, Figure
+from flexel.linear.tracking import Branches
 from flexel.mechanics.linearization import Linearization
-from flexel.mechanics.modes import check_decoupled, places_of
+from flexel.mechanics.modes import check_decoupled, first_order, places_of
 from flexel.results.saved.record import require
 
 
@@ -83,18 +85,8 @@ class Linearizations:
     @property
     def state_matrices(self) -> Array:
         """Matrices (…, n, n) of the first-order equations, each as `Linearization.state_matrix`."""
-        nd, nk, nz = len(self.dynamic), len(self.kinematic), len(self.internal)
-        first = self.M.shape[:-2]
-        A = np.zeros((*first, 2 * nd + nk + nz, 2 * nd + nk + nz))
-        forces = np.concatenate([self.C, self.K, self.Z], axis=-1)
-        good = np.isfinite(self.M).all(axis=(-2, -1))
-        A[good, :nd] = -np.linalg.solve(self.M[good], forces[good]) if nd else 0.0
-        A[..., nd : 2 * nd, :nd] = np.eye(nd)
-        A[..., 2 * nd : 2 * nd + nk, :nd], A[..., 2 * nd : 2 * nd + nk, nd : 2 * nd + nk] = self.A_k, self.B_k
-        A[..., 2 * nd + nk :, :nd], A[..., 2 * nd + nk :, nd : 2 * nd + nk] = self.Z_v, self.Z_q
-        A[..., 2 * nd + nk :, 2 * nd + nk :] = self.Z_z
-        A[~good] = np.nan
-        return A
+        rolling, lags = (self.A_k, self.B_k), (self.Z_v, self.Z_q, self.Z_z)
+        return first_order(self.M, (self.C, self.K, self.Z), rolling, lags)
 
     def eigenvalues(self) -> ComplexArray:
         """Eigenvalues (…, n) [1/s] of the state matrices, in no particular order; NaN where a variant failed."""
@@ -120,7 +112,7 @@ class Linearizations:
         blocks |= {z: np.zeros((*first, *size)) for z, size in sizes_of.items()}
         return replace(self, dynamic=names, kinematic=(), internal=(), **blocks)
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """M, C, K and the eigenvalues as an xarray.Dataset, with the parameters, rates and names along their axes."""
         xarray = require("xarray", "xarray")
         lead = ("variant", "rate") if self.rates else ("variant",)
@@ -152,38 +144,72 @@ class RootLoci:
     values : ndarray (np,)
     linearizations : Linearizations
         The equations of which these are the eigenvalues.
+    unit : str
+        Of the values.
     """
 
     name: str
     values: Array
     linearizations: Linearizations
+    unit: str = ""
 
     @cached_property
-    def eigenvalues(self) -> ComplexArray:
-        """Tracked branches (np, n) [1/s]; (variants, np, n) where parameters vary besides the rates."""
-        w = self.linearizations.eigenvalues()
-        if not self.linearizations.rates:
-            return branches(self.values, w)
-        found = np.array([branches(self.values, z) for z in w])
-        return found[0] if not self.linearizations.parameters else found
+    def _tracked(self) -> list[Branches]:
+        """Branches of each variant; of all together if the loci run over a parameter."""
+        own, A = self.linearizations, self.linearizations.state_matrices
+        labels = own.dynamic + own.dofs + own.internal
+        return [Branches.of(self.values, z, labels) for z in (A if own.rates else [A])]
+
+    def branches(self, variant: int = 0) -> Branches:
+        """Names of the branches, the columns that belong to each, and where they become stable or unstable.
+
+        Parameters
+        ----------
+        variant : int
+            Where parameters vary besides the rates.
+        """
+        chosen = index(variant, "root_loci", "variant")
+        if not -len(self._tracked) <= chosen < len(self._tracked):
+            raise ModelError(f"root_loci: variant {chosen}; give a number from 0 to {len(self._tracked) - 1}")
+        return self._tracked[chosen]
 
     @property
-    def stable(self) -> Any:
+    def eigenvalues(self) -> ComplexArray:
+        """Branches (np, n) [1/s], followed by the shapes of their modes; (variants, np, n) where parameters vary
+        besides the rates.
+        """
+        found = np.array([z.eigenvalues for z in self._tracked])
+        return found if self.linearizations.rates and self.linearizations.parameters else found[0]
+
+    @property
+    def stable(self) -> NDArray[np.bool_]:
         """Whether all real parts are negative (np,) or (variants, np)."""
-        return (self.eigenvalues.real < 0).all(axis=-1)
+        return np.asarray((self.eigenvalues.real < 0).all(axis=-1))
 
-    def plot(self, path: str | Path | None = None, *, variant: int = 0, **options: Any) -> Any:
-        """Real and imaginary parts over the values (needs matplotlib); see `flexel.pictures.plot.root_loci`."""
-        from flexel.pictures.plot import root_loci
+    def plot(self, path: str | Path | None = None, *, variant: int = 0, **options: Any) -> Figure:
+        """Real and imaginary parts over the values, or with ``plane=True`` in the complex plane (needs matplotlib).
 
-        w = self.eigenvalues
-        chosen = index(variant, "root_loci.plot", "variant")
-        if w.ndim == 3 and not -len(w) <= chosen < len(w):
-            raise ModelError(f"root_loci.plot: variant {chosen}; give a number from 0 to {len(w) - 1}")
-        shown = w[chosen] if w.ndim == 3 else w
-        return root_loci(self.values, shown, path, **{"label": self.name, **options})
+        Parameters
+        ----------
+        path : path, optional
+            File for the figure; the suffix determines the format.
+        variant : int
+            Where parameters vary besides the rates.
+        **options
+            ``names``, ``marks``, ``limits``, ``label``, ``title`` and ``plane``; see
+            `flexel.pictures.loci.root_loci`.  Branches are named after the degree of freedom that takes part most.
 
-    def to_xarray(self) -> Any:
+        Examples
+        --------
+        >>> loci.plot("loci.png", names={"weave": (6.0, -1.5), "capsize": (8.0, 0.2)})  # doctest: +SKIP
+        """
+        from flexel.pictures.figures import axis_label
+        from flexel.pictures.loci import plot_loci
+
+        label = axis_label([self.name], self.unit) if self.unit else self.name
+        return plot_loci(self.branches(variant), path, **{"label": label, **options})
+
+    def to_xarray(self) -> Dataset:
         """The branches as an xarray.Dataset, besides those of `Linearizations.to_xarray`."""
         found, w = self.linearizations.to_xarray(), self.eigenvalues
         axes = (

@@ -4,25 +4,26 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, SupportsIndex, overload
 
 import numpy as np
 
-from flexel.base.arguments import number, path_of
+from flexel.base.arguments import number
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
+from flexel.base.outside import DataFrame, Dataset
 from flexel.integration.ledger import energy_balance
 from flexel.mechanics.core import Core
+from flexel.results.drawn import DrawnMotion
 from flexel.results.quantities import history
 from flexel.structure.state import State
 from flexel.structure.structure import Structure
 
 if TYPE_CHECKING:
     from flexel.integration.outcome import Integration
-    from flexel.pictures.view import Page
 
 
-class Motion(Sequence[State]):
+class Motion(DrawnMotion, Sequence[State]):
     """The states of a simulated or prescribed motion at the stored times, from a simulation or a file.
 
     ``motion["rod.bend1"]`` is the time history (nt,) of a quantity, ``motion["rod.bend1'"]`` of its rate,
@@ -55,7 +56,7 @@ class Motion(Sequence[State]):
         self.message = integration.message
         self.ledger = integration.ledger
         self.rechoices = integration.rechoices
-        self.t = np.array(integration.states.times)
+        self.t: Array = np.array(integration.states.times)
 
     def __len__(self) -> int:
         return len(self._states)
@@ -66,7 +67,13 @@ class Motion(Sequence[State]):
     def __repr__(self) -> str:
         return f"Motion({len(self)} states, t = {self.t[0]:g} … {self.t[-1]:g} s; {self.message})"
 
-    def __getitem__(self, key: Any) -> Any:
+    @overload
+    def __getitem__(self, key: str) -> Array: ...
+    @overload
+    def __getitem__(self, key: SupportsIndex) -> State: ...
+    @overload
+    def __getitem__(self, key: slice) -> list[State]: ...
+    def __getitem__(self, key: str | SupportsIndex | slice) -> Array | State | list[State]:
         if isinstance(key, str):
             return self.series(key)[0]
         if isinstance(key, float):
@@ -212,63 +219,15 @@ class Motion(Sequence[State]):
         segment = next(z for z in self._segments if t <= z.t1)
         return segment.state(t)
 
-    # -- pictures --------------------------------------------------------------------------------
-
-    def plot(self, *names: str, path: str | Path | None = None) -> Any:
-        """Time histories of named quantities (needs matplotlib); written to `path` if given."""
-        from flexel.pictures.plot import plot_histories
-
-        return plot_histories(self, names, path)
-
-    def plot_spectrum(self, *names: str, path: str | Path | None = None, **options: Any) -> Any:
-        """Amplitudes of named quantities over the frequency; see `flexel.pictures.graphs.plot_spectra`."""
-        from flexel.pictures.graphs import plot_spectra
-
-        return plot_spectra(self, names, path, **options)
-
-    def plot_phase(self, x: str, y: str | None = None, *, path: str | Path | None = None) -> Any:
-        """One quantity against another, by default the rate of `x` against `x`."""
-        from flexel.pictures.graphs import plot_phase
-
-        return plot_phase(self, x, f"{x}'" if y is None else y, path)
-
-    def plot_shapes(self, *times: float, path: str | Path | None = None, **options: Any) -> Any:
-        """The mechanism at the stored states nearest to the times; see `flexel.pictures.deflected.plot_states`."""
-        from flexel.pictures.deflected import plot_states
-
-        return plot_states(self, times, path, **options)
-
-    def animate(self, path: str | Path, **options: Any) -> Path:
-        """Animation of the mechanism as .gif or .mp4 (needs matplotlib), or .html: see `view`."""
-        from flexel.pictures.plot import animate
-
-        return animate(self, path_of(path, "animate"), **options)
-
-    def view(self, path: str | Path, **options: Any) -> Path:
-        """An HTML page that shows the motion in any browser, offline; see `view.scene_data`."""
-        from flexel.pictures.view import view_motion
-
-        return view_motion(self, path, **options)
-
-    def page(self, **options: Any) -> Page:
-        """The same page in memory, which a notebook shows as the result of a cell; see `view.scene_data`."""
-        from flexel.pictures.view import Page, scene_data
-
-        return Page(scene_data(self, **options))
-
-    def _repr_html_(self) -> str:
-        """The motion as a notebook shows it, with a third of the frames."""
-        return self.page(frames=101, progress=False)._repr_html_()
-
     # -- tables and files ------------------------------------------------------------------------
 
-    def to_xarray(self, *names: str) -> Any:
+    def to_xarray(self, *names: str) -> Dataset:
         """An xarray.Dataset: one variable for each name, or everything, labelled, if none is given."""
         from flexel.results.saved.tables import motion_dataset
 
         return motion_dataset(self, names)
 
-    def to_pandas(self, *names: str) -> Any:
+    def to_pandas(self, *names: str) -> DataFrame:
         """A pandas.DataFrame over time, a column for each name; all values if none is given.
 
         The units are in its ``attrs["units"]``.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -10,6 +11,7 @@ import numpy as np
 from flexel.base.arguments import unknown
 from flexel.base.arrays import Array, ComplexArray
 from flexel.base.errors import ModelError
+from flexel.base.outside import DataFrame, Dataset, Figure
 from flexel.linear.harmonics import Coefficients, PeriodicVibration
 from flexel.results.motion import Motion
 from flexel.results.saved.archive import motion_of, record_of
@@ -83,21 +85,21 @@ class PeriodicSolution:
 
     # -- pictures --------------------------------------------------------------------------------
 
-    def plot(self, *names: str, path: str | Path | None = None) -> Any:
-        """Time histories over one period (needs matplotlib)."""
-        return self.motion.plot(*names, path=path)
+    def plot(self, *names: str | Sequence[str], path: str | Path | None = None, **options: Any) -> Figure:
+        """Time histories over one period (needs matplotlib), with the options of `Motion.plot`."""
+        return self.motion.plot(*names, path=path, **options)
 
-    def plot_phase(self, x: str, y: str | None = None, *, path: str | Path | None = None) -> Any:
+    def plot_phase(self, x: str, y: str | None = None, *, path: str | Path | None = None) -> Figure:
         """One quantity against another, by default the rate of `x` against `x`."""
         return self.motion.plot_phase(x, y, path=path)
 
-    def plot_spectrum(self, path: str | Path | None = None) -> Any:
+    def spectrum_plot(self, path: str | Path | None = None) -> Figure:
         """Amplitudes of the harmonics of all degrees of freedom."""
         from flexel.pictures.graphs import plot_harmonics
 
         return plot_harmonics(self.vibration, [self.unit(name) for name in self.dofs], path)
 
-    def plot_shapes(self, *times: float, path: str | Path | None = None, **options: Any) -> Any:
+    def plot_shapes(self, *times: float, path: str | Path | None = None, **options: Any) -> Figure:
         """The mechanism at the stored states nearest to the times."""
         return self.motion.plot_shapes(*times, path=path, **options)
 
@@ -124,12 +126,12 @@ class PeriodicSolution:
         header = {**own.header, "omega": c.omega, "neglected": self.vibration.neglected}
         return Record("periodic", variables, labels, own.units, header)
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """Everything as an xarray.Dataset, labelled."""
         require("xarray", "xarray")
         return self.record().to_xarray()
 
-    def to_pandas(self, *names: str) -> Any:
+    def to_pandas(self, *names: str) -> DataFrame:
         """A pandas.DataFrame over one period, a column for each name; all values if none is given."""
         return motion_frame(self.motion, names)
 

@@ -12,7 +12,7 @@ from flexel.structure.structure import Structure
 
 @dataclass(frozen=True)
 class History:
-    """What a name stands for.
+    """The quantity with a name.
 
     Attributes
     ----------
@@ -29,7 +29,7 @@ class History:
 
 
 def history(structure: Structure, name: str) -> History:
-    """What a name stands for.
+    """The quantity with a name.
 
     Raises
     ------
@@ -46,6 +46,13 @@ def history(structure: Structure, name: str) -> History:
             )
         unit = structure.internal_units[structure.internal[base]]
         return History(base, order, rate_unit(unit, 1) if order else unit)
+    if base in structure.commands:
+        if order or name != base:
+            raise ModelError(f"'{name}': the output of a controller has a value only; leave the rest out")
+        controller, place = structure.commands[base]
+        i = structure.index[controller.outputs[place]]
+        slip = structure.m <= i < structure.m + structure.k
+        return History(base, 0, force_unit(structure.units[i], slip))
     i = structure.find(base)
     slip = structure.m <= i < structure.m + structure.k  # its unit is already that of a rate
     if name.startswith("force:"):

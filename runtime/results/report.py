@@ -44,7 +44,7 @@ class Quantity:
         computed independently for this project; ``none``, if and only if there is no reference.
     tolerance_kind : str, optional
         ``relative`` to each entry of the reference itself, the default, or ``absolute``, the default for a reference
-        of zeros.  One with some zeros needs to be told.
+        of zeros.  One with some zeros must be given it.
     reason : str, optional
         Why the tolerance is larger than three times the error that is found.
     """

@@ -49,7 +49,7 @@ class RopePlane:
         walking = [z.name for z in self.surfaces if closed and z.pitch]
         if walking:
             raise ModelError(
-                f"{owner}: it is closed, and the helical groove of '{walking[0]}' would move it sideways for ever; "
+                f"{owner}: it is closed, and the helical groove of '{walking[0]}' would move it sideways without end; "
                 "give the sheave an fx.RoundGroove(…)"
             )
         ends = (None, None) if closed else (self.items[0][0], self.items[-1][0])

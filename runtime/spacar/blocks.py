@@ -1,4 +1,4 @@
-"""The blocks of a file: END and HALT are words of their own, on one line or on several, and separate them.
+"""The blocks of a file: END and HALT are separate words, on one line or on several, and separate them.
 
 Delft: END ends the model, EOF the file.  Twente: END HALT ends a block, END END the model; a picture may follow.
 """
@@ -33,6 +33,12 @@ class Raw:
         return LineError.at(self.file, self.number, self.words[0], message)
 
 
+def picture_at(raw: Sequence[Raw]) -> int:
+    """Place of the line where the appearance of a picture begins; the number of lines if none is before EOF."""
+    found = next((i for i, line in enumerate(raw) if line.key in (*PICTURE, "EOF")), len(raw))
+    return len(raw) if found < len(raw) and raw[found].key == "EOF" else found
+
+
 def recognized(raw: Sequence[Raw]) -> str:
     """The dialect that the keywords of a file belong to; Delft where they fit both.
 
@@ -42,8 +48,7 @@ def recognized(raw: Sequence[Raw]) -> str:
         Keywords of both.
     """
     seen: dict[str, int] = {}
-    picture = next((i for i, line in enumerate(raw) if line.key in PICTURE), len(raw))
-    model = raw[: picture + 1]  # what follows are other keywords
+    model = raw[: picture_at(raw) + 1]  # what follows are other keywords
     for line in model:
         if line.key not in ENDS:
             seen.setdefault(line.key, line.number)

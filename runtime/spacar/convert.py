@@ -26,6 +26,7 @@ SECTIONS = {
     "kinematic": "degrees of freedom",
     "initial": "initial values",
     "angular_velocity": "inputs of the linear model",
+    "look": "pictures",
 }
 
 

@@ -1,4 +1,4 @@
-"""Nodes and elements of a file, with what its lines say about them."""
+"""Nodes and elements of a file, with the contents of their lines."""
 
 from __future__ import annotations
 

@@ -210,7 +210,7 @@ KEYWORDS: dict[str, Usage] = {key: Usage(*form) for key, form in _FORMS.items()}
 KEYWORDS["JOBID"] = Usage("text", 0, 99, text=True)
 ROUTINES = ("USERINP", "USERSIG")  # of the user, in MATLAB
 KEYWORDS |= {key: Usage("name", 1, 9, text=True) for key in ROUTINES}
-PICTURE = ("VISUALIZATION", "VISUALIZ")  # what follows is not read
+PICTURE = ("VISUALIZATION", "VISUALIZ")  # what follows is not part of the model, see `flexel.spacar.picture`
 KEYWORDS["VISUALIZATION"] = Usage("", 0, 99, text=True)
 # of these, the first block names components; in later ones (Twente) they give values
 VALUES = {
@@ -261,5 +261,4 @@ WITHOUT_EFFECT = {
     "MATASC": "matrices are written with --out",
     "OUTLEVEL": "everything is kept; print what you need",
     "JOBID": "results are named after the file",
-    "VISUALIZATION": "colours and sections of the picture are not read",
 }

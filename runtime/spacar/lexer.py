@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import difflib
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
 from flexel.base.errors import ModelError
-from flexel.spacar.blocks import Raw, blocks, recognized
+from flexel.spacar.blocks import Raw, blocks, picture_at, recognized
 from flexel.spacar.encoding import file_lines
 from flexel.spacar.keywords import KEYWORDS, SYNONYMS, UNSUPPORTED, VALUES
 from flexel.spacar.problems import LineError, Problems
@@ -59,8 +60,10 @@ class Line:
         return int(value)
 
 
-def read_lines(path: Path, dialect: str | None, problems: Problems) -> tuple[str, list[Line]]:
-    """The dialect of a file and its lines up to the end of its model; errors in them are collected.
+def read_lines(path: Path, dialect: str | None, problems: Problems) -> tuple[str, list[Line], Sequence[Raw]]:
+    """The dialect of a file, its lines up to the end of its model, and those from VISUALIZATION on.
+
+    Errors in the lines of the model are collected.
 
     Parameters
     ----------
@@ -93,7 +96,7 @@ def read_lines(path: Path, dialect: str | None, problems: Problems) -> tuple[str
             problems.unread |= {
                 int(z) for z in line.words[1:] if z.isascii() and z.isdecimal() and len(z) < 10
             }
-    return dialect, found
+    return dialect, found, raw[picture_at(raw) :]
 
 
 def _words(line: str) -> list[str]:
@@ -117,14 +120,14 @@ def _line(raw: Raw, block: int) -> Line:
         hint = f"did you mean {', '.join(near)}?" if near else "correct it or remove the line"
         raise here.error(f"unknown keyword; {hint}")
     usage = VALUES[key] if block and key in VALUES else KEYWORDS[key]
-    values = () if usage.text else tuple(_number(here, word) for word in rest)
+    values = () if usage.text else tuple(number_in(here, word) for word in rest)
     if not usage.least <= len(rest) <= usage.most:
         what = "words" if usage.text else "numbers"
         raise here.error(f"{len(rest)} {what} given; it is written {key} {usage.form}")
     return Line(raw.file, raw.number, usage.meaning or key, written, values, rest, block)
 
 
-def _number(line: Line, word: str) -> float:
+def number_in(line: Line, word: str) -> float:
     """A number in Fortran's or C's notation; Python's underscores and digits of other scripts are not accepted."""
     try:
         value = float("" if "_" in word or not word.isascii() else word.lower().replace("d", "e"))

@@ -43,7 +43,7 @@ def linear_lines(found: Matrices) -> list[str]:
 
 
 def frequency_lines(found: Iterable[complex]) -> list[str]:
-    """Natural frequencies; what is unstable is said to grow, and how fast."""
+    """Natural frequencies; unstable motions are marked, with their growth."""
     lines = ["natural frequencies [rad/s]"]
     for w in found:
         if not w.imag:

@@ -1,4 +1,4 @@
-"""Results of an analysis in a .mat file, with the names that SPACAR's users know: x, e, sig, lnp, le, m0, k0 ..."""
+"""Results of an analysis in a .mat file, with the names of SPACAR: x, e, sig, lnp, le, m0, k0 ..."""
 
 from __future__ import annotations
 

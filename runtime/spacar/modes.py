@@ -9,6 +9,7 @@ import numpy as np
 
 from flexel.base.arrays import Array, ComplexArray
 from flexel.base.errors import DynamicsError, ModelError
+from flexel.integration.outcome import Integration
 from flexel.results.motion import Motion
 from flexel.spacar.count import count_lines
 from flexel.spacar.listing import frequency_lines, linear_lines, matrix_lines, state_lines
@@ -106,7 +107,8 @@ def _static(file: Spacar) -> Analysis:
     lines += frequency_lines(found)
     if file.model.loads:
         results["multipliers"] = np.array([z.multiplier for z in file.buckling()])
-        lines += ["load multipliers of buckling", *(f"  {z: .9e}" for z in results["multipliers"])]
+        multipliers = [f"  {z: .9e}" for z in results["multipliers"]]
+        lines += ["load multipliers of buckling", *(multipliers or ["  none: these loads do not buckle it"])]
     try:
         matrices = file.matrices(state)
     except DynamicsError as error:  # equilibria and frequencies need no mass for every degree of freedom
@@ -137,18 +139,19 @@ def _space_along(file: Spacar) -> Analysis:
 
 def _load_steps(file: Spacar) -> Analysis:
     system, states = file.static_steps()
+    motion = Motion(system, Integration.of_equilibria(states, f"{file.increments} load steps"))
     results = _histories(file, states, np.array([z.t for z in states]))
     lines = state_lines(file, states[-1])
     try:
         every = [file.matrices(state, system=system) for state in states]
     except DynamicsError as error:
-        return Analysis([*lines, f"no matrices: {error}"], results, None, states, system)
+        return Analysis([*lines, f"no matrices: {error}"], results, motion, states, system)
     stacked: Results = {name: np.array([z.as_dict()[name] for z in every]) for name in every[0].as_dict()}
     lines += linear_lines(every[-1])
     if not system.kinematic:
         stacked["frequencies"] = _real(np.array([z.frequencies() for z in every]))
         lines += frequency_lines(every[-1].frequencies())
-    return Analysis(lines, results | stacked, None, states, system)
+    return Analysis(lines, results | stacked, motion, states, system)
 
 
 def _real(found: ComplexArray) -> Array | ComplexArray:

@@ -1,4 +1,4 @@
-"""What is wrong in a file, and what is to be said about it: all of it together, what is the same only once."""
+"""The problems of a file: all of them together, each only once."""
 
 from __future__ import annotations
 

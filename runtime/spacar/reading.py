@@ -11,6 +11,7 @@ from flexel.spacar.file import STEPS
 from flexel.spacar.keywords import KEYWORDS, ROUTINES
 from flexel.spacar.lexer import Line, read_lines
 from flexel.spacar.linear import LinearModels
+from flexel.spacar.picture import Picture
 from flexel.spacar.problems import Notes, Problems
 from flexel.spacar.semantics import understand
 from flexel.spacar.sheet import Sheet
@@ -51,11 +52,12 @@ def read_spacar(path: str | Path, dialect: str | None = None) -> Spacar:
     """
     path = path_of(path, "read_spacar")
     problems, notes = Problems(), Notes()
-    dialect, lines = read_lines(path, dialect, problems)
+    dialect, lines, picture = read_lines(path, dialect, problems)
     if problems.cut:
         problems.report()
     sheet = Sheet(lines, dialect, problems, notes)
     draft = understand(sheet)
+    draft.calls += Picture(picture, sheet).calls
     increments, steps, duration = _increments(sheet), *_time_steps(sheet)
     model = checked_model(draft.gravity, draft.calls, problems)
     if draft.steps:

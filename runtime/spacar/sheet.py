@@ -137,7 +137,7 @@ class Sheet:
     # -- subjects of lines -----------------------------------------------------------------------
 
     def node(self, line: Line, place: int = 0) -> NodeEntry:
-        """The node whose number stands at a place of a line."""
+        """The node whose number is at a place of a line."""
         n = line.whole(place, "node")
         if n not in self.nodes:
             if n in self.problems.unread:
@@ -146,7 +146,7 @@ class Sheet:
         return self.nodes[n]
 
     def element(self, line: Line, place: int = 0) -> ElementEntry:
-        """The element whose number stands at a place of a line."""
+        """The element whose number is at a place of a line."""
         n = line.whole(place, "element")
         if n not in self.elements:
             if n in self.problems.unread:
@@ -167,7 +167,7 @@ class Sheet:
         return [self._component(line, node, place) for place in range(1, len(line.values))]
 
     def coordinate(self, line: Line, node_place: int = 0) -> str:
-        """Name of the coordinate that node and component on a line speak of."""
+        """Name of the coordinate that node and component on a line refer to."""
         return name_of(*self._component(line, self.node(line, node_place), node_place + 1))
 
     def _component(self, line: Line, node: NodeEntry, place: int) -> tuple[NodeEntry, int]:

@@ -6,25 +6,27 @@ One list serves both, so a converted file cannot differ from the one that was re
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Any
 
 from flexel.base.errors import ModelError
 from flexel.base.time_functions import Polynomial
+from flexel.declare.round_sections import Circle
+from flexel.declare.sections import Rectangle
 from flexel.model import Model
 from flexel.spacar.lexer import Line
 from flexel.spacar.problems import Problems
 
 # methods whose first argument is not a new name
 ABOUT_DECLARED = frozenset(
-    "fix load prescribe independent kinematic initial rigid release spring angular_velocity".split()
+    "fix load prescribe independent kinematic initial rigid release spring angular_velocity look".split()
 )
 KINDS = ("truss", "planar_truss", "beam_warping")  # of `Model.element`, which are not names of this model
 
 
 @dataclass(frozen=True)
 class Call:
-    """One method of `Model` with its arguments: numbers, texts, tuples, mappings and polynomials.
+    """One method of `Model` with its arguments: numbers, texts, tuples, mappings, polynomials and sections.
 
     Attributes
     ----------
@@ -51,6 +53,9 @@ class Call:
 
 def literal(value: Any) -> str:
     """Python source of an argument."""
+    if isinstance(value, (Rectangle, Circle)):
+        sizes = (getattr(value, z.name) for z in fields(value))
+        return f"fx.{type(value).__name__}({', '.join(map(literal, sizes))})"
     if isinstance(value, Polynomial):
         return f"fx.Polynomial({literal(tuple(value.coefficients))})"
     if isinstance(value, str):

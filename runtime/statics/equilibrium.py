@@ -6,6 +6,7 @@ independent coordinates is needed, however large the deformation; the tangent is
 
 from __future__ import annotations
 
+import logging
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -19,6 +20,7 @@ from flexel.mechanics.newton import newton, shortened
 from flexel.mechanics.saddle import Matrix, SaddlePattern
 from flexel.structure.state import State, own_state
 
+log = logging.getLogger("flexel.statics")
 POLISHING = 3  # more steps at most: where stiffnesses differ much, they gain digits
 CONVERGED, STALLED, MAX_ITERATIONS = 1e-12, 1e-9, 20
 STEP = 0.4  # largest change of a coordinate, in its natural scale, in one Newton step
@@ -125,6 +127,8 @@ def solve(problem: Rest, t: float, x: Array, mu: Array, near: Array) -> tuple[Eq
 
     limits = {"tolerance": CONVERGED, "stalled": STALLED}
     found = newton((x, mu, near), evaluate, move, **limits, most=MAX_ITERATIONS)
+    how = "found" if found.converged else "not found"
+    log.info("t = %g s: %s in %d Newton iterations, error %.3g", t, how, found.iterations, found.error)
     if not found.converged:
         return None
     best, point = (found.equations, found.error), found.point

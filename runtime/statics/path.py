@@ -6,6 +6,7 @@ time is the load parameter.
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -23,6 +24,7 @@ from flexel.statics.growth import growing_motions
 from flexel.statics.settling import descend, settle, unstable_motions
 from flexel.structure.state import State
 
+log = logging.getLogger("flexel.statics")
 ARCS = Arcs(first=0.1, largest=0.5, smallest=1e-7, steps=500)
 
 
@@ -44,6 +46,7 @@ def equilibrium(
     q, mu = _balanced(problem, t, start)
     count, state = unstable_motions(problem, q), problem.state(q.balance)
     unstable = _unstable(system, state, count, held=held.size > 0)
+    log.info("equilibrium at t = %g s%s", t, f", unstable {unstable}" if unstable else "")
     if not (unstable and stable):
         return Found(state, unstable)
     settled = settle(problem, t, q, mu) if count else None
@@ -75,12 +78,14 @@ def _balanced(problem: Rest, t: float, start: State) -> tuple[Equations, Array]:
         found = solve(problem, t, start.x, mu, start.e)
         if found is not None:
             return found
+        log.info("t = %g s: Newton's method does not converge; the unbalance is removed gradually", t)
         states, message = _follow(problem, start, mu, t, t)
         if not message:
             return _again(problem, states[-1])
         failure: FlexelError = PositionError(f"no equilibrium found at t = {t:g} s: {message}")
     except DynamicsError as error:  # the stiffness is singular
         failure = error
+    log.info("t = %g s: goes down to where forces balance, because %s", t, failure)
     found = descend(problem, t, start.x, mu, start.e)
     if found is None:
         raise failure
@@ -147,7 +152,11 @@ def _follow(problem: Rest, start: State, mu: Array, t0: float, t1: float) -> tup
         arc = follow(curve, first, (-np.inf, 1.0), ARCS, keep, finish)
     except TangentError as error:
         return states, f"the path stopped at t = {states[-1].t:g} s after {len(states)} equilibria: {error}"
-    return states, "" if arc is None else _stopped(problem, states, last, arc)
+    message = "" if arc is None else _stopped(problem, states, last, arc)
+    log.info(
+        "path to t = %g s: %d equilibria%s", states[-1].t, len(states), f"; {message}" if message else ""
+    )
+    return states, message
 
 
 @dataclass(frozen=True)

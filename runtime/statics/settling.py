@@ -1,4 +1,4 @@
-"""Whether an equilibrium is stable, and descent to a stable one where the tangent leads nowhere.
+"""Whether an equilibrium is stable, and descent to a stable one where the tangent does not lead to one.
 
 Descent: Newton's step in the eigenvectors of the stiffness on the admissible motions, with the magnitude of each
 eigenvalue, so that every part goes down in potential; each is limited.  A pendulum drawn horizontal, which no
@@ -64,7 +64,7 @@ def unstable_motions(problem: Rest, q: Equations) -> int | None:
     """Number of independent motions in which an equilibrium is unstable; None where it has no meaning.
 
     It is the number of negative eigenvalues of the tangent [K D'; D 0], less one for each condition.  It has no meaning
-    where forces have no potential (follower forces, feedback) or wheels roll; in very large models none are counted.
+    where forces have no potential (follower forces, controllers) or wheels roll; in very large models none are counted.
     """
     nf = problem.structure.nf
     scale = diags_array(problem.x_scale)

@@ -21,7 +21,7 @@ class Code(Protocol):
 
     @property
     def address(self) -> int:
-        """Address of its kernels; code from another process is loaded, or compiled, when it is first asked for."""
+        """Address of its kernels; code from another process is loaded, or compiled, at first use."""
 
 
 TABLES: dict[type, Mapping[str, Any]] = {ElementSpec: ELEMENTS, LawSpec: LAWS}
@@ -77,6 +77,7 @@ class Instance(_Row):
     profile: object = None  # section and material of a beam, if given
     mass_damping: float = 0.0  # force per momentum [1/s], the mass-proportional part of Rayleigh damping
     terms: Mapping[str, float] | None = None  # coefficients of a relation, by quantity
+    look: object = None  # how pictures show it, if that was said
 
     @property
     def p(self) -> Array:

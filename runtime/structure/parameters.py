@@ -34,7 +34,7 @@ class Place:
     Attributes
     ----------
     name : str
-        As it was asked for.
+        As requested.
     law : bool
         Whether it belongs to a law, otherwise to an element.
     owner : int
@@ -80,6 +80,16 @@ class Parameters(Mapping[str, Array]):
     def owner(self, place: Place) -> Instance | LawInstance:
         """The element or law of a parameter."""
         return self._structure.laws[place.owner] if place.law else self._structure.instances[place.owner]
+
+    def unit(self, place: Place) -> str:
+        """Unit of a parameter; of a law on a length or an angle that of the two which belongs to it."""
+        owner = self.owner(place)
+        unit = next(z.unit for z in owner.spec.parameters if z.name == place.parameter)
+        if isinstance(owner, LawInstance) and " or " in unit:
+            s, of = self._structure, [*owner.deformations, *owner.slips]
+            linear, turning = unit.split(" or ", 1)
+            return turning if s.units[s.index[of[0]]].startswith("rad") else linear
+        return unit
 
     def find(self, name: Any, owner: str) -> Place:
         """The place of a parameter; a ModelError with the nearest known names otherwise."""
@@ -129,11 +139,17 @@ def _split(name: Any) -> tuple[str, int | None]:
 
 
 def _places(structure: Structure) -> Iterator[tuple[str, Place]]:
-    """All parameters with their names; laws have also those in words."""
+    """All parameters with their names; laws have also those in words.
+
+    Gains of controllers are none: the controller has them too, for its outputs and its limits.
+    """
+    controllers = {c.name for c in structure.controllers}
     for law, owners in ((False, structure.instances), (True, structure.laws)):
         count: Counter[str] = Counter()
         for number, owner in enumerate(owners):
             count[owner.name] += 1
+            if law and owner.name in controllers:
+                continue
             label = owner.name if count[owner.name] == 1 else f"{owner.name}#{count[owner.name]}"
             first = 0
             for z in owner.spec.parameters:

@@ -133,9 +133,12 @@ class State:
         return self.rates[self.roles.dynamic]
 
     def __getitem__(self, name: str) -> float:
-        """Value of a coordinate, a deformation or a law's internal state (a slip has none: see `rate`)."""
+        """Value of a coordinate, a deformation, a law's internal state or a controller's output (slips have none)."""
         if isinstance(name, str) and name in self.structure.internal:
             return float(self.z[self.structure.internal[name]])
+        if isinstance(name, str) and name in self.structure.commands:
+            controller, place = self.structure.commands[name]
+            return float(controller.outputs_at(self)[place])
         i = self.structure.find(name)
         if self.structure.m <= i < self.structure.m + self.structure.k:
             raise ModelError(f"slip '{name}' has no value, only a rate; use rate('{name}')")

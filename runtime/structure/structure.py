@@ -17,6 +17,7 @@ from flexel.base.arguments import unknown
 from flexel.base.arrays import Array, Index
 from flexel.base.copies import Constant
 from flexel.base.errors import ModelError
+from flexel.structure.controllers import Controller
 from flexel.structure.instances import Instance, LawInstance
 from flexel.structure.nodes import Node
 from flexel.structure.relations import Relations, find_relations
@@ -43,6 +44,8 @@ class Structure(Constant):
     internal_units : tuple of str (nz)
     z0 : ndarray (nz,)
         Their initial values.
+    controllers : tuple of Controller
+        None in a structure from a file.
     """
 
     nodes: tuple[Node, ...]
@@ -62,6 +65,7 @@ class Structure(Constant):
     internal_units: tuple[str, ...] = field(repr=False)
     z0: Array = field(repr=False)
     relations: Relations = field(repr=False)
+    controllers: tuple[Controller, ...] = field(default=(), repr=False)
 
     @property
     def nz(self) -> int:
@@ -90,14 +94,20 @@ class Structure(Constant):
 
     @cached_property
     def kinked(self) -> tuple[int, ...]:
-        """Gaps of round and helical grooves: outside the groove they have a kink, in the middle between its flanks."""
-        grooves = ["groove_radius" in z.parameters for z in self.instances for _ in z.spec.deformations]
-        return tuple(i for i, groove in enumerate(grooves) if groove and self.kinds[i] == "gap")
+        """Deformations whose derivatives jump where motions may go, as their elements say: no degrees of freedom."""
+        specs = [d for z in self.instances for d in z.spec.deformations]
+        return tuple(i for i, d in enumerate(specs) if d.kinked)
 
     @property
     def has_user_code(self) -> bool:
         """Whether elements or laws are evaluated by code that was compiled for the user."""
         return any(z.code is not None for z in (*self.instances, *self.laws))
+
+    @cached_property
+    def commands(self) -> Mapping[str, tuple[Controller, int]]:
+        """Outputs of continuous controllers by name, which are computed; those of sampled ones are internal states."""
+        some = [c for c in self.controllers if c.period is None]
+        return {name: (c, i) for c in some for i, name in enumerate(c.shown)}
 
     @cached_property
     def _by_name(self) -> dict[str, Node]:
@@ -121,7 +131,10 @@ def _periods(instances: Iterable[Instance]) -> Iterator[float]:
 
 
 def assemble_structure(
-    nodes: Iterable[Node], instances: Iterable[Instance], laws: Iterable[LawInstance]
+    nodes: Iterable[Node],
+    instances: Iterable[Instance],
+    laws: Iterable[LawInstance],
+    controllers: Iterable[Controller] = (),
 ) -> Structure:
     """Order the coordinates, number the quantities and check that names are unique."""
     nodes, instances, laws = tuple(nodes), tuple(instances), tuple(laws)
@@ -163,4 +176,5 @@ def assemble_structure(
         internal_units=tuple(z.unit for law in laws for z in law.spec.states),
         z0=np.array([z for law in laws for z in law.z0], dtype=float),
         relations=find_relations(instances, index, len(names)),
+        controllers=tuple(controllers),
     )

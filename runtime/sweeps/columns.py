@@ -70,7 +70,7 @@ class ColumnFile:
             data, place = data[written:], place + written
 
     def _become_complex(self) -> None:
-        """Make room for imaginary parts, which came only now, such as of eigenvalues that were all real."""
+        """Add imaginary parts, which appear only now, such as of eigenvalues that were all real."""
         old = np.load(self.path, mmap_mode="r")
         new = self.made(self.path.with_suffix(".new"), self.shape[0], self.shape[1:], complex)
         rows = max(1, PIECE // new.row_bytes)

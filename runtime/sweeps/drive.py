@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from collections import deque
 from collections.abc import Iterator
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Future, wait
@@ -16,12 +17,13 @@ from flexel.sweeps.points import Points
 from flexel.sweeps.store import Store
 from flexel.sweeps.work import Job, Outcome, work
 
+log = logging.getLogger("flexel.sweep")
 TARGET = 0.2  # time that a chunk is to take [s], at least: handing one out costs 0.5 ms of this process, 5 with dask
 # Time between two chunks [s], which take longer with many workers, so that this process keeps up.
 APART = 0.01
 LARGEST = 20_000  # points of a chunk
 MOST_BYTES = 1 << 24  # results of a chunk
-AHEAD = 2  # chunks handed out for each worker, so that none waits
+AHEAD = 2  # chunks submitted for each worker, so that none waits
 PARTS = 16  # of a chunk in which a point kills its worker
 PATIENCE = 3  # points that may kill their workers before any other has been computed
 
@@ -36,7 +38,7 @@ class Chunk:
 
     @property
     def alone(self) -> bool:
-        """After a second death nothing else is computed at the same time, so that it is known whose fault it is."""
+        """After a second death nothing else is computed at the same time, so that the cause is known."""
         return self.deaths > 1
 
     def parts(self) -> list[Chunk]:
@@ -47,7 +49,7 @@ class Chunk:
 
 
 class Drive:
-    """A sweep under way.
+    """A running sweep.
 
     Until the form of the results is known, each worker gets one chunk at a time, and nothing is stored before all of
     them have come back: the form is that of the first point that succeeds, whichever worker is faster.
@@ -100,7 +102,7 @@ class Drive:
             columns = self.points.columns(chunk.begin, chunk.end)
             try:
                 future = self.pool.executor.submit(work, self.job, chunk.begin, columns)
-            except self.pool.deaths as error:  # it broke down before the futures told
+            except self.pool.deaths as error:  # it broke down before the futures reported it
                 self._broken(error)
                 self._blame(chunk, error)
                 return
@@ -145,7 +147,8 @@ class Drive:
                 f"sweep: the executor failed with {type(error).__name__}: {error}; what workers import must be "
                 "installed where they are"
             ) from error
-        del self.pending[future]
+        chunk = self.pending.pop(future)
+        log.debug("points %d to %d in %.3g s", chunk.begin, chunk.end - 1, outcome.seconds)
         self.succeeded = True
         each = outcome.seconds / outcome.count
         self.seconds = each if self.seconds is None else (self.seconds + each) / 2
@@ -163,7 +166,7 @@ class Drive:
         self.held.clear()
 
     def _died(self, future: Future[Outcome], error: BaseException) -> None:
-        """The worker of a chunk is gone; an executor of processes has then lost all that it had."""
+        """The worker of a chunk has died; an executor of processes has then lost all that it had."""
         if isinstance(error, BrokenExecutor):
             self._broken(error)
         else:
@@ -181,6 +184,7 @@ class Drive:
 
     def _blame(self, chunk: Chunk, error: BaseException) -> None:
         """Do a chunk again: at first as before, then alone and in parts, until one point is left."""
+        log.info("the worker of points %d to %d died: %s", chunk.begin, chunk.end - 1, error)
         died = replace(chunk, deaths=chunk.deaths + 1)
         if chunk.alone and chunk.end - chunk.begin == 1:
             self._give_up(chunk, error)

@@ -41,10 +41,13 @@ class Cluster(Executor):
 
     def __init__(self, client: Any) -> None:
         self.client = client
-        self._known = (-math.inf, 1)  # when the scheduler was asked for its workers, and how many there were
+        self._known = (
+            -math.inf,
+            1,
+        )  # when the scheduler was queried for its workers, and how many there were
 
     def threads(self) -> int:
-        """The number of threads of all workers, asked for once in a second."""
+        """The number of threads of all workers, updated once a second."""
         if time.monotonic() - self._known[0] > 1:
             self._known = (time.monotonic(), max(1, sum(self.client.nthreads().values())))
         return self._known[1]
@@ -69,7 +72,7 @@ def _fetch(local: Future[Any], remote: Any) -> None:
 
 
 def _end(executor: Executor, at_once: bool) -> None:
-    """Let workers end after what they do now; after an interrupt nobody waits for that."""
+    """Let workers end after what they do now; after an interrupt this is not waited for."""
     executor.shutdown(wait=not at_once, cancel_futures=True)
 
 
@@ -118,7 +121,7 @@ class Pool:
 
 
 def pool_of(executor: Any, workers: int | None) -> Pool:
-    """The pool for what was given to `fx.sweep` as executor."""
+    """The pool for the executor that was given to `fx.sweep`."""
     if workers is not None:
         workers = whole(workers, "sweep", "workers")
     named = executor if isinstance(executor, str) else ""

@@ -90,10 +90,10 @@ def _result(name: str, value: Any) -> tuple[Form, Numbers]:
 
 
 def _labels(coordinate: Any) -> list[Any]:
-    """Labels along a dimension: numbers or texts."""
+    """Labels along a dimension: numbers or strings."""
     values = np.asarray(coordinate)
     if values.dtype.kind not in "biufUO":
-        raise ModelError(f"analyse returned labels {_brief(values)}; label with numbers or texts")
+        raise ModelError(f"analyse returned labels {_brief(values)}; label with numbers or strings")
     return [str(z) for z in values] if values.dtype.kind == "O" else values.tolist()
 
 
@@ -114,7 +114,7 @@ def _check(forms: list[tuple[str, Form]], taken: tuple[str, ...]) -> None:
 
 
 def misfit(found: Forms, known: Forms) -> str | None:
-    """Why results cannot stand beside those of other points; None if they can."""
+    """Why results cannot be combined with those of other points; None if they can."""
     if found == known:
         return None
     there, here = dict(known), dict(found)

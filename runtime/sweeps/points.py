@@ -72,7 +72,7 @@ class Points:
         return ", ".join(f"{name} = {value!r}" for name, value in self.point(index).items())
 
     def described(self) -> dict[str, Any]:
-        """What tells these points from others, for JSON: sizes and digests of the values by name."""
+        """What distinguishes these points from others, for JSON: sizes and digests of the values by name."""
         return {
             "grid": self.is_grid,
             "parameters": {name: [len(z), _digest(z)] for name, z in self.values.items()},
@@ -99,7 +99,7 @@ def grid(axes: Mapping[str, Iterable[Any]]) -> Points:
     Parameters
     ----------
     axes : mapping of str to sequence
-        Numbers, texts or booleans by parameter of ``build``. The last parameter changes first.
+        Numbers, strings or booleans by parameter of ``build``. The last parameter changes first.
 
     Examples
     --------
@@ -142,7 +142,7 @@ def points_of(given: Any) -> Points:
     if isinstance(given, Iterable) and not isinstance(given, str | bytes):
         return listed(given)
     raise ModelError(
-        f"{OWNER}: {given!r} are no points; give {{'parameter': [values…]}}, a list of points, or a sample"
+        f"{OWNER}: {given!r} is not a set of points; give {{'parameter': [values…]}}, a list of points, or a sample"
     )
 
 
@@ -157,7 +157,7 @@ def _columns(given: Mapping[str, Iterable[Any]]) -> dict[str, Column]:
 
 
 def _column(name: str, given: Any) -> Column:
-    """The values of one parameter: all numbers, all texts or all booleans."""
+    """The values of one parameter: all numbers, all strings or all booleans."""
     if isinstance(given, str | bytes) or not isinstance(given, Iterable):
         raise ModelError(f"{OWNER}: '{name}' is {given!r}; give a list of values")
     values = given if isinstance(given, np.ndarray) else list(given)
@@ -168,7 +168,7 @@ def _column(name: str, given: Any) -> Column:
         kinds = {"f"}
     if len(kinds) > 1 or not kinds <= set("bifU") or np.ndim(values) != 1:
         raise ModelError(
-            f"{OWNER}: the values of '{name}' are not all numbers, all texts or all booleans; "
+            f"{OWNER}: the values of '{name}' are not all numbers, all strings or all booleans; "
             "give such values, and let build look up what they stand for"
         )
     column = np.array(values, {"b": bool, "i": np.int64, "f": float, "U": str}[kinds.pop()])
@@ -186,7 +186,9 @@ def _kind(value: Any) -> str:
 def _gathered(points: Iterable[Mapping[str, Any]]) -> dict[str, Column]:
     """Points that come one by one, as columns."""
     if not isinstance(points, Iterable):
-        raise ModelError(f"{OWNER}: {points!r:.60} are no points; give a mapping, or a list of mappings")
+        raise ModelError(
+            f"{OWNER}: {points!r:.60} is not a set of points; give a mapping, or a list of mappings"
+        )
     source, names, parts, total = iter(points), None, [], 0
     while block := list(islice(source, BLOCK)):
         for i, point in enumerate(block, start=total):
@@ -209,7 +211,7 @@ def _gathered(points: Iterable[Mapping[str, Any]]) -> dict[str, Column]:
 def _joined(name: str, columns: list[Column]) -> Column:
     """The parts of a column in one; whole numbers and fractions may alternate, other kinds may not."""
     if len({z.dtype.kind.replace("i", "f") for z in columns}) > 1:
-        raise ModelError(f"{OWNER}: the values of '{name}' are not all numbers, all texts or all booleans")
+        raise ModelError(f"{OWNER}: the values of '{name}' are not all numbers, all strings or all booleans")
     return np.concatenate(columns)
 
 

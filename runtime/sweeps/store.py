@@ -166,7 +166,7 @@ class Store:
         self._describe()
 
     def write(self) -> None:
-        """Bring everything to disk: values and messages first, then the status."""
+        """Write everything to disk: values and messages first, then the status."""
         for file in self._files.values():
             file.sync()
         self._messages.flush()
@@ -205,7 +205,7 @@ def forms_of(kept: dict[str, Any]) -> Forms | None:
         return tuple((name, Form.from_json(form)) for name, form in kept["results"])
     except (KeyError, TypeError, ValueError, AttributeError) as error:
         raise ModelError(
-            f"sweep: sweep.json does not describe its results any more ({error!r:.100}); the file is damaged: take a "
+            f"sweep: sweep.json no longer describes its results ({error!r:.100}); the file is damaged: take a "
             "copy of it, or sweep again in another folder"
         ) from error
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import logging
 import sys
 import tempfile
 import warnings
@@ -27,6 +28,8 @@ from flexel.sweeps.work import Job
 
 if TYPE_CHECKING:
     import xarray
+
+log = logging.getLogger("flexel.sweep")
 
 
 def sweep(
@@ -64,7 +67,7 @@ def sweep(
         Results go to this folder as they come. The same call continues what was interrupted in whatever way. Without it
         they are kept in memory at the end.
     chunk : int, optional
-        Number of points handed to a worker at a time; by default as many as take 0.2 s.
+        Number of points given to a worker at a time; by default as many as take 0.2 s.
     retry_failed : bool
         Compute points again that failed when the folder was written.
     progress : bool, optional
@@ -113,9 +116,11 @@ def sweep(
         interrupted = False
         if any(True for _ in store.missing(retry_failed)):
             pool = pool_of(executor, workers)
+            log.info("%d points, %d done before; %d workers", len(chosen), _count(store, DONE), pool.slots())
             job = Job.of(build, analyse, pickled=not pool.shares_memory)
             interrupted = _driven(job, chosen, store, pool, show, retry_failed, chunk)
         store.write()
+        log.info("%d points done, %d failed", _count(store, DONE), _count(store, FAILED))
         data = dataset_of(place, chosen)
         return _told(data if folder is not None else data.copy(deep=True), store, interrupted)
 
@@ -124,7 +129,7 @@ def _driven(
     job: Job, points: Points, store: Store, pool: Pool, show: bool, retry_failed: bool, chunk: int | None
 ) -> bool:
     """Compute what is missing; returns whether Ctrl-C ended it."""
-    interrupted = True  # also by an error: nobody waits for what is still under way
+    interrupted = True  # also by an error: what is still under way is not waited for
     with tqdm(total=len(points), disable=not show, unit="point", leave=False) as bar:
         drive = Drive(job, points, store, pool, bar)
         try:
@@ -140,7 +145,7 @@ def _driven(
 
 def _told(data: xarray.Dataset, store: Store, interrupted: bool) -> xarray.Dataset:
     """The dataset with a message that says if it is not complete; a warning if points failed."""
-    done, failed = (int(np.count_nonzero(store.status == z)) for z in (DONE, FAILED))
+    done, failed = (_count(store, z) for z in (DONE, FAILED))
     message = data.attrs["message"]
     if interrupted:
         data.attrs["message"] = f"interrupted: {message}"
@@ -151,8 +156,13 @@ def _told(data: xarray.Dataset, store: Store, interrupted: bool) -> xarray.Datas
     return data
 
 
+def _count(store: Store, status: int) -> int:
+    """Number of points with a status."""
+    return int(np.count_nonzero(store.status == status))
+
+
 def _check(build: Callable[..., Any], names: tuple[str, ...], analyse: Callable[[Any], Any]) -> None:
-    """Refuse what is no function, and parameters that `build` does not have or still needs."""
+    """Refuse what is not a function, and parameters that `build` does not have or still needs."""
     for what, given in (("build", build), ("analyse", analyse)):
         if not callable(given):
             raise ModelError(f"sweep: {what} is {given!r}; give a function")

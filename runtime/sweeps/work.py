@@ -1,4 +1,4 @@
-"""What a worker does: it builds and analyses the points that it is handed, one after another.
+"""The task of a worker: it builds and analyses the points that it receives, one after another.
 
 Everything here goes through `pickle` by name, so any executor can run it; the user's functions go along as bytes of
 `cloudpickle`, which takes functions of scripts and notebooks too.
@@ -72,7 +72,7 @@ class Outcome:
 
 
 def work(job: Job, begin: int, columns: Mapping[str, list[Any]]) -> Outcome:
-    """Build and analyse a chunk of points, those from `begin` on, whose parameters stand in columns."""
+    """Build and analyse a chunk of points, those from `begin` on, whose parameters are columns."""
     start, names = time.perf_counter(), tuple(columns)
     functions = _loaded(job.functions) if isinstance(job.functions, bytes) else job.functions
     build, analyse = functions

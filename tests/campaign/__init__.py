@@ -1,1 +1,1 @@
-"""The property campaign: random models, each held against independent equations of motion and against itself."""
+"""The property campaign: random models, each compared with independent equations of motion and against itself."""

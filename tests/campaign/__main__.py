@@ -16,7 +16,7 @@ from campaign.run import run, table, written  # noqa: E402
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run; the exit status is 1 where a model has failed."""
     parser = argparse.ArgumentParser(
-        prog="python -m campaign", description="Random models, held against properties."
+        prog="python -m campaign", description="Random models, checked for properties."
     )
     parser.add_argument("--models", type=int, default=5000, help="how many (5000)")
     parser.add_argument("--seed", type=int, help="a random one by default; it is printed")

@@ -1,4 +1,4 @@
-"""The twins of flexible elements: errors in them are noticed, and a rope written as calls is the rope as laid."""
+"""The twins of flexible elements: errors in them are noticed, and a rope written as calls is the rope that was laid."""
 
 from collections.abc import Callable
 from typing import Any

@@ -1,4 +1,4 @@
-"""`flexel bench` measures, writes JSON, and tells what fails. Nothing here depends on how long anything takes."""
+"""`flexel bench` measures, writes JSON, and reports what fails. Nothing here depends on how long anything takes."""
 
 import json
 import os
@@ -29,10 +29,17 @@ def run(*arguments: str) -> Result:
     return CliRunner().invoke(cli.main, ["bench", *arguments])
 
 
+@pytest.fixture(autouse=True)
+def few_readings(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of the yardstick, which all rows are printed with."""
+    monkeypatch.setattr(timing, "MOST", 20)
+
+
 @pytest.fixture
 def quick(monkeypatch: pytest.MonkeyPatch) -> None:
     """Spend next to no time on a row."""
     monkeypatch.setattr(timing, "BUDGET", 1e-3)
+    monkeypatch.setattr(timing, "FEWEST", 1)
 
 
 def rows(monkeypatch: pytest.MonkeyPatch, **works: Work | Exception) -> None:
@@ -110,7 +117,7 @@ def test_a_file_that_cannot_be_meant_is_refused_before_anything_is_measured(file
 
 
 @pytest.mark.usefixtures("quick")
-def test_a_row_that_fails_or_is_inaccurate_is_told_after_the_others(
+def test_a_row_that_fails_or_is_inaccurate_is_reported_after_the_others(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     """Exit status 1; a row that failed has no value, an inaccurate one keeps its own and is marked."""

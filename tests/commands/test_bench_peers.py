@@ -37,6 +37,12 @@ def ticking(seconds: float, error: float = 0.0) -> Work:
     return Work(work, error=float, clock=lambda: time[0])
 
 
+@pytest.fixture(autouse=True)
+def few_readings(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of the yardstick, which all rows are printed with."""
+    monkeypatch.setattr(timing, "MOST", 20)
+
+
 @pytest.fixture
 def programs(monkeypatch: pytest.MonkeyPatch) -> Callable[..., None]:
     """A function that puts one row, of 2 s a run, beside the peers of these names."""
@@ -76,7 +82,7 @@ def test_a_row_has_its_peers_in_json_and_in_the_table(programs: Callable[..., No
     assert "aim" not in lines["quick"] and lines["absent"].split(maxsplit=1)[1] == "not installed"
 
 
-def test_a_peer_that_fails_or_is_inaccurate_is_told_and_the_row_goes_on(
+def test_a_peer_that_fails_or_is_inaccurate_is_reported_and_the_row_goes_on(
     programs: Callable[..., None],
 ) -> None:
     def broken() -> Work:

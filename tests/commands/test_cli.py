@@ -128,7 +128,7 @@ def test_a_number_that_is_off_fails(pendulum: list[Path | None], monkeypatch: py
     assert "not reproduced: pendulum: g" in result.stderr
 
 
-def test_an_error_of_flexel_is_told_without_traceback(
+def test_an_error_of_flexel_is_reported_without_traceback(
     pendulum: list[Path | None], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A system that cannot be computed ends in one line and exit status 1."""
@@ -223,7 +223,7 @@ def test_a_long_array_shows_its_worst_entry() -> None:
     assert line.startswith("eigenvalues[7,2] (worst of 44)") and "1.0e-02" in line and "NO" in line
 
 
-def test_a_path_that_cannot_be_written_is_told_in_one_line(
+def test_a_path_that_cannot_be_written_is_reported_in_one_line(
     pendulum: list[Path | None], tmp_path: Path
 ) -> None:
     """JSON in a folder that is not there is refused before anything is computed; a folder cannot be in a file."""

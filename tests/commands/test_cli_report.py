@@ -139,7 +139,7 @@ BROKEN = changed(CAMPAIGN, "failures", to=[{"program": "m = <fx>", "property": "
 
 
 @pytest.mark.parametrize(
-    ("files", "told"),
+    ("files", "reported"),
     [
         ({"verify": changed(changed(VERIFY, "ok", to=False), "rows", 0, "ok", to=False)}, "truss.position.De: 3.4e-11"),
         ({"verify": changed(changed(VERIFY, "ok", to=False), "rows", to=[])}, "nothing was verified"),
@@ -157,13 +157,13 @@ BROKEN = changed(CAMPAIGN, "failures", to=[{"program": "m = <fx>", "property": "
     ],
 )  # fmt: skip
 def test_a_failure_stands_at_the_top_and_in_the_exit_status(
-    page: Page, files: dict[str, Any], told: str
+    page: Page, files: dict[str, Any], reported: str
 ) -> None:
     result, text = page(**files)
-    assert result.exit_code == 1 and told in result.stderr
+    assert result.exit_code == 1 and reported in result.stderr
     top = text[: text.index("<nav>")]
     assert "No failure" not in top and "1 failure</strong>" in top
-    assert told in top and 'class="bad"' in text[text.index("<nav>") :]
+    assert reported in top and 'class="bad"' in text[text.index("<nav>") :]
 
 
 def test_the_program_of_a_failed_property_is_printed(page: Page) -> None:
@@ -173,7 +173,7 @@ def test_the_program_of_a_failed_property_is_printed(page: Page) -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "content", "told"),
+    ("name", "content", "reported"),
     [
         ("verify", '{"ok": tr', "not JSON"),
         ("verify", "[" * 100_000, "not JSON"),
@@ -186,14 +186,14 @@ def test_the_program_of_a_failed_property_is_printed(page: Page) -> None:
         ("reproduce", json.dumps(changed(REPRODUCE, "quantities", 0, "computed", to=["x"])), "'tip' is damaged"),
         ("bench", json.dumps(changed(BENCH, 0, "peers", "symbrim", to=[1])), "the file[0].peers.symbrim is [1], not"),
         ("campaign", "null", "the file is null, not an object"),
-        ("sanitize", json.dumps(changed(SANITIZE, "found", to=[1])), "the file.found[0] is 1, not a text"),
+        ("sanitize", json.dumps(changed(SANITIZE, "found", to=[1])), "the file.found[0] is 1, not a string"),
         ("facts", "{", "not JSON"),
     ],
 )  # fmt: skip
-def test_a_damaged_file_is_named_with_the_remedy(page: Page, name: str, content: str, told: str) -> None:
+def test_a_damaged_file_is_named_with_the_remedy(page: Page, name: str, content: str, reported: str) -> None:
     result, text = page(**{name: content})
     assert result.exit_code == 1 and isinstance(result.exception, SystemExit)
-    assert told in result.stderr and "again: flexel report --run" in result.stderr
+    assert reported in result.stderr and "again: flexel report --run" in result.stderr
     assert f"{name}.json" in result.stderr or "beams" in result.stderr
     assert text == ""
 

@@ -1,10 +1,7 @@
 """`flexel run` builds, simulates and saves a user's model, and says in one line what is wrong with a file."""
 
-import os
-import signal
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import numpy as np
@@ -180,25 +177,16 @@ def test_options_of_models_are_refused_for_spacar_files(
 
 def test_ctrl_c_keeps_the_motion_so_far(tmp_path: Path) -> None:
     long = PENDULUM + "simulate = {'duration': 1000.0, 'samples': 100001}\nprint('started', flush=True)\n"
-    command = [sys.executable, "-m", "flexel", "run", str(written(tmp_path, long)), "--out", str(tmp_path)]
-    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    assert process.stdout is not None
-    assert process.stdout.readline() == "started\n"
-    assert process.stdout.readline().startswith("System(")
-    time.sleep(1.5)
-    os.kill(process.pid, signal.SIGINT)
-    output, errors = process.communicate(timeout=60)
-    assert process.returncode == 130, errors
-    assert "interrupted at t = " in output and "Traceback" not in errors
+    answer = interrupted(written(tmp_path, long), tmp_path)
+    assert answer.stdout.startswith("started\nSystem(")
+    assert "interrupted at t = " in answer.stdout and "Traceback" not in answer.stderr
     assert 1 < len(fx.load(tmp_path / "pendulum.npz")) < 100001
 
 
 def test_ctrl_c_in_a_spacar_file_says_so_and_keeps_the_motion(tmp_path: Path, checkout: Path) -> None:
     text = (checkout / "tests" / "data" / "slider_crank.dat").read_text()
     file = written(tmp_path, text.replace("TIMESTEP 100 5.0", "TIMESTEP 20000 20.0"), "crank.dat")
-    command = [sys.executable, "-c", INTERRUPTING, str(file), str(tmp_path)]
-    answer = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
-    assert answer.returncode == 130, answer.stderr
+    answer = interrupted(file, tmp_path)
     assert "interrupted at t = " in answer.stdout and "Traceback" not in answer.stderr
     motion = fx.load(tmp_path / "crank_motion.npz")
     assert isinstance(motion, fx.Motion) and 0 < motion.t[-1] < 20
@@ -220,3 +208,11 @@ def interrupted(self, *arguments):
 DenseRun._store = interrupted
 main(["run", sys.argv[1], "--out", sys.argv[2]])
 """
+
+
+def interrupted(file: Path, folder: Path) -> subprocess.CompletedProcess[str]:
+    """What the command prints that gets Ctrl-C after some states of a motion."""
+    command = [sys.executable, "-c", INTERRUPTING, str(file), str(folder)]
+    answer = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
+    assert answer.returncode == 130, answer.stderr
+    return answer

@@ -80,7 +80,7 @@ def test_a_file_is_swept_into_a_folder(study: Path, tmp_path: Path, monkeypatch:
     assert "parts" not in sys.modules or sys.path[0] != str(tmp_path)
 
 
-def test_points_that_fail_are_told_and_computed_again(study: Path, tmp_path: Path) -> None:
+def test_points_that_fail_are_reported_and_computed_again(study: Path, tmp_path: Path) -> None:
     out = tmp_path / "results"
     study.write_text(STUDY.replace("[1.0, 2.0]", "[1.0, -2.0]"), encoding="utf-8")
     first = run(study, "--out", out)
@@ -130,9 +130,9 @@ def test_what_was_interrupted_or_killed_is_continued(tmp_path: Path, number: int
         time.sleep(0.02)
     os.killpg(running.pid, number) if number == signal.SIGINT else running.kill()
     assert running.wait(timeout=60) == status
-    told = (tmp_path / "printed").read_text(encoding="utf-8")
-    assert "Traceback" not in told
-    assert ("interrupted" in told and "the same command continues" in told) == (status == 130)
+    reported = (tmp_path / "printed").read_text(encoding="utf-8")
+    assert "Traceback" not in reported
+    assert ("interrupted" in reported and "the same command continues" in reported) == (status == 130)
     kept = int(np.load(out / "status.npy").sum())
     assert 20 <= kept < 3000
     file.write_text(MANY.replace("0.01", "0").replace("2.0 * a", "-1.0"), encoding="utf-8")

@@ -27,8 +27,8 @@ def test_the_parts_are_made_and_the_page_says_when(tmp_path: Path, monkeypatch: 
     (folder / "bench.json").write_text("old")
     programs = {"verify": VERIFY, "bench": BENCH}
 
-    def command(part: str, file: Path, wish: making.Wish) -> tuple[list[str], None]:
-        assert (wish.rows, wish.models, wish.seed) == (["chain_40"], 7, 3)
+    def command(part: str, file: Path, request: making.Request) -> tuple[list[str], None]:
+        assert (request.rows, request.models, request.seed) == (["chain_40"], 7, 3)
         code = f"open({str(file)!r}, 'w').write({json.dumps(programs[part])!r})"
         return [sys.executable, "-c", code if part == "verify" else "raise SystemExit(3)"], None
 
@@ -46,8 +46,17 @@ def test_the_parts_are_made_and_the_page_says_when(tmp_path: Path, monkeypatch: 
     assert made["verify"]["date"] in text and "3.4e-11" in text
 
 
-@pytest.mark.slow
-def test_a_real_row_of_the_benchmarks_is_measured(tmp_path: Path) -> None:
+QUICK = """
+import runpy, sys
+from flexel.benchmarks import timing
+timing.BUDGET, timing.MOST = 1e-3, 20
+runpy.run_module(sys.argv.pop(1), run_name="__main__", alter_sys=True)
+"""
+
+
+def test_a_real_row_of_the_benchmarks_is_measured(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """By the command itself, which spends next to no time on it."""
+    monkeypatch.setattr(making, "PYTHON", (sys.executable, "-c", QUICK))
     result = report("--run", "bench", "--rows", "kernels_beam", "--from", str(tmp_path / "made"))
     assert result.exit_code == 0, result.output
     assert "kernels_beam" in (tmp_path / "made.html").read_text(encoding="utf-8")
@@ -62,21 +71,23 @@ def test_what_needs_a_checkout_says_so(part: str, tmp_path: Path, monkeypatch: p
 
 
 @pytest.mark.parametrize(
-    ("arguments", "told"),
+    ("arguments", "reported"),
     [
         (["--run", "verfy"], "no part named 'verfy'; there are: verify, reproduce"),
         (["--run"], "write --run and the parts"),
         (["verify"], "write --run and the parts"),
     ],
 )
-def test_arguments_that_cannot_be_meant_are_refused(arguments: list[str], told: str, tmp_path: Path) -> None:
+def test_arguments_that_cannot_be_meant_are_refused(
+    arguments: list[str], reported: str, tmp_path: Path
+) -> None:
     result = report(*arguments, "--from", str(tmp_path))
-    assert result.exit_code == 2 and told in result.stderr
+    assert result.exit_code == 2 and reported in result.stderr
 
 
 def test_all_parts_have_a_command(tmp_path: Path) -> None:
-    wish = making.Wish(["chain_40"], 5, 2)
-    commands = {part: making._command(part, tmp_path / "x.json", wish)[0] for part in NAMES}
+    request = making.Request(["chain_40"], 5, 2)
+    commands = {part: making._command(part, tmp_path / "x.json", request)[0] for part in NAMES}
     assert commands["bench"][1:] == ["-m", "flexel", "bench", "chain_40", "--json", str(tmp_path / "x.json")]
     assert commands["campaign"][1:7] == ["-m", "campaign", "--models", "5", "--seed", "2"]
     assert (

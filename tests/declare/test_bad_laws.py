@@ -56,8 +56,8 @@ LAWS = {
     ),
     "damper on a slip that comes later": built(
         lambda m: (m.spring("R1.omega.wx", damping=1), m.angular_velocity("R1")),
-        "'R1.omega.wx' is not a deformation",
-        "before the damper on its slip",
+        "spring on 'R1.omega.wx': unknown name 'R1.omega.wx'",
+        "known: pivot.angle",
     ),
     "spring of nothing": built(
         lambda m: m.spring("pivot.angle"), "spring on 'pivot.angle'", "give one of them"

@@ -145,7 +145,9 @@ LOADS = {
     "math.sin": built(
         lambda m: m.load("pivot.angle", lambda t: math.sin(t)), "'pivot.angle'", "np.sin, not math.sin"
     ),
-    "slip not measured": built(lambda m: m.load("R1.omega.wx", 1), "'R1.omega.wx'", "did you mean"),
+    "slip not measured": built(
+        lambda m: m.load("R1.omega.wx", 1), "unknown name 'R1.omega.wx'", "known: pivot.angle"
+    ),
     "angular velocity of a point": built(
         lambda m: m.angular_velocity("A"), "angular_velocity", "needs a frame"
     ),

@@ -29,7 +29,7 @@ import flexel as fx
         ("screw 'z': pitch 0 lets the nut turn", lambda m: m.screw("z", "a", "b", AT, AXIS, pitch=0.0)),
         ("universal joint 'z': its pins are parallel", lambda m: m.universal("z", "a", "b", AT, AXIS, AXIS)),
         ("joint 'z': friction 3 are not numbers", lambda m: m.revolute("z", "a", "b", AT, AXIS, friction=3)),
-        ("rigid body 'ground': the ground is there already", lambda m: m.rigid_body("ground", (0, 0, 0))),
+        ("rigid body 'ground': the ground exists already", lambda m: m.rigid_body("ground", (0, 0, 0))),
         ("rigid body 'z': mass is given without inertia", lambda m: m.rigid_body("z", (0, 0, 0), mass=1.0)),
         ("body 'z_body': .* triangle", lambda m: m.rigid_body("z", (0, 0, 0), mass=1.0, inertia=(1, 1, 3))),
         ("point 'a': this name is taken", lambda m: m.rigid_body("a", (0, 0, 0))),
@@ -78,7 +78,7 @@ def test_a_name_of_the_users_own_may_be_ground() -> None:
     m.frame("ground", fixed=True)
     m.point("O", (0, 0, 0), fixed=True)
     m.rigid_body("a", (0, 0, 0), mass=1.0, inertia=(1, 1, 1))
-    with pytest.raises(fx.ModelError, match="revolute 'z': 'ground' is a name of your own here"):
+    with pytest.raises(fx.ModelError, match="revolute 'z': 'ground' is a name in this model"):
         m.revolute("z", "ground", "a", (0, 0, 0), axis=AXIS)
     m.revolute("z", ("O", "ground"), "a", (0, 0, 0), axis=AXIS)
     assert m.build().dynamic == ("z.angle",)

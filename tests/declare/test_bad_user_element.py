@@ -43,6 +43,11 @@ def test_an_energy_that_is_not_that_of_the_stress_is_refused() -> None:
             "'wrong': deformation 'd': the pieces .* do not join smoothly",
         ),
         (sp.Piecewise((0, P.x[0] < L0.symbol), (1, True)), "do not join smoothly where l0 - p_x = 0"),
+        (sp.Piecewise((sp.sqrt(P.x[0]), P.x[0] > 0), (0, True)), "do not join smoothly where p_x = 0"),
+        (
+            sp.Piecewise((P.x[0], P.x[0] > 0)),
+            "'d': .* has no value on one side of p_x = 0; give every case a piece",
+        ),
         (sp.floor(P.x[0]), "floor cannot be differentiated.*use powers"),
         (sp.Function("profile")(P.x[0]), "'d' contains profile.*cannot be differentiated"),
         (P.x[0] / sp.S.Zero, "not real and finite"),

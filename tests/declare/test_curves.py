@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from mechanisms import strut
 
 import flexel as fx
 from flexel.declare.curves import NEVER, PIECES
@@ -12,34 +13,22 @@ from flexel.declare.curves import NEVER, PIECES
 POLYNOMIAL = (-4.0092e6, 2.8397e7, -6.7061e7, 5.2796e7)  # terms of a million newtons that nearly cancel
 
 
-def bar(length: float = 1.0) -> fx.Model:
-    """A point mass on a bar along x that may change its length."""
-    m = fx.Model()
-    m.point("O", (0, 0, 0), fixed=True)
-    m.point("A", (length, 0, 0))
-    m.fix("A.y", "A.z")
-    m.truss("bar", "O", "A")
-    m.point_mass("mass", "A", 2.0)
-    m.independent("bar.elongation")
-    return m
-
-
 def test_a_polynomial_of_the_length_loses_no_digits() -> None:
     length = 0.44055648
-    m = bar(length)
-    m.spring("bar.elongation", fx.Curve([POLYNOMIAL]), free_length=0.0)
+    m = strut(length)
+    m.spring("strut.elongation", fx.Curve([POLYNOMIAL]), free_length=0.0)
     s = m.build()
     for e in (0.0, -0.0057, 0.0213):
         Z = Decimal(length) + Decimal(e)
         exact = float(sum(Decimal(c) * Z**i for i, c in enumerate(POLYNOMIAL)))
-        state = s.state_at({"bar.elongation": e})
-        assert state.force("bar.elongation") == pytest.approx(exact, rel=1e-11)
+        state = s.state_at({"strut.elongation": e})
+        assert state.force("strut.elongation") == pytest.approx(exact, rel=1e-11)
 
 
 def test_the_energy_of_a_curve_is_the_work_done_on_it() -> None:
     spring = fx.Curve([[-130.0, 150.0], [-45.0, 50.0], [-107.5, 100.0]], breaks=[0.85, 1.25])
-    m = bar()
-    m.spring("bar.elongation", spring, free_length=0.0)
+    m = strut()
+    m.spring("strut.elongation", spring, free_length=0.0)
     m.initial("A.x", rate=2.5)
     motion = m.build().simulate(4.0, rtol=1e-10, atol=1e-12)
     assert motion["A.x"].min() < 0.85 < 1.25 < motion["A.x"].max()  # through all three pieces
@@ -63,17 +52,17 @@ def test_a_damper_acts_on_the_rate() -> None:
     damper = fx.Curve([[-416.42, 1844.3], [0.0, 9945.627, 33955.72, -59832.25, -395651.0], [1919.1638, 1634.727]],
                       breaks=[-0.2, 0.21])  # fmt: skip
     for rate, force in ((-1.5, -3182.87), (0.1, 1234.72255), (0.5, 2736.5273)):
-        m = bar()
-        m.spring("bar.elongation", damping=damper)
+        m = strut()
+        m.spring("strut.elongation", damping=damper)
         m.initial("A.x", rate=rate)
         s = m.build().initial
-        assert s.force("bar.elongation") == pytest.approx(force, rel=1e-6)
+        assert s.force("strut.elongation") == pytest.approx(force, rel=1e-6)
         assert s.dissipated == pytest.approx(force * rate, rel=1e-6)
 
 
 def test_a_stop_is_one_sided_and_never_pulls() -> None:
-    m = bar()
-    m.stop("bar.elongation", gap=0.1, stiffness=1e4, damping=2.0)
+    m = strut()
+    m.stop("strut.elongation", gap=0.1, stiffness=1e4, damping=2.0)
     s = m.build()
     for e, rate, force in (
         (0.05, 1.0, 0.0),
@@ -82,8 +71,8 @@ def test_a_stop_is_one_sided_and_never_pulls() -> None:
         (0.2, -1.0, 0.0),
         (-0.5, 0.0, 0.0),
     ):
-        state = s.state_at({"bar.elongation": e}, {"bar.elongation": rate})
-        assert state.force("bar.elongation") == pytest.approx(force, rel=1e-12)
+        state = s.state_at({"strut.elongation": e}, {"strut.elongation": rate})
+        assert state.force("strut.elongation") == pytest.approx(force, rel=1e-12)
 
 
 def test_curves_that_cannot_be_are_refused() -> None:
@@ -95,8 +84,8 @@ def test_curves_that_cannot_be_are_refused() -> None:
         fx.Curve([[0.0], [0.0]])
     with pytest.raises(fx.ModelError, match="piece 1 has 6 coefficients; give 1 to 5"):
         fx.Curve([[0.0] * 6])
-    with pytest.raises(fx.ModelError, match=r"spring on 'bar.elongation': damping gives 4 at rest"):
-        bar().spring("bar.elongation", damping=fx.Curve([[4.0, 1.0]]))
+    with pytest.raises(fx.ModelError, match=r"spring on 'strut.elongation': damping gives 4 at rest"):
+        strut().spring("strut.elongation", damping=fx.Curve([[4.0, 1.0]]))
 
 
 def test_a_break_in_free_play_joins_up_to_rounding() -> None:
@@ -106,10 +95,10 @@ def test_a_break_in_free_play_joins_up_to_rounding() -> None:
 
 
 def test_a_damper_through_a_table_gives_nothing_at_rest_up_to_rounding() -> None:
-    m = bar()
-    m.spring("bar.elongation", damping=fx.Curve.through([-0.3, -0.1, 0.1, 0.3], [-700, -350, 350, 700]))
-    m.initial("bar.elongation", rate=0.1)
-    assert m.build().initial.force("bar.elongation") == pytest.approx(350.0)
+    m = strut()
+    m.spring("strut.elongation", damping=fx.Curve.through([-0.3, -0.1, 0.1, 0.3], [-700, -350, 350, 700]))
+    m.initial("strut.elongation", rate=0.1)
+    assert m.build().initial.force("strut.elongation") == pytest.approx(350.0)
 
 
 @pytest.mark.parametrize(
@@ -129,6 +118,6 @@ def test_pieces_that_are_no_lists_are_refused(given: Any, message: str) -> None:
         fx.Curve(*given)
 
 
-def test_a_place_that_is_no_number_is_refused() -> None:
+def test_a_place_that_is_not_a_number_is_refused() -> None:
     with pytest.raises(fx.ModelError, match="curve: place 'a' is not numeric; give"):
         fx.Curve([[0.0, 1.0]])("a")  # type: ignore[arg-type]

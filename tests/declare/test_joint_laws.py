@@ -152,3 +152,57 @@ def test_wrong_numbers_are_refused_by_name() -> None:
     ):
         m.prismatic("z", "ground", "block", axis=(1, 0), stops=3)  # type: ignore[arg-type]
     assert "z" not in m.instances
+
+
+def loose_ball(gap: float = 0.002, stiffness: float = 5e4, **options: float) -> fx.Model:
+    """A body of 2 kg on a ball with play at its mass centre, in a socket of the ground."""
+    m = fx.Model()
+    m.rigid_body("bob", (0, 0, 0), mass=2.0, inertia=(0.1, 0.1, 0.1))
+    m.spherical("ball", "ground", "bob", at=(0, 0, 0))
+    m.clearance("ball", gap, stiffness, **options)
+    return m
+
+
+def test_a_ball_with_play_rests_beyond_its_gap_in_the_direction_of_the_load() -> None:
+    assert loose_ball().build().counts["degrees_of_freedom"] == 6
+    m, reach = loose_ball(), 0.002 + 70.0 / 5e4
+    for axis, share in zip("xyz", (2 / 7, 3 / 7, -6 / 7), strict=True):
+        m.load(f"bob.{axis}", 70.0 * share)
+        m.initial(f"bob.{axis}", share * reach)
+    rest = m.build().initial
+    assert [rest.acceleration(f"bob.{z}") for z in "xyz"] == pytest.approx([0, 0, 0], abs=1e-9)
+
+
+def test_a_ball_rattles_in_its_socket_and_loses_what_its_law_says() -> None:
+    v, w = 0.2, np.sqrt(5e4 / 2.0)
+    period = 2 * (2 * 0.002 / v + np.pi / w)
+    m = loose_ball()
+    for axis, share in zip("xyz", (2 / 7, 3 / 7, -6 / 7), strict=True):
+        m.initial(f"bob.{axis}", rate=v * share)
+    end = m.build().simulate(period, rtol=1e-11, atol=1e-13)[-1]
+    assert end.position("bob") == pytest.approx([0, 0, 0], abs=1e-8)
+    assert end.rate("bob.z") == pytest.approx(-6 / 7 * v, abs=1e-9)
+    m = loose_ball(damping=1.0)
+    m.initial("bob.x", rate=v)
+    s = m.build()
+    assert s.simulate(period, rtol=1e-10)[-1].rate("bob.x") < 0.95 * v
+
+
+def test_a_ball_with_play_is_linearized_as_it_moves() -> None:
+    m = loose_ball(0.2, 250.0, damping=0.3)
+    for axis, value in zip("xyz", (0.1, 0.2, -0.2), strict=True):
+        m.initial(f"bob.{axis}", value, rate=0.1)
+    s = m.build()
+    lin = s.linearize()
+    for own, numerical in zip((lin.M, lin.C, lin.K), numerical_matrices(s, s.initial), strict=True):
+        assert worst(own, numerical) < 1e-6
+
+
+def test_a_ball_takes_no_friction_and_an_arm_no_play() -> None:
+    with pytest.raises(fx.ModelError, match="clearance of 'ball': a ball has no angle for the friction"):
+        loose_ball(friction_radius=0.01)
+    m = loose_ball()
+    m.point("tip", (1, 0, 0))
+    m.beam("arm", "bob", "bob_frame", "tip", rigid=True)
+    with pytest.raises(fx.ModelError, match="clearance of 'arm': it is not a joint with a pin or a ball"):
+        m.clearance("arm", 0.002, 5e4)

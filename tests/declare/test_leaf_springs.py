@@ -131,3 +131,30 @@ def test_a_refused_leaf_leaves_the_model_as_it_was() -> None:
         bodies(True).leaf_spring(
             "leaf", "A", "RA", "B", "RB", section=SECTION, material="steel", direction=(0, 1, 0)
         )
+
+
+def test_its_sections_warp_along_one_line_of_nodes() -> None:
+    m = bodies()
+    clamps = [m.warping(z, fixed=True) for z in ("first", "last")]
+    beams = m.leaf_spring(
+        "leaf", "A", "RA", "B", "RB", section=SECTION, material="steel", elements=3, warping=clamps
+    )
+    assert [m.instances[z].nodes[4:] for z in beams] == [
+        ("first", "leaf warping 1"),
+        ("leaf warping 1", "leaf warping 2"),
+        ("leaf warping 2", "last"),
+    ]
+    own = bodies()
+    own.leaf_spring("leaf", "A", "RA", "B", "RB", section=SECTION, material="steel", elements=2, warping=True)
+    assert own.instances["leaf beam 2"].nodes[4:] == ("leaf warping 1", "leaf_warping_q")
+    with pytest.raises(fx.ModelError, match="leaf spring 'leaf': warping 'clamped' is neither True nor two"):
+        bodies().leaf_spring(
+            "leaf", "A", "RA", "B", "RB", section=SECTION, material="steel", warping="clamped"
+        )
+
+
+def test_a_planar_one_has_no_warping() -> None:
+    m = bodies(planar=True)
+    with pytest.raises(fx.ModelError, match="a planar beam has no warping; drop warping="):
+        m.leaf_spring("leaf", "A", "RA", "B", "RB", section=SECTION, material="steel", warping=True)
+    assert list(m.nodes) == ["A", "RA", "B", "RB"]

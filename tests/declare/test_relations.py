@@ -172,7 +172,7 @@ def test_a_motion_with_a_relation_is_saved_and_continued(tmp_path) -> None:  # n
         ({"O.x": 1.0, "guide.angle": 1.0}, "'O.x' is fixed"),
     ],
 )
-def test_what_is_no_relation_is_refused(terms: object, message: str) -> None:
+def test_what_is_not_a_relation_is_refused(terms: object, message: str) -> None:
     m = screw()
     with pytest.raises(fx.ModelError, match=message):
         m.relation("more", terms)  # type: ignore[arg-type]

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from mechanisms import strut
 
 import flexel as fx
 
@@ -88,18 +89,6 @@ def test_what_a_spring_measures_with_is_not_drawn() -> None:
     m = masses()
     m.spring("A.x", 7.0)
     assert not [z for z in shapes(m.build().at_rest) if "." in z.name]
-
-
-def strut(length: float = 0.5) -> fx.Model:
-    """A point mass on a bar along x that may change its length."""
-    m = fx.Model()
-    m.point("O", (0, 0, 0), fixed=True)
-    m.point("A", (length, 0, 0))
-    m.fix("A.y", "A.z")
-    m.truss("strut", "O", "A")
-    m.point_mass("mass", "A", 2.0)
-    m.independent("strut.elongation")
-    return m
 
 
 def test_a_free_length_is_the_length_of_a_bar_without_force() -> None:
@@ -193,7 +182,7 @@ def test_dampers_on_slips_may_be_coupled() -> None:
 
 
 def test_what_is_refused_leaves_the_model_as_it_was() -> None:
-    m = strut()
+    m = strut(0.5)
     for wrong in ({"stiffness": -1.0}, {"stiffness": 1.0, "damping": -1.0}, {"preload": "x"}):
         with pytest.raises(fx.ModelError, match="spring on 'strut.elongation'"):
             m.spring("strut.elongation", **wrong)  # type: ignore[arg-type]

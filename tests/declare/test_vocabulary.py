@@ -1,6 +1,7 @@
 """The runtime reads what an element is from its declaration; it has no list of names of elements."""
 
 import ast
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -8,6 +9,7 @@ import pytest
 import flexel as fx
 from flexel.declare.signs import CHECKS
 from flexel.derive.declare.words import PICTURES, SIGNS
+from flexel.generated.table import ELEMENTS
 from flexel.pictures.painters import PAINTERS
 
 RUNTIME = sorted((Path(fx.__file__).parent).rglob("*.py"))
@@ -31,6 +33,30 @@ def asks_for_a_name(node: ast.AST) -> bool:
 @pytest.mark.parametrize("path", RUNTIME, ids=lambda path: path.name)
 def test_nothing_depends_on_the_name_of_an_element(path: Path) -> None:
     assert [ast.unparse(z) for z in ast.walk(ast.parse(path.read_text())) if asks_for_a_name(z)] == []
+
+
+@pytest.mark.parametrize("kinked", [False, True])
+def test_a_deformation_with_a_kink_is_no_degree_of_freedom(kinked: bool) -> None:
+    m = fx.Model()
+    m.point("A", (0, 0, 0), fixed=True)
+    m.point("B", (0.6, 0.8, 0))
+    m.fix("B.y", "B.z")
+    m.truss("bar", "A", "B")
+    m.spring("bar.elongation", stiffness=100.0)
+    m.point_mass("load", "B", 1.0)
+    bar = m.instances["bar"]
+    (elongation,) = bar.spec.deformations
+    m.instances["bar"] = replace(
+        bar, spec=replace(bar.spec, deformations=(replace(elongation, kinked=kinked),))
+    )
+    structure = m.build().structure
+    assert structure.kinked == ((structure.index["bar.elongation"],) if kinked else ())
+    assert m.build().dynamic == (("B.x",) if kinked else ("bar.elongation",))
+
+
+def test_the_gaps_of_round_and_helical_grooves_say_that_they_have_kinks() -> None:
+    kinked = {z.name for z in ELEMENTS.values() if any(d.kinked for d in z.deformations)}
+    assert kinked == {f"{z}_round_groove" for z in ("cable", "point", "sphere")} | {"cable_helical_groove"}
 
 
 def test_a_matrix_with_a_negative_eigenvalue_is_refused() -> None:

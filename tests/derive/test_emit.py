@@ -3,11 +3,13 @@
 import os
 import subprocess
 import sys
+from functools import partial
 from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
 
+from flexel.derive import __main__ as command
 from flexel.derive.__main__ import main
 from flexel.derive.elements import ELEMENTS
 from flexel.derive.emit import emit as emitting
@@ -59,7 +61,8 @@ def test_one_element_alone_keeps_the_entries_of_the_others(few: Emitted, tmp_pat
     assert "hinge.c" not in one.files
 
 
-def test_the_command_fails_where_files_differ(tmp_path: Path) -> None:
+def test_the_command_fails_where_files_differ(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setattr(command, "emit", partial(emit, FEW))
     runner = CliRunner()
     assert runner.invoke(main, ["--out", str(tmp_path)]).exit_code == 0
     assert runner.invoke(main, ["--check", "--out", str(tmp_path), "truss"]).exit_code == 0

@@ -90,3 +90,18 @@ def test_the_plane_of_a_cam_may_lie_anywhere(rng: random.Random) -> None:
     p, (a, b, c) = column(rng, 3), column(rng, 3)
     q = plus(p, rotated(product(frame, triad), [a, b, c]))
     assert equal(tall.D([*p, *frame, *q]), flat.D([mpf(0), mpf(0), mpf(0), a, b]))
+
+
+def test_a_round_cam_under_a_face_is_at_its_radius_in_every_direction(rng: random.Random) -> None:
+    """The face cuts the plane of the cam in a line; a gap between line and cam is measured across the face."""
+    d = numbers(BY_NAME["flat_cam"], control=[mpf("0.3")] * PIECES, tp=[1, 0, 0, 0], tq=[1, 0, 0, 0])
+    for _ in range(20):
+        turn, lean = mpf(rng.uniform(-3.14, 3.14)), mpf(rng.uniform(-1, 1))
+        frame = product(rotation(Z, turn), rotation(Y, -lean))
+        n, flat = rotated(frame, X), [cos(turn), sin(turn), mpf(0)]
+        on_line = plus([mpf("0.7") * z for z in flat], [-sin(turn), cos(turn), mpf(0)], mpf("0.2"))
+        up = plus(Z, n, -n[2])
+        q = plus(on_line, up, mpf("0.4"))  # another point of the face
+        assert equal(
+            d.D([mpf(0)] * 3 + [mpf(1), mpf(0), mpf(0), mpf(0)] + q + frame), [mpf("0.4") * cos(lean)]
+        )

@@ -57,11 +57,12 @@ SPATIAL |= {"planar_cable_circle": "cable_cylinder", "planar_cable_line": "cable
 SPATIAL |= {"planar_point_circle": "point_cylinder", "planar_point_line": "point_plane"}
 SPATIAL |= {"planar_disc_circle": "sphere_cylinder", "planar_disc_line": "sphere_plane"}
 SPATIAL |= {"planar_skate": "skate", "planar_roller_cam": "roller_cam"}
+SPATIAL |= {"planar_flat_cam": "flat_cam"}
 MODES = {"planar_beam": (0, 4, 5), "planar_beam_first_order": (0, 4, 5), "planar_beam3": (0, 1)}
 MODES |= {"planar_cable": (0, 1, 2, 5, 8, 11), "planar_slope_clamp": (0,)}
 MODES |= {"planar_cable_circle": (0,), "planar_cable_line": (0,)}
 MODES |= {f"planar_{z}": (0,) for z in ("point_circle", "point_line", "disc_circle", "disc_line")}
-MODES |= {"planar_roller_cam": (0,)}
+MODES |= {"planar_roller_cam": (0,), "planar_flat_cam": (0,)}
 MODES |= {"planar_truss": (0,), "planar_hinge": (0,), "planar_body": (), "planar_point_mass": ()}
 
 

@@ -126,8 +126,9 @@ def test_second_derivatives_agree_with_sympy(seed: int) -> None:
     matrix = hessian(program, rows[0], x)
     assert all(matrix[i][j] == matrix[j][i] for i in range(4) for j in range(4))
     for i, a in enumerate(X):
-        expected = [at_point(sp.diff(expr, a, b)) for b in X]
-        assert values(program, matrix[i]) == pytest.approx(expected, rel=1e-9, abs=1e-9)
+        slope = sp.diff(expr, a)
+        expected = [at_point(sp.diff(slope, b)) for b in X[i:]]
+        assert values(program, matrix[i][i:]) == pytest.approx(expected, rel=1e-9, abs=1e-9)
 
 
 def test_a_jacobian_goes_through_the_linear_layer() -> None:

@@ -138,7 +138,7 @@ OUTPUTS = [
 def test_a_wrong_coefficient_in_any_kernel_is_found(
     kernel: str, output: str, cache: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """One entry of one output is off by a factor 1 + 1e-9; the definition tells which."""
+    """One entry of one output is off by a factor 1 + 1e-9; the definition shows which."""
     patched(monkeypatch, kernel, rf"(\b{output}\[[^;]* = )([^=;]*);", r"\1(1.0 + 1e-9) * (\2);")
     compiled = compile_element(spring_pendulum())
     rows = verify(compiled.spec, compiled.address, spring_pendulum())

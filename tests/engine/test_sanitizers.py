@@ -18,7 +18,7 @@ from flexel.base.arrays import Array
 from flexel.engine.structs import Struct
 from flexel.examples.bicycle import bicycle, kick
 from flexel.generated._kernels import ffi, lib
-from flexel.integration.stages import Steps
+from flexel.integration.dop853_steps import Steps
 
 ROOT = Path(__file__).parents[2]
 ENGINE, GENERATED = ROOT / "runtime" / "engine", ROOT / "generated"

@@ -53,7 +53,8 @@ def test_100_000_evaluations_lose_nothing(make: Callable[[], fx.System]) -> None
     assert evaluate(EVALUATIONS) < before + SLACK / 2
 
 
-def test_1000_builds_lose_nothing() -> None:
+@pytest.mark.parametrize("builds", [BUILDS // 4, pytest.param(BUILDS, marks=pytest.mark.campaign)])
+def test_many_builds_lose_nothing(builds: int) -> None:
     """Models, tables, workspaces, factors and linearizations are all given back."""
 
     def build(count: int) -> float:
@@ -65,8 +66,8 @@ def test_1000_builds_lose_nothing() -> None:
                 gc.collect()  # systems have cycles
         return resident()
 
-    before = build(BUILDS // 5)
-    assert build(BUILDS) < before + 2 * SLACK
+    before = build(builds // 5)
+    assert build(builds) < before + 2 * SLACK * max(builds / BUILDS, 0.5)
 
 
 def test_matrices_of_threads_are_given_back() -> None:

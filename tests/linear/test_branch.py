@@ -138,7 +138,7 @@ def test_the_derivative_by_the_speed_is_that_of_finite_differences() -> None:
 def test_a_branch_is_drawn_and_tabulated(branch: fx.PeriodicBranch, tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     drawn = branch.plot("P.x", "P.x'", path=tmp_path / "branch.png")
-    assert [axes.get_ylabel() for axes in drawn.axes] == ["P.x [m]", "P.x' [m/s]", "largest multiplier"]
+    assert [axes.get_ylabel() for axes in drawn.axes] == ["P.x [m]", "P.x' [m/s]", "largest multiplier [-]"]
     assert [line.get_linestyle() for line in drawn.axes[0].lines[:3]] == ["-", "--", "-"]
     pytest.importorskip("pandas")
     table = branch.to_pandas()

@@ -54,7 +54,7 @@ def test_harmonic_balance_satisfies_the_equation_with_varying_stiffness() -> Non
     assert np.max(np.abs(left - c.F)) < 1e-9
 
 
-def test_the_error_estimate_tells_what_more_harmonics_find() -> None:
+def test_the_error_estimate_shows_what_more_harmonics_find() -> None:
     c = mathieu(4.9, 0.4, 1.0, 0.02, 64)
     exact = c.harmonic_balance(14).samples()[0]
     for k in (3, 5, 7):

@@ -141,8 +141,9 @@ def test_poor_coordinates_are_named_with_better_ones() -> None:
 
 def test_contradictions_are_findings_too() -> None:
     m = pendulum()
-    m.rigid("nothing")
-    assert "unknown name 'nothing'" in messages(m.check(), "error", "declarations")
+    m.spring("pivot.angle", 1.0)
+    m.rigid("pivot.angle")
+    assert "'pivot.angle' is rigid and also has a law" in messages(m.check(), "error", "declarations")
     assert "no nodes" in messages(fx.Model().check(), "error", "assembly")
 
 

@@ -10,8 +10,7 @@ import pytest
 import flexel as fx
 from flexel.base.quaternions import matrix
 from flexel.examples.bicycle import bicycle, kick
-from flexel.linear.tracking import branches
-from flexel.pictures import drawing, plot
+from flexel.pictures import drawing
 from flexel.pictures.figures import save
 from flexel.pictures.plot import animate, draw
 from flexel.pictures.scene import display_axes
@@ -98,23 +97,15 @@ def test_histories_have_a_panel_for_each_unit(motion: fx.Motion, tmp_path: Path)
     drawn = motion.plot(
         "lean.angle", "steer.angle", "lean.angle'", "force:rear.surface", path=tmp_path / "h.png"
     )
-    assert [axes.get_ylabel() for axes in drawn.axes] == ["[rad]", "[rad/s]", "[N]"]
+    assert [axes.get_ylabel() for axes in drawn.axes] == [
+        "angle [rad]",
+        "lean.angle' [rad/s]",
+        "force:rear.surface [N]",
+    ]
     assert np.array_equal(drawn.axes[1].lines[0].get_ydata(), motion.rate("lean.angle"))
     assert (tmp_path / "h.png").exists()
     with pytest.raises(fx.ModelError, match=r"did you mean lean\.angle"):
         motion.plot("lean.angel")
-
-
-def test_root_loci_follow_their_branches(tmp_path: Path) -> None:
-    """Shuffled eigenvalues come out as continuous branches, and the stable range is found between the samples."""
-    p = np.linspace(0, 2, 41)
-    smooth = np.column_stack([p - 1.21, -1 - p, -0.5 + 1j * (1 + p), -0.5 - 1j * (1 + p)])
-    shuffled = np.array([np.random.default_rng(i).permutation(row) for i, row in enumerate(smooth)])
-    found = branches(p, shuffled)
-    assert np.max(np.abs(np.diff(found, axis=0))) < 0.06
-    assert list(plot._stable(p, found)) == [(0.0, pytest.approx(1.21))]
-    drawn = plot.root_loci(p, shuffled, tmp_path / "loci.png", label="speed [m/s]", marks={"limit": 1.21})
-    assert drawn.axes[1].get_xlabel() == "speed [m/s]"
 
 
 def test_gif_and_planar_animation(tmp_path: Path) -> None:

@@ -219,7 +219,7 @@ def test_a_road_of_waves_lies_under_its_tyres() -> None:
     assert np.allclose(places[:, 2], [road.level(x, y) for x, y, _ in places])
 
 
-def test_mistakes_are_told(tmp_path: Path) -> None:
+def test_mistakes_are_reported(tmp_path: Path) -> None:
     """Each names the remedy."""
     with pytest.raises(fx.ModelError, match="colour 'red' is not of the form"):
         fx.Box("A", None, (0, 0, 0), (1, 1, 1), colour="red")

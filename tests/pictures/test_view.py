@@ -15,7 +15,9 @@ import flexel as fx
 from flexel.base.quaternions import matrix
 from flexel.examples.bicycle import bicycle, kick
 from flexel.pictures.drawing import shapes
+from flexel.pictures.shape import lowest
 from flexel.pictures.view import mode_data, page, scene_data, view_motion, write_page
+from flexel.pictures.view.data import common
 
 
 @pytest.fixture(scope="module")
@@ -63,7 +65,7 @@ def test_what_never_moves_is_stored_once(swing: fx.Motion) -> None:
 
 
 def test_a_model_in_one_point_has_a_size() -> None:
-    """Where no lengths are given, the largest body tells the scale, as the cube that has its inertia."""
+    """Where no lengths are given, the largest body determines the scale, as the cube that has its inertia."""
     m = fx.Model()
     m.point("O", (0, 0, 0), fixed=True)
     m.frame("R")
@@ -221,7 +223,7 @@ def test_the_page_is_small_alone_and_executes_nothing_of_the_data(ride: fx.Motio
     assert not re.search(r"https?://|src=|href=", own)
 
 
-def test_mistakes_are_told(ride: fx.Motion, tmp_path: Path) -> None:
+def test_mistakes_are_reported(ride: fx.Motion, tmp_path: Path) -> None:
     """Each names the remedy."""
     with pytest.raises(fx.ModelError, match="ends in .html"):
         view_motion(ride, tmp_path / "ride.txt", frames=2)
@@ -255,3 +257,20 @@ def test_modes_show_the_strains_of_their_shape() -> None:
     assert strain[0] == pytest.approx(abs(curvature) * 0.25e-3, rel=0.02)
     assert strain[1] < 0.3 * strain[0]
     assert scene["units"]["bending moment of the mode"] == "N m"
+
+
+@pytest.mark.parametrize("height", [0.05, 0.001])
+def test_the_floor_is_below_the_sections_of_beams(height: float) -> None:
+    m = fx.Model(gravity=(0, 0, -9.81))
+    m.point("A", (0, 0, 0), fixed=True)
+    m.frame("RA", fixed=True)
+    m.point("B", (0.1, 0, 0))
+    m.frame("RB")
+    strip = fx.Rectangle(height, 0.5e-3)
+    m.beam("leaf", "A", "RA", "B", "RB", direction=(0, 0, 1), section=strip, material="steel")
+    state = m.build().equilibrium()
+    drawn, up = shapes(state), np.array([0.0, 0.0, 1.0])
+    (leaf,) = [z for z in drawn if z.name == "leaf"]
+    assert lowest(leaf, up) == pytest.approx(min(0, float(leaf.lines[0][-1, 2])) - height / 2, rel=1e-3)
+    found = common(state, [drawn], fx.View(), "", "")["floor"]
+    assert found["height"] == pytest.approx(lowest(leaf, up) - 0.02 * 0.1, rel=1e-5)

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from browser import MISSING, PROGRAM, Browser
-from mechanisms import cantilever, pendulum
+from mechanisms import cantilever, pendulum, pendulum_model
 from numpy.typing import NDArray
 
 import flexel as fx
@@ -62,6 +62,21 @@ def tick(browser: Browser, where: str, name: str) -> None:
         f"[...document.querySelectorAll('#{where} label')].find(z => z.textContent === {json.dumps(name)}).click()"
     )
     browser.frame()
+
+
+def test_a_rod_is_seen_as_thick_and_as_opaque_as_said(tmp_path: Path, fresh: Browser) -> None:
+    """A thin red rod, a thick one, a see-through one that is paler, and one that is hidden."""
+    thick, counts, paleness = {"section": fx.Circle(0.2)}, [], []
+    for look in ({}, thick, thick | {"opacity": 0.4}, {"hidden": True}):
+        m = pendulum_model()
+        m.look("rod", colour="#cc1a1a", **look)  # type: ignore[arg-type]
+        fresh.open(m.build().simulate(0.5, samples=3, progress=False).view(tmp_path / "rod.html"), "#t=0")
+        picture = fresh.picture()
+        found = (picture[:, :, 0] - picture[:, :, 1:].max(axis=2)) > 60
+        counts.append(int(found.sum()))
+        paleness.append(float(picture[found].min(axis=1).mean()) if found.any() else 0.0)
+    assert counts[0] > 300 and min(counts[1:3]) > 5 * counts[0] and counts[3] == 0
+    assert paleness[2] > paleness[1] + 40
 
 
 @pytest.mark.parametrize("t", [0.0, 0.6, 1.3])

@@ -10,6 +10,7 @@ import pytest
 from click.testing import CliRunner
 from mechanisms import cantilever, pendulum
 
+import flexel as fx
 from flexel.commands import main as cli
 from flexel.pictures.view import mode_data, scene_data
 
@@ -78,7 +79,22 @@ def test_the_tables_of_a_spacar_run_name_the_motion_beside(tmp_path: Path, check
         assert "is a table of a SPACAR run" in result.output and "its motion is not beside" in result.output
 
 
-def test_a_file_that_is_no_result_is_told(tmp_path: Path) -> None:
+def test_the_load_steps_of_a_spacar_file_are_kept_and_played(tmp_path: Path, checkout: Path) -> None:
+    path = str(checkout / "tests" / "data" / "two_leaf_pivot.dat")
+    made = CliRunner().invoke(cli.main, ["run", path, "--out", str(tmp_path)])
+    assert made.exit_code == 0 and "9 load steps" in made.output
+    kept = tmp_path / "two_leaf_pivot_motion.npz"
+    assert f"wrote {kept}" in made.output
+    motion = fx.load(kept)
+    system, states = fx.read_spacar(path).static_steps()
+    assert motion.t == pytest.approx(np.linspace(0, 1, 10))
+    assert motion["p7.x"] == pytest.approx([z["p7.x"] for z in states], rel=0, abs=0)
+    assert system.structure.names == motion.structure.names
+    assert run(kept).exit_code == 0
+    assert scene_in(kept.with_suffix(".html"))["times"] == pytest.approx(motion.t)
+
+
+def test_a_file_that_is_not_a_result_is_reported(tmp_path: Path) -> None:
     """In one line, without a traceback."""
     path = tmp_path / "notes.npz"
     path.write_text("import os")

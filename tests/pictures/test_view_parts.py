@@ -1,4 +1,4 @@
-"""The viewer in a browser: many parts stay light, Fit fits, pointing tells values, the strip follows the time."""
+"""The viewer in a browser: many parts stay light, Fit fits, pointing shows values, the strip follows the time."""
 
 import time
 from collections.abc import Iterator
@@ -117,7 +117,7 @@ def test_fit_fills_windows_of_any_shape(tmp_path: Path, fresh: Browser, size: tu
     assert np.max((high - low) / whole) > 0.75
 
 
-def test_pointing_tells_name_and_values(motion: fx.Motion, tmp_path: Path, fresh: Browser) -> None:
+def test_pointing_shows_name_and_values(motion: fx.Motion, tmp_path: Path, fresh: Browser) -> None:
     """The spring in the middle of the strut, with its tension at that time."""
     fresh.open(motion.view(tmp_path / "strut.html", view=fx.View(azimuth=-90, elevation=0)), "#t=0")
     box = fresh.value("document.querySelector('#picture').getBoundingClientRect().toJSON()")
@@ -128,8 +128,8 @@ def test_pointing_tells_name_and_values(motion: fx.Motion, tmp_path: Path, fresh
             fresh.call("Input.dispatchMouseEvent", type="mouseMoved", **place)
             found.add(fresh.value(TIP))
     tension = motion[0].force("strut.elongation")
-    told = [z for z in found if z.startswith("spring strut")]
-    assert told and f"tension {tension:.3g} N" in told[0], found
+    reported = [z for z in found if z.startswith("spring strut")]
+    assert reported and f"tension {tension:.3g} N" in reported[0], found
     assert "load on A\n20 N" in found
     assert "" in found
 
@@ -141,8 +141,8 @@ def test_the_strip_shows_chosen_quantities_and_goes_to_a_time(
     fresh.open(motion.view(tmp_path / "strut.html", plots=["strut.elongation'"]), "#t=0.5")
     fresh.frame()
     key = "document.querySelector('#key').textContent"
-    told = float(fresh.value(key).removeprefix("strut.elongation' ").removesuffix(" m/s"))
-    assert told == pytest.approx(motion.at(0.5).rate("strut.elongation"), rel=6e-3, abs=1e-4)
+    reported = float(fresh.value(key).removeprefix("strut.elongation' ").removesuffix(" m/s"))
+    assert reported == pytest.approx(motion.at(0.5).rate("strut.elongation"), rel=6e-3, abs=1e-4)
     box = fresh.value("document.querySelector('#strip').getBoundingClientRect().toJSON()")
     left, right = box["x"] + 58, box["x"] + box["width"] - 8
     fresh.drag((left + 0.2 * (right - left), box["y"] + 20), (left + 0.25 * (right - left), box["y"] + 20))

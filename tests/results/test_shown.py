@@ -107,3 +107,32 @@ def test_long_tables_are_cut(count: int) -> None:
     shown = Table("title", ("a", "b"), [(str(i), "<b>") for i in range(count)])
     assert ("and 40 more" in shown.text) == (count == 100) == ("and 40 more" in shown.html)
     assert "&lt;b&gt;" in shown.html
+
+
+def uneven(heavy: float) -> fx.System:
+    """Two rods in a row, one of them heavy."""
+    m = fx.Model(gravity=(0, -9.81))
+    m.point("O", (0, 0), fixed=True)
+    m.point("A", (1, 0))
+    m.point("B", (2, 0))
+    m.truss("stout", "O", "A", mass_per_length=heavy)
+    m.truss("thin", "A", "B", mass_per_length=1e-3)
+    return m.build()
+
+
+def test_the_summary_of_a_badly_scaled_system_says_so_and_that_of_a_usual_one_does_not() -> None:
+    assert "badly scaled: the inertia of 'A.y' is 1e+12 times that of 'B.y'" in repr(uneven(1e9).summary())
+    assert "scaled" not in repr(uneven(1e3).summary())
+
+
+def test_the_summary_of_a_stiff_system_says_so_with_its_integrator() -> None:
+    m = fx.Model(gravity=(0, -9.81))
+    m.point("O", (0, 0), fixed=True)
+    m.point("A", (1, 0))
+    m.truss("rod", "O", "A", mass_per_length=1.0)
+    m.spring("rod.elongation", 1e9)
+    s = m.build()
+    assert "generalized-alpha for longer motions (stiff)" in repr(s.summary())
+    assert s.simulate(2.0, samples=3).message.startswith(
+        "reached the end (generalized-alpha, chosen because max|λ|"
+    )

@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 import time
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -16,60 +17,116 @@ import flexel as fx
 from flexel.base.files import replacing
 from flexel.results.saved import files
 
-WRITER = """
-import sys, time
+PROCESSES = """
+import os, resource, signal, sys
 import flexel as fx
 from mechanisms import pendulum
+
 motion = pendulum().simulate(0.5, samples=200)
+for suffix in sys.argv[1:]:
+    motion.save(f"small{suffix}")  # imports what it needs
+
+def writer(path):
+    while True:
+        motion.save(path)
+
+def limited(path):
+    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (2000, 2000))
+    try:
+        motion.save(path)
+    except fx.FlexelError as error:
+        print(error, flush=True)
+
 print("ready", flush=True)
-while True:
-    motion.save(sys.argv[1])
-"""
-LIMITED = """
-import resource, signal, sys
-import flexel as fx
-from mechanisms import pendulum
-motion = pendulum().simulate(0.5, samples=200)
-motion.save("small.npz")
-signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-resource.setrlimit(resource.RLIMIT_FSIZE, (2000, 2000))
-try:
-    motion.save(sys.argv[1])
-except fx.FlexelError as error:
-    print(error)
+for line in sys.stdin:
+    what, given = line.rstrip("\\n").split(" ", 1)
+    if what == "wait":
+        print("ended", os.waitpid(int(given), 0)[1], flush=True)
+        continue
+    said, tell = os.pipe()
+    child = os.fork()
+    if not child:
+        os.read(said, 1)  # its number is printed first
+        globals()[what](given)
+        os._exit(0)
+    print(child, flush=True)
+    os.write(tell, b".")
 """
 
 
-def run(program: str, *arguments: str, **options: object) -> subprocess.Popen[str]:
-    paths = os.pathsep.join(sys.path)
-    environment = os.environ | {"PYTHONPATH": paths}
-    command = [sys.executable, "-c", program, *arguments]
-    return subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=environment, **options)
+class Processes:
+    """Processes that save motions; each is a copy of one that has a motion and all imports."""
+
+    def __init__(self, folder: Path) -> None:
+        environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)}
+        command = [sys.executable, "-c", PROCESSES, *SUFFIXES]
+        pipe = subprocess.PIPE
+        self._first = subprocess.Popen(
+            command, stdin=pipe, stdout=pipe, text=True, cwd=folder, env=environment, bufsize=1
+        )
+        assert self._line() == "ready"
+
+    def _line(self) -> str:
+        assert self._first.stdout is not None
+        return self._first.stdout.readline().rstrip()
+
+    def _ask(self, what: str, given: object) -> str:
+        assert self._first.stdin is not None
+        self._first.stdin.write(f"{what} {given}\n")
+        return self._line()
+
+    def start(self, what: str, path: Path) -> int:
+        """Start a process that saves to a file, again and again (`writer`) or beyond a limit (`limited`)."""
+        return int(self._ask(what, path))
+
+    def ended(self, process: int, *, said: int = 0) -> tuple[list[str], int]:
+        """The lines that a process has printed, and its status when it has ended."""
+        lines = [self._ask("wait", process)] + [self._line() for _ in range(said)]
+        end = next(z for z in lines if z.startswith("ended "))
+        return [z for z in lines if z != end], int(end.removeprefix("ended "))
+
+    def kill(self, process: int) -> None:
+        """Kill a process, and wait until it has ended."""
+        os.kill(process, signal.SIGKILL)
+        assert self.ended(process) == ([], signal.SIGKILL)
+
+    def close(self) -> None:
+        """End the first process."""
+        with self._first as first:
+            first.kill()
+
+
+@pytest.fixture(scope="module")
+def processes(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Processes]:
+    found = Processes(tmp_path_factory.mktemp("processes"))
+    yield found
+    found.close()
 
 
 @pytest.mark.parametrize("suffix", SUFFIXES)
-def test_a_kill_at_any_moment_leaves_a_whole_file(motion: fx.Motion, tmp_path: Path, suffix: str) -> None:
+def test_a_kill_at_any_moment_leaves_a_whole_file(
+    motion: fx.Motion, tmp_path: Path, suffix: str, processes: Processes
+) -> None:
     path = motion.save(tmp_path / f"run{suffix}")
     rng = np.random.default_rng(5)
     for _ in range(4):
-        with run(WRITER, str(path)) as process:
-            assert process.stdout is not None and process.stdout.readline() == "ready\n"
-            time.sleep(rng.uniform(0.02, 0.3))
-            process.send_signal(signal.SIGKILL)
+        process = processes.start("writer", path)
+        time.sleep(rng.uniform(0.02, 0.3))
+        processes.kill(process)
         assert len(fx.load(path)) in (len(motion), 200)
 
 
 @pytest.mark.parametrize("suffix", SUFFIXES)
-def test_a_full_disk_leaves_the_old_file(motion: fx.Motion, tmp_path: Path, suffix: str) -> None:
+def test_a_full_disk_leaves_the_old_file(
+    motion: fx.Motion, tmp_path: Path, suffix: str, processes: Processes
+) -> None:
     path = motion.save(tmp_path / f"run{suffix}")
     before = path.read_bytes()
-    with run(LIMITED, str(path), cwd=tmp_path) as process:
-        said = process.communicate()[0]
-    assert (
-        process.returncode == 0 and f"save '{path}'" in said and "what was there before is unchanged" in said
-    )
+    (said,), status = processes.ended(processes.start("limited", path), said=1)
+    assert status == 0 and f"save '{path}'" in said and "what was there before is unchanged" in said
     assert path.read_bytes() == before
-    assert sorted(z.name for z in tmp_path.iterdir()) == sorted([path.name, "small.npz"])
+    assert list(tmp_path.iterdir()) == [path]
 
 
 @pytest.mark.parametrize("suffix", SUFFIXES)
@@ -119,15 +176,17 @@ def test_a_failing_writer_leaves_nothing_behind(tmp_path: Path) -> None:
             pass
 
 
-def test_of_two_writers_the_last_one_wins(motion: fx.Motion, tmp_path: Path) -> None:
+def test_of_two_writers_the_last_one_wins(tmp_path: Path, processes: Processes) -> None:
     path = tmp_path / "run.npz"
-    with run(WRITER, str(path)) as one, run(WRITER, str(path)) as two:
-        for process in (one, two):
-            assert process.stdout is not None and process.stdout.readline() == "ready\n"
-        for _ in range(20):
-            if path.exists():
-                assert len(fx.load(path)) == 200
-            time.sleep(0.01)
-        one.kill(), two.kill()
+    pair = [processes.start("writer", path) for _ in range(2)]
+    read = 0
+    for _ in range(20):
+        if path.exists():
+            assert len(fx.load(path)) == 200
+            read += 1
+        time.sleep(0.01)
+    for process in pair:
+        processes.kill(process)
+    assert read
     assert set(files.FORMATS) == set(SUFFIXES)
     assert resource.getrlimit(resource.RLIMIT_FSIZE)[0] != 2000

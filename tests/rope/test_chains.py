@@ -63,7 +63,7 @@ def test_a_chain_with_a_payload_has_the_tension_of_what_hangs_below(EA: float | 
     assert "10 bars" in repr(chain)
 
 
-def test_a_curved_chain_between_points_of_a_body_is_as_long_as_it_is_told() -> None:
+def test_a_curved_chain_between_points_of_a_body_is_as_long_as_it_is_reported() -> None:
     """A slack chain of rigid bars hangs in the shape of a catenary, to second order."""
     m = fx.Model(gravity=(0, -G))
     a, b = m.point("a", (0, 0), fixed=True), m.point("b", (1, 0), fixed=True)

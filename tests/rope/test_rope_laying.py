@@ -206,7 +206,7 @@ def test_a_rope_is_shown_in_a_line() -> None:
     assert repr(laid(sheave(), 60, tension=10.0, EA=1e9)) == "Rope('r', 60 elements, 1.65969 m)"
 
 
-def test_all_questions_take_motions_and_refuse_what_is_no_state_of_the_rope() -> None:
+def test_all_questions_take_motions_and_refuse_what_is_not_a_state_of_the_rope() -> None:
     m, other = sheave(), sheave()
     rope, longer = laid(m, 60, tension=10.0), laid(other, 80, tension=10.0)
     states = [m.build().initial] * 3

@@ -57,7 +57,7 @@ def test_mistakes_of_every_kind_come_together_in_the_order_of_the_lines(tmp_path
     assert "no element has the node 9" in found[11]
 
 
-def test_what_the_model_refuses_about_a_node_is_told_with_its_line(tmp_path: Path) -> None:
+def test_what_the_model_refuses_about_a_node_is_reported_with_its_line(tmp_path: Path) -> None:
     found = errors(tmp_path, "BEAM 1 1 2 3 4 0 1 0", "X 3 1 0 0", "X 2 2 0 0 1", "XM 3 1.0", "FIX 1")
     assert len(found) == 1 and "line 3: X: frame 'o2': Euler parameters" in found[0]
 
@@ -68,7 +68,7 @@ def test_the_same_mistake_is_one_message(tmp_path: Path) -> None:
     assert len(found) == 1 and found[0].startswith("lines 4 to 8, 11: TUBE: is not supported")
 
 
-def test_what_only_follows_from_a_mistake_is_not_told(tmp_path: Path) -> None:
+def test_what_only_follows_from_a_mistake_is_not_reported(tmp_path: Path) -> None:
     """Nothing about nodes, coordinates, roles and laws of an element whose own line is wrong."""
     found = errors(
         tmp_path,
@@ -116,7 +116,7 @@ def test_values_of_one_quantity_are_given_once(tmp_path: Path) -> None:
     ]
 
 
-def test_an_early_end_is_told_alone(tmp_path: Path) -> None:
+def test_an_early_end_is_reported_alone(tmp_path: Path) -> None:
     """What stands behind it is not read, so nothing is said about what seems to be missing."""
     found = errors(tmp_path, CRANK[0], "END", *CRANK[1:], "EOF")
     assert [z.split(":")[0] for z in found] == ["line 3"] and "comes after END in line 2" in found[0]

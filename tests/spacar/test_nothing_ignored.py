@@ -61,6 +61,14 @@ OUTXP 2 5 3
 OUTE 3 1 2
 OUTEP 5 1 1
 END END
+VISUALIZATION
+BEAMPROPS 1 4
+CROSSTYPE RECT
+CROSSDIM 0.02 0.01
+GRAPHICS 2 5
+FACECOLOR 0.2 0.4 0.6
+OPACITY 0.7
+DONOTDRAW 3
 """
 
 
@@ -91,14 +99,12 @@ def silent(tmp_path: Path, text: str) -> list[str]:
     lines = [line for line in lines if line.strip() and not line.startswith("*")]
     whole = file(tmp_path, *lines)
     before = content(whole)
-    noted = {int(z) for note in whole.notes if "effect" in note for z in _numbers(note)}
+    noted = {int(z) for note in whole.notes if "effect" in note or "not read" in note for z in _numbers(note)}
     found = []
     for i, line in enumerate(lines):
         words = line.split()
-        if words[0].upper() == "VISUALIZATION":
-            break
         # a mode may be released by several lines
-        if words[0].upper() in ("END", "HALT", "EOF", "RLSE") or i + 1 in noted:
+        if words[0].upper() in ("END", "HALT", "EOF", "RLSE", "CROSSTYPE") or i + 1 in noted:
             continue
         for other in changed(words):
             if not effect(tmp_path, [*lines[:i], " ".join(other), *lines[i + 1 :]], whole.dialect, before):

@@ -67,7 +67,7 @@ def test_a_changed_number_is_found(tmp_path: Path) -> None:
     assert ratios(report)["deformations"] < 1e-9
 
 
-def test_what_has_no_counterpart_is_told(tmp_path: Path) -> None:
+def test_what_has_no_counterpart_is_reported(tmp_path: Path) -> None:
     """Records beyond ours, a node and an element that the file does not have, and one that SPACAR does not have."""
     motion = read_entries(DATA / "two_leaf_pivot.sbd")
     constant = {tag: z.copy() if isinstance(z, np.ndarray) else z for tag, z in motion.constant.items()}

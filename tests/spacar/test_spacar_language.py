@@ -33,7 +33,7 @@ def test_delft_and_twente_say_the_same_in_their_words(tmp_path: Path) -> None:
     assert (delft.dialect, twente.dialect) == ("delft", "twente")
     assert [str(call) for call in delft.calls] == [str(call) for call in twente.calls]
     assert (delft.duration, delft.steps) == (twente.duration, twente.steps) == (2.0, 100)
-    assert delft.notes == () and "VISUALIZATION has no effect" in twente.notes[0]
+    assert delft.notes == () and "COLOR no effect: no GRAPHICS" in twente.notes[0]
 
 
 def test_dialect_can_be_given_and_decides_the_order_of_timestep(tmp_path: Path) -> None:
@@ -82,7 +82,7 @@ def test_motion_of_an_input_starts_at_the_time_of_the_file(tmp_path: Path) -> No
     ],
 )
 @pytest.mark.parametrize("role", ["INPUTE 1 1", "DYNE 1 1"])
-def test_a_value_at_the_start_is_no_rate(role: str, lines: list[str], rate: float, tmp_path: Path) -> None:
+def test_a_value_at_the_start_is_not_a_rate(role: str, lines: list[str], rate: float, tmp_path: Path) -> None:
     found = file(
         tmp_path, "PLHINGE 1 1 2", "PLBEAM 2 3 2 4 5", "X 4 1 0", "FIX 1", "FIX 3", "XM 4 1", role, *lines
     )
@@ -137,7 +137,7 @@ WRONG = {
 
 
 @pytest.mark.parametrize("line", WRONG)
-def test_a_line_that_cannot_be_taken_is_told_with_its_number(line: str, tmp_path: Path) -> None:
+def test_a_line_that_cannot_be_taken_is_reported_with_its_number(line: str, tmp_path: Path) -> None:
     with pytest.raises(fx.ModelError, match=r"model\.dat, " + WRONG[line]):
         file(tmp_path, *CRANK, line)
 
@@ -154,7 +154,7 @@ WITHOUT_LENGTH = [
 
 
 @pytest.mark.parametrize("lines", WITHOUT_LENGTH, ids=" ".join)
-def test_an_element_without_length_is_told_with_its_line(lines: list[str], tmp_path: Path) -> None:
+def test_an_element_without_length_is_reported_with_its_line(lines: list[str], tmp_path: Path) -> None:
     written = lines[0].split()[0]
     with pytest.raises(
         fx.ModelError, match=rf"model\.dat, line 1: {written}: the nodes 1 and 3 coincide as drawn"
@@ -162,7 +162,7 @@ def test_an_element_without_length_is_told_with_its_line(lines: list[str], tmp_p
         file(tmp_path, *lines, "FIX 1", dialect="delft")
 
 
-def test_gears_whose_centres_coincide_are_told_with_their_line(tmp_path: Path) -> None:
+def test_gears_whose_centres_coincide_are_reported_with_their_line(tmp_path: Path) -> None:
     with pytest.raises(fx.ModelError, match=r"line 1: GEAR: the radii are opposite"):
         file(tmp_path, "GEAR 1 1 2 3 4 0.1 -0.1", "INPUTE 1 1")
 
@@ -180,7 +180,7 @@ def test_a_deformation_has_one_role(tmp_path: Path) -> None:
         file(tmp_path, *CRANK, "KINE 1 1 2", "LINE 1 2", dialect="delft")
 
 
-def test_what_building_refuses_is_told_with_the_file(tmp_path: Path) -> None:
+def test_what_building_refuses_is_reported_with_the_file(tmp_path: Path) -> None:
     found = file(tmp_path, "PLWHEEL 1 1 2 3 0.3 1 0", "ED 1 1 0.2", "MASS 1 1")
     with pytest.raises(fx.ModelError, match=r"model\.dat: initial rate of 'plwheel1.longitudinal'"):
         _ = found.system
@@ -191,13 +191,13 @@ def test_a_second_run_in_one_file_is_not_passed_over(tmp_path: Path) -> None:
         file(tmp_path, *CRANK, "END", "MASS 3 4.0", "END", "EOF")
 
 
-def test_settings_without_effect_are_told(tmp_path: Path) -> None:
+def test_settings_without_effect_are_reported(tmp_path: Path) -> None:
     found = file(tmp_path, *CRANK, "EPSKIN 1e-6", "JOBID a crank", "MAXITERA 20", "HMAX 0.1", "FORCEMODE 1")
     assert [note.split(":")[0] for note in found.notes] == ["line 8", "line 9", "line 10", "line 12"]
     assert found.max_step == 0.1
 
 
-def test_assumptions_are_told_where_they_matter(tmp_path: Path) -> None:
+def test_assumptions_are_reported_where_they_matter(tmp_path: Path) -> None:
     found = file(
         tmp_path,
         "SURFACE 1 1  1 1 1 0 0 0 0 0 0 -1",
@@ -238,7 +238,7 @@ def test_bearing_and_hinge_modes_have_their_own_order(tmp_path: Path) -> None:
     assert "modes 1 to 3 are read as the displacements" in found.notes[0]
 
 
-def test_missing_dofs_are_told_in_the_words_of_the_file(tmp_path: Path) -> None:
+def test_missing_dofs_are_reported_in_the_words_of_the_file(tmp_path: Path) -> None:
     found = file(tmp_path, *CRANK[:4], "RLSE 1 1", "DYNE 1 1")
     with pytest.raises(
         fx.ConstraintError, match="model.dat: under-constrained.*in the file: .* DYNE or DYNX"
@@ -264,7 +264,7 @@ def test_released_coupled_bending_takes_its_part_of_the_stiffness(tmp_path: Path
     assert abs(law.p[1] - 4 * 5 / 8) < 1e-15
 
 
-def test_command_line_tells_file_and_line(tmp_path: Path) -> None:
+def test_command_line_reports_file_and_line(tmp_path: Path) -> None:
     path = tmp_path / "model.dat"
     path.write_text("\n".join([*CRANK, "GEARBOX 1 2"]))
     for arguments in (["run", str(path)], ["convert", str(path), str(tmp_path / "model.py")]):

@@ -84,7 +84,7 @@ def test_matrices_are_those_in_the_file() -> None:
             assert records[tag][int(step)].tolist() == record[tag]
     with pytest.raises(fx.ModelError, match="tag 'M'; .*M0"):
         records["M"]
-    with pytest.raises(fx.ModelError, match="A, B, C, D are missing"):
+    with pytest.raises(fx.ModelError, match="A, B, C are missing"):
         records.state_space()
 
 
@@ -102,6 +102,37 @@ def test_state_space_models(tmp_path: Path) -> None:
     assert records.to_control(0).dcgain() == pytest.approx(0.5)
     pytest.importorskip("xarray", reason="xarray is not installed")
     assert records.to_xarray()["A"].shape == (2, 2, 2)
+
+
+def test_a_state_space_file_with_all_entries(tmp_path: Path) -> None:
+    """Tags, shapes and order as in the description; without DFT, outputs do not see inputs directly."""
+    nx, nu, ny, nt = 4, 2, 3, 5
+    rng = np.random.default_rng(3)
+    shapes = {"A": (nx, nx), "B": (nx, nu), "C": (ny, nx), "D": (ny, nu), "M0": (2, 2), "C0B": (2, 2)}
+    shapes |= {"K0B": (2, 2), "U0": (nu, 1), "Y0": (ny, 1)}
+    records = {"T": np.arange(nt).reshape(nt, 1, 1) / 10}
+    records |= {tag: rng.normal(size=(nt, *shape)) for tag, shape in shapes.items()}
+    counts = {"NX": [[nx]], "NU": [[nu]], "NY": [[ny]], "NNOM": [[1]], "NRBM": [[0]], "NYS": [[ny]]}
+    for direct in (1, 0):
+        constant = {"LTV": "LTV version 0.0", **counts, "DFT": [[direct]], "X0": rng.normal(size=(nx, 1))}
+        found = fx.load(write(tmp_path / "a.ltv", constant, records))
+        assert isinstance(found, fx.SpacarRecords) and found.t.tolist() == [0.0, 0.1, 0.2, 0.3, 0.4]
+        assert {tag: found[tag].shape[1:] for tag in shapes} == shapes
+        for tag in shapes:
+            assert found[tag].tolist() == records[tag].tolist()
+        A, B, C, D = found.state_space(3)
+        assert (A == records["A"][3]).all() and (B == records["B"][3]).all() and (C == records["C"][3]).all()
+        assert (D == (records["D"][3] if direct else 0)).all() and D.shape == (ny, nu)
+        assert found.constant["X0"].shape == (nx, 1) and found.constant["LTV"] == "LTV version 0.0"
+        # without D, as without DFT
+        kept = {tag: z for tag, z in records.items() if tag != "D"}
+        without = fx.load(write(tmp_path / "b.ltv", constant, kept))
+        assert isinstance(without, fx.SpacarRecords) and not without.state_space(0)[3].any()
+    no_inputs = {
+        tag: z[:, :, :0] if tag == "B" else z for tag, z in records.items() if tag not in ("D", "U0")
+    }
+    free = fx.load(write(tmp_path / "c.ltv", {"LTV": "LTV", "NU": [[0]]}, no_inputs))
+    assert isinstance(free, fx.SpacarRecords) and free.state_space(0)[3].shape == (ny, 0)
 
 
 def test_elements_of_unknown_type_keep_spacars_numbers(tmp_path: Path) -> None:

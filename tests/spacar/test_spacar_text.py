@@ -45,7 +45,7 @@ def test_text_is_read_in_the_usual_encodings(data: bytes, tmp_path: Path) -> Non
     ["\n".join(CRANK).encode("utf-16-le"), b"\x89PNG\r\n" + bytes(range(1, 256))],
     ids=["utf-16", "picture"],
 )
-def test_what_is_no_text_is_refused(data: bytes, tmp_path: Path) -> None:
+def test_what_is_not_text_is_refused(data: bytes, tmp_path: Path) -> None:
     path = tmp_path / "model.dat"
     path.write_bytes(data)
     with pytest.raises(fx.ModelError, match=r"model\.dat: is not text .* give a SPACAR input file"):

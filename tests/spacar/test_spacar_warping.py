@@ -1,12 +1,11 @@
 """BEAMW of files: the same model by hand, Vlasov's closed form, roles and inputs of warping nodes."""
 
-import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 from click.testing import CliRunner
+from programs import printed as printed_by
 from spacar_lines import file
 
 import flexel as fx
@@ -89,8 +88,7 @@ def test_run_and_the_converted_program_give_the_same(tmp_path: Path) -> None:
     assert ran.exit_code == 0, ran.output
     assert CliRunner().invoke(main, ["convert", str(dat), str(target)]).exit_code == 0
     assert "warping=(" in target.read_text()
-    done = subprocess.run([sys.executable, target], capture_output=True, text=True, check=True, cwd=tmp_path)
-    printed = dict(line.split() for line in done.stdout.splitlines())
+    printed = dict(line.split() for line in printed_by(target).splitlines())
     with np.load(tmp_path / "model.npz") as kept:
         assert abs(kept["x_6_1"][-1]) > 1e-6
         assert float(printed["w6.twist"]) == pytest.approx(float(kept["x_6_1"][-1]), rel=1e-9)

@@ -1,4 +1,4 @@
-"""The mechanics of UT SPACAR in files of its dialect: inertia, rigid beams, order of freedoms, modes 0, 3 and 9."""
+"""The mechanics of UT SPACAR in files of its dialect: inertia, rigid beams, degrees of freedom, modes 0, 3 and 9."""
 
 import re
 from pathlib import Path
@@ -126,7 +126,7 @@ def test_mode_9_without_timestep_is_about_the_start_with_its_rates(tmp_path: Pat
         run_spacar(tmp_path / "model.dat", mode=4)
 
 
-def test_mode_0_counts_constraints_and_lists_the_freedoms(tmp_path: Path) -> None:
+def test_mode_0_counts_constraints_and_lists_the_degrees_of_freedom(tmp_path: Path) -> None:
     found = file(tmp_path, *NODES, "INPUTX 3 2", "DYNE 1 3 4 6", "RLSE 1 5", *HALT, "EM 1 1 1 1 1")
     report = run_spacar(tmp_path / "model.dat", tmp_path, mode=0).report
     assert "14 coordinates of 4 nodes" in report and "6 deformations of 1 elements" in report
@@ -142,7 +142,7 @@ def test_mode_0_counts_constraints_and_lists_the_freedoms(tmp_path: Path) -> Non
         assert kept["condition"] == pytest.approx(np.linalg.cond(rows_of))
 
 
-def test_mode_0_tells_what_is_too_much_or_missing(tmp_path: Path) -> None:
+def test_mode_0_reports_what_is_too_much_or_missing(tmp_path: Path) -> None:
     file(tmp_path, *NODES, "FIX 3", *HALT, "EM 1 1")
     assert "over-constrained" in run_spacar(tmp_path / "model.dat", mode=0).report
     file(tmp_path, *NODES, "DYNE 1 1", "RLSE 1 2", *HALT, "EM 1 1 1 1 1")

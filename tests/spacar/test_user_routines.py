@@ -1,11 +1,10 @@
 """USERINP and USERSIG: programs of the user, which are never run; converted, they are functions to fill in."""
 
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
+from programs import printed as printed_by
 from spacar_lines import CRANK, file
 
 import flexel as fx
@@ -31,8 +30,7 @@ def converted(tmp_path: Path) -> tuple[str, dict[str, float]]:
     target.unlink(missing_ok=True)
     result = CliRunner().invoke(main, ["convert", str(tmp_path / "model.dat"), str(target)])
     assert result.exit_code == 0, result.output
-    run = subprocess.run([sys.executable, target], capture_output=True, text=True, check=True, cwd=tmp_path)
-    return target.read_text(), {a: float(b) for a, b in map(str.split, run.stdout.splitlines())}
+    return target.read_text(), {a: float(b) for a, b in map(str.split, printed_by(target).splitlines())}
 
 
 def test_files_with_routines_are_read_with_a_note(tmp_path: Path) -> None:
@@ -65,10 +63,8 @@ def test_converted_routines_change_nothing_until_they_are_filled_in(tmp_path: Pa
     filled = text.replace("return 0.1 + 0.2 * t + 0.2 * t**2", "return 0.7 * t")
     assert filled != text
     (tmp_path / "filled.py").write_text(filled)
-    run = subprocess.run(
-        [sys.executable, "filled.py"], capture_output=True, text=True, check=True, cwd=tmp_path
-    )
-    assert float(dict(map(str.split, run.stdout.splitlines()))["o2.angle"]) == pytest.approx(0.7)
+    filled_in = printed_by(tmp_path / "filled.py")
+    assert float(dict(map(str.split, filled_in.splitlines()))["o2.angle"]) == pytest.approx(0.7)
 
 
 def test_a_stress_that_is_filled_in_acts(tmp_path: Path) -> None:
@@ -86,10 +82,7 @@ def test_a_stress_that_is_filled_in_acts(tmp_path: Path) -> None:
     text, printed = converted(tmp_path)
     law = 'model.law("plbeam1.elongation", lambda e, ed: 300.0 * e)'
     (tmp_path / "filled.py").write_text(text.replace("    return\n", f"    {law}\n"))
-    run = subprocess.run(
-        [sys.executable, "filled.py"], capture_output=True, text=True, check=True, cwd=tmp_path
-    )
-    stretched = dict(map(str.split, run.stdout.splitlines()))
+    stretched = dict(map(str.split, printed_by(tmp_path / "filled.py").splitlines()))
     stiffness = 100 / 0.5
     ratio = float(stretched["plbeam1.elongation"]) / printed["plbeam1.elongation"]
     assert ratio == pytest.approx(stiffness / (stiffness + 300.0), rel=1e-9)

@@ -155,7 +155,7 @@ def test_a_dimension_may_not_be_a_parameter() -> None:
         ({"build": lambda length, width: None}, "build needs 'width'"),
         ({"build": fx.Model()}, "build is .*; give a function"),
         ({"analyse": None}, "analyse is None; give a function"),
-        ({"points": 3}, "3 are no points"),
+        ({"points": 3}, "3 is not a set of points"),
         ({"executor": "cluster"}, "executor is 'cluster'; give 'joblib', 'serial'"),
         ({"workers": 0}, "workers 0; give a whole number, 1 or more"),
         ({"chunk": 0}, "chunk 0; give a whole number, 1 or more"),

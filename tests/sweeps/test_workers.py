@@ -81,7 +81,7 @@ def test_a_cluster_gives_the_digits_of_one_process(client: Any) -> None:
 
 @pytest.mark.filterwarnings("default")
 def test_both_workers_of_a_cluster_work(client: Any) -> None:
-    """Each point tells where it was computed."""
+    """Each point says where it was computed."""
 
     def analyse(z: dict[str, float]) -> dict[str, int]:
         import os

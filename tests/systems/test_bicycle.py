@@ -66,7 +66,7 @@ def test_the_report_has_every_name_of_the_list(rows: Mapping[str, Quantity]) -> 
     wanted = "M C1 K0 K2 eigenvalues weave_speed capsize_speed M1_steer_5s M1_energy_drift kick_3.5 kick_4.5 kick_6.3"
     assert {
         *wanted.split(),
-        "freedoms",
+        "degrees_of_freedom",
         "kinematic_coordinates",
         "coordinates",
         "deformations",

@@ -1,4 +1,4 @@
-"""The flexure mechanisms meet their closed forms, converge to them, and tell what is over-constrained."""
+"""The flexure mechanisms meet their closed forms, converge to them, and report what is over-constrained."""
 
 from pathlib import Path
 

@@ -4,6 +4,7 @@ import re
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from flexel.examples.joints import JOINTS, sketches
@@ -28,11 +29,29 @@ def test_a_model_has_the_degrees_of_freedom_that_it_is_shown_with(name: str) -> 
     assert sketches(name)
 
 
+LAWFUL = [(name, free) for name, shown in JOINTS.items() for free in shown.free if not free.startswith("a")]
+
+
+@pytest.mark.parametrize(("name", "free"), LAWFUL)
+def test_friction_and_stops_act_on_every_free_coordinate_of_every_joint(name: str, free: str) -> None:
+    limit, speed, high, stiffness = 3.0, 0.2, 0.05, 400.0
+    for value, rate, force in (
+        (0.0, 0.5, limit * 0.5 / np.hypot(0.5, speed)),
+        (0.08, 0.0, stiffness * (0.08 - high)),
+    ):
+        m = JOINTS[name].make()
+        m.independent(*JOINTS[name].free)
+        m.friction(free, limit, speed)
+        m.limits(free, -high, high, stiffness)
+        m.initial(free, value, rate)
+        assert m.build().initial.force(free) == pytest.approx(force, rel=1e-9)
+
+
 def test_every_joint_is_on_the_page_with_a_picture() -> None:
     pictures = set(re.findall(r"images/joint_(\w+)\.png", PAGE))
     assert pictures == set(JOINTS)
     assert {z.stem.removeprefix("joint_") for z in (DOCS / "images").glob("joint_*.png")} == set(JOINTS)
-    for name in JOINTS.keys() - {"bevel", "worm"}:
+    for name in JOINTS.keys() - {"bevel", "worm", "flat_cam"}:
         assert f"m.{name}(" in PAGE
 
 

@@ -134,7 +134,7 @@ def test_disturbances_of_both_stable_motions_decay(folded: fx.PeriodicBranch) ->
         system, start = solution.motion.system, solution.motion[0]
         disturbed = system.state_at({z: 1.02 * start[z] for z in system.dynamic}, start=start)
         run = system.simulate(
-            20 * solution.period, start=disturbed, samples=21, method="LSODA", rtol=1e-7, atol=1e-10
+            20 * solution.period, start=disturbed, samples=21, method="DOP853", rtol=1e-7, atol=1e-10
         )
         found, expected = example.deflection(run, 2), example.deflection(solution.motion, 2)
         off = np.abs(found - expected[0]) / example.largest(expected)

@@ -1,5 +1,7 @@
 """Beams whose sections warp: the table of closed forms, and what it does not cover."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -25,6 +27,18 @@ def test_the_restraint_of_a_leaf_depends_on_its_length_over_its_width_alone() ->
         assert exact.restrained(20e-3 * k) == pytest.approx(1.84, abs=1e-2)
 
 
+def cantilever(length: float, **given: Any) -> fx.Model:
+    """A beam that warps, clamped at one end."""
+    m = fx.Model()
+    m.point("P", (0, 0, 0), fixed=True)
+    m.point("Q", (length, 0, 0))
+    m.frame("R", fixed=True)
+    m.frame("S")
+    ends = m.warping("W", fixed=True), m.warping("V")
+    m.beam("b", "P", "R", "Q", "S", direction=(0, 1, 0), warping=ends, **given)
+    return m
+
+
 def test_a_section_gives_what_its_numbers_give() -> None:
     """Frequencies of a leaf from its section, and from numbers with the same shear stiffness."""
     numbers = example.numbers(exact.LEAF, warping=True)
@@ -33,14 +47,7 @@ def test_a_section_gives_what_its_numbers_give() -> None:
     found = []
     options = {"section": exact.LEAF, "material": exact.STEEL}, numbers | {"GAy": k1 * GA, "GAz": k2 * GA}
     for given in options:
-        named = fx.Model()
-        named.point("P", (0, 0, 0), fixed=True)
-        named.point("Q", (0.05, 0, 0))
-        named.frame("R", fixed=True)
-        named.frame("S")
-        warps = named.warping("W", fixed=True), named.warping("V")
-        named.beam("b", "P", "R", "Q", "S", direction=(0, 1, 0), warping=warps, **given)
-        found.append([z.omega for z in named.build().vibrations()])
+        found.append([z.omega for z in cantilever(0.05, **given).build().vibrations()])
     assert found[0] == pytest.approx(found[1], rel=1e-10)
     assert len(found[0]) == 7
 
@@ -81,13 +88,7 @@ def test_bimoments_balance_across_a_shared_node_and_with_a_load_on_it() -> None:
 
 def test_the_stress_of_a_bimoment_is_that_of_bending_flanges() -> None:
     """At the clamp of an I beam: flanges bend sideways under B/h each, all of the torque by shear far from the end."""
-    m = fx.Model()
-    m.point("P", (0, 0, 0), fixed=True)
-    m.point("Q", (0.2, 0, 0))
-    m.frame("R", fixed=True)
-    m.frame("S")
-    ends = m.warping("W", fixed=True), m.warping("V")
-    m.beam("b", "P", "R", "Q", "S", direction=(0, 1, 0), section=exact.BEAM, material="steel", warping=ends)
+    m = cantilever(0.2, section=exact.BEAM, material="steel")
     m.load("S", [100.0, 0, 0])
     state = m.build().equilibrium()
     b = state.section_forces("b")[0].B
@@ -130,13 +131,7 @@ def test_a_relation_and_a_spring_hold_the_warping_of_an_end_elastically() -> Non
 
 
 def test_a_beam_that_warps_is_drawn_and_shows_the_strain_of_its_bimoment() -> None:
-    m = fx.Model()
-    m.point("P", (0, 0, 0), fixed=True)
-    m.point("Q", (0.2, 0, 0))
-    m.frame("R", fixed=True)
-    m.frame("S")
-    ends = m.warping("W", fixed=True), m.warping("V")
-    m.beam("b", "P", "R", "Q", "S", direction=(0, 1, 0), section=exact.BEAM, material="steel", warping=ends)
+    m = cantilever(0.2, section=exact.BEAM, material="steel")
     m.load("S", [100.0, 0, 0])
     system = m.build()
     state = system.equilibrium()

@@ -87,9 +87,19 @@ class Batch {
   }
 }
 
+/** A material that takes its colour from the vertices. */
+function lambert(options) {
+  return new THREE.MeshLambertMaterial({ vertexColors: true, side: THREE.DoubleSide, ...options });
+}
+
+/** The batch of what is see-through by a given amount; made when it is first asked for. */
+function veil(batches, opacity, rigid) {
+  const name = `veil ${opacity} ${rigid}`;
+  return (batches[name] ??= new Batch(lambert({ transparent: true, opacity, depthWrite: false }), rigid));
+}
+
 /** The batches of the page. */
 function makeBatches() {
-  const lambert = (options) => new THREE.MeshLambertMaterial({ vertexColors: true, side: THREE.DoubleSide, ...options });
   const glass = { transparent: true, opacity: 0.22, depthWrite: false };
   return { solid: new Batch(lambert(), true), glass: new Batch(lambert(glass), true), soft: new Batch(lambert(), false) };
 }

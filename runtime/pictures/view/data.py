@@ -20,7 +20,7 @@ from flexel.base.errors import ModelError
 from flexel.base.quaternions import from_matrix
 from flexel.pictures import drawing
 from flexel.pictures.scene import PAINT, View, display_axes, painted
-from flexel.pictures.shape import UNITS, Shape, extent
+from flexel.pictures.shape import UNITS, Shape, extent, lowest
 from flexel.pictures.spring_painters import united
 from flexel.pictures.view.packing import packed, rounded
 from flexel.pictures.view.series import floors, histories
@@ -198,7 +198,7 @@ def _floor(state: State, table: Sequence[Sequence[Shape]], up: Array, size: floa
     """A floor below all that is painted, where there is gravity; for display only."""
     if not any(np.any(z.parameters.get("gravity", 0.0)) for z in state.structure.instances):
         return None
-    low = min(float(np.min(painted(shapes) @ up)) for shapes in table)
+    low = min(lowest(z, up) for shapes in table for z in shapes if z.style in PAINT)
     return {"axes": rounded(display_axes(up)), "height": float(f"{low - 0.02 * size:.6g}")}
 
 
@@ -248,6 +248,8 @@ def part(shapes: Sequence[Shape]) -> dict[str, Any]:
         found["outline"] = rounded(first.outline)
     if first.colour is not None:
         found["colour"] = first.colour
+    if first.opacity < 1:
+        found["opacity"] = first.opacity
     if first.surface is not None:
         vertices, triangles = first.surface
         found["surface"] = packed([vertices])

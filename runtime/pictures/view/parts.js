@@ -36,7 +36,9 @@ class Part {
   }
 
   get batch() {
-    return this.spec.style === "box" ? this.batches.glass : this.spec.rigid ? this.batches.solid : this.batches.soft;
+    const { style, rigid, opacity } = this.spec;
+    if (style === "box") return this.batches.glass;
+    return opacity === undefined ? (rigid ? this.batches.solid : this.batches.soft) : veil(this.batches, opacity, rigid);
   }
 
   /** Take room in the batch. */

@@ -15,14 +15,14 @@ if TYPE_CHECKING:
     from flexel.results.quantities import History
     from flexel.structure.structure import Structure
 
-MOST = 60  # histories in a page that nobody asked for
+MOST = 60  # histories in a page for which none were named
 SHOWN = 3  # histories drawn when the page opens
 NOISE = 1e-9  # of the largest force in a motion: smaller tensions are rounding
 STRAIN = 1e-12  # strains below are rounding
 
 
 def histories(states: Sequence[State], asked: Sequence[str] | None) -> dict[str, Any]:
-    """Histories for the plot strip: those asked for, then degrees of freedom, then what else changes.
+    """Histories for the plot strip: those requested, then degrees of freedom, then other quantities that change.
 
     Parameters
     ----------

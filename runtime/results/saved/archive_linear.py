@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from flexel.base.outside import DataFrame, Dataset
 from flexel.engine.derivatives import Tangents
 from flexel.mechanics.linearization import Linearization
 from flexel.mechanics.transfer import Transfer
@@ -117,7 +118,7 @@ def save(lin: Linearization, path: str | Path) -> Path:
     return write(record_of_linearization(lin), path)
 
 
-def to_xarray(lin: Linearization) -> Any:
+def to_xarray(lin: Linearization) -> Dataset:
     """See `Linearization.to_xarray`."""
     require("xarray", "xarray")
     full = record_of_linearization(lin)
@@ -134,7 +135,7 @@ def to_xarray(lin: Linearization) -> Any:
     return found
 
 
-def to_pandas(lin: Linearization) -> Any:
+def to_pandas(lin: Linearization) -> DataFrame:
     """See `Linearization.to_pandas`."""
     pandas = require("pandas", "xarray")
     rows = [

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from typing import Any
 
 import numpy as np
@@ -11,6 +11,7 @@ import numpy as np
 from flexel.base.arrays import Array
 from flexel.base.units import force_unit, rate_unit
 from flexel.declare.closed_profile import ClosedProfile
+from flexel.declare.looks import Look
 from flexel.declare.materials import Material, Profile
 from flexel.declare.round_sections import Circle, Tube
 from flexel.declare.sections import IBeam, Rectangle
@@ -70,6 +71,7 @@ def _element(z: Instance) -> dict[str, Any]:
         "mass_damping": z.mass_damping,
         "terms": None if z.terms is None else dict(z.terms),
         "profile": _profile(z.profile),
+        "look": _look(z.look),
     }
 
 
@@ -94,6 +96,23 @@ def _profile(profile: object) -> dict[str, Any] | None:
     }
 
 
+def _look(look: object) -> dict[str, Any] | None:
+    """How an element is shown; user-defined section classes are omitted."""
+    if not isinstance(look, Look):
+        return None
+    known = type(look.section) in SECTIONS.values()
+    section = {"section": type(look.section).__name__, "sizes": asdict(look.section)} if known else None  # type: ignore[call-overload]
+    return {"drawn": section, "colour": look.colour, "opacity": look.opacity, "hidden": look.hidden}
+
+
+def _look_of(given: dict[str, Any] | None) -> Look | None:
+    if given is None:
+        return None
+    drawn = given["drawn"]
+    section = None if drawn is None else SECTIONS[drawn["section"]](**drawn["sizes"])
+    return Look(section, given["colour"], given["opacity"], given["hidden"])
+
+
 def _numbers(parameters: Mapping[str, Array]) -> dict[str, Any]:
     return {name: np.asarray(value, dtype=float).tolist() for name, value in parameters.items()}
 
@@ -115,7 +134,15 @@ def structure_of(description: Mapping[str, Any]) -> Structure:
         damping = float(z["mass_damping"])
         instances.append(
             Instance(
-                z["name"], _spec(z, values), tuple(z["nodes"]), values, None, profile, damping, z.get("terms")
+                z["name"],
+                _spec(z, values),
+                tuple(z["nodes"]),
+                values,
+                None,
+                profile,
+                damping,
+                z.get("terms"),
+                _look_of(z.get("look")),
             )
         )
     return assemble_structure(nodes, instances, [_law(z) for z in description["laws"]])
@@ -141,9 +168,9 @@ def _spec(z: Mapping[str, Any], values: Mapping[str, Array]) -> ElementSpec:
 
 
 def _outside(spec: ElementSpec) -> tuple[object, ...]:
-    """What a structure sees of an element."""
+    """What the structure of a result sees of an element; where it has kinks matters to models alone."""
     parameters = {(z.name, z.size) for z in spec.parameters}
-    return spec.nodes, spec.deformations, spec.slips, parameters
+    return spec.nodes, [replace(d, kinked=False) for d in spec.deformations], spec.slips, parameters
 
 
 def _law(z: Mapping[str, Any]) -> LawInstance:

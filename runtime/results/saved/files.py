@@ -135,7 +135,7 @@ def _write_nc(record: Record, path: Path) -> None:
         data = buffer.getvalue()
     with path.open("wb") as stream:
         stream.write(data)
-        stream.write(seal_of(data))  # behind the end of the file, where nobody reads
+        stream.write(seal_of(data))  # after the end of the file, which no reader reaches
 
 
 def _read_nc(path: Path) -> tuple[dict[str, Any], dict[str, Array]]:

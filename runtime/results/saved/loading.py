@@ -80,4 +80,6 @@ def _result(record: Record, path: str | Path) -> Motion | Linearization | Period
         return periodic_of(record)
     if record.kind == "flexure":
         return flexure_of(record)
-    raise ModelError(f"load '{path}': a result of kind '{record.kind}' is unknown here; use a newer flexel")
+    raise ModelError(
+        f"load '{path}': this version does not know results of kind '{record.kind}'; install a newer one"
+    )

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from flexel.base.arrays import Array
 from flexel.base.errors import FlexelError, ModelError
+from flexel.base.outside import Dataset
 
 
 @dataclass(frozen=True)
@@ -63,7 +64,7 @@ class Record:
                     )
         return self
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """All arrays as one xarray.Dataset, with labels and units as coordinates."""
         xarray = require("xarray", "xarray")
         coordinates: dict[str, Any] = {dim: np.array(names, dtype=str) for dim, names in self.labels.items()}

@@ -101,7 +101,7 @@ class _Reader:
         rows = np.frombuffer(self.data, "<f8", offset=self.at).reshape(-1, size // 8)
         ends = np.cumsum([0, *(z.rows * z.columns for z in headers)])
         return {
-            z.tag: rows[:, a:b].reshape(-1, z.rows, z.columns)
+            z.tag: rows[:, a:b].reshape(announced, z.rows, z.columns)
             for z, a, b in zip(headers, ends[:-1], ends[1:], strict=True)
         }
 

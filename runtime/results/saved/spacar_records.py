@@ -7,14 +7,15 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from flexel.base.arguments import index, text, unknown
 from flexel.base.arrays import Array
 from flexel.base.copies import Portable
 from flexel.base.errors import ModelError
+from flexel.base.outside import Dataset
 from flexel.results.saved.record import require
 from flexel.results.saved.spacar_entries import Entries
-
-STATE_SPACE = ("A", "B", "C", "D")
 
 
 @dataclass(frozen=True)
@@ -56,7 +57,7 @@ class SpacarRecords(Portable):
         return len(self.t)
 
     def state_space(self, record: int = 0) -> tuple[Array, Array, Array, Array]:
-        """A, B, C, D of one record of an `.ltv` file.
+        """A, B, C, D of one record of an `.ltv` file; D is zero where the file has none.
 
         Raises
         ------
@@ -65,17 +66,20 @@ class SpacarRecords(Portable):
         """
         owner = f"'{self.path.name}'"
         record = index(record, owner, "record")
-        missing = [z for z in STATE_SPACE if z not in self.matrices]
+        missing = [z for z in "ABC" if z not in self.matrices]
         if missing:
             raise ModelError(
                 f"{owner}: the matrices {', '.join(missing)} are missing; only an .ltv file has state-space models"
             )
         if not -len(self) <= record < len(self):
             raise ModelError(f"{owner}: record {record} does not exist; there are {len(self)}, from 0")
-        A, B, C, D = (self.matrices[z][record] for z in STATE_SPACE)
-        return A, B, C, D
+        A, B, C = (self.matrices[z][record] for z in "ABC")
+        through = "D" in self.matrices and np.any(
+            self.constant.get("DFT", 1)
+        )  # else outputs see no input directly
+        return A, B, C, self.matrices["D"][record] if through else np.zeros((C.shape[0], B.shape[1]))
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> Dataset:
         """All matrices as one xarray.Dataset over the records."""
         dims = {tag: ("record", f"{tag}_row", f"{tag}_column") for tag in self.matrices}
         data = {tag: (dims[tag], z) for tag, z in self.matrices.items()}

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from flexel.base.outside import DataFrame, Dataset
 from flexel.results.saved.archive import record_of
 from flexel.results.saved.record import require
 
@@ -12,7 +13,7 @@ if TYPE_CHECKING:
     from flexel.results.motion import Motion
 
 
-def motion_dataset(motion: Motion, names: Sequence[str]) -> Any:
+def motion_dataset(motion: Motion, names: Sequence[str]) -> Dataset:
     """The named quantities of a motion as an xarray.Dataset, or all of it; see `Motion.to_xarray`."""
     if not names:
         return record_of(motion).to_xarray()
@@ -22,7 +23,7 @@ def motion_dataset(motion: Motion, names: Sequence[str]) -> Any:
     return xarray.Dataset(data, {"time": ("time", motion.t, {"units": "s"})})
 
 
-def motion_frame(motion: Motion, names: Sequence[str]) -> Any:
+def motion_frame(motion: Motion, names: Sequence[str]) -> DataFrame:
     """The named quantities of a motion as a pandas.DataFrame; see `Motion.to_pandas`."""
     pandas = require("pandas", "xarray")
     structure = motion.structure

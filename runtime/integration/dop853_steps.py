@@ -1,4 +1,4 @@
-"""The stages of a step of DOP853 in C: the coefficients, and the arrays of runge_kutta.h."""
+"""Single steps of DOP853 in C, with the coordinates as a shadow; see runge_kutta.h."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from flexel.generated._kernels import ffi, lib
 from flexel.mechanics.kinematics import Kinematics
 from flexel.structure.moment import Moment
 
-ACCEPT = 0.01  # error of a position below which J is not evaluated anew, relative to rtol
+ACCEPT = 0.01  # error of a position below which J is not evaluated again, relative to rtol
 A, B, C = (np.ascontiguousarray(z, dtype=float) for z in (tableau.A[:12, :12], tableau.B, tableau.C[:12]))
 E3, E5 = (np.ascontiguousarray(z, dtype=float) for z in (tableau.E3, tableau.E5))
 TIMES = np.append(C, 1.0)  # of the stages and the end
@@ -56,6 +56,16 @@ class Steps(Struct):
         self.choice.struct.accept, self.choice.struct.tolerance = 0.0, TOLERANCE
         self.y[:], self.x[:], self.e[:] = y, now.x, now.e[self._periodic]
 
+    @property
+    def first_order(self) -> bool:
+        """Whether the position matrix is factorized in the order of pivots that was found first."""
+        P = self.choice.struct.P
+        return bool(P.lu == P.first)
+
+    def use_first_order(self) -> None:
+        """Go back to that order."""
+        lib.flexel_matrix_reset(self.choice.P)
+
     def given(self, t: float, h: float, stages: slice) -> None:
         """The prescribed motions and loads at some stages of a step."""
         motions, loads = self.kinematics.roles.motions, self.kinematics.loads
@@ -69,16 +79,6 @@ class Steps(Struct):
                 self._given[i, :split] = self.kinematics.roles.motion(time).ravel()
             if varying:
                 self._given[i, split:] = loads.values(time)
-
-    @property
-    def first_order(self) -> bool:
-        """Whether the position matrix is factorized in the order of pivots that was found first."""
-        P = self.choice.struct.P
-        return bool(P.lu == P.first)
-
-    def use_first_order(self) -> None:
-        """Go back to that order."""
-        lib.flexel_matrix_reset(self.choice.P)
 
     def begin(self, t: float) -> None:
         """Rates at the start."""

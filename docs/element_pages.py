@@ -1,0 +1,130 @@
+"""Pages about elements and laws, from their specifications and their verification."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from flexel.derive.spec import DeformationSpec, ElementSpec, KernelSpec, LawSpec, ParameterSpec
+from flexel.generated.table import ELEMENTS, LAWS
+
+Rows = list[dict[str, Any]]
+
+
+def table(head: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
+    """Return a table in Markdown, or "None." if there are no rows."""
+    lines = [[str(cell).replace("|", r"\|") for cell in row] for row in rows]
+    if not lines:
+        return "None.\n"
+    return "\n".join(f"| {' | '.join(row)} |" for row in [head, ["---"] * len(head), *lines]) + "\n"
+
+
+def parameters(specs: Sequence[ParameterSpec]) -> str:
+    """Table of the parameters of an element or a law."""
+    return table(("name", "size", "unit", "meaning"), [(f"`{z.name}`", z.size, z.unit, z.doc) for z in specs])
+
+
+def kernels(specs: dict[str, KernelSpec]) -> str:
+    """Table of kernels: inputs, outputs and number of operations."""
+    rows = []
+    for name, kernel in specs.items():
+        written = [f"{z.name} {'×'.join(map(str, z.shape))} ({len(z.nonzeros)})" for z in kernel.outputs]
+        rows.append((name, ", ".join(kernel.inputs), ", ".join(written), kernel.operations))
+    return table(("kernel", "inputs", "outputs (stored entries)", "operations"), rows)
+
+
+def errors(rows: Rows) -> str:
+    """Table of the verification."""
+    return table(
+        ("kernel", "output", "against finite differences", "against the definition"),
+        [(z["kernel"], z["output"], number(z["differences"]), number(z["reference"])) for z in rows],
+    )
+
+
+def number(value: float | None) -> str:
+    """Format an error; a dash if there is none."""
+    return "–" if value is None else f"{value:.0e}"
+
+
+def element_page(spec: ElementSpec, rows: Rows) -> str:
+    """Definition, source, kernels, counts and verification of one element."""
+    modes = [(f"`{z.name}`", z.unit, "free" if z.free else "rigid", period(z)) for z in spec.deformations]
+    slips = [(f"`{z.name}`", z.unit, "free" if z.free else "zero") for z in spec.slips]
+    return f"""# {spec.name}
+
+```text
+{spec.doc}
+```
+
+Source: {spec.source}.
+
+## Nodes
+
+{table(("node", "kind"), [(f"`{z.name}`", z.kind.replace("_", " ")) for z in spec.nodes])}
+## Parameters
+
+{parameters(spec.parameters)}
+## Deformations
+
+{table(("name", "unit", "default", "period"), modes)}
+## Slips
+
+{table(("name", "unit", "default"), slips)}
+## Kernels
+
+{kernels(spec.kernels)}
+## Verification
+
+Largest relative errors at random configurations, printed by `flexel verify {spec.name}`: against finite differences of
+the kernel one order below, and against the definition in 60 digits.
+
+{errors(rows)}"""
+
+
+def period(spec: DeformationSpec) -> str:
+    """The period of a deformation as a formula."""
+    terms = []
+    for term in spec.period:
+        turns = f"{term.factor / (2 * math.pi):g}·2π".removeprefix("1·").replace("-1·", "-")
+        terms.append(" ".join([turns, *(name if n == 1 else f"{name}^{n}" for name, _, n in term.powers)]))
+    return " + ".join(terms)
+
+
+def laws_page(rows: dict[str, Rows]) -> str:
+    """All laws on one page."""
+    parts = [
+        "# Laws\n\nA law gives the stress of free deformations and slips. It does not depend on geometry.\n"
+        "`m.spring` and `m.stop` attach the common ones, `m.attach` any of them by name.\n"
+    ]
+    for spec in LAWS.values():
+        parts += [
+            f"## {spec.name}\n\n```text\n{spec.doc}\n```\n",
+            law_facts(spec),
+            parameters(spec.parameters),
+        ]
+        parts += [kernels(spec.kernels), f"Verification:\n\n{errors(rows.get(f'law {spec.name}', []))}"]
+    return "\n".join(parts)
+
+
+def law_facts(spec: LawSpec) -> str:
+    """Return the numbers of deformations and slips of a law, and its internal states."""
+    states = ", ".join(f"`{z.name}` [{z.unit}]" for z in spec.states) or "none"
+    return f"Deformations: {spec.deformations}; slips: {spec.slips}; internal states: {states}.\n"
+
+
+def elements_page() -> str:
+    """The list of element pages."""
+    costs = [(f"[{z.name}](elements/{z.name}.md)", z.source, count(z)) for z in ELEMENTS.values()]
+    pages = "\n".join(f"elements/{name}" for name in ELEMENTS)
+    return (
+        "# Elements\n\nEach element is declared in `derive/elements` and added to a model by a method of `Model`:\n"
+        "its own, or `Model.element`.\n\n"
+        + table(("element", "source", "operations, all kernels"), costs)
+        + f"\n```{{toctree}}\n:hidden:\n\n{pages}\n```\n"
+    )
+
+
+def count(spec: ElementSpec) -> int:
+    """Operations of all kernels together."""
+    return sum(kernel.operations for kernel in spec.kernels.values())

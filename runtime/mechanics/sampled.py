@@ -1,0 +1,48 @@
+"""Linearized equations with sampled controllers: where eigenvalues have no meaning, and the closed loop instead."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from flexel.mechanics.steadiness import check_steady
+from flexel.structure.controllers import refuse_sampled
+from flexel.structure.state import State
+
+if TYPE_CHECKING:
+    from flexel.linear.sampled import SampledLoop
+
+INSTEAD = (
+    "between its instants the loop is open; linearize().sampled() has the eigenvalues of the closed loop"
+)
+
+
+class SampledLinearization:
+    """What a linearization does with sampled controllers."""
+
+    state: State
+
+    @property
+    def acceleration(self) -> float:
+        """How far the state is from steady."""
+        raise NotImplementedError
+
+    def sampled(self) -> SampledLoop:
+        """The closed loop of the sampled controllers, from each instant to the next one.
+
+        Raises
+        ------
+        LinearizationError
+            If no controller is sampled, if periods differ, or if a controller is not smooth or at its limit there.
+
+        Examples
+        --------
+        >>> system.linearize().sampled().eigenvalues()  # doctest: +SKIP
+        """
+        from flexel.linear.sampled import sampled_loop
+
+        return sampled_loop(self)  # type: ignore[arg-type]
+
+    def _check(self, owner: str) -> None:
+        """Refuse eigenvalues of a loop that sampled controllers close; warn where the state accelerates."""
+        refuse_sampled(self.state.structure.controllers, owner, INSTEAD)
+        check_steady(owner, self.acceleration, 4)

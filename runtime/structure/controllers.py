@@ -1,0 +1,177 @@
+"""Controllers of a model: what they measure and drive, their rule, limits, period and delay."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Protocol
+
+import numpy as np
+
+from flexel.base.arrays import Array
+from flexel.base.copies import Constant
+from flexel.base.errors import LinearizationError
+from flexel.structure.rules import Rule
+
+SAME = 1e-9  # of a period: times that close are one instant
+AT_LIMIT = 1e-12  # relative
+
+
+class State(Protocol):
+    """What is read from the state of a mechanism."""
+
+    @property
+    def t(self) -> float:
+        """Time [s]."""
+        ...
+
+    def __getitem__(self, name: str) -> float:
+        """Value of a quantity or internal state."""
+        ...
+
+    def rate(self, name: str) -> float:
+        """Its rate."""
+        ...
+
+    def acceleration(self, name: str) -> float:
+        """Its second rate."""
+        ...
+
+    def force(self, name: str) -> float:
+        """Its stress or reaction."""
+        ...
+
+
+@dataclass(frozen=True)
+class Controller(Constant):
+    """A controller: u = rule(t, y, x) within its limits, continuous or sampled.
+
+    Attributes
+    ----------
+    name : str
+    inputs, outputs : tuple of str
+        As the user named them: histories, and the quantities on which forces act.
+    rule : Rule
+    low, high : ndarray (nu,)
+        Limits of the outputs; infinite for none.
+    period : float or None
+        [s]; None for a continuous one.
+    delay : float
+        From an instant to the change of the outputs [s].
+    """
+
+    name: str
+    inputs: tuple[str, ...]
+    outputs: tuple[str, ...]
+    rule: Rule
+    low: Array
+    high: Array
+    period: float | None = None
+    delay: float = 0.0
+
+    @property
+    def owner(self) -> str:
+        """Beginning of messages."""
+        return f"controller '{self.name}'"
+
+    @cached_property
+    def shown(self) -> tuple[str, ...]:
+        """Names of the outputs in results: ``name.u``, or ``name.u0``, ``name.u1``, … of several."""
+        return tuple(f"{self.name}.{z}" for z in numbered("u", len(self.outputs)))
+
+    @cached_property
+    def own(self) -> tuple[str, ...]:
+        """Names of the own state, ``name.x0``, ``name.x1``, …"""
+        return tuple(f"{self.name}.x{i}" for i in range(self.rule.nx))
+
+    @cached_property
+    def waiting(self) -> tuple[str, ...]:
+        """Names of the outputs on their way, ``name.next0``, …, those that come first first."""
+        return tuple(f"{self.name}.next{i}" for i in range(self.slots * len(self.outputs)))
+
+    @cached_property
+    def lag(self) -> tuple[int, float]:
+        """The delay in whole periods, and the rest [s]."""
+        assert self.period is not None
+        whole = int(np.floor(self.delay / self.period + SAME))
+        rest = self.delay - whole * self.period
+        return whole, rest if rest > SAME * self.period else 0.0
+
+    @property
+    def slots(self) -> int:
+        """Number of instants whose outputs are on their way at most."""
+        if self.period is None:
+            return 0
+        whole, rest = self.lag
+        return whole + (rest > 0)
+
+    def limited(self, u: Array) -> Array:
+        """The outputs within their limits."""
+        return np.minimum(np.maximum(u, self.low), self.high)
+
+    def measured(self, state: State) -> Array:
+        """The inputs (ny,) at a state."""
+        return np.array([read(state, z) for z in self.inputs])
+
+    def remembered(self, state: State) -> Array:
+        """The own state (nx,) at a state."""
+        return np.array([state[z] for z in self.own])
+
+    def outputs_at(self, state: State) -> Array:
+        """The outputs (nu,) of a continuous controller at a state."""
+        return self.limited(self.rule(state.t, self.measured(state), self.remembered(state))[0])
+
+    def slopes(self, state: State) -> Array:
+        """Derivatives (nu + nx, ny + nx) of the outputs and own state, or its rate, by inputs and own state.
+
+        Raises
+        ------
+        LinearizationError
+            If it is not smooth there, or an output is at its limit.
+        """
+        given = state.t, self.measured(state), self.remembered(state)
+        u = self.rule(*given)[0]
+        slack = AT_LIMIT * (1 + np.abs(u))
+        for name, z, low, high, small in zip(self.outputs, u, self.low, self.high, slack, strict=True):
+            if z <= low + small or z >= high - small:
+                raise LinearizationError(
+                    f"{self.owner}: its output on '{name}' is at its limit ({low:g} … {high:g}) at t = {state.t:g} s, "
+                    "so it has no linearization there; linearize about a state in which it is within"
+                )
+        return self.rule.smooth_slopes(*given)
+
+
+def refuse_sampled(controllers: Iterable[Controller], owner: str, instead: str) -> None:
+    """Refuse an analysis that has no meaning for sampled controllers; names the first of them."""
+    for c in controllers:
+        if c.period is not None:
+            raise LinearizationError(f"{owner}: {c.owner} is sampled (period {c.period:g} s); {instead}")
+
+
+def check_smooth(controllers: Iterable[Controller], state: State) -> None:
+    """Raise if a continuous controller has no linearization at a state."""
+    for c in controllers:
+        if c.period is None:
+            c.slopes(state)
+
+
+def numbered(letter: str, size: int) -> tuple[str, ...]:
+    """The letter for one thing; with numbers for several."""
+    return (letter,) if size == 1 else tuple(f"{letter}{i}" for i in range(size))
+
+
+def parts(name: str) -> tuple[str, int]:
+    """The quantity in the name of a history, and its order: 0 to 2 primes, -1 for a force."""
+    base = name.removeprefix("force:")
+    if base != name:
+        return base, -1
+    return base.rstrip("'"), len(base) - len(base.rstrip("'"))
+
+
+def read(state: State, name: str) -> float:
+    """The value of a history at a state."""
+    base, order = parts(name)
+    if order == -1:
+        return state.force(base)
+    return (state.__getitem__, state.rate, state.acceleration)[order](base)

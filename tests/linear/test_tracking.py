@@ -1,0 +1,115 @@
+"""Branches of eigenvalues are followed by the shapes of their modes, and their stability boundaries are refined."""
+
+import numpy as np
+import pytest
+
+from flexel.base.arrays import Array
+from flexel.examples import bicycle_data as data
+from flexel.linear.tracking import Branches
+
+SPEEDS = np.linspace(0, 10, 41)
+
+
+def pair(k1: float, k2: float, coupling: float = 0.0) -> Array:
+    """Two oscillators of unit mass, "a" and "b", joined by a spring."""
+    K = np.array([[k1 + coupling, -coupling], [-coupling, k2 + coupling]])
+    return np.block([[np.diag([-0.02, -0.04]), -K], [np.eye(2), np.zeros((2, 2))]])
+
+
+def crossing(p: Array, coupling: float = 0.0) -> Branches:
+    """Natural frequencies 1 + p and 3 - p, which cross at p = 1."""
+    return Branches.of(p, [pair((1 + z) ** 2, (3 - z) ** 2, coupling) for z in p], ("a", "b", "a", "b"))
+
+
+def bicycle(v: float) -> Array:
+    """State matrix of lean and steer of the published benchmark."""
+    M, C1, K0, K2 = (np.array(z) for z in (data.M, data.C1, data.K0, data.K2))
+    lower = np.linalg.solve(M, np.hstack([v * C1, data.BENCHMARK["g"] * K0 + v**2 * K2]))
+    return np.vstack([-lower, np.eye(2, 4)])
+
+
+@pytest.mark.parametrize("count", [40, 41, 6])  # between the points, at one of them, coarse
+def test_modes_whose_frequencies_cross_keep_their_names(count: int) -> None:
+    p = np.linspace(0, 2, count)
+    found = crossing(p)
+    assert found.names == ["a", "b"] or found.names == ["b", "a"]
+    exact = {"a": (1 + p, 0.01), "b": (3 - p, 0.02)}
+    for name, family in zip(found.names, found.families, strict=True):
+        omega, decay = exact[name]
+        assert len(family) == 2
+        for j in family:
+            assert np.abs(found.eigenvalues[:, j].imag) == pytest.approx(
+                np.sqrt(omega**2 - decay**2), rel=1e-9
+            )
+            assert found.eigenvalues[:, j].real == pytest.approx(np.full(count, -decay), abs=1e-9)
+
+
+def test_order_alone_would_swap_them() -> None:
+    """The lower frequency belongs to "a" at the start and to "b" at the end."""
+    found = crossing(np.linspace(0, 2, 40))
+    a = found.families[found.names.index("a")][0]
+    lower = np.abs(found.eigenvalues.imag).min(axis=1)
+    assert abs(found.eigenvalues[0, a].imag) == pytest.approx(lower[0])
+    assert abs(found.eigenvalues[-1, a].imag) > 1.5 * lower[-1]
+
+
+def test_a_veering_pair_is_followed_along_its_continuous_shapes() -> None:
+    """Coupled, frequencies avoid each other: finely sampled, the lower branch stays the lower one, and "a" becomes
+    "b" in it; in steps that leap over the veering, the shape goes on.
+    """
+    fine = crossing(np.linspace(0, 2, 401), 0.08)
+    first = [np.abs(fine.eigenvalues[0, j].imag) for j in range(4)]
+    low = int(np.argmin(first))
+    assert np.abs(fine.eigenvalues[:, low].imag) == pytest.approx(np.abs(fine.eigenvalues.imag).min(axis=1))
+    assert fine.shares is not None
+    of_a = fine.shares[:, low, 0] + fine.shares[:, low, 2]
+    assert of_a[0] > 0.99 and of_a[-1] < 0.01 and np.abs(np.diff(of_a)).max() < 0.2
+    leaping = crossing(np.linspace(0, 2, 7), 0.08)
+    low = int(np.argmin(np.abs(leaping.eigenvalues[0].imag)))
+    assert np.abs(leaping.eigenvalues[-1, low].imag) == pytest.approx(
+        np.abs(leaping.eigenvalues[-1].imag).max()
+    )
+
+
+def test_boundaries_of_the_bicycle_are_the_published_ones_to_the_last_digits() -> None:
+    """From a coarse grid: the equations are polynomials of the speed, which the interpolation reproduces."""
+    found = Branches.of(SPEEDS, [bicycle(v) for v in SPEEDS], ("lean", "steer") * 2)
+    weave, capsize = found.boundaries()
+    assert (weave.value, capsize.value) == pytest.approx((data.WEAVE_SPEED, data.CAPSIZE_SPEED), rel=1e-12)
+    assert capsize.frequency == 0 and weave.frequency == pytest.approx(3.43503384866144, rel=1e-10)
+    assert sorted(len(z) for z in found.families) == [1, 1, 2]
+    assert len(set(found.names)) == 3
+
+
+def test_eigenvalues_alone_continue_smoothly_with_interpolated_boundaries() -> None:
+    """Shuffled eigenvalues come out as continuous branches."""
+    p = np.linspace(0, 2, 41)
+    smooth = np.column_stack([p - 1.21, -1 - p, -0.5 + 1j * (1 + p), -0.5 - 1j * (1 + p)])
+    shuffled = np.array([np.random.default_rng(i).permutation(row) for i, row in enumerate(smooth)])
+    found = Branches.of(p, shuffled)
+    assert np.max(np.abs(np.diff(found.eigenvalues, axis=0))) < 0.06
+    (only,) = found.boundaries()
+    assert only.value == pytest.approx(1.21, rel=1e-12) and only.frequency == 0
+    rows = [Branches.of(SPEEDS, np.array([np.linalg.eigvals(bicycle(v)) for v in SPEEDS])).boundaries()]
+    assert [z.value for z in rows[0]] == pytest.approx([data.WEAVE_SPEED, data.CAPSIZE_SPEED], rel=1e-4)
+
+
+def test_what_failed_stays_unknown_and_branches_go_on_behind_it() -> None:
+    p = np.linspace(0, 2, 41)
+    matrices = np.array([pair((1 + z) ** 2, (3 - z) ** 2) for z in p])
+    matrices[[0, 12, 13]] = np.nan
+    found = Branches.of(p, matrices, ("a", "b", "a", "b"))
+    assert np.flatnonzero(np.isnan(found.eigenvalues).all(axis=1)).tolist() == [0, 12, 13]
+    a = found.families[found.names.index("a")][0]
+    known = np.isfinite(found.eigenvalues[:, a])
+    assert np.abs(found.eigenvalues[known, a].imag) == pytest.approx(np.sqrt((1 + p[known]) ** 2 - 1e-4))
+    assert Branches.of(p, np.full((41, 4), np.nan)).boundaries() == []
+
+
+def test_rigid_body_motions_are_no_boundaries() -> None:
+    """Their eigenvalues are zero but for rounding, of any sign."""
+    matrices = []
+    for k in np.linspace(1, 2, 21):
+        K = k * np.array([[1.0, -1.0], [-1.0, 1.0]])
+        matrices.append(np.block([[-1e-3 * K, -K], [np.eye(2), np.zeros((2, 2))]]))
+    assert Branches.of(np.linspace(1, 2, 21), matrices).boundaries() == []

@@ -1,0 +1,102 @@
+"""The documentation builds without a warning, fits a phone, and its search finds concepts first."""
+
+from __future__ import annotations
+
+import json
+import re
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from browser import MISSING, PROGRAM, Browser
+from page_programs import DOCS
+
+import flexel
+
+pytestmark = pytest.mark.slow
+needs_browser = pytest.mark.skipif(PROGRAM is None, reason=MISSING)
+
+
+@pytest.fixture(scope="module")
+def html(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The pages, built where a warning is an error."""
+    for package in ("sphinx", "myst_parser", "furo", "sphinx_gallery"):
+        pytest.importorskip(package, reason="the documentation needs pip install 'flexel[docs]'")
+    folder = tmp_path_factory.mktemp("docs")
+    command = [sys.executable, "-m", "sphinx", "-W", "--keep-going", "-q", "-d", str(folder / "trees")]
+    answer = subprocess.run(
+        [*command, str(DOCS), str(folder / "html")], capture_output=True, text=True, check=False
+    )
+    assert answer.returncode == 0, answer.stderr
+    return folder / "html"
+
+
+@pytest.fixture(scope="module")
+def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Browser]:
+    with Browser(tmp_path_factory.mktemp("browser") / "profile") as opened:
+        yield opened
+
+
+def test_pages_hold_what_they_should(html: Path) -> None:
+    page = (html / "_generated" / "elements" / "wheel.html").read_text(encoding="utf-8")
+    assert "longitudinal" in page and "against the definition" in page
+    report = (html / "report-latest.html").read_text(encoding="utf-8")
+    assert "Published numbers" in report and "<td>wheel</td>" in report
+    formulas = (html / "theory.html").read_text(encoding="utf-8")
+    assert formulas.count("<math") > 50 and 'class="accented">q\u0308' in formulas
+    assert not re.search(r"<(script|link)[^>]*(src|href)=.https?://", formulas)  # nothing from a network
+    classic = (html / "_generated" / "gallery" / "four_bar.html").read_text(encoding="utf-8")
+    assert "sphx_glr_four_bar_001.png" in classic and "the rocker swings between" in classic
+    assert 'href="report-latest.html"' in (html / "report.html").read_text(encoding="utf-8")
+
+
+def test_all_public_names_and_methods_are_in_the_reference(html: Path) -> None:
+    pages = (html / "_generated" / "api").glob("*.html")
+    described = {z for page in pages for z in re.findall(r'id="flexel\.([\w.]+)"', page.read_text("utf-8"))}
+    methods = {f"{z}.{name}" for z in ("Model", "System") for name in dir(getattr(flexel, z))}
+    wanted = {*flexel._HOMES, *(z for z in methods if "._" not in z)}
+    assert wanted - described == set()
+
+
+@needs_browser
+@pytest.mark.parametrize(
+    ("sought", "first"),
+    [
+        ("degree of freedom", "concepts#term-degree-of-freedom"),
+        ("slip", "concepts#term-slip"),
+        ("tolerance", "concepts#term-tolerance"),
+        ("beam", "concepts#term-beam"),
+        ("rope", "concepts#term-rope"),
+        ("kinematic coordinate", "concepts#term-kinematic-coordinate"),
+        ("choice of integrator", "concepts#choice-of-integrator-and-tolerance"),
+        ("simulate", "_generated/api/systems-states-and-motions#flexel.System.simulate"),
+    ],
+)
+def test_the_search_finds_concepts_first(html: Path, browser: Browser, sought: str, first: str) -> None:
+    """And a name itself before pages that mention it, and guides before the gallery and the rest of the reference."""
+    browser.call("Page.navigate", url=(html / "search.html").as_uri() + "?q=none")
+    browser.wait("typeof Search !== 'undefined' && Search.hasIndex()")
+    asked = (
+        f"Search._performSearch(...Search._parseQuery({json.dumps(sought)})).reverse().map(z => z[0] + z[2])"
+    )
+    found = [z.removeprefix("./") for z in browser.value(asked)]
+    assert found[0] == first
+    guides = [i for i, z in enumerate(found) if re.fullmatch(r"start|vehicles|cranes|joints", z)]
+    gallery = [i for i, z in enumerate(found) if "_generated/gallery" in z]
+    assert not (guides and gallery) or max(guides) < min(gallery)
+
+
+@needs_browser
+def test_no_page_is_wider_than_a_phone(html: Path, browser: Browser) -> None:
+    """Tables, programs and formulas scroll by themselves; pictures shrink."""
+    browser.resize(390, 844, phone=True)
+    wide = {}
+    for page in sorted(html.rglob("*.html")):
+        browser.call("Page.navigate", url=page.as_uri())
+        browser.wait("document.readyState === 'complete'")
+        width = browser.value("document.documentElement.scrollWidth")
+        if width > 390:
+            wide[page.name] = width
+    assert wide == {}

@@ -1,0 +1,106 @@
+"""Every program of README.md and of the pages runs and prints what its page shows; see docs/programs.py."""
+
+from __future__ import annotations
+
+import ast
+import re
+from pathlib import Path
+
+import pytest
+from page_programs import DOCS, programs, ran
+
+PAGES = [page.name for page in programs().pages()]
+WITHOUT = {  # pages without a program, and why
+    "architecture.md": "about the code itself",
+    "index.md": "the contents",
+    "report.md": "about commands",
+    "speed.md": "about a command",
+    "theory.md": "mathematics",
+    "verification.md": "about how flexel is checked",
+}
+PARTS = {
+    page: list(programs().parts((DOCS / page).read_text(encoding="utf-8")))
+    for page in PAGES
+    if page != "README.md"
+}
+SHOWN = sorted(page for page, parts in PARTS.items() if any(part.shown for part in parts))
+
+
+@pytest.mark.parametrize("page", sorted({page for page in PAGES} - {*WITHOUT, "adding-an-element.md"}))
+def test_the_program_of_a_page_runs_and_prints_what_the_page_shows(page: str) -> None:
+    for package in ("matplotlib", "xarray", "joblib", "gymnasium"):
+        pytest.importorskip(package, reason="pages use everything optional: pip install 'flexel[test]'")
+    found = ran(page)
+    assert found.printed
+    for part, out in found.printed:
+        if part.shown is not None:
+            assert programs().agree(part.shown["text"], out), (
+                f"{page} shows\n{part.shown['text']}\nnow\n{out}"
+            )
+    for name, picture in found.drawn.items():
+        assert len(picture) > 5_000, name
+
+
+def test_every_page_has_a_program_and_shows_what_it_prints() -> None:
+    assert sorted(page for page, parts in PARTS.items() if not parts) == sorted(WITHOUT)
+    assert set(PARTS) - {*SHOWN, *WITHOUT} <= {"adding-an-element.md", "control.md"}
+
+
+def test_what_is_not_run_is_still_there() -> None:
+    """A reason whose program is gone, or has changed its first line, is no reason."""
+    heads = {(page, part.head) for page, parts in PARTS.items() for part in parts}
+    heads |= {(page, "*") for page in PARTS}
+    left = {z for z in programs().LEFT_OUT if z[0] != "README.md"}
+    assert left <= heads
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_every_program_is_marked_as_one(page: str) -> None:
+    """No Python hides in a block of another language, or of none."""
+    text = (DOCS.parent / page if page == "README.md" else DOCS / page).read_text(encoding="utf-8")
+    for block in programs().BLOCK.finditer(text):
+        if block["language"] in ("", "sh"):
+            with pytest.raises(SyntaxError):
+                ast.parse(block["text"])
+    assert {z["language"] for z in programs().BLOCK.finditer(text)} & {"py", "python3", "Python"} == set()
+
+
+@pytest.mark.parametrize(
+    ("shown", "printed", "same"),
+    [
+        ("1.234 N", "1.2344999 N", True),
+        ("1.234 N", "1.236 N", False),
+        ("1.234 N", "1.234 m", False),
+        ("-1.5e-03", "-1.51e-03", True),
+        ("-1.5e-03", "1.5e-03", False),
+        ("5 parts", "6 parts", False),
+        ("[1. 2.]", "[1.  2.]", True),
+        ("1.0", "1.0 2.0", False),
+        ("beam2", "beam3", False),
+        ("-0.26-3.73j", "-0.26+3.73j", False),
+    ],
+)
+def test_what_is_shown_is_compared_to_its_last_digit(shown: str, printed: str, same: bool) -> None:
+    assert programs().agree(shown, printed) is same
+
+
+def test_blocks_of_a_page_are_found_and_its_output_is_filled(tmp_path: Path) -> None:
+    page = tmp_path / "page.md"
+    page.write_text(
+        "# A\n```python\nx = 2\n```\ntext\n\n```text\nno output\n```\n\n```python\nprint(x + 1)\n```\n\n```text\n```\n"
+    )
+    first, second = programs().parts(page.read_text())
+    assert first.shown is None and first.code == "x = 2\n" and second.shown is not None
+    assert programs().renewed(page, None) == page.read_text().replace("```text\n```", "```text\n3\n```")
+    assert re.search("no output", programs().renewed(page, None))
+
+
+def test_the_program_for_exudyn_prints_what_its_page_shows(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pytest.importorskip("exudyn", reason="Exudyn is not installed: pip install 'flexel[peers]'")
+    monkeypatch.chdir(tmp_path)  # it writes a folder
+    part = PARTS["coming-from-exudyn.md"][0]
+    shown = part.shown["text"].split()
+    printed = programs().execute(part, "coming-from-exudyn.md", {}).split()[-2:]
+    assert [float(z) for z in printed] == pytest.approx([float(z) for z in shown], abs=2e-6)
