@@ -8,11 +8,13 @@ from typing import Any, Self
 
 import numpy as np
 
+from flexel.analyses.abreast import MotionRunner
 from flexel.analyses.motions import Motions
 from flexel.analyses.variants import Again, Runner, Values, variant_of
 from flexel.base.arguments import array, mapping, names, unknown
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
+from flexel.integration.driver import Run
 from flexel.integration.outcome import stored_times
 from flexel.mechanics.many import LinearizedMany
 from flexel.results.ensemble import Ensemble
@@ -119,14 +121,14 @@ class Ensembles(Motions):
 
         motion = _MotionOf(float(grid[-1] - begin.t), grid, start, values, options)
 
-        def task(system: Motions, i: int) -> tuple[Array, dict[str, int]]:
-            found = motion(system, i)
+        def end(system: Motions, run: Run, why: str) -> tuple[Array, dict[str, int]]:
+            found = system._ended(run, why)
             rows = np.full((len(wanted), grid.size), np.nan)
             for row, name in zip(rows, wanted, strict=True):
                 row[: len(found)] = found[name]
             return rows, found.statistics
 
-        runner: Runner[tuple[Array, dict[str, int]]] = Runner(self, values, task)
+        runner = MotionRunner(self, values, motion.begun, end)
         runner.run(threads, progress)
         all_rows = np.full((len(wanted), values.count, grid.size), np.nan)
         statistics: list[dict[str, int]] = [{} for _ in range(values.count)]
@@ -276,11 +278,21 @@ class _MotionOf:
     options: Mapping[str, Any]
 
     def __call__(self, system: Motions, i: int) -> Motion:
-        first = _begun(system, self.start, {z: float(rows[i]) for z, rows in self.values.initial.items()})
-        return system.simulate(self.duration, start=first, times=self.times, progress=False, **self.options)
+        return system.simulate(self.duration, start=self._first(system, i), progress=False, **self._options)
+
+    def begun(self, system: Motions, i: int, before: Run | None) -> tuple[Run, str]:
+        """The same, only begun; after another motion of the same system."""
+        return system._begun(self.duration, before, start=self._first(system, i), **self._options)
+
+    @property
+    def _options(self) -> dict[str, Any]:
+        return {"times": self.times, **self.options}
+
+    def _first(self, system: Motions, i: int) -> State:
+        return _start(system, self.start, {z: float(rows[i]) for z, rows in self.values.initial.items()})
 
 
-def _begun(system: Motions, start: State | None, initial: Mapping[str, float]) -> State:
+def _start(system: Motions, start: State | None, initial: Mapping[str, float]) -> State:
     """The start of a variant: the initial state, or another one with its own forces, with given values and rates."""
     first = system.initial if start is None else system.state(start.t, start.x, start.v, start.e, start.z)
     if not initial:

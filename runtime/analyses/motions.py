@@ -6,6 +6,7 @@ import logging
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -14,6 +15,8 @@ from flexel.base.arguments import flag
 from flexel.base.arrays import Array
 from flexel.base.errors import FlexelError
 from flexel.integration import methods
+from flexel.integration.dop853 import Dop853
+from flexel.integration.driver import Run
 from flexel.integration.events import Event, checked
 from flexel.integration.outcome import Integration, stored_times
 from flexel.integration.ranges import warn_outside
@@ -120,21 +123,25 @@ class Motions(Core):
         RangeWarning
             If a quantity is outside the data of its law at a stored time, by name.
         """
-        if rechoose is not None:
-            flag(rechoose, "simulate", "rechoose")
         if progress is not None:  # where a checkpoint has the whole motion, nothing runs that would refuse it
             flag(progress, "simulate", "progress")
-        unlimited = isinstance(max_step, float) and max_step == np.inf
-        longest = None if unlimited else max_step
-        options = methods.Options(
-            rtol, atol, step, first_step, longest, spectral_radius, newton, max_order, checked(events) or None, rechoose
-        )  # fmt: skip
-        methods.check(method, options)
-        begin = methods.start_of(self, method, start, options)
-        grid = stored_times(begin, duration, times, samples, "simulate")
-        why = ""
-        if method == methods.AUTO:
-            method, why = methods.automatic(self, begin, float(duration), options)
+        given: dict[str, Any] = {"rtol": rtol, "atol": atol, "step": step, "first_step": first_step}
+        given |= {
+            "max_step": max_step,
+            "spectral_radius": spectral_radius,
+            "newton": newton,
+            "max_order": max_order,
+        }
+        method, why, begin, grid, options = self._planned(
+            duration,
+            start=start,
+            times=times,
+            samples=samples,
+            method=method,
+            events=events,
+            rechoose=rechoose,
+            **given,
+        )
         keeper = None if checkpoint is None else Checkpoint(checkpoint, self, begin, grid, method, options)
         before = None if keeper is None else keeper.before()
         if before is not None:
@@ -155,6 +162,50 @@ class Motions(Core):
         if keeper is not None:
             keeper.end(found, run.step)
         return _motion(self, found)
+
+    def _planned(
+        self,
+        duration: float,
+        *,
+        start: State | None = None,
+        times: Sequence[float] | Array | None = None,
+        samples: int = 201,
+        method: str = methods.AUTO,
+        max_step: float = np.inf,
+        events: Sequence[Event] = (),
+        rechoose: bool | None = None,
+        **given: Any,
+    ) -> tuple[str, str, State, Array, methods.Options]:
+        """The method and why it is taken, the start, the stored times and the options of a motion."""
+        if rechoose is not None:
+            flag(rechoose, "simulate", "rechoose")
+        unlimited = isinstance(max_step, float) and max_step == np.inf
+        longest = None if unlimited else max_step
+        options = methods.Options(
+            max_step=longest, events=checked(events) or None, rechoose=rechoose, **given
+        )
+        methods.check(method, options)
+        begin = methods.start_of(self, method, start, options)
+        grid = stored_times(begin, duration, times, samples, "simulate")
+        if method != methods.AUTO:
+            return method, "", begin, grid, options
+        chosen, why = methods.automatic(self, begin, float(duration), options)
+        return chosen, why, begin, grid, options
+
+    def _begun(self, duration: float, before: Run | None = None, **given: Any) -> tuple[Run, str]:
+        """A motion that has begun, and why its method is taken; it uses what one with the same options leaves."""
+        method, why, begin, grid, options = self._planned(duration, **given)
+        run = methods.run_of(self, method, begin, grid, float(duration), options)
+        if run.times[-1] > run.times[0]:
+            if isinstance(run, Dop853) and isinstance(before, Dop853):
+                run.spare = before.steps
+            run.begin()
+        return run, why
+
+    def _ended(self, run: Run, why: str) -> Motion:
+        """A motion of `_begun`, continued to its end."""
+        found = run.kept("reached the end") if run.t >= run.times[-1] else run.rest(False)
+        return _motion(self, _explained(found, why))
 
 
 def _whole(found: Integration, keeper: Checkpoint | None) -> Integration:

@@ -162,10 +162,11 @@ class Runner(Generic[T]):
         self.results: dict[int, T] = {}
         self.failed: dict[int, str] = {}
         self._lock, self._left = Lock(), iter(range(values.count))
+        self._threads = 1
 
     def run(self, threads: int | None, progress: bool | None) -> None:
         """Do it; an interrupt (Ctrl-C) keeps what is done."""
-        count = min(_threads(threads), self._values.count)
+        count = self._threads = min(_threads(threads), self._values.count)
         log.info("%d variants in %d threads", self._values.count, count)
         show = sys.stderr.isatty() if progress is None else flag(progress, "variants", "progress")
         bar = tqdm(total=self._values.count, disable=not show, unit="variant", leave=False)
@@ -201,21 +202,26 @@ class Runner(Generic[T]):
     def _work(self) -> Iterator[None]:
         """Variants, as long as there are any."""
         system, variant = varied(self._system, self._values.places)
-        while True:
-            with self._lock:
-                i = next(self._left, None)
-            if i is None:
-                return
+        while (i := self._next()) is not None:
             try:
                 self._one(system, variant, i)
             except FlexelError as error:
                 self.failed[i] = str(error)
             yield
 
+    def _next(self) -> int | None:
+        """The next variant, which no other thread takes."""
+        with self._lock:
+            return next(self._left, None)
+
     def _one(self, system: Any, variant: Variant, i: int) -> None:
+        self._set(system, variant, i)
+        self.results[i] = self._task(system, i)
+
+    def _set(self, system: Any, variant: Variant, i: int) -> None:
+        """Make a system the variant number i."""
         variant.set(self._values.of(i))
         _forget(system)
-        self.results[i] = self._task(system, i)
 
 
 def _forget(system: Core) -> None:

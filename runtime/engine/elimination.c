@@ -9,9 +9,6 @@
 
 #define INLINE static inline __attribute__((always_inline)) /* so that widths are known to the compiler */
 
-static const double SINGULAR = 1e-14; /* least size of a pivot relative to its row of the matrix, columns scaled */
-static const double GROWTH = 1e4;     /* largest size of a row when it is eliminated, relative to its pivot */
-
 void flexel_lu_free(flexel_lu *lu)
 {
     if (!lu)
@@ -108,7 +105,8 @@ static inline int invert(const flexel_lu *lu, size_t k, double *a)
 {
     const int d = lu->diagonal[k], u = lu->first[k + 1] - d - 1;
     const double size = fabs(a[d]) * lu->scale[d], rest = norm(a + d + 1, lu->scale + d + 1, u);
-    const int sound = size > 0 && size <= DBL_MAX && size >= SINGULAR * a[lu->slots + k] && size * GROWTH >= rest;
+    const int sound = size > 0 && size <= DBL_MAX && size >= FLEXEL_LEAST_PIVOT * a[lu->slots + k] &&
+                      size * FLEXEL_MOST_GROWTH >= rest;
     a[d] = 1 / a[d];
     return sound;
 }

@@ -10,6 +10,10 @@
 #include "matrix.h"
 #include "table.h"
 
+enum { FLEXEL_MOST_ITERATIONS = 40 }; /* for a position */
+#define FLEXEL_STALLED 1e-10          /* its error that is accepted where it is no longer halved */
+#define FLEXEL_LONGEST_STEP 0.5       /* of Newton's method for it, in natural scales */
+
 /* cdef: begin */
 /* What an evaluation can end with. */
 enum {

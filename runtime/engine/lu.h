@@ -5,6 +5,9 @@
 #include "elimination.h"
 #include "pivots.h"
 
+#define FLEXEL_LEAST_PIVOT 1e-14 /* least size of a pivot relative to its row of the matrix, columns scaled */
+#define FLEXEL_MOST_GROWTH 1e4   /* largest size of a row when it is eliminated, relative to its pivot */
+
 /* Most pivots of a group. */
 #define FLEXEL_GROUP 4
 

@@ -8,10 +8,6 @@
 #include <math.h>
 #include <string.h>
 
-enum { MOST_ITERATIONS = 40 };
-static const double STALLED = 1e-10;    /* error that is accepted where it is no longer halved */
-static const double LONGEST_STEP = 0.5; /* of Newton's method, in natural scales */
-
 static double value_of(const flexel_work *s, int quantity)
 {
     return (size_t)quantity < s->m ? s->e[quantity] : s->x[(size_t)quantity - s->m - s->k];
@@ -49,11 +45,11 @@ int flexel_locate(flexel_work *s, flexel_choice *c)
 {
     double last = INFINITY;
     set_targets(s, c);
-    for (size_t iteration = 0; iteration < MOST_ITERATIONS; iteration++) {
+    for (size_t iteration = 0; iteration < FLEXEL_MOST_ITERATIONS; iteration++) {
         flexel_position(s);
         c->positions++;
         const double error = c->error = residuals(s, c);
-        const int good = error < c->tolerance || (error < STALLED && error > 0.5 * last);
+        const int good = error < c->tolerance || (error < FLEXEL_STALLED && error > 0.5 * last);
         if (!isfinite(error))
             return FLEXEL_UNREACHED;
         const int failed = flexel_factorize(s, c);
@@ -65,7 +61,7 @@ int flexel_locate(flexel_work *s, flexel_choice *c)
             const double z = fabs(c->step[i]) * c->step_weight[i]; /* fmax would be a call */
             largest = z > largest ? z : largest;
         }
-        const double share = largest < LONGEST_STEP ? 1 : LONGEST_STEP / largest;
+        const double share = largest < FLEXEL_LONGEST_STEP ? 1 : FLEXEL_LONGEST_STEP / largest;
         for (size_t i = 0; i < s->nf; i++)
             s->x[i] -= share * c->step[i];
         if (error < c->accept && share == 1)

@@ -12,10 +12,13 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError, FlexelError
+from flexel.generated._kernels import lib
 from flexel.integration.branch import REFUSED
 from flexel.integration.dense import Interpolant
 from flexel.integration.dop853_steps import TIMES, B, C, Steps
 from flexel.integration.minimal import SHORTEST, MinimalRun
+from flexel.integration.outcome import Segment
+from flexel.structure.moment import Moment
 
 SAFETY, SMALLEST, LARGEST = 0.9, 0.2, 10.0  # factors of the step control
 EXPONENT = -1 / 8
@@ -34,9 +37,18 @@ GAPS = 7 / 15, float(C[1]) / 2  # middles of the widest gap between them, and of
 
 
 class Dop853(MinimalRun):
-    """One run of DOP853."""
+    """One run of DOP853.
+
+    Attributes
+    ----------
+    steps : Steps
+    spare : Steps, optional
+        Those of another motion that has ended, with the same tolerances: used again if the degrees of freedom are
+        the same.
+    """
 
     steps: Steps
+    spare: Steps | None = None
     _h = 0.0
     _tried = 0.0
     _failed = 0
@@ -46,7 +58,12 @@ class Dop853(MinimalRun):
     def restart(self) -> None:
         """Restart from the present position in the present degrees of freedom."""
         y = self.choices.values(self.now, self.z)
-        self.steps = Steps(self.kinematics, self.now, y, self.tolerances.rtol, self.natural_atol())
+        spare, self.spare = self.spare, None
+        if spare is not None and spare.kinematics is self.kinematics:
+            self.steps = spare
+            spare.start(self.now, y)
+        else:
+            self.steps = Steps(self.kinematics, self.now, y, self.tolerances.rtol, self.natural_atol())
         self.renew()
         if not self._h:
             self._h = self.tolerances.first_step or self._first_step()
@@ -88,6 +105,7 @@ class Dop853(MinimalRun):
         """One accepted step."""
         end, rejected, careful, across = self.stop, False, False, 0.0
         crossing, self._crossing, defect = self._crossing, False, np.inf
+        first_order = self.steps.first_order
         wished = self._h
         while True:
             s, c = self.steps, self.steps.struct
@@ -113,6 +131,8 @@ class Dop853(MinimalRun):
                 error = np.inf
             self._failed = code
             self.counts["rejected"] += 1
+            if first_order:  # what was tried in vain leaves no other order behind
+                self.steps.use_first_order()
             rejected = True
             self._h = h * (max(SMALLEST, SAFETY * error**EXPONENT) if np.isfinite(error) else SHORTER)
             if careful and c.changed and not code:
@@ -196,6 +216,38 @@ class Dop853(MinimalRun):
         dense = Interpolant(self.kinematics, first, last, s.y.copy(), s.y_new.copy(), s.K.copy())
         s.accept()
         return self.end_step(first.t, dense, first, s.y[s.y.size - self.z.size :].copy(), last)
+
+    # -- steps that are taken in a lane, see abreast.py ------------------------------------------------
+
+    @property
+    def usual(self) -> bool:
+        """Whether no earlier step was judged by other rules."""
+        return not self._noise and not self._crossing
+
+    @property
+    def next_step(self) -> float:
+        """Length of the next step [s]."""
+        return self._h
+
+    def pass_step(self, first: Moment, last: Moment, dense: Interpolant) -> None:
+        """Store the states at the times within an accepted step."""
+        z = dense.y1[dense.y1.size - self.z.size :].copy()
+        self.accept(Segment(first.t, last.t, self.kinematics, self._shown, dense, first, last), z)
+
+    def go_on_alone(self, now: Moment, h: float, reached: float) -> None:
+        """Continue from the start of a step, whose variables and rates are in `steps`."""
+        self.now, self.z, self._h, self.reached = (
+            now,
+            self.steps.y[self.steps.y.size - self.z.size :].copy(),
+            h,
+            reached,
+        )
+
+    def count(self, taken: int, refused: int) -> None:
+        """Count steps that were taken and refused."""
+        self.counts["steps"] += taken
+        self.counts["rejected"] += refused
+        self.counts["evaluations"] += lib.FLEXEL_STAGES * (taken + refused)
 
     def _stopped(self) -> FlexelError:
         """The error of steps that have become too short."""

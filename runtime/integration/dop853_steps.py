@@ -18,6 +18,7 @@ ACCEPT = 0.01  # error of a position below which J is not evaluated again, relat
 A, B, C = (np.ascontiguousarray(z, dtype=float) for z in (tableau.A[:12, :12], tableau.B, tableau.C[:12]))
 E3, E5 = (np.ascontiguousarray(z, dtype=float) for z in (tableau.E3, tableau.E5))
 TIMES = np.append(C, 1.0)  # of the stages and the end
+TABLEAU = {"A": A, "B": B, "C": C, "E3": E3, "E5": E5}
 
 
 class Steps(Struct):
@@ -30,7 +31,7 @@ class Steps(Struct):
         c, s = self.struct, kinematics.structure
         self._periodic = np.flatnonzero(s.period[: s.m])
         c.ny, c.rtol = y.size, rtol
-        for name, array in (("A", A), ("B", B), ("C", C), ("E3", E3), ("E5", E5), ("atol", atol)):
+        for name, array in (*TABLEAU.items(), ("atol", atol)):
             setattr(c, name, self.pointer(array))
         c.weight = self.pointer(kinematics.lists.step_weight)
         nq, nf = self._periodic.size, s.nf
@@ -39,14 +40,31 @@ class Steps(Struct):
         self.e, self.e_new = self.new("e", nq), self.new("e_new", nq)
         self.K = self.new("K", 13 * y.size).reshape(13, y.size)
         self.V = self.new("V", 13 * nf).reshape(13, nf)
-        for name, size in (("W", 13 * nf), ("turning", 13 * nq), ("space", max(y.size, nf))):
-            self.new(name, size)
+        self.W = self.new("W", 13 * nf).reshape(13, nf)
+        self.turning = self.new("turning", 13 * nq).reshape(13, nq)
+        self.new("space", max(y.size, nf))
         self.determinant = np.zeros(TIMES.size)
         self._determinant = self.pointer(self.determinant)
         motion, loads = self.choice.motion.size, self.choice.loads.size
         c.ngiven = motion + loads
         self._given = self.new("given", 13 * (motion + loads)).reshape(13, -1)
+        self.start(now, y)
+
+    def start(self, now: Moment, y: Array) -> None:
+        """Begin at an instant; what follows depends on nothing computed before."""
+        self.choice.reset()
+        self.choice.struct.accept, self.choice.struct.tolerance = 0.0, TOLERANCE
         self.y[:], self.x[:], self.e[:] = y, now.x, now.e[self._periodic]
+
+    @property
+    def first_order(self) -> bool:
+        """Whether the position matrix is factorized in the order of pivots that was found first."""
+        P = self.choice.struct.P
+        return bool(P.lu == P.first)
+
+    def use_first_order(self) -> None:
+        """Go back to that order."""
+        lib.flexel_matrix_reset(self.choice.P)
 
     def given(self, t: float, h: float, stages: slice) -> None:
         """The prescribed motions and loads at some stages of a step."""

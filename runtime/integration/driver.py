@@ -127,6 +127,10 @@ class Run(ABC):
             Called with the run after each step.
         """
         self.begin()
+        return self.rest(progress, each)
+
+    def rest(self, progress: bool | None, each: Callable[[Run], None] | None = None) -> Integration:
+        """The rest of a motion that has begun, as in `run`."""
         begin, end = float(self.times[0]), float(self.times[-1])
         show = sys.stderr.isatty() if progress is None else flag(progress, "simulate", "progress")
         message: str | None = None

@@ -57,6 +57,11 @@ class Loads:
         """The quantity (loads,) on which each load acts."""
         return self._index
 
+    @property
+    def constant(self) -> bool:
+        """Whether no load changes with time."""
+        return all(self._conservative)
+
     def values(self, t: float) -> Array:
         """The loads (loads,) at time t."""
         return np.array([f.rates(t)[0] for f in self._functions])

@@ -20,7 +20,7 @@ def check(models: int, seed: int) -> None:
 
 
 def test_models_of_a_fixed_seed() -> None:
-    check(60, 15)
+    check(200, 15)
 
 
 @pytest.mark.campaign

@@ -1,0 +1,106 @@
+/* Step control of every lane; see lanes.h. These are the rules of dop853.py for steps where nothing unusual happens. */
+#include "lanes_inside.h"
+
+#include <math.h>
+
+/* Times and lengths of the next trial; lanes that cannot take one stop. */
+static void propose(flexel_lanes *l, flexel_trial *trial)
+{
+    for (size_t i = 0; i < FLEXEL_BLOCK; i++) {
+        trial->t[i] = l->t[i], trial->h[i] = 0, trial->failed[i] = -1, trial->changed[i] = 0;
+        if (l->doing[i] != FLEXEL_RUNNING)
+            continue;
+        if (!l->tries[i])
+            l->first[i] = l->h[i];
+        const double after = nextafter(l->t[i], INFINITY) - l->t[i], shortest = fmax(l->shortest, 10 * after);
+        if (l->h[i] < shortest && l->h[i] < l->end - l->t[i]) {
+            l->doing[i] = FLEXEL_STOPPED;
+            continue;
+        }
+        l->to[i] = fmin(l->t[i] + fmin(l->h[i], l->longest), l->end);
+        trial->h[i] = l->to[i] - l->t[i];
+        trial->failed[i] = 0;
+    }
+}
+
+/* Whether the solution is where its shadow is, with the rates of the shadow, in degrees of freedom that are good enough. */
+static int trusted(const flexel_lanes *l, const flexel_trial *trial, size_t i)
+{
+    const double rtol = l->steps->rtol, expected = trial->error_x[i] + l->reached[i] * (l->atol + rtol);
+    const double allowed = l->atol + rtol * trial->fastest[i];
+    return trial->defect[i] <= l->farthest * fmax(expected, l->floor) &&
+           (trial->defect_v[i] <= l->exact * (trial->error_v[i] + allowed) || l->reach[i] <= l->near) &&
+           l->reach[i] <= l->allowed[i];
+}
+
+/* What becomes of a trial in one lane: its step is good, or tried again with another length, or the lane stops. */
+static int conclude(flexel_lanes *l, const flexel_trial *trial, size_t i)
+{
+    const double parts = trial->error[i] + trial->error_x[i] + trial->error_turns[i];
+    const double error = fmax(fmax(trial->error[i], trial->error_x[i] / l->shadow), trial->error_turns[i] / l->turns);
+    if (trial->failed[i] || !isfinite(parts) || (error < 1 && (trial->changed[i] || !trusted(l, trial, i)))) {
+        l->doing[i] = FLEXEL_STOPPED;
+        return 0;
+    }
+    const double h = trial->h[i];
+    if (!(error < 1)) {
+        l->h[i] = h * fmax(l->smallest, l->safety * pow(error, l->exponent));
+        l->tries[i]++;
+        return 0;
+    }
+    const double factor = error > 0 ? fmin(l->largest, l->safety * pow(error, l->exponent)) : l->largest;
+    l->h[i] = h * (l->tries[i] ? fmin(1, factor) : factor);
+    return 1;
+}
+
+/* The step of a lane is taken: it goes on from the end. */
+static void take(flexel_lanes *l, size_t i)
+{
+    l->doing[i] = FLEXEL_RUNNING;
+    l->t[i] = l->to[i];
+    l->reached[i] = l->reach[i];
+    l->taken[i]++;
+    l->refused[i] += l->tries[i];
+    l->tries[i] = 0;
+}
+
+/* One trial in all lanes that are running; whether they all go on. */
+static int advance(flexel_lanes *l)
+{
+    flexel_trial trial;
+    mask good = {0};
+    int waiting = 0;
+    propose(l, &trial);
+    flexel_lanes_step(l, &trial);
+    flexel_lanes_rates(l->work);
+    flexel_lanes_reach(l);
+    for (size_t i = 0; i < FLEXEL_BLOCK; i++) {
+        if (l->doing[i] == FLEXEL_RUNNING && conclude(l, &trial, i)) {
+            if (l->to[i] >= l->until[i]) {
+                l->doing[i] = FLEXEL_PASSED;
+            } else {
+                good[i] = -1;
+                take(l, i);
+            }
+        }
+        waiting |= l->doing[i] == FLEXEL_PASSED || l->doing[i] == FLEXEL_STOPPED;
+    }
+    flexel_lanes_accept(l, &good);
+    return !waiting;
+}
+
+void flexel_lanes_run(flexel_lanes *l)
+{
+    mask good = {0};
+    int running = 0;
+    for (size_t i = 0; i < FLEXEL_BLOCK; i++) {
+        if (l->doing[i] == FLEXEL_PASSED) {
+            good[i] = -1;
+            take(l, i);
+        }
+        running |= l->doing[i] == FLEXEL_RUNNING;
+    }
+    flexel_lanes_accept(l, &good);
+    while (running && advance(l)) {
+    }
+}

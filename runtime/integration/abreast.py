@@ -1,0 +1,172 @@
+"""Motions by DOP853 abreast in the lanes of the processor: up to eight variants of a system, each with its own steps.
+
+A lane does what `flexel.integration.dop853` does, to the same digits.  A step in which anything unusual happens is
+taken alone, from its start; then the motion returns to its lane, or stays alone if it no longer suits one.
+"""
+
+from __future__ import annotations
+
+from typing import TypeGuard
+
+import numpy as np
+
+from flexel.engine.abreast import IDLE, PASSED, RUNNING, STOPPED, Abreast, WideChoice, WideSteps
+from flexel.engine.widework import WideWork
+from flexel.generated._kernels import lib
+from flexel.integration import dop853 as rules
+from flexel.integration.branch import WORSE
+from flexel.integration.dense import Interpolant
+from flexel.integration.dop853_steps import ACCEPT, TABLEAU
+from flexel.integration.driver import Run
+from flexel.integration.minimal import SHORTEST, SINGULAR
+from flexel.structure.moment import Moment
+
+
+def suits(run: Run) -> TypeGuard[rules.Dop853]:
+    """Whether a motion that has begun can go on in a lane."""
+    if not isinstance(run, rules.Dop853) or run.t >= run.times[-1]:
+        return False
+    kinematics = run.kinematics
+    roles, n = kinematics.roles, kinematics.structure.nf
+    return not (
+        run.events
+        or run.sampling.all
+        or roles.motions
+        or not kinematics.loads.constant
+        or kinematics.lists.saddle
+        or roles.nq - roles.nd > lib.FLEXEL_MOST_KINEMATIC
+        or not run.steps.first_order
+        or run.choices.changes
+        or not run.usual
+        or run.now.v[n:].any()
+    )
+
+
+class Abreasts:
+    """Eight lanes for motions over the same times with the same degrees of freedom and tolerances.
+
+    Parameters
+    ----------
+    run : Dop853
+        One of the motions.
+    """
+
+    def __init__(self, run: rules.Dop853) -> None:
+        kinematics, given, s = run.kinematics, run.tolerances, run.steps
+        self._runs: dict[int, rules.Dop853] = {}
+        work = WideWork(kinematics.evaluation.work)
+        choice = WideChoice(kinematics.lists, s.choice)
+        choice.struct.accept = ACCEPT * given.rtol
+        steps = WideSteps(work, s.y.size, run.natural_atol(), kinematics.lists.step_weight, TABLEAU)
+        steps.struct.rtol = given.rtol
+        span = float(run.times[-1] - run.times[0])
+        self._lanes = Abreast(
+            work,
+            choice,
+            steps,
+            {
+                "end": float(run.times[-1]),
+                "longest": given.max_step,
+                "shortest": SHORTEST * span,
+                "safety": rules.SAFETY,
+                "smallest": rules.SMALLEST,
+                "largest": rules.LARGEST,
+                "exponent": rules.EXPONENT,
+                "shadow": rules.SHADOW,
+                "turns": rules.TURNS,
+                "farthest": rules.FARTHEST,
+                "floor": rules.FLOOR,
+                "exact": rules.TRUE,
+                "near": rules.NEAR,
+                "atol": run.largest_atol,
+            },
+        )
+        self._roles = kinematics.roles
+
+    def enter(self, lane: int, run: rules.Dop853) -> None:
+        """Take up a motion that has begun."""
+        l, s, choice = self._lanes, run.steps, run.steps.choice
+        l.work.load(lane, choice.work)
+        steps, now = l.steps, run.now
+        for wide, own in (
+            (steps.y, s.y),
+            (steps.x, s.x),
+            (steps.e, s.e),
+            (l.v, now.v),
+            (l.e, now.e),
+            (l.w, now.ed),
+        ):
+            wide[:, lane] = own
+        for wide, own in ((steps.K, s.K), (steps.V, s.V), (steps.W, s.W), (steps.turning, s.turning)):
+            wide[0, :, lane] = own[0]
+        l.choice.loads[:, lane] = run.kinematics.loads.values(run.t)
+        l.t[lane], l.h[lane], l.until[lane], l.reached[lane] = run.t, run.next_step, run.until, run.reached
+        l.allowed[lane] = WORSE * max(1.0, min(run.choices.best, SINGULAR))
+        l.sign[lane] = s.struct.sign
+        l.taken[lane] = l.refused[lane] = l.tries[lane] = 0
+        l.doing[lane] = RUNNING
+        self._runs[lane] = run
+
+    def run(self) -> list[int]:
+        """Take steps until lanes have to be looked at; these."""
+        self._lanes.run()
+        doing = self._lanes.doing
+        return np.flatnonzero((doing == PASSED) | (doing == STOPPED)).tolist()
+
+    def look(self, lane: int) -> bool:
+        """Store the states at the times that a motion has passed, or take its step alone; whether it has left the lane.
+
+        Raises
+        ------
+        FlexelError
+            If the motion cannot be continued.
+        """
+        l, run = self._lanes, self._runs[lane]
+        stopped = l.doing[lane] == STOPPED
+        if not stopped:
+            self._pass(lane, run)
+            if run.t < run.times[-1]:
+                return False
+        self._leave(lane, run)
+        if stopped and run.advance() is None and self.takes(run):
+            self.enter(lane, run)
+            return False
+        return True
+
+    def drop(self, lane: int) -> None:
+        """Leave a lane empty."""
+        self._lanes.doing[lane] = IDLE
+
+    def takes(self, run: Run) -> TypeGuard[rules.Dop853]:
+        """Whether a motion that has begun can go on in these lanes."""
+        return suits(run) and run.kinematics.roles is self._roles
+
+    def _pass(self, lane: int, run: rules.Dop853) -> None:
+        """Store the states at the times within a step."""
+        l, steps = self._lanes, self._lanes.steps
+        first, x, e = self._start(lane), steps.x_new[:, lane].copy(), l.work.e[:, lane].copy()
+        ed = l.work.w[: e.size, lane].copy()
+        last = Moment(float(l.to[lane]), x, l.work.v[:, lane].copy(), e, ed)
+        y0, y1, K = (z[..., lane].copy() for z in (steps.y, steps.y_new, steps.K))
+        run.pass_step(first, last, Interpolant(run.kinematics, first, last, y0, y1, K))
+
+    def _start(self, lane: int) -> Moment:
+        """The start of the step of a lane."""
+        l = self._lanes
+        x, v, e, ed = (z[:, lane].copy() for z in (l.steps.x, l.v, l.e, l.w))
+        return Moment(float(l.t[lane]), x, v, e, ed)
+
+    def _leave(self, lane: int, run: rules.Dop853) -> None:
+        """Give a motion back, at its end or at the start of a step that it takes alone."""
+        l, steps = self._lanes, self._lanes.steps
+        ended = bool(l.doing[lane] == PASSED)
+        taken, refused = int(l.taken[lane]) + ended, int(l.refused[lane]) + ended * int(l.tries[lane])
+        if not ended:
+            pairs = [(steps.y, run.steps.y), (steps.x, run.steps.x), (steps.e, run.steps.e)]
+            pairs += [(getattr(steps, z)[0], getattr(run.steps, z)[0]) for z in ("K", "V", "W", "turning")]
+            for wide, own in pairs:
+                own[:] = wide[..., lane]
+            run.go_on_alone(self._start(lane), float(l.first[lane]), float(l.reached[lane]))
+        run.count(taken, refused)
+        l.doing[lane] = IDLE
+        del self._runs[lane]
