@@ -56,6 +56,16 @@ def pushed() -> fx.Model:
     return m
 
 
+def sampled() -> fx.System:
+    """A mass on a line with a sampled controller."""
+    m = fx.Model()
+    m.point("P", (1, 0))
+    m.fix("P.y")
+    m.point_mass("mass", "P", 1.0)
+    m.controller([[5.0, 1.0]], inputs=["P.x", "P.x'"], outputs=["P.x"], period=0.01)
+    return m.build()
+
+
 def tabulated() -> fx.Model:
     """The slider of a spring with a curve, driven by tables and other given functions of time."""
     m = fx.Model()
@@ -174,6 +184,7 @@ OBJECTS: dict[str, Callable[[], Any]] = {
     "motion": motion,
     "motion by an implicit method": hung,
     "linearization": lambda: motion().system.linearize(motion()[-1]),
+    "sampled loop": lambda: sampled().linearize().sampled(),
     "modes": lambda: motion().system.linearize().modes(),
     "reduced equations": lambda: motion().system.linearize().reduced(motion().system.dynamic),
     "periodic solution": periodic,

@@ -237,10 +237,8 @@ class Ensembles(Motions):
             if callable(state) and not isinstance(state, type)
             else own_state(self.structure, self.initial if state is None else state, owner)
         )
-        columns = {
-            name: np.atleast_1d(array(z, owner, f"rate '{name}'"))
-            for name, z in mapping(rates, owner, "rates").items()
-        }
+        given = mapping(rates, owner, "rates")
+        columns = {name: np.atleast_1d(array(z, owner, f"rate '{name}'")) for name, z in given.items()}
         sizes = {name: z.shape for name, z in columns.items()}
         if any(len(z) != 1 for z in sizes.values()) or len(set(sizes.values())) > 1:
             raise ModelError(f"{owner}: rates have shapes {sizes}; give as many numbers for each")
@@ -254,7 +252,6 @@ class Ensembles(Motions):
         runner: Runner[dict[str, Array]] = Runner(self, values, lambda system, _: many.blocks(system))
         runner.run(threads, progress)
         dynamic, kinematic, _ = many.role_names
-
         return Linearizations(
             **many.stacked(runner.results, values.count),
             dynamic=dynamic,

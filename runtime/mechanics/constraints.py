@@ -17,6 +17,7 @@ from scipy.sparse import issparse
 from flexel.base.arrays import Array, Index
 from flexel.declare.declarations import Declarations
 from flexel.declare.resolution import norms, resolve_roles
+from flexel.derive.spec import LawSpec
 from flexel.engine.evaluate import Evaluation
 from flexel.mechanics.diagnose import RANK_TOLERANCE, null_space, quoted
 from flexel.structure.roles import Roles
@@ -80,6 +81,13 @@ def report_of_state(state: State) -> ConstraintReport:
     return _report(state.structure, state.roles, state.J)
 
 
+def _resists(spec: LawSpec) -> bool:
+    """Whether forces of a law depend on its deformations or rates; those that a sampled controller holds do not."""
+    (J,) = spec.kernels["tangent"].outputs
+    own = 2 * spec.deformations + spec.slips
+    return any(i % J.shape[1] < own for i in J.nonzeros)
+
+
 def _report(structure: Structure, roles: Roles, J: Any) -> ConstraintReport:
     """The report from J (m + k + n, n), which is sparse for a large model."""
     if _issparse(J):
@@ -87,8 +95,7 @@ def _report(structure: Structure, roles: Roles, J: Any) -> ConstraintReport:
     rows, nf = roles.holonomic, structure.nf
     C = J[rows, :nf]
     right, left = null_space(C, nf)
-    resisting = [law for law in structure.laws if law.spec.name != "held"]  # a held force does not resist
-    elastic = [structure.index[z] for law in resisting for z in law.deformations]
+    elastic = [structure.index[z] for law in structure.laws if _resists(law.spec) for z in law.deformations]
     still = np.concatenate([rows, np.array(elastic, dtype=np.intp)])
     loose, _ = null_space(J[still, :nf], nf)
     moving = np.arange(nf) + structure.m + structure.k

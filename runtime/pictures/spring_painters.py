@@ -28,7 +28,10 @@ def springs(state: State) -> Iterator[Shape]:
     """A coil for each spring and a dashpot for each damper on elongations, displacements and angles of joints."""
     instances = {z.name: z for z in state.structure.instances}
     angles: set[str] = set()
+    controllers = {z.name for z in state.structure.controllers}
     for law in state.structure.laws:
+        if law.name in controllers:
+            continue
         ends = _between(state, law, instances)
         if ends is not None:
             yield from _line(law.name, law, 0, ends)
@@ -49,8 +52,7 @@ def _acts(law: LawInstance, i: int) -> tuple[bool, bool]:
     if _is_linear(law):
         return _own(law, "S", i) > 0, _own(law, "D", i) > 0
     if "coefficients" not in law.parameters:
-        formula = law.code is not None and not law.spec.name.endswith("controller")
-        return formula and len(law.deformations) == 1, False
+        return law.code is not None and len(law.deformations) == 1, False  # a formula
     stores = "stored" in law.parameters  # the energy of a spring's curve
     return stores, not stores
 

@@ -59,7 +59,7 @@ def test_a_motion_from_a_file_needs_no_model_to_be_looked_at(motion: fx.Motion, 
         assert all(np.array_equal(a, b) for a, b in zip(mine.lines, theirs.lines, strict=True))
     assert read.dofs == ("lean.angle", "steer.angle", "rear spin.angle")
     drawn = read.plot(path=tmp_path / "p.png")
-    assert [axes.get_ylabel() for axes in drawn.axes] == ["[rad]"]
+    assert [axes.get_ylabel() for axes in drawn.axes] == ["angle [rad]"]
     with pytest.raises(fx.ModelError, match=r"did you mean lean\.angle"):
         read["lean.angel"]
     with pytest.raises(fx.ModelError, match=r"comes from a file.*system\.restore"):
