@@ -150,7 +150,8 @@ def suitable(system: Core, start: State) -> Suitable:
 def automatic(system: Core, start: State, duration: float, options: Options) -> tuple[str, str]:
     """The appropriate method for a motion, and why."""
     if system.roles.nq == 0:
-        return EXPLICIT, "not integrated: every motion is prescribed"
+        alone = "only internal states are integrated" if _has_rates(system.structure) else "not integrated"
+        return EXPLICIT, f"{alone}: every motion is prescribed"
     if options.events:
         return _because(EXPLICIT, "events are given")
     found = suitable(system, start)
@@ -195,8 +196,7 @@ def run_of(system: Core, method: str, start: State, times: Array, duration: floa
         options.first,
         options.number("max_step", np.inf),
     )
-    if system.roles.nq == 0:
-        _check_own_states(system.structure)
+    if system.roles.nq == 0 and not _has_rates(system.structure):
         return Followed(system, start, times, events)
     own = _in_own_roles(system, start)
     rechoose = options.rechoose is not False
@@ -205,14 +205,10 @@ def run_of(system: Core, method: str, start: State, times: Array, duration: floa
     return Scipy(system, own, times, method, tolerances, events, rechoose)
 
 
-def _check_own_states(structure: Structure) -> None:
-    """Refuse continuous controllers with own states in a motion that is not integrated."""
-    for c in structure.controllers:
-        if c.period is None and c.own:
-            raise ModelError(
-                f"simulate: every motion is prescribed, so nothing is integrated, and the own state of {c.owner} would "
-                "stay as it is; give it a period, or free a motion"
-            )
+def _has_rates(structure: Structure) -> bool:
+    """Whether internal states change with time; those of sampled controllers only jump."""
+    outputs = (z for law in structure.laws for z in law.spec.kernels["law"].outputs)
+    return any(z.name == "zd" and z.nonzeros for z in outputs)
 
 
 def _atol(system: Core, options: Options) -> float | Array:

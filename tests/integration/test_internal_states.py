@@ -161,3 +161,21 @@ def test_an_internal_state_whose_rate_is_not_finite_is_named() -> None:
     m.law(["bar.elongation"], maxwell(), name="empty", k=1.0, lag=0.0)
     with pytest.raises(fx.DynamicsError, match=r"rate of 'empty.creep' at t = 0 s is not finite"):
         _ = m.build().initial
+
+
+@pytest.mark.parametrize(
+    ("method", "tolerance"), [("auto", 1e-9), ("RK45", 1e-9), ("Radau", 1e-9), ("generalized-alpha", 5e-7)]
+)
+def test_states_are_integrated_where_every_motion_is_prescribed(method: str, tolerance: float) -> None:
+    """The creep follows a harmonic elongation with the amplitude and phase of a first-order lag."""
+    m = oscillator(maxwell())
+    m.prescribe("A.x", lambda t: 1 + 0.1 * np.sin(5 * t))
+    s = m.build()
+    assert not s.dynamic
+    motion = s.simulate(1.0, samples=11, method=method, rtol=1e-9)
+    w = 5 * LAG
+    t = motion.t
+    exact = 0.1 / (1 + w * w) * (np.sin(5 * t) - w * np.cos(5 * t) + w * np.exp(-t / LAG))
+    assert motion["damper.creep"] == pytest.approx(exact, abs=tolerance)
+    stress = K * (0.1 * np.sin(5 * t) - exact)
+    assert motion["force:bar.elongation"] == pytest.approx(stress, abs=2 * K * tolerance)
