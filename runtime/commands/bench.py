@@ -57,7 +57,7 @@ def bench(names: tuple[str, ...], json_file: str | None, plot_file: str | None) 
     check_json_file(json_file, rows, "row")
     check_json_file(plot_file, rows, "row", "--plot")
     if plot_file is not None:
-        with _told():
+        with _reported():
             import_module(PLOT).check_format(plot_file)
     begin, table = time.perf_counter(), sys.stderr if json_file == "-" else sys.stdout
     _head(table)
@@ -67,7 +67,7 @@ def bench(names: tuple[str, ...], json_file: str | None, plot_file: str | None) 
         with click.open_file(json_file, "w", encoding="utf-8") as stream:
             stream.write(json.dumps([z.to_dict() for z in found], indent=1, ensure_ascii=False) + "\n")
     if plot_file is not None:
-        with _told():
+        with _reported():
             import_module(PLOT).plot(found, plot_file)
     if interrupted:
         raise SystemExit(INTERRUPTED)
@@ -76,7 +76,7 @@ def bench(names: tuple[str, ...], json_file: str | None, plot_file: str | None) 
 
 
 @contextmanager
-def _told() -> Iterator[None]:
+def _reported() -> Iterator[None]:
     """Turn an error of flexel into one of the command line."""
     from flexel.base.errors import FlexelError
 

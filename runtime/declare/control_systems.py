@@ -114,7 +114,7 @@ def _linear_system(
 
 
 def _time_step(given: Any) -> bool | float | None:
-    """0.0 of a continuous system, the step of a discrete one or True if it is not told, None if all is open."""
+    """0.0 of a continuous system, the step of a discrete one or True if it is not given, None if all is open."""
     dt = getattr(given, "dt", None)
     if dt is None:
         return 0.0 if type(given).__module__.startswith("scipy") else None

@@ -15,7 +15,7 @@ typedef struct {
     double *mu;                           /* multipliers (nforce): given */
     double *given, *force, *r, *gap;      /* stresses but for multipliers (m + k), forces (n) and unbalance (nf), errors (nh) */
     double *size;                         /* largest entry of the rows of J (m + k); less than zero: not known */
-    int sized;                            /* whether `size` is kept: it is found anew after every tangent */
+    int sized;                            /* whether `size` is kept: it is found again after every tangent */
     double scale;                         /* size of the balancing forces */
     int implicit;                         /* whether internal states follow from a step, z = known + share dz/dt */
     double share, *known;

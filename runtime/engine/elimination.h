@@ -29,7 +29,7 @@ size_t flexel_lu_operations(const flexel_lu *lu);
 
 /* Factors, into a (slots), of the matrix whose entry i is buffer[source[i]]. Zero, or one more than the number of the
  * a pivot that is zero, not finite, below 1e-14 of its row, or below 1e-4 of what is left of its row when it is
- * eliminated: the factors are then incomplete, and the pivots must be ordered anew, from these values.
+ * eliminated: the factors are then incomplete, and the pivots must be ordered again, from these values.
  *
  * The size of a row is the sum of those of its entries. Columns are compared by the scales found with the order, rows
  * as they are: matrices whose rows are multiplied by any numbers are treated alike, and those whose columns are

@@ -158,7 +158,7 @@ class Scipy(MinimalRun):
         tried = float(getattr(solver, "h_abs", None) or 1e-3 * (solver.t_bound - self.t))
         tried = min(tried, abs(solver.t - self.t) or tried)
         self.counts["rejected"] += 1
-        log.debug("starts anew at t = %.9g s with a shorter step: %s", self.t, error)
+        log.debug("restarts at t = %.9g s with a shorter step: %s", self.t, error)
         self._first_step = min(tried, self._first_step or np.inf) / 2
         if self._first_step < SHORTEST * self._span:
             raise self.gives_up(error)

@@ -40,7 +40,7 @@ class DifferentialAlgebraic(Saddle):
         self.ends = np.cumsum([0, nf, nf, self.force_rows.size, self.structure.nz])
 
     def restart(self, start: State) -> Balance:
-        """Start anew from a state."""
+        """Restart from a state."""
         self._start, self.near, self.z = start, start.e, start.z
         return self.balance(start.t, start.x, start.v, start.a, self.multipliers(start), start.e)
 
@@ -167,7 +167,7 @@ class Sundials(ImplicitRun):
         return self.equations.balance(b.t, b.x, b.v, b.a, b.mu, b.e)
 
     def jump(self, z: Array) -> None:
-        """Go on from here with other internal states: the solver starts anew."""
+        """Go on from here with other internal states: the solver restarts."""
         b, equations = self._balance, self.equations
         found = dynamics.complete(equations.system.kinematics, b.t, b.x, b.v, b.e, z)
         self._balance = equations.restart(found)

@@ -122,7 +122,7 @@ def sweep(
         store.write()
         log.info("%d points done, %d failed", _count(store, DONE), _count(store, FAILED))
         data = dataset_of(place, chosen)
-        return _told(data if folder is not None else data.copy(deep=True), store, interrupted)
+        return _reported(data if folder is not None else data.copy(deep=True), store, interrupted)
 
 
 def _driven(
@@ -143,7 +143,7 @@ def _driven(
     return interrupted
 
 
-def _told(data: xarray.Dataset, store: Store, interrupted: bool) -> xarray.Dataset:
+def _reported(data: xarray.Dataset, store: Store, interrupted: bool) -> xarray.Dataset:
     """The dataset with a message that says if it is not complete; a warning if points failed."""
     done, failed = (_count(store, z) for z in (DONE, FAILED))
     message = data.attrs["message"]
