@@ -44,7 +44,7 @@ def _sides(law: Law, parameters: Mapping[sp.Symbol, float], at: float) -> tuple[
 def _values(law: Law, parameters: Mapping[sp.Symbol, float], at: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     """Stress at rest and energy; the named intermediates are computed one after another, as the kernels do it."""
     known: dict[sp.Symbol, sp.Expr] = dict.fromkeys((*law.ed, *law.s), sp.S.Zero)
-    known |= {z: sp.Float(value, DIGITS) for z, value in parameters.items()} | {law.e[0]: at}
+    known |= {z: sp.Float(float(value), DIGITS) for z, value in parameters.items()} | {law.e[0]: at}
     for symbol, expr in law.let:
         known[symbol] = expr.xreplace(known).evalf(DIGITS)
     return law.sigma[0].xreplace(known).evalf(DIGITS), law.energy.xreplace(known).evalf(DIGITS)

@@ -206,6 +206,7 @@ def interrupted(self, *arguments):
     return store(self, *arguments)
 
 DenseRun._store = interrupted
+signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell may have left it ignored
 main(["run", sys.argv[1], "--out", sys.argv[2]])
 """
 
