@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -18,6 +19,7 @@ from flexel.base.arguments import (
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.base.transactions import whole_or_nothing
+from flexel.declare.anti_windup import anti_windup_of
 from flexel.declare.control_systems import rule_of
 from flexel.declare.controller_laws import add_continuous, add_sampled, known_names
 from flexel.declare.laws import Laws
@@ -40,6 +42,7 @@ class Controllers(Laws):
         period: float | None = None,
         delay: float = 0.0,
         limits: Any = None,
+        anti_windup: Any = None,
         state: Any = None,
         reference: Mapping[str, float] | None = None,
     ) -> None:
@@ -72,6 +75,14 @@ class Controllers(Laws):
             The outputs are zero before.
         limits : (low, high), optional
             Of the outputs, each a number or one for each output; None or infinite for none.
+        anti_windup : float, array_like (nx, nu), or "clamp", optional
+            Keeps integrators from winding up while an output v is beyond its limits and u is the limited one:
+
+            - A time constant T of a linear system [s]: its integral parts track the limited outputs.  It gives the
+              gains L = V (C V)⁺ / T, or times the period if sampled, with the eigenvectors V of the integrators.
+            - Gains L of any controller: x' = f + L (u - v), or for the next state x = f + L (u - v) if sampled.
+            - "clamp" for sampled ones: the integral part of an output stops where it would grow further beyond the
+              limit.  Of a function the whole own state stops.
         state : array_like (nx,), optional
             Initial own state of a function or a system.
         reference : mapping of str to float
@@ -121,6 +132,7 @@ class Controllers(Laws):
             )
         low, high = _limits(owner, limits, len(driven))
         c = Controller(name, measured, driven, rule, low, high, step, lag)
+        c = replace(c, windup=anti_windup_of(c, anti_windup))
         if c.slots > MOST_SLOTS:
             raise ModelError(
                 f"{owner}: {c.slots} outputs would be on their way (delay {lag:g} s, period {step:g} s); "

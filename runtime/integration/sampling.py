@@ -82,9 +82,8 @@ class Sampled:
                 y = np.array([read(state, name) for name in c.inputs])
             else:
                 y = np.concatenate([at.e, at.x, at.ed, at.v, z])[self.inputs]
-            u, x = c.rule(t, y, z[self.own])
-            u, size = c.limited(u), u.size
-            new[self.own] = x
+            u, new[self.own] = c.advanced(t, y, z[self.own])
+            size = u.size
             queue = np.concatenate([z[self.waiting], u])
             if not rest:
                 new[self.held] = queue[:size]

@@ -27,12 +27,16 @@ class SampledLinearization:
         raise NotImplementedError
 
     def sampled(self) -> SampledLoop:
-        """The closed loop of the sampled controllers, from each instant to the next one.
+        """The closed loop of the sampled controllers over one period.
+
+        Controllers may have different periods: the loop then covers their least common multiple, and begins at a time
+        at which all of them measure.
 
         Raises
         ------
         LinearizationError
-            If no controller is sampled, if periods differ, or if a controller is not smooth or at its limit there.
+            If no controller is sampled, if periods have no common multiple that is short enough, or if a controller is
+            not smooth or at its limit there.
 
         Examples
         --------

@@ -65,7 +65,11 @@ def test_sizes_and_settings() -> None:
     refused("limits contain 'low'; give a number", limits=("low", 1), period=0.1)
     refused("None does not control; give a function of", None)
     refused("'pid' does not control", "pid")
-    refused("own states; a continuous one may have 16", lambda t, y, x: (0.0, x), state=np.zeros(17))
+    refused(
+        "own states; a continuous one may have 100: reduce its order",
+        lambda t, y, x: (0.0, x),
+        state=np.zeros(101),
+    )
     discrete = StateSpace(0.5, [[1.0, 0]], 1.0, [[0, 0]], dt=0.1)
     refused("period 0.2 s, but the system has 0.1 s", discrete, period=0.2)
     refused("discrete and does not tell its period", StateSpace(0.5, [[1.0, 0]], 1.0, [[0, 0]], dt=True))
