@@ -84,9 +84,16 @@ class Linearizations:
 
     @property
     def state_matrices(self) -> Array:
-        """Matrices (…, n, n) of the first-order equations, each as `Linearization.state_matrix`."""
-        rolling, lags = (self.A_k, self.B_k), (self.Z_v, self.Z_q, self.Z_z)
-        return first_order(self.M, (self.C, self.K, self.Z), rolling, lags)
+        """Matrices (…, n, n) of the first-order equations, each as `Linearization.state_matrix`; NaN where one failed."""
+        good = np.isfinite(self.M).all(axis=(-2, -1))
+        forces, rolling, lags = (
+            [z[good] for z in blocks]
+            for blocks in ((self.C, self.K, self.Z), (self.A_k, self.B_k), (self.Z_v, self.Z_q, self.Z_z))
+        )
+        some = first_order(self.M[good], forces, rolling, lags)
+        A = np.full((*good.shape, *some.shape[1:]), np.nan)
+        A[good] = some
+        return A
 
     def eigenvalues(self) -> ComplexArray:
         """Eigenvalues (…, n) [1/s] of the state matrices, in no particular order; NaN where a variant failed."""
