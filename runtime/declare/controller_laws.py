@@ -1,7 +1,8 @@
 """The laws of controllers: compiled ones of linear controllers, callbacks of functions, and forces that are held.
 
 A controller is a law like any other, so the closed loop is simulated, linearized, solved for statics and saved like
-everything else.  The outputs and the memory of a sampled one are internal states that change at its instants only.
+everything else.  The outputs and the own state of a sampled controller are internal states, which change at its
+instants only.
 """
 
 from __future__ import annotations
@@ -56,7 +57,7 @@ def wired(model: Declarations, c: Controller) -> tuple[Wires, list[str]]:
 
 
 def _target(model: Declarations, c: Controller, name: str, what: str) -> tuple[str, bool, float]:
-    """The deformation or slip of a name, whether it is a slip, and what is added to it.
+    """The deformation or slip of a name, whether it is a slip, and its offset.
 
     A coordinate is its displacement from where it is drawn.
     """
@@ -160,7 +161,7 @@ def _linear_law(c: Controller, rule: LinearRule, wires: Wires) -> Any:
 
 
 def add_sampled(model: Declarations, c: Controller, start: Sequence[float]) -> None:
-    """Add the forces that a sampled controller holds, the outputs on their way, and its own state."""
+    """Add the forces that a sampled controller holds, its delayed outputs, and its own state."""
     units, names = known_names(model), numbered("u", len(c.outputs))
     forces = []
     for target, name in zip(c.outputs, names, strict=True):

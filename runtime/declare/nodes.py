@@ -56,7 +56,7 @@ class Nodes(Declarations):
         """Warping of a section, for `beam`: its coordinate ``name.twist`` is the beam's twist per length [rad/m].
 
         Beams of the same section along one line share the node between them, where the warping is continuous.  Fixed
-        where a support keeps the section plane (a clamp); free where nothing does.
+        where a support keeps the section plane (a clamp), and free otherwise.
 
         Raises
         ------
@@ -66,7 +66,7 @@ class Nodes(Declarations):
         return self._new_node(name, "warping", np.zeros(1), fixed)
 
     def fix(self, *names: Node | str) -> None:
-        """Hold nodes or single coordinates at their drawn values."""
+        """Fix nodes or single coordinates at their drawn values."""
         for given in names:
             node, _, component = given.partition(".") if isinstance(given, str) else (given, "", "")
             if isinstance(node, str) and node in self.instances:
