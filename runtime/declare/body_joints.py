@@ -171,7 +171,7 @@ class BodyJoints(JointPlaces, RelationMethods):
 
     @whole_or_nothing
     def universal(self, name: str, p: Given, q: Given, at: Vector, axis_p: Vector, axis_q: Vector) -> None:
-        """Join two bodies by crossed pins: ``name_1.angle`` about the pin in p, ``name_2.angle`` about that in q are free.
+        """Join two bodies by crossed pins; ``name_1.angle`` about that in p, ``name_2.angle`` about that in q are free.
 
         Parameters
         ----------

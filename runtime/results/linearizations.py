@@ -84,7 +84,7 @@ class Linearizations:
 
     @property
     def state_matrices(self) -> Array:
-        """Matrices (…, n, n) of the first-order equations, as `Linearization.state_matrix`; NaN where a variant failed."""
+        """First-order equations (…, n, n), each as `Linearization.state_matrix`; NaN where a variant failed."""
         good = np.isfinite(self.M).all(axis=(-2, -1))
         forces, rolling, lags = (
             [z[good] for z in blocks]
