@@ -27,8 +27,8 @@ class SampledLoop(Portable):
     ----------
     state_matrix : ndarray (ns, ns)
     states : tuple of str (ns,)
-        Those of the linearization: rates and values of the degrees of freedom, and internal states, among which are
-        the outputs that are held or on their way and the controllers' own states.
+        Those of the linearization: rates and values of the degrees of freedom, and internal states, including the held
+        and delayed outputs and the own states of the controllers.
     period : float
         Time after which all instants repeat [s]: the period, or the least common multiple of several.
     """
@@ -47,7 +47,7 @@ class SampledLoop(Portable):
 
     @property
     def stable(self) -> bool:
-        """Whether every small deviation dies out."""
+        """Whether every small deviation decays."""
         return bool(np.all(np.abs(np.linalg.eigvals(self.state_matrix)) < 1.0))
 
 

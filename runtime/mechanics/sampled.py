@@ -1,4 +1,4 @@
-"""Linearized equations with sampled controllers: where eigenvalues have no meaning, and the closed loop instead."""
+"""Linearized equations with sampled controllers: the closed loop, as eigenvalues of the open one have no meaning."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ INSTEAD = (
 
 
 class SampledLinearization:
-    """What a linearization does with sampled controllers."""
+    """Methods of a linearization with sampled controllers."""
 
     state: State
 
     @property
     def acceleration(self) -> float:
-        """How far the state is from steady."""
+        """Size of the accelerations at the state."""
         raise NotImplementedError
 
     def sampled(self) -> SampledLoop:
@@ -47,6 +47,6 @@ class SampledLinearization:
         return sampled_loop(self)  # type: ignore[arg-type]
 
     def _check(self, owner: str) -> None:
-        """Refuse eigenvalues of a loop that sampled controllers close; warn where the state accelerates."""
+        """Refuse eigenvalues if a controller is sampled; warn where the state accelerates."""
         refuse_sampled(self.state.structure.controllers, owner, INSTEAD)
         check_steady(owner, self.acceleration, 4)
