@@ -115,13 +115,13 @@ class Nodes(Declarations):
 
     def independent(self, *names: str) -> None:
         """Name the dynamic degrees of freedom q_d; by default the program chooses them."""
-        self._dynamic = [*(self._dynamic or []), *self._freedoms("independent", names)]
+        self._dynamic = [*(self._dynamic or []), *self._named_dofs("independent", names)]
 
     def kinematic(self, *names: str) -> None:
         """Name the kinematic coordinates q_k of a non-holonomic system; by default the program chooses them."""
-        self._kinematic = [*(self._kinematic or []), *self._freedoms("kinematic", names)]
+        self._kinematic = [*(self._kinematic or []), *self._named_dofs("kinematic", names)]
 
-    def _freedoms(self, owner: str, names: tuple[str, ...]) -> tuple[str, ...]:
+    def _named_dofs(self, owner: str, names: tuple[str, ...]) -> tuple[str, ...]:
         """Names of coordinates and deformations."""
         for name in names:
             if self._quantity_kind(name, owner) == "slip":

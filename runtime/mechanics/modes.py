@@ -74,7 +74,15 @@ class Mode:
 
 @dataclass(frozen=True)
 class Reduced:
-    """Second-order equations of some degrees of freedom, decoupled from the rest: M q'' + C q' + K q = 0."""
+    """Second-order equations of some degrees of freedom, decoupled from the rest: M q'' + C q' + K q = 0.
+
+    Attributes
+    ----------
+    names : tuple of str (n,)
+        The degrees of freedom q.
+    M, C, K : ndarray (n, n)
+        Mass, damping and stiffness matrix.
+    """
 
     names: tuple[str, ...]
     M: Array
