@@ -25,6 +25,7 @@ from flexel.results.saved.description import described
 from flexel.results.saved.files import read, write
 from flexel.results.saved.record import Record
 from flexel.structure.controllers import Controller
+from flexel.structure.rules import LinearRule
 from flexel.structure.state import State
 
 EVERY = 30.0  # seconds between two checkpoints
@@ -143,7 +144,9 @@ def _marks(system: Core, start: State, times: Array, method: str, options: Optio
 
 def _settings(c: Controller) -> list[Any]:
     """The properties of a controller that can be compared: all but its function."""
-    return [c.name, c.inputs, c.outputs, c.period, c.delay, c.low.tolist(), c.high.tolist()]
+    rule = list(vars(c.rule).values()) if isinstance(c.rule, LinearRule) else []
+    windup = [] if c.windup is None else [type(c.windup).__name__, *vars(c.windup).values()]
+    return [c.name, c.inputs, c.outputs, c.period, c.delay, c.low, c.high, rule, windup]
 
 
 def _digest(contents: Any) -> str:

@@ -1,5 +1,8 @@
 """Anti-windup against loops written by hand: matrix exponentials for sampled controllers, SciPy for continuous ones."""
 
+import copy
+import pickle
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -170,6 +173,20 @@ def test_within_the_limits_nothing_changes() -> None:
             assert s.simulate(0.5, start=s.state_at({"A.x": TO - 0.001}))["A.x"] == pytest.approx(
                 plain.simulate(0.5, start=plain.state_at({"A.x": TO - 0.001}))["A.x"], abs=1e-12
             )
+
+
+def test_copies_and_checkpoints_keep_it(tmp_path: Path) -> None:
+    """A checkpoint is of one anti-windup, and of one set of matrices."""
+    file = tmp_path / "part.npz"
+    s = controlled(pid(T), anti_windup=0.3)
+    motion = s.simulate(1.0, samples=5, checkpoint=file)
+    for other in (pickle.loads(pickle.dumps(s)), copy.deepcopy(s)):
+        assert np.array_equal(other.simulate(1.0, samples=5)["A.x"], motion["A.x"])
+    twice = pid(T)
+    twice.D *= 2
+    for function, way in ((pid(T), 0.4), (pid(T), "clamp"), (pid(T), None), (twice, 0.3)):
+        with pytest.raises(fx.ModelError, match="is of another simulation"):
+            controlled(function, anti_windup=way).simulate(1.0, samples=5, checkpoint=file)
 
 
 def test_each_of_several_outputs_is_clamped_by_itself() -> None:
