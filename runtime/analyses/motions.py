@@ -123,9 +123,7 @@ class Motions(Core):
         RangeWarning
             If a quantity is outside the data of its law at a stored time, by name.
         """
-        if (
-            progress is not None
-        ):  # a checkpoint may hold the whole motion: then no integrator checks the options
+        if progress is not None:  # a checkpoint may hold the whole motion: no integrator checks it then
             flag(progress, "simulate", "progress")
         given: dict[str, Any] = {"rtol": rtol, "atol": atol, "step": step, "first_step": first_step}
         given |= {
