@@ -192,7 +192,7 @@ def _section_stiffness(
     wrong = [z for z in chosen if z not in known]
     if wrong or not chosen:
         raise ModelError(
-            f"{owner}: flexible {list(chosen)} names no modes of this beam; they are {', '.join(known)}"
+            f"{owner}: flexible {list(chosen)} are not all modes of this beam, which has {', '.join(known)}"
         )
     keys = {"elongation": "EA", "bend1": "EIz", "bend2": "EIz"} if planar else STIFFNESS_OF
     for a, b in (("bend1", "bend2"), ("bend3", "bend4")):

@@ -174,7 +174,7 @@ class Gearing(BodyJoints):
     def cardan_chain(
         self, first: str, second: str, third: str, *, body: Given, base: Given = GROUND, axes: Any = "zxy"
     ) -> None:
-        """Measure the orientation of a body by three angles: a chain of hinges, which holds nothing.
+        """Measure the orientation of a body by three angles: a chain of hinges without constraints.
 
         ``first.angle``, ``second.angle`` and ``third.angle`` are zero as drawn and count turns; they can be
         independent, prescribed, or carry springs.  In space only.
@@ -190,7 +190,7 @@ class Gearing(BodyJoints):
 
         Notes
         -----
-        Where the first and the third axis fall together (the second angle is 90 degrees for perpendicular axes), the
+        Where the first and the third axis coincide (the second angle is 90 degrees for perpendicular axes), the
         first and the third angle are not determined.
         """
         owner = f"cardan chain '{first}', '{second}', '{third}'"

@@ -39,7 +39,7 @@ class Mode:
     HEAD: ClassVar[tuple[str, ...]] = ("mode", "eigenvalue [1/s]", "frequency [Hz]", "damping")
 
     def row(self) -> tuple[str, ...]:
-        """Its line in a table of modes."""
+        """The line in a table of modes."""
         return self.name, self._eigenvalue, f"{self.hertz:.5g}", f"{self.damping:.4g}"
 
     def __repr__(self) -> str:
@@ -74,7 +74,15 @@ class Mode:
 
 @dataclass(frozen=True)
 class Reduced:
-    """Second-order equations of some degrees of freedom, decoupled from the rest: M q'' + C q' + K q = 0."""
+    """Second-order equations of some degrees of freedom, decoupled from the rest: M q'' + C q' + K q = 0.
+
+    Attributes
+    ----------
+    names : tuple of str (n,)
+        The degrees of freedom q.
+    M, C, K : ndarray (n, n)
+        Mass, damping and stiffness matrix.
+    """
 
     names: tuple[str, ...]
     M: Array
@@ -158,7 +166,7 @@ def first_order(M: Array, forces: Sequence[Array], *rest: Sequence[Array]) -> Ar
     top = np.concatenate(forces, axis=-1)
     nd, n = top.shape[-2:]
     A = np.zeros((*M.shape[:-2], n, n))
-    # a stack of one is ten times as dear, on the path of every linearization
+    # a stack of one costs ten times as much, in every linearization
     A[..., :nd, :] = -solved(M, top) if M.ndim == 2 else -np.linalg.solve(M, top)
     A[..., nd : 2 * nd, :nd] = np.eye(nd)
     row = 2 * nd

@@ -19,6 +19,7 @@ from flexel.base.errors import FlexelError
 from flexel.derive.spec import InternalSpec, KernelSpec, LawSpec, OutputSpec
 from flexel.generated._kernels import ffi
 from flexel.structure.controllers import Controller
+from flexel.structure.windup import BackCalculation
 
 LANES = 8
 KERNEL = "void(size_t, const double *const *, double *const *)"
@@ -160,9 +161,9 @@ class Callback:
         """sigma, tau, zd, U and P."""
         w = self.wires
         every, y, x, t = self._given(given)
-        u, xd = self.controller.rule(t, y, x)
+        u, xd = self.controller.advanced(t, y, x)
         stress = np.zeros(w.m + w.k)
-        stress[list(w.outputs)] = -self.controller.limited(u)
+        stress[list(w.outputs)] = -u
         power = stress @ every[w.m :]
         return [stress[: w.m], stress[w.m :], xd, np.zeros(0), np.array([power])]
 
@@ -172,7 +173,10 @@ class Callback:
         _, y, x, t = self._given(given)
         slopes = c.rule.slopes(t, y, x)
         u, nu, ny = c.rule(t, y, x)[0], len(c.outputs), y.size
-        slopes[:nu][(u < c.low) | (u > c.high)] = 0.0
+        beyond = (u < c.low) | (u > c.high)
+        if isinstance(c.windup, BackCalculation):
+            slopes[nu:] -= c.windup.gains[:, beyond] @ slopes[:nu][beyond]
+        slopes[:nu][beyond] = 0.0
         J = np.zeros((w.m + w.k + x.size, 2 * w.m + w.k + x.size))
         rows = [*w.outputs, *range(w.m + w.k, len(J))]
         slopes[:nu] *= -1
