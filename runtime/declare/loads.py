@@ -17,7 +17,7 @@ from flexel.declare.declarations import Declarations
 from flexel.generated.table import ELEMENTS
 from flexel.structure.instances import Instance
 from flexel.structure.loads import Load
-from flexel.structure.nodes import Node
+from flexel.structure.nodes import SENSORS, Node
 
 
 class Loading(Declarations):
@@ -137,7 +137,7 @@ def _components(value: Any, size: int, owner: str) -> list[Any]:
 
 def sensor(model: Declarations, frame: Node, body_axes: bool) -> str:
     """The element that measures (and can load) a frame's angular velocity; created when first needed."""
-    name = f"{frame.name}.{'body_omega' if body_axes else 'omega'}"
+    name = f"{frame.name}.{SENSORS[body_axes]}"
     if name not in model.instances:
         spec = ELEMENTS["body_rotation" if body_axes else "rotation"]
         values = {z.name: np.array([1.0, 0.0, 0.0, 0.0]) for z in spec.parameters}

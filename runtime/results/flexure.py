@@ -165,7 +165,7 @@ class Flexure:
         return self.motion.plot_shapes(*chosen, path=path, **{"label": "{:.3g} of the loads"} | options)
 
     def view(self, path: str | Path, **options: Any) -> Path:
-        """An HTML page that shows the steps in any browser; options of `flexel.pictures.view.scene_data`."""
+        """An HTML page that shows the steps in any browser; options as of `Motion.view`."""
         return self.motion.view(path, **options)
 
     # -- tables and files ------------------------------------------------------------------------

@@ -191,9 +191,11 @@ class FlexureStep:
     def plot_mode(self, number: int, path: str | Path | None = None, **options: Any) -> Figure:
         """A mode of vibration over the shape at this step; options of `flexel.pictures.deflected.plot_shape`."""
         from flexel.pictures.deflected import plot_shape
+        from flexel.pictures.options import checked
 
         mode = self.vibrations()[self._known(number) - 1]
-        return plot_shape(self.state, mode.shape, path, **{"title": f"{mode.hertz:.4g} Hz"} | options)
+        given = {"title": f"{mode.hertz:.4g} Hz"} | checked("plot_mode", plot_shape, options)
+        return plot_shape(self.state, mode.shape, path, **given)
 
     def view_modes(self, path: str | Path, **options: Any) -> Path:
         """An HTML page with the modes of vibration at this step; options of `flexel.pictures.view.mode_data`."""

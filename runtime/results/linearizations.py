@@ -212,9 +212,12 @@ class RootLoci:
         """
         from flexel.pictures.figures import axis_label
         from flexel.pictures.loci import plot_loci
+        from flexel.pictures.options import checked
 
         label = axis_label([self.name], self.unit) if self.unit else self.name
-        return plot_loci(self.branches(variant), path, **{"label": label, **options})
+        return plot_loci(
+            self.branches(variant), path, **{"label": label} | checked("plot", plot_loci, options)
+        )
 
     def to_xarray(self) -> Dataset:
         """The branches as an xarray.Dataset, besides those of `Linearizations.to_xarray`."""

@@ -104,7 +104,7 @@ class PeriodicSolution:
         return self.motion.plot_shapes(*times, path=path, **options)
 
     def view(self, path: str | Path, **options: Any) -> Path:
-        """An HTML page that shows one period in any browser; options of `flexel.pictures.view.scene_data`."""
+        """An HTML page that shows one period in any browser; options as of `Motion.view`."""
         return self.motion.view(path, **options)
 
     # -- tables and files ------------------------------------------------------------------------

@@ -59,7 +59,7 @@ LAWS = {
     "damper on a slip that comes later": built(
         lambda m: (m.spring("R1.omega.wx", damping=1), m.angular_velocity("R1")),
         "spring on 'R1.omega.wx': unknown name 'R1.omega.wx'",
-        "known: pivot.angle",
+        "declare m.angular_velocity('R1') first, which makes the slips R1.omega.wx",
     ),
     "spring of nothing": built(
         lambda m: m.spring("pivot.angle"), "spring on 'pivot.angle'", "give one of them"

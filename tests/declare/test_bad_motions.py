@@ -115,7 +115,7 @@ def _tabled() -> System:
 
 LOADS = {
     "unknown": built(lambda m: m.load("AA", (1, 2, 3)), "load", "'AA'", "did you mean A"),
-    "unknown quantity": built(lambda m: m.load("A.q", 1), "'A.q'", "did you mean A."),
+    "unknown quantity": built(lambda m: m.load("A.q", 1), "'A.q'", "'A' has A.x, A.y, A.z"),
     "element": built(lambda m: m.load("pivot", 1), "load", "'pivot'", "known: O, A"),
     "None": built(lambda m: m.load(None, 1), "load", "give its name"),
     "two components": built(lambda m: m.load("A", (1, 2)), "load on 'A'", "2 components", "takes 3"),
@@ -150,7 +150,9 @@ LOADS = {
         lambda m: m.load("pivot.angle", lambda t: math.sin(t)), "'pivot.angle'", "np.sin, not math.sin"
     ),
     "slip not measured": built(
-        lambda m: m.load("R1.omega.wx", 1), "unknown name 'R1.omega.wx'", "known: pivot.angle"
+        lambda m: m.load("R1.omega.wx", 1),
+        "unknown name 'R1.omega.wx'",
+        "declare m.angular_velocity('R1') first",
     ),
     "angular velocity of a point": built(
         lambda m: m.angular_velocity("A"), "angular_velocity", "needs a frame"
