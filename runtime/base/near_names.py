@@ -1,4 +1,4 @@
-"""Which known name a wrong one may stand for: a slip of the pen, never a name that merely shares a letter."""
+"""Known names that a misspelt one may stand for, but none that merely shares a letter with it."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """The kernels of a law that calls Python: a continuous controller given by a function.
 
 The engine calls it like every other law, also from its threads.  What the function raises is kept, and the forces are
-not a number; whoever called the engine asks `raise_failure` then.
+not a number; the caller of the engine then calls `raise_failure`.
 """
 
 from __future__ import annotations
@@ -65,11 +65,11 @@ class Callback:
     _failed: local = field(default_factory=local, repr=False, compare=False)
 
     def __getstate__(self) -> dict[str, Any]:
-        """What it is made of."""
+        """Its arguments."""
         return {"controller": self.controller, "wires": self.wires}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
-        """Another one of the same controller, for this process."""
+        """The same law in this process."""
         self.__dict__.update(state, _failed=local())
 
     def __deepcopy__(self, _: object) -> Callback:
@@ -78,7 +78,7 @@ class Callback:
 
     @cached_property
     def spec(self) -> LawSpec:
-        """What the engine knows of the law; only what depends on the inputs is stored."""
+        """The specification of the law; only entries that depend on the inputs are stored."""
         w, nx = self.wires, self.controller.rule.nx
         columns = 2 * w.m + w.k + nx
         used = [*dict.fromkeys(w.inputs), *range(2 * w.m + w.k, columns)]
@@ -126,7 +126,7 @@ class Callback:
             raise failed
 
     def forget_failure(self) -> None:
-        """Forget an error of the function: the engine has gone another way; an interrupt is raised."""
+        """Discard an error of the function from a trial step; an interrupt is raised."""
         if isinstance(getattr(self._failed, "error", None), FlexelError):
             del self._failed.error
         self.raise_failure()

@@ -1,4 +1,4 @@
-"""Controllers of a model: what they measure and drive, their rule, limits, period and delay."""
+"""Controllers of a model: their inputs and outputs, rule, limits, period and delay."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ AT_LIMIT = 1e-12  # relative
 
 
 class State(Protocol):
-    """What is read from the state of a mechanism."""
+    """The values that are read from the state of a mechanism."""
 
     @property
     def t(self) -> float:
@@ -91,7 +91,7 @@ class Controller(Constant):
 
     @cached_property
     def waiting(self) -> tuple[str, ...]:
-        """Names of the outputs on their way, ``name.next0``, …, those that come first first."""
+        """Names of the delayed outputs, ``name.next0``, …, in the order in which they take effect."""
         return tuple(f"{self.name}.next{i}" for i in range(self.slots * len(self.outputs)))
 
     @cached_property
@@ -104,7 +104,7 @@ class Controller(Constant):
 
     @property
     def slots(self) -> int:
-        """Number of instants whose outputs are on their way at most."""
+        """Largest number of instants whose outputs are delayed at once."""
         if self.period is None:
             return 0
         whole, rest = self.lag
