@@ -1,5 +1,6 @@
 """What all tests share: the checkout, no window opened by a plot, one thread for small matrices, a random seed."""
 
+import gc
 import os
 import secrets
 from pathlib import Path
@@ -16,6 +17,18 @@ os.environ.setdefault(SEED, str(secrets.randbelow(10**6)))
 def pytest_report_header() -> str:
     """The seed, in the first lines of the output."""
     return f"random models: {SEED}={os.environ[SEED]}"
+
+
+def pytest_sessionstart() -> None:
+    """Collecting makes objects that stay: the collector of garbage would look at all of them again and again."""
+    gc.disable()
+
+
+def pytest_collection_finish() -> None:
+    """What is there before the first test is never looked at; garbage that a test makes is found as ever."""
+    gc.collect()
+    gc.freeze()
+    gc.enable()
 
 
 @pytest.fixture(scope="session")

@@ -13,22 +13,33 @@ from mpmath import cos, mpf, sin
 from flexel.derive.declare import (
     Element,
 )
-from flexel.derive.elements import ELEMENTS
+from flexel.derive.spec import ElementSpec
+from flexel.derive.verify import definitions
 from flexel.derive.verify.definition import Definition
+from flexel.generated.table import ELEMENTS
 
 mpmath.mp.dps = 50
 decimal.getcontext().prec = 50
 TINY = mpf(10) ** -35
 
 Vector = list[Any]
-BY_NAME = {element.name: element for element in ELEMENTS}
-with_deformations = pytest.mark.parametrize(
-    "element", [e for e in ELEMENTS if e.deformations], ids=lambda e: e.name
-)
-with_slips = pytest.mark.parametrize("element", [e for e in ELEMENTS if e.slips], ids=lambda e: e.name)
-with_mass = pytest.mark.parametrize(
-    "element", [e for e in ELEMENTS if e.kinetic_energy != 0], ids=lambda e: e.name
-)
+
+
+def named(name: str) -> Element:
+    """The definition of an element."""
+    found = definitions()[name]
+    assert isinstance(found, Element)
+    return found
+
+
+def every(names: list[str]) -> pytest.MarkDecorator:
+    """The test for the definition of each element; the formulas are imported when the first one runs."""
+    return pytest.mark.parametrize("element", names, indirect=True)
+
+
+with_deformations = every([name for name, z in ELEMENTS.items() if z.deformations])
+with_slips = every([name for name, z in ELEMENTS.items() if z.slips])
+with_mass = every([name for name, z in ELEMENTS.items() if "inertia" in z.kernels])
 beams = pytest.mark.parametrize("name", ["beam", "beam_first_order"])
 planar_beams = pytest.mark.parametrize("name", ["planar_beam", "planar_beam_first_order"])
 
@@ -188,7 +199,7 @@ class Motion:
         return result
 
 
-def is_planar(element: Element) -> bool:
+def is_planar(element: Element | ElementSpec) -> bool:
     return all(node.kind.startswith("planar") for node in element.nodes)
 
 
