@@ -3,7 +3,9 @@
 import decimal
 import random
 from collections.abc import Callable, Sequence
+from copy import copy
 from decimal import Decimal
+from functools import cache
 from typing import Any
 
 import mpmath
@@ -109,9 +111,14 @@ def many(values: list[Decimal]) -> Vector:
     return [mpf(str(value)) for value in values]
 
 
+@cache
+def _compiled(element: Element) -> Numbers:
+    return Numbers(element)
+
+
 def numbers(element: Element, **values: Any) -> Definition:
     """Return the element's functions with parameters: those named, and zero for the others."""
-    definition = Numbers(element)
+    definition = copy(_compiled(element))  # with parameters of its own
     p: Vector = []
     for parameter in element.parameters:
         value = values.get(parameter.name, [0] * parameter.size)
