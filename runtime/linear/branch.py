@@ -11,7 +11,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.optimize import brentq, minimize_scalar
-from scipy.signal import find_peaks
 
 from flexel.base.arrays import Array, ComplexArray
 from flexel.base.errors import ConstraintError, DynamicsError, LinearizationError, PositionError
@@ -155,6 +154,8 @@ def _with_peaks(curve: PeriodicCurve, stations: list[Station]) -> list[Station]:
     It rises where a pair of multipliers meets on the real axis and separates, perhaps between two motions only. There
     the real share of the multiplier has a maximum.
     """
+    from scipy.signal import find_peaks  # slow to import
+
     moduli = np.array([z.modulus for z in stations])
     shares = np.array([abs(z.share) for z in stations])
     broad = find_peaks(moduli, prominence=PROMINENCE)[0].tolist()

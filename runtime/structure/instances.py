@@ -8,7 +8,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from flexel.base.arguments import array
+from flexel.base.arguments import LARGEST, array
 from flexel.base.arrays import Array
 from flexel.base.copies import Portable
 from flexel.base.errors import CompilerError, ModelError
@@ -123,8 +123,15 @@ def flatten(values: Mapping[str, Array], specs: Iterable[object], owner: str) ->
     parts: list[Array] = []
     for spec in specs:
         name, size = spec.name, spec.size  # type: ignore[attr-defined]
-        value = array(values[name], owner, f"parameter {name}").ravel()
+        value = values[name]
+        if not isinstance(value, np.ndarray) or value.dtype != float:
+            value = array(value, owner, f"parameter {name}")
+        value = value.ravel()
         if value.size != size:
             raise ModelError(f"{owner}: parameter {name} has {value.size} numbers; it needs {size}")
         parts.append(value)
-    return np.concatenate(parts) if parts else np.zeros(0)
+    found = np.concatenate(parts) if parts else np.zeros(0)
+    if not (np.abs(found) <= LARGEST).all():  # once for all; now by name
+        for name, value in values.items():
+            array(value, owner, f"parameter {name}")
+    return found
