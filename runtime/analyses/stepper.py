@@ -18,13 +18,14 @@ from flexel.base.time_functions import Held
 from flexel.integration import methods
 from flexel.integration.dop853 import Dop853
 from flexel.integration.steps import GeneralizedAlpha
+from flexel.integration.stiffness import ALPHA, EXPLICIT
 from flexel.mechanics.core import Core
 from flexel.results.quantities import history
 from flexel.structure.loads import Load
 from flexel.structure.state import State
 from flexel.structure.structure import Structure
 
-METHODS = (methods.EXPLICIT, methods.ALPHA)
+METHODS = (EXPLICIT, ALPHA)
 RTOL = 1e-6
 
 
@@ -254,7 +255,7 @@ class Stepping(Core):
         inputs: Sequence[str] = (),
         outputs: Sequence[str] = (),
         start: State | None = None,
-        method: str = methods.EXPLICIT,
+        method: str = EXPLICIT,
         rtol: float = RTOL,
         atol: float | None = None,
     ) -> Stepper:

@@ -8,7 +8,8 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.shown import Table, listed
-from flexel.integration.methods import ALPHA, AUTO, EXPLICIT, STIFF, Options, start_of, suitable
+from flexel.integration.methods import AUTO, Options, start_of
+from flexel.integration.stiffness import ALPHA, EXPLICIT, STIFF, suitable
 from flexel.mechanics.core import Core
 
 UNEVEN = 1e8  # ratio of inertias from which a system is called badly scaled: half the digits are lost

@@ -19,6 +19,7 @@ __all__ = [
     "ModelError",
     "PositionError",
     "RangeWarning",
+    "StiffWarning",
     "UnstableWarning",
     "UnsteadyWarning",
 ]
@@ -58,6 +59,10 @@ class UnstableWarning(UserWarning):
 
 class RangeWarning(UserWarning):
     """A motion has left the range of the data of a law: the message names it and the kind of extrapolation."""
+
+
+class StiffWarning(UserWarning):
+    """An explicit integration will be long because the system is stiff: the message says how long, and the remedy."""
 
 
 class CompilerError(FlexelError, RuntimeError):
