@@ -30,7 +30,7 @@ def resonances(panel: Any, top: float, orders: tuple[int, ...] = (6, 5, 4, 3)) -
 def excitations(found: Branches, path: Path) -> None:
     """What excites each harmonic of the first mode: directly, by varying stiffness, and together."""
     titles = f"{CONVERGED} elements", "2 elements without second-order terms"
-    with figure(1, 2, size=(12.0, 4.6), sharey=True) as (drawn, axes):
+    with figure(1, 2, size=(9.0, 4.6), sharey=True) as (drawn, axes):
         for panel, rows, title in zip(axes, (found.excited, found.excited_first_order), titles, strict=True):
             for j, label in enumerate(("direct", "by varying stiffness", "together")):
                 panel.bar(
@@ -56,7 +56,7 @@ def _curve(panel: Any, branch: fx.PeriodicBranch, values: Array, colour: str, la
 def folds(found: Branches, path: Path) -> None:
     """Largest deflection over the speed through the folds, with the reference and one speed of two stable motions."""
     reference = np.array(data.SWEEP)
-    with figure(1, 2, size=(12.0, 4.8), sharey=True) as (drawn, axes):
+    with figure(1, 2, size=(9.0, 4.8), sharey=True) as (drawn, axes):
         for panel in axes:
             for j, (zeta, branch) in enumerate(found.followed.items()):
                 _curve(panel, branch, found.deflections[zeta], COLOURS[j], f"damping {100 * zeta:g} %")

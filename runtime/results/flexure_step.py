@@ -193,7 +193,8 @@ class FlexureStep:
         from flexel.pictures.deflected import plot_shape
 
         mode = self.vibrations()[self._known(number) - 1]
-        return plot_shape(self.state, mode.shape, path, **{"title": f"{mode.hertz:.4g} Hz"} | options)
+        title = f"Mode {number} at {mode.hertz:.4g} Hz"
+        return plot_shape(self.state, mode.shape, path, **{"title": title} | options)
 
     def view_modes(self, path: str | Path, **options: Any) -> Path:
         """An HTML page with the modes of vibration at this step; options of `flexel.pictures.view.mode_data`."""
