@@ -200,7 +200,8 @@ def drum(path: Path) -> None:
         axes[0].set(xlabel="along the axle [m]", ylabel="height [m]", xlim=(-0.12, 0.08), ylim=(-0.6, 0.25))
         axes[0].set_title("seen from the side on which the load hangs")
         drawn.suptitle("A rope wound up in the helical groove of a drum")
-        axes[1].set(xlabel="angle about the axle, from the end of the wound part [turns]")
+        axes[0].locator_params(axis="x", nbins=4)
+        axes[1].set(xlabel="angle from the end of the wound part [turns]")
         axes[1].set(ylabel="along the axle [m]", title="wound part, lead 0.03 m")
         axes[0].legend(fontsize=8)
         save(drawn, path)
@@ -217,7 +218,10 @@ def convergence(rows: Sequence[Quantity], path: Path) -> None:
             label = f"{name.removesuffix('_error')} ({more['order']:.1f})"
             panel.plot(more["meshes"], more["errors"], lw=1, label=label, **style)
         panel.set(
-            xscale="log", yscale="log", xlabel="elements (steps: hertz, sudden_load)", ylabel="relative error"
+            xscale="log",
+            yscale="log",
+            xlabel="elements (steps: hertz, sudden_load) [-]",
+            ylabel="relative error [-]",
         )
         panel.legend(title="order at the last two", fontsize=8, loc="center left", bbox_to_anchor=(1.0, 0.5))
         save(drawn, path)

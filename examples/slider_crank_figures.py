@@ -137,7 +137,7 @@ def motions(results: Results, path: Path) -> None:
 def sweep(results: Results, path: Path) -> None:
     """Largest deflection over the speed: linearized beside nonlinear, as on slide 29."""
     reference = np.array(data.SWEEP)
-    with figure(1, 2, size=(9.0, 4.8), sharex=True, sharey=True) as (drawn, axes):
+    with figure(2, size=(8.0, 7.6), sharex=True, sharey=True) as (drawn, axes):
         for j, (zeta, column) in enumerate(((0.01, 1), (0.02, 2))):
             axes[0].plot(results.swept_linearized[zeta].speeds, results.swept_linearized[zeta].largest,
                          color=COLOURS[j], label=f"damping {100 * zeta:g} %")  # fmt: skip
@@ -145,21 +145,19 @@ def sweep(results: Results, path: Path) -> None:
                          label=f"damping {100 * zeta:g} %")  # fmt: skip
             axes[1].plot(reference[:, 0], reference[:, column], "o", mfc="none", ms=7, color=COLOURS[j], lw=0)
         for panel, title in zip(axes, ("Linearized", "Nonlinear"), strict=True):
-            panel.set_title(title)
-            panel.set_xlabel("crank speed ω [rad/s]")
-            panel.set_ylim(0, 0.14)
+            panel.set(title=title, ylabel="largest " + LABEL, ylim=(0, 0.14))
             resonances(panel, 0.139)
             panel.legend(loc="upper left")
         axes[1].plot([], [], "o", mfc="none", ms=7, color="#444444", label="reference")
         axes[1].legend(loc="upper left")
-        axes[0].set_ylabel("largest " + LABEL)
+        axes[1].set_xlabel("crank speed ω [rad/s]")
         drawn.suptitle("Largest midpoint deflection over the speed")
         save(drawn, path)
 
 
 def harmonics(results: Results, path: Path) -> None:
     """Amplitude of each harmonic over the speed, with the quasi-static solution, as on slide 30."""
-    with figure(1, 2, size=(9.0, 4.8), sharex=True, sharey=True) as (drawn, axes):
+    with figure(2, size=(8.0, 7.6), sharex=True, sharey=True) as (drawn, axes):
         linear, full = results.swept_linearized[0.02], results.swept[0.02]
         for k in range(1, 7):
             colour = COLOURS[k - 1]
@@ -167,12 +165,10 @@ def harmonics(results: Results, path: Path) -> None:
             axes[0].plot(linear.speeds, linear.quasi_static[:, k], "--", color=colour, lw=0.9)
             axes[1].plot(full.speeds, full.harmonics[:, k], ".-", color=colour, label=f"{k}")
         for panel, title in zip(axes, ("Linearized (dashed: quasi-static)", "Nonlinear"), strict=True):
-            panel.set_title(title)
-            panel.set_xlabel("crank speed ω [rad/s]")
-            panel.set_ylim(0, 0.06)
+            panel.set(title=title, ylabel="amplitude of " + LABEL, ylim=(0, 0.06))
             resonances(panel, 0.0595)
             panel.legend(loc="upper left", title="harmonic", ncols=2)
-        axes[0].set_ylabel("amplitude of " + LABEL)
+        axes[1].set_xlabel("crank speed ω [rad/s]")
         drawn.suptitle("Harmonics of the midpoint deflection, 2 % damping")
         save(drawn, path)
 
