@@ -162,7 +162,8 @@ class Flexure:
     def plot_shapes(self, *steps: int, path: str | Path | None = None, **options: Any) -> Figure:
         """The mechanism at some steps over its drawn shape; the last one by default. Options as of `Motion`."""
         chosen = [float(self.load[whole(i, "plot_shapes", "step", 0, len(self) - 1)]) for i in steps]
-        return self.motion.plot_shapes(*chosen, path=path, **{"label": "{:.3g} of the loads"} | options)
+        own = {"label": "{:.3g} of the loads", "title": "Deflected shapes"}
+        return self.motion.plot_shapes(*chosen, path=path, **own | options)
 
     def view(self, path: str | Path, **options: Any) -> Path:
         """An HTML page that shows the steps in any browser; options as of `Motion.view`."""

@@ -194,7 +194,8 @@ class FlexureStep:
         from flexel.pictures.options import checked
 
         mode = self.vibrations()[self._known(number) - 1]
-        given = {"title": f"{mode.hertz:.4g} Hz"} | checked("plot_mode", plot_shape, options)
+        title = f"Mode {number} at {mode.hertz:.4g} Hz"
+        given = {"title": title} | checked("plot_mode", plot_shape, options)
         return plot_shape(self.state, mode.shape, path, **given)
 
     def view_modes(self, path: str | Path, **options: Any) -> Path:
