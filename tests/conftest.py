@@ -20,6 +20,12 @@ def pytest_report_header() -> str:
     return f"random models: {SEED}={os.environ[SEED]}"
 
 
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    """What .ci/run could not install, in the last lines of the output."""
+    for line in os.environ.get("FLEXEL_NOT_RUN", "").splitlines():
+        terminalreporter.write_line(line)
+
+
 @pytest.fixture(scope="session")
 def checkout() -> Path:
     """Return the root of the checkout."""
