@@ -42,6 +42,8 @@ demo: $(VENV)/installed-plot
 	$(VENV)/bin/flexel reproduce bicycle --out $(OUT)/bicycle
 	@echo; echo "The pictures are in $(abspath $(OUT))/bicycle:"; ls $(OUT)/bicycle
 
+# The tests of the viewer drive Chromium and Firefox (Debian: chromium; firefox-esr and xvfb). Where they are missing, these
+# tests are skipped, and the last lines say so.
 test: $(VENV)/installed-test
 	$(VENV)/bin/python -m pytest -m "not campaign" $(PYTEST)
 

@@ -35,7 +35,7 @@ VIEWER_READY = (
     "document.querySelector('[role=alert]:not([hidden])') !== null"
 )
 # Only the drawing is to be in a picture, without what lies over it.
-BARE = "#panel, #keys, #tip { visibility: hidden } canvas { outline: none !important }"
+BARE = "#panel, #keys, #tip, #cursor { visibility: hidden } canvas { outline: none !important }"
 
 Place = tuple[float, float]
 
@@ -188,14 +188,14 @@ class Browser(ABC):
         )
         self.frame()
 
-    def picture(self) -> NDArray[np.int16]:
-        """What is on the canvas (height, width, 3), without what lies over it."""
+    def picture(self, selector: str = "#picture") -> NDArray[np.int16]:
+        """What is on a canvas (height, width, 3), without what lies over it."""
         from PIL import Image
 
         style = f"Object.assign(document.createElement('style'), {{textContent: '{BARE}'}})"
         self.value(f"document.head.append({style})")
         self.frame()
-        data = self.screenshot(self.box("#picture"))
+        data = self.screenshot(self.box(selector))
         self.value("document.head.lastChild.remove()")
         with Image.open(io.BytesIO(data)) as picture:
             return np.asarray(picture.convert("RGB"), dtype=np.int16)

@@ -60,6 +60,12 @@ def pytest_collection_finish() -> None:
     gc.enable()
 
 
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    """What .ci/run could not install, in the last lines of the output."""
+    for line in os.environ.get("FLEXEL_NOT_RUN", "").splitlines():
+        terminalreporter.write_line(line)
+
+
 @pytest.fixture(scope="session")
 def checkout() -> Path:
     """Return the root of the checkout."""

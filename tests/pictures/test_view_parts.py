@@ -11,6 +11,7 @@ from mechanisms import pendulum
 from numpy.typing import NDArray
 
 import flexel as fx
+from flexel.pictures.figures import COLOURS
 from flexel.pictures.shape import Shape, rectangle
 from flexel.pictures.view import Page, scene_data, write_page
 from flexel.pictures.view.data import part
@@ -90,9 +91,10 @@ def test_fit_fills_windows_of_any_shape(tmp_path: Path, fresh: Browser, size: tu
     path = pendulum().simulate(0.5, progress=False).view(tmp_path / "swing.html", plots=[])
     fresh.resize(*size)
     seen = []
-    for t in (0.0, 0.1, 0.2, 0.3, 0.4, 0.5):
-        fresh.open(path, f"#t={t}")
-        fresh.value("document.querySelector('#panel').open = false")
+    fresh.open(path, "#t=0")
+    fresh.value("document.querySelector('#panel').open = false")
+    for t in ("0", "0.2", "0.4", "0.6", "0.8", "1"):
+        fresh.choose("#scrub", t)
         picture = fresh.picture()
         seen.append(ink(picture))
     places = np.vstack(seen)
@@ -136,6 +138,33 @@ def test_the_strip_shows_chosen_quantities_and_goes_to_a_time(
     )
     fresh.frame()
     assert "B.x 0." in fresh.value(key)
+
+
+def test_the_strip_has_the_style_of_the_figures(motion: fx.Motion, tmp_path: Path, fresh: Browser) -> None:
+    """Lines in the colours of figures, each on axes with quantity and unit."""
+    names = ["A.x", "B.x", "rod.elongation'"]
+    plots = scene_data(motion, frames=41, plots=names)["plots"]
+    assert [z["label"] for z in plots["rows"][:3]] == ["A.x [m]", "B.x [m]", "rod.elongation' [m/s]"]
+    assert [z["shared"] for z in plots["rows"][:3]] == [
+        "displacement [m]",
+        "displacement [m]",
+        "velocity [m/s]",
+    ]
+    fresh.open(motion.view(tmp_path / "strut.html", plots=names), "#t=0.5")
+    shown = fresh.picture("#strip")
+    for colour in COLOURS[:3]:
+        rgb = [int(colour[i : i + 2], 16) for i in (1, 3, 5)]
+        assert np.sum(np.abs(shown - rgb).sum(axis=2) < 30) > 100, colour
+
+
+def test_the_floor_has_lines_both_ways(motion: fx.Motion, tmp_path: Path, fresh: Browser) -> None:
+    """Also those that begin behind the eye: they cross each row of pixels near the lower edge."""
+    view = fx.View(azimuth=-90, elevation=25)
+    fresh.open(motion.view(tmp_path / "strut.html", view=view, plots=[]), "#t=0")
+    lowest = fresh.picture().max(axis=2)[-60:]
+    dark = lowest < np.median(lowest) - 8
+    crossings = np.sum(dark[:, 1:] & ~dark[:, :-1], axis=1)
+    assert np.median(crossings) > 3
 
 
 def test_noise_has_one_colour_and_outliers_do_not_hide_the_rest(tmp_path: Path, fresh: Browser) -> None:

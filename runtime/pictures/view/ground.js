@@ -1,5 +1,15 @@
 // What lies under the mechanism: roads and a floor with a grid and shadows; and the tracks of points.
 
+/** Lines of a grid, each of short pieces: software that draws without a graphics card omits lines that reach behind the eye. */
+function gridOf(half, step) {
+  const places = [];
+  for (let i = -half; i <= half; i++)
+    for (let j = -half; j < half; j++) places.push(i, j, 0, i, j + 1, 0, j, i, 0, j + 1, i, 0);
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute("position", new THREE.Float32BufferAttribute(places.map((z) => z * step), 3));
+  return new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({ color: "#c3ccd4" }));
+}
+
 /** A grid on a road or floor: round steps fixed to the ground, wherever one looks. */
 class Road {
   constructor(spec) {
@@ -18,7 +28,7 @@ class Road {
       this.step = step;
       this.object.children.forEach((z) => z.geometry.dispose());
       this.object.clear();
-      const grid = new THREE.GridHelper(2 * half * step, 2 * half, "#c3ccd4", "#c3ccd4").rotateX(Math.PI / 2);
+      const grid = gridOf(half, step);
       const sheet = new THREE.PlaneGeometry(2 * half * step, 2 * half * step);
       const offset = { side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
       const plane = new THREE.Mesh(sheet, new THREE.MeshBasicMaterial({ color: "#e9edf0", ...offset }));

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from flexel.pictures.figures import COLOURS, axis_label
 from flexel.pictures.shape import Shape
 from flexel.results.quantities import history
 from flexel.structure.state import State
@@ -34,7 +35,8 @@ def histories(states: Sequence[State], asked: Sequence[str] | None) -> dict[str,
     Returns
     -------
     dict
-        ``"shown"``: names; ``"rows"``: name, unit and values of each.
+        ``"shown"``: names; ``"rows"``: name, unit, values, and labels of an axis for it alone (``"label"``) and shared
+        (``"shared"``); ``"colours"``: of the lines, in their order.
 
     Raises
     ------
@@ -53,8 +55,10 @@ def histories(states: Sequence[State], asked: Sequence[str] | None) -> dict[str,
             table[:, s.index[name]] if name in s.index else np.array([_value(state, z) for state in states])
         )
         if np.all(np.isfinite(values)):
-            rows.append({"name": name, "unit": "" if z.unit in ("-", "1") else z.unit, "values": values})
-    return {"shown": shown, "rows": rows}
+            unit = "" if z.unit in ("-", "1") else z.unit
+            labels = {"label": axis_label([name], unit), "shared": axis_label([name] * 2, unit)}
+            rows.append({"name": name, "unit": unit, **labels, "values": values})
+    return {"shown": shown, "rows": rows, "colours": COLOURS}
 
 
 def _plain(s: Structure, name: str) -> bool:

@@ -1,7 +1,22 @@
 // The plot strip: histories of chosen quantities below the picture, one row for each unit, with a cursor at the time.
+// It looks like the figures: colours, grid, axes on two sides, and quantity with unit at each axis.
 
-const INKS = ["#0b5fa5", "#c8501e", "#2e8540", "#7b3f98", "#b8860b", "#c2255c"];
 const ROWS = 4; // units at most
+const BELOW = 18, ABOVE = 15, RIGHT = 8; // room for the times, for a row's label, beside the axes [pixels]
+const TEXT = "#222222", GRID = "#dddddd";
+
+/** Round values between two limits, about so many, each with its text. */
+function ticks(low, high, count) {
+  const raw = (high - low) / count, power = 10 ** Math.floor(Math.log10(raw)), step = power * [1, 2, 5, 10].find((z) => z * power >= 0.999 * raw);
+  const largest = Math.max(Math.abs(low), Math.abs(high)), place = Math.floor(Math.log10(step) + 1e-9);
+  const written = (v) => {
+    if (largest < 1e5 && step > 0.9e-3) return v.toFixed(Math.max(0, -place));
+    return v === 0 ? "0" : v.toExponential(Math.max(0, Math.floor(Math.log10(Math.abs(v)) + 1e-9) - place));
+  };
+  const found = [];
+  for (let k = Math.ceil(low / step - 1e-6); k <= high / step + 1e-6; k++) found.push([k * step, written(k * step).replaceAll("-", "−")]);
+  return found;
+}
 
 class Strip {
   constructor(go) {
@@ -12,7 +27,7 @@ class Strip {
     this.cursor = get("cursor");
     this.chosen = [];
     const seek = (e) => {
-      const b = this.canvas.getBoundingClientRect(), x = (e.clientX - b.left - this.left) / (b.width - this.left - 8);
+      const b = this.canvas.getBoundingClientRect(), x = (e.clientX - b.left - this.left) / (b.width - this.left - RIGHT);
       go(start + Math.min(Math.max(x, 0), 1) * (end - start));
     };
     this.canvas.addEventListener("pointerdown", (e) => {
@@ -28,13 +43,15 @@ class Strip {
     this.units = [...new Set(this.chosen.map((z) => z.unit))].slice(0, ROWS);
     this.chosen = this.chosen.filter((z) => this.units.includes(z.unit));
     this.box.hidden = !this.chosen.length;
-    this.canvas.style.height = `${this.units.length > 1 ? 78 * this.units.length : 120}px`;
+    this.canvas.style.height = `${BELOW + (this.units.length > 1 ? 84 * this.units.length : 120)}px`;
     this.canvas.setAttribute("aria-label", `Plot over time of ${this.chosen.map((z) => z.name).join(", ")}`);
     const list = get("key");
     list.replaceChildren(...this.chosen.map((z, i) => {
-      const item = document.createElement("span");
-      item.style.color = INKS[i % INKS.length];
-      z.text = item;
+      const item = document.createElement("span"), line = document.createElement("i");
+      z.colour = scene.plots.colours[i % scene.plots.colours.length];
+      line.style.background = z.colour;
+      z.text = document.createElement("span");
+      item.append(line, z.text);
       return item;
     }));
     this.draw();
@@ -51,21 +68,24 @@ class Strip {
     if (!this.chosen.length || !width) return;
     canvas.width = ratio * width;
     canvas.height = ratio * height;
-    const pen = canvas.getContext("2d"), each = (height - 18) / this.units.length;
+    const pen = canvas.getContext("2d"), each = (height - BELOW) / this.units.length;
     pen.scale(ratio, ratio);
     pen.font = "11px system-ui, sans-serif";
-    this.x = (t) => this.left + ((t - start) / (end - start || 1)) * (width - this.left - 8);
-    pen.fillStyle = "#4b545c";
-    pen.textAlign = "center";
-    for (const f of [0, 0.5, 1]) {
-      pen.textAlign = ["left", "center", "right"][2 * f];
-      pen.fillText(`${short(start + f * (end - start))} s`, this.x(start + f * (end - start)), height - 4);
+    pen.fillStyle = TEXT;
+    this.x = (t) => this.left + ((t - start) / (end - start || 1)) * (width - this.left - RIGHT);
+    const name = "time [s]", room = width - RIGHT - pen.measureText(name).width - 8;
+    const times = end > start ? ticks(start, end, Math.max(2, width / 75)) : [];
+    for (const [t, text] of times) {
+      pen.textAlign = t - start < 1e-6 * (end - start) ? "left" : "center";
+      if (this.x(t) + pen.measureText(text).width / 2 < room) pen.fillText(text, this.x(t), height - 4);
     }
-    this.units.forEach((unit, i) => this.panel(pen, unit, i * each, each, width));
+    pen.textAlign = "right";
+    pen.fillText(name, width - RIGHT, height - 4);
+    this.units.forEach((unit, i) => this.panel(pen, unit, i * each, each, width, times));
   }
 
-  panel(pen, unit, top, height, width) {
-    const rows = this.chosen.filter((z) => z.unit === unit);
+  /** The range of the values of one row of the strip, with a margin. */
+  limits(rows) {
     let low = Infinity, high = -Infinity;
     for (const { values } of rows)
       for (const v of values) {
@@ -73,22 +93,32 @@ class Strip {
         high = Math.max(high, v);
       }
     const flat = high - low <= 1e-12 * Math.max(Math.abs(low), Math.abs(high), 1e-300);
-    if (flat) [low, high] = [low - (Math.abs(low) || 1) / 2, high + (Math.abs(high) || 1) / 2];
-    const y = (v) => top + height - 6 - ((v - low) / (high - low)) * (height - 14);
-    pen.strokeStyle = "#d0d7de";
-    pen.strokeRect(this.left, top + 4, width - this.left - 8, height - 6);
-    pen.fillStyle = "#4b545c";
-    pen.textAlign = "right";
-    pen.fillText(short(high), this.left - 4, top + 13);
-    pen.fillText(short(low), this.left - 4, top + height - 4);
-    pen.fillText(unit ? `[${unit}]` : "", this.left - 4, top + height / 2 + 4);
-    pen.lineWidth = 1.5;
-    for (const row of rows) {
-      pen.strokeStyle = INKS[this.chosen.indexOf(row) % INKS.length];
+    const margin = flat ? (Math.abs(low) || 1) / 2 : 0.05 * (high - low);
+    return [low - margin, high + margin];
+  }
+
+  panel(pen, unit, top, height, width, times) {
+    const rows = this.chosen.filter((z) => z.unit === unit), [low, high] = this.limits(rows);
+    const upper = top + ABOVE, lower = top + height - 3, right = width - RIGHT;
+    const y = (v) => lower - ((v - low) / (high - low)) * (lower - upper);
+    const line = (colour, thick, places) => {
+      pen.strokeStyle = colour;
+      pen.lineWidth = thick;
       pen.beginPath();
-      scene.times.forEach((t, k) => pen.lineTo(this.x(t), y(row.values[row.moving ? k : 0])));
+      for (const [px, py] of places) pen.lineTo(px, py);
       pen.stroke();
+    };
+    pen.textAlign = "left";
+    pen.fillText(rows.length > 1 ? rows[0].shared : rows[0].label, this.left, top + 10);
+    for (const [t] of times) line(GRID, 0.8, [[this.x(t), upper], [this.x(t), lower]]);
+    pen.textAlign = "right";
+    for (const [v, text] of ticks(low, high, (lower - upper) / 17)) {
+      line(GRID, 0.8, [[this.left, y(v)], [right, y(v)]]);
+      pen.fillText(text, this.left - 4, Math.max(y(v) + 4, top + 10));
     }
+    line(TEXT, 0.8, [[this.left, upper], [this.left, lower], [right, lower]]);
+    for (const row of rows)
+      line(row.colour, 1.6, Array.from(scene.times, (t, k) => [this.x(t), y(row.values[row.moving ? k : 0])]));
   }
 
   update(instant, t) {
