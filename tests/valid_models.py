@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from typing import Any
 
+from scipy.signal import StateSpace
 from valid_call import Valid, calling
 
 import flexel as fx
@@ -178,8 +179,10 @@ MODELS: dict[str, Callable[[], Valid]] = {
         lambda: spare("P"), "element", name="z", kind="truss", nodes=("A", "P"), parameters={"l0": 1.0, "rhoA": 0.1}
     ),
     "Model.controller": declared(
-        spatial, "controller", function=[[1.0, 1.0]], name="z", inputs=["pivot.angle", "pivot.angle'"],
+        spatial, "controller", function=StateSpace(1.0, [[0.1, 0.0]], 1.0, [[1.0, 1.0]], dt=0.01), name="z",
+        inputs=["pivot.angle", "pivot.angle'"],
         outputs=["pivot.angle"], period=0.01, delay=0.02, limits=(-1.0, 1.0), reference={"pivot.angle": 0.1},
+        anti_windup=0.1, state=[0.0],
     ),
     "Model.fix": declared(lambda: spare("P"), "fix", names=("P.x", "P.y", "P.z")),
     "Model.frame": declared(spatial, "frame", name="z", orientation=(1.0, 0.0, 0.0, 0.0), fixed=True),

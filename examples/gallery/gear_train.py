@@ -31,10 +31,12 @@ found = motion["sun.angle"][-1] / motion["carrier.angle"][-1]
 known = 1 + ring / sun
 print("the sun turns", found, "times as fast as the carrier, closed form", known)
 
-figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6), layout="constrained")
+plt.style.use("flexel.pictures.style")
+figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6))
 draw(motion[0], left)
+figure.suptitle("Planetary gear train")
 for name in ("sun", "carrier", "planet"):
     right.plot(motion.t, motion[f"{name}.angle"] / (2 * np.pi), label=name)
-right.set(xlabel="t [s]", ylabel="turns")
+right.set(xlabel="time [s]", ylabel="turns [-]")
 right.legend()
 plt.show()

@@ -126,7 +126,7 @@ class Motions(Core):
         RangeWarning
             If a quantity is outside the data of its law at a stored time, by name.
         """
-        if progress is not None:  # where a checkpoint has the whole motion, nothing runs that would refuse it
+        if progress is not None:  # a checkpoint may hold the whole motion: no integrator checks it then
             flag(progress, "simulate", "progress")
         given: dict[str, Any] = {"rtol": rtol, "atol": atol, "step": step, "first_step": first_step}
         given |= {
@@ -180,7 +180,7 @@ class Motions(Core):
         rechoose: bool | None = None,
         **given: Any,
     ) -> tuple[str, str, State, Array, methods.Options]:
-        """The method and why it is taken, the start, the stored times and the options of a motion."""
+        """The method and why it was chosen, the start, the stored times and the options of a motion."""
         if rechoose is not None:
             flag(rechoose, "simulate", "rechoose")
         unlimited = isinstance(max_step, float) and max_step == np.inf
@@ -197,7 +197,7 @@ class Motions(Core):
         return chosen, why, begin, grid, options
 
     def _begun(self, duration: float, before: Run | None = None, **given: Any) -> tuple[Run, str]:
-        """A motion that has begun, and why its method is taken; it uses what one with the same options leaves."""
+        """A motion that has begun, and why its method was chosen; it reuses the arrays of one with the same options."""
         method, why, begin, grid, options = self._planned(duration, **given)
         run = methods.run_of(self, method, begin, grid, float(duration), options)
         if run.times[-1] > run.times[0]:
@@ -213,7 +213,7 @@ class Motions(Core):
 
 
 def _whole(found: Integration, keeper: Checkpoint | None) -> Integration:
-    """The motion with the part that an earlier process has computed."""
+    """The motion, joined with the part that an earlier process has computed."""
     return found if keeper is None else keeper.whole(found)
 
 

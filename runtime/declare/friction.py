@@ -81,7 +81,7 @@ class Friction(Springs):
         friction_radius: float = 0.0,
         slip_speed: float = 0.01,
     ) -> None:
-        """Give the pin of a revolute joint play in its bush, or a ball in its socket: it touches beyond the gap.
+        """Give a revolute joint radial play between pin and bush, or a ball joint play in its socket.
 
         Parameters
         ----------

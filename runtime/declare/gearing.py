@@ -15,6 +15,7 @@ import numpy as np
 from flexel.base.arguments import flag, number, positive, vector, whole
 from flexel.base.arrays import Array, Vector
 from flexel.base.errors import ModelError
+from flexel.base.near_names import near_names
 from flexel.base.quaternions import matrix, product, unit
 from flexel.base.transactions import whole_or_nothing
 from flexel.declare.body_joints import BodyJoints
@@ -174,7 +175,7 @@ class Gearing(BodyJoints):
     def cardan_chain(
         self, first: str, second: str, third: str, *, body: Given, base: Given = GROUND, axes: Any = "zxy"
     ) -> None:
-        """Measure the orientation of a body by three angles: a chain of hinges, which holds nothing.
+        """Measure the orientation of a body by three angles: a chain of hinges without constraints.
 
         ``first.angle``, ``second.angle`` and ``third.angle`` are zero as drawn and count turns; they can be
         independent, prescribed, or carry springs.  In space only.
@@ -190,7 +191,7 @@ class Gearing(BodyJoints):
 
         Notes
         -----
-        Where the first and the third axis fall together (the second angle is 90 degrees for perpendicular axes), the
+        Where the first and the third axis coincide (the second angle is 90 degrees for perpendicular axes), the
         first and the third angle are not determined.
         """
         owner = f"cardan chain '{first}', '{second}', '{third}'"
@@ -227,9 +228,13 @@ class Gearing(BodyJoints):
         """A joint with an axis, as drawn."""
         instance = self.instances.get(joint) if isinstance(joint, str) else None
         if instance is None or instance.spec.family != "bearing":
-            raise ModelError(
-                f"{owner}: {joint!r:.60} is not a joint with an axis; name one made by m.revolute or m.prismatic"
+            near = near_names(
+                str(joint), [z.name for z in self.instances.values() if z.spec.family == "bearing"]
             )
+            hint = (
+                f"did you mean {', '.join(near)}?" if near else "name one made by m.revolute or m.prismatic"
+            )
+            raise ModelError(f"{owner}: {joint!r:.60} is not a joint with an axis; {hint}")
         point, frame = self._start(joint, 0), self._start(joint, 1)
         axis = np.array([0.0, 0.0, 1.0])
         if instance.spec.planar:

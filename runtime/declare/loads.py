@@ -44,7 +44,7 @@ class Loading(Declarations):
         owner = f"load on '{node.name}'"
         _check_follower(node, follower, owner)
         if np.all(node.fixed):
-            raise ModelError(f"{owner}: this node is fixed and cannot move; remove load or fixing")
+            raise ModelError(f"{owner}: this node is fixed and cannot move; remove the load or the fixing")
         if node.kind in ("point", "planar_point") and follower:
             quantities = _follower_slips(self, node, follower, owner)
         elif node.kind == "frame":

@@ -56,7 +56,7 @@ class Nodes(Declarations):
         """Warping of a section, for `beam`: its coordinate ``name.twist`` is the beam's twist per length [rad/m].
 
         Beams of the same section along one line share the node between them, where the warping is continuous.  Fixed
-        where a support keeps the section plane (a clamp); free where nothing does.
+        where a support keeps the section plane (a clamp), and free otherwise.
 
         Raises
         ------
@@ -66,7 +66,7 @@ class Nodes(Declarations):
         return self._new_node(name, "warping", np.zeros(1), fixed)
 
     def fix(self, *names: Node | str) -> None:
-        """Hold nodes or single coordinates at their drawn values; all of them or, if one is refused, none."""
+        """Fix nodes or single coordinates at their drawn values; all of them or, if one is refused, none."""
         held: dict[str, Node] = {}
         for given in names:
             node, _, component = given.partition(".") if isinstance(given, str) else (given, "", "")
@@ -120,13 +120,13 @@ class Nodes(Declarations):
 
     def independent(self, *names: str) -> None:
         """Name the dynamic degrees of freedom q_d; by default the program chooses them."""
-        self._dynamic = [*(self._dynamic or []), *self._freedoms("independent", names)]
+        self._dynamic = [*(self._dynamic or []), *self._named_dofs("independent", names)]
 
     def kinematic(self, *names: str) -> None:
         """Name the kinematic coordinates q_k of a non-holonomic system; by default the program chooses them."""
-        self._kinematic = [*(self._kinematic or []), *self._freedoms("kinematic", names)]
+        self._kinematic = [*(self._kinematic or []), *self._named_dofs("kinematic", names)]
 
-    def _freedoms(self, owner: str, names: tuple[str, ...]) -> tuple[str, ...]:
+    def _named_dofs(self, owner: str, names: tuple[str, ...]) -> tuple[str, ...]:
         """Names of coordinates and deformations."""
         for name in names:
             if self._quantity_kind(name, owner) == "slip":

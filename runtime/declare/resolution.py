@@ -62,7 +62,7 @@ def check_names(model: Declarations, structure: Structure, roles: Roles) -> None
     for load in model.loads:
         if structure.find(load.name) >= first + nf:
             raise ModelError(
-                f"load on '{load.name}': this coordinate is fixed and cannot move; remove load or fixing"
+                f"load on '{load.name}': this coordinate is fixed and cannot move; remove the load or the fixing"
             )
     for name in model._values:
         i = structure.find(name, "initial")

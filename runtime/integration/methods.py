@@ -38,7 +38,7 @@ OPTIONS: dict[str, frozenset[str]] = {  # by method; the remaining options apply
     SUNDIALS: _STEPS | {"max_order"},
 }
 RTOL, ATOL, IMPLICIT_RTOL = 1e-9, 1e-11, 1e-6
-LEAST_ATOL = 1e-100  # less would overflow
+LEAST_ATOL = 1e-100  # a smaller value would overflow
 RADIUS, NEWTON, MAX_ORDER = 0.8, "full", 2
 
 

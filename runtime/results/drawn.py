@@ -171,5 +171,5 @@ class DrawnMotion:
         return Page(scene_data(self, **checked("page", scene_data, options)))  # type: ignore[arg-type]
 
     def _repr_html_(self) -> str:
-        """The motion as a notebook shows it, with a third of the frames."""
+        """The motion in a notebook, with a third of the frames."""
         return self.page(frames=101, progress=False)._repr_html_()

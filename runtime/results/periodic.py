@@ -66,7 +66,7 @@ class PeriodicSolution:
         return self.motion.unit(name)
 
     def harmonics(self, name: str) -> ComplexArray:
-        """Complex amplitudes (k + 1,) of a degree of freedom: the harmonic j is Re(a_j exp(i j ω t)), a_0 the mean.
+        """Complex amplitudes (k + 1,) of a degree of freedom: harmonic j is Re(a_j exp(i j ω t)), a_0 is the mean.
 
         Raises
         ------

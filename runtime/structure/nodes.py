@@ -54,7 +54,7 @@ class Node(Constant):
 
 
 def unmeasured(name: str, nodes: Mapping[str, Node]) -> str:
-    """What to do about an angular velocity that nothing measures; no text for any other name."""
+    """Advice for an angular velocity that no element measures; empty for any other name."""
     part, _, axis = name.rpartition(".")
     frame, _, sensor = part.rpartition(".")
     if part in nodes and axis not in SENSORS + AXES:

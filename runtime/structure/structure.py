@@ -96,7 +96,7 @@ class Structure(Constant):
 
     @cached_property
     def kinked(self) -> tuple[int, ...]:
-        """Deformations whose derivatives jump where motions may go, as their elements say: no degrees of freedom."""
+        """Deformations whose derivatives may jump within a motion: they cannot be degrees of freedom."""
         specs = [d for z in self.instances for d in z.spec.deformations]
         return tuple(i for i, d in enumerate(specs) if d.kinked)
 

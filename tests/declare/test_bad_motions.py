@@ -127,13 +127,17 @@ LOADS = {
     "three numbers on an angle": built(
         lambda m: m.load("pivot.angle", (1, 2, 3)), "'pivot.angle'", "functions"
     ),
-    "fixed point": built(lambda m: m.load("O", (1, 0, 1)), "load on 'O'", "fixed", "remove load or fixing"),
-    "fixed frame": built(lambda m: m.load("R0", (1, 0, 1)), "load on 'R0'", "fixed", "remove load or fixing"),
+    "fixed point": built(
+        lambda m: m.load("O", (1, 0, 1)), "load on 'O'", "fixed", "remove the load or the fixing"
+    ),
+    "fixed frame": built(
+        lambda m: m.load("R0", (1, 0, 1)), "load on 'R0'", "fixed", "remove the load or the fixing"
+    ),
     "fixed coordinate": built(
         lambda m: (m.fix("A.y"), m.release("rod.across1", "pivot.bend1"), m.load("A", (0, 1, 0))),
         "load on 'A.y'",
         "fixed",
-        "remove load or fixing",
+        "remove the load or the fixing",
     ),
     "follower on a point": built(
         lambda m: m.load("A", (1, 0, 1), follower=True), "'A'", "no axes", "follower=frame"
