@@ -7,8 +7,10 @@ Everything has a name, and every name works everywhere.  Quantities are called `
 from __future__ import annotations
 
 from collections import Counter
+from html import escape
 
-from flexel.base.shown import counted
+from flexel.base.errors import FlexelError
+from flexel.base.shown import Table, counted
 from flexel.build import build
 from flexel.declare.cams import Cams
 from flexel.declare.controllers import Controllers
@@ -22,6 +24,7 @@ from flexel.declare.wheels import Wheels
 from flexel.mechanics.check import check
 from flexel.mechanics.constraints import ConstraintReport, report_of_model
 from flexel.mechanics.findings import CheckReport
+from flexel.pictures.thumbnail import thumbnail
 from flexel.rope.chains import Chains
 from flexel.rope.point_contacts import PointContacts
 from flexel.rope.ropes import Ropes
@@ -65,11 +68,26 @@ class Model(
     """
 
     def __repr__(self) -> str:
-        nodes = Counter("point" if z.kind.endswith("point") else "frame" for z in self.nodes.values())
-        elements = Counter(z.spec.family or z.spec.name for z in self.instances.values())
+        nodes, elements = self._counts()
         parts = [counted(n, kind) for kind, n in nodes.items()]
         parts += [f"{kind} × {n}" for kind, n in elements.items()]
         return f"Model({', '.join(parts) or 'empty'})"
+
+    def _repr_html_(self) -> str:
+        """Counts, and a picture of the initial state; or the reason why there is none."""
+        nodes, elements = self._counts()
+        rows = [(kind, str(n)) for kind, n in (*nodes.items(), *elements.items())]
+        rows += [(what, str(len(z))) for what, z in (("law", self.laws), ("load", self.loads)) if z]
+        try:
+            shown = thumbnail(self.build().initial) if rows else ""
+        except FlexelError as error:
+            shown = f"<p>{escape(str(error))}</p>"
+        return Table("" if rows else repr(self), ("model", "count"), rows).html + shown
+
+    def _counts(self) -> tuple[Counter[str], Counter[str]]:
+        """Numbers of nodes and of elements by kind."""
+        nodes = Counter("point" if z.kind.endswith("point") else "frame" for z in self.nodes.values())
+        return nodes, Counter(z.spec.family or z.spec.name for z in self.instances.values())
 
     def build(self, t: float = 0.0) -> System:
         """Count, check and assemble: the System at time t [s], in a consistent initial state.

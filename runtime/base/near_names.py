@@ -33,7 +33,7 @@ def near_names(name: str, known: Iterable[str]) -> list[str]:
     part, _, quantity = name.rpartition(".")
     mates = quantities_of(part, names)
     if mates:
-        return _closest({z: _likeness(quantity, z.rpartition(".")[2]) for z in mates})
+        return _closest({z: _begun(quantity, z.rpartition(".")[2]) for z in mates})
     return _closest({z: _alike(name, z) for z in names})
 
 
@@ -53,13 +53,14 @@ def _alike(name: str, other: str) -> float:
     return _likeness(name, other)
 
 
+def _begun(a: str, b: str) -> float:
+    """The same where the beginning of a word counts as the word."""
+    return max(_likeness(a, b), LIKENESS if a and b.startswith(a) else 0.0)
+
+
 def _likeness(a: str, b: str) -> float:
-    """Share of letters in common, from 0 to 1; capitals count as small letters, and a beginning as its word."""
+    """Share of letters in common, from 0 to 1; capitals count as small letters."""
     a, b = a[:LONGEST].lower(), b[:LONGEST].lower()
-    if a == b:
-        return 1.0
-    if a and b and (a.startswith(b) or b.startswith(a)):
-        return max(LIKENESS, 2 * min(len(a), len(b)) / (len(a) + len(b)))
     return difflib.SequenceMatcher(None, b, a).ratio()
 
 

@@ -15,6 +15,7 @@ import numpy as np
 from flexel.base.arguments import flag, number, positive, vector, whole
 from flexel.base.arrays import Array, Vector
 from flexel.base.errors import ModelError
+from flexel.base.near_names import near_names
 from flexel.base.quaternions import matrix, product, unit
 from flexel.base.transactions import whole_or_nothing
 from flexel.declare.body_joints import BodyJoints
@@ -227,9 +228,13 @@ class Gearing(BodyJoints):
         """A joint with an axis, as drawn."""
         instance = self.instances.get(joint) if isinstance(joint, str) else None
         if instance is None or instance.spec.family != "bearing":
-            raise ModelError(
-                f"{owner}: {joint!r:.60} is not a joint with an axis; name one made by m.revolute or m.prismatic"
+            near = near_names(
+                str(joint), [z.name for z in self.instances.values() if z.spec.family == "bearing"]
             )
+            hint = (
+                f"did you mean {', '.join(near)}?" if near else "name one made by m.revolute or m.prismatic"
+            )
+            raise ModelError(f"{owner}: {joint!r:.60} is not a joint with an axis; {hint}")
         point, frame = self._start(joint, 0), self._start(joint, 1)
         axis = np.array([0.0, 0.0, 1.0])
         if instance.spec.planar:

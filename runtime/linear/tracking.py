@@ -22,6 +22,7 @@ from flexel.base.arrays import Array, ComplexArray, Index
 
 NEAR = 1e-6  # relative difference below which eigenvalues count as equal, and their vectors as arbitrary
 ZERO = 1e-7  # of the largest eigenvalue: smaller real parts may come from rounding
+ALIKE = 0.1  # likeness of two shapes below which one does not continue the other
 POINTS = 4  # number of neighbours for the interpolation between values of the parameter
 
 _eig: Any = eig
@@ -85,6 +86,35 @@ class Branches:
         share = np.take_along_axis(np.abs(left.conj() * right), order[:, None, :], axis=2).transpose(0, 2, 1)
         total = share.sum(axis=2, keepdims=True)
         return cls(parameter, w, values, share / np.where(total > 0, total, 1.0), tuple(labels))
+
+    @classmethod
+    def of_shapes(cls, parameter: Array, values: Array, shapes: Array, labels: Sequence[str]) -> Branches:
+        """Branches of some of the modes (np, n), of which the shapes are known, such as the lowest free vibrations.
+
+        A branch ends where no shape continues it, as its mode is no longer among those that are known; another begins
+        there. Elsewhere they are NaN.
+
+        Parameters
+        ----------
+        values : ndarray (np, n)
+            Frequencies or multipliers; rows of NaN where none are known.
+        shapes : ndarray (np, n, k)
+            Displacements in comparable units, of any size.
+        labels : sequence of str
+            Names of the displacements.
+        """
+        columns = np.asarray(shapes, dtype=complex).transpose(0, 2, 1)
+        w, order = _ordered(parameter, values.astype(complex), columns, columns)
+        share = np.take_along_axis(np.abs(shapes) ** 2, order[:, :, None], axis=1)
+        total = share.sum(axis=2, keepdims=True)
+        share = share / np.where(total > 0, total, 1.0)
+        pieces = _pieces(w, np.take_along_axis(columns, order[:, None, :], axis=2))
+        there = np.array([np.isin(np.arange(len(w)), rows) for _, rows in pieces]).T
+        places = [j for j, _ in pieces]
+        w = np.where(there, w[:, places], np.nan)
+        return cls(
+            parameter, w, shares=np.where(there[..., None], share[:, places], np.nan), labels=tuple(labels)
+        )
 
     @cached_property
     def families(self) -> list[list[int]]:
@@ -197,6 +227,22 @@ def _ordered(
             for kept, new in zip(vectors, (left[now], right[now]), strict=True):
                 kept[:, alone] = new[:, order[now]][:, alone]
     return found, order
+
+
+def _pieces(w: ComplexArray, columns: ComplexArray) -> list[tuple[int, list[int]]]:
+    """Columns of w (np, n) with the rows through which one shape (np, k, n) continues; a column may have several."""
+    known = np.flatnonzero(np.isfinite(w).all(axis=1))
+    found = [(j, [int(known[0])]) for j in range(w.shape[1])] if known.size else []
+    open_ones = list(found)
+    for last, now in zip(known, known[1:], strict=False):
+        alike = np.diag(_likeness(columns[last], columns[last], columns[now], columns[now]))
+        other = (alike < ALIKE) & _alone(w[last]) & _alone(w[now])
+        for j in range(w.shape[1]):
+            if other[j]:
+                open_ones[j] = (j, [])
+                found.append(open_ones[j])
+            open_ones[j][1].append(int(now))
+    return found
 
 
 def _distance(expected: ComplexArray, w: ComplexArray) -> Array:

@@ -40,15 +40,21 @@ class Mode:
 
     def row(self) -> tuple[str, ...]:
         """The line in a table of modes."""
-        return self.name, self._eigenvalue, f"{self.hertz:.5g}", f"{self.damping:.4g}"
+        return self.name, self._eigenvalue, f"{self.hertz:.5g}", self._damping
 
     def __repr__(self) -> str:
-        return f"Mode({self.name}: eigenvalue {self._eigenvalue}, {self.hertz:.5g} Hz, damping {self.damping:.4g})"
+        return (
+            f"Mode({self.name}: eigenvalue {self._eigenvalue}, {self.hertz:.5g} Hz, damping {self._damping})"
+        )
 
     @property
     def _eigenvalue(self) -> str:
         z = self.eigenvalue
         return f"{z:.5g}" if z.imag else f"{z.real:.5g}"
+
+    @property
+    def _damping(self) -> str:
+        return f"{self.damping + 0.0:.4g}"  # not -0
 
     @property
     def name(self) -> str:

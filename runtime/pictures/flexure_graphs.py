@@ -10,6 +10,7 @@ import numpy as np
 
 from flexel.base.arguments import whole
 from flexel.base.arrays import Array
+from flexel.linear.tracking import Branches
 from flexel.pictures.figures import COLOURS, figure, save
 
 if TYPE_CHECKING:
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
     from flexel.results.flexure import Flexure
 
 SHOWN = 3  # frequencies and multipliers drawn
+AXES = ("x", "y", "z", "turn about x", "turn about y", "turn about z")
 
 
 def plot_flexure(result: Flexure, nodes: Sequence[int], path: str | Path | None = None) -> Figure:
@@ -39,12 +41,12 @@ def plot_flexure(result: Flexure, nodes: Sequence[int], path: str | Path | None 
             "displacement [mm]",
             {f"node {i}, {axis}": 1e3 * moved[:, i - 1, k] for i in chosen for k, axis in enumerate("xyz")},
         ),
-        ("frequency [Hz]", {f"mode {k + 1}": z for k, z in enumerate(result.frequencies.T[:SHOWN])}),
+        ("frequency [Hz]", _tracked(result, "frequency", "mode_shape")),
         (
             "largest stress [MPa]",
             {f"element {i + 1}": 1e-6 * z for i, z in enumerate(result.stress.T) if not np.isnan(z).all()},
         ),
-        ("buckling multiplier [-]", {f"mode {k + 1}": z for k, z in enumerate(result.buckling.T[:SHOWN])}),
+        ("buckling multiplier [-]", _tracked(result, "buckling", "buckling_shape")),
     ]
     panels = [(label, curves) for label, curves in panels if curves]
     rows = (len(panels) + 1) // 2
@@ -59,6 +61,25 @@ def plot_flexure(result: Flexure, nodes: Sequence[int], path: str | Path | None 
         drawn.suptitle("Flexure mechanism over its load steps")
     save(drawn, path)
     return drawn
+
+
+def _tracked(result: Flexure, values: str, shapes: str) -> dict[str, Array]:
+    """Modes that are among the first at any step, followed by shape and named after what moves most in them."""
+    given: Array = np.asarray(result.variables[values].values)
+    counts = np.isfinite(given).sum(axis=1)
+    if not counts.any():
+        return {}
+    n = int(counts[counts > 0].min())  # those known at all steps at which any are
+    moved: Array = np.array(result.variables[shapes].values, dtype=float)[:, :n]  # (steps, modes, nodes, 6)
+    drawn = np.asarray(result.variables["drawn"].values)
+    moved[..., 3:] *= float(np.ptp(drawn, axis=0).max()) or 1.0  # turns as displacements
+    labels = [f"node {i + 1}, {axis}" for i in range(len(drawn)) for axis in AXES]
+    rows: Array = moved.reshape(len(moved), n, -1)
+    branches = Branches.of_shapes(result.load, given[:, :n], rows, labels)
+    found = branches.eigenvalues.real
+    place = np.argsort(np.argsort(np.abs(found), axis=1, kind="stable"), axis=1)  # NaN last
+    among = np.flatnonzero(((place < SHOWN) & np.isfinite(found)).any(axis=0))
+    return {branches.names[j]: found[:, j] for j in among}
 
 
 def _curves(panel: Any, load: Array, curves: dict[str, Array]) -> None:

@@ -148,6 +148,9 @@ class Flexure:
     def plot(self, *nodes: int, path: str | Path | None = None) -> Figure:
         """Displacements, frequencies, largest stress and buckling multipliers over the load (needs matplotlib).
 
+        Modes are followed by their shapes and named after the node and direction that move most; a line ends where its
+        mode is no longer among those that were computed.
+
         Parameters
         ----------
         *nodes : int

@@ -27,6 +27,10 @@ class RigidBody(Constant):
     frame: Node
     points: Mapping[str, Node]
 
+    def __repr__(self) -> str:
+        points = f", points {', '.join(self.points)}" if self.points else ""
+        return f"RigidBody('{self.name}': {self.point.name}, {self.frame.name}{points})"
+
     @property
     def planar(self) -> bool:
         """Whether it moves in the plane."""

@@ -125,7 +125,8 @@ def test_gears_that_do_not_fit_are_refused_by_name() -> None:
     refused("touch on an axis", at=(0.3, 0, 5))
     refused("both its joints are 'pin_p'", q="pin_p")
     refused("'pin_p' starts at 'ground_frame' and 'other' at 'p_frame'", q="other")
-    refused("is not a joint with an axis", q="p")
+    refused("is not a joint with an axis; name one made by m.revolute", q="p")
+    refused("is not a joint with an axis; did you mean pin_q", q="pinq")
     refused("cross at 'at'", q="across")
     refused("do not drive", lead=0.0)
 

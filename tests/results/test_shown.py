@@ -46,6 +46,33 @@ def test_everything_has_a_short_line() -> None:
     assert repr(fx.Model()) == "Model(empty)"
 
 
+def test_a_model_shows_counts_and_its_picture_in_a_notebook() -> None:
+    pytest.importorskip("matplotlib", reason="pictures need pip install 'flexel[plot]'")
+    m = model()
+    shown = m._repr_html_()
+    assert {"hinge", "6", "point", "5"} <= set(cells(m))
+    assert '<img alt="the model as drawn" src="data:image/png;base64,iVBOR' in shown
+    assert fx.Model()._repr_html_().startswith("<p>Model(empty)</p>")
+
+
+def test_a_model_that_cannot_be_built_says_why_in_a_notebook() -> None:
+    m = fx.Model()
+    m.point("A", (0, 0), fixed=True)
+    m.point("B", (1, 0), fixed=True)
+    m.truss("rod <1>", "A", "B")
+    shown = m._repr_html_()
+    assert "<img" not in shown and "rod &lt;1&gt;" in shown and "link" not in shown
+
+
+def test_bodies_and_steppers_are_one_line() -> None:
+    m = fx.Model(gravity=(0, -9.81))
+    body = m.rigid_body("crank", (0.5, 0), mass=1.0, inertia=0.1, points={"tip": (1, 0)})
+    m.revolute("pin", "ground", "crank", at=(0, 0))
+    assert repr(body) == "RigidBody('crank': crank, crank_frame, points tip)"
+    stepper = m.build().stepper(0.01, inputs=["pin.angle"], outputs=["crank.x"])
+    assert repr(stepper) == "Stepper(t = 0 s, dt = 0.01 s; in: pin.angle; out: crank.x)"
+
+
 def test_modes_are_a_table() -> None:
     """In a shell, in print, and as HTML with the same numbers."""
     modes = bicycle().linearize().modes()
