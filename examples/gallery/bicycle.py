@@ -38,7 +38,10 @@ loci = s.root_loci(rates={"spin.angle": -speeds / 0.3}, of=["lean.angle", "steer
 
 growth = loci.eigenvalues.real.max(axis=1)
 change = np.flatnonzero(np.diff(np.sign(growth)))
-found = [np.interp(0, z * growth[i : i + 2], speeds[i : i + 2]) for i, z in zip(change, (-1, 1), strict=True)]
+found = [
+    float(np.interp(0, z * growth[i : i + 2], speeds[i : i + 2]))
+    for i, z in zip(change, (-1, 1), strict=True)
+]
 known = [4.29238253634111, 6.02426201538837]  # published
 print("weave and capsize speed", found, "published", known, "m/s")
 
