@@ -1,9 +1,12 @@
-"""What all tests share: the checkout, no window opened by a plot, one thread for small matrices, a random seed."""
+"""What all tests share: the checkout, no window of a plot, one thread for small matrices, a random seed, an order."""
 
+import gc
 import os
 import secrets
+from collections.abc import Iterator
 from pathlib import Path
 
+import browser as browsers
 import pytest
 
 os.environ.setdefault("MPLBACKEND", "Agg")
@@ -12,13 +15,77 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # read when NumPy is first i
 SEED = "FLEXEL_CAMPAIGN_SEED"  # of the random models; workers of pytest have that of the process that starts them
 os.environ.setdefault(SEED, str(secrets.randbelow(10**6)))
 
+LONGEST = (  # files that take more than about eight seconds: begun first, so that all workers end at the same time
+    "systems/test_rope_problems.py",
+    "derive/test_verify.py",
+    "campaign/test_campaign.py",
+    "sweeps/test_workers.py",
+    "integration/test_branches.py",
+    "test_docs.py",
+    "rope/test_rope_laying.py",
+    "derive/test_program.py",
+    "systems/test_beam_problems.py",
+    "systems/test_hoist.py",
+    "test_bad_files.py",
+    "analyses/test_checkpoints.py",
+    "integration/test_leaks.py",
+    "test_bad_calls.py",
+    "systems/test_cardan.py",
+    "systems/test_slider_crank.py",
+    "rope/test_helical_drums.py",
+)
+RANK = {f"tests/{file}": i for i, file in enumerate(LONGEST)}
+
 
 def pytest_report_header() -> str:
     """The seed, in the first lines of the output."""
     return f"random models: {SEED}={os.environ[SEED]}"
 
 
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """For parallel workers the longest files come first; they need --no-loadscope-reorder to keep to it."""
+    if hasattr(config, "workerinput"):
+        items.sort(key=lambda item: RANK.get(item.nodeid.split("::")[0], len(RANK)))
+
+
+def pytest_sessionstart() -> None:
+    """Collecting makes objects that stay: the collector of garbage would look at all of them again and again."""
+    gc.disable()
+
+
+def pytest_collection_finish() -> None:
+    """What is there before the first test is never looked at; garbage that a test makes is found as ever."""
+    gc.collect()
+    gc.freeze()
+    gc.enable()
+
+
 @pytest.fixture(scope="session")
 def checkout() -> Path:
     """Return the root of the checkout."""
     return Path(__file__).resolve().parent.parent
+
+
+@pytest.fixture(scope="module", params=browsers.NAMES)
+def browser(
+    request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
+) -> Iterator[browsers.Browser]:
+    """Each browser in turn, started once for all tests of a file; what cannot be started here is skipped."""
+    reason = browsers.missing(request.param)
+    if reason:
+        pytest.skip(reason)
+    with browsers.start(request.param, tmp_path_factory.mktemp(request.param)) as found:
+        yield found
+
+
+@pytest.fixture
+def fresh(browser: browsers.Browser) -> Iterator[browsers.Browser]:
+    """The browser without old errors; at the end there must be no new ones, and no network requests."""
+    browser.value("0")  # what comes before its answer is old
+    browser.complaints.clear()
+    browser.requests.clear()
+    browser.resize(900, 640)
+    yield browser
+    browser.value("0")
+    assert browser.complaints == []
+    assert {z.partition(":")[0] for z in browser.requests} <= {"file", "blob", "about", "data"}

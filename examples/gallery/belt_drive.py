@@ -20,8 +20,9 @@ m.angle("small")
 m.angle("large")
 m.rotary_inertia("rotor", "small", inertia[0])
 m.rotary_inertia("fan", "large", inertia[1])
-m.belt("upper", "P", "small", "Q", "large", radius_p=radius[0], radius_q=radius[1], stiffness=k, damping=5)
-m.belt("lower", "P", "small", "Q", "large", radius_p=-radius[0], radius_q=-radius[1], stiffness=k, damping=5)
+for name, side in (("upper", 1), ("lower", -1)):
+    a, b = (side * r for r in radius)
+    m.planar_belt(name, "P", "small", "Q", "large", radius_p=a, radius_q=b, stiffness=k, damping=5)
 lin = m.build().linearize()
 m.load("small.angle", 1.0)  # a motor
 s = m.build()
