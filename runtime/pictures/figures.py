@@ -109,7 +109,7 @@ def figure(
     from matplotlib.figure import Figure
 
     with style.context(STYLE):
-        drawn = Figure(figsize=size)  # with the constrained layout of the style
+        drawn = Figure(figsize=size, layout="constrained")
         if not rows:
             drawn.set_layout_engine("none")
         yield drawn, drawn.subplots(rows, columns, **options) if rows else None
