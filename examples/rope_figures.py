@@ -190,7 +190,7 @@ def drum(path: Path) -> None:
     with figure(1, 2, (9.0, 4.8)) as (drawn, axes):
         for i, colour in zip((0, 10, 20), COLOURS, strict=False):
             nodes = np.array([motion[i].position(z.name) for z in rope.points])
-            label = f"turns of the drum: {abs(motion['axle.angle'][i]) / (2 * np.pi):.0f}"
+            label = f"{abs(motion['axle.angle'][i]) / (2 * np.pi):.0f}"
             axes[0].plot(nodes[:, 0], nodes[:, 2], color=colour, label=label)
             along, radius, angle = drums.places(motion[i], rope).T
             on = radius < 1.001 * drums.RADIUS
@@ -203,7 +203,7 @@ def drum(path: Path) -> None:
         axes[0].locator_params(axis="x", nbins=4)
         axes[1].set(xlabel="angle from the end of the wound part [turns]")
         axes[1].set(ylabel="along the axle [m]", title="wound part, lead 0.03 m")
-        axes[0].legend(fontsize=8)
+        axes[0].legend(title="turns of the drum", loc="lower right")
         save(drawn, path)
 
 

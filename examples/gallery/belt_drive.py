@@ -33,7 +33,7 @@ known = np.sqrt(2 * k * (radius[0] ** 2 / inertia[0] + radius[1] ** 2 / inertia[
 print("the belt's frequency", found, "closed form", known, "rad/s")
 
 plt.style.use("flexel.pictures.style")
-figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6))
+figure, (left, right) = plt.subplots(1, 2, figsize=(7.5, 3.4))
 draw(motion[-1], left)
 figure.suptitle("Two pulleys and their belt")
 for name in ("small", "large"):

@@ -40,7 +40,7 @@ growth = loci.eigenvalues.real.max(axis=1)
 change = np.flatnonzero(np.diff(np.sign(growth)))
 found = [np.interp(0, z * growth[i : i + 2], speeds[i : i + 2]) for i, z in zip(change, (-1, 1), strict=True)]
 known = [4.29238253634111, 6.02426201538837]  # published
-print("weave and capsize speed", found, "published", known, "m/s")
+print("weave and capsize speed", np.array(found), "published", known, "m/s")
 
 plt.style.use("flexel.pictures.style")
 plt.plot(speeds, loci.eigenvalues.real, "k.", markersize=2)

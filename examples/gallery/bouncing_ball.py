@@ -36,7 +36,7 @@ found, known = (
 print("deepest", found, "Hertz", known, "m")
 
 plt.style.use("flexel.pictures.style")
-figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6))
+figure, (left, right) = plt.subplots(1, 2, figsize=(7.5, 3.4))
 left.plot(motion.t, motion["ball.z"] - radius)
 left.set(xlabel="time [s]", ylabel="height [m]")
 right.plot(1e6 * (impact.t - fall), -impact.force("bounce.gap"))

@@ -38,7 +38,7 @@ print("eigenvalues of the model", found, "of the design", known, "1/s")
 
 motion = s.simulate(6, start=s.state_at({"pivot.angle": 0.5}))
 plt.style.use("flexel.pictures.style")
-figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6))
+figure, (left, right) = plt.subplots(1, 2, figsize=(7.5, 3.4))
 draw(motion[0], left)
 right.plot(motion.t, motion["cart.x"], label="position of the cart [m]")
 right.plot(motion.t, motion["pivot.angle"], label="angle of the rod [rad]")

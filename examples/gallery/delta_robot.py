@@ -30,11 +30,11 @@ for i in range(3):
     m.prescribe(f"drive {i}.angle", lambda t, i=i: 0.4 * np.sin(t) ** 3 * np.sin(8 * t + 2 * np.pi * i / 3))
 motion = m.build().simulate(np.pi, samples=401)
 
-found = [motion.force(f"drive {i}.angle")[0] for i in range(3)]  # at rest
+found = np.array([motion.force(f"drive {i}.angle")[0] for i in range(3)])  # at rest
 drop = arm * np.cos(down) + out * arm * np.sin(down) / np.sqrt(
     rod**2 - out**2
 )  # of the tool by turn of the arms
-known = 3 * [9.81 * drop / 3]
+known = np.full(3, 9.81 * drop / 3)
 print("torques of the motors at rest", found, "by virtual work", known, "N m")
 
 plt.style.use("flexel.pictures.style")

@@ -20,7 +20,7 @@ m.relation("bevel gears", {"cage.angle": 1.0, "left.angle": -0.5, "right.angle":
 m.load("cage.angle", torque)
 motion = m.build().simulate(2)
 
-found = [motion.acceleration(f"{name}.angle")[0] for name in inertia]
+found = [float(motion.acceleration(f"{name}.angle")[0]) for name in inertia]
 known = [torque / 2 / value for value in inertia.values()]
 print("accelerations", found, "closed form", known, "rad/s²")
 

@@ -36,7 +36,7 @@ known = 24 * EI / length**3
 print("stiffness", found, "closed form", known, "N/m")
 
 plt.style.use("flexel.pictures.style")
-figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6))
+figure, (left, right) = plt.subplots(1, 2, figsize=(7.5, 3.4))
 draw(path[-1], left)
 right.plot(1000 * moved, 1000 * (path["left 4.y"] - length), label="computed")
 right.plot(1000 * moved, -600 * moved**2 / length, "--", label="3 u²/(5 L)")

@@ -33,7 +33,7 @@ known = np.arccos(far)
 print("the rocker swings between", np.degrees(found), "closed form", np.degrees(known), "degrees")
 
 plt.style.use("flexel.pictures.style")
-figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6))
+figure, (left, right) = plt.subplots(1, 2, figsize=(7.5, 3.4))
 draw(motion[0], left)
 right.plot(motion.t, np.degrees(angle))
 right.set(xlabel="turns of the crank [-]", ylabel="angle of the rocker [°]")

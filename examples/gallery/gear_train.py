@@ -32,7 +32,7 @@ known = 1 + ring / sun
 print("the sun turns", found, "times as fast as the carrier, closed form", known)
 
 plt.style.use("flexel.pictures.style")
-figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6))
+figure, (left, right) = plt.subplots(1, 2, figsize=(7.5, 3.4))
 draw(motion[0], left)
 figure.suptitle("Planetary gear train")
 for name in ("sun", "carrier", "planet"):

@@ -38,7 +38,7 @@ def torques(design: np.ndarray) -> np.ndarray:
 first = np.array([100.0, 30.0])
 found = least_squares(torques, first, x_scale=[100, 30], xtol=1e-12).x
 stiffness = mass * 9.81 * l / (a * b)
-known = stiffness, stiffness * np.hypot(a, b)
+known = np.array([stiffness, stiffness * np.hypot(a, b)])
 print("stiffness and tension", found, "closed form", known)
 
 plt.style.use("flexel.pictures.style")

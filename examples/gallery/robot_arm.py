@@ -37,7 +37,7 @@ known = mass[1] * (inertia + g * l[1] * np.cos(a + b))
 print("largest difference of the elbow's torque from the textbook", abs(found - known).max(), "N m")
 
 plt.style.use("flexel.pictures.style")
-figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6))
+figure, (left, right) = plt.subplots(1, 2, figsize=(7.5, 3.4))
 left.plot(*motion.position("hand").T)
 draw(motion[40], left, fx.View(centre=(0.2, 0.1, 0), span=2))
 right.plot(t, shoulder, label="shoulder")

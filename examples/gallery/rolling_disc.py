@@ -38,7 +38,7 @@ wobble = s.simulate(
     6, start=s.state_at(rates={"roll.angle": -1.2 * critical, "lean.angle": 0.2, "yaw.angle": 0})
 )
 plt.style.use("flexel.pictures.style")
-figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6))
+figure, (left, right) = plt.subplots(1, 2, figsize=(7.5, 3.4))
 left.plot(speeds / critical, growth)
 left.set(xlabel="speed / critical speed [-]", ylabel="growth rate [1/s]", title="stability")
 right.plot(*wobble.position("contact")[:, :2].T)

@@ -38,7 +38,7 @@ found = np.sort_complex(s.linearize().sampled().eigenvalues()[:3])
 print("eigenvalues of one period", found, "of the discrete system", known)
 
 plt.style.use("flexel.pictures.style")
-figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6))
+figure, (left, right) = plt.subplots(1, 2, figsize=(7.5, 3.4))
 for start in (0.3, 0.45, 0.5):
     motion = s.simulate(1.5, start=s.state_at({"motor.angle": start}), samples=601)
     left.plot(motion.t, motion["motor.angle"], label=f"from {start} rad")

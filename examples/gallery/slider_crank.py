@@ -30,7 +30,7 @@ found, known = motion["B.x"], r * np.cos(phi) + np.sqrt(l**2 - (r * np.sin(phi))
 print("largest difference from the closed form", abs(found - known).max(), "m")
 
 plt.style.use("flexel.pictures.style")
-figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6))
+figure, (left, right) = plt.subplots(1, 2, figsize=(7.5, 3.4))
 draw(motion[30], left)
 right.plot(motion.t, motion.force("rod.elongation"))
 right.set(xlabel="time [s]", ylabel="force in the rod [N]")

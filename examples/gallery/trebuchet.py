@@ -37,7 +37,7 @@ best = np.argmax(reach)
 print(f"opened after {motion.t[best]:.3f} s it throws {reach[best]:.0f} m")
 
 plt.style.use("flexel.pictures.style")
-figure, (left, right) = plt.subplots(1, 2, figsize=(9, 4))
+figure, (left, right) = plt.subplots(1, 2, figsize=(7.5, 3.6))
 left.plot(*motion.position("stone")[: best + 1].T)
 draw(motion[best], left, fx.View(centre=(-1, 4.5, 0), span=11))
 figure.suptitle("Trebuchet")

@@ -32,7 +32,7 @@ def response(damping: float, omega: np.ndarray) -> np.ndarray:
 
 best = np.sqrt(3 * mu / (8 * (1 + mu)))
 fixed = np.sqrt((1 + np.array([-1, 1]) * np.sqrt(mu / (2 + mu))) / (1 + mu))
-found, known = response(best, fixed), 2 * [np.sqrt(1 + 2 / mu)]
+found, known = response(best, fixed), np.full(2, np.sqrt(1 + 2 / mu))
 print("height of the fixed points", found, "Den Hartog", known)
 
 omega = np.linspace(0.7, 1.3, 400)

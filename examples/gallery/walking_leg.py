@@ -30,7 +30,7 @@ m.prescribe("crank.angle", fx.Polynomial([np.pi, 2 * np.pi]))
 motion = m.build().simulate(1, samples=401)
 
 height = motion["foot.y"]
-found, known = (height[0], height[200]), (4, 2 * np.sqrt(6))
+found, known = height[[0, 200]], np.array([4, 2 * np.sqrt(6)])
 print("height of the tip in the middle of step and lift", found, "closed form", known)
 
 plt.style.use("flexel.pictures.style")
