@@ -1,15 +1,19 @@
-"""A headless Chromium to be driven by tests: its DevTools protocol over a pipe, with the standard library only."""
+"""A browser to be driven by tests: what a person does, said in the same words for Chromium and for Firefox.
+
+`chromium.py` speaks the DevTools protocol, `firefox.py` WebDriver BiDi. Tests ask for the fixture `browser` or `fresh`
+of conftest.py, and run in both.
+"""
 
 from __future__ import annotations
 
-import base64
+import importlib.util
 import io
 import json
-import os
-import select
 import shutil
 import subprocess
 import time
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
 from pathlib import Path
 from types import TracebackType
 from typing import Any
@@ -17,16 +21,57 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-PROGRAM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
-MISSING = "no Chromium here; install it to test the viewer: apt-get install chromium"
-SWITCHES = (
-    "--headless=new --no-sandbox --remote-debugging-pipe --enable-unsafe-swiftshader --use-angle=swiftshader "
-    "--use-gl=angle --no-first-run --disable-extensions --disable-background-networking --hide-scrollbars"
+NAMES = ("chromium", "firefox")
+PROGRAMS = {
+    "chromium": shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome"),
+    "firefox": shutil.which("firefox-esr") or shutil.which("firefox"),
+    "xvfb": shutil.which("Xvfb"),
+}
+NEEDED = {"chromium": ("chromium",), "firefox": ("firefox", "xvfb")}  # Firefox has no WebGL without a screen
+PACKAGES = {"chromium": "chromium", "firefox": "firefox-esr", "xvfb": "xvfb"}  # of Debian
+PATIENCE = 180.0  # seconds for anything; on a busy machine a browser may take long to start
+VIEWER_READY = (
+    "document.querySelector('canvas')?.dataset.frame !== undefined || "
+    "document.querySelector('[role=alert]:not([hidden])') !== null"
 )
-PATIENCE = 60.0  # seconds for anything
+# Only the drawing is to be in a picture, without what lies over it.
+BARE = "#panel, #keys, #tip { visibility: hidden } canvas { outline: none !important }"
+
+Place = tuple[float, float]
 
 
-class Browser:
+def missing(name: str) -> str:
+    """Why a browser cannot be driven here; empty where it can."""
+    wanted = [PACKAGES[z] for z in NEEDED[name] if PROGRAMS[z] is None]
+    if wanted:
+        return f"the viewer in {name.title()} is not tested: apt-get install {' '.join(wanted)}"
+    if name == "firefox" and importlib.util.find_spec("websockets") is None:
+        return "the viewer in Firefox is not tested: pip install 'flexel[test]' (websockets)"
+    return ""
+
+
+def start(name: str, folder: Path) -> Browser:
+    """Start a browser with a new profile in a folder."""
+    if name == "chromium":
+        from chromium import Chromium
+
+        return Chromium(folder)
+    from firefox import Firefox
+
+    return Firefox(folder)
+
+
+def end(process: subprocess.Popen[bytes], asked: bool) -> None:
+    """Wait for a process that was asked to end; another is killed."""
+    if not asked:
+        process.kill()
+    try:
+        process.wait(PATIENCE)
+    except subprocess.TimeoutExpired:
+        process.kill()
+
+
+class Browser(ABC):
     """One page of a browser.
 
     Attributes
@@ -37,34 +82,11 @@ class Browser:
         Addresses requested by the page.
     """
 
-    def __init__(self, profile: Path, size: tuple[int, int] = (900, 640)) -> None:
-        assert PROGRAM is not None, MISSING
-        switches = [*SWITCHES.split(), f"--user-data-dir={profile}", f"--window-size={size[0]},{size[1]}"]
-        # the protocol wants the descriptors 3 and 4
-        command = [
-            "/bin/sh",
-            "-c",
-            'exec "$@" 3<&0 4>&1 0</dev/null 1>&2',
-            "sh",
-            PROGRAM,
-            *switches,
-            "about:blank",
-        ]
-        self._log = profile.with_suffix(".log")
-        with self._log.open("wb") as log:
-            pipe = subprocess.PIPE
-            self._process = subprocess.Popen(command, stdin=pipe, stdout=pipe, stderr=log, bufsize=0)
-        assert self._process.stdin is not None and self._process.stdout is not None
-        self._write, self._read = self._process.stdin.fileno(), self._process.stdout.fileno()
-        self._buffer, self._count, self._session = b"", 0, ""
+    name: str
+
+    def __init__(self) -> None:
         self.complaints: list[str] = []
         self.requests: list[str] = []
-        targets = self.call("Target.getTargets")["targetInfos"]
-        target = next(z["targetId"] for z in targets if z["type"] == "page")
-        self._session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
-        for domain in ("Page", "Runtime", "Log", "Network", "Accessibility"):
-            self.call(f"{domain}.enable")
-        self.resize(*size)
 
     def __enter__(self) -> Browser:
         return self
@@ -72,57 +94,62 @@ class Browser:
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
-        self._session = ""
-        self.call("Browser.close")
-        with self._process:  # closes the pipes
-            self._process.wait(PATIENCE)
+        self.close()
 
-    # -- the protocol ----------------------------------------------------------------------------
+    # -- what the protocols do, each in its own way ----------------------------------------------
 
-    def call(self, method: str, **parameters: Any) -> Any:
-        """Call a method of the protocol and wait for its result."""
-        self._count += 1
-        message = {"id": self._count, "method": method, "params": parameters}
-        if self._session:
-            message["sessionId"] = self._session
-        os.write(self._write, json.dumps(message).encode() + b"\0")
-        while True:
-            found = self._message()
-            if found.get("id") == self._count:
-                assert "error" not in found, f"{method}: {found['error']}"
-                return found["result"]
-            self._note(found)
+    @abstractmethod
+    def close(self) -> None:
+        """End the browser and all that was started for it."""
 
-    def _message(self) -> dict[str, Any]:
-        deadline = time.monotonic() + PATIENCE
-        while b"\0" not in self._buffer:
-            assert select.select([self._read], [], [], max(0.0, deadline - time.monotonic()))[0], "no answer"
-            piece = os.read(self._read, 1 << 20)
-            assert piece, f"the browser ended; see {self._log}"
-            self._buffer += piece
-        line, _, self._buffer = self._buffer.partition(b"\0")
-        message: dict[str, Any] = json.loads(line)
-        return message
+    @abstractmethod
+    def navigate(self, address: str) -> None:
+        """Go to an address."""
 
-    def _note(self, event: dict[str, Any]) -> None:
-        method, p = event.get("method"), event.get("params", {})
-        if method == "Runtime.exceptionThrown":
-            self.complaints.append(json.dumps(p["exceptionDetails"]))
-        elif method == "Runtime.consoleAPICalled" and p["type"] in ("error", "warning", "assert"):
-            self.complaints.append(json.dumps(p["args"]))
-        elif method == "Log.entryAdded" and p["entry"]["level"] == "error":
-            self.complaints.append(p["entry"]["text"])
-        elif method == "Network.requestWillBeSent":
-            self.requests.append(p["request"]["url"])
+    @abstractmethod
+    def value(self, expression: str) -> Any:
+        """Value of a JavaScript expression, waited for if it is a promise."""
 
-    # -- what a person does ----------------------------------------------------------------------
+    @abstractmethod
+    def press(self, key: str) -> None:
+        """Press and release a key, named as in KeyboardEvent.key."""
+
+    @abstractmethod
+    def drag(self, start: Place, *places: Place) -> None:
+        """Press the mouse at one place, move it over others, and release it; a click where there are none."""
+
+    @abstractmethod
+    def point(self, place: Place) -> None:
+        """Move the mouse to a place without pressing it."""
+
+    @abstractmethod
+    def touch(self, *places: Sequence[Place]) -> None:
+        """Put fingers down at the first places, move them over the others, and lift them."""
+
+    @abstractmethod
+    def resize(self, width: int, height: int, phone: bool = False) -> None:
+        """Size of the window; a phone has fingers."""
+
+    @abstractmethod
+    def screenshot(self, box: dict[str, float]) -> bytes:
+        """A PNG of a part of the window: x, y, width, height."""
+
+    @abstractmethod
+    def nameless(self) -> list[str]:
+        """What can have the focus and tells a screen reader no name."""
+
+    # -- what is common --------------------------------------------------------------------------
+
+    def go(self, address: str) -> None:
+        """Go to an address and wait until it has been loaded."""
+        self.navigate("about:blank")  # else a change of the part behind # would load nothing
+        self.navigate(address)
+        self.wait("location.href !== 'about:blank' && document.readyState === 'complete'")
 
     def open(self, path: Path, part: str = "") -> None:
         """Open a file and wait until the viewer has drawn it, or says why not."""
-        self.call("Page.navigate", url="about:blank")
-        self.call("Page.navigate", url=path.as_uri() + part)
-        ready = "document.querySelector('canvas')?.dataset.frame !== undefined"
-        self.wait(f"{ready} || document.querySelector('[role=alert]:not([hidden])') !== null")
+        self.go(path.as_uri() + part)
+        self.wait(VIEWER_READY)
 
     def wait(self, condition: str) -> None:
         """Wait until a JavaScript expression is true."""
@@ -131,64 +158,26 @@ class Browser:
             assert time.monotonic() < deadline, f"never true: {condition}; {self.complaints}"
             time.sleep(0.05)
 
-    def value(self, expression: str) -> Any:
-        """Value of a JavaScript expression."""
-        found = self.call("Runtime.evaluate", expression=expression, returnByValue=True, awaitPromise=True)
-        assert "exceptionDetails" not in found, found["exceptionDetails"]
-        return found["result"].get("value")
-
     def frame(self) -> None:
         """Wait until the requested drawing is complete."""
         self.value("new Promise((z) => requestAnimationFrame(() => requestAnimationFrame(() => z(0))))")
 
-    def press(self, key: str, shift: bool = False) -> None:
-        """Press and release a key, named as in KeyboardEvent.key."""
-        code = {
-            "Tab": 9,
-            " ": 32,
-            "End": 35,
-            "Home": 36,
-            "ArrowLeft": 37,
-            "ArrowUp": 38,
-            "ArrowRight": 39,
-        }.get(key)
-        event = {"key": key, "code": "Space" if key == " " else key, "modifiers": 8 * shift}
-        event |= {"windowsVirtualKeyCode": code} if code else {"text": key}
-        event |= {"text": " "} if key == " " else {}
-        self.call("Input.dispatchKeyEvent", type="keyDown", **event)
-        event.pop("text", None)
-        self.call("Input.dispatchKeyEvent", type="keyUp", **event)
-        self.frame()
-
     def click(self, selector: str) -> None:
         """Click in the middle of an element."""
-        x, y = self.middle(selector)
-        for kind in ("mousePressed", "mouseReleased"):
-            self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", buttons=1, clickCount=1)
-        self.frame()
+        self.drag(self.middle(selector))
 
-    def drag(self, start: tuple[float, float], end: tuple[float, float]) -> None:
-        """Drag the mouse from one place to another."""
-        for kind, (x, y) in (("mousePressed", start), ("mouseMoved", end), ("mouseReleased", end)):
-            self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", buttons=1)
-        self.frame()
-
-    def touch(self, *places: list[tuple[float, float]]) -> None:
-        """Put fingers down at the first places, move them over the others, and lift them."""
-        for kind, fingers in zip(["touchStart"] + ["touchMove"] * (len(places) - 1), places, strict=True):
-            points = [{"x": x, "y": y, "id": i} for i, (x, y) in enumerate(fingers)]
-            self.call("Input.dispatchTouchEvent", type=kind, touchPoints=points)
-        self.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
-        self.frame()
-
-    def middle(self, selector: str) -> tuple[float, float]:
+    def middle(self, selector: str) -> Place:
         """Middle of an element in the window."""
-        box = self.value(
-            f"(() => {{ const b = document.querySelector({json.dumps(selector)}).getBoundingClientRect(); "
-            "return [b.x + b.width / 2, b.y + b.height / 2, b.width] })()"
+        box = self.box(selector)
+        assert box["width"] > 0, f"{selector} is not to be seen"
+        return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+    def box(self, selector: str) -> dict[str, float]:
+        """Where an element is in the window: x, y, width, height, right, bottom."""
+        found: dict[str, float] = self.value(
+            f"document.querySelector({json.dumps(selector)}).getBoundingClientRect().toJSON()"
         )
-        assert box[2] > 0, f"{selector} is not to be seen"
-        return box[0], box[1]
+        return found
 
     def choose(self, selector: str, value: str) -> None:
         """Choose an option, or set an input, as its own events would."""
@@ -199,31 +188,14 @@ class Browser:
         )
         self.frame()
 
-    def resize(self, width: int, height: int, phone: bool = False) -> None:
-        """Size of the window; a phone has fingers."""
-        self.call(
-            "Emulation.setDeviceMetricsOverride",
-            width=width,
-            height=height,
-            deviceScaleFactor=1,
-            mobile=phone,
-        )
-        self.call("Emulation.setTouchEmulationEnabled", enabled=phone)
-
     def picture(self) -> NDArray[np.int16]:
         """What is on the canvas (height, width, 3), without what lies over it."""
         from PIL import Image
 
+        style = f"Object.assign(document.createElement('style'), {{textContent: '{BARE}'}})"
+        self.value(f"document.head.append({style})")
         self.frame()
-        box = self.value(
-            "(() => { const b = document.querySelector('#picture').getBoundingClientRect(); "
-            "return {x: b.x, y: b.y, width: b.width, height: b.height, scale: 1} })()"
-        )
-        hidden = "#panel, #keys, #tip { visibility: hidden } canvas { outline: none !important }"
-        self.value(
-            f"document.head.append(Object.assign(document.createElement('style'), {{textContent: '{hidden}'}}))"
-        )
-        data = self.call("Page.captureScreenshot", format="png", clip=box)["data"]
+        data = self.screenshot(self.box("#picture"))
         self.value("document.head.lastChild.remove()")
-        with Image.open(io.BytesIO(base64.b64decode(data))) as picture:
+        with Image.open(io.BytesIO(data)) as picture:
             return np.asarray(picture.convert("RGB"), dtype=np.int16)

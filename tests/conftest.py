@@ -3,8 +3,10 @@
 import gc
 import os
 import secrets
+from collections.abc import Iterator
 from pathlib import Path
 
+import browser as browsers
 import pytest
 
 os.environ.setdefault("MPLBACKEND", "Agg")
@@ -62,3 +64,28 @@ def pytest_collection_finish() -> None:
 def checkout() -> Path:
     """Return the root of the checkout."""
     return Path(__file__).resolve().parent.parent
+
+
+@pytest.fixture(scope="module", params=browsers.NAMES)
+def browser(
+    request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
+) -> Iterator[browsers.Browser]:
+    """Each browser in turn, started once for all tests of a file; what cannot be started here is skipped."""
+    reason = browsers.missing(request.param)
+    if reason:
+        pytest.skip(reason)
+    with browsers.start(request.param, tmp_path_factory.mktemp(request.param)) as found:
+        yield found
+
+
+@pytest.fixture
+def fresh(browser: browsers.Browser) -> Iterator[browsers.Browser]:
+    """The browser without old errors; at the end there must be no new ones, and no network requests."""
+    browser.value("0")  # what comes before its answer is old
+    browser.complaints.clear()
+    browser.requests.clear()
+    browser.resize(900, 640)
+    yield browser
+    browser.value("0")
+    assert browser.complaints == []
+    assert {z.partition(":")[0] for z in browser.requests} <= {"file", "blob", "about", "data"}

@@ -12,7 +12,7 @@ DOCS = Path(__file__).resolve().parents[1] / "docs"
 
 @pytest.mark.parametrize("page", sorted({page for page in PAGES} - {*WITHOUT, "adding-an-element.md"}))
 def test_the_program_of_a_page_runs_and_prints_what_the_page_shows(page: str) -> None:
-    for package in ("matplotlib", "xarray", "joblib", "gymnasium"):
+    for package in ("matplotlib", "xarray", "joblib", "gymnasium", "control"):
         pytest.importorskip(package, reason="pages use everything optional: pip install 'flexel[test]'")
     found = ran(page)
     assert found.printed
@@ -40,12 +40,15 @@ def test_the_bicycle_of_the_readme_rides() -> None:
 
 def test_the_program_of_the_page_on_control_steadies_the_rod() -> None:
     """Upright and falling at first, then at rest and upright with a controller; sampled too, unless too late."""
+    pytest.importorskip("control", reason="the page uses python-control: pip install 'flexel[control]'")
     names = ran("control.md").names
     assert names["lin"].eigenvalues().real.max() == pytest.approx((1.5 * 9.81 / 0.5) ** 0.5, rel=1e-9)
     assert names["regulated"].linearize().eigenvalues().real.max() < -1
-    assert abs(names["motion"]["motor.angle"][-1]) < 1e-4
+    assert abs(names["balanced"]["motor.angle"][-1]) < 1e-4
     assert names["sampled"]["motor.angle"][-1] == pytest.approx(0.2, abs=1e-6)
     assert names["delay"] == 0.03 and not names["loop"].stable
+    assert names["both"].stable and names["both"].period == pytest.approx(0.02)
+    assert names["limited"]["motor.angle"].max() < 0.601 < names["wound_up"]["motor.angle"].max() - 0.1
     assert abs(names["angle"]) < 1e-3
 
 

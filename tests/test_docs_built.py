@@ -6,17 +6,15 @@ import json
 import re
 import subprocess
 import sys
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from browser import MISSING, PROGRAM, Browser
+from browser import Browser
 from page_programs import DOCS
 
 import flexel
 
 pytestmark = pytest.mark.slow
-needs_browser = pytest.mark.skipif(PROGRAM is None, reason=MISSING)
 
 
 @pytest.fixture(scope="module")
@@ -31,12 +29,6 @@ def html(tmp_path_factory: pytest.TempPathFactory) -> Path:
     )
     assert answer.returncode == 0, answer.stderr
     return folder / "html"
-
-
-@pytest.fixture(scope="module")
-def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Browser]:
-    with Browser(tmp_path_factory.mktemp("browser") / "profile") as opened:
-        yield opened
 
 
 def test_pages_hold_what_they_should(html: Path) -> None:
@@ -60,7 +52,6 @@ def test_all_public_names_and_methods_are_in_the_reference(html: Path) -> None:
     assert wanted - described == set()
 
 
-@needs_browser
 @pytest.mark.parametrize(
     ("sought", "first"),
     [
@@ -76,7 +67,7 @@ def test_all_public_names_and_methods_are_in_the_reference(html: Path) -> None:
 )
 def test_the_search_finds_concepts_first(html: Path, browser: Browser, sought: str, first: str) -> None:
     """And a name itself before pages that mention it, and guides before the gallery and the rest of the reference."""
-    browser.call("Page.navigate", url=(html / "search.html").as_uri() + "?q=none")
+    browser.go((html / "search.html").as_uri() + "?q=none")
     browser.wait("typeof Search !== 'undefined' && Search.hasIndex()")
     asked = (
         f"Search._performSearch(...Search._parseQuery({json.dumps(sought)})).reverse().map(z => z[0] + z[2])"
@@ -88,14 +79,12 @@ def test_the_search_finds_concepts_first(html: Path, browser: Browser, sought: s
     assert not (guides and gallery) or max(guides) < min(gallery)
 
 
-@needs_browser
 def test_no_page_is_wider_than_a_phone(html: Path, browser: Browser) -> None:
     """Tables, programs and formulas scroll by themselves; pictures shrink."""
     browser.resize(390, 844, phone=True)
     wide = {}
     for page in sorted(html.rglob("*.html")):
-        browser.call("Page.navigate", url=page.as_uri())
-        browser.wait("document.readyState === 'complete'")
+        browser.go(page.as_uri())
         width = browser.value("document.documentElement.scrollWidth")
         if width > 390:
             wide[page.name] = width

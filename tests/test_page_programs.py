@@ -19,7 +19,7 @@ SHOWN = sorted(page for page, parts in PARTS.items() if any(part.shown for part 
 
 def test_every_page_has_a_program_and_shows_what_it_prints() -> None:
     assert sorted(page for page, parts in PARTS.items() if not parts) == sorted(WITHOUT)
-    assert set(PARTS) - {*SHOWN, *WITHOUT} <= {"adding-an-element.md", "control.md"}
+    assert set(PARTS) - {*SHOWN, *WITHOUT} <= {"adding-an-element.md"}
 
 
 def test_what_is_not_run_is_still_there() -> None:

@@ -28,7 +28,7 @@ TABLES: dict[type, Mapping[str, Any]] = {ElementSpec: ELEMENTS, LawSpec: LAWS}
 
 
 class _Row(Portable):
-    """What elements and laws have in common: a specification, and kernels built in or compiled by the user.
+    """Common base of elements and laws: a specification, and kernels built in or compiled by the user.
 
     In a pickle a built-in specification is a name, and kernels of the user are their C code.
     """
@@ -77,7 +77,7 @@ class Instance(_Row):
     profile: object = None  # section and material of a beam, if given
     mass_damping: float = 0.0  # force per momentum [1/s], the mass-proportional part of Rayleigh damping
     terms: Mapping[str, float] | None = None  # coefficients of a relation, by quantity
-    look: object = None  # how pictures show it, if that was said
+    look: object = None  # its appearance in pictures, if given
 
     @property
     def p(self) -> Array:

@@ -69,6 +69,49 @@ def test_one_element_alone_keeps_the_entries_of_the_others(
     assert "hinge.c" not in one.files
 
 
+def test_a_law_is_derived_with_the_others_in_its_file(three: tuple[Element, ...], tmp_path: Path) -> None:
+    """Named, or where the table in the folder has other laws than are declared."""
+    from flexel.derive.laws import LAWS
+
+    truss, laws = three[:1], LAWS[:2]
+    first, second = (law.name for law in laws)
+    all_of_it = emit(truss, laws)
+    write(tmp_path, all_of_it)
+    one = emit(truss, laws, only=[first], folder=tmp_path)
+    assert sorted(one.operations) == sorted([first, second])
+    assert [one.files[z] for z in ("laws.c", "table.py")] == [
+        all_of_it.files[z] for z in ("laws.c", "table.py")
+    ]
+    fewer = emit(truss, laws[1:], only=["truss"], folder=tmp_path)
+    assert sorted(fewer.operations) == sorted(["truss", second])
+    assert first not in fewer.files["table.py"]
+
+
+def test_the_command_accepts_the_counts_of_a_law(
+    three: tuple[Element, ...], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    from flexel.derive.laws import LAWS
+
+    some = partial(emit, three[:1], LAWS[:1])
+    monkeypatch.setattr(command, "emit", some)
+    monkeypatch.setattr(emitting, "BASELINE", tmp_path / "operations.json")
+    folder, name = tmp_path / "generated", LAWS[0].name
+    write(folder, some())
+    derived = (folder / "laws.c").read_text(encoding="utf-8")
+    (folder / "laws.c").write_text("old")
+    done = CliRunner().invoke(main, ["--update-baseline", "--out", str(folder), name])
+    assert done.exit_code == 0, done.output
+    assert (folder / "laws.c").read_text(encoding="utf-8") == derived
+    assert list(baseline()) == [name]
+
+
+def test_the_baseline_has_all_elements_and_laws() -> None:
+    from flexel.derive.elements import ELEMENTS
+    from flexel.derive.laws import LAWS
+
+    assert list(baseline()) == [z.name for z in (*ELEMENTS, *LAWS)]
+
+
 def test_the_command_fails_where_files_differ(
     three: tuple[Element, ...], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:

@@ -1,13 +1,12 @@
 """The viewer in a browser: many parts stay light, Fit fits, pointing shows values, the strip follows the time."""
 
 import time
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from browser import MISSING, PROGRAM, Browser
+from browser import Browser
 from mechanisms import pendulum
 from numpy.typing import NDArray
 
@@ -16,24 +15,9 @@ from flexel.pictures.shape import Shape, rectangle
 from flexel.pictures.view import Page, scene_data, write_page
 from flexel.pictures.view.data import part
 
-pytestmark = pytest.mark.skipif(PROGRAM is None, reason=MISSING)
 TIP = "(() => { const t = document.querySelector('#tip'); return t.hidden ? '' : t.textContent })()"
 FRAMES = 61
 DRAW_CALLS = 40  # at most, for 200 parts
-
-
-@pytest.fixture(scope="module")
-def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Browser]:
-    with Browser(tmp_path_factory.mktemp("browser") / "profile") as found:
-        yield found
-
-
-@pytest.fixture
-def fresh(browser: Browser) -> Iterator[Browser]:
-    browser.complaints.clear()
-    browser.resize(900, 640)
-    yield browser
-    assert browser.complaints == []
 
 
 def strut(load: float = 20.0) -> fx.System:
@@ -120,12 +104,11 @@ def test_fit_fills_windows_of_any_shape(tmp_path: Path, fresh: Browser, size: tu
 def test_pointing_shows_name_and_values(motion: fx.Motion, tmp_path: Path, fresh: Browser) -> None:
     """The spring in the middle of the strut, with its tension at that time."""
     fresh.open(motion.view(tmp_path / "strut.html", view=fx.View(azimuth=-90, elevation=0)), "#t=0")
-    box = fresh.value("document.querySelector('#picture').getBoundingClientRect().toJSON()")
+    box = fresh.box("#picture")
     found = set()
     for i in range(1, 25):
         for j in range(1, 16):
-            place = {"x": box["x"] + box["width"] * i / 25, "y": box["y"] + box["height"] * j / 16}
-            fresh.call("Input.dispatchMouseEvent", type="mouseMoved", **place)
+            fresh.point((box["x"] + box["width"] * i / 25, box["y"] + box["height"] * j / 16))
             found.add(fresh.value(TIP))
     tension = motion[0].force("strut.elongation")
     reported = [z for z in found if z.startswith("spring strut")]
@@ -143,7 +126,7 @@ def test_the_strip_shows_chosen_quantities_and_goes_to_a_time(
     key = "document.querySelector('#key').textContent"
     reported = float(fresh.value(key).removeprefix("strut.elongation' ").removesuffix(" m/s"))
     assert reported == pytest.approx(motion.at(0.5).rate("strut.elongation"), rel=6e-3, abs=1e-4)
-    box = fresh.value("document.querySelector('#strip').getBoundingClientRect().toJSON()")
+    box = fresh.box("#strip")
     left, right = box["x"] + 58, box["x"] + box["width"] - 8
     fresh.drag((left + 0.2 * (right - left), box["y"] + 20), (left + 0.25 * (right - left), box["y"] + 20))
     shown = float(fresh.value("document.querySelector('#time').textContent.split(' ')[0]"))
@@ -180,7 +163,7 @@ def test_a_notebook_shows_the_page_in_a_frame(motion: fx.Motion, tmp_path: Path,
     shown = motion.page(frames=5, title='A "strut" & <more>')._repr_html_()
     path = tmp_path / "notebook.html"
     path.write_text(f"<!DOCTYPE html><html><body>{shown}</body></html>")
-    fresh.call("Page.navigate", url=path.as_uri())
+    fresh.go(path.as_uri())
     inner = "document.querySelector('iframe')?.contentDocument?.querySelector('#picture')"
     fresh.wait(f"{inner}?.dataset.frame !== undefined")
     assert fresh.value("document.querySelector('iframe').title") == 'A "strut" & <more>'
