@@ -109,7 +109,9 @@ def figure(
     from matplotlib.figure import Figure
 
     with style.context(STYLE):
-        drawn = Figure(figsize=size, layout="constrained" if rows else "none")
+        drawn = Figure(figsize=size, layout="constrained")
+        if not rows:
+            drawn.set_layout_engine("none")
         yield drawn, drawn.subplots(rows, columns, **options) if rows else None
 
 
