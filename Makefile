@@ -25,7 +25,7 @@ SEED ?= 1
 
 # What depends on other packages: files, pictures, frames, sparse matrices, integrators, worker processes.
 OLDEST_TREE := build/oldest
-OLDEST ?= -n 2 --durations=5 -m "not slow and not campaign" tests/engine tests/results tests/statics tests/linear \
+OLDEST ?= -n 2 --durations=5 -m "not slow and not campaign" tests/base tests/engine tests/results tests/statics tests/linear \
   tests/mechanics tests/pictures tests/sweeps tests/integration tests/commands/test_cli_run.py
 
 PIP := $(VENV)/bin/pip install --quiet --disable-pip-version-check
