@@ -8,7 +8,7 @@ VENV_BENCH ?= .venv-bench
 VENV_OLDEST ?= .venv-oldest
 OUT ?= out
 BENCH ?=
-PYTEST ?= -n 2 --dist loadfile --durations=10
+PYTEST ?= -n 2 --dist loadfile --no-loadscope-reorder --durations=10
 QUOTED ?= bicycle warping cardan cylinder slider-crank flexures rope contact hoist vehicle motorcycle tolerances stability-map
 TYPED := build/typed
 

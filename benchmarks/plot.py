@@ -56,6 +56,7 @@ def plot(found: Sequence[Comparison], path: str | Path) -> None:
             _ratios(panels.pop(0), beside)
         for panel, row in zip(panels, scaling, strict=True):
             _sizes(panel, row.row, {OWN: row.own, **row.installed})
+        drawn.suptitle(f"What {OWN} costs, beside other programs")
         save(drawn, path)
 
 
@@ -78,7 +79,7 @@ def _ratios(panel: Axes, rows: Sequence[Comparison]) -> None:
     panel.axvline(1.0, color=_colour(OWN))
     panel.set_yticks(range(len(rows)), [row.row.name for row in rows])
     panel.invert_yaxis()
-    panel.set_xlabel(f"time over that of {OWN}")
+    panel.set_xlabel(f"time over that of {OWN} [-]")
     panel.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=len(PEERS))
 
 
@@ -90,7 +91,7 @@ def _sizes(panel: Axes, row: Row, figures: dict[str, Figure]) -> None:
             power = "" if measured.exponent is None else f": $N^{{{measured.exponent:.2f}}}$"
             panel.loglog(*zip(*known, strict=True), "o-", color=_colour(name), label=f"{name}{power}")
     panel.set_title(row.name)
-    panel.set_xlabel("N")
+    panel.set_xlabel("size N [-]")
     panel.set_ylabel(f"time [{row.unit}]")
     panel.legend()
 

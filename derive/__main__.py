@@ -12,12 +12,13 @@ from tqdm import tqdm
 from flexel.derive.elements import ELEMENTS
 from flexel.derive.emit.emit import baseline, check, emit, risen, write
 from flexel.derive.emit.emit import update_baseline as accept
+from flexel.derive.laws import LAWS
 
 FOLDER = Path(__file__).resolve().parents[1] / "generated"
 
 
 @click.command(context_settings={"help_option_names": ["-h", "--help"]})
-@click.argument("elements", nargs=-1, metavar="[ELEMENT]...")
+@click.argument("only", nargs=-1, metavar="[NAME]...")
 @click.option(
     "--check", "checking", is_flag=True, help="Compare byte for byte and count operations; write nothing."
 )
@@ -25,19 +26,24 @@ FOLDER = Path(__file__).resolve().parents[1] / "generated"
 @click.option(
     "--out", type=click.Path(path_type=Path, file_okay=False), default=FOLDER, help="Folder of the C files."
 )
-def main(elements: tuple[str, ...], checking: bool, update_baseline: bool, out: Path) -> None:
-    """Derive the kernels of all elements (or of some) and write them to generated/."""
-    names = [element.name for element in ELEMENTS]
-    unknown = [name for name in elements if name not in names]
+def main(only: tuple[str, ...], checking: bool, update_baseline: bool, out: Path) -> None:
+    """Derive the kernels of all elements and laws (or of those that are named) and write them to generated/.
+
+    All laws stand in one file and are derived together.
+    """
+    elements, laws = [element.name for element in ELEMENTS], [law.name for law in LAWS]
+    unknown = [name for name in only if name not in elements + laws]
     if unknown:
-        raise click.UsageError(f"no element '{unknown[0]}'; there are {', '.join(names)}")
-    with tqdm(total=len(elements) or len(names) + 1, unit="element", file=sys.stderr, disable=None) as bar:
+        raise click.UsageError(f"no element or law '{unknown[0]}'; there are {', '.join(elements + laws)}")
+    chosen = set(only) or {*elements, *laws}
+    count = len(chosen.intersection(elements)) + (not chosen.isdisjoint(laws))
+    with tqdm(total=count, unit="element", file=sys.stderr, disable=None) as bar:
 
         def progress(name: str) -> None:
             bar.set_description(name, refresh=False)
             bar.update()
 
-        emitted = emit(only=elements, folder=out, progress=progress)
+        emitted = emit(only=only, folder=out, progress=progress)
     rises = risen(emitted.operations, baseline())
     if update_baseline:
         accept(emitted.operations)

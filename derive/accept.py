@@ -17,10 +17,9 @@ from flexel.derive.check.smooth import check_smooth
 from flexel.derive.check.stored import check_stored
 from flexel.derive.compile import CompiledElement, CompiledLaw, compile_element, compile_law
 from flexel.derive.declare import Element, Law
-from flexel.derive.elements import ELEMENTS
 from flexel.derive.verify import verify
 from flexel.derive.verify.check import BATCH
-from flexel.derive.verify.compiled import Compiled
+from flexel.derive.verify.compiled import Compiled, built_in
 from flexel.derive.verify.report import Verification
 from flexel.derive.verify.samples import NOTHING, Ranges, check_ranges, element_samples, law_samples
 
@@ -28,7 +27,6 @@ if TYPE_CHECKING:
     from flexel.derive.verify import Row
 
 log = logging.getLogger("flexel.compile")
-_OWN = frozenset(element.name for element in ELEMENTS)
 
 
 class VerificationError(ValueError):
@@ -52,7 +50,7 @@ def accepted_element(element: Element, ranges: Ranges = NOTHING) -> CompiledElem
     CompilerMissingError, CompilationError
         As `flexel.derive.compile.compile_element`.
     """
-    if element.name in _OWN:
+    if element.name in built_in():
         raise ValueError(f"element '{element.name}': flexel has an element of this name; choose another")
     for what, expr in _expressions(element):
         check_smooth(_owner(element), what, sp.sympify(expr))

@@ -44,7 +44,8 @@ def line(state: State, n: int) -> Array:
 
 def large_deflections(rows: Sequence[Quantity], path: Path) -> None:
     """Shapes of the elastica, of the roll-up and of the post-buckled column."""
-    with figure(1, 3, size=(12.0, 4.2)) as (drawn, axes):
+    with figure(2, 2, size=(9.0, 7.0)) as (drawn, grid):
+        axes = grid.flat
         for load, w, u in data.TIP_FORCE:
             axes[0].plot(*line(static.elastica(load, ELEMENTS), ELEMENTS).T, label=f"{load:g}")
             axes[0].plot(1 - u, w, "o", color="black", markersize=4)
@@ -53,17 +54,21 @@ def large_deflections(rows: Sequence[Quantity], path: Path) -> None:
         for turns in (0.125, 0.25, 0.5, 0.75, 1.0):
             axes[1].plot(*line(static.rolled_up(turns, 32), 32).T, label=f"{turns:g}")
         axes[1].set_title("end moment")
-        axes[1].legend(title="turns", fontsize=8, loc="center left", bbox_to_anchor=(1.0, 0.5))
+        axes[1].legend(title="turns", loc="center left", bbox_to_anchor=(1.0, 0.5))
         for load, x, y in data.POST_BUCKLED:
             shape = line(static.post_buckled(load, ELEMENTS), ELEMENTS)
             axes[2].plot(*shape.T, label=f"{load:.3g}")
             axes[2].plot(x, y, "o", color="black", markersize=4)
         axes[2].set_title("column")
-        axes[2].legend(title="P/Pcr", fontsize=8, loc="center left", bbox_to_anchor=(1.0, 0.5))
-        for ax in axes:
+        axes[2].legend(title="P/Pcr", loc="center left", bbox_to_anchor=(1.0, 0.5))
+        axes[3].plot([], [], color="#444444", label=f"{ELEMENTS} elements (end moment: 32)")
+        axes[3].plot([], [], "o", color="black", markersize=4, label="elliptic integrals")
+        axes[3].legend(loc="center")
+        axes[3].set_axis_off()
+        for ax in axes[:3]:
             ax.set_aspect("equal")
             ax.set(xlabel="x / L [-]", ylabel="y / L [-]")
-        drawn.suptitle(f"Large deflections: {ELEMENTS} elements (roll-up 32); dots: elliptic integrals")
+        drawn.suptitle("Large deflections of a planar beam")
         save(drawn, path)
 
 
@@ -92,7 +97,7 @@ def princeton(rows: Sequence[Quantity], path: Path) -> None:
     angles = np.array(static.PRINCETON_ANGLES)
     found = np.array([static.princeton_tips(z, 16) for z in static.PRINCETON_ANGLES])
     table = np.array(data.PRINCETON_TIPS)
-    with figure(1, 3, size=(12.0, 4.0)) as (drawn, axes):
+    with figure(3, size=(8.0, 8.4), sharex=True) as (drawn, axes):
         names = (
             ("flatwise deflection [mm]", 2, 1e3),
             ("edgewise deflection [mm]", 1, 1e3),
@@ -103,13 +108,12 @@ def princeton(rows: Sequence[Quantity], path: Path) -> None:
                 ax.plot(angles, factor * found[:, k, column], color=COLOURS[k], label=f"{load:g} N")
                 exact = table[table[:, 0] == load]
                 ax.plot(exact[:, 1], factor * exact[:, 2 + column], "o", color=COLOURS[k], markersize=4)
-            ax.set(
-                ylabel=title,
-                xlabel="angle of the load from the width [°]",
-                xticks=angles,
-            )
-        axes[2].legend()
-        drawn.suptitle("Princeton beam: 16 elements (lines) and the exact rod (dots)")
+            ax.set(ylabel=title, xticks=angles)
+        axes[0].plot([], [], color="#444444", label="16 elements")
+        axes[0].plot([], [], "o", color="#444444", markersize=4, label="exact rod")
+        axes[0].legend()
+        axes[2].set_xlabel("angle of the load from the width [°]")
+        drawn.suptitle("Princeton beam: tip under loads at an angle")
         save(drawn, path)
 
 
@@ -147,7 +151,7 @@ def elements_needed(rows: Sequence[Quantity], path: Path) -> None:
     """Elements needed for 1 % and for 0.1 %, with and without the second-order terms."""
     counted = [row for row in rows if row.name.startswith("elements_for_")]
     place = np.arange(len(counted))
-    with figure(1, 2, size=(10.0, 4.6), sharey=True) as (drawn, axes):
+    with figure(1, 2, size=(9.0, 4.6), sharey=True) as (drawn, axes):
         for ax, bound, title in zip(axes, ("1pct", "0.1pct"), ("1 %", "0.1 %"), strict=True):
             for k, (suffix, label) in enumerate((("", "with"), ("_first_order", "without"))):
                 found: list[Any] = [row.more[f"elements_{bound}{suffix}"] for row in counted]
@@ -155,19 +159,20 @@ def elements_needed(rows: Sequence[Quantity], path: Path) -> None:
                 ax.bar_label(
                     bars, labels=["none" if z is None else str(z) for z in found], padding=3, fontsize=8
                 )
+            ax.margins(x=0.1)  # the numbers beside the bars
             ax.set(title=f"for {title}", xlabel="number of elements [-]")
         names = [row.name.removeprefix("elements_for_").replace("_", " ") for row in counted]
         axes[0].set_yticks(place + 0.2, labels=names)
         axes[0].invert_yaxis()
         axes[1].legend(title="second-order terms", loc="center right")
-        drawn.suptitle("Elements that are needed for an error of 1 % and of 0.1 %")
+        drawn.suptitle("Number of elements needed for an error of 1 % and of 0.1 %")
         save(drawn, path)
 
 
 def rotation(rows: Sequence[Quantity], path: Path) -> None:
     """Frequencies of the rotating blade and whirl frequencies of the shaft over the speed."""
     spins, speeds = np.linspace(0, 12, 13), np.linspace(0, 20, 9)
-    with figure(1, 2, size=(10.0, 4.2)) as (drawn, (left, right)):
+    with figure(1, 2, size=(9.0, 4.2)) as (drawn, (left, right)):
         for k, second_order in enumerate((True, False)):
             found = np.array([dynamic.blade_frequencies(4, z, 0.0, second_order) for z in spins])
             label = ("4 elements", "4 elements, no second-order terms")[k]
@@ -196,7 +201,7 @@ def rotation(rows: Sequence[Quantity], path: Path) -> None:
 
 def spin_up(rows: Sequence[Quantity], path: Path) -> None:
     """Tip displacement of the spin-up beams."""
-    with figure(1, 2, size=(10.0, 4.0)) as (drawn, axes):
+    with figure(1, 2, size=(9.0, 4.0)) as (drawn, axes):
         for ax, case, title in zip(axes, ("simo", "kane"), ("Simo and Vu-Quoc", "Kane"), strict=True):
             table = dynamic.spin_case(case)[1]
             tip = dynamic.spin_tip(case, 8)

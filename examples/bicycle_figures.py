@@ -70,7 +70,7 @@ def histories(results: Results, path: Path) -> None:
     """Lean, steer and yaw rate after the side kick at the three speeds."""
     rows = (("lean.angle", "lean [rad]"), ("steer.angle", "steer [rad]"), ("yaw.angle'", "yaw rate [rad/s]"))
     titles = ("below the weave speed", "in the stable range", "above the capsize speed")
-    with figure(3, 3, size=(10.0, 6.4), sharex=True) as (drawn, axes):
+    with figure(3, 3, size=(9.0, 6.4), sharex=True) as (drawn, axes):
         for j, (v, motion) in enumerate(results.kicks.items()):
             for i, (name, label) in enumerate(rows):
                 values = motion.rate(name[:-1]) if name.endswith("'") else motion[name]
@@ -94,7 +94,7 @@ def tracks(results: Results, path: Path) -> None:
     titles.append(
         f"6.3 m/s, {spiral.t[-1]:.0f} s: the turn tightens, lean {np.degrees(spiral['lean.angle'][-1]):.0f}°"
     )
-    with figure(2, 2, size=(10.0, 6.4)) as (drawn, axes):
+    with figure(2, 2, size=(9.0, 6.4)) as (drawn, axes):
         for k, (panel, motion, title) in enumerate(zip(axes.flat, runs, titles, strict=True)):
             for wheel, width, style in (("rear", 1.6, "-"), ("front", 1.0, "--")):
                 x, y, _ = motion.position(f"{wheel} contact").T

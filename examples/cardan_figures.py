@@ -55,7 +55,7 @@ def pictures(results: Results, out: Path) -> list[Path]:
 def model(results: Results, path: Path) -> None:
     """The joint at three angles of the driving shaft, 45 degrees between the shafts."""
     turn, b = results.turns[45.0], np.radians(45.0)
-    with figure(1, 3, size=(11.0, 3.6), subplot_kw={"projection": "3d"}) as (drawn, axes):
+    with figure(1, 3, size=(9.0, 3.6), subplot_kw={"projection": "3d"}) as (drawn, axes):
         for panel, degrees in zip(axes, (0, 40, 90), strict=True):
             state = turn.nearest(np.radians(degrees))
             driving, cross, driven = (matrix(state.position(z)) for z in ("driving", "cross", "driven"))
@@ -152,15 +152,17 @@ def free_run(results: Results, path: Path) -> None:
 
 def limit(results: Results, path: Path) -> None:
     """Flexible pins become rigid ones: the error falls with the stiffness."""
-    with figure(size=(6.5, 4.6)) as (drawn, axes):
-        axes.loglog(STIFFNESSES, results.errors, "o-", color=COLOURS[0], label="flexible - rigid, whole turn")
+    with figure(size=(8.0, 4.6)) as (drawn, axes):
+        axes.loglog(
+            STIFFNESSES, results.errors, "o-", color=COLOURS[0], label="flexible minus rigid, over one turn"
+        )
         slope = results.errors[-1] * STIFFNESSES[-1] / STIFFNESSES
         axes.loglog(STIFFNESSES, 2 * slope, "--", color=COLOURS[1], label="slope -1")
         axes.set(
             xlabel="bending stiffness of the pins [N m/rad]", ylabel="largest error of the driven angle [rad]"
         )
         axes.legend()
-        axes.set_title("(b) converges to (a): 1 rad/s, 1 kg m² driven, 30°", fontsize=11)
+        axes.set_title("Flexible pins (b) converge to rigid pins (a), 30° between the shafts", fontsize=11)
         save(drawn, path)
 
 
@@ -173,7 +175,7 @@ def zones(results: Results, path: Path) -> None:
         ("(a) with an elastic driving shaft", shaft, ((1, 0.2), (2, 0.06), (3, 0.03)), results.shaft_edges),
     )
     edges = np.array([mathieu_edges(modulation(np.radians(z))) for z in CHART_ANGLES])
-    with figure(1, 2, size=(11.0, 5.4), sharey=True) as (drawn, axes):
+    with figure(1, 2, size=(9.0, 5.4), sharey=True) as (drawn, axes):
         for panel, (title, at, orders, known) in zip(axes, charts, strict=True):
             for order, width in orders:
                 shown = _zone(panel, trace(at, CHART_ANGLES.tolist(), order, width))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
+from textwrap import fill
 from typing import Any
 
 import numpy as np
@@ -52,7 +53,8 @@ def overview(results: Results, d: Design, path: Path, title: str) -> None:
     stations = results.guide if d is GUIDE else results.pivot
     travel = np.array([z.travel for z in stations]) * (1e3 if d is GUIDE else 180 / np.pi)
     label = "travel [mm]" if d is GUIDE else "rotation [°]"
-    with figure(2, 3, size=(13.0, 7.6)) as (drawn, axes):
+    with figure(3, 2, size=(9.0, 10.8)) as (drawn, grid):
+        axes = grid.reshape(2, 3)
         _shapes(axes[0, 0], stations, d)
         _stiffness(axes[0, 1], stations, travel, d)
         _frequencies(axes[0, 2], stations, travel)
@@ -63,7 +65,7 @@ def overview(results: Results, d: Design, path: Path, title: str) -> None:
             axis.set_xlabel(label)
             axis.set_xlim(0, travel[-1])
         s = d.section
-        drawn.supxlabel(_constrained(d), fontsize=9)
+        drawn.supxlabel(fill(_constrained(d), 105), fontsize=9)
         drawn.suptitle(
             f"{title}: two leaf springs of spring steel, {d.length * 1e3:g} × {s.width * 1e3:g} × {s.height * 1e3:g} mm"
         )
@@ -71,14 +73,14 @@ def overview(results: Results, d: Design, path: Path, title: str) -> None:
 
 
 def _constrained(d: Design) -> str:
-    """What is over-constrained if the leaf springs are thought rigid in their own planes."""
+    """What is overconstrained if the leaf springs are rigid in their own planes."""
     make = next(make for make, design in CASES if design is d)
     found = make(flexible=IDEAL, elements=1).constraint_report()
     names = "; ".join(", ".join(z) for z in found.redundant)
     times = {1: "once", 2: "twice"}.get(len(found.redundant), f"{len(found.redundant)} times")
     return (
-        f"Leaf springs thought rigid in their own planes over-constrain it {times}: {names} repeat "
-        f"one another; release {', '.join(found.release)}"
+        f"With leaf springs rigid in their own planes it is overconstrained {times}: {names} are "
+        f"redundant together; releasing {', '.join(found.release)} removes this"
     )
 
 
@@ -90,7 +92,7 @@ def _shapes(axis: Any, stations: list[Station], d: Design) -> None:
     axis.set_aspect("equal")
     axis.set_xlabel("x [mm]")
     axis.set_ylabel("y [mm]")
-    axis.set_title("at rest, at half the drive and at all of it")
+    axis.set_title("undriven, at half and at full drive")
 
 
 def _outline(axis: Any, state: fx.State, colour: str) -> None:
@@ -112,7 +114,7 @@ def _stiffness(axis: Any, stations: list[Station], travel: Any, d: Design) -> No
         axis.semilogy(
             travel, found / found[0], color=colour, label=f"{NAMES.get(z, z)}: {found[0]:.3g} {unit}"
         )
-    axis.set(title="stiffness (at rest: given), drive held", ylabel="stiffness / that at rest [-]")
+    axis.set(title="stiffness, drive locked (legend: undriven)", ylabel="stiffness / undriven stiffness [-]")
     axis.legend(fontsize=8)
 
 
@@ -149,7 +151,7 @@ def _buckling(axis: Any, stations: list[Station], travel: Any, d: Design) -> Non
             axis.plot(0, exact, "o", color=COLOURS[k], mfc="white", clip_on=False, zorder=5)
     axis.plot([], [], "o", color="#444444", mfc="white", label="closed form")
     axis.set_ylim(bottom=0)
-    axis.set(title="payload along x that buckles", ylabel="payload [N]")
+    axis.set(title="buckling payload along x", ylabel="payload [N]")
     axis.legend(fontsize=8)
 
 
@@ -165,5 +167,5 @@ def _payload(axis: Any, results: Results, d: Design) -> None:
     axis.plot(loads, found / rest, "o", color=COLOURS[1], label="computed")
     axis.axhline(0, color="#444444", lw=0.8)
     axis.set_xlabel("payload in +x [N]")
-    axis.set(title="stiffness of the drive under payload", ylabel="stiffness / that without payload [-]")
+    axis.set(title="stiffness of the drive under payload", ylabel="stiffness / unloaded stiffness [-]")
     axis.legend(fontsize=8)

@@ -74,21 +74,21 @@ def spur(m: fx.Model) -> None:
     """Two gears on parallel shafts."""
     m.revolute("shaft_a", "ground", "a", at=O, axis=Z)
     m.revolute("shaft_b", "ground", "b", at=(0.9, 0, 0), axis=Z)
-    m.gear_pair("mesh", "shaft_a", "shaft_b", at=(0.3, 0, 0), teeth=(20, 40))
+    m.gear("mesh", "shaft_a", "shaft_b", at=(0.3, 0, 0), teeth=(20, 40))
 
 
 def bevel(m: fx.Model) -> None:
     """Two gears on shafts at right angles."""
     m.revolute("shaft_a", "ground", "a", at=O, axis=X)
     m.revolute("shaft_b", "ground", "b", at=(0.6, 0, 0.3), axis=Z)
-    m.gear_pair("mesh", "shaft_a", "shaft_b", at=(0, 0, 0.3), teeth=(20, 40))
+    m.gear("mesh", "shaft_a", "shaft_b", at=(0, 0, 0.3), teeth=(20, 40))
 
 
 def worm(m: fx.Model) -> None:
     """A worm below its wheel."""
     m.revolute("shaft_a", "ground", "a", at=O, axis=X)
     m.revolute("shaft_b", "ground", "b", at=(0, 0, 0.6), axis=Y)
-    m.gear_pair("mesh", "shaft_a", "shaft_b", at=(0, 0, 0.1), lead=0.08)
+    m.gear("mesh", "shaft_a", "shaft_b", at=(0, 0, 0.1), lead=0.08)
 
 
 def rack(m: fx.Model) -> None:
@@ -102,7 +102,7 @@ def belt(m: fx.Model) -> None:
     """Two pulleys."""
     m.revolute("shaft_a", "ground", "a", at=(0, 0))
     m.revolute("shaft_b", "ground", "b", at=(1, 0))
-    m.belt_drive("belt", "shaft_a", "shaft_b", radius_p=0.2, radius_q=0.4)
+    m.belt("belt", "shaft_a", "shaft_b", radius_p=0.2, radius_q=0.4)
 
 
 def lobe(angle: float) -> float:
@@ -187,7 +187,7 @@ JOINTS: dict[str, Shown] = {
         axes=[(AT, Z), (AT, Y)],
     ),
     "weld": Shown(on_a(lambda m: m.weld("j", "a", "b", AT)), (), {}, ROD),
-    "gear_pair": Shown(
+    "gear": Shown(
         spatial(O, (0.9, 0.0, 0.0), joint=spur), ("shaft_a.angle",), {"shaft_a.angle": 0.8},
         axes=[(O, Z), ((0.9, 0.0, 0.0), Z)],
     ),
@@ -201,7 +201,7 @@ JOINTS: dict[str, Shown] = {
         planar((0.0, 0.0), (0.0, -0.4), joint=rack), ("shaft.angle",), {"shaft.angle": 0.8},
         {"b": [((-0.6, -0.4, 0.0), (0.6, -0.3, 0.0))]},
     ),
-    "belt_drive": Shown(planar((0.0, 0.0), (1.0, 0.0), joint=belt), ("shaft_a.angle",), {"shaft_a.angle": 0.8}),
+    "belt": Shown(planar((0.0, 0.0), (1.0, 0.0), joint=belt), ("shaft_a.angle",), {"shaft_a.angle": 0.8}),
     "cam": Shown(
         planar((0.0, 0.0), (0.0, 0.8), joint=valve), ("shaft.angle",), {"shaft.angle": 1.2},
         {"b": [((-0.05, lobe(np.pi / 2), 0.0), (0.05, 1.0, 0.0))]},
@@ -222,7 +222,7 @@ JOINTS: dict[str, Shown] = {
     ),
 }  # fmt: skip
 DISCS: dict[str, list[tuple[str, tuple[float, float, float], tuple[float, float, float], float]]] = {
-    "gear_pair": [("a", O, Z, 0.3), ("b", (0.9, 0, 0), Z, 0.6)],
+    "gear": [("a", O, Z, 0.3), ("b", (0.9, 0, 0), Z, 0.6)],
     "bevel": [("a", O, X, 0.3), ("b", (0.6, 0, 0.3), Z, 0.6)],
     "worm": [
         ("a", O, X, 0.1),
@@ -231,14 +231,14 @@ DISCS: dict[str, list[tuple[str, tuple[float, float, float], tuple[float, float,
         ("b", (0, 0, 0.6), Y, 0.5),
     ],
     "rack_and_pinion": [("a", O, Z, 0.3)],
-    "belt_drive": [("a", O, Z, 0.2), ("b", (1.0, 0, 0), Z, 0.4)],
+    "belt": [("a", O, Z, 0.2), ("b", (1.0, 0, 0), Z, 0.4)],
 }
 
 
 _N = np.array(
     [[-0.2, np.sqrt(0.96), 0.0], [-0.2, -np.sqrt(0.96), 0.0]]
 )  # where both tangents touch the pulleys
-RUNS = {"belt_drive": [[list(0.2 * n), list(np.array(X) + 0.4 * n)] for n in _N]}
+RUNS = {"belt": [[list(0.2 * n), list(np.array(X) + 0.4 * n)] for n in _N]}
 
 
 def sketches(name: str) -> list[Sketch]:

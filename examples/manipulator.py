@@ -174,7 +174,7 @@ def pictures(out: Path) -> list[Path]:
     out.mkdir(parents=True, exist_ok=True)
     design = manipulator(0.0, DESIGN).linearize()
     both = {"joints only": joint_control(design), "regulator": regulator(design)}
-    with figure(1, 2, (10.0, 4.6), sharey=True) as (drawn, axes):
+    with figure(1, 2, (9.0, 4.6), sharey=True) as (drawn, axes):
         for panel, (name, gains) in zip(axes, both.items(), strict=True):
             for elbow, lin in zip(ELBOWS, workspace(ELBOWS, gains), strict=True):
                 w = lin.eigenvalues()

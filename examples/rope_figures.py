@@ -60,7 +60,7 @@ def catenary(path: Path) -> None:
     state = hanging.catenary(case, n)
     u = np.linspace(0, 1, 61)
     closed = np.array([case(z) for z in u])
-    with figure(1, 2, (10.0, 3.8)) as (drawn, axes):
+    with figure(1, 2, (9.0, 3.8)) as (drawn, axes):
         axes[0].plot(*closed.T, color=COLOURS[5], lw=1, label="closed form (Irvine)")
         axes[0].plot(*curve(state, "rope", n, case.L0 / n).T, "--", color=COLOURS[0], label="6 elements")
         points = np.array([state.position(f"rope_p{i}") for i in range(n + 1)])
@@ -93,7 +93,7 @@ def pendulum(path: Path) -> None:
     """Shapes of the soft pendulum of the literature, and the tip of a stiffer one beside its reference."""
     L, n, E = data.PENDULUM["L"], 32, 0.7e9
     motion = swings.pendulum(swings.SOFT, n)
-    with figure(1, 2, (10.0, 4.2)) as (drawn, axes):
+    with figure(1, 2, (9.0, 4.2)) as (drawn, axes):
         for i in range(0, 21, 2):
             shade = 0.25 + 0.75 * i / 20
             axes[0].plot(*curve(motion[i], "rod", n, L / n).T, color=COLOURS[0], alpha=shade)
@@ -111,7 +111,7 @@ def pendulum(path: Path) -> None:
 def wrapping(path: Path) -> None:
     """Bobs that swing on ropes over a sheave, one held at its other end, one with a mass there."""
     cases = {"held at its other end": pendulums.HELD, "1.2 kg at its other end": pendulums.TURNING}
-    with figure(1, 2, (10.0, 4.8)) as (drawn, axes):
+    with figure(1, 2, (9.0, 4.8)) as (drawn, axes):
         for panel, (title, case) in zip(axes, cases.items(), strict=True):
             motion, rope = pendulums.motion(case, 56)
             for i, colour in ((0, COLOURS[3]), (37, COLOURS[0])):
@@ -149,7 +149,7 @@ def capstan(path: Path) -> None:
 def atwood(path: Path) -> None:
     """Fall and tensions at both ends, with a heavy and with a light rope."""
     t = np.linspace(0, 0.3, 61)
-    with figure(1, 2, (10.0, 4.0)) as (drawn, axes):
+    with figure(1, 2, (9.0, 4.0)) as (drawn, axes):
         for mass, colour in ((1.0, COLOURS[0]), (0.01, COLOURS[1])):
             motion, rope = sheaves.atwood_motion(56, mass)
             L = float(rope.s[-1])
@@ -187,7 +187,7 @@ def winding_hoist(path: Path) -> None:
 def drum(path: Path) -> None:
     """A rope on a drum with a helical groove before, while and after it is wound up, and its place in the groove."""
     motion, rope = drums.wound()
-    with figure(1, 2, (10.0, 4.8)) as (drawn, axes):
+    with figure(1, 2, (9.0, 4.8)) as (drawn, axes):
         for i, colour in zip((0, 10, 20), COLOURS, strict=False):
             nodes = np.array([motion[i].position(z.name) for z in rope.points])
             label = f"turns of the drum: {abs(motion['axle.angle'][i]) / (2 * np.pi):.0f}"
@@ -200,7 +200,8 @@ def drum(path: Path) -> None:
         axes[0].set(xlabel="along the axle [m]", ylabel="height [m]", xlim=(-0.12, 0.08), ylim=(-0.6, 0.25))
         axes[0].set_title("seen from the side on which the load hangs")
         drawn.suptitle("A rope wound up in the helical groove of a drum")
-        axes[1].set(xlabel="angle about the axle, from the end of the wound part [turns]")
+        axes[0].locator_params(axis="x", nbins=4)
+        axes[1].set(xlabel="angle from the end of the wound part [turns]")
         axes[1].set(ylabel="along the axle [m]", title="wound part, lead 0.03 m")
         axes[0].legend(fontsize=8)
         save(drawn, path)
@@ -217,7 +218,10 @@ def convergence(rows: Sequence[Quantity], path: Path) -> None:
             label = f"{name.removesuffix('_error')} ({more['order']:.1f})"
             panel.plot(more["meshes"], more["errors"], lw=1, label=label, **style)
         panel.set(
-            xscale="log", yscale="log", xlabel="elements (steps: hertz, sudden_load)", ylabel="relative error"
+            xscale="log",
+            yscale="log",
+            xlabel="elements (steps: hertz, sudden_load) [-]",
+            ylabel="relative error [-]",
         )
         panel.legend(title="order at the last two", fontsize=8, loc="center left", bbox_to_anchor=(1.0, 0.5))
         save(drawn, path)

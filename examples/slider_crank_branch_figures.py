@@ -30,7 +30,7 @@ def resonances(panel: Any, top: float, orders: tuple[int, ...] = (6, 5, 4, 3)) -
 def excitations(found: Branches, path: Path) -> None:
     """What excites each harmonic of the first mode: directly, by varying stiffness, and together."""
     titles = f"{CONVERGED} elements", "2 elements without second-order terms"
-    with figure(1, 2, size=(12.0, 4.6), sharey=True) as (drawn, axes):
+    with figure(1, 2, size=(9.0, 4.6), sharey=True) as (drawn, axes):
         for panel, rows, title in zip(axes, (found.excited, found.excited_first_order), titles, strict=True):
             for j, label in enumerate(("direct", "by varying stiffness", "together")):
                 panel.bar(
@@ -56,7 +56,7 @@ def _curve(panel: Any, branch: fx.PeriodicBranch, values: Array, colour: str, la
 def folds(found: Branches, path: Path) -> None:
     """Largest deflection over the speed through the folds, with the reference and one speed of two stable motions."""
     reference = np.array(data.SWEEP)
-    with figure(1, 2, size=(12.0, 4.8), sharey=True) as (drawn, axes):
+    with figure(2, size=(8.0, 8.0), sharey=True) as (drawn, axes):
         for panel in axes:
             for j, (zeta, branch) in enumerate(found.followed.items()):
                 _curve(panel, branch, found.deflections[zeta], COLOURS[j], f"damping {100 * zeta:g} %")
@@ -64,7 +64,7 @@ def folds(found: Branches, path: Path) -> None:
             panel.plot([], [], "--", color="#444444", label="unstable")
             panel.plot([], [], "o", ms=5, color="#444444", label="fold")
             panel.plot([], [], "o", mfc="none", ms=7, color="#444444", label="reference")
-            panel.set_xlabel("crank speed ω [rad/s]")
+            panel.set(xlabel="crank speed ω [rad/s]", ylabel="largest midpoint deflection / l [-]")
         one = found.followed[0.01]
         axes[0].set(xlim=(one.omega.min(), one.omega.max()), ylim=(0, 0.125))
         resonances(axes[0], 0.1245, (4, 3))
@@ -77,7 +77,6 @@ def folds(found: Branches, path: Path) -> None:
                 f"{one.omega[i]:.2f}", (one.omega[i], found.deflections[0.01][i]), place, ha="center",
                 textcoords="offset points", arrowprops={"arrowstyle": "-", "color": "#999999"},
             )  # fmt: skip
-        axes[0].set_ylabel("largest midpoint deflection / l [-]")
         drawn.suptitle("Nonlinear periodic motions followed by arc length")
         save(drawn, path)
 

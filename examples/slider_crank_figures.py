@@ -60,7 +60,7 @@ def mechanism(results: Results, path: Path) -> None:
     """The mechanism at six crank angles of the last turn, deflection enlarged."""
     motion = results.transients[0.02]
     period = 2 * np.pi / data.SPEED
-    with figure(2, 3, size=(10.0, 5.0), sharex=True, sharey=True) as (drawn, axes):
+    with figure(2, 3, size=(9.0, 5.0), sharex=True, sharey=True) as (drawn, axes):
         for j, panel in enumerate(axes.flat):
             t = period * (1 + j / 6)
             k = int(np.argmin(np.abs(motion.t - t)))
@@ -104,13 +104,13 @@ def transients(results: Results, path: Path) -> None:
         axes[0].legend(loc="upper right", ncols=2)
         axes[1].set_xlabel("time [s]")
         axes[1].set_xlim(0, motion.t[-1])
-        drawn.suptitle(f"Flexible slider-crank at {data.SPEED:g} rad/s, full nonlinear motion")
+        drawn.suptitle(f"Flexible slider-crank at {data.SPEED:g} rad/s, nonlinear motion")
         save(drawn, path)
 
 
 def motions(results: Results, path: Path) -> None:
     """One period: linearized and nonlinear, and the harmonics."""
-    with figure(1, 2, size=(11.0, 4.4)) as (drawn, (left, right)):
+    with figure(1, 2, size=(9.0, 4.4)) as (drawn, (left, right)):
         curves = (
             (results.converged[0.02], f"nonlinear, {CONVERGED} elements", "-"),
             (results.converged_linearized, f"linearized, {CONVERGED} elements", "--"),
@@ -137,43 +137,39 @@ def motions(results: Results, path: Path) -> None:
 def sweep(results: Results, path: Path) -> None:
     """Largest deflection over the speed: linearized beside nonlinear, as on slide 29."""
     reference = np.array(data.SWEEP)
-    with figure(1, 2, size=(12.0, 4.8), sharex=True, sharey=True) as (drawn, axes):
+    with figure(2, size=(8.0, 7.6), sharex=True, sharey=True) as (drawn, axes):
         for j, (zeta, column) in enumerate(((0.01, 1), (0.02, 2))):
             axes[0].plot(results.swept_linearized[zeta].speeds, results.swept_linearized[zeta].largest,
                          color=COLOURS[j], label=f"damping {100 * zeta:g} %")  # fmt: skip
             axes[1].plot(results.swept[zeta].speeds, results.swept[zeta].largest, ".-", color=COLOURS[j],
                          label=f"damping {100 * zeta:g} %")  # fmt: skip
             axes[1].plot(reference[:, 0], reference[:, column], "o", mfc="none", ms=7, color=COLOURS[j], lw=0)
-        for panel, title in zip(axes, ("Linearized Results", "Full Non-Linear Results"), strict=True):
-            panel.set_title(title)
-            panel.set_xlabel("crank speed ω [rad/s]")
-            panel.set_ylim(0, 0.14)
+        for panel, title in zip(axes, ("Linearized", "Nonlinear"), strict=True):
+            panel.set(title=title, ylabel="largest " + LABEL, ylim=(0, 0.14))
             resonances(panel, 0.139)
             panel.legend(loc="upper left")
         axes[1].plot([], [], "o", mfc="none", ms=7, color="#444444", label="reference")
         axes[1].legend(loc="upper left")
-        axes[0].set_ylabel("largest " + LABEL)
-        drawn.suptitle("Maximal midpoint deflection/l for a range of speeds")
+        axes[1].set_xlabel("crank speed ω [rad/s]")
+        drawn.suptitle("Largest midpoint deflection over the speed")
         save(drawn, path)
 
 
 def harmonics(results: Results, path: Path) -> None:
     """Amplitude of each harmonic over the speed, with the quasi-static solution, as on slide 30."""
-    with figure(1, 2, size=(12.0, 4.8), sharex=True, sharey=True) as (drawn, axes):
+    with figure(2, size=(8.0, 7.6), sharex=True, sharey=True) as (drawn, axes):
         linear, full = results.swept_linearized[0.02], results.swept[0.02]
         for k in range(1, 7):
             colour = COLOURS[k - 1]
             axes[0].plot(linear.speeds, linear.harmonics[:, k], color=colour, label=f"{k}")
             axes[0].plot(linear.speeds, linear.quasi_static[:, k], "--", color=colour, lw=0.9)
             axes[1].plot(full.speeds, full.harmonics[:, k], ".-", color=colour, label=f"{k}")
-        for panel, title in zip(axes, ("Linearized, quasi-static dashed", "Full non-linear"), strict=True):
-            panel.set_title(title)
-            panel.set_xlabel("crank speed ω [rad/s]")
-            panel.set_ylim(0, 0.06)
+        for panel, title in zip(axes, ("Linearized (dashed: quasi-static)", "Nonlinear"), strict=True):
+            panel.set(title=title, ylabel="amplitude of " + LABEL, ylim=(0, 0.06))
             resonances(panel, 0.0595)
             panel.legend(loc="upper left", title="harmonic", ncols=2)
-        axes[0].set_ylabel("amplitude of " + LABEL)
-        drawn.suptitle("Individual harmonics of the midpoint deflection/l, 2 % damping")
+        axes[1].set_xlabel("crank speed ω [rad/s]")
+        drawn.suptitle("Harmonics of the midpoint deflection, 2 % damping")
         save(drawn, path)
 
 

@@ -17,7 +17,7 @@ def stability(found: Any, path: Path) -> Path:
     low, high, margin = ranges(found)
     w, c = found.wheelbase.values, found.trail.values * 1000
     own = data.BENCHMARK["w"], data.BENCHMARK["c"] * 1000
-    with figure(1, 2, size=(11.0, 4.8), sharey=True) as (drawn, axes):
+    with figure(1, 2, size=(9.0, 4.8), sharey=True) as (drawn, axes):
         from matplotlib.ticker import MaxNLocator
 
         for axis, values, title in (

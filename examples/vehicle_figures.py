@@ -26,6 +26,7 @@ LABELS = {
     "roll": "roll [°]",
     "side_slip": "side-slip angle [°]",
 }
+TYRES = {"calspan": "CALSPAN tyres", "zero slip": "tyres without slip"}
 
 
 def pictures(results: Results, out: Path) -> list[Path]:
@@ -94,20 +95,21 @@ def patterns(followed: Branches, fast: Linearization) -> list[str]:
 
 def steering(results: Results, path: Path) -> None:
     """Ramp-to-step steering at 30 m/s with both kinds of tyres, as in the talk."""
-    with figure(3, 2, size=(10.0, 8.0), sharex=True) as (drawn, axes):
-        for colour, tyres in zip(COLOURS, ("calspan", "zero slip"), strict=False):
+    with figure(3, 2, size=(9.0, 8.0), sharex=True) as (drawn, axes):
+        for colour, (tyres, name) in zip(COLOURS, TYRES.items(), strict=False):
             motion = results.steering[30, tyres]
             for panel, signal in zip(axes.flat, LABELS, strict=False):
-                panel.plot(motion.t, history(motion, signal), color=colour, label=tyres)
+                panel.plot(motion.t, history(motion, signal), color=colour, label=name)
                 panel.set_ylabel(LABELS[signal])
-        for panel, tyres in zip(axes[2], ("calspan", "zero slip"), strict=True):
+        for panel, (tyres, name) in zip(axes[2], TYRES.items(), strict=True):
             motion = results.steering[30, tyres]
             for corner, load, colour in zip(data.CORNERS, load_histories(motion).T, COLOURS, strict=False):
                 panel.plot(motion.t, load / 1000, color=colour, label=corner)
-            panel.set_ylabel(f"tyre loads, {tyres} [kN]")
+            panel.set_ylabel("tyre loads [kN]")
+            panel.set_title(name)
             panel.set_xlabel("time [s]")
         axes[0, 0].legend()
-        axes[2, 0].legend(fontsize=8)
+        axes[2, 1].legend()
         drawn.suptitle("Ramp-to-step steering at 30 m/s: 2 mm of the rack in half a second")
         drawn.align_ylabels()
         save(drawn, path)
@@ -127,7 +129,7 @@ def sines(results: Results, path: Path) -> None:
 
 def bumps(results: Results, path: Path) -> None:
     """Height, angle and tyre loads over the cosine bump, in phase and in anti-phase."""
-    with figure(3, 2, size=(10.0, 8.0), sharex="col") as (drawn, axes):
+    with figure(3, 2, size=(9.0, 8.0), sharex="col") as (drawn, axes):
         for column, mirrored in enumerate((False, True)):
             for colour, v in zip(COLOURS, (5, 10), strict=False):
                 motion = results.bumps[v, mirrored]
@@ -147,7 +149,7 @@ def bumps(results: Results, path: Path) -> None:
         for label, style in (("front", "-"), ("rear", "--")):
             axes[2, 0].plot([], [], style, color="#444444", label=label)
         axes[2, 0].legend()
-        drawn.suptitle("Over a cosine bump of both wheels, or of left and right wheels in turn")
+        drawn.suptitle("Over a cosine bump: both wheels of an axle in phase, and in anti-phase")
         drawn.align_ylabels()
         save(drawn, path)
 

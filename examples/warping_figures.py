@@ -16,7 +16,7 @@ def pictures(out: Path) -> list[Path]:
     """Write the figure into a folder; returns what was written."""
     out.mkdir(parents=True, exist_ok=True)
     path = out / "warping_torsion.png"
-    with figure(1, 2, size=(11.0, 4.2)) as (drawn, (left, right)):
+    with figure(1, 2, size=(9.0, 4.2)) as (drawn, (left, right)):
         kl = np.geomspace(0.7, 60.0, 200)
         left.loglog(kl, [exact.restrained(z) for z in kl], color=COLOURS[0], label="closed form")
         marks = np.geomspace(1.0, 50.0, 9)

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
         ModelError,
         PositionError,
         RangeWarning,
+        StiffWarning,
         UnstableWarning,
         UnsteadyWarning,
     )
@@ -136,6 +137,7 @@ __all__ = [
     "SpacarRecords",
     "State",
     "Stepper",
+    "StiffWarning",
     "StressPoint",
     "Summary",
     "System",
@@ -226,6 +228,7 @@ _HOMES = {
     "State": "flexel.structure.state",
     "Stepper": "flexel.analyses.stepper",
     "Summary": "flexel.analyses.summary",
+    "StiffWarning": "flexel.base.errors",
     "StressPoint": "flexel.declare.sections",
     "System": "flexel.system",
     "Table": "flexel.base.time_functions",

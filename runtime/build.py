@@ -39,7 +39,7 @@ def build(model: Declarations, t: float) -> System:
     check_names(model, structure, roles)
     taken = [*structure.names[structure.m + structure.k + structure.nf :], *model._motions]
     check_free_ends(structure, [*taken, *(load.name for load in model.loads)])
-    loads.at(t)  # a load that fails is reported here, not in the middle of a motion
+    loads.at(t)  # a function of a load that fails is reported here, not during a motion
     kinematics = Kinematics(evaluation, roles, loads)
     c = first_position(model, kinematics, t)
     wrong = misfit(model, kinematics, c)

@@ -92,11 +92,11 @@ class Model(
         return build(self, t)
 
     def check(self) -> CheckReport:
-        """Everything at once that is wrong or suspicious, in a table: ``print(m.check())``.
+        """Report everything that is wrong or suspicious in one table: ``print(m.check())``.
 
-        Degrees of freedom with their names; redundant constraints and the smallest set to release; mechanisms left
-        free; masses missing; degenerate elements and idle nodes; drawings that contradict rigid conditions; numbers
-        that look like another unit (steel with E = 210); the condition of the chosen coordinates.
+        Degrees of freedom with their names; redundant constraints and the smallest set to release; unresisted motions;
+        missing masses; degenerate elements and unused nodes; drawings that contradict rigid conditions; numbers that
+        look like another unit (steel with E = 210); the condition of the chosen coordinates.
 
         Examples
         --------

@@ -13,7 +13,7 @@ from flexel.analyses.summary import Summary, summarized
 
 
 class System(Ensembles, Equilibria, PeriodicMotions, Restoring, Stepping):
-    """A mechanism ready to move; made by `Model.build`.
+    """A mechanism ready for analysis; made by `Model.build`.
 
     Attributes
     ----------
@@ -31,7 +31,7 @@ class System(Ensembles, Equilibria, PeriodicMotions, Restoring, Stepping):
         return self.summary()._repr_html_()
 
     def __getstate__(self) -> dict[str, Any]:
-        """What it is made of, the present coordinates and the last position; tables and caches are made again."""
+        """Its model, the present coordinates and the last position; tables and caches are made again."""
         own = {"evaluation": self.evaluation, "loads": self.loads, "roles": self.roles}
         return own | {"last": self._last, "start": self._start}
 

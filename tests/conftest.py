@@ -1,5 +1,6 @@
-"""What all tests share: the checkout, no window opened by a plot, one thread for small matrices, a random seed."""
+"""What all tests share: the checkout, no window of a plot, one thread for small matrices, a random seed, an order."""
 
+import gc
 import os
 import secrets
 from collections.abc import Iterator
@@ -14,6 +15,27 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # read when NumPy is first i
 SEED = "FLEXEL_CAMPAIGN_SEED"  # of the random models; workers of pytest have that of the process that starts them
 os.environ.setdefault(SEED, str(secrets.randbelow(10**6)))
 
+LONGEST = (  # files that take more than about eight seconds: begun first, so that all workers end at the same time
+    "systems/test_rope_problems.py",
+    "derive/test_verify.py",
+    "campaign/test_campaign.py",
+    "sweeps/test_workers.py",
+    "integration/test_branches.py",
+    "test_docs.py",
+    "rope/test_rope_laying.py",
+    "derive/test_program.py",
+    "systems/test_beam_problems.py",
+    "systems/test_hoist.py",
+    "test_bad_files.py",
+    "analyses/test_checkpoints.py",
+    "integration/test_leaks.py",
+    "test_bad_calls.py",
+    "systems/test_cardan.py",
+    "systems/test_slider_crank.py",
+    "rope/test_helical_drums.py",
+)
+RANK = {f"tests/{file}": i for i, file in enumerate(LONGEST)}
+
 
 def pytest_report_header() -> str:
     """The seed, in the first lines of the output."""
@@ -24,6 +46,24 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
     """What .ci/run could not install, in the last lines of the output."""
     for line in os.environ.get("FLEXEL_NOT_RUN", "").splitlines():
         terminalreporter.write_line(line)
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """For parallel workers the longest files come first; they need --no-loadscope-reorder to keep to it."""
+    if hasattr(config, "workerinput"):
+        items.sort(key=lambda item: RANK.get(item.nodeid.split("::")[0], len(RANK)))
+
+
+def pytest_sessionstart() -> None:
+    """Collecting makes objects that stay: the collector of garbage would look at all of them again and again."""
+    gc.disable()
+
+
+def pytest_collection_finish() -> None:
+    """What is there before the first test is never looked at; garbage that a test makes is found as ever."""
+    gc.collect()
+    gc.freeze()
+    gc.enable()
 
 
 @pytest.fixture(scope="session")

@@ -1,4 +1,4 @@
-"""The programs of the documentation's pages, run once in each process of the tests."""
+"""The programs of the documentation's pages, run once in each process of the tests: test_docs.py runs all."""
 
 from __future__ import annotations
 
@@ -25,6 +25,17 @@ def programs() -> ModuleType:
     finally:
         sys.path.remove(str(DOCS))
     return module
+
+
+PAGES = [page.name for page in programs().pages()]
+WITHOUT = {  # pages without a program, and why
+    "architecture.md": "about the code itself",
+    "index.md": "the contents",
+    "report.md": "about commands",
+    "speed.md": "about a command",
+    "theory.md": "mathematics",
+    "verification.md": "about how flexel is checked",
+}
 
 
 @cache

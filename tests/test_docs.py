@@ -1,13 +1,28 @@
-"""What the programs of the pages compute is right. That they run, and print what is shown: test_page_programs.py."""
+"""Every program of README.md and of the pages runs, prints what its page shows, and computes what is right."""
 
 import re
 from pathlib import Path
 
 import numpy as np
 import pytest
-from page_programs import ran
+from page_programs import PAGES, WITHOUT, programs, ran
 
 DOCS = Path(__file__).resolve().parents[1] / "docs"
+
+
+@pytest.mark.parametrize("page", sorted({page for page in PAGES} - {*WITHOUT, "adding-an-element.md"}))
+def test_the_program_of_a_page_runs_and_prints_what_the_page_shows(page: str) -> None:
+    for package in ("matplotlib", "xarray", "joblib", "gymnasium", "control"):
+        pytest.importorskip(package, reason="pages use everything optional: pip install 'flexel[test]'")
+    found = ran(page)
+    assert found.printed
+    for part, out in found.printed:
+        if part.shown is not None:
+            assert programs().agree(part.shown["text"], out), (
+                f"{page} shows\n{part.shown['text']}\nnow\n{out}"
+            )
+    for name, picture in found.drawn.items():
+        assert len(picture) > 5_000, name
 
 
 def test_the_program_of_the_first_five_minutes_draws() -> None:
@@ -15,14 +30,25 @@ def test_the_program_of_the_first_five_minutes_draws() -> None:
     assert len(ran("start.md").drawn["fourbar.png"]) > 5_000
 
 
+def test_the_bicycle_of_the_readme_rides() -> None:
+    pytest.importorskip("matplotlib", reason="the README's program draws with matplotlib")
+    found = ran("README.md")
+    assert len(found.drawn["kick.png"]) > 10_000
+    for digits in ("-13.1", "-0.72", "-0.26", "3.72"):
+        assert digits in found.printed[0][1]
+
+
 def test_the_program_of_the_page_on_control_steadies_the_rod() -> None:
     """Upright and falling at first, then at rest and upright with a controller; sampled too, unless too late."""
+    pytest.importorskip("control", reason="the page uses python-control: pip install 'flexel[control]'")
     names = ran("control.md").names
     assert names["lin"].eigenvalues().real.max() == pytest.approx((1.5 * 9.81 / 0.5) ** 0.5, rel=1e-9)
     assert names["regulated"].linearize().eigenvalues().real.max() < -1
-    assert abs(names["motion"]["motor.angle"][-1]) < 1e-4
+    assert abs(names["balanced"]["motor.angle"][-1]) < 1e-4
     assert names["sampled"]["motor.angle"][-1] == pytest.approx(0.2, abs=1e-6)
     assert names["delay"] == 0.03 and not names["loop"].stable
+    assert names["both"].stable and names["both"].period == pytest.approx(0.02)
+    assert names["limited"]["motor.angle"].max() < 0.601 < names["wound_up"]["motor.angle"].max() - 0.1
     assert abs(names["angle"]) < 1e-3
 
 

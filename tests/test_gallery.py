@@ -1,14 +1,17 @@
-"""Every program of the gallery runs, draws, and finds its known number."""
+"""Every program of the gallery runs, draws in flexel's style, and finds its known number."""
 
 import ast
 import inspect
+import re
 import runpy
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
 from flexel.examples import gallery
+from flexel.pictures.figures import COLOURS
 
 FOLDER = Path(inspect.getfile(gallery)).parent
 NAMES = sorted(file.stem for file in FOLDER.glob("[a-z]*.py"))
@@ -30,13 +33,26 @@ def test_a_program_finds_what_is_known(name: str, monkeypatch: pytest.MonkeyPatc
     shown: list[int] = []
     monkeypatch.setattr(pyplot, "show", lambda: shown.extend(pyplot.get_fignums()))
     try:
-        names = runpy.run_path(str(FOLDER / f"{name}.py"))
-        assert len(shown) == 1 and pyplot.figure(shown[0]).axes[0].has_data()
+        with pyplot.rc_context():
+            names = runpy.run_path(str(FOLDER / f"{name}.py"))
+            assert pyplot.rcParams["axes.prop_cycle"].by_key()["color"] == list(COLOURS)
+        assert len(shown) == 1
+        check_figure(pyplot.figure(shown[0]))
     finally:
         pyplot.close("all")
     known = np.asarray(names["known"])
     scale = abs(known).max()
     np.testing.assert_allclose(names["found"], known, rtol=0, atol=LOOSE.get(name, TIGHT) * scale)
+
+
+def check_figure(figure: Any) -> None:
+    """Something is drawn; the figure has a title, and plain axes have quantities with units."""
+    assert figure.axes[0].has_data()
+    assert figure.get_suptitle() or any(z.get_title() for z in figure.axes)
+    for axes in figure.axes:
+        if axes.name == "rectilinear":
+            for label in (axes.get_xlabel(), axes.get_ylabel()):
+                assert re.fullmatch(r"[^\[]+ \[.+\]", label), label
 
 
 def test_there_are_enough_and_they_are_short() -> None:

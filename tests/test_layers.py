@@ -41,6 +41,7 @@ EXCEPTIONS = {
     ("flexel.mechanics.drawn", "flexel.pictures.bode"),  # bode
     ("flexel.mechanics.drawn", "flexel.pictures.deflected"),  # plot_mode
     ("flexel.mechanics.drawn", "flexel.pictures.graphs"),  # plot
+    ("flexel.mechanics.drawn", "flexel.pictures.options"),  # plot_mode
     ("flexel.mechanics.drawn", "flexel.pictures.view"),  # view
     ("flexel.mechanics.drawn", "flexel.results.response"),  # frequency_response, bode
     ("flexel.mechanics.linearization", "flexel.linear.sensors"),  # state_space
@@ -52,12 +53,15 @@ EXCEPTIONS = {
     ("flexel.results.drawn", "flexel.pictures.deflected"),  # plot_shapes
     ("flexel.results.drawn", "flexel.pictures.graphs"),  # spectrum_plot, plot_phase
     ("flexel.results.drawn", "flexel.pictures.histories"),  # plot
+    ("flexel.results.drawn", "flexel.pictures.options"),  # plot_shapes, animate, page
     ("flexel.results.drawn", "flexel.pictures.view"),  # view
     ("flexel.results.flexure", "flexel.pictures.flexure_graphs"),  # plot
     ("flexel.results.flexure_step", "flexel.pictures.deflected"),  # plot_mode
+    ("flexel.results.flexure_step", "flexel.pictures.options"),  # plot_mode
     ("flexel.results.flexure_step", "flexel.pictures.view"),  # view_modes
     ("flexel.results.linearizations", "flexel.pictures.figures"),  # plot
     ("flexel.results.linearizations", "flexel.pictures.loci"),  # plot
+    ("flexel.results.linearizations", "flexel.pictures.options"),  # plot
     ("flexel.results.motion", "flexel.results.saved.archive"),  # save
     ("flexel.results.motion", "flexel.results.saved.tables"),  # to_xarray, to_pandas
     ("flexel.results.periodic", "flexel.pictures.graphs"),  # spectrum_plot

@@ -30,8 +30,8 @@ JOIN = {"name": "z", "p": "a", "q": "b"}
 PLACE = {"at": (0.5, 0.1, 0.0), "axis": (0.0, 1.0, 0.0)}
 
 JOINTS: dict[str, Callable[[], Valid]] = {
-    "Model.belt_drive": declared(
-        train, "belt_drive", name="z", p="pin", q="axle", radius_p=0.2, radius_q=0.1, crossed=True
+    "Model.belt": declared(
+        train, "belt", name="z", p="pin", q="axle", radius_p=0.2, radius_q=0.1, crossed=True
     ),
     "Model.cam": declared(
         lambda: bodies(flat=True), "cam", name="z", cam="a", follower="b", at=(1.0, 0.0), outline=[1.0] * 6,
@@ -45,8 +45,8 @@ JOINTS: dict[str, Callable[[], Valid]] = {
     ),
     "Model.cylindrical": declared(bodies, "cylindrical", **JOIN, **PLACE),
     "Model.friction": declared(spatial, "friction", on="pivot.angle", limit=1.0, speed=0.1),
-    "Model.gear_pair": declared(
-        train, "gear_pair", name="z", p="pin", q="axle", at=(0.4, 0.0, 0.0), teeth=(20, 30)
+    "Model.gear": declared(
+        train, "gear", name="z", p="pin", q="axle", at=(0.4, 0.0, 0.0), teeth=(20, 30)
     ),
     "Model.limits": declared(spatial, "limits", on="pivot.angle", low=-1.0, high=1.0, stiffness=10.0, damping=0.1),
     "Model.planar_joint": declared(bodies, "planar_joint", **JOIN, normal=(0.0, 1.0, 0.0), at=(0.5, 0.1, 0.0)),

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from typing import Any
 
+from scipy.signal import StateSpace
 from valid_call import Valid, calling
 
 import flexel as fx
@@ -154,9 +155,6 @@ MODELS: dict[str, Callable[[], Valid]] = {
     "Model.bearing": declared(
         lambda: spare("P", "F"), "bearing", name="z", p="O", rp="R0", q="P", rq="F", axis=(0, 1, 0)
     ),
-    "Model.belt": declared(
-        planar, "belt", name="b", p="A", angle_p="FA", q="B", angle_q="FB", radius_p=0.2, radius_q=0.1, stiffness=1e3
-    ),
     "Model.body": declared(
         spatial, "body", name="z", point="A", frame="R1", mass=1.0, inertia=(1.0, 1.0, 1.0), offset=(0.1, 0, 0)
     ),
@@ -181,14 +179,13 @@ MODELS: dict[str, Callable[[], Valid]] = {
         lambda: spare("P"), "element", name="z", kind="truss", nodes=("A", "P"), parameters={"l0": 1.0, "rhoA": 0.1}
     ),
     "Model.controller": declared(
-        spatial, "controller", function=[[1.0, 1.0]], name="z", inputs=["pivot.angle", "pivot.angle'"],
+        spatial, "controller", function=StateSpace(1.0, [[0.1, 0.0]], 1.0, [[1.0, 1.0]], dt=0.01), name="z",
+        inputs=["pivot.angle", "pivot.angle'"],
         outputs=["pivot.angle"], period=0.01, delay=0.02, limits=(-1.0, 1.0), reference={"pivot.angle": 0.1},
+        anti_windup=0.1, state=[0.0],
     ),
     "Model.fix": declared(lambda: spare("P"), "fix", names=("P.x", "P.y", "P.z")),
     "Model.frame": declared(spatial, "frame", name="z", orientation=(1.0, 0.0, 0.0, 0.0), fixed=True),
-    "Model.gear": declared(
-        planar, "gear", name="g", p="A", angle_p="FA", q="B", angle_q="FB", radius_p=0.2, radius_q=0.3
-    ),
     "Model.hinge": declared(
         lambda: spare("F"), "hinge", name="z", p="R1", q="F", axis=(0, 1, 0), stiffness=1.0, damping=0.1
     ),
@@ -198,6 +195,13 @@ MODELS: dict[str, Callable[[], Valid]] = {
     "Model.law": declared(spatial, "law", on="pivot.angle", law=lambda e, ed: 3 * e + ed, energy=lambda e: 1.5 * e**2),
     "Model.load": declared(spatial, "load", target="A", value=(0.0, 0.0, 1.0)),
     "Model.mass_damping": declared(spatial, "mass_damping", element="rod", rate=0.1),
+    "Model.planar_belt": declared(
+        planar, "planar_belt", name="b", p="A", angle_p="FA", q="B", angle_q="FB", radius_p=0.2, radius_q=0.1,
+        stiffness=1e3
+    ),
+    "Model.planar_gear": declared(
+        planar, "planar_gear", name="g", p="A", angle_p="FA", q="B", angle_q="FB", radius_p=0.2, radius_q=0.3
+    ),
     "Model.planar_wheel": declared(
         rolling, "planar_wheel", name="z", point="P", heading="FA", spin="FB", radius=0.1, direction=(1.0, 0.0)
     ),

@@ -41,7 +41,18 @@ class Deformation:
 
 @dataclass(frozen=True)
 class Slip:
-    """Generalized slip s = V(x) v, linear in the rates; `free` says it is free by default (else zero)."""
+    """Generalized slip s = V(x) v, linear in the rates.
+
+    Parameters
+    ----------
+    name : str
+    unit : str
+        Of the slip, such as "m/s".
+    expr : Expr
+        The slip in terms of coordinates and rates.
+    free : bool
+        Whether it is free by default; zero otherwise.
+    """
 
     name: str
     unit: str

@@ -1,6 +1,7 @@
 """Constants of an element or a law."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 from sympy import Matrix, Symbol
 
@@ -61,7 +62,7 @@ class Parameter:
                 f"{owner}: {self.size} components are not the upper triangle of a matrix; give 1, 3, 6, ..."
             )
 
-    @property
+    @cached_property
     def symbols(self) -> tuple[Symbol, ...]:
         """The symbol of a scalar, or one for each component."""
         if self.size == 1:

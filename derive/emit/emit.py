@@ -37,12 +37,14 @@ def _silent(name: str) -> None:
     """No progress display."""
 
 
-def _entries_in(folder: Path | None) -> dict[str, str]:
-    """Entries of an existing table, by name."""
+def _entries_in(folder: Path | None) -> dict[str, dict[str, str]]:
+    """Entries of an existing table by name, of elements and of laws."""
+    found: dict[str, dict[str, str]] = {"element": {}, "law": {}}
     path = folder / "table.py" if folder else None
-    if path is None or not path.exists():
-        return {}
-    return {name: entry for _, name, entry in _ENTRY.findall(path.read_text(encoding="utf-8"))}
+    if path is not None and path.exists():
+        for kind, name, entry in _ENTRY.findall(path.read_text(encoding="utf-8")):
+            found[kind][name] = entry
+    return found
 
 
 def _counts(derived: Derived) -> dict[str, int]:
@@ -63,19 +65,19 @@ def emit(
     elements, laws : sequence
         All elements and laws.
     only : collection of str
-        Names of elements to derive; all and the laws by default. The entries of the others are taken from the
-        table in `folder`; those that are not there are derived as well.
+        Names of elements and laws to derive; all by default. The entries of the others are taken from the table in
+        `folder`; those that are not there are derived as well. All laws stand in one file and are derived together.
     folder : Path, optional
     progress : callable
-        Called with each name before it is derived.
+        Called with each name before it is derived; with "laws" for all of them.
     """
-    kept = _entries_in(folder) if only else {}
+    kept = _entries_in(folder if only else None)
     files: dict[str, str] = {}
     counts: Counts = {}
     entries: dict[str, str] = {}
     for element in elements:
-        if element.name in kept and element.name not in only:
-            entries[element.name] = kept[element.name]
+        if element.name in kept["element"] and element.name not in only:
+            entries[element.name] = kept["element"][element.name]
             continue
         progress(element.name)
         derived = derive_element(element)
@@ -83,8 +85,8 @@ def emit(
         files[f"{element.name}.c"] = source
         entries[element.name] = table_entry(element_spec(element, derived, digest_of(source)))
         counts[element.name] = _counts(derived)
-    law_entries = {law.name: kept[law.name] for law in laws if law.name in kept}
-    if len(law_entries) < len(laws):
+    law_entries, names = kept["law"], [law.name for law in laws]
+    if list(law_entries) != names or not set(only).isdisjoint(names):
         progress("laws")
         all_derived = [derive_law(law) for law in laws]
         source = laws_source(laws, all_derived)

@@ -10,23 +10,29 @@ import json
 import sys
 import time
 from collections.abc import Iterable, Sequence
+from functools import cache
 from pathlib import Path
 
 import click
 from tqdm import tqdm
 
 from flexel.derive.declare import Element, Law
-from flexel.derive.elements import ELEMENTS
-from flexel.derive.laws import LAWS
 from flexel.derive.spec import ElementSpec, LawSpec
 from flexel.derive.verify.check import element_rows, law_rows
 from flexel.derive.verify.compiled import Compiled, generated_elements
 from flexel.derive.verify.report import Row, Verification
 from flexel.derive.verify.samples import NOTHING, Ranges
 
-__all__ = ["Row", "Verification", "main", "verify", "verify_generated"]
+__all__ = ["Row", "Verification", "definitions", "main", "verify", "verify_generated"]
 
-NAMES: dict[str, Element | Law] = {e.name: e for e in ELEMENTS} | {f"law_{law.name}": law for law in LAWS}
+
+@cache
+def definitions() -> dict[str, Element | Law]:
+    """Definition of every built-in element and law, laws as ``law_<name>``; the formulas take a second or two."""
+    from flexel.derive.elements import ELEMENTS
+    from flexel.derive.laws import LAWS
+
+    return {e.name: e for e in ELEMENTS} | {f"law_{law.name}": law for law in LAWS}
 
 
 def verify(
@@ -68,7 +74,7 @@ def verify_generated(names: Sequence[str] = (), progress: bool = False) -> Verif
     start = time.perf_counter()
     compiled = generated_elements()
     rows: list[Row] = []
-    chosen: Iterable[str] = names or list(NAMES)
+    chosen: Iterable[str] = names or list(definitions())
     if progress:
         chosen = tqdm(chosen, desc="verify", unit="element", disable=not sys.stderr.isatty(), leave=False)
     for name in chosen:
@@ -76,7 +82,7 @@ def verify_generated(names: Sequence[str] = (), progress: bool = False) -> Verif
             rows.append(Row(name, "*", "*", float("nan"), float("inf"), False, "not generated"))
             continue
         try:
-            rows += verify(*compiled[name], NAMES[name])
+            rows += verify(*compiled[name], definitions()[name])
         except KeyboardInterrupt:
             rows.append(Row(name, "*", "*", float("nan"), float("inf"), False, "interrupted"))
             break
@@ -97,9 +103,9 @@ def main(names: tuple[str, ...], json_file: str | None) -> None:
 
     Exit status 0 only if every output is within its tolerance. A law is named law_<name>.
     """
-    unknown = [name for name in names if name not in NAMES]
+    unknown = [name for name in names if name not in definitions()]
     if unknown:
-        raise click.UsageError(f"no element or law '{unknown[0]}'; there are: {', '.join(NAMES)}.")
+        raise click.UsageError(f"no element or law '{unknown[0]}'; there are: {', '.join(definitions())}.")
     if json_file is not None and not Path(json_file).absolute().parent.is_dir():
         raise click.UsageError(
             f"--json {json_file}: the folder does not exist; create it, or give another path."

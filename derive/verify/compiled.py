@@ -101,3 +101,10 @@ def generated_elements() -> dict[str, tuple[ElementSpec | LawSpec, int]]:
             struct = ffi.addressof(getattr(lib, f"flexel_{prefix}{name}"))
             found[prefix + name] = (spec, int(ffi.cast("uintptr_t", struct)))
     return found
+
+
+def built_in() -> frozenset[str]:
+    """Names of the elements in ``flexel.generated``."""
+    from flexel.generated.table import ELEMENTS
+
+    return frozenset(ELEMENTS)

@@ -8,7 +8,7 @@ judged against.
 
 from collections.abc import Callable, Iterable, Sequence
 from decimal import Context, Decimal
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any
 
 import mpmath
@@ -18,6 +18,9 @@ from flexel.derive.declare import TIME, Element, Law
 
 DIGITS = 60
 CONTEXT = Context(prec=DIGITS)
+KEPT = (
+    1024  # values of a function: differences by one coordinate leave the others, and their sines, as they are
+)
 Number = Any  # Decimal, or a number of mpmath where a function of it is taken
 Vector = list[Decimal]
 
@@ -30,6 +33,7 @@ def many_digits(values: Iterable[float]) -> Vector:
 def _in_decimals(function: Callable[..., Number]) -> Callable[..., Decimal]:
     """Function of mpmath as a function of decimal numbers."""
 
+    @lru_cache(maxsize=KEPT)
     def of_decimals(*arguments: Decimal) -> Decimal:
         with mpmath.workdps(DIGITS + 5):
             return Decimal(mpmath.nstr(function(*(mpmath.mpf(str(x)) for x in arguments)), DIGITS + 5))
@@ -37,12 +41,13 @@ def _in_decimals(function: Callable[..., Number]) -> Callable[..., Decimal]:
     return of_decimals
 
 
+@cache
 def _literal(value: int | tuple[int, int, int, int]) -> Decimal:
     """Number written in an expression: an integer, or mpmath's sign, mantissa, exponent of two and bit count."""
     if isinstance(value, int):
         return Decimal(value)
     sign, mantissa, exponent, _ = value
-    return Decimal(-mantissa if sign else mantissa) * Decimal(2) ** exponent
+    return CONTEXT.multiply(Decimal(-mantissa if sign else mantissa), CONTEXT.power(Decimal(2), exponent))
 
 
 @cache

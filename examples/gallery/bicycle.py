@@ -42,9 +42,10 @@ found = [np.interp(0, z * growth[i : i + 2], speeds[i : i + 2]) for i, z in zip(
 known = [4.29238253634111, 6.02426201538837]  # published
 print("weave and capsize speed", found, "published", known, "m/s")
 
+plt.style.use("flexel.pictures.style")
 plt.plot(speeds, loci.eigenvalues.real, "k.", markersize=2)
-plt.axvspan(*found, alpha=0.2)
-plt.ylim(-6, 2)
-plt.xlabel("speed [m/s]")
-plt.ylabel("real parts of the eigenvalues [1/s]")
+plt.axvspan(*found, alpha=0.2, label="stable")
+plt.gca().set(ylim=(-6, 2), xlabel="speed [m/s]", ylabel="real part of the eigenvalues [1/s]")
+plt.title("Eigenvalues of the uncontrolled bicycle")
+plt.legend()
 plt.show()

@@ -35,9 +35,11 @@ found, known = (
 )
 print("deepest", found, "Hertz", known, "m")
 
-figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6), layout="constrained")
+plt.style.use("flexel.pictures.style")
+figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6))
 left.plot(motion.t, motion["ball.z"] - radius)
-left.set(xlabel="t [s]", ylabel="height [m]")
+left.set(xlabel="time [s]", ylabel="height [m]")
 right.plot(1e6 * (impact.t - fall), -impact.force("bounce.gap"))
 right.set(xlabel="time since contact [µs]", ylabel="force [N]", xlim=(-200, 2200))
+figure.suptitle("A ball bounces on a plane")
 plt.show()

@@ -33,9 +33,11 @@ motions = {periods: crane(periods).simulate(16) for periods in (1.3, 1.8346)}
 found, known = crane(1).linearize().modes()[0].omega, 2 * np.pi / period
 print("swings at", found, "closed form", known, "rad/s")
 
+plt.style.use("flexel.pictures.style")
 for periods, motion in motions.items():
     plt.plot(motion.t, motion["load.x"] - motion["trolley.x"], label=f"{periods} periods")
-plt.xlabel("t [s]")
+plt.xlabel("time [s]")
 plt.ylabel("load ahead of the trolley [m]")
-plt.legend(title="The move takes")
+plt.title("Swing of the load")
+plt.legend(title="duration of the move")
 plt.show()

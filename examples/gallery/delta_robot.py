@@ -37,7 +37,9 @@ drop = arm * np.cos(down) + out * arm * np.sin(down) / np.sqrt(
 known = 3 * [9.81 * drop / 3]
 print("torques of the motors at rest", found, "by virtual work", known, "N m")
 
+plt.style.use("flexel.pictures.style")
 axes = plt.figure(figsize=(5, 5)).add_subplot(projection="3d")
 axes.plot(*motion.position("tool").T)
-draw(motion[0], axes)
+draw(motion[0], axes, fx.View(centre=(0, 0, -0.3), span=0.9))
+axes.set_title("Path of the tool")
 plt.show()

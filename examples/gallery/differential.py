@@ -24,9 +24,11 @@ found = [motion.acceleration(f"{name}.angle")[0] for name in inertia]
 known = [torque / 2 / value for value in inertia.values()]
 print("accelerations", found, "closed form", known, "rad/s²")
 
+plt.style.use("flexel.pictures.style")
 for name in ("left", "cage", "right"):
     plt.plot(motion.t, motion.rate(f"{name}.angle"), label=name)
-plt.xlabel("t [s]")
-plt.ylabel("speed [rad/s]")
+plt.xlabel("time [s]")
+plt.ylabel("angular velocity [rad/s]")
+plt.title("The differential of a car in a bend")
 plt.legend()
 plt.show()

@@ -31,7 +31,9 @@ stiffness = np.diag([2 * length[0], length[1]]) * 9.81
 known = np.sqrt(np.sort(np.linalg.eigvals(np.linalg.solve(inertia, stiffness))))
 print("frequencies", found, "closed form", known, "rad/s")
 
+plt.style.use("flexel.pictures.style")
 figure, axes = plt.subplots(figsize=(5, 5))
 axes.plot(*motion.position("B").T, lw=0.6)
 draw(motion[0], axes, fx.View(centre=(0, -0.2, 0), span=4.2))
+axes.set_title("Path of the lower mass")
 plt.show()

@@ -35,10 +35,12 @@ found = 12e-3 / small.position("left 4")[0]
 known = 24 * EI / length**3
 print("stiffness", found, "closed form", known, "N/m")
 
-figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6), layout="constrained")
+plt.style.use("flexel.pictures.style")
+figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6))
 draw(path[-1], left)
 right.plot(1000 * moved, 1000 * (path["left 4.y"] - length), label="computed")
 right.plot(1000 * moved, -600 * moved**2 / length, "--", label="3 u²/(5 L)")
-right.set(xlabel="motion [mm]", ylabel="sinks [mm]")
+right.set(xlabel="displacement of the stage [mm]", ylabel="height of the stage [mm]")
+figure.suptitle("A stage on two leaf springs")
 right.legend()
 plt.show()

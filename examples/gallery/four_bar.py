@@ -32,8 +32,10 @@ far = [(base**2 + rocker**2 - (coupler + sign * crank) ** 2) / (2 * base * rocke
 known = np.arccos(far)
 print("the rocker swings between", np.degrees(found), "closed form", np.degrees(known), "degrees")
 
-figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6), layout="constrained")
+plt.style.use("flexel.pictures.style")
+figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6))
 draw(motion[0], left)
 right.plot(motion.t, np.degrees(angle))
-right.set(xlabel="turns of the crank", ylabel="rocker [°]")
+right.set(xlabel="turns of the crank [-]", ylabel="angle of the rocker [°]")
+figure.suptitle("Four-bar linkage")
 plt.show()

@@ -21,8 +21,8 @@ m.angle("ring", fixed=True)
 for name in ("sun", "planet", "carrier"):
     m.angle(name)
 m.beam("arm", "centre", "carrier", "pin")
-m.gear("inner mesh", "centre", "sun", "pin", "planet", radius_p=sun, radius_q=planet)
-m.gear("outer mesh", "pin", "planet", "centre", "ring", radius_p=planet, radius_q=-ring)
+m.planar_gear("inner mesh", "centre", "sun", "pin", "planet", radius_p=sun, radius_q=planet)
+m.planar_gear("outer mesh", "pin", "planet", "centre", "ring", radius_p=planet, radius_q=-ring)
 m.rotary_inertia("rotor", "sun", 0.01)
 m.prescribe("sun.angle", fx.Ramp(0, 1, 0, 20 * np.pi))
 motion = m.build().simulate(1)
@@ -31,10 +31,12 @@ found = motion["sun.angle"][-1] / motion["carrier.angle"][-1]
 known = 1 + ring / sun
 print("the sun turns", found, "times as fast as the carrier, closed form", known)
 
-figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6), layout="constrained")
+plt.style.use("flexel.pictures.style")
+figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6))
 draw(motion[0], left)
+figure.suptitle("Planetary gear train")
 for name in ("sun", "carrier", "planet"):
     right.plot(motion.t, motion[f"{name}.angle"] / (2 * np.pi), label=name)
-right.set(xlabel="t [s]", ylabel="turns")
+right.set(xlabel="time [s]", ylabel="turns [-]")
 right.legend()
 plt.show()

@@ -26,6 +26,7 @@ cases = {
     "generalized-alpha": (1e-4, 1e-6, 1e-8),
 }
 print(f"{'method':18}{'tolerance':>10}{'evaluations':>13}{'error':>10} m")
+plt.style.use("flexel.pictures.style")
 for method, tolerances in cases.items():
     costs, errors = [], []
     for tolerance in tolerances:
@@ -36,7 +37,8 @@ for method, tolerances in cases.items():
     plt.loglog(costs, errors, "o-", label=method)
 found, known = s.simulate(2).position(end)[-1], exact  # with the tolerances of flexel
 
-plt.xlabel("evaluations of the equations of motion")
+plt.xlabel("evaluations of the equations of motion [-]")
 plt.ylabel("error of the end [m]")
+plt.title("Cost and error of the integrators")
 plt.legend()
 plt.show()

@@ -35,8 +35,11 @@ x, y = motion.position("far").T
 found, known = x, np.full_like(x, far)
 print("largest distance from the straight line", abs(found - known).max(), "m over", np.ptp(y), "m")
 
+plt.style.use("flexel.pictures.style")
 figure, axes = plt.subplots(figsize=(5, 4))
 for name in ("near", "upper", "far"):
-    axes.plot(*motion.position(name).T)
+    axes.plot(*motion.position(name).T, label=name)
 draw(motion[-1], axes, fx.View(centre=(0.35, 0, 0), span=1.2))
+axes.set_title("Paths of three joints")
+axes.legend()
 plt.show()

@@ -37,9 +37,11 @@ print("falls at", found, "closed form", known, "1/s; stable above", critical, "r
 wobble = s.simulate(
     6, start=s.state_at(rates={"roll.angle": -1.2 * critical, "lean.angle": 0.2, "yaw.angle": 0})
 )
-figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6), layout="constrained")
+plt.style.use("flexel.pictures.style")
+figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6))
 left.plot(speeds / critical, growth)
-left.set(xlabel="speed / critical speed", ylabel="growth [1/s]")
+left.set(xlabel="speed / critical speed [-]", ylabel="growth rate [1/s]", title="stability")
 right.plot(*wobble.position("contact")[:, :2].T)
 right.set(xlabel="x [m]", ylabel="y [m]", title="track after a push")
+figure.suptitle("A rolling disc")
 plt.show()

@@ -37,12 +37,14 @@ known = np.sort_complex(np.linalg.eigvals(np.block([[Ad, Bd], [-K, np.zeros((1, 
 found = np.sort_complex(s.linearize().sampled().eigenvalues()[:3])
 print("eigenvalues of one period", found, "of the discrete system", known)
 
-figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6), layout="constrained")
+plt.style.use("flexel.pictures.style")
+figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6))
 for start in (0.3, 0.45, 0.5):
     motion = s.simulate(1.5, start=s.state_at({"motor.angle": start}), samples=601)
     left.plot(motion.t, motion["motor.angle"], label=f"from {start} rad")
     right.plot(motion.t, motion["controller.u"])
-left.set(xlabel="t [s]", ylabel="angle [rad]", ylim=(-0.2, 1.5))
-right.set(xlabel="t [s]", ylabel="torque [N m]")
+left.set(xlabel="time [s]", ylabel="angle [rad]", ylim=(-0.2, 1.5))
+right.set(xlabel="time [s]", ylabel="torque [N m]")
 left.legend()
+figure.suptitle("A pendulum with a sampled, saturated controller")
 plt.show()

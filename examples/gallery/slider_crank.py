@@ -29,8 +29,10 @@ phi = motion["crank.angle"]
 found, known = motion["B.x"], r * np.cos(phi) + np.sqrt(l**2 - (r * np.sin(phi)) ** 2)
 print("largest difference from the closed form", abs(found - known).max(), "m")
 
-figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6), layout="constrained")
+plt.style.use("flexel.pictures.style")
+figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6))
 draw(motion[30], left)
 right.plot(motion.t, motion.force("rod.elongation"))
-right.set(xlabel="t [s]", ylabel="force in the rod [N]")
+right.set(xlabel="time [s]", ylabel="force in the rod [N]")
+figure.suptitle("Slider-crank")
 plt.show()

@@ -36,9 +36,11 @@ reach = x + vx * (vy + np.sqrt(vy**2 + 2 * 9.81 * np.maximum(y, 0))) / 9.81  # i
 best = np.argmax(reach)
 print(f"opened after {motion.t[best]:.3f} s it throws {reach[best]:.0f} m")
 
-figure, (left, right) = plt.subplots(1, 2, figsize=(9, 4), layout="constrained")
+plt.style.use("flexel.pictures.style")
+figure, (left, right) = plt.subplots(1, 2, figsize=(9, 4))
 left.plot(*motion.position("stone")[: best + 1].T)
 draw(motion[best], left, fx.View(centre=(-1, 4.5, 0), span=11))
+figure.suptitle("Trebuchet")
 right.plot(motion.t, reach)
-right.set(xlabel="the sling opens at [s]", ylabel="range [m]")
+right.set(xlabel="time at which the sling opens [s]", ylabel="range [m]")
 plt.show()

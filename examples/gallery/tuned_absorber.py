@@ -36,10 +36,12 @@ found, known = response(best, fixed), 2 * [np.sqrt(1 + 2 / mu)]
 print("height of the fixed points", found, "Den Hartog", known)
 
 omega = np.linspace(0.7, 1.3, 400)
+plt.style.use("flexel.pictures.style")
 for damping in (best / 4, best, 3 * best):
     plt.semilogy(omega, response(damping, omega), label=f"damping ratio {damping:.2f}")
-plt.plot(fixed, found, "ko")
-plt.xlabel("frequency of the force / natural frequency")
-plt.ylabel("amplitude / static deflection")
+plt.plot(fixed, found, "ko", label="fixed points")
+plt.xlabel("frequency of the force / natural frequency [-]")
+plt.ylabel("amplitude / static deflection [-]")
+plt.title("Response of the main mass")
 plt.legend()
 plt.show()

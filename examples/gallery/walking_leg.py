@@ -33,7 +33,9 @@ height = motion["foot.y"]
 found, known = (height[0], height[200]), (4, 2 * np.sqrt(6))
 print("height of the tip in the middle of step and lift", found, "closed form", known)
 
+plt.style.use("flexel.pictures.style")
 figure, axes = plt.subplots(figsize=(4.5, 5))
 axes.plot(*motion.position("foot").T)
 draw(motion[60], axes, fx.View(centre=(2, 2.5, 0), span=7))
+axes.set_title("Path of the foot")
 plt.show()

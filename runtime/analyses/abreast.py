@@ -1,4 +1,4 @@
-"""Motions of many variants: those of one thread go abreast in the lanes of its processor where they can."""
+"""Motions of many variants: those of one thread run side by side in SIMD lanes where possible."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from flexel.integration.driver import Run
 from flexel.mechanics.core import Core
 
 T = TypeVar("T")
-Begun = tuple[Run, str]  # a motion that has begun, and why its method is taken
+Begun = tuple[Run, str]  # a motion that has begun, and why its method was chosen
 
 
 class MotionRunner(Runner[T]):
-    """Motions of all variants, in threads, and abreast in each thread.
+    """Motions of all variants, in threads, and in SIMD lanes within each thread.
 
     Parameters
     ----------
@@ -78,7 +78,7 @@ class _Slots:
         self.number: dict[int, int] = {}  # the variant in each lane
 
     def begin(self, lane: int, i: int) -> bool:
-        """Begin the motion of variant number i; whether it goes on in a lane, or is already done."""
+        """Begin the motion of variant number i; returns whether it continues in a lane, or is already finished."""
         runner = self._runner
         if lane not in self._systems:
             self._systems[lane] = varied(runner._system, runner._values.places)
@@ -96,18 +96,18 @@ class _Slots:
         return True
 
     def run(self) -> list[int]:
-        """Take steps until lanes have to be looked at; these."""
+        """Take steps until lanes need attention; returns these lanes."""
         return self._lanes.run() if self._lanes else []
 
     def goes_on(self, lane: int) -> bool:
-        """Look at a lane; a motion that leaves it is continued to its end."""
+        """Process a lane; a motion that leaves it is continued to its end."""
         if self._lanes and not self._lanes.look(lane):
             return True
         self._finish(lane)
         return False
 
     def drop(self, lane: int) -> None:
-        """Leave a lane empty."""
+        """Clear a lane."""
         if self._lanes:
             self._lanes.drop(lane)
 

@@ -25,10 +25,11 @@ from flexel.results.saved.description import described
 from flexel.results.saved.files import read, write
 from flexel.results.saved.record import Record
 from flexel.structure.controllers import Controller
+from flexel.structure.rules import LinearRule
 from flexel.structure.state import State
 
 EVERY = 30.0  # seconds between two checkpoints
-SHARE = 0.05  # of the time that may go into writing them
+SHARE = 0.05  # share of the time that may be spent on writing them
 MARKS = "checkpoint"  # key of the header of their files
 PARTS = ("model", "loads and prescribed motions", "start", "stored times", "method and its options")
 SINCE_START = ("dissipated", "work")  # columns of the ledger that count from the start of a run
@@ -61,7 +62,7 @@ class Checkpoint:
     path : str or Path
         As for `Motion.save`.
     system, start, times, method, options
-        What the simulation is: a file of another one is refused.
+        They identify the simulation: a file of another one is refused.
     """
 
     def __init__(
@@ -100,7 +101,7 @@ class Checkpoint:
         return Before(self._before, marks["step"], marks["complete"])
 
     def __call__(self, run: Run) -> None:
-        """After a step: write a checkpoint if the last one is old enough."""
+        """Called after a step: write a checkpoint if the last one is old enough."""
         now = monotonic()
         if now < self._next:
             return
@@ -118,12 +119,12 @@ class Checkpoint:
         write(replace(record, header={**record.header, MARKS: marks}), self.path)
 
     def whole(self, found: Integration) -> Integration:
-        """The part before and what this process has computed, as one."""
+        """The earlier part of the motion joined with the part that this process has computed."""
         return found if self._before is None else _joined(self._before, found, self._times)
 
 
 def _marks(system: Core, start: State, times: Array, method: str, options: Options) -> dict[str, str]:
-    """What a simulation is, as one digest for each of PARTS.
+    """Digests that identify a simulation, one for each of PARTS.
 
     Loads and prescribed motions are compared at the first two stored times: functions cannot be compared.
     """
@@ -142,8 +143,10 @@ def _marks(system: Core, start: State, times: Array, method: str, options: Optio
 
 
 def _settings(c: Controller) -> list[Any]:
-    """What can be compared of a controller: all but its function."""
-    return [c.name, c.inputs, c.outputs, c.period, c.delay, c.low.tolist(), c.high.tolist()]
+    """The properties of a controller that can be compared: all but its function."""
+    rule = list(vars(c.rule).values()) if isinstance(c.rule, LinearRule) else []
+    windup = [] if c.windup is None else [type(c.windup).__name__, *vars(c.windup).values()]
+    return [c.name, c.inputs, c.outputs, c.period, c.delay, c.low, c.high, rule, windup]
 
 
 def _digest(contents: Any) -> str:

@@ -75,7 +75,7 @@ class Ensembles(Motions):
     ) -> Ensemble:
         """Motions of many variants side by side in threads, each with its own steps.
 
-        The digits of a variant depend neither on the others nor on the number of threads.
+        The result of a variant depends neither on the others nor on the number of threads, to the last digit.
 
         Parameters
         ----------
@@ -278,7 +278,7 @@ class _MotionOf:
         return system.simulate(self.duration, start=self._first(system, i), progress=False, **self._options)
 
     def begun(self, system: Motions, i: int, before: Run | None) -> tuple[Run, str]:
-        """The same, only begun; after another motion of the same system."""
+        """Begin the motion; reuses the arrays of an earlier motion of the same system."""
         return system._begun(self.duration, before, start=self._first(system, i), **self._options)
 
     @property

@@ -43,9 +43,9 @@ class Equilibria(Core):
     ) -> State:
         """State of rest in which all forces balance, kinematic coordinates held.
 
-        Newton's method on the analytic tangent; if it fails, the residual forces at the start
-        are applied incrementally, past limit points if necessary; if nothing resists a motion at the start, such as
-        a pendulum drawn horizontal, it follows the forces down to where it rests.
+        Newton's method on the analytic tangent; if it fails, the residual forces at the start are removed
+        incrementally, past limit points if necessary; if nothing resists a motion at the start, as of a pendulum drawn
+        horizontal, it descends in potential energy.
 
         Parameters
         ----------
@@ -57,15 +57,14 @@ class Equilibria(Core):
             Coordinates and deformations held at their values in `start` by the necessary forces
             (``state.force(name)``), such as sheaves that would otherwise turn freely.
         stable : bool
-            Accept stable equilibria only: continue downhill from one that is not.
+            Accept stable equilibria only: descend further from an unstable one.
 
         Raises
         ------
         ModelError
             If a name to be held is unknown, or is held, prescribed or fixed already.
         PositionError
-            If none is found; reports how far the loads could be increased.  If no stable one is found and one
-            was wanted.
+            If none is found; reports how far the loads could be increased.  If no stable one is found with `stable`.
         DynamicsError
             If a motion is unresisted; names it.
 
@@ -86,7 +85,7 @@ class Equilibria(Core):
         return _well_chosen(self, found.state)
 
     def static_path(self, start: State | None = None, *, t_end: float) -> Motion:
-        """Equilibria while time, the load parameter, goes to `t_end`; past limit points by arc length.
+        """Equilibria as time, the load parameter, goes to `t_end`; limit points are passed by arc length.
 
         Parameters
         ----------

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -20,6 +20,7 @@ from flexel.integration.driver import Run
 from flexel.integration.events import Event, checked
 from flexel.integration.outcome import Integration, stored_times
 from flexel.integration.ranges import warn_outside
+from flexel.integration.stiffness import Watch
 from flexel.mechanics.core import Core
 from flexel.results.motion import Motion
 from flexel.structure.state import State
@@ -120,10 +121,12 @@ class Motions(Core):
 
         Warns
         -----
+        StiffWarning
+            If an explicit method turns out to need many thousands of steps because the system is stiff.
         RangeWarning
             If a quantity is outside the data of its law at a stored time, by name.
         """
-        if progress is not None:  # where a checkpoint has the whole motion, nothing runs that would refuse it
+        if progress is not None:  # a checkpoint may hold the whole motion: no integrator checks it then
             flag(progress, "simulate", "progress")
         given: dict[str, Any] = {"rtol": rtol, "atol": atol, "step": step, "first_step": first_step}
         given |= {
@@ -152,13 +155,14 @@ class Motions(Core):
             log.info("continues at t = %g s from the checkpoint %s", begin.t, checkpoint)
         log.info("t = %g to %g s by %s", begin.t, grid[-1], why or method)
         run = methods.run_of(self, method, begin, grid, float(duration), options)
+        watch = Watch(self, method) if method in methods.WATCHED else None
         try:
-            found = run.run(progress, keeper)
+            found = run.run(progress, _each(keeper, watch))
         except FlexelError as error:
             error.motion = Motion(self, _explained(_whole(run.kept(str(error)), keeper), why))
             raise
         log.info("t = %g s: %s; %s", run.t, found.message, found.statistics)
-        found = _explained(_whole(found, keeper), why)
+        found = _explained(_whole(found, keeper), why, watch.found if watch else "")
         if keeper is not None:
             keeper.end(found, run.step)
         return _motion(self, found)
@@ -176,7 +180,7 @@ class Motions(Core):
         rechoose: bool | None = None,
         **given: Any,
     ) -> tuple[str, str, State, Array, methods.Options]:
-        """The method and why it is taken, the start, the stored times and the options of a motion."""
+        """The method and why it was chosen, the start, the stored times and the options of a motion."""
         if rechoose is not None:
             flag(rechoose, "simulate", "rechoose")
         unlimited = isinstance(max_step, float) and max_step == np.inf
@@ -193,7 +197,7 @@ class Motions(Core):
         return chosen, why, begin, grid, options
 
     def _begun(self, duration: float, before: Run | None = None, **given: Any) -> tuple[Run, str]:
-        """A motion that has begun, and why its method is taken; it uses what one with the same options leaves."""
+        """A motion that has begun, and why its method was chosen; it reuses the arrays of one with the same options."""
         method, why, begin, grid, options = self._planned(duration, **given)
         run = methods.run_of(self, method, begin, grid, float(duration), options)
         if run.times[-1] > run.times[0]:
@@ -209,13 +213,27 @@ class Motions(Core):
 
 
 def _whole(found: Integration, keeper: Checkpoint | None) -> Integration:
-    """The motion with the part that an earlier process has computed."""
+    """The motion, joined with the part that an earlier process has computed."""
     return found if keeper is None else keeper.whole(found)
 
 
-def _explained(found: Integration, why: str) -> Integration:
-    """The result, with a message that reports how the method was chosen."""
-    return replace(found, message=f"{found.message} ({why})") if why else found
+def _each(*calls: Callable[[Run], None] | None) -> Callable[[Run], None] | None:
+    """One call after each step for all that are there."""
+    some = [z for z in calls if z is not None]
+    if len(some) < 2:
+        return some[0] if some else None
+
+    def each(run: Run) -> None:
+        for call in some:
+            call(run)
+
+    return each
+
+
+def _explained(found: Integration, *why: str) -> Integration:
+    """The result, with a message that reports how the method was chosen and what was found about it."""
+    told = "; ".join(z for z in why if z)
+    return replace(found, message=f"{found.message} ({told})") if told else found
 
 
 def _motion(system: Core, found: Integration) -> Motion:

@@ -73,7 +73,7 @@ class PeriodicMotions(Core):
         most: int = 500,
         samples: int | None = None,
     ) -> PeriodicBranch:
-        """Branch of periodic motions while prescribed motions and loads run ever faster or slower, by arc length.
+        """Branch of periodic motions as prescribed motions and loads become faster or slower, by arc length.
 
         The branch is followed past folds, through stable and unstable motions, until its period is `end` or again
         `period`.  Folds, and maxima of the largest Floquet multiplier, are located between the motions.

@@ -50,7 +50,7 @@ class Restoring(Core):
 
 
 def restored(system: Core, state: State) -> State:
-    """A saved state as one of a system, with everything as it was saved; see `Restoring.restore`."""
+    """A saved state as a state of a system, with all saved values; see `Restoring.restore`."""
     return replace(state, roles=_roles(system, state), evaluation=system.evaluation)
 
 

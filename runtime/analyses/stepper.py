@@ -1,4 +1,4 @@
-"""A system advanced by somebody else's loop: hardware, a game, a learning algorithm, a controller."""
+"""A system advanced by an external loop: hardware, a game, a learning algorithm, a controller."""
 
 from __future__ import annotations
 
@@ -18,19 +18,20 @@ from flexel.base.time_functions import Held
 from flexel.integration import methods
 from flexel.integration.dop853 import Dop853
 from flexel.integration.steps import GeneralizedAlpha
+from flexel.integration.stiffness import ALPHA, EXPLICIT
 from flexel.mechanics.core import Core
 from flexel.results.quantities import history
 from flexel.structure.loads import Load
 from flexel.structure.state import State
 from flexel.structure.structure import Structure
 
-METHODS = (methods.EXPLICIT, methods.ALPHA)
+METHODS = (EXPLICIT, ALPHA)
 RTOL = 1e-6
 
 
 @dataclass(frozen=True)
 class Saved:
-    """Where a stepper was: its state, the values of its inputs, and the step [s] of its integrator."""
+    """The saved state of a stepper: its state, the values of its inputs, and the step [s] of its integrator."""
 
     state: State
     inputs: tuple[float, ...]
@@ -94,11 +95,11 @@ class Stepper:
         return self.restore(Saved(self._first, (0.0,) * len(self._held), None))
 
     def save(self) -> Saved:
-        """Where it is now, for `restore`; it can be pickled."""
+        """Return the current state for `restore`; it can be pickled."""
         return Saved(self.state, tuple(z.value for z in self._held), self._run.step)
 
     def restore(self, saved: Saved) -> Array:
-        """Go back to where it was; returns the outputs there.
+        """Return to a saved state; returns the outputs there.
 
         Raises
         ------
@@ -126,7 +127,7 @@ class Stepper:
         return self._outputs()
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Pickled as what it was made of, and where it is."""
+        """Pickle its arguments and its current state."""
         made = (self._plain, self.dt, self.inputs, self.outputs, None, self._method, self._options)
         return _again, (made, self._first, self.save())
 
@@ -146,7 +147,7 @@ class Stepper:
         Parameters
         ----------
         values : array_like (inputs,), optional
-            Inputs within this step and after it; those that were set last by default.
+            Inputs during this step and after it; the last ones by default.
 
         Returns
         -------
@@ -174,7 +175,7 @@ class Stepper:
         return self._outputs()
 
     def _set(self, values: Any) -> None:
-        """Set all inputs; lists of floats, which come many times a second, need no conversion."""
+        """Set all inputs; lists of floats, the usual argument in fast loops, need no conversion."""
         given = values.tolist() if type(values) is np.ndarray else values
         size = len(self._held)
         plain = type(given) is list and len(given) == size
@@ -208,7 +209,7 @@ class Stepper:
 
 
 def _again(made: tuple[Any, ...], first: State, saved: Saved) -> Stepper:
-    """A stepper from a pickle: the arguments that it was made with, its start, and where it was."""
+    """A stepper from a pickle: its arguments, its start, and its saved state."""
     stepper = Stepper(*made)
     stepper._first = restored(stepper._system, first)
     stepper.restore(saved)
@@ -216,7 +217,7 @@ def _again(made: tuple[Any, ...], first: State, saved: Saved) -> Stepper:
 
 
 def _driven(system: Core, inputs: Sequence[str], held: Sequence[Held]) -> Core:
-    """The system with one load more for each input, held by the stepper."""
+    """The system with one more load for each input, held by the stepper."""
     for name in inputs:
         system.structure.find(name, "stepper: input")
     loads = system.loads.with_others(Load(name, z) for name, z in zip(inputs, held, strict=True))
@@ -226,7 +227,7 @@ def _driven(system: Core, inputs: Sequence[str], held: Sequence[Held]) -> Core:
 
 
 def _places(structure: Structure, outputs: Sequence[str]) -> Any:
-    """Where the outputs are in `Stepper._values`."""
+    """Places of the outputs in `Stepper._values`."""
     m, n, slips = structure.m, structure.n, structure.k
     found = []
     for name in outputs:
@@ -245,7 +246,7 @@ def _places(structure: Structure, outputs: Sequence[str]) -> Any:
 
 
 class Stepping(Core):
-    """Systems that are advanced by the loop of somebody else."""
+    """Systems that are advanced by an external loop."""
 
     def stepper(
         self,
@@ -254,7 +255,7 @@ class Stepping(Core):
         inputs: Sequence[str] = (),
         outputs: Sequence[str] = (),
         start: State | None = None,
-        method: str = methods.EXPLICIT,
+        method: str = EXPLICIT,
         rtol: float = RTOL,
         atol: float | None = None,
     ) -> Stepper:
@@ -263,7 +264,7 @@ class Stepping(Core):
         Parameters
         ----------
         dt : float
-            Length of a step [s]; the integrator takes as many steps within as its tolerances ask for.
+            Length of a step [s]; the integrator divides it as its tolerances require.
         inputs : sequence of str
             Coordinates, deformations or slips on which forces act that are set from outside and held within each step,
             beside the loads of the model.

@@ -8,11 +8,12 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.shown import Table, listed
-from flexel.integration.methods import ALPHA, AUTO, EXPLICIT, STIFF, Options, start_of, suitable
+from flexel.integration.methods import AUTO, Options, start_of
+from flexel.integration.stiffness import ALPHA, EXPLICIT, STIFF, suitable
 from flexel.mechanics.core import Core
 
 UNEVEN = 1e8  # ratio of inertias from which a system is called badly scaled: half the digits are lost
-RIGID = 1e-6  # eigenvalue, relative to the largest, of a motion that nothing resists
+RIGID = 1e-6  # relative to the largest eigenvalue: below it nothing resists the motion
 SHORT = 10.0  # longest motion [s] for the explicit method below which a system is called stiff
 
 
@@ -59,7 +60,7 @@ def summarized(system: Core) -> Summary:
 
 
 def _speed(system: Core) -> list[tuple[str, str]]:
-    """The fastest eigenvalue at the start, and the integrator that `simulate` takes by itself."""
+    """The fastest eigenvalue at the start, and the integrator that `simulate` chooses by default."""
     if not system.roles.nq:
         return [("integrator", "none: every motion is prescribed")]
     found = suitable(system, start_of(system, AUTO, None, Options()))
@@ -78,7 +79,7 @@ def _speed(system: Core) -> list[tuple[str, str]]:
 
 
 def _uneven(system: Core, inertia: Array) -> list[tuple[str, str]]:
-    """A line if inertias differ so much that digits are lost; a start without inertia is another line's concern."""
+    """A line if inertias differ so much that digits are lost; a start without inertia is reported in another line."""
     low, high = (int(z(inertia)) for z in (np.argmin, np.argmax)) if inertia.size else (0, 0)
     if low == high or not inertia[high] > UNEVEN * inertia[low] > 0:
         return []

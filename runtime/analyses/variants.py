@@ -33,7 +33,7 @@ log = logging.getLogger("flexel.variants")
 C = TypeVar("C", bound=Core)
 T = TypeVar("T")
 INTERRUPTED = "interrupted before it was done"
-WAIT = 0.1  # time between two looks at what is done [s]
+WAIT = 0.1  # time between two checks of the progress [s]
 
 
 def varied(system: C, places: Sequence[Place], structure: Structure | None = None) -> tuple[C, Variant]:
@@ -147,7 +147,7 @@ class Again(Generic[C, T]):
 
 
 class Runner(Generic[T]):
-    """Does the same task for all variants, in threads.
+    """Runs the same task for all variants, in threads.
 
     Attributes
     ----------
@@ -165,7 +165,7 @@ class Runner(Generic[T]):
         self._threads = 1
 
     def run(self, threads: int | None, progress: bool | None) -> None:
-        """Do it; an interrupt (Ctrl-C) keeps what is done."""
+        """Run the tasks; an interrupt (Ctrl-C) keeps the finished ones."""
         count = self._threads = min(_threads(threads), self._values.count)
         log.info("%d variants in %d threads", self._values.count, count)
         show = sys.stderr.isatty() if progress is None else flag(progress, "variants", "progress")
@@ -197,7 +197,7 @@ class Runner(Generic[T]):
                         z.result()
                     bar.update(len(self.results) + len(self.failed) - bar.n)
             finally:
-                self._left = iter(())  # the threads end with the variants that they have begun
+                self._left = iter(())  # the threads finish the variants that they have begun
 
     def _work(self) -> Iterator[None]:
         """Variants, as long as there are any."""
@@ -219,13 +219,13 @@ class Runner(Generic[T]):
         self.results[i] = self._task(system, i)
 
     def _set(self, system: Any, variant: Variant, i: int) -> None:
-        """Make a system the variant number i."""
+        """Turn a system into variant number i."""
         variant.set(self._values.of(i))
         _forget(system)
 
 
 def _forget(system: Core) -> None:
-    """Leave out what a system keeps of its start, which depends on the parameters."""
+    """Discard what a system keeps of its start, which depends on the parameters."""
     for kept in ("initial", "at_rest"):
         system.__dict__.pop(kept, None)
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import os
 import re
 from collections.abc import Iterable, Mapping
@@ -14,10 +13,12 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
+from flexel.base.near_names import near_names, quantities_of
 
 LARGEST = 1e150  # beyond it squares overflow
 SMALLEST = 1e-150  # of positive numbers: below it squares vanish
 LONGEST_NAME = 255  # bytes in the name of a file or folder, on all usual systems
+SHOWN = 12  # known names in a message
 
 
 def array(value: Any, owner: str, what: str) -> Array:
@@ -28,6 +29,10 @@ def array(value: Any, owner: str, what: str) -> Array:
     ModelError
         `owner` and `what` name the value.
     """
+    if (
+        isinstance(value, float) and -LARGEST <= value <= LARGEST
+    ):  # most of all; the rest takes ten times as long
+        return np.array(value)
     try:
         given = np.asarray(value)
         numeric = given.dtype.kind in "biuf"
@@ -35,9 +40,9 @@ def array(value: Any, owner: str, what: str) -> Array:
         numeric = False
     if not numeric:
         raise ModelError(f"{owner}: {what} {_shown(value)} is not numeric; give real numbers")
-    if not np.all(np.isfinite(given)):
-        raise ModelError(f"{owner}: {what} {_shown(value)} is not finite; give finite numbers")
-    if not np.all(np.abs(given) <= LARGEST):
+    if not (np.abs(given) <= LARGEST).all():
+        if not np.isfinite(given).all():
+            raise ModelError(f"{owner}: {what} {_shown(value)} is not finite; give finite numbers")
         raise ModelError(
             f"{owner}: {what} {_shown(value)} is too large to calculate with; give at most {LARGEST:g}"
         )
@@ -190,11 +195,15 @@ def span(xp: Array, xq: Array, owner: str) -> tuple[Array, float]:
 
 def unknown(name: str, known: Iterable[str], kind: str = "name") -> str:
     """Message for a name that does not exist, with the nearest ones that do."""
-    names = list(known)
-    near = difflib.get_close_matches(name, names, n=3, cutoff=0.4)
-    same = [z for z in names if z.startswith(name + ".")][:8]
-    hint = f"did you mean {', '.join(near or same)}?" if near or same else f"known: {', '.join(names[:12])}"
-    return f"unknown {kind} '{name}'; {hint}"
+    names = list(dict.fromkeys(known))
+    near = near_names(name, names)
+    if near:
+        return f"unknown {kind} '{name}'; did you mean {', '.join(near)}?"
+    part = name.rpartition(".")[0]
+    mates = quantities_of(part, names)
+    where, shown = (f"'{part}' has ", mates) if mates else ("known: ", names)
+    more = f", … ({len(shown)} in all)" * (len(shown) > SHOWN)
+    return f"unknown {kind} '{name}'; {where}{', '.join(shown[:SHOWN])}{more}"
 
 
 def step_limit(value: Any, owner: str, what: str, least: float = 0.0) -> float:

@@ -1,4 +1,4 @@
-"""Small matrices in one thread: what BLAS would gain by sharing them out is less than its threads wait for one another.
+"""Small matrices in one thread: the threads of BLAS would wait for one another longer than they gain.
 
 Measured with two processors, choosing degrees of freedom of a vehicle (187 coordinates): 20 ms in one thread; with two
 21 ms on an idle machine, 150 to 600 ms on a busy one, and 870 ms each from eight threads at once, instead of 15 ms.
@@ -16,7 +16,7 @@ from threadpoolctl import ThreadpoolController
 
 
 class _Limit:
-    """The limit of one thread, which holds from the first that asks for it until the last has left."""
+    """The limit of one thread, valid from the first caller that enters it until the last one leaves."""
 
     def __init__(self) -> None:
         self._lock = Lock()
@@ -34,7 +34,7 @@ class _Limit:
 
     @contextmanager
     def __call__(self) -> Iterator[None]:
-        """BLAS works in the calling thread in this context; the setting of before returns after it."""
+        """BLAS works in the calling thread in this context; the earlier setting is restored after it."""
         with self._lock:
             if not self._users:
                 self._set = self._controller.limit(limits=1, user_api="blas")

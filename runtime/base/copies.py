@@ -1,4 +1,4 @@
-"""What travels in a pickle: the fields of a record without its caches, and functions that the other side can find."""
+"""Contents of pickles: the fields of a record without its caches, and functions that the receiver can import."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ class _Trial(pickle.Pickler):
 def check_travels(owner: str, function: object, remedy: str = REMEDY) -> None:
     """Check that a user's function can be pickled; a ModelError that names its owner otherwise.
 
-    A pickler that writes functions themselves instead of their names, as that of joblib, is left to do so.
+    A pickler that writes functions by value instead of by name, such as that of joblib, is not checked.
     """
     try:
         _Trial(io.BytesIO()).dump(function)

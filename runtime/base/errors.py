@@ -19,6 +19,7 @@ __all__ = [
     "ModelError",
     "PositionError",
     "RangeWarning",
+    "StiffWarning",
     "UnstableWarning",
     "UnsteadyWarning",
 ]
@@ -41,15 +42,15 @@ class DynamicsError(FlexelError, RuntimeError):
 
 
 class IncompleteWarning(UserWarning):
-    """An analysis is incomplete: the message says what was reached and where it stopped."""
+    """An analysis is incomplete: the message reports what was reached and where it stopped."""
 
 
 class UnsteadyWarning(UserWarning):
-    """Eigenvalues or modes are requested about a state that accelerates: they do not describe what follows."""
+    """Eigenvalues or modes of a state that accelerates are requested: they do not describe its motion."""
 
 
 class AssemblyWarning(UserWarning):
-    """A drawing contradicts rigid conditions: the message says which, and what is moved how far."""
+    """A drawing contradicts rigid conditions: the message names them, and the coordinates that are moved."""
 
 
 class UnstableWarning(UserWarning):
@@ -57,7 +58,11 @@ class UnstableWarning(UserWarning):
 
 
 class RangeWarning(UserWarning):
-    """A motion has left the range of the data of a law: the message names it and says how the law continues."""
+    """A motion has left the range of the data of a law: the message names it and the kind of extrapolation."""
+
+
+class StiffWarning(UserWarning):
+    """An explicit integration will be long because the system is stiff: the message says how long, and the remedy."""
 
 
 class CompilerError(FlexelError, RuntimeError):

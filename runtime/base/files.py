@@ -1,4 +1,4 @@
-"""Files that appear whole or not at all: written beside their destination, flushed to the disk, then renamed."""
+"""Files that are written completely or not at all: beside their destination, flushed to the disk, then renamed."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from flexel.base.errors import FlexelError
 
 @contextmanager
 def replacing(path: str | Path, owner: str = "save") -> Iterator[Path]:
-    """A new file that takes the place of `path` when the block is done; if it fails, the old one stays as it was.
+    """A new file that replaces `path` at the end of the block; if the block fails, the old file remains unchanged.
 
     Of several writers the last complete one wins.  What is not a regular file, such as a pipe, is written directly.
 
@@ -21,14 +21,14 @@ def replacing(path: str | Path, owner: str = "save") -> Iterator[Path]:
     ----------
     path : str or Path
     owner : str
-        What is being done, for messages.
+        The operation, for messages.
 
     Raises
     ------
     FlexelError
         If it cannot be written: a full disk, a folder that does not exist or is protected.
     """
-    target = Path(path).resolve()  # a link stays a link
+    target = Path(path).resolve()  # a link remains a link
     try:
         if target.exists() and not target.is_file():
             yield target
@@ -46,7 +46,7 @@ def replacing(path: str | Path, owner: str = "save") -> Iterator[Path]:
             part.unlink(missing_ok=True)
     except OSError as error:
         raise FlexelError(
-            f"{owner} '{path}': {error.strerror or error}; what was there before is unchanged. Free space, or give the "
+            f"{owner} '{path}': {error.strerror or error}; the earlier file is unchanged. Free space, or give the "
             "path of a folder that you may write to"
         ) from error
 

@@ -1,4 +1,4 @@
-"""Types of optional packages, which are imported when a result is asked for in their form."""
+"""Types of optional packages, which are imported when a result is converted to them."""
 
 from __future__ import annotations
 

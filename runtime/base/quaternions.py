@@ -116,7 +116,7 @@ def in_body(orientation: Array, d: Array) -> Array:
 def euler_angles(q: Array) -> Array:
     """Angles (3,) [rad] of turns about z, then the new y, then the new x axis, that make a rotation.
 
-    At a quarter turn about y the other two turns are about one axis; all of it is then given to the one about z.
+    At a quarter turn about y the other two turns are about the same axis; their sum is then returned as that about z.
     """
     R = matrix(q)
     level = float(np.hypot(R[0, 0], R[1, 0]))

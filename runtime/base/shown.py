@@ -43,7 +43,7 @@ class Table:
 
 
 class Row(Protocol):
-    """What can be a row of a `Listing`."""
+    """Interface of the rows of a `Listing`."""
 
     HEAD: ClassVar[tuple[str, ...]]
 

@@ -1,4 +1,4 @@
-"""Ctrl-C in long work that consists of parts, each of which would answer a `KeyboardInterrupt` itself."""
+"""Ctrl-C in long tasks that consist of parts, each of which would handle a `KeyboardInterrupt` itself."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from types import FrameType
 
 
 class StoppedError(BaseException):
-    """Ctrl-C in `stopping`; not a `KeyboardInterrupt`, which a simulation answers with the motion up to there."""
+    """Ctrl-C in `stopping`; not a `KeyboardInterrupt`, upon which a simulation returns the motion so far."""
 
 
 @contextmanager
 def stopping() -> Iterator[None]:
-    """Let Ctrl-C raise `StoppedError`, through everything that would keep a part of its results.
+    """Let Ctrl-C raise `StoppedError`, through all functions that would otherwise return partial results.
 
     Signals reach only the main thread; in any other this does nothing.
     """

@@ -171,7 +171,15 @@ class Polynomial:
 
 @dataclass(frozen=True)
 class Ramp:
-    """A step from `u0` to `u1` between `t0` and `t1`, the quintic with continuous acceleration."""
+    """A step from one value to another: the quintic with continuous acceleration.
+
+    Parameters
+    ----------
+    t0, t1 : float
+        Start and end of the step [s].
+    u0, u1 : float
+        Values before and after it.
+    """
 
     t0: float
     t1: float
@@ -195,7 +203,18 @@ class Ramp:
 
 @dataclass(frozen=True)
 class Harmonic:
-    """u(t) = offset + amplitude sin(omega t + phase)."""
+    """u(t) = offset + amplitude sin(omega t + phase).
+
+    Parameters
+    ----------
+    amplitude : float
+    omega : float
+        Angular frequency [rad/s].
+    phase : float
+        [rad]
+    offset : float
+        Mean value.
+    """
 
     amplitude: float
     omega: float

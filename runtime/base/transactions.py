@@ -1,6 +1,6 @@
 """Declarations of a model that are undone as a whole when a part of them is refused.
 
-A call that adds a hundred elements must not leave fifty behind: the corrected call would find their names taken.
+A refused call must not leave some of its elements behind: the corrected call would find their names taken.
 """
 
 from __future__ import annotations

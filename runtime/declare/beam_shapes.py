@@ -22,7 +22,7 @@ def triads(nodes: Sequence[Node], direction: Any, owner: str) -> dict[str, Array
 
 
 def offset(nodes: Sequence[Node], direction: Any, owner: str) -> dict[str, Array]:
-    """Offset of q in the triad of the frame; zero for coinciding points, which it then only connects."""
+    """Offset of q in the triad of the frame; zero for coincident points, which are then merely connected."""
     xp, rp, xq = (n.x0 for n in nodes)
     l0 = float(np.linalg.norm(xq - xp))
     t = triad((xq - xp) / l0, direction, owner) if l0 > 0 else rp

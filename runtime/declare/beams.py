@@ -191,9 +191,7 @@ def _section_stiffness(
     chosen = known if flexible is None else names(flexible, f"{owner}: flexible")
     wrong = [z for z in chosen if z not in known]
     if wrong or not chosen:
-        raise ModelError(
-            f"{owner}: flexible {list(chosen)} names no modes of this beam; they are {', '.join(known)}"
-        )
+        raise ModelError(f"{owner}: flexible {list(chosen)}; name modes of this beam: {', '.join(known)}")
     keys = {"elongation": "EA", "bend1": "EIz", "bend2": "EIz"} if planar else STIFFNESS_OF
     for a, b in (("bend1", "bend2"), ("bend3", "bend4")):
         if (a in chosen) != (b in chosen):

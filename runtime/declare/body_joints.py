@@ -1,4 +1,4 @@
-"""Joints of two rigid bodies at a place given as drawn: the methods of `Model` that make each in one line.
+"""Joints of two rigid bodies at a drawn place: the methods of `Model` that add one in a single call.
 
 Every joint is a composition of elements: points of both bodies at the place of the joint, and an element between them.
 """
@@ -156,10 +156,10 @@ class BodyJoints(JointPlaces, RelationMethods):
 
     @whole_or_nothing
     def spherical(self, name: str, p: Given, q: Given, at: Vector) -> None:
-        """Join two bodies by a ball: three turns are free.
+        """Join two bodies by a ball joint: three rotations are free.
 
-        Its forces are the stresses of ``name.along``, ``across1`` and ``across2``, in the axes of p.  The turns have no
-        angles; where they are wanted, use `cardan_chain`.
+        Its forces are the stresses of ``name.along``, ``across1`` and ``across2``, in the axes of p.  The rotations are
+        not measured by angles; use `cardan_chain` where angles are needed.
 
         Parameters
         ----------
@@ -171,7 +171,7 @@ class BodyJoints(JointPlaces, RelationMethods):
 
     @whole_or_nothing
     def universal(self, name: str, p: Given, q: Given, at: Vector, axis_p: Vector, axis_q: Vector) -> None:
-        """Join two bodies by a cross: ``name_1.angle`` about its pin in p, ``name_2.angle`` about that in q are free.
+        """Join two bodies by crossed pins; ``name_1.angle`` about that in p, ``name_2.angle`` about that in q are free.
 
         Parameters
         ----------

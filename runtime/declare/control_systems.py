@@ -1,4 +1,4 @@
-"""What controls: gains, linear systems of python-control and SciPy, Python functions: rules, with their period."""
+"""The rule and the period of a controller: gains, linear systems of python-control and SciPy, Python functions."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def rule_of(
             raise ModelError(f"{owner}: state has shape {start.shape}; give a list of one number or more")
         return FunctionRule(owner, given, nu, start.size, state is not None), period, start
     if given is None or isinstance(given, str | type | dict | set):
-        raise ModelError(f"{owner}: {given!r} does not control; give {WHAT}")
+        raise ModelError(f"{owner}: {given!r} is not a controller; give {WHAT}")
     if state is not None:
         raise ModelError(f"{owner}: gains have no state; leave state out, or give a function or a system")
     gains = np.atleast_2d(array(given, owner, "gains"))
@@ -82,7 +82,7 @@ def _is_system(given: Any) -> bool:
 def _linear_system(
     owner: str, given: Any, sizes: tuple[int, int], reference: Array | None, period: float | None
 ) -> tuple[LinearRule, float | None]:
-    """The rule of a linear system, and its period: its own, or the given one if it leaves it open."""
+    """The rule of a linear system, and its period: its own, or the given one if it has none."""
     ny, nu = sizes
     dt = _time_step(given)
     if dt == 0 and period is not None:
@@ -91,7 +91,7 @@ def _linear_system(
             "scipy.signal.cont2discrete), or leave period out"
         )
     if dt is True and period is None:
-        raise ModelError(f"{owner}: the system is discrete and does not tell its period; give period=… [s]")
+        raise ModelError(f"{owner}: the system is discrete and has no period of its own; give period=… [s]")
     if isinstance(dt, float) and dt > 0:
         if period is not None and abs(period - dt) > SAME * dt:
             raise ModelError(f"{owner}: period {period:g} s, but the system has {dt:g} s; leave period out")
@@ -114,7 +114,7 @@ def _linear_system(
 
 
 def _time_step(given: Any) -> bool | float | None:
-    """0.0 of a continuous system, the step of a discrete one or True if it is not given, None if all is open."""
+    """0.0 of a continuous system, the step of a discrete one (True: not given), None if neither is specified."""
     dt = getattr(given, "dt", None)
     if dt is None:
         return 0.0 if type(given).__module__.startswith("scipy") else None

@@ -1,7 +1,8 @@
 """The laws of controllers: compiled ones of linear controllers, callbacks of functions, and forces that are held.
 
 A controller is a law like any other, so the closed loop is simulated, linearized, solved for statics and saved like
-everything else.  The outputs and the memory of a sampled one are internal states that change at its instants only.
+everything else.  The outputs and the own state of a sampled controller are internal states, which change at its
+instants only.
 """
 
 from __future__ import annotations
@@ -23,9 +24,10 @@ from flexel.structure.callbacks import Callback, Wires
 from flexel.structure.controllers import Controller, numbered, parts
 from flexel.structure.instances import LawInstance
 from flexel.structure.rules import LinearRule
+from flexel.structure.windup import BackCalculation
 
-UNITS = {"A": "1/s", "B": "1/s", "C": "N or N m", "D": "N/m or N m"}
-MOST = 16  # own states of a continuous controller, see dense.h
+UNITS = {"A": "1/s", "B": "1/s", "C": "N or N m", "D": "N/m or N m", "L": "1/(N s)"}
+MOST = 100  # own states of a continuous controller: the compiler takes a minute for them
 
 
 def wired(model: Declarations, c: Controller) -> tuple[Wires, list[str]]:
@@ -55,7 +57,7 @@ def wired(model: Declarations, c: Controller) -> tuple[Wires, list[str]]:
 
 
 def _target(model: Declarations, c: Controller, name: str, what: str) -> tuple[str, bool, float]:
-    """The deformation or slip of a name, whether it is a slip, and what is added to it.
+    """The deformation or slip of a name, whether it is a slip, and its offset.
 
     A coordinate is its displacement from where it is drawn.
     """
@@ -85,25 +87,24 @@ def add_continuous(model: Declarations, c: Controller, start: Sequence[float]) -
     """Add the law of a continuous controller."""
     if c.rule.nx > MOST:
         raise ModelError(
-            f"{c.owner}: {c.rule.nx} own states; a continuous one may have {MOST}: reduce it, or sample it (period=…)"
+            f"{c.owner}: {c.rule.nx} own states; a continuous one may have {MOST}: reduce its order "
+            "(control.balanced_reduction), or sample it (period=…)"
         )
     wires, on = wired(model, c)
     on, slips = on[: wires.m], on[wires.m :]
     if isinstance(c.rule, LinearRule):
         compiled = _linear_law(c, c.rule, wires)
         own = {"A": c.rule.A, "B": c.rule.B, "C": c.rule.C, "D": c.rule.D, "r": c.rule.r - wires.offsets}
-        if _limited(c):
+        if c.limits:
             own |= {"low": np.maximum(c.low, -LARGEST), "high": np.minimum(c.high, LARGEST)}
+        if isinstance(c.windup, BackCalculation):
+            own["L"] = c.windup.gains
         spec, code = compiled.spec, compiled.code
         parameters = {name: z.ravel() for name, z in own.items() if z.size}
     else:
         code = Callback(c, wires)
         spec, parameters = code.spec, {}
     model.laws.append(LawInstance(c.name, spec, tuple(on), tuple(slips), parameters, code, tuple(start)))
-
-
-def _limited(c: Controller) -> bool:
-    return bool(np.isfinite([*c.low, *c.high]).any())
 
 
 def _linear_law(c: Controller, rule: LinearRule, wires: Wires) -> Any:
@@ -116,6 +117,8 @@ def _linear_law(c: Controller, rule: LinearRule, wires: Wires) -> Any:
     from flexel.derive.shared_object import CompilationError, CompilerMissingError
 
     shapes = {z: getattr(rule, z).shape for z in "ABCD"}
+    if isinstance(c.windup, BackCalculation):
+        shapes["L"] = c.windup.gains.shape
     given = {z: Parameter(z, a * b, UNITS[z], "row by row") for z, (a, b) in shapes.items() if a * b}
     matrix = {
         z: sympy.Matrix(*shapes[z], list(given[z].symbols)) if z in given else sympy.zeros(*shapes[z])
@@ -123,7 +126,7 @@ def _linear_law(c: Controller, rule: LinearRule, wires: Wires) -> Any:
     }
     nu, ny = len(c.outputs), len(c.inputs)
     r = Parameter("r", ny, "m or rad", "reference")
-    limits = [Parameter(z, nu, "N or N m", "limit") for z in ("low", "high")] if _limited(c) else []
+    limits = [Parameter(z, nu, "N or N m", "limit") for z in ("low", "high")] if c.limits else []
     e, ed = (tuple(symbol(f"{letter}_{i}") for i in range(wires.m)) for letter in ("e", "ed"))
     s = tuple(symbol(f"s_{i}") for i in range(wires.k))
     x = sympy.Matrix(rule.nx, 1, [symbol(f"x{i}") for i in range(rule.nx)])
@@ -131,15 +134,17 @@ def _linear_law(c: Controller, rule: LinearRule, wires: Wires) -> Any:
     u, xd = matrix["C"] * x + matrix["D"] * w, matrix["A"] * x + matrix["B"] * w
     if limits:
         low, high = limits
-        u = u.applyfunc(sympy.sympify)
+        free, u = u, u.applyfunc(sympy.sympify)
         for i in range(nu):
             u[i] = sympy.Min(sympy.Max(u[i], low.symbols[i]), high.symbols[i])
+        if "L" in matrix:
+            xd += matrix["L"] * (u - free)
     stress = [sympy.S.Zero] * (wires.m + wires.k)
     for i, place in enumerate(wires.outputs):
         stress[place] = -u[i]
     law = Law(
         name="linear_controller",
-        doc="u = C x + D (r - y), x' = A x + B (r - y), stresses -u",
+        doc="u = C x + D (r - y), x' = A x + B (r - y), stresses -u; limited, with L: x' + L (limited u - u)",
         parameters=(*given.values(), r, *limits),
         e=e,
         ed=ed,
@@ -156,7 +161,7 @@ def _linear_law(c: Controller, rule: LinearRule, wires: Wires) -> Any:
 
 
 def add_sampled(model: Declarations, c: Controller, start: Sequence[float]) -> None:
-    """Add the forces that a sampled controller holds, the outputs on their way, and its own state."""
+    """Add the forces that a sampled controller holds, its delayed outputs, and its own state."""
     units, names = known_names(model), numbered("u", len(c.outputs))
     forces = []
     for target, name in zip(c.outputs, names, strict=True):

@@ -1,8 +1,9 @@
-"""Controllers as engineers write them: sampled or continuous, saturated, delayed, with a state of their own."""
+"""Controllers: sampled or continuous, with limits, delays and a state of their own."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -18,12 +19,13 @@ from flexel.base.arguments import (
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.base.transactions import whole_or_nothing
+from flexel.declare.anti_windup import anti_windup_of
 from flexel.declare.control_systems import rule_of
 from flexel.declare.controller_laws import add_continuous, add_sampled, known_names
 from flexel.declare.laws import Laws
 from flexel.structure.controllers import Controller, parts
 
-MOST_SLOTS = 1000  # outputs on their way at once
+MOST_SLOTS = 1000  # largest number of delayed outputs
 
 
 class Controllers(Laws):
@@ -40,20 +42,21 @@ class Controllers(Laws):
         period: float | None = None,
         delay: float = 0.0,
         limits: Any = None,
+        anti_windup: Any = None,
         state: Any = None,
         reference: Mapping[str, float] | None = None,
     ) -> None:
-        """Attach a controller: forces on some quantities, from what it measures.
+        """Attach a controller: forces that depend on measured quantities.
 
-        With a period it is sampled: at t = 0, period, 2 period, … it measures, and holds its outputs until the next
-        ones; what it measures at an instant is just before it.  Without, it is continuous.
+        With a period the controller is sampled: it measures at t = 0, period, 2 period, …, just before each instant,
+        and holds its outputs until the next one.  Without a period it is continuous.
 
         Parameters
         ----------
         function : callable, array_like, or linear system
             A function ``u = function(t, y)`` of the time and the inputs y (ny,), which returns the outputs u (nu,), a
             number if there is one.  With `state` it is ``u, x = function(t, y, x)``: it returns the new state too, or
-            the rate of the state if it is continuous.  It must remember nothing itself.
+            the rate of the state if it is continuous.  It must not store anything between calls.
 
             Or gains (nu, ny), or a state-space system or transfer function of python-control or scipy.signal: negative
             feedback, as by `control.feedback` and `control.lqr`, of reference - y.  A discrete system has its period.
@@ -62,16 +65,24 @@ class Controllers(Laws):
             (two primes), ``force:…``, and internal states.
         outputs : sequence of str (nu,)
             Coordinates, deformations or slips on which it acts; positive where it does positive work as they grow, as
-            loads do.  They become free, and so do the deformations that a continuous one measures.
+            loads do.  They become free, and so do the deformations that a continuous controller measures.
         name : str
             Results have its outputs as ``name.u``, or ``name.u0``, ``name.u1``, …, and its state as ``name.x0``, …
         period : float, optional
             [s]; none for a continuous one.
         delay : float
-            Of a sampled one: from an instant to the change of its outputs [s]; may be longer than the period.
-            The outputs are zero before.
+            Of a sampled controller: from an instant to the change of its outputs [s]; it may be longer than the period.
+            Before the first change the outputs are zero.
         limits : (low, high), optional
             Of the outputs, each a number or one for each output; None or infinite for none.
+        anti_windup : float, array_like (nx, nu), or "clamp", optional
+            Keeps integrators from winding up while an output v is beyond its limits and u is the limited one:
+
+            - A time constant T of a linear system [s]: its integral parts track the limited outputs.  It gives the
+              gains L = V (C V)⁺ / T, or times the period if sampled, with the eigenvectors V of the integrators.
+            - Gains L of any controller: x' = f + L (u - v), or for the next state x = f + L (u - v) if sampled.
+            - "clamp" for sampled ones: the integral part of an output stops where it would grow further beyond the
+              limit.  Of a function the whole own state stops.
         state : array_like (nx,), optional
             Initial own state of a function or a system.
         reference : mapping of str to float
@@ -121,9 +132,10 @@ class Controllers(Laws):
             )
         low, high = _limits(owner, limits, len(driven))
         c = Controller(name, measured, driven, rule, low, high, step, lag)
+        c = replace(c, windup=anti_windup_of(c, anti_windup))
         if c.slots > MOST_SLOTS:
             raise ModelError(
-                f"{owner}: {c.slots} outputs would be on their way (delay {lag:g} s, period {step:g} s); "
+                f"{owner}: {c.slots} outputs would be delayed at once (delay {lag:g} s, period {step:g} s); "
                 f"{MOST_SLOTS} are possible"
             )
         add = add_continuous if step is None else add_sampled
@@ -140,7 +152,7 @@ def _listed(owner: str, what: str, given: Any) -> tuple[str, ...]:
 
 
 def _check_inputs(model: Controllers, owner: str, inputs: Sequence[str]) -> None:
-    """Refuse names that do not exist; what they may stand for is checked when the model is built."""
+    """Refuse names that do not exist; whether they can be measured is checked when the model is built."""
     known = [*known_names(model), *(z for law in model.laws for z in law.states)]
     for name in inputs:
         base = parts(name)[0]

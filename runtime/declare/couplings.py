@@ -22,7 +22,7 @@ class Couplings(Springs):
     """Belts, gears and surfaces."""
 
     @whole_or_nothing
-    def belt(
+    def planar_belt(
         self,
         name: str,
         p: Node | str,
@@ -56,13 +56,13 @@ class Couplings(Springs):
 
         See Also
         --------
-        belt_drive : Pulleys on joints of one body, in the plane and in space.
+        belt : Pulleys on joints of one body, in the plane and in space.
 
         Notes
         -----
         The line of centres may turn by less than half a turn from its drawn direction.
         """
-        owner = f"belt '{name}'"
+        owner = f"planar belt '{name}'"
         nodes = _ends(self, owner, (p, angle_p, q, angle_q))
         a, b = number(radius_p, owner, "radius_p"), number(radius_q, owner, "radius_q")
         e, distance = span(nodes[0].x0, nodes[2].x0, owner)
@@ -87,7 +87,7 @@ class Couplings(Springs):
         elif d:
             raise ModelError(f"{owner}: damping has no effect without stiffness; give one, or drop it")
 
-    def gear(
+    def planar_gear(
         self,
         name: str,
         p: Node | str,
@@ -114,9 +114,9 @@ class Couplings(Springs):
 
         See Also
         --------
-        gear_pair : Gears on joints of one body, in the plane and in space: spur, bevel, worm.
+        gear : Gears on joints of one body, in the plane and in space: spur, bevel, worm.
         """
-        owner = f"gear '{name}'"
+        owner = f"planar gear '{name}'"
         nodes = _ends(self, owner, (p, angle_p, q, angle_q))
         a, b = number(radius_p, owner, "radius_p"), number(radius_q, owner, "radius_q")
         if not a or not b or not a + b:

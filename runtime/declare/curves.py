@@ -22,7 +22,7 @@ from flexel.generated.table import LAWS
 _SIZES = {z.name: z.size for z in LAWS["spring_curve"].parameters}
 PIECES = _SIZES["origins"]
 TERMS = _SIZES["coefficients"] // PIECES
-NEVER = LARGEST  # a break that is never reached
+NEVER = LARGEST  # a break that no argument reaches
 CONTINUOUS = 1e-6  # largest jump at a break, relative to the terms that sum up there: rounded data pass
 
 

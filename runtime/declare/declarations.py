@@ -20,7 +20,7 @@ from flexel.generated.table import ELEMENTS
 from flexel.structure.controllers import Controller
 from flexel.structure.instances import Code, Instance, LawInstance
 from flexel.structure.loads import Load
-from flexel.structure.nodes import COMPONENTS, Node
+from flexel.structure.nodes import COMPONENTS, Node, unmeasured
 from flexel.structure.rigid_bodies import RigidBody
 from flexel.structure.surfaces import Surface
 
@@ -123,7 +123,9 @@ class Declarations:
             return "deformation"
         if element is not None and name in element.slips:
             return "slip"
-        raise ModelError(f"{owner}: {unknown(name, self._quantities())}")
+        missing = unmeasured(name, self.nodes)
+        known = f"unknown name '{name}'; {missing}" if missing else unknown(name, self._quantities())
+        raise ModelError(f"{owner}: {known}")
 
     def _quantities(self) -> list[str]:
         """Names of all quantities declared so far: deformations, slips, coordinates."""

@@ -22,16 +22,16 @@ def displacement(model: Declarations, name: str, owner: str) -> str:
     found = model.nodes[node]
     if found.kind == "frame":
         raise ModelError(
-            f"{owner}: Euler parameters such as '{name}' carry no springs; measure an angle with a fully released "
+            f"{owner}: Euler parameters such as '{name}' cannot carry springs; measure an angle with a fully released "
             "m.hinge(…) and use its angle"
         )
     if found.kind == "warping":
         raise ModelError(
-            f"{owner}: '{name}' carries no springs; make it a deformation by m.relation('spring', {{'{name}': 1.0}})"
+            f"{owner}: '{name}' cannot carry springs; make it a deformation by m.relation('spring', {{'{name}': 1.0}})"
             " and put the spring on 'spring.relation'"
         )
     if found.fixed[COMPONENTS[found.kind].index(component)]:
-        raise ModelError(f"{owner}: '{name}' is fixed and cannot move; remove spring or fixing")
+        raise ModelError(f"{owner}: '{name}' is fixed and cannot move; remove the spring or the fixing")
     element = f"{node}.displacement"
     if element not in model.instances:
         _add_displacement(model, element, found)

@@ -81,7 +81,7 @@ class Friction(Springs):
         friction_radius: float = 0.0,
         slip_speed: float = 0.01,
     ) -> None:
-        """Give the pin of a revolute joint play in its bush, or a ball in its socket: it touches beyond the gap.
+        """Give a revolute joint radial play between pin and bush, or a ball joint play in its socket.
 
         Parameters
         ----------
@@ -99,6 +99,11 @@ class Friction(Springs):
             A ball has none, since its turns have no angles.
         slip_speed : float
             Speed of turning at which 71 % of the friction acts [rad/s].
+
+        Raises
+        ------
+        ModelError
+            A joint without a pin or a ball, such as a weld or a slide; friction on a ball.
         """
         owner = f"clearance of '{joint}'"
         spec = self.instances[joint].spec if isinstance(joint, str) and joint in self.instances else None
@@ -107,6 +112,11 @@ class Friction(Springs):
         if spec is None or not (spec.family == "bearing" or ball):
             raise ModelError(
                 f"{owner}: it is not a joint with a pin or a ball; name one of m.revolute or m.spherical"
+            )
+        if self._roles.get(f"{joint}.angle") == "rigid":
+            raise ModelError(
+                f"{owner}: it does not turn ('{joint}.angle' is rigid), so it has no pin; use m.revolute instead of a "
+                "weld; for the play of a slide put m.limits on the displacements"
             )
         values = {
             "gap": positive(gap, owner, "gap"),

@@ -43,7 +43,7 @@ class Gearing(BodyJoints):
     """Gears, racks, belts and chains of angles."""
 
     @whole_or_nothing
-    def gear_pair(
+    def gear(
         self,
         name: str,
         p: str,
@@ -80,9 +80,9 @@ class Gearing(BodyJoints):
 
         See Also
         --------
-        gear : Gears of the plane by their nodes, on centres that may move.
+        planar_gear : Gears of the plane by their nodes, on centres that may move.
         """
-        owner = f"gear pair '{name}'"
+        owner = f"gear '{name}'"
         first, second, x = *self._two_axes(owner, p, q), self._in_drawing(owner, p, at)
         vp, vq = first.speed(x), second.speed(x)
         if min(np.linalg.norm(vp), np.linalg.norm(vq)) < 1e-12:
@@ -112,7 +112,7 @@ class Gearing(BodyJoints):
         Parameters
         ----------
         pinion : str
-            A joint with an angle, as in `gear_pair`.
+            A joint with an angle, as in `gear`.
         rack : str
             A joint with a slide, made by `prismatic` with the same first body.
         at : sequence of float (3,) or (2,)
@@ -137,7 +137,7 @@ class Gearing(BodyJoints):
         self.relation(name, {slide: 1.0, f"{pinion}.angle": -float(v @ d)})
 
     @whole_or_nothing
-    def belt_drive(
+    def belt(
         self, name: str, p: str, q: str, *, radius_p: float, radius_q: float, crossed: bool = False
     ) -> None:
         """Let a belt or chain that neither slips nor stretches run over two pulleys on parallel axes.
@@ -145,7 +145,7 @@ class Gearing(BodyJoints):
         Parameters
         ----------
         p, q : str
-            Joints of the pulleys, as in `gear_pair`.
+            Joints of the pulleys, as in `gear`.
         radius_p, radius_q : float
             [m], or numbers of teeth.
         crossed : bool
@@ -157,9 +157,9 @@ class Gearing(BodyJoints):
 
         See Also
         --------
-        belt : A belt that may stretch, in the plane, on centres that may move.
+        planar_belt : A belt that may stretch, in the plane, on centres that may move.
         """
-        owner = f"belt drive '{name}'"
+        owner = f"belt '{name}'"
         first, second = self._two_axes(owner, p, q)
         along = first.direction @ second.direction
         if abs(along) < np.sqrt(1 - ALIGNED**2):
@@ -174,7 +174,7 @@ class Gearing(BodyJoints):
     def cardan_chain(
         self, first: str, second: str, third: str, *, body: Given, base: Given = GROUND, axes: Any = "zxy"
     ) -> None:
-        """Measure the orientation of a body by three angles: a chain of hinges, which holds nothing.
+        """Measure the orientation of a body by three angles: a chain of hinges without constraints.
 
         ``first.angle``, ``second.angle`` and ``third.angle`` are zero as drawn and count turns; they can be
         independent, prescribed, or carry springs.  In space only.
@@ -190,7 +190,7 @@ class Gearing(BodyJoints):
 
         Notes
         -----
-        Where the first and the third axis fall together (the second angle is 90 degrees for perpendicular axes), the
+        Where the first and the third axis coincide (the second angle is 90 degrees for perpendicular axes), the
         first and the third angle are not determined.
         """
         owner = f"cardan chain '{first}', '{second}', '{third}'"

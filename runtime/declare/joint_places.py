@@ -1,4 +1,4 @@
-"""Where a joint is: both bodies, the point of each at its place, and what the methods for joints have in common."""
+"""The place of a joint: both bodies, the point of each there, and the common part of the methods for joints."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class _Place:
 
 
 class JointPlaces(RigidBodies, Friction):
-    """What the joints of rigid bodies are made of."""
+    """Parts of the joints of rigid bodies."""
 
     def _at(self, kind: str, name: str, p: Given, q: Given, at: Vector | None) -> _Place:
         """Both bodies with their points at the place of a joint."""
@@ -53,7 +53,7 @@ class JointPlaces(RigidBodies, Friction):
         return _Place(owner, bodies, (points[0], points[1]))
 
     def _in_space(self, kind: str, name: str, p: Given, q: Given, at: Vector | None, remedy: str) -> _Place:
-        """The same in space, or a ModelError with the remedy."""
+        """The same for spatial bodies; a ModelError with the remedy for planar ones."""
         owner = f"{kind} '{name}'"
         if self._two_bodies(owner, p, q)[0].planar:
             raise ModelError(f"{owner}: it joins bodies in space and these are planar; {remedy}")
@@ -69,7 +69,7 @@ class JointPlaces(RigidBodies, Friction):
         axis: Vector | None,
         remedy: str = "",
     ) -> None:
-        """A bearing at the place of a joint; with a remedy in space only."""
+        """A bearing at the place of a joint; a remedy is given for joints in space only."""
         place = self._in_space(kind, name, p, q, at, remedy) if remedy else self._at(kind, name, p, q, at)
         self.bearing(name, *place.ends, axis=None if place.planar else axis_of(place, axis))
 
@@ -89,7 +89,7 @@ class JointPlaces(RigidBodies, Friction):
         self.body_point(name, p, rp, q, body_axes=True)
 
     def _free(self, name: str, *deformations: str, angle: bool = True) -> str:
-        """Free deformations of a joint, hold its angle if asked; returns the last name."""
+        """Release deformations of a joint, and hold its angle if requested; returns the last name."""
         found = [f"{name}.{z}" for z in deformations]
         self.release(*found)
         if not angle:

@@ -42,10 +42,10 @@ class LeafSprings(Beams, Nodes):
         second_order: bool = True,
         warping: bool | Sequence[Node | str] = False,
     ) -> tuple[str, ...]:
-        """Lay a straight leaf spring between two bodies, or between two nodes: beams in series.
+        """Add a straight leaf spring between two bodies, or between two nodes: beams in series.
 
         A body is a point and a frame.  The leaf begins at the point `p` and ends at `q`; where it is clamped elsewhere
-        on a body, `start` and `end` say where.  Its nodes on the way are ``<name> point 1``, ``<name> frame 1``, …;
+        on a body, `start` and `end` say where.  Its intermediate nodes are ``<name> point 1``, ``<name> frame 1``, …;
         a frame has its x axis along the leaf and its y axis along `direction`.
 
         Parameters

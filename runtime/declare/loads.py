@@ -17,7 +17,7 @@ from flexel.declare.declarations import Declarations
 from flexel.generated.table import ELEMENTS
 from flexel.structure.instances import Instance
 from flexel.structure.loads import Load
-from flexel.structure.nodes import Node
+from flexel.structure.nodes import SENSORS, Node
 
 
 class Loading(Declarations):
@@ -44,7 +44,7 @@ class Loading(Declarations):
         owner = f"load on '{node.name}'"
         _check_follower(node, follower, owner)
         if np.all(node.fixed):
-            raise ModelError(f"{owner}: this node is fixed and cannot move; remove load or fixing")
+            raise ModelError(f"{owner}: this node is fixed and cannot move; remove the load or the fixing")
         if node.kind in ("point", "planar_point") and follower:
             quantities = _follower_slips(self, node, follower, owner)
         elif node.kind == "frame":
@@ -137,7 +137,7 @@ def _components(value: Any, size: int, owner: str) -> list[Any]:
 
 def sensor(model: Declarations, frame: Node, body_axes: bool) -> str:
     """The element that measures (and can load) a frame's angular velocity; created when first needed."""
-    name = f"{frame.name}.{'body_omega' if body_axes else 'omega'}"
+    name = f"{frame.name}.{SENSORS[body_axes]}"
     if name not in model.instances:
         spec = ELEMENTS["body_rotation" if body_axes else "rotation"]
         values = {z.name: np.array([1.0, 0.0, 0.0, 0.0]) for z in spec.parameters}

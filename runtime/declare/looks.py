@@ -1,6 +1,6 @@
 """How pictures show an element: a section, a colour, how opaque it is, or not at all.
 
-For display only: the mechanics does not know of it.
+For display only: the mechanics is not affected.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ LINES = ("", "bar", "beam", "rope")  # pictures of elements that are a line, alo
 
 @dataclass(frozen=True)
 class Look:
-    """What `Model.look` says of an element; None: as pictures show it by default.
+    """Appearance of an element, set by `Model.look`; None stands for the default.
 
     Parameters
     ----------
@@ -49,9 +49,9 @@ class Looks(Declarations):
         opacity: float | None = None,
         hidden: bool | None = None,
     ) -> None:
-        """Say how the viewer and the plots show elements; the mechanics stays as it is.
+        """Set how the viewer and the plots show elements; the mechanics is not affected.
 
-        What is not given stays as it was said before, or as it is by default.
+        Properties that are not given keep their earlier or default values.
 
         Parameters
         ----------
@@ -69,7 +69,7 @@ class Looks(Declarations):
         Raises
         ------
         ModelError
-            An element that does not exist, or is not a line and is given a section; a colour that is none.
+            An element that does not exist, or is not a line and is given a section; an invalid colour.
 
         Examples
         --------
@@ -91,7 +91,7 @@ class Looks(Declarations):
         )
         changes = {z.name: v for z in fields(given) if (v := getattr(given, z.name)) is not None}
         if not changes:
-            raise ModelError(f"{owner}: nothing is said; give section=, colour=, opacity= or hidden=")
+            raise ModelError(f"{owner}: no property is given; give section=, colour=, opacity= or hidden=")
         if given.section is not None:
             for name in chosen:
                 if self.instances[name].spec.picture not in LINES:

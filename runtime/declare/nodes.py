@@ -56,7 +56,7 @@ class Nodes(Declarations):
         """Warping of a section, for `beam`: its coordinate ``name.twist`` is the beam's twist per length [rad/m].
 
         Beams of the same section along one line share the node between them, where the warping is continuous.  Fixed
-        where a support keeps the section plane (a clamp); free where nothing does.
+        where a support keeps the section plane (a clamp), and free otherwise.
 
         Raises
         ------
@@ -66,21 +66,26 @@ class Nodes(Declarations):
         return self._new_node(name, "warping", np.zeros(1), fixed)
 
     def fix(self, *names: Node | str) -> None:
-        """Hold nodes or single coordinates at their drawn values."""
+        """Fix nodes or single coordinates at their drawn values; all of them or, if one is refused, none."""
+        held: dict[str, Node] = {}
         for given in names:
             node, _, component = given.partition(".") if isinstance(given, str) else (given, "", "")
             if isinstance(node, str) and node in self.instances:
+                if component:
+                    self._quantity_kind(f"{node}.{component}", "fix")
                 raise ModelError(
-                    f"fix: '{node}' is an element; hold its deformations with m.rigid('{node}.…')"
+                    f"fix: '{node}' is an element; hold its deformations with m.rigid('{node}.{component or '…'}')"
                 )
-            target = self._find_node(node, "fix")
-            components = COMPONENTS[target.kind]
+            found = self._find_node(node, "fix")
+            components = COMPONENTS[found.kind]
             if component and component not in components:
                 raise ModelError(
-                    f"fix: node '{target.name}' has no coordinate '{component}'; it has {', '.join(components)}"
+                    f"fix: node '{found.name}' has no coordinate '{component}'; it has {', '.join(components)}"
                 )
-            held = target.fixed | np.array([not component or c == component for c in components])
-            self.nodes[target.name] = replace(target, fixed=held)
+            target = held.get(found.name, found)
+            fixed = target.fixed | np.array([not component or c == component for c in components])
+            held[found.name] = replace(target, fixed=fixed)
+        self.nodes.update(held)
 
     def release(self, *names: str) -> None:
         """Make deformations or slips free: no constraint, stress from laws and loads only."""
@@ -115,13 +120,13 @@ class Nodes(Declarations):
 
     def independent(self, *names: str) -> None:
         """Name the dynamic degrees of freedom q_d; by default the program chooses them."""
-        self._dynamic = [*(self._dynamic or []), *self._freedoms("independent", names)]
+        self._dynamic = [*(self._dynamic or []), *self._named_dofs("independent", names)]
 
     def kinematic(self, *names: str) -> None:
         """Name the kinematic coordinates q_k of a non-holonomic system; by default the program chooses them."""
-        self._kinematic = [*(self._kinematic or []), *self._freedoms("kinematic", names)]
+        self._kinematic = [*(self._kinematic or []), *self._named_dofs("kinematic", names)]
 
-    def _freedoms(self, owner: str, names: tuple[str, ...]) -> tuple[str, ...]:
+    def _named_dofs(self, owner: str, names: tuple[str, ...]) -> tuple[str, ...]:
         """Names of coordinates and deformations."""
         for name in names:
             if self._quantity_kind(name, owner) == "slip":
@@ -137,9 +142,11 @@ class Nodes(Declarations):
         matters, name these with `independent` or give enough rates.
         """
         owner = f"initial '{name}'"
-        self._quantity_kind(name, "initial")
+        kind = self._quantity_kind(name, "initial")
         if value is None and rate is None:
             raise ModelError(f"{owner}: neither a value nor a rate; give one of them")
+        if value is not None and kind == "slip":
+            raise ModelError(f"{owner}: a slip has only a rate; give rate= alone")
         if value is not None:
             self._values[name] = number(value, owner, "value")
         if rate is not None:

@@ -62,13 +62,13 @@ def check_names(model: Declarations, structure: Structure, roles: Roles) -> None
     for load in model.loads:
         if structure.find(load.name) >= first + nf:
             raise ModelError(
-                f"load on '{load.name}': this coordinate is fixed and cannot move; remove load or fixing"
+                f"load on '{load.name}': this coordinate is fixed and cannot move; remove the load or the fixing"
             )
     for name in model._values:
         i = structure.find(name, "initial")
-        if i in roles.rigid or i in roles.prescribed or i >= first + nf or structure.m <= i < first:
+        if i in roles.rigid or i in roles.prescribed or i >= first + nf:
             raise ModelError(
-                f"initial value of '{name}': it is rigid, prescribed, fixed or a slip; remove the initial value"
+                f"initial value of '{name}': it is rigid, prescribed or fixed; remove the initial value"
             )
     for name in model._rates:
         i = structure.find(name, "initial")

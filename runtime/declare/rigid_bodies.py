@@ -37,7 +37,7 @@ class RigidBodies(Joints, Bodies, Nodes):
         points: Mapping[str, Vector] | None = None,
         fixed: bool = False,
     ) -> RigidBody:
-        """Add a rigid body as one thing: its nodes, its mass and further points, for joints, springs and loads.
+        """Add a rigid body: its nodes, its mass and further points for joints, springs and loads.
 
         Parameters
         ----------

@@ -278,7 +278,7 @@ class IBeam(Flanged):
 
 
 def check_forces(given: object, owner: str) -> None:
-    """Refuse what is not the forces of a section."""
+    """Raise a ModelError unless these are the forces of a section."""
     if not isinstance(given, SectionForces):
         raise ModelError(f"{owner}: {given!r:.60} are not the forces of a section; give fx.SectionForces(…)")
 

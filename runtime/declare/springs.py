@@ -37,7 +37,7 @@ class Springs(Laws):
         free_length: Any = None,
         preload: Any = None,
     ) -> None:
-        """Attach a spring, a damper or both: force = preload + stiffness e + damping ė, against the growth of e.
+        """Attach a spring, a damper or both: force = preload + stiffness e + damping ė, opposing growth of e.
 
         Parameters
         ----------

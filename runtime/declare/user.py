@@ -1,4 +1,4 @@
-"""User-defined elements and laws: from a SymPy definition to a part of a model.
+"""User-defined elements and laws: from a SymPy definition to a component of a model.
 
 The derivation (SymPy, `flexel.derive`) is imported only when something is compiled.
 """

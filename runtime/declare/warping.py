@@ -41,7 +41,7 @@ def is_wanted(owner: str, warping: Any, stated: Mapping[str, Any], obstacles: Ma
     stated : mapping of str to number
         Numbers that only a beam with warping takes; None or zero: not given.
     obstacles : mapping of str to bool
-        What a beam that warps cannot be, and whether it is.
+        Kinds of beams that cannot warp, and whether this beam is one of them.
     """
     if warping is False:
         if unused := [key for key, z in stated.items() if z]:

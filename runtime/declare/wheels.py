@@ -246,9 +246,7 @@ def _check_above(owner: str, hub: Array, values: Mapping[str, Array], road: Wave
 def _crown(owner: str, crown: float, radius: float) -> dict[str, Array]:
     rho = not_negative(crown, owner, "crown")
     if rho >= radius:
-        raise ModelError(
-            f"{owner}: crown {rho:g} m reaches to the axle; give less than the radius {radius:g} m"
-        )
+        raise ModelError(f"{owner}: crown {rho:g} m reaches the axle; give less than the radius {radius:g} m")
     return {"crown": np.array([rho])}
 
 

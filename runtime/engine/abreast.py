@@ -132,5 +132,5 @@ class Abreast(WideStruct):
         return array
 
     def run(self) -> None:
-        """Take steps until a lane has to be looked at."""
+        """Take steps until a lane needs attention."""
         lib.flexel_lanes_run(self.struct)

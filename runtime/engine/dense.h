@@ -4,8 +4,6 @@
 
 #include <stddef.h>
 
-enum { FLEXEL_MOST_STATES = 16 }; /* internal states of one law */
-
 /* B = A^-1 B for A (n by n) and B (n by count), by rows, with row interchanges; A is overwritten by its factors. Returns
  * zero, or 1 + the column without a pivot. */
 size_t flexel_dense_solve(size_t n, size_t count, double *A, double *B);

@@ -42,7 +42,7 @@ static void condensing(const flexel_lag *lag, const int *at, const double *out, 
 static void correct_states(flexel_work *s, const flexel_lag *lag, const double *known, double share)
 {
     const size_t nz = lag->nz, size = (lag->m + lag->k + nz) * (2 * lag->m + lag->k + nz);
-    double A[FLEXEL_MOST_STATES * FLEXEL_MOST_STATES], off[FLEXEL_MOST_STATES];
+    double *A = lag->matrix, *off = lag->sides;
     for (size_t l = 0; l < lag->count; l++) {
         const int *z = lag->z + l * nz;
         condensing(lag, lag->at + l * size, s->law_tangent_out, share, A);
@@ -77,24 +77,24 @@ void flexel_implicit_states(flexel_work *s, const double *known, double share)
 static void condense(const flexel_lag *lag, const double *out, double share)
 {
     const size_t nz = lag->nz, rows = lag->m + lag->k, direct = 2 * lag->m + lag->k, columns = direct + nz;
-    double A[FLEXEL_MOST_STATES * FLEXEL_MOST_STATES], B[FLEXEL_MOST_STATES];
+    double *A = lag->matrix, *B = lag->sides;
     for (size_t l = 0; l < lag->count; l++) {
         const int *at = lag->at + l * (rows + nz) * columns;
         double *found = lag->direct + l * rows * direct;
-        for (size_t j = 0; j < direct; j++) {
-            for (size_t i = 0; i < nz; i++)
-                B[i] = share * out[at[(rows + i) * columns + j]];
-            if (share != 0) {
-                condensing(lag, at, out, share, A);
-                flexel_dense_solve(nz, 1, A, B);
-            }
-            for (size_t i = 0; i < rows; i++) {
+        for (size_t i = 0; i < nz; i++)
+            for (size_t j = 0; j < direct; j++)
+                B[i * direct + j] = share * out[at[(rows + i) * columns + j]];
+        if (share != 0) {
+            condensing(lag, at, out, share, A);
+            flexel_dense_solve(nz, direct, A, B);
+        }
+        for (size_t i = 0; i < rows; i++)
+            for (size_t j = 0; j < direct; j++) {
                 double z = out[at[i * columns + j]];
                 for (size_t q = 0; q < nz; q++)
-                    z += out[at[i * columns + direct + q]] * B[q];
+                    z += out[at[i * columns + direct + q]] * B[q * direct + j];
                 found[i * direct + j] = z;
             }
-        }
     }
 }
 

@@ -14,14 +14,11 @@ from functools import cached_property
 import numpy as np
 
 from flexel.base.arrays import Array, Index
-from flexel.base.errors import ModelError
 from flexel.engine.kernels import Batch
 from flexel.engine.lanes import filled
 from flexel.engine.patterns import JacobianPattern
 from flexel.engine.stages import Stage, flat, sums
 from flexel.structure.structure import Structure
-
-MOST_STATES = 16  # internal states of one law, see dense.h
 
 
 @dataclass(frozen=True)
@@ -35,6 +32,8 @@ class Lag:
     z : ndarray of int (laws, nz)
     first : int
         Where their condensed derivatives start in the buffer.
+    matrix, sides : int
+        Where the matrix (nz, nz) and the right-hand sides (nz, 2m + k) of one law are stored in the buffer.
     """
 
     count: int
@@ -43,6 +42,8 @@ class Lag:
     at: Index
     z: Index
     first: int
+    matrix: int
+    sides: int
 
 
 class LawTables:
@@ -52,7 +53,8 @@ class LawTables:
     ----------
     law, tangent : Stage
     width : int
-        Numbers in the buffer of the tangents, condensed derivatives included; then come a zero and a one.
+        Numbers in the buffer of the tangents, with condensed derivatives and the systems of equations that give them;
+        then come a zero and a one.
     codes : ndarray of int (pairs,)
         Pairs of quantities, i * (m + k) + j.
     """
@@ -83,16 +85,14 @@ class LawTables:
     def _lag(self, i: int) -> Lag:
         b = self.batches[i]
         m, k, nz = (b.places[z].shape[1] for z in ("e", "s", "z"))
-        if nz > MOST_STATES:
-            raise ModelError(
-                f"law '{b.spec.name}' has {nz} internal states; {MOST_STATES} are possible: split the law"
-            )
         rows, columns = m + k + nz, 2 * m + k + nz
         at = np.full((b.size, rows * columns), -1)
         at[:, self.tangent.nonzeros(i, "J")] = self.tangent.places(i, "J")
-        found = Lag(b.size, m, k, at, b.places["z"], self.width)
-        self.width += b.size * (m + k) * (2 * m + k)
-        return found
+        first = self.width
+        matrix = first + b.size * (m + k) * (2 * m + k)
+        sides = matrix + nz * nz
+        self.width = sides + nz * max(2 * m + k, 1)
+        return Lag(b.size, m, k, at, b.places["z"], first, matrix, sides)
 
     def _collect(self) -> None:
         """The sums of all outputs; laws are numbered batch by batch."""

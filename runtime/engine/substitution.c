@@ -1,10 +1,8 @@
 /* Solutions with sparse LU factors: see elimination.h and lu.h. */
 #include "kernels.h" /* for FLEXEL_CLONES */
-#include "lu.h"
+#include "lu_inside.h"
 
 #include <string.h>
-
-#define INLINE static inline __attribute__((always_inline)) /* so that the number of columns is known to the compiler */
 
 /* y (n by count) from the rows of b in the order given; the first row that is not zero. */
 INLINE size_t gather(size_t n, const int *order, size_t count, const double *b, double *restrict y)
@@ -25,53 +23,6 @@ INLINE void scatter(size_t n, const int *order, size_t count, const double *rest
     for (size_t k = 0; k < n; k++)
         for (size_t c = 0; c < count; c++)
             x[(size_t)order[k] * count + c] = y[k * count + c];
-}
-
-/* The sum of a[s] y[at[s]] over neighbouring slots, a multiple of four. */
-INLINE double product(const double *restrict a, const int *restrict at, int slots, const double *restrict y)
-{
-    double sum[4] = {0}; /* an addition need not wait for the one before */
-    for (int s = 0; s < slots; s += 4)
-        for (int i = 0; i < 4; i++)
-            sum[i] += a[s + i] * y[at[s + i]];
-    return (sum[0] + sum[1]) + (sum[2] + sum[3]);
-}
-
-/* z minus the sum of a[s] y[at[s]] over neighbouring slots. The row that was computed last, which is that of the last slot in
- * L and of the first one in U, is taken last: the rest is done while it is computed. */
-INLINE double subtract_lower(double z, const double *restrict a, const int *restrict at, int slots,
-                                    const double *restrict y)
-{
-    int s = (slots - 1) / 4 * 4;
-    if (s > 0)
-        z -= product(a, at, s, y);
-    for (s = s > 0 ? s : 0; s < slots; s++)
-        z -= a[s] * y[at[s]];
-    return z;
-}
-
-INLINE double subtract_upper(double z, const double *restrict a, const int *restrict at, int slots,
-                                    const double *restrict y)
-{
-    const int rest = slots > 0 ? (slots - 1) % 4 + 1 : 0;
-    if (rest < slots)
-        z -= product(a + rest, at + rest, slots - rest, y);
-    for (int s = rest; s-- > 0;)
-        z -= a[s] * y[at[s]];
-    return z;
-}
-
-/* L, then U, row by row, on one column that is zero before row `first`. */
-INLINE void sweep_one(const flexel_lu *lu, const double *restrict a, size_t first, double *restrict y)
-{
-    for (size_t i = first; i < lu->n; i++) {
-        const int s = lu->first[i];
-        y[i] = subtract_lower(y[i], a + s, lu->at + s, lu->diagonal[i] - s, y);
-    }
-    for (size_t i = lu->n; i-- > 0;) {
-        const int s = lu->diagonal[i] + 1;
-        y[i] = subtract_upper(y[i], a + s, lu->at + s, lu->first[i + 1] - s, y) * a[s - 1];
-    }
 }
 
 /* z -= the sum of a[s] times row at[s] of y, over neighbouring slots, for `width` of `count` columns. */

@@ -79,11 +79,12 @@ typedef struct {
 
 /* Laws with internal states, whose tangent is condensed: m deformations, k slips, nz states. `direct` receives the derivatives
  * of sigma and tau by e, its rate and s, law by law; `at` gives the places of all entries in the lanes of the tangents,
- * block by block; `z` the indices of the states. */
+ * block by block; `z` the indices of the states; `matrix` (nz by nz) and `sides` (nz by 2m + k, at least one column) are
+ * overwritten for each law. */
 typedef struct {
     size_t count, m, k, nz;
     const int *at, *z;
-    double *direct;
+    double *direct, *matrix, *sides;
 } flexel_lag;
 
 /* Everything of one workspace. */

@@ -172,7 +172,9 @@ class Workspace(Fields):
         for field, lag in zip(lags, law.lags, strict=False):
             field.count, field.m, field.k, field.nz = lag.count, lag.m, lag.k, lag.z.shape[1]
             field.at, field.z = self.ints(lag.at), self.ints(lag.z)
-            field.direct = self.pointer(self.outputs["law_tangent_out"], lag.first)
+            field.direct, field.matrix, field.sides = (
+                self.pointer(self.outputs["law_tangent_out"], z) for z in (lag.first, lag.matrix, lag.sides)
+            )
         self._keep.append(lags)
         c.nlags, c.lags = len(law.lags), lags
 

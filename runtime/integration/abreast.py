@@ -1,7 +1,7 @@
-"""Motions by DOP853 abreast in the lanes of the processor: up to eight variants of a system, each with its own steps.
+"""Motions by DOP853 in SIMD lanes: up to eight variants of a system side by side, each with its own steps.
 
-A lane does what `flexel.integration.dop853` does, to the same digits.  A step in which anything unusual happens is
-taken alone, from its start; then the motion returns to its lane, or stays alone if it no longer suits one.
+A lane does what `flexel.integration.dop853` does, to the same digits.  A step that needs special treatment is repeated
+outside the lanes; then the motion returns to its lane, or stays outside if it can no longer be computed in one.
 """
 
 from __future__ import annotations
@@ -84,7 +84,7 @@ class Abreasts:
         self._roles = kinematics.roles
 
     def enter(self, lane: int, run: rules.Dop853) -> None:
-        """Take up a motion that has begun."""
+        """Put a motion that has begun into a lane."""
         l, s, choice = self._lanes, run.steps, run.steps.choice
         l.work.load(lane, choice.work)
         steps, now = l.steps, run.now
@@ -108,13 +108,13 @@ class Abreasts:
         self._runs[lane] = run
 
     def run(self) -> list[int]:
-        """Take steps until lanes have to be looked at; these."""
+        """Take steps until lanes need attention; returns these lanes."""
         self._lanes.run()
         doing = self._lanes.doing
         return np.flatnonzero((doing == PASSED) | (doing == STOPPED)).tolist()
 
     def look(self, lane: int) -> bool:
-        """Store the states at the times that a motion has passed, or take its step alone; whether it has left the lane.
+        """Store the states at the times that a motion has passed, or take its step outside; whether it has left.
 
         Raises
         ------
@@ -134,7 +134,7 @@ class Abreasts:
         return True
 
     def drop(self, lane: int) -> None:
-        """Leave a lane empty."""
+        """Clear a lane."""
         self._lanes.doing[lane] = IDLE
 
     def takes(self, run: Run) -> TypeGuard[rules.Dop853]:
@@ -157,7 +157,7 @@ class Abreasts:
         return Moment(float(l.t[lane]), x, v, e, ed)
 
     def _leave(self, lane: int, run: rules.Dop853) -> None:
-        """Give a motion back, at its end or at the start of a step that it takes alone."""
+        """Hand a motion back, at its end or at the start of a step that it takes outside the lanes."""
         l, steps = self._lanes, self._lanes.steps
         ended = bool(l.doing[lane] == PASSED)
         taken, refused = int(l.taken[lane]) + ended, int(l.refused[lane]) + ended * int(l.tries[lane])

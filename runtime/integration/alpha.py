@@ -83,7 +83,7 @@ class Stepper(Saddle):
         return SaddlePattern(self.work, self.force_rows, self.force_rows, rolling=True, used=used)
 
     def _choose(self, x: Array) -> None:
-        """Leave out the contacts that are far at coordinates x, in the matrix too."""
+        """Omit the contacts that are far apart at coordinates x, in the matrix too."""
         self._near.choose(x)
         pattern = self._pattern(self._near.used)
         self.stepping.use(pattern.elimination, pattern.source)

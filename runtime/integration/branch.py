@@ -1,4 +1,4 @@
-"""Degrees of freedom that a motion can be followed in: their reach, and when others are taken.
+"""Choice of the degrees of freedom during a motion: their reach, and when others are chosen.
 
 The reach A of a choice is how much the coordinates change per unit of the degrees of freedom, in natural scales.
 Where a degree of freedom passes its extreme it grows without bound, while other choices remain good.  So a choice is

@@ -2,8 +2,7 @@
 
 The step control is that of SciPy (Hairer, Norsett and Wanner 1993), with three more limits: the shadow's own error,
 the sign of the determinant of the position matrix, which two solutions that meet in a fold have opposite, and the
-distance of the solved coordinates and rates from their shadows.  Where these fail, other degrees of freedom are the
-cure.
+distance of the solved coordinates and rates from their shadows.  Where these fail, other degrees of freedom are chosen.
 """
 
 from __future__ import annotations
@@ -52,8 +51,8 @@ class Dop853(MinimalRun):
     _h = 0.0
     _tried = 0.0
     _failed = 0
-    _noise = 0.0  # largest defect of the rates that shorter steps left as it was, and some more
-    _crossing = False  # the next step goes across a bifurcation
+    _noise = 0.0  # largest defect of the rates that shorter steps did not reduce, with a margin
+    _crossing = False  # the next step crosses a bifurcation
 
     def restart(self) -> None:
         """Restart from the present position in the present degrees of freedom."""
@@ -74,7 +73,7 @@ class Dop853(MinimalRun):
         self.counts["evaluations"] += 1
 
     def jump(self, z: Array) -> None:
-        """Go on from here with other internal states."""
+        """Continue from here with other internal states."""
         self.z = z
         self.steps.y[self.steps.y.size - z.size :] = z
         self.renew()
@@ -131,7 +130,7 @@ class Dop853(MinimalRun):
                 error = np.inf
             self._failed = code
             self.counts["rejected"] += 1
-            if first_order:  # what was tried in vain leaves no other order behind
+            if first_order:  # a failed trial must not leave another order of pivots behind
                 self.steps.use_first_order()
             rejected = True
             self._h = h * (max(SMALLEST, SAFETY * error**EXPONENT) if np.isfinite(error) else SHORTER)
@@ -158,7 +157,7 @@ class Dop853(MinimalRun):
     def _approach(self, h: float, across: float) -> tuple[float, float]:
         """Steps [s] up to a bifurcation and across it, which lies in the widest gap of the stages of the second.
 
-        Velocities close to it are lost to rounding.  The second is zero where the first one goes across.
+        Velocities close to it lose their digits to rounding.  The second is zero where the first step crosses it.
 
         Parameters
         ----------
@@ -176,7 +175,7 @@ class Dop853(MinimalRun):
         return until / GAPS[until < GAPS[1] * across], 0.0
 
     def _poor(self) -> bool:
-        """Whether other degrees of freedom are so much better that a change of sign may be theirs."""
+        """Whether other degrees of freedom are so much better that they may explain a change of sign."""
         self.reached = self.choices.reach(self.now)
         return self.choices.poor(self.now, self.reached)
 
@@ -202,7 +201,7 @@ class Dop853(MinimalRun):
         return stays
 
     def consider_refused(self) -> bool:
-        """Take better degrees of freedom at the start of a refused step."""
+        """Change to better degrees of freedom at the start of a refused step."""
         self.reached = self.choices.reach(self.now)
         return self.consider(REFUSED)
 
@@ -221,7 +220,7 @@ class Dop853(MinimalRun):
 
     @property
     def usual(self) -> bool:
-        """Whether no earlier step was judged by other rules."""
+        """Whether the usual rules have applied to all earlier steps."""
         return not self._noise and not self._crossing
 
     @property

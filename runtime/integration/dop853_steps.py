@@ -27,7 +27,7 @@ class Steps(Struct):
     def __init__(self, kinematics: Kinematics, now: Moment, y: Array, rtol: float, atol: Array) -> None:
         super().__init__(ffi.new("flexel_dop853 *"))
         self.kinematics = kinematics
-        self.choice = Choice(kinematics.evaluation.work, kinematics.lists)  # samples leave no trace in it
+        self.choice = Choice(kinematics.evaluation.work, kinematics.lists)  # dense output does not change it
         c, s = self.struct, kinematics.structure
         self._periodic = np.flatnonzero(s.period[: s.m])
         c.ny, c.rtol = y.size, rtol
@@ -63,7 +63,7 @@ class Steps(Struct):
         return bool(P.lu == P.first)
 
     def use_first_order(self) -> None:
-        """Go back to that order."""
+        """Return to that order."""
         lib.flexel_matrix_reset(self.choice.P)
 
     def given(self, t: float, h: float, stages: slice) -> None:
@@ -86,7 +86,7 @@ class Steps(Struct):
         self.kinematics.check(lib.flexel_dop853_begin(*self._structs, t), t, self.choice)
 
     def step(self, t: float, h: float, careful: bool) -> int:
-        """One step; the code of what failed, or zero.  A careful one finds positions as exactly as rounding allows."""
+        """One step; the code of what failed, or zero.  A careful step finds positions to rounding."""
         choice = self.choice.struct
         choice.accept, choice.tolerance = (0.0, EXACT) if careful else (ACCEPT * self.struct.rtol, TOLERANCE)
         self.struct.determinant = self._determinant if careful else ffi.NULL

@@ -97,7 +97,7 @@ class Run(ABC):
 
     @abstractmethod
     def jump(self, z: Array) -> None:
-        """Go on from here with other internal states: the right-hand side jumps, the motion does not."""
+        """Continue from here with other internal states: the right-hand side jumps, the motion does not."""
 
     def forward(self) -> str | None:
         """Sample the controllers if it is time, and take one step; otherwise as `advance`."""
@@ -180,7 +180,7 @@ class DenseRun(Run):
     Attributes
     ----------
     now : Moment
-        Where the motion is.
+        The current point of the motion.
     """
 
     def __init__(self, system: Any, start: State, times: Array, events: Sequence[Event]) -> None:
@@ -192,11 +192,11 @@ class DenseRun(Run):
         self._shown: Kinematics = system.kinematics_of(start.roles)
 
     def run(self, progress: bool | None, each: Callable[[Run], None] | None = None) -> Integration:
-        """As for all methods; a motion without length is its start, and no step is prepared."""
+        """As for all methods; a motion of zero length is its start, and no step is prepared."""
         return super().run(progress, each) if self._span else self.kept("reached the end")
 
     def begin(self) -> None:
-        """Nothing is to be prepared."""
+        """No preparation is needed."""
 
     @property
     def t(self) -> float:

@@ -91,7 +91,7 @@ class Scipy(MinimalRun):
         self._sign = self._sign_at(self.now)
 
     def jump(self, z: Array) -> None:
-        """Go on from here with other internal states."""
+        """Continue from here with other internal states."""
         self.z = z
         self.restart()
 

@@ -44,7 +44,7 @@ def _held(z: Array, t: float) -> Array:
 
 
 class Followed(DenseRun):
-    """One run of a fully prescribed motion; long steps are halved until the position is found."""
+    """One run of a fully prescribed motion; steps are halved until the position is found."""
 
     def __init__(self, system: Core, start: State, times: Array, events: Sequence[Event]) -> None:
         super().__init__(system, start, times, events)
@@ -59,7 +59,7 @@ class Followed(DenseRun):
         return {"steps": len(self.result.segments), "evaluations": 0, "rechoices": 0}
 
     def jump(self, z: Array) -> None:
-        """Go on from here with other internal states."""
+        """Continue from here with other internal states."""
         self.z = z
 
     def advance(self) -> str | None:

@@ -40,7 +40,7 @@ class Ledger:
         self.keep()
 
     def look(self) -> None:
-        """Energies and powers at the balance that the workspace holds: the end of a step that is tried."""
+        """Energies and powers at the balance that the workspace holds: the end of a trial step."""
         self._found.evaluate()
         c, saddle = self._values, self._saddle
         potential, drives = c.potential, 0.0
@@ -54,14 +54,14 @@ class Ledger:
         self._next = c.kinetic + c.strain, potential, c.lost, drives
 
     def add(self, h: float) -> None:
-        """Add the step of length h that was looked at."""
+        """Add the step of length h that was examined."""
         _, _, losses, drives = self._next
         self._dissipated += h / 2 * (self._losses + losses)
         self._work += h / 2 * (self._drives + drives)
         self._enter()
 
     def renew(self) -> None:
-        """Go on from the balance that the workspace holds, where forces have jumped."""
+        """Continue from the balance that the workspace holds, where forces have jumped."""
         self.look()
         self._enter()
 
@@ -71,7 +71,7 @@ class Ledger:
             self.kept[name].append(value)
 
     def new_penetration(self) -> float:
-        """Deepest penetration of the contacts that closed in the step that was looked at; 0 if none did.
+        """Deepest penetration of the contacts that closed in the step that was examined; 0 if none did.
 
         It is also 0, not an impact, if contacts closed before are deeper, as where a rope runs onto its sheave.
         """

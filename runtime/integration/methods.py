@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from flexel.base.arguments import step_limit, vector
 from flexel.base.arrays import Array
-from flexel.base.errors import FlexelError, ModelError
-from flexel.engine.solvers import eigenvalues
+from flexel.base.errors import ModelError
 from flexel.integration.dop853 import Dop853
 from flexel.integration.driver import Run
 from flexel.integration.events import Event
@@ -19,6 +18,7 @@ from flexel.integration.explicit import METHODS, Scipy
 from flexel.integration.followed import Followed
 from flexel.integration.minimal import Tolerances
 from flexel.integration.steps import Control, GeneralizedAlpha
+from flexel.integration.stiffness import ALPHA, EXPLICIT, STIFF, suitable
 from flexel.integration.sundials import Sundials
 from flexel.mechanics.core import Core
 from flexel.mechanics.inertia import InertiaError
@@ -27,7 +27,8 @@ from flexel.structure.moment import Moment
 from flexel.structure.state import State, own_state
 from flexel.structure.structure import Structure
 
-AUTO, EXPLICIT, ALPHA, SUNDIALS = "auto", "DOP853", "generalized-alpha", "sundials"
+AUTO, SUNDIALS = "auto", "sundials"
+WATCHED = (EXPLICIT, "RK45")  # methods whose steps become short where a system is stiff
 _STEPS = frozenset({"rtol", "atol", "first_step", "max_step"})
 _DENSE = _STEPS | {"events", "rechoose"}
 OPTIONS: dict[str, frozenset[str]] = {  # by method; the remaining options apply to all methods
@@ -37,10 +38,8 @@ OPTIONS: dict[str, frozenset[str]] = {  # by method; the remaining options apply
     SUNDIALS: _STEPS | {"max_order"},
 }
 RTOL, ATOL, IMPLICIT_RTOL = 1e-9, 1e-11, 1e-6
-LEAST_ATOL = 1e-100  # less would overflow
+LEAST_ATOL = 1e-100  # a smaller value would overflow
 RADIUS, NEWTON, MAX_ORDER = 0.8, "full", 2
-STIFF = 3e4  # max |λ| times the duration from which a motion is integrated implicitly
-MANY = 300  # degrees of freedom above which it is integrated implicitly whatever its eigenvalues
 
 
 @dataclass(frozen=True)
@@ -108,43 +107,6 @@ def start_of(system: Core, method: str, start: Any, options: Options) -> State:
         if method in (EXPLICIT, *METHODS) or options.events:
             raise
         return system.unaccelerated
-
-
-@dataclass(frozen=True)
-class Suitable:
-    """Demands of a system on an integrator at its start.
-
-    Attributes
-    ----------
-    method : str
-        The one that suits motions of any length; empty where it depends on the length.
-    why, detail : str
-        Why, and the message of the error that shows it.
-    rates : ndarray
-        Magnitudes of the eigenvalues [1/s] of the linearized start, if it was linearized.
-    inertia : ndarray (nd,)
-        Inertia of each dynamic degree of freedom in its natural scale [kg m²], if it was linearized.
-    """
-
-    method: str
-    why: str = ""
-    detail: str = ""
-    rates: Array = field(default_factory=lambda: np.zeros(0))
-    inertia: Array = field(default_factory=lambda: np.zeros(0))
-
-
-def suitable(system: Core, start: State) -> Suitable:
-    """Demands of a system on an integrator at a start; no eigenvalues are taken of very large systems."""
-    if system.roles.nd > MANY:
-        return Suitable(ALPHA, f"{system.roles.nd} degrees of freedom, above {MANY}")
-    try:
-        lin = system.linearize(start)
-        inertia = np.diag(lin.M) * system.kinematics.scales(system.roles.dynamic) ** 2
-        return Suitable("", rates=np.abs(eigenvalues(lin.state_matrix)), inertia=inertia)
-    except InertiaError as error:
-        return Suitable(ALPHA, "a degree of freedom has no inertia", str(error))
-    except (FlexelError, np.linalg.LinAlgError) as error:
-        return Suitable(EXPLICIT, "the start cannot be linearized", str(error))
 
 
 def automatic(system: Core, start: State, duration: float, options: Options) -> tuple[str, str]:

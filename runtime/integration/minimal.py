@@ -27,7 +27,9 @@ from flexel.structure.state import State
 
 log = logging.getLogger("flexel.simulate")
 SHORTEST = 1e-11  # step, relative to the times, below which the integration stops
-EXTREME = 10.0  # reach, relative to the best one, of kept degrees of freedom to which the end of a motion is put down
+EXTREME = (
+    10.0  # reach of kept degrees of freedom, relative to the best, that counts as the cause of an early end
+)
 SINGULAR = 1e6  # reach of the best choice above which the position is singular
 
 
@@ -93,7 +95,7 @@ class MinimalRun(DenseRun):
         return self.choices.kinematics
 
     def begin(self) -> None:
-        """Take better degrees of freedom at the start if the given ones are poor there."""
+        """Change to better degrees of freedom at the start if the given ones are poor there."""
         self.reached = self.choices.reach(self.now)
         self.consider(WORSE)
         self.restart()
@@ -107,7 +109,7 @@ class MinimalRun(DenseRun):
         return np.asarray(self.tolerances.atol * natural_scales_of_y(self.kinematics))
 
     def consider(self, factor: float) -> bool:
-        """Take the best degrees of freedom if the present ones are worse by a factor; returns whether they are taken.
+        """Change to the best degrees of freedom if the present ones are worse by a factor; whether they changed.
 
         Raises
         ------
@@ -116,7 +118,7 @@ class MinimalRun(DenseRun):
         """
         choices = self.choices
         if self.reached <= factor * max(1.0, min(choices.best, SINGULAR)):
-            return False  # no choice has a reach much below one
+            return False  # the reach of any choice is about one or more
         other = choices.worse(self.now, self.reached, factor)
         if other is None:
             return False
@@ -178,7 +180,7 @@ class MinimalRun(DenseRun):
         )
 
     def gives_up(self, error: FlexelError) -> FlexelError:
-        """The error of a motion whose steps have become too short: that of kept coordinates, if others would do."""
+        """The error of a motion whose steps have become too short: that of kept coordinates, if others would work."""
         self.reached = self.choices.reach(self.now)
         if not self.choices.free and self.choices.worse(self.now, self.reached, EXTREME) is not None:
             error = self.lost()

@@ -90,9 +90,8 @@ class States(Sequence[State]):
         self._entries: list[State | Pending] = list(states)
 
     def __getstate__(self) -> dict[str, Any]:
-        """What is pending stays so, and is small; but where a user's code is needed to complete it, it is completed.
-
-        So results can be read where that code cannot be compiled.
+        """Pending states stay pending, and are small; those that need a user's code are completed first, so that
+        results can be read where that code cannot be compiled.
         """
         if self._entries and self._structure.has_user_code:
             self._entries = list(self)

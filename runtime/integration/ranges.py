@@ -1,4 +1,4 @@
-"""Ranges of the data to which laws were fitted: which quantities of a motion have left them.
+"""Ranges of the data to which laws were fitted: which quantities of a motion leave them.
 
 Beyond its data a law is extrapolated as its definition says; the user is warned when this happens.
 """

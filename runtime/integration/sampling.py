@@ -1,7 +1,7 @@
-"""The instants of sampled controllers: when they are, and what changes at them.
+"""The instants of sampled controllers, and what changes at them.
 
-The outputs that a controller holds, those on their way and its own state are internal states of laws, which jump at
-the instants and are constant between them.  So every state of a motion holds all that is needed to go on from it.  A
+The outputs that a controller holds, its delayed outputs and its own state are internal states of laws, which jump at
+the instants and are constant between them.  So every state of a motion holds all that is needed to continue from it.  A
 motion that ends at an instant ends just before the jump, and one that starts at an instant begins with it.
 """
 
@@ -25,12 +25,12 @@ Completed = Callable[[], State]  # the complete state at an instant, computed if
 
 @dataclass(frozen=True)
 class Sampled:
-    """A sampled controller and where it keeps what.
+    """A sampled controller and the places of its variables.
 
     Attributes
     ----------
     held, waiting, own : ndarray of int
-        Places in z of the outputs, of those on their way, and of the own state.
+        Places in z of the outputs, of the delayed outputs, and of the own state.
     inputs : ndarray of int or None
         Places of the inputs in (e, x, ė, v, z); None if one of them needs the complete state.
     """
@@ -82,9 +82,8 @@ class Sampled:
                 y = np.array([read(state, name) for name in c.inputs])
             else:
                 y = np.concatenate([at.e, at.x, at.ed, at.v, z])[self.inputs]
-            u, x = c.rule(t, y, z[self.own])
-            u, size = c.limited(u), u.size
-            new[self.own] = x
+            u, new[self.own] = c.advanced(t, y, z[self.own])
+            size = u.size
             queue = np.concatenate([z[self.waiting], u])
             if not rest:
                 new[self.held] = queue[:size]
@@ -95,7 +94,7 @@ class Sampled:
 
 
 def _place(structure: Structure, name: str) -> int | None:
-    """Place of an input in (e, x, ė, v, z); None if it is not there."""
+    """Place of an input in (e, x, ė, v, z); None if it is not among them."""
     base, order = parts(name)
     m, n, slips = structure.m, structure.n, structure.k
     if base in structure.internal:
@@ -120,9 +119,9 @@ class Sampling:
         return min((z.next(t) for z in self.all), default=np.inf)
 
     def stop(self, t: float, times: Array) -> float:
-        """The first instant after t; a stored time that is the same but for rounding is taken for it.
+        """The first instant after t; a stored time that differs from it by rounding only is used instead.
 
-        Otherwise a state could be stored just after an instant, and would be sampled again by who goes on from it.
+        Otherwise a state could be stored just after an instant, and a motion that continues from it would sample again.
         """
         found = self.next(t)
         i = int(np.searchsorted(times, found))

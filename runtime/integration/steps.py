@@ -89,8 +89,8 @@ class ImplicitRun(Run):
         """The error of a step that cannot be taken."""
         return DynamicsError(
             f"implicit integration cannot continue at t = {self.t:g} s (step below {self.shortest:.2g} s): the motion "
-            "is not smooth there, or a condition cannot be met; inspect the last state of the motion, and start from "
-            "there again after a change"
+            "is not smooth there, or a condition cannot be met; inspect the last state of the motion, change the "
+            "model, and restart from there"
         )
 
 
@@ -127,7 +127,7 @@ class GeneralizedAlpha(ImplicitRun):
         self.stepper.begin(found)
 
     def jump(self, z: Array) -> None:
-        """Go on from here with other internal states."""
+        """Continue from here with other internal states."""
         self.stepper.stepping.old["z"][:] = z
         self.renew()
         self.balance()
@@ -176,9 +176,8 @@ class GeneralizedAlpha(ImplicitRun):
             self.keep()
 
     def _error(self, h: float) -> float:
-        """Local error of a step over the tolerance; infinite if it is not found, or not to be used.
-
-        The latter is so for a spurious solution, and if a new contact is too deep.
+        """Local error of a step over the tolerance; infinite if the step is not found or is rejected: for a spurious
+        solution, or if a new contact is too deep.
         """
         stepper, ledger = self.stepper, self.ledger
         if not stepper.step(h):

@@ -167,7 +167,7 @@ class Sundials(ImplicitRun):
         return self.equations.balance(b.t, b.x, b.v, b.a, b.mu, b.e)
 
     def jump(self, z: Array) -> None:
-        """Go on from here with other internal states: the solver restarts."""
+        """Continue from here with other internal states: the solver restarts."""
         b, equations = self._balance, self.equations
         found = dynamics.complete(equations.system.kinematics, b.t, b.x, b.v, b.e, z)
         self._balance = equations.restart(found)

@@ -11,7 +11,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.optimize import brentq, minimize_scalar
-from scipy.signal import find_peaks
 
 from flexel.base.arrays import Array, ComplexArray
 from flexel.base.errors import ConstraintError, DynamicsError, LinearizationError, PositionError
@@ -25,7 +24,7 @@ FIRST, SMALLEST = 0.2, 1e-6  # arc lengths, relative to the largest
 FOLD = 1e-3  # of the distance of two points: accuracy of a fold's place along the curve
 PEAK = 0.05  # the same of a maximum's
 PROMINENCE = 0.004  # of a maximum over the minima beside it
-NEARLY_REAL = 0.9  # real share of a multiplier, above which a maximum of it is looked at
+NEARLY_REAL = 0.9  # real share of a multiplier above which a maximum of it is located
 TILT = 1.0  # weight of the real share beside the modulus
 MULTIPLIERS = 1e-6  # error of the transition matrix
 FAILURES = (PositionError, ConstraintError, DynamicsError, LinearizationError)
@@ -152,9 +151,11 @@ def _with_folds(curve: PeriodicCurve, stations: list[Station]) -> list[Station]:
 def _with_peaks(curve: PeriodicCurve, stations: list[Station]) -> list[Station]:
     """The same, with the maxima of the largest multiplier.
 
-    It rises where a pair of multipliers meets on the real axis and parts: perhaps between two motions only.  There the
-    real share of the multiplier has a maximum.
+    It rises where a pair of multipliers meets on the real axis and separates, perhaps between two motions only. There
+    the real share of the multiplier has a maximum.
     """
+    from scipy.signal import find_peaks  # slow to import
+
     moduli = np.array([z.modulus for z in stations])
     shares = np.array([abs(z.share) for z in stations])
     broad = find_peaks(moduli, prominence=PROMINENCE)[0].tolist()
@@ -188,7 +189,7 @@ def _between(
 
 
 def _fold(curve: PeriodicCurve, first: Point[Balanced], last: Point[Balanced]) -> Point[Balanced]:
-    """The point between two where the speed turns back."""
+    """The point between two where the speed reverses."""
     part = brentq(lambda s: _between(curve, first, last, s).tangent[-1], 0.0, 1.0, xtol=FOLD)
     return _between(curve, first, last, float(part))
 

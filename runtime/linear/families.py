@@ -1,4 +1,4 @@
-"""Periodic coefficients over the speed: from three orbits to any speed, where they are polynomials of it."""
+"""Periodic coefficients over the speed: from three orbits to any speed, if they are polynomials of the speed."""
 
 from __future__ import annotations
 

@@ -147,7 +147,7 @@ class Coefficients:
         ------
         LinearizationError
             Too few samples for the harmonics; a singular balance (a resonance without damping); too few harmonics
-            for the accuracy; the attribute ``reached`` holds the best solution.
+            for the accuracy; its attribute ``reached`` is the best solution.
         """
         X = self.responses(harmonics, self.F)[0]
         found = self.vibration(X)
@@ -177,7 +177,7 @@ class Coefficients:
         scale = 1 / np.sqrt(np.maximum(np.abs(matrix).max(axis=1), 1e-300))
         matrix *= scale[:, None] * scale
         norm = np.abs(matrix).sum(axis=1).max()
-        # transposed, the order in which it lies in memory
+        # transposed, as it is stored in memory
         lu, pivots, info = _getrf(matrix.T, overwrite_a=True)
         rcond = 0.0 if info else float(_gecon(lu, norm)[0])
         if not rcond > SINGULAR:

@@ -66,7 +66,7 @@ class Inputs:
         return cls(tuple(labels), tuple(quantities), tuple(driven), tuple(displaced))
 
     def states(self, own: Sequence[str]) -> tuple[str, ...]:
-        """Names of the states behind the model's own ones; a star marks those that displacements shift."""
+        """Names of the states after those of the model; a star marks those that displacements shift."""
         kept = [self.quantities[i] for i in self.driven if i not in self.displaced]
         mark = "*" if self.displaced else ""
         return (*(f"{z}{mark}" for z in own), *(f"{z}'" for z in kept), *kept)
@@ -84,7 +84,7 @@ class Inputs:
         Raises
         ------
         LinearizationError
-            An output that follows the rate of an input at once: it would be no function of the displacement.
+            An output that depends directly on the rate of an input, and so is not a function of the displacement.
         """
         A, B, C, D = matrices
         count, gone = len(self.driven), []

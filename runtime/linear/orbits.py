@@ -132,7 +132,7 @@ def orbit(
     states, F = [], np.zeros((samples, nd))
     for i in range(samples):
         state = _driven(system, float(t[i]), q[i], qd[i], qdd[i], state)
-        F[i] = system.kinematics.choice.multiplier[system.roles.dynamic]  # what drives them
+        F[i] = system.kinematics.choice.multiplier[system.roles.dynamic]  # the driving forces
         states.append(state)
     lins = linearize_all(system.kinematics, states)
     M, C, K = (np.array([getattr(z, name) for z in lins]) for name in ("M", "C", "K"))

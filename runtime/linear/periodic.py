@@ -47,7 +47,7 @@ __all__ = [
 
 TOLERANCE = 1e-9  # largest last change, relative to the largest amplitude; convergence is quadratic
 STALLED = 1e-7  # the same, when rounding prevents further progress
-USELESS = 1e6  # a change so much larger does not converge
+USELESS = 1e6  # a step whose change is larger by this factor does not converge
 MAX_ITERATIONS = 30
 HALVINGS = 4  # halvings of a step in speed
 Result = TypeVar("Result")
@@ -166,7 +166,7 @@ def speed_range(family: Callable[[float], Result], speeds: Sequence[float] | Arr
 def _cut_short(
     speeds: Sequence[float] | Array, found: list[Result], omega: float, error: FlexelError
 ) -> SpeedRange[Result]:
-    """The results before a speed that fails, with a warning."""
+    """The results up to a speed that fails, with a warning."""
     message = f"stopped at {omega:g} rad/s: {error}"
     warnings.warn(message, IncompleteWarning, stacklevel=3)
     return SpeedRange(np.array(speeds[: len(found)], dtype=float), found, message)

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from fractions import Fraction
+from math import gcd, lcm
 
 import numpy as np
 from scipy.linalg import expm
@@ -14,19 +16,21 @@ from flexel.linear.sensors import state_space
 from flexel.mechanics.linearization import Linearization
 from flexel.structure.controllers import SAME, Controller
 
+MOST_PERIODS = 1000  # of all controllers, until their instants repeat
+
 
 @dataclass(frozen=True)
 class SampledLoop(Portable):
-    """The linearized closed loop of sampled controllers, δs(t + period) = state_matrix δs(t), just before each instant.
+    """The linearized closed loop of sampled controllers: δs(t + period) = state_matrix δs(t), just before an instant.
 
     Attributes
     ----------
     state_matrix : ndarray (ns, ns)
     states : tuple of str (ns,)
-        Those of the linearization: rates and values of the degrees of freedom, and internal states, among which are
-        the outputs that are held or on their way and the controllers' own states.
+        Those of the linearization: rates and values of the degrees of freedom, and internal states, including the held
+        and delayed outputs and the own states of the controllers.
     period : float
-        [s]
+        Time after which all instants repeat [s]: the period, or the least common multiple of several.
     """
 
     state_matrix: Array = field(repr=False)
@@ -43,7 +47,7 @@ class SampledLoop(Portable):
 
     @property
     def stable(self) -> bool:
-        """Whether every small deviation dies out."""
+        """Whether every small deviation decays."""
         return bool(np.all(np.abs(np.linalg.eigvals(self.state_matrix)) < 1.0))
 
 
@@ -54,31 +58,50 @@ def sampled_loop(lin: Linearization) -> SampledLoop:
         raise LinearizationError(
             "sampled: no controller has a period; eigenvalues() are those of the closed loop"
         )
-    period = _common_period(controllers)
+    period, counts = _common_period(controllers)
     size = len(lin.states)
     places = {name: size - len(lin.internal) + i for i, name in enumerate(lin.internal)}
-    A, loop, t = lin.state_matrix, np.eye(size), 0.0
-    for c in controllers:  # each changes rows of its own, from what was before the instant
-        loop = loop + _sample(lin, c, places)
-    for c in sorted((c for c in controllers if c.lag[1]), key=lambda c: c.lag[1]):
-        rest = c.lag[1]
-        later = np.eye(size)
-        later[[places[z] for z in c.shown]] = np.eye(size)[[places[z] for z in c.waiting[: len(c.outputs)]]]
-        loop, t = later @ expm(A * (rest - t)) @ loop, rest
-    return SampledLoop(expm(A * (period - t)) @ loop, lin.states, period)
+    changes: list[tuple[float, Array]] = []  # times, and what is added to a deviation then
+    for c, count in zip(controllers, counts, strict=True):
+        sample, times = _sample(lin, c, places), [period * i / count for i in range(count)]
+        changes += [(t, sample) for t in times]
+        if c.lag[1]:
+            release = _release(c, places, size)
+            changes += [(t + c.lag[1], release) for t in times]
+    return SampledLoop(
+        _product(lin.state_matrix, changes, period, SAME * period / max(counts)), lin.states, period
+    )
 
 
-def _common_period(controllers: list[Controller]) -> float:
-    first = controllers[0]
-    assert first.period is not None
-    for c in controllers:
-        assert c.period is not None
-        if abs(c.period - first.period) > SAME * first.period:
-            raise LinearizationError(
-                f"sampled: '{first.name}' has the period {first.period:g} s and '{c.name}' {c.period:g} s; the loop of "
-                "several periods is not computed: simulate it, or give them one period"
-            )
-    return first.period
+def _product(A: Array, changes: list[tuple[float, Array]], period: float, same: float) -> Array:
+    """The matrix of a period: changes at the same time add up, as all depend on what was before."""
+    flows: dict[int, Array] = {}
+    unit = np.eye(len(A))
+    loop, change, t = unit, np.zeros_like(A), 0.0
+    for later, more in [*sorted(changes, key=lambda z: z[0]), (period, np.zeros_like(A))]:
+        if later - t > same:
+            step = round((later - t) / same)
+            if step not in flows:
+                flows[step] = expm(A * (later - t))
+            loop, change, t = flows[step] @ (unit + change) @ loop, np.zeros_like(A), later
+        change = change + more
+    return loop
+
+
+def _common_period(controllers: list[Controller]) -> tuple[float, list[int]]:
+    """The time after which all instants repeat [s], and the periods of each controller in it."""
+    periods = [c.period for c in controllers if c.period is not None]
+    ratios = [Fraction(z / periods[0]).limit_denominator(MOST_PERIODS) for z in periods]
+    whole = Fraction(lcm(*(z.numerator for z in ratios)), gcd(*(z.denominator for z in ratios)))
+    counts = [int(whole / z) if z else 0 for z in ratios]
+    exact = all(abs(float(z) * periods[0] - T) <= SAME * T for z, T in zip(ratios, periods, strict=True))
+    if not exact or sum(counts) > MOST_PERIODS:
+        given = ", ".join(f"'{c.name}' {c.period:g} s" for c in controllers)
+        raise LinearizationError(
+            f"sampled: the periods ({given}) have no common multiple within {MOST_PERIODS} periods; give periods that "
+            "are multiples of one, or simulate"
+        )
+    return float(whole) * periods[0], counts
 
 
 def _sample(lin: Linearization, c: Controller, places: dict[str, int]) -> Array:
@@ -99,3 +122,12 @@ def _sample(lin: Linearization, c: Controller, places: dict[str, int]) -> Array:
     if waiting.size:
         after[waiting] = queue[nu:]
     return after - unit
+
+
+def _release(c: Controller, places: dict[str, int], size: int) -> Array:
+    """What changes when delayed outputs take effect, as a matrix."""
+    found = np.zeros((size, size))
+    for name, waiting in zip(c.shown, c.waiting[: len(c.outputs)], strict=True):
+        found[places[name], places[waiting]] = 1.0
+        found[places[name], places[name]] = -1.0
+    return found

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from flexel.base.arguments import names
+from flexel.base.arguments import names, unknown
 from flexel.base.arrays import Array
-from flexel.base.errors import LinearizationError
+from flexel.base.errors import LinearizationError, ModelError
 from flexel.linear.inputs import Inputs
 from flexel.mechanics.linearization import Linearization
 
@@ -81,6 +81,8 @@ def _output(lin: Linearization, d: Variations, name: str) -> Array:
         return np.asarray(d.z[structure.internal[name]])
     if name.startswith("force:"):
         return _force(lin, d, structure.find(name.removeprefix("force:")))
+    if ":" in name and name.rstrip("'") not in structure.index:
+        raise ModelError(unknown(name, [f"force:{z}" for z in structure.index]))
     i = structure.find(name.rstrip("'"))
     order = len(name) - len(name.rstrip("'"))
     if order == 0:

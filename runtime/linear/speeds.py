@@ -47,7 +47,7 @@ class Balanced:
     @property
     def vibration(self) -> PeriodicVibration:
         """The Fourier series with its linearized equations."""
-        remainder = self.coefficients.vibration(np.zeros_like(self.X))  # what is left of the residual
+        remainder = self.coefficients.vibration(np.zeros_like(self.X))  # the remaining residual
         return replace(remainder, X=self.X)
 
 
@@ -63,7 +63,7 @@ class PeriodicCurve:
         self.floor = FLOOR * system.kinematics.scales(system.roles.dynamic)
 
     def pack(self, X: ComplexArray) -> Array:
-        """The unknowns of Fourier coefficients; both halves of a series say the same."""
+        """The unknowns of Fourier coefficients; both halves of a series contain the same numbers."""
         half = X[self.k :]
         return np.concatenate([half.real.ravel(), half[1:].imag.ravel()])
 

@@ -1,9 +1,9 @@
-"""Eigenvalues over a parameter as branches: each is followed by the shape of its mode, not by its place in a list.
+"""Eigenvalues over a parameter as branches: each is followed by the shape of its mode, not by its order.
 
 From one value of the parameter to the next, shapes are compared by left and right eigenvectors: |l₁ r₂| |l₂ r₁| over
 |l₁ r₁| |l₂ r₂| is one for a mode and itself and zero for two modes of one matrix, whatever the units of the states.
-Where shapes say little (equal eigenvalues, two that meet and become a pair) the linear continuation of the eigenvalues
-decides.
+Where shapes are not conclusive (equal eigenvalues, two that meet and become a pair) the linear continuation of the
+eigenvalues decides.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from flexel.base.arrays import Array, ComplexArray, Index
 
 NEAR = 1e-6  # relative difference below which eigenvalues count as equal, and their vectors as arbitrary
 ZERO = 1e-7  # of the largest eigenvalue: smaller real parts may come from rounding
-POINTS = 4  # neighbours through which is interpolated between the values of the parameter
+POINTS = 4  # number of neighbours for the interpolation between values of the parameter
 
 _eig: Any = eig
 _brentq: Any = brentq
@@ -161,7 +161,7 @@ class Branches:
 
 
 def _neighbours(p: Array, known: NDArray[np.bool_], i: int, k: int) -> Index:
-    """The values of the parameter nearest to the middle of two, both among them."""
+    """The values of the parameter nearest to the middle of two, including both."""
     usable = np.flatnonzero(known)
     order = usable[np.argsort(np.abs(p[usable] - (p[i] + p[k]) / 2), kind="stable")][:POINTS]
     return np.unique([*order, i, k])
@@ -208,7 +208,7 @@ def _distance(expected: ComplexArray, w: ComplexArray) -> Array:
 
 
 def _likeness(left: ComplexArray, right: ComplexArray, left2: ComplexArray, right2: ComplexArray) -> Array:
-    """How much the shapes of one matrix (rows) are those of another: from zero to one."""
+    """Similarity of the shapes of one matrix (rows) to those of another: from zero to one."""
     own = np.abs((left.conj() * right).sum(axis=0))[:, None] * np.abs((left2.conj() * right2).sum(axis=0))
     across = np.abs(left.conj().T @ right2) * np.abs(left2.conj().T @ right).T
     return np.asarray(np.minimum(across / np.maximum(own, 1e-300), 1.0))

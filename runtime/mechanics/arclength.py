@@ -1,7 +1,7 @@
-"""Curves of solutions followed by arc length, past folds where their parameter turns back: one method for all analyses.
+"""Continuation of solution curves by arc length, past folds of the parameter: one method for all analyses.
 
 A curve is where n equations r(z, p) = 0 hold in n unknowns z and a parameter p.  From each point a step of given arc
-length leads along the tangent; Newton's method returns to the curve in the plane normal to it.  Steps that fail are
+length follows the tangent; Newton's method returns to the curve in the plane normal to it.  Steps that fail are
 halved.  Source: Crisfield (1981).
 """
 
@@ -32,7 +32,7 @@ class Curve(Protocol[Equations]):
     retried: tuple[type[Exception], ...]  # errors of trial points that a shorter step may avoid
 
     def equations(self, y: Array, last: Equations) -> Equations:
-        """The equations at y, near a point of the curve where they are known."""
+        """The equations at y, near a point of the curve at which they were evaluated."""
         ...
 
     def error(self, equations: Equations) -> float:
@@ -48,7 +48,7 @@ class Curve(Protocol[Equations]):
         ...
 
     def allows(self, step: Array, arc: float) -> bool:
-        """Whether a step (n + 1,) of Newton's method is short enough to be of use, after an arc of this length."""
+        """Whether a step (n + 1,) of Newton's method is short enough to be useful, after an arc of this length."""
         ...
 
 
@@ -74,7 +74,7 @@ class Point(Generic[Equations]):
 
 @dataclass(frozen=True)
 class Arcs:
-    """Arc lengths of steps, and the number of steps after which a curve is given up."""
+    """Arc lengths of steps, and the largest number of steps."""
 
     first: float
     largest: float
@@ -85,7 +85,7 @@ class Arcs:
 def point_at(
     curve: Curve[Equations], y: Array, equations: Equations, before: Array | None = None, iterations: int = 0
 ) -> Point[Equations]:
-    """The point with these equations; its tangent leads on like the one before, at first to a larger parameter."""
+    """The point with these equations; its tangent points onward from the one before, at first to a larger parameter."""
     slope, weights = -curve.solve(equations)[:, 1], curve.weights(equations)
     tangent = np.append(slope, 1.0)
     tangent /= np.sqrt(float(weights @ tangent**2))

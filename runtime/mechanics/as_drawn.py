@@ -1,6 +1,6 @@
-"""Whether a model is drawn as its rigid conditions demand: which are violated, and what the assembly then moves.
+"""Whether a drawing meets the rigid conditions: which are violated, and what the assembly then moves.
 
-Motions that given initial values or prescribed motions cause are meant, and are none of its concern.
+Motions due to initial values or prescribed motions are intended, and are not reported.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ SHOWN = 4  # names in a message
 
 @dataclass(frozen=True)
 class Misfit:
-    """What the assembly had to mend in a drawing.
+    """Corrections of a drawing by the assembly.
 
     Attributes
     ----------
@@ -51,7 +51,7 @@ class Misfit:
 
 
 def misfit(model: Declarations, kinematics: Kinematics, found: Configuration) -> Misfit | None:
-    """What the assembly had to mend, if the drawing violates rigid conditions by more than rounding.
+    """Corrections by the assembly, if the drawing violates rigid conditions by more than rounding.
 
     Parameters
     ----------
@@ -76,7 +76,7 @@ def misfit(model: Declarations, kinematics: Kinematics, found: Configuration) ->
 
 
 def _mended(kinematics: Kinematics, t: float) -> Array:
-    """The coordinates nearest to the drawing that meet the rigid conditions, whatever else is given."""
+    """The coordinates nearest to the drawing that meet the rigid conditions, without any other condition."""
     structure, rows = kinematics.structure, kinematics.roles.rigid
     near = kinematics.evaluation.position(structure.x0)[0]
     return nearest(kinematics, rows, np.zeros(rows.size), structure.x0, near, t)[0]

@@ -119,7 +119,7 @@ class Saddle:
             self.balancing.target[self.roles.rigid.size :] = self.motion[0]
 
     def balance(self, t: float, x: Array, v: Array, a: Array, mu: Array, e_near: Array) -> Balance:
-        """Unbalance at a time, with the parts it is made of, which the workspace holds until it is used again.
+        """Unbalance at a time, with its parts, which the workspace holds until it is used again.
 
         Parameters
         ----------

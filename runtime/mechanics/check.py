@@ -22,7 +22,7 @@ from flexel.mechanics.suspects import suspects
 from flexel.structure.moment import Moment
 from flexel.structure.structure import Structure, assemble_structure
 
-POOR = 10.0  # reach of the degrees of freedom, relative to that of the best, that is worth a note
+POOR = 10.0  # reach of the degrees of freedom, relative to that of the best, from which a note is given
 
 
 def check(model: Declarations, build: Callable[[], Core]) -> CheckReport:
@@ -133,7 +133,7 @@ def _freedom(system: Core) -> Iterator[Finding]:
 
 
 def _masses(system: Core) -> Iterator[Finding]:
-    """Degrees of freedom that move no mass: they can rest, but not move."""
+    """Degrees of freedom that move no mass: statics is possible, motion is not."""
     try:
         _ = system.initial
     except DynamicsError as error:
@@ -141,7 +141,7 @@ def _masses(system: Core) -> Iterator[Finding]:
 
 
 def _condition(system: Core) -> Iterator[Finding]:
-    """How far the coordinates move per unit of the degrees of freedom, relative to the best choice."""
+    """Motion of the coordinates per unit of the degrees of freedom, relative to the best choice."""
     if not system.dynamic:
         return
     kinematics, near = system.kinematics, Moment.of(system.at_rest)

@@ -45,8 +45,8 @@ class ConstraintReport:
         Conditions whose release removes all redundancy: of beams that are otherwise flexible where these suffice, then
         of joints, then of rigid beams.
     alternatives : dict of str to list of str
-        For each of `release` the conditions of which any one may be released in its place: with it they form a smallest
-        set of dependent conditions.  Every set of releases that is as good is reached by such exchanges, one at a time.
+        For each of `release` the conditions of which any one may be released instead: with it they form a smallest set
+        of dependent conditions.  All other sets of releases follow from such exchanges, one at a time.
     """
 
     dofs: int
@@ -162,7 +162,7 @@ def _releases(C: Array, groups: tuple[set[int], ...]) -> list[int]:
 
 
 def _exchanges(C: Array, released: list[int]) -> list[list[int]]:
-    """For each released row of C the kept ones of which it is a combination: any of them can be released instead."""
+    """For each released row of C the kept ones of which it is a combination: each of them can be released instead."""
     size = np.linalg.norm(C, axis=1, keepdims=True)
     rows = C / np.where(size > 0, size, 1.0)
     kept = np.setdiff1d(np.arange(C.shape[0]), released)
@@ -183,7 +183,7 @@ def _largest_shares(kept: list[int], left: Array, groups: tuple[set[int], ...]) 
             break
         worst = max(candidates, key=lambda k: round(float(share[k]), 9))
         found.append(kept.pop(worst))
-        # of the states of self-stress, those remain in which the released condition takes no part
+        # the states of self-stress without a share of the released condition remain
         others = np.linalg.qr(left[worst][:, None], mode="complete")[0][:, 1:]
         left = np.delete(left, worst, axis=0) @ others
     return found

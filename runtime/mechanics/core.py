@@ -58,7 +58,7 @@ class Core:
         self._start = Moment(start.t, x, v, e, none)
 
     def _prepare(self, evaluation: Evaluation, loads: Loads, roles: Roles) -> None:
-        """Set what does not depend on the initial state."""
+        """Set the data that do not depend on the initial state."""
         self.structure: Structure = evaluation.structure
         self.evaluation = evaluation
         self.loads = loads
@@ -69,7 +69,7 @@ class Core:
 
     @property
     def _last(self) -> Moment:
-        """Where the next right-hand side of this thread starts to look for its position."""
+        """The start of the search for the position of the next right-hand side of this thread."""
         return self.kinematics.choice.last or self._continued or self._start
 
     @cached_property
@@ -167,7 +167,7 @@ class Core:
         return found
 
     def warm(self, state: State | Moment) -> None:
-        """Start the next right-hand side from a state: where to look for its position, and turns of angles."""
+        """Start the next right-hand side from a state: its position and turns of angles."""
         choice = self.kinematics.choice
         choice.reset()
         choice.warm(Moment.of(state) if isinstance(state, State) else state)
@@ -196,7 +196,7 @@ class Core:
         q : ndarray (nq,), qd, qdd : ndarray (nd,)
             Degrees of freedom (q_d, q_k), and the first and second rates of q_d.
         guess : State
-            Nearby: where to look for the position, turns of angles, internal states of laws.
+            A state nearby: start of the search for the position, turns of angles, internal states of laws.
 
         Raises
         ------
@@ -225,7 +225,7 @@ class Core:
         return linearize(self._usable(state), state)
 
     def _usable(self, state: State) -> Kinematics:
-        """The chosen degrees of freedom, or those of the state where they are too poor."""
+        """The chosen degrees of freedom, or those of the state where the chosen ones are nearly singular."""
         if state.roles is self.roles:
             return self.kinematics
         theirs, near = self.kinematics_of(state.roles), Moment.of(state)
@@ -240,7 +240,7 @@ class Core:
         t : float
             Time [s].
         x, v : ndarray (n,)
-            Coordinates and rates; rates of zero stand for those that prescribed motions ask for.
+            Coordinates and rates; zero for the rates that prescribed motions determine.
         e : ndarray (m,), optional
             Deformations near the true ones, from which the turns of angles are counted; principal values by default.
         z : ndarray (nz,), optional

@@ -206,13 +206,13 @@ def blocks(J: Any, rows: Index, nf: int) -> tuple[list[Block], Index]:
 
 
 def choose_by_blocks(kinematics: Kinematics, J: Any, dynamic: Index | None, kinematic: Index | None) -> Roles:
-    """Degrees of freedom of a large model: named ones, or coordinates chosen part by part; or a `ConstraintError`."""
+    """Degrees of freedom of a large model: named ones, or chosen part by part; or a `ConstraintError`."""
     roles = kinematics.roles
     rolling = np.concatenate([roles.holonomic, roles.zero])
     if kinematic is None and not roles.zero.size:
         kinematic = np.zeros(0, dtype=np.intp)
     if dynamic is not None and kinematic is not None and _determined(kinematics, J, dynamic, kinematic):
-        return roles.with_dofs(dynamic, kinematic)  # then no condition is redundant either
+        return roles.with_dofs(dynamic, kinematic)  # then no condition is redundant
     _check_parts(kinematics, J, rolling)
     if dynamic is None:
         dynamic = _left_free(kinematics, J, rolling)

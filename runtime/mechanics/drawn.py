@@ -96,13 +96,27 @@ class DrawnLinearization(ShownLinearization):
     def plot_mode(self, number: int, path: str | Path | None = None, **options: Any) -> Figure:
         """The shape of a mode of `modes`, over the state in grey; see `flexel.pictures.deflected.plot_shape`."""
         from flexel.pictures.deflected import plot_shape
+        from flexel.pictures.options import checked
 
         mode = self.mode(number)
         title = f"{mode.name}: {mode.eigenvalue:.4g} 1/s"
-        return plot_shape(self.state, self.mode_shape(number), path, **{"title": title, **options})
+        return plot_shape(
+            self.state,
+            self.mode_shape(number),
+            path,
+            **{"title": title} | checked("plot_mode", plot_shape, options),
+        )
 
     def view(self, path: str | Path, **options: Any) -> Path:
-        """An HTML page that shows the modes in any browser, with amplitude and phase; see `view.mode_data`."""
+        """An HTML page that shows the modes in any browser, with amplitude and phase.
+
+        Parameters
+        ----------
+        path : path
+            Ends in ``.html``.
+        **options
+            ``modes``, ``view`` (a `View`), ``title`` and ``caption``; see `flexel.pictures.view.mode_data`.
+        """
         from flexel.pictures.view import view_modes
 
         return view_modes(self, path, **options)  # type: ignore[arg-type]

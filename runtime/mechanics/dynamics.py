@@ -54,7 +54,7 @@ def complete(
 def driving_forces(
     kinematics: Kinematics, t: float, x: Array, v: Array, e: Array, z: Array, qdd: Array
 ) -> Array:
-    """Generalized forces (nd,) on the dynamic degrees of freedom that a motion with accelerations q_d'' needs.
+    """Generalized forces (nd,) on the dynamic degrees of freedom that are required for accelerations q_d''.
 
     They are H' (f - h - De' sigma - V' tau - M a) of given forces with the opposite sign of the residual of the
     equations of motion; parameters as in `complete`.

@@ -1,4 +1,4 @@
-"""What a check of a model finds: findings with their severity, in a readable table."""
+"""Findings of a check of a model, with their severity, as a table."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ class Finding:
     severity : str
         "error" (`Model.build` refuses it), "warning" (it is built, but is probably a mistake), or "note".
     subject : str
-        What it is about: "constraints", "masses", "units", …
+        Subject of the finding: "constraints", "masses", "units", …
     message : str
-        Names what is at fault, and says what to do.
+        Names the cause, and how to correct it.
     """
 
     severity: str
@@ -44,12 +44,12 @@ class CheckReport:
 
     @property
     def errors(self) -> tuple[Finding, ...]:
-        """What `Model.build` refuses."""
+        """Findings that `Model.build` refuses."""
         return self._of("error")
 
     @property
     def warnings(self) -> tuple[Finding, ...]:
-        """What is built, but is probably a mistake."""
+        """Findings that are built, but are probably mistakes."""
         return self._of("warning")
 
     @property

@@ -67,7 +67,7 @@ def nearest(
         best = min(best, error)
         if stalled > 12 or not np.isfinite(error):
             break
-        # in natural scales, so that neither way nor result depends on the units
+        # in natural scales, so that neither the path nor the result depends on the units
         step = smallest_step(_scaled(J[rows][:, :nf], scale, size), residual / scale)
         x[:nf] -= size * shortened(step, float(np.max(np.abs(step), initial=0.0)), LONGEST)
     worst = np.argsort(-np.abs(residual) / scale)[:4]

@@ -15,7 +15,7 @@ class InertiaError(DynamicsError):
 
 
 def massless(structure: Structure, roles: Roles, reduced: Array | None) -> InertiaError:
-    """The error for a reduced mass matrix (nd, nd) that is not positive definite; None if it is not known."""
+    """The error for a reduced mass matrix (nd, nd) that is not positive definite; None if the matrix is not known."""
     if reduced is None:
         return InertiaError(
             "the mass matrix is singular: a motion moves no mass; give its bodies mass and inertia, or start from rest "

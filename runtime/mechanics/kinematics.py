@@ -56,10 +56,10 @@ def size_of(structure: Structure) -> float:
 
 
 def check_size(structure: Structure) -> None:
-    """Raise if a model is so large or small that lengths and angles cannot be weighed against each other.
+    """Raise if a model is so large or small that lengths and angles cannot be compared.
 
-    Ranks and balances of forces hold lengths and angles together, in metres and radians: the smaller of the two would
-    be lost in the rounding of the other.
+    Ranks and balances of forces combine lengths and angles, in metres and radians: the smaller of the two would be lost
+    in the rounding of the other.
     """
     size, (least, most) = size_of(structure), SIZES
     if not least <= size <= most:
@@ -98,7 +98,7 @@ class Kinematics:
         self._threads = threading.local()
 
     def __reduce__(self) -> tuple[type[Kinematics], tuple[Evaluation, Roles, Loads]]:
-        """Pickled and copied as what it is made of: its lists are made again."""
+        """Pickled and copied as its arguments: its lists are made again."""
         return Kinematics, (self.evaluation, self.roles, self.loads)
 
     @once
@@ -142,7 +142,7 @@ class Kinematics:
         return np.asarray(self._scale[rows])
 
     def values(self, e: Array, x: Array) -> Array:
-        """Values of all quantities; slips, which have none, as zero."""
+        """Values of all quantities; zero for slips, which have none."""
         y = np.zeros(self._scale.size)
         y[: e.size] = e
         y[y.size - x.size :] = x
@@ -191,7 +191,7 @@ class Kinematics:
         return choice.work.v.copy()
 
     def check(self, code: int, t: float, choice: Choice | None = None) -> None:
-        """Raise the error of a code of the engine.
+        """Raise the error for a return code of the engine.
 
         Raises
         ------
@@ -201,7 +201,7 @@ class Kinematics:
             raise self.failure(code, t, choice)
 
     def failure(self, code: int, t: float, choice: Choice | None = None) -> FlexelError:
-        """The error of a code of the engine, in the names of the model."""
+        """The error for a return code of the engine, with the names of the model."""
         if code == lib.FLEXEL_UNREACHED:
             return PositionError(self._unreached(t, choice or self.choice))
         if code == lib.FLEXEL_MASSLESS:

@@ -121,7 +121,7 @@ class Linearization(SampledLinearization, DrawnLinearization, Portable):
 
     @property
     def acceleration(self) -> float:
-        """How far the state is from steady: the largest residual force, relative to those that balance.
+        """The largest residual force, relative to the balancing forces.
 
         Zero for an equilibrium or a motion with constant rates of the degrees of freedom; one in free fall.
         """
@@ -273,7 +273,7 @@ class Linearization(SampledLinearization, DrawnLinearization, Portable):
         return modes[number]
 
     def mode_shape(self, number: int) -> dict[str, complex]:
-        """Displacements of all free coordinates in a mode, for pictures; degrees of freedom have amplitudes up to 1."""
+        """Displacements of all free coordinates in a mode, for pictures; those of degrees of freedom are at most 1."""
         mode = self.mode(number)
         q = np.array([mode.shape[name] for name in self.dofs])
         x, structure = self.transfer.G[:, : q.size] @ q, self.state.structure

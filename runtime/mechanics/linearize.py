@@ -37,7 +37,7 @@ def linearize(kinematics: Kinematics, state: State) -> Linearization:
 
 
 def linearize_all(kinematics: Kinematics, states: Sequence[State]) -> list[Linearization]:
-    """The same about several states, each as if it were alone, in one call of the engine."""
+    """The same about several states in one call of the engine; each result is independent of the others."""
     for state in states:
         own_state(kinematics.structure, state, "linearize")
     rows = kinematics.linearizer.rows(states)

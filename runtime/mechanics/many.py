@@ -20,12 +20,12 @@ STEADY = 1e-10  # largest residual force in a steady motion, relative to the bal
 
 
 class LinearizedMany:
-    """What is done for each variant.
+    """Linearizes each variant.
 
     Parameters
     ----------
     system : Core
-        Gives the degrees of freedom and the positions.
+        Determines the degrees of freedom and the positions.
     start : State or callable
         A state, or a function that finds the state of a variant.
     rates : mapping of name to ndarray (rates,)
@@ -77,13 +77,11 @@ class LinearizedMany:
         if stack is None:
             states = [self.state(system, i) for i in range(max(len(self._moments), 1))]
             stack = linearized(kinematics, kinematics.linearizer.rows(states))
-        found = {
-            name: stack.blocks[name].copy() for name in BLOCKS
-        }  # without all that they were computed from
+        found = {name: stack.blocks[name].copy() for name in BLOCKS}  # without intermediate results
         return found | stack.all_lags() if self._nz else found
 
     def _together(self, system: Any, rows: Array) -> Stack | None:
-        """The equations at all states; None if one must be found first, or has no forces, which is reported then."""
+        """The equations at all states; None if a state must be found first or has no forces; reported then."""
         kinematics = system.kinematics_of(self._roles)
         done = kinematics.linearizer.complete(kinematics.choice, rows)
         if done.code:

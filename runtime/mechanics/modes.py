@@ -13,7 +13,7 @@ from flexel.base.arguments import not_negative
 from flexel.base.arrays import Array, ComplexArray, Index
 from flexel.base.errors import LinearizationError
 from flexel.base.shown import Listing
-from flexel.engine.solvers import eigenvalues
+from flexel.engine.solvers import eigenvalues, solved
 from flexel.mechanics.rigid import spectrum
 
 
@@ -39,7 +39,7 @@ class Mode:
     HEAD: ClassVar[tuple[str, ...]] = ("mode", "eigenvalue [1/s]", "frequency [Hz]", "damping")
 
     def row(self) -> tuple[str, ...]:
-        """Its line in a table of modes."""
+        """The line in a table of modes."""
         return self.name, self._eigenvalue, f"{self.hertz:.5g}", f"{self.damping:.4g}"
 
     def __repr__(self) -> str:
@@ -74,7 +74,15 @@ class Mode:
 
 @dataclass(frozen=True)
 class Reduced:
-    """Second-order equations of some degrees of freedom, decoupled from the rest: M q'' + C q' + K q = 0."""
+    """Second-order equations of some degrees of freedom, decoupled from the rest: M q'' + C q' + K q = 0.
+
+    Attributes
+    ----------
+    names : tuple of str (n,)
+        The degrees of freedom q.
+    M, C, K : ndarray (n, n)
+        Mass, damping and stiffness matrix.
+    """
 
     names: tuple[str, ...]
     M: Array
@@ -145,7 +153,7 @@ def check_decoupled(
 
 
 def first_order(M: Array, forces: Sequence[Array], *rest: Sequence[Array]) -> Array:
-    """Matrices (…, n, n) of first-order equations for (q_d', q_d, …), from M q_d'' + forces = 0; NaN where M has NaN.
+    """Matrices (…, n, n) of first-order equations for (q_d', q_d, …), from M q_d'' + forces = 0.
 
     Parameters
     ----------
@@ -158,15 +166,14 @@ def first_order(M: Array, forces: Sequence[Array], *rest: Sequence[Array]) -> Ar
     top = np.concatenate(forces, axis=-1)
     nd, n = top.shape[-2:]
     A = np.zeros((*M.shape[:-2], n, n))
-    good = np.isfinite(M).all(axis=(-2, -1))
-    A[good, :nd] = -np.linalg.solve(M[good], top[good])
+    # a stack of one costs ten times as much, in every linearization
+    A[..., :nd, :] = -solved(M, top) if M.ndim == 2 else -np.linalg.solve(M, top)
     A[..., nd : 2 * nd, :nd] = np.eye(nd)
     row = 2 * nd
     for blocks in rest:
         rates = np.concatenate(blocks, axis=-1)
         A[..., row : row + rates.shape[-2], : rates.shape[-1]] = rates
         row += rates.shape[-2]
-    A[~good] = np.nan
     return A
 
 

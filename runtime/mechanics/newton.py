@@ -51,8 +51,8 @@ def newton(
 ) -> Arrival[Point, Equations]:
     """Newton's method from a starting point.
 
-    It has converged when the error is below the tolerance, or below `stalled` and no longer halved, which means that
-    rounding prevents further progress.  It stops at an error that is not finite, or a step without progress.
+    It has converged when the error is below the tolerance, or below `stalled` and no longer halved, since rounding
+    prevents further progress.  It stops at an error that is not finite, or a step without progress.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""The reach of a choice of degrees of freedom: how much the coordinates change per unit of them, in natural scales."""
+"""The reach of a choice of degrees of freedom: change of the coordinates per unit of them, in natural scales."""
 
 from __future__ import annotations
 

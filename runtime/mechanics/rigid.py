@@ -20,8 +20,8 @@ def spectrum(A: Array, nd: int) -> tuple[ComplexArray, ComplexArray, ComplexArra
     """Eigenvalues of a state matrix (n, n), with left and right eigenvectors in columns.
 
     Those of rigid-body motions are zero, but often defective: computed, they are as large as a root of the rounding
-    errors.  As many of the smallest are set to zero as there are in the matrix without entries that may come from
-    rounding, if they are no larger than this root.
+    errors.  Without the entries that may come from rounding the matrix has a number of zero eigenvalues: so many of the
+    smallest are set to zero, if they are no larger than this root.
 
     Parameters
     ----------

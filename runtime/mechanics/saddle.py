@@ -16,7 +16,7 @@ from flexel.engine.workspace import Workspace
 from flexel.mechanics.diagnose import largest, null_space, quoted
 from flexel.structure.structure import Structure
 
-CONSISTENT = 1e-10  # relative residual of a least solution that solves the equations
+CONSISTENT = 1e-10  # relative residual below which a least-squares solution solves the equations
 LARGEST_NULL_SPACE = 1500  # most unknowns for which the free motion of a singular matrix is identified
 
 

@@ -1,4 +1,4 @@
-"""Linearized equations with sampled controllers: where eigenvalues have no meaning, and the closed loop instead."""
+"""Linearized equations with sampled controllers: the closed loop, as eigenvalues of the open one have no meaning."""
 
 from __future__ import annotations
 
@@ -17,22 +17,26 @@ INSTEAD = (
 
 
 class SampledLinearization:
-    """What a linearization does with sampled controllers."""
+    """Methods of a linearization with sampled controllers."""
 
     state: State
 
     @property
     def acceleration(self) -> float:
-        """How far the state is from steady."""
+        """Size of the accelerations at the state."""
         raise NotImplementedError
 
     def sampled(self) -> SampledLoop:
-        """The closed loop of the sampled controllers, from each instant to the next one.
+        """The closed loop of the sampled controllers over one period.
+
+        Controllers may have different periods: the loop then covers their least common multiple, and begins at a time
+        at which all of them measure.
 
         Raises
         ------
         LinearizationError
-            If no controller is sampled, if periods differ, or if a controller is not smooth or at its limit there.
+            If no controller is sampled, if periods have no common multiple that is short enough, or if a controller is
+            not smooth or at its limit there.
 
         Examples
         --------
@@ -43,6 +47,6 @@ class SampledLinearization:
         return sampled_loop(self)  # type: ignore[arg-type]
 
     def _check(self, owner: str) -> None:
-        """Refuse eigenvalues of a loop that sampled controllers close; warn where the state accelerates."""
+        """Refuse eigenvalues if a controller is sampled; warn where the state accelerates."""
         refuse_sampled(self.state.structure.controllers, owner, INSTEAD)
         check_steady(owner, self.acceleration, 4)

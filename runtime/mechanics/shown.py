@@ -1,4 +1,4 @@
-"""How linearizations are shown: in a line, and in a notebook as the table of their modes."""
+"""Printed forms of linearizations: one line, and in a notebook the table of their modes."""
 
 from __future__ import annotations
 

@@ -33,7 +33,7 @@ def between(first: Moment, last: Moment, t: float) -> Moment:
     return Moment(t, x, first.v, e, first.ed)
 
 
-Rates = Array | Callable[[Choice], Array]  # q_d' (nd,), or what gives them at a position in the workspace
+Rates = Array | Callable[[Choice], Array]  # q_d' (nd,), or a function for them at a position in the workspace
 
 
 def located(
@@ -52,7 +52,7 @@ def located(
         work.rates()
         mean = near.e + (t - near.t) * (near.ed + work.w[: e.size]) / 2
         held = kinematics.roles.position_rows
-        held = held[held < e.size]  # they know their turns
+        held = held[held < e.size]  # their turns are known
         mean[held] = e[held]
         work.near[:] = mean
         work.position()
@@ -105,7 +105,7 @@ def state_at(
     t : float, optional
         Time [s]; that of `start` by default.
     start : State
-        Gives what is not named.
+        For values that are not named.
     """
     structure, roles = kinematics.structure, kinematics.roles
     own_state(structure, start, "state_at")

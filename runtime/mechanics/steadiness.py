@@ -1,4 +1,4 @@
-"""Whether a state is an equilibrium or a steady motion, about which eigenvalues describe what follows."""
+"""Whether a state is an equilibrium or a steady motion, about which eigenvalues describe the motion that follows."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """Forces and stresses in the end sections of beams at a state.
 
 The forces that a beam exerts on its nodes are De' sigma, so those in its end sections follow from virtual work,
-exact in equilibrium whatever the deformations: N and V from the rows of the points, the torque and the bending
+exactly in equilibrium, for any deformations: N and V from the rows of the points, the torque and the bending
 moments M = W f / 4 from the rows f of the Euler parameters, with omega = W lambda' (Besseling 1974 for the
 generalized stresses); the bimoment of a beam with warping is the row of its twist per length.  Loads along the
 element, including weight and inertia, are lumped at its nodes.

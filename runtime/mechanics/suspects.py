@@ -1,6 +1,6 @@
-"""Numbers of a model that look as if they were given in another unit, and parts that take no part.
+"""Numbers of a model that look as if given in another unit, and parts without effect.
 
-Every engineering material lies well within the limits.  A finding says what is suspected, not that it is wrong.
+Every engineering material lies well within the limits.  A finding is a suspicion, not an error.
 """
 
 from __future__ import annotations

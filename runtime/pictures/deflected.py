@@ -16,7 +16,7 @@ from flexel.base.arguments import text
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.pictures import drawing
-from flexel.pictures.figures import COLOURS, save
+from flexel.pictures.figures import COLOURS, caption, save
 from flexel.pictures.scene import View, canvas, display_axes
 from flexel.structure.state import State
 from flexel.structure.structure import Structure
@@ -28,6 +28,8 @@ if TYPE_CHECKING:
 
 UNSHOWN = ("spoke", "axle", "box", "guide", "slide", "spiral", "damper")
 GREY = "#b8bfc6"
+BELOW = 0.84  # height of spatial axes in the figure: title and legend are above
+COLUMNS = 3  # of the legend
 LARGEST = 0.1  # displacement of a mode shape, relative to the size of the model
 
 
@@ -39,6 +41,7 @@ def plot_states(
     view: View | None = None,
     scale: float = 1.0,
     label: str = "t = {:.4g} s",
+    title: str = "Shapes during the motion",
 ) -> Figure:
     """The mechanism at the stored states nearest to the times, over its drawn shape in grey.
 
@@ -52,7 +55,10 @@ def plot_states(
         Magnification of displacements from the drawn shape.
     label : str
         How the time of a state is written in the legend, as a format.
+    title : str
+        A magnification is added to it.
     """
+    title = caption(title, "plot_shapes") + ("" if scale == 1 else f", displacements × {scale:g}")
     first = motion[0]
     drawn = at_coordinates(first, motion.structure.x0)
     figures = [(drawn, GREY, "as drawn")]
@@ -61,7 +67,7 @@ def plot_states(
         figures.append(
             (shown, COLOURS[i % len(COLOURS)], text(label, "plot_shapes", "label").format(state.t))
         )
-    return _overlaid(figures, path, view, "" if scale == 1 else f"displacements × {scale:g}")
+    return _overlaid(figures, path, view, title)
 
 
 def plot_shape(
@@ -169,9 +175,11 @@ def _overlaid(
         else:
             axes.view_init(view.elevation, view.azimuth)
             axes.set_axis_off()
+            axes.set_position((0, 0, 1, BELOW))
         axes.set_aspect("equal")
-        if any(label for *_, label in figures):
-            axes.legend(loc="upper right")
-        axes.set_title(title, y=None if flat else 0.96)  # spatial axes fill the figure
+        labels = sum(bool(label) for *_, label in figures)
+        if labels:  # above the drawing, which may be anywhere in its axes
+            axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=min(labels, COLUMNS))
+        drawn.suptitle(title)
     save(drawn, path)
     return drawn

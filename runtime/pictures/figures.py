@@ -18,23 +18,7 @@ COLOURS = ("#0b5fa5", "#d55e00", "#009e73", "#cc79a7", "#d9a000", "#444444")  # 
 STABLE = "#009e73"  # ranges that are stable, shaded
 MARK = "#c8501e"  # marked values
 GUIDE: Any = {"color": "#222222", "lw": 0.8}  # lines at zero, or at a limit
-STYLE: Any = {
-    "font.size": 10,
-    "axes.titlesize": 11,
-    "axes.grid": True,
-    "grid.color": "#dddddd",
-    "grid.linewidth": 0.6,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "axes.axisbelow": True,
-    "axes.prop_cycle": "cycler('color', [" + ", ".join(f"'{z}'" for z in COLOURS) + "])",
-    "figure.dpi": 110,
-    "figure.titlesize": 12,
-    "legend.frameon": False,
-    "legend.fontsize": 9,
-    "lines.linewidth": 1.6,
-    "savefig.facecolor": "white",  # black text stays readable on a dark page
-}
+STYLE = "flexel.pictures.style"  # the file style.mplstyle beside this one, found by matplotlib
 WIDTH = 8.0  # of a figure with one column of axes [in]
 WORDS = {  # what several quantities of one unit have in common
     "m": "displacement",
@@ -121,11 +105,13 @@ def figure(
         Passed on to `matplotlib.figure.Figure.subplots`.
     """
     require_matplotlib()
-    import matplotlib
+    from matplotlib import style
     from matplotlib.figure import Figure
 
-    with matplotlib.rc_context(STYLE):
-        drawn = Figure(figsize=size, layout="constrained" if rows else None)
+    with style.context(STYLE):
+        drawn = Figure(figsize=size, layout="constrained")
+        if not rows:
+            drawn.set_layout_engine("none")
         yield drawn, drawn.subplots(rows, columns, **options) if rows else None
 
 

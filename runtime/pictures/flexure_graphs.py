@@ -41,21 +41,22 @@ def plot_flexure(result: Flexure, nodes: Sequence[int], path: str | Path | None 
         ),
         ("frequency [Hz]", {f"mode {k + 1}": z for k, z in enumerate(result.frequencies.T[:SHOWN])}),
         (
-            "stress [MPa]",
+            "largest stress [MPa]",
             {f"element {i + 1}": 1e-6 * z for i, z in enumerate(result.stress.T) if not np.isnan(z).all()},
         ),
-        ("buckling multiplier", {f"mode {k + 1}": z for k, z in enumerate(result.buckling.T[:SHOWN])}),
+        ("buckling multiplier [-]", {f"mode {k + 1}": z for k, z in enumerate(result.buckling.T[:SHOWN])}),
     ]
     panels = [(label, curves) for label, curves in panels if curves]
     rows = (len(panels) + 1) // 2
-    with figure(rows, 2, size=(10.0, 0.6 + 3.0 * rows), squeeze=False, sharex=True) as (drawn, axes):
+    with figure(rows, 2, size=(9.0, 0.6 + 3.0 * rows), squeeze=False, sharex=True) as (drawn, axes):
         for panel, (label, curves) in zip(axes.flat, panels, strict=False):
             _curves(panel, result.load, curves)
             panel.set_ylabel(label)
         for panel in axes.flat[len(panels) :]:
             panel.set_visible(False)
         for panel in axes[-1]:
-            panel.set_xlabel("share of the loads")
+            panel.set_xlabel("share of the loads [-]")
+        drawn.suptitle("Flexure mechanism over its load steps")
     save(drawn, path)
     return drawn
 

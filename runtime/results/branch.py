@@ -25,7 +25,7 @@ class PeriodicBranch:
     multipliers : ndarray of complex (n, 2 nd)
         Floquet multipliers of each, largest modulus first.
     kinds : list of str
-        For each "", "end", "fold" where the speed turns back, or "peak" where the largest multiplier has a maximum.
+        For each "", "end", "fold" where the speed reverses, or "peak" where the largest multiplier has a maximum.
     message : str
         Where and why the branch stopped early; empty if it is complete.
     """
@@ -74,7 +74,7 @@ class PeriodicBranch:
 
     @property
     def stretches(self) -> list[tuple[slice, bool]]:
-        """Parts of the branch that are stable or unstable throughout; neighbours share a motion."""
+        """Parts of the branch that are entirely stable or unstable; neighbouring parts share a motion."""
         inner = self.stable | np.array([kind == "fold" for kind in self.kinds])
         steps = (inner[:-1] & inner[1:]).tolist()
         ends = [0, *(i for i in range(1, len(steps)) if steps[i] != steps[i - 1]), len(steps)]

@@ -48,7 +48,7 @@ def signal_names(given: Sequence[str]) -> list[str]:
     Raises
     ------
     LinearizationError
-        If two of them become one.
+        If two of them become equal.
     """
     found = [z.replace(".", "_") for z in given]
     double = [old for old, new in zip(given, found, strict=True) if found.count(new) > 1]

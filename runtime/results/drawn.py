@@ -128,27 +128,48 @@ class DrawnMotion:
     def plot_shapes(self, *times: float, path: str | Path | None = None, **options: Any) -> Figure:
         """The mechanism at the stored states nearest to the times; see `flexel.pictures.deflected.plot_states`."""
         from flexel.pictures.deflected import plot_states
+        from flexel.pictures.options import checked
 
-        return plot_states(self, times, path, **options)  # type: ignore[arg-type]
+        return plot_states(self, times, path, **checked("plot_shapes", plot_states, options))  # type: ignore[arg-type]
 
     def animate(self, path: str | Path, **options: Any) -> Path:
         """Animation of the mechanism as .gif or .mp4 (needs matplotlib), or .html: see `view`."""
         from flexel.pictures.animation import animate
+        from flexel.pictures.options import checked
 
-        return animate(self, path_of(path, "animate"), **options)  # type: ignore[arg-type]
+        return animate(self, path_of(path, "animate"), **checked("animate", animate, options))  # type: ignore[arg-type]
 
     def view(self, path: str | Path, **options: Any) -> Path:
-        """An HTML page that shows the motion in any browser, offline; see `view.scene_data`."""
+        """An HTML page that shows the motion in any browser, offline.
+
+        Parameters
+        ----------
+        path : path
+            Ends in ``.html``.
+        **options
+            ``view`` (a `View`: camera, node to follow, trails, sketches), ``frames``, ``between``, ``title``,
+            ``caption``, ``plots``, ``slower`` and ``progress``; see `flexel.pictures.view.scene_data`.
+
+        Raises
+        ------
+        ModelError
+            An unknown option, with what to write instead; a node in the view that does not exist.
+
+        Examples
+        --------
+        >>> motion.view("ride.html", view=fx.View(centre="saddle"), plots=["lean.angle"])  # doctest: +SKIP
+        """
         from flexel.pictures.view import view_motion
 
         return view_motion(self, path, **options)  # type: ignore[arg-type]
 
     def page(self, **options: Any) -> Page:
-        """The same page in memory, which a notebook shows as the result of a cell; see `view.scene_data`."""
+        """The same page in memory, which a notebook shows as the result of a cell; options as of `view`."""
+        from flexel.pictures.options import checked
         from flexel.pictures.view import Page, scene_data
 
-        return Page(scene_data(self, **options))  # type: ignore[arg-type]
+        return Page(scene_data(self, **checked("page", scene_data, options)))  # type: ignore[arg-type]
 
     def _repr_html_(self) -> str:
-        """The motion as a notebook shows it, with a third of the frames."""
+        """The motion in a notebook, with a third of the frames."""
         return self.page(frames=101, progress=False)._repr_html_()

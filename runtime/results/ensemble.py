@@ -18,7 +18,7 @@ from flexel.results.saved.record import require
 class Ensemble:
     """Time histories of some quantities in many variants; ``ensemble["tip.y"]`` is an array (variants, times).
 
-    Variants that failed hold NaN; those that ended early hold NaN from there.
+    Values of variants that failed are NaN; of those that ended early, from there on.
 
     Attributes
     ----------
@@ -27,7 +27,7 @@ class Ensemble:
     parameters : dict of str to ndarray (variants, …)
         What was varied, by name; also the initial values and rates.
     failed : dict of int to str
-        Why variants failed, by their number.
+        Messages of variants that failed, by their number.
     statistics : list of dict of str to int
         Steps and evaluations of each variant; empty if it failed.
     """
@@ -65,14 +65,14 @@ class Ensemble:
         return self._values[name][0]
 
     def motion(self, i: int) -> Motion:
-        """The whole motion of a variant, computed again: the digits are the same.
+        """The whole motion of a variant, computed again with identical results.
 
         Raises
         ------
         ModelError
-            A number that is not that of a variant.
+            A variant that does not exist.
         FlexelError
-            What made the variant fail.
+            The error of the variant.
         """
         if isinstance(i, bool) or not isinstance(i, (int, np.integer)) or not -len(self) <= i < len(self):
             raise ModelError(f"ensemble: variant {i!r}; give a number from 0 to {len(self) - 1}")

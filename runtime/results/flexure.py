@@ -1,4 +1,4 @@
-"""A flexure mechanism over its load steps: positions, reactions, compliance, frequencies, buckling, stress."""
+"""Results of a flexure mechanism at its load steps: positions, reactions, compliance, frequencies, buckling, stress."""
 
 from __future__ import annotations
 
@@ -34,9 +34,9 @@ class Flexure:
     released : tuple of str
         Deformations that were released because the mechanism was over-constrained.
     redundant : list of dict
-        The states of self-stress that made it so: shares of the deformations, the largest scaled to 1.
+        The states of self-stress that show this: shares of the deformations, the largest scaled to 1.
     notes : tuple of str
-        What else is to be known of the analysis, such as multipliers that could not be found.
+        Notes on the analysis, such as multipliers that could not be found.
     """
 
     def __init__(
@@ -162,10 +162,11 @@ class Flexure:
     def plot_shapes(self, *steps: int, path: str | Path | None = None, **options: Any) -> Figure:
         """The mechanism at some steps over its drawn shape; the last one by default. Options as of `Motion`."""
         chosen = [float(self.load[whole(i, "plot_shapes", "step", 0, len(self) - 1)]) for i in steps]
-        return self.motion.plot_shapes(*chosen, path=path, **{"label": "{:.3g} of the loads"} | options)
+        own = {"label": "{:.3g} of the loads", "title": "Deflected shapes"}
+        return self.motion.plot_shapes(*chosen, path=path, **own | options)
 
     def view(self, path: str | Path, **options: Any) -> Path:
-        """An HTML page that shows the steps in any browser; options of `flexel.pictures.view.scene_data`."""
+        """An HTML page that shows the steps in any browser; options as of `Motion.view`."""
         return self.motion.view(path, **options)
 
     # -- tables and files ------------------------------------------------------------------------

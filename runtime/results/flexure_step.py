@@ -23,7 +23,7 @@ from flexel.statics.compliance import DIRECTIONS, Compliance
 from flexel.statics.stability import Vibration, vibrations
 from flexel.structure.state import State
 
-SHOWN = 3  # frequencies in a line of the table
+SHOWN = 3  # largest number of frequencies in a line of the table
 
 
 def node_name(node: int) -> str:
@@ -191,9 +191,12 @@ class FlexureStep:
     def plot_mode(self, number: int, path: str | Path | None = None, **options: Any) -> Figure:
         """A mode of vibration over the shape at this step; options of `flexel.pictures.deflected.plot_shape`."""
         from flexel.pictures.deflected import plot_shape
+        from flexel.pictures.options import checked
 
         mode = self.vibrations()[self._known(number) - 1]
-        return plot_shape(self.state, mode.shape, path, **{"title": f"{mode.hertz:.4g} Hz"} | options)
+        title = f"Mode {number} at {mode.hertz:.4g} Hz"
+        given = {"title": title} | checked("plot_mode", plot_shape, options)
+        return plot_shape(self.state, mode.shape, path, **given)
 
     def view_modes(self, path: str | Path, **options: Any) -> Path:
         """An HTML page with the modes of vibration at this step; options of `flexel.pictures.view.mode_data`."""
@@ -215,5 +218,5 @@ def beams_of(state: State, element: int) -> list[str]:
 
 
 def _finite(values: Array) -> Array:
-    """The entries that are numbers; rows of different lengths are filled up with NaN."""
+    """The entries that are numbers; shorter rows are filled with NaN."""
     return np.asarray(values[~np.isnan(values)])

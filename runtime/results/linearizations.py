@@ -24,12 +24,12 @@ from flexel.results.saved.record import require
 
 @dataclass(frozen=True)
 class Linearizations:
-    """Linearized equations of variants, or of variants at several rates; failed ones hold NaN.
+    """Linearized equations of variants, or of variants at several rates; NaN for those that failed.
 
     Attributes
     ----------
     M, C, K, A_k, B_k, Z, Z_v, Z_q, Z_z : ndarray (variants, …) or (variants, rates, …)
-        The matrices of `Linearization`, one behind the other.
+        The matrices of `Linearization`, stacked.
     dynamic, kinematic, internal : tuple of str
         Names of the degrees of freedom and of the laws' internal states.
     parameters : dict of str to ndarray (variants, …)
@@ -37,7 +37,7 @@ class Linearizations:
     rates : dict of str to ndarray (rates,)
         The rates that were given; empty if there are none.
     failed : dict of int to str
-        Why variants failed, by their number.
+        Messages of variants that failed, by their number.
     """
 
     M: Array
@@ -74,7 +74,7 @@ class Linearizations:
         ModelError
             A number that does not exist.
         FlexelError
-            What made the variant fail.
+            The error of the variant.
         """
         counts = len(self), self.M.shape[1] if self.rates else 1
         for what, i, count in zip(("variant", "rate"), (variant, rate), counts, strict=True):
@@ -84,9 +84,16 @@ class Linearizations:
 
     @property
     def state_matrices(self) -> Array:
-        """Matrices (…, n, n) of the first-order equations, each as `Linearization.state_matrix`."""
-        rolling, lags = (self.A_k, self.B_k), (self.Z_v, self.Z_q, self.Z_z)
-        return first_order(self.M, (self.C, self.K, self.Z), rolling, lags)
+        """First-order equations (…, n, n), each as `Linearization.state_matrix`; NaN where a variant failed."""
+        good = np.isfinite(self.M).all(axis=(-2, -1))
+        forces, rolling, lags = (
+            [z[good] for z in blocks]
+            for blocks in ((self.C, self.K, self.Z), (self.A_k, self.B_k), (self.Z_v, self.Z_q, self.Z_z))
+        )
+        some = first_order(self.M[good], forces, rolling, lags)
+        A = np.full((*good.shape, *some.shape[1:]), np.nan)
+        A[good] = some
+        return A
 
     def eigenvalues(self) -> ComplexArray:
         """Eigenvalues (…, n) [1/s] of the state matrices, in no particular order; NaN where a variant failed."""
@@ -205,9 +212,12 @@ class RootLoci:
         """
         from flexel.pictures.figures import axis_label
         from flexel.pictures.loci import plot_loci
+        from flexel.pictures.options import checked
 
         label = axis_label([self.name], self.unit) if self.unit else self.name
-        return plot_loci(self.branches(variant), path, **{"label": label, **options})
+        return plot_loci(
+            self.branches(variant), path, **{"label": label} | checked("plot", plot_loci, options)
+        )
 
     def to_xarray(self) -> Dataset:
         """The branches as an xarray.Dataset, besides those of `Linearizations.to_xarray`."""
@@ -221,7 +231,7 @@ class RootLoci:
 
 
 def _worst(names: Sequence[str], columns: Mapping[str, Sequence[str]], sizes: Array) -> Array:
-    """Of the largest entries (n, columns) of all equations those in which others than the named ones weigh most."""
+    """The equations in which degrees of freedom other than the named ones have the largest entries (n, columns)."""
     ends = np.cumsum([0, *(len(z) for z in columns.values())]).tolist()
     found = []
     for (label, own), first, end in zip(columns.items(), ends, ends[1:], strict=False):

@@ -27,8 +27,8 @@ class Motion(DrawnMotion, Sequence[State]):
     """The states of a simulated or prescribed motion at the stored times, from a simulation or a file.
 
     ``motion["rod.bend1"]`` is the time history (nt,) of a quantity, ``motion["rod.bend1'"]`` of its rate,
-    ``motion["rod.bend1''"]`` of its acceleration, ``motion["force:rod.bend1"]`` of its stress or reaction; the same
-    names serve plots and tables.  ``motion[i]`` is the i-th state.
+    ``motion["rod.bend1''"]`` of its acceleration, ``motion["force:rod.bend1"]`` of its stress or reaction; plots and
+    tables use the same names.  ``motion[i]`` is the i-th state.
 
     Attributes
     ----------
@@ -192,7 +192,7 @@ class Motion(DrawnMotion, Sequence[State]):
 
     @property
     def dense(self) -> bool:
-        """Whether `at` gives states between the stored times."""
+        """Whether `at` returns states between the stored times."""
         return bool(self._segments)
 
     def nearest(self, t: float) -> State:

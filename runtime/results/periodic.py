@@ -66,7 +66,7 @@ class PeriodicSolution:
         return self.motion.unit(name)
 
     def harmonics(self, name: str) -> ComplexArray:
-        """Complex amplitudes (k + 1,) of a degree of freedom: the harmonic j is Re(a_j exp(i j ω t)), a_0 the mean.
+        """Complex amplitudes (k + 1,) of a degree of freedom: harmonic j is Re(a_j exp(i j ω t)), a_0 is the mean.
 
         Raises
         ------
@@ -104,7 +104,7 @@ class PeriodicSolution:
         return self.motion.plot_shapes(*times, path=path, **options)
 
     def view(self, path: str | Path, **options: Any) -> Path:
-        """An HTML page that shows one period in any browser; options of `flexel.pictures.view.scene_data`."""
+        """An HTML page that shows one period in any browser; options as of `Motion.view`."""
         return self.motion.view(path, **options)
 
     # -- tables and files ------------------------------------------------------------------------

@@ -18,7 +18,7 @@ from flexel.linear.sensors import state_space
 from flexel.mechanics.linearization import Linearization
 from flexel.results.quantities import history
 
-COUNT = 400  # frequencies over the whole range, equally apart on a logarithmic axis
+COUNT = 400  # frequencies over the whole range, equidistant on a logarithmic axis
 ABOUT = np.logspace(-1.5, 2, 22)  # about a resonance, in half widths of its peak
 SHARPEST = 1e-5  # half width over frequency that is resolved; a peak without damping is infinite
 BLOCK = 128  # frequencies solved at once

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.signal import get_window
 
 from flexel.base.arguments import text
 from flexel.base.arrays import Array
@@ -12,6 +11,8 @@ from flexel.base.errors import ModelError
 
 def amplitudes(t: Array, values: Array, name: str, window: str = "hann") -> tuple[Array, Array]:
     """Frequencies [Hz] and amplitudes (nf,) of values (nt,) at equidistant times; see `Motion.spectrum`."""
+    from scipy.signal import get_window  # slow to import
+
     steps = np.diff(t)
     if t.size < 4:
         raise ModelError(

@@ -214,13 +214,13 @@ def _planar_wheel(entry: ElementEntry, dialect: str) -> list[Call]:
 
 def _belt(entry: ElementEntry, dialect: str) -> list[Call]:
     options = dict(zip(("radius_p", "radius_q"), entry.numbers, strict=True))
-    return [Call("belt", (entry.name, *entry.ends), options, entry.line), *law_calls(entry)]
+    return [Call("planar_belt", (entry.name, *entry.ends), options, entry.line), *law_calls(entry)]
 
 
 def _gear(entry: ElementEntry, dialect: str) -> list[Call]:
     options = dict(zip(("radius_p", "radius_q"), entry.numbers, strict=True))
     quantity(entry, 1)  # refuses opposite radii
-    return [Call("gear", (entry.name, *entry.ends), options, entry.line), *law_calls(entry)]
+    return [Call("planar_gear", (entry.name, *entry.ends), options, entry.line), *law_calls(entry)]
 
 
 def _surface(entry: ElementEntry, dialect: str) -> list[Call]:

@@ -23,7 +23,7 @@ from flexel.structure.state import State, own_state
 
 DIRECTIONS = ("x", "y", "z", "turn x", "turn y", "turn z")
 PLANAR_DIRECTIONS = ("x", "y", "turn")
-RIGID = 1e-14  # relative to the largest compliance, in lengths of the model: directions below it are rigid
+RIGID = 1e-14  # relative to the largest compliance, in lengths of the model: lower ones are rigid
 
 
 @dataclass(frozen=True)

@@ -21,7 +21,7 @@ from flexel.mechanics.saddle import Matrix, SaddlePattern
 from flexel.structure.state import State, own_state
 
 log = logging.getLogger("flexel.statics")
-POLISHING = 3  # more steps at most: where stiffnesses differ much, they gain digits
+POLISHING = 3  # largest number of further steps: they gain digits where stiffnesses differ much
 CONVERGED, STALLED, MAX_ITERATIONS = 1e-12, 1e-9, 20
 STEP = 0.4  # largest change of a coordinate, in its natural scale, in one Newton step
 
@@ -113,7 +113,7 @@ def solve(problem: Rest, t: float, x: Array, mu: Array, near: Array) -> tuple[Eq
         return q, problem.size(q, q.residual)
 
     def move(point: tuple[Array, Array, Array], q: Equations) -> tuple[Array, Array, Array] | None:
-        # the least one: bars that are not yet strained resist nothing across them
+        # the smallest solution: unstrained bars resist no transverse motion
         step = q.matrix.least_solution(q.residual)
         if step is None:
             step = q.matrix.solve(q.residual)
@@ -132,9 +132,7 @@ def solve(problem: Rest, t: float, x: Array, mu: Array, near: Array) -> tuple[Eq
     if not found.converged:
         return None
     best, point = (found.equations, found.error), found.point
-    for _ in range(
-        POLISHING if best[0].matrix.factors.regular else 0
-    ):  # a free motion is none of its concern
+    for _ in range(POLISHING if best[0].matrix.factors.regular else 0):  # a free motion is handled elsewhere
         further = move(point, best[0])
         tried = None if further is None else evaluate(further)
         if further is None or tried is None or not tried[1] < best[1]:

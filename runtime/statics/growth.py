@@ -1,4 +1,4 @@
-"""Whether motions about an equilibrium grow, where forces have no potential or wheels roll."""
+"""Growth of motions about an equilibrium, where forces have no potential or wheels roll."""
 
 from __future__ import annotations
 

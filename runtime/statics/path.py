@@ -30,7 +30,7 @@ ARCS = Arcs(first=0.1, largest=0.5, smallest=1e-7, steps=500)
 
 @dataclass(frozen=True)
 class Found:
-    """An equilibrium, and in what it is unstable, with advice; empty if it is not known to be."""
+    """An equilibrium, and the motions in which it is unstable, with advice; empty if none is known."""
 
     state: State
     unstable: str
@@ -52,14 +52,14 @@ def equilibrium(
     settled = settle(problem, t, q, mu) if count else None
     if settled is None:
         raise PositionError(
-            f"no stable equilibrium found at t = {t:g} s: the one that was found is unstable, and downhill from it "
-            "none is reached; start nearer to one, or support what moves"
+            f"no stable equilibrium found at t = {t:g} s: the one that was found is unstable, and a descent from it "
+            "reaches none; start nearer to one, or support what moves"
         )
     return Found(problem.state(settled[0].balance), "")
 
 
 def _unstable(system: Core, state: State, count: int | None, *, held: bool) -> str:
-    """In what an equilibrium is unstable, with advice, from the count of `unstable_motions`; empty if in nothing."""
+    """Description of an instability, with advice, from the count of `unstable_motions`; empty if there is none."""
     if count:
         return f"in {count} independent motion(s), see system.vibrations(state); for a stable one give stable=True"
     growing = growing_motions(system, state) if count is None and not held else 0
@@ -71,7 +71,7 @@ def _unstable(system: Core, state: State, count: int | None, *, held: bool) -> s
 def _balanced(problem: Rest, t: float, start: State) -> tuple[Equations, Array]:
     """The equilibrium near a start, and its multipliers.
 
-    By Newton's method; else by removing the unbalance gradually; else, where nothing resists, by going down.
+    By Newton's method; else by removing the unbalance gradually; else, where nothing resists, by descent.
     """
     mu = problem.holding_forces(t, start)
     try:
@@ -85,7 +85,7 @@ def _balanced(problem: Rest, t: float, start: State) -> tuple[Equations, Array]:
         failure: FlexelError = PositionError(f"no equilibrium found at t = {t:g} s: {message}")
     except DynamicsError as error:  # the stiffness is singular
         failure = error
-    log.info("t = %g s: goes down to where forces balance, because %s", t, failure)
+    log.info("t = %g s: descends to where forces balance, because %s", t, failure)
     found = descend(problem, t, start.x, mu, start.e)
     if found is None:
         raise failure

@@ -1,8 +1,8 @@
 """Whether an equilibrium is stable, and descent to a stable one where the tangent does not lead to one.
 
 Descent: Newton's step in the eigenvectors of the stiffness on the admissible motions, with the magnitude of each
-eigenvalue, so that every part goes down in potential; each is limited.  A pendulum drawn horizontal, which no
-stiffness resists, moves down until it hangs.
+eigenvalue, so that the potential decreases along every eigenvector; each part is limited.  A pendulum drawn horizontal,
+which no stiffness resists, moves down until it hangs.
 """
 
 from __future__ import annotations
@@ -24,12 +24,10 @@ splu: Any = untyped_splu
 LARGEST = 1500  # most coordinates and multipliers for which stability is judged
 LARGEST_DESCENT = 600  # most of them for a descent, which finds all eigenvectors at every step
 NEUTRAL = 1e-11  # eigenvalue, relative to the largest entry of the stiffness, that counts as zero
-SYMMETRIC = 1e-7  # relative difference up to which a tangent counts as symmetric
+SYMMETRIC = 1e-7  # relative difference below which a tangent counts as symmetric
 STIFF = 100.0  # springs on the conditions, relative to the largest entry of the stiffness
 MOST_STEPS = 200
-STEEPER = (
-    1e9  # stiffness, relative to that at the start of a descent, of a place where an element is singular
-)
+STEEPER = 1e9  # stiffness, relative to that at the start of a descent, that indicates a singular element
 KICK = 0.05  # displacement from an unstable equilibrium, in natural scales
 KICKS = 10  # unstable equilibria that a descent may pass
 
@@ -121,7 +119,7 @@ def _negative(d: Array) -> int:
 
 @dataclass(frozen=True)
 class Place:
-    """A point of a descent: coordinates, multipliers, nearby deformations, and how it got there.
+    """A point of a descent: coordinates, multipliers, nearby deformations, and the step that led to it.
 
     Attributes
     ----------
@@ -142,7 +140,7 @@ class Place:
 
 
 def descend(problem: Rest, t: float, x: Array, mu: Array, near: Array) -> tuple[Equations, Array] | None:
-    """The equilibrium downhill from a point, and its multipliers; None if none is reached."""
+    """The equilibrium reached by descent from a point, and its multipliers; None if none is reached."""
     if problem.structure.nf + mu.size > LARGEST_DESCENT or problem.roles.zero.size:
         return None
     nf, scale = problem.structure.nf, problem.x_scale
@@ -167,17 +165,17 @@ def descend(problem: Rest, t: float, x: Array, mu: Array, near: Array) -> tuple[
     here = evaluate(start)[0]
     steepest = STEEPER * max(here.stiffness, here.balance.scale)
     found = newton(start, evaluate, move, tolerance=CONVERGED, stalled=STALLED, most=MOST_STEPS)
-    # beside such a stiffness every force is small: a cable whose slope vanishes would seem to be in equilibrium
+    # relative to such a stiffness every force is small: a cable without slope would seem to be in equilibrium
     if not found.converged or found.equations.stiffness > steepest:
         return None
     return found.equations, found.point.mu
 
 
 def _downhill(here: Tangent, r: Array, reach: float) -> Array:
-    """Admissible step (nf,) that goes down along every eigenvector, by `reach` at most."""
+    """Admissible step (nf,) of descent along every eigenvector, by `reach` at most."""
     Z, _ = null_space(here.D, r.size)
     w, V = eigh(Z.T @ here.K @ Z)
-    # a direction in which no force acts is left alone, however soft
+    # no step in a direction without a force, however soft
     pull = V.T @ (Z.T @ r)
     least = max(
         NEUTRAL * float(np.abs(here.K).max(initial=0.0)), NEUTRAL * float(np.abs(pull).max(initial=0.0))
@@ -187,7 +185,7 @@ def _downhill(here: Tangent, r: Array, reach: float) -> Array:
 
 
 def settle(problem: Rest, t: float, q: Equations, mu: Array) -> tuple[Equations, Array] | None:
-    """A stable equilibrium downhill from an unstable one, and its multipliers; None if none is reached."""
+    """A stable equilibrium reached by descent from an unstable one, and its multipliers; None if none is reached."""
     nf = problem.structure.nf
     for _ in range(KICKS):
         here = tangent(problem, q)

@@ -45,7 +45,7 @@ class BucklingMode:
     HEAD: ClassVar[tuple[str, ...]] = ("multiplier", "largest changes")
 
     def row(self) -> tuple[str, ...]:
-        """Its line in a table of modes."""
+        """The line in a table of modes."""
         return f"{self.multiplier:.6g}", largest(self.shape)
 
     def __repr__(self) -> str:
@@ -113,7 +113,7 @@ def _by_load(problem: Rest, q: Equations, load: Array) -> Any:
     stress = np.bincount(left, by_laws, minlength=first) - load[:first]
     inner = problem.force_rows < first
     np.add.at(stress, problem.force_rows[inner], solution[s.nf :][inner])
-    work.S[:] = work.S_rate[:] = 0.0  # what remains is proportional to the stresses, but for body forces
+    work.S[:] = work.S_rate[:] = 0.0  # the rest is proportional to the stresses, except for body forces
     under, free = (_tangent(problem, z) for z in (stress, np.zeros(first)))
     return work.tables.T.pattern.matrix(under - free)
 
@@ -145,7 +145,7 @@ class Vibration:
     HEAD: ClassVar[tuple[str, ...]] = ("frequency [rad/s]", "[Hz]", "largest changes")
 
     def row(self) -> tuple[str, ...]:
-        """Its line in a table of vibrations."""
+        """The line in a table of vibrations."""
         return f"{self.omega:.6g}", f"{self.hertz:.6g}", largest(self.shape)
 
     def __repr__(self) -> str:
@@ -230,7 +230,7 @@ def _bordered(problem: Rest, q: Equations, M: Any) -> tuple[Any, Any, Array]:
 def _pencil(K: Array, M: Array) -> tuple[Array, Array]:
     """Finite eigenvalues of K v = w² M v, ascending; massless directions are condensed statically."""
     m, U = np.linalg.eigh(M)
-    if not np.any(m > 0):  # nothing that moves has mass, so nothing vibrates
+    if not np.any(m > 0):  # no moving part has mass, so nothing vibrates
         return np.zeros(0), np.zeros((m.size, 0))
     massless = m < 1e-13 * max(float(m[-1]), 1e-300)
     if not massless.any():

@@ -1,7 +1,7 @@
 """The kernels of a law that calls Python: a continuous controller given by a function.
 
 The engine calls it like every other law, also from its threads.  What the function raises is kept, and the forces are
-not a number; whoever called the engine asks `raise_failure` then.
+not a number; the caller of the engine then calls `raise_failure`.
 """
 
 from __future__ import annotations
@@ -19,6 +19,7 @@ from flexel.base.errors import FlexelError
 from flexel.derive.spec import InternalSpec, KernelSpec, LawSpec, OutputSpec
 from flexel.generated._kernels import ffi
 from flexel.structure.controllers import Controller
+from flexel.structure.windup import BackCalculation
 
 LANES = 8
 KERNEL = "void(size_t, const double *const *, double *const *)"
@@ -64,11 +65,11 @@ class Callback:
     _failed: local = field(default_factory=local, repr=False, compare=False)
 
     def __getstate__(self) -> dict[str, Any]:
-        """What it is made of."""
+        """Its arguments."""
         return {"controller": self.controller, "wires": self.wires}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
-        """Another one of the same controller, for this process."""
+        """The same law in this process."""
         self.__dict__.update(state, _failed=local())
 
     def __deepcopy__(self, _: object) -> Callback:
@@ -77,7 +78,7 @@ class Callback:
 
     @cached_property
     def spec(self) -> LawSpec:
-        """What the engine knows of the law; only what depends on the inputs is stored."""
+        """The specification of the law; only entries that depend on the inputs are stored."""
         w, nx = self.wires, self.controller.rule.nx
         columns = 2 * w.m + w.k + nx
         used = [*dict.fromkeys(w.inputs), *range(2 * w.m + w.k, columns)]
@@ -125,7 +126,7 @@ class Callback:
             raise failed
 
     def forget_failure(self) -> None:
-        """Forget an error of the function: the engine has gone another way; an interrupt is raised."""
+        """Discard an error of the function from a trial step; an interrupt is raised."""
         if isinstance(getattr(self._failed, "error", None), FlexelError):
             del self._failed.error
         self.raise_failure()
@@ -160,9 +161,9 @@ class Callback:
         """sigma, tau, zd, U and P."""
         w = self.wires
         every, y, x, t = self._given(given)
-        u, xd = self.controller.rule(t, y, x)
+        u, xd = self.controller.advanced(t, y, x)
         stress = np.zeros(w.m + w.k)
-        stress[list(w.outputs)] = -self.controller.limited(u)
+        stress[list(w.outputs)] = -u
         power = stress @ every[w.m :]
         return [stress[: w.m], stress[w.m :], xd, np.zeros(0), np.array([power])]
 
@@ -172,7 +173,10 @@ class Callback:
         _, y, x, t = self._given(given)
         slopes = c.rule.slopes(t, y, x)
         u, nu, ny = c.rule(t, y, x)[0], len(c.outputs), y.size
-        slopes[:nu][(u < c.low) | (u > c.high)] = 0.0
+        beyond = (u < c.low) | (u > c.high)
+        if isinstance(c.windup, BackCalculation):
+            slopes[nu:] -= c.windup.gains[:, beyond] @ slopes[:nu][beyond]
+        slopes[:nu][beyond] = 0.0
         J = np.zeros((w.m + w.k + x.size, 2 * w.m + w.k + x.size))
         rows = [*w.outputs, *range(w.m + w.k, len(J))]
         slopes[:nu] *= -1

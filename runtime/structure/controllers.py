@@ -1,4 +1,4 @@
-"""Controllers of a model: what they measure and drive, their rule, limits, period and delay."""
+"""Controllers of a model: their inputs and outputs, rule, limits, period and delay."""
 
 from __future__ import annotations
 
@@ -13,13 +13,14 @@ from flexel.base.arrays import Array
 from flexel.base.copies import Constant
 from flexel.base.errors import LinearizationError
 from flexel.structure.rules import Rule
+from flexel.structure.windup import AntiWindup
 
 SAME = 1e-9  # of a period: times that close are one instant
 AT_LIMIT = 1e-12  # relative
 
 
 class State(Protocol):
-    """What is read from the state of a mechanism."""
+    """The values that are read from the state of a mechanism."""
 
     @property
     def t(self) -> float:
@@ -45,7 +46,7 @@ class State(Protocol):
 
 @dataclass(frozen=True)
 class Controller(Constant):
-    """A controller: u = rule(t, y, x) within its limits, continuous or sampled.
+    """A controller: u, x = rule(t, y, x), u within its limits; continuous or sampled.
 
     Attributes
     ----------
@@ -59,6 +60,8 @@ class Controller(Constant):
         [s]; None for a continuous one.
     delay : float
         From an instant to the change of the outputs [s].
+    windup : AntiWindup or None
+        What happens to the own state while an output is beyond its limits.
     """
 
     name: str
@@ -69,6 +72,7 @@ class Controller(Constant):
     high: Array
     period: float | None = None
     delay: float = 0.0
+    windup: AntiWindup | None = None
 
     @property
     def owner(self) -> str:
@@ -87,7 +91,7 @@ class Controller(Constant):
 
     @cached_property
     def waiting(self) -> tuple[str, ...]:
-        """Names of the outputs on their way, ``name.next0``, …, those that come first first."""
+        """Names of the delayed outputs, ``name.next0``, …, in the order in which they take effect."""
         return tuple(f"{self.name}.next{i}" for i in range(self.slots * len(self.outputs)))
 
     @cached_property
@@ -100,15 +104,28 @@ class Controller(Constant):
 
     @property
     def slots(self) -> int:
-        """Number of instants whose outputs are on their way at most."""
+        """Largest number of instants whose outputs are delayed at once."""
         if self.period is None:
             return 0
         whole, rest = self.lag
         return whole + (rest > 0)
 
+    @property
+    def limits(self) -> bool:
+        """Whether an output has a limit."""
+        return bool(np.isfinite([self.low, self.high]).any())
+
     def limited(self, u: Array) -> Array:
         """The outputs within their limits."""
         return np.minimum(np.maximum(u, self.low), self.high)
+
+    def advanced(self, t: float, y: Array, x: Array) -> tuple[Array, Array]:
+        """The outputs (nu,) within their limits, and the own state after the instant or its rate (nx,)."""
+        u, new = self.rule(t, y, x)
+        limited = self.limited(u)
+        if self.windup is not None and np.any(u != limited):
+            new = self.windup(x, new, u - limited, lambda other: self.rule(t, y, other)[0])
+        return limited, new
 
     def measured(self, state: State) -> Array:
         """The inputs (ny,) at a state."""
@@ -120,7 +137,7 @@ class Controller(Constant):
 
     def outputs_at(self, state: State) -> Array:
         """The outputs (nu,) of a continuous controller at a state."""
-        return self.limited(self.rule(state.t, self.measured(state), self.remembered(state))[0])
+        return self.advanced(state.t, self.measured(state), self.remembered(state))[0]
 
     def slopes(self, state: State) -> Array:
         """Derivatives (nu + nx, ny + nx) of the outputs and own state, or its rate, by inputs and own state.

@@ -8,7 +8,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from flexel.base.arguments import array
+from flexel.base.arguments import LARGEST, array
 from flexel.base.arrays import Array
 from flexel.base.copies import Portable
 from flexel.base.errors import CompilerError, ModelError
@@ -28,7 +28,7 @@ TABLES: dict[type, Mapping[str, Any]] = {ElementSpec: ELEMENTS, LawSpec: LAWS}
 
 
 class _Row(Portable):
-    """What elements and laws have in common: a specification, and kernels built in or compiled by the user.
+    """Common base of elements and laws: a specification, and kernels built in or compiled by the user.
 
     In a pickle a built-in specification is a name, and kernels of the user are their C code.
     """
@@ -77,7 +77,7 @@ class Instance(_Row):
     profile: object = None  # section and material of a beam, if given
     mass_damping: float = 0.0  # force per momentum [1/s], the mass-proportional part of Rayleigh damping
     terms: Mapping[str, float] | None = None  # coefficients of a relation, by quantity
-    look: object = None  # how pictures show it, if that was said
+    look: object = None  # its appearance in pictures, if given
 
     @property
     def p(self) -> Array:
@@ -123,8 +123,15 @@ def flatten(values: Mapping[str, Array], specs: Iterable[object], owner: str) ->
     parts: list[Array] = []
     for spec in specs:
         name, size = spec.name, spec.size  # type: ignore[attr-defined]
-        value = array(values[name], owner, f"parameter {name}").ravel()
+        value = values[name]
+        if not isinstance(value, np.ndarray) or value.dtype != float:
+            value = array(value, owner, f"parameter {name}")
+        value = value.ravel()
         if value.size != size:
             raise ModelError(f"{owner}: parameter {name} has {value.size} numbers; it needs {size}")
         parts.append(value)
-    return np.concatenate(parts) if parts else np.zeros(0)
+    found = np.concatenate(parts) if parts else np.zeros(0)
+    if not (np.abs(found) <= LARGEST).all():  # once for all; now by name
+        for name, value in values.items():
+            array(value, owner, f"parameter {name}")
+    return found

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -28,6 +29,8 @@ UNITS = {  # others are positions
     "planar_slope": "-",
     "warping": "rad/m",
 }
+SENSORS = ("omega", "body_omega")  # of the angular velocity of a frame: in global axes, in its own
+AXES = ("wx", "wy", "wz")
 
 
 @dataclass(frozen=True)
@@ -48,3 +51,19 @@ class Node(Constant):
     def coordinates(self) -> tuple[str, ...]:
         """Full names of the coordinates, ``node.component``."""
         return tuple(f"{self.name}.{c}" for c in COMPONENTS[self.kind])
+
+
+def unmeasured(name: str, nodes: Mapping[str, Node]) -> str:
+    """Advice for an angular velocity that no element measures; empty for any other name."""
+    part, _, axis = name.rpartition(".")
+    frame, _, sensor = part.rpartition(".")
+    if part in nodes and axis not in SENSORS + AXES:
+        return ""
+    node = nodes.get(part) or (nodes.get(frame) if sensor in SENSORS else None)
+    if node is None or node.kind not in ("frame", "planar_angle"):
+        return ""
+    if node.kind == "planar_angle":
+        return f"the angular velocity of '{node.name}' is the rate of '{node.coordinates[0]}'; name that"
+    own = SENSORS[1] in (sensor, axis)
+    made = ", ".join(f"{node.name}.{SENSORS[own]}.{z}" for z in AXES)
+    return f"declare m.angular_velocity('{node.name}'{', body_axes=True' * own}) first, which makes the slips {made}"

@@ -141,7 +141,7 @@ def _split(name: Any) -> tuple[str, int | None]:
 def _places(structure: Structure) -> Iterator[tuple[str, Place]]:
     """All parameters with their names; laws have also those in words.
 
-    Gains of controllers are none: the controller has them too, for its outputs and its limits.
+    Gains of controllers are not included: the controller has a copy of them, for its outputs and limits.
     """
     controllers = {c.name for c in structure.controllers}
     for law, owners in ((False, structure.instances), (True, structure.laws)):

@@ -97,7 +97,7 @@ class FunctionRule(Constant):
             return self._vector(found, self.nu, f"{at}: the function returned"), np.zeros(0)
         if not isinstance(found, tuple | list) or len(found) != 2:
             raise ModelError(
-                f"{at}: the function returned {found!r:.80}; with its own state it returns two things, "
+                f"{at}: the function returned {found!r:.80}; with its own state it returns two values, "
                 "(outputs, state)"
             )
         u = self._vector(found[0], self.nu, f"{at}: the function returned outputs")

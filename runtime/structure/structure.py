@@ -19,7 +19,7 @@ from flexel.base.copies import Constant
 from flexel.base.errors import ModelError
 from flexel.structure.controllers import Controller
 from flexel.structure.instances import Instance, LawInstance
-from flexel.structure.nodes import Node
+from flexel.structure.nodes import Node, unmeasured
 from flexel.structure.relations import Relations, find_relations
 
 
@@ -85,7 +85,9 @@ class Structure(Constant):
         """Quantity index of a name; a ModelError with the nearest known names (and the owner) otherwise."""
         if isinstance(name, str) and name in self.index:
             return self.index[name]
-        raise ModelError(f"{owner}: " * bool(owner) + unknown(str(name), self.index))
+        missing = unmeasured(str(name), self._by_name)
+        known = f"unknown name '{name}'; {missing}" if missing else unknown(str(name), self.index)
+        raise ModelError(f"{owner}: " * bool(owner) + known)
 
     def is_norm(self, name: str) -> bool:
         """Whether a quantity is the norm of a frame's Euler parameters."""
@@ -94,7 +96,7 @@ class Structure(Constant):
 
     @cached_property
     def kinked(self) -> tuple[int, ...]:
-        """Deformations whose derivatives jump where motions may go, as their elements say: no degrees of freedom."""
+        """Deformations whose derivatives may jump within a motion: they cannot be degrees of freedom."""
         specs = [d for z in self.instances for d in z.spec.deformations]
         return tuple(i for i, d in enumerate(specs) if d.kinked)
 

@@ -151,7 +151,7 @@ def _signed(value: Any, sign: float) -> Any:
     return value if sign > 0 else Change().factored(value, sign)
 
 
-@changer("gear")
+@changer("planar_gear")
 def _gear(change: Change, call: Call, case: Case) -> Call:
     sizes = {z: change.size("L", call.options[z]) for z in ("radius_p", "radius_q")}
     return options(call, **sizes)

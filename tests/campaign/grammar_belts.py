@@ -43,7 +43,7 @@ def _belts(s: Sketch, i: int, ends: tuple[str, str, str, str]) -> None:
             if s.draw(st.booleans()):
                 elastic["damping"] = s.draw(number(0.5, 3))
         name = f"belt{i}{'a' if side > 0 else 'b'}"
-        s.add("belt", name, *ends, radius_p=side * a, radius_q=side * b, **elastic)
+        s.add("planar_belt", name, *ends, radius_p=side * a, radius_q=side * b, **elastic)
 
 
 BELTS = {"belts": belts()}

@@ -164,7 +164,7 @@ def gears(draw: Draw) -> Case:
     s.add("rotary_inertia", "sun wheel", sun, draw(number(0.1, 0.5)))
     s.body("planet wheel", "P", planet)
     a, b = draw(number(0.1, 0.5)), draw(st.sampled_from((0.2, 0.3, -0.8)))
-    s.add("gear", "mesh", origin, sun, "P", planet, radius_p=a, radius_q=b)
+    s.add("planar_gear", "mesh", origin, sun, "P", planet, radius_p=a, radius_q=b)
     s.act()
     return s.case("gears")
 

@@ -10,7 +10,7 @@ from campaign.parts_forces import Spring
 from flexel.base.arrays import Array
 
 
-@handler("belt", options="radius_p radius_q stiffness damping")
+@handler("planar_belt", options="radius_p radius_q stiffness damping")
 def _belt(drawing: Drawing, call: Call) -> None:
     name, *nodes = call.args
     a, b = call.options["radius_p"], call.options["radius_q"]
@@ -33,7 +33,7 @@ def _belt(drawing: Drawing, call: Call) -> None:
         drawing.twins.append(Spring(drawing.measures[f"{name}.elongation"], k, damping, 0.0, 0.0))
 
 
-@changer("belt")
+@changer("planar_belt")
 def _changed(change: Change, call: Call, case: Case) -> Call:
     z = call.options
     new = {key: change.sign * change.size("L", z[key]) for key in ("radius_p", "radius_q")}

@@ -101,7 +101,7 @@ def _bearing(drawing: Drawing, call: Call) -> None:
         drawing.measure(f"{name}.{what}", (p, rp, q), distance, True)
 
 
-@handler("gear", options="radius_p radius_q")
+@handler("planar_gear", options="radius_p radius_q")
 def _gear(drawing: Drawing, call: Call) -> None:
     name, p, angle_p, q, angle_q = call.args
     a, b = call.options["radius_p"], call.options["radius_q"]

@@ -4,23 +4,30 @@ The random seed is in the header of pytest; ``FLEXEL_CAMPAIGN_SEED=N`` repeats i
 """
 
 import os
+from typing import Any
 
 import pytest
 
+from campaign.families import FAMILIES
+from campaign.properties import PROPERTIES
 from campaign.run import run, table
 
 PARTS = 10
 
 
-def check(models: int, seed: int) -> None:
+def check(models: int, seed: int) -> dict[str, Any]:
     found = run(models, seed)
     print(table(found))
     assert not found["failures"], table(found)
     assert found["models"] == models
+    return found
 
 
 def test_models_of_a_fixed_seed() -> None:
-    check(200, 15)
+    """Four of each family; together they show every property."""
+    found = check(4 * len(FAMILIES), 15)
+    assert found["families"] == dict.fromkeys(sorted(FAMILIES), 4)
+    assert {z["name"] for z in found["properties"]} == {z.name for z in PROPERTIES}
 
 
 @pytest.mark.campaign

@@ -24,8 +24,8 @@ def refused(match: str, function: Any = spring_law, **options: Any) -> None:
 
 
 def test_names_are_checked_where_they_are_given() -> None:
-    refused(r"controller 'c': input: unknown name 'A\.xx'; did you mean .*A\.x", inputs=["A.xx"])
-    refused(r"controller 'c': output: unknown name 'B\.x'; did you mean A\.x", outputs=["B.x"])
+    refused(r"controller 'c': input: unknown name 'A\.xx'; did you mean A\.x", inputs=["A.xx"])
+    refused(r"controller 'c': output: unknown name 'B\.x'; known: A\.x", outputs=["B.x"])
     refused(r"controller 'c': output: unknown name 'B\.x'", outputs=["B.x"], period=0.1)
     refused(r"'A\.y' is fixed and cannot move", outputs=["A.y"])
     refused("inputs .*; name one or more, each once", inputs=[])
@@ -59,16 +59,20 @@ def test_sizes_and_settings() -> None:
     refused("a continuous controller has no delay; give a period", delay=0.1)
     refused("delay -1 is negative", period=0.1, delay=-1.0)
     refused("period 0 is not positive", period=0.0)
-    refused("2000 outputs would be on their way", period=1e-3, delay=2.0)
+    refused("2000 outputs would be delayed at once", period=1e-3, delay=2.0)
     refused("limits 3; give two", limits=3, period=0.1)
     refused("the lower one must be less", limits=(1, -1), period=0.1)
     refused("limits contain 'low'; give a number", limits=("low", 1), period=0.1)
-    refused("None does not control; give a function of", None)
-    refused("'pid' does not control", "pid")
-    refused("own states; a continuous one may have 16", lambda t, y, x: (0.0, x), state=np.zeros(17))
+    refused("None is not a controller; give a function of", None)
+    refused("'pid' is not a controller", "pid")
+    refused(
+        "own states; a continuous one may have 100: reduce its order",
+        lambda t, y, x: (0.0, x),
+        state=np.zeros(101),
+    )
     discrete = StateSpace(0.5, [[1.0, 0]], 1.0, [[0, 0]], dt=0.1)
     refused("period 0.2 s, but the system has 0.1 s", discrete, period=0.2)
-    refused("discrete and does not tell its period", StateSpace(0.5, [[1.0, 0]], 1.0, [[0, 0]], dt=True))
+    refused("discrete and has no period of its own", StateSpace(0.5, [[1.0, 0]], 1.0, [[0, 0]], dt=True))
     refused("is continuous, but a period is given", StateSpace(-1.0, [[1.0, 0]], 1.0, [[0, 0]]), period=0.1)
 
 
@@ -98,7 +102,7 @@ def test_a_function_that_fails_is_named_with_the_time(period: float | None) -> N
     )
     assert "returned nan; it returns 1 finite number" in running(lambda t, y: np.nan, period=period)
     assert "returned None" in running(lambda t, y: None, period=period)
-    assert "returns two things, (outputs, state)" in running(lambda t, y, x: 1.0, state=[0.0], period=period)
+    assert "returns two values, (outputs, state)" in running(lambda t, y, x: 1.0, state=[0.0], period=period)
     assert "the function returned the state" in running(
         lambda t, y, x: (1.0, [1, 2]), state=[0.0], period=period
     )

@@ -8,7 +8,7 @@ from flexel.model import Model
 
 ELEMENTS = {
     "unknown node": draw(
-        lambda m: m.hinge("h", "R0", "R9", axis=(0, 0, 1)), "hinge 'h'", "'R9'", "did you mean R1"
+        lambda m: m.hinge("h", "R0", "R9", axis=(0, 0, 1)), "hinge 'h'", "'R9'", "known: O, A, R0, R1"
     ),
     "None for a node": draw(lambda m: m.hinge("h", None, "R0", axis=(0, 0, 1)), "hinge 'h'", "give its name"),
     "list for a node": draw(

@@ -17,7 +17,9 @@ LAWS = {
     "spring on Euler parameters": built(
         lambda m: m.spring("R1.lambda1", 1), "'R1.lambda1'", "measure an angle"
     ),
-    "spring on a fixed coordinate": built(lambda m: m.spring("O.x", 1), "'O.x' is fixed", "remove spring"),
+    "spring on a fixed coordinate": built(
+        lambda m: m.spring("O.x", 1), "'O.x' is fixed", "remove the spring"
+    ),
     "spring to itself": built(lambda m: m.spring(("A.x", "A.x"), 1), "'A.x'", "name another one"),
     "spring to nothing": built(lambda m: m.spring(("A.x", "pivot.a"), 1), "'pivot.a'", "did you mean"),
     "spring on a norm": built(lambda m: m.spring("R1.norm", 1), "'R1.norm'", "name another"),
@@ -57,7 +59,7 @@ LAWS = {
     "damper on a slip that comes later": built(
         lambda m: (m.spring("R1.omega.wx", damping=1), m.angular_velocity("R1")),
         "spring on 'R1.omega.wx': unknown name 'R1.omega.wx'",
-        "known: pivot.angle",
+        "declare m.angular_velocity('R1') first, which makes the slips R1.omega.wx",
     ),
     "spring of nothing": built(
         lambda m: m.spring("pivot.angle"), "spring on 'pivot.angle'", "give one of them"

@@ -115,7 +115,7 @@ def _tabled() -> System:
 
 LOADS = {
     "unknown": built(lambda m: m.load("AA", (1, 2, 3)), "load", "'AA'", "did you mean A"),
-    "unknown quantity": built(lambda m: m.load("A.q", 1), "'A.q'", "did you mean A."),
+    "unknown quantity": built(lambda m: m.load("A.q", 1), "'A.q'", "'A' has A.x, A.y, A.z"),
     "element": built(lambda m: m.load("pivot", 1), "load", "'pivot'", "known: O, A"),
     "None": built(lambda m: m.load(None, 1), "load", "give its name"),
     "two components": built(lambda m: m.load("A", (1, 2)), "load on 'A'", "2 components", "takes 3"),
@@ -127,13 +127,17 @@ LOADS = {
     "three numbers on an angle": built(
         lambda m: m.load("pivot.angle", (1, 2, 3)), "'pivot.angle'", "functions"
     ),
-    "fixed point": built(lambda m: m.load("O", (1, 0, 1)), "load on 'O'", "fixed", "remove load or fixing"),
-    "fixed frame": built(lambda m: m.load("R0", (1, 0, 1)), "load on 'R0'", "fixed", "remove load or fixing"),
+    "fixed point": built(
+        lambda m: m.load("O", (1, 0, 1)), "load on 'O'", "fixed", "remove the load or the fixing"
+    ),
+    "fixed frame": built(
+        lambda m: m.load("R0", (1, 0, 1)), "load on 'R0'", "fixed", "remove the load or the fixing"
+    ),
     "fixed coordinate": built(
         lambda m: (m.fix("A.y"), m.release("rod.across1", "pivot.bend1"), m.load("A", (0, 1, 0))),
         "load on 'A.y'",
         "fixed",
-        "remove load or fixing",
+        "remove the load or the fixing",
     ),
     "follower on a point": built(
         lambda m: m.load("A", (1, 0, 1), follower=True), "'A'", "no axes", "follower=frame"
@@ -146,7 +150,9 @@ LOADS = {
         lambda m: m.load("pivot.angle", lambda t: math.sin(t)), "'pivot.angle'", "np.sin, not math.sin"
     ),
     "slip not measured": built(
-        lambda m: m.load("R1.omega.wx", 1), "unknown name 'R1.omega.wx'", "known: pivot.angle"
+        lambda m: m.load("R1.omega.wx", 1),
+        "unknown name 'R1.omega.wx'",
+        "declare m.angular_velocity('R1') first",
     ),
     "angular velocity of a point": built(
         lambda m: m.angular_velocity("A"), "angular_velocity", "needs a frame"

@@ -15,7 +15,7 @@ def test_wheels_that_cannot_be_are_refused_by_name() -> None:
     m.frame("wheel")
     with pytest.raises(fx.ModelError, match=r"tyre 'A': its axle .* normal to the road.*tilt it"):
         m.tyre("A", "hub", "wheel", radius=R, axle=(0, 0, 1))
-    with pytest.raises(fx.ModelError, match=r"wheel 'B': crown 0.4 m reaches to the axle"):
+    with pytest.raises(fx.ModelError, match=r"wheel 'B': crown 0.4 m reaches the axle"):
         m.wheel("B", "hub", "wheel", "contact", radius=R, axle=(0, 1, 0), crown=0.4)
     with pytest.raises(fx.ModelError, match=r"tyre 'C': a plane and waves are both given"):
         m.tyre("C", "hub", "wheel", radius=R, axle=(0, 1, 0), height=0.1, road=fx.Waves(0.1, 5.0))

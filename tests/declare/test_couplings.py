@@ -19,7 +19,7 @@ def drive() -> fx.Model:
 
 
 def test_belt_and_gears_turn_the_second_disc_in_the_ratio_of_the_radii() -> None:
-    for method, sign in (("belt", 1.0), ("gear", -1.0)):
+    for method, sign in (("planar_belt", 1.0), ("planar_gear", -1.0)):
         m = drive()
         getattr(m, method)("pair", "P", "p", "Q", "q", radius_p=0.1, radius_q=0.25)
         m.prescribe("p.angle", fx.Harmonic(4.0, 3.0, offset=0.3))
@@ -33,14 +33,14 @@ def test_belt_and_gears_turn_the_second_disc_in_the_ratio_of_the_radii() -> None
 
 def test_crossed_belt_turns_the_other_way() -> None:
     m = drive()
-    m.belt("pair", "P", "p", "Q", "q", radius_p=0.1, radius_q=-0.2)
+    m.planar_belt("pair", "P", "p", "Q", "q", radius_p=0.1, radius_q=-0.2)
     m.prescribe("p.angle", lambda t: 0.3 + t)
     assert abs(m.build().simulate(2.0)[-1]["q.angle"] + 0.4 + 1.0) < 1e-12
 
 
 def test_elastic_belt_swings_at_its_frequency() -> None:
     m = drive()
-    m.belt("pair", "P", "p", "Q", "q", radius_p=0.1, radius_q=0.25, stiffness=300.0)
+    m.planar_belt("pair", "P", "p", "Q", "q", radius_p=0.1, radius_q=0.25, stiffness=300.0)
     lowest = m.build().vibrations()
     w2 = 300.0 * (0.1**2 / 0.02 + 0.25**2 / 0.05)
     assert abs(lowest[-1].omega - np.sqrt(w2)) < 1e-9
@@ -54,7 +54,7 @@ def test_elastic_belt_keeps_the_energy_while_its_centres_move() -> None:
     m.point_mass("centre", "Q", 1.5)
     m.spring("Q.x", 200.0)
     m.spring("Q.y", 80.0)
-    m.belt("pair", "P", "p", "Q", "q", radius_p=0.1, radius_q=0.25, stiffness=300.0)
+    m.planar_belt("pair", "P", "p", "Q", "q", radius_p=0.1, radius_q=0.25, stiffness=300.0)
     m.initial("p.angle", rate=6.0)
     motion = m.build().simulate(1.0)
     total = motion.energy["total"]
@@ -71,8 +71,8 @@ def test_planetary_gear_counts_any_number_of_turns_of_its_arm() -> None:
     m.angle("planet")
     m.angle("ring")
     m.beam("link", "sun", "arm", "pin", rigid=True)
-    m.gear("inner", "sun", "still", "pin", "planet", radius_p=20, radius_q=10)
-    m.gear("outer", "sun", "ring", "pin", "planet", radius_p=40, radius_q=-10)
+    m.planar_gear("inner", "sun", "still", "pin", "planet", radius_p=20, radius_q=10)
+    m.planar_gear("outer", "sun", "ring", "pin", "planet", radius_p=40, radius_q=-10)
     m.prescribe("arm.angle", lambda t: 5.0 * t)
     end = m.build().simulate(6.0)[-1]
     assert abs(end["planet.angle"] - 30.0 * (1 + 20 / 10)) < 1e-10
@@ -160,14 +160,18 @@ def test_fixed_point_in_body_axes_measures_along_them() -> None:
 
 def test_wrong_couplings_are_refused_by_name() -> None:
     m = drive()
-    with pytest.raises(fx.ModelError, match="belt 'b': the centres are .* have no common tangent; move them"):
-        m.belt("b", "P", "p", "Q", "q", radius_p=0.9, radius_q=0.1)
-    with pytest.raises(fx.ModelError, match="belt 'b': damping has no effect without stiffness"):
-        m.belt("b", "P", "p", "Q", "q", radius_p=0.1, radius_q=0.1, damping=1.0)
-    with pytest.raises(fx.ModelError, match="gear 'g': pitch radii 0.1 and -0.1 do not mesh"):
-        m.gear("g", "P", "p", "Q", "q", radius_p=0.1, radius_q=-0.1)
-    with pytest.raises(fx.ModelError, match="belt 'c': node 'p' is a planar_angle; it needs a planar_point"):
-        m.belt("c", "p", "p", "Q", "q", radius_p=0.1, radius_q=0.1)
+    with pytest.raises(
+        fx.ModelError, match="planar belt 'b': the centres are .* have no common tangent; move them"
+    ):
+        m.planar_belt("b", "P", "p", "Q", "q", radius_p=0.9, radius_q=0.1)
+    with pytest.raises(fx.ModelError, match="planar belt 'b': damping has no effect without stiffness"):
+        m.planar_belt("b", "P", "p", "Q", "q", radius_p=0.1, radius_q=0.1, damping=1.0)
+    with pytest.raises(fx.ModelError, match="planar gear 'g': pitch radii 0.1 and -0.1 do not mesh"):
+        m.planar_gear("g", "P", "p", "Q", "q", radius_p=0.1, radius_q=-0.1)
+    with pytest.raises(
+        fx.ModelError, match="planar belt 'c': node 'p' is a planar_angle; it needs a planar_point"
+    ):
+        m.planar_belt("c", "p", "p", "Q", "q", radius_p=0.1, radius_q=0.1)
     space = fx.Model()
     space.point("A", (0, 0, 0))
     space.frame("R")

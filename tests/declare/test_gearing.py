@@ -30,23 +30,23 @@ X, Y, Z = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
 def test_spur_gears_turn_against_each_other_and_internal_ones_together() -> None:
     for first, second, at in (((0, 0), (0.3, 0), (0.1, 0)), ((0, 0, 0), (0.3, 0, 0), (0.1, 0, 0.02))):
         m = shafts(first, second, at, (Z, Z) if len(at) == 3 else (None, None))
-        m.gear_pair("mesh", "pin_p", "pin_q", at=at, teeth=(20, 40))
+        m.gear("mesh", "pin_p", "pin_q", at=at, teeth=(20, 40))
         assert turned(m) == pytest.approx(-0.5, rel=1e-12)
     m = shafts((0, 0), (0.2, 0), (-0.1, 0), (None, None))
-    m.gear_pair("mesh", "pin_p", "pin_q", at=(-0.1, 0))
+    m.gear("mesh", "pin_p", "pin_q", at=(-0.1, 0))
     assert turned(m) == pytest.approx(1 / 3, rel=1e-12)
 
 
 def test_axes_drawn_the_other_way_turn_the_sense() -> None:
     m = shafts((0, 0, 0), (0.3, 0, 0), (0.1, 0, 0), (Z, (0, 0, -1)))
-    m.gear_pair("mesh", "pin_p", "pin_q", at=(0.1, 0, 0))
+    m.gear("mesh", "pin_p", "pin_q", at=(0.1, 0, 0))
     assert turned(m) == pytest.approx(0.5, rel=1e-12)
 
 
 def test_bevel_gears_turn_in_the_ratio_of_their_radii() -> None:
     """Axes that meet at right angles at the origin; at the pitch point both have the velocity of the other."""
     m = shafts((-1, 0, 0), (0, -1, 0), (0, 0, 0), (X, Y))
-    m.gear_pair("mesh", "pin_p", "pin_q", at=(-0.2, -0.1, 0), teeth=(10, 20))
+    m.gear("mesh", "pin_p", "pin_q", at=(-0.2, -0.1, 0), teeth=(10, 20))
     assert turned(m) == pytest.approx(-0.5, rel=1e-12)
 
 
@@ -54,14 +54,14 @@ def test_bevel_gears_turn_in_the_ratio_of_their_radii() -> None:
 def test_a_worm_advances_its_wheel_by_the_lead(lead: float, sense: float) -> None:
     """A right-handed worm along x below a wheel of radius 0.2 about y: its thread pushes the teeth backwards."""
     m = shafts((0, 0, 0), (0, 0, 0.23), (0, 0, 0), (X, Y))
-    m.gear_pair("worm", "pin_p", "pin_q", at=(0, 0, 0.03), lead=lead)
+    m.gear("worm", "pin_p", "pin_q", at=(0, 0, 0.03), lead=lead)
     # the lowest point of the wheel moves by -lead/2π per radian; turning about y moves it along -x
     assert turned(m) == pytest.approx(sense * 0.05 / (2 * np.pi) / 0.2, rel=1e-12)
 
 
 def test_the_wheel_of_a_worm_carries_its_load() -> None:
     m = shafts((0, 0, 0), (0, 0, 0.23), (0, 0, 0), (X, Y))
-    m.gear_pair("worm", "pin_p", "pin_q", at=(0, 0, 0.03), teeth=(1, 40), lead=2 * np.pi * 0.2 / 40)
+    m.gear("worm", "pin_p", "pin_q", at=(0, 0, 0.03), teeth=(1, 40), lead=2 * np.pi * 0.2 / 40)
     m.load("pin_q.angle", 8.0)
     assert m.build().initial.force("pin_p.angle") == pytest.approx(8.0 / 40, rel=1e-10)  # balances the load
 
@@ -74,8 +74,8 @@ def test_a_planetary_gear_follows_willis() -> None:
     m.revolute("carrier_pin", "ground", "carrier", at=(0, 0))
     for name, place in (("sun", (0, 0)), ("planet", (0.3, 0)), ("ring", (0, 0))):
         m.revolute(f"{name}_pin", "carrier", name, at=place)
-    m.gear_pair("inner", "sun_pin", "planet_pin", at=(0.2, 0), teeth=(40, 20))
-    m.gear_pair("outer", "planet_pin", "ring_pin", at=(0.4, 0), teeth=(20, 80))
+    m.gear("inner", "sun_pin", "planet_pin", at=(0.2, 0), teeth=(40, 20))
+    m.gear("outer", "planet_pin", "ring_pin", at=(0.4, 0), teeth=(20, 80))
     m.fix("ring_frame")
     m.prescribe("sun_frame.angle", lambda t: 3 * t)
     end = m.build().simulate(10.0)[-1]
@@ -103,10 +103,10 @@ def test_a_rack_moves_with_the_rim_of_its_pinion(planar: bool) -> None:
 
 
 @pytest.mark.parametrize("crossed", [False, True])
-def test_a_belt_drive_turns_in_the_ratio_of_the_radii(crossed: bool) -> None:
+def test_a_belt_turns_in_the_ratio_of_the_radii(crossed: bool) -> None:
     for axis, sense in ((Z, 1.0), ((0, 0, -1), -1.0)):
         m = shafts((0, 0, 0), (1, 0.5, 0.2), (0, 0, 0), (Z, axis))
-        m.belt_drive("belt", "pin_p", "pin_q", radius_p=0.1, radius_q=0.25, crossed=crossed)
+        m.belt("belt", "pin_p", "pin_q", radius_p=0.1, radius_q=0.25, crossed=crossed)
         assert turned(m) == pytest.approx(sense * (-0.4 if crossed else 0.4), rel=1e-12)
 
 
@@ -117,8 +117,8 @@ def test_gears_that_do_not_fit_are_refused_by_name() -> None:
         m.revolute("other", "p", "r", at=(0, 1, 0), axis=Z)
         m.revolute("across", "ground", "r", at=(0, 1, 0), axis=Y)
         arguments: dict[str, object] = {"p": "pin_p", "q": "pin_q", "at": (0.1, 0, 0)}
-        with pytest.raises(fx.ModelError, match=f"gear pair 'mesh': .*{words}"):
-            m.gear_pair("mesh", **(arguments | given))  # type: ignore[arg-type]
+        with pytest.raises(fx.ModelError, match=f"gear 'mesh': .*{words}"):
+            m.gear("mesh", **(arguments | given))  # type: ignore[arg-type]
         assert "mesh" not in m.instances
 
     refused("20 and 30 teeth give the ratio", teeth=(20, 30))
@@ -136,9 +136,7 @@ def test_racks_belts_and_chains_that_do_not_fit_are_refused_by_name() -> None:
     m.prismatic("guide", "ground", "r", axis=Y)
     with pytest.raises(fx.ModelError, match="rack and pinion 'z': the pinion does not move along the rack"):
         m.rack_and_pinion("z", "pin_p", "guide", at=(0, -0.1, 0))
-    with pytest.raises(
-        fx.ModelError, match="belt drive 'z': the axes of 'pin_p' and 'pin_q' are not parallel"
-    ):
-        m.belt_drive("z", "pin_p", "pin_q", radius_p=1.0, radius_q=1.0)
+    with pytest.raises(fx.ModelError, match="belt 'z': the axes of 'pin_p' and 'pin_q' are not parallel"):
+        m.belt("z", "pin_p", "pin_q", radius_p=1.0, radius_q=1.0)
     with pytest.raises(fx.ModelError, match="cardan chain 'a', 'b', 'c': two successive axes are parallel"):
         m.cardan_chain("a", "b", "c", body="r", axes="zzx")

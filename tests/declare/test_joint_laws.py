@@ -198,6 +198,24 @@ def test_a_ball_with_play_is_linearized_as_it_moves() -> None:
         assert worst(own, numerical) < 1e-6
 
 
+@pytest.mark.parametrize("planar", [True, False])
+@pytest.mark.parametrize("kind", ["weld", "prismatic"])
+def test_a_joint_that_does_not_turn_takes_no_play(kind: str, planar: bool) -> None:
+    m, origin, inertia = fx.Model(), (0, 0, 0)[: 2 + (not planar)], 0.1 if planar else (0.1, 0.1, 0.1)
+    m.rigid_body("block", origin, mass=2.0, inertia=inertia)
+    if kind == "weld":
+        m.weld("j", "ground", "block")
+    else:
+        m.prismatic("j", "ground", "block", axis=(1, 0, 0)[: 2 + (not planar)])
+    laws = len(m.laws)
+    with pytest.raises(
+        fx.ModelError,
+        match=r"clearance of 'j': it does not turn \('j\.angle' is rigid\), .*; use m\.revolute",
+    ):
+        m.clearance("j", 0.002, 5e4)
+    assert len(m.laws) == laws
+
+
 def test_a_ball_takes_no_friction_and_an_arm_no_play() -> None:
     with pytest.raises(fx.ModelError, match="clearance of 'ball': a ball has no angle for the friction"):
         loose_ball(friction_radius=0.01)

@@ -108,7 +108,7 @@ def test_the_viewer_and_the_plots_have_it() -> None:
         ([], {"hidden": True}, "look: elements is an empty list; give names"),
         (3, {"hidden": True}, "look: elements: 3 is not a list of names"),
         ("A", {"hidden": True}, "look: .*'A'"),
-        ("leaf", {}, "look of 'leaf': nothing is said; give section=, colour=, opacity= or hidden="),
+        ("leaf", {}, "look of 'leaf': no property is given; give section=, colour=, opacity= or hidden="),
         ("leaf", {"colour": "red"}, "look of 'leaf': colour 'red' is not of the form '#rrggbb'"),
         ("leaf", {"colour": (255, 0, 0)}, "colour .* is not red, green and blue from 0 to 1"),
         ("leaf", {"colour": (0.5, 0.5)}, "colour .* is not red, green and blue"),

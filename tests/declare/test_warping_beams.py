@@ -120,7 +120,7 @@ def test_planar_and_three_node_beams_do_not_warp() -> None:
 
 def test_a_warping_coordinate_takes_neither_springs_nor_follower_loads() -> None:
     m = beam(warping=("V", "W"), **NUMBERS)
-    with pytest.raises(fx.ModelError, match="carries no springs; make it a deformation by m.relation"):
+    with pytest.raises(fx.ModelError, match="cannot carry springs; make it a deformation by m.relation"):
         m.spring("W.twist", 1.0)
     with pytest.raises(fx.ModelError, match="a bimoment has no direction"):
         m.load("W", 1.0, follower=True)

@@ -3,7 +3,9 @@
 import decimal
 import random
 from collections.abc import Callable, Sequence
+from copy import copy
 from decimal import Decimal
+from functools import cache
 from typing import Any
 
 import mpmath
@@ -13,22 +15,33 @@ from mpmath import cos, mpf, sin
 from flexel.derive.declare import (
     Element,
 )
-from flexel.derive.elements import ELEMENTS
+from flexel.derive.spec import ElementSpec
+from flexel.derive.verify import definitions
 from flexel.derive.verify.definition import Definition
+from flexel.generated.table import ELEMENTS
 
 mpmath.mp.dps = 50
 decimal.getcontext().prec = 50
 TINY = mpf(10) ** -35
 
 Vector = list[Any]
-BY_NAME = {element.name: element for element in ELEMENTS}
-with_deformations = pytest.mark.parametrize(
-    "element", [e for e in ELEMENTS if e.deformations], ids=lambda e: e.name
-)
-with_slips = pytest.mark.parametrize("element", [e for e in ELEMENTS if e.slips], ids=lambda e: e.name)
-with_mass = pytest.mark.parametrize(
-    "element", [e for e in ELEMENTS if e.kinetic_energy != 0], ids=lambda e: e.name
-)
+
+
+def named(name: str) -> Element:
+    """The definition of an element."""
+    found = definitions()[name]
+    assert isinstance(found, Element)
+    return found
+
+
+def every(names: list[str]) -> pytest.MarkDecorator:
+    """The test for the definition of each element; the formulas are imported when the first one runs."""
+    return pytest.mark.parametrize("element", names, indirect=True)
+
+
+with_deformations = every([name for name, z in ELEMENTS.items() if z.deformations])
+with_slips = every([name for name, z in ELEMENTS.items() if z.slips])
+with_mass = every([name for name, z in ELEMENTS.items() if "inertia" in z.kernels])
 beams = pytest.mark.parametrize("name", ["beam", "beam_first_order"])
 planar_beams = pytest.mark.parametrize("name", ["planar_beam", "planar_beam_first_order"])
 
@@ -98,9 +111,14 @@ def many(values: list[Decimal]) -> Vector:
     return [mpf(str(value)) for value in values]
 
 
+@cache
+def _compiled(element: Element) -> Numbers:
+    return Numbers(element)
+
+
 def numbers(element: Element, **values: Any) -> Definition:
     """Return the element's functions with parameters: those named, and zero for the others."""
-    definition = Numbers(element)
+    definition = copy(_compiled(element))  # with parameters of its own
     p: Vector = []
     for parameter in element.parameters:
         value = values.get(parameter.name, [0] * parameter.size)
@@ -188,7 +206,7 @@ class Motion:
         return result
 
 
-def is_planar(element: Element) -> bool:
+def is_planar(element: Element | ElementSpec) -> bool:
     return all(node.kind.startswith("planar") for node in element.nodes)
 
 

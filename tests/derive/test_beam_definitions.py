@@ -7,12 +7,12 @@ from typing import Any
 import pytest
 import sympy as sp
 from element_numbers import (
-    BY_NAME,
     Vector,
     X,
     beams,
     column,
     equal,
+    named,
     numbers,
     plus,
     product,
@@ -30,7 +30,7 @@ def test_second_order_terms_are_of_second_order(rng: random.Random) -> None:
     small = mpf(10) ** -8
     x = [c for name in ("p", "rp", "q", "rq") for c in places[name]]
     x = plus(x, column(rng, 14), small)
-    first, second = (numbers(BY_NAME[name], **values).D(x) for name in ("beam_first_order", "beam"))
+    first, second = (numbers(named(name), **values).D(x) for name in ("beam_first_order", "beam"))
     assert max(abs(e) for e in first) > small / 10
     assert equal(first, second, 10 * small**2)
     assert not equal(first, second, small**2 / 1000)
@@ -56,7 +56,7 @@ def test_beam_read_from_the_other_end_is_the_same_beam(name: str, rng: random.Ra
     half = [0, 0, 0, 1]
     turned = values | {"tp": product(values["tq"], half), "tq": product(values["tp"], half)}
     v, exchange = column(rng, 14), lambda x: [*x[7:], *x[:7]]
-    there, back = numbers(BY_NAME[name], **values), numbers(BY_NAME[name], **turned)
+    there, back = numbers(named(name), **values), numbers(named(name), **turned)
     e1, e2, e3, e4, e5, e6 = there.D(x)
     assert equal(back.D(exchange(x)), [e1, e2, e4, e3, -e6, -e5])
     assert equal([back.T(exchange(x), exchange(v))], [there.T(x, v)])
@@ -67,7 +67,7 @@ def test_elongation_of_a_bent_beam_is_the_change_of_its_arc_length(rng: random.R
     """End slopes a, b from the chord: the cubic between them is longer than the chord by l (2a²-ab+2b²)/30."""
     a, b = mpf(10) ** -6, mpf(-2) * mpf(10) ** -6
     length = 1 - (2 * a**2 - a * b + 2 * b**2) / 30
-    d = numbers(BY_NAME["planar_beam"], l0=1)
+    d = numbers(named("planar_beam"), l0=1)
     assert abs(d.D([0, 0, a, length, 0, b])[0]) < mpf(10) ** -22
     assert equal(d.D([0, 0, a, length, 0, b])[1:], [-a, b], mpf(10) ** -17)
 
@@ -107,7 +107,7 @@ def test_energy_of_a_bent_and_twisted_beam_is_that_of_the_rod(
     exact = (GJ * torsion**2 + EIy * (y0**2 + y1**2 / 3) + EIz * (z0**2 + z1**2 / 3)) / 2
     end, turned = rod(curvature)
     still = [1, 0, 0, 0]
-    d = numbers(BY_NAME[name], l0=1, tp=still, tq=still)
+    d = numbers(named(name), l0=1, tp=still, tq=still)
     e1, e2, e3, e4, e5, e6 = d.D([0, 0, 0, *still, *end, *turned])
     energy = e1**2 + GJ * e2**2
     energy += EIy * 4 * (e3**2 - e3 * e4 + e4**2) + EIz * 4 * (e5**2 - e5 * e6 + e6**2)

@@ -3,14 +3,14 @@
 import random
 
 import mpmath
-import pytest
 from element_numbers import (
-    BY_NAME,
     Vector,
     as_seen,
     cross,
     equal,
+    every,
     is_planar,
+    named,
     numbers,
     plus,
     random_coordinates,
@@ -27,8 +27,7 @@ from mpmath import mpf
 from flexel.derive.declare import (
     Element,
 )
-from flexel.derive.elements import ELEMENTS
-from flexel.derive.laws import LAWS
+from flexel.generated.table import ELEMENTS
 
 
 @with_deformations
@@ -64,9 +63,9 @@ def test_slips_turn_with_the_body_or_stay(element: Element, rng: random.Random) 
     motion = symmetry(element, values, rng)
     after = d.s(motion.moved(element, x), motion.moved(element, v, rates=True))
     before = d.s(x, v)
-    arrow = BY_NAME[
+    arrow = named(
         "planar_point_mass" if is_planar(element) else "point_mass"
-    ]  # its rates turn as a vector does
+    )  # its rates turn as a vector does
     turned = motion.moved(arrow, before, rates=True) if element.name in IN_GLOBAL_AXES else before
     assert equal(after, turned)
 
@@ -106,7 +105,7 @@ def test_kinetic_energy_is_quadratic_and_not_negative(element: Element, rng: ran
     assert d.T(x, u) > 0
 
 
-@pytest.mark.parametrize("element", ELEMENTS, ids=lambda e: e.name)
+@every(list(ELEMENTS))
 def test_every_element_says_what_it_is_and_where_it_comes_from(element: Element) -> None:
     assert element.doc
     assert element.source
@@ -114,5 +113,8 @@ def test_every_element_says_what_it_is_and_where_it_comes_from(element: Element)
 
 
 def test_names_in_the_tables_are_unique() -> None:
+    from flexel.derive.elements import ELEMENTS
+    from flexel.derive.laws import LAWS
+
     names = [element.name for element in ELEMENTS] + [f"law_{law.name}" for law in LAWS]
     assert len(names) == len(set(names))

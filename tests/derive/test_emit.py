@@ -11,11 +11,10 @@ from click.testing import CliRunner
 
 from flexel.derive import __main__ as command
 from flexel.derive.__main__ import main
-from flexel.derive.elements import ELEMENTS
+from flexel.derive.declare import Element
 from flexel.derive.emit import emit as emitting
 from flexel.derive.emit.emit import Emitted, baseline, check, emit, risen, stale, write
 
-FEW = tuple(element for element in ELEMENTS if element.name in ("truss", "hinge", "planar_beam"))
 STRICT = ("-std=c11", "-O0", "-fopenmp-simd", "-Wall", "-Wextra", "-Wpedantic", "-Werror")
 PRINT = """
 import hashlib
@@ -27,9 +26,16 @@ print(hashlib.sha256(repr(sorted(files.items())).encode()).hexdigest())
 
 
 @pytest.fixture(scope="module")
-def few() -> Emitted:
+def three() -> tuple[Element, ...]:
+    from flexel.derive.elements import ELEMENTS
+
+    return tuple(element for element in ELEMENTS if element.name in ("truss", "hinge", "planar_beam"))
+
+
+@pytest.fixture(scope="module")
+def few(three: tuple[Element, ...]) -> Emitted:
     """Three elements and the laws."""
-    return emit(FEW)
+    return emit(three)
 
 
 @pytest.mark.campaign
@@ -52,17 +58,64 @@ def test_what_was_written_checks_and_an_edited_or_stale_file_is_found(few: Emitt
     assert stale(tmp_path) == [] and check(tmp_path, few) == []
 
 
-def test_one_element_alone_keeps_the_entries_of_the_others(few: Emitted, tmp_path: Path) -> None:
+def test_one_element_alone_keeps_the_entries_of_the_others(
+    three: tuple[Element, ...], few: Emitted, tmp_path: Path
+) -> None:
     write(tmp_path, few)
-    one = emit(FEW, only=["truss"], folder=tmp_path)
+    one = emit(three, only=["truss"], folder=tmp_path)
     assert sorted(one.operations) == ["truss"]
     assert one.files["table.py"] == few.files["table.py"]
     assert one.files["truss.c"] == few.files["truss.c"]
     assert "hinge.c" not in one.files
 
 
-def test_the_command_fails_where_files_differ(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.setattr(command, "emit", partial(emit, FEW))
+def test_a_law_is_derived_with_the_others_in_its_file(three: tuple[Element, ...], tmp_path: Path) -> None:
+    """Named, or where the table in the folder has other laws than are declared."""
+    from flexel.derive.laws import LAWS
+
+    truss, laws = three[:1], LAWS[:2]
+    first, second = (law.name for law in laws)
+    all_of_it = emit(truss, laws)
+    write(tmp_path, all_of_it)
+    one = emit(truss, laws, only=[first], folder=tmp_path)
+    assert sorted(one.operations) == sorted([first, second])
+    assert [one.files[z] for z in ("laws.c", "table.py")] == [
+        all_of_it.files[z] for z in ("laws.c", "table.py")
+    ]
+    fewer = emit(truss, laws[1:], only=["truss"], folder=tmp_path)
+    assert sorted(fewer.operations) == sorted(["truss", second])
+    assert first not in fewer.files["table.py"]
+
+
+def test_the_command_accepts_the_counts_of_a_law(
+    three: tuple[Element, ...], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    from flexel.derive.laws import LAWS
+
+    some = partial(emit, three[:1], LAWS[:1])
+    monkeypatch.setattr(command, "emit", some)
+    monkeypatch.setattr(emitting, "BASELINE", tmp_path / "operations.json")
+    folder, name = tmp_path / "generated", LAWS[0].name
+    write(folder, some())
+    derived = (folder / "laws.c").read_text(encoding="utf-8")
+    (folder / "laws.c").write_text("old")
+    done = CliRunner().invoke(main, ["--update-baseline", "--out", str(folder), name])
+    assert done.exit_code == 0, done.output
+    assert (folder / "laws.c").read_text(encoding="utf-8") == derived
+    assert list(baseline()) == [name]
+
+
+def test_the_baseline_has_all_elements_and_laws() -> None:
+    from flexel.derive.elements import ELEMENTS
+    from flexel.derive.laws import LAWS
+
+    assert list(baseline()) == [z.name for z in (*ELEMENTS, *LAWS)]
+
+
+def test_the_command_fails_where_files_differ(
+    three: tuple[Element, ...], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr(command, "emit", partial(emit, three))
     runner = CliRunner()
     assert runner.invoke(main, ["--out", str(tmp_path)]).exit_code == 0
     assert runner.invoke(main, ["--check", "--out", str(tmp_path), "truss"]).exit_code == 0

@@ -3,7 +3,6 @@
 import random
 
 from element_numbers import (
-    BY_NAME,
     X,
     Y,
     Z,
@@ -11,6 +10,7 @@ from element_numbers import (
     cross,
     dot,
     equal,
+    named,
     numbers,
     plus,
     product,
@@ -31,7 +31,7 @@ def test_a_skate_slips_across_its_blade_alone(rng: random.Random) -> None:
     heading = product(
         ice, product(rotation(Z, mpf("0.6")), product(rotation(Y, mpf("0.2")), rotation(X, mpf("0.4"))))
     )
-    d = numbers(BY_NAME["skate"], blade=X, normal=n, height=dot(n, body))
+    d = numbers(named("skate"), blade=X, normal=n, height=dot(n, body))
     b = rotated(heading, X)
     ahead = unit(plus(b, [dot(b, n) * z for z in n], -1))
     across = cross(n, ahead)
@@ -43,8 +43,8 @@ def test_a_skate_slips_across_its_blade_alone(rng: random.Random) -> None:
 
 def test_a_planar_skate_is_the_spatial_one_upright(rng: random.Random) -> None:
     turn, alpha0 = (mpf(rng.uniform(-2, 2)) for _ in range(2))
-    flat = numbers(BY_NAME["planar_skate"], alpha0=alpha0)
-    tall = numbers(BY_NAME["skate"], blade=[cos(alpha0), sin(alpha0), mpf(0)], normal=Z, height=0)
+    flat = numbers(named("planar_skate"), alpha0=alpha0)
+    tall = numbers(named("skate"), blade=[cos(alpha0), sin(alpha0), mpf(0)], normal=Z, height=0)
     v = column(rng, 3)
     planar = flat.s([mpf(0), mpf(0), turn], [v[0], v[1], mpf(1)])
     assert equal(planar, tall.s([mpf(0)] * 3 + rotation(Z, turn), [*v, *column(rng, 4)]))
@@ -52,7 +52,7 @@ def test_a_planar_skate_is_the_spatial_one_upright(rng: random.Random) -> None:
 
 def test_a_cam_with_equal_control_values_is_round(rng: random.Random) -> None:
     for name in ("roller_cam", "planar_roller_cam"):
-        d = numbers(BY_NAME[name], control=[mpf("0.3")] * PIECES, tp=[1, 0, 0, 0])
+        d = numbers(named(name), control=[mpf("0.3")] * PIECES, tp=[1, 0, 0, 0])
         for _ in range(20):
             a = mpf(rng.uniform(-3.14, 3.14))
             place = [mpf("0.7") * cos(a), mpf("0.7") * sin(a)]
@@ -62,7 +62,7 @@ def test_a_cam_with_equal_control_values_is_round(rng: random.Random) -> None:
 
 def test_the_outline_of_a_cam_is_smooth_at_all_its_knots(rng: random.Random) -> None:
     """Fourth differences do not jump across a knot, nor the outline across the cut of the angle."""
-    d = numbers(BY_NAME["planar_roller_cam"], control=[mpf(rng.uniform(0.2, 0.4)) for _ in range(PIECES)])
+    d = numbers(named("planar_roller_cam"), control=[mpf(rng.uniform(0.2, 0.4)) for _ in range(PIECES)])
     h = mpf(10) ** -4
 
     def outline(a: mpf) -> mpf:
@@ -85,8 +85,8 @@ def test_the_plane_of_a_cam_may_lie_anywhere(rng: random.Random) -> None:
     """In space it is the planar cam in the plane of its triad, whatever the distance from that plane."""
     control = [mpf(rng.uniform(0.2, 0.4)) for _ in range(PIECES)]
     triad, frame = unit(column(rng, 4)), unit(column(rng, 4))
-    tall = numbers(BY_NAME["roller_cam"], control=control, tp=triad)
-    flat = numbers(BY_NAME["planar_roller_cam"], control=control)
+    tall = numbers(named("roller_cam"), control=control, tp=triad)
+    flat = numbers(named("planar_roller_cam"), control=control)
     p, (a, b, c) = column(rng, 3), column(rng, 3)
     q = plus(p, rotated(product(frame, triad), [a, b, c]))
     assert equal(tall.D([*p, *frame, *q]), flat.D([mpf(0), mpf(0), mpf(0), a, b]))
@@ -94,7 +94,7 @@ def test_the_plane_of_a_cam_may_lie_anywhere(rng: random.Random) -> None:
 
 def test_a_round_cam_under_a_face_is_at_its_radius_in_every_direction(rng: random.Random) -> None:
     """The face cuts the plane of the cam in a line; a gap between line and cam is measured across the face."""
-    d = numbers(BY_NAME["flat_cam"], control=[mpf("0.3")] * PIECES, tp=[1, 0, 0, 0], tq=[1, 0, 0, 0])
+    d = numbers(named("flat_cam"), control=[mpf("0.3")] * PIECES, tp=[1, 0, 0, 0], tq=[1, 0, 0, 0])
     for _ in range(20):
         turn, lean = mpf(rng.uniform(-3.14, 3.14)), mpf(rng.uniform(-1, 1))
         frame = product(rotation(Z, turn), rotation(Y, -lean))

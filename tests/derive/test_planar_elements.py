@@ -6,14 +6,15 @@ from typing import Any
 import mpmath
 import pytest
 from element_numbers import (
-    BY_NAME,
     Vector,
     X,
     Y,
     Z,
     conjugate,
     equal,
+    every,
     is_planar,
+    named,
     numbers,
     product,
     random_coordinates,
@@ -26,7 +27,7 @@ from mpmath import mpf
 from flexel.derive.declare import (
     Element,
 )
-from flexel.derive.elements import ELEMENTS
+from flexel.generated.table import ELEMENTS
 
 
 def spatial(element: Element, x: Vector, rates: Vector) -> tuple[Vector, Vector]:
@@ -100,7 +101,7 @@ def spatial_parameters(values: dict[str, Any], turned: bool) -> dict[str, Any]:
 
 @pytest.mark.parametrize("name", sorted(SPATIAL))
 def test_planar_element_is_the_spatial_one_in_a_plane(name: str, rng: random.Random) -> None:
-    planar, space = BY_NAME[name], BY_NAME[SPATIAL[name]]
+    planar, space = named(name), named(SPATIAL[name])
     values = random_parameters(planar, rng)
     x, v = random_coordinates(planar, rng), random_coordinates(planar, rng)
     names = {p.name for p in space.parameters}
@@ -120,14 +121,14 @@ def test_planar_element_is_the_spatial_one_in_a_plane(name: str, rng: random.Ran
 PLANAR_ALONE = {"planar_bearing", "planar_belt", "planar_gear", "planar_wheel"}  # tested below
 
 
-@pytest.mark.parametrize("element", [e for e in ELEMENTS if is_planar(e)], ids=lambda e: e.name)
+@every([name for name, z in ELEMENTS.items() if is_planar(z)])
 def test_every_planar_element_has_its_spatial_counterpart(element: Element) -> None:
     assert (element.name in SPATIAL) != (element.name in PLANAR_ALONE)
 
 
 def test_planar_bearing_measures_what_a_rigid_link_and_a_hinge_do(rng: random.Random) -> None:
-    element = BY_NAME["planar_bearing"]
+    element = named("planar_bearing")
     values, x = random_parameters(element, rng), random_coordinates(element, rng)
-    link = numbers(BY_NAME["planar_beam3"], alpha0=values["alpha0"], d0=values["d0"]).D(x[:5])
-    angle = numbers(BY_NAME["planar_hinge"], offset0=values["offset0"]).D([x[2], x[5]])
+    link = numbers(named("planar_beam3"), alpha0=values["alpha0"], d0=values["d0"]).D(x[:5])
+    angle = numbers(named("planar_hinge"), offset0=values["offset0"]).D([x[2], x[5]])
     assert equal(numbers(element, **values).D(x), [*link, *angle])

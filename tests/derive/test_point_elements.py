@@ -6,12 +6,12 @@ from typing import Any
 import mpmath
 import pytest
 from element_numbers import (
-    BY_NAME,
     Vector,
     column,
     cross,
     dot,
     equal,
+    named,
     numbers,
     plus,
     product,
@@ -38,9 +38,9 @@ def contact(kind: str, name: str, rng: random.Random) -> tuple[Any, dict[str, An
     values = {"centre": column(rng, 3), "t": unit(column(rng, 4)), "offset": column(rng, 3)}
     values |= {"radius": RADIUS, "sphere_radius": A, "groove_radius": mpf("0.06")}
     values["flank"] = [sin(BETA), cos(BETA)]
-    known = {p.name for p in BY_NAME[f"{kind}_{name}"].parameters}
+    known = {p.name for p in named(f"{kind}_{name}").parameters}
     values = {key: value for key, value in values.items() if key in known}
-    return numbers(BY_NAME[f"{kind}_{name}"], **values), values
+    return numbers(named(f"{kind}_{name}"), **values), values
 
 
 def placed(kind: str, values: dict[str, Any], y: Vector, rng: random.Random) -> tuple[Vector, Vector]:
@@ -96,8 +96,8 @@ def test_a_sphere_slides_with_its_material_point_at_the_contact(
 def test_a_point_and_a_sphere_have_the_same_gap(name: str, y: Vector, rng: random.Random) -> None:
     sphere, values = contact("sphere", name, rng)
     x, centre = placed("sphere", values, y, rng)
-    known = {p.name for p in BY_NAME[f"point_{name}"].parameters}
-    point = numbers(BY_NAME[f"point_{name}"], **{key: z for key, z in values.items() if key in known})
+    known = {p.name for p in named(f"point_{name}").parameters}
+    point = numbers(named(f"point_{name}"), **{key: z for key, z in values.items() if key in known})
     assert equal(point.D([*centre, *x[7:]]), sphere.D(x))
 
 
@@ -110,8 +110,8 @@ def test_a_sphere_that_turns_with_the_surface_slides_as_a_point(
     x, centre = placed("sphere", values, y, rng)
     omega, velocities = column(rng, 3), [column(rng, 3), column(rng, 3)]
     v = moving(x, [omega, omega], velocities)
-    known = {p.name for p in BY_NAME[f"point_{name}"].parameters}
-    point = numbers(BY_NAME[f"point_{name}"], **{key: z for key, z in values.items() if key in known})
+    known = {p.name for p in named(f"point_{name}").parameters}
+    point = numbers(named(f"point_{name}"), **{key: z for key, z in values.items() if key in known})
     moved = plus(velocities[0], cross(omega, plus(centre, x[:3], -1)))
     slips, s = point.s([*centre, *x[7:]], [*moved, *v[7:]]), d.s(x, v)
     assert equal([s[0], s[1]], [slips[0], slips[1]])
@@ -133,7 +133,7 @@ def test_a_ball_between_flanks_rolls_at_the_height_of_its_contacts(rng: random.R
     """It rolls around a resting sheave where its contacts lie a sin beta below its centre: v = a sin(beta) omega."""
     d, values = contact("sphere", "v_groove", rng)
     values |= {"t": [1, 0, 0, 0], "offset": [0, 0, 0], "centre": [0, 0, 0]}
-    d = numbers(BY_NAME["sphere_v_groove"], **values)
+    d = numbers(named("sphere_v_groove"), **values)
     x = [0, 0, RADIUS + A, *unit(column(rng, 4)), 0, 0, 0, *rotation([1, 0, 0], mpmath.mpf(0))]
     rolling = moving(x, [[mpf(1), 0, 0], [0, 0, 0]], [[0, -A * sin(BETA), 0], [0, 0, 0]])
     assert equal(d.s(x, rolling), [0] * 4)

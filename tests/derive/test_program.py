@@ -80,24 +80,25 @@ def random_expr(seed: int) -> sp.Expr:
         if depth == 0:
             return rng.choice([*X, *P, sp.Rational(rng.randint(-5, 5) or 2, rng.randint(1, 7))])
         a, b = build(depth - 1), build(depth - 1)
-        return rng.choice(
+        chosen: Callable[[], sp.Expr] = rng.choice(
             [
-                a + b,
-                a - 2 * b,
-                a * b,
-                a / (1 + b**2),
-                sp.sqrt(1 + a**2) * b,
-                sp.sin(a) + sp.cos(b),
-                sp.atan2(a, 2 + b**2),
-                sp.exp(-(a**2)) * b,
-                sp.tanh(a) - sp.atan(b),
-                (1 + a**2) ** sp.Rational(-3, 2),
-                sp.Max(a, b + sp.Rational(1, 97)),
-                sp.Piecewise((a**2, a < sp.Rational(1, 89)), (b**3, True)),
-                sp.Abs(a + sp.Rational(1, 83)),
-                (2 + a**2) ** sp.Rational(7, 5),
+                lambda: a + b,
+                lambda: a - 2 * b,
+                lambda: a * b,
+                lambda: a / (1 + b**2),
+                lambda: sp.sqrt(1 + a**2) * b,
+                lambda: sp.sin(a) + sp.cos(b),
+                lambda: sp.atan2(a, 2 + b**2),
+                lambda: sp.exp(-(a**2)) * b,
+                lambda: sp.tanh(a) - sp.atan(b),
+                lambda: (1 + a**2) ** sp.Rational(-3, 2),
+                lambda: sp.Max(a, b + sp.Rational(1, 97)),
+                lambda: sp.Piecewise((a**2, a < sp.Rational(1, 89)), (b**3, True)),
+                lambda: sp.Abs(a + sp.Rational(1, 83)),
+                lambda: (2 + a**2) ** sp.Rational(7, 5),
             ]
         )
+        return chosen()
 
     return build(3)
 

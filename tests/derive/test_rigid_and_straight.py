@@ -6,7 +6,6 @@ from typing import Any
 import mpmath
 import pytest
 from element_numbers import (
-    BY_NAME,
     Vector,
     X,
     Y,
@@ -17,6 +16,7 @@ from element_numbers import (
     cross,
     dot,
     equal,
+    named,
     numbers,
     plus,
     product,
@@ -35,7 +35,7 @@ from flexel.derive.declare import (
 
 @pytest.mark.parametrize("name", ["truss", "bearing", "beam3", "beam", "beam_first_order", "beam_warping"])
 def test_straight_element_anywhere_in_space_is_undeformed(name: str, rng: random.Random) -> None:
-    element = BY_NAME[name]
+    element = named(name)
     values, places = straight(rng)
     d = numbers(element, **values)
     x = [c for node in element.nodes for c in places[node.name]]
@@ -44,7 +44,7 @@ def test_straight_element_anywhere_in_space_is_undeformed(name: str, rng: random
 
 @pytest.mark.parametrize("name", ["planar_truss", "planar_beam", "planar_beam_first_order", "planar_beam3"])
 def test_straight_element_anywhere_in_the_plane_is_undeformed(name: str, rng: random.Random) -> None:
-    element = BY_NAME[name]
+    element = named(name)
     values, x = planar_straight(element, rng)
     d = numbers(element, **values)
     assert equal(d.D(symmetry(element, values, rng).moved(element, x)), [0] * d.m)
@@ -59,7 +59,7 @@ def planar_straight(element: Element, rng: random.Random) -> tuple[dict[str, Any
 
 def test_hinge_angle_is_the_prescribed_rotation(rng: random.Random) -> None:
     tp, tq, lp = (unit(column(rng, 4)) for _ in range(3))
-    d = numbers(BY_NAME["hinge"], tp=tp, tq=tq)
+    d = numbers(named("hinge"), tp=tp, tq=tq)
     for degrees in range(-175, 180, 25):
         angle = mpmath.radians(degrees)
         lq = product(product(product(lp, tp), rotation(X, angle)), conjugate(tq))
@@ -69,7 +69,7 @@ def test_hinge_angle_is_the_prescribed_rotation(rng: random.Random) -> None:
 def test_hinge_bendings_are_small_rotations_about_y_and_z(rng: random.Random) -> None:
     """The axis of q in the triad of p is (1, -bend2, bend1): turned by bend1 about -y and by -bend2 about z."""
     t = [1, 0, 0, 0]
-    d = numbers(BY_NAME["hinge"], tp=t, tq=t)
+    d = numbers(named("hinge"), tp=t, tq=t)
     small = mpf(10) ** -12
     assert equal(d.D([*t, *rotation(Y, small)]), [0, -small, 0], small**2)
     assert equal(d.D([*t, *rotation(Z, small)]), [0, 0, -small], small**2)
@@ -88,7 +88,7 @@ def test_body_is_a_cloud_of_point_masses(rng: random.Random) -> None:
 
     tensor = [moment(0, 0), moment(1, 1), moment(2, 2), moment(0, 1), moment(0, 2), moment(1, 2)]
     gravity = column(rng, 3)
-    d = numbers(BY_NAME["body"], mass=mass, c=centre, J=tensor, gravity=gravity)
+    d = numbers(named("body"), mass=mass, c=centre, J=tensor, gravity=gravity)
     x, lam, velocity, omega = column(rng, 3), unit(column(rng, 4)), column(rng, 3), column(rng, 3)
     global_arms = [rotated(lam, arm) for arm in arms]
     speeds = [plus(velocity, cross(omega, arm)) for arm in global_arms]
@@ -103,7 +103,7 @@ def test_kinetic_energy_of_a_rigidly_moving_beam_is_that_of_a_rod(name: str, rng
     values, places = straight(rng)
     rhoJ = [abs(c) for c in column(rng, 3)]
     values |= {"rhoA": mpf("1.3"), "rhoJ": rhoJ, "phi_y": mpf("0.4"), "phi_z": mpf("0.7")}
-    element, l0 = BY_NAME[name], values["l0"]
+    element, l0 = named(name), values["l0"]
     x = [c for node in element.nodes for c in places[node.name]]
     motion = symmetry(element, values, rng)
     v = motion.rigid_rates(element, x)
@@ -122,10 +122,10 @@ def test_kinetic_energy_of_a_rigidly_moving_beam_is_that_of_a_rod(name: str, rng
 def test_rigid_beam_moves_like_the_flexible_one_when_rigid(rng: random.Random) -> None:
     values, places = straight(rng)
     values |= {"rhoA": mpf("1.3"), "rhoJ": [mpf("0.1"), mpf("0.2"), mpf("0.3")], "gravity": column(rng, 3)}
-    motion = symmetry(BY_NAME["beam"], values, rng)
+    motion = symmetry(named("beam"), values, rng)
     energies = []
     for name in ("beam", "beam3"):
-        element = BY_NAME[name]
+        element = named(name)
         x = motion.moved(element, [c for node in element.nodes for c in places[node.name]])
         d = numbers(element, **{k: v for k, v in values.items() if k in {p.name for p in element.parameters}})
         energies.append([d.T(x, motion.rigid_rates(element, x)), d.U(x)])

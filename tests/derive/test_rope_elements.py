@@ -8,12 +8,12 @@ import mpmath
 import numpy as np
 import pytest
 from element_numbers import (
-    BY_NAME,
     TINY,
     Vector,
     column,
     cross,
     equal,
+    named,
     numbers,
     plus,
     product,
@@ -47,7 +47,7 @@ def test_straight_cable_has_the_relative_elongation_and_no_curvature(
     direction, start, l0 = unit(column(rng, 3)), column(rng, 3), mpf("0.7")
     slope = [stretch * c for c in direction]
     x = [*start, *slope, *plus(start, slope, l0), *slope]
-    e = numbers(BY_NAME["cable"], l0=l0).D(x)
+    e = numbers(named("cable"), l0=l0).D(x)
     assert equal(e, [stretch - 1] + [0] * 11)
 
 
@@ -55,7 +55,7 @@ def test_strain_and_curvature_of_a_helix_converge_with_third_and_second_order() 
     """Errors of a cubic through the exact ends and slopes: of third order in r', of second order in r''."""
     radius, pitch, errors = mpf(1), mpf("0.3"), []
     for l0 in (mpf("0.2"), mpf("0.1")):
-        e = numbers(BY_NAME["cable"], l0=l0).D(cable_along(lambda s: helix(s, radius, pitch), l0))
+        e = numbers(named("cable"), l0=l0).D(cable_along(lambda s: helix(s, radius, pitch), l0))
         lengths = [sqrt(sum(c**2 for c in e[i : i + 3])) for i in (3, 6, 9)]
         exact = radius / (radius**2 + pitch**2)
         errors.append((max(abs(z) for z in e[:3]), max(abs(z - exact) for z in lengths)))
@@ -68,7 +68,7 @@ def test_strain_and_curvature_of_a_helix_converge_with_third_and_second_order() 
 
 def test_curvature_vector_of_a_planar_arc_is_normal_to_the_plane_and_signed() -> None:
     for sign in (1, -1):
-        e = numbers(BY_NAME["planar_cable"], l0=mpf("0.01")).D(
+        e = numbers(named("planar_cable"), l0=mpf("0.01")).D(
             [
                 0,
                 0,
@@ -85,7 +85,7 @@ def test_curvature_vector_of_a_planar_arc_is_normal_to_the_plane_and_signed() ->
 
 def test_kinetic_energy_of_a_turning_cable_is_that_of_a_rod(rng: random.Random) -> None:
     l0, omega = mpf("0.8"), [0, 0, mpf(3)]
-    d = numbers(BY_NAME["cable"], l0=l0, rhoA=mpf(2))
+    d = numbers(named("cable"), l0=l0, rhoA=mpf(2))
     x = [0, 0, 0, 1, 0, 0, l0, 0, 0, 1, 0, 0]
     v = [c for i in range(0, 12, 3) for c in cross(omega, x[i : i + 3])]
     assert equal([d.T(x, v)], [mpf(2) * l0**3 / 3 * 9 / 2])
@@ -95,7 +95,7 @@ def test_clamp_measures_the_direction_across_and_not_the_stretch(rng: random.Ran
     lam, t = unit(column(rng, 4)), unit(column(rng, 4))
     axes = product(lam, t)
     slope = rotated(axes, [mpf("1.02"), mpf("0.1"), mpf("-0.2")])
-    assert equal(numbers(BY_NAME["slope_clamp"], t=t).D([*lam, *slope]), [mpf("0.1"), mpf("-0.2")])
+    assert equal(numbers(named("slope_clamp"), t=t).D([*lam, *slope]), [mpf("0.1"), mpf("-0.2")])
 
 
 # --- contact -----------------------------------------------------------------------------------------------
@@ -112,9 +112,9 @@ def surface(name: str, rng: random.Random, **given: Any) -> tuple[Any, dict[str,
         "lead": mpf("0.03"),
     }
     values |= {"flank": [sin(beta), cos(beta)]} | given
-    known = {p.name for p in BY_NAME[name].parameters}
+    known = {p.name for p in named(name).parameters}
     values = {key: value for key, value in values.items() if key in known}
-    return numbers(BY_NAME[name], **values), values, [*column(rng, 3), *unit(column(rng, 4))]
+    return numbers(named(name), **values), values, [*column(rng, 3), *unit(column(rng, 4))]
 
 
 def on_surface(values: dict[str, Any], body: Vector, y: Vector) -> Vector:
@@ -279,6 +279,6 @@ def test_gauss_points_are_those_of_numpy() -> None:
 def test_quaternion_of_the_surface_turns_its_axle(rng: random.Random) -> None:
     """A cylinder whose triad is turned by 90° about z has its axle along the body's y."""
     quarter = rotation([0, 0, 1], mpmath.pi / 2)
-    d = numbers(BY_NAME["cable_cylinder"], l0=1, xi=0, t=quarter, radius=1)
+    d = numbers(named("cable_cylinder"), l0=1, xi=0, t=quarter, radius=1)
     x = [mpf("0.6"), 5, mpf("0.8"), *[0] * 12, *STILL]
     assert equal(d.D(x), [0], TINY)

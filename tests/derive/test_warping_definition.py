@@ -3,7 +3,7 @@
 import random
 from typing import Any
 
-from element_numbers import BY_NAME, Vector, column, dot, equal, numbers, plus, product, straight, unit
+from element_numbers import Vector, column, dot, equal, named, numbers, plus, product, straight, unit
 from mpmath import mpf
 from test_beam_definitions import rod
 
@@ -38,7 +38,7 @@ def test_energy_of_an_unevenly_twisted_and_bent_beam_is_that_of_the_rod(rng: ran
     exact = GJ * (t0**2 + t1**2 / 3 + t2**2 / 5 + 2 * t0 * t2 / 3) + EIw * 4 * (t1**2 + 4 * t2**2 / 3)
     exact = (exact + EIy * (y0**2 + y1**2 / 3) + EIz * (z0**2 + z1**2 / 3)) / 2
     end, turned = rod(curvature)
-    d = numbers(BY_NAME["beam_warping"], l0=1, tp=STILL, tq=STILL)
+    d = numbers(named("beam_warping"), l0=1, tp=STILL, tq=STILL)
     x = [0, 0, 0, *STILL, *end, *turned, small * twist(0), small * twist(1)]
     e = d.D(x)
     assert abs(energy_of(e, GJ, EIy, EIz, EIw) / small**2 - exact) < 10 * small**2
@@ -50,7 +50,7 @@ def test_twist_shortens_the_beam_by_the_mean_stretch_of_its_fibres(rng: random.R
     polar, small = mpf("0.3"), mpf("1e-8")
     t0, t1, t2 = (small * z for z in column(rng, 3))
     _, turned = rod(lambda s: [t0 + t1 * (2 * s - 1) + t2 * (2 * s - 1) ** 2, 0, 0])
-    d = numbers(BY_NAME["beam_warping"], l0=1, tp=STILL, tq=STILL, polar=polar)
+    d = numbers(named("beam_warping"), l0=1, tp=STILL, tq=STILL, polar=polar)
     e = d.D([0, 0, 0, *STILL, 1, 0, 0, *turned, t0 - t1 + t2, t0 + t1 + t2])
     squares = t0**2 + t1**2 / 3 + t2**2 / 5 + 2 * t0 * t2 / 3
     assert abs(e[0] - polar / 2 * squares) < 1e-6 * polar * squares
@@ -60,9 +60,9 @@ def test_uniform_twist_gives_the_deformations_and_the_energy_of_the_plain_beam(r
     """Both warping coordinates at the mean twist: warp1 = warp2 = 0, the first six deformations are the beam's."""
     values, x = deformed(rng, mpf("0.3"))
     l0 = values["l0"]
-    plain, warping = numbers(BY_NAME["beam"], **values), numbers(BY_NAME["beam_warping"], **values)
+    plain, warping = numbers(named("beam"), **values), numbers(named("beam_warping"), **values)
     e = plain.D(x[:14])
-    first = numbers(BY_NAME["beam_first_order"], **values).D(x[:14])
+    first = numbers(named("beam_first_order"), **values).D(x[:14])
     assert equal(warping.D([*x[:14], first[1] / l0**2, first[1] / l0**2])[:6], e)
     assert equal(warping.D([*x[:14], e[1] / l0**2, e[1] / l0**2])[6:], [0, 0])
 
@@ -79,7 +79,7 @@ def test_beam_read_from_the_other_end_is_the_same_beam(rng: random.Random) -> No
     half = [0, 0, 0, 1]
     turned = values | {"tp": product(values["tq"], half), "tq": product(values["tp"], half)}
     v = column(rng, 16)
-    there, back = (numbers(BY_NAME["beam_warping"], **z) for z in (values, turned))
+    there, back = (numbers(named("beam_warping"), **z) for z in (values, turned))
 
     def exchange(x: Vector) -> Vector:
         return [*x[7:14], *x[:7], x[15], x[14]]
@@ -94,7 +94,7 @@ def test_kinetic_energy_of_a_straight_twisting_beam_is_that_of_its_sections(rng:
     """Angular velocity a cubic c(s): T is the integral of rhoJ c^2/2 + rhoIw c'^2/2."""
     rho_j, rho_iw = mpf("0.3"), mpf("0.4")
     c = column(rng, 4)
-    d = numbers(BY_NAME["beam_warping"], l0=1, tp=STILL, tq=STILL, rhoJ=[rho_j, 0, 0], rhoIw=rho_iw)
+    d = numbers(named("beam_warping"), l0=1, tp=STILL, tq=STILL, rhoJ=[rho_j, 0, 0], rhoIw=rho_iw)
     slope = [c[1], 2 * c[2], 3 * c[3]]
     ends = c[0], sum(c)
     v = [0, 0, 0, 0, ends[0] / 2, 0, 0, 0, 0, 0, 0, ends[1] / 2, 0, 0, slope[0], sum(slope)]

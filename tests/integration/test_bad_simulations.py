@@ -50,7 +50,7 @@ SIMULATIONS = {
         lambda s: s.simulate(1, events=[Event("e", lambda z: math.nan)]), "event 'e'", "give finite"
     ),
     "event of an unknown quantity": system(
-        lambda s: s.simulate(1, events=[Event("e", lambda z: z["A.q"])]), "'A.q'", "did you mean"
+        lambda s: s.simulate(1, events=[Event("e", lambda z: z["A.q"])]), "'A.q'", "'A' has A.x"
     ),
     "start of another model": system(
         lambda s: s.simulate(1, start=pendulum().build().initial), "simulate", "another model", "of this one"

@@ -145,7 +145,7 @@ def test_a_motion_that_stopped_can_be_started_again() -> None:
     m.point_mass("mass", A, 1.0)
     m.prescribe("A.y", lambda t: t)  # out of reach of the rod after 1 s
     system = m.build()
-    with pytest.raises(fx.DynamicsError, match="start from there again") as caught:
+    with pytest.raises(fx.DynamicsError, match="restart from there") as caught:
         system.simulate(2.0, method="generalized-alpha", step=0.01, samples=401, progress=False)
     motion = caught.value.motion
     assert motion.t[-1] == pytest.approx(1.0)

@@ -26,7 +26,7 @@ LINEARIZATIONS = {
     ),
     "input unknown": Case(lambda: double().state_space(["q"], []), ("'q'", "known: ")),
     "output unknown": Case(
-        lambda: double().state_space([], ["farce:A.x"]), ("'farce:A.x'", "did you mean A.x")
+        lambda: double().state_space([], ["farce:A.x"]), ("'farce:A.x'", "did you mean force:A.x")
     ),
     "inputs as text": Case(lambda: double().state_space("A.x", []), ("inputs", "write ['…'")),
     "reduced to a text": Case(lambda: double().reduced("elbow.angle"), ("reduced", "write ['…'")),

@@ -130,4 +130,12 @@ def test_colours_stay_apart_for_the_colour_blind(blind: list[list[float]]) -> No
     seen = [_lab(np.clip(np.array(blind) @ _light(z), 0, 1)) for z in COLOURS]
     apart = [np.linalg.norm(a - b) for i, a in enumerate(seen) for b in seen[:i]]
     assert min(apart) > 15  # about seven just noticeable differences; the old colours had 6
-    assert all(z in STYLE["axes.prop_cycle"] for z in COLOURS)
+
+
+def test_the_style_is_found_by_name_and_has_the_colours() -> None:
+    """As a program selects it for figures of its own: ``plt.style.use("flexel.pictures.style")``."""
+    from matplotlib import rcParams, style
+
+    with style.context(STYLE):
+        assert rcParams["axes.prop_cycle"].by_key()["color"] == list(COLOURS)
+        assert not rcParams["axes.spines.top"]

@@ -83,8 +83,8 @@ def test_a_belt_leaves_its_pulleys_at_a_tangent_and_gears_touch() -> None:
     for name, x in (("A", 0.0), ("B", 0.5), ("C", 0.8)):
         m.point(name, (x, 0), fixed=True)
         m.angle(f"turn {name}")
-    m.belt("belt", "A", "turn A", "B", "turn B", radius_p=0.1, radius_q=0.05, stiffness=100.0)
-    m.gear("gears", "B", "turn B", "C", "turn C", radius_p=0.2, radius_q=0.1)
+    m.planar_belt("belt", "A", "turn A", "B", "turn B", radius_p=0.1, radius_q=0.05, stiffness=100.0)
+    m.planar_gear("gears", "B", "turn B", "C", "turn C", radius_p=0.2, radius_q=0.1)
     m.body("pulley", "A", "turn A", mass=1.0, inertia=0.1)
     m.body("gear", "B", "turn B", mass=1.0, inertia=0.1)
     found = shapes(m.build().state_at({"turn A.angle": 0.3, "turn C.angle": 0.0}))

@@ -124,7 +124,7 @@ def test_a_full_disk_leaves_the_old_file(
     path = motion.save(tmp_path / f"run{suffix}")
     before = path.read_bytes()
     (said,), status = processes.ended(processes.start("limited", path), said=1)
-    assert status == 0 and f"save '{path}'" in said and "what was there before is unchanged" in said
+    assert status == 0 and f"save '{path}'" in said and "the earlier file is unchanged" in said
     assert path.read_bytes() == before
     assert list(tmp_path.iterdir()) == [path]
 

@@ -192,20 +192,6 @@ def test_force_sideways_is_that_of_the_fleet_angle(quarters: int) -> None:
     assert state.force("C.x") == pytest.approx(fleet, rel=0.012)
 
 
-# -- winding --------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("lead", [drums.LEAD, -drums.LEAD])
-def test_winch_lifts_by_the_length_of_the_helix_and_moves_its_rope_by_the_lead(lead: float) -> None:
-    found, given = drums.lift(lead)
-    assert found == pytest.approx(given, rel=5e-5)
-    assert drums.groove_error(lead) < 1e-3
-    motion, rope = drums.wound(lead)
-    before, after = (drums.places(motion[i], rope)[-8:-1, 0].mean() for i in (0, -1))
-    assert after - before == pytest.approx(drums.TURNS * -lead, rel=0.3)  # it swings a little
-    assert [row.name for row in drums.rows() if not row.ok] == []
-
-
 # -- friction -------------------------------------------------------------------------------------
 
 

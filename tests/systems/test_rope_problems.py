@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from flexel.examples import rope_drums as drums
 from flexel.examples import rope_exact as exact
 from flexel.examples import rope_hanging as hanging
 from flexel.examples import rope_hoists as hoists
@@ -23,6 +24,12 @@ def benchmark(checkout: Path) -> dict[str, Any]:
     return found
 
 
+@pytest.fixture(scope="module")
+def at_rest() -> list[Quantity]:
+    """Rows of hanging ropes and chains."""
+    return hanging.rows()
+
+
 def failures(rows: list[Quantity]) -> list[str]:
     return [f"{z.name}: {z.error}" for z in rows if not z.ok]
 
@@ -31,15 +38,14 @@ def orders(rows: list[Quantity]) -> dict[str, Any]:
     return {z.name: z.more["order"] for z in rows if "order" in z.more}
 
 
-def test_hanging_ropes_and_chains_converge_with_their_order() -> None:
-    rows = hanging.rows()
-    assert failures(rows) == []
-    found = orders(rows)
+def test_hanging_ropes_and_chains_converge_with_their_order(at_rest: list[Quantity]) -> None:
+    assert failures(at_rest) == []
+    found = orders(at_rest)
     assert [found[z] for z in ("catenary_error", "catenary_sag_error")] == pytest.approx([4, 4], abs=0.05)
     assert found["hanging_frequencies_error"] == pytest.approx(2, abs=0.05)
     assert found["loaded_chain_frequencies_error"] > 2.5
     assert found["elastica_error"] == pytest.approx(4, abs=0.05)
-    coarse, *_ = next(z.more["errors"] for z in rows if z.name == "wrapped_rope_error")
+    coarse, *_ = next(z.more["errors"] for z in at_rest if z.name == "wrapped_rope_error")
     assert coarse < 5e-3  # elements of 0.45 radii
 
 
@@ -166,10 +172,21 @@ def test_rope_slides_off_an_edge_as_the_closed_form_says() -> None:
     assert orders(rows)["sliding_rope_error"] > 2
 
 
+@pytest.mark.parametrize("lead", [drums.LEAD, -drums.LEAD])
+def test_winch_lifts_by_the_length_of_the_helix_and_moves_its_rope_by_the_lead(lead: float) -> None:
+    found, given = drums.lift(lead)
+    assert found == pytest.approx(given, rel=5e-5)
+    assert drums.groove_error(lead) < 1e-3
+    motion, rope = drums.wound(lead)
+    before, after = (drums.places(motion[i], rope)[-8:-1, 0].mean() for i in (0, -1))
+    assert after - before == pytest.approx(drums.TURNS * -lead, rel=0.3)  # it swings a little
+    assert [row.name for row in drums.rows() if not row.ok] == []
+
+
 @pytest.mark.slow
-def test_figures_are_written(tmp_path: Path) -> None:
+def test_figures_are_written(at_rest: list[Quantity], tmp_path: Path) -> None:
     pytest.importorskip("matplotlib", reason="pictures need matplotlib: pip install 'flexel[plot]'")
     from flexel.examples.rope_figures import pictures
 
-    for file in pictures(hanging.rows(), tmp_path):
+    for file in pictures(at_rest, tmp_path):
         assert file.stat().st_size > 10_000

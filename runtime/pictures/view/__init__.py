@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 from flexel.base.arguments import path_of, whole
 from flexel.base.errors import ModelError
 from flexel.base.files import replacing
+from flexel.pictures.options import checked
 from flexel.pictures.view.data import FORMAT, scene_data
 from flexel.pictures.view.modes import mode_data
 
@@ -49,7 +50,7 @@ def view_motion(motion: Motion, path: str | Path, **options: Any) -> Path:
     --------
     >>> motion.view("bicycle.html")  # doctest: +SKIP
     """
-    return write_page(scene_data(motion, **options), path)
+    return write_page(scene_data(motion, **checked("view", scene_data, options)), path)
 
 
 def view_modes(
@@ -65,7 +66,7 @@ def view_modes(
     >>> view_modes(system.linearize(state), "modes.html")  # doctest: +SKIP
     >>> view_modes(state, "modes.html", system.vibrations(state))  # doctest: +SKIP
     """
-    return write_page(mode_data(about, modes, **options), path)
+    return write_page(mode_data(about, modes, **checked("view of modes", mode_data, options)), path)
 
 
 class Page:

@@ -1,6 +1,6 @@
 """Linearizations as records and back; one from a file supports the same methods.
 
-Arrays are taken field by field from the dataclasses, so that a record grows with them.
+Arrays are taken field by field from the dataclasses, so that a record contains new ones too.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Records in .csv files: tables with names and units in their first rows, the header and the rest in the first line."""
+"""Records in .csv files: tables with names and units in their first rows, all other data in the first line."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ TITLES = {"value": "{}", "rate": "{}'", "acceleration": "{}''", "force": "force:
 
 
 def write_csv(record: Record, path: Path) -> None:
-    """One row for each time, or a table for each matrix; the rest and the header as JSON in the first line."""
+    """One row for each time, or a table for each matrix; all other data and the header as JSON in the first line."""
     tables, rest = [_histories(record)] if "time" in record.variables else list(_matrices(record)), {}
     written = {name for names, _ in tables for name in names}
     for name, z in record.variables.items():

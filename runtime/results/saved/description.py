@@ -168,7 +168,7 @@ def _spec(z: Mapping[str, Any], values: Mapping[str, Array]) -> ElementSpec:
 
 
 def _outside(spec: ElementSpec) -> tuple[object, ...]:
-    """What the structure of a result sees of an element; where it has kinks matters to models alone."""
+    """The part of an element that the structure of a result needs; its kinks matter in models only."""
     parameters = {(z.name, z.size) for z in spec.parameters}
     return spec.nodes, [replace(d, kinked=False) for d in spec.deformations], spec.slips, parameters
 

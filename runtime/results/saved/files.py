@@ -25,11 +25,11 @@ from flexel.results.saved.header import HEADER, digest, header_of, parsed
 from flexel.results.saved.record import Record, Variable, require
 from flexel.results.saved.tables_of_runs import refuse_table
 
-LONGEST = 63  # most letters in the name of a Matlab variable
+LONGEST = 63  # largest number of characters in the name of a Matlab variable
 
 
 def write(record: Record, path: str | Path) -> Path:
-    """Write a record; the suffix determines the format.  The file appears whole, or the old one stays.
+    """Write a record; the suffix determines the format.  The file is written completely, or the old one remains.
 
     Raises
     ------
@@ -106,7 +106,7 @@ def _write_npz(record: Record, path: Path) -> None:
 
 def _read_npz(path: Path) -> tuple[dict[str, Any], dict[str, Array]]:
     if not is_zipfile(path):
-        raise ValueError("it is not an archive of arrays")  # np.load would take it for a pickle
+        raise ValueError("it is not an archive of arrays")  # np.load would treat it as a pickle
     with path.open("rb") as stream, np.load(stream, allow_pickle=False) as file:
         if HEADER not in file.files:
             refuse_table(path, file.files)
@@ -129,13 +129,13 @@ def _write_nc(record: Record, path: Path) -> None:
 
     dataset = record.to_xarray()
     dataset[HEADER] = ((), header_of(record))  # a variable: attributes of HDF5 end at 64 kB
-    with BytesIO() as buffer:  # on a full disk the library of HDF5 ends the interpreter
+    with BytesIO() as buffer:  # on a full disk the HDF5 library aborts the interpreter
         with File(buffer, "w") as file:
             dataset.dump_to_store(H5NetCDFStore(file))
         data = buffer.getvalue()
     with path.open("wb") as stream:
         stream.write(data)
-        stream.write(seal_of(data))  # after the end of the file, which no reader reaches
+        stream.write(seal_of(data))  # after the end of the data, where no reader looks
 
 
 def _read_nc(path: Path) -> tuple[dict[str, Any], dict[str, Array]]:

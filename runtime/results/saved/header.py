@@ -33,7 +33,7 @@ def header_of(record: Record) -> str:
 
 
 def digest(header: Mapping[str, Any], arrays: Iterable[Any]) -> str:
-    """What a file must give again: a digest of its header and of its arrays in the order of the header."""
+    """Digest of the header and of the arrays in its order, which the file must reproduce."""
     found = sha256(json.dumps({name: z for name, z in header.items() if name != "digest"}).encode())
     for values in arrays:
         found.update(np.ascontiguousarray(values, dtype="<f8").tobytes())

@@ -58,7 +58,7 @@ def load(path: str | Path) -> Motion | Linearization | PeriodicSolution | Flexur
         if isinstance(error, FlexelError):
             raise
         raise ModelError(
-            f"load '{path}': a part of a {record.kind} is missing in it or has another form ({error!r:.100}); the file "
+            f"load '{path}': a part of a {record.kind} is missing or malformed ({error!r:.100}); the file "
             "is damaged: take a copy of it, or compute it again"
         ) from error
 

@@ -52,7 +52,7 @@ class Record:
     header: Mapping[str, Any]
 
     def checked(self, owner: str) -> Record:
-        """The record itself, if its arrays fit one another and their labels; a ModelError otherwise."""
+        """The record itself, if its arrays and labels have consistent sizes; a ModelError otherwise."""
         sizes = {dim: len(names) for dim, names in self.labels.items()}
         for name, variable in self.variables.items():
             if len(variable.dims) != variable.values.ndim:

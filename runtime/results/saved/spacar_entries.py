@@ -21,7 +21,7 @@ from flexel.base.errors import ModelError
 HEADER = struct.Struct("<4s4i")
 TYPES = {(1, 4): "<i4", (2, 8): "<f8", (3, 1): "S1"}  # type and bytes of an item
 BEGIN, DATA = "TDEF", "TDAT"
-MOST = 1 << 31  # bytes of one entry, beyond which its header is not believed
+MOST = 1 << 31  # bytes of one entry; a header with more counts as damaged
 
 
 @dataclass(frozen=True)
@@ -53,7 +53,7 @@ class _Header:
 
 
 class _Reader:
-    """Reads a file from its beginning, and says where it is damaged."""
+    """Reads a file from its beginning, and reports where it is damaged."""
 
     def __init__(self, path: Path) -> None:
         self.path, self.data, self.at = path, path.read_bytes(), 0
@@ -97,7 +97,7 @@ class _Reader:
             headers.append(header)
         size, left = sum(z.size for z in headers), len(self.data) - self.at
         if not size or left % size or left // size != announced:
-            raise self.error(f"{announced} records of {size} bytes are announced, and {left} bytes follow")
+            raise self.error(f"{announced} records of {size} bytes are declared, and {left} bytes follow")
         rows = np.frombuffer(self.data, "<f8", offset=self.at).reshape(-1, size // 8)
         ends = np.cumsum([0, *(z.rows * z.columns for z in headers)])
         return {

@@ -2,7 +2,7 @@
 
 Positions are p1, p2 ..., orientations o1, o2 ..., nodes of warping w1, w2 ..., beams in space beam1, beam2 ... with the
 deformations of `m.beam`, which are SPACAR's; other elements are element1, element2 ... with the deformations e1, e2 ...
-in SPACAR's signs: the file does not say enough about them to draw them, or to evaluate them.
+in SPACAR's signs: the file does not contain enough data to draw or to evaluate them.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ class _Layout:
 def motion_of_sbd(entries: Entries, path: Path) -> Motion:
     """The motion in the entries of an `.sbd` file, without a system.
 
-    The reactions are SPACAR's FXT.  Energies are not in the file: they are NaN, and ``motion.energy`` says so.  Load
+    The reactions are SPACAR's FXT.  Energies are not in the file: they are NaN; ``motion.energy`` reports this.  Load
     steps, which all have the time zero, are counted instead.
 
     Raises
@@ -143,7 +143,7 @@ def _layout(entries: Entries, path: Path) -> _Layout:
 
 
 def _parts(counts: Any, order: tuple[int, ...]) -> Index:
-    """The part of each place: fixed, dependent, prescribed, dynamic or kinematic."""
+    """The role of each place: fixed, dependent, prescribed, dynamic or kinematic."""
     return np.repeat(order, np.ravel(counts)[list(order)])
 
 

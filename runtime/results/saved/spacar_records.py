@@ -76,7 +76,7 @@ class SpacarRecords(Portable):
         A, B, C = (self.matrices[z][record] for z in "ABC")
         through = "D" in self.matrices and np.any(
             self.constant.get("DFT", 1)
-        )  # else outputs see no input directly
+        )  # otherwise no input acts on the outputs directly
         return A, B, C, self.matrices["D"][record] if through else np.zeros((C.shape[0], B.shape[1]))
 
     def to_xarray(self) -> Dataset:

@@ -20,7 +20,7 @@ def motion_beside(table: Path) -> Path:
 
 
 def refuse_table(path: Path, names: Iterable[str]) -> None:
-    """Raise an error for a table of a SPACAR run that points to its motion; ignore other files.
+    """Raise an error that refers to the motion if the file is a table of a SPACAR run; ignore other files.
 
     Parameters
     ----------

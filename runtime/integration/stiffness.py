@@ -1,0 +1,119 @@
+"""How stiff a system is for an explicit integrator: at its start, and during a motion that turns out to be long."""
+
+from __future__ import annotations
+
+import sys
+import warnings
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from flexel.base.arrays import Array
+from flexel.base.errors import FlexelError, StiffWarning
+from flexel.engine.solvers import eigenvalues
+from flexel.integration.driver import Run
+from flexel.mechanics.core import Core
+from flexel.mechanics.inertia import InertiaError
+from flexel.structure.state import State
+
+EXPLICIT, ALPHA = "DOP853", "generalized-alpha"
+STIFF = 3e4  # max |λ| times the duration from which a motion is integrated implicitly
+MANY = 300  # degrees of freedom above which it is integrated implicitly whatever its eigenvalues
+LOOK = 1000  # steps after which an explicit integration is looked at: short motions cost nothing more
+LONG = 5 * LOOK  # steps of a motion that is called long
+
+
+@dataclass(frozen=True)
+class Suitable:
+    """Demands of a system on an integrator at a state.
+
+    Attributes
+    ----------
+    method : str
+        The one that suits motions of any length; empty where it depends on the length.
+    why, detail : str
+        Why, and the message of the error that shows it.
+    rates : ndarray
+        Magnitudes of the eigenvalues [1/s] of the linearized state, if it was linearized.
+    inertia : ndarray (nd,)
+        Inertia of each dynamic degree of freedom in its natural scale [kg m²], if it was linearized.
+    """
+
+    method: str
+    why: str = ""
+    detail: str = ""
+    rates: Array = field(default_factory=lambda: np.zeros(0))
+    inertia: Array = field(default_factory=lambda: np.zeros(0))
+
+
+def suitable(system: Core, state: State) -> Suitable:
+    """Demands of a system on an integrator at a state; no eigenvalues are taken of very large systems."""
+    if system.roles.nd > MANY:
+        return Suitable(ALPHA, f"{system.roles.nd} degrees of freedom, above {MANY}")
+    try:
+        lin = system.linearize(state)
+        inertia = np.diag(lin.M) * system.kinematics.scales(system.roles.dynamic) ** 2
+        return Suitable("", rates=np.abs(eigenvalues(lin.state_matrix)), inertia=inertia)
+    except InertiaError as error:
+        return Suitable(ALPHA, "a degree of freedom has no inertia", str(error))
+    except (FlexelError, np.linalg.LinAlgError) as error:
+        return Suitable(EXPLICIT, "the start cannot be linearized", str(error))
+
+
+class Watch:
+    """Looks at an explicit integration after some steps, and warns if the rest will be long for want of stiffness.
+
+    Parameters
+    ----------
+    system : Core
+    method : str
+        Its name, for the message.
+
+    Attributes
+    ----------
+    found : str
+        What was found; empty before the look, and for motions that are not stiff or not long.
+    """
+
+    def __init__(self, system: Core, method: str) -> None:
+        self.system, self.method = system, method
+        self.found = ""
+        self._steps, self._half = 0, 0.0
+
+    def __call__(self, run: Run) -> None:
+        """Count a step."""
+        self._steps += 1
+        if self._steps == LOOK // 2:
+            self._half = run.t
+        elif self._steps == LOOK:
+            self._look(run)
+
+    def _look(self, run: Run) -> None:
+        """Estimate the steps of the whole motion from the last ones, and find what makes them short."""
+        end, step = float(run.times[-1]), 2 * (run.t - self._half) / LOOK
+        count = LOOK + (end - run.t) / step
+        if count < LONG:
+            return
+        demands = suitable(self.system, run.present)
+        turns = float(demands.rates.max(initial=0.0)) * (end - float(run.times[0]))
+        if turns > STIFF:
+            why = f"its largest eigenvalue is {demands.rates.max():.2g} 1/s in magnitude at t = {run.t:.3g} s"
+        elif demands.method == ALPHA:
+            why = demands.why
+        else:
+            return  # accuracy asks for these steps
+        self.found = f"{self.method} takes about {count:.2g} steps: {why}"
+        events = " and no events, which it does not locate" * bool(getattr(run, "events", ()))
+        warnings.warn(
+            f"simulate: {self.found}; an interrupt keeps what was computed, use method='{ALPHA}'{events}",
+            StiffWarning,
+            stacklevel=_depth(),
+        )
+
+
+def _depth() -> int:
+    """Level of the frame that called the package, as `warnings.warn` of the caller counts."""
+    frame, level = sys._getframe(1), 1
+    while frame.f_back is not None and str(frame.f_globals.get("__name__")).partition(".")[0] == "flexel":
+        frame, level = frame.f_back, level + 1
+    return level
