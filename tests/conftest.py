@@ -16,6 +16,9 @@ SEED = "FLEXEL_CAMPAIGN_SEED"  # of the random models; workers of pytest have th
 os.environ.setdefault(SEED, str(secrets.randbelow(10**6)))
 
 LONGEST = (  # files of more than seven seconds: begun first, so that all workers end at the same time
+    "test_docs_built.py",
+    "pictures/test_view_browser.py",
+    "pictures/test_view_parts.py",
     "systems/test_rope_problems.py",
     "derive/test_verify.py",
     "campaign/test_campaign.py",
