@@ -51,7 +51,8 @@ def check_figure(figure: Any) -> None:
     assert figure.get_suptitle() or any(z.get_title() for z in figure.axes)
     for axes in figure.axes:
         if axes.name == "rectilinear":
-            for label in (axes.get_xlabel(), axes.get_ylabel()):
+            bar = axes.get_label() == "<colorbar>"
+            for label in (axes.get_ylabel(),) if bar else (axes.get_xlabel(), axes.get_ylabel()):
                 assert re.fullmatch(r"[^\[]+ \[.+\]", label), label
 
 
