@@ -7,6 +7,8 @@ relaxation. Without control the machine falls slowly (capsize) and snakes with 2
 steering shakes with 7 Hz (wobble). The loads of the tyres are those of statics.
 """
 
+from typing import Any
+
 import matplotlib.pyplot as plt
 import numpy as np
 
@@ -17,7 +19,7 @@ m.rigid_body("machine", (0.62, 0, 0.6), mass=240, inertia=(28, 40, 24, 0, 2, 0))
 m.rigid_body("fork", (1.1, 0, 0.9), mass=12, inertia=(0.9, 0.8, 0.25))
 m.revolute("steer", "machine", "fork", at=(1.1, 0, 0.9), axis=(0.453, 0, -0.892), damping=6.8)
 m.cardan_chain("yaw", "lean", "pitch", body="machine")
-law = {"stiffness": 180e3, "damping": 250, "friction": (1.2, -0.1), "slip_stiffness": 15}
+law: dict[str, Any] = {"stiffness": 180e3, "damping": 250, "friction": (1.2, -0.1), "slip_stiffness": 15}
 law |= {"camber_stiffness": 0.8, "shape": (1.5, -0.5), "trail": (0.02, 5), "relaxation": (0.12, 0.22)}
 parts = ("deflection", "camber", "forward", "rolling", "longitudinal", "lateral", "spin")
 wheels = ("rear", "machine", 0, 0.31, 1500, 0.09, 18), ("front", "fork", 1.45, 0.3, 1300, 0.06, 14)
@@ -26,8 +28,8 @@ for end, body, x, R, load, crown, mass in wheels:
     wheel = m.rigid_body(end, hub, mass=mass, inertia=(mass / 35, mass / 20, mass / 35))
     m.revolute(f"{end} spin", body, end, at=hub, axis=(0, 1, 0))
     m.tyre(f"{end} tyre", wheel.point, wheel.frame, radius=R, axle=(0, 1, 0), crown=crown)
-    own = {"load0": load, "rolling_radius": R - 0.004, "cornering": (load / 120, 2)}
-    m.attach("magic_formula", [f"{end} tyre.{z}" for z in parts], name=f"{end} law", **law, **own)
+    own = law | {"load0": load, "rolling_radius": R - 0.004, "cornering": (load / 120, 2)}
+    m.attach("magic_formula", [f"{end} tyre.{z}" for z in parts], name=f"{end} law", **own)
 angles = [f"{z}.angle" for z in ("yaw", "lean", "pitch", "steer", "rear spin", "front spin")]
 m.independent("machine.x", "machine.y", "machine.z", *angles)
 s = m.build()

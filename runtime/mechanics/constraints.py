@@ -55,7 +55,7 @@ class ConstraintReport:
     release: list[str]
     alternatives: dict[str, list[str]] = field(default_factory=dict)
 
-    def __str__(self) -> str:
+    def __repr__(self) -> str:
         lines = [f"{self.dofs} degree(s) of freedom left by the rigid conditions"]
         lines += [f"over-constrained: {_shares(z)}" for z in self.redundant]
         lines += [f"nothing resists: {_shares(z)}" for z in self.motions]

@@ -60,7 +60,7 @@ class CheckReport:
     def _of(self, severity: str) -> tuple[Finding, ...]:
         return tuple(z for z in self.findings if z.severity == severity)
 
-    def __str__(self) -> str:
+    def __repr__(self) -> str:
         width = max((len(z.subject) for z in self.findings), default=0)
         lines = [f"{z.severity:<7}  {z.subject:<{width}}  {z.message}" for z in self.findings]
         counts = (f"{len(found)} {kind}(s)" for kind in SEVERITIES if (found := self._of(kind)))

@@ -95,6 +95,9 @@ class Reduced:
     C: Array
     K: Array
 
+    def __repr__(self) -> str:
+        return f"Reduced({', '.join(self.names)}; M, C, K)"
+
     @property
     def state_matrix(self) -> Array:
         """First-order form for (q', q)."""

@@ -132,7 +132,7 @@ class Flexure:
         """Number of steps, the initial one included."""
         return len(self.steps)
 
-    def __str__(self) -> str:
+    def __repr__(self) -> str:
         lines = [
             f"flexure mechanism: {self.positions.shape[1]} nodes, {self.stress.shape[1]} elements, "
             f"{len(self)} step(s)"

@@ -204,6 +204,10 @@ class FlexureStep:
 
         return view_modes(self.state, path, self.vibrations(), **options)
 
+    def __repr__(self) -> str:
+        lowest = f", lowest frequency {self.frequencies[0]:.5g} Hz" if len(self.frequencies) else ""
+        return f"FlexureStep({self.load:g} of the loads{lowest})"
+
     def __str__(self) -> str:
         shown = "  ".join(f"{z:.5g}" for z in self.frequencies[:SHOWN])
         load = f"{self.buckling[0]:.4g}" if self.buckling.size else "-"

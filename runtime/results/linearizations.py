@@ -16,6 +16,7 @@ from flexel.base.arguments import names as checked_names
 from flexel.base.arrays import Array, ComplexArray
 from flexel.base.errors import ModelError
 from flexel.base.outside import Dataset, Figure
+from flexel.base.shown import counted, listed
 from flexel.linear.tracking import Branches
 from flexel.mechanics.linearization import Linearization
 from flexel.mechanics.modes import check_decoupled, first_order, places_of
@@ -56,6 +57,11 @@ class Linearizations:
     rates: Mapping[str, Array]
     failed: Mapping[int, str]
     again: Callable[[int, int], Linearization] = field(repr=False)
+
+    def __repr__(self) -> str:
+        rates = f" at {counted(self.M.shape[1], 'rate')}" if self.rates else ""
+        failed = f", {len(self.failed)} failed" if self.failed else ""
+        return f"Linearizations({counted(len(self), 'variant')}{rates}{failed}; {listed(self.dofs)})"
 
     def __len__(self) -> int:
         """Number of variants."""
@@ -159,6 +165,14 @@ class RootLoci:
     values: Array
     linearizations: Linearizations
     unit: str = ""
+
+    def __repr__(self) -> str:
+        ends = (
+            f" from {self.values[0]:g} to {self.values[-1]:g} {self.unit}".rstrip()
+            if len(self.values)
+            else ""
+        )
+        return f"RootLoci({self.name}{ends}, {counted(len(self.values), 'value')}; {self.linearizations!r})"
 
     @cached_property
     def _tracked(self) -> list[Branches]:

@@ -16,6 +16,7 @@ from flexel.base.arguments import names as checked_names
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError, ModelError
 from flexel.base.quaternions import matrix
+from flexel.base.shown import Table
 from flexel.mechanics.core import Core
 from flexel.mechanics.stress import rotation_rows
 from flexel.statics.equilibrium import Rest
@@ -43,6 +44,20 @@ class Compliance:
     directions: tuple[str, ...]
     matrix: Array
     rotation: Array
+
+    def _table(self) -> Table:
+        rows = zip(self.directions, self.matrix, strict=True)
+        return Table(
+            "compliance in global axes [m/N, rad/N; m/(N m), rad/(N m)]",
+            ("", *self.directions),
+            [(name, *(f"{z:.5g}" for z in row)) for name, row in rows],
+        )
+
+    def __repr__(self) -> str:
+        return self._table().text
+
+    def _repr_html_(self) -> str:
+        return self._table().html
 
     @property
     def in_body(self) -> Array:

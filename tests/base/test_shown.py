@@ -163,3 +163,14 @@ def test_the_summary_of_a_stiff_system_says_so_with_its_integrator() -> None:
     assert s.simulate(2.0, samples=3).message.startswith(
         "reached the end (generalized-alpha, chosen because max|λ|"
     )
+
+
+def test_results_are_one_line_in_a_shell() -> None:
+    from travellers import pushed_many
+
+    _, linearizations, loci = pushed_many()
+    dofs = ", ".join(linearizations.dofs)
+    assert repr(linearizations) == f"Linearizations(2 variants; {dofs})"
+    assert repr(loci) == f"RootLoci(body.mass from 1 to 2 kg, 2 values; {linearizations!r})"
+    lin = bicycle().linearize()
+    assert repr(lin.reduced(lin.dynamic)) == f"Reduced({', '.join(lin.dynamic)}; M, C, K)"

@@ -14,6 +14,7 @@ from flexel.base.arrays import Array
 from flexel.base.copies import Portable
 from flexel.base.errors import ModelError
 from flexel.base.outside import Dataset
+from flexel.base.shown import counted
 from flexel.results.saved.record import require
 from flexel.results.saved.spacar_entries import Entries
 
@@ -39,6 +40,11 @@ class SpacarRecords(Portable):
     t: Array
     matrices: Mapping[str, Array]
     constant: Mapping[str, Any]
+
+    def __repr__(self) -> str:
+        return (
+            f"SpacarRecords('{self.path.name}': {counted(len(self), 'record')} of {', '.join(self.matrices)})"
+        )
 
     def __getitem__(self, tag: str) -> Array:
         """The matrices (nt, rows, columns) of a tag.
