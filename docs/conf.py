@@ -5,6 +5,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
+import docstrings  # noqa: E402
 import pages  # noqa: E402
 
 import flexel  # noqa: E402
@@ -53,12 +54,8 @@ html_show_sourcelink = False
 templates_path: list[str] = []
 
 
-def escape_bars(app: object, what: str, name: str, obj: object, options: object, lines: list[str]) -> None:
-    """Escape bars: |x| is a length in the docstrings, not a substitution of reStructuredText."""
-    lines[:] = [line if line.lstrip().startswith(">>>") else line.replace("|", "\\|") for line in lines]
-
-
 def setup(app: object) -> None:
     """Write the generated pages, then let Sphinx read."""
     pages.write(Path(__file__).resolve().parent)
-    app.connect("autodoc-process-docstring", escape_bars)  # type: ignore[attr-defined]
+    before = 400  # the extension that reads the sections has 500
+    app.connect("autodoc-process-docstring", docstrings.process, priority=before)  # type: ignore[attr-defined]

@@ -22,7 +22,10 @@ def table(head: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
 
 def parameters(specs: Sequence[ParameterSpec]) -> str:
     """Table of the parameters of an element or a law."""
-    return table(("name", "size", "unit", "meaning"), [(f"`{z.name}`", z.size, z.unit, z.doc) for z in specs])
+    counts = ("" if z.size == 1 else f" ({z.size} numbers)" for z in specs)
+    units = ("-" if z.unit == "1" else z.unit for z in specs)
+    rows = zip(specs, counts, units, strict=True)
+    return table(("name", "meaning"), [(f"`{z.name}`", f"{z.doc}{n} [{unit}]") for z, n, unit in rows])
 
 
 def kernels(specs: dict[str, KernelSpec]) -> str:

@@ -1,5 +1,7 @@
 """What all tests share: the checkout, no window of a plot, one thread for small matrices, a random seed, an order."""
 
+from __future__ import annotations  # the oldest pytest does not export all types
+
 import gc
 import os
 import secrets

@@ -49,11 +49,11 @@ class Linearization(SampledLinearization, DrawnLinearization, Portable):
     M, C : ndarray (nd, nd)
     K : ndarray (nd, nq)
         Columns for dynamic, then kinematic degrees of freedom.
-    A_k : ndarray (nk, nd), B_k : ndarray (nk, nq)
+    A_k, B_k : ndarray (nk, nd), ndarray (nk, nq)
         𝒜 and ℬ of δq_k' = 𝒜 δq_d' + ℬ δq.
     Z : ndarray (nd, nz)
         Generalized forces of the laws' internal states: M δq_d'' + C δq_d' + K δq + Z δz = F δu.
-    Z_v, Z_q, Z_z : ndarray (nz, nd), (nz, nq), (nz, nz)
+    Z_v, Z_q, Z_z : ndarray (nz, nd), ndarray (nz, nq), ndarray (nz, nz)
         δz' = Z_v δq_d' + Z_q δq + Z_z δz.
     dynamic, kinematic, prescribed, internal : tuple of str
         Names of the degrees of freedom, of the prescribed motions and of the laws' internal states.
