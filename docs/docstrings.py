@@ -1,4 +1,4 @@
-"""What Sphinx needs of docstrings: one attribute a line, and no bars."""
+"""What Sphinx needs of docstrings: one attribute a line, no bars, and no colon in the first line of a property."""
 
 from __future__ import annotations
 
@@ -12,6 +12,8 @@ OUTSIDE = re.compile(r", (?![^(]*\))")  # a comma that is not within parentheses
 def process(app: object, what: str, name: str, obj: object, options: object, lines: list[str]) -> None:
     """Change the lines of a docstring in place, before its sections are read."""
     lines[:] = escaped(separated(lines))
+    if what in ("property", "attribute") and lines:  # what is before a colon would be its type
+        lines[0] = lines[0].replace(": ", " – ")
 
 
 def escaped(lines: Sequence[str]) -> list[str]:

@@ -41,3 +41,9 @@ def test_attributes_that_share_a_line_have_one_each(docstrings: ModuleType) -> N
 def test_parameters_are_left_as_they_are(docstrings: ModuleType) -> None:
     given = ["Parameters", "----------", "p, q : str", "    Bodies."]
     assert docstrings.separated(given) == given
+
+
+def test_a_colon_in_a_property_does_not_make_a_type(docstrings: ModuleType) -> None:
+    lines = ["Torsion constant: the polar moment.", ""]
+    docstrings.process(None, "property", "J", None, None, lines)
+    assert lines == ["Torsion constant – the polar moment.", ""]
