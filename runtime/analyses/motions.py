@@ -232,8 +232,8 @@ def _each(*calls: Callable[[Run], None] | None) -> Callable[[Run], None] | None:
 
 def _explained(found: Integration, *why: str) -> Integration:
     """The result, with a message that reports how the method was chosen and what was found about it."""
-    told = "; ".join(z for z in why if z)
-    return replace(found, message=f"{found.message} ({told})") if told else found
+    reasons = "; ".join(z for z in why if z)
+    return replace(found, message=f"{found.message} ({reasons})") if reasons else found
 
 
 def _motion(system: Core, found: Integration) -> Motion:

@@ -29,10 +29,8 @@ def array(value: Any, owner: str, what: str) -> Array:
     ModelError
         `owner` and `what` name the value.
     """
-    if (
-        isinstance(value, float) and -LARGEST <= value <= LARGEST
-    ):  # most of all; the rest takes ten times as long
-        return np.array(value)
+    if isinstance(value, float) and -LARGEST <= value <= LARGEST:
+        return np.array(value)  # the usual case, ten times as fast as what follows
     try:
         given = np.asarray(value)
         numeric = given.dtype.kind in "biuf"

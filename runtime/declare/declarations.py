@@ -20,7 +20,7 @@ from flexel.generated.table import ELEMENTS
 from flexel.structure.controllers import Controller
 from flexel.structure.instances import Code, Instance, LawInstance
 from flexel.structure.loads import Load
-from flexel.structure.nodes import COMPONENTS, Node, unmeasured
+from flexel.structure.nodes import COMPONENTS, Node, unknown_quantity
 from flexel.structure.rigid_bodies import RigidBody
 from flexel.structure.surfaces import Surface
 
@@ -123,9 +123,7 @@ class Declarations:
             return "deformation"
         if element is not None and name in element.slips:
             return "slip"
-        missing = unmeasured(name, self.nodes)
-        known = f"unknown name '{name}'; {missing}" if missing else unknown(name, self._quantities())
-        raise ModelError(f"{owner}: {known}")
+        raise ModelError(f"{owner}: {unknown_quantity(name, self._quantities(), self.nodes)}")
 
     def _quantities(self) -> list[str]:
         """Names of all quantities declared so far: deformations, slips, coordinates."""

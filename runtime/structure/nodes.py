@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from flexel.base.arguments import unknown
 from flexel.base.arrays import Array
 from flexel.base.copies import Constant
 
@@ -53,7 +54,13 @@ class Node(Constant):
         return tuple(f"{self.name}.{c}" for c in COMPONENTS[self.kind])
 
 
-def unmeasured(name: str, nodes: Mapping[str, Node]) -> str:
+def unknown_quantity(name: str, known: Iterable[str], nodes: Mapping[str, Node]) -> str:
+    """Message for a quantity that does not exist: how to measure it, or the nearest ones that do."""
+    missing = _unmeasured(name, nodes)
+    return f"unknown name '{name}'; {missing}" if missing else unknown(name, known)
+
+
+def _unmeasured(name: str, nodes: Mapping[str, Node]) -> str:
     """Advice for an angular velocity that no element measures; empty for any other name."""
     part, _, axis = name.rpartition(".")
     frame, _, sensor = part.rpartition(".")

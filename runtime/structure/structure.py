@@ -19,7 +19,7 @@ from flexel.base.copies import Constant
 from flexel.base.errors import ModelError
 from flexel.structure.controllers import Controller
 from flexel.structure.instances import Instance, LawInstance
-from flexel.structure.nodes import Node, unmeasured
+from flexel.structure.nodes import Node, unknown_quantity
 from flexel.structure.relations import Relations, find_relations
 
 
@@ -85,9 +85,8 @@ class Structure(Constant):
         """Quantity index of a name; a ModelError with the nearest known names (and the owner) otherwise."""
         if isinstance(name, str) and name in self.index:
             return self.index[name]
-        missing = unmeasured(str(name), self._by_name)
-        known = f"unknown name '{name}'; {missing}" if missing else unknown(str(name), self.index)
-        raise ModelError(f"{owner}: " * bool(owner) + known)
+        message = unknown_quantity(str(name), self.index, self._by_name)
+        raise ModelError(f"{owner}: " * bool(owner) + message)
 
     def is_norm(self, name: str) -> bool:
         """Whether a quantity is the norm of a frame's Euler parameters."""
