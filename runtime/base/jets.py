@@ -1,11 +1,37 @@
-"""Second-order jets: numbers with their first and second rates; operators and NumPy functions accept them."""
+"""Second-order jets: numbers with their first and second rates; operators and NumPy functions accept them.
+
+What a function compares can be watched: the differences of both sides show when the function will not be smooth.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Any
 
 import numpy as np
+
+_WATCHING = threading.local()
+
+
+@contextmanager
+def watched() -> Iterator[list[Jet]]:
+    """Collect the differences of all jets that are compared meanwhile in this thread."""
+    before = getattr(_WATCHING, "differences", None)
+    found: list[Jet] = []
+    _WATCHING.differences = found
+    try:
+        yield found
+    finally:
+        _WATCHING.differences = before
+
+
+def _note(difference: Jet) -> None:
+    """Add the difference of two jets that are compared, if comparisons are watched."""
+    differences: list[Jet] | None = getattr(_WATCHING, "differences", None)
+    if differences is not None:
+        differences.append(difference)
 
 
 def _power(u: float, n: float) -> tuple[float, float, float]:
@@ -51,6 +77,9 @@ _UNARY: dict[Any, Callable[[float], tuple[float, float, float]]] = {
     np.arccos: _arccos,
     np.arctan: lambda u: (np.arctan(u), 1 / (1 + u * u), -2 * u / (1 + u * u) ** 2),
     np.absolute: lambda u: (abs(u), float(np.sign(u)), 0.0),
+    np.sign: lambda u: (float(np.sign(u)), 0.0, 0.0),
+    np.floor: lambda u: (np.floor(u), 0.0, 0.0),
+    np.ceil: lambda u: (np.ceil(u), 0.0, 0.0),
     np.negative: lambda u: (-u, -1.0, 0.0),
     np.positive: lambda u: (u, 1.0, 0.0),
 }
@@ -76,12 +105,18 @@ class Jet:
     def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **kwargs: Any) -> Any:
         if method != "__call__" or kwargs:
             return NotImplemented
+        if ufunc in _KINKED:
+            _note(_KINKED[ufunc](self))
         if ufunc in _UNARY:
             return self.chain(*_UNARY[ufunc](self.value))
         operator = _BINARY.get(ufunc)
         if operator is None:
             raise TypeError(f"numpy.{ufunc.__name__} has no rates here; give the triple (u, u', u'') instead")
         return operator(*(z if isinstance(z, Jet) else Jet(z) for z in inputs))
+
+    def __array_function__(self, function: Any, types: Any, args: Any, kwargs: Any) -> Any:
+        found = _FUNCTIONS.get(function, function._implementation)
+        return found(*args, **kwargs)
 
     def __float__(self) -> float:
         raise TypeError(
@@ -130,19 +165,26 @@ class Jet:
         return as_jet(o) * self**-1
 
     def __abs__(self) -> Jet:
+        _note(self)
         return self.chain(*_UNARY[np.absolute](self.value))
 
+    def _compared(self, o: Any) -> float:
+        """The value less that of another number, whose difference is noted."""
+        difference = self + (-as_jet(o))
+        _note(difference)
+        return difference.value
+
     def __lt__(self, o: Any) -> bool:
-        return self.value < as_jet(o).value
+        return self._compared(o) < 0
 
     def __le__(self, o: Any) -> bool:
-        return self.value <= as_jet(o).value
+        return self._compared(o) <= 0
 
     def __gt__(self, o: Any) -> bool:
-        return self.value > as_jet(o).value
+        return self._compared(o) > 0
 
     def __ge__(self, o: Any) -> bool:
-        return self.value >= as_jet(o).value
+        return self._compared(o) >= 0
 
     __radd__ = __add__
     __rmul__ = __mul__
@@ -154,6 +196,47 @@ def as_jet(value: Any) -> Jet:
         value = value.item()
     return value if isinstance(value, Jet) else Jet(value)
 
+
+def _to_whole(u: Jet) -> Jet:
+    """The difference of a jet and the whole number that it meets next."""
+    whole = np.floor(u.value) + 1 if u.rate > 0 else np.ceil(u.value) - 1
+    return u + Jet(-whole)
+
+
+def _applied(function: Any, *arguments: Any) -> Any:
+    """A NumPy function of jets, which NumPy's own types do not admit."""
+    return function(*arguments)
+
+
+def _interpolated(
+    x: Jet, times: Any, values: Any, left: float | None = None, right: float | None = None
+) -> Jet:
+    """`np.interp`: straight lines between given points, constant outside."""
+    t, u = np.asarray(times, dtype=float), np.asarray(values, dtype=float)
+    i = int(np.searchsorted(t, x.value, side="right" if x.rate > 0 else "left"))
+    ahead = i if x.rate > 0 else i - 1
+    if 0 <= ahead < t.size:
+        _note(x - float(t[ahead]))
+    slope = (u[i] - u[i - 1]) / (t[i] - t[i - 1]) if 0 < i < t.size else 0.0
+    return x.chain(float(np.interp(x.value, t, u, left, right)), float(slope), 0.0)
+
+
+def _clipped(x: Jet, least: Any = None, most: Any = None) -> Any:
+    """`np.clip`."""
+    above = x if least is None else _applied(np.maximum, x, least)
+    return above if most is None else _applied(np.minimum, above, most)
+
+
+# NumPy functions that are not universal, and have a meaning of their own for a jet
+_FUNCTIONS: dict[Any, Callable[..., Any]] = {np.interp: _interpolated, np.clip: _clipped}
+
+# what is zero where a NumPy function of one argument is not smooth
+_KINKED: dict[Any, Callable[[Jet], Jet]] = {
+    np.absolute: lambda u: u,
+    np.sign: lambda u: u,
+    np.floor: _to_whole,
+    np.ceil: _to_whole,
+}
 
 _BINARY: dict[Any, Callable[[Jet, Jet], Any]] = {
     np.add: lambda a, b: a + b,
@@ -167,4 +250,6 @@ _BINARY: dict[Any, Callable[[Jet, Jet], Any]] = {
     np.greater_equal: lambda a, b: a >= b,
     np.maximum: lambda a, b: a if a >= b else b,
     np.minimum: lambda a, b: a if a <= b else b,
+    np.heaviside: lambda a, b: Jet(0.0) if a < 0.0 else Jet(1.0) if a > 0.0 else b,
+    np.mod: lambda a, b: a - b * _applied(np.floor, a / b),
 }

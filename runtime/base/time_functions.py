@@ -6,21 +6,19 @@ jet (value, rate, acceleration); operators and NumPy functions work on jets.
 
 from __future__ import annotations
 
-import copy
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from flexel.base.arguments import SMALLEST, array, number
 from flexel.base.copies import OF_TIME, Constant, check_travels
 from flexel.base.errors import FlexelError, ModelError
 from flexel.base.jets import Jet, as_jet
-
-ROUNDING = 1e-13  # of sums of durations, relative to the times of a table
+from flexel.base.switching import next_switch, on_switch
+from flexel.base.time_tables import Table
 
 
 @runtime_checkable
@@ -56,6 +54,14 @@ class Formula(Constant):
                 "must return one number, using operators and NumPy functions; or give the triple (u, u', u'')"
             ) from error
         return _finite((y.value, y.rate, y.acceleration), self.owner, t)
+
+    def next_knot(self, t: float) -> float:
+        """The first time after t at which a comparison in the function is expected to change [s]."""
+        return next_switch(self.function, t)
+
+    def on_knot(self, t: float, within: float) -> bool:
+        """Whether a comparison in the function changes within a time [s] of t."""
+        return on_switch(self.function, t, within)
 
 
 @dataclass(frozen=True)
@@ -102,6 +108,14 @@ class Foreign(Constant):
         """Value, first and second rate at time t [s]."""
         return self.function.rates(t)
 
+    def next_knot(self, t: float) -> float:
+        """The first knot after t that the object names, if it has such a method."""
+        return next_knot(self.function, t)
+
+    def on_knot(self, t: float, within: float) -> bool:
+        """Whether the object names a knot within a time [s] of t."""
+        return next_knot(self.function, t - within) <= t + within
+
 
 def _finite(values: tuple[float, float, float], owner: str, t: float) -> tuple[float, float, float]:
     if math.isfinite(values[0]) and math.isfinite(values[1]) and math.isfinite(values[2]):
@@ -122,6 +136,18 @@ class Held:
         return self.value, 0.0, 0.0
 
 
+def next_knot(function: TimeFunction, t: float) -> float:
+    """The first time after t [s] at which a function of time is known not to be smooth; infinite if there is none."""
+    following: Callable[[float], float] | None = getattr(function, "next_knot", None)
+    return math.inf if following is None else following(t)
+
+
+def on_knot(function: TimeFunction, t: float, within: float) -> bool:
+    """Whether a function of time is known not to be smooth within a time [s] of t."""
+    there: Callable[[float, float], bool] | None = getattr(function, "on_knot", None)
+    return there is not None and there(t, within)
+
+
 def steady(function: TimeFunction) -> bool:
     """Whether a function of time is known to be constant."""
     return isinstance(function, Held) or (
@@ -140,6 +166,14 @@ class Faster(Constant):
         """Value, first and second rate at time t [s]."""
         u, v, a = self.function.rates(self.factor * t)
         return u, self.factor * v, self.factor**2 * a
+
+    def next_knot(self, t: float) -> float:
+        """The first knot after time t [s]."""
+        return next_knot(self.function, self.factor * t) / self.factor
+
+    def on_knot(self, t: float, within: float) -> bool:
+        """Whether there is a knot within a time [s] of t."""
+        return on_knot(self.function, self.factor * t, self.factor * within)
 
 
 def faster(function: TimeFunction, factor: float) -> TimeFunction:
@@ -200,6 +234,14 @@ class Ramp:
         u = z**3 * (10 - 15 * z + 6 * z**2)
         return self.u0 + d * u, d / T * 30 * z**2 * (1 - z) ** 2, d / T**2 * 60 * z * (1 - z) * (1 - 2 * z)
 
+    def next_knot(self, t: float) -> float:
+        """The start or the end of the step, whichever comes next after t [s]; infinite after its end."""
+        return self.t0 if t < self.t0 else self.t1 if t < self.t1 else math.inf
+
+    def on_knot(self, t: float, within: float) -> bool:
+        """Whether its start or its end is within a time [s] of t."""
+        return self.next_knot(t - within) <= t + within
+
 
 @dataclass(frozen=True)
 class Harmonic:
@@ -231,48 +273,6 @@ class Harmonic:
         w, p = self.omega, self.omega * t + self.phase
         s, c = self.amplitude * np.sin(p), self.amplitude * np.cos(p)
         return float(self.offset + s), float(w * c), float(-w * w * s)
-
-
-class Table:
-    """Values at given times, joined by a cubic spline (C2).
-
-    Parameters
-    ----------
-    t, u : array_like (n,)
-        Increasing times [s] and values, n >= 4.
-    """
-
-    def __init__(self, t: ArrayLike, u: ArrayLike) -> None:
-        from scipy.interpolate import CubicSpline
-
-        times, values = array(t, "Table", "times"), array(u, "Table", "values")
-        if values.shape != times.shape:
-            raise ModelError(
-                f"Table: {times.size} times and values of shape {values.shape}; give one value for each"
-            )
-        if times.ndim != 1 or times.size < 4 or np.any(np.diff(times) <= 0):
-            raise ModelError("Table: times must be at least four, strictly increasing; sort them")
-        self._spline = CubicSpline(times, values)
-        self._range = float(times[0]), float(times[-1])
-        self._owner = ""
-
-    def of(self, owner: str) -> Table:
-        """The same table; its errors name the quantity that it moves."""
-        found = copy.copy(self)
-        found._owner = owner
-        return found
-
-    def rates(self, t: float) -> tuple[float, float, float]:
-        """Value, first and second rate at time t [s]; a ModelError outside the table."""
-        t = number(t, self._owner or "Table", "time")
-        first, last = self._range
-        slack = ROUNDING * max(abs(first), abs(last))
-        if not first - slack <= t <= last + slack:
-            before = self._owner and f"{self._owner}: "
-            before = self._owner and f"{self._owner}: "
-            raise ModelError(f"{before}Table: time {t} s lies outside {first}…{last} s; extend the table")
-        t = min(max(t, first), last)
-        return float(self._spline(t)), float(self._spline(t, 1)), float(self._spline(t, 2))
 
 
 OWN = (Polynomial, Ramp, Harmonic, Formula, Triple, Foreign)

@@ -11,6 +11,7 @@ from flexel.base.arguments import array, number, vector
 from flexel.base.arrays import Vector
 from flexel.base.errors import ModelError
 from flexel.base.time_functions import as_function
+from flexel.base.time_tables import Table
 from flexel.declare.declarations import Declarations
 from flexel.structure.nodes import COMPONENTS, Node
 
@@ -115,6 +116,11 @@ class Nodes(Declarations):
         if self._quantity_kind(name, "prescribe") == "slip":
             raise ModelError(
                 f"prescribe: '{name}' is a slip; only coordinates and deformations are prescribed"
+            )
+        if isinstance(motion, Table) and motion.kind == "step":
+            raise ModelError(
+                f"prescribe '{name}': a table of steps jumps, which takes an infinite force; use a linear or cubic "
+                "table, or fx.Ramp"
             )
         self._motions[name] = as_function(motion, f"prescribe '{name}'")
 

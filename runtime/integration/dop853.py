@@ -60,9 +60,11 @@ class Dop853(MinimalRun):
         spare, self.spare = self.spare, None
         if spare is not None and spare.kinematics is self.kinematics:
             self.steps = spare
-            spare.start(self.now, y)
+            spare.start(self.now, y, self.knots)
         else:
-            self.steps = Steps(self.kinematics, self.now, y, self.tolerances.rtol, self.natural_atol())
+            self.steps = Steps(
+                self.kinematics, self.now, y, self.tolerances.rtol, self.natural_atol(), self.knots
+            )
         self.renew()
         if not self._h:
             self._h = self.tolerances.first_step or self._first_step()
@@ -94,7 +96,7 @@ class Dop853(MinimalRun):
         return float(min(max(100 * h0, FIRST * left), h1, left, self.tolerances.max_step))
 
     def _rates_at(self, t: float, y: Array) -> Array:
-        choice = self.kinematics.given(t)
+        choice = self.kinematics.given(self.knots.inside(t))
         ahead = self.now.x + (t - self.t) * self.now.v
         self.counts["evaluations"] += 1
         self.kinematics.check(choice.evaluate(t, y, ahead, self.now.turns(t)), t)

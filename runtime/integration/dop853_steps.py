@@ -11,6 +11,7 @@ from flexel.base.arrays import Array
 from flexel.engine.choice import EXACT, TOLERANCE, Choice
 from flexel.engine.structs import Struct
 from flexel.generated._kernels import ffi, lib
+from flexel.integration.knots import Knots
 from flexel.mechanics.kinematics import Kinematics
 from flexel.structure.moment import Moment
 
@@ -24,7 +25,9 @@ TABLEAU = {"A": A, "B": B, "C": C, "E3": E3, "E5": E5}
 class Steps(Struct):
     """The struct of runge_kutta.h for one choice of degrees of freedom."""
 
-    def __init__(self, kinematics: Kinematics, now: Moment, y: Array, rtol: float, atol: Array) -> None:
+    def __init__(
+        self, kinematics: Kinematics, now: Moment, y: Array, rtol: float, atol: Array, knots: Knots
+    ) -> None:
         super().__init__(ffi.new("flexel_dop853 *"))
         self.kinematics = kinematics
         self.choice = Choice(kinematics.evaluation.work, kinematics.lists)  # dense output does not change it
@@ -48,10 +51,11 @@ class Steps(Struct):
         motion, loads = self.choice.motion.size, self.choice.loads.size
         c.ngiven = motion + loads
         self._given = self.new("given", 13 * (motion + loads)).reshape(13, -1)
-        self.start(now, y)
+        self.start(now, y, knots)
 
-    def start(self, now: Moment, y: Array) -> None:
+    def start(self, now: Moment, y: Array, knots: Knots) -> None:
         """Begin at an instant; what follows depends on nothing computed before."""
+        self._knots = knots
         self.choice.reset()
         self.choice.struct.accept, self.choice.struct.tolerance = 0.0, TOLERANCE
         self.y[:], self.x[:], self.e[:] = y, now.x, now.e[self._periodic]
@@ -74,7 +78,7 @@ class Steps(Struct):
             self._given[stages, split:] = loads.values(t)
         varying = loads.any and not loads.steady
         for i in range(*stages.indices(13)) if motions or varying else ():
-            time = t + TIMES[i] * h
+            time = self._knots.inside(t + TIMES[i] * h)
             if motions:
                 self._given[i, :split] = self.kinematics.roles.motion(time).ravel()
             if varying:

@@ -16,8 +16,11 @@ from flexel.base.arguments import flag
 from flexel.base.arrays import Array
 from flexel.base.errors import FlexelError
 from flexel.integration.events import Event, passages, value
+from flexel.integration.knots import FORCES, RATES, Knots
 from flexel.integration.outcome import Integration, Pending, Segment, States
 from flexel.integration.sampling import Sampling
+from flexel.mechanics.core import Core
+from flexel.mechanics.impulse import struck
 from flexel.mechanics.kinematics import Kinematics
 from flexel.structure.callbacks import Callback, raise_failures
 from flexel.structure.moment import Moment
@@ -37,10 +40,13 @@ class Run(ABC):
         Times at which states are stored.
     result : Integration
         The results stored so far.
+    knots : Knots
+        Where prescribed motions and loads are not smooth: every step ends there.
     """
 
-    def __init__(self, start: State, times: Array) -> None:
+    def __init__(self, system: Core, start: State, times: Array) -> None:
         self.times = times
+        self.knots = Knots(system, float(times[0]), float(times[-1]))
         self.result = Integration(States([start]), [], [], {}, "")
         self.sampling = Sampling(start.structure)
         self._callbacks = [law.code for law in start.structure.laws if isinstance(law.code, Callback)]
@@ -81,8 +87,8 @@ class Run(ABC):
 
     @property
     def stop(self) -> float:
-        """The time at which the next step ends at the latest: the end, or an instant of a sampled controller."""
-        end = float(self.times[-1])
+        """When the next step ends at the latest: at the end, a knot, or an instant of a sampled controller."""
+        end = min(float(self.times[-1]), self.knots.end)
         return min(end, self.sampling.stop(self.t, self.times)) if self.sampling.all else end
 
     @property
@@ -99,8 +105,26 @@ class Run(ABC):
     def jump(self, z: Array) -> None:
         """Continue from here with other internal states: the right-hand side jumps, the motion does not."""
 
+    @abstractmethod
+    def strike(self) -> None:
+        """Continue from here with the rates just after an impulse: prescribed rates jump at the current time."""
+
+    def _pass_knots(self) -> None:
+        """Cross the knot at the current time if there is one, and look for the next."""
+        if self.t < self.knots.end:
+            self.knots.look(self.t)
+            return
+        jumped = self.knots.cross(self.t)
+        if jumped == RATES:
+            log.info("t = %.9g s: prescribed rates jump", self.t)
+            self.strike()
+        elif jumped == FORCES:
+            self.jump(self.instant[1])
+
     def forward(self) -> str | None:
-        """Sample the controllers if it is time, and take one step; otherwise as `advance`."""
+        """Cross a knot and sample the controllers if it is time, and take one step; otherwise as `advance`."""
+        if self.knots.any:
+            self._pass_knots()
         if self.sampling.all and self.t != self._jumped and self.sampling.due(self.t):
             at, z = self.instant
             self._jumped = self.t
@@ -184,7 +208,7 @@ class DenseRun(Run):
     """
 
     def __init__(self, system: Any, start: State, times: Array, events: Sequence[Event]) -> None:
-        super().__init__(start, times)
+        super().__init__(system, start, times)
         self.system, self.events = system, events
         self.now, self.z = Moment.of(start), start.z
         self._values = [value(event, start) for event in events]
@@ -222,6 +246,10 @@ class DenseRun(Run):
         """Store the current state, unless it is already stored."""
         if self.t > self.result.states.end:
             self.result.states.append(Pending(self._shown, self.now, self.z))
+
+    def strike(self) -> None:
+        """Continue from here with the rates just after an impulse."""
+        self.now = struck(self._shown, self.now, self.knots.inside(self.t))
 
     def accept(self, step: Segment, z: Array) -> str | None:
         """Continue from the end of a step, or end at a terminal event within it and return its message."""

@@ -108,7 +108,7 @@ class Scipy(MinimalRun):
             return self.method(*begin, **options, first_step=short)
 
     def _rates(self, t: float, y: Array) -> Array:
-        choice: Choice = self.kinematics.given(t)
+        choice: Choice = self.kinematics.given(self.knots.inside(t))
         choice.y[:] = y
         self.kinematics.check(choice.rhs(t), t)
         return choice.dy.copy()
@@ -134,6 +134,8 @@ class Scipy(MinimalRun):
 
     def advance(self) -> str | None:
         """One step, or a shorter one after a position that cannot be reached or trusted."""
+        if self._solver.t_bound != self.stop:
+            self.restart()
         solver = self._solver
         solver.max_step = self._longest()
         try:

@@ -65,6 +65,12 @@ class Ledger:
         self.look()
         self._enter()
 
+    def strike(self) -> None:
+        """The same where prescribed rates have jumped; what drives them has done the work of the impulse."""
+        before = self._own
+        self.renew()
+        self._work += self._own - before
+
     def keep(self) -> None:
         """Store the current values."""
         for name, value in zip(self.kept, (self._stored, self._dissipated, self._work), strict=True):

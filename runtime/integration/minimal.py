@@ -104,6 +104,11 @@ class MinimalRun(DenseRun):
     def restart(self) -> None:
         """Restart from the present position in the present degrees of freedom."""
 
+    def strike(self) -> None:
+        """Continue from here with the rates just after an impulse."""
+        super().strike()
+        self.restart()
+
     def natural_atol(self) -> Array:
         """Absolute tolerances of y."""
         return np.asarray(self.tolerances.atol * natural_scales_of_y(self.kinematics))

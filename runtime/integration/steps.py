@@ -6,6 +6,8 @@ import math
 from abc import abstractmethod
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError
 from flexel.integration.alpha import Stepper
@@ -14,6 +16,7 @@ from flexel.integration.ledger import Ledger
 from flexel.mechanics import dynamics
 from flexel.mechanics.balance import Balance, Saddle
 from flexel.mechanics.core import Core
+from flexel.mechanics.impulse import struck
 from flexel.mechanics.inertia import InertiaError
 from flexel.structure.moment import Moment
 from flexel.structure.state import State
@@ -52,8 +55,9 @@ class ImplicitRun(Run):
     """
 
     def __init__(self, saddle: Saddle, start: State, times: Array) -> None:
-        super().__init__(start, times)
+        super().__init__(saddle.system, start, times)
         self.saddle = saddle
+        saddle.inside = self.knots.inside
         self.ledger = Ledger(saddle)
         self.result = replace(self.result, ledger=self.ledger.kept)
         self.shortest = SHORTEST * float(times[-1] - times[0])
@@ -120,11 +124,15 @@ class GeneralizedAlpha(ImplicitRun):
         """Accelerations with the loads that have changed; unchanged if a degree of freedom has no inertia."""
         old, state = self.stepper.stepping.old, self.result.states[-1]
         kinematics = self.stepper.system.kinematics_of(state.roles)
+        now = self.t
         try:
-            found = dynamics.complete(kinematics, self.t, *(old[z].copy() for z in ("x", "v", "e", "z")))
+            found = dynamics.complete(
+                kinematics, self.knots.inside(now), *(old[name].copy() for name in ("x", "v", "e", "z"))
+            )
         except InertiaError:
             return
         self.stepper.begin(found)
+        self.stepper.t = now
 
     def jump(self, z: Array) -> None:
         """Continue from here with other internal states."""
@@ -132,6 +140,17 @@ class GeneralizedAlpha(ImplicitRun):
         self.renew()
         self.balance()
         self.ledger.renew()
+
+    def strike(self) -> None:
+        """Continue from here with the rates just after an impulse."""
+        old = self.stepper.stepping.old
+        kinematics = self.stepper.system.kinematics_of(self.result.states[-1].roles)
+        x, v, e = (old[name].copy() for name in ("x", "v", "e"))
+        before = Moment(self.t, x, v, e, np.zeros_like(e))
+        old["v"][:] = struck(kinematics, before, self.knots.inside(self.t)).v
+        self.renew()
+        self.balance()
+        self.ledger.strike()
 
     @property
     def statistics(self) -> dict[str, int]:

@@ -8,6 +8,7 @@ preconditioner.  Source: Hindmarsh et al. (2005); Baumgarte (1972) for the stabi
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -18,7 +19,9 @@ from flexel.integration.steps import Control, ImplicitRun
 from flexel.mechanics import dynamics
 from flexel.mechanics.balance import Balance, Saddle
 from flexel.mechanics.core import Core
+from flexel.mechanics.impulse import struck
 from flexel.mechanics.saddle import Matrix, SaddlePattern
+from flexel.structure.moment import Moment
 from flexel.structure.state import State
 
 FREE = 1e20  # absolute tolerance of variables excluded from the error control
@@ -81,7 +84,7 @@ class DifferentialAlgebraic(Saddle):
         self.work.convective()
         second = np.concatenate([self.work.g + self.work.push(b.a), b.a])[rows]
         if self.roles.motions:
-            _, ud, udd = self.roles.motion(t)
+            _, ud, udd = self.roles.motion(self.inside(t))
             driven = slice(self.roles.rigid.size, nh)
             rate[driven] -= ud
             second[driven] -= udd
@@ -168,10 +171,22 @@ class Sundials(ImplicitRun):
 
     def jump(self, z: Array) -> None:
         """Continue from here with other internal states: the solver restarts."""
-        b, equations = self._balance, self.equations
-        found = dynamics.complete(equations.system.kinematics, b.t, b.x, b.v, b.e, z)
-        self._balance = equations.restart(found)
+        self._restart(self._balance.v, z)
         self.ledger.renew()
+
+    def strike(self) -> None:
+        """Continue from here with the rates just after an impulse."""
+        b, kinematics = self._balance, self.equations.system.kinematics
+        before = Moment(b.t, b.x, b.v, b.e, b.w[: b.e.size])
+        self._restart(struck(kinematics, before, self.knots.inside(b.t)).v, b.z)
+        self.ledger.strike()
+
+    def _restart(self, v: Array, z: Array) -> None:
+        """Let the solver start again from the present position."""
+        b, equations = self._balance, self.equations
+        t = self.knots.inside(b.t)
+        found = dynamics.complete(equations.system.kinematics, t, b.x, v, b.e, z)
+        self._balance = equations.restart(replace(found, t=b.t))
         self._started = False
 
     @property

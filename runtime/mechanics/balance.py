@@ -7,6 +7,7 @@ that are computed once, and evaluated in C.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -20,6 +21,10 @@ from flexel.mechanics.dynamics import state_in
 from flexel.structure.state import State
 
 TINY_FORCE = 1e-12  # [N] in the denominator of relative unbalances: 1e-24 N counts as zero
+
+
+def _same(t: float) -> float:
+    return t
 
 
 @dataclass(frozen=True)
@@ -99,6 +104,9 @@ class Saddle:
         self.rest = np.zeros(self.structure.n)
         self.motion = np.zeros((3, 0))
         self.z = self.structure.z0  # internal states of laws
+        self.inside: Callable[[float], float] = (
+            _same  # where functions of time are evaluated, near one of their knots
+        )
         self.balancing = Balancing(self.work, self.force_rows, self.structure.period[self.roles.holonomic])
 
     def multipliers(self, state: State) -> Array:
@@ -113,9 +121,9 @@ class Saddle:
         """Set the loads and the values of the prescribed motions at a time; rigid quantities stay at zero."""
         self.work.struct.t = t
         if self.system.loads.any:
-            self.balancing.nodal[:], self.balancing.applied[:] = self.system.loads.at(t)
+            self.balancing.nodal[:], self.balancing.applied[:] = self.system.loads.at(self.inside(t))
         if self.roles.motions:
-            self.motion = self.roles.motion(t)
+            self.motion = self.roles.motion(self.inside(t))
             self.balancing.target[self.roles.rigid.size :] = self.motion[0]
 
     def balance(self, t: float, x: Array, v: Array, a: Array, mu: Array, e_near: Array) -> Balance:

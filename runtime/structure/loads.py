@@ -53,6 +53,11 @@ class Loads:
         return bool(self._functions)
 
     @property
+    def functions(self) -> tuple[TimeFunction, ...]:
+        """The loads as functions of time."""
+        return tuple(self._functions)
+
+    @property
     def quantities(self) -> Index:
         """The quantity (loads,) on which each load acts."""
         return self._index

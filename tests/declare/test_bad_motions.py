@@ -8,7 +8,8 @@ import pytest
 from mistakes import Case, built, check, each, pendulum
 
 from flexel.base.errors import ConstraintError, PositionError
-from flexel.base.time_functions import Harmonic, Polynomial, Ramp, Table
+from flexel.base.time_functions import Harmonic, Polynomial, Ramp
+from flexel.base.time_tables import Table
 from flexel.system import System
 
 
@@ -28,14 +29,14 @@ MOTIONS = {
     "math.sin": built(
         lambda m: m.prescribe("pivot.angle", lambda t: math.sin(t)), "'pivot.angle'", "np.sin, not math.sin"
     ),
-    "np.floor": built(
-        lambda m: m.prescribe("pivot.angle", lambda t: np.floor(t)),
+    "np.rint": built(
+        lambda m: m.prescribe("pivot.angle", lambda t: np.rint(t)),
         "'pivot.angle'",
-        "floor",
+        "rint",
         "give the triple",
     ),
-    "np.interp": built(
-        lambda m: m.prescribe("pivot.angle", lambda t: np.interp(t, [0, 1], [0, 1])),
+    "np.unwrap": built(
+        lambda m: m.prescribe("pivot.angle", lambda t: np.unwrap(t)),
         "'pivot.angle'",
         "triple",
     ),
@@ -99,6 +100,15 @@ MOTIONS = {
     "Table of vectors": Case(lambda: Table([0, 1, 2, 3], np.zeros((4, 2))), ("Table", "one value for each")),
     "Table of NaN": Case(
         lambda: Table([0, 1, 2, 3], [0, 1, math.nan, 2]), ("Table", "values", "give finite")
+    ),
+    "Table of another kind": Case(
+        lambda: Table([0, 1, 2, 3], [0, 1, 0, 1], kind="spline"), ("Table", "'spline'", "cubic, linear, step")
+    ),
+    "Table of steps": built(
+        lambda m: m.prescribe("pivot.angle", Table([0, 1], [0, 1], kind="step")), "'pivot.angle'", "fx.Ramp"
+    ),
+    "linear Table with a time three times": Case(
+        lambda: Table([0, 1, 1, 1], [0, 1, 2, 3], kind="linear"), ("Table", "sort them")
     ),
     "Table not sorted": Case(lambda: Table([0, 2, 1, 3], [0, 1, 2, 2]), ("Table", "sort them")),
     "beyond the Table": Case(

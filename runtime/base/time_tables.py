@@ -1,0 +1,128 @@
+"""Tables of values over time, joined by a cubic spline, by straight lines or by steps, and their knots."""
+
+from __future__ import annotations
+
+import copy
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from flexel.base.arguments import array, number
+from flexel.base.arrays import Array
+from flexel.base.errors import ModelError
+
+ROUNDING = 1e-13  # of sums of durations, relative to the times of a table
+LEAST = {"cubic": 4, "linear": 2, "step": 1}  # number of values
+UNSEEN = 1e-9  # change of a value, relative to the range, below which a knot of a spline counts as smooth
+
+
+class Table:
+    """Values at given times, with what joins them.
+
+    Parameters
+    ----------
+    t, u : array_like (n,)
+        Increasing times [s] and values.
+    kind : {"cubic", "linear", "step"}
+        ``"cubic"``: a spline with continuous second rates, n >= 4. ``"linear"``: straight lines, n >= 2; a time that
+        appears twice is a jump from the first of its values to the second. ``"step"``: each value holds from its time
+        until the next one, and the last one for ever.
+
+    Attributes
+    ----------
+    knots : ndarray
+        Times at which the function is not smooth; steps of an integration end there. A knot of a spline is left out if
+        its jump in the third rate cannot be seen, as in a densely sampled smooth function.
+
+    Raises
+    ------
+    ModelError
+        Times that do not increase, too few values, an unknown kind; where it is evaluated: a time outside the table.
+    """
+
+    def __init__(self, t: ArrayLike, u: ArrayLike, kind: str = "cubic") -> None:
+        times, values = array(t, "Table", "times"), array(u, "Table", "values")
+        if kind not in LEAST:
+            raise ModelError(f"Table: kind {kind!r} is unknown; choose one of {', '.join(LEAST)}")
+        if values.shape != times.shape:
+            raise ModelError(
+                f"Table: {times.size} times and values of shape {values.shape}; give one value for each"
+            )
+        _check_times(times, kind)
+        self.kind = kind
+        self._times, self._range = times, (float(times[0]), float(times[-1]))
+        self._pieces, self.knots = _JOINED[kind](times, values)
+        self._owner = ""
+
+    def of(self, owner: str) -> Table:
+        """The same table; its errors name the quantity that it moves."""
+        found = copy.copy(self)
+        found._owner = owner
+        return found
+
+    def rates(self, t: float) -> tuple[float, float, float]:
+        """Value, first and second rate at time t [s]; a ModelError outside the table."""
+        t = number(t, self._owner or "Table", "time")
+        first, last = self._range
+        slack = ROUNDING * max(abs(first), abs(last))
+        if t < first - slack or (self.kind != "step" and t > last + slack):
+            before = self._owner and f"{self._owner}: "
+            raise ModelError(f"{before}Table: time {t} s lies outside {first}…{last} s; extend the table")
+        t = min(max(t, first), last)
+        i = min(max(int(np.searchsorted(self._times, t, side="right")) - 1, 0), self._pieces.shape[1] - 1)
+        c3, c2, c1, c0 = self._pieces[:, i].tolist()
+        s = t - float(self._times[i])
+        return c0 + s * (c1 + s * (c2 + s * c3)), c1 + s * (2 * c2 + 3 * s * c3), 2 * c2 + 6 * s * c3
+
+    def next_knot(self, t: float) -> float:
+        """The first knot after time t [s]; infinite after the last."""
+        i = int(np.searchsorted(self.knots, t, side="right"))
+        return float(self.knots[i]) if i < self.knots.size else np.inf
+
+    def on_knot(self, t: float, within: float) -> bool:
+        """Whether there is a knot within a time [s] of t."""
+        return self.next_knot(t - within) <= t + within
+
+
+def _check_times(times: Array, kind: str) -> None:
+    """Raise if there are too few times, or if they do not increase as the kind asks."""
+    number_words = {1: "one", 2: "two", 4: "four"}
+    if times.ndim != 1 or times.size < LEAST[kind] or times[0] == times[-1] and times.size > 1:
+        raise ModelError(
+            f"Table: times must be at least {number_words[LEAST[kind]]}, strictly increasing; give more"
+        )
+    gaps = np.diff(times)
+    if kind == "linear" and np.all(gaps >= 0) and not np.any((gaps[1:] == 0) & (gaps[:-1] == 0)):
+        return
+    if np.any(gaps <= 0):
+        raise ModelError("Table: times must be strictly increasing; sort them")
+
+
+def _cubic(times: Array, values: Array) -> tuple[Array, Array]:
+    """Coefficients (4, n - 1) of the pieces of a spline, and the knots that can be seen."""
+    from scipy.interpolate import CubicSpline
+
+    c = np.asarray(CubicSpline(times, values).c)
+    jump, gaps = np.abs(np.diff(c[0])), np.diff(times)
+    seen = jump * np.maximum(gaps[1:], gaps[:-1]) ** 3 > UNSEEN * float(np.ptp(values))
+    return c, times[1:-1][seen]
+
+
+def _linear(times: Array, values: Array) -> tuple[Array, Array]:
+    """The same of straight lines."""
+    gaps, rise = np.diff(times), np.diff(values)
+    slopes = np.divide(rise, gaps, out=np.zeros_like(rise), where=gaps > 0)
+    none = np.zeros_like(slopes)
+    bend = np.diff(slopes, prepend=0.0, append=0.0) != 0
+    jumps = np.zeros_like(bend)
+    jumps[1:] = gaps == 0
+    return np.array([none, none, slopes, values[:-1]]), np.unique(times[bend | jumps])
+
+
+def _step(times: Array, values: Array) -> tuple[Array, Array]:
+    """The same of steps."""
+    none = np.zeros_like(values)
+    return np.array([none, none, none, values]), times[1:][np.diff(values) != 0]
+
+
+_JOINED = {"cubic": _cubic, "linear": _linear, "step": _step}

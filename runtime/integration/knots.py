@@ -1,0 +1,94 @@
+"""Knots of prescribed motions and loads: times at which they are not smooth, where every step ends.
+
+Within a step they are evaluated strictly between two knots, so that a jump is never seen from the wrong side.  At a
+knot, forces that jump change the accelerations, and prescribed rates that jump change the rates by an impulse.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from flexel.base.arrays import Array
+from flexel.base.errors import DynamicsError
+from flexel.base.time_functions import TimeFunction, next_knot, on_knot
+from flexel.mechanics.core import Core
+
+ASIDE = 1e-14  # distance from a knot at which a function is evaluated, relative to the times
+JUMP = 1e-9  # relative change across a knot that counts as a jump
+SMOOTH, FORCES, RATES = "smooth", "forces", "rates"  # what jumps at a knot
+
+
+class Knots:
+    """The knots of one motion, from the present step on.
+
+    Parameters
+    ----------
+    system : Core
+    begin, end : float
+        Times of the motion [s].
+
+    Attributes
+    ----------
+    end : float
+        The next knot [s]; infinite if there is none.
+    """
+
+    def __init__(self, system: Core, begin: float, end: float) -> None:
+        self._names = [system.structure.names[i] for i in system.roles.prescribed]
+        self._motions, self._loads = system.roles.motions, system.loads.functions
+        self._functions = [f for f in (*self._motions, *self._loads) if hasattr(f, "next_knot")]
+        self._size = max(abs(begin), abs(end))
+        self._least, self.end = -np.inf, np.inf
+        if any(on_knot(f, begin, self._aside(begin)) for f in self._functions):
+            self._least = begin + self._aside(begin)
+
+    def _aside(self, t: float) -> float:
+        """Distance [s] from a knot at which functions are evaluated."""
+        return ASIDE * max(abs(t), self._size)
+
+    @property
+    def any(self) -> bool:
+        """Whether there are functions that may have knots."""
+        return bool(self._functions)
+
+    def inside(self, t: float) -> float:
+        """The time, or one just inside the present interval between knots if it is at its end or beyond."""
+        later = max(t, self._least)
+        return later if self.end == np.inf else min(later, self.end - self._aside(self.end))
+
+    def look(self, t: float) -> None:
+        """Find the next knot after a time within the present interval."""
+        t = max(t, self._least)
+        self.end = min(next_knot(f, t) for f in self._functions)
+
+    def cross(self, t: float) -> str:
+        """Enter the interval after the knot at t; what jumps there.
+
+        Raises
+        ------
+        DynamicsError
+            If a prescribed quantity itself jumps; names it.
+        """
+        before, after = t - self._aside(t), t + self._aside(t)
+        motions = [(_rates(f, before), _rates(f, after)) for f in self._motions]
+        for name, (left, right) in zip(self._names, motions, strict=True):
+            if _jumps(left[0], right[0]):
+                raise DynamicsError(
+                    f"'{name}' is prescribed to jump from {left[0]:.6g} to {right[0]:.6g} at t = {t:.9g} s, which "
+                    "takes an infinite force; let it move within a finite time, for example by fx.Ramp"
+                )
+        loads = [(f.rates(before)[0], f.rates(after)[0]) for f in self._loads]
+        self._least = after
+        self.look(after)
+        if any(_jumps(left[1], right[1]) for left, right in motions):
+            return RATES
+        forces = any(_jumps(left, right) for left, right in loads)
+        return FORCES if forces or any(_jumps(left[2], right[2]) for left, right in motions) else SMOOTH
+
+
+def _rates(function: TimeFunction, t: float) -> Array:
+    return np.array(function.rates(t))
+
+
+def _jumps(before: float, after: float) -> bool:
+    return bool(abs(after - before) > JUMP * max(1.0, abs(before), abs(after)))

@@ -1,0 +1,171 @@
+"""Functions of time with kinks and jumps: steps end at their knots, and rates that jump are an impulse."""
+
+import math
+from collections.abc import Callable
+from importlib.util import find_spec
+from typing import Any
+
+import numpy as np
+import pytest
+
+import flexel as fx
+from flexel.base.time_functions import as_function, next_knot
+
+BACKWARD = ["sundials"] if find_spec("sksundae") else []
+METHODS = ["DOP853", "generalized-alpha", "RK45", "Radau", "BDF", "LSODA", *BACKWARD]
+PULSES: dict[str, Any] = {
+    "formula": lambda t: np.where((t > 7) & (t < 7.01), 100.0, 0.0),
+    "branch": lambda t: 100.0 if 7 < t < 7.01 else 0.0 * t,
+    "product": lambda t: 100 * np.heaviside(t - 7, 1.0) * np.heaviside(7.01 - t, 1.0),
+    "steps": fx.Table([0, 7, 7.01], [0, 100, 0], kind="step"),
+    "jumps": fx.Table([0, 7, 7, 7.01, 7.01, 10], [0, 0, 100, 100, 0, 0], kind="linear"),
+}
+
+
+def mass_on_a_line(load: Any) -> fx.System:
+    m = fx.Model()
+    m.point("A", (0, 0))
+    m.fix("A.y")
+    m.point_mass("k", "A", 2.0)
+    m.load("A.x", load)
+    return m.build()
+
+
+def hung(motion: Any) -> fx.Model:
+    """A pendulum of one metre whose pivot is moved sideways."""
+    m = fx.Model(gravity=(0, -9.81))
+    m.point("A", (0, 0))
+    m.point("B", (0, -1))
+    m.fix("A.y")
+    m.truss("rod", "A", "B")
+    m.rigid("rod.elongation")
+    m.point_mass("bob", "B", 1.0)
+    m.prescribe("A.x", motion)
+    return m
+
+
+@pytest.mark.parametrize("pulse", PULSES)
+@pytest.mark.parametrize("method", METHODS)
+def test_a_pulse_of_ten_milliseconds_is_not_stepped_over(method: str, pulse: str) -> None:
+    """Closed form: 0.5 m/s from 7.005 s on; today's steps passed it."""
+    motion = mass_on_a_line(PULSES[pulse]).simulate(10, method=method, samples=11)
+    tight = 1e-4 if method == "sundials" else 1e-9
+    assert motion["A.x"][-1] == pytest.approx(100 * 0.01 / 2 * (10 - 7.005), rel=tight)
+
+
+def test_the_default_method_sees_a_pulse() -> None:
+    motion = mass_on_a_line(PULSES["formula"]).simulate(10)
+    assert motion["A.x"][-1] == pytest.approx(0.5 * 2.995, rel=1e-9)
+
+
+@pytest.mark.parametrize("method", ["DOP853", "generalized-alpha", "RK45", *BACKWARD])
+def test_a_pivot_that_stops_suddenly_lets_its_pendulum_swing(method: str) -> None:
+    """Closed form: the bob keeps 1 m/s, so that it rises by 1/(2 g)."""
+    s = hung(lambda t: np.minimum(t, 0.5)).build()
+    motion = s.simulate(1.2, start=s.state_at(rates={"B.x": 1.0}), method=method, samples=1201)
+    highest = np.max(motion["B.y"])
+    assert highest == pytest.approx(-1 + 1 / (2 * 9.81), abs=2e-4 if method == "sundials" else 2e-6)
+
+
+def test_the_impulse_does_the_work_that_the_pivot_gives() -> None:
+    """The balance of energy of the implicit method, with a link that starts to move suddenly at 0.3 s."""
+    m = hung(lambda t: np.maximum(0.0, 2 * (t - 0.3)))
+    motion = m.build().simulate(0.6, method="generalized-alpha", rtol=1e-8)
+    balance = motion.energy_balance()
+    assert np.max(np.abs(balance["error"])) < 5e-6
+
+
+def test_an_oblique_impulse_keeps_the_momentum_that_the_constraints_leave() -> None:
+    """Closed form: a rod at 45° to the jump of its pivot takes only the share of it along the rod."""
+    m = fx.Model()
+    m.point("A", (0, 0))
+    m.point("B", (1, -1))
+    m.fix("A.y")
+    m.truss("rod", "A", "B")
+    m.rigid("rod.elongation")
+    m.point_mass("bob", "B", 3.0)
+    m.prescribe("A.x", lambda t: np.maximum(0.0, t - 0.1))
+    motion = m.build().simulate(0.1 + 1e-6, times=[0.0, 0.1 + 1e-6], method="DOP853")
+    assert [motion[-1].rate("B.x"), motion[-1].rate("B.y")] == pytest.approx([0.5, -0.5], abs=1e-5)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_a_prescribed_jump_is_refused_by_name(method: str) -> None:
+    s = hung(lambda t: np.where(t > 0.25, 0.1, 0.0)).build()
+    with pytest.raises(
+        fx.DynamicsError, match=r"'A.x' is prescribed to jump from 0 to 0.1 at t = 0.25 s.*fx.Ramp"
+    ):
+        s.simulate(1, method=method)
+
+
+def test_a_table_of_steps_is_refused_where_it_would_move_a_part() -> None:
+    with pytest.raises(fx.ModelError, match=r"prescribe 'A.x'.*steps jumps.*fx.Ramp"):
+        hung(fx.Table([0, 1], [0, 1], kind="step"))
+
+
+def test_a_rough_road_costs_few_rejected_steps() -> None:
+    """A table with corners: every knot ends a step, so that hardly any step is refused (half of them before)."""
+    rng = np.random.default_rng(3)
+    t = np.linspace(0, 5, 251)
+    for kind in ("cubic", "linear"):
+        m = hung(fx.Table(t, 1e-3 * rng.standard_normal(t.size).cumsum(), kind=kind))
+        counts = m.build().simulate(5, method="DOP853", samples=2).statistics
+        assert counts["rejected"] < 0.1 * counts["steps"]
+
+
+def test_knots_of_a_spline_through_a_smooth_function_are_not_seen() -> None:
+    t = np.linspace(0, 10, 2001)
+    assert fx.Table(t, np.sin(t)).knots.size == 0
+    assert fx.Table(t, np.abs(np.sin(t))).knots.size > 0
+
+
+@pytest.mark.parametrize("kind", ["cubic", "linear", "step"])
+def test_tables_have_the_rates_of_their_pieces(kind: str) -> None:
+    """Against differences within the pieces, and against NumPy's interpolation."""
+    t, u = np.array([0.0, 0.4, 1.0, 1.7, 2.0, 3.0]), np.array([1.0, -2.0, 0.5, 0.5, 3.0, 2.0])
+    table, h = fx.Table(t, u, kind=kind), 1e-4
+    for s in (0.1, 0.7, 1.3, 1.85, 2.6):
+        before, (value, rate, second), after = (table.rates(s + d) for d in (-h, 0.0, h))
+        assert rate == pytest.approx((after[0] - before[0]) / (2 * h), abs=1e-6)
+        assert second == pytest.approx((after[1] - before[1]) / (2 * h), abs=1e-6)
+        if kind == "linear":
+            assert value == pytest.approx(np.interp(s, t, u), rel=1e-14)
+    assert [table.rates(s)[0] for s in t[:-1]] == pytest.approx(u[:-1], abs=1e-14)
+
+
+def test_a_table_of_steps_holds_its_last_value() -> None:
+    assert fx.Table([0, 1], [2, 5], kind="step").rates(50.0) == (5, 0, 0)
+
+
+FUNCTIONS: dict[str, tuple[Callable[[Any], Any], float, float]] = {  # function, time, next knot
+    "minimum": (lambda t: np.minimum(t, 1), 0.5, 1.0),
+    "maximum": (lambda t: np.maximum(2 * t, 1), 0.2, 0.5),
+    "passed": (lambda t: np.minimum(t, 1), 1.5, math.inf),
+    "abs": (lambda t: abs(t - 2), 0.0, 2.0),
+    "clip": (lambda t: np.clip(t, 1, 2), 1.5, 2.0),
+    "interp": (lambda t: np.interp(t, [0, 1, 3], [0, 5, 3]), 1.5, 3.0),
+    "floor": (lambda t: np.floor(3 * t), 0.5, 2 / 3),
+    "mod": (lambda t: np.mod(t, 0.3), 0.4, 0.6),
+    "square wave": (lambda t: np.sign(np.sin(t)), 3.0, math.pi),
+    "quadratic": (lambda t: np.where(t**2 > 2, 1.0, 0.0), 1.0, math.sqrt(2)),
+    "smooth": (lambda t: np.sin(t), 0.0, math.inf),
+}
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_the_next_knot_follows_from_what_a_function_compares(name: str) -> None:
+    function, t, knot = FUNCTIONS[name]
+    assert next_knot(as_function(function, name), t) == pytest.approx(knot, rel=1e-12)
+
+
+def test_interpolation_by_numpy_is_a_function_of_time() -> None:
+    motion = mass_on_a_line(lambda t: np.interp(t, [0, 1, 2], [0, 4, 0])).simulate(2, samples=3)
+    assert motion["A.x"] == pytest.approx([0, 1 / 3, 2.0], rel=1e-9, abs=1e-12)
+
+
+def test_a_motion_continues_from_a_knot_with_the_same_digits() -> None:
+    s = mass_on_a_line(PULSES["formula"])
+    whole = s.simulate(10, method="DOP853", samples=11)
+    half = s.simulate(7, method="DOP853", samples=8)
+    rest = s.simulate(3, start=half[-1], method="DOP853", samples=4)
+    assert rest["A.x"][-1] == pytest.approx(whole["A.x"][-1], rel=1e-13)
