@@ -4,16 +4,20 @@ from __future__ import annotations
 
 import logging
 import warnings
+from collections.abc import Sequence
+from dataclasses import replace
 
 from flexel.base.arguments import number
-from flexel.base.errors import AssemblyWarning, ModelError
+from flexel.base.errors import AssemblyWarning, ModelError, ModelWarning
 from flexel.declare.declarations import Declarations
 from flexel.declare.resolution import check_names, norms, resolve_roles
 from flexel.engine.evaluate import Evaluation
 from flexel.mechanics.as_drawn import misfit
 from flexel.mechanics.diagnose import choose_dofs, named_dofs
+from flexel.mechanics.findings import Finding
 from flexel.mechanics.first_position import first_position
-from flexel.mechanics.kinematics import Kinematics, check_size
+from flexel.mechanics.kinematics import Kinematics, check_size, size_of
+from flexel.mechanics.suspects import suspects
 from flexel.results.quantities import history
 from flexel.rope.free_ends import check_free_ends
 from flexel.structure.loads import Loads
@@ -21,6 +25,7 @@ from flexel.structure.structure import Structure, assemble_structure
 from flexel.system import System
 
 log = logging.getLogger("flexel.build")
+SHOWN = 3  # probable mistakes named in the warning
 
 
 def build(model: Declarations, t: float) -> System:
@@ -47,10 +52,19 @@ def build(model: Declarations, t: float) -> System:
         warnings.warn(str(wrong), AssemblyWarning, stacklevel=3)
     dynamic = named_dofs(structure, model._dynamic, "independent")
     kinematic = named_dofs(structure, model._kinematic, "kinematic")
-    chosen = choose_dofs(kinematics, c.J, dynamic, kinematic)
+    chosen = replace(choose_dofs(kinematics, c.J, dynamic, kinematic), named=bool(model._dynamic))
     system = System(evaluation, loads, chosen, c, model._rates)
+    _warn(suspects(model, structure, size_of(structure)))
     log.info("%s; degrees of freedom %s", system, "chosen" if model._dynamic is None else "as named")
     return system
+
+
+def _warn(found: Sequence[Finding]) -> None:
+    """One warning of all that is probably a mistake."""
+    if found:
+        more = f"; and {len(found) - SHOWN} more, see m.check()" if len(found) > SHOWN else ""
+        text = "; ".join(finding.message for finding in found[:SHOWN])
+        warnings.warn(f"build: {text}{more}", ModelWarning, stacklevel=4)
 
 
 def _check_inputs(structure: Structure) -> None:

@@ -106,6 +106,9 @@ class Model(
         AssemblyWarning
             If the drawing contradicts rigid conditions, by more than a millionth of the size of the model: which, and
             how far coordinates are moved to meet them.
+        ModelWarning
+            If a part is probably a mistake (a node without an element, a number that suggests another unit): the
+            findings of `check` that cost nothing.
         """
         return build(self, t)
 

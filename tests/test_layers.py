@@ -1,6 +1,6 @@
 """The layers of the runtime: a module imports from its own layer or from lower ones, nothing goes in circles.
 
-And no file that is written by hand has more than 300 lines.
+And no file that is written by hand has more than 600 lines.
 """
 
 import ast
@@ -69,7 +69,7 @@ EXCEPTIONS = {
     ("flexel.structure.state", "flexel.mechanics.constraints"),  # constraint_report
     ("flexel.structure.state", "flexel.mechanics.stress"),  # section_forces, stress, largest_stress
 }
-LONGEST = 300  # lines of a file
+LONGEST = 600  # lines of a file
 KINDS = {".py", ".c", ".h", ".js", ".jinja"}
 BY_HAND = (
     "derive",
@@ -151,7 +151,7 @@ def test_the_root_is_small() -> None:
     assert len(list(RUNTIME.glob("*.py"))) <= MOST
 
 
-def test_no_file_written_by_hand_is_longer_than_300_lines() -> None:
+def test_no_file_written_by_hand_is_longer_than_600_lines() -> None:
     lengths = {
         path.relative_to(ROOT).as_posix(): len(path.read_text(encoding="utf-8").splitlines())
         for folder in BY_HAND

@@ -13,7 +13,7 @@ from flexel.base.shown import Listing
 from flexel.integration.branch import Choices
 from flexel.integration.outcome import Integration
 from flexel.mechanics.core import Core
-from flexel.mechanics.reach import LOST, reach
+from flexel.mechanics.reach import lost, reach, warn_replaced
 from flexel.results.motion import Motion
 from flexel.statics import compliance, path, stability
 from flexel.statics.steady import steady_motion
@@ -26,8 +26,12 @@ def _well_chosen(system: Core, state: State) -> State:
     """The state, in the best degrees of freedom where the chosen ones have reached an extreme."""
     own, near = system.kinematics_of(state.roles), Moment.of(state)
     present = reach(own, near)
-    better = Choices(system, own, free=True).worse(near, present, LOST) if present > LOST else None
-    return state if better is None else replace(state, roles=better.roles)
+    most = lost(own.roles)
+    better = Choices(system, own, free=True).worse(near, present, most) if present > most else None
+    if better is None:
+        return state
+    warn_replaced(own, better, state.t)
+    return replace(state, roles=better.roles)
 
 
 class Equilibria(Core):

@@ -11,12 +11,14 @@ __all__ = [
     "AssemblyWarning",
     "CompilerError",
     "ConstraintError",
+    "CoordinateWarning",
     "DynamicsError",
     "ElementError",
     "FlexelError",
     "IncompleteWarning",
     "LinearizationError",
     "ModelError",
+    "ModelWarning",
     "PositionError",
     "RangeWarning",
     "StiffWarning",
@@ -41,6 +43,10 @@ class DynamicsError(FlexelError, RuntimeError):
     """The equations of motion cannot be solved or integrated (singular mass matrix, failed step)."""
 
 
+class CoordinateWarning(UserWarning):
+    """The degrees of freedom are nearly singular at a state: the message names them, and those used in their place."""
+
+
 class IncompleteWarning(UserWarning):
     """An analysis is incomplete: the message reports what was reached and where it stopped."""
 
@@ -51,6 +57,10 @@ class UnsteadyWarning(UserWarning):
 
 class AssemblyWarning(UserWarning):
     """A drawing contradicts rigid conditions: the message names them, and the coordinates that are moved."""
+
+
+class ModelWarning(UserWarning):
+    """A part of a model is probably a mistake: a node without an element, a number that suggests another unit."""
 
 
 class UnstableWarning(UserWarning):

@@ -125,11 +125,14 @@ class Nodes(Declarations):
         self._motions[name] = as_function(motion, f"prescribe '{name}'")
 
     def independent(self, *names: str) -> None:
-        """Name the dynamic degrees of freedom q_d; by default the program chooses them."""
+        """Name dynamic degrees of freedom q_d; the program chooses those that are missing, or all by default.
+
+        Named ones are used as long as they determine the position.
+        """
         self._dynamic = [*(self._dynamic or []), *self._named_dofs("independent", names)]
 
     def kinematic(self, *names: str) -> None:
-        """Name the kinematic coordinates q_k of a non-holonomic system; by default the program chooses them."""
+        """Name kinematic coordinates q_k of a non-holonomic system; the program chooses those that are missing."""
         self._kinematic = [*(self._kinematic or []), *self._named_dofs("kinematic", names)]
 
     def _named_dofs(self, owner: str, names: tuple[str, ...]) -> tuple[str, ...]:

@@ -18,8 +18,7 @@ from flexel.structure.moment import Moment
 from flexel.structure.roles import Roles
 
 MOST_COLUMNS = 16  # dynamic degrees of freedom from which accelerations come from the matrix [M C'; C 0]
-TOLERANCE = 1e-13  # error of a deformation, relative to its natural scale
-EXACT = 1e-15  # the same where a position is wanted for itself: as exact as rounding allows
+TOLERANCE = 1e-15  # error of a deformation, relative to its natural scale: as exact as rounding allows
 
 
 @dataclass(frozen=True, eq=False)
@@ -157,10 +156,8 @@ class Choice(Struct):
 
     def locate(self) -> int:
         """The position with the degrees of freedom q, from x and near of the workspace."""
-        self.struct.predict, self.struct.tolerance = 0, EXACT
-        code = int(lib.flexel_locate(*self._pair))
-        self.struct.tolerance = TOLERANCE
-        return code
+        self.struct.predict = 0
+        return int(lib.flexel_locate(*self._pair))
 
     def factorize(self) -> int:
         """Factors of the position matrix at the position in the workspace."""

@@ -168,6 +168,8 @@ static int renew(flexel_step *s)
             z += fabs(w->T[j]);
         s->stiffness[i] = z / scaling;
     }
+    if (s->iteration == 0)
+        s->stiffness_step = s->h;
     s->matrix_step = s->h;
     return FLEXEL_FOUND;
 }
@@ -256,8 +258,21 @@ static int iterate(flexel_step *s)
     }
 }
 
+/* Stiffness of the rows for a longer step, in which mass counts less. Too large a stiffness would let a step be accepted
+ * whose forces do not balance; where stiffness is due to springs, it is found again with the matrix. */
+static void soften(flexel_step *s)
+{
+    const double ratio = s->stiffness_step / s->h;
+    if (ratio >= 1 || s->stiffness_step == 0)
+        return;
+    for (size_t i = 0; i < s->balance->work->nf; i++)
+        s->stiffness[i] *= ratio * ratio;
+    s->stiffness_step = s->h;
+}
+
 int flexel_step_begin(flexel_step *s)
 {
+    soften(s);
     s->balance->work->t = s->t + s->h;
     if (fabs(s->matrix_step - s->h) > 1e-9 * s->h)
         s->matrix_step = 0;

@@ -28,11 +28,12 @@ typedef struct {
     double t, h;             /* start and length of the step */
     flexel_point old, now;
     /* matrix: order of pivots, or NULL, places of its entries among the workspace's values, factors, step for which it is
-     * valid (0: none); stiffness of its rows; work space */
+     * valid (0: none); stiffness of its rows, with mass over the squared step, and the step for which it holds; work
+     * space */
     const flexel_lu *lu;
     const int *source;
     const double *values;
-    double *factors, matrix_step, *stiffness, *step, *space;
+    double *factors, matrix_step, *stiffness, stiffness_step, *step, *space;
     /* progress: iterations; relative errors now, before and at first */
     size_t iteration;
     double error, last, first;

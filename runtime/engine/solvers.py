@@ -9,7 +9,7 @@ from typing import Any, Protocol
 
 import numpy as np
 from scipy.linalg import get_lapack_funcs
-from scipy.sparse import csc_array, issparse
+from scipy.sparse import csc_array, eye_array, issparse
 from scipy.sparse.linalg import splu
 
 from flexel.base.arrays import Array, ComplexArray
@@ -123,6 +123,30 @@ class SparseFactors:
         """Solution of A x = b, or of A' x = b."""
         x: Array = self._lu.solve(b, trans="T" if transposed else "N")
         return x
+
+
+SHIFT = 1e-12  # of the diagonal, relative to the largest entry, with which a singular matrix is factorized
+ITERATIONS = 4  # of inverse iteration
+ROUNDING = 1e-9  # image of a null vector of unit size, and its entries that count as zero, relative
+
+
+def null_vector(matrix: Any) -> Array | None:
+    """A vector (n,) of unit size that a sparse matrix (n, n) maps to zero; None if it is regular.
+
+    By inverse iteration with a small shift of the diagonal.
+    """
+    n, size = matrix.shape[0], float(abs(matrix).max()) or 1.0
+    shifted = SparseFactors(csc_array(matrix + SHIFT * size * eye_array(n)))
+    if not shifted.regular:
+        return None
+    x = np.cos(np.arange(n, dtype=float))  # any vector that is not orthogonal to it
+    for _ in range(ITERATIONS):
+        x = shifted.solve(x)
+        x /= np.abs(x).max()
+    if np.abs(matrix @ x).max() > ROUNDING * size:
+        return None
+    x[np.abs(x) < ROUNDING] = 0.0
+    return x
 
 
 class Solvable(Protocol):

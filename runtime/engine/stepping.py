@@ -20,6 +20,8 @@ class Stepping(Struct):
     ----------
     struct : cffi struct
         Its counts and errors can be read, its parameters set.
+    singular : bool
+        Whether the last step was not found because its matrix is singular.
     old, now : dict of str to ndarray
         The vectors of the points at the start and at the end of a step.
     """
@@ -29,7 +31,7 @@ class Stepping(Struct):
     ) -> None:
         work = balancing.work
         s, nforce = work.tables.structure, balancing.mu.size
-        self.balancing, self._values = balancing, work.values
+        self.balancing, self._values, self.singular = balancing, work.values, False
         super().__init__(ffi.new("flexel_step *"))
         c = self.struct
         c.balance, c.values = balancing.struct, self.pointer(work.values)
@@ -62,13 +64,13 @@ class Stepping(Struct):
         FloatingPointError
             If a law has no slope at a trial point, which the workspace holds.
         """
-        self.struct.h = h
+        self.struct.h, self.singular = h, False
         code = lib.flexel_step_begin(self.struct)
         while code in (lib.FLEXEL_FACTORIZE, lib.FLEXEL_SOLVE):
             if code == lib.FLEXEL_FACTORIZE:
                 self._factorize()
             if self._factors is None or not self._factors.regular:
-                self.struct.matrix_step = 0.0
+                self.struct.matrix_step, self.singular = 0.0, True
                 return False
             self._step[:] = self._factors.solve(self._step)
             code = lib.flexel_step_resume(self.struct)

@@ -16,7 +16,7 @@ from flexel.generated._kernels import lib
 from flexel.integration import dop853 as rules
 from flexel.integration.branch import WORSE
 from flexel.integration.dense import Interpolant
-from flexel.integration.dop853_steps import ACCEPT, TABLEAU
+from flexel.integration.dop853_steps import TABLEAU, accepted_error
 from flexel.integration.driver import Run
 from flexel.integration.minimal import SHORTEST, SINGULAR
 from flexel.structure.moment import Moment
@@ -56,7 +56,7 @@ class Abreasts:
         self._runs: dict[int, rules.Dop853] = {}
         work = WideWork(kinematics.evaluation.work)
         choice = WideChoice(kinematics.lists, s.choice)
-        choice.struct.accept = ACCEPT * given.rtol
+        choice.struct.accept = accepted_error(kinematics, given.rtol)
         steps = WideSteps(work, s.y.size, run.natural_atol(), kinematics.lists.step_weight, TABLEAU)
         steps.struct.rtol = given.rtol
         span = float(run.times[-1] - run.times[0])

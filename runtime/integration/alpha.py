@@ -20,6 +20,7 @@ from flexel.engine.workspace import Workspace
 from flexel.integration.scheme import Scheme
 from flexel.mechanics.balance import TINY_FORCE, Balance, Saddle
 from flexel.mechanics.core import Core
+from flexel.mechanics.free_motion import check_inertia
 from flexel.mechanics.saddle import SaddlePattern
 from flexel.structure.state import State
 
@@ -45,7 +46,7 @@ class Stepper(Saddle):
         if newton not in ("full", "modified"):
             raise ModelError(f"simulate: newton {newton!r} is unknown; choose full or modified")
         self.scheme = Scheme.with_radius(radius, bool(self.force_rows.size))
-        pattern = self._pattern(None)
+        self._matrix = pattern = self._pattern(None)
         scales = {"hold_scale": self.scales[self.roles.holonomic], "x_scale": self.x_scale}
         self.stepping = Stepping(self.balancing, pattern.elimination, pattern.source, scales)
         self.numbers = c = self.stepping.struct
@@ -79,13 +80,23 @@ class Stepper(Saddle):
             self._choose(self.stepping.now["x"])
         return gap > 0 or self._run(h)  # again if an omitted contact has closed within the step
 
+    def check_inertia(self) -> None:
+        """Raise if the matrix of the step that was not found is singular for a motion without mass; names it.
+
+        Raises
+        ------
+        InertiaError
+        """
+        if self.stepping.singular:
+            check_inertia(self._matrix.matrix(self.work), self.work.tables.M.matrix(self.work.M))
+
     def _pattern(self, used: NDArray[np.bool_] | None) -> SaddlePattern:
         return SaddlePattern(self.work, self.force_rows, self.force_rows, rolling=True, used=used)
 
     def _choose(self, x: Array) -> None:
         """Omit the contacts that are far apart at coordinates x, in the matrix too."""
         self._near.choose(x)
-        pattern = self._pattern(self._near.used)
+        self._matrix = pattern = self._pattern(self._near.used)
         self.stepping.use(pattern.elimination, pattern.source)
 
     def _run(self, h: float) -> bool:

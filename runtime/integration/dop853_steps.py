@@ -8,18 +8,27 @@ import numpy as np
 from scipy.integrate._ivp import dop853_coefficients as tableau
 
 from flexel.base.arrays import Array
-from flexel.engine.choice import EXACT, TOLERANCE, Choice
+from flexel.engine.choice import Choice
 from flexel.engine.structs import Struct
 from flexel.generated._kernels import ffi, lib
 from flexel.integration.knots import Knots
 from flexel.mechanics.kinematics import Kinematics
 from flexel.structure.moment import Moment
 
-ACCEPT = 0.01  # error of a position below which J is not evaluated again, relative to rtol
+ACCEPT = 0.01  # error of a position below which J is not evaluated again, relative to rtol, where no law acts
 A, B, C = (np.ascontiguousarray(z, dtype=float) for z in (tableau.A[:12, :12], tableau.B, tableau.C[:12]))
 E3, E5 = (np.ascontiguousarray(z, dtype=float) for z in (tableau.E3, tableau.E5))
 TIMES = np.append(C, 1.0)  # of the stages and the end
 TABLEAU = {"A": A, "B": B, "C": C, "E3": E3, "E5": E5}
+
+
+def accepted_error(kinematics: Kinematics, rtol: float) -> float:
+    """Error of a position below which J and the deformations are kept from before the last correction.
+
+    Zero where laws act: the error of a deformation times a large stiffness is noise in the accelerations, to which the
+    step control would respond with short steps.
+    """
+    return 0.0 if kinematics.structure.laws else ACCEPT * rtol
 
 
 class Steps(Struct):
@@ -57,7 +66,7 @@ class Steps(Struct):
         """Begin at an instant; what follows depends on nothing computed before."""
         self._knots = knots
         self.choice.reset()
-        self.choice.struct.accept, self.choice.struct.tolerance = 0.0, TOLERANCE
+        self.choice.struct.accept = 0.0
         self.y[:], self.x[:], self.e[:] = y, now.x, now.e[self._periodic]
 
     @property
@@ -92,7 +101,7 @@ class Steps(Struct):
     def step(self, t: float, h: float, careful: bool) -> int:
         """One step; the code of what failed, or zero.  A careful step finds positions to rounding."""
         choice = self.choice.struct
-        choice.accept, choice.tolerance = (0.0, EXACT) if careful else (ACCEPT * self.struct.rtol, TOLERANCE)
+        choice.accept = 0.0 if careful else accepted_error(self.kinematics, self.struct.rtol)
         self.struct.determinant = self._determinant if careful else ffi.NULL
         if careful:
             self.begin(t)

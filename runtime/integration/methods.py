@@ -22,7 +22,7 @@ from flexel.integration.stiffness import ALPHA, EXPLICIT, STIFF, suitable
 from flexel.integration.sundials import Sundials
 from flexel.mechanics.core import Core
 from flexel.mechanics.inertia import InertiaError
-from flexel.mechanics.reach import LOST, reach
+from flexel.mechanics.reach import lost, reach
 from flexel.structure.moment import Moment
 from flexel.structure.state import State, own_state
 from flexel.structure.structure import Structure
@@ -194,7 +194,7 @@ def _in_own_roles(system: Core, start: State) -> State:
         return start
     near = Moment.of(start)
     theirs = reach(system.kinematics_of(start.roles), near)
-    if reach(system.kinematics, near) <= LOST * max(theirs, 1.0):
+    if reach(system.kinematics, near) <= lost(system.roles) * max(theirs, 1.0):
         return system.state(start.t, start.x, start.v, start.e, start.z)
     return start  # the chosen ones are singular at this state
 

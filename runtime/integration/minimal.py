@@ -21,7 +21,7 @@ from flexel.integration.driver import DenseRun
 from flexel.integration.events import Event
 from flexel.integration.outcome import Integration, Segment
 from flexel.mechanics.kinematics import Kinematics
-from flexel.mechanics.reach import LOST, reach
+from flexel.mechanics.reach import lost, reach
 from flexel.structure.moment import Moment
 from flexel.structure.state import State
 
@@ -128,7 +128,7 @@ class MinimalRun(DenseRun):
         if other is None:
             return False
         if not choices.free:
-            if self.reached > LOST * choices.best:
+            if self.reached > lost(self.kinematics.roles) * choices.best:
                 raise self.lost()
             return False  # shorter steps may still succeed
         before = choices.names
@@ -155,7 +155,7 @@ class MinimalRun(DenseRun):
         if choices.kinematics is choices.own:
             return choices.own
         own = reach(choices.own, self.now)
-        return choices.own if own <= LOST * max(self.reached, 1.0) else choices.kinematics
+        return choices.own if own <= lost(choices.own.roles) * max(self.reached, 1.0) else choices.kinematics
 
     def end_step(self, t0: float, dense: Any, first: Moment, z: Array, last: Moment) -> str | None:
         """Store an accepted step, and consider other degrees of freedom at its end."""

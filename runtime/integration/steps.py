@@ -200,6 +200,7 @@ class GeneralizedAlpha(ImplicitRun):
         """
         stepper, ledger = self.stepper, self.ledger
         if not stepper.step(h):
+            stepper.check_inertia()
             return math.inf
         ledger.look()
         if self._false < MOST_FALSE and ledger.spurious(h, stepper.balancing.struct.scale):

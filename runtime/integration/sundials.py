@@ -14,11 +14,12 @@ from typing import Any
 import numpy as np
 
 from flexel.base.arrays import Array
-from flexel.base.errors import FlexelError
+from flexel.base.errors import DynamicsError, FlexelError
 from flexel.integration.steps import Control, ImplicitRun
 from flexel.mechanics import dynamics
 from flexel.mechanics.balance import Balance, Saddle
 from flexel.mechanics.core import Core
+from flexel.mechanics.free_motion import check_inertia
 from flexel.mechanics.impulse import struck
 from flexel.mechanics.saddle import Matrix, SaddlePattern
 from flexel.structure.moment import Moment
@@ -98,6 +99,9 @@ class DifferentialAlgebraic(Saddle):
         self.at(t, y, yp)
         whole, still = (self._assembled(rate, 1 / cj) for rate in (cj, 0.0))
         self._coupling, self._matrix = (whole.sparse - still.sparse) / cj, whole
+        if not whole.factors.regular:
+            check_inertia(whole, self.work.tables.M.matrix(self.work.M))
+            raise DynamicsError("the matrix of a step is singular; inspect the last state of the motion")
 
     def _assembled(self, rate: float, share: float) -> Matrix:
         self.stiffness(rate, rate * rate, share=share)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from flexel.base.errors import AssemblyWarning, ConstraintError, DynamicsError, FlexelError
+from flexel.base.errors import AssemblyWarning, ConstraintError, DynamicsError, FlexelError, ModelWarning
 from flexel.declare.declarations import Declarations
 from flexel.declare.resolution import norms, resolve_roles
 from flexel.engine.evaluate import Evaluation
@@ -17,7 +17,7 @@ from flexel.mechanics.core import Core
 from flexel.mechanics.diagnose import choose_dofs, quoted
 from flexel.mechanics.findings import SEVERITIES, CheckReport, Finding
 from flexel.mechanics.kinematics import size_of
-from flexel.mechanics.reach import LOST, reach
+from flexel.mechanics.reach import lost, reach
 from flexel.mechanics.suspects import suspects
 from flexel.structure.moment import Moment
 from flexel.structure.structure import Structure, assemble_structure
@@ -115,6 +115,7 @@ def _built(build: Callable[[], Core], redundant: bool) -> Attempt:
     found = [
         Finding("warning", "drawing" if z.category is AssemblyWarning else "model", str(z.message))
         for z in said
+        if z.category is not ModelWarning  # found above already
     ]
     if failure is not None and not (redundant and isinstance(failure, ConstraintError)):
         subject = "constraints" if isinstance(failure, ConstraintError) else "assembly"
@@ -151,7 +152,7 @@ def _condition(system: Core) -> Iterator[Finding]:
     factor = own / max(least, 1e-300)
     better = quoted([system.structure.names[i] for i in best.roles.dynamic])
     text = f"{quoted(list(system.dynamic))} move the coordinates {factor:.3g} times as far as {better} do"
-    if factor > LOST:
+    if factor > lost(system.roles):
         yield Finding("warning", "coordinates", f"{text}: nearly singular here; name others")
     elif factor > POOR:
         yield Finding("note", "coordinates", f"{text}; other names may be better")

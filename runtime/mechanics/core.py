@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from copy import copy
+from dataclasses import replace
 from functools import cached_property, partial
 from typing import Self
 
@@ -21,7 +22,8 @@ from flexel.mechanics.diagnose import choose_dofs, named_dofs
 from flexel.mechanics.kinematics import Configuration, Kinematics
 from flexel.mechanics.linearization import Linearization
 from flexel.mechanics.linearize import linearize
-from flexel.mechanics.reach import LOST, reach
+from flexel.mechanics.reach import lost, reach, warn_replaced
+from flexel.mechanics.start_rates import consistent_rates
 from flexel.structure.controllers import check_smooth
 from flexel.structure.loads import Loads
 from flexel.structure.moment import Moment
@@ -53,7 +55,7 @@ class Core:
         none = np.zeros(self.structure.m)
         near = Moment(start.t, start.x, np.zeros(self.structure.n), start.e, none)
         q = self.kinematics.values(start.e, start.x)[roles.dofs]
-        rates_at = partial(states.consistent_rates, self.kinematics, rates=rates)
+        rates_at = partial(consistent_rates, self.kinematics, rates=rates)
         x, v, e = states.located(self.kinematics, start.t, q, rates_at, near)
         self._start = Moment(start.t, x, v, e, none)
 
@@ -229,8 +231,10 @@ class Core:
         if state.roles is self.roles:
             return self.kinematics
         theirs, near = self.kinematics_of(state.roles), Moment.of(state)
-        poor = reach(self.kinematics, near) > LOST * max(reach(theirs, near), 1.0)
-        return theirs if poor else self.kinematics
+        if reach(self.kinematics, near) <= lost(self.roles) * max(reach(theirs, near), 1.0):
+            return self.kinematics
+        warn_replaced(self.kinematics, theirs, state.t)
+        return theirs
 
     def state(self, t: float, x: Array, v: Array, e: Array | None = None, z: Array | None = None) -> State:
         """Complete state from coordinates and rates that satisfy the constraints.
@@ -292,6 +296,6 @@ class Core:
         """Use the named quantities as degrees of freedom from now on; checked at the initial state."""
         rows = [named_dofs(self.structure, z, "use_coordinates") for z in (dynamic, kinematic)]
         J = self.evaluation.position(self._start.x)[1]
-        self.use(choose_dofs(self.kinematics, J, *rows))
+        self.use(replace(choose_dofs(self.kinematics, J, *rows), named=True))
         self.__dict__.pop("initial", None)
         self.__dict__.pop("at_rest", None)

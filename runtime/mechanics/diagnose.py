@@ -150,12 +150,12 @@ def choose_dofs(kinematics: Kinematics, J: Array, dynamic: Index | None, kinemat
     J : ndarray (m + k + n, n)
         At the configuration used for the choice; sparse for a large model.
     dynamic, kinematic : ndarray of int or None
-        Named degrees of freedom; None: chosen automatically.
+        Named degrees of freedom, which are completed if they are too few; None: chosen automatically.
 
     Raises
     ------
     ConstraintError
-        Redundant constraints, motions left without a coordinate, or dependent coordinates, by name.
+        Redundant constraints, or dependent coordinates, by name.
     """
     structure, roles = kinematics.structure, kinematics.roles
     nf = structure.nf
@@ -164,19 +164,26 @@ def choose_dofs(kinematics: Kinematics, J: Array, dynamic: Index | None, kinemat
     check_redundancy(structure, roles, J, roles.holonomic, "rigid or prescribed condition(s)")
     rolling = np.concatenate([roles.holonomic, roles.zero])
     check_redundancy(structure, roles, J, rolling, "rolling condition(s)")
-    if dynamic is None:
-        dynamic = pick(kinematics, J, null_space(J[rolling, :nf], nf)[0], roles.prescribed)
-    else:
-        check_choice(kinematics, J, rolling, dynamic, "dynamic", "independent")
+    dynamic = _completed(kinematics, J, rolling, dynamic, "dynamic", roles.prescribed)
     held = np.concatenate([roles.holonomic, dynamic])
-    if kinematic is None:
-        kinematic = pick(kinematics, J, null_space(J[held, :nf], nf)[0], dynamic)
-    else:
-        check_choice(kinematics, J, held, kinematic, "kinematic", "kinematic")
+    kinematic = _completed(kinematics, J, held, kinematic, "kinematic", dynamic)
     found = roles.with_dofs(dynamic, kinematic)
     if found.position_rows.size != nf:  # by rounding, the dynamic ones no longer describe all motions
         raise ConstraintError(SINGULAR)
     return found
+
+
+def _completed(
+    kinematics: Kinematics, J: Array, constraints: Index, named: Index | None, kind: str, taken: Index
+) -> Index:
+    """Named degrees of freedom, checked, and those that the program chooses for the motions that they leave."""
+    nf = kinematics.structure.nf
+    named = np.zeros(0, dtype=np.intp) if named is None else named
+    if named.size:
+        check_choice(kinematics, J, constraints, named, kind)
+    rows = np.concatenate([constraints, named])
+    more = pick(kinematics, J, null_space(J[rows, :nf], nf)[0], np.concatenate([taken, named]))
+    return np.concatenate([named, more])
 
 
 @dataclass(frozen=True)
@@ -214,10 +221,12 @@ def choose_by_blocks(kinematics: Kinematics, J: Any, dynamic: Index | None, kine
     if dynamic is not None and kinematic is not None and _determined(kinematics, J, dynamic, kinematic):
         return roles.with_dofs(dynamic, kinematic)  # then no condition is redundant
     _check_parts(kinematics, J, rolling)
-    if dynamic is None:
-        dynamic = _left_free(kinematics, J, rolling)
-    if kinematic is None:
-        kinematic = _left_free(kinematics, J, np.concatenate([roles.holonomic, dynamic]))
+    none = np.zeros(0, dtype=np.intp)
+    dynamic = none if dynamic is None else dynamic
+    dynamic = np.concatenate([dynamic, _left_free(kinematics, J, np.concatenate([rolling, dynamic]))])
+    kinematic = none if kinematic is None else kinematic
+    held = np.concatenate([roles.holonomic, dynamic, kinematic])
+    kinematic = np.concatenate([kinematic, _left_free(kinematics, J, held)])
     if not _determined(kinematics, J, dynamic, kinematic):
         raise ConstraintError(
             f"the {rolling.size + dynamic.size} conditions and named coordinates do not determine the "
@@ -263,13 +272,11 @@ def _left_free(kinematics: Kinematics, J: Any, rows: Index) -> Index:
     return np.sort(np.concatenate(chosen))
 
 
-def check_choice(
-    kinematics: Kinematics, J: Array, constraints: Index, chosen: Index, kind: str, method: str
-) -> None:
-    """Raise if named degrees of freedom are too many, too few or dependent; reports free motions or redundant names."""
+def check_choice(kinematics: Kinematics, J: Array, constraints: Index, chosen: Index, kind: str) -> None:
+    """Raise if named degrees of freedom are too many or dependent, with their names."""
     structure, nf = kinematics.structure, kinematics.structure.nf
     rows = np.concatenate([constraints, chosen])
-    right, left = null_space(J[rows, :nf], nf)
+    left = null_space(J[rows, :nf], nf)[1]
     needed = nf - constraints.size
     names = [structure.names[i] for i in chosen]
     taken = [names[i] for i in range(chosen.size) if chosen[i] in constraints]
@@ -289,12 +296,4 @@ def check_choice(
             f"{quoted(names)} cannot be the {kind} coordinate(s) in this position: "
             f"{quoted(largest(structure, rows, left[:, 0]))} depend on one another; name others, for example "
             f"{quoted([structure.names[i] for i in better])}"
-        )
-    if right.shape[1]:
-        moving = np.arange(nf) + structure.m + structure.k
-        names = largest(structure, moving, right[:, 0])
-        raise ConstraintError(
-            f"under-constrained: {needed} {kind} coordinate(s) are needed and {chosen.size} named; a motion of "
-            f"{quoted(names)} is left: name one more with m.{method}(…), prescribe it or hold it, or name none "
-            "and let the program choose"
         )

@@ -11,7 +11,7 @@ import numpy as np
 from scipy.sparse import block_array
 
 from flexel.engine.solvers import factorize
-from flexel.mechanics.inertia import massless
+from flexel.mechanics.inertia import unmoved
 from flexel.mechanics.kinematics import Kinematics
 from flexel.structure.moment import Moment
 
@@ -47,7 +47,7 @@ def struck(kinematics: Kinematics, before: Moment, t: float) -> Moment:
     rhs = np.concatenate([M @ (before.v - driven)[:nf], np.zeros(C.shape[0])])
     factors = factorize(block_array([[M, C.T], [C, None]]))
     if not factors.regular:
-        raise massless(structure, roles, None)
+        raise unmoved(None)
     v = driven
     v[:nf] += factors.solve(rhs)[:nf]
     return Moment(before.t, before.x, v, before.e, work.push(v)[: before.e.size])

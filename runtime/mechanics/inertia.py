@@ -14,13 +14,17 @@ class InertiaError(DynamicsError):
     """A motion moves no mass, so its acceleration is undetermined."""
 
 
-def massless(structure: Structure, roles: Roles, reduced: Array | None) -> InertiaError:
-    """The error for a reduced mass matrix (nd, nd) that is not positive definite; None if the matrix is not known."""
-    if reduced is None:
-        return InertiaError(
-            "the mass matrix is singular: a motion moves no mass; give its bodies mass and inertia, or start from rest "
-            "(start=system.at_rest)"
-        )
+def unmoved(name: str | None) -> InertiaError:
+    """The error for a motion that moves no mass, in which a coordinate takes part (None: unknown)."""
+    motion = "a motion" if name is None else f"a motion of '{name}'"
+    return InertiaError(
+        f"the mass matrix is singular: {motion} moves no mass; give its bodies mass and inertia, or start from rest "
+        "(start=system.at_rest)"
+    )
+
+
+def massless(structure: Structure, roles: Roles, reduced: Array) -> InertiaError:
+    """The error for a reduced mass matrix (nd, nd) that is not positive definite."""
     w, V = np.linalg.eigh(reduced)
     culprit = structure.names[roles.dynamic[int(np.argmax(np.abs(V[:, 0])))]]
     return InertiaError(

@@ -14,6 +14,7 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
+from scipy.sparse import csc_array
 
 from flexel.base.arrays import Array
 from flexel.base.errors import ConstraintError, FlexelError, ModelError, PositionError
@@ -21,8 +22,9 @@ from flexel.base.once import once
 from flexel.engine.choice import Choice, ChoiceLists
 from flexel.engine.evaluate import Evaluation
 from flexel.engine.linear import Linearizer
+from flexel.engine.solvers import null_vector
 from flexel.generated._kernels import lib
-from flexel.mechanics.inertia import massless
+from flexel.mechanics.inertia import InertiaError, massless, unmoved
 from flexel.structure.callbacks import raise_failures
 from flexel.structure.loads import Loads
 from flexel.structure.roles import Roles
@@ -205,7 +207,7 @@ class Kinematics:
         if code == lib.FLEXEL_UNREACHED:
             return PositionError(self._unreached(t, choice or self.choice))
         if code == lib.FLEXEL_MASSLESS:
-            return massless(self.structure, self.roles, self._reduced_mass(choice or self.choice))
+            return self._massless(choice or self.choice)
         what = "velocities" if code == lib.FLEXEL_SLIDING else "position"
         names = self.roles.kinematic if code == lib.FLEXEL_SLIDING else self.roles.dofs
         return ConstraintError(
@@ -214,10 +216,18 @@ class Kinematics:
             "choose other independent coordinates"
         )
 
-    def _reduced_mass(self, choice: Choice) -> Array | None:
-        """H' M H (nd, nd) of the last evaluation; None where it was not needed."""
-        if self.lists.saddle:
-            return None
+    def _massless(self, choice: Choice) -> InertiaError:
+        """The error of a motion that moves no mass, by name."""
+        s, A = self.structure, self.lists.A
+        if not self.lists.saddle:
+            return massless(s, self.roles, self._reduced_mass(choice))
+        values = np.concatenate([choice.work.M, choice.work.J])[A.source]
+        motion = null_vector(csc_array((values, (A.rows, A.columns)), shape=(A.size, A.size)))
+        moved = None if motion is None else s.names[s.m + s.k + int(np.argmax(np.abs(motion[: s.nf])))]
+        return unmoved(moved)
+
+    def _reduced_mass(self, choice: Choice) -> Array:
+        """H' M H (nd, nd) of the last evaluation."""
         nf = self.structure.nf
         H, M = choice.H, self.evaluation.matrix(self.evaluation.tables.M, choice.work.M)[:nf, :nf]
         return np.asarray(H.T @ (M @ H))

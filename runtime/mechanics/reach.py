@@ -2,12 +2,37 @@
 
 from __future__ import annotations
 
+import warnings
+
 import numpy as np
 
+from flexel.base.errors import CoordinateWarning
 from flexel.mechanics.kinematics import Kinematics
 from flexel.structure.moment import Moment
+from flexel.structure.roles import Roles
 
-LOST = 100.0  # reach, relative to that of the best choice, beyond which degrees of freedom are not used
+NEAR = 100.0  # see `lost`
+
+
+def lost(roles: Roles) -> float:
+    """Reach, relative to that of the best choice, beyond which degrees of freedom are not used.
+
+    Relative angles of a chain of n bodies move its end by up to n² of their size, far from any singularity.
+    """
+    return NEAR + float(roles.nd) ** 2
+
+
+def warn_replaced(own: Kinematics, other: Kinematics, t: float) -> None:
+    """Warn that named degrees of freedom are nearly singular at time t, and others are used."""
+    if not own.roles.named:
+        return
+    mine, theirs = own.names(own.roles.dynamic), other.names(other.roles.dynamic)
+    warnings.warn(
+        f"the degrees of freedom {mine} are nearly singular at t = {t:g} s; {theirs} are used there: name others with "
+        "m.independent, or take another state",
+        CoordinateWarning,
+        stacklevel=4,
+    )
 
 
 def reach(kinematics: Kinematics, near: Moment) -> float:

@@ -12,12 +12,13 @@ from numpy.typing import NDArray
 from flexel.base.arrays import Array, Index
 from flexel.base.errors import DynamicsError
 from flexel.engine.elimination import Eliminated, Elimination, LargeFactors
+from flexel.engine.solvers import null_vector
 from flexel.engine.workspace import Workspace
-from flexel.mechanics.diagnose import largest, null_space, quoted
+from flexel.mechanics.diagnose import largest, quoted
 from flexel.structure.structure import Structure
 
 CONSISTENT = 1e-10  # relative residual below which a least-squares solution solves the equations
-LARGEST_NULL_SPACE = 1500  # most unknowns for which the free motion of a singular matrix is identified
+LARGEST_NULL_SPACE = 1500  # most unknowns for which a singular matrix has a least-squares solution
 
 
 class SaddlePattern:
@@ -122,11 +123,22 @@ class Matrix:
         if self.factors.regular:
             x = self.factors.solve(rhs)
             return np.asarray(x + self.factors.solve(rhs - self.sparse @ x))  # for accuracy of stiff models
-        nf, first, names = self.structure.nf, self.structure.m + self.structure.k, ["unknown"]
-        if self.pattern.size <= LARGEST_NULL_SPACE:
-            right, _ = null_space(self.sparse.toarray(), self.pattern.size)
-            names = largest(self.structure, np.arange(nf) + first, right[:nf, 0]) if right.shape[1] else []
+        motion = self.free_motion()
+        names = "unknown coordinates" if motion is None else self.names_of(motion)
         raise DynamicsError(
-            f"the stiffness is singular: nothing resists a motion of {quoted(names)}; support it, or give it "
+            f"the stiffness is singular: nothing resists a motion of {names}; support it, or give it "
             "a stiffness or a mass"
         )
+
+    def free_motion(self) -> Array | None:
+        """A motion (nf,) of the coordinates that a singular matrix maps to zero; None if there is none."""
+        found = null_vector(self.sparse)
+        motion = None if found is None else found[: self.structure.nf]
+        return (
+            motion if motion is not None and np.any(motion) else None
+        )  # else multipliers that nothing determines
+
+    def names_of(self, motion: Array) -> str:
+        """The coordinates that take part in a motion (nf,), in quotes."""
+        first = self.structure.m + self.structure.k
+        return quoted(largest(self.structure, np.arange(motion.size) + first, motion))

@@ -6,20 +6,18 @@ Angles are kernels' principal values plus turns; the turns are counted from a ne
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
 
 import numpy as np
-from scipy.sparse import block_array, eye_array, vstack
 
 from flexel.base.arguments import number, numbers
-from flexel.base.arrays import Array, Index
-from flexel.base.errors import ModelError, PositionError
+from flexel.base.arrays import Array
+from flexel.base.errors import ModelError
 from flexel.engine.choice import Choice
-from flexel.engine.solvers import factorize, least
 from flexel.mechanics import dynamics
 from flexel.mechanics.kinematics import Kinematics
+from flexel.mechanics.start_rates import consistent_rates
+from flexel.mechanics.travel import travelled
 from flexel.structure.moment import Moment
-from flexel.structure.roles import Roles
 from flexel.structure.state import State, own_state
 
 
@@ -122,7 +120,10 @@ def state_at(
                 f"'{name}' is not a degree of freedom; values can be given to {kinematics.names(roles.dofs)}"
             )
         q[list(roles.dofs).index(i)] = value
-    near = Moment.of(start).still(time)
+    here = Moment.of(start)
+    near = travelled(kinematics, here, time, q) or here.still(
+        time
+    )  # Newton's method names what is not reached
     qd: Rates = start.qd if rates is None else lambda choice: consistent_rates(kinematics, choice, rates)
     return state_of(kinematics, time, q, qd, z, near)
 
@@ -136,65 +137,3 @@ def moving(kinematics: Kinematics, start: State, rates: Sequence[Mapping[str, fl
         v = kinematics.velocity(choice, consistent_rates(kinematics, choice, some))
         found.append(Moment(start.t, x, v, e, choice.work.push(v)[: e.size]))
     return found
-
-
-def consistent_rates(kinematics: Kinematics, choice: Choice, rates: Mapping[str, float]) -> Array:
-    """Rates q_d' (nd,) that give the named rates at a position that was located; undetermined ones are zero.
-
-    Raises
-    ------
-    ModelError, PositionError
-        Rates that are not finite; rates that contradict one another or the constraints.
-    """
-    structure, nd, work = kinematics.structure, kinematics.roles.nd, choice.work
-    given = numbers(rates, "initial rates", "rate")
-    rows = np.array([structure.find(name, "initial rates") for name in given], dtype=np.intp)
-    wanted, still = np.array(list(given.values())), np.zeros(nd)
-    if not rows.size:
-        return still
-
-    def rates_of(qd: Array) -> Array:
-        v = kinematics.velocity(choice, qd)
-        return np.concatenate([work.push(v), v])
-
-    first = rates_of(still)
-    missing = wanted - first[rows]
-    if kinematics.lists.saddle:
-        J = kinematics.evaluation.tables.J.matrix(work.J)
-        qd = smallest(J, kinematics.roles, structure.nf, rows, missing)
-    else:
-        qd = least(choice.unit_rates(rows), missing, 1e-12)
-    found = rates_of(qd)
-    off = np.abs(wanted - found[rows])
-    scale = np.abs(np.concatenate([wanted, first, found])).max(initial=1e-12)
-    if off.max() > 1e-9 * scale:
-        worst = int(np.argmax(off))
-        raise PositionError(
-            f"initial rates are inconsistent: '{list(rates)[worst]}' cannot be {wanted[worst]:g} together with "
-            f"the others and the constraints (off by {off[worst]:.3g}); give at most {nd} independent rates"
-        )
-    return qd
-
-
-def smallest(J: Any, roles: Roles, nf: int, rows: Index, wanted: Array) -> Array:
-    """Rates (nd,) of the degrees of freedom, of smallest size, that change some rates as required.
-
-    For many degrees of freedom: from the sparse conditions of the constrained least squares.
-
-    Parameters
-    ----------
-    J : sparse (m + k + n, n)
-    roles : Roles
-    nf : int
-        Free coordinates.
-    rows : ndarray of int (r,)
-        Quantities whose rates are wanted.
-    wanted : ndarray (r,)
-    """
-    J = J[:, :nf]
-    S, C = J[roles.dynamic], J[np.concatenate([roles.holonomic, roles.zero])]
-    A = vstack([C, J[rows]])
-    damping = -1e-14 * eye_array(A.shape[0])  # for redundant rates
-    factors = factorize(block_array([[S.T @ S, A.T], [A, damping]]))
-    rhs = np.concatenate([np.zeros(nf + C.shape[0]), wanted])
-    return np.asarray(S @ factors.solve(rhs)[:nf])

@@ -19,7 +19,7 @@ SOFTEST, STIFFEST = 1e6, 2e12  # Young's modulus [Pa]: soft rubber, twice diamon
 LIGHTEST, HEAVIEST = 10.0, 3e4  # density [kg/m³]: foam, beyond osmium
 GRAVITY = 300.0  # [m/s²] beyond that on Jupiter and the sun; 9810 is mm/s²
 TURNS = 4 * np.pi  # an initial angle beyond two turns is likely one in degrees
-SLENDER = 1.0  # depth of a section over the length of the beam
+SLENDER = 1.0  # depth of a section over the size of the model
 SHORT = 1e-6  # length of an element over the size of the model
 
 
@@ -37,7 +37,7 @@ def suspects(model: Declarations, structure: Structure, size: float) -> list[Fin
     found = [*_gravity(model), *_angles(model, structure), *_idle(model)]
     for instance in structure.instances:
         if isinstance(instance.profile, Profile):
-            found += _profile(model, instance, instance.profile)
+            found += _profile(instance, instance.profile, size)
         found += _short(model, instance, size)
     return found
 
@@ -61,7 +61,7 @@ def _angles(model: Declarations, structure: Structure) -> Iterator[Finding]:
             )
 
 
-def _profile(model: Declarations, beam: Instance, profile: Profile) -> Iterator[Finding]:
+def _profile(beam: Instance, profile: Profile, size: float) -> Iterator[Finding]:
     E, rho = profile.material.E, profile.material.rho
     if not SOFTEST <= E <= STIFFEST:
         yield _units(
@@ -71,11 +71,12 @@ def _profile(model: Declarations, beam: Instance, profile: Profile) -> Iterator[
         yield _units(
             f"beam '{beam.name}': density {rho:.4g} kg/m³ looks like another unit; steel has 7850 kg/m³"
         )
-    depth, length = 2 * float(np.sqrt(profile.section.Iz / profile.section.A)), _length(model, beam)
-    if length is not None and depth > SLENDER * length:
+    inertia = max(profile.section.Iy, profile.section.Iz)
+    depth = 2 * float(np.sqrt(inertia / profile.section.A))
+    if depth > SLENDER * size:  # an element of a wide leaf may be shorter than the leaf is wide
         yield _units(
-            f"beam '{beam.name}': its section is {depth:.3g} m deep (twice the radius of gyration) on a length of "
-            f"{length:.3g} m; sections are given in metres too, and a beam is longer than deep"
+            f"beam '{beam.name}': its section is {depth:.3g} m deep (twice the radius of gyration) in a model of "
+            f"{size:.3g} m; sections are given in metres too, and a beam is longer than deep"
         )
 
 
@@ -97,7 +98,10 @@ def _short(model: Declarations, instance: Instance, size: float) -> Iterator[Fin
 
 
 def _idle(model: Declarations) -> Iterator[Finding]:
-    used = {z for instance in model.instances.values() for z in instance.nodes}
+    used = {name for instance in model.instances.values() for name in instance.nodes}
+    named = [name for instance in model.instances.values() for name in instance.terms or ()]
+    measured = [name for controller in model.controllers for name in controller.inputs]
+    used |= {name.partition(".")[0] for name in (*named, *model._motions, *measured)}
     for node in model.nodes.values():
         if node.name not in used and not np.all(node.fixed):
             yield Finding(

@@ -20,6 +20,20 @@ from flexel.system import System
 STEPS = 100  # of a file without TIMESTEP or ITERSTEP
 
 
+def _check_complete(model: Model, system: System) -> None:
+    """Raise if the file names degrees of freedom, but too few: SPACAR does not complete them."""
+    for named, chosen, kind in (
+        (model._dynamic, system.dynamic, "dynamic"),
+        (model._kinematic, system.kinematic, "kinematic"),
+    ):
+        missing = [name for name in chosen if named and name not in named]
+        if named and missing:
+            raise ConstraintError(
+                f"under-constrained: {len(chosen)} {kind} coordinate(s) are needed and {len(named)} named; a motion of "
+                f"{', '.join(repr(name) for name in missing)} is left"
+            )
+
+
 @dataclass(frozen=True)
 class SpacarFile(Portable):
     """A parsed SPACAR input file.
@@ -88,7 +102,9 @@ class SpacarFile(Portable):
 
     def _built(self, model: Model, start: float) -> System:
         try:
-            return model.build(start)
+            found = model.build(start)
+            _check_complete(model, found)
+            return found
         except ConstraintError as error:
             raise ConstraintError(
                 f"{self.path.name}: {error} (in the file: a degree of freedom is named by DYNE or DYNX, "

@@ -6,7 +6,7 @@ of independent coordinates is needed.  Source: Besseling (1974) for buckling wit
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
@@ -186,7 +186,7 @@ def _lowest(problem: Rest, q: Equations, M: Any, count: int) -> tuple[Array, Arr
     if nf <= SMALL:
         Z, K = _admitted(problem, q)
         M = Z.T @ (M @ Z)
-        w2, V = _pencil(K, (M + M.T) / 2)
+        w2, V = _pencil(K, (M + M.T) / 2, lambda motion: q.matrix.names_of(Z @ motion))
         return w2, Z @ V
     A, B, start = _bordered(problem, q, M)
     shift = -1e-6 * q.stiffness / max(float(np.abs(M.diagonal()).max()), 1e-300)  # a free motion has w = 0
@@ -227,8 +227,11 @@ def _bordered(problem: Rest, q: Equations, M: Any) -> tuple[Any, Any, Array]:
     return A, B, np.random.default_rng(0).standard_normal(A.shape[0])
 
 
-def _pencil(K: Array, M: Array) -> tuple[Array, Array]:
-    """Finite eigenvalues of K v = w² M v, ascending; massless directions are condensed statically."""
+def _pencil(K: Array, M: Array, names_of: Callable[[Array], str]) -> tuple[Array, Array]:
+    """Finite eigenvalues of K v = w² M v, ascending; massless directions are condensed statically.
+
+    A direction without mass and stiffness is an error, which names its coordinates.
+    """
     m, U = np.linalg.eigh(M)
     if not np.any(m > 0):  # no moving part has mass, so nothing vibrates
         return np.zeros(0), np.zeros((m.size, 0))
@@ -240,8 +243,9 @@ def _pencil(K: Array, M: Array) -> tuple[Array, Array]:
     try:
         back = -np.linalg.solve(B.T @ K @ B, B.T @ K @ A)
     except np.linalg.LinAlgError as error:
+        free = B @ np.linalg.eigh(B.T @ K @ B)[1][:, 0]
         raise DynamicsError(
-            "vibrations: a motion has neither mass nor stiffness; give it one of them"
+            f"vibrations: a motion of {names_of(free)} has neither mass nor stiffness; give it one of them, or fix it"
         ) from error
     T = A + B @ back
     w2, V = eigh(T.T @ K @ T, np.diag(m[~massless]))

@@ -26,6 +26,8 @@ class Roles(Constant):
         Slips held at zero (pure rolling).
     dynamic, kinematic : ndarray of int
         The degrees of freedom q = (q_d, q_k).
+    named : bool
+        Whether the user has named dynamic ones.
     """
 
     rigid: Index
@@ -34,6 +36,7 @@ class Roles(Constant):
     zero: Index
     dynamic: Index
     kinematic: Index
+    named: bool = False
 
     @cached_property
     def holonomic(self) -> Index:

@@ -70,16 +70,6 @@ ROLES = {
         "remove 1 of",
         error=ConstraintError,
     ),
-    "too few degrees of freedom": built(
-        lambda m: (m.release("pivot.bend1"), m.independent("pivot.angle")),
-        "under-constrained",
-        "2 dynamic coordinate(s) are needed and 1 named",
-        "m.independent",
-        error=ConstraintError,
-    ),
-    "no degrees of freedom": built(
-        lambda m: m.independent(), "under-constrained", "or name none", error=ConstraintError
-    ),
     "a degree of freedom that does not move": built(
         lambda m: m.independent("A.x"), "'A.x' cannot be", "for example 'pivot.angle'", error=ConstraintError
     ),

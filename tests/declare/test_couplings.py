@@ -56,6 +56,7 @@ def test_elastic_belt_keeps_the_energy_while_its_centres_move() -> None:
     m.spring("Q.y", 80.0)
     m.planar_belt("pair", "P", "p", "Q", "q", radius_p=0.1, radius_q=0.25, stiffness=300.0)
     m.initial("p.angle", rate=6.0)
+    m.initial("q.angle", rate=0.0)
     motion = m.build().simulate(1.0)
     total = motion.energy["total"]
     assert np.ptp(motion["Q.y"]) > 0.05

@@ -28,6 +28,7 @@ def beam(**options: Any) -> fx.Model:
     return m
 
 
+@pytest.mark.filterwarnings("ignore:build.*'W' belongs to no element:flexel.ModelWarning")
 def test_warping_true_makes_two_free_nodes() -> None:
     m = beam(warping=True, **NUMBERS)
     assert m.instances["b"].nodes[4:] == ("b_warping_p", "b_warping_q")
@@ -128,6 +129,7 @@ def test_a_warping_coordinate_takes_neither_springs_nor_follower_loads() -> None
         m.fix("W.x")
 
 
+@pytest.mark.filterwarnings("ignore:build.*'W' belongs to no element:flexel.ModelWarning")
 def test_a_distributed_load_acts_on_the_points_and_frames() -> None:
     plain, warping = (
         beam(**{z: k for z, k in NUMBERS.items() if w or z != "EIw"}, **w) for w in ({}, {"warping": True})

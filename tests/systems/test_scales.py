@@ -120,6 +120,7 @@ def results(make: Maker, units: Units) -> Array:
     return np.array(found)
 
 
+@pytest.mark.filterwarnings("ignore:build.*lengths are in metres:flexel.ModelWarning")
 @pytest.mark.parametrize("name", MAKERS)
 def test_results_do_not_depend_on_the_units(name: str) -> None:
     expected = results(MAKERS[name], (1, 1, 1))
