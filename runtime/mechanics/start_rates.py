@@ -15,14 +15,14 @@ from scipy.sparse import block_array, diags_array, eye_array, vstack
 
 from flexel.base.arguments import numbers
 from flexel.base.arrays import Array, Index
-from flexel.base.errors import PositionError
+from flexel.base.errors import DynamicsError, PositionError
 from flexel.engine.choice import Choice
-from flexel.engine.solvers import factorize
+from flexel.engine.solvers import factorize, least
 from flexel.mechanics.kinematics import Kinematics
 from flexel.structure.structure import Structure
 
-UNHELD = "gap", "norm"  # kinds of deformations that are not kept from changing
 HELD = 1e-14  # softness of conditions, which may be redundant
+DEPENDENT = 1e-9  # relative size of a given rate that counts as dependent on others
 LIGHT = 1e-9  # weight of directions that a level does not concern
 SWEEPS = 4  # each takes away all but that share of what the weight leaves
 CONSISTENT = 1e-9  # error of a given rate, relative to the largest, from which it is contradictory
@@ -45,18 +45,20 @@ def consistent_rates(kinematics: Kinematics, choice: Choice, rates: Mapping[str,
         v = kinematics.velocity(choice, qd)
         return np.concatenate([work.push(v), v])
 
-    first = rates_of(still)
+    first, dynamic = rates_of(still), kinematics.roles.dynamic
     if not nd or not (np.any(wanted) or np.any(first)):
         qd, found = still, first
+    elif np.array_equal(np.sort(rows), np.sort(dynamic)):
+        qd = wanted[[rows.tolist().index(row) for row in dynamic]]
+        found = rates_of(qd)
     else:
         work.inertia()
         v = _expected(kinematics, choice, first, rows, wanted)
-        qd = np.concatenate([work.push(v), v])[kinematics.roles.dynamic]
-        place = {int(row): i for i, row in enumerate(kinematics.roles.dynamic)}
-        for row, rate in zip(rows.tolist(), wanted, strict=True):
-            if row in place and abs(qd[place[row]] - rate) <= CONSISTENT * abs(rate):
-                qd[place[row]] = rate  # to the last digit
+        qd = np.concatenate([work.push(v), v])[dynamic]
         found = rates_of(qd)
+        if not kinematics.lists.saddle:  # the last digit of what is given
+            found = rates_of(qd + least(choice.unit_rates(rows), wanted - found[rows], DEPENDENT))
+            qd = choice.qd.copy()
     off = np.abs(wanted - found[rows])
     scale = np.abs(np.concatenate([wanted, first, found])).max(initial=1e-12)
     if off.size and off.max() > CONSISTENT * scale:
@@ -71,11 +73,16 @@ def consistent_rates(kinematics: Kinematics, choice: Choice, rates: Mapping[str,
     return qd
 
 
-def resisted(structure: Structure) -> Index:
-    """Deformations (r,) on which a law acts, without gaps of contacts."""
-    names = dict.fromkeys(name for law in structure.laws for name in law.deformations)
-    found = np.array([structure.find(name) for name in names], dtype=np.intp)
-    return found[[structure.kinds[i] != "gap" for i in found]]
+def held_still(structure: Structure) -> tuple[Index, Index]:
+    """Deformations that do not change at the start if they need not: those with laws, and the other ones.
+
+    Contacts are left out: what touches may slide and separate.
+    """
+    acting = [[structure.find(name) for name in law.deformations] for law in structure.laws]
+    touching = {i for rows in acting if any(structure.kinds[i] == "gap" for i in rows) for i in rows}
+    elastic = {i for rows in acting for i in rows} - touching
+    other = {i for i in range(structure.m) if structure.kinds[i] not in ("gap", "norm")} - elastic - touching
+    return np.array(sorted(elastic), dtype=np.intp), np.array(sorted(other), dtype=np.intp)
 
 
 def _expected(kinematics: Kinematics, choice: Choice, first: Array, rows: Index, wanted: Array) -> Array:
@@ -94,9 +101,7 @@ def _expected(kinematics: Kinematics, choice: Choice, first: Array, rows: Index,
     J = tables.J.matrix(choice.work.J)[:, :nf] @ diags_array(x_scale)
     M = diags_array(x_scale) @ tables.M.matrix(choice.work.M)[:nf, :nf] @ diags_array(x_scale)
     held = np.concatenate([roles.holonomic, roles.zero])
-    elastic = np.setdiff1d(resisted(structure), held)
-    every = np.array([i for i in range(structure.m) if structure.kinds[i] not in UNHELD], dtype=np.intp)
-    free = np.setdiff1d(every, held)
+    elastic, free = (np.setdiff1d(part, held) for part in held_still(structure))
     u, hard, kept = first[slips : slips + nf] / x_scale, _scaled(kinematics, J, held), first[held]
     kept = kept / kinematics.scales(held)
     for level, target in ((rows, wanted), (elastic, np.zeros(elastic.size)), (free, np.zeros(free.size))):
@@ -125,6 +130,10 @@ def _least(K: Any, f: Array, hard: Any, kept: Array, u: Array) -> Array:
     corner = -HELD * eye_array(h) if h else None
     blocks = [[K + LIGHT * eye_array(n), hard.T], [hard, corner]] if h else [[K + LIGHT * eye_array(n)]]
     factors = factorize(block_array(blocks))
+    if not factors.regular:
+        raise DynamicsError(
+            "the rates at the start cannot be determined; give the rate of every degree of freedom"
+        )
     for _ in range(SWEEPS):
         u = u + factors.solve(np.concatenate([f - K @ u, kept - hard @ u]))[:n]
     return u

@@ -66,6 +66,7 @@ def test_a_mistake_in_a_simulation_is_named_with_its_remedy(case: Case) -> None:
     check(case)
 
 
+@pytest.mark.filterwarnings("ignore:build.*belongs to no element:flexel.ModelWarning")
 def test_massless_dof_is_named() -> None:
     m = drawing()
     m.point_mass("b", "A", 1.0)

@@ -172,7 +172,7 @@ def test_states_are_integrated_where_every_motion_is_prescribed(method: str, tol
     m.prescribe("A.x", lambda t: 1 + 0.1 * np.sin(5 * t))
     s = m.build()
     assert not s.dynamic
-    motion = s.simulate(1.0, samples=11, method=method, rtol=1e-9)
+    motion = s.simulate(1.0, samples=11, method=method, rtol=1e-10)
     w = 5 * LAG
     t = motion.t
     exact = 0.1 / (1 + w * w) * (np.sin(5 * t) - w * np.cos(5 * t) + w * np.exp(-t / LAG))

@@ -143,6 +143,7 @@ def test_a_planar_contact_moves_as_the_spatial_one(kind: str, frame: bool) -> No
         m.contact("touch", "P", "S", contact, radius=A, **more)
         m.initial("axle.angle", rate=4.0)
         m.initial("turn.angle", rate=-7.0)
+        m.initial("P.x", rate=0.0)
         m.initial("P.y", rate=-2.0)
         motions.append(m.build().simulate(0.5, samples=51, rtol=1e-10, atol=1e-12, progress=False))
     flat, space = motions

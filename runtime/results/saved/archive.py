@@ -175,7 +175,7 @@ def roles_from(structure: Structure, names: Mapping[str, Sequence[str]]) -> Role
     rows: dict[str, Index] = {
         key: np.array([structure.find(name, "load") for name in names[key]], dtype=np.intp) for key in ROLES
     }
-    return Roles(motions=(), **rows)
+    return Roles(rows["rigid"], rows["prescribed"], (), rows["zero"], rows["dynamic"], rows["kinematic"])
 
 
 def _unpacked(structure: Structure, roles: Sequence[Roles], arrays: Mapping[str, Any]) -> list[State]:
