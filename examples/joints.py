@@ -249,7 +249,7 @@ def sketches(name: str) -> list[Sketch]:
         for body, boxes in shown.boxes.items()
         for low, high in boxes
     ]
-    found += [Sketch("ground", "ground_frame", run) for run in RUNS.get(name, [])]
+    found += [Sketch("ground_point", "ground_frame", run) for run in RUNS.get(name, [])]
     for body, centre, axis, radius in DISCS.get(name, []):
         found.append(Sketch(body, f"{body}_frame", _disc(np.array(centre), np.array(axis), radius)))
     return found

@@ -142,16 +142,18 @@ class RigidBodies(Joints, Bodies, Nodes):
     def _ground(self, planar: bool, owner: str) -> RigidBody:
         """The ground of a planar or spatial model."""
         if GROUND not in self._rigid_bodies:
-            if taken := [z for z in (GROUND, f"{GROUND}_frame") if z in self.nodes or z in self.instances]:
+            if GROUND in self.nodes and not np.all(self.nodes[GROUND].fixed):
+                raise ModelError(
+                    f"{owner}: the node '{GROUND}' of this model can move, and joints mean the ground by this name; "
+                    "fix it, name it otherwise, or give the nodes (point, frame) of a body"
+                )
+            place, turned = f"{GROUND}_point", f"{GROUND}_frame"  # 'ground' is left to nodes of the user
+            if taken := [name for name in (place, turned) if name in self.nodes or name in self.instances]:
                 raise ModelError(
                     f"{owner}: '{taken[0]}' is a name in this model; give the nodes (point, frame) of the ground"
                 )
-            point = self.point(GROUND, np.zeros(2 if planar else 3), fixed=True)
-            frame = (
-                self.angle(f"{GROUND}_frame", fixed=True)
-                if planar
-                else self.frame(f"{GROUND}_frame", fixed=True)
-            )
+            point = self.point(place, np.zeros(2 if planar else 3), fixed=True)
+            frame = self.angle(turned, fixed=True) if planar else self.frame(turned, fixed=True)
             self._rigid_bodies[GROUND] = RigidBody(GROUND, point, frame, {})
         return self._rigid_bodies[GROUND]
 

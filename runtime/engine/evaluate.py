@@ -44,6 +44,12 @@ class Evaluation:
         """The tables, made when they are first needed."""
         return Tables(self.structure)
 
+    @once
+    def inertia(self) -> Array:
+        """Inertia (n,) of each coordinate as drawn: the diagonal of M."""
+        M = self.tables.M
+        return np.asarray(M.matrix(self.work.samples[-1][: M.size]).diagonal())
+
     def __reduce__(self) -> tuple[type[Evaluation], tuple[Structure]]:
         """Pickled as its structure: the tables are made again when they are first needed."""
         return Evaluation, (self.structure,)

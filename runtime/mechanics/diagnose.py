@@ -23,6 +23,7 @@ from flexel.base.blas import one_thread
 from flexel.base.errors import ConstraintError, ModelError
 from flexel.engine.solvers import factorize
 from flexel.mechanics.kinematics import Kinematics
+from flexel.mechanics.preference import heaviness, preferences
 from flexel.structure.roles import Roles
 from flexel.structure.structure import Structure
 
@@ -30,7 +31,6 @@ log = logging.getLogger("flexel.build")
 _block_array: Any = block_array
 RANK_TOLERANCE = 1e-9  # singular value of the row-scaled constraint matrix that counts as zero
 SINGULAR = "no independent coordinates can be chosen here: the position is singular"
-PREFERENCE = 3.0  # relative angles and elongations are preferred to absolute coordinates by this factor
 
 
 def null_space(A: Array, columns: int) -> tuple[Array, Array]:
@@ -113,12 +113,11 @@ def pick(kinematics: Kinematics, J: Array, space: Array, exclude: Index) -> Inde
     if not space.shape[1]:
         return np.zeros(0, dtype=np.intp)
     rows = np.setdiff1d(candidates(structure, kinematics.roles), exclude)
-    weight = 1.0 / kinematics.scales(rows)
-    weight[(rows < structure.m) | (np.array(structure.units, dtype=object)[rows] == "rad")] *= PREFERENCE
-    S = (J[rows, : structure.nf] @ space) * weight[:, None]
+    heavy = heaviness(kinematics, rows)
+    S = (J[rows, : structure.nf] @ space) * (preferences(kinematics, rows) * heavy)[:, None]
     _, R, pivots = qr(S.T, mode="economic", pivoting=True)
-    diagonal = np.abs(np.diag(R))
-    if diagonal.size < space.shape[1] or diagonal[-1] < 1e-9 * diagonal[0]:
+    independent = np.abs(np.diag(R)) / heavy[pivots[: len(R)]]
+    if independent.size < space.shape[1] or independent.min() < 1e-9 * independent.max():
         raise ConstraintError(SINGULAR)
     return np.sort(rows[pivots[: space.shape[1]]])
 

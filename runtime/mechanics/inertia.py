@@ -9,6 +9,8 @@ from flexel.base.errors import DynamicsError
 from flexel.structure.roles import Roles
 from flexel.structure.structure import Structure
 
+LOST = 1e-12  # inertia of a degree of freedom, relative to the largest eigenvalue, that is not zero
+
 
 class InertiaError(DynamicsError):
     """A motion moves no mass, so its acceleration is undetermined."""
@@ -26,8 +28,13 @@ def unmoved(name: str | None) -> InertiaError:
 def massless(structure: Structure, roles: Roles, reduced: Array) -> InertiaError:
     """The error for a reduced mass matrix (nd, nd) that is not positive definite."""
     w, V = np.linalg.eigh(reduced)
-    culprit = structure.names[roles.dynamic[int(np.argmax(np.abs(V[:, 0])))]]
+    row = int(np.argmax(np.abs(V[:, 0])))
+    culprit = structure.names[roles.dynamic[row]]
+    lost = bool(reduced[row, row] > LOST * w[-1])  # it moves mass together with others only
+    why = ", or too little beside the largest inertia to be seen after rounding" * lost
+    remedy = ", or name coordinates of the heaviest bodies with m.independent(…)" * lost
     return InertiaError(
-        f"reduced mass matrix is not positive definite (smallest eigenvalue {w[0]:.3g}): the degree of freedom "
-        f"'{culprit}' moves no mass; give its bodies mass and inertia, or prescribe it"
+        f"reduced mass matrix is not positive definite (smallest eigenvalue {w[0]:.3g}, largest {w[-1]:.3g}): "
+        f"{'a motion of' if lost else 'the degree of freedom'} '{culprit}' moves no mass{why}; give its bodies mass "
+        f"and inertia, or prescribe it{remedy}"
     )

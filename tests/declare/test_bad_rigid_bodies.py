@@ -73,14 +73,40 @@ def test_a_planar_and_a_spatial_body_do_not_meet() -> None:
         m.revolute("z", "a", "b", (0, 0))
 
 
-def test_a_name_of_the_users_own_may_be_ground() -> None:
+@pytest.mark.parametrize("planar", [True, False], ids=["plane", "space"])
+@pytest.mark.parametrize("first", [True, False], ids=["node first", "joint first"])
+def test_a_fixed_node_may_be_called_ground(planar: bool, first: bool) -> None:
+    m, zero = fx.Model(), (0, 0) if planar else (0, 0, 0)
+    inertia = 1.0 if planar else (1, 1, 1)
+    m.rigid_body("a", zero, mass=1.0, inertia=inertia)
+    if not first:
+        m.revolute("z", "ground", "a", zero, axis=None if planar else AXIS)
+    fixed = m.angle("ground", fixed=True) if planar else m.frame("ground", fixed=True)
+    if first:
+        m.revolute("z", "ground", "a", zero, axis=None if planar else AXIS)
+    shelf = m.rigid_body("b", zero, mass=1.0, inertia=inertia)
+    m.weld("w", (m.point("O", zero, fixed=True), fixed), shelf, at=zero)
+    assert m.build().dynamic == ("z.angle",)
+
+
+def test_the_ground_of_a_joint_is_no_node_that_can_move() -> None:
     m = fx.Model()
-    m.frame("ground", fixed=True)
-    m.point("O", (0, 0, 0), fixed=True)
     m.rigid_body("a", (0, 0, 0), mass=1.0, inertia=(1, 1, 1))
-    with pytest.raises(fx.ModelError, match="revolute 'z': 'ground' is a name in this model"):
+    m.frame("ground")
+    with pytest.raises(fx.ModelError, match="revolute 'z': the node 'ground' of this model can move"):
         m.revolute("z", "ground", "a", (0, 0, 0), axis=AXIS)
-    m.revolute("z", ("O", "ground"), "a", (0, 0, 0), axis=AXIS)
+    m.fix("ground")
+    m.revolute("z", "ground", "a", (0, 0, 0), axis=AXIS)
+    assert m.build().dynamic == ("z.angle",)
+
+
+def test_names_of_the_nodes_of_the_ground_are_taken_once() -> None:
+    m = fx.Model()
+    m.rigid_body("a", (0, 0), mass=1.0, inertia=1.0)
+    place, turned = m.point("ground_point", (0, 0), fixed=True), m.angle("other", fixed=True)
+    with pytest.raises(fx.ModelError, match="revolute 'z': 'ground_point' is a name in this model"):
+        m.revolute("z", "ground", "a", (0, 0))
+    m.revolute("z", (place, turned), "a", (0, 0))
     assert m.build().dynamic == ("z.angle",)
 
 

@@ -1,0 +1,49 @@
+"""Which quantities are preferred as degrees of freedom: relative angles, and coordinates of much heavier bodies."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from flexel.base.arrays import Array, Index
+from flexel.mechanics.kinematics import Kinematics
+
+RELATIVE = 3.0  # relative angles and elongations are preferred to absolute coordinates by this factor
+SPREAD = (
+    1e10  # ratio of the largest inertia to the smallest above which the heavier coordinates are preferred
+)
+POWER = 0.1  # by which a larger inertia counts: a ratio of 1e20 makes a factor of 100
+
+
+def preferences(kinematics: Kinematics, rows: Index) -> Array:
+    """Weights of rates of quantities of one kind, to compare them as degrees of freedom.
+
+    Parameters
+    ----------
+    rows : ndarray of int
+        Quantities.
+
+    Returns
+    -------
+    ndarray
+        Positive.
+    """
+    structure = kinematics.structure
+    weight = 1.0 / kinematics.scales(rows)
+    weight[(rows < structure.m) | (np.array(structure.units, dtype=object)[rows] == "rad")] *= RELATIVE
+    return weight
+
+
+def heaviness(kinematics: Kinematics, rows: Index) -> Array:
+    """Factors, at least one, by which quantities are preferred for their inertia as drawn; one in most models.
+
+    A heavy body must not move by the difference of two light bodies: its inertia in the reduced mass matrix then
+    exceeds that of the light ones so far that rounding loses theirs.
+    """
+    first = kinematics.structure.m + kinematics.structure.k
+    inertia = kinematics.evaluation.inertia * kinematics.scales(slice(first, None)) ** 2
+    moving = inertia[inertia > 0]
+    if not moving.size or moving.max() <= SPREAD * moving.min():
+        return np.ones(rows.size)
+    factor = np.ones(first + inertia.size)
+    factor[first:] = np.maximum(inertia / moving.min(), 1.0) ** POWER
+    return np.asarray(factor[rows])
