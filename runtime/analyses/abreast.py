@@ -63,7 +63,7 @@ class MotionRunner(Runner[T]):
         try:
             return call(*arguments)
         except FlexelError as error:
-            self.failed[i] = str(error)
+            self._fail(i, error)
             return False
 
 

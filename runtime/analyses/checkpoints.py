@@ -100,6 +100,16 @@ class Checkpoint:
         self._before = _attached(self._system, record)
         return Before(self._before, marks["step"], marks["complete"])
 
+    def try_out(self, start: State) -> None:
+        """Write a checkpoint of the start and remove it, so that a path that cannot be written fails now.
+
+        Raises
+        ------
+        FlexelError
+            A folder that does not exist or is protected, a full disk, a package that is missing.
+        """
+        self._write(Integration(States([start]), [], [], {}, ""), None, complete=False, trial=True)
+
     def __call__(self, run: Run) -> None:
         """Called after a step: write a checkpoint if the last one is old enough."""
         now = monotonic()
@@ -113,10 +123,11 @@ class Checkpoint:
         """Write the motion that has ended, which can be continued if it was interrupted."""
         self._write(found, step, complete=not found.message.startswith(INTERRUPTED))
 
-    def _write(self, found: Integration, step: float | None, *, complete: bool) -> None:
+    def _write(self, found: Integration, step: float | None, *, complete: bool, trial: bool = False) -> None:
         record = record_of(Motion(self._system, found))
         marks = self._marks | {"step": step, "complete": complete}
-        write(replace(record, header={**record.header, MARKS: marks}), self.path)
+        marked = replace(record, header={**record.header, MARKS: marks})
+        write(marked, self.path, owner="simulate: checkpoint", trial=trial)
 
     def whole(self, found: Integration) -> Integration:
         """The earlier part of the motion joined with the part that this process has computed."""

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any, Self
 
 import numpy as np
 
 from flexel.analyses.abreast import MotionRunner
 from flexel.analyses.motions import Motions
+from flexel.analyses.variant_motions import MotionOf
 from flexel.analyses.variants import Again, Runner, Values, variant_of
 from flexel.base.arguments import array, mapping, names, unknown
 from flexel.base.arrays import Array
@@ -19,7 +19,6 @@ from flexel.integration.outcome import stored_times
 from flexel.mechanics.many import LinearizedMany
 from flexel.results.ensemble import Ensemble
 from flexel.results.linearizations import Linearizations, RootLoci
-from flexel.results.motion import Motion
 from flexel.results.quantities import history
 from flexel.structure.controllers import refuse_sampled
 from flexel.structure.parameters import Parameters
@@ -110,6 +109,13 @@ class Ensembles(Motions):
         ModelError
             An unknown name, with the nearest ones; numbers of values that differ; a parameter on which positions
             depend.
+        FlexelError
+            If all variants fail: the error of the first.
+
+        Warns
+        -----
+        IncompleteWarning
+            Some variants failed, or an interrupt (Ctrl-C) left them out: how many, and the first reason.
         """
         for wrong in (z for z in options if z not in OPTIONS):
             raise ModelError(f"simulate_many: {unknown(wrong, OPTIONS, 'option')}")
@@ -119,7 +125,7 @@ class Ensembles(Motions):
         grid = stored_times(begin, duration, times, samples, "simulate_many")
         units = [history(self.structure, name).unit for name in wanted]
 
-        motion = _MotionOf(float(grid[-1] - begin.t), grid, start, values, options)
+        motion = MotionOf(float(grid[-1] - begin.t), grid, start, values, options)
 
         def end(system: Motions, run: Run, why: str) -> tuple[Array, dict[str, int]]:
             found = system._ended(run, why)
@@ -130,6 +136,7 @@ class Ensembles(Motions):
 
         runner = MotionRunner(self, values, motion.begun, end)
         runner.run(threads, progress)
+        runner.report("simulate_many")
         all_rows = np.full((len(wanted), values.count, grid.size), np.nan)
         statistics: list[dict[str, int]] = [{} for _ in range(values.count)]
         for i, (rows, counts) in runner.results.items():
@@ -164,12 +171,17 @@ class Ensembles(Motions):
 
         Raises
         ------
-        ModelError
+        ModelError, FlexelError
+            As `simulate_many`.
+
+        Warns
+        -----
+        IncompleteWarning
             As `simulate_many`.
         """
         values = Values(self, parameters, {}, "linearize_many")
         many = self._many(state, rates, "linearize_many")
-        return self._linearized(values, many, threads, progress)
+        return self._linearized(values, many, "linearize_many", threads, progress)
 
     def root_loci(
         self,
@@ -205,6 +217,11 @@ class Ensembles(Motions):
         LinearizationError
             If the degrees of freedom in `of` are not decoupled from the others.
 
+        Warns
+        -----
+        IncompleteWarning
+            As `simulate_many`.
+
         Examples
         --------
         >>> loci = bike.root_loci(rates={"rear hub.x": speeds}, of=["lean.angle", "steer.angle"])  # doctest: +SKIP
@@ -214,7 +231,7 @@ class Ensembles(Motions):
             raise ModelError("root_loci: give rates or parameters over which the loci run")
         values = Values(self, parameters, {}, "root_loci")
         many = self._many(state, rates, "root_loci", steady=True)
-        found = self._linearized(values, many, threads, progress)
+        found = self._linearized(values, many, "root_loci", threads, progress)
         axis = found.rates if found.rates else found.parameters
         name = next(iter(axis))
         run = axis[name]
@@ -247,10 +264,11 @@ class Ensembles(Motions):
         return LinearizedMany(self, first, columns, steady)
 
     def _linearized(
-        self, values: Values, many: LinearizedMany, threads: int | None, progress: bool | None
+        self, values: Values, many: LinearizedMany, owner: str, threads: int | None, progress: bool | None
     ) -> Linearizations:
         runner: Runner[dict[str, Array]] = Runner(self, values, lambda system, _: many.blocks(system))
         runner.run(threads, progress)
+        runner.report(owner)
         dynamic, kinematic, _ = many.role_names
         return Linearizations(
             **many.stacked(runner.results, values.count),
@@ -262,38 +280,3 @@ class Ensembles(Motions):
             failed=runner.failed,
             again=Again(self, values, many.linearization),
         )
-
-
-@dataclass(frozen=True)
-class _MotionOf:
-    """The motion of a variant."""
-
-    duration: float
-    times: Array
-    start: State | None
-    values: Values
-    options: Mapping[str, Any]
-
-    def __call__(self, system: Motions, i: int) -> Motion:
-        return system.simulate(self.duration, start=self._first(system, i), progress=False, **self._options)
-
-    def begun(self, system: Motions, i: int, before: Run | None) -> tuple[Run, str]:
-        """Begin the motion; reuses the arrays of an earlier motion of the same system."""
-        return system._begun(self.duration, before, start=self._first(system, i), **self._options)
-
-    @property
-    def _options(self) -> dict[str, Any]:
-        return {"times": self.times, **self.options}
-
-    def _first(self, system: Motions, i: int) -> State:
-        return _start(system, self.start, {z: float(rows[i]) for z, rows in self.values.initial.items()})
-
-
-def _start(system: Motions, start: State | None, initial: Mapping[str, float]) -> State:
-    """The start of a variant: the initial state, or another one with its own forces, with given values and rates."""
-    first = system.initial if start is None else system.state(start.t, start.x, start.v, start.e, start.z)
-    if not initial:
-        return first
-    rates = {name[:-1]: z for name, z in initial.items() if name.endswith("'")}
-    values = {name: z for name, z in initial.items() if not name.endswith("'")}
-    return system.state_at(values, rates or None, start=first)

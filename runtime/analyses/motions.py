@@ -116,6 +116,9 @@ class Motions(Core):
         ModelError
             An option that the method does not have; a load or a prescribed motion without a value; a checkpoint of
             another simulation.
+        FlexelError
+            A checkpoint that cannot be written: before the first step, or later; ``error.motion`` then holds the
+            motion.
         PositionError, DynamicsError
             If the motion cannot be continued; ``error.motion`` holds the motion so far.
 
@@ -153,6 +156,8 @@ class Motions(Core):
             begin, options = before.found.states[-1], options.with_first(before.step)
             grid = np.concatenate([[begin.t], grid[grid > begin.t]])
             log.info("continues at t = %g s from the checkpoint %s", begin.t, checkpoint)
+        if keeper is not None:
+            keeper.try_out(begin)
         log.info("t = %g to %g s by %s", begin.t, grid[-1], why or method)
         run = methods.run_of(self, method, begin, grid, float(duration), options)
         watch = Watch(self, method) if method in methods.WATCHED else None
@@ -163,9 +168,14 @@ class Motions(Core):
             raise
         log.info("t = %g s: %s; %s", run.t, found.message, found.statistics)
         found = _explained(_whole(found, keeper), why, watch.found if watch else "")
+        motion = _motion(self, found)
         if keeper is not None:
-            keeper.end(found, run.step)
-        return _motion(self, found)
+            try:
+                keeper.end(found, run.step)
+            except FlexelError as error:
+                error.motion = motion
+                raise
+        return motion
 
     def _planned(
         self,

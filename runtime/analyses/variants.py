@@ -9,6 +9,7 @@ from __future__ import annotations
 import logging
 import os
 import sys
+import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor, wait
 from copy import copy
@@ -22,7 +23,7 @@ from tqdm import tqdm
 from flexel.base.arguments import array, flag, mapping, whole
 from flexel.base.arrays import Array
 from flexel.base.blas import one_thread
-from flexel.base.errors import FlexelError, ModelError
+from flexel.base.errors import FlexelError, IncompleteWarning, ModelError
 from flexel.declare.signs import check_signs
 from flexel.engine.variants import Variant, check_variable
 from flexel.mechanics.core import Core
@@ -161,6 +162,7 @@ class Runner(Generic[T]):
         self._system, self._values, self._task = system, values, task
         self.results: dict[int, T] = {}
         self.failed: dict[int, str] = {}
+        self._errors: dict[int, FlexelError] = {}
         self._lock, self._left = Lock(), iter(range(values.count))
         self._threads = 1
 
@@ -206,8 +208,45 @@ class Runner(Generic[T]):
             try:
                 self._one(system, variant, i)
             except FlexelError as error:
-                self.failed[i] = str(error)
+                self._fail(i, error)
             yield
+
+    def _fail(self, i: int, error: FlexelError) -> None:
+        self.failed[i], self._errors[i] = str(error), error
+
+    def report(self, owner: str) -> None:
+        """Warn of variants without a result.
+
+        Parameters
+        ----------
+        owner : str
+            The analysis, for messages.
+
+        Raises
+        ------
+        FlexelError
+            If there is no result at all and no interrupt: the error of the first variant, of its kind.
+        KeyboardInterrupt
+            If an interrupt has left no result.
+
+        Warns
+        -----
+        IncompleteWarning
+            How many have none, and the reason of the first.
+        """
+        if not self.failed:
+            return
+        first, count = min(self.failed), self._values.count
+        message = (
+            f"{owner}: {len(self.failed)} of {count} variants failed; number {first}: {self.failed[first]}"
+        )
+        if self.results:
+            warnings.warn(message, IncompleteWarning, stacklevel=4)
+        elif first in self._errors:
+            error = self._errors[first]
+            raise type(error)(message if count > 1 else f"{owner}: {error}") from error
+        else:
+            raise KeyboardInterrupt(message)
 
     def _next(self) -> int | None:
         """The next variant, which no other thread takes."""

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Mapping
 from os import PathLike
 from pathlib import Path
 from typing import Any
+from unicodedata import category
 
 import numpy as np
 
@@ -18,6 +19,7 @@ from flexel.base.near_names import near_names, quantities_of
 LARGEST = 1e150  # beyond it squares overflow
 SMALLEST = 1e-150  # of positive numbers: below it squares vanish
 LONGEST_NAME = 255  # bytes in the name of a file or folder, on all usual systems
+FORMULAS = "=+-@"  # a spreadsheet executes what begins with one of these
 SHOWN = 12  # known names in a message
 
 
@@ -141,6 +143,20 @@ def new_name(name: Any, kind: str) -> str:
     """A name from which quantity names can be formed, or a ModelError."""
     if not isinstance(name, str) or not re.fullmatch(r"[^\s.':][^.':]*", name):
         raise ModelError(f"{kind} {name!r}: a name is text without dots, colons or quotes; choose another")
+    return storable(name, kind)
+
+
+def storable(name: str, kind: str) -> str:
+    """A name that every file format holds and no spreadsheet takes for a formula, or a ModelError."""
+    if any(category(letter) in ("Cc", "Cs") for letter in name):
+        raise ModelError(
+            f"{kind} {name!r}: a name has no control characters and no halves of characters, which files cannot hold; "
+            "choose another"
+        )
+    if name[:1] in FORMULAS:
+        raise ModelError(
+            f"{kind} {name!r}: a spreadsheet takes what begins with {name[0]} for a formula; choose another name"
+        )
     return name
 
 

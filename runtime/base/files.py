@@ -12,7 +12,7 @@ from flexel.base.errors import FlexelError
 
 
 @contextmanager
-def replacing(path: str | Path, owner: str = "save") -> Iterator[Path]:
+def replacing(path: str | Path, owner: str = "save", *, trial: bool = False) -> Iterator[Path]:
     """A new file that replaces `path` at the end of the block; if the block fails, the old file remains unchanged.
 
     Of several writers the last complete one wins.  What is not a regular file, such as a pipe, is written directly.
@@ -22,6 +22,8 @@ def replacing(path: str | Path, owner: str = "save") -> Iterator[Path]:
     path : str or Path
     owner : str
         The operation, for messages.
+    trial : bool
+        Whether the new file is only written, and then removed: to learn whether it can be.
 
     Raises
     ------
@@ -29,9 +31,9 @@ def replacing(path: str | Path, owner: str = "save") -> Iterator[Path]:
         If it cannot be written: a full disk, a folder that does not exist or is protected.
     """
     target = Path(path).resolve()  # a link remains a link
-    try:
+    with written(f"{owner} '{path}'", "; the earlier file is unchanged"):
         if target.exists() and not target.is_file():
-            yield target
+            yield Path(os.devnull) if trial else target
             return
         number, name = tempfile.mkstemp(prefix=f".{target.stem}.", suffix=target.suffix, dir=target.parent)
         os.close(number)
@@ -40,14 +42,34 @@ def replacing(path: str | Path, owner: str = "save") -> Iterator[Path]:
             yield part
             part.chmod(_mode(target))
             _flush(part)
-            part.replace(target)
-            _flush(target.parent)
+            if not trial:
+                part.replace(target)
+                _flush(target.parent)
         finally:
             part.unlink(missing_ok=True)
+
+
+@contextmanager
+def written(owner: str, kept: str = "") -> Iterator[None]:
+    """Turn the errors of the operating system in a block that writes files into those of flexel.
+
+    Parameters
+    ----------
+    owner : str
+        The operation and its file, for messages.
+    kept : str
+        What has not been lost.
+
+    Raises
+    ------
+    FlexelError
+        For a full disk, a folder that does not exist or is protected.
+    """
+    try:
+        yield
     except OSError as error:
         raise FlexelError(
-            f"{owner} '{path}': {error.strerror or error}; the earlier file is unchanged. Free space, or give the "
-            "path of a folder that you may write to"
+            f"{owner}: {error.strerror or error}{kept}. Free space, or give the path of a folder that you may write to"
         ) from error
 
 

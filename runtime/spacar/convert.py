@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -59,7 +60,7 @@ def convert_spacar(path: str | Path, target: str | Path, dialect: str | None = N
 def python_source(file: Spacar) -> str:
     """The program: the model, then the analysis of `flexel run`."""
     lines = [
-        f'"""{file.path.name}, a SPACAR input file of the {file.dialect} dialect, as a flexel model.',
+        f'"""{_quotable(file.path.name)}, a SPACAR input file of the {file.dialect} dialect, as a flexel model.',
         "",
         "Names and signs of deformations are flexel's; `flexel run` on the file itself reports them in SPACAR's.",
         '"""',
@@ -93,6 +94,11 @@ def python_source(file: Spacar) -> str:
         lines += ["", "", "def main(out=None):", *_indented(_analysis(file)), "", ""]
         lines += ['if __name__ == "__main__":', "    main()"]
     return "\n".join(lines) + "\n"
+
+
+def _quotable(name: str) -> str:
+    """A file name that a string in the program may hold: no quote, backslash or control character of it acts."""
+    return json.dumps(name, ensure_ascii=False)[1:-1].encode("utf-8", "backslashreplace").decode("utf-8")
 
 
 def _wrapped(call: Call) -> Sequence[str]:

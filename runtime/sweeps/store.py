@@ -20,6 +20,7 @@ import json
 import os
 import time
 from collections.abc import Iterator
+from contextlib import AbstractContextManager, ExitStack
 from pathlib import Path
 from typing import IO, Any
 
@@ -27,7 +28,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexel.base.errors import ModelError
-from flexel.base.files import replacing
+from flexel.base.files import replacing, written
 from flexel.sweeps.columns import ColumnFile
 from flexel.sweeps.forms import Form, Forms, misfit
 from flexel.sweeps.points import Points
@@ -56,7 +57,8 @@ class Store:
         self._written = time.monotonic()
         self._lock = self._locked()
         try:
-            self._begin()
+            with self._writing():
+                self._begin()
         except BaseException:
             self._lock.close()
             raise
@@ -65,15 +67,22 @@ class Store:
         return self
 
     def __exit__(self, *_: object) -> None:
-        self.write()
-        for file in self._files.values():
-            file.close()
-        self._messages.close()
-        self._lock.close()
+        with self._writing(), ExitStack() as opened:  # all are closed, whatever fails
+            opened.callback(self._lock.close)
+            opened.callback(self._messages.close)
+            for file in self._files.values():
+                opened.callback(file.close)
+            self.write()
+
+    def _writing(self) -> AbstractContextManager[None]:
+        """Report what the disk refuses, in a block that writes to the folder."""
+        kept = "; what is in it is kept: with a folder, the same call continues from there"
+        return written(f"sweep: cannot write to {self.folder}", kept)
 
     def _locked(self) -> IO[str]:
         """The lock, which the system gives back when this process ends in whatever way."""
-        self.folder.mkdir(parents=True, exist_ok=True)
+        with self._writing():
+            self.folder.mkdir(parents=True, exist_ok=True)
         strangers = (
             [z.name for z in self.folder.iterdir()] if not (self.folder / "sweep.json").exists() else []
         )
@@ -137,6 +146,10 @@ class Store:
 
     def keep(self, outcome: Outcome) -> None:
         """Write the results of a chunk of points; those of other forms than known become messages."""
+        with self._writing():
+            self._keep(outcome)
+
+    def _keep(self, outcome: Outcome) -> None:
         failed = dict(outcome.failed)
         if self.forms is None and outcome.blocks:
             self._settle(outcome.blocks[0].forms)
@@ -167,10 +180,11 @@ class Store:
 
     def write(self) -> None:
         """Write everything to disk: values and messages first, then the status."""
-        for file in self._files.values():
-            file.sync()
-        self._messages.flush()
-        os.fsync(self._messages.fileno())
+        with self._writing():
+            for file in self._files.values():
+                file.sync()
+            self._messages.flush()
+            os.fsync(self._messages.fileno())
         with replacing(self.folder / "status.npy", "sweep") as part:
             np.save(part, self.status)
         self._written = time.monotonic()

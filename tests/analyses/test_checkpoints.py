@@ -1,6 +1,7 @@
 """Checkpoints of simulations: what is left of a killed one, and what goes on from it."""
 
 import os
+import resource
 import signal
 import subprocess
 import sys
@@ -210,3 +211,44 @@ def test_a_killed_command_goes_on(tmp_path: Path) -> None:
     assert "continued from a checkpoint" in ended
     complete = fx.load(tmp_path / "swing.npz")
     assert isinstance(complete, fx.Motion) and np.array_equal(complete.t, np.linspace(0, 120, 41))
+
+
+@pytest.mark.parametrize("suffix", SUFFIXES)
+def test_a_folder_that_does_not_exist_is_refused_before_the_first_step(
+    suffix: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(Run, "forward", lambda _: pytest.fail("a step was taken"))
+    path = tmp_path / "missing" / f"motion{suffix}"
+    with pytest.raises(fx.FlexelError, match="simulate: checkpoint '.*missing.*No such file or directory"):
+        pendulum().simulate(1.0, checkpoint=path)
+
+
+def test_the_trial_of_a_checkpoint_leaves_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Neither a file of the start, nor one beside it."""
+
+    def stop(_: Run) -> None:
+        assert not list(tmp_path.iterdir())
+        raise Killed
+
+    monkeypatch.setattr(Run, "forward", stop)
+    with pytest.raises(Killed):
+        pendulum().simulate(1.0, checkpoint=tmp_path / "motion.npz")
+
+
+def test_a_disk_that_becomes_full_hands_the_motion_over(tmp_path: Path) -> None:
+    """The limit of the size of files lets the trial of one state through, and not the motion of many."""
+    path = tmp_path / "motion.csv"
+    before, kept = resource.getrlimit(resource.RLIMIT_FSIZE), signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    system = pendulum()
+    whole = system.simulate(1.0)
+    system.simulate(1e-3, samples=2).save(path)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (4 * path.stat().st_size, before[1]))
+    path.unlink()
+    try:
+        with pytest.raises(fx.FlexelError, match="simulate: checkpoint '.*File too large") as caught:
+            system.simulate(1.0, checkpoint=path)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, before)
+        signal.signal(signal.SIGXFSZ, kept)
+    assert caught.value.motion["P.x"] == pytest.approx(whole["P.x"], abs=1e-12)
+    assert not list(tmp_path.iterdir())

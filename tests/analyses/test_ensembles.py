@@ -2,6 +2,7 @@
 
 import pickle
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -119,7 +120,8 @@ def test_variants_that_fail_are_named_and_the_others_kept() -> None:
     for bar in ("AB", "BC", "CD"):
         m.truss(bar, *bar, mass_per_length=1.0)
     m.independent("C.x")
-    found = m.build().simulate_many(0.1, initial={"C.x": [1.0, 50.0, 0.95]}, samples=2)
+    with pytest.warns(fx.IncompleteWarning, match="1 of 3"):
+        found = m.build().simulate_many(0.1, initial={"C.x": [1.0, 50.0, 0.95]}, samples=2)
     assert list(found.failed) == [1] and "C.x" in found.failed[1]
     assert np.isnan(found["C.x"][1]).all() and np.isfinite(found["C.x"][[0, 2]]).all()
     assert found.statistics[1] == {} and found.statistics[2]["steps"] > 0
@@ -137,7 +139,8 @@ def test_an_interrupt_keeps_what_is_done(monkeypatch: pytest.MonkeyPatch) -> Non
         done.append(i)
 
     monkeypatch.setattr(variants.Runner, "_one", interrupted)
-    found = oscillator().linearize_many(parameters={"bob.mass": [1.0, 2.0, 3.0, 4.0]}, threads=1)
+    with pytest.warns(fx.IncompleteWarning, match="2 of 4 .*interrupted"):
+        found = oscillator().linearize_many(parameters={"bob.mass": [1.0, 2.0, 3.0, 4.0]}, threads=1)
     assert done == [0, 1] and list(found.failed) == [2, 3] and "interrupted" in found.failed[3]
     assert np.isfinite(found.M[1]).all()
 
@@ -171,7 +174,8 @@ def test_bad_input_is_named(arguments: dict, message: str) -> None:
 
 
 def test_a_negative_mass_fails_and_a_new_mass_is_refused() -> None:
-    found = oscillator().simulate_many(0.1, parameters={"bob.mass": [1.0, -1.0]}, samples=2)
+    with pytest.warns(fx.IncompleteWarning, match="1 of 2"):
+        found = oscillator().simulate_many(0.1, parameters={"bob.mass": [1.0, -1.0]}, samples=2)
     assert list(found.failed) == [1] and "negative mass" in found.failed[1]
     with pytest.raises(
         fx.ModelError, match=r"'weightless.rhoA': the element has no mass in the system as built"
@@ -246,12 +250,37 @@ def test_root_loci_over_a_parameter_and_its_labels() -> None:
 
 def test_an_ensemble_as_a_labelled_table() -> None:
     pytest.importorskip("xarray", reason="labelled tables need pip install 'flexel[xarray]'")
-    found = oscillator().simulate_many(
-        0.2, parameters={"bob.mass": [1.0, -1.0], "bob.gravity": [[0, -1], [0, -2]]}
-    )
+    with pytest.warns(fx.IncompleteWarning, match="1 of 2"):
+        found = oscillator().simulate_many(
+            0.2, parameters={"bob.mass": [1.0, -1.0], "bob.gravity": [[0, -1], [0, -2]]}
+        )
     table = found.to_xarray()
     assert table["pivot.angle"].dims == ("variant", "time") and table["pivot.angle"].units == "rad"
     assert table["bob.mass"].values.tolist() == [1.0, -1.0] and "negative mass" in str(table.failed.values[1])
     assert table["bob.gravity"].shape == (2, 2)
     with pytest.raises(fx.ModelError, match="unknown quantity that was kept 'A.y'.*outputs"):
         found["A.y"]
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda s, z: s.simulate_many(0.1, parameters=z),
+        lambda s, z: s.linearize_many(parameters=z),
+        lambda s, z: s.root_loci(parameters=z),
+    ],
+)
+def test_variants_without_any_result_raise_the_reason_of_the_first(call: Any) -> None:
+    """A mass of zero cannot be accelerated; some such masses are a warning that counts them."""
+    m = fx.Model()
+    m.point("A", (0, 0))
+    m.fix("A.y")
+    m.point_mass("bob", "A", 1.0)
+    m.spring("A.x", 3.0)
+    s = m.build()
+    with pytest.raises(fx.DynamicsError, match=r"2 of 2 variants failed; number 0: .*moves no mass"):
+        call(s, {"bob.mass": [0.0, 0.0]})
+    with pytest.raises(fx.DynamicsError, match=r"_(many|loci): .*moves no mass"):
+        call(s, {"bob.mass": [0.0]})
+    with pytest.warns(fx.IncompleteWarning, match=r"1 of 3 variants failed; number 1: .*moves no mass"):
+        call(s, {"bob.mass": [1.0, 0.0, 2.0]})

@@ -3,6 +3,7 @@
 import json
 import sys
 import time
+import traceback
 from collections import Counter, defaultdict
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -105,7 +106,8 @@ def run(
     """Draw models and hold each against all properties.
 
     A family ends with its first failure, which hypothesis shrinks to the shortest program; without `shrink` all
-    failures are kept as they are drawn.  An interrupt ends the run; what was found until then is returned.
+    failures are kept as they are drawn.  It also ends where its models cannot be drawn, which counts as a failure.  An
+    interrupt ends the run; what was found until then is returned.
     """
     found, begun = Findings(), time.monotonic()
     try:
@@ -151,6 +153,9 @@ def _family(
         seeded(seed)(options(given(case=strategy)(one)))()
     except ModelFailedError:
         found.add(failed[-1])
+    except Exception:  # of the grammar, which builds parts of the model that it draws
+        text = traceback.format_exc()
+        found.failures.append({"program": "", "property": "drawn", "error": None, "message": text})
 
 
 def table(report: Mapping[str, Any]) -> str:

@@ -24,6 +24,12 @@ NODES = {
     "point with a number for a name": draw(lambda m: m.point(3, (1, 2, 3)), "point 3", "choose another"),
     "point with a dot": draw(lambda m: m.point("a.b", (1, 2, 3)), "'a.b'", "without dots", "choose another"),
     "point with a prime": draw(lambda m: m.point("a'", (1, 2, 3)), "a'", "choose another"),
+    "point with a zero byte": draw(
+        lambda m: m.point("a\0b", (1, 2, 3)), "control characters", "choose another"
+    ),
+    "point with half a character": draw(lambda m: m.point("a\ud800", (1, 2, 3)), "files cannot hold"),
+    "point with a line end": draw(lambda m: m.point("a\nb", (1, 2, 3)), "control characters"),
+    "point with a formula": draw(lambda m: m.point("=1+1", (1, 2, 3)), "'=1+1'", "spreadsheet", "formula"),
     "name and place swapped": draw(lambda m: m.point((1, 2, 3), "P"), "position", "give real numbers"),
     "point twice": draw(lambda m: m.point("O", (1, 2, 3)), "point 'O'", "taken", "choose another"),
     "element named as a node": draw(

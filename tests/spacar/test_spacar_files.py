@@ -1,5 +1,6 @@
 """SPACAR's own input files as a user meets them: read, run, converted to Python, and the Python run."""
 
+import ast
 import json
 import re
 from pathlib import Path
@@ -13,6 +14,7 @@ import flexel as fx
 from flexel.base.arrays import Array
 from flexel.commands.main import main
 from flexel.examples.published import published as table
+from flexel.spacar.convert import convert_spacar
 from flexel.spacar.run import run_spacar
 
 DATA = Path(__file__).parent.parent / "data"
@@ -163,8 +165,6 @@ def test_converted_file_gives_the_same_results(name: str, tmp_path: Path) -> Non
             wanted = theirs * flips if letter in "BD" else theirs
             assert np.allclose(ours, wanted, rtol=1e-10, atol=1e-9 * max(1, np.max(np.abs(ours))))
     with pytest.raises(fx.ModelError, match=f"{name}.py: exists already; remove it"):
-        from flexel.spacar.convert import convert_spacar
-
         convert_spacar(source, target)
 
 
@@ -215,3 +215,16 @@ def test_inverse_dynamics_gives_the_moment_that_drives(tmp_path: Path) -> None:
     assert (
         refused.exit_code == 1 and "plbear8.angle" in refused.output and "make it an input" in refused.output
     )
+
+
+@pytest.mark.parametrize(
+    "name", ['a""";open("acted", "w");"""b.dat', "a\\.dat", 'a".dat', "a\nopen('acted', 'w').dat", "é.dat"]
+)
+def test_the_name_of_a_converted_file_is_text_in_the_program(name: str, tmp_path: Path) -> None:
+    source = tmp_path / name
+    source.write_text("PLBEAM 1 1 2 3 4\nX 3 0.5 0\nFIX 1\nEND\nHALT\n")
+    target = tmp_path / "model.py"
+    convert_spacar(source, target)
+    tree = ast.parse(target.read_text(encoding="utf-8"))
+    assert (ast.get_docstring(tree, clean=False) or "").startswith(f"{name}, a SPACAR input file")
+    assert isinstance(tree.body[1], ast.Import)

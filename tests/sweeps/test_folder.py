@@ -1,5 +1,6 @@
 """The folder of a sweep: what is continued, what is refused, and how little memory it takes."""
 
+import errno
 import json
 import os
 import signal
@@ -14,6 +15,7 @@ import pytest
 from swept import numbers, picky, plain, slow
 
 import flexel as fx
+from flexel.sweeps.columns import ColumnFile
 
 xarray = pytest.importorskip("xarray", reason="sweeps need pip install 'flexel[sweep]'")
 pytest.importorskip("joblib", reason="sweeps need pip install 'flexel[sweep]'")
@@ -189,3 +191,23 @@ def test_many_points_need_little_memory(tmp_path: Path) -> None:
     assert size == pytest.approx(76.3, abs=0.1) and last == 24_999
     assert more < 40
     assert slow({"a": 1.0, "b": 1.0})["sum"] == 2
+
+
+def test_a_full_disk_is_named_and_the_sweep_continues_from_what_it_has(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    points, put = {"a": [1.0, 2.0, 3.0], "b": [3.0]}, ColumnFile._put
+    room = [4]  # pieces that the disk still takes, the empty files of the two results among them
+
+    def full(file: ColumnFile, begin: int, rows: Any) -> None:
+        room[0] -= 1
+        if room[0] < 0:
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+        put(file, begin, rows)
+
+    monkeypatch.setattr(ColumnFile, "_put", full)
+    with pytest.raises(fx.FlexelError, match=r"sweep: cannot write to .*No space left.*continues from there"):
+        fx.sweep(plain, points, numbers, executor="serial", folder=tmp_path, chunk=1)
+    monkeypatch.setattr(ColumnFile, "_put", put)
+    again = fx.sweep(plain, points, numbers, executor="serial", folder=tmp_path, chunk=1)
+    xarray.testing.assert_identical(again, fx.sweep(plain, points, numbers, executor="serial"))

@@ -28,8 +28,17 @@ from flexel.results.saved.tables_of_runs import refuse_table
 LONGEST = 63  # largest number of characters in the name of a Matlab variable
 
 
-def write(record: Record, path: str | Path) -> Path:
+def write(record: Record, path: str | Path, *, owner: str = "save", trial: bool = False) -> Path:
     """Write a record; the suffix determines the format.  The file is written completely, or the old one remains.
+
+    Parameters
+    ----------
+    record : Record
+    path : str or Path
+    owner : str
+        The operation, for messages.
+    trial : bool
+        Whether the new file is removed again: to learn whether it can be written.
 
     Raises
     ------
@@ -38,9 +47,9 @@ def write(record: Record, path: str | Path) -> Path:
     FlexelError
         If an optional package is missing, or the file cannot be written.
     """
-    path = path_of(path, "save")
-    writer = _format(path, "save")[0]
-    with replacing(path) as part:
+    path = path_of(path, owner)
+    writer = _format(path, owner)[0]
+    with replacing(path, owner, trial=trial) as part:
         writer(record, part)
     return path
 
