@@ -19,6 +19,7 @@ from flexel.integration.events import Event, passages, value
 from flexel.integration.knots import FORCES, RATES, Knots
 from flexel.integration.outcome import Integration, Pending, Segment, States
 from flexel.integration.sampling import Sampling
+from flexel.integration.watchdog import Watchdog
 from flexel.mechanics.core import Core
 from flexel.mechanics.impulse import struck
 from flexel.mechanics.kinematics import Kinematics
@@ -51,6 +52,7 @@ class Run(ABC):
         self.sampling = Sampling(start.structure)
         self._callbacks = [law.code for law in start.structure.laws if isinstance(law.code, Callback)]
         self._jumped: float | None = None  # when controllers were sampled last
+        self._watchdog = Watchdog(start.structure)
 
     @property
     @abstractmethod
@@ -163,6 +165,7 @@ class Run(ABC):
         try:
             while self.t < end and message is None:
                 message = self.forward()
+                self._watchdog.step(self)
                 if detailed:
                     log.debug("step to t = %.9g s", self.t)
                 bar.update(self.t - begin - float(bar.n))

@@ -1,0 +1,110 @@
+"""The watchdog of every motion: it ends one that has slowed down so much that it would not reach its end."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+import numpy as np
+
+from flexel.base.arrays import Array
+from flexel.base.errors import DynamicsError
+from flexel.structure.moment import Moment
+from flexel.structure.structure import Structure
+
+FIRST = 50  # steps from which the first pace is taken
+WINDOW = 1000  # steps between two looks
+WINDOWS = 5  # looks in a row that must find the same, where the degrees of freedom change
+MORE = 20  # and where they do not
+SLOWER = 10.0  # times, relative to the best pace so far: stiff models and long motions keep their pace
+STEPS = 1e8  # that the rest of a motion may take
+CHANGES = 3e5  # of the degrees of freedom that it may take
+
+
+class Watched(Protocol):
+    """What it sees of a motion, by the names of `Run`."""
+
+    times: Array
+
+    @property
+    def t(self) -> float:
+        """Current time [s]."""
+
+    @property
+    def statistics(self) -> dict[str, int]:
+        """Counts of operations."""
+
+    @property
+    def instant(self) -> tuple[Moment, Array]:
+        """Coordinates and rates at the current time, and internal states."""
+
+
+class Watchdog:
+    """Compares the progress of a motion with its steps and its changes of the degrees of freedom.
+
+    A motion that has slowed down for a moment, as at an impact, is not stopped: the slow pace must last for some
+    thousand steps.
+
+    Parameters
+    ----------
+    structure : Structure
+        For the names in its error.
+    """
+
+    def __init__(self, structure: Structure) -> None:
+        self._structure = structure
+        self._steps = self._slow = 0
+        self._t: list[float] = []  # at the start, and at the looks
+        self._changes: list[int] = []  # at the same times
+        self._best = 0.0  # progress in a step [s]
+
+    def step(self, run: Watched) -> None:
+        """Count a step.
+
+        Raises
+        ------
+        DynamicsError
+            If the rest of the motion would take too many steps or changes; says what moves fastest.
+        """
+        self._steps += 1
+        if self._steps == FIRST:
+            self._best = (run.t - float(run.times[0])) / FIRST
+            self._note(run)
+        elif self._steps > FIRST and (self._steps - FIRST) % WINDOW == 0:
+            self._look(run)
+
+    def _note(self, run: Watched) -> None:
+        self._t.append(run.t)
+        self._changes.append(run.statistics.get("rechoices", 0))
+
+    def _look(self, run: Watched) -> None:
+        self._note(run)
+        pace = (self._t[-1] - self._t[-2]) / WINDOW
+        slow = pace * SLOWER < self._best
+        self._best = max(self._best, pace)
+        self._slow = self._slow + 1 if slow else 0
+        for looks in (WINDOWS, MORE):
+            if self._slow < looks:
+                return
+            covered, changes = (
+                self._t[-1] - self._t[-1 - looks],
+                self._changes[-1] - self._changes[-1 - looks],
+            )
+            rest = (float(run.times[-1]) - run.t) / covered
+            if rest * changes > CHANGES or (looks == MORE and rest * looks * WINDOW > STEPS):
+                raise self._stopped(run, looks * WINDOW, covered, changes, rest)
+
+    def _stopped(self, run: Watched, count: int, covered: float, changes: int, rest: float) -> DynamicsError:
+        """The error of a motion that is not continued."""
+        at, s = run.instant[0], self._structure
+        i = int(np.argmax(np.abs(at.v)))
+        changed = f" and {changes} changes of the degrees of freedom" if changes else ""
+        also = f" and {rest * changes:.1g} changes" if changes else ""
+        error = DynamicsError(
+            f"the motion has all but stopped at t = {run.t:g} s: the last {count} steps{changed} cover "
+            f"{covered:.2g} s, {count * self._best / covered:.2g} times less than at its best pace, and the rest would "
+            f"take about {rest * count:.1g} steps{also}; '{s.names[s.m + s.k + i]}' moves fastest, by {at.v[i]:.3g} in "
+            "a second. Look for what adds energy (feedback of the wrong sign, negative damping), or continue "
+            "from the last state of error.motion in shorter parts"
+        )
+        error.add_note(f"the motion was computed up to t = {run.t:g} s")
+        return error
