@@ -13,6 +13,7 @@ from flexel.examples.rope_models import cantilever
 LOAD = 10.0  # P L²/EI
 ELEMENTS = 16
 EA = 1e8  # of length 1 and EI = 1: hardly extensible
+LOAD_STEPS = 25  # of flexel's path to the full load, for programs that are to take as many
 
 
 def tip_error(tip: Array) -> float:

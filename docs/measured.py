@@ -24,6 +24,7 @@ import filling
 from filling import DOCS, pages
 
 from flexel.report.markup import size
+from flexel.report.speed import best
 
 KEPT = DOCS / "measured.json"
 BLOCK = filling.marked("measured|scaling")
@@ -65,14 +66,18 @@ def time(value: float | None) -> str:
 
 
 def beside(row: Mapping[str, Any]) -> str:
-    """The peers of a row: time, ratio, error."""
+    """The peers of a row: time, error, and the ratio for the fastest way of each program."""
     parts = []
+    known = {name: peer["value"] for name, peer in row["peers"].items() if peer and peer["value"] is not None}
+    fair = best(known)
     for name, peer in row["peers"].items():
-        if peer is None or peer["value"] is None:
-            parts.append(f"{name} {'not installed' if peer is None else 'no figure'}")
+        if name not in known:
+            parts.append(f"{name}: {'not installed' if peer is None else 'no figure'}")
             continue
-        error = "" if peer["error"] is None else f", error {size(peer['error'])}"
-        parts.append(f"{name} {time(peer['value'])} (**{time(peer['value'] / row['value'])}**{error})")
+        ratio = [f"**{time(peer['value'] / row['value'])}**"] if name in fair else []
+        error = [] if peer["error"] is None else [f"error {size(peer['error'])}"]
+        behind = f" ({', '.join(ratio + error)})" if ratio or error else ""
+        parts.append(f"{name}: {time(peer['value'])}{behind}")
     return "; ".join(parts)
 
 

@@ -32,10 +32,22 @@ FIGURES = [
 def test_a_table_between_marks_is_written_from_the_figures() -> None:
     """What stands there before is replaced, and a second time changes nothing."""
     text = measured.filled("a\n<!--measured: ride w*-->\nold\n<!--end-->\nb", FIGURES)
-    assert "| `ride` | 8.48 ms | 6, 3.5 | 2.6e-11 | kane 60.2 (**7.09**); other not installed |" in text
+    assert "| `ride` | 8.48 ms | 6, 3.5 | 2.6e-11 | kane: 60.2 (**7.09**); other: not installed |" in text
     assert "| `walk` | 0.0123 ms | – | – | – |" in text
     assert "old" not in text and text.startswith("a\n<!--") and text.endswith("<!--end-->\nb")
     assert measured.filled(text, FIGURES) == text
+
+
+def test_faster_is_said_of_the_best_way_of_a_program() -> None:
+    """All ways are shown; the ratio is that of the fastest one, and each program has its own."""
+    peers = {
+        "kane": {"value": 80.0, "error": 1e-9},
+        "kane, in C": {"value": 2.0, "error": 1e-9},
+        "euler": {"value": 40.0, "error": None},
+    }
+    text = measured.filled("<!--measured: run-->\n<!--end-->", [row("run", 8.0, peers=peers)])
+    shown = "kane: 80.0 (error 1.0e-9); kane, in C: 2.00 (**0.250**, error 1.0e-9); euler: 40.0 (**5.00**) |"
+    assert shown in text
 
 
 def test_times_over_the_size_have_a_table_for_each_row() -> None:

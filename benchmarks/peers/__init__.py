@@ -10,8 +10,10 @@ from dataclasses import dataclass, field
 from importlib import metadata
 from importlib.util import find_spec
 
+from flexel.benchmarks import beams
 from flexel.benchmarks.peers import bicycleparameters, exudyn, mujoco, pinocchio, symbrim
 from flexel.benchmarks.timing import Work
+from flexel.report.speed import program
 
 
 @dataclass(frozen=True)
@@ -21,7 +23,7 @@ class Peer:
     Attributes
     ----------
     name : str
-        Of the program and of the module that is imported.
+        Of the program and of the module that is imported; behind a comma how it is used, where that differs.
     distribution : str
         What pip installs.
     rows : mapping
@@ -36,9 +38,14 @@ class Peer:
     largest: Mapping[str, int] = field(default_factory=dict)
 
     @property
+    def program(self) -> str:
+        """Its name without the way in which it is used."""
+        return program(self.name)
+
+    @property
     def installed(self) -> bool:
         """Whether it can be imported."""
-        return find_spec(self.name) is not None
+        return find_spec(self.program) is not None
 
     @property
     def version(self) -> str | None:
@@ -52,9 +59,12 @@ class Peer:
 
 PEERS = (
     Peer("exudyn", "exudyn", exudyn.ROWS),
+    Peer("exudyn, full Newton", "exudyn", exudyn.FULL_NEWTON),
+    Peer(f"exudyn, {beams.LOAD_STEPS} load steps", "exudyn", exudyn.IN_LOAD_STEPS),
     Peer("pinocchio", "pin", pinocchio.ROWS, pinocchio.LARGEST),
     Peer("mujoco", "mujoco", mujoco.ROWS, mujoco.LARGEST),
     Peer("symbrim", "symbrim", symbrim.ROWS),
+    Peer("symbrim, in C", "symbrim", symbrim.IN_C),
     Peer("bicycleparameters", "BicycleParameters", bicycleparameters.ROWS),
 )
 

@@ -1,7 +1,8 @@
 """Ropes and a beam in Exudyn: the same cables with positions and slopes, its generalized-alpha method and statics.
 
 The compiled variant without range checks, a sparse factorization and modified Newton iteration are its fastest
-settings here; the end of the motion agrees with flexel's at the same step to its last digits.
+settings here; the end of the motion agrees with flexel's at the same step to its last digits. Full Newton iteration,
+which flexel uses, and as many load steps as flexel takes are ways of their own.
 """
 
 from __future__ import annotations
@@ -10,6 +11,7 @@ import sys
 import warnings
 from collections.abc import Callable, Iterable
 from contextlib import redirect_stdout
+from functools import partial
 from importlib import import_module
 from io import StringIO
 from typing import Any
@@ -21,7 +23,10 @@ from flexel.benchmarks import beams, ropes
 from flexel.benchmarks.timing import Work
 
 TOLERANCE = 1e-6  # of Newton's iteration; with its 1e-8 rounding in long ropes makes it halve the steps
-STATIC_TOLERANCE = 1e-12  # relative, of the equilibrium; with 1e-8 the iteration stops too early
+STATIC_TOLERANCE = 1e-12  # relative, of the equilibrium; with 1e-10 the iteration stops too early
+STEPS_TOLERANCE = (
+    1e-10  # the same in many load steps, relative to a smaller residual; with 1e-11 it does not converge
+)
 
 
 def loaded() -> Any:
@@ -70,14 +75,14 @@ def hold(system: Any, items: Any, node: int, coordinates: Iterable[int]) -> None
         system.AddObject(items.CoordinateConstraint(markerNumbers=[fixed, moving]))
 
 
-def settings(seconds: float, step: float, period: float) -> Any:
-    """Of a motion in equal steps; the place of the free end is stored every `period` seconds."""
+def settings(seconds: float, step: float, period: float, modified: bool) -> Any:
+    """Of a motion in equal steps by full or modified Newton iteration; the free end is stored each `period` [s]."""
     exudyn = loaded()
     given = exudyn.SimulationSettings()
     motion = given.timeIntegration
     motion.endTime, motion.numberOfSteps = seconds, round(seconds / step)
     motion.generalizedAlpha.spectralRadius = 0.8
-    motion.newton.useModifiedNewton = True
+    motion.newton.useModifiedNewton = modified
     motion.newton.relativeTolerance = TOLERANCE
     motion.verboseMode = 0
     given.solution.file.write = False
@@ -87,10 +92,10 @@ def settings(seconds: float, step: float, period: float) -> Any:
     return given
 
 
-def motion(n: int, seconds: float, period: float, error: Callable[[Array], float]) -> Work:
+def motion(n: int, seconds: float, period: float, error: Callable[[Array], float], modified: bool) -> Work:
     """A rope of n cables, run from its start; the result is the place (3,) of its free end."""
     box, system, free = rope(n)
-    given = settings(seconds, ropes.STEP, period)
+    given = settings(seconds, ropes.STEP, period, modified)
 
     def run(_: Any = box) -> Array:  # which must live as long
         if not system.SolveDynamic(given):
@@ -100,17 +105,17 @@ def motion(n: int, seconds: float, period: float, error: Callable[[Array], float
     return Work(run, error)
 
 
-def cables() -> Work:
+def cables(modified: bool = True) -> Work:
     """The motion of `ropes.cables`; the place of the free end is stored 101 times, not the state or the energy."""
-    return motion(56, 1.0, 0.01, ropes.place_error)
+    return motion(56, 1.0, 0.01, ropes.place_error, modified)
 
 
-def release(n: int) -> Work:
+def release(n: int, modified: bool = True) -> Work:
     """The motion of `ropes.release`."""
-    return motion(n, ropes.RELEASE, ropes.RELEASE, ropes.release_error)
+    return motion(n, ropes.RELEASE, ropes.RELEASE, ropes.release_error, modified)
 
 
-def cantilever() -> Work:
+def cantilever(load_steps: int = 1) -> Work:
     """The equilibrium of `beams.equilibrium`, by planar cables with the integration that does not lock."""
     exudyn = loaded()
     items = import_module("exudyn.itemInterface")
@@ -129,8 +134,8 @@ def cantilever() -> Work:
     system.AddLoad(items.Force(markerNumber=marker, loadVector=[0, beams.LOAD, 0]))
     system.Assemble()
     given = exudyn.SimulationSettings()
-    given.staticSolver.numberOfLoadSteps = 1
-    given.staticSolver.newton.relativeTolerance = STATIC_TOLERANCE
+    given.staticSolver.numberOfLoadSteps = load_steps
+    given.staticSolver.newton.relativeTolerance = STATIC_TOLERANCE if load_steps == 1 else STEPS_TOLERANCE
     given.staticSolver.newton.absoluteTolerance = 1e-7  # its 1e-10 is below the rounding of so stiff a rod
     given.staticSolver.verboseMode = 0
     given.solution.file.write = False
@@ -148,4 +153,11 @@ ROWS: dict[str, Callable[..., Work]] = {
     "cables_56": cables,
     "scaling_rope": release,
     "cantilever_16": cantilever,
+}
+FULL_NEWTON: dict[str, Callable[..., Work]] = {
+    "cables_56": partial(cables, modified=False),
+    "scaling_rope": partial(release, modified=False),
+}
+IN_LOAD_STEPS: dict[str, Callable[..., Work]] = {
+    "cantilever_16": partial(cantilever, load_steps=beams.LOAD_STEPS)
 }

@@ -1,4 +1,4 @@
-"""The bicycle by SymBRiM: Kane's equations derived by SymPy, and turned into Python functions by `lambdify`.
+"""The bicycle by SymBRiM: Kane's equations derived by SymPy, as Python functions by `lambdify`, or printed as C.
 
 The state has all coordinates and speeds, as in SymBRiM's own examples: nothing is projected back onto the
 constraints, which saves time and costs digits in a long run.
@@ -6,7 +6,7 @@ constraints, which saves time and costs digits in a long run.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,6 +14,7 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.benchmarks import bicycle
+from flexel.benchmarks.peers.printed import Rates, printed
 from flexel.benchmarks.timing import Work
 from flexel.examples import bicycle_data as data
 
@@ -33,13 +34,18 @@ class Equations:
         Entries of the mass matrix, row by row, and behind them of the forces (64 + 8,).
     constraints : function
         Entries (40,) of the matrix whose product with the speeds is zero.
+    compiled : function, optional
+        `rates` all in C.
     """
 
     dynamics: Callable[..., Any]
     constraints: Callable[..., Any]
+    compiled: Rates | None = None
 
     def rates(self, y: Array) -> Array:
         """Time derivative (16,) of coordinates and speeds."""
+        if self.compiled is not None:
+            return self.compiled(y)
         found = np.array(self.dynamics(*y.tolist()))
         return np.concatenate([y[8:], np.linalg.solve(found[:64].reshape(8, 8), found[64:])])
 
@@ -54,8 +60,8 @@ class Equations:
         return np.concatenate([q, u])
 
 
-def derive() -> Equations:
-    """The equations of the Whipple bicycle with the numbers of the benchmark."""
+def derive(in_c: bool = False) -> Equations:
+    """The equations of the Whipple bicycle with the numbers of the benchmark, as Python functions or in C."""
     import symbrim
     import sympy
     from sympy.physics.mechanics import dynamicsymbols
@@ -80,15 +86,16 @@ def derive() -> Equations:
     names = sympy.symbols("q:8 u:8")
     plain = {**numbers, **dict(zip([*q, *u], names, strict=True))}
 
-    def function(arguments: Any, entries: Any) -> Callable[..., Any]:
-        made: Callable[..., Any] = sympy.lambdify(
-            arguments, [z.xreplace(plain) for z in entries], modules="math", cse=True
-        )
+    def function(arguments: Sequence[Any], entries: Sequence[Any]) -> Callable[..., Any]:
+        made: Callable[..., Any] = sympy.lambdify(arguments, entries, modules="math", cse=True)
         return made
 
+    dynamics = [entry.xreplace(plain) for entry in [*kane.mass_matrix[:, order], *kane.forcing]]
+    constraints = [entry.xreplace(plain) for entry in slips.jacobian(sympy.Matrix(u))]
     return Equations(
-        function(names, [*kane.mass_matrix[:, order], *kane.forcing]),
-        function(names[:8], [*slips.jacobian(sympy.Matrix(u))]),
+        function(names, dynamics),
+        function(names[:8], constraints),
+        printed(names, dynamics) if in_c else None,
     )
 
 
@@ -123,9 +130,9 @@ def values(model: Any) -> dict[Any, float]:
     return found | {wheel.radius: p[f"r{name}"] for name, wheel in zip("RF", wheels, strict=True)}
 
 
-def right_hand_side() -> Work:
+def right_hand_side(in_c: bool = False) -> Work:
     """Accelerations of all speeds at two states in turn, see `bicycle.right_hand_side`."""
-    equations = derive()
+    equations = derive(in_c)
     y = equations.start(data.M1_SPEED, bicycle.SMALL)
     points = y, y + 1e-4
 
@@ -149,8 +156,31 @@ def manoeuvre() -> Work:
     return Work(run, lambda motion: abs(motion.y[STEER, -1] - data.M1_STEER_5S))
 
 
+def manoeuvre_in_c() -> Work:
+    """The same with the equations in C, by Hairer's own DOP853: only the call of the equations is Python."""
+    from scipy.integrate import ode
+
+    equations = derive(in_c=True)
+    y = equations.start(data.M1_SPEED, data.ROLL_RATE)
+
+    def run() -> Array:
+        solver = ode(lambda t, z: equations.rates(z)).set_integrator(
+            "dop853", rtol=1e-7, atol=1e-9, nsteps=100_000
+        )
+        end: Array = solver.set_initial_value(y, 0.0).integrate(5.0)
+        if not solver.successful():
+            raise RuntimeError("DOP853 did not reach the end")
+        return end
+
+    return Work(run, lambda end: abs(end[STEER] - data.M1_STEER_5S))
+
+
 ROWS: dict[str, Callable[..., Work]] = {
     "bicycle_rhs": right_hand_side,
     "bicycle_M1": manoeuvre,
     "build_bicycle": lambda: Work(derive),
+}
+IN_C: dict[str, Callable[..., Work]] = {
+    "bicycle_rhs": lambda: right_hand_side(in_c=True),
+    "bicycle_M1": manoeuvre_in_c,
 }

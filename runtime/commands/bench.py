@@ -98,15 +98,15 @@ def _head(table: Any) -> None:
     """Print the machine, the peers, the yardstick and the titles of the columns."""
     unit = import_module(TIMING).yardstick()
     click.echo(import_module(MACHINE).machine(), file=table)
-    peers = [f"{z.name} {z.version or 'not installed'}" for z in import_module(PEERS).PEERS]
-    click.echo(f"peers: {', '.join(peers)}", file=table)
+    peers = {peer.program: peer.version or "not installed" for peer in import_module(PEERS).PEERS}
+    click.echo(f"peers: {', '.join(map(' '.join, peers.items()))}", file=table)
     click.echo(
         f"yardstick, numpy.linalg.solve of a 40 x 40 system: {unit.shortest * 1e6:.3g} µs "
         f"(median {unit.median * 1e6:.3g})",
         file=table,
     )
     titles = f"{'shortest':>9} {'median':>9} {'':<2} {'ratio':>6} {'reach':>6} {'aim':>6} {'met':<10}"
-    click.echo(f"{'':<20}{titles} {'runs':>5} {'error':>8} {'power':>6}", file=table)
+    click.echo(f"{'':<26}{titles} {'runs':>5} {'error':>8} {'power':>6}", file=table)
 
 
 def _measured(rows: "list[Row]", table: Any) -> "tuple[list[Comparison], list[str], bool]":
@@ -158,16 +158,16 @@ def _inaccurate(result: "Comparison") -> list[str]:
 def _print(result: "Comparison", table: Any) -> None:
     """Print the line of a row, one for each peer, and of a row that scales one for each size."""
     row, own = result.row, result.own
-    click.echo(f"{row.name:<20}{_line(row, own, own)}", file=table)
+    click.echo(f"{row.name:<26}{_line(row, own, own)}", file=table)
     for name, figure in result.peers.items():
         text = _line(row, figure, own) if figure is not None else "not installed"
-        click.echo(f"  {name:<18}{text}", file=table)
+        click.echo(f"  {name:<24}{text}", file=table)
     for i, size in enumerate(row.sizes):
         times = [
             f"{name} {'-' if figure.values[i] is None else format(figure.values[i], '.4g')}"
             for name, figure in {"flexel": own, **result.installed}.items()
         ]
-        click.echo(f"  N = {size:<14}{row.unit:<3}{', '.join(times)}", file=table)
+        click.echo(f"  N = {size:<20}{row.unit:<3}{', '.join(times)}", file=table)
 
 
 def _line(row: "Row", figure: "Figure", own: "Figure") -> str:

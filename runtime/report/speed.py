@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from math import isfinite
+from math import inf, isfinite
 from typing import Protocol
 
 from flexel.base.shown import counted
@@ -46,10 +46,9 @@ def section(rows: Sequence[Timed], plots: Plots) -> Section:
     scaled = [z for z in rows if z.sizes]
     if scaled:
         body.append(folded("Times over the size", join(map(_scaling, scaled))))
-    faster = sum(z > 1 for z in beside.values())
-    others = (
-        f"{counted(len(beside), 'time')} of other programs; flexel is the faster one beside {faster} of them"
-    )
+    fair = [ratio for row in rows for ratio in best(ratios(row, row.peers)).values()]
+    faster = sum(ratio > 1 for ratio in fair)
+    others = f"{counted(len(fair), 'time')} of programs at their best; flexel is the faster one beside {faster} of them"
     return Section(
         *said, f"{counted(len(rows), 'row')}; {others if beside else 'no other program'}.", body, failures
     )
@@ -80,6 +79,20 @@ def ratios(row: Times, peers: Mapping[str, Times | None]) -> dict[str, float]:
     return found
 
 
+def program(name: str) -> str:
+    """The name of a program without the way in which it is used: exudyn of "exudyn, full Newton"."""
+    return name.partition(", ")[0]
+
+
+def best(values: Mapping[str, float]) -> dict[str, float]:
+    """Of each program the smallest value of all its ways, by the name with the way."""
+    found: dict[str, str] = {}
+    for name, value in values.items():
+        if value < values.get(found.get(program(name), ""), inf):
+            found[program(name)] = name
+    return {name: values[name] for name in found.values()}
+
+
 def _wrong(row: Timed) -> str:
     """What is wrong with a row; nothing, if it is right."""
     if row.value is None and not any(z is not None for z in row.values):
@@ -92,7 +105,8 @@ def _line(row: Timed) -> tuple[str, Sequence[object]]:
     """The line of a row."""
     goals = "–" if row.reach is None or row.aim is None else f"{row.reach:g}, {row.aim:g} {row.unit}"
     ratio = ratios(row, row.peers)
-    beside = [_peer(name, z, ratio.get(name), row.unit) for name, z in row.peers.items()]
+    fair = best(ratio)
+    beside = [_peer(name, z, ratio.get(name), row.unit, name in fair) for name, z in row.peers.items()]
     cells = row.name, _time(row.value, row.unit), goals, _met(row), size(row.error), size(row.within)
     return "bad" if _wrong(row) else "", (*cells, join(beside, "; ") or "–")
 
@@ -104,12 +118,18 @@ def _met(row: Timed) -> str:
     return "aim" if row.value <= row.aim else "reach" if row.value <= row.reach else "missed"
 
 
-def _peer(name: str, found: Measured | None, ratio: float | None, unit: str) -> Html:
-    """The figures of another program."""
+def _peer(name: str, found: Measured | None, ratio: float | None, unit: str, fair: bool) -> Html:
+    """The figures of another program; the ratio of its best way is set in bold."""
     if found is None:
         return join([f"{name} not installed"])
     shown = "–" if ratio is None else f"{ratio:.3g}"
-    return join([f"{name} {_time(found.value, unit)}, ", tag("b", shown), f", error {size(found.error)}"])
+    return join(
+        [
+            f"{name} {_time(found.value, unit)}, ",
+            tag("b", shown) if fair else shown,
+            f", error {size(found.error)}",
+        ]
+    )
 
 
 def _time(value: float | None, unit: str) -> str:

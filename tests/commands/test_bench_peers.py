@@ -7,12 +7,15 @@ from functools import partial
 from pathlib import Path
 from types import ModuleType
 
+import numpy as np
 import pytest
+import sympy
 from click.testing import CliRunner, Result
 
 from flexel.benchmarks import compare, peers, table, timing
 from flexel.benchmarks.compare import Figure, nothing
 from flexel.benchmarks.peers import PEERS, Peer
+from flexel.benchmarks.peers.printed import printed
 from flexel.benchmarks.plot import ratios
 from flexel.benchmarks.table import ROWS, Row
 from flexel.benchmarks.timing import Series, Timing, Work, measure
@@ -208,6 +211,21 @@ def test_what_is_not_installed_is_found_to_be_so(monkeypatch: pytest.MonkeyPatch
         and Peer("numpy", "numpy", {}).version == sys.modules["numpy"].__version__
     )
     assert isinstance(sys.modules["numpy"], ModuleType)
+
+
+def test_a_way_of_a_program_needs_the_program() -> None:
+    way = Peer("numpy, in C", "numpy", {})
+    assert way.program == "numpy" and way.installed and way.version == sys.modules["numpy"].__version__
+
+
+def test_equations_printed_as_c_have_the_rates_of_the_formulas() -> None:
+    """A mass matrix whose first pivot is zero, against LAPACK."""
+    a, b, u, v = names = sympy.symbols("a b u v")
+    M, f = sympy.Matrix([[0, 2 + a**2], [sympy.sin(b) ** 2 + 1, a * b]]), sympy.Matrix([u**3 - b, v * a])
+    rates, y = printed(names, [*M, *f]), np.array([0.3, -0.7, 1.1, 0.4])
+    given = dict(zip(names, y, strict=True))
+    expected = np.linalg.solve(*(np.array(matrix.subs(given), dtype=float) for matrix in (M, f)))
+    np.testing.assert_allclose(rates(y), [*y[2:], *expected[:, 0]], rtol=1e-14)
 
 
 SMALL = {"scaling_chain": 60, "scaling_rope": 125, "scaling_ladder": 60}  # sizes that a test can afford
