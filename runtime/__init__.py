@@ -26,7 +26,8 @@ if TYPE_CHECKING:
         UnsteadyWarning,
     )
     from flexel.base.quaternions import turn
-    from flexel.base.time_functions import Harmonic, Polynomial, Ramp, Table
+    from flexel.base.time_functions import Harmonic, Polynomial, Ramp
+    from flexel.base.time_tables import Table
     from flexel.declare.closed_profile import ClosedProfile
     from flexel.declare.curves import Curve
     from flexel.declare.materials import Material
@@ -231,7 +232,7 @@ _HOMES = {
     "StiffWarning": "flexel.base.errors",
     "StressPoint": "flexel.declare.sections",
     "System": "flexel.system",
-    "Table": "flexel.base.time_functions",
+    "Table": "flexel.base.time_tables",
     "UBeam": "flexel.declare.thin_sections",
     "Tube": "flexel.declare.round_sections",
     "UnstableWarning": "flexel.base.errors",

@@ -6,21 +6,19 @@ jet (value, rate, acceleration); operators and NumPy functions work on jets.
 
 from __future__ import annotations
 
-import copy
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from flexel.base.arguments import SMALLEST, array, number
+from flexel.base.arrays import Array
 from flexel.base.copies import OF_TIME, Constant, check_travels
 from flexel.base.errors import FlexelError, ModelError
 from flexel.base.jets import Jet, as_jet
-
-ROUNDING = 1e-13  # of sums of durations, relative to the times of a table
+from flexel.base.time_tables import Table
 
 
 @runtime_checkable
@@ -136,6 +134,11 @@ class Faster(Constant):
     function: TimeFunction
     factor: float
 
+    @property
+    def knots(self) -> Array:
+        """Times [s] at which it is not smooth, as of a `Table`."""
+        return np.asarray(getattr(self.function, "knots", ())) / self.factor
+
     def rates(self, t: float) -> tuple[float, float, float]:
         """Value, first and second rate at time t [s]."""
         u, v, a = self.function.rates(self.factor * t)
@@ -231,48 +234,6 @@ class Harmonic:
         w, p = self.omega, self.omega * t + self.phase
         s, c = self.amplitude * np.sin(p), self.amplitude * np.cos(p)
         return float(self.offset + s), float(w * c), float(-w * w * s)
-
-
-class Table:
-    """Values at given times, joined by a cubic spline (C2).
-
-    Parameters
-    ----------
-    t, u : array_like (n,)
-        Increasing times [s] and values, n >= 4.
-    """
-
-    def __init__(self, t: ArrayLike, u: ArrayLike) -> None:
-        from scipy.interpolate import CubicSpline
-
-        times, values = array(t, "Table", "times"), array(u, "Table", "values")
-        if values.shape != times.shape:
-            raise ModelError(
-                f"Table: {times.size} times and values of shape {values.shape}; give one value for each"
-            )
-        if times.ndim != 1 or times.size < 4 or np.any(np.diff(times) <= 0):
-            raise ModelError("Table: times must be at least four, strictly increasing; sort them")
-        self._spline = CubicSpline(times, values)
-        self._range = float(times[0]), float(times[-1])
-        self._owner = ""
-
-    def of(self, owner: str) -> Table:
-        """The same table; its errors name the quantity that it moves."""
-        found = copy.copy(self)
-        found._owner = owner
-        return found
-
-    def rates(self, t: float) -> tuple[float, float, float]:
-        """Value, first and second rate at time t [s]; a ModelError outside the table."""
-        t = number(t, self._owner or "Table", "time")
-        first, last = self._range
-        slack = ROUNDING * max(abs(first), abs(last))
-        if not first - slack <= t <= last + slack:
-            before = self._owner and f"{self._owner}: "
-            before = self._owner and f"{self._owner}: "
-            raise ModelError(f"{before}Table: time {t} s lies outside {first}…{last} s; extend the table")
-        t = min(max(t, first), last)
-        return float(self._spline(t)), float(self._spline(t, 1)), float(self._spline(t, 2))
 
 
 OWN = (Polynomial, Ramp, Harmonic, Formula, Triple, Foreign)

@@ -11,6 +11,7 @@ from flexel.base.arguments import array, number, vector
 from flexel.base.arrays import Vector
 from flexel.base.errors import ModelError
 from flexel.base.time_functions import as_function
+from flexel.base.time_tables import Table
 from flexel.declare.declarations import Declarations
 from flexel.structure.nodes import COMPONENTS, Node
 
@@ -110,11 +111,17 @@ class Nodes(Declarations):
         Parameters
         ----------
         motion : number, callable, triple of callables, or Ramp, Harmonic, Polynomial, Table
-            A callable is called with a second-order jet: operators and NumPy functions give u, u' and u''.
+            A callable is called with a second-order jet: operators and NumPy functions give u, u' and u''.  A Table
+            is of kind "cubic".
         """
         if self._quantity_kind(name, "prescribe") == "slip":
             raise ModelError(
                 f"prescribe: '{name}' is a slip; only coordinates and deformations are prescribed"
+            )
+        if isinstance(motion, Table) and motion.kind != "cubic":
+            raise ModelError(
+                f"prescribe '{name}': the rate of a {motion.kind} Table jumps, which no motion can follow; give a Table "
+                "of kind 'cubic', or fx.Ramp (tables of this kind are for loads)"
             )
         self._motions[name] = as_function(motion, f"prescribe '{name}'")
 

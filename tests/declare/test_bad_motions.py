@@ -8,7 +8,8 @@ import pytest
 from mistakes import Case, built, check, each, pendulum
 
 from flexel.base.errors import ConstraintError, PositionError
-from flexel.base.time_functions import Harmonic, Polynomial, Ramp, Table
+from flexel.base.time_functions import Harmonic, Polynomial, Ramp
+from flexel.base.time_tables import Table
 from flexel.system import System
 
 
@@ -95,6 +96,11 @@ MOTIONS = {
     "Polynomial of nothing": Case(lambda: Polynomial([]), ("Polynomial", "give")),
     "Polynomial of one number": Case(lambda: Polynomial(3), ("Polynomial", "give a list")),
     "Table too short": Case(lambda: Table([0, 1], [0, 1]), ("Table", "at least four")),
+    "Table of one time": Case(lambda: Table([0], [0], "linear"), ("Table", "at least two")),
+    "Table of an unknown kind": Case(lambda: Table([0, 1], [0, 1], "steps"), ("Table", "mean step")),
+    "a motion that jumps": built(
+        lambda m: m.prescribe("pivot.angle", Table([0, 3], [0, 3], "linear")), "'pivot.angle'", "kind 'cubic'"
+    ),
     "Table of two lengths": Case(lambda: Table([0, 1, 2, 3], [0, 1]), ("Table", "one value for each")),
     "Table of vectors": Case(lambda: Table([0, 1, 2, 3], np.zeros((4, 2))), ("Table", "one value for each")),
     "Table of NaN": Case(
@@ -114,6 +120,9 @@ def _tabled() -> System:
 
 
 LOADS = {
+    "np.interp": built(
+        lambda m: m.load("A.z", lambda t: np.interp(t, [0, 1], [0, 1])), "'A.z'", "np.interp", "kind='linear'"
+    ),
     "unknown": built(lambda m: m.load("AA", (1, 2, 3)), "load", "'AA'", "did you mean A"),
     "unknown quantity": built(lambda m: m.load("A.q", 1), "'A.q'", "'A' has A.x, A.y, A.z"),
     "element": built(lambda m: m.load("pivot", 1), "load", "'pivot'", "known: O, A"),

@@ -7,7 +7,8 @@ import pytest
 from differences import pendulum, slope, worst
 
 from flexel.base.errors import FlexelError, ModelError
-from flexel.base.time_functions import Harmonic, Polynomial, Ramp, Table, as_function
+from flexel.base.time_functions import Harmonic, Polynomial, Ramp, as_function
+from flexel.base.time_tables import Table
 from flexel.integration.events import Event
 from flexel.model import Model
 from flexel.system import System

@@ -8,7 +8,11 @@ import pytest
 import flexel as fx
 from flexel.analyses import checkpoints
 
-METHODS = {"DOP853": {"rtol": 1e-11, "atol": 1e-12}, "Radau": {"rtol": 1e-11, "atol": 1e-12}, "generalized-alpha": {}}
+METHODS = {
+    "DOP853": {"rtol": 1e-11, "atol": 1e-12},
+    "Radau": {"rtol": 1e-11, "atol": 1e-12},
+    "generalized-alpha": {},
+}
 
 
 def falling() -> fx.System:
@@ -36,7 +40,9 @@ def test_a_motion_holds_the_states_at_the_given_times_and_no_others(method: str)
 
 
 def test_an_ensemble_holds_the_given_times_too() -> None:
-    found = falling().simulate_many(1, initial={"A.displacement.along": np.zeros(9)}, outputs=["A.y"], times=[0.5, 1])
+    found = falling().simulate_many(
+        1, initial={"A.displacement.along": np.zeros(9)}, outputs=["A.y"], times=[0.5, 1]
+    )
     assert found.t.tolist() == [0.5, 1.0]
     assert found["A.y"] == pytest.approx(np.tile([height(0.5), height(1.0)], (9, 1)), rel=1e-6)
 

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 from differences import Knob, pendulum, slope
 
-from flexel.base.time_functions import Harmonic, Ramp, Table
+from flexel.base.time_functions import Harmonic, Ramp
+from flexel.base.time_tables import Table
 from flexel.model import Model
 
 G = 9.81
