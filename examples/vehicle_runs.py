@@ -176,7 +176,7 @@ def energy_gap(run: Callable[[Array], fx.Motion], seconds: float, panels: int) -
     z, w = np.polynomial.legendre.leggauss(5)
     width = seconds / panels
     nodes = (np.arange(panels)[:, None] + (z + 1) / 2) * width
-    motion = run(np.append(nodes.ravel(), seconds))
+    motion = run(np.concatenate([[0.0], nodes.ravel(), [seconds]]))
     inner = [state for state in motion if 0 < state.t < seconds]
     driven = [z for z in motion.system.structure.names if z.endswith((" spin.angle", " rack.across1"))]
     power = np.array(

@@ -107,7 +107,7 @@ class Law:
         symbols = [*self.e, *self.ed, *self.s, *self.z, TIME, *self.parameter_symbols]
         for s in (*symbols, *(s for s, _ in self.let)):
             check_name(owner, s.name)
-        check_unique(owner, [s.name for s in (*symbols, *(s for s, _ in self.let))])
+        self._check_names(owner)
         check_unique(owner, [p.name for p in self.parameters])
         if not len(self.e) == len(self.ed) == len(self.sigma) or len(self.s) != len(self.tau):
             raise ElementError(f"{owner}: give a stress for each deformation (with its rate) and slip")
@@ -116,6 +116,12 @@ class Law:
                 f"{owner}: the limit {self.limit.parameter} is not one of its parameters; declare it"
             )
         self._check_expressions(owner, symbols)
+
+    def _check_names(self, owner: str) -> None:
+        named = [*self.e, *self.ed, *self.s, *self.z, *self.parameter_symbols, *(s for s, _ in self.let)]
+        if TIME in named:
+            raise ElementError(f"{owner}: the name '{TIME}' is that of the time; rename what is called so")
+        check_unique(owner, [s.name for s in named])
 
     def _check_expressions(self, owner: str, symbols: list[Symbol]) -> None:
         def check(what: str, expr: object) -> None:

@@ -17,7 +17,7 @@ from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.integration.driver import INTERRUPTED, Run
 from flexel.integration.methods import Options
-from flexel.integration.outcome import Integration, States
+from flexel.integration.outcome import Integration, States, from_start
 from flexel.mechanics.core import Core
 from flexel.results.motion import Motion
 from flexel.results.saved.archive import motion_of, record_of, roles_in_names
@@ -69,8 +69,8 @@ class Checkpoint:
         self, path: str | Path, system: Core, start: State, times: Array, method: str, options: Options
     ) -> None:
         self.path = path_of(path, "simulate")
-        self._system, self._times = system, times
-        self._marks = _marks(system, start, times, method, options)
+        self._system, self._first, self._times = system, float(times[0]), from_start(start, times)
+        self._marks = _marks(system, start, self._times, method, options)
         self._next = monotonic() + EVERY
         self._before: Integration | None = None
 
@@ -121,7 +121,8 @@ class Checkpoint:
 
     def end(self, found: Integration, step: float | None) -> None:
         """Write the motion that has ended, which can be continued if it was interrupted."""
-        self._write(found, step, complete=not found.message.startswith(INTERRUPTED))
+        complete = not found.message.startswith(INTERRUPTED)
+        self._write(found.since(self._first) if complete else found, step, complete=complete)
 
     def _write(self, found: Integration, step: float | None, *, complete: bool, trial: bool = False) -> None:
         record = record_of(Motion(self._system, found))

@@ -128,7 +128,7 @@ class Ensembles(Motions):
         motion = MotionOf(float(grid[-1] - begin.t), grid, start, values, options)
 
         def end(system: Motions, run: Run, why: str) -> tuple[Array, dict[str, int]]:
-            found = system._ended(run, why)
+            found = system._ended(run, why, grid)
             rows = np.full((len(wanted), grid.size), np.nan)
             for row, name in zip(rows, wanted, strict=True):
                 row[: len(found)] = found[name]

@@ -18,7 +18,7 @@ from flexel.integration import methods
 from flexel.integration.dop853 import Dop853
 from flexel.integration.driver import Run
 from flexel.integration.events import Event, checked
-from flexel.integration.outcome import Integration, stored_times
+from flexel.integration.outcome import Integration, from_start, stored_times
 from flexel.integration.ranges import warn_outside
 from flexel.integration.stiffness import Watch
 from flexel.mechanics.core import Core
@@ -67,7 +67,8 @@ class Motions(Core):
             The initial state by default; without its accelerations if a degree of freedom has no inertia and the
             method is implicit.
         times : array_like, optional
-            Times [s] at which states are stored; `samples` equidistant ones by default.
+            Times [s] at which states are stored: these alone, so that the start is one of them where it is wanted.
+            `samples` equidistant ones from the start on by default.
         samples : int
             Number of stored states.
         method : str
@@ -152,23 +153,24 @@ class Motions(Core):
         before = None if keeper is None else keeper.before()
         if before is not None:
             if before.complete:
-                return _motion(self, before.found)
+                return _motion(self, before.found, grid)
             begin, options = before.found.states[-1], options.with_first(before.step)
-            grid = np.concatenate([[begin.t], grid[grid > begin.t]])
             log.info("continues at t = %g s from the checkpoint %s", begin.t, checkpoint)
         if keeper is not None:
             keeper.try_out(begin)
         log.info("t = %g to %g s by %s", begin.t, grid[-1], why or method)
-        run = methods.run_of(self, method, begin, grid, float(duration), options)
+        ahead = from_start(begin, grid[grid >= begin.t])
+        run = methods.run_of(self, method, begin, ahead, float(duration), options)
         watch = Watch(self, method) if method in methods.WATCHED else None
         try:
             found = run.run(progress, _each(keeper, watch))
         except FlexelError as error:
-            error.motion = Motion(self, _explained(_whole(run.kept(str(error)), keeper), why))
+            kept = _explained(_whole(run.kept(str(error)), keeper), why)
+            error.motion = Motion(self, kept.since(grid[0]))
             raise
         log.info("t = %g s: %s; %s", run.t, found.message, found.statistics)
         found = _explained(_whole(found, keeper), why, watch.found if watch else "")
-        motion = _motion(self, found)
+        motion = _motion(self, found, grid)
         if keeper is not None:
             try:
                 keeper.end(found, run.step)
@@ -209,17 +211,17 @@ class Motions(Core):
     def _begun(self, duration: float, before: Run | None = None, **given: Any) -> tuple[Run, str]:
         """A motion that has begun, and why its method was chosen; it reuses the arrays of one with the same options."""
         method, why, begin, grid, options = self._planned(duration, **given)
-        run = methods.run_of(self, method, begin, grid, float(duration), options)
+        run = methods.run_of(self, method, begin, from_start(begin, grid), float(duration), options)
         if run.times[-1] > run.times[0]:
             if isinstance(run, Dop853) and isinstance(before, Dop853):
                 run.spare = before.steps
             run.begin()
         return run, why
 
-    def _ended(self, run: Run, why: str) -> Motion:
-        """A motion of `_begun`, continued to its end."""
+    def _ended(self, run: Run, why: str, times: Array) -> Motion:
+        """A motion of `_begun`, continued to its end, with the states at the times from the first of these on."""
         found = run.kept("reached the end") if run.t >= run.times[-1] else run.rest(False)
-        return _motion(self, _explained(found, why))
+        return _motion(self, _explained(found, why), times)
 
 
 def _whole(found: Integration, keeper: Checkpoint | None) -> Integration:
@@ -246,7 +248,8 @@ def _explained(found: Integration, *why: str) -> Integration:
     return replace(found, message=f"{found.message} ({reasons})") if reasons else found
 
 
-def _motion(system: Core, found: Integration) -> Motion:
-    """The motion, with a warning of quantities outside the data of their laws."""
-    warn_outside(system, found.states)
-    return Motion(system, found)
+def _motion(system: Core, found: Integration, times: Array) -> Motion:
+    """The motion from the first time to be stored on, with a warning of quantities outside the data of their laws."""
+    stored = found.since(float(times[0]))
+    warn_outside(system, stored.states)
+    return Motion(system, stored)

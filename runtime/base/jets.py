@@ -120,8 +120,9 @@ class Jet:
 
     def __float__(self) -> float:
         raise TypeError(
-            "a function of time was given to math.* or float(); use numpy functions (np.sin, not math.sin), "
-            "so that its rates can be derived"
+            "the time was given to math.*, float() or a function such as np.interp, which have no rates; use operators "
+            "and elementary functions of NumPy (np.sin, not math.sin), and for values at given times "
+            "fx.Table(times, values, kind='linear')"
         )
 
     def __add__(self, o: Any) -> Jet:

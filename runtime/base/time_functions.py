@@ -14,6 +14,7 @@ from typing import Any, Protocol, runtime_checkable
 import numpy as np
 
 from flexel.base.arguments import SMALLEST, array, number
+from flexel.base.arrays import Array
 from flexel.base.copies import OF_TIME, Constant, check_travels
 from flexel.base.errors import FlexelError, ModelError
 from flexel.base.jets import Jet, as_jet
@@ -161,6 +162,11 @@ class Faster(Constant):
 
     function: TimeFunction
     factor: float
+
+    @property
+    def knots(self) -> Array:
+        """Times [s] at which it is not smooth, as of a `Table`."""
+        return np.asarray(getattr(self.function, "knots", ())) / self.factor
 
     def rates(self, t: float) -> tuple[float, float, float]:
         """Value, first and second rate at time t [s]."""

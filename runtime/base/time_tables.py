@@ -7,12 +7,13 @@ import copy
 import numpy as np
 from numpy.typing import ArrayLike
 
-from flexel.base.arguments import array, number
+from flexel.base.arguments import array, number, unknown
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 
 ROUNDING = 1e-13  # of sums of durations, relative to the times of a table
 LEAST = {"cubic": 4, "linear": 2, "step": 1}  # number of values
+SAME = 1e-12  # difference of two slopes, relative, that is due to rounding
 UNSEEN = 1e-9  # change of a value, relative to the range, below which a knot of a spline counts as smooth
 
 
@@ -42,8 +43,8 @@ class Table:
 
     def __init__(self, t: ArrayLike, u: ArrayLike, kind: str = "cubic") -> None:
         times, values = array(t, "Table", "times"), array(u, "Table", "values")
-        if kind not in LEAST:
-            raise ModelError(f"Table: kind {kind!r} is unknown; choose one of {', '.join(LEAST)}")
+        if not isinstance(kind, str) or kind not in LEAST:
+            raise ModelError(f"Table: {unknown(str(kind), LEAST, 'kind')}")
         if values.shape != times.shape:
             raise ModelError(
                 f"Table: {times.size} times and values of shape {values.shape}; give one value for each"
@@ -113,10 +114,10 @@ def _linear(times: Array, values: Array) -> tuple[Array, Array]:
     gaps, rise = np.diff(times), np.diff(values)
     slopes = np.divide(rise, gaps, out=np.zeros_like(rise), where=gaps > 0)
     none = np.zeros_like(slopes)
-    bend = np.diff(slopes, prepend=0.0, append=0.0) != 0
-    jumps = np.zeros_like(bend)
-    jumps[1:] = gaps == 0
-    return np.array([none, none, slopes, values[:-1]]), np.unique(times[bend | jumps])
+    largest = np.maximum(np.abs(slopes[1:]), np.abs(slopes[:-1]))
+    bend = np.abs(np.diff(slopes)) > SAME * largest
+    jump = (gaps[1:] == 0) | (gaps[:-1] == 0)
+    return np.array([none, none, slopes, values[:-1]]), np.unique(times[1:-1][bend | jump])
 
 
 def _step(times: Array, values: Array) -> tuple[Array, Array]:

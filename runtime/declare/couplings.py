@@ -138,11 +138,12 @@ class Couplings(Springs):
         linear: Any = (0.0,) * 3,
         constant: float = 0.0,
     ) -> None:
-        """Keep a point on a surface of second degree: a plane, sphere, cylinder, cone, paraboloid …
+        """Keep a point on the surface p(x, y, z) = 0, p of second degree: a plane, sphere, cylinder, cone, paraboloid …
 
         Parameters
         ----------
         point : node
+            A point drawn off the surface moves onto it when the system is built; a point far off is named in a warning.
         quadratic : sequence of float (6,) or array (3, 3)
             Factors of x², y², z², xy, xz, yz [1/m], or a symmetric matrix A for x'A x.
         linear : sequence of float (3,)
@@ -152,8 +153,12 @@ class Couplings(Springs):
 
         Notes
         -----
-        The deformation ``height`` is the value of the polynomial minus its value as drawn, so a point drawn
-        off the surface stays on the parallel one.
+        The deformation ``height`` is the value of the polynomial, which is zero on the surface; near it, the distance
+        from the surface times the length of the gradient.
+
+        Examples
+        --------
+        >>> m.quadric("bowl", "ball", quadratic=np.eye(3), constant=-0.25)  # a sphere of 0.5 m  # doctest: +SKIP
         """
         owner = f"quadric '{name}'"
         node = self._find_of_kind(point, ("point",), owner)

@@ -111,7 +111,8 @@ class Nodes(Declarations):
         Parameters
         ----------
         motion : number, callable, triple of callables, or Ramp, Harmonic, Polynomial, Table
-            A callable is called with a second-order jet: operators and NumPy functions give u, u' and u''.
+            A callable is called with a second-order jet: operators and NumPy functions give u, u' and u''.  A Table
+            is of kind "cubic".
         """
         if self._quantity_kind(name, "prescribe") == "slip":
             raise ModelError(

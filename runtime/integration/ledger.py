@@ -108,6 +108,7 @@ def energy_balance(energy: dict[str, Array], kept: dict[str, list[float]]) -> di
     """Energies over time and their discrepancy; see `Motion.energy_balance`."""
     contact, dissipated, work = (np.array(kept[z]) for z in ("contact", "dissipated", "work"))
     surplus = energy["total"] + dissipated - work
+    start = kept.get("initial", surplus)[0]  # of a motion whose start is not among the stored states
     return {
         "kinetic": energy["kinetic"],
         "potential": energy["potential"],
@@ -115,5 +116,5 @@ def energy_balance(energy: dict[str, Array], kept: dict[str, list[float]]) -> di
         "contact": contact,
         "dissipated": dissipated,
         "work": work,
-        "error": surplus - surplus[0],
+        "error": surplus - start,
     }

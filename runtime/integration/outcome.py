@@ -114,6 +114,10 @@ class States(Sequence[State]):
         """Keep the first `size` states only."""
         del self._entries[size:]
 
+    def since(self, first: int) -> States:
+        """The states from that place on."""
+        return States(self._entries[first:])
+
     def last(self) -> States:
         """The last state, alone."""
         return States(self._entries[-1:])
@@ -185,6 +189,21 @@ class Integration:
             rechoices=list(self.rechoices),
         )
 
+    def since(self, t: float) -> Integration:
+        """The same without the states before a time, such as a start that is not to be stored.
+
+        The last state is kept at any rate.  The ledger keeps the energy with which the motion began, as "initial".
+        """
+        first = min(int(np.searchsorted(self.states.times, t)), len(self.states) - 1)
+        if first <= 0:
+            return self
+        kept = {name: column[first:] for name, column in (self.ledger or {}).items()}
+        if self.ledger is not None:
+            surplus = self.states[0].energy.total + self.ledger["dissipated"][0] - self.ledger["work"][0]
+            kept["initial"] = [surplus] * len(kept["work"])
+        ledger = None if self.ledger is None else kept
+        return replace(self, states=self.states.since(first), ledger=ledger)
+
     def last(self) -> Integration:
         """The last state alone; the ledger, which continues, keeps its last values."""
         for column in (self.ledger or {}).values():
@@ -199,7 +218,7 @@ class Integration:
 
 
 def stored_times(start: State, duration: Any, times: Any, samples: Any, owner: str) -> Array:
-    """Times at which states are stored, from the start on.
+    """Times at which states are stored: those given, or equidistant ones from the start on.
 
     Parameters
     ----------
@@ -231,4 +250,9 @@ def stored_times(start: State, duration: Any, times: Any, samples: Any, owner: s
             f"{owner}: time {grid[-1]:g} s lies after the end of the motion, {start.t + span:g} s; lengthen the "
             "duration"
         )
-    return np.concatenate([[start.t], grid]) if grid[0] > start.t else grid
+    return grid
+
+
+def from_start(start: State, times: Array) -> Array:
+    """The times with that of the start in front, where a run begins; see `Integration.since`."""
+    return np.concatenate([[start.t], times]) if times[0] > start.t else times

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -56,12 +56,13 @@ class Node(Constant):
 
 def unknown_quantity(name: str, known: Iterable[str], nodes: Mapping[str, Node]) -> str:
     """Message for a quantity that does not exist: how to measure it, or the nearest ones that do."""
-    missing = _unmeasured(name, nodes)
-    return f"unknown name '{name}'; {missing}" if missing else unknown(name, known)
+    names = list(known)
+    missing = _unmeasured(name, nodes, names)
+    return f"unknown name '{name}'; {missing}" if missing else unknown(name, names)
 
 
-def _unmeasured(name: str, nodes: Mapping[str, Node]) -> str:
-    """Advice for an angular velocity that no element measures; empty for any other name."""
+def _unmeasured(name: str, nodes: Mapping[str, Node], known: Sequence[str]) -> str:
+    """Advice for an angular velocity that is not measured, or by other names; empty for any other name."""
     part, _, axis = name.rpartition(".")
     frame, _, sensor = part.rpartition(".")
     if part in nodes and axis not in SENSORS + AXES:
@@ -71,6 +72,15 @@ def _unmeasured(name: str, nodes: Mapping[str, Node]) -> str:
         return ""
     if node.kind == "planar_angle":
         return f"the angular velocity of '{node.name}' is the rate of '{node.coordinates[0]}'; name that"
-    own = SENSORS[1] in (sensor, axis)
-    made = ", ".join(f"{node.name}.{SENSORS[own]}.{z}" for z in AXES)
-    return f"declare m.angular_velocity('{node.name}'{', body_axes=True' * own}) first, which makes the slips {made}"
+    measured = [z for z in SENSORS if f"{node.name}.{z}.{AXES[0]}" in known]
+    asked = sensor if sensor in SENSORS else axis
+    wanted = asked if asked in SENSORS else (*measured, SENSORS[0])[0]
+    slips = ", ".join(f"{node.name}.{wanted}.{z}" for z in AXES)
+    if wanted in measured:
+        return f"the angular velocity of '{node.name}' has the components {slips}; name one"
+    axes = ", body_axes=True" if wanted == SENSORS[1] else ""
+    advice = f"declare m.angular_velocity('{node.name}'{axes}) first, which makes the slips {slips}"
+    if not measured:
+        return advice
+    declared = ", ".join(f"{node.name}.{measured[0]}.{z}" for z in AXES)
+    return f"{advice}; declared so far are {declared}, in {'global' if measured[0] == SENSORS[0] else 'body'} axes"

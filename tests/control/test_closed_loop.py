@@ -170,7 +170,7 @@ def test_saturation_of_a_continuous_controller() -> None:
         m = carriage()
         m.controller(function, inputs=["A.x", "A.x'"], outputs=["A.x"], limits=(-3, 2))
         s = m.build()
-        motion = s.simulate(3, start=s.state_at(rates={"A.x": 0.3}), times=[3.0])
+        motion = s.simulate(3, start=s.state_at(rates={"A.x": 0.3}), times=[0.0, 3.0])
         assert motion["A.x"][-1] == pytest.approx(found.y[0, -1], abs=1e-8)
         assert motion["controller.u"][0] == -3.0
 

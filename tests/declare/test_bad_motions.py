@@ -96,13 +96,15 @@ MOTIONS = {
     "Polynomial of nothing": Case(lambda: Polynomial([]), ("Polynomial", "give")),
     "Polynomial of one number": Case(lambda: Polynomial(3), ("Polynomial", "give a list")),
     "Table too short": Case(lambda: Table([0, 1], [0, 1]), ("Table", "at least four")),
+    "Table of one time": Case(lambda: Table([0], [0], "linear"), ("Table", "at least two")),
+    "Table of an unknown kind": Case(lambda: Table([0, 1], [0, 1], "steps"), ("Table", "mean step")),
     "Table of two lengths": Case(lambda: Table([0, 1, 2, 3], [0, 1]), ("Table", "one value for each")),
     "Table of vectors": Case(lambda: Table([0, 1, 2, 3], np.zeros((4, 2))), ("Table", "one value for each")),
     "Table of NaN": Case(
         lambda: Table([0, 1, 2, 3], [0, 1, math.nan, 2]), ("Table", "values", "give finite")
     ),
     "Table of another kind": Case(
-        lambda: Table([0, 1, 2, 3], [0, 1, 0, 1], kind="spline"), ("Table", "'spline'", "cubic, linear, step")
+        lambda: Table([0, 1, 2, 3], [0, 1, 0, 1], kind="spline"), ("Table", "'spline'")
     ),
     "Table of steps": built(
         lambda m: m.prescribe("pivot.angle", Table([0, 1], [0, 1], kind="step")), "'pivot.angle'", "fx.Ramp"

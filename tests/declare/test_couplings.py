@@ -91,6 +91,17 @@ def test_point_on_a_sphere_is_a_spherical_pendulum() -> None:
     assert np.max(np.abs(motion["sphere.height"])) < 1e-12
 
 
+def test_a_point_drawn_off_a_quadric_moves_onto_it() -> None:
+    """The surface is where the polynomial is zero, wherever the point is drawn."""
+    m = fx.Model()
+    m.point("A", (0.7, 0, 0.7))
+    m.point_mass("bob", "A", 2.0)
+    m.quadric("sphere", "A", quadratic=np.eye(3), constant=-1.0)
+    with pytest.warns(fx.AssemblyWarning, match=r"'sphere\.height' is -0\.02 m"):
+        s = m.build()
+    assert np.linalg.norm(s.initial.position("A")) == pytest.approx(1.0, abs=1e-14)
+
+
 def test_skate_on_a_plane_is_chaplygins_sleigh() -> None:
     """A knife edge with its mass centre ahead: it ends up running straight, with all its energy."""
     m = fx.Model(gravity=(0, 0))

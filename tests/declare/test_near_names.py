@@ -57,6 +57,13 @@ def rolling() -> fx.Model:
     return m
 
 
+def measured() -> fx.Model:
+    """The same with the angular velocity in body axes."""
+    m = rolling()
+    m.angular_velocity("R1", body_axes=True)
+    return m
+
+
 SLIPS: dict[str, tuple[Any, str, str]] = {
     "contact": (touching, "tuch.gap", "did you mean touch.gap?"),
     "slip of a contact": (touching, "touch.slip", "'touch' has touch.gap, touch.x, touch.y"),
@@ -65,6 +72,8 @@ SLIPS: dict[str, tuple[Any, str, str]] = {
     "angular velocity": (rolling, "R1.wx", "declare m.angular_velocity('R1') first"),
     "its slip": (rolling, "R1.omega.wy", "which makes the slips R1.omega.wx, R1.omega.wy, R1.omega.wz"),
     "in body axes": (rolling, "R1.body_omega.wy", "m.angular_velocity('R1', body_axes=True) first"),
+    "measured in body axes": (measured, "R1.wx", "the components R1.body_omega.wx, R1.body_omega.wy"),
+    "global, measured in body axes": (measured, "R1.omega.wx", "declared so far are R1.body_omega.wx,"),
     "angle": (plane, "R1.omega", "the angular velocity of 'R1' is the rate of 'R1.angle'"),
 }
 

@@ -66,6 +66,12 @@ def test_a_wrong_declaration_is_refused_by_name(arguments: dict[str, Any], messa
         Element(**({"name": "wrong", "nodes": (P,)} | arguments))
 
 
+def test_the_name_of_the_time_is_no_name_of_a_parameter() -> None:
+    x, xd = symbol("x"), symbol("xd")
+    with pytest.raises(ValueError, match="the name 't' is that of the time; rename"):
+        Law("wrong", "doc", (Parameter("t", 1, "m", "thickness"),), (x,), (xd,), (), (symbol("t") * x,), ())
+
+
 def test_a_parameter_needs_a_unit() -> None:
     with pytest.raises(ValueError, match="no unit"):
         Parameter("k", 1, "", "stiffness")

@@ -56,7 +56,7 @@ def test_coordinates_of_the_light_body_are_refused_with_the_remedy() -> None:
 
 @pytest.mark.parametrize("ratio", [1e20, 1e12, 1e3])
 def test_a_light_arm_swings_on_a_heavy_body(ratio: float) -> None:
-    """Closed form: without gravity the angular momentum about the common mass centre keeps the arm's angular velocity."""
+    """Closed form: without gravity the angular momentum about the mass centre keeps the arm's angular velocity."""
     m = fx.Model()
     m.rigid_body("a", (0, 0, 0), mass=ratio, inertia=(ratio, ratio, ratio))
     m.rigid_body("b", (1, 0, 0), mass=1.0, inertia=(1.0, 1.0, 1.0))

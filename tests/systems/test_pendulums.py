@@ -59,7 +59,7 @@ def test_simple_pendulum_follows_the_iftomm_reference() -> None:
     m.point_mass("bob", A, 1.0)
     rows = data["reference"]
     motion = m.build().simulate(10.0, times=[float(z["t"]) for z in rows], rtol=1e-12, atol=1e-13)
-    for state, row in zip(motion[1:], rows, strict=True):
+    for state, row in zip(motion, rows, strict=True):
         computed = [*state.position("A")[[0, 2]], *state.velocity("A")[[0, 2]]]
         assert worst(np.array(computed), np.array([float(row[z]) for z in ("x", "y", "vx", "vy")])) < 2e-10
     assert np.ptp(motion.energy["total"]) < 1e-10
