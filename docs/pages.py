@@ -66,7 +66,7 @@ HOMES = {  # sections of the page of public names: title and modules
         "flexel.rope.surfaces",
         "flexel.rope.contacts",
     ),
-    "Functions of time": ("flexel.base.time_functions",),
+    "Functions of time": ("flexel.base.time_functions", "flexel.base.time_tables"),
     "Systems, states and motions": (
         "flexel.system",
         "flexel.structure.state",
