@@ -38,6 +38,7 @@ class DifferentialAlgebraic(Saddle):
         self.pull, self.near, self._start = pull, start.e, start
         self.pattern = SaddlePattern(self.work, self.force_rows, self.force_rows)
         self.evaluations = self.factorizations = self.iterations = 0
+        self.singular = False  # whether the last preconditioner was
         self._matrix: Matrix | None = None
         self._coupling: Any = None
         nf = self.structure.nf
@@ -99,13 +100,22 @@ class DifferentialAlgebraic(Saddle):
         self.at(t, y, yp)
         whole, still = (self._assembled(rate, 1 / cj) for rate in (cj, 0.0))
         self._coupling, self._matrix = (whole.sparse - still.sparse) / cj, whole
-        if not whole.factors.regular:
-            check_inertia(whole, self.work.tables.M.matrix(self.work.M))
-            raise DynamicsError("the matrix of a step is singular; inspect the last state of the motion")
+        self.singular = not whole.factors.regular
 
     def _assembled(self, rate: float, share: float) -> Matrix:
         self.stiffness(rate, rate * rate, share=share)
         return self.pattern.matrix(self.work)
+
+    def check(self) -> None:
+        """Raise if the matrix of the last preconditioner was singular; names a motion without mass.
+
+        Raises
+        ------
+        InertiaError, DynamicsError
+        """
+        if self.singular and self._matrix is not None:
+            check_inertia(self._matrix, self.work.tables.M.matrix(self.work.M))
+            raise DynamicsError("the matrix of a step is singular; inspect the last state of the motion")
 
     def precondition(
         self, t: float, y: Array, yp: Array, residual: Array, r: Array, out: Array, cj: float, delta: float
@@ -114,6 +124,9 @@ class DifferentialAlgebraic(Saddle):
         self.iterations += 1
         nf, nh, p = self.structure.nf, self.roles.holonomic.size, self.pull
         assert self._matrix is not None
+        if self.singular:  # said by `check`: the solver may not be left by an error
+            out[:] = r
+            return
         r1, r2, r3, r4 = self.split(r)
         # with dv = cj dx - r1 the rows of the constraints are (cj² + 2 p cj + p²) C dx - (cj + 2 p) C r1
         square, linear = np.full(r3.size, cj * (cj + p)), np.full(r3.size, cj + p)
@@ -214,6 +227,7 @@ class Sundials(ImplicitRun):
             self._started = True
         found = self._solver.step(until, method="onestep", tstop=until)
         t = float(np.ravel(found.t)[-1])
+        equations.check()
         if not found.success or t <= old:
             raise self.failure()
         y, yp = np.ravel(found.y), np.ravel(found.yp)
