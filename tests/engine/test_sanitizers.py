@@ -19,6 +19,7 @@ from flexel.engine.structs import Struct
 from flexel.examples.bicycle import bicycle, kick
 from flexel.generated._kernels import ffi, lib
 from flexel.integration.dop853_steps import Steps
+from flexel.integration.knots import Knots
 
 ROOT = Path(__file__).parents[2]
 ENGINE, GENERATED = ROOT / "runtime" / "engine", ROOT / "generated"
@@ -79,7 +80,7 @@ def prepared(system: fx.System, start: fx.State) -> list[Steps]:
 
     def own(_: int) -> Steps:
         begin.wait()
-        return Steps(system.kinematics, start, y, 1e-8, np.full(y.size, 1e-10))
+        return Steps(system.kinematics, start, y, 1e-8, np.full(y.size, 1e-10), Knots(system, 0.0, 1.0))
 
     with ThreadPoolExecutor(THREADS) as pool:
         return list(pool.map(own, range(THREADS)))
