@@ -88,9 +88,9 @@ def branch(
     points = [point_at(curve, y, first)]
     level = np.append(np.zeros(y.size - 1), 1.0)
 
-    def finish(guess: Array, near: Point[Balanced]) -> bool:
+    def finish(guess: Array, near: Point[Balanced], arc: float) -> bool:
         goal = np.append(guess[:-1], p_end if guess[-1] > p_end / 2 else 0.0)
-        found = corrected(curve, goal, level, near, step)
+        found = corrected(curve, goal, level, near, arc)
         if found is not None:
             points.append(found)
         return found is not None
@@ -180,6 +180,8 @@ def _between(
     curve: PeriodicCurve, first: Point[Balanced], last: Point[Balanced], part: float
 ) -> Point[Balanced]:
     """The point of the curve that lies the given part of the way from one point to another."""
+    if part in (0.0, 1.0):
+        return last if part else first
     chord, weights = last.y - first.y, curve.weights(first.equations)
     arc = float(np.sqrt(weights @ chord**2))
     found = corrected(curve, first.y + part * chord, weights * chord, first, arc)

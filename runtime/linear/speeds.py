@@ -86,6 +86,10 @@ class PeriodicCurve:
         size = np.maximum(np.sqrt((np.abs(oscillation) ** 2).sum(axis=0)), self.floor)
         return np.tile(size, 2 * self.k + 1)
 
+    def sign(self, _: Balanced) -> int:
+        """Not known: only the solutions of the balance are kept."""
+        return 0
+
     def weights(self, equations: Balanced) -> Array:
         """The mean square over the degrees of freedom of their relative changes; of the speed, relative too."""
         both_halves = np.concatenate([np.ones(self.nd), np.full(2 * self.k * self.nd, 2.0)])

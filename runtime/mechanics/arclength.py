@@ -1,8 +1,11 @@
 """Continuation of solution curves by arc length, past folds of the parameter: one method for all analyses.
 
 A curve is where n equations r(z, p) = 0 hold in n unknowns z and a parameter p.  From each point a step of given arc
-length follows the tangent; Newton's method returns to the curve in the plane normal to it.  Steps that fail are
-halved.  Source: Crisfield (1981).
+length follows the tangent; Newton's method returns to the curve in the plane normal to it.  Newton's method may reach
+another curve, or a distant part of the same one; so a point is refused if the tangent has turned much, if it is far
+from its guess, or if the way to it is not along the mean tangent.  The sign of det ∂r/∂z times the tangent's parameter
+changes only where curves cross: where it changes in a longer step, a fold was stepped over.  Steps that fail are halved.
+Sources: Crisfield (1981), Keller (1977).
 """
 
 from __future__ import annotations
@@ -20,6 +23,10 @@ from flexel.mechanics.newton import newton
 log = logging.getLogger("flexel.continuation")
 MAX_ITERATIONS = 20
 FEW, GROWTH, CUT = 4, 1.5, 0.7  # after so few iterations the arc grows, after more it is cut
+COSINE = 0.9  # smallest cosine between the tangents of neighbouring points
+ALONG = 0.99  # smallest cosine between their mean tangent and the chord: one, for a parabola or a circle
+CROSSING = 1e-4  # longest arc across a point where curves cross
+ASTRAY = 0.5  # largest distance of a point from its guess, relative to the arc
 Equations = TypeVar("Equations")
 Found = TypeVar("Found")
 
@@ -41,6 +48,10 @@ class Curve(Protocol[Equations]):
 
     def solve(self, equations: Equations) -> Array:
         """A⁻¹ r and A⁻¹ ∂r/∂p as columns (n, 2), with A = ∂r/∂z."""
+        ...
+
+    def sign(self, equations: Equations) -> int:
+        """Sign of det A; zero if it is not known."""
         ...
 
     def weights(self, equations: Equations) -> Array:
@@ -97,7 +108,9 @@ def point_at(
 def corrected(
     curve: Curve[Equations], guess: Array, normal: Array, near: Point[Equations], arc: float
 ) -> Point[Equations] | None:
-    """The point of the curve in the plane through a guess, by Newton's method; None if it does not converge.
+    """The point of the curve in the plane through a guess, by Newton's method.
+
+    None if the method does not converge, or reaches a point that does not follow the one nearby.
 
     Parameters
     ----------
@@ -126,7 +139,35 @@ def corrected(
     found = newton(guess, evaluate, move, **limits, most=MAX_ITERATIONS)
     if not found.converged:
         return None
-    return point_at(curve, found.point, found.equations, near.tangent, found.iterations)
+    point = point_at(curve, found.point, found.equations, near.tangent, found.iterations)
+    return point if _follows(curve, point, guess, near, arc) else None
+
+
+def _follows(
+    curve: Curve[Equations], point: Point[Equations], guess: Array, near: Point[Equations], arc: float
+) -> bool:
+    """Whether a point continues the curve: its tangent has turned little, and it is close to its guess."""
+    weights = curve.weights(near.equations)
+
+    def cosine(a: Array, b: Array) -> float:
+        return float((weights * a) @ b) / float(np.sqrt((weights @ a**2) * (weights @ b**2)))
+
+    astray = float(np.sqrt(weights @ (point.y - guess) ** 2))
+    same = np.sign([curve.sign(p.equations) * p.tangent[-1] for p in (near, point)])
+    if same[0] * same[1] < 0 and arc > CROSSING:
+        log.debug("point refused: it is beyond a fold, or curves cross")
+        return False
+    turned = cosine(near.tangent, point.tangent)
+    along = cosine(near.tangent + point.tangent, point.y - near.y)
+    if turned > COSINE and along > ALONG and astray < ASTRAY * arc:
+        return True
+    log.debug(
+        "point refused: cosines %.3g of the tangents, %.3g of the chord; %.3g of an arc from its guess",
+        turned,
+        along,
+        astray / arc,
+    )
+    return False
 
 
 def follow(
@@ -135,7 +176,7 @@ def follow(
     ends: tuple[float, float],
     arcs: Arcs,
     keep: Callable[[Point[Equations]], None],
-    finish: Callable[[Array, Point[Equations]], bool],
+    finish: Callable[[Array, Point[Equations], float], bool],
 ) -> float | None:
     """Follow a curve until its parameter reaches an end.
 
@@ -148,8 +189,9 @@ def follow(
     arcs : Arcs
     keep : callable(point)
         Called with each further point.
-    finish : callable(guess, point)
-        Called near an end, with a guess of y there and the last point; returns whether the solution was found.
+    finish : callable(guess, point, arc)
+        Called near an end, with a guess of y there, the last point, and the arc between them; returns whether the
+        solution was found.
 
     Returns
     -------
@@ -175,14 +217,14 @@ def follow(
         end = high if rate > 0 else low
         reach = (end - here.y[-1]) / rate if rate else np.inf
         if reach <= arc:
-            if tried(finish, here.y + reach * here.tangent, here):
+            if tried(finish, here.y + reach * here.tangent, here, max(reach, arcs.smallest)):
                 return None
             arc = reach
         normal = curve.weights(here.equations) * here.tangent
         found = tried(corrected, curve, here.y + arc * here.tangent, normal, here, arc)
         if found is not None and not low < found.y[-1] < high:
             # the plane of the correction extends beyond the end
-            if tried(finish, found.y, found):
+            if tried(finish, found.y, found, arc):
                 return None
             found = None
         if found is None:

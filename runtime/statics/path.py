@@ -16,7 +16,7 @@ from flexel.base.arguments import names, number
 from flexel.base.arrays import Array, Index
 from flexel.base.errors import DynamicsError, FlexelError, ModelError, PositionError
 from flexel.engine.finite import TangentError
-from flexel.mechanics.arclength import Arcs, Point, follow, point_at
+from flexel.mechanics.arclength import Arcs, Point, corrected, follow, point_at
 from flexel.mechanics.core import Core
 from flexel.mechanics.diagnose import quoted
 from flexel.statics.equilibrium import CONVERGED, STALLED, STEP, Equations, Rest, solve
@@ -25,7 +25,7 @@ from flexel.statics.settling import descend, settle, unstable_motions
 from flexel.structure.state import State
 
 log = logging.getLogger("flexel.statics")
-ARCS = Arcs(first=0.1, largest=0.5, smallest=1e-7, steps=500)
+ARCS = Arcs(first=0.1, largest=0.5, smallest=1e-7, steps=2000)
 
 
 @dataclass(frozen=True)
@@ -139,10 +139,15 @@ def _follow(problem: Rest, start: State, mu: Array, t0: float, t1: float) -> tup
         last = float(point.y[-1])
         states.append(problem.state(point.equations.rest.balance))
 
-    def finish(guess: Array, near: Point[Loaded]) -> bool:
+    level = np.append(np.zeros(curve.start.size), 1.0)
+
+    def finish(guess: Array, near: Point[Loaded], arc: float) -> bool:
         nf = problem.structure.nf
-        x = np.concatenate([guess[:nf], start.x[nf:]])
-        found = solve(problem, t1, x, guess[nf:-1], near.equations.rest.balance.e)
+        there = corrected(curve, np.append(guess[:-1], 1.0), level, near, arc)
+        if there is None:
+            return False
+        x = np.concatenate([there.y[:nf], start.x[nf:]])
+        found = solve(problem, t1, x, there.y[nf:-1], there.equations.rest.balance.e)  # with all digits
         if found is not None:
             states.append(problem.state(found[0].balance))
         return found is not None
@@ -204,6 +209,10 @@ class LoadPath:
         both = np.column_stack([equations.residual, equations.rate])
         return np.asarray(equations.rest.matrix.solve(both))
 
+    def sign(self, equations: Loaded) -> int:
+        """Sign of the determinant of the tangent."""
+        return equations.rest.matrix.factors.sign
+
     def weights(self, _: Loaded) -> Array:
         """Coordinates in their natural scales and the parameter, without the multipliers."""
         return self._weights
@@ -217,9 +226,12 @@ def _stopped(problem: Rest, states: list[State], p: float, arc: float) -> str:
     e = states[-1].values
     rows = np.argsort(-np.abs(np.nan_to_num(e[: problem.structure.m])))[:3]
     names = quoted([problem.structure.names[i] for i in rows])
-    top = max(states, key=lambda z: z.t)
+    top = max(states, key=lambda state: state.t)
+    if arc >= ARCS.smallest:
+        why = f"{ARCS.steps} steps were not enough: ask for a smaller load, or start again from the last state"
+    else:
+        why = "a limit load may have been reached, otherwise refine the mesh"
     return (
         f"the path stopped at {100 * p:.4g} % of the load (t = {states[-1].t:g} s) after {len(states)} equilibria, arc "
-        f"{arc:.2g}; the largest t reached is {top.t:g} s; deformations {names} are largest at the end: a limit "
-        "load may have been reached, otherwise refine the mesh"
+        f"{arc:.2g}; the largest t reached is {top.t:g} s; deformations {names} are largest at the end: {why}"
     )
