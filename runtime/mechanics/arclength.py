@@ -4,8 +4,8 @@ A curve is where n equations r(z, p) = 0 hold in n unknowns z and a parameter p.
 length follows the tangent; Newton's method returns to the curve in the plane normal to it.  Newton's method may reach
 another curve, or a distant part of the same one; so a point is refused if the tangent has turned much, if it is far
 from its guess, or if the way to it is not along the mean tangent.  The sign of det ∂r/∂z times the tangent's parameter
-changes only where curves cross: where it changes in a longer step, a fold was stepped over.  Steps that fail are halved.
-Sources: Crisfield (1981), Keller (1977).
+changes only where curves cross: where it changes in a longer step, a fold was stepped over.  Steps that fail are
+halved.  Sources: Crisfield (1981), Keller (1977).
 """
 
 from __future__ import annotations

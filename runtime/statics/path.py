@@ -228,7 +228,9 @@ def _stopped(problem: Rest, states: list[State], p: float, arc: float) -> str:
     names = quoted([problem.structure.names[i] for i in rows])
     top = max(states, key=lambda state: state.t)
     if arc >= ARCS.smallest:
-        why = f"{ARCS.steps} steps were not enough: ask for a smaller load, or start again from the last state"
+        why = (
+            f"{ARCS.steps} steps were not enough: ask for a smaller load, or start again from the last state"
+        )
     else:
         why = "a limit load may have been reached, otherwise refine the mesh"
     return (

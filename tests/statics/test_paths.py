@@ -12,7 +12,7 @@ SPAN, EI = 1.0, 1.0
 
 
 def arch(rise: float, slenderness: float, moment: float) -> fx.System:
-    """A hinged arch in the shape of half a sine; the load at its crown has a small moment, so that curves never cross."""
+    """A hinged arch in the shape of half a sine; a small moment at its crown keeps curves from crossing."""
     m = fx.Model(gravity=(0.0, 0.0))
     for i, x in enumerate(np.linspace(0, SPAN, ELEMENTS + 1)):
         m.point(f"p{i}", (x, rise * np.sin(np.pi * x / SPAN)), fixed=i in (0, ELEMENTS))
