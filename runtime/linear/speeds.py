@@ -54,7 +54,7 @@ class Balanced:
 class PeriodicCurve:
     """Periodic motions of a system; y = (real and imaginary parts of X_0…X_k, p), speed = omega exp(sense p)."""
 
-    tolerance, stalled = TOLERANCE, STALLED
+    tolerance, stalled, further = TOLERANCE, STALLED, 0  # the tolerance is one of the motion
     retried: tuple[type[Exception], ...] = (PositionError,)
 
     def __init__(self, system: Core, omega: float, samples: int, harmonics: int, sense: float) -> None:

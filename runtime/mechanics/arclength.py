@@ -36,6 +36,7 @@ class Curve(Protocol[Equations]):
 
     tolerance: float
     stalled: float
+    further: int  # steps of Newton's method after it has converged, for the last digits
     retried: tuple[type[Exception], ...]  # errors of trial points that a shorter step may avoid
 
     def equations(self, y: Array, last: Equations) -> Equations:
@@ -139,7 +140,12 @@ def corrected(
     found = newton(guess, evaluate, move, **limits, most=MAX_ITERATIONS)
     if not found.converged:
         return None
-    point = point_at(curve, found.point, found.equations, near.tangent, found.iterations)
+    y, equations = found.point, found.equations
+    for _ in range(curve.further):
+        onward = move(y, equations)
+        if onward is not None:
+            y, equations = onward, evaluate(onward)[0]
+    point = point_at(curve, y, equations, near.tangent, found.iterations)
     return point if _follows(curve, point, guess, near, arc) else None
 
 

@@ -22,8 +22,10 @@ from flexel.structure.state import State, own_state
 
 log = logging.getLogger("flexel.statics")
 POLISHING = 3  # largest number of further steps: they gain digits where stiffnesses differ much
-CONVERGED, STALLED, MAX_ITERATIONS = 1e-12, 1e-9, 20
+ROUNDING = 1e-14  # step, in natural scales, that is rounding
+CONVERGED, STALLED, MAX_ITERATIONS = 1e-12, 1e-9, 30
 STEP = 0.4  # largest change of a coordinate, in its natural scale, in one Newton step
+SEARCH = 0.2  # the same in a search at the full load: stiff beams far from equilibrium do not converge in longer ones
 
 
 class Rest(Saddle):
@@ -112,18 +114,21 @@ def solve(problem: Rest, t: float, x: Array, mu: Array, near: Array) -> tuple[Eq
         q = problem.equations(t, *point)
         return q, problem.size(q, q.residual)
 
-    def move(point: tuple[Array, Array, Array], q: Equations) -> tuple[Array, Array, Array] | None:
+    def newton_step(q: Equations) -> Array:
         # the smallest solution: unstrained bars resist no transverse motion
         step = q.matrix.least_solution(q.residual)
-        if step is None:
-            step = q.matrix.solve(q.residual)
-        size = problem.extent(step)
-        if size > 10 * STEP:
-            return None
-        step = shortened(step, size, STEP)
+        return q.matrix.solve(q.residual) if step is None else step
+
+    def moved(
+        point: tuple[Array, Array, Array], q: Equations, step: Array
+    ) -> tuple[Array, Array, Array]:
         x, mu = point[0].copy(), point[1] - step[nf:]
         x[:nf] -= step[:nf]
         return x, mu, q.balance.e
+
+    def move(point: tuple[Array, Array, Array], q: Equations) -> tuple[Array, Array, Array]:
+        step = newton_step(q)
+        return moved(point, q, shortened(step, problem.extent(step), SEARCH))
 
     limits = {"tolerance": CONVERGED, "stalled": STALLED}
     found = newton((x, mu, near), evaluate, move, **limits, most=MAX_ITERATIONS)
@@ -131,11 +136,13 @@ def solve(problem: Rest, t: float, x: Array, mu: Array, near: Array) -> tuple[Eq
     log.info("t = %g s: %s in %d Newton iterations, error %.3g", t, how, found.iterations, found.error)
     if not found.converged:
         return None
-    best, point = (found.equations, found.error), found.point
-    for _ in range(POLISHING if best[0].matrix.factors.regular else 0):  # a free motion is handled elsewhere
-        further = move(point, best[0])
-        tried = None if further is None else evaluate(further)
-        if further is None or tried is None or not tried[1] < best[1]:
+    q, point, last = found.equations, found.point, np.inf
+    # The steps decide, not the residual: in a stiff model it is rounding from the first of these steps on.
+    for _ in range(POLISHING if q.matrix.factors.regular else 0):  # a free motion is handled elsewhere
+        step = newton_step(q)
+        size = problem.extent(step)
+        if not ROUNDING < size < min(0.5 * last, STEP):
             break
-        best, point = tried, further
-    return best[0], point[1]
+        point, last = moved(point, q, step), size
+        q = evaluate(point)[0]
+    return q, point[1]

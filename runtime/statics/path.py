@@ -176,7 +176,7 @@ class Loaded:
 class LoadPath:
     """Equilibria (x, mu) over the parameter p, see `_follow`."""
 
-    tolerance, stalled = CONVERGED, STALLED
+    tolerance, stalled, further = CONVERGED, STALLED, 1
     retried: tuple[type[Exception], ...] = ()
 
     def __init__(self, problem: Rest, start: State, mu: Array, times: tuple[float, float]) -> None:

@@ -209,3 +209,19 @@ def test_a_cable_whose_slope_vanishes_is_not_in_equilibrium() -> None:
     except fx.PositionError:
         return
     assert np.abs(s.state(rest.t, rest.x, 0 * rest.v).a).max() < 1e-6
+
+
+def test_a_stiff_equilibrium_is_the_same_to_the_last_digit_whichever_way_leads_to_it(
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    """A cantilever of EA L²/EI = 1e8 under P L²/EI = 10: the residual is rounding long before the position is exact."""
+    m = cantilever(16, EA=1e8)
+    m.load("P16.z", lambda t: -10.0 * t)
+    s = m.build()
+    with caplog.at_level("INFO", "flexel.statics"):
+        direct = s.equilibrium(t=1.0)
+    assert "gradually" not in caplog.text  # one search, at the whole load
+    path = s.static_path(t_end=1.0)
+    np.testing.assert_allclose(direct.x, path[-1].x, rtol=0, atol=1e-13)
+    middle = path[len(path) // 2]
+    np.testing.assert_allclose(s.equilibrium(middle).x, middle.x, rtol=0, atol=1e-12)
