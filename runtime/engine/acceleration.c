@@ -4,7 +4,10 @@
 #include "explicit.h"
 #include "rows.h"
 
+#include <math.h>
 #include <string.h>
+
+#define ROUNDING 1e-14 /* residual of a solution to the last digit, relative to the right-hand side */
 
 void flexel_forces(flexel_work *s, flexel_choice *c)
 {
@@ -140,11 +143,41 @@ static int reduced(flexel_work *s, flexel_choice *c)
     return FLEXEL_DONE;
 }
 
+static double largest(size_t n, const double *values)
+{
+    double found = 0;
+    for (size_t i = 0; i < n; i++)
+        found = fabs(values[i]) > found ? fabs(values[i]) : found;
+    return found;
+}
+
+/* b -= [M C'; C 0] x */
+static void subtract_product(const flexel_work *s, const flexel_choice *c, const double *restrict x, double *restrict b)
+{
+    const size_t nf = s->nf, held = c->nr + c->np, count = held + c->nk;
+    for (size_t i = 0; i < nf; i++) {
+        double z = b[i];
+        for (int l = s->M_start[i]; l < s->M_free[i]; l++)
+            z -= s->M[l] * x[s->M_column[l]];
+        b[i] = z;
+    }
+    for (size_t i = 0; i < count; i++) {
+        const int row = i < held ? c->rows[i] : c->slips[i - held];
+        const double mu = x[nf + i];
+        double z = b[nf + i];
+        for (int l = s->J_start[row]; l < s->J_start[row + 1] && (size_t)s->J_column[l] < nf; l++) {
+            z -= s->J[l] * x[s->J_column[l]];
+            b[s->J_column[l]] -= s->J[l] * mu;
+        }
+        b[nf + i] = z;
+    }
+}
+
 /* [M C'; C 0] [a; mu] = [F; prescribed - convective] */
 static int saddle(flexel_work *s, flexel_choice *c)
 {
     const size_t nf = s->nf, held = c->nr + c->np, count = held + c->nk, first = held + c->nd;
-    double *b = c->G;
+    double *b = c->G, *x = c->step;
     flexel_convective(s);
     if (flexel_matrix_factor(&c->A, s->M))
         return FLEXEL_MASSLESS;
@@ -155,10 +188,18 @@ static int saddle(flexel_work *s, flexel_choice *c)
         if (i >= c->nr && i < held)
             b[nf + i] += c->motion[2 * c->np + i - c->nr];
     }
-    flexel_matrix_solve(&c->A, 1, b, b, c->work);
-    memcpy(s->a, b, nf * sizeof(double));
+    flexel_matrix_solve(&c->A, 1, b, x, c->work);
+    /* The order of the pivots is chosen for sparsity, which may cost some digits. */
+    const double size = largest(nf + count, b);
+    subtract_product(s, c, x, b);
+    if (largest(nf + count, b) > ROUNDING * size) {
+        flexel_matrix_solve(&c->A, 1, b, b, c->work);
+        for (size_t i = 0; i < nf + count; i++)
+            x[i] += b[i];
+    }
+    memcpy(s->a, x, nf * sizeof(double));
     for (size_t i = 0; i < count; i++)
-        c->multiplier[i < held ? c->rows[i] : c->slips[i - held]] = b[nf + i];
+        c->multiplier[i < held ? c->rows[i] : c->slips[i - held]] = x[nf + i];
     for (size_t i = held; i < first; i++) {
         const int row = c->rows[i];
         c->qdd[i - held] = ((size_t)row < s->m ? s->g[row] : 0) + flexel_row_value(s, row, s->a);

@@ -119,9 +119,7 @@ def solve(problem: Rest, t: float, x: Array, mu: Array, near: Array) -> tuple[Eq
         step = q.matrix.least_solution(q.residual)
         return q.matrix.solve(q.residual) if step is None else step
 
-    def moved(
-        point: tuple[Array, Array, Array], q: Equations, step: Array
-    ) -> tuple[Array, Array, Array]:
+    def moved(point: tuple[Array, Array, Array], q: Equations, step: Array) -> tuple[Array, Array, Array]:
         x, mu = point[0].copy(), point[1] - step[nf:]
         x[:nf] -= step[:nf]
         return x, mu, q.balance.e
