@@ -18,12 +18,12 @@ from threading import Lock
 from typing import Any, Generic, TypeVar
 
 import numpy as np
-from tqdm import tqdm
 
 from flexel.base.arguments import array, flag, mapping, whole
 from flexel.base.arrays import Array
 from flexel.base.blas import one_thread
 from flexel.base.errors import FlexelError, IncompleteWarning, ModelError
+from flexel.base.progress import progress_bar
 from flexel.declare.signs import check_signs
 from flexel.engine.variants import Variant, check_variable
 from flexel.mechanics.core import Core
@@ -171,7 +171,7 @@ class Runner(Generic[T]):
         count = self._threads = min(_threads(threads), self._values.count)
         log.info("%d variants in %d threads", self._values.count, count)
         show = sys.stderr.isatty() if progress is None else flag(progress, "variants", "progress")
-        bar = tqdm(total=self._values.count, disable=not show, unit="variant", leave=False)
+        bar = progress_bar(show, self._values.count, "variant")
         try:
             with one_thread():
                 self._alone(bar) if count < 2 else self._together(count, bar)

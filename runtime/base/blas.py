@@ -6,10 +6,11 @@ Measured with two processors, choosing degrees of freedom of a vehicle (187 coor
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import cached_property
-from threading import Lock
+from threading import Lock, local
 from typing import Any
 
 from threadpoolctl import ThreadpoolController
@@ -21,6 +22,7 @@ class _Limit:
     def __init__(self) -> None:
         self._lock = Lock()
         self._users = 0
+        self._here = local()  # how many of them are in this thread
         self._set: Any = None
 
     @cached_property
@@ -32,6 +34,11 @@ class _Limit:
         """The number of threads of each of these libraries."""
         return [z["num_threads"] for z in self._controller.info() if z["user_api"] == "blas"]
 
+    def renew(self) -> None:
+        """In a forked child, only the forking thread remains, and no other holds the lock."""
+        self._lock = Lock()
+        self._users = getattr(self._here, "users", 0)
+
     @contextmanager
     def __call__(self) -> Iterator[None]:
         """BLAS works in the calling thread in this context; the earlier setting is restored after it."""
@@ -39,9 +46,11 @@ class _Limit:
             if not self._users:
                 self._set = self._controller.limit(limits=1, user_api="blas")
             self._users += 1
+        self._here.users = getattr(self._here, "users", 0) + 1
         try:
             yield
         finally:
+            self._here.users -= 1
             with self._lock:
                 self._users -= 1
                 if not self._users:
@@ -50,3 +59,5 @@ class _Limit:
 
 LIMIT = _Limit()
 one_thread = LIMIT.__call__
+if hasattr(os, "register_at_fork"):  # not on Windows, which does not fork
+    os.register_at_fork(after_in_child=LIMIT.renew)

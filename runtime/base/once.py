@@ -1,8 +1,14 @@
-"""Properties that are computed once, in whichever thread needs them first."""
+"""Properties that are computed once, in whichever thread needs them first.
+
+Their locks are renewed in a child that is forked: a thread that computes one at that instant does not exist in the
+child, so its lock would be held for ever.  Before Python 3.12 `cached_property` has such a lock for each class too.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import os
+import sys
+from collections.abc import Callable, Iterator
 from functools import cached_property
 from threading import RLock
 from typing import Any, Generic, Self, TypeVar, overload
@@ -17,14 +23,17 @@ class once(Generic[T_co]):  # noqa: N801 - used as a decorator, like cached_prop
     """
 
     def __init__(self, function: Callable[[Any], T_co]) -> None:
-        self._cached = cached_property(function)
+        self._function = function
         self._lock = RLock()
         self.__doc__ = function.__doc__
+
+    def renew(self) -> None:
+        """Another lock, in a forked child."""
+        self._lock = RLock()
 
     def __set_name__(self, owner: type[Any], name: str) -> None:
         """The attribute under which values are kept."""
         self._name = name
-        self._cached.__set_name__(owner, name)
 
     @overload
     def __get__(self, instance: None, owner: type[Any] | None = None) -> Self: ...
@@ -35,7 +44,29 @@ class once(Generic[T_co]):  # noqa: N801 - used as a decorator, like cached_prop
         if instance is None:
             return self
         with self._lock:
-            if self._name in instance.__dict__:
-                found: T_co = instance.__dict__[self._name]
-                return found
-            return self._cached.__get__(instance, owner)
+            if self._name not in instance.__dict__:
+                instance.__dict__[self._name] = self._function(instance)
+            found: T_co = instance.__dict__[self._name]
+            return found
+
+
+def _descriptors(kind: type[Any]) -> Iterator[Any]:
+    """The properties of a kind in the classes of flexel."""
+    package = __name__.split(".")[0]
+    modules = [module for name, module in list(sys.modules.items()) if name.split(".")[0] == package]
+    for module in modules:
+        for defined in list(vars(module).values()):
+            if isinstance(defined, type) and defined.__module__ == module.__name__:
+                yield from (found for found in vars(defined).values() if isinstance(found, kind))
+
+
+def _renew_locks() -> None:
+    for found in _descriptors(once):
+        found.renew()
+    for found in _descriptors(cached_property):
+        if hasattr(found, "lock"):
+            found.lock = RLock()
+
+
+if hasattr(os, "register_at_fork"):  # not on Windows, which does not fork
+    os.register_at_fork(after_in_child=_renew_locks)

@@ -10,11 +10,11 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from tqdm import tqdm
 
 from flexel.base.arguments import flag
 from flexel.base.arrays import Array
 from flexel.base.errors import FlexelError
+from flexel.base.progress import progress_bar
 from flexel.integration.events import Event, passages, value
 from flexel.integration.knots import FORCES, RATES, Knots
 from flexel.integration.outcome import Integration, Pending, Segment, States
@@ -161,7 +161,7 @@ class Run(ABC):
         show = sys.stderr.isatty() if progress is None else flag(progress, "simulate", "progress")
         message: str | None = None
         detailed = log.isEnabledFor(logging.DEBUG)
-        bar = tqdm(total=end - begin, disable=not show, unit="s", leave=False, bar_format=BAR)
+        bar = progress_bar(show, end - begin, "s", BAR)
         try:
             while self.t < end and message is None:
                 message = self.forward()
