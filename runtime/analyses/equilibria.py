@@ -135,7 +135,12 @@ class Equilibria(Core):
         ModelError
             If the increment is zero or names an unknown or fixed quantity.
         DynamicsError
-            If the state is already unstable.
+            If the state is already unstable, or under forces that have no potential, such as follower forces.
+
+        Warns
+        -----
+        UnsteadyWarning
+            If the state is not in equilibrium.
         """
         return stability.buckling(self, _at(self, state, "buckling"), increment, count)
 
@@ -150,6 +155,16 @@ class Equilibria(Core):
             A state of rest; the equilibrium nearest to the initial configuration by default.
         count : int
             Number of modes, at most.
+
+        Raises
+        ------
+        DynamicsError
+            If the state flutters under forces that have no potential; if a motion has neither mass nor stiffness.
+
+        Warns
+        -----
+        UnsteadyWarning
+            If the state moves or is not in equilibrium; names the coordinate.
         """
         if state is None:
             rest = path.equilibrium(self, None, self.at_rest).state

@@ -6,13 +6,12 @@ of independent coordinates is needed.  Source: Besseling (1974) for buckling wit
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import numpy as np
-from scipy.linalg import eigh
-from scipy.sparse import block_diag, coo_array, csc_array
+from scipy.linalg import eig, eigh
 from scipy.sparse.linalg import LinearOperator, eigsh, splu
 
 from flexel.base.arguments import numbers, whole
@@ -21,11 +20,15 @@ from flexel.base.errors import DynamicsError, ModelError
 from flexel.base.shown import Listing
 from flexel.mechanics.core import Core
 from flexel.mechanics.diagnose import null_space
+from flexel.statics.eigenproblem import SKEW, SMALL, Pencil
 from flexel.statics.equilibrium import Equations, Rest
+from flexel.statics.refining import parts
+from flexel.statics.rest_check import check_balance, check_rest
 from flexel.structure.state import State
 
 _eigsh: Any = eigsh
-SMALL = 400  # free coordinates up to which all modes are found at once, with dense matrices
+_eig: Any = eig
+FLUTTER = 1e-6  # imaginary part of an eigenvalue, relative to it, that is not rounding
 
 
 @dataclass(frozen=True)
@@ -83,6 +86,7 @@ def buckling(system: Core, state: State, increment: Mapping[str, float], count: 
     count = whole(count, "buckling", "count")
     if not np.any(load):
         raise ModelError("buckling: the load increment is zero; name at least one load, {'tip.z': -1.0}")
+    check_balance("buckling", problem, q)
     K1 = _by_load(problem, q, load)
     try:
         w, V = _largest(problem, q, K1, count)
@@ -161,40 +165,40 @@ def vibrations(system: Core, state: State, count: int) -> Listing[Vibration]:
     """Lowest natural frequencies and modes about a state of rest; see `System.vibrations`."""
     problem = Rest(system, state)
     q = problem.equations(state.t, state.x, problem.multipliers(state), state.e)
+    check_balance("vibrations", problem, q)
     count = whole(count, "vibrations", "count")
     problem.work.tangent(0.0, 0.0, 1.0, phi=False)
     M = problem.work.tables.T.pattern.matrix(problem.free)
     if not np.any(M.diagonal()):
         return Listing()
     w2, V = _lowest(problem, q, M, count)
-    found = [(np.sign(z) * np.sqrt(abs(z)), V[:, i]) for i, z in enumerate(w2)]
-    return Listing(Vibration(float(z), _shape(system, v)) for z, v in found[:count])
-
-
-def _admitted(problem: Rest, q: Equations) -> tuple[Array, Array]:
-    """Basis (nf, r) of the admissible motions, and the stiffness (r, r) on it."""
-    nf = problem.structure.nf
-    matrix = q.matrix.sparse.toarray()
-    Z, _ = null_space(matrix[nf:, :nf], nf)
-    K = Z.T @ matrix[:nf, :nf] @ Z
-    return Z, (K + K.T) / 2
+    omega = np.sign(w2) * np.sqrt(np.abs(w2))
+    check_rest("vibrations", problem, state, omega)
+    return Listing(Vibration(float(z), _shape(system, V[:, i])) for i, z in enumerate(omega))
 
 
 def _lowest(problem: Rest, q: Equations, M: Any, count: int) -> tuple[Array, Array]:
-    """Eigenvalues of K v = w² M v, ascending, and admissible vectors (nf, …)."""
-    nf = problem.structure.nf
-    if nf <= SMALL:
-        Z, K = _admitted(problem, q)
-        M = Z.T @ (M @ Z)
-        w2, V = _pencil(K, (M + M.T) / 2, lambda motion: q.matrix.names_of(Z @ motion))
-        return w2, Z @ V
-    A, B, start = _bordered(problem, q, M)
+    """The lowest eigenvalues of K v = w² M v, ascending, to the last digits, and admissible vectors (nf, …).
+
+    Raises
+    ------
+    DynamicsError
+        If forces without a potential make it flutter: eigenvalues are complex.
+    """
     shift = -1e-6 * q.stiffness / max(float(np.abs(M.diagonal()).max()), 1e-300)  # a free motion has w = 0
-    inverse = LinearOperator(A.shape, matvec=splu(csc_array(A - shift * B)).solve, dtype=np.float64)
-    v0 = inverse @ (B @ start)
-    w2, V = _eigsh(A, min(count, nf - 2), M=B, sigma=shift, OPinv=inverse, v0=v0)
-    order = np.argsort(w2)
-    return w2[order], V[:nf, order]
+    w2, V = Pencil.of(problem, q, M).lowest(count, shift)
+    flutter = np.abs(w2.imag) > FLUTTER * np.abs(w2)
+    if np.any(flutter):
+        growth, omega = (abs(part) for part in (np.sqrt(w2[flutter][0]).imag, np.sqrt(w2[flutter][0]).real))
+        raise DynamicsError(
+            f"vibrations: the state flutters ({omega:.5g} rad/s, growing by {growth:.3g}/s) under forces that have no "
+            "potential, such as follower forces, so it has no undamped vibrations; system.linearize(state).modes() are "
+            "its modes"
+        )
+    whole = parts(problem, q, M)
+    found = [whole.refined(float(w2[i].real), V[:, i].real) for i in range(min(count, w2.size))]
+    found.sort(key=lambda pair: pair[0])
+    return np.array([value for value, _ in found]), np.array([vector for _, vector in found]).T
 
 
 def _largest(problem: Rest, q: Equations, G: Any, count: int) -> tuple[Array, Array]:
@@ -204,52 +208,37 @@ def _largest(problem: Rest, q: Equations, G: Any, count: int) -> tuple[Array, Ar
     ------
     LinAlgError
         If K is not positive definite on these motions.
+    DynamicsError
+        If K or G is not symmetric.
     """
-    nf = problem.structure.nf
+    pencil = Pencil.of(problem, q, G)
+    K, nf = pencil.K, pencil.size
     if nf <= SMALL:
-        Z, K = _admitted(problem, q)
-        G = Z.T @ (G @ Z)
-        w, V = eigh((G + G.T) / 2, K)
-        return w, Z @ V
-    A, B, start = _bordered(problem, q, G)
-    inverse = LinearOperator(A.shape, matvec=q.matrix.solve, dtype=np.float64)
-    w, V = _eigsh(B, min(count, nf - 2), M=A, Minv=inverse, which="LM", v0=inverse @ (B @ start))
-    if np.any(np.einsum("ij,ij->j", V, A @ V) <= 0):
-        raise np.linalg.LinAlgError("not positive definite")
-    return w, V[:nf]
-
-
-def _bordered(problem: Rest, q: Equations, M: Any) -> tuple[Any, Any, Array]:
-    """The constrained tangent, a matrix of the same size that contains M, and a starting vector."""
-    A = q.matrix.sparse
-    border = A.shape[0] - problem.structure.nf
-    B = block_diag([M, coo_array((border, border))], format="csc")
-    return A, B, np.random.default_rng(0).standard_normal(A.shape[0])
-
-
-def _pencil(K: Array, M: Array, names_of: Callable[[Array], str]) -> tuple[Array, Array]:
-    """Finite eigenvalues of K v = w² M v, ascending; massless directions are condensed statically.
-
-    A direction without mass and stiffness is an error, which names its coordinates.
-    """
-    m, U = np.linalg.eigh(M)
-    if not np.any(m > 0):  # no moving part has mass, so nothing vibrates
-        return np.zeros(0), np.zeros((m.size, 0))
-    massless = m < 1e-13 * max(float(m[-1]), 1e-300)
-    if not massless.any():
-        w2, V = eigh(K, M)
-        return np.asarray(w2), np.asarray(V)
-    A, B = U[:, ~massless], U[:, massless]
-    try:
-        back = -np.linalg.solve(B.T @ K @ B, B.T @ K @ A)
-    except np.linalg.LinAlgError as error:
-        free = B @ np.linalg.eigh(B.T @ K @ B)[1][:, 0]
+        Z = null_space(pencil.C.toarray(), nf)[0]
+        stiffness, load = Z.T @ K @ Z, Z.T @ (G @ Z)
+        w, V = eigh((load + load.T) / 2, (stiffness + stiffness.T) / 2)
+        V = Z @ V
+    else:
+        A, B, start = Pencil.of(problem, q, (G + G.T) / 2).bordered((K + K.T) / 2)
+        inverse = LinearOperator(A.shape, matvec=splu(A).solve, dtype=np.float64)
+        w, V = _eigsh(B, min(count, nf - 2), M=A, Minv=inverse, which="LM", v0=inverse @ (B @ start))
+        if np.any(np.einsum("ij,ij->j", V, A @ V) <= 0):
+            raise np.linalg.LinAlgError("not positive definite")
+        V = V[:nf]
+    # relative to the stiffness, which is 1 in these modes
+    skew = [np.abs(V.T @ ((part - part.T) @ V)).max(initial=0.0) for part in (K, G)]
+    follower = skew[1] > SKEW * np.abs(w).max(initial=0.0)
+    if skew[0] > SKEW or (follower and nf > SMALL):
         raise DynamicsError(
-            f"vibrations: a motion of {names_of(free)} has neither mass nor stiffness; give it one of them, or fix it"
-        ) from error
-    T = A + B @ back
-    w2, V = eigh(T.T @ K @ T, np.diag(m[~massless]))
-    return np.asarray(w2), np.asarray(T @ V)
+            "buckling: forces that have no potential, such as follower forces, make the stiffness unsymmetric; "
+            "equilibrium may then be lost by flutter, before any load at which it bifurcates: follow it with "
+            "system.static_path(), and take system.linearize(state).eigenvalues() at its states"
+        )
+    if follower:  # a moment about an axis at rest, too: only real multipliers are bifurcations
+        complex_w, vectors = _eig(load, (stiffness + stiffness.T) / 2)
+        real = np.abs(complex_w.imag) <= FLUTTER * np.abs(complex_w)
+        w, V = complex_w[real].real, Z @ vectors[:, real].real
+    return w, V
 
 
 def _shape(system: Core, dx: Array) -> dict[str, float]:

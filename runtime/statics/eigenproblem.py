@@ -1,0 +1,148 @@
+"""Eigenvalues of the tangent on the admissible motions: of vibrations, and of buckling.
+
+A motion is admissible if it violates no condition and no wheel slips, so no choice of independent coordinates is
+needed.  Forces without a potential, such as follower forces, make the stiffness unsymmetric.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from scipy.linalg import eig, eigh
+from scipy.sparse import block_array, block_diag, coo_array, csc_array
+from scipy.sparse.linalg import LinearOperator, eigs, eigsh, splu
+
+from flexel.base.arrays import Array
+from flexel.base.errors import DynamicsError
+from flexel.mechanics.diagnose import null_space
+from flexel.statics.equilibrium import Equations, Rest
+
+_eigsh: Any = eigsh
+_eigs: Any = eigs
+_eig: Any = eig
+SMALL = 400  # free coordinates up to which all modes are found at once, with dense matrices
+MASSLESS = 1e-13  # mass, relative to the largest, that counts as none
+SKEW = 1e-7  # coupling of two modes by the skew part, relative to their stiffnesses, that matters
+ROUNDING = 1e-14  # the same relative to the largest stiffness: rounding of the sums in which it cancels
+
+
+@dataclass(frozen=True)
+class Pencil:
+    """K v = w M v on the admissible motions.
+
+    Attributes
+    ----------
+    K, M : sparse array (nf, nf)
+    C : sparse array (nm, nf)
+        Conditions on the motions.
+    name : callable
+        Names of the coordinates that take part in a motion (nf,), in quotes.
+    """
+
+    K: Any
+    M: Any
+    C: Any
+    name: Callable[[Array], str]
+
+    @classmethod
+    def of(cls, problem: Rest, q: Equations, M: Any) -> Pencil:
+        """The stiffness at evaluated equations, and another matrix."""
+        nf, A = problem.structure.nf, q.matrix.sparse.tocsr()
+        return cls(A[:nf, :nf], M, A[:nf, nf:].T.tocsr(), q.matrix.names_of)
+
+    @property
+    def size(self) -> int:
+        """Free coordinates."""
+        return int(self.K.shape[0])
+
+    def lowest(self, count: int, shift: float) -> tuple[Array, Array]:
+        """Lowest eigenvalues (…) and vectors (nf, …), ascending; complex ones where the stiffness is not symmetric.
+
+        Parameters
+        ----------
+        shift : float
+            Below all eigenvalues, but near 0: for large models, of which `count` modes are found.
+        """
+        if self.size <= SMALL:
+            Z = null_space(self.C.toarray(), self.size)[0]
+            values, vectors = self._dense(Z.T @ self.K @ Z, Z.T @ (self.M @ Z), Z)
+            return values, Z @ vectors
+        count = min(count, self.size - 2)
+        values, vectors = self._large(_eigsh, (self.K + self.K.T) / 2, count, shift)
+        if self.skew(values, vectors):
+            values, vectors = self._large(_eigs, self.K, count, shift)
+        order = np.argsort(values.real)
+        return values[order], vectors[: self.size, order]
+
+    def skew(self, values: Array, vectors: Array) -> bool:
+        """Whether the skew part of K couples these modes (nf or more, …) of its symmetric part."""
+        V = vectors[: self.size]
+        return skew(V.T @ ((self.K - self.K.T) @ V) / 2, values, self._mass(V))
+
+    def _mass(self, V: Array) -> Array:
+        return np.asarray(np.einsum("ij,ij->j", V, self.M @ V))
+
+    def _dense(self, K: Array, M: Array, Z: Array) -> tuple[Array, Array]:
+        """Finite eigenvalues, ascending; massless directions are condensed statically.
+
+        A direction without mass and stiffness is an error, which names its coordinates.
+        """
+        M = (M + M.T) / 2
+        m, U = np.linalg.eigh(M)
+        massless = m < MASSLESS * max(float(m.max(initial=0.0)), 1e-300)
+        A, B = U[:, ~massless], U[:, massless]
+        if not A.size:  # no moving part has mass, so nothing vibrates
+            return np.zeros(0), np.zeros((m.size, 0))
+        symmetric = (K + K.T) / 2
+        T = A + B @ self._condensed(symmetric, A, B, Z)
+        values, V = eigh(T.T @ symmetric @ T, T.T @ M @ T if not B.size else np.diag(m[~massless]))
+        odd = T.T @ (K - K.T) @ T / 2
+        if not skew(V.T @ odd @ V, values, np.ones(values.size)):
+            return np.asarray(values), np.asarray(T @ V)
+        T = A + B @ self._condensed(K, A, B, Z)
+        root = 1 / np.sqrt(m[~massless])
+        values, V = _eig(root[:, None] * (A.T @ K @ T) * root)
+        order = np.argsort(values.real)
+        return values[order], T @ (root[:, None] * V[:, order])
+
+    def _condensed(self, K: Array, A: Array, B: Array, Z: Array) -> Array:
+        """How the massless directions B follow those with mass, A."""
+        inner = B.T @ K @ B
+        try:
+            return np.asarray(-np.linalg.solve(inner, B.T @ K @ A))
+        except np.linalg.LinAlgError as error:
+            free = Z @ (B @ np.linalg.eigh((inner + inner.T) / 2)[1][:, 0])
+            raise DynamicsError(
+                f"vibrations: a motion of {self.name(free)} has neither mass nor stiffness; give it one of them, or "
+                "fix it"
+            ) from error
+
+    def _large(self, solver: Any, K: Any, count: int, shift: float) -> tuple[Array, Array]:
+        """The eigenvalues nearest to a shift, and vectors (nf + nm, …), by Lanczos or Arnoldi."""
+        A, B, start = self.bordered(K)
+        inverse = LinearOperator(A.shape, matvec=splu(csc_array(A - shift * B)).solve, dtype=np.float64)
+        values, vectors = solver(A, count, M=B, sigma=shift, OPinv=inverse, v0=inverse @ (B @ start))
+        return values, vectors
+
+    def bordered(self, K: Any) -> tuple[Any, Any, Array]:
+        """The constrained stiffness, a matrix of the same size that contains M, and a starting vector."""
+        border = self.C.shape[0]
+        A = block_array([[K, self.C.T], [self.C, coo_array((border, border))]], format="csc")
+        B = block_diag([self.M, coo_array((border, border))], format="csc")
+        return A, B, np.random.default_rng(0).standard_normal(A.shape[0])
+
+
+def skew(coupling: Array, values: Array, mass: Array) -> bool:
+    """Whether a skew part (modes, modes) in the modes of the symmetric part changes their eigenvalues.
+
+    Parameters
+    ----------
+    values, mass : ndarray (modes,)
+        Eigenvalues, and the norms of the modes, whose products are their stiffnesses.
+    """
+    stiffness = np.abs(values * mass)
+    pairs = np.sqrt(np.outer(stiffness, stiffness))
+    return bool(np.any(np.abs(coupling) > SKEW * pairs + ROUNDING * float(pairs.max(initial=0.0))))

@@ -1,0 +1,152 @@
+"""Frequencies to the last digits where stiffnesses differ much, as those of a leaf spring in bending and in tension.
+
+In K = G + L' S J the entries of soft motions are sums in which those of the stiff ones cancel.  Here the stresses
+s = S J v remain unknowns, like the multipliers m of the constraints, so nothing cancels:
+
+    [G - σ M  C'  L'] [v]   [M v0]
+    [C        0   0 ] [m] = [0   ]
+    [S J      0   -1] [s]   [0   ]
+
+Inverse iteration with this matrix gives a vector v, and that of the transposed one u.  The eigenvalue is their quotient
+(u' G v + (L u)' S (J v)) / (u' M v), whose error is of second order in those of the vectors.
+Source: Parlett (1980), "The symmetric eigenvalue problem", chapter 4.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from scipy.sparse import block_array, coo_array, csc_array, diags_array
+from scipy.sparse.linalg import splu as untyped_splu
+
+from flexel.base.arrays import Array
+from flexel.statics.equilibrium import Equations, Rest
+
+splu: Any = untyped_splu
+NEAR = 1e-4  # distance of the shift from an eigenvalue, relative to it
+TURNS = 2  # steps of inverse iteration
+CORRECTION = 1e-9  # largest change of a coordinate, in natural scales, that removes rounding only
+TRUSTED = 1e-3  # largest relative change of an eigenvalue that is a correction of its last digits
+
+
+@dataclass(frozen=True)
+class Parts:
+    """The stiffness K = G + L' S J as parts in which nothing is cancelled.
+
+    Attributes
+    ----------
+    G : sparse array (nf, nf)
+        Stiffness that is not of laws: of stresses and loads.
+    C : sparse array (nm, nf)
+        Conditions with multipliers.
+    L, J : sparse array (nl, nf), sparse array (nj, nf)
+        Quantities on which laws act, and those on which they depend: the same but for laws of controllers.
+    S : sparse array (nl, nj)
+        Derivatives of these laws.
+    M : sparse array (nf, nf)
+    """
+
+    G: Any
+    C: Any
+    L: Any
+    J: Any
+    S: Any
+    M: Any
+
+    def matrix(self, shift: float) -> csc_array:
+        """The matrix above, the rows of its laws divided by their largest derivatives."""
+        scale = diags_array(1 / abs(self.S).max(axis=1).toarray().ravel())
+        rows = [
+            [self.G - shift * self.M, self.C.T, self.L.T],
+            [self.C, None, None],
+            [scale @ self.S @ self.J, None, -scale],
+        ]
+        return csc_array(block_array(rows))
+
+    def quotient(self, left: Array, right: Array) -> float:
+        """The two-sided Rayleigh quotient of two admissible motions (nf,)."""
+        stiffness = left @ (self.G @ right) + (self.L @ left) @ (self.S @ (self.J @ right))
+        return float(stiffness / (left @ (self.M @ right)))
+
+    def refined(self, value: float, vector: Array) -> tuple[float, Array]:
+        """An eigenvalue and its vector (nf,), from approximations of them; these where there is nothing to gain.
+
+        Without laws nothing is stiff.  A motion that nothing resists keeps its eigenvalue, which is rounding.
+        """
+        if not self.S.nnz:
+            return value, vector
+        A = self.matrix(value * (1 - NEAR))
+        factors = _factors(A)
+        if factors is None:
+            return value, vector
+        left = right = vector
+        for _ in range(TURNS):
+            right = self._turned(A, factors, self.M @ right, "N")
+            left = self._turned(A.T, factors, self.M.T @ left, "T")
+        found = self.quotient(left, right)
+        return (found, right) if abs(found - value) <= TRUSTED * abs(value) else (value, vector)
+
+    def correction(self, residual: Array) -> Array | None:
+        """Change of coordinates, multipliers and stresses that removes a residual (nf + nm,); None if undetermined."""
+        A = self.matrix(0.0)
+        factors = _factors(A)
+        rhs = np.zeros(A.shape[0])
+        rhs[: residual.size] = -residual
+        return None if factors is None else _solved(A, factors, rhs, "N")
+
+    @staticmethod
+    def _turned(A: Any, factors: Any, forces: Array, way: str) -> Array:
+        """Motion (nf,) under forces (nf,), of size 1."""
+        rhs = np.zeros(A.shape[0])
+        rhs[: forces.size] = forces
+        x = _solved(A, factors, rhs, way)[: forces.size]
+        return np.asarray(x / np.linalg.norm(x))
+
+
+def _factors(A: csc_array) -> Any:
+    """LU factors; None if a matrix is singular."""
+    try:
+        return splu(A)
+    except RuntimeError:  # its only report of a singular matrix
+        return None
+
+
+def _solved(A: Any, factors: Any, rhs: Array, way: str) -> Array:
+    """Solution, corrected once."""
+    x = factors.solve(rhs, way)
+    return np.asarray(x + factors.solve(rhs - A @ x, way))
+
+
+def parts(problem: Rest, q: Equations, M: Any) -> Parts:
+    """The parts of the stiffness at the last evaluation, whose laws the workspace loses.
+
+    The stresses of laws are those of equilibrium: coordinates are rounded, which strains stiff elements.
+
+    Parameters
+    ----------
+    M : sparse array (nf, nf)
+    """
+    work, first, nf = problem.work, problem.first, problem.structure.nf
+    codes = work.tables.law.codes
+    slopes = work.S[: codes.size].copy()
+    codes, slopes = codes[slopes != 0], slopes[slopes != 0]
+    work.S[:] = work.S_rate[:] = 0.0
+    acting, row = np.unique(codes // max(first, 1), return_inverse=True)
+    seen, column = np.unique(codes % max(first, 1), return_inverse=True)
+    S = coo_array((slopes, (row, column)), shape=(acting.size, seen.size)).tocsr()
+    J = work.tables.J.matrix(work.J)[:, :nf]
+
+    def by_stress() -> Any:
+        work.tangent(1.0, 0.0, 0.0, phi=False)
+        return work.tables.T.pattern.matrix(problem.free)
+
+    found = Parts(by_stress(), J[problem.force_rows], J[acting], J[seen], S, M)
+    more = found.correction(q.residual) if S.nnz else None
+    if more is None or problem.extent(more) > CORRECTION:
+        return found
+    work.stress[acting] += more[nf + problem.force_rows.size :]
+    inner = problem.force_rows < first
+    work.stress[problem.force_rows[inner]] += more[nf : nf + problem.force_rows.size][inner]
+    return replace(found, G=by_stress())

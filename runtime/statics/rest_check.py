@@ -1,0 +1,64 @@
+"""Whether a state is one of rest and equilibrium, about which vibrations and buckling have a meaning."""
+
+from __future__ import annotations
+
+import warnings
+
+import numpy as np
+
+from flexel.base.arrays import Array
+from flexel.base.errors import UnsteadyWarning
+from flexel.base.units import force_unit, rate_unit
+from flexel.mechanics.balance import TINY_FORCE
+from flexel.statics.equilibrium import Equations, Rest
+from flexel.structure.state import State
+
+UNBALANCED = (
+    1e-6  # unbalanced force, relative to those that balance, above which a state is not in equilibrium
+)
+ROUNDING = 1e-12  # the same relative to the largest stiffness, over the natural scale
+MOVING = (
+    1e-6  # rate, in natural scales and relative to the lowest frequency, above which a state is not at rest
+)
+FREE = 1e-5  # frequency, relative to the highest, that is one of a free motion but for rounding
+
+
+def check_balance(owner: str, problem: Rest, q: Equations, depth: int = 4) -> None:
+    """Warn the caller of a public method about a state that is not in equilibrium, with its worst coordinate."""
+    s, first = problem.structure, problem.first
+    residual = np.abs(q.residual[: s.nf])
+    worst = int(np.argmax(residual)) if s.nf else 0
+    if not np.any(
+        residual > UNBALANCED * q.balance.scale + ROUNDING * q.stiffness * problem.length + TINY_FORCE
+    ):
+        return
+    unit = force_unit(s.units[first + worst], slip=False)
+    warnings.warn(
+        f"{owner}: the state is not in equilibrium: {residual[worst]:.3g} {unit} on '{s.names[first + worst]}' is not "
+        "balanced, so the result does not describe what follows from it; give the state of system.equilibrium()",
+        UnsteadyWarning,
+        stacklevel=depth,
+    )
+
+
+def check_rest(owner: str, problem: Rest, state: State, omega: Array, depth: int = 4) -> None:
+    """Warn about a state that moves.
+
+    Parameters
+    ----------
+    omega : ndarray (modes,)
+        Frequencies that were found [rad/s]: a rate matters as it compares with the lowest, free motions excepted.
+    """
+    s, first, size = problem.structure, problem.first, np.abs(omega)
+    rates = np.abs(state.v[: s.nf]) / problem.x_scale
+    lowest = float(size[size >= FREE * size.max()].min()) if size.size else np.inf
+    if not np.any(rates > MOVING * lowest):
+        return
+    worst = int(np.argmax(rates))
+    unit = rate_unit(s.units[first + worst], 1)
+    warnings.warn(
+        f"{owner}: the state moves ('{s.names[first + worst]}' at {state.v[worst]:.3g} {unit}), and these are "
+        "vibrations about rest; system.linearize(state).modes() are those about the motion",
+        UnsteadyWarning,
+        stacklevel=depth,
+    )

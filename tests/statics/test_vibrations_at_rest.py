@@ -1,0 +1,89 @@
+"""Vibrations to the last digits, under follower forces, with rolling wheels, and about states that are not at rest."""
+
+import warnings
+
+import numpy as np
+import pytest
+
+import flexel as fx
+from flexel.examples.bicycle import bicycle
+
+
+def chain(n: int, EA: float, EI: float, way: tuple[float, float], mass: float = 0.0) -> fx.Model:  # noqa: N803
+    """A planar cantilever of length 1 in a direction."""
+    m = fx.Model()
+    points = [m.point(f"P{i}", np.array(way) * i / n, fixed=i == 0) for i in range(n + 1)]
+    angles = [m.angle(f"R{i}", fixed=i == 0) for i in range(n + 1)]
+    for i in range(n):
+        ends = points[i], angles[i], points[i + 1], angles[i + 1]
+        m.beam(f"b{i}", *ends, EA=EA, EIz=EI, mass_per_length=mass)
+    return m
+
+
+def beck(load: float) -> fx.System:
+    m = chain(10, 1e6, 1.0, (1.0, 0.0), 1.0)
+    m.load("P10", (-load, 0.0), follower="R10")
+    return m.build()
+
+
+def test_a_column_under_a_following_force_vibrates_as_its_linearization_says() -> None:
+    """Beck's column at half its flutter load."""
+    system = beck(10.0)
+    state = system.equilibrium()
+    found = [mode.omega for mode in system.vibrations(state, count=3)]
+    exact = sorted({round(value, 6) for value in abs(system.linearize(state).eigenvalues().imag)})
+    assert found[0] == pytest.approx(5.176, abs=1e-3)
+    np.testing.assert_allclose(found, exact[:3], rtol=1e-6)
+
+
+def test_flutter_is_refused_by_name() -> None:
+    """Beck's column loses stability at P l²/EI = 20.05."""
+    system = beck(21.0)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", fx.UnstableWarning)
+        state = system.equilibrium()
+    with pytest.raises(fx.DynamicsError, match=r"vibrations: the state flutters .*linearize\(state\)\.modes"):
+        system.vibrations(state)
+
+
+@pytest.mark.parametrize("n", [1, 8, 40])
+def test_a_stiff_leaf_spring_vibrates_to_the_last_digits(n: int) -> None:
+    """A mass at the tip, drawn oblique: 3 EI / (m l³) and EA / (m l), which differ by 1e7."""
+    m = chain(n, 3e7, 3.0, (0.6, 0.8))
+    m.point_mass("tip", f"P{n}", 2.0)
+    found = [mode.omega for mode in m.build().vibrations(count=2)]
+    np.testing.assert_allclose(found, np.sqrt([4.5, 1.5e7]), rtol=1e-13)
+
+
+def test_wheels_that_roll_vibrate_as_the_linearization_says() -> None:
+    """The bicycle at rest falls over with 3.131 and 5.531 1/s (Meijaard et al., 2007)."""
+    system = bicycle()
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", fx.UnstableWarning)
+        state = system.equilibrium()
+    found = [mode.omega for mode in system.vibrations(state, count=2)]
+    np.testing.assert_allclose(found, [-5.53094371765393, -3.13164324790656], rtol=1e-7)
+
+
+def loaded() -> fx.System:
+    m = chain(2, 1e3, 1.0, (1.0, 0.0), 1.0)
+    m.load("P2", (0.0, 0.5))
+    return m.build()
+
+
+def test_a_state_that_is_not_in_equilibrium_is_named() -> None:
+    system = loaded()
+    for analysis in (
+        lambda: system.vibrations(system.initial),
+        lambda: system.buckling(increment={"P2.x": -1.0}),
+    ):
+        with pytest.warns(fx.UnsteadyWarning, match=r"not in equilibrium: 0\.5 N on 'P2\.y'"):
+            analysis()
+
+
+def test_a_state_that_moves_is_named() -> None:
+    m = chain(2, 1e3, 1.0, (1.0, 0.0), 1.0)
+    m.initial("P2.y", rate=0.1)
+    system = m.build()
+    with pytest.warns(fx.UnsteadyWarning, match=r"the state moves \('R2\.angle' at .* rad/s"):
+        system.vibrations(system.initial)
