@@ -170,7 +170,7 @@ class Coefficients:
         return np.array([symmetric(column.reshape(2 * k + 1, nd)) for column in parts.T])
 
     def balanced(self, size: Array) -> bool:
-        """Whether the forces F are rounding beside those of a vibration of unit size; `size` (nd,) is natural scales."""
+        """Whether the forces F are rounding beside those of a vibration of natural size (nd,)."""
         dynamic = sum(
             np.abs(z).max(axis=0) * self.omega**power for power, z in enumerate((self.K, self.C, self.M))
         )

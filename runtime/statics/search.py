@@ -108,8 +108,8 @@ class Search:
             return
         name = problem.structure.names[first + self._heaviest(motion)]
         raise DynamicsError(
-            f"no equilibrium{problem.when(self.t)}: a force acts where nothing resists a motion of '{name}'; support it, "
-            f"or give hold=['{name}']"
+            f"no equilibrium{problem.when(self.t)}: a force acts where nothing resists a motion of '{name}'; "
+            f"support it, or give hold=['{name}']"
         )
 
     def _heaviest(self, motion: Array) -> int:
