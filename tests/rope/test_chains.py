@@ -47,7 +47,11 @@ def test_an_end_that_is_held_or_loaded_needs_no_bending_stiffness() -> None:
 @pytest.mark.parametrize("planar", [True, False])
 def test_springs_on_the_curvatures_of_a_free_end_count_as_bending_stiffness(planar: bool) -> None:
     n, own = 2, 0.004 * 0.1 * G / 2**3  # half of what is needed
-    points = [f"curvature{i}" for i in (1, 2, 3)] if planar else [f"curvature{i}{c}" for i in (1, 2, 3) for c in "xyz"]
+    points = (
+        [f"curvature{i}" for i in (1, 2, 3)]
+        if planar
+        else [f"curvature{i}{c}" for i in (1, 2, 3) for c in "xyz"]
+    )
     share = dict(zip("123", (5 / 18, 8 / 18, 5 / 18), strict=True))  # of Gauss' three points
     m = hanging(n, own, planar)
     for point in points[1:]:
