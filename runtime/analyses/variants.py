@@ -62,6 +62,7 @@ class Values:
         self, system: Core, given: Mapping[str, Any] | None, initial: Mapping[str, Any], owner: str
     ) -> None:
         self._owner = owner
+        self._elements = {instance.name for instance in system.structure.instances}
         parameters = Parameters(system.structure)
         given = mapping(given, owner, "parameters")
         self.places = [parameters.find(name, owner) for name in given]
@@ -78,7 +79,22 @@ class Values:
             other = np.flatnonzero((row != parameters.owner(place).p[place.numbers]).any(axis=1))
             if other.size:
                 check_variable(system.evaluation, place, row[other[0]], owner)
+                self._check_stiffness(parameters, place)
         self._check_signs(parameters)
+
+    def _check_stiffness(self, parameters: Parameters, place: Place) -> None:
+        """Check that a stiffness leaves nothing behind that the declaration of its element computed with it."""
+        element = parameters.owner(place).name
+        if not place.law or place.parameter != "S" or element not in self._elements:
+            return
+        also = [f"{element}.{part}" for part in ("phi_y", "phi_z", "preload", "damping")]
+        given = {p.name for p in self.places}
+        left = [name for name in also if name in parameters and name not in given and parameters[name].any()]
+        if left:
+            raise ModelError(
+                f"{self._owner}: '{place.name}' alone leaves {', '.join(left)} behind, which '{element}' computed from "
+                "the same section: build the model for each value, with fx.sweep, or give values for these too"
+            )
 
     def _check_signs(self, parameters: Parameters) -> None:
         if not any(place.law for place in self.places):

@@ -22,6 +22,7 @@ _getrf: Any = get_lapack_funcs("getrf", dtype=np.float64)
 _getrs: Any = get_lapack_funcs("getrs", dtype=np.float64)
 _gecon: Any = get_lapack_funcs("gecon", dtype=np.float64)
 SINGULAR = 1e-14  # reciprocal condition of the scaled balance, below which it counts as singular
+BALANCED = 1e-14  # forces that are rounding, relative to those of a vibration of unit size
 
 
 def fourier_sum(X: ComplexArray, omega: float, t: Array) -> tuple[Array, Array, Array]:
@@ -167,6 +168,13 @@ class Coefficients:
         with one_thread():
             parts = self._solve(matrix, rhs)
         return np.array([symmetric(column.reshape(2 * k + 1, nd)) for column in parts.T])
+
+    def balanced(self, size: Array) -> bool:
+        """Whether the forces F are rounding beside those of a vibration of natural size (nd,)."""
+        dynamic = sum(
+            np.abs(z).max(axis=0) * self.omega**power for power, z in enumerate((self.K, self.C, self.M))
+        )
+        return bool(np.all(np.abs(self.F) <= BALANCED * (dynamic @ size)))
 
     def vibration(self, X: ComplexArray) -> PeriodicVibration:
         """The vibration with these Fourier coefficients (2k + 1, nd), and an estimate of what they neglect."""

@@ -88,14 +88,21 @@ def periodic_motion(
         If the harmonics are too few for the accuracy; the attribute ``reached`` holds the solution.
     """
     ns, k = samples or 4 * harmonics + 4, harmonics
+    size = system.kinematics.scales(system.roles.dynamic)
     if start is None:
-        first = np.array(orbit(system, period, ns).coefficients.harmonic_balance(k).X)
+        nominal = orbit(system, period, ns).coefficients
+        first = np.zeros((2 * k + 1, size.size), dtype=complex)
+        if not nominal.balanced(size):
+            first += nominal.harmonic_balance(k).X
         first[k] += system.at_rest.q
     else:
         first = np.array(start)
 
     def evaluate(X: ComplexArray) -> tuple[tuple[Orbit, ComplexArray], float]:
         motion = vibrating(system, X, period, ns)
+        # Where a Floquet multiplier is one, nothing determines the change that rounding would ask for.
+        if motion.coefficients.balanced(size):
+            return (motion, np.zeros_like(X)), 0.0
         step = motion.coefficients.responses(k, motion.coefficients.F)[0]
         return (motion, step), relative_size(step, X)
 

@@ -25,7 +25,8 @@ MAX_ITERATIONS = 20
 FEW, GROWTH, CUT = 4, 1.5, 0.7  # after so few iterations the arc grows, after more it is cut
 COSINE = 0.9  # smallest cosine between the tangents of neighbouring points
 ALONG = 0.99  # smallest cosine between their mean tangent and the chord: one, for a parabola or a circle
-CROSSING = 1e-4  # longest arc across a point where curves cross
+SHORT = 1e-4  # longest arc across a corner, where a contact opens, and across a point where curves cross
+AROUND = 10.0  # largest distance of a point from its guess around a corner, relative to the arc
 ASTRAY = 0.5  # largest distance of a point from its guess, relative to the arc
 Equations = TypeVar("Equations")
 Found = TypeVar("Found")
@@ -159,8 +160,10 @@ def _follows(
         return float((weights * a) @ b) / float(np.sqrt((weights @ a**2) * (weights @ b**2)))
 
     astray = float(np.sqrt(weights @ (point.y - guess) ** 2))
+    if arc <= SHORT:
+        return astray < AROUND * arc
     same = np.sign([curve.sign(p.equations) * p.tangent[-1] for p in (near, point)])
-    if same[0] * same[1] < 0 and arc > CROSSING:
+    if same[0] * same[1] < 0:
         log.debug("point refused: it is beyond a fold, or curves cross")
         return False
     turned = cosine(near.tangent, point.tangent)

@@ -12,13 +12,13 @@ from numpy.typing import NDArray
 from flexel.base.arrays import Array, Index
 from flexel.base.errors import DynamicsError
 from flexel.engine.elimination import Eliminated, Elimination, LargeFactors
-from flexel.engine.solvers import null_vector
+from flexel.engine.solvers import least, null_vector
 from flexel.engine.workspace import Workspace
 from flexel.mechanics.diagnose import largest, quoted
 from flexel.structure.structure import Structure
 
-CONSISTENT = 1e-10  # relative residual below which a least-squares solution solves the equations
-LARGEST_NULL_SPACE = 1500  # most unknowns for which a singular matrix has a least-squares solution
+CONSISTENT = 1e-10  # singular values, relative to the largest, that a least-squares solution takes as zero
+ROUNDING = 1e-13  # singular values, relative to the largest, that are zero but for rounding
 
 
 class SaddlePattern:
@@ -101,17 +101,14 @@ class Matrix:
         """The matrix as a scipy.sparse array."""
         return self.pattern.matrix(self.stored)
 
-    def least_solution(self, rhs: Array) -> Array | None:
-        """The smallest solution for a right-hand side, in scaled unknowns; None if a singular matrix has none."""
-        if self.factors.regular:
-            return self.solve(rhs)
-        if self.pattern.size > LARGEST_NULL_SPACE:
-            return None
-        A = self.sparse.toarray()
-        scale = 1 / np.sqrt(np.maximum(np.abs(A).max(axis=1), 1e-12 * (self.size or 1.0)))
-        x = scale * np.linalg.lstsq(scale[:, None] * A * scale, scale * rhs, rcond=CONSISTENT)[0]
-        missed = scale * (A @ x - rhs)
-        return x if np.linalg.norm(missed) <= CONSISTENT * np.linalg.norm(scale * rhs) else None
+    def least_solution(self, rhs: Array) -> tuple[Array, Array]:
+        """The smallest least-squares solution in scaled unknowns, and what it misses of the right-hand side.
+
+        Motions that nothing resists, but for rounding, are left out.
+        """
+        A, scale = self._scaled()
+        x = scale * least(A, scale * rhs, CONSISTENT)
+        return x, rhs - self.sparse @ x
 
     def solve(self, rhs: Array) -> Array:
         """Solution for one or several right-hand sides; names the unresisted motion if the matrix is singular.
@@ -137,6 +134,22 @@ class Matrix:
         return (
             motion if motion is not None and np.any(motion) else None
         )  # else multipliers that nothing determines
+
+    def free_motions(self) -> Array:
+        """Orthonormal motions (nf, r) of the coordinates that the matrix maps to zero, but for rounding."""
+        A, scale = self._scaled()
+        _, sizes, rows = np.linalg.svd(A)
+        motions = (scale * rows[sizes <= ROUNDING * (sizes.max(initial=0.0) or 1.0)])[
+            :, : self.structure.nf
+        ].T
+        basis, lengths, _ = np.linalg.svd(motions, full_matrices=False)
+        return np.asarray(basis[:, lengths > CONSISTENT * lengths.max(initial=0.0)])
+
+    def _scaled(self) -> tuple[Array, Array]:
+        """The matrix with scaled rows and columns, and their scale."""
+        A = self.sparse.toarray()
+        scale = 1 / np.sqrt(np.maximum(np.abs(A).max(axis=1), 1e-12 * (self.size or 1.0)))
+        return scale[:, None] * A * scale, scale
 
     def names_of(self, motion: Array) -> str:
         """The coordinates that take part in a motion (nf,), in quotes."""

@@ -20,6 +20,7 @@ LIGHTEST, HEAVIEST = 10.0, 3e4  # density [kg/m³]: foam, beyond osmium
 GRAVITY = 300.0  # [m/s²] beyond that on Jupiter and the sun; 9810 is mm/s²
 TURNS = 4 * np.pi  # an initial angle beyond two turns is likely one in degrees
 SLENDER = 1.0  # depth of a section over the size of the model
+FOLLOWING = 1.0  # length of a cable's element over the radius of a circle
 SHORT = 1e-6  # length of an element over the size of the model
 
 
@@ -34,7 +35,7 @@ def suspects(model: Declarations, structure: Structure, size: float) -> list[Fin
     size : float
         Extent of the model [m].
     """
-    found = [*_gravity(model), *_angles(model, structure), *_idle(model)]
+    found = [*_gravity(model), *_angles(model, structure), *_idle(model), *_coarse(structure)]
     for instance in structure.instances:
         if isinstance(instance.profile, Profile):
             found += _profile(instance, instance.profile, size)
@@ -94,6 +95,24 @@ def _short(model: Declarations, instance: Instance, size: float) -> Iterator[Fin
             "elements",
             f"{instance.spec.family} '{instance.name}' is {length:.3g} m long in a model of {size:.3g} m; join its "
             "ends in one point",
+        )
+
+
+def _coarse(structure: Structure) -> Iterator[Finding]:
+    """Cables whose elements are longer than the radius of a circle that they may touch, one finding for each circle."""
+    longest: dict[str, tuple[float, float, str]] = {}
+    for contact in structure.instances:
+        if contact.spec.family == "contact" and {"l0", "radius"} <= contact.parameters.keys():
+            cable, _, circle = contact.name.rpartition("#")[0].rpartition("@")
+            l0, radius = (float(contact.parameters[key][0]) for key in ("l0", "radius"))
+            if l0 > FOLLOWING * radius * (1 + 1e-9):
+                longest[circle] = max(longest.get(circle, (0.0, radius, "")), (l0, radius, cable))
+    for circle, (l0, radius, cable) in longest.items():
+        yield Finding(
+            "warning",
+            "mesh",
+            f"'{cable}' of {l0:.4g} m cannot follow '{circle}', whose radius is {radius:.4g} m: an equilibrium may "
+            "not be found; use elements of half the radius",
         )
 
 

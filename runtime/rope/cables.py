@@ -25,6 +25,7 @@ from flexel.structure.structure import Structure
 STRAINS = np.array([1, 1 / 3, 1 / 5])
 POINTS, CURVATURES = np.polynomial.legendre.leggauss(3)
 CURVATURES /= 2
+CURVATURE = "curvature"  # first part of the names of these deformations
 LEGENDRE = np.polynomial.legendre.legvander(POINTS, 2)
 PLACES = (1 + POINTS) / 2
 
@@ -201,9 +202,22 @@ def weights(l0: float, EA: float, EI: float, planar: bool) -> Array:
 
 
 def bending_stiffness(structure: Structure, cable: Instance) -> float:
-    """EI [N m²] of a cable of a model."""
-    own = [z for z in structure.laws if z.deformations == cable.deformations]
-    return float(sum(z.parameters["S"][3] for z in own) / (CURVATURES[0] * cable.parameters["l0"][0]))
+    """Smallest EI [N m²] of a cable of a model: its own, and what springs on its curvatures add.
+
+    It is infinite where a law of another kind acts on all of its curvatures, since that may do anything.
+    """
+    EI = dict.fromkeys((name for name in cable.deformations if CURVATURE in name.rpartition(".")[2]), 0.0)
+    for law in structure.laws:
+        if law.deformations == cable.deformations:
+            stiffness = dict(zip(law.deformations, law.parameters["S"], strict=True))
+        elif law.spec.name == "linear_1":
+            stiffness = {law.deformations[0]: law.parameters["S"][0]}
+        else:
+            stiffness = dict.fromkeys(law.deformations, np.inf)
+        for name in stiffness.keys() & EI.keys():
+            point = int(name.rpartition(CURVATURE)[2][0]) - 1
+            EI[name] += stiffness[name] / (CURVATURES[point] * float(cable.parameters["l0"][0]))
+    return float(min(EI.values()))
 
 
 def drawn_length(p: Array, slope_p: Array, q: Array, slope_q: Array) -> float:

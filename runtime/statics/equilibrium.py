@@ -1,4 +1,4 @@
-"""The equations of static equilibrium, and their solution at a fixed load.
+"""The equations of static equilibrium.
 
 They are written in coordinates and multipliers together (the saddle-point form), so no choice of
 independent coordinates is needed, however large the deformation; the tangent is the analytic r_x.
@@ -6,7 +6,6 @@ independent coordinates is needed, however large the deformation; the tangent is
 
 from __future__ import annotations
 
-import logging
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -16,16 +15,11 @@ from scipy.sparse.linalg import lsmr
 from flexel.base.arrays import Array, Index
 from flexel.mechanics.balance import Balance, Saddle
 from flexel.mechanics.core import Core
-from flexel.mechanics.newton import newton, shortened
 from flexel.mechanics.saddle import Matrix, SaddlePattern
 from flexel.structure.state import State, own_state
 
-log = logging.getLogger("flexel.statics")
-POLISHING = 3  # largest number of further steps: they gain digits where stiffnesses differ much
-ROUNDING = 1e-14  # step, in natural scales, that is rounding
-CONVERGED, STALLED, MAX_ITERATIONS = 1e-12, 1e-9, 30
+CONVERGED, STALLED = 1e-12, 1e-9
 STEP = 0.4  # largest change of a coordinate, in its natural scale, in one Newton step
-SEARCH = 0.2  # the same in a search at the full load: stiff beams far from equilibrium do not converge in longer ones
 
 
 class Rest(Saddle):
@@ -80,6 +74,11 @@ class Rest(Saddle):
         """Largest change of a coordinate, in its natural scale, in a step of (x, mu)."""
         return float(np.abs(step[: self.structure.nf] / self.x_scale).max(initial=0.0))
 
+    def when(self, t: float) -> str:
+        """The time in words, where loads or prescribed motions depend on it; empty otherwise."""
+        depends = len(self.system.loads.functions) or len(self.roles.motions)
+        return f" at t = {t:g} s" if depends else ""
+
     def rate(self, q: Equations) -> Array:
         """Derivative of the residual with respect to time at fixed x and mu."""
         return np.concatenate([*self.load_rate(q.balance), np.zeros(self.still.size)])
@@ -104,43 +103,3 @@ class Equations:
     residual: Array
     matrix: Matrix
     stiffness: float
-
-
-def solve(problem: Rest, t: float, x: Array, mu: Array, near: Array) -> tuple[Equations, Array] | None:
-    """The equilibrium at a fixed parameter, and its multipliers, by Newton's method; None if it does not converge."""
-    nf = problem.structure.nf
-
-    def evaluate(point: tuple[Array, Array, Array]) -> tuple[Equations, float]:
-        q = problem.equations(t, *point)
-        return q, problem.size(q, q.residual)
-
-    def newton_step(q: Equations) -> Array:
-        # the smallest solution: unstrained bars resist no transverse motion
-        step = q.matrix.least_solution(q.residual)
-        return q.matrix.solve(q.residual) if step is None else step
-
-    def moved(point: tuple[Array, Array, Array], q: Equations, step: Array) -> tuple[Array, Array, Array]:
-        x, mu = point[0].copy(), point[1] - step[nf:]
-        x[:nf] -= step[:nf]
-        return x, mu, q.balance.e
-
-    def move(point: tuple[Array, Array, Array], q: Equations) -> tuple[Array, Array, Array]:
-        step = newton_step(q)
-        return moved(point, q, shortened(step, problem.extent(step), SEARCH))
-
-    limits = {"tolerance": CONVERGED, "stalled": STALLED}
-    found = newton((x, mu, near), evaluate, move, **limits, most=MAX_ITERATIONS)
-    how = "found" if found.converged else "not found"
-    log.info("t = %g s: %s in %d Newton iterations, error %.3g", t, how, found.iterations, found.error)
-    if not found.converged:
-        return None
-    q, point, last = found.equations, found.point, np.inf
-    # The steps decide, not the residual: in a stiff model it is rounding from the first of these steps on.
-    for _ in range(POLISHING if q.matrix.factors.regular else 0):  # a free motion is handled elsewhere
-        step = newton_step(q)
-        size = problem.extent(step)
-        if not ROUNDING < size < min(0.5 * last, STEP):
-            break
-        point, last = moved(point, q, step), size
-        q = evaluate(point)[0]
-    return q, point[1]

@@ -19,8 +19,9 @@ from flexel.engine.finite import TangentError
 from flexel.mechanics.arclength import Arcs, Point, corrected, follow, point_at
 from flexel.mechanics.core import Core
 from flexel.mechanics.diagnose import quoted
-from flexel.statics.equilibrium import CONVERGED, STALLED, STEP, Equations, Rest, solve
+from flexel.statics.equilibrium import CONVERGED, STALLED, STEP, Equations, Rest
 from flexel.statics.growth import growing_motions
+from flexel.statics.search import Search
 from flexel.statics.settling import descend, settle, unstable_motions
 from flexel.structure.state import State
 
@@ -52,7 +53,7 @@ def equilibrium(
     settled = settle(problem, t, q, mu) if count else None
     if settled is None:
         raise PositionError(
-            f"no stable equilibrium found at t = {t:g} s: the one that was found is unstable, and a descent from it "
+            f"no stable equilibrium found{problem.when(t)}: the one that was found is unstable, and a descent from it "
             "reaches none; start nearer to one, or support what moves"
         )
     return Found(problem.state(settled[0].balance), "")
@@ -75,14 +76,14 @@ def _balanced(problem: Rest, t: float, start: State) -> tuple[Equations, Array]:
     """
     mu = problem.holding_forces(t, start)
     try:
-        found = solve(problem, t, start.x, mu, start.e)
+        found = Search(problem, t).found(start.x, mu, start.e)
         if found is not None:
             return found
         log.info("t = %g s: Newton's method does not converge; the unbalance is removed gradually", t)
         states, message = _follow(problem, start, mu, t, t)
         if not message:
             return _again(problem, states[-1])
-        failure: FlexelError = PositionError(f"no equilibrium found at t = {t:g} s: {message}")
+        failure: FlexelError = PositionError(f"no equilibrium found{problem.when(t)}: {message}")
     except DynamicsError as error:  # the stiffness is singular
         failure = error
     log.info("t = %g s: descends to where forces balance, because %s", t, failure)
@@ -147,7 +148,8 @@ def _follow(problem: Rest, start: State, mu: Array, t0: float, t1: float) -> tup
         if there is None:
             return False
         x = np.concatenate([there.y[:nf], start.x[nf:]])
-        found = solve(problem, t1, x, there.y[nf:-1], there.equations.rest.balance.e)  # with all digits
+        e = there.equations.rest.balance.e
+        found = Search(problem, t1).found(x, there.y[nf:-1], e)  # with all digits
         if found is not None:
             states.append(problem.state(found[0].balance))
         return found is not None
@@ -156,8 +158,8 @@ def _follow(problem: Rest, start: State, mu: Array, t0: float, t1: float) -> tup
         first = point_at(curve, np.append(curve.start, 0.0), curve.first)
         arc = follow(curve, first, (-np.inf, 1.0), ARCS, keep, finish)
     except TangentError as error:
-        return states, f"the path stopped at t = {states[-1].t:g} s after {len(states)} equilibria: {error}"
-    message = "" if arc is None else _stopped(problem, states, last, arc)
+        return states, f"the path stopped{problem.when(states[-1].t)} after {len(states)} equilibria: {error}"
+    message = "" if arc is None else _stopped(problem, states, last, arc, t0 != t1)
     log.info(
         "path to t = %g s: %d equilibria%s", states[-1].t, len(states), f"; {message}" if message else ""
     )
@@ -222,18 +224,21 @@ class LoadPath:
         return self.problem.extent(step) <= STEP + arc
 
 
-def _stopped(problem: Rest, states: list[State], p: float, arc: float) -> str:
+def _stopped(problem: Rest, states: list[State], p: float, arc: float, loaded: bool) -> str:
+    """Why a path ended; `loaded` if time was its parameter, otherwise the unbalance was removed gradually."""
     e = states[-1].values
     rows = np.argsort(-np.abs(np.nan_to_num(e[: problem.structure.m])))[:3]
-    names = quoted([problem.structure.names[i] for i in rows])
-    top = max(states, key=lambda state: state.t)
+    deformed = f"deformations {quoted([problem.structure.names[i] for i in rows])} are largest at the end"
+    if not loaded:
+        return f"the search ended with {100 * p:.4g} % of the unbalanced forces removed; {deformed}"
     if arc >= ARCS.smallest:
         why = (
             f"{ARCS.steps} steps were not enough: ask for a smaller load, or start again from the last state"
         )
     else:
-        why = "a limit load may have been reached, otherwise refine the mesh"
+        why = "a limit load may have been reached, otherwise use more elements where much is deformed"
+    top = max(states, key=lambda state: state.t)
     return (
         f"the path stopped at {100 * p:.4g} % of the load (t = {states[-1].t:g} s) after {len(states)} equilibria, arc "
-        f"{arc:.2g}; the largest t reached is {top.t:g} s; deformations {names} are largest at the end: {why}"
+        f"{arc:.2g}; the largest t reached is {top.t:g} s; {deformed}: {why}"
     )

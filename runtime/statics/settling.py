@@ -163,6 +163,8 @@ def descend(problem: Rest, t: float, x: Array, mu: Array, near: Array) -> tuple[
 
     start = Place(x, mu, near, STEP, np.zeros(nf), 0.0)
     here = evaluate(start)[0]
+    if not _has_potential(here.matrix.sparse.tocsc()[:nf, :nf]):
+        return None  # no potential decreases along the descent
     steepest = STEEPER * max(here.stiffness, here.balance.scale)
     found = newton(start, evaluate, move, tolerance=CONVERGED, stalled=STALLED, most=MOST_STEPS)
     # relative to such a stiffness every force is small: a cable without slope would seem to be in equilibrium

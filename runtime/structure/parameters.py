@@ -70,6 +70,9 @@ class Parameters(Mapping[str, Array]):
     def __iter__(self) -> Iterator[str]:
         return iter(self._places)
 
+    def __contains__(self, name: object) -> bool:
+        return name in self._places
+
     def __getitem__(self, name: str) -> Array:
         place = self.find(name, "parameters")
         return np.array(self.owner(place).p[place.numbers])

@@ -284,3 +284,42 @@ def test_variants_without_any_result_raise_the_reason_of_the_first(call: Any) ->
         call(s, {"bob.mass": [0.0]})
     with pytest.warns(fx.IncompleteWarning, match=r"1 of 3 variants failed; number 1: .*moves no mass"):
         call(s, {"bob.mass": [1.0, 0.0, 2.0]})
+
+
+def _beam(EI: float, **more: float) -> fx.System:
+    m = fx.Model(gravity=(0, 0))
+    m.point("A", (0, 0), fixed=True)
+    m.angle("a", fixed=True)
+    m.point("B", (1, 0))
+    m.angle("b")
+    m.beam("beam", "A", "a", "B", "b", EA=1e4, EIz=EI, mass_per_length=1.0, **more)
+    return m.build()
+
+
+@pytest.mark.parametrize(
+    ("more", "left"),
+    [
+        ({"GAy": 5.0}, "beam.phi_z"),
+        ({"initial_strain": 1e-3}, "beam.preload"),
+        ({"damping": 0.01}, "beam.damping"),
+    ],
+)
+def test_a_stiffness_that_leaves_numbers_of_its_beam_behind_is_refused(
+    more: dict[str, float], left: str
+) -> None:
+    s, stiffer = _beam(1.0, **more), _beam(2.0, **more)
+    stiffness = stiffer.parameters["beam.stiffness"]
+    with pytest.raises(fx.ModelError, match=rf"'beam\.stiffness' alone leaves .*{left}.*fx\.sweep"):
+        s.with_parameters({"beam.stiffness": stiffness})
+    given = {
+        f"beam.{part}": stiffer.parameters[f"beam.{part}"]
+        for part in ("stiffness", "preload", "damping", "phi_z")
+    }
+    with_all = s.with_parameters(given).vibrations()[0].omega
+    assert with_all == pytest.approx(stiffer.vibrations()[0].omega, rel=1e-13)
+
+
+def test_a_stiffness_alone_may_vary_where_nothing_else_depends_on_it() -> None:
+    s, stiffer = _beam(1.0), _beam(2.0)
+    varied = s.with_parameters({"beam.stiffness": stiffer.parameters["beam.stiffness"]})
+    assert varied.vibrations()[0].omega == pytest.approx(stiffer.vibrations()[0].omega, rel=1e-13)

@@ -3,6 +3,8 @@
 import numpy as np
 import pytest
 from mechanisms import oscillator
+from scipy.integrate import solve_ivp
+from scipy.optimize import brentq
 from scipy.special import mathieu_a, mathieu_b
 
 import flexel as fx
@@ -249,3 +251,31 @@ def test_positions_out_of_reach_are_named() -> None:
     m.prescribe("motor.angle", lambda t: t)
     with pytest.raises(FlexelError):
         periodic.orbit(m.build(), 2 * np.pi, 24)
+
+
+def test_an_upright_pendulum_at_the_edge_of_its_stability_has_a_motion_with_a_multiplier_of_one() -> None:
+    """Kapitza's pendulum; the edge from its linear equation, integrated by SciPy."""
+    length, gravity, omega = 1.0, 9.81, 60.0
+    period = 2 * np.pi / omega
+
+    def trace(amplitude: float) -> float:
+        def rates(t: float, y: np.ndarray) -> list[float]:
+            return [y[1], (gravity - amplitude * omega**2 * np.cos(omega * t)) / length * y[0]]
+
+        ends = [solve_ivp(rates, (0, period), y, rtol=1e-12, atol=1e-14).y[:, -1] for y in np.eye(2)]
+        return ends[0][0] + ends[1][1]
+
+    edge = float(brentq(lambda amplitude: trace(amplitude) - 2, 0.05, 0.1, xtol=1e-14))
+    m = fx.Model(gravity=(0, -gravity))
+    m.point("pivot", (0, 0))
+    m.point("bob", (0, length))
+    m.angle("rod")
+    m.fix("pivot.x")
+    m.prescribe("pivot.y", lambda t: edge * np.cos(omega * t))
+    m.beam("link", "pivot", "rod", "bob")
+    m.point_mass("mass", "bob", 1.0)
+    m.independent("rod.angle")
+    motion = m.build().periodic(period=period, harmonics=4)
+    np.testing.assert_allclose(
+        np.abs(motion.multipliers()), 1.0, atol=1e-5
+    )  # a double one: the root of rounding

@@ -174,3 +174,17 @@ def test_the_command_refuses_other_files(tmp_path: Path) -> None:
     result = CliRunner().invoke(main, ["check", str(file)])
     assert result.exit_code == 2
     assert "give MODEL.py or MODEL.dat" in result.output
+
+
+def test_a_cable_too_coarse_for_a_circle_that_it_may_touch_is_a_finding() -> None:
+    m = fx.Model(gravity=(0, -9.81))
+    m.point("C", (0, 0), fixed=True)
+    m.angle("F", fixed=True)
+    m.sheave("drum", "C", "F", radius=0.1)
+    rope = m.cable_line("rope", [(-1, 0.11), (1, 0.11)], 4, EA=1e4, EI=0.1, mass_per_length=0.1)
+    m.fix(rope.points[0], rope.points[-1])
+    m.rope_contact(rope, "drum", fx.Contact(1e8), radius=0.005)
+    with pytest.warns(
+        fx.ModelWarning, match=r"'rope\d' of 0\.5 m cannot follow 'drum', whose radius is 0\.1 m"
+    ):
+        m.build()

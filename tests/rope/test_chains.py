@@ -44,6 +44,25 @@ def test_an_end_that_is_held_or_loaded_needs_no_bending_stiffness() -> None:
         assert m.build().structure.n
 
 
+@pytest.mark.parametrize("planar", [True, False])
+def test_springs_on_the_curvatures_of_a_free_end_count_as_bending_stiffness(planar: bool) -> None:
+    n, own = 2, 0.004 * 0.1 * G / 2**3  # half of what is needed
+    points = (
+        [f"curvature{i}" for i in (1, 2, 3)]
+        if planar
+        else [f"curvature{i}{c}" for i in (1, 2, 3) for c in "xyz"]
+    )
+    share = dict(zip("123", (5 / 18, 8 / 18, 5 / 18), strict=True))  # of Gauss' three points
+    m = hanging(n, own, planar)
+    for point in points[1:]:
+        m.spring(f"rope{n}.{point}", 2 * own * share[point[9]] / n)
+    with pytest.raises(fx.ModelError, match="is free"):
+        m.build()
+    m.spring(f"rope{n}.{points[0]}", 2 * own * share["1"] / n)
+    state = m.build().equilibrium()
+    assert state.position(f"rope_p{n}")[-1] == pytest.approx(-1.0, abs=1e-5)
+
+
 def test_without_gravity_a_free_end_is_not_refused() -> None:
     m = fx.Model()
     m.cable_line("rope", [(0, 0), (1, 0)], 4, EA=1.0, EI=0.0, mass_per_length=1.0)

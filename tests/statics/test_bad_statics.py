@@ -39,7 +39,7 @@ STATICS = {
     "steady of a text": Case(lambda: strut().steady(unknown="b.bend1"), ("steady", "write ['…'")),
     "stability as a text": Case(lambda: strut().equilibrium(stable="yes"), ("stable", "True nor False")),
     "free fall": Case(
-        lambda: _falling().equilibrium(), ("stiffness is singular", "'A.", "support it"), DynamicsError
+        lambda: _falling().equilibrium(), ("nothing resists", "'A.", "support it"), DynamicsError
     ),
 }
 
