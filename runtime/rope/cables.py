@@ -25,7 +25,6 @@ from flexel.structure.structure import Structure
 STRAINS = np.array([1, 1 / 3, 1 / 5])
 POINTS, CURVATURES = np.polynomial.legendre.leggauss(3)
 CURVATURES /= 2
-CURVATURE = "curvature"  # first part of the names of these deformations
 LEGENDRE = np.polynomial.legendre.legvander(POINTS, 2)
 PLACES = (1 + POINTS) / 2
 
@@ -206,17 +205,16 @@ def bending_stiffness(structure: Structure, cable: Instance) -> float:
 
     It is infinite where a law of another kind acts on all of its curvatures, since that may do anything.
     """
-    EI = dict.fromkeys((name for name in cable.deformations if CURVATURE in name.rpartition(".")[2]), 0.0)
+    curvatures = cable.deformations[POINTS.size :]
+    weights = np.repeat(CURVATURES, len(curvatures) // POINTS.size) * float(cable.parameters["l0"][0])
+    EI = dict.fromkeys(curvatures, 0.0)
     for law in structure.laws:
-        if law.deformations == cable.deformations:
+        if law.deformations == cable.deformations or ("S" in law.parameters and len(law.deformations) == 1):
             stiffness = dict(zip(law.deformations, law.parameters["S"], strict=True))
-        elif law.spec.name == "linear_1":
-            stiffness = {law.deformations[0]: law.parameters["S"][0]}
         else:
             stiffness = dict.fromkeys(law.deformations, np.inf)
-        for name in stiffness.keys() & EI.keys():
-            point = int(name.rpartition(CURVATURE)[2][0]) - 1
-            EI[name] += stiffness[name] / (CURVATURES[point] * float(cable.parameters["l0"][0]))
+        for name, weight in zip(curvatures, weights, strict=True):
+            EI[name] += stiffness.get(name, 0.0) / weight
     return float(min(EI.values()))
 
 

@@ -163,7 +163,8 @@ def rope_on_a_sheave() -> fx.System:
 
 def test_a_sheave_is_drawn_once_with_the_forces_on_the_rope() -> None:
     """Whatever the number of contacts; each force is stiffness times depth, away from the axle, where the rope is."""
-    state = rope_on_a_sheave().initial
+    with pytest.warns(fx.ModelWarning, match="cannot follow"):  # as long as two radii
+        state = rope_on_a_sheave().initial
     found = shapes(state)
     (sheave,) = (z for z in found if z.style == "sheave")
     assert sheave.outline is not None
