@@ -75,7 +75,12 @@ def checked(events: Any) -> tuple[Event, ...]:
 
 def value(event: Event, state: State) -> float:
     """The function of an event at a state."""
-    return number(event.function(state), f"event '{event.name}' at t = {state.t:g} s", "value")
+    owner = f"event '{event.name}' at t = {state.t:g} s"
+    try:
+        found = event.function(state)
+    except RecursionError as error:
+        raise ModelError(f"{owner}: its function calls itself without end; correct it") from error
+    return number(found, owner, "value")
 
 
 def passages(

@@ -5,6 +5,7 @@ import math
 import pytest
 from mistakes import Case, check, drawing, each, pendulum, system
 
+import flexel as fx
 from flexel.base.errors import DynamicsError
 from flexel.integration.events import Event
 
@@ -72,3 +73,15 @@ def test_massless_dof_is_named() -> None:
     m.point_mass("b", "A", 1.0)
     with pytest.raises(DynamicsError, match=r"'R1\.lambda\d' moves no mass; give its bodies mass"):
         m.build().simulate(1.0, method="DOP853")
+
+
+def test_an_event_that_calls_itself_without_end_is_named() -> None:
+    m = fx.Model(gravity=(0, -9.81))
+    m.point("A", (0, 0))
+    m.point_mass("stone", "A", 1.0)
+
+    def height(state: fx.State) -> float:
+        return height(state)
+
+    with pytest.raises(fx.ModelError, match="event 'ground'.*calls itself without end"):
+        m.build().simulate(1.0, events=[fx.Event("ground", height)])

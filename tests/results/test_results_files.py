@@ -3,6 +3,7 @@
 import json
 import pickle
 import sys
+import tracemalloc
 from pathlib import Path
 
 import numpy as np
@@ -175,3 +176,22 @@ def test_missing_packages_are_named_with_the_command_that_installs_them(
     with pytest.raises(fx.FlexelError, match=rf"needs {module}, .*pip install 'flexel\[xarray\]'"):
         motion.save(tmp_path / name)
     assert fx.load(motion.save(tmp_path / "kick.npz")).t.size == motion.t.size
+
+
+def test_an_archive_whose_numbers_are_more_than_it_says_is_refused_before_they_are_unpacked(
+    motion: fx.Motion, tmp_path: Path
+) -> None:
+    """Two hundred megabytes of zeros need two hundred kilobytes of a file; memory is counted while it is read."""
+    good = motion.save(tmp_path / "kick.npz")
+    with np.load(good) as file:
+        arrays = {name: file[name] for name in file.files}
+    name = next(key for key, values in arrays.items() if key != "header" and values.ndim == 2)
+    bad = tmp_path / "bad.npz"
+    np.savez_compressed(bad, allow_pickle=False, **(arrays | {name: np.zeros(25_000_000)}))
+    assert bad.stat().st_size < 1e6
+    tracemalloc.start()
+    with pytest.raises(fx.ModelError, match="damaged"):
+        fx.load(bad)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert peak < 2e7

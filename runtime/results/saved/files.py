@@ -108,6 +108,10 @@ def _assembled(path: Path, header: Mapping[str, Any], arrays: Mapping[str, Array
 # -- NumPy ----------------------------------------------------------------------------------------
 
 
+LARGEST_HEADER = 2**26  # bytes of the description of a result
+MOST_BYTES, ARRAY_HEADER = 16, 2**10  # of a number, and of what precedes the numbers of an array
+
+
 def _write_npz(record: Record, path: Path) -> None:
     arrays: dict[str, Any] = {name: z.values for name, z in record.variables.items()}
     np.savez_compressed(path, allow_pickle=False, **arrays, **{HEADER: np.array(header_of(record))})
@@ -119,7 +123,14 @@ def _read_npz(path: Path) -> tuple[dict[str, Any], dict[str, Array]]:
     with path.open("rb") as stream, np.load(stream, allow_pickle=False) as file:
         if HEADER not in file.files:
             refuse_table(path, file.files)
+        sizes = {info.filename.removesuffix(".npy"): info.file_size for info in file.zip.infolist()}
+        if sizes[HEADER] > LARGEST_HEADER:
+            raise ValueError(f"its description of {sizes[HEADER]} bytes is none of a result")
         header = parsed(str(file[HEADER]))
+        for name in header["variables"]:
+            stated = MOST_BYTES * int(np.prod(header["variables"][name]["shape"], dtype=float)) + ARRAY_HEADER
+            if sizes.get(name, 0) > stated:  # before it is unpacked
+                raise ValueError(f"'{name}' is larger than its description says")
         return header, {name: file[name] for name in header["variables"] if name in file.files}
 
 
