@@ -159,7 +159,8 @@ class Equilibria(Core):
         Raises
         ------
         DynamicsError
-            If the state flutters under forces that have no potential; if a motion has neither mass nor stiffness.
+            If the state flutters under forces that have no potential, and grows by more than 0.1 % of critical damping
+            would take; if a motion has neither mass nor stiffness.
 
         Warns
         -----

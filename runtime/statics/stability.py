@@ -28,7 +28,8 @@ from flexel.structure.state import State
 
 _eigsh: Any = eigsh
 _eig: Any = eig
-FLUTTER = 1e-6  # imaginary part of an eigenvalue, relative to it, that is not rounding
+COUPLED = 1e-6  # imaginary part of an eigenvalue, relative to it, that is not rounding
+FLUTTER = 2e-3  # the same that is flutter: it grows by more than the damping of any structure takes, 0.1 % of critical
 
 
 @dataclass(frozen=True)
@@ -188,6 +189,7 @@ def _lowest(problem: Rest, q: Equations, M: Any, count: int) -> tuple[Array, Arr
     shift = -1e-6 * q.stiffness / max(float(np.abs(M.diagonal()).max()), 1e-300)  # a free motion has w = 0
     w2, V = Pencil.of(problem, q, M).lowest(count, shift)
     flutter = np.abs(w2.imag) > FLUTTER * np.abs(w2)
+    slight = np.abs(w2.imag) > COUPLED * np.abs(w2)
     if np.any(flutter):
         growth, omega = (abs(part) for part in (np.sqrt(w2[flutter][0]).imag, np.sqrt(w2[flutter][0]).real))
         raise DynamicsError(
@@ -196,7 +198,12 @@ def _lowest(problem: Rest, q: Equations, M: Any, count: int) -> tuple[Array, Arr
             "its modes"
         )
     whole = parts(problem, q, M)
-    found = [whole.refined(float(w2[i].real), V[:, i].real) for i in range(min(count, w2.size))]
+    found = [
+        (float(np.sqrt(w2[i]).real ** 2), V[:, i].real)
+        if slight[i]
+        else whole.refined(float(w2[i].real), V[:, i].real)
+        for i in range(min(count, w2.size))
+    ]
     found.sort(key=lambda pair: pair[0])
     return np.array([value for value, _ in found]), np.array([vector for _, vector in found]).T
 
@@ -236,7 +243,7 @@ def _largest(problem: Rest, q: Equations, G: Any, count: int) -> tuple[Array, Ar
         )
     if follower:  # a moment about an axis at rest, too: only real multipliers are bifurcations
         complex_w, vectors = _eig(load, (stiffness + stiffness.T) / 2)
-        real = np.abs(complex_w.imag) <= FLUTTER * np.abs(complex_w)
+        real = np.abs(complex_w.imag) <= COUPLED * np.abs(complex_w)
         w, V = complex_w[real].real, Z @ vectors[:, real].real
     return w, V
 

@@ -87,3 +87,29 @@ def test_a_state_that_moves_is_named() -> None:
     system = m.build()
     with pytest.warns(fx.UnsteadyWarning, match=r"the state moves \('R2\.angle' at .* rad/s"):
         system.vibrations(system.initial)
+
+
+def test_modes_that_a_moment_couples_slightly_have_the_frequencies_of_the_linearization() -> None:
+    """A moment about a fixed axis couples two equal modes: they grow by 0.1 % of their frequency, or less."""
+    turns = 2 * np.pi / 3 * np.arange(3)
+    feet = 0.05 * np.column_stack([np.cos(turns), np.sin(turns), np.zeros(3)])
+    rods = {
+        "elements": [1, 2, 3],
+        "section": "circle",
+        "dimensions": 1e-3,
+        "material": "spring steel",
+        "orientation": (1, 0, 0),
+        "flexible": [2, 3, 4, 5, 6],
+    }
+    with pytest.warns(fx.UnstableWarning, match="in motion"):
+        stage = fx.flexure(
+            [*feet, *(feet + [0, 0, 0.1]), [0, 0, 0.1]],
+            [[1, 4], [2, 5], [3, 6], [4, 7], [5, 7], [6, 7]],
+            {i: {"fixed": True} for i in (1, 2, 3)}
+            | {7: {"mass": 0.3, "inertia": (1e-4, 1e-4, 2e-4), "moment": (0, 0, 0.2)}},
+            [rods],
+            {"steps": 2, "frequencies": 3},
+        )
+    exact = stage.steps[-1].linearize().eigenvalues().imag
+    lowest = np.sort(exact[exact > 0])[:3] / (2 * np.pi)
+    np.testing.assert_allclose(stage.frequencies[-1], lowest, rtol=1e-7)
