@@ -143,7 +143,9 @@ class Lowering:
             return p.call("pow", base, self._known[exponent])
         if exponent.q == 1:
             return p.power(base, int(exponent.p))
-        if exponent.q == 2:
+        # where the base stays at zero, as of a gap that is open, the derivative of a root would be 0 times infinity
+        stays = exponent > 1 and expr.base.has(sp.Max, sp.Min, sp.Piecewise)
+        if exponent.q == 2 and not stays:
             root = p.call("sqrt", base)
             whole = (int(exponent.p) - (1 if exponent.p > 0 else -1)) // 2
             return p.mul(p.power(base, whole), root if exponent.p > 0 else p.inv(root))

@@ -86,7 +86,8 @@ class Springs(Laws):
         named, target = target.names, replace(target, names=places)
         if len(places) > DEFORMATIONS:
             raise ModelError(
-                f"{target.owner}: {len(places)} deformations; name 1 to {DEFORMATIONS}, each once"
+                f"{target.owner}: {len(places)} deformations; name 1 to {DEFORMATIONS}, each once; "
+                "several springs on some of them add up"
             )
         free = _free(self, target, free_length, stiffness, preload)
         if _shaped(target, stiffness):

@@ -244,3 +244,19 @@ def test_dashpot_alone_makes_the_truss_free() -> None:
     m.initial("strut.elongation", rate=1.0)
     t = np.linspace(0, 0.4, 5)
     assert np.max(np.abs(history(m) - 2 / 5 * (1 - np.exp(-2.5 * t)))) < 1e-9
+
+
+@pytest.mark.parametrize("power", [1.5, sympy.Rational(3, 2)])
+def test_a_stone_on_a_hertzian_contact_sinks_by_the_two_thirds_power_of_its_weight(power: Any) -> None:
+    k = 1e4
+    m = Model(gravity=(0, 0, -9.81))
+    m.point("ground", (0, 0, 0), fixed=True)
+    m.point("stone", (0, 0, 0.1))
+    m.fix("stone.x", "stone.y")
+    m.point_mass("mass", "stone", 1.0)
+    m.truss("gap", "ground", "stone")
+    m.law("gap.elongation", lambda e, ed: -k * sympy.Max(-e, 0) ** power)
+    s = m.build()
+    assert s.equilibrium()["stone.z"] == pytest.approx(0.1 - (9.81 / k) ** (2 / 3), rel=1e-13)
+    apart = s.state_at({"gap.elongation": 0.01})
+    assert apart.force("gap.elongation") == 0.0
