@@ -62,7 +62,6 @@ class Values:
         self, system: Core, given: Mapping[str, Any] | None, initial: Mapping[str, Any], owner: str
     ) -> None:
         self._owner = owner
-        self._elements = {instance.name for instance in system.structure.instances}
         parameters = Parameters(system.structure)
         given = mapping(given, owner, "parameters")
         self.places = [parameters.find(name, owner) for name in given]
@@ -79,13 +78,15 @@ class Values:
             other = np.flatnonzero((row != parameters.owner(place).p[place.numbers]).any(axis=1))
             if other.size:
                 check_variable(system.evaluation, place, row[other[0]], owner)
-                self._check_stiffness(parameters, place)
+                self._check_stiffness(system.structure, place)
         self._check_signs(parameters)
 
-    def _check_stiffness(self, parameters: Parameters, place: Place) -> None:
+    def _check_stiffness(self, structure: Structure, place: Place) -> None:
         """Check that a stiffness leaves nothing behind that the declaration of its element computed with it."""
+        parameters = Parameters(structure)
         element = parameters.owner(place).name
-        if not place.law or place.parameter != "S" or element not in self._elements:
+        named = any(instance.name == element for instance in structure.instances)
+        if not (place.law and place.parameter == "S" and named):
             return
         also = [f"{element}.{part}" for part in ("phi_y", "phi_z", "preload", "damping")]
         given = {p.name for p in self.places}

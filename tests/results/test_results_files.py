@@ -187,7 +187,7 @@ def test_an_archive_whose_numbers_are_more_than_it_says_is_refused_before_they_a
         arrays = {name: file[name] for name in file.files}
     name = next(key for key, values in arrays.items() if key != "header" and values.ndim == 2)
     bad = tmp_path / "bad.npz"
-    np.savez_compressed(bad, allow_pickle=False, **(arrays | {name: np.zeros(25_000_000)}))
+    np.savez_compressed(bad, **(arrays | {name: np.zeros(25_000_000)}))
     assert bad.stat().st_size < 1e6
     tracemalloc.start()
     with pytest.raises(fx.ModelError, match="damaged"):
