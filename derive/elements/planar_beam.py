@@ -36,7 +36,7 @@ def _planar_beam(name: str, second: bool) -> Element:
     if second:
         elongation += (2 * b5**2 + b5 * b6 + 2 * b6**2) / (30 * l0)
     wp, wq = rp.v[0], rq.v[0]
-    chord = let.scalar("chord", HALF * dot(q.v - p.v, ey_p + ey_q) / l0)
+    chord = let.scalar("chord", HALF * dot(q.v - p.v, ey_p + ey_q) / length)
     columns: tuple[Matrix, ...] = (p.v, l0 * wp * ey_p, q.v, l0 * wq * ey_q)
     translation = RHOA.symbol * hermite_energy(columns)
     rotation = PLANAR_RHOJ.symbol * rotary_energy(PLANAR_PHI.symbol, chord, wp, wq)
