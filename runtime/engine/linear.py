@@ -17,7 +17,6 @@ from flexel.generated._kernels import ffi, lib
 from flexel.structure.roles import Roles
 from flexel.structure.state import State
 
-
 COMPUTED, ZERO = int(lib.FLEXEL_COMPUTED), int(lib.FLEXEL_ZERO)
 
 
@@ -96,7 +95,9 @@ class Linearizer(Struct):
         s = evaluation.structure
         rows, columns, _ = evaluation.tables.law.entries
         rate = columns >= s.m
-        by = np.where(columns < 2 * s.m, columns % max(s.m, 1), columns - s.m)  # (e, ed, s, z): slips are rates
+        by = np.where(
+            columns < 2 * s.m, columns % max(s.m, 1), columns - s.m
+        )  # (e, ed, s, z): slips are rates
         stress = (rows < s.m + s.k) & (columns < 2 * s.m + s.k)
         acting = np.unique(np.concatenate([rows[stress], by[stress]]))
         values, rates = np.full((2, s.m + s.k + s.n), COMPUTED)
