@@ -4,6 +4,7 @@ Written by `flexel derive`; do not edit.
 """
 
 from flexel.derive.spec import (
+    ArgumentSpec,
     DeformationSpec,
     ElementSpec,
     InternalSpec,
@@ -4678,6 +4679,9 @@ LAWS: dict[str, LawSpec] = {
                 0,
             ),
         },
+        arguments=(
+            ArgumentSpec("e_0"),
+        ),
     ),
     # law linear_2
     "linear_2": LawSpec(
@@ -4712,6 +4716,10 @@ LAWS: dict[str, LawSpec] = {
                 0,
             ),
         },
+        arguments=(
+            ArgumentSpec("e_0"),
+            ArgumentSpec("e_1"),
+        ),
     ),
     # law linear_3
     "linear_3": LawSpec(
@@ -4746,6 +4754,11 @@ LAWS: dict[str, LawSpec] = {
                 0,
             ),
         },
+        arguments=(
+            ArgumentSpec("e_0"),
+            ArgumentSpec("e_1"),
+            ArgumentSpec("e_2"),
+        ),
     ),
     # law linear_4
     "linear_4": LawSpec(
@@ -4780,6 +4793,12 @@ LAWS: dict[str, LawSpec] = {
                 0,
             ),
         },
+        arguments=(
+            ArgumentSpec("e_0"),
+            ArgumentSpec("e_1"),
+            ArgumentSpec("e_2"),
+            ArgumentSpec("e_3"),
+        ),
     ),
     # law linear_5
     "linear_5": LawSpec(
@@ -4814,6 +4833,13 @@ LAWS: dict[str, LawSpec] = {
                 0,
             ),
         },
+        arguments=(
+            ArgumentSpec("e_0"),
+            ArgumentSpec("e_1"),
+            ArgumentSpec("e_2"),
+            ArgumentSpec("e_3"),
+            ArgumentSpec("e_4"),
+        ),
     ),
     # law linear_6
     "linear_6": LawSpec(
@@ -4848,6 +4874,14 @@ LAWS: dict[str, LawSpec] = {
                 0,
             ),
         },
+        arguments=(
+            ArgumentSpec("e_0"),
+            ArgumentSpec("e_1"),
+            ArgumentSpec("e_2"),
+            ArgumentSpec("e_3"),
+            ArgumentSpec("e_4"),
+            ArgumentSpec("e_5"),
+        ),
     ),
     # law diagonal_6
     "diagonal_6": LawSpec(
@@ -4882,6 +4916,14 @@ LAWS: dict[str, LawSpec] = {
                 0,
             ),
         },
+        arguments=(
+            ArgumentSpec("e_0"),
+            ArgumentSpec("e_1"),
+            ArgumentSpec("e_2"),
+            ArgumentSpec("e_3"),
+            ArgumentSpec("e_4"),
+            ArgumentSpec("e_5"),
+        ),
     ),
     # law diagonal_12
     "diagonal_12": LawSpec(
@@ -4916,6 +4958,20 @@ LAWS: dict[str, LawSpec] = {
                 0,
             ),
         },
+        arguments=(
+            ArgumentSpec("e_0"),
+            ArgumentSpec("e_1"),
+            ArgumentSpec("e_2"),
+            ArgumentSpec("e_3"),
+            ArgumentSpec("e_4"),
+            ArgumentSpec("e_5"),
+            ArgumentSpec("e_6"),
+            ArgumentSpec("e_7"),
+            ArgumentSpec("e_8"),
+            ArgumentSpec("e_9"),
+            ArgumentSpec("e_10"),
+            ArgumentSpec("e_11"),
+        ),
     ),
     # law viscous_1
     "viscous_1": LawSpec(
@@ -4948,6 +5004,9 @@ LAWS: dict[str, LawSpec] = {
                 0,
             ),
         },
+        arguments=(
+            ArgumentSpec("s_0"),
+        ),
     ),
     # law viscous_2
     "viscous_2": LawSpec(
@@ -4980,6 +5039,10 @@ LAWS: dict[str, LawSpec] = {
                 0,
             ),
         },
+        arguments=(
+            ArgumentSpec("s_0"),
+            ArgumentSpec("s_1"),
+        ),
     ),
     # law viscous_3
     "viscous_3": LawSpec(
@@ -5012,6 +5075,11 @@ LAWS: dict[str, LawSpec] = {
                 0,
             ),
         },
+        arguments=(
+            ArgumentSpec("s_0"),
+            ArgumentSpec("s_1"),
+            ArgumentSpec("s_2"),
+        ),
     ),
     # law spring_curve
     "spring_curve": LawSpec(
@@ -5047,6 +5115,9 @@ LAWS: dict[str, LawSpec] = {
                 101,
             ),
         },
+        arguments=(
+            ArgumentSpec("e"),
+        ),
     ),
     # law damper_curve
     "damper_curve": LawSpec(
@@ -5081,6 +5152,9 @@ LAWS: dict[str, LawSpec] = {
                 101,
             ),
         },
+        arguments=(
+            ArgumentSpec("e"),
+        ),
     ),
     # law stop
     "stop": LawSpec(
@@ -5115,6 +5189,9 @@ LAWS: dict[str, LawSpec] = {
                 14,
             ),
         },
+        arguments=(
+            ArgumentSpec("e"),
+        ),
     ),
     # law vertical_tyre
     "vertical_tyre": LawSpec(
@@ -5148,6 +5225,9 @@ LAWS: dict[str, LawSpec] = {
                 9,
             ),
         },
+        arguments=(
+            ArgumentSpec("deflection", unit="m"),
+        ),
     ),
     # law linear_tyre
     "linear_tyre": LawSpec(
@@ -5185,6 +5265,14 @@ LAWS: dict[str, LawSpec] = {
                 65,
             ),
         },
+        arguments=(
+            ArgumentSpec("deflection", unit="m"),
+            ArgumentSpec("camber", unit="rad"),
+            ArgumentSpec("forward", unit="m/s"),
+            ArgumentSpec("sideways", unit="m/s"),
+            ArgumentSpec("lateral", unit="m/s"),
+            ArgumentSpec("spin", unit="rad/s"),
+        ),
     ),
     # law calspan_tyre
     "calspan_tyre": LawSpec(
@@ -5224,6 +5312,14 @@ LAWS: dict[str, LawSpec] = {
             ),
         },
         limit=LimitSpec("A", 2, "friction and stiffnesses keep their values beyond"),
+        arguments=(
+            ArgumentSpec("deflection", unit="m"),
+            ArgumentSpec("camber", unit="rad"),
+            ArgumentSpec("forward", unit="m/s"),
+            ArgumentSpec("sideways", unit="m/s"),
+            ArgumentSpec("lateral", unit="m/s"),
+            ArgumentSpec("spin", unit="rad/s"),
+        ),
     ),
     # law magic_formula
     "magic_formula": LawSpec(
@@ -5269,6 +5365,15 @@ LAWS: dict[str, LawSpec] = {
                 205,
             ),
         },
+        arguments=(
+            ArgumentSpec("deflection", unit="m"),
+            ArgumentSpec("camber", unit="rad"),
+            ArgumentSpec("forward", unit="m/s"),
+            ArgumentSpec("rolling", unit="rad/s"),
+            ArgumentSpec("longitudinal", unit="m/s"),
+            ArgumentSpec("lateral", unit="m/s"),
+            ArgumentSpec("spin", unit="rad/s"),
+        ),
     ),
     # law hertz
     "hertz": LawSpec(
@@ -5303,6 +5408,9 @@ LAWS: dict[str, LawSpec] = {
                 22,
             ),
         },
+        arguments=(
+            ArgumentSpec("e_0"),
+        ),
     ),
     # law hertz_coulomb_1
     "hertz_coulomb_1": LawSpec(
@@ -5339,6 +5447,10 @@ LAWS: dict[str, LawSpec] = {
                 43,
             ),
         },
+        arguments=(
+            ArgumentSpec("e_0", unit="m"),
+            ArgumentSpec("s_0", unit="m/s"),
+        ),
     ),
     # law hertz_coulomb_2
     "hertz_coulomb_2": LawSpec(
@@ -5375,6 +5487,11 @@ LAWS: dict[str, LawSpec] = {
                 58,
             ),
         },
+        arguments=(
+            ArgumentSpec("e_0", unit="m"),
+            ArgumentSpec("s_0", unit="m/s"),
+            ArgumentSpec("s_1", unit="m/s"),
+        ),
     ),
     # law hertz_bristle_1
     "hertz_bristle_1": LawSpec(
@@ -5415,6 +5532,10 @@ LAWS: dict[str, LawSpec] = {
                 61,
             ),
         },
+        arguments=(
+            ArgumentSpec("e_0", unit="m"),
+            ArgumentSpec("s_0", unit="m/s"),
+        ),
     ),
     # law hertz_bristle_2
     "hertz_bristle_2": LawSpec(
@@ -5456,6 +5577,11 @@ LAWS: dict[str, LawSpec] = {
                 94,
             ),
         },
+        arguments=(
+            ArgumentSpec("e_0", unit="m"),
+            ArgumentSpec("s_0", unit="m/s"),
+            ArgumentSpec("s_1", unit="m/s"),
+        ),
     ),
     # law journal
     "journal": LawSpec(
@@ -5491,6 +5617,11 @@ LAWS: dict[str, LawSpec] = {
                 39,
             ),
         },
+        arguments=(
+            ArgumentSpec("e_0", unit="m"),
+            ArgumentSpec("e_1", unit="m"),
+            ArgumentSpec("e_2", unit="rad"),
+        ),
     ),
     # law friction
     "friction": LawSpec(
@@ -5524,6 +5655,9 @@ LAWS: dict[str, LawSpec] = {
                 10,
             ),
         },
+        arguments=(
+            ArgumentSpec("e"),
+        ),
     ),
     # law slip_friction
     "slip_friction": LawSpec(
@@ -5557,6 +5691,9 @@ LAWS: dict[str, LawSpec] = {
                 10,
             ),
         },
+        arguments=(
+            ArgumentSpec("s"),
+        ),
     ),
     # law limits
     "limits": LawSpec(
@@ -5592,6 +5729,9 @@ LAWS: dict[str, LawSpec] = {
                 26,
             ),
         },
+        arguments=(
+            ArgumentSpec("e"),
+        ),
     ),
     # law loose_journal
     "loose_journal": LawSpec(
@@ -5628,6 +5768,11 @@ LAWS: dict[str, LawSpec] = {
                 87,
             ),
         },
+        arguments=(
+            ArgumentSpec("e_0", unit="m"),
+            ArgumentSpec("e_1", unit="m"),
+            ArgumentSpec("e_2", unit="rad"),
+        ),
     ),
     # law loose_ball
     "loose_ball": LawSpec(
@@ -5662,6 +5807,11 @@ LAWS: dict[str, LawSpec] = {
                 100,
             ),
         },
+        arguments=(
+            ArgumentSpec("e_0", unit="m"),
+            ArgumentSpec("e_1", unit="m"),
+            ArgumentSpec("e_2", unit="m"),
+        ),
     ),
     # law held
     "held": LawSpec(
@@ -5694,6 +5844,9 @@ LAWS: dict[str, LawSpec] = {
                 0,
             ),
         },
+        arguments=(
+            ArgumentSpec("e"),
+        ),
     ),
     # law slip_held
     "slip_held": LawSpec(
@@ -5726,6 +5879,9 @@ LAWS: dict[str, LawSpec] = {
                 0,
             ),
         },
+        arguments=(
+            ArgumentSpec("s"),
+        ),
     ),
     # law memory
     "memory": LawSpec(
