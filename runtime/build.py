@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from flexel.base.arguments import number
+from flexel.base.callers import outside
 from flexel.base.errors import AssemblyWarning, ModelError, ModelWarning
 from flexel.declare.declarations import Declarations
 from flexel.declare.resolution import check_names, norms, resolve_roles
@@ -49,7 +50,7 @@ def build(model: Declarations, t: float) -> System:
     c = first_position(model, kinematics, t)
     wrong = misfit(model, kinematics, c)
     if wrong is not None:
-        warnings.warn(str(wrong), AssemblyWarning, stacklevel=3)
+        warnings.warn(str(wrong), AssemblyWarning, stacklevel=outside())
     dynamic = named_dofs(structure, model._dynamic, "independent")
     kinematic = named_dofs(structure, model._kinematic, "kinematic")
     chosen = replace(choose_dofs(kinematics, c.J, dynamic, kinematic), named=bool(model._dynamic))
@@ -64,7 +65,7 @@ def _warn(found: Sequence[Finding]) -> None:
     if found:
         more = f"; and {len(found) - SHOWN} more, see m.check()" if len(found) > SHOWN else ""
         text = "; ".join(finding.message for finding in found[:SHOWN])
-        warnings.warn(f"build: {text}{more}", ModelWarning, stacklevel=4)
+        warnings.warn(f"build: {text}{more}", ModelWarning, stacklevel=outside())
 
 
 def _check_inputs(structure: Structure) -> None:

@@ -5,12 +5,14 @@ from __future__ import annotations
 import warnings
 from typing import Any
 
-from flexel.base.errors import DynamicsError, IncompleteWarning, PositionError
+from flexel.base.callers import outside
+from flexel.base.errors import DynamicsError, IncompleteWarning, ModelWarning, PositionError
 from flexel.flexures.declaring import declared
 from flexel.flexures.measuring import Measuring
 from flexel.flexures.releasing import freed
 from flexel.flexures.tables import read_tables
 from flexel.integration.outcome import Integration
+from flexel.mechanics.bent import warn_bent, warned_together
 from flexel.model import Model
 from flexel.results.flexure import Flexure
 from flexel.results.motion import Motion
@@ -63,6 +65,10 @@ def flexure(
         If a later load step has no equilibrium: the steps so far are returned.
     UnstableWarning
         If an equilibrium is unstable.
+    ModelWarning
+        If a number looks as if given in another unit, or a stress exceeds the strength of its material.
+    RangeWarning
+        If a beam is bent or twisted by more than 15°: the leaf needs more of them.
 
     Examples
     --------
@@ -76,11 +82,36 @@ def flexure(
     model = declared(tables)
     released, redundant = freed(model, tables.options.release)
     system = model.build(t=UNLOADED)
-    states, message = _load_steps(system, model, tables.options.steps)
-    motion = Motion(system, Integration.of_equilibria(states, message))
     measuring = Measuring(tables, model, system)
-    variables = measuring.variables(states)
-    return Flexure(motion, variables, measuring.labels(variables), released, redundant, measuring.notes)
+    with warned_together():
+        states, message = _load_steps(system, model, tables.options.steps)
+        variables = measuring.variables(states)
+    steps = Integration.of_equilibria(states, message)
+    warn_bent(system.structure, steps.states.times, steps.states.deformations, "flexure")
+    labels = measuring.labels(variables)
+    found = Flexure(Motion(system, steps), variables, labels, released, redundant, measuring.notes)
+    _warn_stresses(found, len(tables.ends))
+    return found
+
+
+def _warn_stresses(found: Flexure, elements: int) -> None:
+    """Warn of the stress that exceeds the strength of its material most."""
+    stresses = [
+        (step, stress)
+        for step in found.steps
+        for number in range(1, elements + 1)
+        if (stress := step.element(number).stress) is not None and stress.safety is not None
+    ]
+    if not stresses:
+        return
+    step, stress = min(stresses, key=lambda pair: pair[1].safety or 0.0)
+    if stress.strength is not None and stress.mises > stress.strength:
+        warnings.warn(
+            f"flexure: at step {step.number} the stress of {stress.mises:.3g} Pa in '{stress.beam}' exceeds the "
+            f"strength of its material, {stress.strength:.3g} Pa",
+            ModelWarning,
+            stacklevel=outside(),
+        )
 
 
 def _load_steps(system: System, model: Model, steps: int) -> tuple[list[State], str]:
@@ -94,7 +125,7 @@ def _load_steps(system: System, model: Model, steps: int) -> tuple[list[State], 
             states.append(_followed(system, states[-1], i / steps))
         except (PositionError, DynamicsError) as error:
             message = f"flexure: stopped after step {i - 1} of {steps}, at {(i - 1) / steps:.3g} of the loads: {error}"
-            warnings.warn(message, IncompleteWarning, stacklevel=3)
+            warnings.warn(message, IncompleteWarning, stacklevel=outside())
             return states, message
     return states, ""
 

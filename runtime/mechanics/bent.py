@@ -8,6 +8,9 @@ Non-Linear Mech. 53, for the deformations.
 from __future__ import annotations
 
 import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -19,6 +22,7 @@ from flexel.structure.structure import Structure
 
 FAR = 15.0  # angle within one element [°] at which moments have errors of 1 % (bending) and 4.5 % (torsion)
 TWIST, BENDS = "twist", ("bend_y", "bend_z")
+_part_of_another: ContextVar[bool] = ContextVar("part_of_another", default=False)
 
 
 class Turns:
@@ -60,6 +64,16 @@ class Turns:
         return np.degrees(np.linalg.norm(np.abs(ends).sum(axis=3), axis=2)), np.degrees(twisted)
 
 
+@contextmanager
+def warned_together() -> Iterator[None]:
+    """Analyses within give no warning of their own: the one that consists of them does, of all their states."""
+    token = _part_of_another.set(True)
+    try:
+        yield
+    finally:
+        _part_of_another.reset(token)
+
+
 def warn_bent(structure: Structure, times: ArrayLike, e: Array, analysis: str) -> None:
     """Warn, at the caller of an analysis, of elements that are bent or twisted by more than 15°.
 
@@ -72,6 +86,8 @@ def warn_bent(structure: Structure, times: ArrayLike, e: Array, analysis: str) -
     analysis : str
         For the message.
     """
+    if _part_of_another.get():
+        return
     turns = Turns(structure)
     if not turns.names or not len(e):
         return

@@ -6,9 +6,11 @@ Every engineering material lies well within the limits.  A finding is a suspicio
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 import numpy as np
 
+from flexel.base.shown import listed
 from flexel.declare.declarations import Declarations
 from flexel.declare.materials import Profile
 from flexel.mechanics.findings import Finding
@@ -21,6 +23,7 @@ GRAVITY = 300.0  # [m/s²] beyond that on Jupiter and the sun; 9810 is mm/s²
 TURNS = 4 * np.pi  # an initial angle beyond two turns is likely one in degrees
 SLENDER = 1.0  # depth of a section over the size of the model
 FOLLOWING = 1.0  # length of a cable's element over the radius of a circle
+SHOWN = 2  # elements of one finding that are named
 SHORT = 1e-6  # length of an element over the size of the model
 
 
@@ -35,12 +38,35 @@ def suspects(model: Declarations, structure: Structure, size: float) -> list[Fin
     size : float
         Extent of the model [m].
     """
-    found = [*_gravity(model), *_angles(model, structure), *_idle(model), *_coarse(structure)]
+    found: list[Suspicion] = []
     for instance in structure.instances:
         if isinstance(instance.profile, Profile):
             found += _profile(instance, instance.profile, size)
         found += _short(model, instance, size)
-    return found
+    found += _idle(model)
+    return [*_gravity(model), *_angles(model, structure), *_grouped(found), *_coarse(structure)]
+
+
+@dataclass(frozen=True)
+class Suspicion:
+    """What is suspicious about one element or node, and how it is said of several that share it."""
+
+    subject: str
+    kind: str
+    name: str
+    text: str
+    many: str = ""
+
+
+def _grouped(found: list[Suspicion]) -> Iterator[Finding]:
+    """One finding of all elements or nodes of a kind that share a text."""
+    groups: dict[tuple[str, str, str], list[Suspicion]] = {}
+    for one in found:
+        groups.setdefault((one.subject, one.kind, one.text), []).append(one)
+    for (subject, kind, text), group in groups.items():
+        names = listed([f"'{one.name}'" for one in group], SHOWN)
+        message = f"{kind} {names}{text}" if len(group) == 1 else f"{kind}s {names}{group[0].many or text}"
+        yield Finding("warning", subject, message)
 
 
 def _units(message: str) -> Finding:
@@ -62,23 +88,22 @@ def _angles(model: Declarations, structure: Structure) -> Iterator[Finding]:
             )
 
 
-def _profile(beam: Instance, profile: Profile, size: float) -> Iterator[Finding]:
+def _profile(beam: Instance, profile: Profile, size: float) -> Iterator[Suspicion]:
     E, rho = profile.material.E, profile.material.rho
     if not SOFTEST <= E <= STIFFEST:
-        yield _units(
-            f"beam '{beam.name}': Young's modulus E = {E:.4g} Pa looks like another unit; steel has 210e9 Pa"
-        )
+        text = f": Young's modulus E = {E:.4g} Pa looks like another unit; steel has 210e9 Pa"
+        yield Suspicion("units", "beam", beam.name, text)
     if rho and not LIGHTEST <= rho <= HEAVIEST:
-        yield _units(
-            f"beam '{beam.name}': density {rho:.4g} kg/m³ looks like another unit; steel has 7850 kg/m³"
-        )
+        text = f": density {rho:.4g} kg/m³ looks like another unit; steel has 7850 kg/m³"
+        yield Suspicion("units", "beam", beam.name, text)
     inertia = max(profile.section.Iy, profile.section.Iz)
     depth = 2 * float(np.sqrt(inertia / profile.section.A))
     if depth > SLENDER * size:  # an element of a wide leaf may be shorter than the leaf is wide
-        yield _units(
-            f"beam '{beam.name}': its section is {depth:.3g} m deep (twice the radius of gyration) in a model of "
-            f"{size:.3g} m; sections are given in metres too, and a beam is longer than deep"
+        text = (
+            f": the section is {depth:.3g} m deep (twice the radius of gyration) in a model of {size:.3g} m; sections "
+            "are given in metres too, and a beam is longer than deep"
         )
+        yield Suspicion("units", "beam", beam.name, text)
 
 
 def _length(model: Declarations, instance: Instance) -> float | None:
@@ -87,15 +112,11 @@ def _length(model: Declarations, instance: Instance) -> float | None:
     return float(np.linalg.norm(ends[1] - ends[0])) if len(ends) == 2 else None
 
 
-def _short(model: Declarations, instance: Instance, size: float) -> Iterator[Finding]:
+def _short(model: Declarations, instance: Instance, size: float) -> Iterator[Suspicion]:
     length = _length(model, instance)
     if length is not None and length < SHORT * size and instance.spec.family in ("beam", "truss"):
-        yield Finding(
-            "warning",
-            "elements",
-            f"{instance.spec.family} '{instance.name}' is {length:.3g} m long in a model of {size:.3g} m; join its "
-            "ends in one point",
-        )
+        text = f": only {length:.3g} m long in a model of {size:.3g} m; join the ends in one point"
+        yield Suspicion("elements", instance.spec.family, instance.name, text)
 
 
 def _coarse(structure: Structure) -> Iterator[Finding]:
@@ -116,15 +137,17 @@ def _coarse(structure: Structure) -> Iterator[Finding]:
         )
 
 
-def _idle(model: Declarations) -> Iterator[Finding]:
+def _idle(model: Declarations) -> Iterator[Suspicion]:
     used = {name for instance in model.instances.values() for name in instance.nodes}
     named = [name for instance in model.instances.values() for name in instance.terms or ()]
     measured = [name for controller in model.controllers for name in controller.inputs]
     used |= {name.partition(".")[0] for name in (*named, *model._motions, *measured)}
     for node in model.nodes.values():
         if node.name not in used and not np.all(node.fixed):
-            yield Finding(
-                "warning",
+            yield Suspicion(
                 "elements",
-                f"{node.kind} '{node.name}' belongs to no element; drop it, or connect it",
+                node.kind,
+                node.name,
+                " belongs to no element; drop it, or connect it",
+                " belong to no element; drop them, or connect them",
             )

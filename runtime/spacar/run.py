@@ -10,6 +10,7 @@ import numpy as np
 
 from flexel.base.errors import ModelError
 from flexel.base.files import replacing
+from flexel.mechanics.bent import warn_bent, warned_together
 from flexel.results.motion import Motion
 from flexel.results.saved.tables_of_runs import motion_beside
 from flexel.spacar.compare import comparison, results_of_spacar
@@ -88,7 +89,11 @@ def run_spacar(
             f"{file.path.name}: mode {mode} does not exist; modes are {', '.join(map(str, MODES))}"
         )
     others = [results_of_spacar(z) for z in compare]  # before the computation, which may be long
-    found = MODES[mode](file)
+    with warned_together():
+        found = MODES[mode](file)
+    if found.states:
+        times, e = [state.t for state in found.states], np.array([state.e for state in found.states])
+        warn_bent(found.states[0].structure, times, e, file.path.name)
     motion = found.motion
     head = [
         f"{file.path.name}: SPACAR, {file.dialect} dialect, mode {mode}",
