@@ -782,6 +782,100 @@ ELEMENTS: dict[str, ElementSpec] = {
         picture="beam",
         span="beam_span",
     ),
+    # element beam_logarithmic
+    "beam_logarithmic": ElementSpec(
+        name="beam_logarithmic",
+        digest="b2e9f154ae68af85",
+        doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nturn: rotation vector of R(u_p)'R(u_q), below half a turn; R_m = R(u_p) exp(turn/2), the triad halfway\nd = R_m'(xq - xp), l = |xq - xp|, s = 1/24 - turn.turn/1920 + (turn.turn)^2/322560\narc = l0 s (turn_y^2 + turn_z^2), which uniform bending takes from the chord\nbow_z = d_y/(phi_y l0 + l + arc) - s turn_x turn_y/(1 + phi_y)\nbow_y = -d_z/(phi_z l0 + l + arc) + s turn_x turn_z/(1 + phi_z):\n    mean angles of the sections about z and y from the triad halfway; the shear angles are phi_y bow_z, -phi_z bow_y\nbent = turn + turn x (0, bow_y, bow_z)\nelongation = d_x + arc + l0 ((3/5 + phi_z) bow_y^2 + (3/5 + phi_y) bow_z^2) - l0\ntorsion = l0 bent_x\nbend1, bend2 = l0 (bent_y/2 + (1 + phi_z) bow_y), l0 (bent_y/2 - (1 + phi_z) bow_y)\nbend3, bend4 = l0 (bent_z/2 + (1 + phi_y) bow_z), l0 (bent_z/2 - (1 + phi_y) bow_z)\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_y, phi_z) cubic shapes, torsion linear; w_p, w_q angular velocities in the triads\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
+        source="Simo 1985, Comput. Methods Appl. Mech. Eng. 49 (strains of a rod); Crisfield 1990 (triad halfway)",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("rp", "frame"),
+            NodeSpec("q", "point"),
+            NodeSpec("rq", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("tp", 4, "1", "unit quaternion from the body frame of node p to the element's triad there"),
+            ParameterSpec("tq", 4, "1", "unit quaternion from the body frame of node q to the element's triad there"),
+            ParameterSpec("rhoA", 1, "kg/m", "mass per length"),
+            ParameterSpec("rhoJ", 3, "kg m", "mass moments of inertia per length about the axes of the section's triad"),
+            ParameterSpec("phi_y", 1, "1", "shear number of the deflection in y, 12 E Iz/(k G A l0^2)"),
+            ParameterSpec("phi_z", 1, "1", "shear number of the deflection in z, 12 E Iy/(k G A l0^2)"),
+            ParameterSpec("gravity", 3, "m/s^2", "acceleration of gravity"),
+        ),
+        deformations=(
+            DeformationSpec("elongation", "m", False),
+            DeformationSpec("torsion", "m", False),
+            DeformationSpec("bend1", "m", False),
+            DeformationSpec("bend2", "m", False),
+            DeformationSpec("bend3", "m", False),
+            DeformationSpec("bend4", "m", False),
+        ),
+        slips=(),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (6,), tuple(range(6))),
+                    OutputSpec("De", (6, 14), tuple(range(84))),
+                    OutputSpec("V", (0, 14), ()),
+                ),
+                1825,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (6,), tuple(range(6))),
+                    OutputSpec("gs", (0,), ()),
+                ),
+                1270,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (6, 14), tuple(range(84))),
+                ),
+                5216,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (6, 14), tuple(range(84))),
+                    OutputSpec("Psi_v", (6, 14), tuple(range(84))),
+                ),
+                17077,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (14, 14), tuple(range(196))),
+                ),
+                7117,
+            ),
+            "inertia": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("M", (14, 14), tuple(range(196))),
+                    OutputSpec("h", (14,), tuple(range(14))),
+                    OutputSpec("f", (14,), tuple(range(14))),
+                    OutputSpec("U", (1,), (0,)),
+                ),
+                2370,
+            ),
+            "tangent": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("R_x", (14, 14), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 24, 25, 26, 27, 31, 32, 33, 34, 38, 39, 40, 41, 45, 46, 47, 48, 52, 53, 54, 55, 59, 60, 61, 62, 66, 67, 68, 69, 73, 74, 75, 76, 80, 81, 82, 83, 87, 88, 89, 90, 94, 95, 96, 97, 101, 102, 103, 104, 108, 109, 110, 111, 115, 116, 117, 118, 122, 123, 124, 125, 129, 130, 131, 132, 136, 137, 138, 139, 143, 144, 145, 146, 150, 151, 152, 153, 157, 158, 159, 160, 164, 165, 166, 167, 171, 172, 173, 174, 178, 179, 180, 181, 185, 186, 187, 188, 192, 193, 194, 195)),
+                    OutputSpec("R_v", (14, 14), tuple(range(196))),
+                ),
+                8286,
+            ),
+        },
+        family="beam",
+        picture="beam",
+        span="beam_span",
+    ),
     # element wheel
     "wheel": ElementSpec(
         name="wheel",
@@ -2119,6 +2213,96 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("K", (6, 6), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 33, 34, 35)),
                 ),
                 84,
+            ),
+            "inertia": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("M", (6, 6), tuple(range(36))),
+                    OutputSpec("h", (6,), tuple(range(6))),
+                    OutputSpec("f", (6,), tuple(range(6))),
+                    OutputSpec("U", (1,), (0,)),
+                ),
+                291,
+            ),
+            "tangent": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("R_x", (6, 6), (2, 5, 8, 11, 14, 17, 20, 23, 26, 29, 32, 35)),
+                    OutputSpec("R_v", (6, 6), tuple(range(36))),
+                ),
+                539,
+            ),
+        },
+        family="beam",
+        picture="beam",
+        span="planar_beam_span",
+    ),
+    # element planar_beam_logarithmic
+    "planar_beam_logarithmic": ElementSpec(
+        name="planar_beam_logarithmic",
+        digest="0577c60ae2a9e762",
+        doc="ex, ey: directions of the element at p (angle_p + alpha0) and q (angle_q + alphaq0)\nturn = angle_q + alphaq0 - angle_p - alpha0;  along, across: components of xq - xp on the direction halfway\narc = l0 turn^2 (1/24 - turn^2/1920 + turn^4/322560), which uniform bending takes from the chord\nbow = across/(phi_z l0 + |xq - xp| + arc): mean angle of the sections from the direction halfway; the shear angle is\n      phi_z bow\nelongation = along + arc + l0 (3/5 + phi_z) bow^2 - l0\nbend1, bend2 = l0 (turn/2 + (1 + phi_z) bow), l0 (turn/2 - (1 + phi_z) bow)\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_z) cubic shapes\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
+        source="Reissner 1972, ZAMP 23 (strains of a rod); corotational directions as Crisfield 1990",
+        nodes=(
+            NodeSpec("p", "planar_point"),
+            NodeSpec("rp", "planar_angle"),
+            NodeSpec("q", "planar_point"),
+            NodeSpec("rq", "planar_angle"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("alpha0", 1, "rad", "initial direction of the element minus the angle of node p"),
+            ParameterSpec("alphaq0", 1, "rad", "initial direction of the element minus the angle of node q"),
+            ParameterSpec("rhoA", 1, "kg/m", "mass per length"),
+            ParameterSpec("rhoJ", 1, "kg m", "mass moment of inertia of the section per length"),
+            ParameterSpec("phi_z", 1, "1", "shear number of the deflection in the plane, 12 E I/(k G A l0^2)"),
+            ParameterSpec("gravity", 2, "m/s^2", "acceleration of gravity"),
+        ),
+        deformations=(
+            DeformationSpec("elongation", "m", False),
+            DeformationSpec("bend1", "m", False),
+            DeformationSpec("bend2", "m", False),
+        ),
+        slips=(),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (3,), (0, 1, 2)),
+                    OutputSpec("De", (3, 6), tuple(range(18))),
+                    OutputSpec("V", (0, 6), ()),
+                ),
+                99,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (3,), (0, 1, 2)),
+                    OutputSpec("gs", (0,), ()),
+                ),
+                139,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 6), tuple(range(18))),
+                ),
+                200,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (3, 6), tuple(range(18))),
+                    OutputSpec("Psi_v", (3, 6), tuple(range(18))),
+                ),
+                560,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (6, 6), tuple(range(36))),
+                ),
+                213,
             ),
             "inertia": KernelSpec(
                 ("x", "v", "p"),

@@ -1,0 +1,51 @@
+"""Logarithm of a relative rotation: its rotation vector, and half of the rotation, without a formula 0/0.
+
+Everything is a function of the Gibbs vector tan(angle/2) n = vector part / scalar part of a quaternion, which is
+the same for q, -q and any multiple of q.
+"""
+
+from sympy import Expr, Matrix, Rational, sqrt
+
+from flexel.derive.declare.let import Let
+from flexel.derive.declare.rotation import cross, dot
+
+_TERMS = 12  # of the arc tangent: the first one left out is 2e-17 of the angle at half a turn
+_HALVINGS = 3
+
+
+def _halved(let: Let, gibbs: Matrix, square: Expr, name: str) -> tuple[Matrix, Expr]:
+    """Gibbs vector of half the rotation, tan(angle/4) n, and its square."""
+    divisor = let.scalar(f"halving_{name}", 1 + sqrt(1 + square))
+    return let.vector(f"gibbs_{name}", gibbs / divisor), let.scalar(f"square_{name}", square / divisor**2)
+
+
+def rotation_vector(let: Let, q: Matrix) -> tuple[Matrix, Matrix, Expr]:
+    """Rotation vector of a quaternion, for angles below half a turn, and half of the rotation.
+
+    The angle is halved three times; what remains is at most pi/16, where the series of the arc tangent is exact to
+    rounding, with its derivatives, at zero too.
+
+    Returns
+    -------
+    vector : Matrix (3, 1)
+        angle n [rad], the same for q and -q.
+    half, square : Matrix (3, 1), Expr
+        Gibbs vector of half the rotation, and its square.
+    """
+    gibbs = let.vector("gibbs", [q[i] / q[0] for i in (1, 2, 3)])
+    square = let.scalar("square", dot(gibbs, gibbs))
+    steps = []
+    for i in range(_HALVINGS):
+        gibbs, square = _halved(let, gibbs, square, str(2 ** (i + 1)))
+        steps.append((gibbs, square))
+    series: Expr = Rational(0)
+    for k in reversed(range(_TERMS)):
+        series = Rational((-1) ** k, 2 * k + 1) + square * series
+    factor = let.scalar("arc", 2 ** (_HALVINGS + 1) * series)
+    return let.vector("turn", factor * gibbs), *steps[0]
+
+
+def turned_back(gibbs: Matrix, square: Expr, a: Matrix) -> Matrix:
+    """The column a (3, 1) turned back by the rotation with a Gibbs vector."""
+    once = cross(gibbs, a)
+    return a + (cross(gibbs, once) - once) * 2 / (1 + square)
