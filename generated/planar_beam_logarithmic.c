@@ -2,11 +2,11 @@
  *
  * ex, ey: directions of the element at p (angle_p + alpha0) and q (angle_q + alphaq0)
  * turn = angle_q + alphaq0 - angle_p - alpha0;  along, across: components of xq - xp on the direction halfway
- * arc = l0 turn^2 (1/24 - turn^2/1920 + turn^4/322560), which uniform bending takes from the chord
- * bow = across/(phi_z l0 + |xq - xp| + arc): mean angle of the sections from the direction halfway; the shear angle
- *   is
+ * straight = (along + l0 turn^2 (1/24 - turn^2/1920 + turn^4/322560), across): the chord without what uniform bending
+ *       takes from it
+ * bow = across/(phi_z l0 + |straight|): mean angle of the sections from the direction halfway; the shear angle is
  *       phi_z bow
- * elongation = along + arc + l0 (3/5 + phi_z) bow^2 - l0
+ * elongation = straight_x + l0 (3/5 + phi_z) bow^2 - l0
  * bend1, bend2 = l0 (turn/2 + (1 + phi_z) bow), l0 (turn/2 - (1 + phi_z) bow)
  * T: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with
  *    the shear-corrected (phi_z) cubic shapes
@@ -27,7 +27,7 @@
  *   gravity (2) [m/s^2]: acceleration of gravity */
 #include "kernels.h"
 
-/* position: 99 operations.
+/* position: 103 operations.
  * in:  x (6), p (8)
  * out: e (3), De (3,6), V (0,6) */
 FLEXEL_CLONES
@@ -38,8 +38,8 @@ static void planar_beam_logarithmic_position(size_t nblocks, const real *const *
         const real *restrict p = in[1] + b * (8 * 8);
         real *restrict e = out[0] + b * (3 * 8);
         real *restrict De = out[1] + b * (18 * 8);
-        real mean[8], cos_mean[8], d_y[8], sin_mean[8], d_x[8], arc[8], t5[8], t6[8], t9[8], t10[8], t13[8], t17[8],
-            t22[8], t23[8], t26[8], t29[8];
+        real mean[8], cos_mean[8], d_x[8], sin_mean[8], d_y[8], t5[8], t6[8], t9[8], t11[8], t12[8], t23[8], t24[8],
+            t27[8], t30[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real alpha0 = p[1 * 8 + j];
@@ -47,32 +47,28 @@ static void planar_beam_logarithmic_position(size_t nblocks, const real *const *
             const real rp_angle = x[2 * 8 + j];
             const real rq_angle = x[5 * 8 + j];
             mean[j] = 0.5 * (alpha0 + alphaq0 + rp_angle + rq_angle);
-            const real q_y = x[4 * 8 + j];
-            const real p_y = x[1 * 8 + j];
-            d_y[j] = q_y - p_y;
             const real q_x = x[3 * 8 + j];
             const real p_x = x[0 * 8 + j];
             d_x[j] = q_x - p_x;
-            const real l = real_sqrt(d_x[j] * d_x[j] + d_y[j] * d_y[j]);
-            const real l0 = p[0 * 8 + j];
-            const real phi_z = p[5 * 8 + j];
+            const real q_y = x[4 * 8 + j];
+            const real p_y = x[1 * 8 + j];
+            d_y[j] = q_y - p_y;
             const real turn = rq_angle + alphaq0 - alpha0 - rp_angle;
             const real t1 = turn * turn;
             const real t2 = 3.1001984126984127e-06 * t1;
             const real t3 = 0.0005208333333333333 - t2;
             const real t4 = 0.041666666666666664 - t1 * t3;
-            arc[j] = l0 * t4 * t1;
-            t5[j] = 1.0 / (l + l0 * phi_z + arc[j]);
-            t6[j] = l0 * (phi_z + 0.6);
-            t9[j] = 0.5 * turn;
-            t10[j] = 1.0 + phi_z;
-            const real t12 = 1.0 / l;
-            t13[j] = d_x[j] * t12;
-            t17[j] = d_y[j] * t12;
-            t22[j] = turn * (t4 + t1 * (t2 - t3)) * l0;
-            t23[j] = 2.0 * t22[j];
-            t26[j] = l0 * t10[j];
-            t29[j] = 0.5 * l0;
+            const real l0 = p[0 * 8 + j];
+            t5[j] = l0 * t4 * t1;
+            const real phi_z = p[5 * 8 + j];
+            t6[j] = l0 * phi_z;
+            t9[j] = l0 * (phi_z + 0.6);
+            t11[j] = 0.5 * turn;
+            t12[j] = 1.0 + phi_z;
+            t23[j] = l0 * turn * (t4 + t1 * (t2 - t3));
+            t24[j] = 2.0 * t23[j];
+            t27[j] = l0 * t12[j];
+            t30[j] = 0.5 * l0;
         }
         for (size_t j = 0; j < 8; j++) {
             cos_mean[j] = real_cos(mean[j]);
@@ -80,49 +76,54 @@ static void planar_beam_logarithmic_position(size_t nblocks, const real *const *
         }
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
-            const real t0 = cos_mean[j] * d_y[j] - sin_mean[j] * d_x[j];
-            const real bow = t0 * t5[j];
-            const real t7 = t6[j] * bow;
-            const real t8 = cos_mean[j] * d_x[j] + sin_mean[j] * d_y[j];
+            const real t0 = cos_mean[j] * d_x[j] + sin_mean[j] * d_y[j];
+            const real straight_x = t0 + t5[j];
+            const real straight_y = cos_mean[j] * d_y[j] - sin_mean[j] * d_x[j];
+            const real t7 = real_sqrt(straight_y * straight_y + straight_x * straight_x);
+            const real t8 = 1.0 / (t6[j] + t7);
+            const real bow = straight_y * t8;
+            const real t10 = t9[j] * bow;
             const real l0 = p[0 * 8 + j];
-            e[0 * 8 + j] = t8 + arc[j] + bow * t7 - l0;
-            const real t11 = t10[j] * bow;
-            e[1 * 8 + j] = l0 * (t9[j] + t11);
-            e[2 * 8 + j] = l0 * (t9[j] - t11);
-            const real t14 = t5[j] * bow;
-            const real t15 = sin_mean[j] * t5[j] + t13[j] * t14;
-            const real t16 = cos_mean[j] - 2.0 * t7 * t15;
-            De[3 * 8 + j] = t16; /* De(0,3) */
-            De[0 * 8 + j] = -t16; /* De(0,0) */
-            const real t18 = cos_mean[j] * t5[j] - t17[j] * t14;
-            const real t19 = sin_mean[j] + 2.0 * t7 * t18;
-            De[4 * 8 + j] = t19; /* De(0,4) */
-            De[1 * 8 + j] = -t19; /* De(0,1) */
-            const real t20 = t8 * t5[j];
-            const real t21 = 0.5 * (t0 - 2.0 * t7 * t20);
-            const real t24 = t22[j] * t14;
-            const real t25 = t23[j] - 4.0 * t7 * t24;
-            De[2 * 8 + j] = t21 - t25; /* De(0,2) */
-            De[5 * 8 + j] = t25 + t21; /* De(0,5) */
-            const real t27 = t26[j] * t15;
-            De[6 * 8 + j] = De[15 * 8 + j] = t27; /* De(1,0) De(2,3) */
-            const real t28 = t26[j] * t18;
-            De[10 * 8 + j] = De[13 * 8 + j] = t28; /* De(1,4) De(2,1) */
-            De[7 * 8 + j] = De[16 * 8 + j] = -t28; /* De(1,1) De(2,4) */
-            const real t30 = 2.0 * t26[j] * t24;
-            const real t31 = t29[j] - t30;
-            const real t32 = 0.5 * t26[j] * t20;
-            De[8 * 8 + j] = -(t31 + t32); /* De(1,2) */
-            De[9 * 8 + j] = De[12 * 8 + j] = -t27; /* De(1,3) De(2,0) */
-            De[11 * 8 + j] = t31 - t32; /* De(1,5) */
-            const real t33 = t29[j] + t30;
-            De[14 * 8 + j] = t32 - t33; /* De(2,2) */
-            De[17 * 8 + j] = t33 + t32; /* De(2,5) */
+            e[0 * 8 + j] = straight_x + bow * t10 - l0;
+            const real t13 = t12[j] * bow;
+            e[1 * 8 + j] = l0 * (t11[j] + t13);
+            e[2 * 8 + j] = l0 * (t11[j] - t13);
+            const real t14 = 1.0 / t7 * (t8 * t8 * straight_y);
+            const real t15 = straight_x * t14;
+            const real t16 = t8 - straight_y * t14;
+            const real t17 = cos_mean[j] * t15 + sin_mean[j] * t16;
+            const real t18 = cos_mean[j] - 2.0 * t10 * t17;
+            De[3 * 8 + j] = t18; /* De(0,3) */
+            De[0 * 8 + j] = -t18; /* De(0,0) */
+            const real t19 = cos_mean[j] * t16 - sin_mean[j] * t15;
+            const real t20 = sin_mean[j] + 2.0 * t10 * t19;
+            De[4 * 8 + j] = t20; /* De(0,4) */
+            De[1 * 8 + j] = -t20; /* De(0,1) */
+            const real t21 = straight_y * t15 + t0 * t16;
+            const real t22 = 0.5 * (straight_y - 2.0 * t10 * t21);
+            const real t25 = t15 * t23[j];
+            const real t26 = t24[j] - 4.0 * t10 * t25;
+            De[2 * 8 + j] = t22 - t26; /* De(0,2) */
+            De[5 * 8 + j] = t26 + t22; /* De(0,5) */
+            const real t28 = t27[j] * t17;
+            De[6 * 8 + j] = De[15 * 8 + j] = t28; /* De(1,0) De(2,3) */
+            const real t29 = t27[j] * t19;
+            De[10 * 8 + j] = De[13 * 8 + j] = t29; /* De(1,4) De(2,1) */
+            De[7 * 8 + j] = De[16 * 8 + j] = -t29; /* De(1,1) De(2,4) */
+            const real t31 = 2.0 * t27[j] * t25;
+            const real t32 = t30[j] - t31;
+            const real t33 = 0.5 * t27[j] * t21;
+            De[8 * 8 + j] = -(t32 + t33); /* De(1,2) */
+            De[9 * 8 + j] = De[12 * 8 + j] = -t28; /* De(1,3) De(2,0) */
+            De[11 * 8 + j] = t32 - t33; /* De(1,5) */
+            const real t34 = t30[j] + t31;
+            De[14 * 8 + j] = t33 - t34; /* De(2,2) */
+            De[17 * 8 + j] = t34 + t33; /* De(2,5) */
         }
     }
 }
 
-/* acceleration: 139 operations.
+/* acceleration: 156 operations.
  * in:  x (6), v (6), p (8)
  * out: g (3), gs (0) */
 FLEXEL_CLONES
@@ -133,56 +134,49 @@ static void planar_beam_logarithmic_acceleration(size_t nblocks, const real *con
         const real *restrict v = in[1] + b * (6 * 8);
         const real *restrict p = in[2] + b * (8 * 8);
         real *restrict g = out[0] + b * (3 * 8);
-        real t0[8], d_x[8], d_y[8], t4[8], mean[8], cos_mean[8], t5[8], sin_mean[8], t6[8], t9[8], t19[8], t29[8],
-            t31[8], t35[8];
+        real t0[8], mean[8], cos_mean[8], t1[8], d_x[8], d_y[8], sin_mean[8], t6[8], t18[8], t20[8], t21[8], t22[8],
+            t28[8], t40[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
-            const real phi_z = p[5 * 8 + j];
-            const real l0 = p[0 * 8 + j];
-            t0[j] = l0 * (phi_z + 0.6);
+            const real q_vy = v[4 * 8 + j];
+            const real p_vy = v[1 * 8 + j];
+            t0[j] = q_vy - p_vy;
+            const real alpha0 = p[1 * 8 + j];
+            const real alphaq0 = p[2 * 8 + j];
+            const real rp_angle = x[2 * 8 + j];
+            const real rq_angle = x[5 * 8 + j];
+            mean[j] = 0.5 * (alpha0 + alphaq0 + rp_angle + rq_angle);
+            const real rp_vangle = v[2 * 8 + j];
+            const real rq_vangle = v[5 * 8 + j];
+            t1[j] = rp_vangle + rq_vangle;
             const real q_x = x[3 * 8 + j];
             const real p_x = x[0 * 8 + j];
             d_x[j] = q_x - p_x;
             const real q_y = x[4 * 8 + j];
             const real p_y = x[1 * 8 + j];
             d_y[j] = q_y - p_y;
-            const real l = real_sqrt(d_x[j] * d_x[j] + d_y[j] * d_y[j]);
-            const real rq_angle = x[5 * 8 + j];
-            const real alphaq0 = p[2 * 8 + j];
-            const real alpha0 = p[1 * 8 + j];
-            const real rp_angle = x[2 * 8 + j];
-            const real turn = rq_angle + alphaq0 - alpha0 - rp_angle;
-            const real t1 = turn * turn;
-            const real t2 = 0.0005208333333333333 - 3.1001984126984127e-06 * t1;
-            const real t3 = 0.041666666666666664 - t1 * t2;
-            const real arc = l0 * t3 * t1;
-            t4[j] = 1.0 / (l + l0 * phi_z + arc);
-            mean[j] = 0.5 * (alpha0 + alphaq0 + rp_angle + rq_angle);
-            const real q_vy = v[4 * 8 + j];
-            const real p_vy = v[1 * 8 + j];
-            t5[j] = q_vy - p_vy;
-            const real rp_vangle = v[2 * 8 + j];
-            const real rq_vangle = v[5 * 8 + j];
-            t6[j] = rp_vangle + rq_vangle;
             const real q_vx = v[3 * 8 + j];
             const real p_vx = v[0 * 8 + j];
-            t9[j] = q_vx - p_vx;
-            const real t12 = 1.0 / l;
-            const real t13 = t12 * (d_x[j] * t9[j] + d_y[j] * t5[j]);
-            const real t14 = rq_vangle - rp_vangle;
-            const real t15 = turn * t14;
-            const real t16 = t15 * (2.0 * t2 - 6.200396825396825e-06 * t1);
-            const real t17 = t13 + l0 * (2.0 * t3 * t15 - t1 * t16);
-            const real t18 = t4[j] * t4[j];
-            t19[j] = t17 * t18;
-            const real t26 = t14 * t14;
-            const real t27 = t15 * t15;
-            const real t28 = 2.0 * (t2 * t26 - 6.200396825396825e-06 * t27) - 6.200396825396825e-06 * (2.0 * t27 + t1
-                * t26);
-            t29[j] = l0 * (2.0 * (t3 * t26 - 2.0 * t15 * t16) - t1 * t28);
-            const real t30 = t29[j] + t12 * (t9[j] * t9[j] + t5[j] * t5[j] - t13 * t13);
-            t31[j] = t18 * t30 - 2.0 * t4[j] * t19[j] * t17;
-            t35[j] = l0 * (1.0 + phi_z);
+            t6[j] = q_vx - p_vx;
+            const real turn = rq_angle + alphaq0 - alpha0 - rp_angle;
+            const real t9 = turn * turn;
+            const real t10 = 0.0005208333333333333 - 3.1001984126984127e-06 * t9;
+            const real t11 = 0.041666666666666664 - t9 * t10;
+            const real t12 = rq_vangle - rp_vangle;
+            const real t13 = t12 * t12;
+            const real t14 = turn * t12;
+            const real t15 = t14 * (2.0 * t10 - 6.200396825396825e-06 * t9);
+            const real t16 = t14 * t14;
+            const real t17 = 2.0 * (t10 * t13 - 6.200396825396825e-06 * t16) - 6.200396825396825e-06 * (2.0 * t16 + t9
+                * t13);
+            const real l0 = p[0 * 8 + j];
+            t18[j] = l0 * (2.0 * (t11 * t13 - 2.0 * t14 * t15) - t9 * t17);
+            const real phi_z = p[5 * 8 + j];
+            t20[j] = l0 * (phi_z + 0.6);
+            t21[j] = l0 * phi_z;
+            t22[j] = l0 * t11 * t9;
+            t28[j] = l0 * (2.0 * t11 * t14 - t9 * t15);
+            t40[j] = l0 * (1.0 + phi_z);
         }
         for (size_t j = 0; j < 8; j++) {
             cos_mean[j] = real_cos(mean[j]);
@@ -190,29 +184,41 @@ static void planar_beam_logarithmic_acceleration(size_t nblocks, const real *con
         }
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
-            const real t7 = sin_mean[j] * t6[j];
-            const real t8 = cos_mean[j] * t6[j];
-            const real t10 = cos_mean[j] * t5[j] - 0.5 * (d_y[j] * t7 + d_x[j] * t8) - sin_mean[j] * t9[j];
-            const real t11 = cos_mean[j] * d_y[j] - sin_mean[j] * d_x[j];
-            const real t20 = (t4[j] * t10 - t11 * t19[j]) * (t4[j] * t10 - t11 * t19[j]);
-            const real bow = t11 * t4[j];
-            const real t21 = t5[j] * t7;
-            const real t22 = t9[j] * t8;
-            const real t23 = t6[j] * t8;
-            const real t24 = t6[j] * t7;
-            const real t25 = t22 + 0.5 * (d_y[j] * t23 - d_x[j] * t24) + t22 + t21 + t21;
-            const real t32 = t11 * t31[j] + 2.0 * t10 * t19[j] + 0.5 * t4[j] * t25;
-            const real t33 = t9[j] * t7;
-            const real t34 = 2.0 * t5[j] * t8 - 0.5 * (d_x[j] * t23 + d_y[j] * t24) - t33;
-            g[0 * 8 + j] = t29[j] + 0.5 * (t34 - t33) + 2.0 * t0[j] * (t20 - bow * t32);
-            const real t36 = t35[j] * t32;
-            g[2 * 8 + j] = t36;
-            g[1 * 8 + j] = -t36;
+            const real t2 = cos_mean[j] * t1[j];
+            const real t3 = t1[j] * t2;
+            const real t4 = sin_mean[j] * t1[j];
+            const real t5 = t1[j] * t4;
+            const real t7 = t6[j] * t4;
+            const real t8 = 2.0 * t0[j] * t2 - 0.5 * (d_x[j] * t3 + d_y[j] * t5) - t7;
+            const real t19 = 0.5 * (t8 - t7) + t18[j];
+            const real straight_y = cos_mean[j] * d_y[j] - sin_mean[j] * d_x[j];
+            const real straight_x = cos_mean[j] * d_x[j] + sin_mean[j] * d_y[j] + t22[j];
+            const real t23 = real_sqrt(straight_y * straight_y + straight_x * straight_x);
+            const real t24 = 1.0 / (t21[j] + t23);
+            const real t25 = cos_mean[j] * t0[j] - 0.5 * (d_y[j] * t4 + d_x[j] * t2) - sin_mean[j] * t6[j];
+            const real t26 = t24 * t24;
+            const real t27 = 1.0 / t23;
+            const real t29 = cos_mean[j] * t6[j] + sin_mean[j] * t0[j] + 0.5 * (d_y[j] * t2 - d_x[j] * t4);
+            const real t30 = t28[j] + t29;
+            const real t31 = t27 * (straight_x * t30 + straight_y * t25);
+            const real t32 = t26 * t31;
+            const real t33 = (t24 * t25 - straight_y * t32) * (t24 * t25 - straight_y * t32);
+            const real bow = straight_y * t24;
+            const real t34 = t0[j] * t4;
+            const real t35 = t6[j] * t2;
+            const real t36 = t35 + 0.5 * (d_y[j] * t3 - d_x[j] * t5) + t35 + t34 + t34;
+            const real t37 = t30 * t30 + straight_x * t19 + t25 * t25 - 0.5 * straight_y * t36;
+            const real t38 = 2.0 * t27 * t26 * (t37 - t31 * t31) - 4.0 * t24 * t32 * t31;
+            const real t39 = 4.0 * t25 * t32 + straight_y * t38 + t24 * t36;
+            g[0 * 8 + j] = t19 + 2.0 * t20[j] * (t33 - 0.5 * bow * t39);
+            const real t41 = 0.5 * t40[j] * t39;
+            g[2 * 8 + j] = t41;
+            g[1 * 8 + j] = -t41;
         }
     }
 }
 
-/* rates: 200 operations.
+/* rates: 233 operations.
  * in:  x (6), v (6), p (8)
  * out: Phi_x (3,6) */
 FLEXEL_CLONES
@@ -223,64 +229,53 @@ static void planar_beam_logarithmic_rates(size_t nblocks, const real *const *in,
         const real *restrict v = in[1] + b * (6 * 8);
         const real *restrict p = in[2] + b * (8 * 8);
         real *restrict Phi_x = out[0] + b * (18 * 8);
-        real t0[8], mean[8], cos_mean[8], d_y[8], sin_mean[8], d_x[8], t6[8], t8[8], t10[8], t11[8], t14[8], t16[8],
-            t22[8], t23[8], t25[8], t27[8], t38[8], t40[8], t43[8], t44[8], t53[8], t54[8], t57[8];
+        real t0[8], d_y[8], mean[8], cos_mean[8], d_x[8], sin_mean[8], t1[8], t7[8], t11[8], t19[8], t21[8], t29[8],
+            t53[8], t55[8], t65[8], t66[8], t69[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real phi_z = p[5 * 8 + j];
             const real l0 = p[0 * 8 + j];
             t0[j] = l0 * (phi_z + 0.6);
-            const real alpha0 = p[1 * 8 + j];
-            const real alphaq0 = p[2 * 8 + j];
-            const real rp_angle = x[2 * 8 + j];
-            const real rq_angle = x[5 * 8 + j];
-            mean[j] = 0.5 * (alpha0 + alphaq0 + rp_angle + rq_angle);
             const real q_y = x[4 * 8 + j];
             const real p_y = x[1 * 8 + j];
             d_y[j] = q_y - p_y;
+            const real rp_angle = x[2 * 8 + j];
+            const real rq_angle = x[5 * 8 + j];
+            const real alpha0 = p[1 * 8 + j];
+            const real alphaq0 = p[2 * 8 + j];
+            mean[j] = 0.5 * (rp_angle + rq_angle + alpha0 + alphaq0);
             const real q_x = x[3 * 8 + j];
             const real p_x = x[0 * 8 + j];
             d_x[j] = q_x - p_x;
-            const real l = real_sqrt(d_x[j] * d_x[j] + d_y[j] * d_y[j]);
+            t1[j] = l0 * phi_z;
             const real turn = rq_angle + alphaq0 - alpha0 - rp_angle;
-            const real t2 = turn * turn;
-            const real t3 = 3.1001984126984127e-06 * t2;
-            const real t4 = 0.0005208333333333333 - t3;
-            const real t5 = 0.041666666666666664 - t2 * t4;
-            const real arc = l0 * t5 * t2;
-            t6[j] = 1.0 / (l + l0 * phi_z + arc);
-            t8[j] = t6[j] * t6[j];
-            const real q_vx = v[3 * 8 + j];
-            const real p_vx = v[0 * 8 + j];
-            t10[j] = q_vx - p_vx;
-            const real q_vy = v[4 * 8 + j];
-            const real p_vy = v[1 * 8 + j];
-            t11[j] = q_vy - p_vy;
-            const real t12 = d_x[j] * t10[j] + d_y[j] * t11[j];
-            const real t13 = 1.0 / l;
-            t14[j] = t13 * t13 * t13 * t12;
+            const real t3 = turn * turn;
+            const real t4 = 3.1001984126984127e-06 * t3;
+            const real t5 = 0.0005208333333333333 - t4;
+            const real t6 = 0.041666666666666664 - t3 * t5;
+            t7[j] = l0 * t3 * t6;
             const real rp_vangle = v[2 * 8 + j];
             const real rq_vangle = v[5 * 8 + j];
-            t16[j] = rp_vangle + rq_vangle;
-            const real t18 = rq_vangle - rp_vangle;
-            const real t19 = turn * t18;
-            const real t20 = t2 * t19;
-            const real t21 = 2.0 * t4 * t19 - 6.200396825396825e-06 * t20;
-            t22[j] = l0 * (2.0 * t5 * t19 - t2 * t21) + t13 * t12;
-            t23[j] = t8[j] * t22[j];
-            t25[j] = t10[j] * t13;
-            const real t26 = t13 * t8[j];
-            t27[j] = d_x[j] * t26;
-            t38[j] = t11[j] * t13;
-            t40[j] = d_y[j] * t26;
-            t43[j] = t11[j] - 0.5 * d_x[j] * t16[j];
-            t44[j] = t10[j] + 0.5 * d_y[j] * t16[j];
-            const real t50 = t3 - t4;
-            const real t51 = turn * (2.0 * t50 * t19 + 1.240079365079365e-05 * t20 - t21);
-            const real t52 = 2.0 * (t5 * t18 + t51) - t2 * (2.0 * t4 - 6.200396825396825e-06 * t2) * t18;
-            t53[j] = l0 * t52;
-            t54[j] = l0 * turn * (t5 + t2 * t50) * t8[j];
-            t57[j] = l0 * (1.0 + phi_z);
+            t11[j] = rp_vangle + rq_vangle;
+            const real q_vy = v[4 * 8 + j];
+            const real p_vy = v[1 * 8 + j];
+            t19[j] = q_vy - p_vy;
+            const real q_vx = v[3 * 8 + j];
+            const real p_vx = v[0 * 8 + j];
+            t21[j] = q_vx - p_vx;
+            const real t25 = rq_vangle - rp_vangle;
+            const real t26 = turn * t25;
+            const real t27 = t3 * t26;
+            const real t28 = 2.0 * t5 * t26 - 6.200396825396825e-06 * t27;
+            t29[j] = l0 * (2.0 * t6 * t26 - t3 * t28);
+            t53[j] = t19[j] - 0.5 * d_x[j] * t11[j];
+            t55[j] = t21[j] + 0.5 * d_y[j] * t11[j];
+            const real t62 = t25 * (2.0 * t6 - t3 * (2.0 * t5 - 6.200396825396825e-06 * t3));
+            const real t63 = t4 - t5;
+            const real t64 = turn * (2.0 * t63 * t26 + 1.240079365079365e-05 * t27 - t28);
+            t65[j] = l0 * (t62 + 2.0 * t64);
+            t66[j] = l0 * (t6 + t3 * t63) * turn;
+            t69[j] = l0 * (1.0 + phi_z);
         }
         for (size_t j = 0; j < 8; j++) {
             cos_mean[j] = real_cos(mean[j]);
@@ -288,58 +283,82 @@ static void planar_beam_logarithmic_rates(size_t nblocks, const real *const *in,
         }
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
-            const real t1 = cos_mean[j] * d_y[j] - sin_mean[j] * d_x[j];
-            const real bow = t1 * t6[j];
-            const real t7 = t0[j] * bow;
-            const real t9 = t1 * t8[j];
-            const real t15 = t9 * t14[j];
-            const real t17 = cos_mean[j] * t16[j];
-            const real t24 = 0.5 * (2.0 * d_x[j] * t15 - t17 * t6[j]) + sin_mean[j] * t23[j];
-            const real t28 = sin_mean[j] * t16[j];
-            const real t29 = 0.5 * d_y[j] * t28;
-            const real t30 = sin_mean[j] * t10[j];
-            const real t31 = cos_mean[j] * t11[j] - t29 - 0.5 * d_x[j] * t17 - t30;
-            const real t32 = t31 - 2.0 * bow * t22[j];
-            const real t33 = t24 - t25[j] * t9 - t27[j] * t32;
-            const real t34 = t0[j] * (t6[j] * t31 - t1 * t23[j]);
-            const real t35 = t6[j] * t34;
-            const real t36 = t1 * t34;
-            const real t37 = 2.0 * (t7 * t33 - sin_mean[j] * t35 - t36 * t27[j]) - 0.5 * t28;
-            Phi_x[3 * 8 + j] = t37; /* Phi_x(0,3) */
-            Phi_x[0 * 8 + j] = -t37; /* Phi_x(0,0) */
-            const real t39 = 0.5 * (2.0 * d_y[j] * t15 - t28 * t6[j]) - t38[j] * t9 - cos_mean[j] * t23[j];
-            const real t41 = t39 - t40[j] * t32;
-            const real t42 = 0.5 * t17 + 2.0 * (cos_mean[j] * t35 + t7 * t41 - t36 * t40[j]);
-            Phi_x[4 * 8 + j] = t42; /* Phi_x(0,4) */
-            Phi_x[1 * 8 + j] = -t42; /* Phi_x(0,1) */
-            const real t45 = 0.5 * d_x[j] * t28 - sin_mean[j] * t11[j] - cos_mean[j] * t44[j];
-            const real t46 = cos_mean[j] * d_x[j] + sin_mean[j] * d_y[j];
-            const real t47 = t6[j] * t45 + t46 * t23[j];
-            const real t48 = cos_mean[j] * t43[j] + 2.0 * (t7 * t47 - t46 * t35) - t29;
-            const real t49 = 0.5 * (t48 - t30);
-            const real t55 = 2.0 * t54[j] * t32 + t9 * t53[j];
-            const real t56 = t53[j] - 4.0 * t36 * t54[j] - 2.0 * t7 * t55;
-            Phi_x[2 * 8 + j] = t49 - t56; /* Phi_x(0,2) */
-            Phi_x[5 * 8 + j] = t56 + t49; /* Phi_x(0,5) */
-            const real t58 = t57[j] * t33;
-            Phi_x[9 * 8 + j] = Phi_x[12 * 8 + j] = t58; /* Phi_x(1,3) Phi_x(2,0) */
-            Phi_x[6 * 8 + j] = Phi_x[15 * 8 + j] = -t58; /* Phi_x(1,0) Phi_x(2,3) */
-            const real t59 = t57[j] * t41;
-            Phi_x[10 * 8 + j] = Phi_x[13 * 8 + j] = t59; /* Phi_x(1,4) Phi_x(2,1) */
-            Phi_x[7 * 8 + j] = Phi_x[16 * 8 + j] = -t59; /* Phi_x(1,1) Phi_x(2,4) */
-            const real t60 = t57[j] * t55;
-            const real t61 = 0.5 * t57[j] * t47;
-            const real t62 = t60 + t61;
-            Phi_x[8 * 8 + j] = t62; /* Phi_x(1,2) */
-            const real t63 = t61 - t60;
-            Phi_x[11 * 8 + j] = t63; /* Phi_x(1,5) */
-            Phi_x[14 * 8 + j] = -t62; /* Phi_x(2,2) */
-            Phi_x[17 * 8 + j] = -t63; /* Phi_x(2,5) */
+            const real straight_y = d_y[j] * cos_mean[j] - d_x[j] * sin_mean[j];
+            const real t2 = d_x[j] * cos_mean[j] + d_y[j] * sin_mean[j];
+            const real straight_x = t2 + t7[j];
+            const real t8 = real_sqrt(straight_x * straight_x + straight_y * straight_y);
+            const real t9 = 1.0 / (t1[j] + t8);
+            const real bow = straight_y * t9;
+            const real t10 = t0[j] * bow;
+            const real t12 = t11[j] * sin_mean[j];
+            const real t13 = 1.0 / t8;
+            const real t14 = t9 * t9;
+            const real t15 = t13 * t14;
+            const real t16 = straight_x * t15;
+            const real t17 = t11[j] * cos_mean[j];
+            const real t18 = straight_y * t15;
+            const real t20 = t19[j] * cos_mean[j] - 0.5 * (d_y[j] * t12 + d_x[j] * t17);
+            const real t22 = t20 - t21[j] * sin_mean[j];
+            const real t23 = straight_y * t13;
+            const real t24 = t23 * t14;
+            const real t30 = t29[j] + 0.5 * (d_y[j] * t17 - d_x[j] * t12) + t21[j] * cos_mean[j];
+            const real t31 = t19[j] * sin_mean[j] + t30;
+            const real t32 = straight_y * t22 + straight_x * t31;
+            const real t33 = t13 * t32;
+            const real t34 = t14 * t33;
+            const real t35 = t9 * t33;
+            const real t36 = t14 * t32 * t13 * t13;
+            const real t37 = t34 + straight_y * (t22 * t15 - 2.0 * t35 * t24 - t23 * t36);
+            const real t38 = t22 * t24 + t37;
+            const real t39 = 0.5 * (straight_y * (t12 * t16 + t17 * t18) - t9 * t17) + sin_mean[j] * t38;
+            const real t40 = straight_x * t13;
+            const real t41 = t14 * t40;
+            const real t42 = t22 * t41 + straight_y * (t15 * t31 - 2.0 * t35 * t41 - t40 * t36);
+            const real t43 = t39 - cos_mean[j] * t42;
+            const real t44 = t0[j] * (t9 * t22 - straight_y * t34);
+            const real t45 = straight_y * t44;
+            const real t46 = t41 * t45;
+            const real t47 = t9 * t44 - t24 * t45;
+            const real t48 = 2.0 * (t10 * t43 - cos_mean[j] * t46 - sin_mean[j] * t47);
+            const real t49 = t48 - 0.5 * t12;
+            Phi_x[3 * 8 + j] = t49; /* Phi_x(0,3) */
+            Phi_x[0 * 8 + j] = -t49; /* Phi_x(0,0) */
+            const real t50 = cos_mean[j] * t38 + sin_mean[j] * t42 + 0.5 * (t9 * t12 + straight_y * (t17 * t16 - t12
+                * t18));
+            const real t51 = 2.0 * (cos_mean[j] * t47 - sin_mean[j] * t46 - t10 * t50);
+            const real t52 = 0.5 * t17 + t51;
+            Phi_x[4 * 8 + j] = t52; /* Phi_x(0,4) */
+            Phi_x[1 * 8 + j] = -t52; /* Phi_x(0,1) */
+            const real t54 = cos_mean[j] * t53[j];
+            const real t56 = sin_mean[j] * t55[j];
+            const real t57 = sin_mean[j] * t53[j] + cos_mean[j] * t55[j];
+            const real t58 = t2 * t38 - straight_y * (t16 * (t54 - t56) + t42 - t18 * t57);
+            const real t59 = t58 - t9 * t57;
+            const real t60 = t54 + 2.0 * (t10 * t59 - straight_y * t46 - t2 * t47) - t56;
+            const real t61 = 0.5 * t60;
+            const real t67 = straight_y * t16 * t65[j] + 2.0 * t66[j] * t42;
+            const real t68 = t65[j] - 4.0 * t66[j] * t46 - 2.0 * t10 * t67;
+            Phi_x[2 * 8 + j] = t61 - t68; /* Phi_x(0,2) */
+            Phi_x[5 * 8 + j] = t68 + t61; /* Phi_x(0,5) */
+            const real t70 = t69[j] * t43;
+            Phi_x[9 * 8 + j] = Phi_x[12 * 8 + j] = t70; /* Phi_x(1,3) Phi_x(2,0) */
+            Phi_x[6 * 8 + j] = Phi_x[15 * 8 + j] = -t70; /* Phi_x(1,0) Phi_x(2,3) */
+            const real t71 = t69[j] * t50;
+            Phi_x[7 * 8 + j] = Phi_x[16 * 8 + j] = t71; /* Phi_x(1,1) Phi_x(2,4) */
+            const real t72 = t69[j] * t67;
+            const real t73 = 0.5 * t69[j] * t59;
+            const real t74 = t72 + t73;
+            Phi_x[8 * 8 + j] = t74; /* Phi_x(1,2) */
+            Phi_x[10 * 8 + j] = Phi_x[13 * 8 + j] = -t71; /* Phi_x(1,4) Phi_x(2,1) */
+            const real t75 = t73 - t72;
+            Phi_x[11 * 8 + j] = t75; /* Phi_x(1,5) */
+            Phi_x[14 * 8 + j] = -t74; /* Phi_x(2,2) */
+            Phi_x[17 * 8 + j] = -t75; /* Phi_x(2,5) */
         }
     }
 }
 
-/* kinematics: 560 operations.
+/* kinematics: 731 operations.
  * in:  x (6), v (6), a (6), p (8)
  * out: Psi_x (3,6), Psi_v (3,6) */
 FLEXEL_CLONES
@@ -352,135 +371,96 @@ static void planar_beam_logarithmic_kinematics(size_t nblocks, const real *const
         const real *restrict p = in[3] + b * (8 * 8);
         real *restrict Psi_x = out[0] + b * (18 * 8);
         real *restrict Psi_v = out[1] + b * (18 * 8);
-        real d_x[8], d_y[8], t0[8], t5[8], t6[8], t8[8], mean[8], cos_mean[8], sin_mean[8], t10[8], t11[8], t12[8],
-            t16[8], t22[8], t23[8], t24[8], t26[8], t27[8], t31[8], t38[8], t41[8], t53[8], t60[8], t66[8], t67[8],
-            t68[8], t70[8], t73[8], t75[8], t79[8], t85[8], t86[8], t87[8], t88[8], t90[8], t94[8], t96[8], t97[8],
-            t98[8], t100[8], t102[8], t118[8], t124[8], t125[8], t128[8], t129[8], t133[8], t150[8], t154[8], t155[8],
-            t156[8];
+        real mean[8], cos_mean[8], d_y[8], sin_mean[8], d_x[8], t6[8], t9[8], t13[8], t14[8], t15[8], t19[8], t25[8],
+            t45[8], t54[8], t55[8], t56[8], t75[8], t122[8], t124[8], t125[8], t126[8], t128[8], t130[8], t132[8],
+            t148[8], t150[8], t152[8], t157[8], t162[8], t166[8], t168[8], t194[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
-            const real q_x = x[3 * 8 + j];
-            const real p_x = x[0 * 8 + j];
-            d_x[j] = q_x - p_x;
+            const real alpha0 = p[1 * 8 + j];
+            const real alphaq0 = p[2 * 8 + j];
+            const real rp_angle = x[2 * 8 + j];
+            const real rq_angle = x[5 * 8 + j];
+            mean[j] = 0.5 * (alpha0 + alphaq0 + rp_angle + rq_angle);
             const real q_y = x[4 * 8 + j];
             const real p_y = x[1 * 8 + j];
             d_y[j] = q_y - p_y;
-            const real l = real_sqrt(d_x[j] * d_x[j] + d_y[j] * d_y[j]);
-            t0[j] = 1.0 / l;
-            const real l0 = p[0 * 8 + j];
-            const real phi_z = p[5 * 8 + j];
-            const real rq_angle = x[5 * 8 + j];
-            const real alphaq0 = p[2 * 8 + j];
-            const real alpha0 = p[1 * 8 + j];
-            const real rp_angle = x[2 * 8 + j];
+            const real q_x = x[3 * 8 + j];
+            const real p_x = x[0 * 8 + j];
+            d_x[j] = q_x - p_x;
             const real turn = rq_angle + alphaq0 - alpha0 - rp_angle;
             const real t1 = turn * turn;
             const real t2 = 3.1001984126984127e-06 * t1;
             const real t3 = 0.0005208333333333333 - t2;
             const real t4 = 0.041666666666666664 - t1 * t3;
-            const real arc = l0 * t1 * t4;
-            t5[j] = 1.0 / (l + l0 * phi_z + arc);
-            t6[j] = t5[j] * t5[j];
-            const real t7 = t0[j] * t6[j];
-            t8[j] = d_x[j] * t7;
-            mean[j] = 0.5 * (rp_angle + rq_angle + alpha0 + alphaq0);
-            t10[j] = l0 * (phi_z + 0.6);
-            const real q_ay = a[4 * 8 + j];
-            const real p_ay = a[1 * 8 + j];
-            t11[j] = q_ay - p_ay;
-            const real rp_aangle = a[2 * 8 + j];
-            const real rq_aangle = a[5 * 8 + j];
-            t12[j] = rp_aangle + rq_aangle;
-            const real q_ax = a[3 * 8 + j];
-            const real p_ax = a[0 * 8 + j];
-            t16[j] = q_ax - p_ax;
-            const real t18 = rq_aangle - rp_aangle;
-            const real t19 = turn * t18;
-            const real t20 = t1 * t19;
-            const real t21 = 2.0 * t3 * t19 - 6.200396825396825e-06 * t20;
-            t22[j] = d_x[j] * t16[j] + d_y[j] * t11[j];
-            t23[j] = l0 * (2.0 * t4 * t19 - t1 * t21) + t0[j] * t22[j];
-            t24[j] = t6[j] * t23[j];
+            const real l0 = p[0 * 8 + j];
+            const real t5 = l0 * t1;
+            t6[j] = t4 * t5;
+            const real phi_z = p[5 * 8 + j];
+            t9[j] = l0 * phi_z;
+            t13[j] = l0 * (phi_z + 0.6);
             const real q_vy = v[4 * 8 + j];
             const real p_vy = v[1 * 8 + j];
-            t26[j] = q_vy - p_vy;
+            t14[j] = q_vy - p_vy;
             const real rp_vangle = v[2 * 8 + j];
             const real rq_vangle = v[5 * 8 + j];
-            t27[j] = rp_vangle + rq_vangle;
+            t15[j] = rp_vangle + rq_vangle;
             const real q_vx = v[3 * 8 + j];
             const real p_vx = v[0 * 8 + j];
-            t31[j] = q_vx - p_vx;
-            const real t34 = rq_vangle - rp_vangle;
-            const real t35 = turn * t34;
-            const real t36 = t1 * t35;
-            const real t37 = 2.0 * t3 * t35 - 6.200396825396825e-06 * t36;
-            t38[j] = d_x[j] * t31[j] + d_y[j] * t26[j];
-            const real t39 = t0[j] * t38[j];
-            const real t40 = l0 * (2.0 * t4 * t35 - t1 * t37) + t39;
-            t41[j] = t6[j] * t40;
-            const real t43 = t31[j] * t31[j] + t26[j] * t26[j];
-            const real t44 = t34 * t34;
-            const real t45 = t35 * t35;
-            const real t46 = t1 * t44;
-            const real t47 = 2.0 * (t3 * t44 - 6.200396825396825e-06 * t45) - 6.200396825396825e-06 * (2.0 * t45
-                + t46);
-            const real t48 = t0[j] * t43 + l0 * (2.0 * (t4 * t44 - 2.0 * t35 * t37) - t1 * t47);
-            const real t49 = t0[j] * t0[j];
-            const real t50 = t49 * t39;
-            const real t51 = t48 - t38[j] * t50;
-            const real t52 = t5[j] * t41[j];
-            t53[j] = t6[j] * t51 - 2.0 * t40 * t52;
-            t60[j] = t5[j] * t40;
-            t66[j] = t31[j] * t0[j];
-            t67[j] = t0[j] * t49;
-            t68[j] = d_x[j] * t67[j];
-            const real t69 = t38[j] * t6[j];
-            t70[j] = t6[j] * t66[j] - t68[j] * t69;
-            t73[j] = t5[j] * t51 - t40 * t41[j];
-            t75[j] = t53[j] + t24[j];
-            const real t77 = t52 + 0.5 * t49 * t69;
-            const real t78 = 0.5 * t6[j] * (2.0 * t43 - 4.0 * t39 * t39) - 2.0 * t38[j] * t77;
-            t79[j] = 2.0 * t66[j] * t77 + t68[j] * t78 + t31[j] * t6[j] * t50;
-            t85[j] = d_y[j] * t7;
-            t86[j] = t26[j] * t0[j];
-            t87[j] = d_y[j] * t67[j];
-            t88[j] = t6[j] * t86[j] - t87[j] * t69;
-            t90[j] = 2.0 * t86[j] * t77 + t87[j] * t78 + t26[j] * t6[j] * t50;
-            t94[j] = t11[j] - 0.5 * d_x[j] * t12[j];
-            const real t95 = d_y[j] * t27[j];
-            t96[j] = t31[j] + 0.25 * t95;
-            t97[j] = t94[j] - t27[j] * t96[j];
-            t98[j] = t31[j] + 0.5 * t95;
-            t100[j] = t16[j] + 0.5 * d_y[j] * t12[j];
-            const real t101 = d_x[j] * t27[j];
-            t102[j] = t26[j] - 0.25 * t101;
-            const real t108 = 1.240079365079365e-05 * t46 + 4.96031746031746e-05 * t45 - t47;
-            const real t109 = t2 - t3;
-            const real t110 = turn * t109;
-            const real t111 = 2.0 * t3 - 6.200396825396825e-06 * t1;
-            const real t112 = t34 * t111;
-            const real t113 = t34 * (4.96031746031746e-05 * t36 - 4.0 * t37) + 4.0 * (t110 * t44 - t35 * t112);
-            const real t114 = 2.0 * turn * t108 + t113;
-            const real t115 = 2.0 * turn * (1.240079365079365e-05 * t20 - t21);
-            const real t116 = 4.0 * t110 * t19;
-            const real t117 = t18 * (t1 * t111 - 2.0 * t4);
-            t118[j] = l0 * (t115 + t116 + t114 - t117);
-            const real t119 = t1 * t112 - 2.0 * t4 * t34;
-            const real t120 = 1.240079365079365e-05 * t36 - t37;
-            const real t121 = turn * t120;
-            const real t122 = t110 * t35;
-            const real t123 = l0 * t6[j];
-            t124[j] = l0 * (2.0 * t119 - 4.0 * t121 - 8.0 * t122) * t52 + t114 * t123;
-            t125[j] = (2.0 * t121 + 4.0 * t122 - t119) * t123;
-            const real t126 = t4 * t123;
-            const real t127 = t1 * t123;
-            t128[j] = turn * t126 + t110 * t127;
-            t129[j] = t117 - t115 - t116;
-            t133[j] = l0 * (1.0 + phi_z);
-            t150[j] = t26[j] - 0.5 * t101;
-            t154[j] = 2.0 * turn * (2.0 * t109 * t35 + t120) - t119;
-            t155[j] = l0 * t154[j];
-            t156[j] = turn * (t126 + t109 * t127);
+            t19[j] = q_vx - p_vx;
+            const real t21 = rq_vangle - rp_vangle;
+            const real t22 = turn * t21;
+            const real t23 = t1 * t22;
+            const real t24 = 2.0 * t3 * t22 - 6.200396825396825e-06 * t23;
+            t25[j] = l0 * (2.0 * t4 * t22 - t1 * t24);
+            const real rp_aangle = a[2 * 8 + j];
+            const real rq_aangle = a[5 * 8 + j];
+            t45[j] = rp_aangle + rq_aangle;
+            const real t50 = rq_aangle - rp_aangle;
+            const real t51 = turn * t50;
+            const real t52 = t1 * t51;
+            const real t53 = 2.0 * t3 * t51 - 6.200396825396825e-06 * t52;
+            t54[j] = l0 * (2.0 * t4 * t51 - t1 * t53);
+            const real q_ax = a[3 * 8 + j];
+            const real p_ax = a[0 * 8 + j];
+            t55[j] = q_ax - p_ax;
+            const real q_ay = a[4 * 8 + j];
+            const real p_ay = a[1 * 8 + j];
+            t56[j] = q_ay - p_ay;
+            const real t71 = t21 * t21;
+            const real t72 = t22 * t22;
+            const real t73 = t1 * t71;
+            const real t74 = 2.0 * (t3 * t71 - 6.200396825396825e-06 * t72) - 6.200396825396825e-06 * (2.0 * t72
+                + t73);
+            t75[j] = l0 * (2.0 * (t4 * t71 - 2.0 * t22 * t24) - t1 * t74);
+            t122[j] = t56[j] - 0.5 * d_x[j] * t45[j];
+            const real t123 = d_y[j] * t15[j];
+            t124[j] = t15[j] * (t19[j] + 0.25 * t123);
+            t125[j] = t122[j] - t124[j];
+            t126[j] = t55[j] + 0.5 * d_y[j] * t45[j];
+            const real t127 = d_x[j] * t15[j];
+            t128[j] = t15[j] * (t14[j] - 0.25 * t127);
+            t130[j] = t14[j] - 0.5 * t127;
+            t132[j] = t19[j] + 0.5 * t123;
+            const real t146 = t2 - t3;
+            const real t147 = l0 * (1.240079365079365e-05 * t52 - t53 + 2.0 * t146 * t51);
+            t148[j] = turn * t147;
+            const real t149 = l0 * t4;
+            t150[j] = turn * (t149 + t146 * t5);
+            const real t151 = 2.0 * t3 - 6.200396825396825e-06 * t1;
+            t152[j] = l0 * t50 * (2.0 * t4 - t1 * t151);
+            const real t153 = l0 * t22;
+            const real t154 = 2.0 * t146 * t153;
+            const real t155 = turn * (1.240079365079365e-05 * (t5 * t22) + t154 - l0 * t24);
+            const real t156 = t21 * t151;
+            t157[j] = 2.0 * (t149 * t21 + t155) - t5 * t156;
+            const real t159 = l0 * (1.240079365079365e-05 * t73 + 2.0 * t146 * t71 - t74);
+            const real t160 = 2.0 * turn * (4.96031746031746e-05 * (t22 * t153) + t159);
+            const real t161 = l0 * (4.96031746031746e-05 * t23 - 4.0 * t24) * t21 + t160;
+            t162[j] = t161 - 4.0 * t156 * t153;
+            t166[j] = t152[j] + t162[j];
+            t168[j] = l0 * (1.0 + phi_z);
+            const real t193 = 2.0 * turn * (l0 * (1.240079365079365e-05 * t23 - t24) + t154);
+            t194[j] = l0 * (2.0 * t4 * t21 - t1 * t156) + t193;
         }
         for (size_t j = 0; j < 8; j++) {
             cos_mean[j] = real_cos(mean[j]);
@@ -488,116 +468,191 @@ static void planar_beam_logarithmic_kinematics(size_t nblocks, const real *const
         }
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
-            const real t9 = d_y[j] * cos_mean[j] - d_x[j] * sin_mean[j];
-            const real t13 = sin_mean[j] * t12[j];
-            const real t14 = cos_mean[j] * t12[j];
-            const real t15 = cos_mean[j] * t11[j] - 0.5 * (d_y[j] * t13 + d_x[j] * t14);
-            const real t17 = t15 - sin_mean[j] * t16[j];
-            const real t25 = t10[j] * (t5[j] * t17 - t9 * t24[j]);
-            const real t28 = t27[j] * sin_mean[j];
-            const real t29 = 0.5 * d_y[j] * t28;
-            const real t30 = t27[j] * cos_mean[j];
-            const real t32 = t31[j] * sin_mean[j];
-            const real t33 = t26[j] * cos_mean[j] - t29 - 0.5 * d_x[j] * t30 - t32;
-            const real t42 = t5[j] * t33 - t9 * t41[j];
-            const real t54 = t27[j] * t30;
-            const real t55 = t27[j] * t28;
-            const real t56 = 2.0 * t26[j] * t28 + 2.0 * t31[j] * t30 + 0.5 * (d_y[j] * t54 - d_x[j] * t55);
-            const real t57 = 0.5 * t5[j] * t56 + 2.0 * t33 * t41[j] + t9 * t53[j];
-            const real t58 = t10[j] * t42;
-            const real t59 = t9 * t58;
-            const real t61 = 2.0 * (t9 * t25 + t10[j] * (2.0 * t33 * t42 - t9 * t57)) - 8.0 * t59 * t60[j];
-            const real t62 = t5[j] * t25 - t10[j] * (t5[j] * t57 + 2.0 * t41[j] * t42);
-            const real bow = t9 * t5[j];
-            const real t63 = t10[j] * bow;
-            const real t64 = 2.0 * t9 * t60[j];
-            const real t65 = 2.0 * t33 - t64;
-            const real t71 = t9 * t6[j];
-            const real t72 = t0[j] * t71;
-            const real t74 = t17 - 2.0 * (t60[j] * t65 + t9 * t73[j] + bow * t23[j]) - 0.5 * t56;
-            const real t76 = t16[j] * t72 + t8[j] * t74 + t65 * t70[j] - sin_mean[j] * t75[j];
-            const real t80 = t71 * t22[j];
-            const real t81 = t76 - t30 * t41[j] - 0.25 * t5[j] * t55 - t9 * t79[j] - 0.5 * (2.0 * t68[j] * t80 - t5[j]
-                * t14);
-            const real t82 = t5[j] * t58;
-            const real t83 = 0.5 * t13 + 0.25 * t54 + 4.0 * t59 * t70[j] + 2.0 * (t63 * t81 + t30 * t82 + sin_mean[j]
-                * t62);
-            const real t84 = t8[j] * t61 + t83;
-            Psi_x[0 * 8 + j] = t84; /* Psi_x(0,0) */
-            const real t89 = t11[j] * t72 + 0.25 * t5[j] * t54 + t65 * t88[j] + cos_mean[j] * t75[j];
-            const real t91 = t85[j] * t74 + t89 - t28 * t41[j] - t9 * t90[j] - 0.5 * (2.0 * t87[j] * t80 - t5[j]
-                * t13);
-            const real t92 = 0.5 * t14 + 2.0 * (cos_mean[j] * t62 - t63 * t91 - t28 * t82);
-            const real t93 = t92 - 0.25 * t55 - 4.0 * t59 * t88[j] - t85[j] * t61;
-            Psi_x[4 * 8 + j] = t93; /* Psi_x(0,4) */
-            Psi_x[1 * 8 + j] = -t93; /* Psi_x(0,1) */
-            const real t99 = 0.5 * d_x[j] * t28 - t26[j] * sin_mean[j] - cos_mean[j] * t98[j];
-            const real t103 = t30 * t102[j] + sin_mean[j] * t94[j] + cos_mean[j] * t100[j];
-            const real t104 = d_x[j] * cos_mean[j] + d_y[j] * sin_mean[j];
-            const real t105 = t5[j] * (t103 - t28 * t96[j]) + 2.0 * t99 * t41[j] - t104 * t75[j];
-            const real t106 = cos_mean[j] * t97[j] + 4.0 * t99 * t82 - 2.0 * (t63 * t105 + t104 * t62);
-            const real t107 = 0.5 * (t106 - sin_mean[j] * t100[j] - t28 * t102[j]);
-            const real l0 = p[0 * 8 + j];
-            const real t130 = l0 * t71;
-            const real t131 = t65 * t125[j] + 2.0 * t128[j] * t74 + t9 * t124[j] - t129[j] * t130;
-            const real t132 = t118[j] - 2.0 * (t63 * t131 + t128[j] * t61) - 4.0 * t59 * t125[j];
-            Psi_x[2 * 8 + j] = t107 - t132; /* Psi_x(0,2) */
-            Psi_x[3 * 8 + j] = -t84; /* Psi_x(0,3) */
-            Psi_x[5 * 8 + j] = t132 + t107; /* Psi_x(0,5) */
-            const real t134 = t133[j] * t81;
-            Psi_x[6 * 8 + j] = Psi_x[15 * 8 + j] = t134; /* Psi_x(1,0) Psi_x(2,3) */
-            const real t135 = t133[j] * t91;
-            Psi_x[7 * 8 + j] = Psi_x[16 * 8 + j] = t135; /* Psi_x(1,1) Psi_x(2,4) */
-            const real t136 = t133[j] * t131;
-            const real t137 = 0.5 * t133[j] * t105;
-            const real t138 = t136 - t137;
-            Psi_x[8 * 8 + j] = t138; /* Psi_x(1,2) */
-            Psi_x[9 * 8 + j] = Psi_x[12 * 8 + j] = -t134; /* Psi_x(1,3) Psi_x(2,0) */
-            Psi_x[10 * 8 + j] = Psi_x[13 * 8 + j] = -t135; /* Psi_x(1,4) Psi_x(2,1) */
-            const real t139 = t136 + t137;
-            Psi_x[17 * 8 + j] = t139; /* Psi_x(2,5) */
-            Psi_x[11 * 8 + j] = -t139; /* Psi_x(1,5) */
-            Psi_x[14 * 8 + j] = -t138; /* Psi_x(2,2) */
-            const real t140 = t38[j] * t71 * t67[j];
-            const real t141 = sin_mean[j] * t41[j] + 0.5 * (2.0 * d_x[j] * t140 - t5[j] * t30);
-            const real t142 = t33 - t64;
-            const real t143 = t141 - t66[j] * t71 - t8[j] * t142;
-            const real t144 = 2.0 * (t63 * t143 - sin_mean[j] * t82 - t59 * t8[j]) - 0.5 * t28;
-            const real t145 = 2.0 * t144;
-            Psi_v[3 * 8 + j] = t145; /* Psi_v(0,3) */
-            Psi_v[0 * 8 + j] = -t145; /* Psi_v(0,0) */
-            const real t146 = 0.5 * (2.0 * d_y[j] * t140 - t5[j] * t28) - t86[j] * t71 - cos_mean[j] * t41[j];
-            const real t147 = t146 - t85[j] * t142;
-            const real t148 = 0.5 * t30 + 2.0 * (cos_mean[j] * t82 + t63 * t147 - t59 * t85[j]);
-            const real t149 = 2.0 * t148;
-            Psi_v[4 * 8 + j] = t149; /* Psi_v(0,4) */
-            Psi_v[1 * 8 + j] = -t149; /* Psi_v(0,1) */
-            const real t151 = t5[j] * t99 + t104 * t41[j];
-            const real t152 = cos_mean[j] * t150[j] + 2.0 * (t63 * t151 - t104 * t82) - t29;
-            const real t153 = 0.5 * (t152 - t32);
-            const real t157 = 2.0 * t156[j] * t142 + t154[j] * t130;
-            const real t158 = t155[j] - 4.0 * t59 * t156[j] - 2.0 * t63 * t157;
-            Psi_v[2 * 8 + j] = 2.0 * (t153 - t158); /* Psi_v(0,2) */
-            Psi_v[5 * 8 + j] = 2.0 * (t153 + t158); /* Psi_v(0,5) */
-            const real t159 = 2.0 * t133[j] * t143;
-            Psi_v[9 * 8 + j] = Psi_v[12 * 8 + j] = t159; /* Psi_v(1,3) Psi_v(2,0) */
-            Psi_v[6 * 8 + j] = Psi_v[15 * 8 + j] = -t159; /* Psi_v(1,0) Psi_v(2,3) */
-            const real t160 = 2.0 * t133[j] * t147;
-            Psi_v[10 * 8 + j] = Psi_v[13 * 8 + j] = t160; /* Psi_v(1,4) Psi_v(2,1) */
-            Psi_v[7 * 8 + j] = Psi_v[16 * 8 + j] = -t160; /* Psi_v(1,1) Psi_v(2,4) */
-            const real t161 = 0.5 * t133[j] * t151;
-            const real t162 = t133[j] * t157;
-            const real t163 = 2.0 * (t161 + t162);
-            Psi_v[8 * 8 + j] = t163; /* Psi_v(1,2) */
-            const real t164 = 2.0 * (t161 - t162);
-            Psi_v[11 * 8 + j] = t164; /* Psi_v(1,5) */
-            Psi_v[14 * 8 + j] = -t163; /* Psi_v(2,2) */
-            Psi_v[17 * 8 + j] = -t164; /* Psi_v(2,5) */
+            const real straight_y = cos_mean[j] * d_y[j] - sin_mean[j] * d_x[j];
+            const real t0 = cos_mean[j] * d_x[j] + sin_mean[j] * d_y[j];
+            const real straight_x = t0 + t6[j];
+            const real t7 = real_sqrt(straight_y * straight_y + straight_x * straight_x);
+            const real t8 = 1.0 / t7;
+            const real t10 = 1.0 / (t9[j] + t7);
+            const real t11 = t10 * t10;
+            const real t12 = t8 * t11;
+            const real t16 = sin_mean[j] * t15[j];
+            const real t17 = cos_mean[j] * t15[j];
+            const real t18 = cos_mean[j] * t14[j] - 0.5 * (d_y[j] * t16 + d_x[j] * t17);
+            const real t20 = t18 - sin_mean[j] * t19[j];
+            const real t26 = cos_mean[j] * t19[j] + sin_mean[j] * t14[j] + t25[j] + 0.5 * (d_y[j] * t17 - d_x[j]
+                * t16);
+            const real t27 = straight_y * t20 + t26 * straight_x;
+            const real t28 = t8 * t27;
+            const real t29 = t11 * t28;
+            const real t30 = t20 * t10 - straight_y * t29;
+            const real t31 = t13[j] * t30;
+            const real t32 = straight_y * t31;
+            const real t33 = t12 * t32;
+            const real t34 = straight_y * t17 + t16 * straight_x;
+            const real bow = straight_y * t10;
+            const real t35 = t13[j] * bow;
+            const real t36 = t15[j] * t16;
+            const real t37 = straight_y * t12;
+            const real t38 = t15[j] * t17;
+            const real t39 = straight_x * t12;
+            const real t40 = t26 * t12;
+            const real t41 = straight_y * (0.5 * (t36 * t37 - t38 * t39) - 2.0 * t16 * t40);
+            const real t42 = 2.0 * t29;
+            const real t43 = t20 * t12;
+            const real t44 = t42 + 2.0 * straight_y * t43;
+            const real t46 = sin_mean[j] * t45[j];
+            const real t47 = straight_x * t37;
+            const real t48 = cos_mean[j] * t45[j];
+            const real t49 = t10 - straight_y * t37;
+            const real t57 = cos_mean[j] * t55[j] + sin_mean[j] * t56[j] + t54[j] + 0.5 * (d_y[j] * t48 - d_x[j]
+                * t46);
+            const real t58 = cos_mean[j] * t56[j] - 0.5 * (d_y[j] * t46 + d_x[j] * t48);
+            const real t59 = t58 - sin_mean[j] * t55[j];
+            const real t60 = straight_x * t57 + straight_y * t59;
+            const real t61 = straight_y * t60 * t11;
+            const real t62 = straight_y * t8;
+            const real t63 = t8 * t8;
+            const real t64 = t62 * t63;
+            const real t65 = t8 * t60;
+            const real t66 = t11 * t65;
+            const real t67 = t62 * t11;
+            const real t68 = t59 - 2.0 * bow * t65;
+            const real t69 = t19[j] * t16;
+            const real t70 = 2.0 * t14[j] * t17 - 0.5 * (d_x[j] * t38 + d_y[j] * t36) - t69;
+            const real t76 = 0.5 * (t70 - t69) + t75[j];
+            const real t77 = t14[j] * t16;
+            const real t78 = t19[j] * t17;
+            const real t79 = t78 + 0.5 * (d_y[j] * t38 - d_x[j] * t36) + t78 + t77 + t77;
+            const real t80 = t20 * t20 + t26 * t26 + straight_x * t76 - 0.5 * straight_y * t79;
+            const real t81 = t28 * t63;
+            const real t82 = t8 * t80 - t27 * t81;
+            const real t83 = t10 * t29;
+            const real t84 = 2.0 * t11 * t82 - 4.0 * t28 * t83;
+            const real t85 = t11 * t27;
+            const real t86 = t85 * t63;
+            const real t87 = t86 + 2.0 * t83;
+            const real t88 = t11 * (2.0 * t80 - 4.0 * t28 * t28) - 2.0 * t27 * t87;
+            const real t89 = 4.0 * t10 * t82 - 4.0 * t28 * t29;
+            const real t90 = t84 - straight_y * (t67 * t89 + t79 * t12 + t64 * t88) - t79 * t67;
+            const real t91 = t10 * t28;
+            const real t92 = t20 - straight_y * t91;
+            const real t93 = t12 * t92 - 0.5 * straight_y * (t11 * t81 + t8 * t87);
+            const real t94 = 4.0 * t91 * t67;
+            const real t95 = t94 + 2.0 * t85 * t64;
+            const real t96 = t61 * t64 - t66 - t37 * t59 - t67 * t68 - (0.5 * t90 + 2.0 * t20 * t93 - t92 * t95);
+            const real t97 = 0.5 * (t41 - t17 * t44 - (t46 * t47 - t48 * t49)) + sin_mean[j] * t96;
+            const real t98 = straight_x * t8;
+            const real t99 = t98 * t63;
+            const real t100 = t11 * t98;
+            const real t101 = t61 * t99 - t37 * t57 - t100 * t68;
+            const real t102 = t97 - 0.25 * t36 * t10 - t93 * t34 - cos_mean[j] * t101;
+            const real t103 = t10 * t31;
+            const real t104 = 4.0 * t91 * t100;
+            const real t105 = t104 + 2.0 * t85 * t99;
+            const real t106 = straight_y * (2.0 * t12 * t76 - t99 * t88 - t100 * t89) - t79 * t100;
+            const real t107 = 0.5 * t106 + 2.0 * t26 * t93 - t92 * t105;
+            const real t108 = t13[j] * (t10 * t59 - straight_y * t66);
+            const real t109 = 4.0 * t20 * t29 + straight_y * t84 + t79 * t10;
+            const real t110 = straight_y * t108 + t13[j] * (2.0 * t20 * t30 - 0.5 * straight_y * t109);
+            const real t111 = 2.0 * (t32 * t105 - t35 * t107 - t100 * t110) - 4.0 * t26 * t33;
+            const real t112 = 2.0 * (t33 * t34 - t35 * t102 - t17 * t103) + cos_mean[j] * t111;
+            const real t113 = t10 * t108 + t32 * t95 - t13[j] * (0.5 * t10 * t109 + 2.0 * t29 * t30);
+            const real t114 = 2.0 * (t113 - t67 * t110) - 4.0 * t20 * t33;
+            const real t115 = t112 - 0.5 * t46 - 0.25 * t38 - sin_mean[j] * t114;
+            Psi_x[3 * 8 + j] = t115; /* Psi_x(0,3) */
+            Psi_x[0 * 8 + j] = -t115; /* Psi_x(0,0) */
+            const real t116 = t17 * straight_x - straight_y * t16;
+            const real t117 = straight_y * (2.0 * t17 * t40 - 0.5 * (t38 * t37 + t36 * t39));
+            const real t118 = 0.5 * (t117 - t16 * t44 + (t48 * t47 + t46 * t49)) + t93 * t116;
+            const real t119 = 0.25 * t38 * t10 + t118 - cos_mean[j] * t96 - sin_mean[j] * t101;
+            const real t120 = 0.5 * t48 + sin_mean[j] * t111 + cos_mean[j] * t114 - 2.0 * (t33 * t116 + t35 * t119
+                + t16 * t103);
+            const real t121 = t120 - 0.25 * t36;
+            Psi_x[4 * 8 + j] = t121; /* Psi_x(0,4) */
+            Psi_x[1 * 8 + j] = -t121; /* Psi_x(0,1) */
+            const real t129 = sin_mean[j] * t124[j];
+            const real t131 = cos_mean[j] * t130[j];
+            const real t133 = sin_mean[j] * t132[j];
+            const real t134 = t131 - t133;
+            const real t135 = sin_mean[j] * t130[j] + cos_mean[j] * t132[j];
+            const real t136 = t134 * straight_x - straight_y * t135;
+            const real t137 = sin_mean[j] * t128[j];
+            const real t138 = 4.0 * t130[j] * t40 - 2.0 * (t128[j] * t37 + t124[j] * t39);
+            const real t139 = 2.0 * (t129 * t37 - t137 * t39) + cos_mean[j] * t138 - 4.0 * t133 * t40;
+            const real t140 = t0 * t96 + straight_y * (0.5 * t139 - t101) + 2.0 * t93 * t136;
+            const real t141 = t10 * (cos_mean[j] * t128[j] - t129) + t140 + cos_mean[j] * (t122[j] * t47 + t126[j]
+                * t49);
+            const real t142 = t141 - t135 * t44 - sin_mean[j] * (t126[j] * t47 - t122[j] * t49);
+            const real t143 = cos_mean[j] * t125[j] + straight_y * t111 - 2.0 * (t35 * t142 + 2.0 * t33 * t136);
+            const real t144 = t143 - sin_mean[j] * t126[j] - t137 - 4.0 * t135 * t103 - t0 * t114;
+            const real t145 = 0.5 * t144;
+            const real t158 = t157[j] * straight_x;
+            const real t163 = 0.5 * straight_y * (4.0 * t157[j] * t40 + 2.0 * t39 * t162[j]);
+            const real t164 = 2.0 * (t158 * t93 - (t150[j] * t101 - t47 * t148[j])) + t163;
+            const real t165 = t47 * t152[j] + t164;
+            const real t167 = 2.0 * (t148[j] + t150[j] * t111 - t35 * t165) + t166[j] - 4.0 * t158 * t33;
+            Psi_x[2 * 8 + j] = t145 - t167; /* Psi_x(0,2) */
+            Psi_x[5 * 8 + j] = t167 + t145; /* Psi_x(0,5) */
+            const real t169 = t168[j] * t107;
+            const real t170 = t168[j] * t102 + cos_mean[j] * t169;
+            Psi_x[6 * 8 + j] = Psi_x[15 * 8 + j] = t170; /* Psi_x(1,0) Psi_x(2,3) */
+            const real t171 = t168[j] * t119 + sin_mean[j] * t169;
+            Psi_x[7 * 8 + j] = Psi_x[16 * 8 + j] = t171; /* Psi_x(1,1) Psi_x(2,4) */
+            const real t172 = t168[j] * t165 + 2.0 * t150[j] * t169;
+            const real t173 = 0.5 * (t168[j] * t142 + straight_y * t169);
+            const real t174 = t172 - t173;
+            Psi_x[8 * 8 + j] = t174; /* Psi_x(1,2) */
+            Psi_x[9 * 8 + j] = Psi_x[12 * 8 + j] = -t170; /* Psi_x(1,3) Psi_x(2,0) */
+            Psi_x[10 * 8 + j] = Psi_x[13 * 8 + j] = -t171; /* Psi_x(1,4) Psi_x(2,1) */
+            const real t175 = t172 + t173;
+            Psi_x[17 * 8 + j] = t175; /* Psi_x(2,5) */
+            Psi_x[11 * 8 + j] = -t175; /* Psi_x(1,5) */
+            Psi_x[14 * 8 + j] = -t174; /* Psi_x(2,2) */
+            const real t176 = 0.5 * (t42 + straight_y * (2.0 * (t43 - t62 * t86) - t94));
+            const real t177 = t20 * t67 + t176;
+            const real t178 = 0.5 * (straight_y * (t16 * t39 + t17 * t37) - t17 * t10) + sin_mean[j] * t177;
+            const real t179 = t20 * t100 + 0.5 * straight_y * (2.0 * (t40 - t98 * t86) - t104);
+            const real t180 = t178 - cos_mean[j] * t179;
+            const real t181 = t32 * t100;
+            const real t182 = t103 - t32 * t67;
+            const real t183 = 2.0 * (t35 * t180 - cos_mean[j] * t181 - sin_mean[j] * t182);
+            const real t184 = 2.0 * (t183 - 0.5 * t16);
+            Psi_v[3 * 8 + j] = t184; /* Psi_v(0,3) */
+            Psi_v[0 * 8 + j] = -t184; /* Psi_v(0,0) */
+            const real t185 = sin_mean[j] * t179 + 0.5 * (t16 * t10 + straight_y * (t17 * t39 - t16 * t37));
+            const real t186 = cos_mean[j] * t177 + t185;
+            const real t187 = 2.0 * (cos_mean[j] * t182 - (sin_mean[j] * t181 + t35 * t186));
+            const real t188 = 2.0 * (0.5 * t17 + t187);
+            Psi_v[4 * 8 + j] = t188; /* Psi_v(0,4) */
+            Psi_v[1 * 8 + j] = -t188; /* Psi_v(0,1) */
+            const real t189 = t0 * t177 - straight_y * (t179 + t134 * t39 - t135 * t37);
+            const real t190 = t189 - t135 * t10;
+            const real t191 = t131 + 2.0 * (t35 * t190 - straight_y * t181 - t0 * t182);
+            const real t192 = 0.5 * (t191 - t133);
+            const real t195 = straight_y * t194[j] * t39 + 2.0 * t150[j] * t179;
+            const real t196 = t194[j] - 4.0 * t150[j] * t181 - 2.0 * t35 * t195;
+            Psi_v[2 * 8 + j] = 2.0 * (t192 - t196); /* Psi_v(0,2) */
+            Psi_v[5 * 8 + j] = 2.0 * (t196 + t192); /* Psi_v(0,5) */
+            const real t197 = 2.0 * t168[j] * t180;
+            Psi_v[9 * 8 + j] = Psi_v[12 * 8 + j] = t197; /* Psi_v(1,3) Psi_v(2,0) */
+            Psi_v[6 * 8 + j] = Psi_v[15 * 8 + j] = -t197; /* Psi_v(1,0) Psi_v(2,3) */
+            const real t198 = 2.0 * t168[j] * t186;
+            Psi_v[7 * 8 + j] = Psi_v[16 * 8 + j] = t198; /* Psi_v(1,1) Psi_v(2,4) */
+            const real t199 = t168[j] * t195;
+            const real t200 = 0.5 * t168[j] * t190;
+            const real t201 = 2.0 * (t199 + t200);
+            Psi_v[8 * 8 + j] = t201; /* Psi_v(1,2) */
+            Psi_v[10 * 8 + j] = Psi_v[13 * 8 + j] = -t198; /* Psi_v(1,4) Psi_v(2,1) */
+            const real t202 = 2.0 * (t200 - t199);
+            Psi_v[11 * 8 + j] = t202; /* Psi_v(1,5) */
+            Psi_v[14 * 8 + j] = -t201; /* Psi_v(2,2) */
+            Psi_v[17 * 8 + j] = -t202; /* Psi_v(2,5) */
         }
     }
 }
 
-/* stiffness: 213 operations.
+/* stiffness: 219 operations.
  * in:  x (6), sigma (3), tau (0), p (8)
  * out: K (6,6) */
 FLEXEL_CLONES
@@ -608,51 +663,41 @@ static void planar_beam_logarithmic_stiffness(size_t nblocks, const real *const 
         const real *restrict sigma = in[1] + b * (3 * 8);
         const real *restrict p = in[3] + b * (8 * 8);
         real *restrict K = out[0] + b * (36 * 8);
-        real d_x[8], d_y[8], t0[8], turn[8], t1[8], t4[8], t6[8], t7[8], t8[8], t9[8], mean[8], sin_mean[8], t10[8],
-            cos_mean[8], t12[8], t21[8], t24[8], t41[8], t42[8], t43[8], t48[8], t60[8], t63[8], t64[8];
+        real mean[8], sin_mean[8], t0[8], d_x[8], cos_mean[8], d_y[8], turn[8], t2[8], t5[8], t7[8], t10[8], t14[8],
+            t48[8], t49[8], t59[8], t60[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
+            const real rp_angle = x[2 * 8 + j];
+            const real rq_angle = x[5 * 8 + j];
+            const real alpha0 = p[1 * 8 + j];
+            const real alphaq0 = p[2 * 8 + j];
+            mean[j] = 0.5 * (rp_angle + rq_angle + alpha0 + alphaq0);
+            const real l0 = p[0 * 8 + j];
+            const real phi_z = p[5 * 8 + j];
+            t0[j] = l0 * phi_z;
             const real q_x = x[3 * 8 + j];
             const real p_x = x[0 * 8 + j];
             d_x[j] = q_x - p_x;
             const real q_y = x[4 * 8 + j];
             const real p_y = x[1 * 8 + j];
             d_y[j] = q_y - p_y;
-            const real l = real_sqrt(d_x[j] * d_x[j] + d_y[j] * d_y[j]);
-            t0[j] = 1.0 / l;
-            const real l0 = p[0 * 8 + j];
-            const real phi_z = p[5 * 8 + j];
-            const real rq_angle = x[5 * 8 + j];
-            const real alphaq0 = p[2 * 8 + j];
-            const real alpha0 = p[1 * 8 + j];
-            const real rp_angle = x[2 * 8 + j];
             turn[j] = rq_angle + alphaq0 - alpha0 - rp_angle;
-            t1[j] = turn[j] * turn[j];
-            const real t2 = 3.1001984126984127e-06 * t1[j];
-            const real t3 = 0.0005208333333333333 - t2;
-            t4[j] = 0.041666666666666664 - t1[j] * t3;
-            const real t5 = l0 * t1[j];
-            const real arc = t4[j] * t5;
-            t6[j] = 1.0 / (l + l0 * phi_z + arc);
-            t7[j] = t6[j] * t6[j];
-            t8[j] = t0[j] * t7[j];
-            t9[j] = d_x[j] * t8[j];
-            mean[j] = 0.5 * (alpha0 + alphaq0 + rp_angle + rq_angle);
+            t2[j] = turn[j] * turn[j];
+            const real t3 = 3.1001984126984127e-06 * t2[j];
+            const real t4 = 0.0005208333333333333 - t3;
+            t5[j] = 0.041666666666666664 - t2[j] * t4;
+            const real t6 = l0 * t2[j];
+            t7[j] = t5[j] * t6;
             const real sigma_elongation = sigma[0 * 8 + j];
             t10[j] = l0 * (phi_z + 0.6) * sigma_elongation;
             const real sigma_bend1 = sigma[1 * 8 + j];
             const real sigma_bend2 = sigma[2 * 8 + j];
-            t12[j] = l0 * (1.0 + phi_z) * (sigma_bend1 - sigma_bend2);
-            t21[j] = t6[j] * t10[j];
-            t24[j] = t0[j] * t0[j] * t0[j];
-            const real t40 = l0 * t4[j];
-            t41[j] = t2 - t3;
-            t42[j] = turn[j] * t41[j];
-            t43[j] = t7[j] * (turn[j] * t40 + t42[j] * t5);
-            t48[j] = d_y[j] * t8[j];
-            t60[j] = turn[j] * (t40 + t41[j] * t5);
-            t63[j] = d_y[j] * sigma_elongation;
-            t64[j] = d_x[j] * sigma_elongation;
+            t14[j] = l0 * (sigma_bend1 - sigma_bend2) * (1.0 + phi_z);
+            const real t47 = l0 * t5[j];
+            t48[j] = t3 - t4;
+            t49[j] = turn[j] * (t47 + t48[j] * t6);
+            t59[j] = turn[j] * t48[j];
+            t60[j] = t6 * t59[j] + turn[j] * t47;
         }
         for (size_t j = 0; j < 8; j++) {
             sin_mean[j] = real_sin(mean[j]);
@@ -660,77 +705,89 @@ static void planar_beam_logarithmic_stiffness(size_t nblocks, const real *const 
         }
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
-            const real t11 = cos_mean[j] * d_y[j] - sin_mean[j] * d_x[j];
-            const real bow = t11 * t6[j];
-            const real t13 = 2.0 * t10[j] * bow + t12[j];
-            const real t14 = t11 * t13;
-            const real t15 = t6[j] * t14;
-            const real t16 = t0[j] * t15;
-            const real t17 = sin_mean[j] * t13 + 2.0 * d_x[j] * t16;
-            const real t18 = t11 * t7[j];
-            const real t19 = t0[j] * t18;
-            const real t20 = sin_mean[j] * t6[j] + d_x[j] * t19;
-            const real t22 = t11 * t10[j];
-            const real t23 = sin_mean[j] * t21[j] + t9[j] * t22;
-            const real t25 = t7[j] * t14;
-            const real t26 = t24[j] * t25;
-            const real t27 = t8[j] * t13;
-            const real t28 = d_x[j] * t26 + sin_mean[j] * t27;
-            const real t29 = t0[j] * t25;
-            const real t30 = 2.0 * t20 * t23 + d_x[j] * t28 + t9[j] * t17 - t29;
-            K[0 * 8 + j] = K[21 * 8 + j] = t30; /* K(0,0) K(3,3) */
-            const real t31 = cos_mean[j] * t13 - 2.0 * d_y[j] * t16;
-            const real t32 = cos_mean[j] * t6[j] - d_y[j] * t19;
-            const real t33 = d_y[j] * t28 - t9[j] * t31 - 2.0 * t32 * t23;
-            K[1 * 8 + j] = K[6 * 8 + j] = K[22 * 8 + j] = K[27 * 8 + j] = t33; /* K(0,1) K(1,0) K(3,4) K(4,3) */
-            const real t34 = cos_mean[j] * d_x[j] + sin_mean[j] * d_y[j];
-            const real t35 = t34 * t27;
-            const real t36 = t34 * t21[j];
+            const real t1 = d_x[j] * cos_mean[j] + d_y[j] * sin_mean[j];
+            const real straight_x = t1 + t7[j];
+            const real straight_y = d_y[j] * cos_mean[j] - d_x[j] * sin_mean[j];
+            const real t8 = real_sqrt(straight_x * straight_x + straight_y * straight_y);
+            const real t9 = 1.0 / (t0[j] + t8);
+            const real t11 = t9 * t10[j];
+            const real t12 = 1.0 / t8;
+            const real t13 = t9 * t9;
+            const real bow = straight_y * t9;
+            const real t15 = 2.0 * bow * t10[j] + t14[j];
+            const real t16 = straight_y * t15;
+            const real t17 = t13 * t16;
+            const real t18 = t12 * t17;
+            const real t19 = t13 * t15;
+            const real t20 = straight_y * t12;
+            const real t21 = t20 * t13;
+            const real t22 = t12 * t19 + 2.0 * t21 * t11;
+            const real t23 = 2.0 * t9 * t11 - t18 - straight_y * t22;
+            const real t24 = sin_mean[j] * t23;
+            const real t25 = straight_x * t22;
+            const real t26 = straight_y * t13 * t10[j];
+            const real t27 = 2.0 * (t12 * t13 * t9 * t16 + t21 * t26) + t12 * t12 * t17;
+            const real t28 = straight_x * t27;
+            const real t29 = straight_x * t12;
+            const real t30 = cos_mean[j] * t29 - sin_mean[j] * t20;
+            const real t31 = sin_mean[j] * t25 + t28 * t30 - cos_mean[j] * t18;
+            const real t32 = straight_y * t27 - t19 - 2.0 * t9 * t26;
+            const real t33 = sin_mean[j] * t32;
+            const real t34 = sin_mean[j] * t24 + cos_mean[j] * t31 - t33 * t30;
+            K[0 * 8 + j] = K[21 * 8 + j] = t34; /* K(0,0) K(3,3) */
+            const real t35 = sin_mean[j] * t29 + cos_mean[j] * t20;
+            const real t36 = t28 * t35 - sin_mean[j] * t18 - cos_mean[j] * t25;
+            const real t37 = cos_mean[j] * (t36 - t24) - t33 * t35;
+            K[1 * 8 + j] = K[6 * 8 + j] = K[22 * 8 + j] = K[27 * 8 + j] = t37; /* K(0,1) K(1,0) K(3,4) K(4,3) */
+            const real t38 = t1 * t23;
+            const real t39 = 0.5 * straight_x * t18;
             const real sigma_elongation = sigma[0 * 8 + j];
-            const real t37 = d_x[j] * t35 + 2.0 * t20 * t36 - sin_mean[j] * sigma_elongation;
-            const real t38 = t6[j] * t13;
-            const real t39 = 0.5 * (t37 - cos_mean[j] * t38);
-            const real t44 = t22 * t43[j];
-            const real t45 = 2.0 * t43[j] * t17 + 4.0 * t20 * t44;
-            const real t46 = t39 - t45;
-            K[15 * 8 + j] = K[20 * 8 + j] = t46; /* K(2,3) K(3,2) */
-            K[2 * 8 + j] = K[12 * 8 + j] = -t46; /* K(0,2) K(2,0) */
-            K[3 * 8 + j] = K[18 * 8 + j] = -t30; /* K(0,3) K(3,0) */
-            K[4 * 8 + j] = K[9 * 8 + j] = K[19 * 8 + j] = K[24 * 8 + j] = -t33; /* K(0,4) K(1,3) K(3,1) K(4,0) */
-            const real t47 = t45 + t39;
-            K[23 * 8 + j] = K[33 * 8 + j] = t47; /* K(3,5) K(5,3) */
-            K[5 * 8 + j] = K[30 * 8 + j] = -t47; /* K(0,5) K(5,0) */
-            const real t49 = 2.0 * t32 * (cos_mean[j] * t21[j] - t48[j] * t22) - t29 - d_y[j] * (cos_mean[j] * t27
-                - d_y[j] * t26);
-            const real t50 = t49 - t48[j] * t31;
-            K[7 * 8 + j] = K[28 * 8 + j] = t50; /* K(1,1) K(4,4) */
-            const real t51 = 2.0 * t43[j] * t31 + 4.0 * t32 * t44;
-            const real t52 = cos_mean[j] * sigma_elongation + d_y[j] * t35 - sin_mean[j] * t38;
-            const real t53 = 0.5 * (t52 - 2.0 * t32 * t36);
-            const real t54 = t51 + t53;
-            K[16 * 8 + j] = K[26 * 8 + j] = t54; /* K(2,4) K(4,2) */
-            K[8 * 8 + j] = K[13 * 8 + j] = -t54; /* K(1,2) K(2,1) */
-            K[10 * 8 + j] = K[25 * 8 + j] = -t50; /* K(1,4) K(4,1) */
-            const real t55 = t53 - t51;
-            K[29 * 8 + j] = K[34 * 8 + j] = t55; /* K(4,5) K(5,4) */
-            K[11 * 8 + j] = K[31 * 8 + j] = -t55; /* K(1,5) K(5,1) */
+            const real t40 = sigma_elongation - t39 - t39;
+            const real t41 = t38 - t40;
+            const real t42 = straight_y * t18;
+            const real t43 = t9 * t15 - t42;
+            const real t44 = t1 * t32;
+            const real t45 = sin_mean[j] * t41 + straight_y * t31 - cos_mean[j] * t43 - t44 * t30;
+            const real t46 = 0.5 * t45;
+            const real t50 = 2.0 * t49[j] * t31;
+            const real t51 = t46 - t50;
+            K[15 * 8 + j] = K[20 * 8 + j] = t51; /* K(2,3) K(3,2) */
+            K[2 * 8 + j] = K[12 * 8 + j] = -t51; /* K(0,2) K(2,0) */
+            K[3 * 8 + j] = K[18 * 8 + j] = -t34; /* K(0,3) K(3,0) */
+            K[4 * 8 + j] = K[9 * 8 + j] = K[19 * 8 + j] = K[24 * 8 + j] = -t37; /* K(0,4) K(1,3) K(3,1) K(4,0) */
+            const real t52 = t50 + t46;
+            K[23 * 8 + j] = K[33 * 8 + j] = t52; /* K(3,5) K(5,3) */
+            K[5 * 8 + j] = K[30 * 8 + j] = -t52; /* K(0,5) K(5,0) */
+            const real t53 = cos_mean[j] * (cos_mean[j] * t23 + t32 * t35) + sin_mean[j] * t36;
+            K[7 * 8 + j] = K[28 * 8 + j] = t53; /* K(1,1) K(4,4) */
+            const real t54 = straight_y * t36 - cos_mean[j] * t41 - sin_mean[j] * t43 - t44 * t35;
+            const real t55 = 0.5 * t54;
+            const real t56 = 2.0 * t49[j] * t36;
+            const real t57 = t55 - t56;
+            K[16 * 8 + j] = K[26 * 8 + j] = t57; /* K(2,4) K(4,2) */
+            K[8 * 8 + j] = K[13 * 8 + j] = -t57; /* K(1,2) K(2,1) */
+            K[10 * 8 + j] = K[25 * 8 + j] = -t53; /* K(1,4) K(4,1) */
+            const real t58 = t56 + t55;
+            K[29 * 8 + j] = K[34 * 8 + j] = t58; /* K(4,5) K(5,4) */
+            K[11 * 8 + j] = K[31 * 8 + j] = -t58; /* K(1,5) K(5,1) */
             const real l0 = p[0 * 8 + j];
-            const real t56 = l0 * (sigma_elongation - t25);
-            const real t57 = t1[j] * t56;
-            const real t58 = turn[j] * (1.240079365079365e-05 * t57 + 2.0 * t41[j] * t56);
-            const real t59 = t41[j] * t57 + t4[j] * t56 + turn[j] * (t58 + 2.0 * t42[j] * t56);
-            const real t61 = 2.0 * t59 + 8.0 * t60[j] * (t43[j] * t15 + t18 * t44);
-            const real t62 = t34 * t6[j];
-            const real t65 = 2.0 * t62 * t36 - sin_mean[j] * (t63[j] - d_x[j] * t38) - cos_mean[j] * (t64[j] + d_y[j]
-                * t38);
-            const real t66 = 0.5 * t65;
-            const real t67 = 2.0 * t34 * t13 * t43[j] + 4.0 * t62 * t44;
-            const real t68 = 0.5 * t67;
-            K[14 * 8 + j] = t61 + 0.5 * (t66 - t67) - t68; /* K(2,2) */
-            const real t69 = 0.5 * (t67 + t66);
-            const real t70 = t61 + t68;
-            K[17 * 8 + j] = K[32 * 8 + j] = t69 - t70; /* K(2,5) K(5,2) */
-            K[35 * 8 + j] = t70 + t69; /* K(5,5) */
+            const real t61 = l0 * t40;
+            const real t62 = t2[j] * t61;
+            const real t63 = turn[j] * (1.240079365079365e-05 * t62 + 2.0 * t48[j] * t61);
+            const real t64 = t48[j] * t62 + t5[j] * t61 + turn[j] * (t63 + 2.0 * t59[j] * t61);
+            const real t65 = 2.0 * (2.0 * t60[j] * (t29 * t28 - t18) * t49[j] + t64);
+            const real t66 = straight_y * t29 - t1 * t20;
+            const real t67 = t1 * t25 + t28 * t66 - t42;
+            const real t68 = t1 * t38 + straight_y * t67 - sin_mean[j] * (d_y[j] * t40 - d_x[j] * t43);
+            const real t69 = t68 - cos_mean[j] * (d_y[j] * t43 + d_x[j] * t40) - t44 * t66;
+            const real t70 = 0.5 * t69;
+            const real t71 = t49[j] * t67;
+            const real t72 = 2.0 * t71;
+            K[14 * 8 + j] = t65 + 0.5 * (t70 - t72) - t71; /* K(2,2) */
+            const real t73 = 0.5 * (t72 + t70);
+            const real t74 = t65 + t71;
+            K[17 * 8 + j] = K[32 * 8 + j] = t73 - t74; /* K(2,5) K(5,2) */
+            K[35 * 8 + j] = t74 + t73; /* K(5,5) */
         }
     }
 }
@@ -1205,7 +1262,7 @@ static void planar_beam_logarithmic_tangent(size_t nblocks, const real *const *i
 
 const flexel_element flexel_planar_beam_logarithmic = {
     .name = "planar_beam_logarithmic",
-    .digest = "0577c60ae2a9e762",
+    .digest = "dcba791a77a38467",
     .n = 6,
     .m = 3,
     .k = 0,

@@ -785,8 +785,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element beam_logarithmic
     "beam_logarithmic": ElementSpec(
         name="beam_logarithmic",
-        digest="b2e9f154ae68af85",
-        doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nturn: rotation vector of R(u_p)'R(u_q), below half a turn; R_m = R(u_p) exp(turn/2), the triad halfway\nd = R_m'(xq - xp), l = |xq - xp|, s = 1/24 - turn.turn/1920 + (turn.turn)^2/322560\narc = l0 s (turn_y^2 + turn_z^2), which uniform bending takes from the chord\nbow_z = d_y/(phi_y l0 + l + arc) - s turn_x turn_y/(1 + phi_y)\nbow_y = -d_z/(phi_z l0 + l + arc) + s turn_x turn_z/(1 + phi_z):\n    mean angles of the sections about z and y from the triad halfway; the shear angles are phi_y bow_z, -phi_z bow_y\nbent = turn + turn x (0, bow_y, bow_z)\nelongation = d_x + arc + l0 ((3/5 + phi_z) bow_y^2 + (3/5 + phi_y) bow_z^2) - l0\ntorsion = l0 bent_x\nbend1, bend2 = l0 (bent_y/2 + (1 + phi_z) bow_y), l0 (bent_y/2 - (1 + phi_z) bow_y)\nbend3, bend4 = l0 (bent_z/2 + (1 + phi_y) bow_z), l0 (bent_z/2 - (1 + phi_y) bow_z)\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_y, phi_z) cubic shapes, torsion linear; w_p, w_q angular velocities in the triads\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
+        digest="11bd4e076249b55f",
+        doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nturn: rotation vector of R(u_p)'R(u_q), below half a turn; R_m = R(u_p) exp(turn/2), the triad halfway\ns = 1/24 - turn.turn/1920 + (turn.turn)^2/322560\nstraight = R_m'(xq - xp) - l0 s turn x (turn x (1, 0, 0)): the chord without what uniform strains do to it\nbow_z = straight_y/(phi_y l0 + |straight|),  bow_y = -straight_z/(phi_z l0 + |straight|):\n    mean angles of the sections about z and y from the triad halfway; the shear angles are phi_y bow_z, -phi_z bow_y\nbent = turn + turn x (0, bow_y, bow_z)\nelongation = straight_x + l0 ((3/5 + phi_z) bow_y^2 + (3/5 + phi_y) bow_z^2) - l0\ntorsion = l0 bent_x\nbend1, bend2 = l0 (bent_y/2 + (1 + phi_z) bow_y), l0 (bent_y/2 - (1 + phi_z) bow_y)\nbend3, bend4 = l0 (bent_z/2 + (1 + phi_y) bow_z), l0 (bent_z/2 - (1 + phi_y) bow_z)\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_y, phi_z) cubic shapes, torsion linear; w_p, w_q angular velocities in the triads\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
         source="Simo 1985, Comput. Methods Appl. Mech. Eng. 49 (strains of a rod); Crisfield 1990 (triad halfway)",
         nodes=(
             NodeSpec("p", "point"),
@@ -821,7 +821,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("De", (6, 14), tuple(range(84))),
                     OutputSpec("V", (0, 14), ()),
                 ),
-                1825,
+                2417,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -829,14 +829,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("g", (6,), tuple(range(6))),
                     OutputSpec("gs", (0,), ()),
                 ),
-                1270,
+                1280,
             ),
             "rates": KernelSpec(
                 ("x", "v", "p"),
                 (
                     OutputSpec("Phi_x", (6, 14), tuple(range(84))),
                 ),
-                5216,
+                6410,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -844,14 +844,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("Psi_x", (6, 14), tuple(range(84))),
                     OutputSpec("Psi_v", (6, 14), tuple(range(84))),
                 ),
-                17077,
+                20682,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
                 (
                     OutputSpec("K", (14, 14), tuple(range(196))),
                 ),
-                7117,
+                6833,
             ),
             "inertia": KernelSpec(
                 ("x", "v", "p"),
@@ -2240,8 +2240,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_beam_logarithmic
     "planar_beam_logarithmic": ElementSpec(
         name="planar_beam_logarithmic",
-        digest="0577c60ae2a9e762",
-        doc="ex, ey: directions of the element at p (angle_p + alpha0) and q (angle_q + alphaq0)\nturn = angle_q + alphaq0 - angle_p - alpha0;  along, across: components of xq - xp on the direction halfway\narc = l0 turn^2 (1/24 - turn^2/1920 + turn^4/322560), which uniform bending takes from the chord\nbow = across/(phi_z l0 + |xq - xp| + arc): mean angle of the sections from the direction halfway; the shear angle is\n      phi_z bow\nelongation = along + arc + l0 (3/5 + phi_z) bow^2 - l0\nbend1, bend2 = l0 (turn/2 + (1 + phi_z) bow), l0 (turn/2 - (1 + phi_z) bow)\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_z) cubic shapes\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
+        digest="dcba791a77a38467",
+        doc="ex, ey: directions of the element at p (angle_p + alpha0) and q (angle_q + alphaq0)\nturn = angle_q + alphaq0 - angle_p - alpha0;  along, across: components of xq - xp on the direction halfway\nstraight = (along + l0 turn^2 (1/24 - turn^2/1920 + turn^4/322560), across): the chord without what uniform bending\n      takes from it\nbow = across/(phi_z l0 + |straight|): mean angle of the sections from the direction halfway; the shear angle is\n      phi_z bow\nelongation = straight_x + l0 (3/5 + phi_z) bow^2 - l0\nbend1, bend2 = l0 (turn/2 + (1 + phi_z) bow), l0 (turn/2 - (1 + phi_z) bow)\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_z) cubic shapes\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
         source="Reissner 1972, ZAMP 23 (strains of a rod); corotational directions as Crisfield 1990",
         nodes=(
             NodeSpec("p", "planar_point"),
@@ -2272,7 +2272,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("De", (3, 6), tuple(range(18))),
                     OutputSpec("V", (0, 6), ()),
                 ),
-                99,
+                103,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -2280,14 +2280,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("g", (3,), (0, 1, 2)),
                     OutputSpec("gs", (0,), ()),
                 ),
-                139,
+                156,
             ),
             "rates": KernelSpec(
                 ("x", "v", "p"),
                 (
                     OutputSpec("Phi_x", (3, 6), tuple(range(18))),
                 ),
-                200,
+                233,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -2295,14 +2295,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("Psi_x", (3, 6), tuple(range(18))),
                     OutputSpec("Psi_v", (3, 6), tuple(range(18))),
                 ),
-                560,
+                731,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
                 (
                     OutputSpec("K", (6, 6), tuple(range(36))),
                 ),
-                213,
+                219,
             ),
             "inertia": KernelSpec(
                 ("x", "v", "p"),

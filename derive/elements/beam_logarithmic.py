@@ -14,13 +14,12 @@ from flexel.derive.elements.triads import Triad, named_quaternion, named_triad
 _DOC = """\
 triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq
 turn: rotation vector of R(u_p)'R(u_q), below half a turn; R_m = R(u_p) exp(turn/2), the triad halfway
-d = R_m'(xq - xp), l = |xq - xp|, s = 1/24 - turn.turn/1920 + (turn.turn)^2/322560
-arc = l0 s (turn_y^2 + turn_z^2), which uniform bending takes from the chord
-bow_z = d_y/(phi_y l0 + l + arc) - s turn_x turn_y/(1 + phi_y)
-bow_y = -d_z/(phi_z l0 + l + arc) + s turn_x turn_z/(1 + phi_z):
+s = 1/24 - turn.turn/1920 + (turn.turn)^2/322560
+straight = R_m'(xq - xp) - l0 s turn x (turn x (1, 0, 0)): the chord without what uniform strains do to it
+bow_z = straight_y/(phi_y l0 + |straight|),  bow_y = -straight_z/(phi_z l0 + |straight|):
     mean angles of the sections about z and y from the triad halfway; the shear angles are phi_y bow_z, -phi_z bow_y
 bent = turn + turn x (0, bow_y, bow_z)
-elongation = d_x + arc + l0 ((3/5 + phi_z) bow_y^2 + (3/5 + phi_y) bow_z^2) - l0
+elongation = straight_x + l0 ((3/5 + phi_z) bow_y^2 + (3/5 + phi_y) bow_z^2) - l0
 torsion = l0 bent_x
 bend1, bend2 = l0 (bent_y/2 + (1 + phi_z) bow_y), l0 (bent_y/2 - (1 + phi_z) bow_y)
 bend3, bend4 = l0 (bent_z/2 + (1 + phi_y) bow_z), l0 (bent_z/2 - (1 + phi_y) bow_z)
@@ -38,17 +37,17 @@ def _deformations(let: Let, p: Node, q: Node, us: tuple[Matrix, Matrix], tp: Tri
     l0, shear_y, shear_z = L0.symbol, PHI_Y.symbol, PHI_Z.symbol
     turn, half, square = rotation_vector(let, let.vector("r", product(conjugate(us[0]), us[1])))
     chord = let.vector("d", q.x - p.x)
-    length = let.scalar("l", norm(chord))
-    d = let.vector("dm", turned_back(half, square, let.vector("dp", components(tp, chord))))
-    s = let.scalar("shortening", shortening(let.scalar("turn_2", dot(turn, turn))))
-    arc = let.scalar("arc_length", l0 * s * (turn[1] ** 2 + turn[2] ** 2))
-    helix = let.vector("helix", [s * turn[0] * turn[1], s * turn[0] * turn[2]])
-    bow_z = let.scalar("bow_z", d[1] / (shear_y * l0 + length + arc) - helix[0] / (1 + shear_y))
-    bow_y = let.scalar("bow_y", helix[1] / (1 + shear_z) - d[2] / (shear_z * l0 + length + arc))
+    d = turned_back(half, square, let.vector("dp", components(tp, chord)))
+    s = let.scalar("shortening", l0 * shortening(let.scalar("turn_2", dot(turn, turn))))
+    x, y, z = turn
+    straight = let.vector("straight", d + s * Matrix([y**2 + z**2, -x * y, -x * z]))
+    length = let.scalar("l", norm(straight))
+    bow_z = let.scalar("bow_z", straight[1] / (shear_y * l0 + length))
+    bow_y = let.scalar("bow_y", -straight[2] / (shear_z * l0 + length))
     bent = let.vector("bent", turn + cross(turn, Matrix([0, bow_y, bow_z])))
     slope_y, slope_z = (1 + shear_z) * bow_y, (1 + shear_y) * bow_z
     return [
-        d[0] - l0 + arc + l0 * (bow_stretch(shear_z, bow_y) + bow_stretch(shear_y, bow_z)),
+        straight[0] - l0 + l0 * (bow_stretch(shear_z, bow_y) + bow_stretch(shear_y, bow_z)),
         l0 * bent[0],
         l0 * (HALF * bent[1] + slope_y),
         l0 * (HALF * bent[1] - slope_y),

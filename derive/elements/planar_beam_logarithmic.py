@@ -19,10 +19,11 @@ from flexel.derive.elements.triads import named_directions
 _DOC = """\
 ex, ey: directions of the element at p (angle_p + alpha0) and q (angle_q + alphaq0)
 turn = angle_q + alphaq0 - angle_p - alpha0;  along, across: components of xq - xp on the direction halfway
-arc = l0 turn^2 (1/24 - turn^2/1920 + turn^4/322560), which uniform bending takes from the chord
-bow = across/(phi_z l0 + |xq - xp| + arc): mean angle of the sections from the direction halfway; the shear angle is
+straight = (along + l0 turn^2 (1/24 - turn^2/1920 + turn^4/322560), across): the chord without what uniform bending
+      takes from it
+bow = across/(phi_z l0 + |straight|): mean angle of the sections from the direction halfway; the shear angle is
       phi_z bow
-elongation = along + arc + l0 (3/5 + phi_z) bow^2 - l0
+elongation = straight_x + l0 (3/5 + phi_z) bow^2 - l0
 bend1, bend2 = l0 (turn/2 + (1 + phi_z) bow), l0 (turn/2 - (1 + phi_z) bow)
 T: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with
    the shear-corrected (phi_z) cubic shapes
@@ -39,11 +40,10 @@ def _planar_beam_logarithmic() -> Element:
     mean = let.scalar("mean", HALF * (start + end))
     c, s = let.scalar("cos_mean", cos(mean)), let.scalar("sin_mean", sin(mean))
     d = let.vector("d", q.x - p.x)
-    length = let.scalar("l", norm(d))
-    arc = let.scalar("arc", l0 * turn**2 * shortening(turn**2))
-    across = dot(Matrix([-s, c]), d)
-    bow = let.scalar("bow", across / (shear * l0 + length + arc))
-    elongation = dot(Matrix([c, s]), d) - l0 + arc + l0 * bow_stretch(shear, bow)
+    along = dot(Matrix([c, s]), d) + l0 * turn**2 * shortening(turn**2)
+    straight = let.vector("straight", [along, dot(Matrix([-s, c]), d)])
+    bow = let.scalar("bow", straight[1] / (shear * l0 + norm(straight)))
+    elongation = straight[0] - l0 + l0 * bow_stretch(shear, bow)
     energy = planar_kinetic_energy(let, nodes, (directions[0][1], directions[1][1]))
     centre = hermite_mean(p.x, l0 * directions[0][0], q.x, l0 * directions[1][0])
     return Element(
