@@ -4,26 +4,20 @@ Everything is a function of the Gibbs vector tan(angle/2) n = vector part / scal
 the same for q, -q and any multiple of q.
 """
 
-from sympy import Expr, Matrix, Rational, sqrt
+from sympy import Expr, Matrix, Mul, Rational, sqrt
 
 from flexel.derive.declare.let import Let
 from flexel.derive.declare.rotation import cross, dot
 
-_TERMS = 12  # of the arc tangent: the first one left out is 2e-17 of the angle at half a turn
+_TERMS = 12  # of the arc tangent: the first one left out is 6e-19 of the angle at half a turn
 _HALVINGS = 3
-
-
-def _halved(let: Let, gibbs: Matrix, square: Expr, name: str) -> tuple[Matrix, Expr]:
-    """Gibbs vector of half the rotation, tan(angle/4) n, and its square."""
-    divisor = let.scalar(f"halving_{name}", 1 + sqrt(1 + square))
-    return let.vector(f"gibbs_{name}", gibbs / divisor), let.scalar(f"square_{name}", square / divisor**2)
 
 
 def rotation_vector(let: Let, q: Matrix) -> tuple[Matrix, Matrix, Expr]:
     """Rotation vector of a quaternion, for angles below half a turn, and half of the rotation.
 
-    The angle is halved three times; what remains is at most pi/16, where the series of the arc tangent is exact to
-    rounding, with its derivatives, at zero too.
+    The angle is halved three times, by tan(a/2) = tan(a)/(1 + sqrt(1 + tan(a)^2)); what remains is at most pi/16,
+    where the series of the arc tangent is exact to rounding, with its derivatives, at zero too.
 
     Returns
     -------
@@ -34,15 +28,16 @@ def rotation_vector(let: Let, q: Matrix) -> tuple[Matrix, Matrix, Expr]:
     """
     gibbs = let.vector("gibbs", [q[i] / q[0] for i in (1, 2, 3)])
     square = let.scalar("square", dot(gibbs, gibbs))
-    steps = []
+    divisors, squares = [], []
     for i in range(_HALVINGS):
-        gibbs, square = _halved(let, gibbs, square, str(2 ** (i + 1)))
-        steps.append((gibbs, square))
+        divisors.append(let.scalar(f"halving_{i}", 1 + sqrt(1 + square)))
+        square = let.scalar(f"square_{i}", square / divisors[-1] ** 2)
+        squares.append(square)
     series: Expr = Rational(0)
     for k in reversed(range(_TERMS)):
         series = Rational((-1) ** k, 2 * k + 1) + square * series
-    factor = let.scalar("arc", 2 ** (_HALVINGS + 1) * series)
-    return let.vector("turn", factor * gibbs), *steps[0]
+    factor = let.scalar("angle", 2 ** (_HALVINGS + 1) * series / Mul(*divisors))
+    return let.vector("turn", factor * gibbs), let.vector("half", gibbs / divisors[0]), squares[0]
 
 
 def turned_back(gibbs: Matrix, square: Expr, a: Matrix) -> Matrix:
