@@ -6,7 +6,20 @@ from typing import Any
 
 import mpmath
 import pytest
-from element_numbers import Vector, X, column, cross, equal, named, numbers, plus, product, rotated, rotation, unit
+from element_numbers import (
+    Vector,
+    X,
+    column,
+    cross,
+    equal,
+    named,
+    numbers,
+    plus,
+    product,
+    rotated,
+    rotation,
+    unit,
+)
 from mpmath import mpf
 
 STILL = [1, 0, 0, 0]
@@ -80,13 +93,15 @@ def test_energy_of_a_stretched_sheared_bent_and_twisted_beam_is_that_of_the_rod(
 ) -> None:
     """A rod with linear bending moments, constant forces and torque is in equilibrium to first order.
 
-    Its energy is then that of the beam to third order in the deformation.  The classic beam has that only without
-    stretch and shear.
+    Its energy is then that of the beam to third order in the deformation.  The classic beam is so without shear only.
     """
     small, EA, GJ, EIy, EIz = mpf("1e-3"), mpf(7), mpf(2), mpf(3), mpf(5)
     phi_y, phi_z = (PHI_Y, PHI_Z) if sheared else (mpf(0), mpf(0))
     stretch, torsion, y0, y1, z0, z1 = column(rng, 6)
-    shears = -phi_y * z1 / 6, phi_z * y1 / 6  # moment balance: M_z' = -V_y, M_y' = V_z, V = 12 E I/(phi l0^2) shear
+    shears = (
+        -phi_y * z1 / 6,
+        phi_z * y1 / 6,
+    )  # moment balance: M_z' = -V_y, M_y' = V_z, V = 12 E I/(phi l0^2) shear
 
     def strains(s: Any) -> tuple[Vector, Vector]:
         curvature = torsion, y0 + y1 * (2 * s - 1), z0 + z1 * (2 * s - 1)
